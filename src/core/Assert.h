@@ -1,0 +1,19 @@
+// FUR_ASSERT(condition, "Class::function()", "what was expected", what came): our own bug, so it
+// prints `Class::function(): expected X, got Y` and stops. Never for files or GPUs: see Result.
+#pragma once
+
+#include <string>
+
+namespace fur {
+
+[[noreturn]] void assertFailed(const char* where, const char* expected, const std::string& got);
+
+inline std::string assertText(const std::string& s) { return s; }
+inline std::string assertText(const char* s) { return s; }
+template <class T>
+std::string assertText(T number) { return std::to_string(number); }
+
+}  // namespace fur
+
+#define FUR_ASSERT(condition, where, expected, got) \
+  ((condition) ? void() : ::fur::assertFailed(where, expected, ::fur::assertText(got)))

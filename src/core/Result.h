@@ -1,0 +1,54 @@
+// A value or an error that the world caused (a file, a GPU, a limit). Our own bugs are
+// FUR_ASSERT's. Tests check the id; people read the text, which names the thing and the limit.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "core/Assert.h"
+
+namespace fur {
+
+enum class ErrorId {
+  WebglUnavailable,    // no OpenGL ES 3.0 / WebGL2 context, or a shader the driver refuses
+  OutOfMemory,
+  BadFile,             // the bytes are not what they claim to be
+  TooLarge,            // well-formed, but over a stated limit
+  UnsupportedVersion,  // well-formed, but of a version or extension that we do not read
+  Network,             // a file could not be fetched or opened
+};
+
+// The spelling that JavaScript and the command line see: "bad-file".
+const char* errorCode(ErrorId id);
+
+struct Error {
+  ErrorId id;
+  std::string message;
+};
+
+// Something that was mended on the way (a clamped value, an unknown key): the work went on.
+using Warnings = std::vector<std::string>;
+
+template <class T>
+class [[nodiscard]] Result {
+ public:
+  Result(T value) : state_(std::move(value)) {}
+  Result(Error error) : state_(std::move(error)) {}
+
+  explicit operator bool() const { return state_.index() == 0; }
+  T& value() { FUR_ASSERT(*this, "Result::value()", "a value", error().message); return std::get<0>(state_); }
+  const T& value() const { FUR_ASSERT(*this, "Result::value()", "a value", error().message); return std::get<0>(state_); }
+  const Error& error() const { return std::get<1>(state_); }
+  T* operator->() { return &value(); }
+  T& operator*() { return value(); }
+
+ private:
+  std::variant<T, Error> state_;
+};
+
+struct Done {};
+using Status = Result<Done>;
+
+}  // namespace fur

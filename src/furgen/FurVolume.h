@@ -1,0 +1,61 @@
+// The fur tile: a toroidal block of strands, cut into layers (Sheppard 2004, 3.3.3 and chapter 4).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/Math.h"
+#include "core/Result.h"
+
+namespace fur::furgen {
+
+// All of [0, 1] is legal for the floats; only density 0 gives no strands.
+struct FurParameters {
+  int size = 256;    // texels along one side, a power of two, 64..1024
+  int layers = 16;   // 4..128
+  float density = 0.85f;
+  float thickness = 0.35f;
+  float lengthVariation = 0.35f;
+  float length = 1.0f;  // of the longest strand, in volume heights
+  float curl = 0.25f;
+  float clump = 0.0f;   // binds strands into locks
+  std::uint32_t seed = 1;
+};
+
+// Layer-major, then rows: texel (x, y) of layer l is at (l * size + y) * size + x. Layer 0 is the
+// skin end, its height is 1 / layers; the last layer's is 1. Empty texels carry variance, dominance,
+// tangent, offset and strandId of the nearest strand of that layer (exact, toroidal).
+struct FurVolume {
+  int size = 0;
+  int layers = 0;
+  int strandCount = 0;
+  float density = 0;  // share of layer-0 texels that a strand covers, for the strand shadow
+  float weight = 0;   // mean strand volume, relative to the densest straight coat, for dynamics
+
+  std::vector<std::uint8_t> coverage;   // 0..255, anti-aliased
+  std::vector<std::uint8_t> dominance;  // 0.5..1 as 128..255
+  std::vector<std::uint8_t> variance;   // 0..255, one value a strand
+  std::vector<std::int8_t> tangent;     // 3 a texel, unit root-to-tip tangent * 127: x, y in texture axes, z up
+  std::vector<std::int16_t> offset;     // 2 a texel, texels * 64 from the texel back to its strand's root
+  std::vector<std::uint16_t> strandId;  // 1-based; 0 where the layer has no strand at all
+
+  // The fin map: the strands rooted in the central 6 % of the tile, seen from the side.
+  // finRows rows (row 0 = root), `size` columns.
+  int finRows = 0;
+  std::vector<std::uint8_t> finCoverage;
+  std::vector<std::uint8_t> finVariance;
+  std::vector<std::int8_t> finTangent;  // 3 a texel, as above; x runs along the edge
+};
+
+// Tangents take the tile to be as wide as `tileAspect` volume heights.
+inline constexpr float kTileAspect = 3.0f;
+
+// Never fails for parameters in range; out of range values are clamped. Same bytes on every platform.
+FurVolume generateFur(const FurParameters& parameters);
+
+// What the renderer uploads: RGBA8 a texel, coverage, tangent x, tangent y (both * 0.5 + 0.5),
+// variance; layer-major like the volume.
+std::vector<std::uint8_t> packLayers(const FurVolume& volume);
+std::vector<std::uint8_t> packFin(const FurVolume& volume);
+
+}  // namespace fur::furgen

@@ -1,0 +1,33 @@
+// A plain indexed triangle mesh, as importers and generators give it.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/Math.h"
+
+namespace fur::geometry {
+
+struct Mesh {
+  std::vector<Vec3> positions;
+  std::vector<Vec3> normals;  // empty, or one unit vector a vertex
+  std::vector<Vec2> uv;       // empty, or one a vertex; (0, 0) is the first texel of an image (glTF)
+  std::vector<std::uint32_t> indices;  // 3 a triangle, counter-clockwise seen from outside
+
+  std::size_t triangleCount() const { return indices.size() / 3; }
+};
+
+struct Bounds {
+  Vec3 low{0.0f}, high{0.0f};
+};
+
+Bounds bounds(const Mesh& mesh);
+
+// Moves the centre of the bounding box to the origin and scales the farthest vertex to distance 1.
+void fitToUnitSphere(Mesh& mesh);
+
+// Area- and angle-weighted normals. Vertices at the same position share one normal, so that a
+// surface split along a UV seam stays smooth.
+void computeNormals(Mesh& mesh);
+
+}  // namespace fur::geometry

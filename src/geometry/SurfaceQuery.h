@@ -1,0 +1,42 @@
+// Rays and nearest points against a surface, through a bounding volume hierarchy.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "geometry/Surface.h"
+
+namespace fur::geometry {
+
+struct SurfacePoint {
+  std::uint32_t triangle;  // index of its first corner is 3 * triangle
+  Vec3 weights;            // barycentric
+  float distance;          // along the ray (in lengths of its direction), or from the point asked for
+};
+
+// Holds no reference: the surface is passed to the builder only.
+class SurfaceQuery {
+ public:
+  SurfaceQuery() = default;
+  explicit SurfaceQuery(const Surface& surface);
+
+  // The nearest hit with distance > 0; back faces do not count. `direction` need not be unit.
+  std::optional<SurfacePoint> castRay(const Vec3& origin, const Vec3& direction) const;
+  // Every triangle that comes within `radius` of `centre`, in ascending order.
+  std::vector<std::uint32_t> trianglesWithin(const Vec3& centre, float radius) const;
+
+ private:
+  struct Node {
+    Vec3 low, high;
+    std::uint32_t first, count;  // count 0: an inner node, children at first and first + 1
+  };
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> order_;
+  std::vector<Vec3> corners_;  // 3 a triangle
+};
+
+Vec3 positionAt(const Surface& surface, const SurfacePoint& point);
+Vec3 normalAt(const Surface& surface, const SurfacePoint& point);
+Vec2 atlasAt(const Surface& surface, const SurfacePoint& point);
+
+}  // namespace fur::geometry

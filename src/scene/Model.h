@@ -1,0 +1,46 @@
+// A model as read from a file: one mesh, its base colour image still encoded (the platform decodes it).
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/Result.h"
+#include "geometry/Mesh.h"
+
+namespace fur::scene {
+
+struct EncodedImage {
+  std::string mimeType;  // "image/png", "image/jpeg" or "image/webp"; empty: no image
+  std::vector<std::uint8_t> bytes;
+  int width = 0, height = 0;  // from its header
+};
+
+struct Model {
+  std::string name;
+  geometry::Mesh mesh;         // every mesh of the default scene, node transforms applied, fitted to the unit sphere
+  EncodedImage baseColor;
+  Vec4 baseColorFactor{1.0f};  // linear
+  bool hasTexcoords = false;   // the file had them for every mesh
+  geometry::Bounds bounds;     // before fitting, in the file's units
+  Warnings warnings;
+};
+
+// Limits: over them is too-large, and the text names the limit.
+inline constexpr std::size_t kMaxFileBytes = 256u << 20;
+inline constexpr std::size_t kMaxVertices = 4'000'000;
+inline constexpr int kMaxImageSide = 8192;
+
+// Files that came along, by name (a .gltf names its buffers and images relative to itself).
+using FileSet = std::map<std::string, std::vector<std::uint8_t>>;
+
+// .glb or .gltf; `others` holds external buffers and images. Never throws; hostile bytes give a
+// typed error within a second.
+Result<Model> importGltf(std::span<const std::uint8_t> bytes, const std::string& name, const FileSet& others = {});
+
+// A bare .glb (positions, normals, uv, indices), as any glTF viewer shows it.
+std::vector<std::uint8_t> exportGlb(const geometry::Mesh& mesh, const std::string& name);
+
+}  // namespace fur::scene

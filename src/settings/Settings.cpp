@@ -1,0 +1,210 @@
+#include "settings/Settings.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+namespace fur::settings {
+
+namespace {
+
+constexpr double kMaxColor = 0xffffff;
+
+std::string shortNumber(double value) {
+  // The shortest text that reads back as the same float (std::to_chars of floats is missing from
+  // older C++ libraries for wasm).
+  char buffer[32];
+  for (int digits = 6; digits <= 9; ++digits) {
+    std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);
+    if (std::strtof(buffer, nullptr) == static_cast<float>(value)) break;
+  }
+  return buffer;
+}
+
+bool readNumber(std::string_view text, double& value) {
+  const std::string copy(text);
+  // Decimal only: strtod would also take spaces, hexadecimal, inf and nan.
+  if (copy.empty() || copy.find_first_not_of("+-.0123456789eE") != std::string::npos) return false;
+  char* end = nullptr;
+  value = std::strtod(copy.c_str(), &end);
+  return end == copy.c_str() + copy.size();
+}
+
+bool readColor(std::string_view text, double& value) {
+  if (!text.empty() && text.front() == '#') text.remove_prefix(1);
+  std::uint32_t rgb = 0;
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), rgb, 16);
+  if (text.size() != 6 || result.ec != std::errc() || result.ptr != text.data() + text.size()) return false;
+  value = rgb;
+  return true;
+}
+
+bool readValue(const Field& field, std::string_view text, double& value) {
+  switch (field.type) {
+    case FieldType::Color: return readColor(text, value);
+    case FieldType::Bool:
+      if (text == "true" || text == "1") return value = 1, true;
+      if (text == "false" || text == "0") return value = 0, true;
+      return false;
+    case FieldType::Choice: {
+      const int index = optionIndex(field, text);
+      if (index >= 0) return value = index, true;
+      return false;
+    }
+    default: return readNumber(text, value);
+  }
+}
+
+std::string jsonString(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    out += c;
+  }
+  return out + '"';
+}
+
+const char* typeName(FieldType type) {
+  switch (type) {
+    case FieldType::Float: return "float";
+    case FieldType::Int: return "int";
+    case FieldType::Bool: return "bool";
+    case FieldType::Color: return "color";
+    case FieldType::Choice: return "choice";
+  }
+  return "float";
+}
+
+}  // namespace
+
+const std::array<Field, kFieldCount>& fields() {
+#define FUR_ACCESS(name, Type)                               \
+  [](const Settings& s) { return static_cast<double>(s.name); }, \
+      [](Settings& s, double v) { s.name = static_cast<Type>(v); }
+#define FUR_FLOAT(name, label, group, value, low, high, unit, tip) \
+  {#name, label, group, FieldType::Float, value, low, high, unit, "", tip, FUR_ACCESS(name, float)},
+#define FUR_INT(name, label, group, value, low, high, unit, tip) \
+  {#name, label, group, FieldType::Int, value, low, high, unit, "", tip, FUR_ACCESS(name, int)},
+#define FUR_BOOL(name, label, group, value, tip) \
+  {#name, label, group, FieldType::Bool, value, 0, 1, "", "", tip, FUR_ACCESS(name, bool)},
+#define FUR_COLOR(name, label, group, value, tip) \
+  {#name, label, group, FieldType::Color, value, 0, kMaxColor, "", "", tip, FUR_ACCESS(name, std::uint32_t)},
+#define FUR_CHOICE(name, label, group, value, options, tip)                              \
+  {#name, label, group, FieldType::Choice, value, 0, kMaxColor, "", options, tip, \
+   FUR_ACCESS(name, int)},
+  static const std::array<Field, kFieldCount> table = [] {
+    std::array<Field, kFieldCount> rows = {{
+#include "settings/Fields.inc"
+    }};
+    for (Field& row : rows) {
+      if (row.type != FieldType::Choice) continue;
+      int last = 0;
+      for (const char* c = row.options; *c; ++c) last += *c == '|';
+      row.high = last;
+    }
+    return rows;
+  }();
+#undef FUR_FLOAT
+#undef FUR_INT
+#undef FUR_BOOL
+#undef FUR_COLOR
+#undef FUR_CHOICE
+#undef FUR_ACCESS
+  return table;
+}
+
+const Field* findField(std::string_view name) {
+  for (const Field& field : fields())
+    if (name == field.name) return &field;
+  return nullptr;
+}
+
+void setField(Settings& settings, const Field& field, double value, Warnings& warnings) {
+  const double given = value;
+  if (std::isnan(value)) value = field.standard;
+  if (field.type != FieldType::Float) value = std::floor(value + 0.5);
+  // The bounds as the field holds them: 3.1416f is a little less than 3.1416.
+  value = glm::clamp(value, field.low, field.high);
+  if (std::isnan(given) || given < field.low || given > field.high)
+    warnings.push_back(std::string(field.name) + ": " + shortNumber(given) + " is outside " + shortNumber(field.low) +
+                       " to " + shortNumber(field.high) + ", " + shortNumber(value) + " is used");
+  field.set(settings, value);
+}
+
+bool setField(Settings& settings, std::string_view name, std::string_view text, Warnings& warnings) {
+  const Field* field = findField(name);
+  if (!field) {
+    warnings.push_back("unknown setting \"" + std::string(name.substr(0, 64)) + '"');
+    return false;
+  }
+  double value = 0;
+  if (!readValue(*field, text, value)) {
+    warnings.push_back(std::string(field->name) + ": \"" + std::string(text.substr(0, 64)) + "\" is not a " +
+                       (field->type == FieldType::Choice ? std::string("choice of ") + field->options
+                                                         : std::string(typeName(field->type))));
+    return false;
+  }
+  setField(settings, *field, value, warnings);
+  return true;
+}
+
+std::string fieldText(const Settings& settings, const Field& field) {
+  const double value = field.get(settings);
+  switch (field.type) {
+    case FieldType::Bool: return value != 0 ? "true" : "false";
+    case FieldType::Choice: return std::string(optionName(field, static_cast<int>(value)));
+    case FieldType::Color: {
+      char buffer[8];
+      std::snprintf(buffer, sizeof buffer, "#%06x", static_cast<unsigned>(value));
+      return buffer;
+    }
+    case FieldType::Int: return std::to_string(static_cast<int>(value));
+    case FieldType::Float: return shortNumber(value);
+  }
+  return {};
+}
+
+int optionIndex(const Field& field, std::string_view option) {
+  for (int index = 0; !optionName(field, index).empty(); ++index)
+    if (optionName(field, index) == option) return index;
+  return -1;
+}
+
+std::string_view optionName(const Field& field, int index) {
+  std::string_view rest = field.options;
+  for (;;) {
+    const std::size_t bar = rest.find('|');
+    if (index == 0) return rest.substr(0, bar);
+    if (bar == std::string_view::npos || index < 0) return {};
+    rest.remove_prefix(bar + 1);
+    --index;
+  }
+}
+
+std::string fieldTableJson() {
+  std::string out = "[";
+  for (const Field& field : fields()) {
+    const Settings standard;
+    if (out.size() > 1) out += ',';
+    const bool number = field.type == FieldType::Float || field.type == FieldType::Int;
+    const std::string value = fieldText(standard, field);
+    out += "{\"name\":" + jsonString(field.name) + ",\"label\":" + jsonString(field.label) +
+           ",\"group\":" + jsonString(field.group) + ",\"type\":" + jsonString(typeName(field.type)) +
+           ",\"default\":" + (number || field.type == FieldType::Bool ? value : jsonString(value)) +
+           ",\"min\":" + shortNumber(field.low) + ",\"max\":" + shortNumber(field.high) +
+           ",\"unit\":" + jsonString(field.unit) + ",\"options\":" + jsonString(field.options) +
+           ",\"tooltip\":" + jsonString(field.tooltip) + '}';
+  }
+  return out + ']';
+}
+
+Vec3 linearColor(std::uint32_t srgb) {
+  const auto channel = [](std::uint32_t byte) {
+    const float c = static_cast<float>(byte & 255u) / 255.0f;
+    return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f);
+  };
+  return {channel(srgb >> 16), channel(srgb >> 8), channel(srgb)};
+}
+
+}  // namespace fur::settings
