@@ -1,0 +1,68 @@
+# One library per folder of src/, linked along the allowed arrows (tools/check-arrows.mjs holds the
+# includes to the same table).
+
+add_library(fur_options INTERFACE)
+target_include_directories(fur_options INTERFACE "${CMAKE_SOURCE_DIR}/src")
+target_compile_options(fur_options INTERFACE -Wall -Wextra -Wpedantic -Werror)
+target_link_libraries(fur_options INTERFACE third_party_headers)
+
+# fur_library(<target> <sources of> <linked>...): every .cpp below a folder, as a static library; as
+# an interface library while the folder has none. EXCEPT names a subfolder that belongs to another target.
+function(fur_library target folder)
+  cmake_parse_arguments(arg "" "EXCEPT" "" ${ARGN})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/${folder}/*.cpp")
+  if(arg_EXCEPT)
+    list(FILTER sources EXCLUDE REGEX "/${folder}/${arg_EXCEPT}/")
+  endif()
+  if(sources)
+    add_library(${target} STATIC ${sources})
+    target_link_libraries(${target} PUBLIC fur_options ${arg_UNPARSED_ARGUMENTS})
+  else()
+    add_library(${target} INTERFACE)
+    target_link_libraries(${target} INTERFACE fur_options ${arg_UNPARSED_ARGUMENTS})
+  endif()
+endfunction()
+
+fur_library(fur_core src/core)
+fur_library(fur_geometry src/geometry fur_core)
+fur_library(fur_settings src/settings fur_core)
+set(FUR_FIELDS fur_geometry fur_settings)
+fur_library(fur_furgen src/furgen ${FUR_FIELDS})
+fur_library(fur_wet src/wet ${FUR_FIELDS})
+fur_library(fur_dynamics src/dynamics ${FUR_FIELDS})
+fur_library(fur_hair src/hair ${FUR_FIELDS})
+fur_library(fur_scene src/scene fur_furgen fur_wet fur_dynamics fur_hair)
+set(FUR_PURE_MODULES fur_core fur_geometry fur_settings fur_furgen fur_wet fur_dynamics fur_hair fur_scene)
+
+if(EMSCRIPTEN)
+  get_target_property(type fur_scene TYPE)
+  if(type STREQUAL "STATIC_LIBRARY")
+    # The JSON and glTF readers are most of the download and run once per model.
+    target_compile_options(fur_scene PRIVATE $<$<CONFIG:Release>:-Os>)
+  endif()
+endif()
+
+if(TARGET third_party_gles)
+  file(GLOB_RECURSE FUR_SHADERS CONFIGURE_DEPENDS
+    "${CMAKE_SOURCE_DIR}/shaders/es3/*.vert" "${CMAKE_SOURCE_DIR}/shaders/es3/*.frag"
+    "${CMAKE_SOURCE_DIR}/shaders/es3/*.glsl" "${CMAKE_SOURCE_DIR}/shaders/es3/*.h")
+  set(shader_header "${CMAKE_BINARY_DIR}/generated/render/ShaderSources.h")
+  add_custom_command(OUTPUT "${shader_header}"
+    COMMAND "${CMAKE_COMMAND}" "-DSHADERS=${CMAKE_SOURCE_DIR}/shaders/es3" "-DOUTPUT=${shader_header}"
+      -P "${CMAKE_SOURCE_DIR}/cmake/EmbedShaders.cmake"
+    DEPENDS ${FUR_SHADERS} "${CMAKE_SOURCE_DIR}/cmake/EmbedShaders.cmake"
+    COMMENT "Embedding the shaders" VERBATIM)
+  add_custom_target(fur_shaders DEPENDS "${shader_header}")
+  add_library(fur_shader_sources INTERFACE)
+  add_dependencies(fur_shader_sources fur_shaders)
+  target_include_directories(fur_shader_sources INTERFACE
+    "${CMAKE_BINARY_DIR}/generated" "${CMAKE_SOURCE_DIR}/shaders/es3")
+
+  fur_library(fur_gl src/gl fur_core third_party_gles)
+  fur_library(fur_render src/render fur_scene fur_gl fur_shader_sources)
+  fur_library(fur_app src/app fur_render EXCEPT editor)
+  if(TARGET imgui)
+    fur_library(fur_editor src/editor fur_scene imgui)
+    fur_library(fur_app_editor src/app/editor fur_app fur_editor imgui_opengl3)
+  endif()
+endif()

@@ -1,0 +1,48 @@
+# fur_program(<target> SOURCES <folder globs>... LINK <targets>...): made when there are sources and all
+# that it links exists.
+function(fur_program target)
+  cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
+  list(TRANSFORM arg_SOURCES PREPEND "${CMAKE_SOURCE_DIR}/")
+  file(GLOB sources CONFIGURE_DEPENDS ${arg_SOURCES})
+  if(NOT sources)
+    return()
+  endif()
+  foreach(linked ${arg_LINK})
+    if(NOT TARGET ${linked})
+      message(STATUS "wet-fur: ${target} is left out: no ${linked}")
+      return()
+    endif()
+  endforeach()
+  add_executable(${target} ${sources})
+  target_include_directories(${target} PRIVATE "${CMAKE_SOURCE_DIR}")
+  target_link_libraries(${target} PRIVATE ${arg_LINK} fur_options)
+  if(TARGET fur_arrows)
+    add_dependencies(${target} fur_arrows)
+  endif()
+endfunction()
+
+# The wasm programs: modules for the browser that can also be imported, and with a given wasmBinary
+# instantiated, in Node; no eval, no file system.
+function(fur_web_program target)
+  fur_program(${target} ${ARGN})
+  if(NOT TARGET ${target})
+    return()
+  endif()
+  set_target_properties(${target} PROPERTIES SUFFIX ".mjs" RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/web")
+  target_link_options(${target} PRIVATE
+    -sMODULARIZE=1 -sEXPORT_ES6=1 -sENVIRONMENT=web -sFILESYSTEM=0 -sDYNAMIC_EXECUTION=0
+    -sALLOW_MEMORY_GROWTH=1 -sTOTAL_STACK=1MB -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2
+    -sEXPORTED_FUNCTIONS=_malloc,_free
+    -sEXPORTED_RUNTIME_METHODS=GL,UTF8ToString,stringToUTF8,lengthBytesUTF8,HEAP8,HEAPU8,HEAP32,HEAPU32,HEAPF32
+    $<$<CONFIG:Debug>:-sASSERTIONS=1>
+    --no-entry)
+endfunction()
+
+if(EMSCRIPTEN)
+  fur_web_program(wet-fur SOURCES web/*.cpp LINK fur_app)
+  fur_web_program(wet-fur-editor SOURCES web/*.cpp web/editor/*.cpp LINK fur_app_editor)
+else()
+  fur_program(wet-fur-render SOURCES native/*.cpp native/headless/*.cpp LINK fur_app third_party_egl)
+  fur_program(wet-fur SOURCES native/*.cpp native/window/*.cpp LINK fur_app_editor imgui_glfw third_party_glfw)
+  fur_program(wet-fur-make-assets SOURCES tools/assets/*.cpp LINK fur_scene)
+endif()

@@ -1,0 +1,63 @@
+# wet-fur-tests     the pure modules, on the CPU; native, and as wasm under Node
+# wet-fur-gl-tests  what needs a context (EGL without a window), and the modules that link GL; native
+
+set(FUR_PURE_TEST_FOLDERS core settings geometry furgen wet dynamics hair scene)
+
+set(pure_globs ${FUR_PURE_TEST_FOLDERS})
+list(TRANSFORM pure_globs PREPEND "${CMAKE_SOURCE_DIR}/tests/")
+list(TRANSFORM pure_globs APPEND "/*Test.cpp")
+file(GLOB_RECURSE FUR_CPU_TESTS CONFIGURE_DEPENDS ${pure_globs})
+list(FILTER FUR_CPU_TESTS EXCLUDE REGEX "GLTest\\.cpp$")
+file(GLOB_RECURSE FUR_GL_TESTS CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/tests/*Test.cpp")
+if(FUR_CPU_TESTS)
+  list(REMOVE_ITEM FUR_GL_TESTS ${FUR_CPU_TESTS})
+endif()
+
+if(EMSCRIPTEN)
+  # Debian's libgtest is native; its sources serve here.
+  set(gtest_root "/usr/src/googletest/googletest" CACHE PATH "GoogleTest's sources, for the wasm tests")
+  if(NOT EXISTS "${gtest_root}/src/gtest-all.cc")
+    message(STATUS "wet-fur: no GoogleTest in ${gtest_root}; the wasm tests are left out")
+    return()
+  endif()
+  add_library(fur_gtest STATIC EXCLUDE_FROM_ALL "${gtest_root}/src/gtest-all.cc" "${gtest_root}/src/gtest_main.cc")
+  target_include_directories(fur_gtest SYSTEM PUBLIC "${gtest_root}/include")
+  target_include_directories(fur_gtest PRIVATE "${gtest_root}")
+  target_compile_definitions(fur_gtest PUBLIC GTEST_HAS_PTHREAD=0)
+  target_compile_options(fur_gtest PRIVATE -w)
+else()
+  find_package(GTest QUIET)
+  if(NOT GTest_FOUND)
+    message(STATUS "wet-fur: no GoogleTest; the tests are left out (on Debian: libgtest-dev)")
+    return()
+  endif()
+  add_library(fur_gtest INTERFACE)
+  target_link_libraries(fur_gtest INTERFACE GTest::gtest GTest::gtest_main)
+endif()
+
+if(FUR_CPU_TESTS)
+  add_executable(wet-fur-tests EXCLUDE_FROM_ALL ${FUR_CPU_TESTS})
+  target_include_directories(wet-fur-tests PRIVATE "${CMAKE_SOURCE_DIR}")
+  target_link_libraries(wet-fur-tests PRIVATE ${FUR_PURE_MODULES} fur_options fur_gtest)
+  if(EMSCRIPTEN)
+    # CommonJS, because Emscripten 3.1.6 cannot make an ES module for Node; the tree's package.json says
+    # otherwise, so the folder has its own.
+    set(test_folder "${CMAKE_BINARY_DIR}/node-tests")
+    file(WRITE "${test_folder}/package.json" "{ \"type\": \"commonjs\" }\n")
+    set_target_properties(wet-fur-tests PROPERTIES SUFFIX ".js" RUNTIME_OUTPUT_DIRECTORY "${test_folder}")
+    target_link_options(wet-fur-tests PRIVATE -sENVIRONMENT=node -sALLOW_MEMORY_GROWTH=1 -sTOTAL_STACK=1MB
+      -sEXIT_RUNTIME=1)
+  endif()
+endif()
+
+if(FUR_GL_TESTS AND NOT EMSCRIPTEN AND TARGET third_party_egl AND TARGET fur_app)
+  add_executable(wet-fur-gl-tests EXCLUDE_FROM_ALL ${FUR_GL_TESTS})
+  target_include_directories(wet-fur-gl-tests PRIVATE "${CMAKE_SOURCE_DIR}")
+  target_link_libraries(wet-fur-gl-tests PRIVATE fur_app third_party_egl fur_options fur_gtest)
+  if(TARGET fur_app_editor)
+    target_link_libraries(wet-fur-gl-tests PRIVATE fur_app_editor)
+  else()
+    list(FILTER FUR_GL_TESTS EXCLUDE REGEX "/tests/editor/")
+    set_target_properties(wet-fur-gl-tests PROPERTIES SOURCES "${FUR_GL_TESTS}")
+  endif()
+endif()
