@@ -1,0 +1,74 @@
+#include "furgen/NearestFill.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace fur::furgen {
+
+namespace {
+constexpr std::int32_t kFar = 1 << 14;
+}
+
+NearestFill::NearestFill(int size)
+    : size_(size),
+      distance_(static_cast<std::size_t>(size) * size),
+      columnId_(static_cast<std::size_t>(size) * size),
+      apex_(static_cast<std::size_t>(size) * 2),
+      from_(static_cast<std::size_t>(size) * 2 + 1) {}
+
+void NearestFill::fill(std::uint16_t* ids) {
+  const std::size_t texels = static_cast<std::size_t>(size_) * size_;
+  if (std::all_of(ids, ids + texels, [](std::uint16_t id) { return id == 0; })) return;
+  sweepColumns(ids);
+  for (int y = 0; y < size_; ++y) joinRow(y, ids + static_cast<std::size_t>(y) * size_);
+}
+
+void NearestFill::sweepColumns(const std::uint16_t* ids) {
+  const std::size_t texels = static_cast<std::size_t>(size_) * size_;
+  for (std::size_t i = 0; i < texels; ++i) distance_[i] = ids[i] ? 0 : kFar;
+  std::copy(ids, ids + texels, columnId_.begin());
+  const auto take = [&](int to, int from) {
+    std::int32_t* d = &distance_[static_cast<std::size_t>(to) * size_];
+    std::uint16_t* id = &columnId_[static_cast<std::size_t>(to) * size_];
+    const std::int32_t* dFrom = &distance_[static_cast<std::size_t>(from) * size_];
+    const std::uint16_t* idFrom = &columnId_[static_cast<std::size_t>(from) * size_];
+    for (int x = 0; x < size_; ++x) {
+      const bool nearer = dFrom[x] + 1 < d[x];
+      d[x] = nearer ? dFrom[x] + 1 : d[x];
+      id[x] = nearer ? idFrom[x] : id[x];
+    }
+  };
+  // One and a half rounds each way: what lies farther is nearer the other way round.
+  const int mask = size_ - 1, end = size_ + size_ / 2;
+  for (int y = 1; y < end; ++y) take(y & mask, (y - 1) & mask);
+  for (int y = end - 2; y >= 0; --y) take(y & mask, (y + 1) & mask);
+}
+
+void NearestFill::joinRow(int y, std::uint16_t* row) {
+  const std::int32_t* distance = &distance_[static_cast<std::size_t>(y) * size_];
+  const std::uint16_t* id = &columnId_[static_cast<std::size_t>(y) * size_];
+  const int mask = size_ - 1, half = size_ / 2;
+  const auto height = [&](int q) { return static_cast<double>(distance[q & mask]) * distance[q & mask] + static_cast<double>(q) * q; };
+  int top = -1;
+  // No nearest texel is more than half a tile away, so this stretch holds every candidate.
+  for (int q = -half; q < size_ + half; ++q) {
+    if (distance[q & mask] >= kFar) continue;
+    const double h = height(q);
+    double start = -1e30;
+    while (top >= 0) {
+      const int v = apex_[top];
+      start = (h - height(v)) / (2.0 * (q - v));
+      if (start > from_[top]) break;
+      --top;
+    }
+    if (top < 0) start = -1e30;
+    apex_[++top] = q;
+    from_[top] = start;
+  }
+  for (int x = 0, k = 0; x < size_; ++x) {
+    while (k < top && from_[k + 1] <= x) ++k;
+    row[x] = id[apex_[k] & mask];
+  }
+}
+
+}  // namespace fur::furgen

@@ -1,0 +1,23 @@
+// The shape laws of one strand, as plain numbers: what the generator draws with and the shaders repeat.
+#pragma once
+
+#include <algorithm>
+
+namespace fur::furgen {
+
+// Radius at s = h / strandLength, relative to the strand's nominal radius: 0.81 at the skin, 0.29 at
+// the tip, 0 past it (Sheppard Eq. 3.6). s is linear in the height: the listing of his figure 4.4
+// squares it, which kills strands after two or three layers.
+inline float strandThinning(float s) {
+  if (!(s <= 1.0f)) return 0.0f;
+  return 1.0f - 1.0f / (5.4f - 4.0f * std::max(s, 0.0f));
+}
+
+// Whether a strand of that dominance (0.5..1) still stands at height h where its type is present to
+// `presence` (1 = fully there, 0 = only the other type): Sheppard Eq. 3.5.
+inline bool strandExists(float h, float presence, float dominance) {
+  if (!(dominance > 0.0f)) return false;
+  return h <= std::max(2.0f - 2.0f * (1.0f - presence) / dominance, 0.0f);
+}
+
+}  // namespace fur::furgen
