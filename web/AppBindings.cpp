@@ -1,0 +1,171 @@
+// app/App.h as plain C functions. A handle is an app::App*; a module instance may hold several.
+// GL calls go to the context that JavaScript made current just before.
+#include <vector>
+
+#include "Boundary.h"
+#include "app/App.h"
+
+using namespace fur;
+using app::App;
+using web::guarded;
+
+// --- life ---
+
+FUR_EXPORT App* fur_create() {
+  return guarded([] { return new App(); });
+}
+FUR_EXPORT void fur_destroy(App* app) { delete app; }
+FUR_EXPORT int fur_attach(App* app) {
+  return guarded([&] { return web::report(app->attach()); });
+}
+FUR_EXPORT void fur_detach(App* app, int lost) { app->detach(lost != 0); }
+FUR_EXPORT void fur_resize(App* app, int width, int height, float pixelRatio) { app->resize(width, height, pixelRatio); }
+
+// --- model ---
+
+FUR_EXPORT int fur_loadPrimitive(App* app, const char* name) {
+  return guarded([&] { return web::report(app->loadPrimitive(name)); });
+}
+FUR_EXPORT int fur_loadModel(App* app, const std::uint8_t* bytes, std::uint32_t size, const char* name) {
+  return guarded([&] { return web::report(app->loadModel({bytes, size}, name, web::takeStagedFiles())); });
+}
+FUR_EXPORT const char* fur_modelName(App* app) { return web::text(app->modelName()); }
+// The encoded base colour image: type "" when there is none.
+FUR_EXPORT const char* fur_imageType(App* app) { return web::text(app->pendingImage().mimeType); }
+FUR_EXPORT const std::uint8_t* fur_imageBytes(App* app) { return app->pendingImage().bytes.data(); }
+FUR_EXPORT const double* fur_imageInfo(App* app) {
+  const scene::EncodedImage& image = app->pendingImage();
+  return web::numbers({double(image.bytes.size()), double(image.width), double(image.height)});
+}
+FUR_EXPORT int fur_provideImage(App* app, int width, int height, const std::uint8_t* rgba) {
+  return guarded([&] {
+    app->provideImage(width, height, {rgba, rgba + std::size_t(width) * std::size_t(height) * 4});
+    return 1;
+  });
+}
+
+// --- settings, state ---
+
+FUR_EXPORT const char* fur_settingsTable() { return web::text(settings::fieldTableJson()); }
+// Text of a field; "" for an unknown name.
+FUR_EXPORT const char* fur_getSetting(App* app, const char* name) {
+  const settings::Field* field = settings::findField(name);
+  return web::text(field ? settings::fieldText(app->settings(), *field) : std::string());
+}
+FUR_EXPORT int fur_setSetting(App* app, const char* name, const char* value) {
+  return guarded([&] { return app->setField(name, value) ? 1 : 0; });
+}
+// yaw, pitch (radians), distance, target x, y, z
+FUR_EXPORT const double* fur_getCamera(App* app) {
+  const app::CameraOrbit c = app->camera();
+  return web::numbers({c.yaw, c.pitch, c.distance, c.target.x, c.target.y, c.target.z});
+}
+FUR_EXPORT void fur_setCamera(App* app, float yaw, float pitch, float distance, float x, float y, float z) {
+  app->setCamera({yaw, pitch, distance, {x, y, z}});
+}
+FUR_EXPORT void fur_resetCamera(App* app) { app->resetCamera(); }
+FUR_EXPORT const char* fur_getState(App* app) {
+  return guarded([&] { return web::text(app->state()); });
+}
+FUR_EXPORT int fur_setState(App* app, const char* json) {
+  return guarded([&] { return web::report(app->setState(json)); });
+}
+FUR_EXPORT int fur_undo(App* app) {
+  return guarded([&] { return app->undo() ? 1 : 0; });
+}
+FUR_EXPORT int fur_redo(App* app) {
+  return guarded([&] { return app->redo() ? 1 : 0; });
+}
+FUR_EXPORT int fur_canUndo(App* app) { return app->canUndo() ? 1 : 0; }
+FUR_EXPORT int fur_canRedo(App* app) { return app->canRedo() ? 1 : 0; }
+// One warning a line.
+FUR_EXPORT const char* fur_takeWarnings(App* app) {
+  std::string lines;
+  for (std::string& warning : app->takeWarnings()) {
+    for (char& c : warning)
+      if (c == '\n') c = ' ';
+    lines += warning + '\n';
+  }
+  return web::text(lines);
+}
+
+// --- water ---
+
+// 0 droplet, 1 dry, 2 none, as app::Tool
+FUR_EXPORT void fur_setTool(App* app, int tool) { app->setTool(static_cast<app::Tool>(tool)); }
+FUR_EXPORT int fur_getTool(App* app) { return static_cast<int>(app->tool()); }
+FUR_EXPORT void fur_splashAt(App* app, float u, float v, float radius, float amount) {
+  app->splashAt(u, v, radius, amount);
+}
+FUR_EXPORT int fur_splashPixel(App* app, float x, float y, float radius, float amount) {
+  return app->splashPixel({x, y}, radius, amount) ? 1 : 0;
+}
+FUR_EXPORT void fur_setWetness(App* app, float amount) { app->setWetness(amount); }
+FUR_EXPORT void fur_dry(App* app, float seconds) { app->dry(seconds); }
+FUR_EXPORT double fur_wetnessAt(App* app, float u, float v) { return app->wetnessAt(u, v); }
+FUR_EXPORT double fur_meanWetness(App* app) { return app->meanWetness(); }
+FUR_EXPORT const char* fur_wetnessHash(App* app) { return web::hexadecimal(app->wetnessHash()); }
+FUR_EXPORT int fur_wetnessSize(App* app) { return app->wetnessMask().size(); }
+// size * size * 4 floats
+FUR_EXPORT const float* fur_wetnessTexels(App* app) { return &app->wetnessMask().texels().data()->x; }
+FUR_EXPORT int fur_restoreWetness(App* app, const float* texels, int size) {
+  return guarded([&] {
+    if (size != app->wetnessMask().size())
+      return web::fail({ErrorId::BadFile, "a wetness mask of " + std::to_string(size) + " texels a side does not fit " +
+                                              std::to_string(app->wetnessMask().size())});
+    const Vec4* first = reinterpret_cast<const Vec4*>(texels);
+    app->restoreWetness({first, first + std::size_t(size) * std::size_t(size)});
+    return 1;
+  });
+}
+// (u, v), or null off the model
+FUR_EXPORT const double* fur_pick(App* app, float x, float y) {
+  const std::optional<Vec2> hit = app->pick({x, y});
+  return hit ? web::numbers({hit->x, hit->y}) : nullptr;
+}
+
+// --- input (modifiers: bit 0 shift, 1 control, 2 alt) ---
+
+// phase 0 down, 1 move, 2 up, 3 cancel; kind 0 mouse, 1 touch, 2 pen
+FUR_EXPORT int fur_pointer(App* app, int phase, int kind, int id, float x, float y, int buttons, int modifiers) {
+  app::PointerEvent event{static_cast<app::PointerPhase>(phase)};
+  event.kind = static_cast<app::PointerKind>(kind);
+  event.id = id;
+  event.position = {x, y};
+  event.buttons = buttons;
+  event.shift = modifiers & 1;
+  event.control = modifiers & 2;
+  event.alt = modifiers & 4;
+  return guarded([&] { return app->pointer(event) ? 1 : 0; });
+}
+FUR_EXPORT int fur_wheel(App* app, float notches, float x, float y) { return app->wheel(notches, {x, y}) ? 1 : 0; }
+FUR_EXPORT int fur_key(App* app, const char* name, int modifiers) {
+  app::KeyEvent event{name};
+  event.shift = modifiers & 1;
+  event.control = modifiers & 2;
+  event.alt = modifiers & 4;
+  return guarded([&] { return app->key(event) ? 1 : 0; });
+}
+FUR_EXPORT void fur_setCameraControls(App* app, int enabled) { app->setCameraControls(enabled != 0); }
+
+// --- time ---
+
+FUR_EXPORT int fur_tick(App* app, float seconds) {
+  return guarded([&] { return app->tick(seconds) ? 1 : 0; });
+}
+FUR_EXPORT int fur_active(App* app) { return app->active() ? 1 : 0; }
+FUR_EXPORT void fur_setReducedMotion(App* app, int reduced) { app->setReducedMotion(reduced != 0); }
+FUR_EXPORT int fur_draw(App* app) {
+  return guarded([&] {
+    app->draw();
+    return 1;
+  });
+}
+FUR_EXPORT void fur_invalidate(App* app) { app->invalidate(); }
+// vertices, triangles, strands, layers, finEdges, cpuBytes, gpuBytes, uploadedBytes, framesDrawn
+FUR_EXPORT const double* fur_stats(App* app) {
+  const App::Stats s = app->stats();
+  return web::numbers({double(s.vertices), double(s.triangles), double(s.strands), double(s.layers),
+                       double(s.finEdges), double(s.cpuBytes), double(s.gpuBytes), double(s.uploadedBytes),
+                       double(s.framesDrawn)});
+}

@@ -1,0 +1,43 @@
+// What every C export of this folder shares. A function returns 0 when it failed; fur_errorCode()
+// and fur_errorMessage() then say why. Text and number pointers that a function returns point to
+// buffers of this module which the next call overwrites: the caller copies at once.
+// Nothing of 64 bits crosses (hashes go as hexadecimal text), and no C++ exception does.
+#pragma once
+
+#include <emscripten/emscripten.h>
+
+#include <cstdint>
+#include <exception>
+#include <initializer_list>
+#include <new>
+#include <string>
+
+#include "core/Result.h"
+#include "scene/Model.h"
+
+#define FUR_EXPORT extern "C" EMSCRIPTEN_KEEPALIVE
+
+namespace fur::web {
+
+void setError(Error error);
+int fail(Error error);       // sets the error; 0
+int report(Status status);   // 1, or sets the error and 0
+const char* text(std::string value);
+double* numbers(std::initializer_list<double> values);
+const char* hexadecimal(std::uint64_t value);
+scene::FileSet takeStagedFiles();
+
+// Runs `work` (returning int or a pointer); what it throws becomes an error and 0.
+template <class Work>
+auto guarded(Work&& work) -> decltype(work()) {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    setError({ErrorId::OutOfMemory, "the browser gives no more memory"});
+  } catch (const std::exception& error) {
+    setError({ErrorId::BadFile, error.what()});
+  }
+  return {};
+}
+
+}  // namespace fur::web

@@ -1,0 +1,135 @@
+/**
+ * Fur, water and models without a picture, in browsers and Node:
+ * `const core = await loadCore(); core.generateFur({ density: 0.8 })`.
+ */
+import { FurError } from './errors.js';
+import { instantiateProgram } from './runtime.js';
+
+export { FurError };
+
+const furDefaults = {
+  size: 256, layers: 16, density: 0.85, thickness: 0.35, lengthVariation: 0.35, length: 1, curl: 0.25, clump: 0, seed: 1,
+};
+
+/** name: [index in CoreBindings.cpp, stored type, share of a stored unit (0: as it is)] */
+const channels = {
+  coverage: [0, Uint8Array, 0],
+  dominance: [1, Uint8Array, 0],
+  variance: [2, Uint8Array, 0],
+  tangent: [3, Int8Array, 1 / 127],
+  offset: [4, Int16Array, 1 / 64],
+  strandId: [5, Uint16Array, 0],
+};
+const finChannels = { coverage: [6, Uint8Array, 0], variance: [7, Uint8Array, 0], tangent: [8, Int8Array, 1 / 127] };
+
+function readChannels(program, volume, table) {
+  const out = {};
+  for (const [name, [index, Type, scale]] of Object.entries(table)) {
+    const length = program.call('fur_volumeChannelBytes', volume, index) / Type.BYTES_PER_ELEMENT;
+    const stored = program.array(Type, program.call('fur_volumeChannel', volume, index), length);
+    out[name] = scale ? Float32Array.from(stored, (value) => value * scale) : stored;
+  }
+  return out;
+}
+
+function generateFur(program, parameters = {}) {
+  const unknown = Object.keys(parameters).filter((name) => !(name in furDefaults));
+  if (unknown.length) throw new TypeError(`generateFur: unknown parameter ${unknown.join(', ')}`);
+  const p = { ...furDefaults, ...parameters };
+  const volume = program.callOrThrow('fur_generate', p.size, p.layers, p.density, p.thickness, p.lengthVariation,
+    p.length, p.curl, p.clump, p.seed);
+  const [size, layers, strandCount, density, weight, rows] = program.numbers(program.call('fur_volumeInfo', volume), 6);
+  const out = {
+    size, layers, strandCount, density, weight,
+    ...readChannels(program, volume, channels),
+    fin: { rows, columns: size, ...readChannels(program, volume, finChannels) },
+  };
+  program.call('fur_volumeFree', volume);
+  return out;
+}
+
+/** A wetness mask in the plane of the texture; dispose() gives its memory back. */
+class WetnessMask {
+  #program;
+  #mask;
+
+  constructor(program, size) {
+    this.#program = program;
+    this.#mask = program.callOrThrow('fur_maskCreate', size);
+  }
+
+  #call(name, ...args) {
+    if (!this.#mask) throw new TypeError('this wetness mask was disposed of');
+    return this.#program.call(name, this.#mask, ...args);
+  }
+
+  get size() { return this.#call('fur_maskSize'); }
+  /** A copy: 4 floats a texel, row by row: clump centre u, v, clump radius, wetness. */
+  get data() { return this.#program.array(Float32Array, this.#call('fur_maskTexels'), this.size * this.size * 4); }
+  get meanWetness() { return this.#call('fur_maskMean'); }
+
+  addDroplet({ u, v, radius = 0.05, wetness = 0.5 }) { this.#call('fur_maskAddDroplet', u, v, radius, wetness); }
+  dryAt({ u, v, radius = 0.05, amount = 0.5 }) { this.#call('fur_maskDryAt', u, v, radius, amount); }
+  dry(seconds, { rate = 0.02 } = {}) { this.#call('fur_maskDry', seconds, rate); }
+  clear() { this.#call('fur_maskClear'); }
+  at(u, v) {
+    const [centreU, centreV, radius, wetness] = this.#program.numbers(this.#call('fur_maskAt', u, v), 4);
+    return { centreU, centreV, radius, wetness };
+  }
+  hash() { return this.#program.text(this.#call('fur_maskHash')); }
+  dispose() {
+    if (this.#mask) this.#call('fur_maskFree');
+    this.#mask = 0;
+  }
+}
+
+function toBytes(bytes) {
+  if (bytes instanceof ArrayBuffer) return new Uint8Array(bytes);
+  if (ArrayBuffer.isView(bytes)) return new Uint8Array(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  throw new TypeError('expected an ArrayBuffer or a typed array');
+}
+
+function importModel(program, bytes, { name = 'model.glb', files = {} } = {}) {
+  program.call('fur_clearStagedFiles');
+  for (const [fileName, content] of Object.entries(files)) {
+    const staged = toBytes(content);
+    program.callOrThrow('fur_stageFile', fileName, staged, staged.byteLength);
+  }
+  const given = toBytes(bytes);
+  const model = program.callOrThrow('fur_importModel', given, given.byteLength, name);
+  const info = program.numbers(program.call('fur_modelInfo', model), 9);
+  const warnings = program.lines(program.call('fur_modelWarnings', model));
+  program.call('fur_modelFree', model);
+  return {
+    vertexCount: info[0],
+    triangleCount: info[1],
+    hasTexcoords: info[2] !== 0,
+    bounds: { low: info.slice(3, 6), high: info.slice(6, 9) },
+    warnings,
+  };
+}
+
+function equationsOf(program) {
+  const number = (name) => (...args) => program.call(name, ...args.flat());
+  const truth = (name) => (...args) => program.call(name, ...args.flat()) !== 0;
+  const pair = (name) => (...args) => program.numbers(program.call(name, ...args), 2);
+  return Object.freeze({
+    windBend: pair('fur_eqWindBend'),
+    arcBend: pair('fur_eqArcBend'),
+    kajiyaDiffuse: number('fur_eqKajiyaDiffuse'),
+    kajiyaSpecular: number('fur_eqKajiyaSpecular'),
+    furShadow: number('fur_eqFurShadow'),
+  });
+}
+
+/** Loads the program (once a call; each has memory of its own). */
+export async function loadCore() {
+  const program = await instantiateProgram('viewer');
+  return Object.freeze({
+    generateFur: (parameters) => generateFur(program, parameters),
+    createWetnessMask: (size = 256) => new WetnessMask(program, size),
+    importModel: (bytes, options) => importModel(program, bytes, options),
+    equations: equationsOf(program),
+    settingsTable: JSON.parse(program.text(program.call('fur_settingsTable'))),
+  });
+}
