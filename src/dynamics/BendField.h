@@ -26,7 +26,9 @@ class BendField {
   // Rest positions and rest directions (unit) in model space, one a vertex; starts at rest, still.
   void reset(const std::vector<Vec3>& positions, const std::vector<Vec3>& directions);
 
-  // Advances by dt seconds (0 <= dt; long pauses are capped, a teleport is not a throw).
+  // Advances by dt seconds, with the same result at any frame rate: every strand is a damped spring
+  // that is integrated exactly. dt <= 0 and NaN do nothing, more than half a second settles, a
+  // jump of over 1.5 model radii is no motion, a transform that is not finite counts as the last one.
   // `modelToWorld` is the model's rigid transform now; the last call's is remembered. `wetness`
   // (may be empty) is 0..1 a vertex: wet fur is heavier and slower.
   void step(float dt, const Mat4& modelToWorld, const BendForces& forces, const std::vector<float>& wetness);
@@ -39,9 +41,20 @@ class BendField {
   bool atRest() const { return atRest_; }
 
  private:
-  std::vector<Vec3> positions_, directions_, forces_, velocities_;
+  // World velocity of the rest position p: linear * p + constant.
+  struct RigidVelocity {
+    Mat3 linear{0.0f};
+    Vec3 constant{0};
+  };
+  // Takes the transform over and returns how much the velocity has changed.
+  RigidVelocity follow(const Mat4& modelToWorld, float dt);
+
+  std::vector<Vec3> positions_, directions_;
+  std::vector<Vec3> targets_;     // bends of balance under the last step's forces
+  std::vector<Vec3> velocities_;  // of the bends, rad/s
   std::vector<Vec4> bends_;
   Mat4 lastTransform_{1.0f};
+  RigidVelocity lastVelocity_;
   bool atRest_ = true;
   bool hasLast_ = false;
 };

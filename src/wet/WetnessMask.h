@@ -33,6 +33,8 @@ class WetnessMask {
 
   // Algorithm 1, read as: a dry texel takes the droplet; a wet one blends when the centres lie
   // within the droplet's radius, else the droplet starts a clump of its own there.
+  // A texel counts by its centre; a droplet finer than a texel still wets the texel it falls on.
+  // Non-finite droplets and those of no radius or wetness do nothing. Returns what changed.
   // `chartOfTexel` (size*size, may be null) limits it to the texels of `chart`: circles must not
   // spill over a gutter into a stranger.
   TexelRect addDroplet(const Droplet& droplet, const std::uint16_t* chartOfTexel = nullptr, std::uint16_t chart = 0);
@@ -41,7 +43,8 @@ class WetnessMask {
   // Lowers the wetness of every wet texel by rate * seconds; a texel that reaches 0 forgets its clump.
   TexelRect dry(float seconds, float rate);
   void clear();
-  void restore(std::vector<Vec4> texels);  // size * size of them
+  // size * size of them; unsound ones (not finite, no radius) become dry.
+  void restore(std::vector<Vec4> texels);
 
   bool isDry() const { return wetTexels_ == 0; }
   float meanWetness() const;
@@ -52,6 +55,8 @@ class WetnessMask {
   TexelRect takeChanged();
 
  private:
+  bool lower(Vec4& texel, float amount);
+
   int size_;
   std::vector<Vec4> texels_;
   std::size_t wetTexels_ = 0;

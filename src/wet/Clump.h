@@ -1,0 +1,51 @@
+// The shape and light of wet clumps, as plain numbers: the C++ twins of what the shaders do
+// (Silva et al. 2010, Eq. 1, 3, 5).
+//
+// h: height, 0 skin .. 1 tip   w: shape, 0 = straight leaning strands, 1 = bent in from the root
+// rho: wetness 0..1            N = layers
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/Math.h"
+
+namespace fur::wet {
+
+// No strand is pulled nearer to its clump's centre than this share of its way: at 1 every root of
+// the clump would stand on one point, and the way back from that point is lost (s / (1 - s)).
+inline constexpr float kMaxPull = 0.95f;
+
+// f(h) = (1 - w) h + w (1 + ln h / ln N), h clamped to [1/N, 1]. f(1/N) = (1 - w)/N, f(1) = 1,
+// monotone. One layer is the tip alone: 1.
+inline float clumpProfile(float h, float w, float layers) {
+  if (!(layers > 1.0f)) return 1.0f;
+  const float height = glm::clamp(h, 1.0f / layers, 1.0f);
+  return (1.0f - w) * height + w * std::max(1.0f + std::log(height) / std::log(layers), 0.0f);
+}
+
+// s: the share of the way to the clump's centre that a strand has gone at height h, 0..kMaxPull.
+inline float clumpPull(float h, float w, float layers, float rho) {
+  return glm::clamp(clumpProfile(h, w, layers) * rho, 0.0f, kMaxPull);
+}
+
+// s / (1 - s): times (p - c) it leads from the texel p to the root of the strand that stands there.
+// The printed d = f rho r (p - c) has (p - c) in radii of the clump; in texture units r * (p - c) is
+// about 1e-3 and nothing is seen.
+inline float clumpShift(float h, float w, float layers, float rho) {
+  const float s = clumpPull(h, w, layers, rho);
+  return s / (1.0f - s);
+}
+
+// Where the strand rooted at q stands at height h, and the exact way back.
+inline Vec2 clumpForward(const Vec2& q, const Vec2& centre, float s) { return q - s * (q - centre); }
+inline Vec2 clumpInverse(const Vec2& p, const Vec2& centre, float s) { return p + (p - centre) * (s / (1.0f - s)); }
+
+// p (1 + sigma_spec (rho - 1)): dry fur has the blunter highlight (Eq. 3).
+inline float wetSpecularExponent(float p, float rho, float sigmaSpec) { return p * (1.0f + sigmaSpec * (rho - 1.0f)); }
+// 1 + sigma_occ (h - 1): less light reaches the roots (Eq. 5).
+inline float occlusionFactor(float h, float sigmaOcc) { return 1.0f + sigmaOcc * (h - 1.0f); }
+// 1 - sigma_wet rho (Eq. 5).
+inline float wetDarkening(float rho, float sigmaWet) { return 1.0f - sigmaWet * rho; }
+
+}  // namespace fur::wet
