@@ -66,3 +66,18 @@ if(TARGET third_party_gles)
     fur_library(fur_app_editor src/app/editor fur_app fur_editor imgui_opengl3)
   endif()
 endif()
+
+# The programs wait for this check, so a forbidden include fails the build of all of them.
+find_program(FUR_NODE node NO_CMAKE_FIND_ROOT_PATH)
+if(FUR_NODE)
+  file(GLOB_RECURSE checked CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/src/*" "${CMAKE_SOURCE_DIR}/web/*.cpp"
+    "${CMAKE_SOURCE_DIR}/web/*.h" "${CMAKE_SOURCE_DIR}/native/*")
+  set(arrows_stamp "${CMAKE_BINARY_DIR}/arrows.stamp")
+  add_custom_command(OUTPUT "${arrows_stamp}"
+    COMMAND "${FUR_NODE}" "${CMAKE_SOURCE_DIR}/tools/check-arrows.mjs" "${CMAKE_SOURCE_DIR}" --stamp "${arrows_stamp}"
+    DEPENDS ${checked} "${CMAKE_SOURCE_DIR}/tools/check-arrows.mjs"
+    COMMENT "Checking the arrows between modules" VERBATIM)
+  add_custom_target(fur_arrows DEPENDS "${arrows_stamp}")
+else()
+  message(STATUS "wet-fur: no Node.js; the arrows between modules are not checked")
+endif()

@@ -8,7 +8,7 @@
 add_library(third_party_headers INTERFACE)
 foreach(header glm/glm.hpp tiny_gltf.h nlohmann/json.hpp stb/stb_rect_pack.h)
   string(MAKE_C_IDENTIFIER "FUR_DIR_OF_${header}" variable)
-  find_path(${variable} ${header} NO_CMAKE_FIND_ROOT_PATH PATHS /usr/include /usr/local/include)
+  find_path(${variable} ${header} NO_CMAKE_FIND_ROOT_PATH PATHS /usr/include /usr/local/include /opt/homebrew/include)
   if(NOT ${variable})
     message(FATAL_ERROR "${header} not found; on Debian: apt-get install libglm-dev libtinygltf-dev "
       "nlohmann-json3-dev libstb-dev")
@@ -55,7 +55,7 @@ if(FUR_GL AND EXISTS "${FUR_IMGUI_DIR}/imgui.h")
     "${FUR_IMGUI_DIR}/imgui_tables.cpp" "${FUR_IMGUI_DIR}/imgui_widgets.cpp")
   target_include_directories(imgui SYSTEM PUBLIC "${FUR_IMGUI_DIR}" "${FUR_IMGUI_DIR}/backends")
   target_compile_definitions(imgui PUBLIC IMGUI_DISABLE_DEMO_WINDOWS IMGUI_DISABLE_METRICS_WINDOW
-    IMGUI_DISABLE_FILE_FUNCTIONS IMGUI_DISABLE_OBSOLETE_FUNCTIONS)
+    IMGUI_DISABLE_FILE_FUNCTIONS)
   target_compile_options(imgui PRIVATE -w)
   if(EMSCRIPTEN)
     # The panel is drawn a few times a second; its download counts more than its speed.

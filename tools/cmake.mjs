@@ -1,0 +1,42 @@
+// Configures and builds a preset.
+import { existsSync, mkdirSync, readFileSync, realpathSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { jobs, root, run, say } from './process.mjs';
+import { activeEmcc, imguiFolder } from './setup.mjs';
+
+export const buildFolder = (preset) => join(root, 'build', preset);
+
+// What a configured folder depends on beyond its own files. When the compiler or the tree's place has
+// changed the folder is made anew; when something optional has come or gone it is configured again.
+function surroundings(preset) {
+  const emcc = preset.startsWith('web') ? activeEmcc() : undefined;
+  return {
+    place: root,
+    compiler: emcc ? `${realpathSync(emcc)} ${statSync(realpathSync(emcc)).mtimeMs}` : '',
+    optional: [join(imguiFolder, 'imgui.h'), '/usr/include/GLFW/glfw3.h', '/usr/include/EGL/egl.h', '/usr/include/GLES3/gl3.h',
+      '/usr/include/gtest/gtest.h', '/usr/src/googletest'].map((path) => [path, existsSync(path)]),
+  };
+}
+
+function configure(preset) {
+  const folder = buildFolder(preset);
+  const record = join(folder, 'wet-fur-surroundings.json');
+  const now = surroundings(preset);
+  const before = existsSync(record) ? JSON.parse(readFileSync(record, 'utf8')) : undefined;
+  if (JSON.stringify(before) === JSON.stringify(now) && existsSync(join(folder, 'build.ninja'))) return;
+  if (before && (before.place !== now.place || before.compiler !== now.compiler)) {
+    rmSync(folder, { recursive: true, force: true });
+  }
+  say(`configuring ${preset}`);
+  rmSync(record, { force: true });
+  run('cmake', ['--preset', preset, `-DFUR_IMGUI_DIR=${imguiFolder}`], { quiet: true });
+  mkdirSync(folder, { recursive: true });
+  writeFileSync(record, JSON.stringify(now));
+}
+
+/** Builds targets of a preset; nothing to do takes a fraction of a second. */
+export function build(preset, targets) {
+  configure(preset);
+  say(`building ${targets.join(', ')} (${preset})`);
+  run('cmake', ['--build', '--preset', preset, '--parallel', String(jobs), '--target', ...targets]);
+}
