@@ -1,0 +1,28 @@
+// Which triangles share which edge, by welded positions.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/Weld.h"
+
+namespace fur::geometry {
+
+// One side of one triangle: side k runs from its corner k to its corner k + 1.
+struct TriangleSide {
+  std::uint32_t low, high;  // welded ends, low < high
+  std::uint32_t triangle;
+  std::uint32_t side;
+  bool forwards;  // the triangle runs from low to high
+};
+
+// Every side, ordered by its ends and then by triangle: sides of one edge are neighbours.
+std::vector<TriangleSide> sortedSides(const std::vector<std::uint32_t>& indices, const Weld& weld);
+
+inline constexpr std::uint32_t kNoTriangle = 0xffffffffu;
+
+// 3 a triangle, one a side: the triangle across it. kNoTriangle on a boundary, on an edge of more
+// than two triangles and between triangles of opposite winding.
+std::vector<std::uint32_t> neighboursAcrossSides(const std::vector<TriangleSide>& sides, std::size_t triangles);
+
+}  // namespace fur::geometry

@@ -1,0 +1,343 @@
+#include "geometry/Charts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+#include "geometry/Adjacency.h"
+#include "geometry/TriangleGrid.h"
+
+namespace fur::geometry {
+
+namespace {
+
+constexpr std::uint32_t kNone = 0xffffffffu;
+
+// cos 60 degrees: a region takes triangles up to here from its mean (smoothed) normal.
+constexpr float kGrowLimit = 0.5f;
+// cos 75 degrees: no triangle of a chart is flattened to less than a quarter of its area...
+constexpr float kFlatLimit = 0.26f;
+// ...but in scraps that are not worth a chart of their own (cos 87 degrees).
+constexpr float kScrapFlatLimit = 0.05f;
+// A region below this part of the surface's area is a scrap.
+constexpr float kScrapArea = 0.002f;
+constexpr int kRelaxations = 4;
+
+// Rounding of coordinates of size 1 or less, times four.
+constexpr float kTouching = 5e-7f;
+
+struct Region {
+  Vec3 axis{0.0f};
+  float area = 0.0f;
+  std::vector<std::uint32_t> triangles;
+};
+
+// An orthonormal frame with w = axis and v as near to +y as that allows.
+struct Frame {
+  explicit Frame(const Vec3& axis) {
+    const Vec3 up = std::abs(axis.y) < 0.9f ? Vec3(0, 1, 0) : Vec3(0, 0, axis.y > 0.0f ? -1.0f : 1.0f);
+    u = normalizeOr(glm::cross(up, axis), Vec3(1, 0, 0));
+    v = glm::cross(axis, u);
+  }
+  Vec2 operator()(const Vec3& p) const { return Vec2(glm::dot(u, p), glm::dot(v, p)); }
+  Vec3 u, v;
+};
+
+class ChartMaker {
+ public:
+  ChartMaker(const std::vector<Vec3>& positions, const std::vector<std::uint32_t>& indices, const Weld& weld)
+      : positions_(positions), indices_(indices) {
+    across_ = neighboursAcrossSides(sortedSides(indices, weld), indices.size() / 3);
+    measureFaces();
+    regionOf_.assign(areas_.size(), kNone);
+  }
+
+  Charts make() {
+    seedUntilCovered();
+    for (int i = 0; i < kRelaxations; ++i) relax();
+    layFlat();
+    joinRegions();
+    return result();
+  }
+
+ private:
+  struct Candidate {
+    float cost;
+    std::uint32_t triangle, region;
+    bool operator<(const Candidate& o) const {  // std::priority_queue: the cheapest comes first
+      return cost != o.cost ? cost > o.cost : triangle != o.triangle ? triangle > o.triangle : region > o.region;
+    }
+  };
+  using Front = std::priority_queue<Candidate>;
+
+  void measureFaces() {
+    const std::size_t count = indices_.size() / 3;
+    normals_.resize(count);
+    areas_.resize(count);
+    for (std::size_t t = 0; t < count; ++t) {
+      const Vec3 &a = corner(t, 0), &b = corner(t, 1), &c = corner(t, 2);
+      const glm::dvec3 cross = glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a));
+      const double length = std::sqrt(glm::dot(cross, cross));
+      areas_[t] = static_cast<float>(length * 0.5);
+      normals_[t] = length > 0.0 ? Vec3(cross / length) : Vec3(0, 1, 0);
+      totalArea_ += areas_[t];
+    }
+    // Two rounds over the neighbours: scans are noisy, and a region should not stop at each bump.
+    smooth_ = normals_;
+    for (int round = 0; round < 2; ++round) {
+      std::vector<Vec3> next(count);
+      for (std::size_t t = 0; t < count; ++t) {
+        Vec3 sum = smooth_[t] * areas_[t];
+        for (std::size_t k = 0; k < 3; ++k) {
+          const std::uint32_t other = across_[3 * t + k];
+          if (other != kNoTriangle) sum += smooth_[other] * areas_[other];
+        }
+        next[t] = normalizeOr(sum, normals_[t]);
+      }
+      smooth_.swap(next);
+    }
+  }
+
+  const Vec3& corner(std::size_t triangle, std::size_t k) const { return positions_[indices_[3 * triangle + k]]; }
+  Vec3 centre(std::size_t t) const { return (corner(t, 0) + corner(t, 1) + corner(t, 2)) / 3.0f; }
+
+  // Distance counts a little, so that regions on flat ground come out round.
+  float costOf(std::uint32_t triangle, const Vec3& axis, const Vec3& from) const {
+    const Vec3 d = centre(triangle) - from;
+    return 1.0f - glm::dot(smooth_[triangle], axis) + 0.2f * glm::dot(d, d);
+  }
+
+  void pushNeighbours(Front& front, std::uint32_t triangle, std::uint32_t region, const Vec3& axis, const Vec3& from) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t other = across_[3 * triangle + k];
+      if (other == kNoTriangle || regionOf_[other] != kNone) continue;
+      if (glm::dot(smooth_[other], axis) < kGrowLimit) continue;
+      front.push({costOf(other, axis, from), other, region});
+    }
+  }
+
+  // Regions one after the other, each round the normal of its seed, until none is left over.
+  void seedUntilCovered() {
+    for (std::uint32_t seed = 0; seed < regionOf_.size(); ++seed) {
+      if (regionOf_[seed] != kNone) continue;
+      const auto region = static_cast<std::uint32_t>(regions_.size());
+      const Vec3 axis = smooth_[seed], from = centre(seed);
+      Front front;
+      regions_.push_back({axis, 0.0f, {}});
+      take(seed, region);
+      pushNeighbours(front, seed, region, axis, from);
+      while (!front.empty()) {
+        const std::uint32_t triangle = front.top().triangle;
+        front.pop();
+        if (regionOf_[triangle] != kNone) continue;
+        take(triangle, region);
+        pushNeighbours(front, triangle, region, axis, from);
+      }
+    }
+  }
+
+  void take(std::uint32_t triangle, std::uint32_t region) {
+    regionOf_[triangle] = region;
+    regions_[region].triangles.push_back(triangle);
+    regions_[region].area += areas_[triangle];
+  }
+
+  Vec3 meanNormal(const std::vector<std::uint32_t>& triangles) const {
+    glm::dvec3 sum(0.0);
+    for (const std::uint32_t t : triangles) sum += glm::dvec3(normals_[t]) * static_cast<double>(areas_[t]);
+    const double length = std::sqrt(glm::dot(sum, sum));
+    return length > 1e-12 ? Vec3(sum / length) : normals_[triangles[0]];
+  }
+
+  // The triangle of a region that best stands for it: near its middle, along its mean normal.
+  std::uint32_t middleOf(const Region& region, const Vec3& axis) const {
+    glm::dvec3 sum(0.0);
+    double area = 0.0;
+    for (const std::uint32_t t : region.triangles) {
+      sum += glm::dvec3(centre(t)) * static_cast<double>(areas_[t]);
+      area += areas_[t];
+    }
+    const Vec3 middle = area > 0.0 ? Vec3(sum / area) : centre(region.triangles[0]);
+    std::uint32_t best = region.triangles[0];
+    float bestCost = 1e30f;
+    for (const std::uint32_t t : region.triangles) {
+      const Vec3 d = centre(t) - middle;
+      const float cost = glm::dot(d, d) + 0.5f * (1.0f - glm::dot(smooth_[t], axis));
+      if (cost < bestCost) {
+        bestCost = cost;
+        best = t;
+      }
+    }
+    return best;
+  }
+
+  // All regions anew at once, each from its middle: scraps disappear, borders fall into the creases.
+  void relax() {
+    std::vector<std::pair<Vec3, std::uint32_t>> seeds;
+    for (const Region& region : regions_) {
+      if (region.area < kScrapArea * totalArea_) continue;
+      const Vec3 axis = meanNormal(region.triangles);
+      seeds.push_back({axis, middleOf(region, axis)});
+    }
+    regions_.clear();
+    std::fill(regionOf_.begin(), regionOf_.end(), kNone);
+    Front front;
+    for (const auto& [axis, seed] : seeds) {
+      const auto region = static_cast<std::uint32_t>(regions_.size());
+      regions_.push_back({axis, 0.0f, {}});
+      take(seed, region);
+    }
+    for (std::uint32_t r = 0; r < seeds.size(); ++r) pushNeighbours(front, seeds[r].second, r, seeds[r].first, centre(seeds[r].second));
+    while (!front.empty()) {
+      const Candidate best = front.top();
+      front.pop();
+      if (regionOf_[best.triangle] != kNone) continue;
+      take(best.triangle, best.region);
+      const auto& [axis, seed] = seeds[best.region];
+      pushNeighbours(front, best.triangle, best.region, axis, centre(seed));
+    }
+    seedUntilCovered();
+  }
+
+  FlatTriangle flat(std::uint32_t t, const Frame& frame) const {
+    return {frame(corner(t, 0)), frame(corner(t, 1)), frame(corner(t, 2))};
+  }
+
+  TriangleGrid gridFor(const std::vector<std::uint32_t>& triangles, const Frame& frame) const {
+    Vec2 low(1e30f), high(-1e30f);
+    for (const std::uint32_t t : triangles) {
+      for (const Vec2& p : flat(t, frame)) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+      }
+    }
+    return TriangleGrid(low, high, triangles.size(), kTouching);
+  }
+
+  // Splits every region until its projection overlaps nowhere and keeps its area.
+  void layFlat() {
+    std::vector<Region> pending;
+    pending.swap(regions_);
+    std::fill(regionOf_.begin(), regionOf_.end(), kNone);
+    std::vector<std::uint32_t> groupOf(regionOf_.size(), kNone);
+    for (std::uint32_t group = 0; group < pending.size(); ++group) {
+      for (const std::uint32_t t : pending[group].triangles) groupOf[t] = group;
+    }
+    for (std::uint32_t group = 0; group < pending.size(); ++group) {
+      // Triangles are in growth order, from the middle outwards; what is refused starts over.
+      std::vector<std::uint32_t> rest = pending[group].triangles;
+      while (!rest.empty()) {
+        growFlat(rest, group, groupOf);
+        std::erase_if(rest, [&](std::uint32_t t) { return regionOf_[t] != kNone; });
+      }
+    }
+  }
+
+  void growFlat(const std::vector<std::uint32_t>& rest, std::uint32_t group, const std::vector<std::uint32_t>& groupOf) {
+    Vec3 axis = meanNormal(rest);
+    if (glm::dot(axis, normals_[rest[0]]) < kFlatLimit) axis = normals_[rest[0]];
+    const Frame frame(axis);
+    TriangleGrid grid = gridFor(rest, frame);
+    const auto region = static_cast<std::uint32_t>(regions_.size());
+    regions_.push_back({axis, 0.0f, {}});
+    std::vector<std::uint32_t> queue{rest[0]};
+    std::vector<std::uint32_t> refused;
+    for (std::size_t i = 0; i < queue.size(); ++i) {
+      const std::uint32_t t = queue[i];
+      if (regionOf_[t] != kNone) continue;
+      if (glm::dot(normals_[t], axis) < kFlatLimit || !grid.tryAdd(flat(t, frame))) continue;
+      take(t, region);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t other = across_[3 * t + k];
+        if (other != kNoTriangle && groupOf[other] == group && regionOf_[other] == kNone) queue.push_back(other);
+      }
+    }
+  }
+
+  // Joins neighbours whose union lies flat, the longest common borders first.
+  void joinRegions() {
+    for (bool joined = true; joined;) {
+      joined = false;
+      for (const auto& [length, a, b] : commonBorders()) {
+        if (regions_[a].triangles.empty() || regions_[b].triangles.empty()) continue;
+        joined |= tryJoin(a, b);
+      }
+    }
+  }
+
+  struct Border { double length; std::uint32_t a, b; };
+
+  std::vector<Border> commonBorders() const {
+    std::vector<Border> borders;
+    for (std::uint32_t t = 0; t < regionOf_.size(); ++t) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t other = across_[3 * t + k];
+        if (other == kNoTriangle || regionOf_[t] >= regionOf_[other]) continue;
+        const Vec3 d = corner(t, k) - corner(t, (k + 1) % 3);
+        borders.push_back({std::sqrt(glm::dot(d, d)), regionOf_[t], regionOf_[other]});
+      }
+    }
+    const auto byPair = [](const Border& x, const Border& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; };
+    std::stable_sort(borders.begin(), borders.end(), byPair);
+    std::vector<Border> sums;
+    for (const Border& border : borders) {
+      if (!sums.empty() && sums.back().a == border.a && sums.back().b == border.b) sums.back().length += border.length;
+      else sums.push_back(border);
+    }
+    std::stable_sort(sums.begin(), sums.end(), [](const Border& x, const Border& y) { return x.length > y.length; });
+    return sums;
+  }
+
+  bool tryJoin(std::uint32_t a, std::uint32_t b) {
+    std::vector<std::uint32_t> both = regions_[a].triangles;
+    both.insert(both.end(), regions_[b].triangles.begin(), regions_[b].triangles.end());
+    const bool scrap = std::min(regions_[a].area, regions_[b].area) < kScrapArea * totalArea_;
+    const float limit = scrap ? kScrapFlatLimit : kFlatLimit;
+    const Vec3 axis = meanNormal(both);
+    for (const std::uint32_t t : both) {
+      if (glm::dot(normals_[t], axis) < limit) return false;
+    }
+    const Frame frame(axis);
+    TriangleGrid grid = gridFor(both, frame);
+    for (const std::uint32_t t : both) {
+      if (!grid.tryAdd(flat(t, frame))) return false;
+    }
+    for (const std::uint32_t t : regions_[b].triangles) regionOf_[t] = a;
+    regions_[a] = {axis, regions_[a].area + regions_[b].area, std::move(both)};
+    regions_[b] = {};
+    return true;
+  }
+
+  Charts result() const {
+    Charts charts;
+    charts.chartOf.resize(regionOf_.size());
+    charts.corners.resize(indices_.size());
+    for (const Region& region : regions_) {
+      if (region.triangles.empty()) continue;
+      const Frame frame(region.axis);
+      for (const std::uint32_t t : region.triangles) {
+        charts.chartOf[t] = charts.count;
+        for (std::size_t k = 0; k < 3; ++k) charts.corners[3 * t + k] = frame(corner(t, k));
+      }
+      ++charts.count;
+    }
+    return charts;
+  }
+
+  const std::vector<Vec3>& positions_;
+  const std::vector<std::uint32_t>& indices_;
+  std::vector<std::uint32_t> across_;
+  std::vector<Vec3> normals_, smooth_;
+  std::vector<float> areas_;
+  double totalArea_ = 0.0;
+  std::vector<std::uint32_t> regionOf_;
+  std::vector<Region> regions_;
+};
+
+}  // namespace
+
+Charts makeCharts(const std::vector<Vec3>& positions, const std::vector<std::uint32_t>& indices, const Weld& weld) {
+  return ChartMaker(positions, indices, weld).make();
+}
+
+}  // namespace fur::geometry
