@@ -1,0 +1,37 @@
+// The state of the program as JSON: what links, scene files and scripts carry.
+//   {"version":1, "model":"bunny", "settings":{"furLength":0.1}, "camera":{"yaw":0,"pitch":0.3,"distance":3,"target":[0,0,0]}}
+// Only settings that differ from the defaults are written. No water: a mask is binary and travels apart.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/Math.h"
+#include "core/Result.h"
+#include "settings/Settings.h"
+
+namespace fur::scene {
+
+inline constexpr int kStateVersion = 1;
+inline constexpr std::size_t kMaxStateBytes = 64 * 1024;
+
+struct CameraState {
+  float yaw = 0, pitch = 0, distance = 0;
+  Vec3 target{0};
+};
+
+struct ProgramState {
+  std::string model;  // "" when the text names none
+  settings::Settings settings;
+  std::optional<CameraState> camera;
+  Warnings warnings;  // unknown keys, clamped values
+};
+
+std::string writeState(const ProgramState& state);
+
+// bad-file for text that is no JSON object, too-large over kMaxStateBytes, unsupported-version for a
+// newer version. Single values that are wrong are skipped with a warning.
+Result<ProgramState> readState(std::string_view json);
+
+}  // namespace fur::scene
