@@ -1,20 +1,30 @@
 // The program without its platform: a furry model, its water, its motion, the camera and the tools.
 // Data flows one way: input and time go in, `tick` changes the state, `draw` shows it.
+//
+// Drags: on the model the tool's; elsewhere the camera's. Right button: grab; shift: spin the model;
+// control: move the light; two fingers: pinch and pan. Keys: arrows orbit, + and - zoom, Home resets
+// the view, space drops water in the middle of the view, Ctrl+Z and Ctrl+Y.
+//
 // Knows no window, file or browser; `web/` and `native/` bring those. Needs a current GL context
 // only in attach(), draw() and detach().
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
 #include "core/Result.h"
+#include "geometry/Surface.h"
 #include "scene/Model.h"
 #include "settings/Settings.h"
+#include "wet/WetnessMask.h"
 
 namespace fur::app {
 
-enum class Tool { Droplet, Dry, None };
+// Droplet and Dry paint on the model, Grab moves it about (it springs back), None leaves every drag to the camera.
+enum class Tool { Droplet, Dry, Grab, None };
 enum class PointerKind { Mouse, Touch, Pen };
 enum class PointerPhase { Down, Move, Up, Cancel };
 
@@ -63,6 +73,10 @@ class App {
   // With undo; changes of one field in quick succession are one step.
   void setSettings(const settings::Settings& settings);
   bool setField(std::string_view name, std::string_view text);
+  // Every change of settings between the two is one undo step, however long it takes (a slider
+  // that is held). No step when nothing changed. Not nested.
+  void beginChange();
+  void endChange();
   CameraOrbit camera() const;
   void setCamera(const CameraOrbit& orbit);
   void resetCamera();
@@ -71,8 +85,11 @@ class App {
   Status setState(std::string_view json);
   bool undo();
   bool redo();
+  bool canUndo() const;
+  bool canRedo() const;
   // Warnings gathered since the last call.
   Warnings takeWarnings();
+  void addWarning(std::string text);
 
   // --- water ---
   void setTool(Tool tool);
@@ -85,6 +102,11 @@ class App {
   float wetnessAt(float u, float v) const;
   float meanWetness() const;
   std::uint64_t wetnessHash() const;
+  // The whole mask, and its way back (size * size texels): what moves over when another program takes over.
+  const wet::WetnessMask& wetnessMask() const;
+  void restoreWetness(std::vector<Vec4> texels);
+  // The surface's atlas coordinates under a pixel of the drawing buffer; none off the model.
+  std::optional<Vec2> pick(Vec2 pixel) const;
 
   // --- input; each returns whether the app used the event ---
   bool pointer(const PointerEvent& event);
@@ -95,14 +117,19 @@ class App {
   // --- time ---
   // Advances by dt seconds. Returns whether the picture has changed (draw it).
   bool tick(float dt);
+  // The fur takes the lean that the steady forces give it at once, as after a load.
+  void settle();
   // Whether time alone changes things: keep ticking. False: wait for input.
   bool active() const;
-  void draw();
+  // The person asked for less motion: wind counts as 0 while true; the setting stays as it is.
+  void setReducedMotion(bool reduced);
+  // A shader that the driver refuses is the error.
+  Status draw();
   void invalidate();  // draw at the next tick whatever happened
 
   struct Stats {
     int vertices, triangles, strands, layers, finEdges;
-    std::size_t cpuBytes, gpuBytes, uploadedBytes;  // uploaded: by the last frame
+    std::size_t cpuBytes, gpuBytes, uploadedBytes;  // cpu: the model's own data; uploaded: by the last frame
     long framesDrawn;
   };
   Stats stats() const;

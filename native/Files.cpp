@@ -1,0 +1,83 @@
+#include "native/Files.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include "native/ImageDecode.h"
+
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#define STBI_WRITE_NO_STDIO
+#include <stb/stb_image_write.h>
+
+namespace fur::native {
+
+namespace fs = std::filesystem;
+
+Result<std::vector<std::uint8_t>> readFile(const std::string& path) {
+  std::error_code failure;
+  const auto size = fs::file_size(path, failure);
+  if (failure) return Error{ErrorId::Network, path + ": " + failure.message()};
+  if (size > scene::kMaxFileBytes)
+    return Error{ErrorId::TooLarge, path + ": " + std::to_string(size >> 20) + " MiB, the limit is " +
+                                        std::to_string(scene::kMaxFileBytes >> 20) + " MiB"};
+  std::ifstream in(path, std::ios::binary);
+  std::vector<std::uint8_t> bytes(size);
+  if (!in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size)))
+    return Error{ErrorId::Network, path + ": cannot be read"};
+  return bytes;
+}
+
+Status writePng(const std::string& path, int width, int height, const std::vector<std::uint8_t>& rgba) {
+  std::ofstream out(path, std::ios::binary);
+  const auto append = [](void* stream, void* data, int size) {
+    static_cast<std::ofstream*>(stream)->write(static_cast<const char*>(data), size);
+  };
+  stbi_write_png_to_func(append, &out, width, height, 4, rgba.data(), width * 4);
+  out.flush();
+  if (!out) return Error{ErrorId::Network, path + ": cannot be written"};
+  return Done{};
+}
+
+namespace {
+
+std::string findBunny(const std::string& programPath) {
+  std::error_code ignored;
+  for (fs::path folder = fs::absolute(programPath, ignored).parent_path();; folder = folder.parent_path()) {
+    for (const char* below : {"models/bunny.glb", "build/models/bunny.glb"})
+      if (fs::exists(folder / below, ignored)) return (folder / below).string();
+    if (folder == folder.parent_path()) return "models/bunny.glb";
+  }
+}
+
+// The files that a .gltf may name, from its own folder.
+scene::FileSet neighbours(const std::string& path) {
+  scene::FileSet set;
+  if (fs::path(path).extension() != ".gltf") return set;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(fs::absolute(path, ignored).parent_path(), ignored)) {
+    const std::string type = entry.path().extension().string();
+    if (type != ".bin" && type != ".png" && type != ".jpg" && type != ".jpeg") continue;
+    if (auto bytes = readFile(entry.path().string())) set[entry.path().filename().string()] = std::move(*bytes);
+  }
+  return set;
+}
+
+}  // namespace
+
+Status loadScene(app::App& app, const std::string& nameOrPath, const std::string& programPath) {
+  if (nameOrPath == "sphere" || nameOrPath == "torus" || nameOrPath == "plane") return app.loadPrimitive(nameOrPath);
+  const std::string path = nameOrPath == "bunny" ? findBunny(programPath) : nameOrPath;
+  const auto bytes = readFile(path);
+  if (!bytes) return bytes.error();
+  const std::string name = nameOrPath == "bunny" ? "bunny" : fs::path(path).filename().string();
+  if (Status status = app.loadModel(bytes.value(), name, neighbours(path)); !status) return status;
+  const scene::EncodedImage& encoded = app.pendingImage();
+  if (encoded.bytes.empty()) return Done{};
+  if (auto image = decodeImage(encoded.bytes))
+    app.provideImage(image->width, image->height, std::move(image->rgba));
+  else
+    app.addWarning(name + ": " + image.error().message);
+  return Done{};
+}
+
+}  // namespace fur::native

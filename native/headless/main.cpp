@@ -1,0 +1,148 @@
+// wet-fur-render: a picture of a model without a window.
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "app/App.h"
+#include "gl/Objects.h"
+#include "native/Files.h"
+#include "native/headless/EglContext.h"
+
+namespace {
+
+using namespace fur;
+
+constexpr const char* kUsage = R"(usage: wet-fur-render [model] -o out.png [options]
+  model                 a .glb or .gltf file, or bunny (default), sphere, torus, plane
+  -o, --output FILE     the PNG to write
+  --size WxH            pixels, 16x16 to 8192x8192 (default 1280x720)
+  --samples N           multisampling, 0 to 8 (default 4)
+  --time S              seconds to run before the picture, in steps of 1/60 (default 0)
+  --wetness R           soaks the whole model, 0 to 1
+  --splash X,Y          one droplet at a pixel (several allowed)
+  --camera YAW,PITCH,DISTANCE   radians, radians, bounding radii
+  --state FILE          a state as JSON
+  --<setting> VALUE     any field of the settings table, as --furLength 0.2 or --view skin
+)";
+
+struct Options {
+  std::string model = "bunny", output, stateFile;
+  int width = 1280, height = 720, samples = 4;
+  float time = 0, wetness = -1;
+  std::vector<Vec2> splashes;
+  std::vector<float> camera;
+  std::vector<std::pair<std::string, std::string>> fields;
+};
+
+bool readNumbers(const std::string& text, char separator, std::vector<float>& out) {
+  std::size_t at = 0;
+  while (at <= text.size()) {
+    const std::size_t end = std::min(text.find(separator, at), text.size());
+    char* stop = nullptr;
+    const std::string part = text.substr(at, end - at);
+    out.push_back(std::strtof(part.c_str(), &stop));
+    if (part.empty() || *stop || !std::isfinite(out.back())) return false;
+    at = end + 1;
+  }
+  return true;
+}
+
+// One option with its value; "" or what is wrong with it.
+std::string readOption(const std::string& name, const std::string& value, Options& o) {
+  std::vector<float> n;
+  if (name == "-o" || name == "--output") o.output = value;
+  else if (name == "--state") o.stateFile = value;
+  else if (name == "--size") {
+    if (!readNumbers(value, 'x', n) || n.size() != 2 || n[0] < 16 || n[1] < 16 || n[0] > 8192 || n[1] > 8192)
+      return "--size " + value + ": expected WxH from 16x16 to 8192x8192";
+    o.width = static_cast<int>(n[0]), o.height = static_cast<int>(n[1]);
+  } else if (name == "--samples" || name == "--time" || name == "--wetness") {
+    const float high = name == "--samples" ? 8.0f : name == "--time" ? 3600.0f : 1.0f;
+    if (!readNumbers(value, ',', n) || n.size() != 1 || n[0] < 0 || n[0] > high)
+      return name + " " + value + ": expected a number from 0 to " + std::to_string(static_cast<int>(high));
+    if (name == "--samples") o.samples = static_cast<int>(n[0]);
+    else (name == "--time" ? o.time : o.wetness) = n[0];
+  } else if (name == "--splash") {
+    if (!readNumbers(value, ',', n) || n.size() != 2) return "--splash " + value + ": expected X,Y";
+    o.splashes.emplace_back(n[0], n[1]);
+  } else if (name == "--camera") {
+    if (!readNumbers(value, ',', o.camera) || o.camera.size() != 3) return "--camera " + value + ": expected YAW,PITCH,DISTANCE";
+  } else if (name.rfind("--", 0) == 0 && settings::findField(name.substr(2))) {
+    o.fields.emplace_back(name.substr(2), value);
+  } else {
+    return "unknown option " + name;
+  }
+  return "";
+}
+
+std::string readOptions(int count, char** values, Options& o) {
+  for (int i = 1; i < count; ++i) {
+    const std::string word = values[i];
+    if (word.empty() || word[0] != '-') {
+      o.model = word;
+      continue;
+    }
+    if (i + 1 == count) return word + ": a value is missing";
+    if (const std::string wrong = readOption(word, values[++i], o); !wrong.empty()) return wrong;
+  }
+  return o.output.empty() ? "no output: -o out.png" : "";
+}
+
+Status setUp(app::App& app, const Options& o, const char* program) {
+  if (Status status = native::loadScene(app, o.model, program); !status) return status;
+  if (!o.stateFile.empty()) {
+    const auto text = native::readFile(o.stateFile);
+    if (!text) return text.error();
+    if (Status status = app.setState({reinterpret_cast<const char*>(text.value().data()), text.value().size()}); !status)
+      return status;
+  }
+  for (const auto& [name, value] : o.fields) app.setField(name, value);
+  if (!o.camera.empty()) app.setCamera({o.camera[0], o.camera[1], o.camera[2], Vec3(0)});
+  return Done{};
+}
+
+Status render(const Options& o, const char* program) {
+  app::App app;
+  app.resize(o.width, o.height, 1);
+  const auto context = native::EglContext::create();
+  if (!context) return context.error();
+  auto target = gl::Target::offscreen(o.width, o.height, o.samples);
+  if (!target) return target.error();
+  auto resolved = gl::Target::offscreen(o.width, o.height, 0);
+  if (!resolved) return resolved.error();
+  target->bind();
+  if (Status status = app.attach(); !status) return status;
+  if (Status status = setUp(app, o, program); !status) return status;
+  if (o.wetness >= 0) app.setWetness(o.wetness);
+  for (const Vec2& at : o.splashes)
+    if (!app.splashPixel(at, app.settings().brushRadius, app.settings().brushFlow))
+      app.addWarning("--splash " + std::to_string(at.x) + "," + std::to_string(at.y) + " misses the model");
+  app.settle();
+  for (int i = 0; i < static_cast<int>(std::lround(o.time * 60)); ++i) app.tick(1.0f / 60);
+  if (Status status = app.draw(); !status) return status;
+  resolved->resolve(*target, o.width, o.height);
+  const auto pixels = gl::readPixels(o.width, o.height);
+  if (const std::string error = gl::takeError(); !error.empty()) return Error{ErrorId::WebglUnavailable, error};
+  for (const std::string& warning : app.takeWarnings()) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+  app.detach(false);
+  return native::writePng(o.output, o.width, o.height, pixels);
+}
+
+}  // namespace
+
+int main(int count, char** values) {
+  Options options;
+  if (const std::string wrong = readOptions(count, values, options); !wrong.empty()) {
+    std::fprintf(stderr, "%s\n%s", wrong.c_str(), kUsage);
+    return 2;
+  }
+  if (const Status status = render(options, values[0]); !status) {
+    std::fprintf(stderr, "%s: %s\n", errorCode(status.error().id), status.error().message.c_str());
+    return 1;
+  }
+  std::printf("%s (%dx%d)\n", options.output.c_str(), options.width, options.height);
+  return 0;
+}

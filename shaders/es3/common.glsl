@@ -1,0 +1,19 @@
+precision highp float;
+precision highp int;
+precision mediump sampler2DArray;
+precision highp sampler2D;
+#include "shared/Blocks.h"
+
+// Along and across of a constant-length arc that turns by theta over t = 0..1 (BendField.h arcBend).
+vec2 arcBend(float theta, float t) {
+  float turn = theta * t;
+  if (theta < 1e-3) return vec2(t, 0.5 * turn * t);
+  return vec2(sin(turn), 1.0 - cos(turn)) / theta;
+}
+
+// Where a strand rooted at `root` is at height h, for the bend b (model space, radians, across the normal).
+vec3 strandPoint(vec3 root, vec3 normal, vec3 bend, float h) {
+  float theta = length(bend);
+  vec2 arc = arcBend(theta, h) * shape.x;
+  return root + normal * arc.x + (theta > 1e-5 ? bend * (arc.y / theta) : vec3(0.0));
+}

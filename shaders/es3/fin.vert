@@ -1,0 +1,64 @@
+// Fins: one instance an edge, collapsed unless the edge lies on the silhouette.
+#include "common.glsl"
+
+layout(location = FUR_FIN_POSITION_A) in vec4 positionA;
+layout(location = FUR_FIN_POSITION_B) in vec4 positionB;
+layout(location = FUR_FIN_NORMAL_A) in vec4 normalA;
+layout(location = FUR_FIN_NORMAL_B) in vec4 normalB;
+layout(location = FUR_FIN_FACE_0) in vec4 face0;
+layout(location = FUR_FIN_FACE_1) in vec4 face1;
+layout(location = FUR_FIN_ATLAS) in vec4 atlas;
+
+uniform sampler2D bends;
+
+out vec4 vFin;    // x: along the fin map  y: height 0..1  z: opacity  w: mip level
+out vec4 vLight;  // xyz: light in the fin's frame (x along the edge, z along the normal)  w: N.up
+out vec4 vView;   // xyz: eye in the fin's frame  w: length of the edge in model units
+out vec2 vUv;
+out vec2 vLean;
+#ifdef WET
+out vec2 vAtlas;
+flat out vec2 vAtlasAlong;  // atlas step along the edge for one turn of the fin map
+#endif
+
+vec3 bendOf(float vertex) {
+  int id = int(vertex);
+  return texelFetch(bends, ivec2(id % FUR_BEND_ROW, id / FUR_BEND_ROW), 0).xyz;
+}
+
+void main() {
+  vec3 middle = 0.5 * (positionA.xyz + positionB.xyz);
+  vec3 toEye = normalize(eye.xyz - middle);
+  // Silhouette (Sheppard 2.1.3): (n1.v)(n2.v) < 0.3; opacity 0 there, 1 edge-on, so that nothing pops.
+  float facing = dot(face0.xyz, toEye) * dot(face1.xyz, toEye);
+  float opacity = smoothstep(0.0, 1.0, (0.3 - facing) / 0.3);
+  // Both faces turned well away: the edge is behind the model.
+  if (max(dot(face0.xyz, toEye), dot(face1.xyz, toEye)) < -0.55) opacity = 0.0;
+
+  float side = float(gl_VertexID & 1);
+  float h = float(gl_VertexID >> 1) / float(FUR_FIN_SEGMENTS);
+  vec3 root = mix(positionA.xyz, positionB.xyz, side);
+  vec3 normal = normalize(mix(normalA.xyz, normalB.xyz, side));
+  vec3 bend = side < 0.5 ? bendOf(positionA.w) : bendOf(positionB.w);
+  vec3 p = strandPoint(root, normal, bend, h);
+  gl_Position = opacity > 0.0 ? clipFromModel * vec4(p, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
+
+  vec3 edge = positionB.xyz - positionA.xyz;
+  float edgeLength = length(edge);
+  vec3 axis = edge / max(edgeLength, 1e-6);
+  axis = normalize(axis - normal * dot(axis, normal));
+  vec3 across = cross(normal, axis);
+  float texels = length(eye.xyz - p) / eye.w * shape.y * volume.x;
+  vFin = vec4(normalA.w + side * edgeLength * shape.y, h, opacity, log2(texels));
+  vLight = vec4(dot(axis, light.xyz), dot(across, light.xyz), dot(normal, light.xyz), dot(normal, up.xyz));
+  vec3 v = eye.xyz - p;
+  vView = vec4(dot(axis, v), dot(across, v), dot(normal, v), edgeLength);
+  vec3 leanNow = strandPoint(root, normal, bend, min(h + 0.05, 1.0)) - strandPoint(root, normal, bend, min(h + 0.05, 1.0) - 0.05);
+  leanNow /= max(0.05 * shape.x, 1e-6);
+  vLean = vec2(dot(axis, leanNow), dot(across, leanNow));
+  vUv = vec2(face0.w, face1.w);
+#ifdef WET
+  vAtlas = mix(atlas.xy, atlas.zw, side);
+  vAtlasAlong = (atlas.zw - atlas.xy) / max(edgeLength * shape.y, 1e-6);
+#endif
+}

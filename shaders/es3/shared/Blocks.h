@@ -1,0 +1,82 @@
+// Uniform blocks, attribute locations and texture units, in a subset that is valid as GLSL ES 3.00
+// and as C++. Every lane is a vec4 or mat4, so std140 and C++ agree without padding.
+// BlocksGLTest holds both sides against the driver.
+#ifdef __cplusplus
+#pragma once
+#include "core/Math.h"
+namespace fur::render::shared {
+using vec4 = Vec4;
+using mat4 = Mat4;
+#define FUR_BLOCK(name) struct name
+#else
+#define FUR_BLOCK(name) layout(std140) uniform name
+#endif
+
+// One a frame. "Model" is the space of the unit sphere that the model was fitted to; a rigid
+// transform takes it to the world.
+FUR_BLOCK(FrameBlock) {
+  mat4 clipFromModel;
+  mat4 clipFromWorld;
+  mat4 worldFromModel;
+  vec4 eye;               // model space; w: pixels that a model unit covers at distance 1
+  vec4 light;             // model space, unit, towards the light; w: intensity
+  vec4 up;                // model space, unit, the world's +y; w: exposure
+  vec4 sky;               // linear light from above; w: unused
+  vec4 floorLight;        // linear light from below; w: unused
+  vec4 backgroundTop;     // sRGB as it is shown
+  vec4 backgroundBottom;  // sRGB as it is shown
+  vec4 lightWorld;        // world space, unit; w: unused
+  vec4 groundPlane;       // x: its height in the world  y: half the side of its shadow map  z: darkness
+  vec4 groundCentre;      // world x and z of the shadow map's centre
+};
+
+// The coat. One a change of the settings.
+FUR_BLOCK(FurBlock) {
+  vec4 shape;      // x: length (model units)  y: tiles per model unit  z: layers drawn  w: layers a slab
+  vec4 volume;     // x: texels along the tile  y: layers stored  z: density (strand shadow)  w: slabs
+  vec4 rootColor;  // linear
+  vec4 tipColor;   // linear
+  vec4 skinColor;  // linear
+  vec4 shading;    // x: Lambert share  y: gloss  z: exponent p when soaked  w: strand shadow
+  vec4 coat;       // x: sigma_occ  y: variance  z: share of the model's texture  w: 1 = fins
+  vec4 water;      // x: clump shape w  y: sigma_wet  z: sigma_spec  w: texels along the mask
+};
+
+#define FUR_FRAME_BINDING 0
+#define FUR_COAT_BINDING 1
+
+// Surface vertices (shells, skin, ground shadow).
+#define FUR_POSITION 0
+#define FUR_NORMAL 1
+#define FUR_UV_ATLAS 2        // xy: model uv  zw: atlas
+#define FUR_FUR_COORD 3       // st
+#define FUR_GRAD_S 4
+#define FUR_GRAD_T 5
+#define FUR_ATLAS_FROM_FUR 6  // 2x2 by columns
+
+// Fin instances: one an edge.
+#define FUR_FIN_POSITION_A 0  // w: vertex index, for its bend
+#define FUR_FIN_POSITION_B 1
+#define FUR_FIN_NORMAL_A 2    // w: where the edge starts in the fin map
+#define FUR_FIN_NORMAL_B 3    // w: fur length factor (1)
+#define FUR_FIN_FACE_0 4      // w: model u at the edge's middle
+#define FUR_FIN_FACE_1 5      // w: model v at the edge's middle
+#define FUR_FIN_ATLAS 6       // atlas of a, atlas of b
+
+#define FUR_UNIT_TILE 0
+#define FUR_UNIT_FIN 1
+#define FUR_UNIT_MASK 2
+#define FUR_UNIT_BEND 3
+#define FUR_UNIT_BASE_COLOR 4
+#define FUR_UNIT_GROUND 5
+
+// Bends are stored this many to a row.
+#define FUR_BEND_ROW 1024
+// s stays below this: at s = 1 every strand would end in one point (Clump.h has the same).
+#define FUR_MAX_SHIFT 0.92
+// Quads of a fin along its height.
+#define FUR_FIN_SEGMENTS 6
+
+#ifdef __cplusplus
+}  // namespace fur::render::shared
+#endif

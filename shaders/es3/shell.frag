@@ -1,0 +1,110 @@
+// Marches one slab of fur from its top layer down, front to back, and shades the result once.
+// Blended over what lies below: slabs are drawn from the skin outwards.
+#include "common.glsl"
+#include "common_shading.glsl"
+#include "common_clump.glsl"
+
+uniform sampler2DArray tile;  // r: coverage  g, b: strand tangent x, y  a: variance
+uniform sampler2D baseColor;
+#ifdef WET
+uniform sampler2D mask;
+#endif
+
+in vec4 vTile;
+in vec4 vLight;
+in vec4 vView;
+in vec4 vLean;
+in vec2 vLightStep;
+flat in float vTop;
+#ifdef WET
+in vec2 vAtlas;
+in vec4 vAtlasStep;
+#endif
+
+out vec4 fragColor;
+
+float storedLayer(float drawn) { return floor((drawn + 0.5) * volume.y / shape.z); }
+
+void main() {
+  float lod = max(vLight.w, 0.0);
+  // Magnified strands get edges one pixel wide; minified ones keep their fractional coverage.
+  float sharp = exp2(max(-vLight.w, 0.0));
+  vec2 at = vTile.xy;
+  float layer = vTop - 1.0;
+  float alpha = 0.0;
+  vec4 sum = vec4(0.0);       // tangent x, y, variance, layer; weighted by what each adds
+  vec2 hit = at;
+#ifdef WET
+  mat2 atlasFromTile = mat2(vAtlasStep.xy, vAtlasStep.zw);
+  mat2 tileFromAtlas = inverse(atlasFromTile);
+  vec3 wetSum = vec3(0.0);    // clump lean in tile units a layer, wetness
+#endif
+  for (float k = 0.0; k < shape.w; k += 1.0) {
+    vec2 root = at;
+    float open = 1.0;
+#ifdef WET
+    vec2 a = vAtlas + atlasFromTile * (at - vTile.xy);
+    vec4 clump = clumpAt(mask, a);
+    vec3 lean = vec3(0.0, 0.0, clump.a);
+    if (clump.a > 0.0) {
+      float h = (layer + 1.0) / shape.z;
+      float s = min(clumpProfile(h, water.x, shape.z) * clump.a, FUR_MAX_SHIFT);
+      vec2 fromCentre = (a - clump.xy) / (1.0 - s);
+      vec4 home = clumpAt(mask, clump.xy + fromCentre);
+      // Algorithm 2: a root outside the clump, in a dry texel or in another clump is no strand here.
+      vec2 apart = home.xy - clump.xy;
+      open = float(dot(fromCentre, fromCentre) <= clump.z * clump.z && home.a > 0.0 &&
+                   dot(apart, apart) <= 0.25 * clump.z * clump.z);
+      root += tileFromAtlas * (clump.xy + fromCentre - a);
+      float below = min(clumpProfile(h - 1.0 / shape.z, water.x, shape.z) * clump.a, FUR_MAX_SHIFT);
+      lean.xy = tileFromAtlas * (fromCentre * (below - s));
+    }
+#endif
+    vec4 t = textureLod(tile, vec3(root, storedLayer(layer)), lod);
+    float add = clamp((t.r - 0.5) * sharp + 0.5, 0.0, 1.0) * open * (1.0 - alpha);
+    sum += add * vec4(t.gba, layer);
+#ifdef WET
+    wetSum += add * lean;
+#endif
+    alpha += add;
+    hit = at;
+    if (alpha > 0.96) break;
+    at += vTile.zw;
+    layer -= 1.0;
+  }
+  if (alpha < 0.03) discard;
+  sum /= alpha;
+  float h = (sum.w + 1.0) / shape.z;
+
+  vec2 tilt = sum.xy * 2.0 - 1.0;
+  float rho = 0.0;
+  vec3 tangent = vec3(tilt + vLean.xy, sqrt(max(0.05, 1.0 - dot(tilt, tilt))));
+#ifdef WET
+  wetSum /= alpha;
+  rho = wetSum.z;
+  // Eq. 4: the strand moves by -d, in model units; a layer is shape.x / shape.z high.
+  tangent.xy += wetSum.xy * (shape.z / max(shape.x * shape.y, 1e-6));
+#endif
+  tangent = normalize(tangent);
+
+  // Two looks towards the light through the fur above: real strands cast real shadows.
+  float blocked = 0.0;
+  for (float k = 1.0; k <= 2.0; k += 1.0) {
+    float rise = 0.07 * k;
+    float above = h + rise;
+    if (above < 1.0)
+      blocked += textureLod(tile, vec3(hit + vLightStep * rise, storedLayer(above * shape.z - 1.0)), lod + 0.5).r;
+  }
+  float lit = 1.0 - 0.35 * shading.w * blocked;
+
+  vec3 albedo = strandColor(h, sum.z, texture(baseColor, vLean.zw).rgb);
+  vec3 color = shadeStrand(albedo, tangent, normalize(vLight.xyz), normalize(vView.xyz), h, rho, lit, vView.w);
+#if defined(VIEW_TANGENTS)
+  color = tangent * 0.5 + 0.5;
+  fragColor = vec4(color * alpha, alpha);
+#elif defined(VIEW_COVERAGE)
+  fragColor = vec4(vec3(h) * alpha, alpha);
+#else
+  fragColor = vec4(encodeSrgb(toneMap(color)) * alpha, alpha);
+#endif
+}

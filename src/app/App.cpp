@@ -1,0 +1,380 @@
+#include "app/App.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/AppState.h"
+#include "furgen/FurVolume.h"
+#include "geometry/Primitives.h"
+#include "scene/StateJson.h"
+
+namespace fur::app {
+
+namespace {
+
+// Changes of one field closer together than this are one undo step, seconds.
+constexpr float kMergeTime = 0.8f;
+// Drying is so slow that fifteen steps a second look continuous.
+constexpr float kDryingStep = 1.0f / 15.0f;
+
+bool changesFur(const settings::Settings& a, const settings::Settings& b) {
+  return a.density != b.density || a.thickness != b.thickness || a.lengthVariation != b.lengthVariation ||
+         a.curl != b.curl || a.layers != b.layers || a.seed != b.seed;
+}
+
+// The field in which the two differ, nullptr when it is none or several.
+const settings::Field* onlyDifference(const settings::Settings& a, const settings::Settings& b) {
+  const settings::Field* only = nullptr;
+  for (const settings::Field& field : settings::fields())
+    if (field.get(a) != field.get(b)) {
+      if (only) return nullptr;
+      only = &field;
+    }
+  return only;
+}
+
+CameraOrbit startView() {
+  CameraOrbit orbit;
+  // The fitted sphere and its fur fill 80 % of the height.
+  orbit.distance = 1.06f / std::sin(std::atan(0.8f * std::tan(OrbitCamera::kFovY / 2)));
+  return orbit;
+}
+
+}  // namespace
+
+App::App() : state_(std::make_unique<State>()) {
+  state_->camera.jump(startView());
+  const Status status = loadPrimitive("sphere");
+  FUR_ASSERT(status, "App::App()", "a sphere", "an error");
+}
+
+App::~App() = default;
+
+// --- GL ----------------------------------------------------------------------------------------
+
+Status App::attach() {
+  gl::setContextAlive(true);
+  gl::rememberPlatformFramebuffer();
+  auto renderer = render::Renderer::create();
+  if (!renderer) return renderer.error();
+  state_->renderer.emplace(std::move(*renderer));
+  state_->uploadScene();
+  return Done{};
+}
+
+void App::detach(bool lost) {
+  gl::setContextAlive(!lost);
+  state_->renderer.reset();
+  gl::setContextAlive(true);
+}
+
+void App::resize(int width, int height, float pixelRatio) {
+  state_->width = std::max(width, 1);
+  state_->height = std::max(height, 1);
+  state_->pixelRatio = pixelRatio;
+  state_->pictureChanged = true;
+}
+
+void App::State::uploadScene() {
+  renderer->setSurface(surface);
+  renderer->setBaseColor(imageWidth, imageHeight, image);
+  renderer->updateMask(mask, {0, 0, mask.size(), mask.size()});
+  renderer->updateBends(bends.bends());
+  furChanged = pictureChanged = true;
+}
+
+void App::State::regrowFur() {
+  furgen::FurParameters p;
+  p.layers = settings.layers;
+  p.density = settings.density;
+  p.thickness = settings.thickness;
+  p.lengthVariation = settings.lengthVariation;
+  p.curl = settings.curl;
+  p.seed = static_cast<std::uint32_t>(settings.seed);
+  const furgen::FurVolume volume = furgen::generateFur(p);
+  renderer->setFur(volume);
+  strandCount = volume.strandCount;
+  furWeight = volume.weight;
+  furChanged = false;
+  forcesChanged = pictureChanged = true;
+}
+
+// --- model -------------------------------------------------------------------------------------
+
+void App::State::adopt(geometry::Surface built, std::string name) {
+  surface = std::move(built);
+  modelName = std::move(name);
+  query = geometry::SurfaceQuery(surface);
+  wetting.emplace(surface, mask.size());
+  mask.clear();
+  history.clear();
+  motion.reset();
+  pendingImage = {};
+  imageWidth = imageHeight = 0;
+  image.clear();
+  baseColorFactor = Vec4(1);
+  std::vector<Vec3> positions, normals;
+  groundHeight = 0;
+  for (const auto& v : surface.vertices) {
+    positions.push_back(v.position);
+    normals.push_back(v.normal);
+    groundHeight = std::min(groundHeight, v.position.y);
+  }
+  bends.reset(positions, normals);
+  vertexWetness.assign(surface.vertices.size(), 0.0f);
+  if (renderer) uploadScene();
+  settleBends();
+  pictureChanged = true;
+}
+
+Status App::loadPrimitive(std::string_view name) {
+  geometry::Mesh mesh;
+  if (name == "sphere") mesh = geometry::makeSphere();
+  else if (name == "torus") mesh = geometry::makeTorus();
+  else if (name == "plane") mesh = geometry::makePlane();
+  else return Error{ErrorId::BadFile, "there is no model called \"" + std::string(name) + '"'};
+  auto surface = geometry::buildSurface(mesh);
+  if (!surface) return surface.error();
+  state_->adopt(std::move(*surface), std::string(name));
+  return Done{};
+}
+
+Status App::loadModel(std::span<const std::uint8_t> bytes, const std::string& name, const scene::FileSet& others) {
+  auto model = scene::importGltf(bytes, name, others);
+  if (!model) return model.error();
+  auto surface = geometry::buildSurface(model->mesh);
+  if (!surface) return Error{surface.error().id, name + ": " + surface.error().message};
+  for (const std::string& warning : model->warnings) state_->warnings.push_back(warning);
+  state_->adopt(std::move(*surface), model->name);
+  state_->pendingImage = std::move(model->baseColor);
+  state_->baseColorFactor = model->baseColorFactor;
+  return Done{};
+}
+
+const scene::EncodedImage& App::pendingImage() const { return state_->pendingImage; }
+
+void App::provideImage(int width, int height, std::vector<std::uint8_t> rgba) {
+  FUR_ASSERT(rgba.size() == static_cast<std::size_t>(width) * height * 4, "App::provideImage()",
+             "4 bytes for each of width * height texels", rgba.size());
+  State& s = *state_;
+  s.pendingImage = {};
+  s.imageWidth = width;
+  s.imageHeight = height;
+  s.image = std::move(rgba);
+  if (s.renderer) s.renderer->setBaseColor(width, height, s.image);
+  s.pictureChanged = true;
+}
+
+const std::string& App::modelName() const { return state_->modelName; }
+const geometry::Surface& App::surface() const { return state_->surface; }
+
+// --- settings and state ------------------------------------------------------------------------
+
+const settings::Settings& App::settings() const { return state_->settings; }
+
+void App::State::applySettings(const settings::Settings& next) {
+  furChanged |= changesFur(settings, next);
+  settings = next;
+  forcesChanged = pictureChanged = true;
+}
+
+void App::setSettings(const settings::Settings& next) {
+  State& s = *state_;
+  if (next == s.settings) return;
+  if (!s.changeBefore) {
+    const settings::Field* field = onlyDifference(s.settings, next);
+    const bool mergeable = field && field == s.lastField && s.sinceSettingChange < kMergeTime;
+    s.history.push(SettingsStep{s.settings, next}, mergeable);
+    s.lastField = field;
+    s.sinceSettingChange = 0;
+  }
+  s.applySettings(next);
+}
+
+void App::beginChange() {
+  endChange();
+  state_->changeBefore = state_->settings;
+}
+
+void App::endChange() {
+  State& s = *state_;
+  const auto before = std::exchange(s.changeBefore, std::nullopt);
+  if (!before || *before == s.settings) return;
+  s.history.push(SettingsStep{*before, s.settings});
+  s.lastField = nullptr;
+}
+
+bool App::setField(std::string_view name, std::string_view text) {
+  settings::Settings next = state_->settings;
+  const bool known = settings::setField(next, name, text, state_->warnings);
+  setSettings(next);
+  return known;
+}
+
+CameraOrbit App::camera() const { return state_->camera.goal(); }
+void App::setCamera(const CameraOrbit& orbit) { state_->camera.jump(orbit), state_->pictureChanged = true; }
+void App::resetCamera() { state_->camera.setGoal(startView()); }
+
+std::string App::state() const {
+  const CameraOrbit& c = state_->camera.goal();
+  scene::ProgramState out;
+  out.model = state_->modelName;
+  out.settings = state_->settings;
+  out.camera = scene::CameraState{c.yaw, c.pitch, c.distance, c.target};
+  return scene::writeState(out);
+}
+
+Status App::setState(std::string_view json) {
+  auto read = scene::readState(json);
+  if (!read) return read.error();
+  for (std::string& warning : read->warnings) state_->warnings.push_back(std::move(warning));
+  setSettings(read->settings);
+  if (read->camera) setCamera({read->camera->yaw, read->camera->pitch, read->camera->distance, read->camera->target});
+  return Done{};
+}
+
+void App::State::applyStep(const Step& step, bool undo) {
+  lastField = nullptr;
+  if (const auto* s = std::get_if<SettingsStep>(&step)) {
+    applySettings(undo ? s->before : s->after);
+  } else if (const auto* m = std::get_if<MaskStep>(&step)) {
+    mask.restore(withRect(mask.size(), mask.texels(), m->rect, undo ? m->before : m->after));
+    maskTouched();
+  }
+}
+
+bool App::undo() {
+  state_->endStroke();
+  endChange();
+  const auto step = state_->history.undo();
+  if (step) state_->applyStep(*step, true);
+  return step.has_value();
+}
+
+bool App::redo() {
+  const auto step = state_->history.redo();
+  if (step) state_->applyStep(*step, false);
+  return step.has_value();
+}
+
+bool App::canUndo() const { return state_->history.canUndo(); }
+bool App::canRedo() const { return state_->history.canRedo(); }
+
+Warnings App::takeWarnings() { return std::exchange(state_->warnings, {}); }
+
+void App::addWarning(std::string text) { state_->warnings.push_back(std::move(text)); }
+
+// --- time --------------------------------------------------------------------------------------
+
+dynamics::BendForces App::State::forces() const {
+  dynamics::BendForces f;
+  f.gravity = Vec3(0, -settings.gravity, 0);
+  // Two slow waves that never meet the same way twice make gusts.
+  const float wave = 0.5f + 0.3f * std::sin(windClock * 1.7f) + 0.2f * std::sin(windClock * 4.3f + 1.0f);
+  const float strength = wind() * (1 - settings.gust + settings.gust * wave);
+  f.wind = strength * Vec3(std::sin(settings.windYaw), 0.08f, std::cos(settings.windYaw));
+  f.stiffness = settings.stiffness;
+  f.inertia = settings.inertia;
+  f.weight = furWeight;
+  return f;
+}
+
+bool App::tick(float dt) {
+  State& s = *state_;
+  dt = std::max(dt, 0.0f);
+  s.sinceSettingChange += dt;
+  if (s.renderer && s.furChanged) s.regrowFur();
+  bool changed = std::exchange(s.pictureChanged, false);
+  changed |= s.camera.update(dt);
+  const bool moved = s.motion.update(dt);
+  changed |= moved;
+
+  if (s.wind() > 0) s.windClock += dt;
+  if (dt > 0 && (moved || s.gusty() || s.forcesChanged || !s.bends.atRest())) {
+    s.bends.step(dt, s.motion.worldFromModel(), s.forces(), s.vertexWetness);
+    if (s.renderer) s.renderer->updateBends(s.bends.bends());
+    s.forcesChanged = false;
+    changed = true;
+  }
+
+  if (s.drying()) {
+    s.dryingDue += dt;
+    if (s.dryingDue >= kDryingStep) {
+      s.mask.dry(s.dryingDue, s.settings.dryRate);
+      s.dryingDue = 0;
+      s.maskTouched();
+      changed = true;
+    }
+  }
+  return changed || std::exchange(s.pictureChanged, false);
+}
+
+void App::State::settleBends() {
+  bends.settle(motion.worldFromModel(), forces(), vertexWetness);
+  if (renderer) renderer->updateBends(bends.bends());
+  forcesChanged = false;
+  pictureChanged = true;
+}
+
+void App::settle() {
+  if (state_->renderer && state_->furChanged) state_->regrowFur();
+  state_->settleBends();
+}
+
+bool App::active() const {
+  const State& s = *state_;
+  return s.pictureChanged || s.furChanged || s.forcesChanged || s.camera.moving() || s.motion.moving() ||
+         !s.bends.atRest() || s.gusty() || s.drying();
+}
+
+void App::setReducedMotion(bool reduced) {
+  state_->reducedMotion = reduced;
+  state_->forcesChanged = true;
+}
+
+void App::invalidate() { state_->pictureChanged = true; }
+
+render::Frame App::State::frame() const {
+  render::Frame f;
+  f.settings = settings;
+  f.worldFromModel = motion.worldFromModel();
+  f.camera = camera.pose(static_cast<float>(width) / static_cast<float>(height));
+  f.width = width;
+  f.height = height;
+  f.groundHeight = groundHeight;
+  f.wet = !mask.isDry();
+  f.baseColorFactor = baseColorFactor;
+  return f;
+}
+
+Status App::draw() {
+  State& s = *state_;
+  FUR_ASSERT(s.renderer.has_value(), "App::draw()", "an attached context", "none");
+  if (s.furChanged) s.regrowFur();
+  s.renderer->updateMask(s.mask, s.mask.takeChanged());
+  const Status status = s.renderer->draw(s.frame());
+  s.uploadedBytes = s.renderer->takeUploadedBytes();
+  s.pictureChanged = false;
+  ++s.framesDrawn;
+  return status;
+}
+
+App::Stats App::stats() const {
+  const State& s = *state_;
+  Stats out{};
+  out.vertices = static_cast<int>(s.surface.vertices.size());
+  out.triangles = static_cast<int>(s.surface.triangleCount());
+  out.strands = s.strandCount;
+  out.layers = s.settings.layers;
+  out.finEdges = static_cast<int>(s.surface.edges.size());
+  out.cpuBytes = s.surface.vertices.size() * (sizeof(geometry::SurfaceVertex) + 5 * sizeof(Vec4)) +
+                 s.surface.indices.size() * sizeof(std::uint32_t) * 4 +
+                 s.surface.edges.size() * sizeof(geometry::SurfaceEdge) + s.mask.texels().size() * sizeof(Vec4) +
+                 s.image.size();
+  out.gpuBytes = s.renderer ? s.renderer->gpuBytes() : 0;
+  out.uploadedBytes = s.uploadedBytes;
+  out.framesDrawn = s.framesDrawn;
+  return out;
+}
+
+}  // namespace fur::app

@@ -1,0 +1,108 @@
+// What App holds, shared by its source files: App.cpp (scene, settings, time, drawing),
+// Input.cpp (pointers, keys), Painting.cpp (water).
+#pragma once
+
+#include <map>
+#include <optional>
+
+#include "app/App.h"
+#include "app/History.h"
+#include "app/ModelMotion.h"
+#include "app/OrbitCamera.h"
+#include "core/Random.h"
+#include "dynamics/BendField.h"
+#include "geometry/SurfaceQuery.h"
+#include "render/Renderer.h"
+#include "wet/SurfaceWetting.h"
+#include "wet/WetnessMask.h"
+
+namespace fur::app {
+
+inline constexpr int kMaskSize = 256;
+
+struct ModelRay {
+  Vec3 origin, direction;  // model space
+};
+
+// What the pointers that are down do.
+enum class Drag { None, Paint, Orbit, Grab, Spin, Light, Pinch };
+
+struct App::State {
+  settings::Settings settings;
+  OrbitCamera camera;
+  ModelMotion motion;
+  History history;
+  Warnings warnings;
+  Tool tool = Tool::Droplet;
+
+  // The model.
+  std::string modelName;
+  geometry::Surface surface;
+  geometry::SurfaceQuery query;
+  std::optional<wet::SurfaceWetting> wetting;
+  scene::EncodedImage pendingImage;
+  Vec4 baseColorFactor{1.0f};
+  int imageWidth = 0, imageHeight = 0;
+  std::vector<std::uint8_t> image;
+  float groundHeight = -1;
+
+  // Water and motion.
+  wet::WetnessMask mask{kMaskSize};
+  std::vector<float> vertexWetness;
+  dynamics::BendField bends;
+  float furWeight = 0.5f;
+  float windClock = 0;
+  float dryingDue = 0;  // seconds of drying not yet done
+  bool forcesChanged = true;
+
+  // Input.
+  std::map<int, Vec2> pointers;
+  Drag drag = Drag::None;
+  Vec2 lastPosition{0};
+  float lastSpan = 0;
+  std::vector<Vec4> strokeBefore;
+  Vec2 lastSpot{0};
+  Random sprayRandom{1};
+  bool cameraControls = true;
+
+  // Drawing.
+  std::optional<render::Renderer> renderer;
+  int width = 300, height = 150;
+  float pixelRatio = 1;
+  bool pictureChanged = true, furChanged = true;
+  long framesDrawn = 0;
+  int strandCount = 0;
+  std::size_t uploadedBytes = 0;
+  float sinceSettingChange = 1e9f;
+  const settings::Field* lastField = nullptr;
+  std::optional<settings::Settings> changeBefore;  // between beginChange() and endChange()
+  bool reducedMotion = false;
+
+  // --- App.cpp ---
+  void adopt(geometry::Surface built, std::string name);
+  void uploadScene();
+  void regrowFur();
+  void settleBends();
+  render::Frame frame() const;
+  dynamics::BendForces forces() const;
+  float wind() const { return reducedMotion ? 0 : settings.wind; }
+  bool gusty() const { return wind() > 0 && settings.gust > 0; }
+  bool drying() const { return !mask.isDry() && settings.dryRate > 0; }
+  void applySettings(const settings::Settings& next);
+  void applyStep(const Step& step, bool undo);
+
+  // --- Painting.cpp ---
+  ModelRay rayThrough(Vec2 pixel) const;
+  std::optional<geometry::SurfacePoint> pick(Vec2 pixel) const;
+  void beginStroke();
+  void endStroke();
+  // One spray of the tool where the pixel hits; false when it misses.
+  bool sprayAt(Vec2 pixel);
+  // Sprays along the way, so that the speed of the hand changes nothing.
+  void paintTo(Vec2 pixel);
+  void scatter(const Vec3& centre, const Vec3& normal, float radius, float amount);
+  void soak(float amount);
+  void maskTouched();
+};
+
+}  // namespace fur::app

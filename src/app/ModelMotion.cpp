@@ -1,0 +1,67 @@
+#include "app/ModelMotion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fur::app {
+
+namespace {
+
+constexpr float kFollow = 220.0f;  // spring towards the hand (1/s^2), critically damped
+constexpr float kReturn = 60.0f;   // spring home once let go, swings a little
+constexpr float kSpinTime = 0.9f;  // seconds until a spin has lost 63 % of its speed
+constexpr float kMaxReach = 1.2f;  // model units
+constexpr float kSubStep = 1.0f / 120.0f;
+
+}  // namespace
+
+void ModelMotion::spin(float radians) {
+  held_ = true;
+  yaw_ += radians;
+  turned_ += radians;
+}
+
+void ModelMotion::release() {
+  held_ = false;
+  goal_ = Vec3(0);
+}
+
+bool ModelMotion::moving() const {
+  return held_ || glm::length(position_ - goal_) > 1e-4f || glm::length(velocity_) > 1e-3f ||
+         std::abs(yawVelocity_) > 1e-3f;
+}
+
+bool ModelMotion::update(float dt) {
+  if (!moving()) {
+    position_ = goal_;
+    velocity_ = Vec3(0);
+    yawVelocity_ = 0;
+    return false;
+  }
+  const float reach = glm::length(goal_);
+  if (reach > kMaxReach) goal_ *= kMaxReach / reach;
+  dt = std::min(dt, 0.1f);
+  if (held_ && dt > 0) {
+    // The speed of the hand over the last frames.
+    const float blend = std::min(1.0f, dt / 0.05f);
+    yawVelocity_ += blend * (turned_ / dt - yawVelocity_);
+    turned_ = 0;
+  } else {
+    yaw_ += yawVelocity_ * dt;
+    yawVelocity_ *= std::exp(-dt / kSpinTime);
+  }
+  const float stiffness = held_ ? kFollow : kReturn;
+  const float damping = (held_ ? 2.0f : 1.1f) * std::sqrt(stiffness);
+  for (float rest = dt; rest > 0; rest -= kSubStep) {
+    const float step = std::min(rest, kSubStep);
+    velocity_ += step * (stiffness * (goal_ - position_) - damping * velocity_);
+    position_ += step * velocity_;
+  }
+  return true;
+}
+
+Mat4 ModelMotion::worldFromModel() const {
+  return glm::rotate(glm::translate(Mat4(1.0f), position_), yaw_, Vec3(0, 1, 0));
+}
+
+}  // namespace fur::app

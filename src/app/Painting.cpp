@@ -1,0 +1,173 @@
+#include <algorithm>
+#include <cmath>
+
+#include "app/AppState.h"
+
+namespace fur::app {
+
+namespace {
+
+// Droplets of one spray: enough to fill the brush with locks after a few passes.
+constexpr int kDropletsPerSpray = 3;
+// Share of the brush radius between two sprays of a stroke.
+constexpr float kSpacing = 0.35f;
+// A single droplet of the dry brush takes this share of the flow.
+constexpr float kDryShare = 0.35f;
+
+}  // namespace
+
+ModelRay App::State::rayThrough(Vec2 pixel) const {
+  const render::Frame f = frame();
+  const Mat4 modelFromClip = glm::inverse(render::clipFromWorld(f) * f.worldFromModel);
+  const Vec2 ndc(2 * pixel.x / static_cast<float>(width) - 1, 1 - 2 * pixel.y / static_cast<float>(height));
+  const Vec4 nearPoint = modelFromClip * Vec4(ndc, -1, 1), farPoint = modelFromClip * Vec4(ndc, 1, 1);
+  const Vec3 origin = Vec3(nearPoint) / nearPoint.w;
+  return {origin, normalizeOr(Vec3(farPoint) / farPoint.w - origin, Vec3(0, 0, -1))};
+}
+
+std::optional<geometry::SurfacePoint> App::State::pick(Vec2 pixel) const {
+  const ModelRay ray = rayThrough(pixel);
+  return query.castRay(ray.origin, ray.direction);
+}
+
+void App::State::maskTouched() {
+  for (std::size_t i = 0; i < vertexWetness.size(); ++i)
+    vertexWetness[i] = mask.at(surface.vertices[i].atlas.x, surface.vertices[i].atlas.y).w;
+  forcesChanged = pictureChanged = true;
+}
+
+void App::State::beginStroke() {
+  endStroke();
+  strokeBefore = mask.texels();
+}
+
+void App::State::endStroke() {
+  if (strokeBefore.empty()) return;
+  if (auto step = maskStep(mask.size(), strokeBefore, mask.texels())) history.push(std::move(*step));
+  strokeBefore.clear();
+  strokeBefore.shrink_to_fit();
+}
+
+void App::State::scatter(const Vec3& centre, const Vec3& normal, float radius, float amount) {
+  const Vec3 side = normalizeOr(glm::cross(normal, std::abs(normal.y) < 0.9f ? Vec3(0, 1, 0) : Vec3(1, 0, 0)), Vec3(1, 0, 0));
+  const Vec3 up = glm::cross(normal, side);
+  const float droplet = std::min(settings.clumpSize, radius);
+  for (int i = 0; i < kDropletsPerSpray; ++i) {
+    const float angle = sprayRandom.uniform(0, 2 * kPi);
+    const float reach = (radius - droplet) * std::sqrt(sprayRandom.uniform());
+    const Vec3 above = centre + reach * (std::cos(angle) * side + std::sin(angle) * up) + 0.3f * radius * normal;
+    // Droplets fall onto the surface; one that falls past an edge is lost.
+    const auto hit = query.castRay(above + 0.5f * radius * normal, -normal);
+    if (!hit || hit->distance > 2.5f * radius) continue;
+    wetting->addDroplet(mask, surface, query, positionAt(surface, *hit), normalAt(surface, *hit),
+                        droplet * sprayRandom.uniform(0.75f, 1.25f), amount);
+  }
+}
+
+bool App::State::sprayAt(Vec2 pixel) {
+  const auto hit = pick(pixel);
+  if (!hit) return false;
+  const Vec3 centre = positionAt(surface, *hit), normal = normalAt(surface, *hit);
+  if (tool == Tool::Dry)
+    wetting->dryAt(mask, surface, query, centre, normal, settings.brushRadius, settings.brushFlow * kDryShare);
+  else
+    scatter(centre, normal, settings.brushRadius, settings.brushFlow);
+  maskTouched();
+  return true;
+}
+
+void App::State::paintTo(Vec2 pixel) {
+  const render::Frame f = frame();
+  const float distance = std::max(0.2f, glm::length(f.camera.eye - f.camera.target));
+  const float pixelsPerUnit = static_cast<float>(height) / (2 * std::tan(f.camera.fovY / 2)) / distance;
+  const float spacing = std::max(2.0f, kSpacing * settings.brushRadius * pixelsPerUnit);
+  for (Vec2 way = pixel - lastSpot; glm::length(way) >= spacing; way = pixel - lastSpot) {
+    lastSpot += way * (spacing / glm::length(way));
+    sprayAt(lastSpot);
+  }
+}
+
+void App::State::soak(float amount) {
+  mask.clear();
+  if (amount <= 0) return maskTouched();
+  // Droplets all over, by area, four deep, so that nearly no spot stays dry between them.
+  std::vector<float> areaBelow;
+  float total = 0;
+  const auto corner = [&](std::size_t t, int k) { return surface.vertices[surface.indices[3 * t + static_cast<std::size_t>(k)]].position; };
+  for (std::size_t t = 0; t < surface.triangleCount(); ++t)
+    areaBelow.push_back(total += 0.5f * glm::length(glm::cross(corner(t, 1) - corner(t, 0), corner(t, 2) - corner(t, 0))));
+  Random random(7);
+  const float droplet = settings.clumpSize;
+  const int count = std::min(20000, static_cast<int>(4 * total / (kPi * droplet * droplet)));
+  for (int i = 0; i < count; ++i) {
+    const auto at = std::lower_bound(areaBelow.begin(), areaBelow.end(), total * random.uniform());
+    const auto triangle = std::min<std::size_t>(static_cast<std::size_t>(at - areaBelow.begin()), areaBelow.size() - 1);
+    float u = random.uniform(), v = random.uniform();
+    if (u + v > 1) u = 1 - u, v = 1 - v;
+    const geometry::SurfacePoint point{static_cast<std::uint32_t>(triangle), Vec3(1 - u - v, u, v), 0};
+    wetting->addDroplet(mask, surface, query, positionAt(surface, point), normalAt(surface, point), droplet, amount);
+  }
+  // Overlaps have added up: one wetness all over.
+  std::vector<Vec4> even = mask.texels();
+  for (Vec4& texel : even)
+    if (texel.w > 0) texel.w = std::min(amount, 1.0f);
+  mask.restore(std::move(even));
+  maskTouched();
+}
+
+// --- App's side --------------------------------------------------------------------------------
+
+void App::setTool(Tool tool) {
+  state_->endStroke();
+  state_->tool = tool;
+}
+Tool App::tool() const { return state_->tool; }
+
+void App::splashAt(float u, float v, float radius, float amount) {
+  state_->beginStroke();
+  state_->mask.addDroplet({Vec2(u, v), radius, amount});
+  state_->maskTouched();
+  state_->endStroke();
+}
+
+bool App::splashPixel(Vec2 pixel, float radius, float amount) {
+  State& s = *state_;
+  const auto hit = s.pick(pixel);
+  if (!hit) return false;
+  s.beginStroke();
+  s.wetting->addDroplet(s.mask, s.surface, s.query, positionAt(s.surface, *hit), normalAt(s.surface, *hit), radius, amount);
+  s.maskTouched();
+  s.endStroke();
+  return true;
+}
+
+void App::setWetness(float amount) {
+  state_->beginStroke();
+  state_->soak(amount);
+  state_->endStroke();
+}
+
+void App::dry(float seconds) {
+  state_->beginStroke();
+  state_->mask.dry(seconds, std::max(state_->settings.dryRate, 0.01f));
+  state_->maskTouched();
+  state_->endStroke();
+}
+
+std::optional<Vec2> App::pick(Vec2 pixel) const {
+  const auto hit = state_->pick(pixel);
+  if (!hit) return std::nullopt;
+  return atlasAt(state_->surface, *hit);
+}
+
+float App::wetnessAt(float u, float v) const { return state_->mask.at(u, v).w; }
+float App::meanWetness() const { return state_->mask.meanWetness(); }
+std::uint64_t App::wetnessHash() const { return state_->mask.hash(); }
+const wet::WetnessMask& App::wetnessMask() const { return state_->mask; }
+
+void App::restoreWetness(std::vector<Vec4> texels) {
+  state_->mask.restore(std::move(texels));
+  state_->maskTouched();
+}
+
+}  // namespace fur::app

@@ -1,0 +1,182 @@
+#include "gl/Objects.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+#include "gl/Api.h"
+
+namespace fur::gl {
+
+namespace {
+
+bool contextAlive = true;
+
+GLenum target(BufferKind kind) {
+  switch (kind) {
+    case BufferKind::Index: return GL_ELEMENT_ARRAY_BUFFER;
+    case BufferKind::Uniform: return GL_UNIFORM_BUFFER;
+    case BufferKind::Vertex: break;
+  }
+  return GL_ARRAY_BUFFER;
+}
+
+unsigned make(void (*generate)(GLsizei, GLuint*)) {
+  GLuint id = 0;
+  generate(1, &id);
+  return id;
+}
+
+}  // namespace
+
+void setContextAlive(bool alive) { contextAlive = alive; }
+
+Name& Name::operator=(Name&& other) noexcept {
+  if (this != &other) {
+    reset();
+    id_ = std::exchange(other.id_, 0);
+    delete_ = other.delete_;
+  }
+  return *this;
+}
+
+void Name::reset() {
+  if (id_ && contextAlive) delete_(id_);
+  id_ = 0;
+}
+
+// --- buffers -----------------------------------------------------------------------------------
+
+Buffer::Buffer(BufferKind kind, std::span<const std::byte> bytes, bool changesOften)
+    : name_(make(glGenBuffers), [](unsigned id) { glDeleteBuffers(1, &id); }), kind_(kind), changesOften_(changesOften) {
+  update(bytes);
+}
+
+void Buffer::update(std::span<const std::byte> bytes) {
+  // An index buffer bound while some vertex array is would be recorded in it.
+  if (kind_ == BufferKind::Index) glBindVertexArray(0);
+  glBindBuffer(target(kind_), name_.id());
+  if (bytes.size() > bytes_)
+    glBufferData(target(kind_), static_cast<GLsizeiptr>(bytes.size()), bytes.data(),
+                 changesOften_ ? GL_DYNAMIC_DRAW : GL_STATIC_DRAW);
+  else
+    glBufferSubData(target(kind_), 0, static_cast<GLsizeiptr>(bytes.size()), bytes.data());
+  bytes_ = std::max(bytes_, bytes.size());
+}
+
+void Buffer::bindAsBlock(unsigned binding) const { glBindBufferBase(GL_UNIFORM_BUFFER, binding, name_.id()); }
+
+VertexArray::VertexArray(const Buffer& vertices, int strideBytes, std::span<const Attribute> attributes,
+                         unsigned divisor, const Buffer* indices)
+    : name_(make(glGenVertexArrays), [](unsigned id) { glDeleteVertexArrays(1, &id); }) {
+  glBindVertexArray(name_.id());
+  glBindBuffer(GL_ARRAY_BUFFER, vertices.name_.id());
+  for (const Attribute& a : attributes) {
+    glEnableVertexAttribArray(a.location);
+    glVertexAttribPointer(a.location, a.components, GL_FLOAT, GL_FALSE, strideBytes,
+                          reinterpret_cast<const void*>(static_cast<std::uintptr_t>(a.offsetBytes)));
+    glVertexAttribDivisor(a.location, divisor);
+  }
+  if (indices) glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices->name_.id());
+  glBindVertexArray(0);
+}
+
+void VertexArray::drawIndexed(int indexCount, int instances) const {
+  glBindVertexArray(name_.id());
+  glDrawElementsInstanced(GL_TRIANGLES, indexCount, GL_UNSIGNED_INT, nullptr, instances);
+  glBindVertexArray(0);
+}
+
+void VertexArray::drawStrips(int vertexCount, int instances) const {
+  glBindVertexArray(name_.id());
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, vertexCount, instances);
+  glBindVertexArray(0);
+}
+
+void drawWithoutVertices(int vertexCount) {
+  glBindVertexArray(0);
+  glDrawArrays(GL_TRIANGLES, 0, vertexCount);
+}
+
+// --- state -------------------------------------------------------------------------------------
+
+namespace {
+
+void toggle(GLenum what, bool on) { on ? glEnable(what) : glDisable(what); }
+
+int platformFramebuffer = 0;
+
+}  // namespace
+
+void apply(const DrawState& state) {
+  toggle(GL_DEPTH_TEST, state.depthTest);
+  toggle(GL_CULL_FACE, state.cullBack);
+  toggle(GL_BLEND, state.blend != Blend::None);
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_STENCIL_TEST);
+  glDepthFunc(GL_LEQUAL);
+  glDepthMask(state.depthWrite);
+  glColorMask(state.red, state.green, state.blue, state.alpha);
+  glBlendEquation(GL_FUNC_ADD);
+  switch (state.blend) {
+    case Blend::None: break;
+    case Blend::Over: glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA); break;  // premultiplied
+    case Blend::Multiply: glBlendFunc(GL_ZERO, GL_SRC_COLOR); break;
+    case Blend::Add: glBlendFunc(GL_ONE, GL_ONE); break;
+  }
+}
+
+void setViewport(int width, int height) { glViewport(0, 0, width, height); }
+
+void clear(const Vec4& color) {
+  glColorMask(true, true, true, true);
+  glDepthMask(true);
+  glClearColor(color.r, color.g, color.b, color.a);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+void rememberPlatformFramebuffer() { glGetIntegerv(GL_FRAMEBUFFER_BINDING, &platformFramebuffer); }
+void bindPlatformFramebuffer() { glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(platformFramebuffer)); }
+
+std::vector<std::uint8_t> readPixels(int width, int height) {
+  const auto row = static_cast<std::size_t>(width) * 4;
+  std::vector<std::uint8_t> upward(row * static_cast<std::size_t>(height)), downward(upward.size());
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, upward.data());
+  for (int y = 0; y < height; ++y)
+    std::copy_n(upward.begin() + static_cast<std::ptrdiff_t>(row) * y, row,
+                downward.begin() + static_cast<std::ptrdiff_t>(row) * (height - 1 - y));
+  return downward;
+}
+
+Result<Capabilities> queryCapabilities() {
+  const auto* version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
+  const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  if (!version) return Error{ErrorId::WebglUnavailable, "no OpenGL ES 3.0 context is current"};
+  Capabilities c;
+  c.renderer = renderer ? renderer : "unknown";
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &c.maxTextureSize);
+  glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &c.maxArrayLayers);
+  glGetIntegerv(GL_MAX_VERTEX_TEXTURE_IMAGE_UNITS, &c.maxVertexTextures);
+  glGetIntegerv(GL_MAX_SAMPLES, &c.maxSamples);
+  if (c.maxArrayLayers < 64 || c.maxVertexTextures < 1)
+    return Error{ErrorId::WebglUnavailable, c.renderer + ": " + std::to_string(c.maxArrayLayers) +
+                                                " array layers (64 needed), " + std::to_string(c.maxVertexTextures) +
+                                                " vertex textures (1 needed)"};
+  return c;
+}
+
+std::string takeError() {
+  std::string text;
+  while (const GLenum error = glGetError()) {
+    if (text.empty()) {
+      char code[16];
+      std::snprintf(code, sizeof code, "0x%04x", error);
+      text = std::string("GL error ") + code;
+    }
+    if (error == 0x0507) break;  // context lost: would be reported for ever
+  }
+  return text;
+}
+
+}  // namespace fur::gl

@@ -1,0 +1,179 @@
+// Move-only owners of OpenGL ES 3.0 objects: labelled, empty when default-constructed, rebuildable
+// from CPU data. This module is the only caller of gl* functions. It holds no scene and no policy.
+//
+// After a lost context call abandon() instead of letting destructors delete: the names are gone.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/Math.h"
+#include "core/Result.h"
+
+namespace fur::gl {
+
+// While false, destructors forget names instead of deleting them (the context is lost).
+void setContextAlive(bool alive);
+
+// One GL name and how to delete it.
+class Name {
+ public:
+  using Delete = void (*)(unsigned);
+  Name() = default;
+  Name(unsigned id, Delete deleter) : id_(id), delete_(deleter) {}
+  Name(Name&& other) noexcept : id_(other.id_), delete_(other.delete_) { other.id_ = 0; }
+  Name& operator=(Name&& other) noexcept;
+  ~Name() { reset(); }
+  void reset();
+  unsigned id() const { return id_; }
+  explicit operator bool() const { return id_ != 0; }
+
+ private:
+  unsigned id_ = 0;
+  Delete delete_ = nullptr;
+};
+
+class Program {
+ public:
+  Program() = default;
+  // Sources start after the #version line; `defines` is put before them ("#define WET 1\n").
+  // A refused shader is webgl-unavailable with the driver's words.
+  static Result<Program> link(const char* label, std::string_view vertex, std::string_view fragment,
+                              std::string_view defines = {});
+  // Names that the program does not use are ignored: a variant may optimise them away.
+  void bindBlock(const char* name, unsigned binding) const;
+  void bindSampler(const char* name, int unit) const;
+  // Bytes the driver reserves for a block, 0 when unused: compared with sizeof in tests.
+  int blockSize(const char* name) const;
+  void use() const;
+
+ private:
+  Name name_;
+};
+
+enum class BufferKind { Vertex, Index, Uniform };
+
+class Buffer {
+ public:
+  Buffer() = default;
+  Buffer(BufferKind kind, std::span<const std::byte> bytes, bool changesOften);
+  void update(std::span<const std::byte> bytes);  // grows when needed
+  void bindAsBlock(unsigned binding) const;
+  std::size_t bytes() const { return bytes_; }
+
+ private:
+  friend class VertexArray;
+  Name name_;
+  BufferKind kind_ = BufferKind::Vertex;
+  std::size_t bytes_ = 0;
+  bool changesOften_ = false;
+};
+
+template <class T>
+std::span<const std::byte> bytesOf(const std::vector<T>& values) {
+  return std::as_bytes(std::span<const T>(values));
+}
+template <class T>
+std::span<const std::byte> bytesOf(const T& value) {
+  return std::as_bytes(std::span<const T, 1>(&value, 1));
+}
+
+struct Attribute {
+  unsigned location;
+  int components;
+  int offsetBytes;
+};
+
+class VertexArray {
+ public:
+  VertexArray() = default;
+  // divisor 1: one value an instance.
+  VertexArray(const Buffer& vertices, int strideBytes, std::span<const Attribute> attributes, unsigned divisor,
+              const Buffer* indices);
+  void drawIndexed(int indexCount, int instances) const;  // triangles, 32-bit indices
+  void drawStrips(int vertexCount, int instances) const;
+
+ private:
+  Name name_;
+};
+
+// Draws `vertexCount` vertices without attributes (gl_VertexID alone).
+void drawWithoutVertices(int vertexCount);
+
+enum class TexelFormat { R8, RG8, RGBA8, RGBA32F };
+enum class Filter { Nearest, Linear, Trilinear };
+
+struct TextureShape {
+  TexelFormat format = TexelFormat::RGBA8;
+  int width = 1, height = 1;
+  int layers = 0;  // 0: a plain 2D texture
+  Filter filter = Filter::Linear;
+  bool repeats = false;
+};
+
+class Texture {
+ public:
+  Texture() = default;
+  // `texels` may be empty (undefined content). Trilinear textures get their mipmaps here.
+  Texture(const TextureShape& shape, std::span<const std::byte> texels);
+  // Replaces [x, x+width) x [y, y+height) from an image whose rows are `rowTexels` long and whose
+  // texel (x, y) of the whole image is the first one used.
+  void update(int x, int y, int width, int height, std::span<const std::byte> image, int rowTexels);
+  // Replaces one mip level (trilinear textures), all layers.
+  void setLevel(int level, std::span<const std::byte> texels);
+  void bind(int unit) const;
+  const TextureShape& shape() const { return shape_; }
+  std::size_t bytes() const;
+  unsigned id() const { return name_.id(); }
+
+ private:
+  Name name_;
+  TextureShape shape_;
+};
+
+// Where a pass draws to. Empty: the framebuffer that the platform gave.
+class Target {
+ public:
+  Target() = default;
+  // One colour texture, no depth.
+  static Result<Target> toTexture(const Texture& texture);
+  // Colour and depth renderbuffers of `samples` (0: plain), for pictures without a window.
+  static Result<Target> offscreen(int width, int height, int samples);
+  void bind() const;
+  // Resolves `from` into this one (same size).
+  void resolve(const Target& from, int width, int height) const;
+
+ private:
+  Name framebuffer_, color_, depth_;
+};
+
+enum class Blend { None, Over, Multiply, Add };
+
+struct DrawState {
+  bool depthTest = true, depthWrite = true, cullBack = true;
+  Blend blend = Blend::None;
+  bool red = true, green = true, blue = true, alpha = true;  // channels written
+};
+void apply(const DrawState& state);
+
+void setViewport(int width, int height);
+void clear(const Vec4& color);
+void bindPlatformFramebuffer();
+// The framebuffer that is bound now becomes the platform's (called once at attach).
+void rememberPlatformFramebuffer();
+// RGBA8 rows from the top of the bound framebuffer.
+std::vector<std::uint8_t> readPixels(int width, int height);
+
+struct Capabilities {
+  std::string renderer;
+  int maxTextureSize = 0, maxArrayLayers = 0, maxVertexTextures = 0, maxSamples = 0;
+};
+// webgl-unavailable when the context is less than OpenGL ES 3.0 or lacks what we need.
+Result<Capabilities> queryCapabilities();
+// The first pending GL error as text, "" when none.
+std::string takeError();
+
+}  // namespace fur::gl

@@ -1,0 +1,157 @@
+#include <algorithm>
+
+#include "gl/Api.h"
+#include "gl/Objects.h"
+
+namespace fur::gl {
+
+namespace {
+
+struct Layout {
+  GLenum internal, external, type;
+  int bytes;
+};
+
+Layout layoutOf(TexelFormat format) {
+  switch (format) {
+    case TexelFormat::R8: return {GL_R8, GL_RED, GL_UNSIGNED_BYTE, 1};
+    case TexelFormat::RG8: return {GL_RG8, GL_RG, GL_UNSIGNED_BYTE, 2};
+    case TexelFormat::RGBA8: break;
+    case TexelFormat::RGBA32F: return {GL_RGBA32F, GL_RGBA, GL_FLOAT, 16};
+  }
+  return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
+}
+
+GLenum targetOf(const TextureShape& shape) { return shape.layers > 0 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D; }
+
+// Uploads and new textures use the last unit, so that bindings made for a draw stay.
+constexpr int kWorkUnit = 15;
+
+int levelCount(const TextureShape& shape) {
+  if (shape.filter != Filter::Trilinear) return 1;
+  int levels = 1;
+  for (int side = std::max(shape.width, shape.height); side > 1; side /= 2) ++levels;
+  return levels;
+}
+
+}  // namespace
+
+Texture::Texture(const TextureShape& shape, std::span<const std::byte> texels) : shape_(shape) {
+  GLuint id = 0;
+  glGenTextures(1, &id);
+  name_ = Name(id, [](unsigned old) { glDeleteTextures(1, &old); });
+  const GLenum target = targetOf(shape);
+  const Layout layout = layoutOf(shape.format);
+  bind(kWorkUnit);
+  const auto expected = static_cast<std::size_t>(shape.width) * shape.height * std::max(shape.layers, 1) * layout.bytes;
+  FUR_ASSERT(texels.empty() || texels.size() == expected, "Texture::Texture()", "as many bytes as the shape holds",
+             texels.size());
+  const void* data = texels.empty() ? nullptr : texels.data();
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  if (shape.layers > 0) {
+    glTexStorage3D(target, levelCount(shape), layout.internal, shape.width, shape.height, shape.layers);
+    if (data)
+      glTexSubImage3D(target, 0, 0, 0, 0, shape.width, shape.height, shape.layers, layout.external, layout.type, data);
+  } else {
+    glTexStorage2D(target, levelCount(shape), layout.internal, shape.width, shape.height);
+    if (data) glTexSubImage2D(target, 0, 0, 0, shape.width, shape.height, layout.external, layout.type, data);
+  }
+  const GLint magnify = shape.filter == Filter::Nearest ? GL_NEAREST : GL_LINEAR;
+  glTexParameteri(target, GL_TEXTURE_MIN_FILTER, shape.filter == Filter::Trilinear ? GL_LINEAR_MIPMAP_LINEAR : magnify);
+  glTexParameteri(target, GL_TEXTURE_MAG_FILTER, magnify);
+  const GLint wrap = shape.repeats ? GL_REPEAT : GL_CLAMP_TO_EDGE;
+  glTexParameteri(target, GL_TEXTURE_WRAP_S, wrap);
+  glTexParameteri(target, GL_TEXTURE_WRAP_T, wrap);
+  if (shape.filter == Filter::Trilinear && data) glGenerateMipmap(target);
+}
+
+void Texture::update(int x, int y, int width, int height, std::span<const std::byte> image, int rowTexels) {
+  const Layout layout = layoutOf(shape_.format);
+  bind(kWorkUnit);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, rowTexels);
+  const auto first = (static_cast<std::size_t>(y) * rowTexels + x) * layout.bytes;
+  glTexSubImage2D(GL_TEXTURE_2D, 0, x, y, width, height, layout.external, layout.type, image.data() + first);
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+}
+
+void Texture::setLevel(int level, std::span<const std::byte> texels) {
+  const Layout layout = layoutOf(shape_.format);
+  const int width = std::max(1, shape_.width >> level), height = std::max(1, shape_.height >> level);
+  bind(kWorkUnit);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexSubImage3D(GL_TEXTURE_2D_ARRAY, level, 0, 0, 0, width, height, shape_.layers, layout.external, layout.type,
+                  texels.data());
+}
+
+void Texture::bind(int unit) const {
+  glActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));
+  glBindTexture(targetOf(shape_), name_.id());
+}
+
+std::size_t Texture::bytes() const {
+  if (!name_) return 0;
+  const auto base = static_cast<std::size_t>(shape_.width) * shape_.height * std::max(shape_.layers, 1) *
+                    layoutOf(shape_.format).bytes;
+  return shape_.filter == Filter::Trilinear ? base * 4 / 3 : base;
+}
+
+// --- targets -----------------------------------------------------------------------------------
+
+namespace {
+
+Name makeFramebuffer() {
+  GLuint id = 0;
+  glGenFramebuffers(1, &id);
+  return Name(id, [](unsigned old) { glDeleteFramebuffers(1, &old); });
+}
+
+Name makeRenderbuffer(GLenum format, int width, int height, int samples) {
+  GLuint id = 0;
+  glGenRenderbuffers(1, &id);
+  glBindRenderbuffer(GL_RENDERBUFFER, id);
+  glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
+  return Name(id, [](unsigned old) { glDeleteRenderbuffers(1, &old); });
+}
+
+Status checkComplete(const char* what) {
+  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return Done{};
+  return Error{ErrorId::WebglUnavailable, std::string(what) + ": the driver refuses this framebuffer"};
+}
+
+}  // namespace
+
+Result<Target> Target::toTexture(const Texture& texture) {
+  Target target;
+  target.framebuffer_ = makeFramebuffer();
+  target.bind();
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.id(), 0);
+  const Status status = checkComplete("Target::toTexture()");
+  bindPlatformFramebuffer();
+  if (!status) return status.error();
+  return target;
+}
+
+Result<Target> Target::offscreen(int width, int height, int samples) {
+  Target target;
+  target.framebuffer_ = makeFramebuffer();
+  target.color_ = makeRenderbuffer(GL_RGBA8, width, height, samples);
+  target.depth_ = makeRenderbuffer(GL_DEPTH_COMPONENT24, width, height, samples);
+  target.bind();
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, target.color_.id());
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, target.depth_.id());
+  const Status status = checkComplete("Target::offscreen()");
+  if (!status) return status.error();
+  return target;
+}
+
+void Target::bind() const { glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id()); }
+
+void Target::resolve(const Target& from, int width, int height) const {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer_.id());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.id());
+  glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  bind();
+}
+
+}  // namespace fur::gl

@@ -1,0 +1,30 @@
+// What one picture needs besides the uploaded model: plain values, made anew each frame.
+#pragma once
+
+#include "core/Math.h"
+#include "settings/Settings.h"
+
+namespace fur::render {
+
+struct CameraPose {
+  Vec3 eye{0, 0, 3};  // world
+  Vec3 target{0};
+  float fovY = 0.6f;  // radians
+};
+
+struct Frame {
+  settings::Settings settings;
+  Mat4 worldFromModel{1.0f};  // rigid
+  CameraPose camera;
+  int width = 1, height = 1;  // pixels of the drawing buffer
+  float groundHeight = -1;    // world y
+  bool wet = false;           // any texel of the mask is: picks the shaders that look at it
+  Vec4 baseColorFactor{1.0f};
+};
+
+// The index of a named view in the settings' "view" choice, checked when the program starts.
+enum class View { Final, Skin, Shells, Fins, Wetness, Tangents, Coverage, Normals };
+
+Mat4 clipFromWorld(const Frame& frame);
+
+}  // namespace fur::render

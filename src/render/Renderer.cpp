@@ -1,0 +1,212 @@
+#include "render/Renderer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shared/Blocks.h"
+
+namespace fur::render {
+
+namespace {
+
+constexpr int kGroundShadowSize = 256;
+constexpr float kGroundHalfSide = 3.2f;
+
+Vec3 directionFrom(float yaw, float pitch) {
+  return {std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)};
+}
+
+Vec4 shownColor(std::uint32_t rgb) {
+  return Vec4((rgb >> 16) & 255u, (rgb >> 8) & 255u, rgb & 255u, 255.0f) / 255.0f;
+}
+
+// How many layers one slab marches. Fewer slabs cost less; more keep the outline round: eight show no
+// steps on the bunny at 16, 32 and 64 layers.
+int layersPerSlab(int layers) { return std::clamp((layers + 4) / 8, 1, 8); }
+
+shared::FrameBlock frameBlock(const Frame& frame) {
+  const settings::Settings& s = frame.settings;
+  const Mat4 modelFromWorld = glm::inverse(frame.worldFromModel);
+  const Vec3 lightWorld = directionFrom(s.lightYaw, s.lightPitch);
+  const float pixelsPerUnit = static_cast<float>(frame.height) / (2.0f * std::tan(frame.camera.fovY * 0.5f));
+  const auto direction = [&](const Vec3& v) { return Vec3(modelFromWorld * Vec4(v, 0)); };
+  const Vec3 top = settings::linearColor(s.backgroundTop), bottom = settings::linearColor(s.backgroundBottom);
+  shared::FrameBlock block;
+  block.clipFromWorld = clipFromWorld(frame);
+  block.clipFromModel = block.clipFromWorld * frame.worldFromModel;
+  block.worldFromModel = frame.worldFromModel;
+  block.eye = Vec4(Vec3(modelFromWorld * Vec4(frame.camera.eye, 1)), pixelsPerUnit);
+  block.light = Vec4(direction(lightWorld), 2.2f * s.lightIntensity);
+  block.up = Vec4(direction({0, 1, 0}), s.exposure);
+  // The surroundings light the fur with their own colour, half of it taken out.
+  block.sky = Vec4(s.ambient * glm::mix(Vec3(0.75f), top, 0.5f), 0);
+  block.floorLight = Vec4(s.ambient * 0.55f * glm::mix(Vec3(0.6f), bottom, 0.5f), 0);
+  block.backgroundTop = shownColor(s.backgroundTop);
+  block.backgroundBottom = shownColor(s.backgroundBottom);
+  block.lightWorld = Vec4(lightWorld, 0);
+  block.groundPlane = Vec4(frame.groundHeight, kGroundHalfSide, 0.55f, 0);
+  block.groundCentre = Vec4(frame.worldFromModel[3].x, frame.worldFromModel[3].z, 0, 0);
+  return block;
+}
+
+}  // namespace
+
+Mat4 clipFromWorld(const Frame& frame) {
+  const float aspect = static_cast<float>(frame.width) / static_cast<float>(std::max(frame.height, 1));
+  const float distance = glm::length(frame.camera.eye - frame.camera.target);
+  const Mat4 projection = glm::perspective(frame.camera.fovY, aspect, std::max(0.02f, distance - 4.0f), distance + 8.0f);
+  return projection * glm::lookAt(frame.camera.eye, frame.camera.target, Vec3(0, 1, 0));
+}
+
+Result<Renderer> Renderer::create() {
+  const auto capabilities = gl::queryCapabilities();
+  if (!capabilities) return capabilities.error();
+  Renderer r;
+  for (const Shader shader : {Shader::Background, Shader::Skin, Shader::Shell, Shader::Fin})
+    if (const auto program = r.programs_.use(shader, kPlain); !program) return program.error();
+  const shared::FrameBlock frame{};
+  const shared::FurBlock coat{};
+  r.frameBlock_ = gl::Buffer(gl::BufferKind::Uniform, gl::bytesOf(frame), true);
+  r.coatBlock_ = gl::Buffer(gl::BufferKind::Uniform, gl::bytesOf(coat), true);
+  for (int i = 0; i < 2; ++i) {
+    r.groundShadow_[i] = gl::Texture({gl::TexelFormat::RG8, kGroundShadowSize, kGroundShadowSize, 0}, {});
+    auto target = gl::Target::toTexture(r.groundShadow_[i]);
+    if (!target) return target.error();
+    r.groundTarget_[i] = std::move(*target);
+  }
+  r.setBaseColor(0, 0, {});
+  return r;
+}
+
+void Renderer::uploadBlocks(const Frame& frame) {
+  const settings::Settings& s = frame.settings;
+  const auto slab = static_cast<float>(layersPerSlab(s.layers));
+  const float slabs = std::ceil(static_cast<float>(s.layers) / slab);
+  shared::FurBlock coat;
+  coat.shape = Vec4(s.furLength, s.repeat, slab * slabs, slab);
+  coat.volume = Vec4(tile_.shape().width, storedLayers_, furDensity_, slabs);
+  coat.rootColor = Vec4(settings::linearColor(s.rootColor), 1) * frame.baseColorFactor;
+  coat.tipColor = Vec4(settings::linearColor(s.tipColor), 1) * frame.baseColorFactor;
+  coat.skinColor = Vec4(settings::linearColor(s.skinColor), 1) * frame.baseColorFactor;
+  coat.shading = Vec4(s.lambert, s.specular, s.shininess, s.strandShadow);
+  coat.coat = Vec4(s.occlusion, s.variance, s.textureAmount, s.fins);
+  coat.water = Vec4(s.clumpShape, s.wetDarkening, s.wetGloss, mask_.shape().width);
+  const shared::FrameBlock block = frameBlock(frame);
+  frameBlock_.update(gl::bytesOf(block));
+  coatBlock_.update(gl::bytesOf(coat));
+  frameBlock_.bindAsBlock(FUR_FRAME_BINDING);
+  coatBlock_.bindAsBlock(FUR_COAT_BINDING);
+  uploadedBytes_ += sizeof block + sizeof coat;
+}
+
+Status Renderer::draw(const Frame& frame) {
+  FUR_ASSERT(indexCount_ > 0, "Renderer::draw()", "a surface", indexCount_);
+  uploadBlocks(frame);
+  if (frame.settings.ground)
+    if (Status status = drawGroundShadow(frame); !status) return status;
+  gl::setViewport(frame.width, frame.height);
+  gl::clear(Vec4(0, 0, 0, 1));
+  tile_.bind(FUR_UNIT_TILE);
+  finMap_.bind(FUR_UNIT_FIN);
+  mask_.bind(FUR_UNIT_MASK);
+  bends_.bind(FUR_UNIT_BEND);
+  baseColor_.bind(FUR_UNIT_BASE_COLOR);
+  groundShadow_[0].bind(FUR_UNIT_GROUND);
+  return drawPasses(frame);
+}
+
+Status Renderer::drawPasses(const Frame& frame) {
+  const auto view = static_cast<View>(frame.settings.view);
+  const unsigned wet = frame.wet ? kWet : kPlain;
+  const bool furry = hasFur_ && frame.settings.furLength > 0;
+  if (const auto program = programs_.use(Shader::Background, kPlain); !program) return program.error();
+  gl::apply({.depthTest = false, .depthWrite = false, .cullBack = false});
+  gl::drawWithoutVertices(3);
+  if (frame.settings.ground && view == View::Final)
+    if (Status status = drawGround(frame); !status) return status;
+
+  const auto skin = [&](unsigned variant) { return drawSkin(variant); };
+  const auto shells = [&](unsigned variant) { return furry ? drawShells(frame, variant | wet) : Status(Done{}); };
+  const auto fins = [&] { return furry && frame.settings.fins ? drawFins(wet) : Status(Done{}); };
+  switch (view) {
+    case View::Skin: return skin(kPlain);
+    case View::Wetness: return skin(kViewWetness);
+    case View::Normals: return skin(kViewNormals);
+    case View::Shells: return shells(kPlain);
+    case View::Fins: return fins();
+    case View::Tangents: return shells(kViewTangents);
+    case View::Coverage: return shells(kViewCoverage);
+    case View::Final: break;
+  }
+  if (Status status = skin(kPlain); !status) return status;
+  if (Status status = shells(kPlain); !status) return status;
+  return fins();
+}
+
+Status Renderer::drawSkin(unsigned variant) {
+  const auto program = programs_.use(Shader::Skin, variant);
+  if (!program) return program.error();
+  gl::apply({});
+  surface_.drawIndexed(indexCount_, 1);
+  return Done{};
+}
+
+Status Renderer::drawShells(const Frame& frame, unsigned variant) {
+  const auto program = programs_.use(Shader::Shell, variant);
+  if (!program) return program.error();
+  const int slab = layersPerSlab(frame.settings.layers);
+  gl::apply({.blend = gl::Blend::Over});
+  surface_.drawIndexed(indexCount_, (frame.settings.layers + slab - 1) / slab);
+  return Done{};
+}
+
+Status Renderer::drawFins(unsigned variant) {
+  const auto program = programs_.use(Shader::Fin, variant);
+  if (!program) return program.error();
+  gl::apply({.depthWrite = false, .cullBack = false, .blend = gl::Blend::Over});
+  fins_.drawStrips(2 * (FUR_FIN_SEGMENTS + 1), edgeCount_);
+  return Done{};
+}
+
+Status Renderer::drawGround(const Frame& frame) {
+  // From below the ground would hide the model.
+  if (frame.camera.eye.y <= frame.groundHeight) return Done{};
+  const auto program = programs_.use(Shader::Ground, kPlain);
+  if (!program) return program.error();
+  gl::apply({.depthTest = false, .depthWrite = false, .cullBack = false, .blend = gl::Blend::Multiply});
+  gl::drawWithoutVertices(6);
+  return Done{};
+}
+
+Status Renderer::drawGroundShadow(const Frame& frame) {
+  const settings::Settings& s = frame.settings;
+  const ShadowKey key{frame.worldFromModel, directionFrom(s.lightYaw, s.lightPitch), s.furLength, frame.groundHeight};
+  if (shadowKey_ == key) return Done{};
+  gl::setViewport(kGroundShadowSize, kGroundShadowSize);
+  groundTarget_[0].bind();
+  gl::clear(Vec4(0));
+  gl::DrawState flat{.depthTest = false, .depthWrite = false, .cullBack = false};
+  for (const unsigned variant : {kPlain, kStraightDown}) {
+    const auto program = programs_.use(Shader::GroundShadow, variant);
+    if (!program) return program.error();
+    flat.red = variant == kPlain;
+    flat.green = variant == kStraightDown;
+    gl::apply(flat);
+    surface_.drawIndexed(indexCount_, 1);
+  }
+  gl::apply({.depthTest = false, .depthWrite = false, .cullBack = false});
+  // Across into [1], down back into [0].
+  for (const unsigned variant : {kPlain, kVertical}) {
+    const int from = variant == kPlain ? 0 : 1;
+    const auto program = programs_.use(Shader::Blur, variant);
+    if (!program) return program.error();
+    groundTarget_[1 - from].bind();
+    groundShadow_[from].bind(FUR_UNIT_GROUND);
+    gl::drawWithoutVertices(3);
+  }
+  gl::bindPlatformFramebuffer();
+  shadowKey_ = key;
+  return Done{};
+}
+
+}  // namespace fur::render

@@ -1,0 +1,70 @@
+// Draws a furry model with OpenGL ES 3.0. Takes fields and volumes, never sees a solver, a file or a window.
+// README.md in this folder lists the frame in order.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "furgen/FurVolume.h"
+#include "geometry/Surface.h"
+#include "gl/Objects.h"
+#include "render/Frame.h"
+#include "render/Programs.h"
+#include "wet/WetnessMask.h"
+
+namespace fur::render {
+
+class Renderer {
+ public:
+  // Needs a current context; compiles what every frame needs, so that a refusing driver shows at once.
+  static Result<Renderer> create();
+
+  void setSurface(const geometry::Surface& surface);
+  void setFur(const furgen::FurVolume& volume);
+  // Straight RGBA8 in sRGB. {} makes it white.
+  void setBaseColor(int width, int height, std::span<const std::uint8_t> rgba);
+  // Uploads only `changed` (the whole mask after a change of size).
+  void updateMask(const wet::WetnessMask& mask, const wet::TexelRect& changed);
+  void updateBends(std::span<const Vec4> bends);
+
+  // Into the framebuffer that is bound. A shader that the driver refuses is the error.
+  Status draw(const Frame& frame);
+
+  std::size_t gpuBytes() const;
+  // Since the last call.
+  std::size_t takeUploadedBytes();
+
+ private:
+  Renderer() = default;
+  Status drawPasses(const Frame& frame);
+  Status drawGround(const Frame& frame);
+  Status drawGroundShadow(const Frame& frame);
+  Status drawShells(const Frame& frame, unsigned variant);
+  Status drawFins(unsigned variant);
+  Status drawSkin(unsigned variant);
+  void uploadBlocks(const Frame& frame);
+
+  Programs programs_;
+  gl::Buffer frameBlock_, coatBlock_;
+  gl::Buffer vertices_, indices_, edges_;
+  gl::VertexArray surface_, fins_;
+  gl::Texture tile_, finMap_, mask_, bends_, baseColor_;
+  gl::Texture groundShadow_[2];
+  gl::Target groundTarget_[2];
+  int indexCount_ = 0, edgeCount_ = 0;
+  int bendCapacity_ = 0;
+  int storedLayers_ = 1;
+  float furDensity_ = 0;
+  bool hasFur_ = false;
+  // What the ground shadow was drawn for; it is redrawn when this changes.
+  struct ShadowKey {
+    Mat4 worldFromModel;
+    Vec3 light;
+    float length, height;
+    bool operator==(const ShadowKey&) const = default;
+  };
+  std::optional<ShadowKey> shadowKey_;
+  std::size_t uploadedBytes_ = 0;
+};
+
+}  // namespace fur::render

@@ -1,0 +1,136 @@
+// The renderer's half that turns CPU data into GL objects.
+#include <algorithm>
+
+#include "render/Renderer.h"
+#include "shared/Blocks.h"
+
+namespace fur::render {
+
+namespace {
+
+// Interleaved as shared/Blocks.h lists the attributes.
+struct GpuVertex {
+  Vec3 position, normal;
+  Vec4 uvAtlas;
+  Vec2 fur;
+  Vec3 gradS, gradT;
+  Vec4 atlasFromFur;
+};
+static_assert(sizeof(GpuVertex) == 22 * sizeof(float));
+
+struct GpuEdge {
+  Vec4 positionA, positionB, normalA, normalB, face0, face1, atlas;
+};
+
+constexpr gl::Attribute kVertexAttributes[] = {
+    {FUR_POSITION, 3, offsetof(GpuVertex, position)},   {FUR_NORMAL, 3, offsetof(GpuVertex, normal)},
+    {FUR_UV_ATLAS, 4, offsetof(GpuVertex, uvAtlas)},    {FUR_FUR_COORD, 2, offsetof(GpuVertex, fur)},
+    {FUR_GRAD_S, 3, offsetof(GpuVertex, gradS)},        {FUR_GRAD_T, 3, offsetof(GpuVertex, gradT)},
+    {FUR_ATLAS_FROM_FUR, 4, offsetof(GpuVertex, atlasFromFur)},
+};
+constexpr gl::Attribute kEdgeAttributes[] = {
+    {FUR_FIN_POSITION_A, 4, offsetof(GpuEdge, positionA)}, {FUR_FIN_POSITION_B, 4, offsetof(GpuEdge, positionB)},
+    {FUR_FIN_NORMAL_A, 4, offsetof(GpuEdge, normalA)},     {FUR_FIN_NORMAL_B, 4, offsetof(GpuEdge, normalB)},
+    {FUR_FIN_FACE_0, 4, offsetof(GpuEdge, face0)},         {FUR_FIN_FACE_1, 4, offsetof(GpuEdge, face1)},
+    {FUR_FIN_ATLAS, 4, offsetof(GpuEdge, atlas)},
+};
+
+std::vector<GpuVertex> gpuVertices(const geometry::Surface& surface) {
+  std::vector<GpuVertex> out;
+  out.reserve(surface.vertices.size());
+  for (const auto& v : surface.vertices)
+    out.push_back({v.position, v.normal, Vec4(v.uv, v.atlas), v.fur, v.gradS, v.gradT, v.atlasFromFur});
+  return out;
+}
+
+std::vector<GpuEdge> gpuEdges(const geometry::Surface& surface) {
+  std::vector<GpuEdge> out;
+  out.reserve(surface.edges.size());
+  for (const auto& e : surface.edges) {
+    const auto& a = surface.vertices[e.a];
+    const auto& b = surface.vertices[e.b];
+    const Vec2 uv = 0.5f * (a.uv + b.uv);
+    out.push_back({Vec4(a.position, static_cast<float>(e.a)), Vec4(b.position, static_cast<float>(e.b)),
+                   Vec4(a.normal, e.finStart), Vec4(b.normal, 1), Vec4(e.faceNormal0, uv.x), Vec4(e.faceNormal1, uv.y),
+                   Vec4(a.atlas, b.atlas)});
+  }
+  return out;
+}
+
+}  // namespace
+
+void Renderer::setSurface(const geometry::Surface& surface) {
+  const auto vertices = gpuVertices(surface);
+  const auto edges = gpuEdges(surface);
+  vertices_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(vertices), false);
+  indices_ = gl::Buffer(gl::BufferKind::Index, gl::bytesOf(surface.indices), false);
+  edges_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(edges), false);
+  surface_ = gl::VertexArray(vertices_, sizeof(GpuVertex), kVertexAttributes, 0, &indices_);
+  fins_ = gl::VertexArray(edges_, sizeof(GpuEdge), kEdgeAttributes, 1, nullptr);
+  indexCount_ = static_cast<int>(surface.indices.size());
+  edgeCount_ = static_cast<int>(edges.size());
+  uploadedBytes_ += vertices_.bytes() + indices_.bytes() + edges_.bytes();
+  bendCapacity_ = 0;
+  shadowKey_.reset();
+  const std::vector<Vec4> rest(surface.vertices.size(), Vec4(0));
+  updateBends(rest);
+}
+
+void Renderer::setFur(const furgen::FurVolume& volume) {
+  const auto layers = furgen::packLayers(volume);
+  const auto fin = furgen::packFin(volume);
+  tile_ = gl::Texture({gl::TexelFormat::RGBA8, volume.size, volume.size, volume.layers, gl::Filter::Trilinear, true},
+                      gl::bytesOf(layers));
+  // Repeats along the edge; the height is clamped by the look-up.
+  finMap_ = gl::Texture({gl::TexelFormat::RGBA8, volume.size, volume.finRows, 0, gl::Filter::Trilinear, true},
+                        gl::bytesOf(fin));
+  storedLayers_ = volume.layers;
+  furDensity_ = volume.density;
+  hasFur_ = volume.strandCount > 0;
+  uploadedBytes_ += tile_.bytes() + finMap_.bytes();
+}
+
+void Renderer::setBaseColor(int width, int height, std::span<const std::uint8_t> rgba) {
+  const std::uint8_t white[4] = {255, 255, 255, 255};
+  if (rgba.empty()) width = height = 1, rgba = white;
+  baseColor_ = gl::Texture({gl::TexelFormat::RGBA8, width, height, 0, gl::Filter::Trilinear, true},
+                           std::as_bytes(rgba));
+  uploadedBytes_ += baseColor_.bytes();
+}
+
+void Renderer::updateMask(const wet::WetnessMask& mask, const wet::TexelRect& changed) {
+  const int size = mask.size();
+  if (mask_.shape().width != size || mask_.shape().format != gl::TexelFormat::RGBA32F) {
+    mask_ = gl::Texture({gl::TexelFormat::RGBA32F, size, size, 0, gl::Filter::Nearest, false},
+                        gl::bytesOf(mask.texels()));
+    uploadedBytes_ += mask_.bytes();
+    return;
+  }
+  if (changed.empty()) return;
+  mask_.update(changed.x0, changed.y0, changed.x1 - changed.x0, changed.y1 - changed.y0, gl::bytesOf(mask.texels()),
+               size);
+  uploadedBytes_ += static_cast<std::size_t>(changed.x1 - changed.x0) * (changed.y1 - changed.y0) * sizeof(Vec4);
+}
+
+void Renderer::updateBends(std::span<const Vec4> bends) {
+  const int rows = std::max(1, (static_cast<int>(bends.size()) + FUR_BEND_ROW - 1) / FUR_BEND_ROW);
+  if (rows * FUR_BEND_ROW != bendCapacity_) {
+    bends_ = gl::Texture({gl::TexelFormat::RGBA32F, FUR_BEND_ROW, rows, 0, gl::Filter::Nearest, false}, {});
+    bendCapacity_ = rows * FUR_BEND_ROW;
+  }
+  const int fullRows = static_cast<int>(bends.size()) / FUR_BEND_ROW;
+  const int rest = static_cast<int>(bends.size()) % FUR_BEND_ROW;
+  const auto bytes = std::as_bytes(bends);
+  if (fullRows) bends_.update(0, 0, FUR_BEND_ROW, fullRows, bytes, FUR_BEND_ROW);
+  if (rest) bends_.update(0, fullRows, rest, 1, bytes.subspan(sizeof(Vec4) * fullRows * FUR_BEND_ROW), 0);
+  uploadedBytes_ += bytes.size();
+}
+
+std::size_t Renderer::gpuBytes() const {
+  return vertices_.bytes() + indices_.bytes() + edges_.bytes() + tile_.bytes() + finMap_.bytes() + mask_.bytes() +
+         bends_.bytes() + baseColor_.bytes() + groundShadow_[0].bytes() + groundShadow_[1].bytes();
+}
+
+std::size_t Renderer::takeUploadedBytes() { return std::exchange(uploadedBytes_, 0); }
+
+}  // namespace fur::render
