@@ -1,0 +1,117 @@
+// app/App.h as JavaScript methods: one handle in one Program. Positions are pixels of the drawing buffer.
+
+const tools = ['droplet', 'dry', 'none'];
+const phases = ['down', 'move', 'up', 'cancel'];
+const pointerKinds = ['mouse', 'touch', 'pen'];
+const statNames = [
+  'vertices', 'triangles', 'strands', 'layers', 'finEdges', 'cpuBytes', 'gpuBytes', 'uploadedBytes', 'framesDrawn',
+];
+
+/** Bit 0 shift, 1 control (or the command key), 2 alt. */
+export const modifiersOf = (event) =>
+  (event.shiftKey ? 1 : 0) | (event.ctrlKey || event.metaKey ? 2 : 0) | (event.altKey ? 4 : 0);
+
+export class FurApp {
+  constructor(program) {
+    this.program = program;
+    this.handle = program.callOrThrow('fur_create');
+    this.settingsTable = Object.freeze(JSON.parse(program.text(program.call('fur_settingsTable'))).map(readableField));
+  }
+
+  #call(name, ...args) { return this.program.call(name, this.handle, ...args); }
+  #callOrThrow(name, ...args) { return this.program.callOrThrow(name, this.handle, ...args); }
+  #text(name, ...args) { return this.program.text(this.#call(name, ...args)); }
+
+  attach() { this.#callOrThrow('fur_attach'); }
+  detach(lost) { this.#call('fur_detach', lost ? 1 : 0); }
+  destroy() {
+    this.#call('fur_destroy');
+    this.handle = 0;
+  }
+  resize(width, height, pixelRatio) { this.#call('fur_resize', width, height, pixelRatio); }
+
+  loadPrimitive(name) { this.#callOrThrow('fur_loadPrimitive', name); }
+  /** @param {Map<string, Uint8Array>} files what came along, by the name that the model uses */
+  loadModel(bytes, name, files) {
+    this.program.call('fur_clearStagedFiles');
+    for (const [fileName, content] of files)
+      this.program.callOrThrow('fur_stageFile', fileName, content, content.byteLength);
+    this.#callOrThrow('fur_loadModel', bytes, bytes.byteLength, name);
+  }
+  /** The model's own picture, encoded, or null. */
+  pendingImage() {
+    const mimeType = this.#text('fur_imageType');
+    if (!mimeType) return null;
+    const [byteLength, width, height] = this.program.numbers(this.#call('fur_imageInfo'), 3);
+    return { mimeType, width, height, bytes: this.program.array(Uint8Array, this.#call('fur_imageBytes'), byteLength) };
+  }
+  provideImage(width, height, rgba) { this.#callOrThrow('fur_provideImage', width, height, rgba); }
+  get modelName() { return this.#text('fur_modelName'); }
+
+  /** Number, boolean, option name or "#rrggbb"; undefined for an unknown name. */
+  getSetting(name) {
+    const field = this.settingsTable.find((one) => one.name === name);
+    if (!field) return undefined;
+    const text = this.#text('fur_getSetting', name);
+    if (field.type === 'bool') return text === 'true';
+    return field.type === 'float' || field.type === 'int' ? Number(text) : text;
+  }
+  setSetting(name, value) { return this.#call('fur_setSetting', name, String(value)) !== 0; }
+  get camera() {
+    const [yaw, pitch, distance, ...target] = this.program.numbers(this.#call('fur_getCamera'), 6);
+    return { yaw, pitch, distance, target };
+  }
+  set camera({ yaw, pitch, distance, target }) { this.#call('fur_setCamera', yaw, pitch, distance, ...target); }
+  resetCamera() { this.#call('fur_resetCamera'); }
+  get state() { return this.#text('fur_getState'); }
+  set state(json) { this.#callOrThrow('fur_setState', json); }
+  undo() { return this.#call('fur_undo') !== 0; }
+  redo() { return this.#call('fur_redo') !== 0; }
+  get canUndo() { return this.#call('fur_canUndo') !== 0; }
+  get canRedo() { return this.#call('fur_canRedo') !== 0; }
+  takeWarnings() { return this.program.lines(this.#call('fur_takeWarnings')); }
+
+  get tool() { return tools[this.#call('fur_getTool')]; }
+  set tool(name) { this.#call('fur_setTool', Math.max(0, tools.indexOf(name))); }
+  splashAt(u, v, radius, amount) { this.#call('fur_splashAt', u, v, radius, amount); }
+  splashPixel(x, y, radius, amount) { return this.#call('fur_splashPixel', x, y, radius, amount) !== 0; }
+  setWetness(amount) { this.#call('fur_setWetness', amount); }
+  dry(seconds) { this.#call('fur_dry', seconds); }
+  wetnessAt(u, v) { return this.#call('fur_wetnessAt', u, v); }
+  get meanWetness() { return this.#call('fur_meanWetness'); }
+  get wetnessHash() { return this.#text('fur_wetnessHash'); }
+  get wetnessTexels() {
+    const size = this.#call('fur_wetnessSize');
+    return { size, texels: this.program.array(Float32Array, this.#call('fur_wetnessTexels'), size * size * 4) };
+  }
+  set wetnessTexels({ size, texels }) { this.#callOrThrow('fur_restoreWetness', texels, size); }
+  /** {u, v} of the surface under the pixel, or null. */
+  pick(x, y) {
+    const hit = this.program.numbers(this.#call('fur_pick', x, y), 2);
+    return hit && { u: hit[0], v: hit[1] };
+  }
+
+  pointer(phase, event, x, y) {
+    return this.#call('fur_pointer', phases.indexOf(phase), Math.max(0, pointerKinds.indexOf(event.pointerType)),
+      event.pointerId, x, y, event.buttons, modifiersOf(event)) !== 0;
+  }
+  wheel(notches, x, y) { return this.#call('fur_wheel', notches, x, y) !== 0; }
+  key(event) { return this.#call('fur_key', event.key, modifiersOf(event)) !== 0; }
+  set cameraControls(enabled) { this.#call('fur_setCameraControls', enabled ? 1 : 0); }
+
+  tick(seconds) { return this.#call('fur_tick', seconds) !== 0; }
+  get active() { return this.#call('fur_active') !== 0; }
+  set reducedMotion(reduced) { this.#call('fur_setReducedMotion', reduced ? 1 : 0); }
+  draw() { this.#callOrThrow('fur_draw'); }
+  invalidate() { this.#call('fur_invalidate'); }
+  get stats() {
+    const values = this.program.numbers(this.#call('fur_stats'), statNames.length);
+    return Object.fromEntries(statNames.map((name, index) => [name, values[index]]));
+  }
+}
+
+/** A row of the table as people want it: the options as a list, bounds only where they mean something. */
+function readableField({ options, min, max, ...field }) {
+  if (field.type === 'choice') return Object.freeze({ ...field, options: Object.freeze(options.split('|')) });
+  return Object.freeze(field.type === 'float' || field.type === 'int' ? { ...field, min, max } : field);
+}

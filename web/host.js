@@ -1,0 +1,616 @@
+// One furry model on one canvas: what createWetFur() returns and <wet-fur> stands on.
+import { asFurError, FurError } from './errors.js';
+import { FurApp } from './furapp.js';
+import { Input } from './input.js';
+import { fetchModel, loadInto, provideModelImage, readModel } from './models.js';
+import { orbitText, parseOrbit } from './orbit.js';
+import { instantiateProgram } from './runtime.js';
+import { resetContext, Screen } from './screen.js';
+
+/** What `quality` stands for: the settings' own layers when none are given. */
+const qualities = {
+  auto: { maxPixelRatio: 2, antialias: true },
+  low: { maxPixelRatio: 1, antialias: false, layers: 16 },
+  medium: { maxPixelRatio: 1.5, antialias: true, layers: 24 },
+  high: { maxPixelRatio: 3, antialias: true, layers: 48 },
+};
+const choices = {
+  tool: ['droplet', 'dry', 'none'],
+  wheel: ['page', 'focus', 'zoom'],
+  motion: ['auto', 'full', 'reduced'],
+  quality: Object.keys(qualities),
+};
+const optionDefaults = {
+  tool: 'none', cameraControls: false, cameraOrbit: '', quality: 'auto', background: '', fixedDt: 0, paused: false,
+  wheel: 'focus', touchAction: '', motion: 'auto', editor: false,
+};
+/** The names that options have beside those of the settings table. */
+export const optionNames = Object.freeze(Object.keys(optionDefaults));
+
+const maxFrameSeconds = 0.1;
+const maxWarnings = 100;
+const wetnessCheckMilliseconds = 200;
+/** Dear ImGui answers to an input over the next two frames. */
+const panelFrames = 3;
+
+/** Lets the browser show what changed before a long piece of work. */
+const breathe = () => new Promise((resolve) => {
+  const timer = setTimeout(resolve, 60);
+  requestAnimationFrame(() => setTimeout(() => {
+    clearTimeout(timer);
+    resolve();
+  }));
+});
+
+export class WetFur extends EventTarget {
+  #canvas;
+  #screen;
+  #input;
+  #app = null;
+  #panel = null;
+  #program = 'viewer';
+  #source = null;
+  #state = 'idle';
+  #options = { ...optionDefaults };
+  #wantedSettings = new Map();
+  #src = '';
+  #turn = 0;
+  #abort = null;
+  #ready;
+  #frame = 0;
+  #lastTime = null;
+  #pendingDraw = false;
+  #panelFramesLeft = 0;
+  #lastCamera = '';
+  #lastWetness = 0;
+  #lastWetnessCheck = 0;
+  #reducedMotion = matchMedia('(prefers-reduced-motion: reduce)');
+  #stop = new AbortController();
+
+  /** The newest warnings, oldest first. */
+  warnings = [];
+
+  /** @param {HTMLCanvasElement} canvas @param {object} options as WetFurOptions in types.d.ts */
+  constructor(canvas, options = {}) {
+    super();
+    this.#canvas = canvas;
+    if (canvas.tabIndex < 0) canvas.tabIndex = 0;
+    this.#screen = new Screen(canvas, {
+      onResize: (width, height, ratio) => this.#onResize(width, height, ratio),
+      onVisible: (visible) => this.#onVisible(visible),
+      onLost: () => this.#onLost(),
+      onRestored: () => this.#onRestored(),
+    });
+    const host = this;
+    this.#input = new Input(canvas, {
+      get app() { return host.#state === 'ready' ? host.#app : null; },
+      get panel() { return host.#panel; },
+      toBuffer: (event) => this.#screen.toBuffer(event),
+      wake: () => this.#wake(),
+      stroke: (phase, detail) => this.#emit(`stroke-${phase}`, detail),
+    });
+    this.settings = this.#settingsProxy();
+    this.#reducedMotion.addEventListener('change', () => this.#applyMotion(), { signal: this.#stop.signal });
+    this.#newReady();
+    for (const [name, value] of Object.entries(options)) if (name !== 'src') this.set(name, value);
+    if (options.src) this.src = options.src;
+  }
+
+  // --- what it is doing ---
+
+  get canvas() { return this.#canvas; }
+  get loaded() { return this.#source !== null; }
+  get ready() { return this.#ready.promise; }
+  get state() { return this.#state === 'ready' && !this.#screen.visible ? 'suspended' : this.#state; }
+  get stats() { return this.#app?.stats ?? null; }
+  get settingsTable() { return this.#app?.settingsTable ?? null; }
+  get modelName() { return this.#source?.name ?? ''; }
+  get meanWetness() { return this.#app?.meanWetness ?? 0; }
+  get wetnessHash() { return this.#app?.wetnessHash ?? ''; }
+  get canUndo() { return this.#app?.canUndo ?? false; }
+  get canRedo() { return this.#app?.canRedo ?? false; }
+  get editorOpen() { return this.#panel !== null; }
+
+  // --- options and settings ---
+
+  /** An option of WetFurOptions or a settings field; before the model is there it is kept for it. */
+  set(name, value) {
+    if (name === 'src') this.src = value;
+    else if (name in optionDefaults) this.#setOption(name, value);
+    else this.#setSetting(name, value);
+  }
+  get(name) {
+    if (name === 'src') return this.#src;
+    return name in optionDefaults ? this.#options[name] : this.#getSetting(name);
+  }
+
+  #setOption(name, value) {
+    const allowed = choices[name];
+    if (allowed && !allowed.includes(value)) {
+      this.#warn(`${name}: "${value}" is not one of ${allowed.join(', ')}`);
+      return;
+    }
+    const standard = optionDefaults[name];
+    this.#options[name] = typeof standard === 'boolean' ? Boolean(value)
+      : typeof standard === 'number' ? clampDt(value) : value;
+    this.#applyOption(name);
+  }
+
+  #applyOption(name) {
+    const value = this.#options[name];
+    if (name === 'wheel') this.#input.wheel = value;
+    if (name === 'touchAction') this.#input.touchAction = value;
+    if (name === 'quality') this.#applyQuality(value);
+    if (name === 'motion') this.#applyMotion();
+    if (name === 'background' && value)
+      for (const field of ['backgroundTop', 'backgroundBottom']) this.#setSetting(field, value);
+    if (!this.#app) return;
+    if (name === 'tool') this.#app.tool = value;
+    if (name === 'cameraControls') this.#app.cameraControls = value;
+    if (name === 'cameraOrbit' && value) this.#applyOrbit(value);
+    if (name === 'editor' && this.#source) this.#switchEditor(value);
+    this.#wake();
+  }
+
+  #applyQuality(name) {
+    const { maxPixelRatio, layers } = qualities[name];
+    this.#screen.maxPixelRatio = maxPixelRatio;
+    if (layers && !this.#wantedSettings.has('layers')) this.#setSetting('layers', layers);
+  }
+
+  #applyMotion() {
+    if (!this.#app) return;
+    const { motion } = this.#options;
+    this.#app.reducedMotion = motion === 'reduced' || (motion === 'auto' && this.#reducedMotion.matches);
+    this.#wake();
+  }
+
+  #applyOrbit(value) {
+    const orbit = typeof value === 'string' ? parseOrbit(value) : { target: [0, 0, 0], ...value };
+    if (orbit) this.#app.camera = orbit;
+    else this.#warn(`camera-orbit: "${value}" is not "yaw pitch distance"`);
+    this.#wake();
+  }
+
+  #setSetting(name, value) {
+    if (!this.#app) {
+      this.#wantedSettings.set(name, value);
+      return;
+    }
+    this.#app.setSetting(name, value);
+    this.#afterChange();
+  }
+
+  #getSetting(name) {
+    return this.#app ? this.#app.getSetting(name) : this.#wantedSettings.get(name);
+  }
+
+  #settingsProxy() {
+    const names = () => this.settingsTable?.map((field) => field.name) ?? [...this.#wantedSettings.keys()];
+    return new Proxy({}, {
+      get: (_, name) => (typeof name === 'string' ? this.#getSetting(name) : undefined),
+      set: (_, name, value) => {
+        this.#setSetting(String(name), value);
+        return true;
+      },
+      has: (_, name) => names().includes(name),
+      ownKeys: () => names(),
+      getOwnPropertyDescriptor: (_, name) =>
+        (names().includes(name) ? { enumerable: true, configurable: true, writable: true, value: this.#getSetting(name) } : undefined),
+    });
+  }
+
+  // --- loading ---
+
+  get src() { return this.#src; }
+  set src(value) {
+    this.#src = String(value ?? '');
+    if (this.#src) this.#loadSrc().catch(() => {});  // `ready` and the error event carry it
+  }
+
+  /** Fetches `src` again: after an error, or because the file changed. */
+  reload() {
+    if (this.#state === 'loading') return this.ready;
+    if (!this.loaded) this.#newReady();
+    return this.#loadSrc();
+  }
+
+  /**
+   * A File, Blob, ArrayBuffer or typed array with a .glb or .gltf. Rejects with a FurError, and then
+   * the old scene stays.
+   */
+  async loadModel(given, options) {
+    await this.#load(() => readModel(given, options));
+  }
+
+  #loadSrc() {
+    return this.#load((signal) =>
+      fetchModel(this.#src, (loaded, total) => this.#progress('model', loaded, total), signal));
+  }
+
+  async #load(getSource) {
+    const turn = ++this.#turn;
+    this.#abort?.abort();
+    this.#abort = new AbortController();
+    const isStale = () => turn !== this.#turn;
+    if (!this.loaded) this.#setState('loading');
+    try {
+      const pending = getSource(this.#abort.signal);
+      pending.catch(() => {});
+      await this.#start();
+      const source = await pending;
+      if (isStale()) return;
+      this.#progress('fur', 0, 1);
+      await breathe();
+      if (isStale()) return;
+      await this.#show(source);
+    } catch (error) {
+      if (isStale()) return;
+      throw this.#failed(asFurError(error, error instanceof RangeError ? 'out-of-memory' : 'bad-file'));
+    }
+  }
+
+  /** The context and the program, once. */
+  async #start() {
+    this.#screen.open({ antialias: qualities[this.#options.quality].antialias });
+    this.#starting ??= instantiateProgram('viewer', (loaded, total) => this.#progress('program', loaded, total))
+      .then((program) => this.#adopt(new FurApp(program)))
+      .finally(() => { this.#starting = this.#app ? this.#starting : null; });
+    await this.#starting;
+  }
+  #starting = null;
+
+  #adopt(app) {
+    if (this.#state === 'disposed') throw new FurError('wasm-load', 'disposed of while loading');
+    this.#screen.register(app.program);
+    app.attach();
+    this.#app = app;
+    app.resize(this.#screen.width, this.#screen.height, this.#screen.pixelRatio);
+    for (const [name, value] of this.#wantedSettings) app.setSetting(name, value);
+    for (const name of ['tool', 'cameraControls', 'motion']) this.#applyOption(name);
+    this.#flushWarnings();
+  }
+
+  async #show(source) {
+    this.#current();
+    loadInto(this.#app, source);
+    const first = !this.loaded;
+    this.#source = source;
+    const warning = await provideModelImage(this.#app, source);
+    if (warning) this.#warn(warning);
+    if (!this.#app) return;  // disposed of meanwhile
+    if (first && this.#wantedState) this.setState(this.#wantedState);
+    if (first && this.#options.cameraOrbit) this.#applyOrbit(this.#options.cameraOrbit);
+    this.#flushWarnings();
+    if (this.#state !== 'lost') this.#setState('ready');
+    this.#drawNow();
+    this.#progress('fur', 1, 1);
+    this.#ready.resolve();
+    this.#emit('load', { name: source.name });
+    this.#wake();
+    if (this.#options.editor && !this.#panel) this.#switchEditor(true);
+  }
+  #wantedState = null;
+
+  #failed(error) {
+    if (!this.loaded) {
+      const hopeless = error.code === 'webgl-unavailable' || error.code === 'wasm-blocked';
+      this.#setState(hopeless ? 'unsupported' : 'error');
+      this.#ready.reject(error);
+    }
+    this.#emit('error', { code: error.code, message: error.message });
+    return error;
+  }
+
+  #newReady() {
+    const ready = {};
+    ready.promise = new Promise((resolve, reject) => Object.assign(ready, { resolve, reject }));
+    ready.promise.catch(() => {});  // nobody need ask for it
+    this.#ready = ready;
+  }
+
+  #progress(stage, loaded, total) {
+    this.#emit('progress', { stage, loaded, total, fraction: overallFraction(stage, loaded, total) });
+  }
+
+  // --- water ---
+
+  /** At {u, v} of the atlas or {x, y} in CSS pixels of the canvas; whether it hit the model. */
+  splash(at, { radius = this.settings.brushRadius, amount = this.settings.brushFlow } = {}) {
+    if (!this.loaded) return false;
+    const hit = 'u' in at
+      ? (this.#app.splashAt(at.u, at.v, radius, amount), true)
+      : this.#app.splashPixel(...this.#cssToBuffer(at), radius, amount);
+    this.#wake();
+    return hit;
+  }
+  dry(seconds = Infinity) {
+    if (!this.loaded) return;
+    if (seconds === Infinity) this.#app.setWetness(0);
+    else this.#app.dry(seconds);
+    this.#wake();
+  }
+  setWetness(amount) {
+    if (!this.loaded) return;
+    this.#app.setWetness(amount);
+    this.#wake();
+  }
+  wetnessAt(u, v) { return this.#app?.wetnessAt(u, v) ?? 0; }
+  /** The atlas coordinates under {x, y} in CSS pixels of the canvas, or null. */
+  pick(at) { return this.loaded ? this.#app.pick(...this.#cssToBuffer(at)) : null; }
+
+  #cssToBuffer({ x, y }) {
+    const box = this.#canvas.getBoundingClientRect();
+    return this.#screen.toBuffer({ clientX: box.left + x, clientY: box.top + y });
+  }
+
+  // --- time ---
+
+  play() { this.set('paused', false); }
+  pause() { this.set('paused', true); }
+
+  /** n steps of dt seconds and one frame, at once, whatever the page's own clock does. */
+  step(dt, n = 1) {
+    if (!this.loaded || this.#state === 'lost') return;
+    this.#current();
+    for (let i = 0; i < n; ++i) this.#app.tick(clampDt(dt));
+    this.#drawNow();
+    this.#tellChanges(true);
+  }
+
+  #canRun() { return this.#state === 'ready' && this.#screen.visible && !this.#options.paused; }
+
+  #wake() {
+    this.#pendingDraw = true;
+    if (this.#panel) this.#panelFramesLeft = panelFrames;
+    if (!this.#frame && this.#canRun()) this.#frame = requestAnimationFrame((time) => this.#onFrame(time));
+  }
+
+  #onFrame(time) {
+    this.#frame = 0;
+    if (!this.#canRun()) return;
+    this.#current();
+    const since = this.#lastTime === null ? 1 / 60 : (time - this.#lastTime) / 1000;
+    this.#lastTime = time;
+    this.#pendingDraw = false;
+    const changed = this.#app.tick(this.#options.fixedDt || Math.min(since, maxFrameSeconds));
+    if (changed || this.#panelFramesLeft > 0) this.#paint();
+    if (this.#panelFramesLeft > 0) --this.#panelFramesLeft;
+    const goesOn = this.#app.active || this.#panelFramesLeft > 0;
+    this.#tellChanges(!goesOn);
+    this.#flushWarnings();
+    if (goesOn && !this.#frame) this.#frame = requestAnimationFrame((next) => this.#onFrame(next));
+    if (!goesOn && !this.#pendingDraw) this.#lastTime = null;
+  }
+
+  #paint() {
+    this.#app.draw();
+    this.#panel?.draw();
+  }
+
+  /** The picture of this moment, in this task. */
+  #drawNow() {
+    if (!this.#app || this.#state === 'lost' || !this.loaded) return;
+    this.#current();
+    this.#app.invalidate();
+    this.#app.tick(0);
+    this.#paint();
+  }
+
+  #current() { this.#screen.makeCurrent(this.#app.program); }
+
+  // --- history, state, view ---
+
+  undo() { return this.#history('undo'); }
+  redo() { return this.#history('redo'); }
+  #history(way) {
+    const done = this.loaded && this.#app[way]();
+    if (done) this.#afterChange();
+    return done;
+  }
+
+  /** Model name, settings that differ from the defaults, and camera, as JSON text. */
+  getState() { return this.#app?.state ?? '{}'; }
+  /** JSON text or the object it stands for; throws a FurError when it cannot be used. */
+  setState(state) {
+    const json = typeof state === 'string' ? state : JSON.stringify(state);
+    if (!this.loaded) {
+      this.#wantedState = json;
+      return;
+    }
+    this.#current();
+    this.#app.state = json;
+    this.#afterChange();
+  }
+
+  getCameraOrbit() { return this.#app?.camera ?? null; }
+  /** The same as text for the camera-orbit attribute and links. */
+  get cameraOrbitText() { return this.#app ? orbitText(this.#app.camera) : ''; }
+  resetCamera() {
+    this.#app?.resetCamera();
+    this.#wake();
+  }
+
+  /** A picture of its own size (default: as shown). */
+  async toBlob({ mimeType = 'image/png', quality, width, height } = {}) {
+    if (!this.loaded || this.#state === 'lost') throw new FurError('webgl-unavailable', 'there is no picture to take yet');
+    const shown = [this.#screen.width, this.#screen.height, this.#screen.pixelRatio];
+    const size = [width ?? shown[0], height ?? shown[1]].map((side) => Math.max(1, Math.min(4096, Math.round(side))));
+    const resized = size[0] !== shown[0] || size[1] !== shown[1];
+    const panel = this.#panel;
+    this.#panel = null;  // not in the picture
+    if (resized) this.#screen.resize(...size, shown[2] * (size[1] / shown[1]));
+    else this.#drawNow();
+    // The browser copies the drawing buffer now; only the encoding comes later.
+    const blob = new Promise((resolve) => this.#canvas.toBlob(resolve, mimeType, quality));
+    this.#panel = panel;
+    if (resized) this.#screen.resize(...shown);
+    else if (panel) this.#drawNow();
+    return (await blob) ?? Promise.reject(new FurError('out-of-memory', `no memory for a picture of ${size.join(' x ')}`));
+  }
+
+  // --- the editor ---
+
+  openEditor() { return this.#switchEditor(true); }
+  closeEditor() { return this.#switchEditor(false); }
+
+  #switching = Promise.resolve();
+  #switchEditor(open) {
+    this.#options.editor = open;
+    this.#switching = this.#switching.then(() => this.#moveTo(open ? 'editor' : 'viewer'))
+      .catch((error) => {
+        this.#options.editor = this.#panel !== null;
+        const known = asFurError(error, 'wasm-load');
+        this.#emit('error', { code: known.code, message: known.message });
+      });
+    return this.#switching;
+  }
+
+  /** The scene moves over to the other program, in a module instance of its own on the same context. */
+  async #moveTo(which) {
+    if (which === this.#program || !this.loaded) return;
+    const program = await instantiateProgram(which, (loaded, total) => this.#progress('editor', loaded, total));
+    const { EditorPanel } = which === 'editor' ? await import('./editor.js') : {};
+    if (!this.#app || this.#state === 'lost') return;
+    const old = this.#app;
+    const { state, tool, wetnessTexels } = old;
+    this.#current();
+    this.#panel = null;
+    old.detach(false);
+    this.#screen.unregister(old.program);
+    resetContext(this.#screen.gl);
+    const app = new FurApp(program);
+    this.#adopt(app);
+    loadInto(app, this.#source);
+    app.state = state;
+    app.wetnessTexels = wetnessTexels;
+    app.tool = tool;
+    old.destroy();
+    this.#program = which;
+    if (EditorPanel) {
+      this.#panel = new EditorPanel(app, this.#canvas, () => this.#wake());
+      this.#panel.resize(this.#screen.width, this.#screen.height, this.#screen.pixelRatio);
+    }
+    this.#drawNow();
+    await provideModelImage(app, this.#source);
+    this.#drawNow();
+    this.#wake();
+    this.#emit('state-change', { state: this.state, reason: 'editor' });
+  }
+
+  // --- what the screen does ---
+
+  #onResize(width, height, ratio) {
+    if (!this.#app || this.#state === 'lost') return;
+    this.#current();
+    this.#app.resize(width, height, ratio);
+    this.#panel?.resize(width, height, ratio);
+    if (this.#screen.visible) this.#drawNow();  // the browser cleared the canvas: no flash
+    else this.#app.invalidate();
+    this.#wake();
+  }
+
+  #onVisible(visible) {
+    if (!this.loaded) return;
+    this.#lastTime = null;
+    this.#emit('model-visibility', { visible });
+    if (visible) this.#wake();
+  }
+
+  #onLost() {
+    if (!this.#app) return;
+    this.#app.detach(true);
+    this.#screen.unregister(this.#app.program);
+    this.#setState('lost');
+    this.#emit('context-lost', {});
+  }
+
+  #onRestored() {
+    if (!this.#app) return;
+    try {
+      this.#screen.register(this.#app.program);
+      this.#app.attach();
+    } catch (error) {
+      this.#emit('error', { code: error.code, message: error.message });
+      return;
+    }
+    this.#app.resize(this.#screen.width, this.#screen.height, this.#screen.pixelRatio);
+    this.#panel?.restored();
+    this.#setState(this.loaded ? 'ready' : 'loading');
+    this.#drawNow();
+    this.#emit('context-restored', {});
+    this.#wake();
+  }
+
+  // --- telling ---
+
+  #emit(type, detail) { this.dispatchEvent(new CustomEvent(type, { detail })); }
+
+  #setState(state) {
+    if (state === this.#state) return;
+    this.#state = state;
+    this.#emit('state-change', { state: this.state, reason: 'loading' });
+  }
+
+  #afterChange() {
+    this.#flushWarnings();
+    this.#emit('state-change', { state: this.state, reason: 'settings' });
+    this.#wake();
+  }
+
+  #warn(message) {
+    console.warn(`wet-fur: ${message}`);
+    this.warnings.push(message);
+    if (this.warnings.length > maxWarnings) this.warnings.shift();
+    this.#emit('warning', { message });
+  }
+
+  #flushWarnings() { this.#app?.takeWarnings().forEach((message) => this.#warn(message)); }
+
+  #tellChanges(last) {
+    const camera = JSON.stringify(this.#app.camera);
+    if (camera !== this.#lastCamera) {
+      this.#lastCamera = camera;
+      this.#emit('camera-change', { orbit: this.#app.camera });
+    }
+    const now = performance.now();
+    if (!last && now - this.#lastWetnessCheck < wetnessCheckMilliseconds) return;
+    this.#lastWetnessCheck = now;
+    const wetness = this.#app.meanWetness;
+    if (wetness === this.#lastWetness) return;
+    this.#lastWetness = wetness;
+    this.#emit('wetness-change', { wetness });
+  }
+
+  dispose() {
+    if (this.#state === 'disposed') return;
+    ++this.#turn;
+    this.#abort?.abort();
+    this.#stop.abort();
+    cancelAnimationFrame(this.#frame);
+    this.#input.dispose();
+    this.#panel?.dispose();
+    if (this.#app) {
+      this.#current();
+      this.#app.detach(false);
+      this.#screen.unregister(this.#app.program);
+      this.#app.destroy();
+    }
+    this.#screen.close();
+    this.#app = this.#panel = this.#source = null;
+    this.#state = 'disposed';
+  }
+}
+
+function clampDt(value) {
+  const seconds = Number(value);
+  return Number.isFinite(seconds) ? Math.min(Math.max(seconds, 0), 1) : 0;
+}
+
+/** Program and model arrive side by side, then the fur grows; an unknown total creeps towards its end. */
+const stages = { program: [0, 0.6], model: [0.6, 0.9], fur: [0.9, 1], editor: [0, 1] };
+function overallFraction(stage, loaded, total) {
+  const [from, to] = stages[stage];
+  const share = total > 0 ? Math.min(1, loaded / total) : 1 - Math.exp(-loaded / 5e5);
+  return from + (to - from) * share;
+}

@@ -1,0 +1,156 @@
+// Pointers, wheel and keys of one canvas. The page keeps its wheel, its touch scroll and its keys
+// until the person turns to the canvas (a click, a tap, Tab).
+
+const doubleTapMilliseconds = 320;
+const doubleTapPixels = 24;
+
+/**
+ * @typedef {object} InputTarget what the input acts on; `app` and `panel` may change between events
+ * @property {import('./furapp.js').FurApp | null} app null while nothing can be touched
+ * @property {import('./editor.js').EditorPanel | null} panel
+ * @property {(event: {clientX: number, clientY: number}) => [number, number]} toBuffer
+ * @property {() => void} wake something may have changed: draw soon
+ * @property {(phase: 'start' | 'end', detail: object) => void} stroke
+ */
+export class Input {
+  #canvas;
+  #target;
+  #stop = new AbortController();
+  #down = new Set();
+  #stroke = null;
+  // A finger on an unfocused canvas: it may be about to scroll the page, only its tap counts.
+  #waitingTouch = null;
+  #lastTap = { time: -Infinity, x: 0, y: 0 };
+  wheel = 'focus';
+  #touchAction = null;
+
+  /** @param {HTMLCanvasElement} canvas @param {InputTarget} target */
+  constructor(canvas, target) {
+    this.#canvas = canvas;
+    this.#target = target;
+    const { signal } = this.#stop;
+    const on = (type, listener, options) => canvas.addEventListener(type, listener, { signal, ...options });
+    on('pointerdown', (event) => this.#onDown(event));
+    on('pointermove', (event) => this.#onMove(event));
+    on('pointerup', (event) => this.#onUp(event, 'up'));
+    on('pointercancel', (event) => this.#onUp(event, 'cancel'));
+    on('wheel', (event) => this.#onWheel(event), { passive: false });
+    on('keydown', (event) => this.#onKey(event, true));
+    on('keyup', (event) => this.#onKey(event, false));
+    on('contextmenu', (event) => event.preventDefault());
+    on('focus', () => this.#applyTouchAction());
+    on('blur', () => this.#applyTouchAction());
+    this.#applyTouchAction();
+  }
+
+  /** A CSS touch-action that always holds; null: the page scrolls by touch until the canvas has the focus. */
+  set touchAction(value) {
+    this.#touchAction = value || null;
+    this.#applyTouchAction();
+  }
+
+  dispose() { this.#stop.abort(); }
+
+  get #focused() { return this.#canvas.getRootNode().activeElement === this.#canvas; }
+
+  #applyTouchAction() {
+    this.#canvas.style.touchAction = this.#touchAction ?? (this.#focused ? 'none' : 'pan-x pan-y pinch-zoom');
+  }
+
+  #send(phase, event) {
+    const { app, panel } = this.#target;
+    const [x, y] = this.#target.toBuffer(event);
+    const used = panel?.pointer(phase, event, x, y) || app.pointer(phase, event, x, y);
+    if (used || panel) this.#target.wake();
+    return used;
+  }
+
+  #onDown(event) {
+    const { app } = this.#target;
+    if (!app) return;
+    if (event.pointerType === 'touch' && !this.#touchAction && !this.#focused) {
+      this.#waitingTouch = event.pointerId;
+      return;
+    }
+    this.#press(app, this.#target.panel, event);
+  }
+
+  #press(app, panel, event) {
+    this.#canvas.focus({ preventScroll: true });
+    if (event.type === 'pointerdown') this.#canvas.setPointerCapture(event.pointerId);
+    this.#down.add(event.pointerId);
+    const [x, y] = this.#target.toBuffer(event);
+    const hit = event.button === 0 && !panel?.wantsPointer ? app.pick(x, y) : null;
+    this.#send('down', event);
+    if (hit && !this.#stroke && app.tool !== 'none') {
+      this.#stroke = { id: event.pointerId, tool: app.tool };
+      this.#target.stroke('start', { tool: app.tool, ...hit });
+    }
+    event.preventDefault();  // no text selection, no mouse events made from touches
+  }
+
+  #onMove(event) {
+    if (!this.#target.app) return;
+    if (!this.#down.has(event.pointerId) && event.pointerType !== 'mouse' && !this.#target.panel) return;
+    // Between two frames a fast hand makes several: a stroke without corners needs them all.
+    const between = this.#down.has(event.pointerId) ? event.getCoalescedEvents?.() ?? [] : [];
+    for (const one of between.length > 1 ? between : [event]) this.#send('move', one);
+  }
+
+  #onUp(event, phase) {
+    const { app, panel } = this.#target;
+    if (!app) return;
+    if (this.#waitingTouch === event.pointerId) {
+      this.#waitingTouch = null;
+      if (phase === 'up') this.#press(app, panel, event);
+    }
+    if (!this.#down.delete(event.pointerId)) return;
+    this.#send(phase, event);
+    if (this.#stroke?.id === event.pointerId) {
+      this.#target.stroke('end', { tool: this.#stroke.tool });
+      this.#stroke = null;
+    } else if (phase === 'up' && this.#down.size === 0) {
+      this.#onTap(event);
+    }
+  }
+
+  /** Two taps beside the model bring the view back; on the model they are two droplets. */
+  #onTap(event) {
+    const { timeStamp: time, clientX: x, clientY: y } = event;
+    const last = this.#lastTap;
+    const near = Math.hypot(x - last.x, y - last.y) < doubleTapPixels;
+    const twice = near && time - last.time < doubleTapMilliseconds && !this.#target.panel?.wantsPointer;
+    this.#lastTap = twice ? { time: -Infinity, x, y } : { time, x, y };
+    if (!twice) return;
+    this.#target.app.resetCamera();
+    this.#target.wake();
+  }
+
+  #onWheel(event) {
+    const { app, panel } = this.#target;
+    if (!app || this.wheel === 'page' || (this.wheel === 'focus' && !this.#focused)) return;
+    const notches = event.deltaY / [100, 3, 1][event.deltaMode];
+    const [x, y] = this.#target.toBuffer(event);
+    event.preventDefault();
+    if (panel?.wheel(notches, x, y) || app.wheel(notches, x, y)) this.#target.wake();
+  }
+
+  #onKey(event, down) {
+    const { app, panel } = this.#target;
+    if (!app || event.isComposing) return;
+    if (panel?.key(event, down)) {
+      event.preventDefault();
+      this.#target.wake();
+    } else if (down && this.#onAppKey(app, event)) {
+      event.preventDefault();
+      this.#target.wake();
+    }
+  }
+
+  #onAppKey(app, event) {
+    if (app.key(event)) return true;
+    if (event.key !== 'Home') return false;
+    app.resetCamera();
+    return true;
+  }
+}

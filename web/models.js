@@ -1,0 +1,117 @@
+// What `src` and a dropped or picked file mean, and the pictures that models bring.
+import { FurError } from './errors.js';
+import { fetchBytes, fileNameOf, maxFileBytes } from './fetching.js';
+
+export const primitives = Object.freeze(['sphere', 'torus', 'plane']);
+const shippedModels = Object.freeze(['bunny']);
+/** The names that `src` takes beside addresses. */
+export const modelNames = Object.freeze([...shippedModels, ...primitives]);
+
+/** Pictures are made smaller than this: beyond it fur shows no difference. */
+const maxImageSide = 2048;
+
+let modelsUrl = new URL('./models/', import.meta.url);
+export function setModelsUrl(url) {
+  modelsUrl = new URL(url, document.baseURI);
+}
+
+/**
+ * @typedef {{ name: string, primitive?: string, bytes?: Uint8Array, files: Map<string, Uint8Array> }} ModelSource
+ * A model with all bytes at hand: it can be loaded again into another program.
+ */
+
+/** The addresses that a .gltf names, without those inside it. */
+function externalUris(bytes) {
+  let json;
+  try {
+    json = JSON.parse(new TextDecoder().decode(bytes));
+  } catch {
+    return [];  // the importer says what is wrong with it
+  }
+  const list = (value) => (Array.isArray(value) ? value : []);
+  return [...list(json?.buffers), ...list(json?.images)]
+    .map((entry) => entry?.uri)
+    .filter((uri) => typeof uri === 'string' && !uri.startsWith('data:'));
+}
+
+const isJson = (bytes) => bytes[0] !== 0x67;  // a .glb starts with "glTF", JSON never with a g
+
+/** The bytes behind `src`: a name of modelNames, or the address of a .glb or .gltf. @returns {Promise<ModelSource>} */
+export async function fetchModel(src, onBytes, signal) {
+  if (primitives.includes(src)) return { name: src, primitive: src, files: new Map() };
+  const url = shippedModels.includes(src) ? new URL(`${src}.glb`, modelsUrl) : new URL(src, document.baseURI);
+  const bytes = await fetchBytes(url, onBytes, signal);
+  const files = new Map();
+  for (const uri of isJson(bytes) ? externalUris(bytes) : [])
+    files.set(uri, await fetchBytes(new URL(uri, url), undefined, signal));
+  return { name: shippedModels.includes(src) ? src : fileNameOf(url), bytes, files };
+}
+
+const bytesOf = async (blob, name) => {
+  if (blob.size > maxFileBytes)
+    throw new FurError('too-large', `${name}: files of at most ${maxFileBytes >> 20} MiB are read`);
+  try {
+    return new Uint8Array(await blob.arrayBuffer());
+  } catch (error) {
+    throw new FurError('network', `${name}: could not be read (${error.message})`);
+  }
+};
+
+/**
+ * The bytes of a File, Blob, ArrayBuffer or typed array.
+ * @param {{ name?: string, files?: Iterable<File> }} options `files`: buffers and images beside a .gltf
+ * @returns {Promise<ModelSource>}
+ */
+export async function readModel(given, { name, files = [] } = {}) {
+  const modelName = name ?? given.name ?? 'model.glb';
+  let bytes;
+  if (given instanceof ArrayBuffer) bytes = new Uint8Array(given.slice(0));
+  else if (ArrayBuffer.isView(given)) bytes = new Uint8Array(given.buffer, given.byteOffset, given.byteLength).slice();
+  else if (given instanceof Blob) bytes = await bytesOf(given, modelName);
+  else throw new TypeError('loadModel: expected a File, Blob, ArrayBuffer or typed array');
+  const byName = new Map();
+  for (const file of files) byName.set(file.name, await bytesOf(file, file.name));
+  // A .gltf may name what lies in folders or with escapes; a drop brings bare names.
+  const uris = isJson(bytes) ? externalUris(bytes) : [];
+  const others = new Map(uris.flatMap((uri) => {
+    const content = byName.get(uri) ?? byName.get(bareName(uri));
+    return content ? [[uri, content]] : [];
+  }));
+  return { name: modelName, bytes, files: others };
+}
+
+function bareName(uri) {
+  try {
+    return decodeURIComponent(uri.slice(uri.lastIndexOf('/') + 1));
+  } catch {
+    return uri;
+  }
+}
+
+/** Loads into the app; a failure throws a FurError and leaves the app's old scene. @param {ModelSource} source */
+export function loadInto(app, source) {
+  if (source.primitive) app.loadPrimitive(source.primitive);
+  else app.loadModel(source.bytes, source.name, source.files);
+}
+
+/** Decodes the picture that the model brought, if any; returns a warning when it cannot be read. */
+export async function provideModelImage(app, source) {
+  const image = app.pendingImage();
+  if (!image) return null;
+  try {
+    const shrink = Math.min(1, maxImageSide / Math.max(image.width, image.height, 1));
+    const smaller = shrink < 1
+      ? { resizeWidth: Math.round(image.width * shrink) || 1, resizeHeight: Math.round(image.height * shrink) || 1, resizeQuality: 'high' }
+      : {};
+    const bitmap = await createImageBitmap(new Blob([image.bytes], { type: image.mimeType }),
+      { colorSpaceConversion: 'none', premultiplyAlpha: 'none', ...smaller });
+    const { width, height } = bitmap;
+    const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
+    context.drawImage(bitmap, 0, 0);
+    bitmap.close();
+    app.provideImage(width, height, context.getImageData(0, 0, width, height).data);
+    return null;
+  } catch (error) {
+    return `${source.name}: its picture could not be read (${error.message}); the fur keeps its own colours`;
+  }
+}
