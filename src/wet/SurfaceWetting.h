@@ -1,5 +1,10 @@
 // A droplet on the surface of a model: wets every chart that it touches, with one clump centre in
 // space (each chart sees it in its own coordinates).
+//
+// The triangles round the droplet are gathered into sheets: those of one chart that agree where in
+// the atlas the droplet's centre lies, each carrying it there along its own plane. A chart that meets
+// itself along a seam (a globe cut at its date line) so gives two sheets. Does not follow water
+// round sharp bends: a droplet is a ball, and wets what it touches.
 #pragma once
 
 #include "geometry/Surface.h"
@@ -10,11 +15,12 @@ namespace fur::wet {
 
 class SurfaceWetting {
  public:
-  // Rasterises the charts at the mask's size, with a gutter of two texels.
+  // Rasterises the charts at the mask's size, with a gutter of two texels. The surface and mask
+  // given later must be of the same triangles and size.
   SurfaceWetting(const geometry::Surface& surface, int maskSize);
 
   // `centre` on the surface, radius in model units. Charts whose normals face away from `normal`
-  // (the far side of a thin ear) stay as they are.
+  // (the far side of a thin ear) stay as they are. No triangle within the radius: nothing happens.
   void addDroplet(WetnessMask& mask, const geometry::Surface& surface, const geometry::SurfaceQuery& query,
                   const Vec3& centre, const Vec3& normal, float radius, float wetness) const;
   void dryAt(WetnessMask& mask, const geometry::Surface& surface, const geometry::SurfaceQuery& query,
@@ -24,6 +30,28 @@ class SurfaceWetting {
   const std::vector<std::uint16_t>& chartOfTexel() const { return chartOfTexel_; }
 
  private:
+  // How a triangle maps space to the atlas: u = originU + dot(gradU, x), and v alike.
+  struct Face {
+    Vec3 gradU, gradV, normal;
+    Vec2 origin;
+    float area = 0;   // model units squared; 0 = degenerate, carries no water
+    float scale = 0;  // atlas units per model unit
+  };
+  struct Sheet {
+    std::uint16_t chart;
+    Vec2 centre;
+    float area, scaledArea;
+    float scale() const { return scaledArea / area; }
+  };
+
+  static Face mapFace(const geometry::Surface& surface, std::size_t triangle);
+  void rasterise(const geometry::Surface& surface);
+  void dilate();
+  std::vector<Sheet> sheetsAt(const geometry::Surface& surface, const geometry::SurfaceQuery& query,
+                              const Vec3& centre, const Vec3& normal, float radius) const;
+
+  int size_;
+  std::vector<Face> faces_;
   std::vector<std::uint16_t> chartOfTexel_;
 };
 
