@@ -37,7 +37,7 @@ float cleanUnit(float x, float fallback) { return std::isnan(x) ? fallback : sat
 class OccupancyGrid {
  public:
   OccupancyGrid(int size, int levels, float maxDistance, int maxStrands)
-      : size_(static_cast<float>(size)), levels_(levels) {
+      : size_(static_cast<float>(size)) {
     // With fewer than three cells the neighbours of a cell would be counted twice.
     cells_ = std::max(1, static_cast<int>(size_ / maxDistance));
     if (cells_ < 3) cells_ = 1;
@@ -83,7 +83,7 @@ class OccupancyGrid {
   }
 
   float size_;
-  int levels_, cells_ = 1;
+  int cells_ = 1;
   std::vector<int> heads_;
   std::vector<Disc> discs_;
 };
