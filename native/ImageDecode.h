@@ -1,0 +1,25 @@
+// PNG and JPEG to pixels, with stb_image. Other formats are refused before its code sees them, and
+// the size in the header is checked before anything is decoded: the files are not to be trusted.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/Result.h"
+
+namespace fur::native {
+
+struct Image {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgba;  // rows from the top
+};
+
+// bad-file: neither PNG nor JPEG, or damaged. too-large: a side over scene::kMaxImageSide, or more
+// than kMaxImagePixels texels. The bytes are at most scene::kMaxFileBytes.
+Result<Image> decodeImage(std::span<const std::uint8_t> bytes);
+
+// 256 MiB as RGBA.
+inline constexpr std::int64_t kMaxImagePixels = 64 << 20;
+
+}  // namespace fur::native

@@ -1,0 +1,172 @@
+// wet-fur on the desktop: the editor in a window.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <GLFW/glfw3.h>
+
+#include "gl/Objects.h"
+#include "native/Files.h"
+#include "native/window/Window.h"
+
+namespace {
+
+using namespace fur;
+
+constexpr const char* kUsage =
+    "usage: wet-fur [scene.glb | scene.gltf | bunny | sphere | torus | plane] [options]\n"
+    "  --size WxH            of the window, default 1280x800\n"
+    "  --set name=value      a setting, as in links; may be given several times\n"
+    "  --wetness AMOUNT      0 dry to 1 soaked\n"
+    "  --pixel-ratio RATIO   of the panel, default the screen's\n"
+    "  --screenshot OUT.png  writes the window's picture and ends\n"
+    "  --frames N            frames before that, default 30\n";
+
+// Ticks are cut to this: after a sleep the fur must not jump.
+constexpr float kLongestStep = 0.1f;
+constexpr double kIdleStep = 1.0 / 60;
+// Nothing needs it to wake up; a safety net for an event that a window system swallowed.
+constexpr double kLongestSleep = 5;
+
+struct Options {
+  std::string scene = "bunny", screenshot;
+  std::vector<std::pair<std::string, std::string>> settings;
+  int width = 1280, height = 800, frames = 30;
+  float wetness = 0, pixelRatio = 0;
+};
+
+// "" or what is wrong.
+std::string readOptions(int count, char** values, Options& out) {
+  for (int i = 1; i < count; ++i) {
+    const std::string_view name = values[i];
+    if (name.substr(0, 2) != "--") {
+      out.scene = name;
+      continue;
+    }
+    if (++i == count) return std::string(name) + " needs a value";
+    const std::string value = values[i];
+    if (name == "--screenshot") out.screenshot = value;
+    else if (name == "--frames") out.frames = std::atoi(value.c_str());
+    else if (name == "--wetness") out.wetness = std::strtof(value.c_str(), nullptr);
+    else if (name == "--pixel-ratio") out.pixelRatio = std::strtof(value.c_str(), nullptr);
+    else if (name == "--set") {
+      const auto equals = value.find('=');
+      if (equals == std::string::npos) return "--set needs name=value";
+      out.settings.emplace_back(value.substr(0, equals), value.substr(equals + 1));
+    } else if (name == "--size") {
+      if (std::sscanf(value.c_str(), "%dx%d", &out.width, &out.height) != 2 || out.width < 1 || out.height < 1)
+        return "--size needs WxH, such as 1280x800";
+    } else
+      return "unknown option " + std::string(name);
+  }
+  return {};
+}
+
+class Session {
+ public:
+  Session(native::Window& window, const Options& options, std::string program)
+      : window_(window), options_(options), program_(std::move(program)) {}
+
+  Status run() {
+    window_.connect(app_, host_);
+    if (Status status = app_.attach(); !status) return status;
+    if (Status status = host_.attach(); !status) return status;
+    if (options_.pixelRatio > 0) host_.resize(window_.pixelSize().x, window_.pixelSize().y, options_.pixelRatio);
+    for (const auto& [name, value] : options_.settings) app_.setField(name, value);
+    load(options_.scene);
+    if (options_.wetness > 0) app_.setWetness(options_.wetness);
+    const Status status = options_.screenshot.empty() ? loop() : screenshot();
+    host_.detach();
+    app_.detach(false);
+    return status;
+  }
+
+ private:
+  void load(const std::string& scene) {
+    if (const Status status = native::loadScene(app_, scene, program_); !status)
+      host_.message(status.error().message, true);
+  }
+
+  void serveEditor() {
+    using Kind = app::PlatformCommand::Kind;
+    while (const auto command = host_.takeCommand()) {
+      switch (command->kind) {
+        case Kind::OpenPath: load(command->text); break;
+        case Kind::LoadBunny: load("bunny"); break;
+        case Kind::CopyText: window_.setClipboard(command->text); break;
+        case Kind::PasteRequest: host_.paste(window_.clipboard()); break;
+        case Kind::OpenDialog: break;  // the panel offers a path field instead
+      }
+    }
+    for (const std::string& path : window_.takeDropped()) load(path);
+    for (std::string& warning : app_.takeWarnings()) host_.message(std::move(warning), false);
+    window_.setCursor(host_.cursor());
+  }
+
+  // Whether anything was drawn.
+  Result<bool> frame(float dt, bool always) {
+    serveEditor();
+    bool changed = app_.tick(dt);
+    changed |= host_.update(dt);
+    if (!changed && !always) return false;
+    if (Status status = app_.draw(); !status) return status.error();
+    host_.draw();
+    return true;
+  }
+
+  Status loop() {
+    double last = glfwGetTime();
+    bool drawn = true;
+    while (!window_.closing()) {
+      const bool busy = app_.active() || host_.active();
+      // Presenting waits for the screen; a frame that drew nothing must not spin.
+      window_.poll(!busy ? kLongestSleep : drawn ? 0 : kIdleStep);
+      const double now = glfwGetTime();
+      const auto result = frame(std::min(static_cast<float>(now - last), kLongestStep), false);
+      last = now;
+      if (!result) return result.error();
+      drawn = result.value();
+      if (drawn) window_.present();
+    }
+    return Done{};
+  }
+
+  Status screenshot() {
+    for (int i = 0; i < options_.frames; ++i) {
+      window_.poll(0);
+      if (const auto drawn = frame(1.0f / 60, i + 1 == options_.frames); !drawn) return drawn.error();
+    }
+    const IVec2 size = window_.pixelSize();
+    return native::writePng(options_.screenshot, size.x, size.y, gl::readPixels(size.x, size.y));
+  }
+
+  native::Window& window_;
+  const Options& options_;
+  std::string program_;
+  app::App app_;
+  app::EditorHost host_{app_, editor::FileAccess::Path};
+};
+
+int fail(const Error& error) {
+  std::fprintf(stderr, "%s: %s\n", errorCode(error.id), error.message.c_str());
+  return 1;
+}
+
+}  // namespace
+
+int main(int count, char** values) {
+  Options options;
+  if (const std::string wrong = readOptions(count, values, options); !wrong.empty()) {
+    std::fprintf(stderr, "%s\n%s", wrong.c_str(), kUsage);
+    return 2;
+  }
+  auto window = native::Window::open("wet-fur", options.width, options.height);
+  if (!window) return fail(window.error());
+  Session session(**window, options, values[0]);
+  if (const Status status = session.run(); !status) return fail(status.error());
+  return 0;
+}

@@ -1,0 +1,295 @@
+#include "app/editor/EditorHost.h"
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+#include <imgui.h>
+#include <imgui_impl_opengl3.h>
+#include <imgui_internal.h>  // which windows cover a pixel, before the frame that would tell
+
+namespace fur::app {
+
+namespace {
+
+// FNV-1a (Fowler, Noll, Vo): enough to tell two frames of a panel apart.
+void mix(std::uint64_t& hash, const void* data, std::size_t bytes) {
+  const auto* byte = static_cast<const unsigned char*>(data);
+  for (std::size_t i = 0; i < bytes; ++i) hash = (hash ^ byte[i]) * 0x100000001b3ull;
+}
+
+editor::PointerKind panelKind(PointerKind kind) {
+  return kind == PointerKind::Touch ? editor::PointerKind::Touch : editor::PointerKind::Mouse;
+}
+
+}  // namespace
+
+struct EditorHost::Context {
+  explicit Context(const EditorHost& host) : before(ImGui::GetCurrentContext()) { ImGui::SetCurrentContext(host.context_); }
+  ~Context() { ImGui::SetCurrentContext(before); }
+  ImGuiContext* before;
+};
+
+EditorHost::EditorHost(App& app, editor::FileAccess fileAccess)
+    : app_(app), context_(ImGui::CreateContext()), fileAccess_(fileAccess) {
+  const Context current(*this);
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.LogFilename = nullptr;
+  io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+  // A blinking cursor would keep the whole picture drawing.
+  io.ConfigInputTextCursorBlink = false;
+  io.ClipboardUserData = this;
+  io.SetClipboardTextFn = [](void* self, const char* text) {
+    auto& host = *static_cast<EditorHost*>(self);
+    host.clipboard_ = text;
+    if (host.writeClipboard_) host.writeClipboard_(text);
+  };
+  io.GetClipboardTextFn = [](void* self) {
+    auto& host = *static_cast<EditorHost*>(self);
+    if (host.readClipboard_) host.clipboard_ = host.readClipboard_();
+    return host.clipboard_.c_str();
+  };
+  editor::InputQueue::mapKeys(io);
+}
+
+EditorHost::~EditorHost() {
+  detach();
+  ImGui::DestroyContext(context_);
+}
+
+Status EditorHost::attach() {
+  const Context current(*this);
+  if (!ImGui_ImplOpenGL3_Init()) return Error{ErrorId::WebglUnavailable, "Dear ImGui found no OpenGL ES 3.0"};
+  attached_ = true;
+  drawnHash_ = 0;
+  wake();
+  return Done{};
+}
+
+void EditorHost::detach() {
+  if (!attached_) return;
+  attached_ = false;
+  const Context current(*this);
+  if (editor_.changing()) app_.endChange();
+  // Where a context can be lost, in WebGL, deleting what it held is allowed and does nothing.
+  ImGui_ImplOpenGL3_Shutdown();
+}
+
+void EditorHost::resize(int width, int height, float pixelRatio) {
+  size_ = Vec2(width, height);
+  scale_.pixelRatio = pixelRatio;
+  wake();
+}
+
+bool EditorHost::covers(Vec2 position) const {
+  const ImGuiContext& context = *context_;
+  if (context.OpenPopupStack.Size > 0) return true;  // a click anywhere else closes it
+  for (const ImGuiWindow* window : context.Windows)
+    if (window->WasActive && !window->Hidden && !(window->Flags & (ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_Tooltip)) &&
+        window->Rect().Contains(ImVec2(position.x, position.y)))
+      return true;
+  return false;
+}
+
+bool EditorHost::pointer(const PointerEvent& event) {
+  const bool down = event.phase == PointerPhase::Down, ended = !down && event.phase != PointerPhase::Move && !event.buttons;
+  if (down && owner_ == Owner::None) {
+    owner_ = covers(event.position) ? Owner::Panel : Owner::App;
+    ownerId_ = event.id;
+  }
+  // The panel follows one pointer. A second finger goes where it lies, and never to both.
+  if (owner_ != Owner::None && event.id != ownerId_) return owner_ == Owner::Panel || covers(event.position);
+  const bool captured = owner_ == Owner::Panel || (owner_ == Owner::None && covers(event.position));
+  const bool touch = event.kind == PointerKind::Touch;
+  if (ended) owner_ = Owner::None;
+  // ImGui also hears of what is not for it: a press on the model takes the focus from the panel.
+  input_.pointer(panelKind(event.kind), event.position, event.phase == PointerPhase::Cancel ? 0 : event.buttons);
+  if (touch && ended) input_.pointerGone();
+  wake();
+  return captured;
+}
+
+void EditorHost::pointerLeft() {
+  if (owner_ != Owner::None) return;  // a drag goes on outside of the window
+  input_.pointerGone();
+  wake();
+}
+
+bool EditorHost::wheel(float notches, Vec2 position) {
+  if (!covers(position)) return false;
+  input_.wheel(-notches);
+  wake();
+  return true;
+}
+
+bool EditorHost::key(std::string_view name, bool down, const editor::Modifiers& modifiers) {
+  const bool text = wantsText();
+  const auto shortcut = editor::Editor::shortcut(name, modifiers);
+  if (shortcut && !text) {
+    if (down) perform(*shortcut);
+    wake();
+    return true;
+  }
+  const bool wanted = text || wantsKeyboard();
+  // Releases always arrive, so that no key stays down.
+  if (!down || wanted) {
+    input_.key(name, down, modifiers);
+    wake();
+  }
+  return wanted;
+}
+
+bool EditorHost::text(std::string_view utf8) {
+  if (!wantsText()) return false;
+  input_.text(utf8);
+  wake();
+  return true;
+}
+
+void EditorHost::paste(const std::string& text) {
+  if (wantsText()) input_.text(text);
+  else check(app_.setState(text));
+  wake();
+}
+
+void EditorHost::focusLost() {
+  input_.releaseAll();
+  owner_ = Owner::None;
+  wake();
+}
+
+bool EditorHost::wantsKeyboard() const { return context_->IO.WantCaptureKeyboard; }
+bool EditorHost::wantsText() const { return context_->IO.WantTextInput; }
+
+const char* EditorHost::cursor() const {
+  switch (context_->MouseCursor) {
+    case ImGuiMouseCursor_TextInput: return "text";
+    case ImGuiMouseCursor_ResizeEW: return "ew-resize";
+    case ImGuiMouseCursor_ResizeNS: return "ns-resize";
+    case ImGuiMouseCursor_Hand: return "pointer";
+    default: return "default";
+  }
+}
+
+editor::EditorModel EditorHost::model() {
+  const App::Stats stats = app_.stats();
+  editor::EditorModel model;
+  model.settings = app_.settings();
+  model.tool = static_cast<editor::Tool>(app_.tool());
+  model.modelName = app_.modelName();
+  model.meanWetness = app_.meanWetness();
+  model.canUndo = app_.canUndo();
+  model.canRedo = app_.canRedo();
+  model.fileAccess = fileAccess_;
+  model.messages = messages_;
+  model.vertices = stats.vertices;
+  model.triangles = stats.triangles;
+  model.strands = stats.strands;
+  model.layers = stats.layers;
+  model.finEdges = stats.finEdges;
+  model.cpuBytes = stats.cpuBytes;
+  model.gpuBytes = stats.gpuBytes;
+  model.frameSeconds = frameSeconds_;
+  return model;
+}
+
+bool EditorHost::update(float dt) {
+  if (!attached_ || size_.x <= 0 || size_.y <= 0) return false;
+  const Context current(*this);
+  scale_.touch = input_.lastKind() == editor::PointerKind::Touch;
+  if (editor::applyTheme(scale_)) {
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+  }
+  ImGui_ImplOpenGL3_NewFrame();
+  frameTime_ = dt;
+  ImGuiIO& io = ImGui::GetIO();
+  io.DisplaySize = ImVec2(size_.x, size_.y);
+  io.DeltaTime = std::max(dt, 1e-4f);  // ImGui insists on time going by
+  if (framesLeft_ > 0) --framesLeft_;
+  input_.feed(io);
+  ImGui::NewFrame();
+  const std::vector<editor::Command> commands = editor_.frame(model(), scale_);
+  ImGui::Render();
+  for (const editor::Command& command : commands) perform(command);
+  if (!commands.empty()) wake();
+  shownHash_ = pictureHash();
+  return shownHash_ != drawnHash_;
+}
+
+void EditorHost::draw() {
+  if (!attached_) return;
+  const Context current(*this);
+  if (ImDrawData* data = ImGui::GetDrawData()) ImGui_ImplOpenGL3_RenderDrawData(data);
+  drawnHash_ = shownHash_;
+  frameSeconds_.push_back(frameTime_);
+  if (frameSeconds_.size() > kFrameHistory) frameSeconds_.erase(frameSeconds_.begin());
+}
+
+bool EditorHost::active() const { return framesLeft_ > 0 || !input_.empty(); }
+
+std::uint64_t EditorHost::pictureHash() const {
+  std::uint64_t hash = 0xcbf29ce484222325ull;
+  const ImDrawData* data = ImGui::GetDrawData();
+  for (int i = 0; data && i < data->CmdListsCount; ++i) {
+    const ImDrawList& list = *data->CmdLists[i];
+    mix(hash, list.VtxBuffer.Data, static_cast<std::size_t>(list.VtxBuffer.size_in_bytes()));
+    mix(hash, list.IdxBuffer.Data, static_cast<std::size_t>(list.IdxBuffer.size_in_bytes()));
+    for (const ImDrawCmd& command : list.CmdBuffer) mix(hash, &command.ClipRect, sizeof command.ClipRect);
+  }
+  return hash;
+}
+
+void EditorHost::check(const Status& status) {
+  if (!status) message(status.error().message, true);
+}
+
+void EditorHost::perform(const editor::Command& command) {
+  using namespace editor::command;
+  using Kind = PlatformCommand::Kind;
+  std::visit(
+      [&](const auto& c) {
+        using C = std::decay_t<decltype(c)>;
+        if constexpr (std::is_same_v<C, BeginChange>) app_.beginChange();
+        else if constexpr (std::is_same_v<C, EndChange>) app_.endChange();
+        else if constexpr (std::is_same_v<C, SetSettings>) app_.setSettings(c.settings);
+        else if constexpr (std::is_same_v<C, SetTool>) app_.setTool(static_cast<Tool>(c.tool));
+        else if constexpr (std::is_same_v<C, SetWetness>) app_.setWetness(c.amount);
+        else if constexpr (std::is_same_v<C, LoadPrimitive>) check(app_.loadPrimitive(c.name));
+        else if constexpr (std::is_same_v<C, LoadBunny>) request(Kind::LoadBunny);
+        else if constexpr (std::is_same_v<C, OpenDialog>) request(Kind::OpenDialog);
+        else if constexpr (std::is_same_v<C, OpenPath>) request(Kind::OpenPath, c.path);
+        else if constexpr (std::is_same_v<C, ResetCamera>) app_.resetCamera();
+        else if constexpr (std::is_same_v<C, Undo>) app_.undo();
+        else if constexpr (std::is_same_v<C, Redo>) app_.redo();
+        else if constexpr (std::is_same_v<C, CopyState>) request(Kind::CopyText, app_.state());
+        else if constexpr (std::is_same_v<C, PasteState>) request(Kind::PasteRequest);
+        else if constexpr (std::is_same_v<C, DismissMessage>)
+          messages_.erase(messages_.begin() + static_cast<std::ptrdiff_t>(c.index));
+      },
+      command);
+}
+
+std::optional<PlatformCommand> EditorHost::takeCommand() {
+  if (platform_.empty()) return {};
+  PlatformCommand command = std::move(platform_.front());
+  platform_.pop_front();
+  return command;
+}
+
+void EditorHost::message(std::string text, bool isError) {
+  // The same thing said again is no news.
+  std::erase_if(messages_, [&](const editor::Message& old) { return old.text == text; });
+  messages_.push_back({std::move(text), isError});
+  if (messages_.size() > kMostMessages) messages_.erase(messages_.begin());
+  wake();
+}
+
+void EditorHost::setClipboard(std::function<void(const char*)> write, std::function<std::string()> read) {
+  writeClipboard_ = std::move(write);
+  readClipboard_ = std::move(read);
+}
+
+}  // namespace fur::app

@@ -1,0 +1,112 @@
+// The editor on top of an App: owns the Dear ImGui context, its GL drawing and the panel; carries
+// out the panel's commands on the App, and hands those that need the platform (files, clipboard)
+// to the caller. Input, from any platform, comes in through it first.
+//
+//   event:  if (!host.pointer(e)) app.pointer(e);
+//   frame:  changed = app.tick(dt); changed |= host.update(dt);
+//           if (changed) { app.draw(); host.draw(); }
+//   sleep:  until the next event when neither app.active() nor host.active()
+//
+// The App and a current GL context must outlive attach() ... detach(). Several hosts may live side
+// by side.
+#pragma once
+
+#include <array>
+#include <deque>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/App.h"
+#include "editor/Editor.h"
+#include "editor/InputQueue.h"
+
+namespace fur::app {
+
+// What only the platform can do. The numbers are part of the JavaScript interface.
+struct PlatformCommand {
+  enum class Kind { OpenDialog = 1, OpenPath = 2, LoadBunny = 3, CopyText = 4, PasteRequest = 5 };
+  Kind kind;
+  std::string text;  // the path, or the text to copy
+};
+
+class EditorHost {
+ public:
+  EditorHost(App& app, editor::FileAccess fileAccess);
+  ~EditorHost();
+  EditorHost(const EditorHost&) = delete;
+  EditorHost& operator=(const EditorHost&) = delete;
+
+  Status attach();
+  void detach();
+  void resize(int width, int height, float pixelRatio);  // pixels of the drawing buffer
+
+  // --- input; true: it was meant for the panel, the App must not see it ---
+  bool pointer(const PointerEvent& event);
+  void pointerLeft();
+  bool wheel(float notches, Vec2 position);  // as App::wheel: positive is down a page
+  bool key(std::string_view name, bool down, const editor::Modifiers& modifiers);
+  bool text(std::string_view utf8);
+  // Text from the clipboard: into the text field that has the focus, else as state to take over.
+  void paste(const std::string& text);
+  void focusLost();
+
+  bool wantsPointer() const { return owner_ == Owner::Panel; }
+  bool wantsKeyboard() const;
+  bool wantsText() const;  // a text field has the focus: show an on-screen keyboard
+  const char* cursor() const;  // the CSS name of the pointer's shape over the panel
+
+  // --- frames ---
+  // Builds the panel's next frame and carries out its commands. Returns whether it looks different.
+  bool update(float dt);
+  void draw();          // over what App::draw() left, in the same framebuffer
+  bool active() const;  // further frames are needed, although no event may come
+
+  // --- to and from the platform ---
+  std::optional<PlatformCommand> takeCommand();
+  void message(std::string text, bool isError);
+  // The clipboard that text fields of the panel use; without them it stays within the panel.
+  void setClipboard(std::function<void(const char*)> write, std::function<std::string()> read);
+
+ private:
+  enum class Owner { None, Panel, App };
+
+  struct Context;  // makes this host's ImGui context the current one for a scope
+
+  bool covers(Vec2 position) const;
+  void wake() { framesLeft_ = kFramesAfterEvent; }
+  editor::EditorModel model();
+  void perform(const editor::Command& command);
+  void request(PlatformCommand::Kind kind, std::string text = {}) { platform_.push_back({kind, std::move(text)}); }
+  void check(const Status& status);
+  std::uint64_t pictureHash() const;
+
+  // ImGui settles within this many frames after an event: one to hover, one to act, one to lay out.
+  static constexpr int kFramesAfterEvent = 3;
+  static constexpr std::size_t kFrameHistory = 120;
+  static constexpr std::size_t kMostMessages = 20;
+
+  App& app_;
+  ImGuiContext* context_;
+  editor::FileAccess fileAccess_;
+  editor::Editor editor_;
+  editor::InputQueue input_;
+  editor::ThemeScale scale_;
+  Vec2 size_{0};
+  Owner owner_ = Owner::None;  // of the pointer that is down
+  int ownerId_ = 0;
+  bool attached_ = false;
+  int framesLeft_ = kFramesAfterEvent;
+  std::uint64_t drawnHash_ = 0, shownHash_ = 0;  // of the panel's triangles
+  float frameTime_ = 0;
+  std::deque<PlatformCommand> platform_;
+  std::vector<editor::Message> messages_;
+  std::vector<float> frameSeconds_;
+  std::function<void(const char*)> writeClipboard_;
+  std::function<std::string()> readClipboard_;
+  std::string clipboard_;
+};
+
+}  // namespace fur::app

@@ -1,0 +1,221 @@
+#include "editor/Editor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include <imgui_internal.h>  // ActiveId: which window a finger drags
+
+#include "editor/FieldRows.h"
+#include "editor/Widgets.h"
+
+namespace fur::editor {
+
+namespace {
+
+constexpr float kNarrowCssPixels = 600;
+constexpr float kPanelCssPixels = 336;
+constexpr float kMarginCssPixels = 12;
+constexpr float kSheetShare = 0.45f;
+
+bool isModel(const EditorModel& model, std::string_view name) {
+  return std::string_view(model.modelName).substr(0, model.modelName.find('.')) == name;
+}
+
+void caption(const char* text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, color::kDim);
+  ImGui::TextUnformatted(text);
+  ImGui::PopStyleColor();
+}
+
+void statLine(const char* label, const char* format, double value) {
+  caption(label);
+  ImGui::SameLine(px(110));
+  ImGui::Text(format, value);
+}
+
+}  // namespace
+
+std::optional<Command> Editor::shortcut(std::string_view key, Modifiers modifiers) {
+  if (!modifiers.control || modifiers.alt) return {};
+  if (key == "z" || key == "Z") return modifiers.shift ? Command(command::Redo{}) : Command(command::Undo{});
+  if (key == "y" || key == "Y") return Command(command::Redo{});
+  return {};
+}
+
+std::vector<Command> Editor::frame(const EditorModel& model, const ThemeScale& scale) {
+  commands_.clear();
+  touch_ = scale.touch;
+  place(scale);
+  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
+                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollbar |
+                                      ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoFocusOnAppearing;
+  ImGui::Begin("wet-fur", nullptr, kFlags);
+  drawTitle(model);
+  if (!collapsed_) {
+    drawMessages(model);
+    ImGui::BeginChild("content");
+    scrollByFinger();
+    drawScene(model);
+    drawWater(model);
+    drawSettings(model);
+    drawStats(model);
+    contentHeight_ = ImGui::GetCursorPosY();
+    ImGui::EndChild();
+  }
+  ImGui::End();
+  if (changing_ && !ImGui::IsAnyItemActive()) {
+    changing_ = false;
+    emit(command::EndChange{});
+  }
+  return std::exchange(commands_, {});
+}
+
+void Editor::place(const ThemeScale& scale) {
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const bool narrow = screen.x < kNarrowCssPixels * scale.pixelRatio;
+  const float margin = narrow ? 0 : px(kMarginCssPixels);
+  const float width = narrow ? screen.x : px(kPanelCssPixels);
+  const float most = narrow ? screen.y * kSheetShare : screen.y - 2 * margin;
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float title = ImGui::GetFrameHeight() + 2 * style.WindowPadding.y;
+  // Until the content has been measured once, it is taken to be long.
+  const float content = contentHeight_ > 0 ? contentHeight_ + style.ItemSpacing.y : most;
+  const float height = std::floor(collapsed_ ? title : std::min(most, title + content + messagesHeight_));
+  ImGui::SetNextWindowPos(narrow ? ImVec2(0, screen.y - height) : ImVec2(screen.x - width - margin, margin));
+  ImGui::SetNextWindowSize(ImVec2(width, height));
+}
+
+void Editor::drawTitle(const EditorModel& model) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("wet-fur");
+  const float side = ImGui::GetFrameHeight(), gap = px(2);
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - 4 * side - 3 * gap);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, ImGui::GetStyle().ItemSpacing.y));
+  const auto hint = [&](const char* text) { return touch_ ? "" : text; };
+  if (iconButton("##undo", Icon::Undo, hint("Undo (Ctrl+Z)"), model.canUndo)) emit(command::Undo{});
+  ImGui::SameLine();
+  if (iconButton("##redo", Icon::Redo, hint("Redo (Ctrl+Shift+Z)"), model.canRedo)) emit(command::Redo{});
+  ImGui::SameLine();
+  if (iconButton("##camera", Icon::Camera, hint("Reset the camera"))) emit(command::ResetCamera{});
+  ImGui::SameLine();
+  if (iconButton("##collapse", collapsed_ ? Icon::Expand : Icon::Collapse, hint(collapsed_ ? "Open" : "Collapse")))
+    collapsed_ = !collapsed_;
+  ImGui::PopStyleVar();
+}
+
+void Editor::drawMessages(const EditorModel& model) {
+  constexpr std::size_t kMostShown = 3;
+  const float top = ImGui::GetCursorPosY(), side = px(18);
+  const std::size_t first = model.messages.size() > kMostShown ? model.messages.size() - kMostShown : 0;
+  for (std::size_t i = first; i < model.messages.size(); ++i) {
+    ImGui::PushID(static_cast<int>(i));
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    ImGui::Indent(px(10));
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width - px(10) - side - px(6));
+    ImGui::TextUnformatted(model.messages[i].text.c_str());
+    ImGui::PopTextWrapPos();
+    const float bottom = ImGui::GetItemRectMax().y;
+    ImGui::Unindent(px(10));
+    ImGui::GetWindowDrawList()->AddRectFilled(from, ImVec2(from.x + px(3), bottom),
+                                              model.messages[i].isError ? color::kError : color::kWarning, px(1.5f));
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - side);
+    if (iconButton("##dismiss", Icon::Close, "", true, side)) emit(command::DismissMessage{i});
+    ImGui::PopID();
+  }
+  messagesHeight_ = ImGui::GetCursorPosY() - top;
+}
+
+void Editor::drawScene(const EditorModel& model) {
+  caption("Model");
+  ImGui::SameLine();
+  ImGui::TextUnformatted(model.modelName.c_str());
+  switch (segments("models", {{"Bunny", isModel(model, "bunny")},
+                              {"Sphere", isModel(model, "sphere")},
+                              {"Torus", isModel(model, "torus")},
+                              {"Plane", isModel(model, "plane")}})) {
+    case 0: emit(command::LoadBunny{}); break;
+    case 1: emit(command::LoadPrimitive{"sphere"}); break;
+    case 2: emit(command::LoadPrimitive{"torus"}); break;
+    case 3: emit(command::LoadPrimitive{"plane"}); break;
+    default: break;
+  }
+  if (model.fileAccess == FileAccess::Dialog) {
+    if (ImGui::Button("Open a .glb or .gltf file", ImVec2(-1, 0))) emit(command::OpenDialog{});
+    return;
+  }
+  ImGui::SetNextItemWidth(-px(56));
+  const bool entered = ImGui::InputTextWithHint("##path", "Path of a .glb or .gltf, or drop one", path_, sizeof path_,
+                                                ImGuiInputTextFlags_EnterReturnsTrue);
+  ImGui::SameLine(0, px(3));
+  const bool pressed = ImGui::Button("Open", ImVec2(-1, 0));
+  if ((entered || pressed) && path_[0]) emit(command::OpenPath{path_});
+}
+
+void Editor::drawWater(const EditorModel& model) {
+  ImGui::Dummy(ImVec2(0, px(2)));
+  const int tool = iconSegments(
+      "tools", {{"Wet", model.tool == Tool::Droplet}, {"Dry", model.tool == Tool::Dry}, {"Orbit", model.tool == Tool::None}},
+      {Icon::Droplet, Icon::Dry, Icon::Orbit});
+  if (tool >= 0) emit(command::SetTool{static_cast<Tool>(tool)});
+  const float button = px(64), gap = px(3);
+  char text[32];
+  std::snprintf(text, sizeof text, "%.0f %% wet", static_cast<double>(model.meanWetness) * 100);
+  const float width = ImGui::GetContentRegionAvail().x - 2 * (button + gap);
+  ImGui::ProgressBar(model.meanWetness, ImVec2(width, ImGui::GetFrameHeight()), text);
+  ImGui::SameLine(0, gap);
+  if (ImGui::Button("Soak", ImVec2(button, 0))) emit(command::SetWetness{1});
+  ImGui::SameLine(0, gap);
+  if (ImGui::Button("Dry off", ImVec2(button, 0))) emit(command::SetWetness{0});
+  ImGui::Dummy(ImVec2(0, px(2)));
+}
+
+void Editor::drawSettings(const EditorModel& model) {
+  const bool filtered = filter_[0] != '\0';
+  ImGui::SetNextItemWidth(filtered ? -ImGui::GetFrameHeight() - px(2) : -1);
+  ImGui::InputTextWithHint("##filter", "Search settings", filter_, sizeof filter_);
+  if (filtered) {
+    ImGui::SameLine(0, px(2));
+    if (iconButton("##clear", Icon::Close, "")) filter_[0] = '\0';
+  }
+  settings::Settings edited = model.settings;
+  if (drawFields(edited, filter_, !touch_) == 0) caption("No setting has that in its name.");
+  if (edited == model.settings) return;
+  if (!changing_) emit(command::BeginChange{});
+  changing_ = true;
+  emit(command::SetSettings{edited});
+}
+
+void Editor::drawStats(const EditorModel& model) {
+  if (!ImGui::CollapsingHeader("Share and statistics")) return;
+  const float half = (ImGui::GetContentRegionAvail().x - px(3)) * 0.5f;
+  if (ImGui::Button("Copy settings", ImVec2(half, 0))) emit(command::CopyState{});
+  ImGui::SameLine(0, px(3));
+  if (ImGui::Button("Paste settings", ImVec2(half, 0))) emit(command::PasteState{});
+  statLine("Vertices", "%.0f", model.vertices);
+  statLine("Triangles", "%.0f", model.triangles);
+  statLine("Strands", "%.0f", model.strands);
+  statLine("Layers", "%.0f", model.layers);
+  statLine("Fin edges", "%.0f", model.finEdges);
+  constexpr double kMebi = 1024.0 * 1024.0;
+  statLine("Memory", "%.1f MiB", static_cast<double>(model.cpuBytes) / kMebi);
+  statLine("GPU memory", "%.1f MiB", static_cast<double>(model.gpuBytes) / kMebi);
+  if (model.frameSeconds.empty()) return;
+  const float longest = *std::max_element(model.frameSeconds.begin(), model.frameSeconds.end());
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f ms", static_cast<double>(model.frameSeconds.back()) * 1000);
+  ImGui::PlotLines("##frames", model.frameSeconds.data(), static_cast<int>(model.frameSeconds.size()), 0, text, 0,
+                   longest * 1.1f, ImVec2(-1, px(48)));
+}
+
+void Editor::scrollByFinger() {
+  // ImGui 1.86 scrolls by wheel and scrollbar only. A finger that starts on nothing in particular
+  // drags the content; ImGui then counts the window itself as the active item.
+  const ImGuiWindow* window = ImGui::GetCurrentWindow();
+  if (touch_ && ImGui::IsMouseDown(0) && ImGui::GetActiveID() == window->MoveId)
+    ImGui::SetScrollY(ImGui::GetScrollY() - ImGui::GetIO().MouseDelta.y);
+}
+
+}  // namespace fur::editor

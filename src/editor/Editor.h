@@ -1,0 +1,54 @@
+// The editor's panel. Pure Dear ImGui: it draws between ImGui::NewFrame() and ImGui::Render() of
+// the current context, never calls gl and never changes the program: see EditorModel.h.
+// Wide screens: a column at the right. Below 600 CSS pixels: a sheet at the bottom of at most 45 %
+// of the height, so that the model stays in sight.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include <imgui.h>
+
+#include "editor/EditorModel.h"
+#include "editor/InputQueue.h"
+#include "editor/Theme.h"
+
+namespace fur::editor {
+
+class Editor {
+ public:
+  // Draws the panel; returns what the person asked for since the last frame. A held slider gives
+  // BeginChange, one SetSettings per frame in which it moved, and EndChange when it is let go.
+  std::vector<Command> frame(const EditorModel& model, const ThemeScale& scale);
+
+  // Whether a change has begun and not ended.
+  bool changing() const { return changing_; }
+  bool collapsed() const { return collapsed_; }
+  void setCollapsed(bool collapsed) { collapsed_ = collapsed; }
+
+  // The command of a key that means the same wherever the focus is (undo and redo).
+  static std::optional<Command> shortcut(std::string_view key, Modifiers modifiers);
+
+ private:
+  void place(const ThemeScale& scale);
+  void drawTitle(const EditorModel& model);
+  void drawMessages(const EditorModel& model);
+  void drawScene(const EditorModel& model);
+  void drawWater(const EditorModel& model);
+  void drawSettings(const EditorModel& model);
+  void drawStats(const EditorModel& model);
+  void scrollByFinger();
+  void emit(Command command) { commands_.push_back(std::move(command)); }
+
+  std::vector<Command> commands_;
+  char filter_[64] = "";
+  char path_[1024] = "";
+  bool collapsed_ = false;
+  bool changing_ = false;
+  bool touch_ = false;
+  // Heights of the scrolled part and of the messages above it, as of the last frame.
+  float contentHeight_ = 0, messagesHeight_ = 0;
+};
+
+}  // namespace fur::editor

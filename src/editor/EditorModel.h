@@ -1,0 +1,63 @@
+// What the panel shows, and what it asks for. The panel never changes anything itself: a model goes
+// in, commands come out, and the next model shows what became of them.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "settings/Settings.h"
+
+namespace fur::editor {
+
+enum class Tool { Droplet, Dry, None };
+
+// How a person can bring a file: through a dialog of the platform, or by typing its path.
+enum class FileAccess { Dialog, Path };
+
+struct Message {
+  std::string text;
+  bool isError = false;
+};
+
+struct EditorModel {
+  settings::Settings settings;
+  Tool tool = Tool::Droplet;
+  std::string modelName;
+  float meanWetness = 0;  // 0..1
+  bool canUndo = false, canRedo = false;
+  FileAccess fileAccess = FileAccess::Dialog;
+  std::span<const Message> messages;  // oldest first
+  int vertices = 0, triangles = 0, strands = 0, layers = 0, finEdges = 0;
+  std::size_t cpuBytes = 0, gpuBytes = 0;
+  std::span<const float> frameSeconds;  // the last frames, oldest first
+};
+
+namespace command {
+// Every SetSettings between these two belongs to one undo step.
+struct BeginChange {};
+struct EndChange {};
+struct SetSettings { settings::Settings settings; };
+struct SetTool { Tool tool; };
+struct SetWetness { float amount; };
+struct LoadPrimitive { std::string name; };  // "sphere", "torus", "plane"
+struct LoadBunny {};                         // the model that ships with the program
+struct OpenDialog {};
+struct OpenPath { std::string path; };
+struct ResetCamera {};
+struct Undo {};
+struct Redo {};
+struct CopyState {};   // settings and camera as text, to the clipboard
+struct PasteState {};  // and from it
+struct DismissMessage { std::size_t index; };
+}  // namespace command
+
+using Command =
+    std::variant<command::BeginChange, command::EndChange, command::SetSettings, command::SetTool,
+                 command::SetWetness, command::LoadPrimitive, command::LoadBunny, command::OpenDialog,
+                 command::OpenPath, command::ResetCamera, command::Undo, command::Redo, command::CopyState,
+                 command::PasteState, command::DismissMessage>;
+
+}  // namespace fur::editor

@@ -1,0 +1,223 @@
+#include "editor/FieldRows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include <imgui.h>
+
+#include "editor/Theme.h"
+#include "editor/Widgets.h"
+
+namespace fur::editor {
+
+using settings::Field;
+using settings::FieldType;
+using settings::Settings;
+
+namespace {
+
+// A slider cannot hit one of more than about this many whole numbers; such fields are dragged.
+constexpr double kMostSliderSteps = 1000;
+// From this ratio of its ends on, a range is shown logarithmically: its small values matter as much.
+constexpr double kLogarithmicRatio = 40;
+constexpr float kLabelShare = 0.42f;
+
+bool contains(std::string_view text, std::string_view part) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+  return std::search(text.begin(), text.end(), part.begin(), part.end(),
+                     [&](char a, char b) { return lower(a) == lower(b); }) != text.end();
+}
+
+void assign(Settings& settings, const Field& field, double value) {
+  Warnings clamped;  // what was typed past the range shows as the end of the range
+  settings::setField(settings, field, value, clamped);
+}
+
+bool isStandard(const Settings& settings, const Field& field) {
+  static const Settings standard;
+  return field.get(settings) == field.get(standard);
+}
+
+void reset(Settings& settings, const Field& field) { field.set(settings, field.get(Settings{})); }
+
+void resetGroup(Settings& settings, std::string_view group) {
+  for (const Field& field : settings::fields())
+    if (field.group == group) reset(settings, field);
+}
+
+// As printf formats: "%.2f /s". A percent sign in a unit would need doubling; none has one.
+std::string numberFormat(const Field& field, double range) {
+  const int decimals = range >= 90 ? 0 : range >= 10 ? 1 : range > 0.5 ? 2 : 3;
+  const std::string unit = field.unit;
+  return "%." + std::to_string(decimals) + "f" + (unit.empty() ? "" : unit.front() == '/' ? unit : ' ' + unit);
+}
+
+void editAngle(Settings& settings, const Field& field) {
+  constexpr double kDegrees = 180.0 / 3.14159265358979;
+  float degrees = static_cast<float>(field.get(settings) * kDegrees);
+  if (fillSlider("##value", degrees, static_cast<float>(field.low * kDegrees), static_cast<float>(field.high * kDegrees),
+                 "%.0f\xc2\xb0", false))
+    assign(settings, field, degrees / kDegrees);
+}
+
+void editFloat(Settings& settings, const Field& field) {
+  if (std::string_view(field.unit) == "rad") return editAngle(settings, field);
+  float value = static_cast<float>(field.get(settings));
+  const bool logarithmic = field.low > 0 && field.high / field.low >= kLogarithmicRatio;
+  if (fillSlider("##value", value, static_cast<float>(field.low), static_cast<float>(field.high),
+                 numberFormat(field, field.high - field.low).c_str(), logarithmic))
+    assign(settings, field, value);
+}
+
+void editInt(Settings& settings, const Field& field) {
+  int value = static_cast<int>(field.get(settings));
+  const int low = static_cast<int>(field.low), high = static_cast<int>(field.high);
+  const bool changed = field.high - field.low > kMostSliderSteps
+                           ? ImGui::DragInt("##value", &value, 0.2f, low, high, "%d", ImGuiSliderFlags_AlwaysClamp)
+                           : fillSlider("##value", value, low, high);
+  if (changed) assign(settings, field, value);
+}
+
+void editColor(Settings& settings, const Field& field) {
+  const auto rgb = static_cast<std::uint32_t>(field.get(settings));
+  float channels[3];
+  for (int i = 0; i < 3; ++i) channels[i] = static_cast<float>((rgb >> (16 - 8 * i)) & 255u) / 255.0f;
+  constexpr ImGuiColorEditFlags kFlags =
+      ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_InputRGB | ImGuiColorEditFlags_NoLabel | ImGuiColorEditFlags_NoOptions;
+  if (!ImGui::ColorEdit3("##value", channels, kFlags)) return;
+  std::uint32_t packed = 0;
+  for (const float channel : channels) packed = packed << 8u | static_cast<std::uint32_t>(channel * 255.0f + 0.5f);
+  assign(settings, field, packed);
+}
+
+void editChoice(Settings& settings, const Field& field) {
+  const int chosen = static_cast<int>(field.get(settings));
+  if (!ImGui::BeginCombo("##value", std::string(settings::optionName(field, chosen)).c_str())) return;
+  for (int index = 0; index <= static_cast<int>(field.high); ++index)
+    if (ImGui::Selectable(std::string(settings::optionName(field, index)).c_str(), index == chosen))
+      assign(settings, field, index);
+  ImGui::EndCombo();
+}
+
+void editValue(Settings& settings, const Field& field) {
+  switch (field.type) {
+    case FieldType::Float: return editFloat(settings, field);
+    case FieldType::Int: return editInt(settings, field);
+    case FieldType::Color: return editColor(settings, field);
+    case FieldType::Choice: return editChoice(settings, field);
+    case FieldType::Bool: {
+      bool on = field.get(settings) != 0;
+      if (ImGui::Checkbox("##value", &on)) assign(settings, field, on);
+    }
+  }
+}
+
+void rowTooltip(const Field& field) {
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(px(280));
+  ImGui::TextUnformatted(field.tooltip);
+  if (field.type == FieldType::Float || field.type == FieldType::Int)
+    ImGui::TextDisabled("%g to %g%s%s, default %s. Ctrl+click to type.", field.low, field.high, *field.unit ? " " : "",
+                        field.unit, settings::fieldText(Settings{}, field).c_str());
+  ImGui::TextDisabled("%s", field.name);
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+void rowMenu(Settings& settings, const Field& field) {
+  if (!ImGui::BeginPopup("menu")) return;
+  const std::string standard = settings::fieldText(Settings{}, field);
+  if (ImGui::MenuItem(("Reset to " + standard).c_str(), nullptr, false, !isStandard(settings, field)))
+    reset(settings, field);
+  if (ImGui::MenuItem((std::string("Reset all of ") + field.group).c_str())) resetGroup(settings, field.group);
+  ImGui::EndPopup();
+}
+
+void drawRow(Settings& settings, const Field& field, bool tooltips) {
+  ImGui::PushID(field.name);
+  const float width = ImGui::GetContentRegionAvail().x, left = ImGui::GetCursorPosX();
+  const float icon = px(18);
+  ImGui::AlignTextToFramePadding();
+  ImGui::PushStyleColor(ImGuiCol_Text, isStandard(settings, field) ? color::kDim : color::kText);
+  ImGui::TextUnformatted(field.label);
+  ImGui::PopStyleColor();
+  const bool onLabel = ImGui::IsItemHovered();
+  ImGui::SameLine(left + width * kLabelShare);
+  ImGui::SetNextItemWidth(width * (1 - kLabelShare) - icon - px(2));
+  ImGui::BeginGroup();
+  editValue(settings, field);
+  ImGui::EndGroup();
+  if ((onLabel || ImGui::IsItemHovered()) && ImGui::IsMouseReleased(ImGuiMouseButton_Right)) ImGui::OpenPopup("menu");
+  if (onLabel && tooltips) rowTooltip(field);
+  rowMenu(settings, field);
+  if (!isStandard(settings, field)) {
+    ImGui::SameLine(left + width - icon);
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + (ImGui::GetFrameHeight() - icon) * 0.5f);
+    const std::string hint = "Reset to " + settings::fieldText(Settings{}, field);
+    if (iconButton("##reset", Icon::Reset, tooltips ? hint.c_str() : "", true, icon)) reset(settings, field);
+  }
+  ImGui::PopID();
+}
+
+void drawLightPad(Settings& settings) {
+  const Field &yaw = *settings::findField("lightYaw"), &pitch = *settings::findField("lightPitch");
+  const float diameter = px(92);
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + (ImGui::GetContentRegionAvail().x - diameter) * 0.5f);
+  float yawValue = settings.lightYaw, pitchValue = settings.lightPitch;
+  if (lightPad("##lightPad", yawValue, pitchValue, static_cast<float>(pitch.low), static_cast<float>(pitch.high), diameter)) {
+    assign(settings, yaw, yawValue);
+    assign(settings, pitch, pitchValue);
+  }
+  ImGui::Dummy(ImVec2(0, px(2)));
+}
+
+// The header; returns whether the group is open.
+bool drawHeader(Settings& settings, std::string_view group, bool forceOpen) {
+  const std::string name(group);
+  if (forceOpen) ImGui::SetNextItemOpen(true);
+  else ImGui::SetNextItemOpen(group == "Fur" || group == "Water", ImGuiCond_FirstUseEver);
+  const bool open =
+      ImGui::CollapsingHeader((name + (forceOpen ? "##filtered" : "")).c_str(), ImGuiTreeNodeFlags_AllowItemOverlap);
+  const auto& all = settings::fields();
+  const bool changed = std::any_of(all.begin(), all.end(), [&](const Field& field) {
+    return field.group == group && !isStandard(settings, field);
+  });
+  if (changed) {
+    const float icon = px(18);
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - icon);
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + (ImGui::GetFrameHeight() - icon) * 0.5f);
+    if (iconButton(("##reset" + name).c_str(), Icon::Reset, "", true, icon)) resetGroup(settings, group);
+  }
+  return open;
+}
+
+}  // namespace
+
+std::vector<std::string_view> fieldGroups() {
+  std::vector<std::string_view> groups;
+  for (const Field& field : settings::fields())
+    if (std::find(groups.begin(), groups.end(), field.group) == groups.end()) groups.push_back(field.group);
+  return groups;
+}
+
+bool matchesFilter(const Field& field, std::string_view filter) {
+  return filter.empty() || contains(field.label, filter) || contains(field.name, filter) || contains(field.group, filter);
+}
+
+int drawFields(Settings& settings, std::string_view filter, bool tooltips) {
+  int shown = 0;
+  for (const std::string_view group : fieldGroups()) {
+    const auto rows = [&](const Field& field) { return field.group == group && matchesFilter(field, filter); };
+    const auto count = std::count_if(settings::fields().begin(), settings::fields().end(), rows);
+    shown += static_cast<int>(count);
+    if (count == 0 || !drawHeader(settings, group, !filter.empty())) continue;
+    if (group == "Light" && filter.empty()) drawLightPad(settings);
+    for (const Field& field : settings::fields())
+      if (rows(field)) drawRow(settings, field, tooltips);
+    ImGui::Dummy(ImVec2(0, px(4)));
+  }
+  return shown;
+}
+
+}  // namespace fur::editor

@@ -1,0 +1,23 @@
+// The settings table as rows of widgets: a header per group, a row per field. Nothing here knows
+// a field by name except the light's direction, which can also be dragged.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "settings/Settings.h"
+
+namespace fur::editor {
+
+// The groups in the order of their first field.
+std::vector<std::string_view> fieldGroups();
+
+// Whether label, name or group contains `filter`, ignoring case. An empty filter matches all.
+bool matchesFilter(const settings::Field& field, std::string_view filter);
+
+// Draws every group that has a match into the current window and applies what the person does to
+// `settings`. Returns how many rows were drawn or would be in an open group.
+int drawFields(settings::Settings& settings, std::string_view filter, bool tooltips);
+
+}  // namespace fur::editor

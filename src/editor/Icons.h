@@ -1,0 +1,13 @@
+// Small line drawings for buttons, so that no icon font is needed.
+#pragma once
+
+#include <imgui.h>
+
+namespace fur::editor {
+
+enum class Icon { Undo, Redo, Reset, Camera, Collapse, Expand, Close, Droplet, Dry, Orbit };
+
+// Fits the square of side `size` around `center`.
+void drawIcon(ImDrawList& list, Icon icon, ImVec2 center, float size, ImU32 color);
+
+}  // namespace fur::editor

@@ -1,0 +1,161 @@
+#include "editor/Widgets.h"
+
+#include <cmath>
+
+#include "core/Math.h"
+#include "editor/Theme.h"
+
+namespace fur::editor {
+
+namespace {
+
+ImU32 frameColor(bool hovered, bool active) {
+  return ImGui::GetColorU32(active    ? ImGuiCol_FrameBgActive
+                            : hovered ? ImGuiCol_FrameBgHovered
+                                      : ImGuiCol_FrameBg);
+}
+
+// Draws the bar behind a slider that is about to be placed at the cursor, and makes the slider's
+// own frame and grab invisible. endBar() takes that back.
+void beginBar(float fraction) {
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const ImVec2 to(from.x + ImGui::CalcItemWidth(), from.y + ImGui::GetFrameHeight());
+  const bool hovered = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(from, to);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float rounding = ImGui::GetStyle().FrameRounding;
+  list.AddRectFilled(from, to, frameColor(hovered, hovered && ImGui::IsMouseDown(0)), rounding);
+  const float filled = from.x + (to.x - from.x) * saturate(fraction);
+  if (filled > from.x) {
+    // Clipped instead of shortened: the left corners stay round at small values.
+    list.PushClipRect(from, ImVec2(filled, to.y), true);
+    list.AddRectFilled(from, to, color::kFill, rounding);
+    list.PopClipRect();
+  }
+  for (const ImGuiCol slot : {ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive, ImGuiCol_SliderGrab,
+                              ImGuiCol_SliderGrabActive})
+    ImGui::PushStyleColor(slot, IM_COL32_BLACK_TRANS);
+  // A thin grab, so that the end of the bar is where the pointer is.
+  ImGui::PushStyleVar(ImGuiStyleVar_GrabMinSize, 2.0f);
+}
+
+void endBar() {
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor(5);
+}
+
+bool segmentButton(const Segment& segment, const Icon* icon, float width) {
+  if (segment.chosen) {
+    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::ColorConvertU32ToFloat4(color::kFill));
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ImGui::ColorConvertU32ToFloat4(color::kFill));
+  }
+  const char* shownLabel = icon ? "##segment" : segment.label;
+  const bool pressed = ImGui::Button(shownLabel, ImVec2(width, ImGui::GetFrameHeight() + (icon ? px(4) : 0)));
+  if (segment.chosen) ImGui::PopStyleColor(2);
+  if (icon) {
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    const float side = px(15), gap = px(7), text = ImGui::CalcTextSize(segment.label).x;
+    const float left = (low.x + high.x - side - gap - text) * 0.5f, middle = (low.y + high.y) * 0.5f;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    drawIcon(list, *icon, ImVec2(left + side * 0.5f, middle), side, ImGui::GetColorU32(ImGuiCol_Text));
+    list.AddText(ImVec2(left + side + gap, middle - ImGui::GetFontSize() * 0.5f), ImGui::GetColorU32(ImGuiCol_Text),
+                 segment.label);
+  }
+  return pressed;
+}
+
+int segmentRow(const char* id, std::initializer_list<Segment> choices, const Icon* icons) {
+  ImGui::PushID(id);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(3), ImGui::GetStyle().ItemSpacing.y));
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, ImGui::GetStyle().FramePadding.y));
+  const float count = static_cast<float>(choices.size());
+  const float width = std::floor((ImGui::GetContentRegionAvail().x - px(3) * (count - 1)) / count);
+  int pressed = -1, index = 0;
+  for (const Segment& segment : choices) {
+    if (index > 0) ImGui::SameLine();
+    ImGui::PushID(index);
+    if (segmentButton(segment, icons ? icons + index : nullptr, width)) pressed = index;
+    ImGui::PopID();
+    ++index;
+  }
+  ImGui::PopStyleVar(2);
+  ImGui::PopID();
+  return pressed;
+}
+
+}  // namespace
+
+bool iconButton(const char* id, Icon icon, const char* tooltip, bool enabled, float side) {
+  if (side <= 0) side = ImGui::GetFrameHeight();
+  ImGui::BeginDisabled(!enabled);
+  const bool pressed = ImGui::InvisibleButton(id, ImVec2(side, side));
+  const bool hovered = ImGui::IsItemHovered(), active = ImGui::IsItemActive();
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (hovered) list.AddRectFilled(low, high, frameColor(true, active), ImGui::GetStyle().FrameRounding);
+  drawIcon(list, icon, ImVec2((low.x + high.x) * 0.5f, (low.y + high.y) * 0.5f), std::fmin(side * 0.6f, px(14)),
+           ImGui::GetColorU32(hovered ? color::kText : color::kDim));
+  ImGui::EndDisabled();
+  if (hovered && !active && *tooltip) ImGui::SetTooltip("%s", tooltip);
+  return pressed;
+}
+
+int segments(const char* id, std::initializer_list<Segment> choices) { return segmentRow(id, choices, nullptr); }
+
+int iconSegments(const char* id, std::initializer_list<Segment> choices, std::initializer_list<Icon> icons) {
+  return segmentRow(id, choices, icons.begin());
+}
+
+bool fillSlider(const char* id, float& value, float low, float high, const char* format, bool logarithmic) {
+  const float fraction =
+      logarithmic ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
+  beginBar(fraction);
+  const bool changed =
+      ImGui::SliderFloat(id, &value, low, high, format, logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+  endBar();
+  return changed;
+}
+
+bool fillSlider(const char* id, int& value, int low, int high) {
+  beginBar(static_cast<float>(value - low) / static_cast<float>(high - low));
+  const bool changed = ImGui::SliderInt(id, &value, low, high);
+  endBar();
+  return changed;
+}
+
+bool lightPad(const char* id, float& yaw, float& pitch, float lowestPitch, float highestPitch, float diameter) {
+  ImGui::InvisibleButton(id, ImVec2(diameter, diameter));
+  const bool active = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
+  const ImVec2 low = ImGui::GetItemRectMin();
+  const float radius = diameter * 0.5f;
+  const Vec2 center(low.x + radius, low.y + radius);
+
+  bool changed = false;
+  if (active) {
+    const Vec2 offset = (Vec2(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y) - center) / radius;
+    const float distance = glm::min(glm::length(offset), 1.0f);
+    const float newPitch = glm::clamp(std::acos(distance), lowestPitch, highestPitch);
+    // Overhead there is no direction: the old one stays.
+    const float newYaw = distance > 0.02f ? std::atan2(offset.x, offset.y) : yaw;
+    changed = newYaw != yaw || newPitch != pitch;
+    yaw = newYaw;
+    pitch = newPitch;
+  }
+
+  const Vec2 light = Vec2(std::sin(yaw), std::cos(yaw)) * std::cos(pitch) * radius;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  // A ball lit from there: circles that shrink and brighten towards the highlight.
+  constexpr int kRings = 14;
+  for (int ring = 0; ring < kRings; ++ring) {
+    const float t = static_cast<float>(ring) / kRings;
+    const Vec2 middle = center + light * (0.55f * t);
+    const int grey = 38 + static_cast<int>(150 * t * t);
+    list.AddCircleFilled(ImVec2(middle.x, middle.y), radius * (1 - 0.94f * t), IM_COL32(grey, grey + 3, grey + 8, 255), 48);
+  }
+  list.AddCircle(ImVec2(center.x, center.y), radius, IM_COL32(255, 255, 255, hovered || active ? 110 : 50), 48, px(1));
+  const Vec2 dot = center + light * 0.93f;
+  list.AddCircleFilled(ImVec2(dot.x, dot.y), px(active ? 6 : 5), IM_COL32(255, 226, 150, 255), 20);
+  list.AddCircle(ImVec2(dot.x, dot.y), px(active ? 6 : 5), IM_COL32(30, 26, 18, 200), 20, px(1));
+  return changed;
+}
+
+}  // namespace fur::editor

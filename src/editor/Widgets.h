@@ -1,0 +1,32 @@
+// The few widgets that Dear ImGui lacks, in the panel's style. Each is an ordinary ImGui item of
+// the current window: IsItemActive() and the like work on it.
+#pragma once
+
+#include <initializer_list>
+
+#include <imgui.h>
+
+#include "editor/Icons.h"
+
+namespace fur::editor {
+
+// A square button with a drawing. Disabled: dim and deaf.
+bool iconButton(const char* id, Icon icon, const char* tooltip, bool enabled = true, float side = 0);
+
+struct Segment {
+  const char* label;
+  bool chosen;
+};
+// Buttons side by side over the full width, one of them lit. Returns which was pressed, or -1.
+int segments(const char* id, std::initializer_list<Segment> choices);
+int iconSegments(const char* id, std::initializer_list<Segment> choices, std::initializer_list<Icon> icons);
+
+// A bar that fills with the value; drag, or Ctrl+click (or double click) to type. Logarithmic:
+// equal steps multiply, for ranges over several powers (low must be above 0).
+bool fillSlider(const char* id, float& value, float low, float high, const char* format, bool logarithmic);
+bool fillSlider(const char* id, int& value, int low, int high);
+
+// A hemisphere seen from above: the middle is overhead, the rim the horizon, +z points down.
+bool lightPad(const char* id, float& yaw, float& pitch, float lowestPitch, float highestPitch, float diameter);
+
+}  // namespace fur::editor
