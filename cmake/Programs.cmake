@@ -21,6 +21,18 @@ function(fur_program target)
   endif()
 endfunction()
 
+# A wasm program for Node. CommonJS, because Emscripten 3.1.6 cannot make an ES module for Node; the tree's
+# package.json says otherwise, so their folder has its own.
+function(fur_node_program target)
+  if(TARGET ${target})
+    set(folder "${CMAKE_BINARY_DIR}/node")
+    file(WRITE "${folder}/package.json" "{ \"type\": \"commonjs\" }\n")
+    set_target_properties(${target} PROPERTIES SUFFIX ".js" RUNTIME_OUTPUT_DIRECTORY "${folder}")
+    target_link_options(${target} PRIVATE -sENVIRONMENT=node -sALLOW_MEMORY_GROWTH=1 -sTOTAL_STACK=1MB
+      -sEXIT_RUNTIME=1 ${ARGN})
+  endif()
+endfunction()
+
 # The wasm programs: modules for the browser that can also be imported, and with a given wasmBinary
 # instantiated, in Node; no eval, no file system.
 function(fur_web_program target)
@@ -38,11 +50,13 @@ function(fur_web_program target)
     --no-entry)
 endfunction()
 
+# Makes the models that are shipped. Built for both targets, so that the web app alone needs no native compiler.
+fur_program(wet-fur-make-assets SOURCES tools/assets/*.cpp LINK fur_scene)
 if(EMSCRIPTEN)
+  fur_node_program(wet-fur-make-assets -sNODERAWFS=1)
   fur_web_program(wet-fur SOURCES web/*.cpp LINK fur_app)
   fur_web_program(wet-fur-editor SOURCES web/*.cpp web/editor/*.cpp LINK fur_app_editor)
 else()
   fur_program(wet-fur-render SOURCES native/*.cpp native/headless/*.cpp LINK fur_app third_party_egl)
   fur_program(wet-fur SOURCES native/*.cpp native/window/*.cpp LINK fur_app_editor imgui_glfw third_party_glfw)
-  fur_program(wet-fur-make-assets SOURCES tools/assets/*.cpp LINK fur_scene)
 endif()

@@ -40,13 +40,7 @@ if(FUR_CPU_TESTS)
   target_include_directories(wet-fur-tests PRIVATE "${CMAKE_SOURCE_DIR}")
   target_link_libraries(wet-fur-tests PRIVATE ${FUR_PURE_MODULES} fur_options fur_gtest)
   if(EMSCRIPTEN)
-    # CommonJS, because Emscripten 3.1.6 cannot make an ES module for Node; the tree's package.json says
-    # otherwise, so the folder has its own.
-    set(test_folder "${CMAKE_BINARY_DIR}/node-tests")
-    file(WRITE "${test_folder}/package.json" "{ \"type\": \"commonjs\" }\n")
-    set_target_properties(wet-fur-tests PROPERTIES SUFFIX ".js" RUNTIME_OUTPUT_DIRECTORY "${test_folder}")
-    target_link_options(wet-fur-tests PRIVATE -sENVIRONMENT=node -sALLOW_MEMORY_GROWTH=1 -sTOTAL_STACK=1MB
-      -sEXIT_RUNTIME=1)
+    fur_node_program(wet-fur-tests)
   endif()
 endif()
 

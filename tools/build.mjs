@@ -1,0 +1,26 @@
+// npm run build: dist/, with all set-up that takes.
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { build, buildFolder } from './cmake.mjs';
+import { makeAssets } from './makeAssets.mjs';
+import { command, root, say } from './process.mjs';
+import { needs, setUp } from './setup.mjs';
+import { assemble, dist } from './site.mjs';
+
+/** Where the programs, native and web, look for the models that are shipped. */
+export const models = join(root, 'build/models');
+
+/** Brings dist/ up to date. */
+export function buildSite() {
+  setUp({ packages: [needs.web], npm: true, imgui: true });
+  build('web-release', ['wet-fur-make-assets', 'wet-fur', 'wet-fur-editor']);
+  makeAssets(join(buildFolder('web-release'), 'node/wet-fur-make-assets.js'), models);
+  assemble();
+}
+
+if (import.meta.url === pathToFileURL(process.argv[1]).href) {
+  await command(() => {
+    buildSite();
+    say(`done: ${dist}`);
+  });
+}

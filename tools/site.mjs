@@ -1,0 +1,71 @@
+// dist/: the npm package and the static site in one folder, from what has been built.
+import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, renameSync, rmSync, writeFileSync } from 'node:fs';
+import { basename, extname, join } from 'node:path';
+import { buildFolder } from './cmake.mjs';
+import { notices } from './notices.mjs';
+import { Stop, root } from './process.mjs';
+
+export const dist = join(root, 'dist');
+
+const programs = ['wet-fur.mjs', 'wet-fur.wasm', 'wet-fur-editor.mjs', 'wet-fur-editor.wasm'];
+const notForSite = new Set(['.cpp', '.h', '.md']);
+
+// What a bundler and Node may ask for, by the names of the public surface. Typings lie in types/.
+const entries = {
+  '.': ['index.js', 'types/index.d.ts'],
+  './element': ['element.js', 'types/element.d.ts'],
+  './editor': ['editor.js', 'types/editor.d.ts'],
+  './core': ['core.js', 'types/core.d.ts'],
+};
+
+function manifest() {
+  const { version, license } = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'));
+  const exported = Object.fromEntries(Object.entries(entries).map(([name, [script, types]]) =>
+    [name, { types: `./${types}`, default: `./${script}` }]));
+  return {
+    name: 'wet-fur',
+    version,
+    description: 'Real-time fur that gets wet: an element, a function and a core for the browser (WebAssembly, WebGL2)',
+    license,
+    type: 'module',
+    main: './index.js',
+    types: './types/index.d.ts',
+    exports: {
+      ...exported,
+      './wet-fur.wasm': './wet-fur.wasm',
+      './models/*': './models/*',
+      './types': { types: './types/index.d.ts' },
+      './package.json': './package.json',
+    },
+    sideEffects: ['./element.js', './editor.js'],
+  };
+}
+
+/** Every file that the package's manifest names and that `folder` lacks. */
+export function missingFiles(folder) {
+  const named = [...programs, ...Object.values(entries).flat(), 'index.html', 'embed.html', 'models/bunny.glb'];
+  return named.filter((name) => !existsSync(join(folder, name)));
+}
+
+/** Puts dist/ together anew; the old one stays until the new one is whole. */
+export function assemble() {
+  const next = join(root, 'build/dist.part');
+  rmSync(next, { recursive: true, force: true });
+  mkdirSync(next, { recursive: true });
+  cpSync(join(root, 'web'), next, { recursive: true, filter: (path) => !notForSite.has(extname(path)) });
+  for (const entry of readdirSync(next, { withFileTypes: true })) {
+    if (entry.isDirectory() && readdirSync(join(next, entry.name)).length === 0) rmSync(join(next, entry.name), { recursive: true });
+  }
+  for (const name of programs) cpSync(join(buildFolder('web-release'), 'web', name), join(next, name));
+  cpSync(join(root, 'build/models'), join(next, 'models'), { recursive: true });
+  for (const folder of existsSync(join(root, 'assets')) ? readdirSync(join(root, 'assets')) : []) {
+    cpSync(join(root, 'assets', folder), join(next, basename(folder)), { recursive: true });
+  }
+  for (const name of ['LICENSE', 'README.md', 'CHANGELOG.md']) cpSync(join(root, name), join(next, name));
+  writeFileSync(join(next, 'THIRD-PARTY-NOTICES.txt'), notices());
+  writeFileSync(join(next, 'package.json'), `${JSON.stringify(manifest(), null, 2)}\n`);
+  const missing = missingFiles(next);
+  if (missing.length > 0) throw new Stop(`dist/ would lack ${missing.join(', ')}`);
+  rmSync(dist, { recursive: true, force: true });
+  renameSync(next, dist);
+}
