@@ -3,7 +3,7 @@
 import { existsSync, readFileSync, realpathSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { Stop, root } from './process.mjs';
-import { activeEmcc, imguiFolder } from './setup.mjs';
+import { activeEmcc, editorFont, imguiFolder } from './setup.mjs';
 
 /**
  * From a Debian copyright file (DEP 5): the stanza whose Files field names `files` exactly among its
@@ -64,6 +64,7 @@ export function notices() {
     ['libc++, libc++abi, libunwind, compiler-rt (LLVM)', firstOf(file(join(system, 'libcxx/LICENSE.TXT')), debian('emscripten', 'system/lib/libcxx/*'))],
     ['Stanford bunny (models/bunny.glb)', bunnyNotice()],
   ];
+  if (existsSync(editorFont)) parts.push(['Karla (font of the editor)', firstOf(debian('fonts-karla'))]);
   const missing = parts.filter(([, text]) => !text).map(([name]) => name);
   if (missing.length > 0) throw new Stop(`no licence text found on this machine for: ${missing.join('; ')}`);
   const rule = '='.repeat(78);

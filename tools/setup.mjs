@@ -16,6 +16,9 @@ function libraryFolders() {
   return folders;
 }
 
+/** The font that cmake/EditorFont.cmake puts into the editor. */
+export const editorFont = '/usr/share/fonts/truetype/karla/Karla-Regular.otf';
+
 const program = (...names) => () => names.some((name) => which(name));
 const header = (name) => () => headerFolders.some((folder) => folder && existsSync(join(folder, name)));
 const library = (...names) => () => libraryFolders().some((folder) => names.some((name) => existsSync(join(folder, name))));
@@ -39,6 +42,8 @@ const probes = {
   'libgl1-mesa-dri': library('dri/swrast_dri.so', 'dri/libdril_dri.so'),
   'libgtest-dev': header('gtest/gtest.h'),
   'googletest': () => existsSync('/usr/src/googletest/googletest/src/gtest-all.cc'),
+  // Optional: elsewhere the editor does with Dear ImGui's own font.
+  'fonts-karla': () => existsSync(editorFont) || !which('apt-get'),
   'chromium': () => Boolean(chromiumPath()),
 };
 
@@ -48,8 +53,8 @@ const gles = ['libegl-dev', 'libgles-dev', 'libegl-mesa0', 'libgl1-mesa-dri'];
 
 /** What each kind of work needs; a command adds up the ones it does. */
 export const needs = {
-  web: ['cmake', 'ninja-build', 'emscripten', ...headers],
-  native: [...native, 'libegl-dev', 'libgles-dev', 'libglfw3-dev'],
+  web: ['cmake', 'ninja-build', 'emscripten', 'fonts-karla', ...headers],
+  native: [...native, 'libegl-dev', 'libgles-dev', 'libglfw3-dev', 'fonts-karla'],
   headless: [...native, ...gles],
   nativeTests: [...native, ...gles, 'libgtest-dev'],
   wasmTests: ['googletest'],
