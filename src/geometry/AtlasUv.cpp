@@ -11,6 +11,9 @@ namespace {
 
 constexpr float kTolerance = 0.1f / 1024.0f;
 
+// As in Charts.cpp: uv that take more than this are not worth keeping.
+constexpr std::size_t kComparisonsPerTriangle = 100;
+
 bool sameUvAcross(const Mesh& mesh, const std::vector<std::uint32_t>& indices, std::uint32_t from, std::size_t side,
                   std::uint32_t to) {
   const std::uint32_t a = indices[3 * from + side], b = indices[3 * from + (side + 1) % 3];
@@ -46,6 +49,7 @@ bool isUniqueAtlas(const Mesh& mesh, const std::vector<std::uint32_t>& indices) 
   TriangleGrid grid(low, high, indices.size() / 3, kTolerance);
   for (std::size_t i = 0; i < indices.size(); i += 3) {
     if (!grid.tryAdd({mesh.uv[indices[i]], mesh.uv[indices[i + 1]], mesh.uv[indices[i + 2]]})) return false;
+    if (grid.comparisons() > kComparisonsPerTriangle * (indices.size() / 3 + 1000)) return false;
   }
   return true;
 }

@@ -23,6 +23,10 @@ constexpr float kScrapFlatLimit = 0.05f;
 constexpr float kScrapArea = 0.002f;
 constexpr int kRelaxations = 4;
 
+// Pairs of triangles that may be compared, for each triangle. A few dozen is usual; a fan of many
+// thousands round one vertex would take all pairs, and ends as single triangles instead.
+constexpr std::size_t kComparisonsPerTriangle = 100;
+
 // Rounding of coordinates of size 1 or less, times four.
 constexpr float kTouching = 5e-7f;
 
@@ -226,9 +230,13 @@ class ChartMaker {
     for (std::uint32_t group = 0; group < pending.size(); ++group) {
       // Triangles are in growth order, from the middle outwards; what is refused starts over.
       std::vector<std::uint32_t> rest = pending[group].triangles;
-      while (!rest.empty()) {
+      while (!rest.empty() && !overBudget()) {
         growFlat(rest, group, groupOf);
         std::erase_if(rest, [&](std::uint32_t t) { return regionOf_[t] != kNone; });
+      }
+      for (const std::uint32_t t : rest) {
+        regions_.push_back({normals_[t], 0.0f, {}});
+        take(t, static_cast<std::uint32_t>(regions_.size() - 1));
       }
     }
   }
@@ -241,10 +249,11 @@ class ChartMaker {
     const auto region = static_cast<std::uint32_t>(regions_.size());
     regions_.push_back({axis, 0.0f, {}});
     std::vector<std::uint32_t> queue{rest[0]};
-    std::vector<std::uint32_t> refused;
-    for (std::size_t i = 0; i < queue.size(); ++i) {
+    const std::size_t before = comparisons_;
+    for (std::size_t i = 0; i < queue.size() && !overBudget(); ++i) {
       const std::uint32_t t = queue[i];
       if (regionOf_[t] != kNone) continue;
+      comparisons_ = before + grid.comparisons();
       if (glm::dot(normals_[t], axis) < kFlatLimit || !grid.tryAdd(flat(t, frame))) continue;
       take(t, region);
       for (std::size_t k = 0; k < 3; ++k) {
@@ -254,9 +263,11 @@ class ChartMaker {
     }
   }
 
+  bool overBudget() const { return comparisons_ > kComparisonsPerTriangle * (areas_.size() + 1000); }
+
   // Joins neighbours whose union lies flat, the longest common borders first.
   void joinRegions() {
-    for (bool joined = true; joined;) {
+    for (bool joined = true; joined && !overBudget();) {
       joined = false;
       for (const auto& [length, a, b] : commonBorders()) {
         if (regions_[a].triangles.empty() || regions_[b].triangles.empty()) continue;
@@ -300,7 +311,10 @@ class ChartMaker {
     const Frame frame(axis);
     TriangleGrid grid = gridFor(both, frame);
     for (const std::uint32_t t : both) {
-      if (!grid.tryAdd(flat(t, frame))) return false;
+      const std::size_t before = grid.comparisons();
+      const bool free = grid.tryAdd(flat(t, frame));
+      comparisons_ += grid.comparisons() - before;
+      if (!free || overBudget()) return false;
     }
     for (const std::uint32_t t : regions_[b].triangles) regionOf_[t] = a;
     regions_[a] = {axis, regions_[a].area + regions_[b].area, std::move(both)};
@@ -330,6 +344,7 @@ class ChartMaker {
   std::vector<Vec3> normals_, smooth_;
   std::vector<float> areas_;
   double totalArea_ = 0.0;
+  std::size_t comparisons_ = 0;
   std::vector<std::uint32_t> regionOf_;
   std::vector<Region> regions_;
 };
