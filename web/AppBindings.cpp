@@ -91,7 +91,7 @@ FUR_EXPORT const char* fur_takeWarnings(App* app) {
 
 // --- water ---
 
-// 0 droplet, 1 dry, 2 none, as app::Tool
+// 0 droplet, 1 dry, 2 grab, 3 none, as app::Tool
 FUR_EXPORT void fur_setTool(App* app, int tool) { app->setTool(static_cast<app::Tool>(tool)); }
 FUR_EXPORT int fur_getTool(App* app) { return static_cast<int>(app->tool()); }
 FUR_EXPORT void fur_splashAt(App* app, float u, float v, float radius, float amount) {
@@ -156,10 +156,7 @@ FUR_EXPORT int fur_tick(App* app, float seconds) {
 FUR_EXPORT int fur_active(App* app) { return app->active() ? 1 : 0; }
 FUR_EXPORT void fur_setReducedMotion(App* app, int reduced) { app->setReducedMotion(reduced != 0); }
 FUR_EXPORT int fur_draw(App* app) {
-  return guarded([&] {
-    app->draw();
-    return 1;
-  });
+  return guarded([&] { return web::report(app->draw()); });
 }
 FUR_EXPORT void fur_invalidate(App* app) { app->invalidate(); }
 // vertices, triangles, strands, layers, finEdges, cpuBytes, gpuBytes, uploadedBytes, framesDrawn

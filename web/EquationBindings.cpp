@@ -1,10 +1,25 @@
 // The formula sheet with plain numbers in and out: the same functions that the program runs.
 #include "Boundary.h"
 #include "dynamics/BendField.h"
+#include "furgen/Strand.h"
 #include "hair/StrandShading.h"
+#include "wet/Clump.h"
 
 using namespace fur;
 
+FUR_EXPORT double fur_eqClumpProfile(float h, float w, float layers) { return wet::clumpProfile(h, w, layers); }
+FUR_EXPORT double fur_eqClumpShift(float h, float w, float layers, float rho) {
+  return wet::clumpShift(h, w, layers, rho);
+}
+FUR_EXPORT double fur_eqWetSpecularExponent(float p, float rho, float sigmaSpec) {
+  return wet::wetSpecularExponent(p, rho, sigmaSpec);
+}
+FUR_EXPORT double fur_eqOcclusionFactor(float h, float sigmaOcc) { return wet::occlusionFactor(h, sigmaOcc); }
+FUR_EXPORT double fur_eqWetDarkening(float rho, float sigmaWet) { return wet::wetDarkening(rho, sigmaWet); }
+FUR_EXPORT double fur_eqStrandThinning(float s) { return furgen::strandThinning(s); }
+FUR_EXPORT int fur_eqStrandExists(float h, float presence, float dominance) {
+  return furgen::strandExists(h, presence, dominance) ? 1 : 0;
+}
 FUR_EXPORT const double* fur_eqArcBend(float theta, float t) {
   const Vec2 bend = dynamics::arcBend(theta, t);
   return web::numbers({bend.x, bend.y});

@@ -114,11 +114,18 @@ function equationsOf(program) {
   const truth = (name) => (...args) => program.call(name, ...args.flat()) !== 0;
   const pair = (name) => (...args) => program.numbers(program.call(name, ...args), 2);
   return Object.freeze({
+    clumpProfile: number('fur_eqClumpProfile'),
+    clumpShift: number('fur_eqClumpShift'),
+    wetSpecularExponent: number('fur_eqWetSpecularExponent'),
+    occlusionFactor: number('fur_eqOcclusionFactor'),
+    wetDarkening: number('fur_eqWetDarkening'),
+    strandThinning: number('fur_eqStrandThinning'),
+    strandExists: truth('fur_eqStrandExists'),
+    furShadow: number('fur_eqFurShadow'),
     windBend: pair('fur_eqWindBend'),
     arcBend: pair('fur_eqArcBend'),
     kajiyaDiffuse: number('fur_eqKajiyaDiffuse'),
     kajiyaSpecular: number('fur_eqKajiyaSpecular'),
-    furShadow: number('fur_eqFurShadow'),
   });
 }
 

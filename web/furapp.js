@@ -1,6 +1,6 @@
 // app/App.h as JavaScript methods: one handle in one Program. Positions are pixels of the drawing buffer.
 
-const tools = ['droplet', 'dry', 'none'];
+const tools = ['droplet', 'dry', 'grab', 'none'];
 const phases = ['down', 'move', 'up', 'cancel'];
 const pointerKinds = ['mouse', 'touch', 'pen'];
 const statNames = [

@@ -3,29 +3,11 @@ import { asFurError, FurError } from './errors.js';
 import { FurApp } from './furapp.js';
 import { Input } from './input.js';
 import { fetchModel, loadInto, provideModelImage, readModel } from './models.js';
+import { clampDt, choices, optionDefaults, optionValue, qualities, settingsObject } from './options.js';
 import { orbitText, parseOrbit } from './orbit.js';
+import { Progress } from './progress.js';
 import { instantiateProgram } from './runtime.js';
 import { resetContext, Screen } from './screen.js';
-
-/** What `quality` stands for: the settings' own layers when none are given. */
-const qualities = {
-  auto: { maxPixelRatio: 2, antialias: true },
-  low: { maxPixelRatio: 1, antialias: false, layers: 16 },
-  medium: { maxPixelRatio: 1.5, antialias: true, layers: 24 },
-  high: { maxPixelRatio: 3, antialias: true, layers: 48 },
-};
-const choices = {
-  tool: ['droplet', 'dry', 'none'],
-  wheel: ['page', 'focus', 'zoom'],
-  motion: ['auto', 'full', 'reduced'],
-  quality: Object.keys(qualities),
-};
-const optionDefaults = {
-  tool: 'none', cameraControls: false, cameraOrbit: '', quality: 'auto', background: '', fixedDt: 0, paused: false,
-  wheel: 'focus', touchAction: '', motion: 'auto', editor: false,
-};
-/** The names that options have beside those of the settings table. */
-export const optionNames = Object.freeze(Object.keys(optionDefaults));
 
 const maxFrameSeconds = 0.1;
 const maxWarnings = 100;
@@ -55,11 +37,14 @@ export class WetFur extends EventTarget {
   #wantedSettings = new Map();
   #src = '';
   #turn = 0;
+  #loading = new Progress();
+  #starting = null;
+  #wantedState = null;
+  #switching = Promise.resolve();
   #abort = null;
   #ready;
   #frame = 0;
   #lastTime = null;
-  #pendingDraw = false;
   #panelFramesLeft = 0;
   #lastCamera = '';
   #lastWetness = 0;
@@ -74,7 +59,6 @@ export class WetFur extends EventTarget {
   constructor(canvas, options = {}) {
     super();
     this.#canvas = canvas;
-    if (canvas.tabIndex < 0) canvas.tabIndex = 0;
     this.#screen = new Screen(canvas, {
       onResize: (width, height, ratio) => this.#onResize(width, height, ratio),
       onVisible: (visible) => this.#onVisible(visible),
@@ -83,13 +67,17 @@ export class WetFur extends EventTarget {
     });
     const host = this;
     this.#input = new Input(canvas, {
-      get app() { return host.#state === 'ready' ? host.#app : null; },
+      get app() { return host.#state === 'ready' && host.interactive ? host.#app : null; },
       get panel() { return host.#panel; },
       toBuffer: (event) => this.#screen.toBuffer(event),
       wake: () => this.#wake(),
       stroke: (phase, detail) => this.#emit(`stroke-${phase}`, detail),
     });
-    this.settings = this.#settingsProxy();
+    this.settings = settingsObject({
+      names: () => this.settingsTable?.map((field) => field.name) ?? [...this.#wantedSettings.keys()],
+      get: (name) => this.#getSetting(name),
+      set: (name, value) => this.#setSetting(name, value),
+    });
     this.#reducedMotion.addEventListener('change', () => this.#applyMotion(), { signal: this.#stop.signal });
     this.#newReady();
     for (const [name, value] of Object.entries(options)) if (name !== 'src') this.set(name, value);
@@ -109,6 +97,8 @@ export class WetFur extends EventTarget {
   get wetnessHash() { return this.#app?.wetnessHash ?? ''; }
   get canUndo() { return this.#app?.canUndo ?? false; }
   get canRedo() { return this.#app?.canRedo ?? false; }
+  /** Whether a person can do anything with it: then it takes the focus and pointers. */
+  get interactive() { return this.#options.cameraControls || this.#options.tool !== 'none' || this.#panel !== null; }
   get editorOpen() { return this.#panel !== null; }
 
   // --- options and settings ---
@@ -125,19 +115,18 @@ export class WetFur extends EventTarget {
   }
 
   #setOption(name, value) {
-    const allowed = choices[name];
-    if (allowed && !allowed.includes(value)) {
-      this.#warn(`${name}: "${value}" is not one of ${allowed.join(', ')}`);
+    const usable = optionValue(name, value);
+    if (usable === undefined) {
+      this.#warn(`${name}: "${value}" is not one of ${choices[name].join(', ')}`);
       return;
     }
-    const standard = optionDefaults[name];
-    this.#options[name] = typeof standard === 'boolean' ? Boolean(value)
-      : typeof standard === 'number' ? clampDt(value) : value;
+    this.#options[name] = usable;
     this.#applyOption(name);
   }
 
   #applyOption(name) {
     const value = this.#options[name];
+    this.#canvas.tabIndex = this.interactive ? 0 : -1;
     if (name === 'wheel') this.#input.wheel = value;
     if (name === 'touchAction') this.#input.touchAction = value;
     if (name === 'quality') this.#applyQuality(value);
@@ -185,21 +174,6 @@ export class WetFur extends EventTarget {
     return this.#app ? this.#app.getSetting(name) : this.#wantedSettings.get(name);
   }
 
-  #settingsProxy() {
-    const names = () => this.settingsTable?.map((field) => field.name) ?? [...this.#wantedSettings.keys()];
-    return new Proxy({}, {
-      get: (_, name) => (typeof name === 'string' ? this.#getSetting(name) : undefined),
-      set: (_, name, value) => {
-        this.#setSetting(String(name), value);
-        return true;
-      },
-      has: (_, name) => names().includes(name),
-      ownKeys: () => names(),
-      getOwnPropertyDescriptor: (_, name) =>
-        (names().includes(name) ? { enumerable: true, configurable: true, writable: true, value: this.#getSetting(name) } : undefined),
-    });
-  }
-
   // --- loading ---
 
   get src() { return this.#src; }
@@ -224,8 +198,11 @@ export class WetFur extends EventTarget {
   }
 
   #loadSrc() {
-    return this.#load((signal) =>
-      fetchModel(this.#src, (loaded, total) => this.#progress('model', loaded, total), signal));
+    const src = this.#src;
+    return this.#load(async (signal) => {
+      const source = await fetchModel(src, (loaded, total) => this.#progress('model', loaded, total), signal);
+      return { ...source, src };
+    });
   }
 
   async #load(getSource) {
@@ -233,6 +210,7 @@ export class WetFur extends EventTarget {
     this.#abort?.abort();
     this.#abort = new AbortController();
     const isStale = () => turn !== this.#turn;
+    this.#loading = new Progress();
     if (!this.loaded) this.#setState('loading');
     try {
       const pending = getSource(this.#abort.signal);
@@ -258,7 +236,6 @@ export class WetFur extends EventTarget {
       .finally(() => { this.#starting = this.#app ? this.#starting : null; });
     await this.#starting;
   }
-  #starting = null;
 
   #adopt(app) {
     if (this.#state === 'disposed') throw new FurError('wasm-load', 'disposed of while loading');
@@ -266,9 +243,20 @@ export class WetFur extends EventTarget {
     app.attach();
     this.#app = app;
     app.resize(this.#screen.width, this.#screen.height, this.#screen.pixelRatio);
+    if (this.#wantedState) this.#takeWantedState(app);
     for (const [name, value] of this.#wantedSettings) app.setSetting(name, value);
     for (const name of ['tool', 'cameraControls', 'motion']) this.#applyOption(name);
     this.#flushWarnings();
+  }
+
+  /** Before the model, so that undo does not lead behind it. */
+  #takeWantedState(app) {
+    try {
+      app.state = this.#wantedState;
+    } catch (error) {
+      this.#warn(`state: ${error.message}`);
+    }
+    this.#wantedState = null;
   }
 
   async #show(source) {
@@ -279,18 +267,16 @@ export class WetFur extends EventTarget {
     const warning = await provideModelImage(this.#app, source);
     if (warning) this.#warn(warning);
     if (!this.#app) return;  // disposed of meanwhile
-    if (first && this.#wantedState) this.setState(this.#wantedState);
     if (first && this.#options.cameraOrbit) this.#applyOrbit(this.#options.cameraOrbit);
     this.#flushWarnings();
     if (this.#state !== 'lost') this.#setState('ready');
     this.#drawNow();
     this.#progress('fur', 1, 1);
     this.#ready.resolve();
-    this.#emit('load', { name: source.name });
+    this.#emit('load', { name: source.name, src: source.src ?? null });
     this.#wake();
     if (this.#options.editor && !this.#panel) this.#switchEditor(true);
   }
-  #wantedState = null;
 
   #failed(error) {
     if (!this.loaded) {
@@ -310,7 +296,7 @@ export class WetFur extends EventTarget {
   }
 
   #progress(stage, loaded, total) {
-    this.#emit('progress', { stage, loaded, total, fraction: overallFraction(stage, loaded, total) });
+    this.#emit('progress', { stage, loaded, total, fraction: this.#loading.fraction(stage, loaded, total) });
   }
 
   // --- water ---
@@ -361,7 +347,6 @@ export class WetFur extends EventTarget {
   #canRun() { return this.#state === 'ready' && this.#screen.visible && !this.#options.paused; }
 
   #wake() {
-    this.#pendingDraw = true;
     if (this.#panel) this.#panelFramesLeft = panelFrames;
     if (!this.#frame && this.#canRun()) this.#frame = requestAnimationFrame((time) => this.#onFrame(time));
   }
@@ -372,7 +357,6 @@ export class WetFur extends EventTarget {
     this.#current();
     const since = this.#lastTime === null ? 1 / 60 : (time - this.#lastTime) / 1000;
     this.#lastTime = time;
-    this.#pendingDraw = false;
     const changed = this.#app.tick(this.#options.fixedDt || Math.min(since, maxFrameSeconds));
     if (changed || this.#panelFramesLeft > 0) this.#paint();
     if (this.#panelFramesLeft > 0) --this.#panelFramesLeft;
@@ -380,7 +364,7 @@ export class WetFur extends EventTarget {
     this.#tellChanges(!goesOn);
     this.#flushWarnings();
     if (goesOn && !this.#frame) this.#frame = requestAnimationFrame((next) => this.#onFrame(next));
-    if (!goesOn && !this.#pendingDraw) this.#lastTime = null;
+    if (!goesOn) this.#lastTime = null;
   }
 
   #paint() {
@@ -414,7 +398,7 @@ export class WetFur extends EventTarget {
   /** JSON text or the object it stands for; throws a FurError when it cannot be used. */
   setState(state) {
     const json = typeof state === 'string' ? state : JSON.stringify(state);
-    if (!this.loaded) {
+    if (!this.#app) {
       this.#wantedState = json;
       return;
     }
@@ -454,7 +438,6 @@ export class WetFur extends EventTarget {
   openEditor() { return this.#switchEditor(true); }
   closeEditor() { return this.#switchEditor(false); }
 
-  #switching = Promise.resolve();
   #switchEditor(open) {
     this.#options.editor = open;
     this.#switching = this.#switching.then(() => this.#moveTo(open ? 'editor' : 'viewer'))
@@ -600,17 +583,4 @@ export class WetFur extends EventTarget {
     this.#app = this.#panel = this.#source = null;
     this.#state = 'disposed';
   }
-}
-
-function clampDt(value) {
-  const seconds = Number(value);
-  return Number.isFinite(seconds) ? Math.min(Math.max(seconds, 0), 1) : 0;
-}
-
-/** Program and model arrive side by side, then the fur grows; an unknown total creeps towards its end. */
-const stages = { program: [0, 0.6], model: [0.6, 0.9], fur: [0.9, 1], editor: [0, 1] };
-function overallFraction(stage, loaded, total) {
-  const [from, to] = stages[stage];
-  const share = total > 0 ? Math.min(1, loaded / total) : 1 - Math.exp(-loaded / 5e5);
-  return from + (to - from) * share;
 }

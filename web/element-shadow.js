@@ -1,0 +1,103 @@
+// What <wet-fur> shows besides the picture: poster, progress, messages. Built node by node and
+// styled by a constructed sheet, which the strictest page policies let pass.
+
+const css = `
+:host { display: inline-block; position: relative; width: 300px; height: 150px; overflow: hidden; contain: content;
+  background: var(--wet-fur-poster-color, transparent); }
+:host([hidden]) { display: none; }
+canvas { display: block; width: 100%; height: 100%; outline: none; user-select: none; -webkit-user-select: none;
+  -webkit-tap-highlight-color: transparent; }
+canvas:focus-visible { box-shadow: inset 0 0 0 3px var(--wet-fur-focus-ring, #3b82f6); outline: 3px solid var(--wet-fur-focus-ring, #3b82f6); outline-offset: -3px; }
+.cover { position: absolute; inset: 0; display: grid; place-items: center; pointer-events: none; }
+.cover[hidden] { display: none; }
+.poster { pointer-events: auto; overflow: hidden; }
+.poster img { width: 100%; height: 100%; object-fit: cover; }
+.poster:focus-visible { outline: 3px solid var(--wet-fur-focus-ring, #3b82f6); outline-offset: -3px; }
+.progress { width: min(220px, 60%); display: grid; gap: 8px; font: 13px/1.3 system-ui, sans-serif; text-align: center;
+  color: var(--wet-fur-text-color, #556); }
+.track { height: 4px; border-radius: 2px; overflow: hidden; background: color-mix(in srgb, currentColor 18%, transparent); }
+.bar { height: 100%; width: 100%; transform-origin: left; transform: scaleX(0); border-radius: 2px;
+  background: var(--wet-fur-progress-color, currentColor); transition: transform 120ms linear; }
+.message { pointer-events: auto; box-sizing: border-box; max-width: min(32em, calc(100% - 32px)); max-height: calc(100% - 16px); overflow: auto;
+  padding: 16px 20px; border-radius: 14px; font: 15px/1.45 system-ui, sans-serif; text-align: center;
+  color: #23272e; background: #fffffff2; box-shadow: 0 2px 18px #0003; }
+.message p { margin: 0; overflow-wrap: anywhere; }
+.message button { margin-top: 12px; min-height: 44px; padding: 0 20px; border: 0; border-radius: 22px; font: inherit; font-weight: 600;
+  color: #fff; background: #33404f; cursor: pointer; }
+.message button:focus-visible { outline: 3px solid var(--wet-fur-focus-ring, #3b82f6); outline-offset: 2px; }
+.message [hidden] { display: none; }
+.status { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }
+@media (prefers-color-scheme: dark) { .message { color: #eceff3; background: #20252df2; } .message button { background: #5b7086; }
+  .progress { color: var(--wet-fur-text-color, #99a); } }
+@media (prefers-reduced-motion: reduce) { .bar { transition: none; } }
+`;
+
+let sheet = null;
+export function elementStyles() {
+  if (!sheet) {
+    sheet = new CSSStyleSheet();
+    sheet.replaceSync(css);
+  }
+  return sheet;
+}
+
+function make(tag, attributes = {}, ...children) {
+  const node = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, value);
+  node.append(...children);
+  return node;
+}
+
+const kilobytes = (bytes) => `${Math.round(bytes / 1024)}`;
+const stageText = {
+  program: (p) => `Loading the program${bytesText(p)}`,
+  model: (p) => `Loading the model${bytesText(p)}`,
+  editor: (p) => `Loading the editor${bytesText(p)}`,
+  fur: () => 'Growing the fur',
+};
+function bytesText({ loaded, total }) {
+  if (!loaded) return '';
+  return total ? `: ${kilobytes(loaded)} of ${kilobytes(total)} KB` : `: ${kilobytes(loaded)} KB`;
+}
+
+/** Fills the shadow root; returns its parts and what shows and hides them. */
+export function buildShadow(root) {
+  const canvas = make('canvas', { part: 'canvas' });
+  const image = make('img', { alt: '', hidden: '' });
+  const posterSlot = make('slot', { name: 'poster' }, image);
+  const poster = make('div', { class: 'cover poster', role: 'button', 'aria-label': 'Show the model' }, posterSlot);
+  const bar = make('div', { class: 'bar' });
+  const caption = make('div');
+  const track = make('div', {
+    class: 'track', part: 'progress-bar', role: 'progressbar', 'aria-label': 'Loading', 'aria-valuemin': '0', 'aria-valuemax': '100',
+  }, bar);
+  const progress = make('div', { class: 'cover', hidden: '' },
+    make('slot', { name: 'progress-bar' }, make('div', { class: 'progress' }, track, caption)));
+  const message = make('p');
+  const fallback = make('slot', { name: 'fallback', hidden: '' });
+  const reload = make('button', { part: 'reload-button', type: 'button' }, 'Try again');
+  const notice = make('div', { class: 'cover', hidden: '' }, make('div', { class: 'message', role: 'alert' }, fallback, message, reload));
+  const status = make('div', { class: 'status', role: 'status', 'aria-live': 'polite' });
+  root.append(canvas, poster, progress, notice, status);
+
+  const parts = { canvas, poster, reload, status };
+  parts.showPoster = (url) => {
+    image.toggleAttribute('hidden', !url);
+    if (url) image.src = url;
+  };
+  parts.showProgress = (detail) => {
+    const percent = Math.round(detail.fraction * 100);
+    bar.style.transform = `scaleX(${detail.fraction})`;
+    track.setAttribute('aria-valuenow', String(percent));
+    caption.textContent = stageText[detail.stage](detail);
+  };
+  parts.showState = ({ waiting, loading, message: text, unsupported, retry }) => {
+    poster.hidden = !waiting;
+    progress.hidden = !loading;
+    notice.hidden = !text;
+    message.textContent = text;
+    fallback.hidden = !unsupported;
+    reload.hidden = !retry;
+  };
+  return parts;
+}

@@ -1,0 +1,98 @@
+// The demo page's address: what it may ask for, and the link that restores a scene.
+// Every value comes from a stranger: keys are allow-listed, values bounded, and what is refused warns.
+import { modelNames } from './models.js';
+import { choices } from './options.js';
+
+const maxStateCharacters = 8 * 1024;
+const maxParameters = 100;
+const maxValueCharacters = 512;
+
+function toBase64Url(text) {
+  const bytes = new TextEncoder().encode(text);
+  return btoa(String.fromCharCode(...bytes)).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
+}
+
+function fromBase64Url(text) {
+  const binary = atob(text.replaceAll('-', '+').replaceAll('_', '/'));
+  return new TextDecoder('utf-8', { fatal: true }).decode(Uint8Array.from(binary, (c) => c.charCodeAt(0)));
+}
+
+/** A name of modelNames, or an address on this page's own server. */
+export function isAllowedSrc(src, pageUrl) {
+  if (modelNames.includes(src)) return true;
+  try {
+    const url = new URL(src, pageUrl);
+    return url.origin === new URL(pageUrl).origin && /^https?:$/.test(url.protocol);
+  } catch {
+    return false;
+  }
+}
+
+function boundedNumber(low, high, whole) {
+  return (text, warn) => {
+    const given = text.trim() === '' ? NaN : Number(text);
+    if (!Number.isFinite(given)) return warn('is not a number');
+    const value = Math.min(high, Math.max(low, whole ? Math.round(given) : given));
+    if (value !== given) warn(`is outside ${low} to ${high}, ${value} is used`);
+    return value;
+  };
+}
+const oneOf = (list) => (text, warn) => (list.includes(text) ? text : warn(`is not one of ${list.join(', ')}`));
+const flag = (text, warn) => (['0', '1'].includes(text) ? text === '1' : warn('is not 0 or 1'));
+
+function readState(text, warn) {
+  if (text.length > maxStateCharacters) return warn(`is longer than ${maxStateCharacters} characters`);
+  try {
+    const json = fromBase64Url(text);
+    JSON.parse(json);
+    return json;
+  } catch {
+    return warn('cannot be read');
+  }
+}
+
+const readers = {
+  src: (text, warn, pageUrl) => (isAllowedSrc(text, pageUrl) ? text : warn('is neither a model of this page nor a file of its server')),
+  state: readState,
+  tool: oneOf(choices.tool),
+  quality: oneOf(choices.quality),
+  motion: oneOf(choices.motion),
+  camera: (text) => text,
+  dt: boundedNumber(0, 1, false),
+  frames: boundedNumber(0, 10000, true),
+  ui: flag,
+  editor: flag,
+  autoplay: flag,
+};
+
+/**
+ * @param {string} pageUrl the page's whole address
+ * @returns {{ src?: string, state?: string, tool?: string, quality?: string, motion?: string, camera?: string, dt?: number,
+ *   frames?: number, ui?: boolean, editor?: boolean, autoplay?: boolean, settings: [string, string][], warnings: string[] }}
+ *   `settings` holds the keys that are none of these: fields of the settings table, or unknown; the program knows which.
+ */
+export function readLink(pageUrl) {
+  const out = { settings: [], warnings: [] };
+  const entries = [...new URL(pageUrl).searchParams];
+  if (entries.length > maxParameters) out.warnings.push(`only the first ${maxParameters} of ${entries.length} parameters are read`);
+  for (const [key, text] of entries.slice(0, maxParameters)) {
+    const warn = (why) => void out.warnings.push(`${key.slice(0, 64)}: "${text.slice(0, 64)}" ${why}`);
+    if (key !== 'state' && text.length > maxValueCharacters) warn(`is longer than ${maxValueCharacters} characters`);
+    else if (!Object.hasOwn(readers, key)) out.settings.push([key, text]);
+    else {
+      const value = readers[key](text, warn, pageUrl);
+      if (value !== undefined) out[key] = value;
+    }
+  }
+  return out;
+}
+
+/** The page's address with this scene in it; readLink gives it back. */
+export function makeLink(pageUrl, { src, state, tool }) {
+  const url = new URL(pageUrl);
+  url.search = url.hash = '';
+  if (src && src !== 'bunny') url.searchParams.set('src', src);
+  if (tool && tool !== 'droplet') url.searchParams.set('tool', tool);
+  url.searchParams.set('state', toBase64Url(state));
+  return url.href;
+}

@@ -1,0 +1,55 @@
+// What can be set beside the fields of the settings table, and what is made of a value that is given.
+
+/** What `quality` stands for; `layers` only where none are given. */
+export const qualities = Object.freeze({
+  auto: { maxPixelRatio: 2, antialias: true },
+  low: { maxPixelRatio: 1, antialias: false, layers: 16 },
+  medium: { maxPixelRatio: 1.5, antialias: true, layers: 24 },
+  high: { maxPixelRatio: 3, antialias: true, layers: 48 },
+});
+
+export const optionDefaults = Object.freeze({
+  tool: 'none', cameraControls: false, cameraOrbit: '', quality: 'auto', background: '', fixedDt: 0, paused: false,
+  wheel: 'focus', touchAction: '', motion: 'auto', editor: false,
+});
+
+export const choices = Object.freeze({
+  tool: ['droplet', 'dry', 'grab', 'none'],
+  wheel: ['page', 'focus', 'zoom'],
+  motion: ['auto', 'full', 'reduced'],
+  quality: Object.keys(qualities),
+});
+
+/** A time step in seconds: 0 to 1, 0 for what is no number. */
+export function clampDt(value) {
+  const seconds = Number(value);
+  return Number.isFinite(seconds) ? Math.min(Math.max(seconds, 0), 1) : 0;
+}
+
+/** The value as the option holds it; undefined when it is none of the option's choices. */
+export function optionValue(name, value) {
+  if (choices[name]) return choices[name].includes(value) ? value : undefined;
+  const kind = typeof optionDefaults[name];
+  if (kind === 'boolean') return Boolean(value);
+  return kind === 'number' ? clampDt(value) : value;
+}
+
+/**
+ * The settings fields as properties of an object. `names()` lists what is known now: before the
+ * program is there, what was set.
+ */
+export function settingsObject({ names, get, set }) {
+  const describe = (name) => (names().includes(name)
+    ? { enumerable: true, configurable: true, writable: true, value: get(name) }
+    : undefined);
+  return new Proxy({}, {
+    get: (_, name) => (typeof name === 'string' ? get(name) : undefined),
+    set: (_, name, value) => {
+      set(String(name), value);
+      return true;
+    },
+    has: (_, name) => names().includes(name),
+    ownKeys: () => names(),
+    getOwnPropertyDescriptor: (_, name) => describe(name),
+  });
+}

@@ -1,0 +1,203 @@
+// The demo page: one <wet-fur> over the window, its toolbar, files and links.
+import './element.js';
+import { makeLink, readLink } from './link.js';
+import { Messages } from './messages.js';
+import { modelNames } from './models.js';
+
+const byId = (id) => document.getElementById(id);
+const fur = byId('fur');
+const bar = byId('bar');
+const modelPicker = byId('model');
+const messages = new Messages(byId('messages'));
+const toolButtons = [...bar.querySelectorAll('[data-tool]')];
+
+const pressedWind = 0.6;
+const modelFile = /\.(glb|gltf)$/i;
+
+/** The live handle: tests and the curious reach everything through it. */
+window.wetFur = fur;
+
+// --- the address ---
+
+function applyLink(link) {
+  for (const text of link.warnings) {
+    console.warn(`wet-fur: ${text}`);
+    fur.warnings.push(text);
+  }
+  if (link.state) fur.setState(link.state);
+  for (const [name, text] of link.settings) fur.fur.set(name, text);
+  if (link.tool) setTool(link.tool);
+  if (link.quality) fur.quality = link.quality;
+  if (link.motion) fur.motion = link.motion;
+  if (link.camera) fur.cameraOrbit = link.camera;
+  if (link.dt) fur.fixedDt = link.dt;
+  if (link.ui === false) bar.hidden = true;
+  if (link.autoplay === false || link.frames !== undefined) fur.paused = true;
+  showModelName(link.src ?? 'bunny');
+}
+
+async function openAsLinked() {
+  const link = readLink(location.href);
+  applyLink(link);
+  fur.src = link.src ?? 'bunny';
+  await new Promise((resolve) => fur.addEventListener('load', resolve, { once: true }));
+  bar.inert = false;
+  if (link.frames) fur.step(link.dt || 1 / 60, link.frames);
+  if (link.editor) openEditor(true);
+}
+
+// --- what the buttons show ---
+
+function setTool(tool) {
+  fur.tool = tool;
+  for (const button of toolButtons) button.setAttribute('aria-pressed', String(button.dataset.tool === tool));
+}
+
+function showButtons() {
+  byId('undo').disabled = !fur.canUndo;
+  byId('redo').disabled = !fur.canRedo;
+  byId('wind').setAttribute('aria-pressed', String(fur.wind > 0));
+  byId('editor').setAttribute('aria-pressed', String(fur.editorOpen));
+}
+
+function showModelName(name) {
+  let own = modelPicker.querySelector('[data-own]');
+  if (modelNames.includes(name)) {
+    own?.remove();
+  } else {
+    own ??= modelPicker.appendChild(Object.assign(document.createElement('option'), { value: 'own' }));
+    own.dataset.own = '';
+    own.textContent = name.slice(name.lastIndexOf('/') + 1);
+  }
+  modelPicker.value = modelNames.includes(name) ? name : 'own';
+}
+
+// --- models ---
+
+/** What is on screen: a src that a link can name, or null for a file of the person's own. */
+let shownSrc = null;
+
+async function openFiles(files) {
+  const list = [...files];
+  const model = list.find((file) => modelFile.test(file.name));
+  if (!model) {
+    if (list.length > 0) messages.error(`${list[0].name}: not a .glb or .gltf file`);
+    return;
+  }
+  try {
+    await fur.loadModel(model, { files: list.filter((file) => file !== model) });
+    shownSrc = null;
+    showModelName(model.name);
+  } catch {
+    // The error event says it.
+  }
+}
+
+function pickModel() {
+  if (modelPicker.value !== 'own') fur.src = modelPicker.value;
+}
+
+function onError({ detail }) {
+  if (!fur.loaded) return;  // the element says it in place of the picture
+  messages.error(detail.message);
+  showModelName(shownSrc ?? fur.modelName);
+}
+
+// --- buttons ---
+
+function toggleWind() {
+  const blows = fur.wind > 0;
+  if (!blows) fur.motion = 'full';  // pressing the button asks for it, whatever the system's setting
+  fur.wind = blows ? 0 : pressedWind;
+}
+
+function reset() {
+  fur.setState('{"version":1}');
+  fur.setWetness(0);
+  fur.resetCamera();
+}
+
+async function copyLink() {
+  const link = makeLink(location.href, { src: shownSrc, state: fur.getState(), tool: fur.tool });
+  try {
+    await navigator.clipboard.writeText(link);
+    messages.note(shownSrc ? 'Link copied' : 'Link copied; the file itself is not in it');
+  } catch {
+    messages.copyable('Copy this link:', link);
+  }
+}
+
+async function savePicture() {
+  const url = URL.createObjectURL(await fur.toBlob());
+  Object.assign(document.createElement('a'), { href: url, download: 'wet-fur.png' }).click();
+  setTimeout(() => URL.revokeObjectURL(url), 10000);
+}
+
+async function openEditor(open) {
+  const button = byId('editor');
+  button.setAttribute('aria-busy', 'true');
+  await (open ? fur.openEditor() : fur.closeEditor());
+  button.removeAttribute('aria-busy');
+  showButtons();
+}
+
+const onClick = (id, action) => byId(id).addEventListener('click', action);
+
+function wireBar() {
+  for (const button of toolButtons)
+    button.addEventListener('click', () => setTool(fur.tool === button.dataset.tool ? 'none' : button.dataset.tool));
+  onClick('wind', toggleWind);
+  onClick('undo', () => fur.undo());
+  onClick('redo', () => fur.redo());
+  onClick('reset', reset);
+  onClick('link', copyLink);
+  onClick('picture', savePicture);
+  onClick('editor', () => openEditor(!fur.editorOpen));
+  onClick('open', () => byId('file').click());
+  byId('file').addEventListener('change', ({ target }) => {
+    openFiles(target.files);
+    target.value = '';
+  });
+  modelPicker.addEventListener('change', pickModel);
+  for (const type of ['state-change', 'stroke-end', 'wetness-change', 'load']) fur.addEventListener(type, showButtons);
+  fur.addEventListener('error', onError);
+  fur.addEventListener('load', ({ detail }) => {
+    shownSrc = detail.src;
+    showModelName(detail.src ?? detail.name);
+  });
+}
+
+// --- files dropped on the page, keys that no control took ---
+
+function wireDrop() {
+  const hint = byId('drop-hint');
+  let depth = 0;
+  const hasFiles = (event) => event.dataTransfer?.types.includes('Files');
+  const show = (by) => {
+    depth = Math.max(0, depth + by);
+    hint.hidden = depth === 0;
+  };
+  addEventListener('dragenter', (event) => { if (hasFiles(event)) show(1); });
+  addEventListener('dragleave', (event) => { if (hasFiles(event)) show(-1); });
+  addEventListener('dragover', (event) => { if (hasFiles(event)) event.preventDefault(); });
+  addEventListener('drop', (event) => {
+    event.preventDefault();
+    show(-depth);
+    openFiles(event.dataTransfer.files);
+  });
+}
+
+function wireKeys() {
+  addEventListener('keydown', (event) => {
+    if (event.key === 'Escape') messages.dismissAll();
+    if (event.defaultPrevented || event.target === fur || !(event.ctrlKey || event.metaKey)) return;
+    if (event.target instanceof HTMLInputElement) return;
+    const key = event.key.toLowerCase();
+    if (key === 'z' ? (event.shiftKey ? fur.redo() : fur.undo()) : key === 'y' && fur.redo()) event.preventDefault();
+  });
+}
+
+wireBar();
+wireDrop();
+wireKeys();
+openAsLinked();
