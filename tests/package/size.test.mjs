@@ -1,0 +1,29 @@
+// What a visitor downloads for the viewer, without the editor and the models.
+import assert from 'node:assert/strict';
+import { existsSync, readFileSync } from 'node:fs';
+import { dirname, join, normalize } from 'node:path';
+import { test } from 'node:test';
+import { gzipSync } from 'node:zlib';
+import { dist } from '../../tools/site.mjs';
+
+const budgetBytes = 250 * 1024;
+
+// The scripts that `entry` imports, at once or later, but for the editor's.
+function scriptsFrom(entry, seen = new Set()) {
+  if (seen.has(entry) || /editor/.test(entry)) return seen;
+  assert.ok(existsSync(join(dist, entry)), entry);
+  seen.add(entry);
+  for (const [, name] of readFileSync(join(dist, entry), 'utf8').matchAll(/(?:from|import)\s*\(?\s*'(\.[^']+)'/g)) {
+    scriptsFrom(normalize(join(dirname(entry), name)), seen);
+  }
+  return seen;
+}
+
+test('the viewer downloads at most 250 KB, gzipped', (t) => {
+  const files = [...new Set(['index.js', 'element.js'].flatMap((entry) => [...scriptsFrom(entry)])), 'wet-fur.wasm'];
+  const sizes = files.map((name) => [name, gzipSync(readFileSync(join(dist, name)), { level: 9 }).length]);
+  const total = sizes.reduce((sum, [, size]) => sum + size, 0);
+  t.diagnostic(`${(total / 1024).toFixed(1)} KB: ${sizes.map(([name, size]) => `${name} ${(size / 1024).toFixed(1)}`).join(', ')}`);
+  assert.ok(files.includes('wet-fur.mjs'), 'the closure of the entries reaches the program');
+  assert.ok(total <= budgetBytes, `${total} bytes`);
+});

@@ -1,0 +1,47 @@
+// The CPU tests, built to WebAssembly, under Node: one test here for each of theirs.
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { join } from 'node:path';
+import { describe, test } from 'node:test';
+import { root } from '../../tools/process.mjs';
+
+const program = join(root, 'build/web-release/node/wet-fur-tests.js');
+const runProgram = (...args) => spawnSync(process.execPath, [program, '--gtest_color=no', ...args], { encoding: 'utf8', maxBuffer: 1 << 26 });
+
+// { Suite: [name, ...] } from --gtest_list_tests: a line per suite, indented lines per test.
+function listedTests() {
+  const { stdout, stderr, status } = runProgram('--gtest_list_tests');
+  assert.equal(status, 0, stderr);
+  const suites = {};
+  let suite;
+  for (const line of stdout.split('\n').map((one) => one.replace(/\s*#.*/, ''))) {
+    if (/^\S+\.$/.test(line)) suites[(suite = line.slice(0, -1))] = [];
+    else if (/^ {2}\S/.test(line)) suites[suite].push(line.trim());
+  }
+  return suites;
+}
+
+const suites = listedTests();
+const result = runProgram();
+
+// What the program printed between "[ RUN ]" and the verdict of one test.
+function verdictOf(name) {
+  const start = result.stdout.indexOf(`[ RUN      ] ${name}\n`);
+  if (start < 0) return { verdict: 'DID NOT RUN', text: result.stderr };
+  const rest = result.stdout.slice(start);
+  const end = /^\[\s+(OK|FAILED|SKIPPED)\s+\] /m.exec(rest);
+  return end ? { verdict: end[1], text: rest.slice(0, end.index) } : { verdict: 'CRASHED', text: rest + result.stderr };
+}
+
+for (const [suite, names] of Object.entries(suites)) {
+  describe(suite, () => {
+    for (const name of names) {
+      test(name, () => {
+        const { verdict, text } = verdictOf(`${suite}.${name}`);
+        assert.equal(verdict, 'OK', text);
+      });
+    }
+  });
+}
+
+test('the program says of itself that all passed', () => assert.equal(result.status, 0, result.stderr));
