@@ -28,10 +28,7 @@ void main() {
   if (clump.a > 0.0) {
     float s = min(clumpProfile(h, water.x, shape.z) * clump.a, FUR_MAX_SHIFT);
     vec2 fromCentre = (vAtlas - clump.xy) / (1.0 - s);
-    vec4 home = clumpAt(mask, clump.xy + fromCentre);
-    vec2 apart = home.xy - clump.xy;
-    if (dot(fromCentre, fromCentre) > clump.z * clump.z || home.a == 0.0 || dot(apart, apart) > 0.25 * clump.z * clump.z)
-      discard;
+    if (dot(fromCentre, fromCentre) > clump.z * clump.z || clumpAt(mask, clump.xy + fromCentre).a == 0.0) discard;
     // Only the part along the edge lies in the fin's plane.
     float along = dot(vAtlasAlong, vAtlasAlong);
     float turns = along > 0.0 ? dot(clump.xy + fromCentre - vAtlas, vAtlasAlong) / along : 0.0;
@@ -40,14 +37,16 @@ void main() {
     rho = clump.a;
   }
 #endif
-  vec4 t = textureLod(fin, vec2(u, h), max(vFin.w, 0.0));
+  vec4 t = textureLod(fin, vec2(u, min(h, 0.985)), max(vFin.w, 0.0));
   float sharp = exp2(max(-vFin.w, 0.0));
   float alpha = clamp((t.r - 0.5) * sharp + 0.5, 0.0, 1.0) * vFin.z;
+  alpha *= smoothstep(0.0, 0.2, h);  // no hard line where a fin meets the skin
   if (alpha < 0.02) discard;
   vec2 tilt = t.gb * 2.0 - 1.0;
   vec3 tangent = normalize(vec3(tilt + vLean + vec2(clumpLean, 0.0), sqrt(max(0.05, 1.0 - dot(tilt, tilt)))));
   vec3 albedo = strandColor(h, t.a, texture(baseColor, vUv).rgb);
-  // A silhouette is lit past its terminator: its normal is across the view, so half of the shadow is let through.
-  vec3 color = shadeStrand(albedo, tangent, normalize(vLight.xyz), normalize(vView.xyz), h, rho, 0.85, vLight.w);
+  // Nothing stands before an outline: light reaches it from the side, further down than inside the coat.
+  float exposed = mix(h, 1.0, 0.6);
+  vec3 color = shadeStrand(albedo, tangent, normalize(vLight.xyz), normalize(vView.xyz), exposed, rho, 0.9, vLight.w);
   fragColor = vec4(encodeSrgb(toneMap(color)) * alpha, alpha);
 }

@@ -32,8 +32,8 @@ void main() {
   // Silhouette (Sheppard 2.1.3): (n1.v)(n2.v) < 0.3; opacity 0 there, 1 edge-on, so that nothing pops.
   float facing = dot(face0.xyz, toEye) * dot(face1.xyz, toEye);
   float opacity = smoothstep(0.0, 1.0, (0.3 - facing) / 0.3);
-  // Both faces turned well away: the edge is behind the model.
-  if (max(dot(face0.xyz, toEye), dot(face1.xyz, toEye)) < -0.55) opacity = 0.0;
+  // Both faces turned away: the edge lies behind the horizon.
+  opacity *= smoothstep(-0.4, -0.1, max(dot(face0.xyz, toEye), dot(face1.xyz, toEye)));
 
   float side = float(gl_VertexID & 1);
   float h = float(gl_VertexID >> 1) / float(FUR_FIN_SEGMENTS);
@@ -41,7 +41,11 @@ void main() {
   vec3 normal = normalize(mix(normalA.xyz, normalB.xyz, side));
   vec3 bend = side < 0.5 ? bendOf(positionA.w) : bendOf(positionB.w);
   vec3 p = strandPoint(root, normal, bend, h);
-  gl_Position = opacity > 0.0 ? clipFromModel * vec4(p, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
+  // Shells cover a pixel faintly and still write depth: fins are compared as if half a fur length nearer.
+  vec4 nearer = clipFromModel * vec4(p + normalize(eye.xyz - p) * (0.5 * shape.x), 1.0);
+  vec4 clip = clipFromModel * vec4(p, 1.0);
+  clip.z = nearer.z / nearer.w * clip.w;
+  gl_Position = opacity > 0.0 ? clip : vec4(2.0, 2.0, 2.0, 1.0);
 
   vec3 edge = positionB.xyz - positionA.xyz;
   float edgeLength = length(edge);

@@ -16,12 +16,16 @@ in vec4 vView;
 in vec4 vLean;
 in vec2 vLightStep;
 flat in float vTop;
+in float vSubSteps;
 #ifdef WET
 in vec2 vAtlas;
 in vec4 vAtlasStep;
 #endif
 
 out vec4 fragColor;
+
+// The layers that the strand edges and mip levels are tuned for; see `softness`.
+const float kReferenceLayers = 16.0;
 
 float storedLayer(float drawn) { return floor((drawn + 0.5) * volume.y / shape.z); }
 
@@ -39,7 +43,12 @@ void main() {
   mat2 tileFromAtlas = inverse(atlasFromTile);
   vec3 wetSum = vec3(0.0);    // clump lean in tile units a layer, wetness
 #endif
-  for (float k = 0.0; k < shape.w; k += 1.0) {
+  float subSteps = ceil(vSubSteps - 0.01);
+  float stepSize = 1.0 / subSteps, steps = shape.w * subSteps;
+  // A half-covered texel is half-covered on every layer of the same strand: counted anew each time
+  // it would grow opaque with the number of layers. Stands in for 1 - (1 - c)^softness.
+  float softness = min(1.0, kReferenceLayers / (shape.z * subSteps));
+  for (float k = 0.0; k < steps; k += 1.0) {
     vec2 root = at;
     float open = 1.0;
 #ifdef WET
@@ -61,7 +70,8 @@ void main() {
     }
 #endif
     vec4 t = textureLod(tile, vec3(root, storedLayer(layer)), lod);
-    float add = clamp((t.r - 0.5) * sharp + 0.5, 0.0, 1.0) * open * (1.0 - alpha);
+    float cover = clamp((t.r - 0.5) * sharp + 0.5, 0.0, 1.0) * open;
+    float add = cover * softness / (1.0 - cover * (1.0 - softness)) * (1.0 - alpha);
     sum += add * vec4(t.gba, layer);
 #ifdef WET
     wetSum += add * lean;
@@ -69,11 +79,13 @@ void main() {
     alpha += add;
     hit = at;
     if (alpha > 0.96) break;
-    at += vTile.zw;
-    layer -= 1.0;
+    at += vTile.zw * stepSize;
+    layer -= stepSize;
   }
   if (alpha < 0.03) discard;
   sum /= alpha;
+  // Along the silhouette a slab is seen edge-on and shows rings; fins take over (Lengyel et al. 2001).
+  float grazing = smoothstep(0.0, 0.15, normalize(vView.xyz).z);
   float h = (sum.w + 1.0) / shape.z;
 
   vec2 tilt = sum.xy * 2.0 - 1.0;
@@ -105,6 +117,7 @@ void main() {
 #elif defined(VIEW_COVERAGE)
   fragColor = vec4(vec3(h) * alpha, alpha);
 #else
+  alpha *= grazing;
   fragColor = vec4(encodeSrgb(toneMap(color)) * alpha, alpha);
 #endif
 }

@@ -19,6 +19,7 @@ out vec4 vView;       // xyz: eye in the surface's frame  w: N.up
 out vec4 vLean;       // xy: sideways part of the bent strand's tangent  zw: model uv
 out vec2 vLightStep;  // tile step towards the light for one fur length of height
 flat out float vTop;  // layer count up to the slab's top
+out float vSubSteps;  // steps a layer: more where the ray is shallow
 #ifdef WET
 out vec2 vAtlas;
 out vec4 vAtlasStep;  // d(atlas)/d(tile), by columns
@@ -37,12 +38,16 @@ void main() {
   float distance = length(ray);
   ray /= distance;
   // Grazing rays would step for ever: at 0.15 (81 degrees) the next slab and the fins take over.
+  vec3 rayStep = ray * (dot(strandStep, normal) / min(dot(ray, normal), -0.15));
   rayStep = ray * (-dot(strandStep, normal) / max(-dot(ray, normal), 0.15));
   vec3 slide = rayStep - strandStep;
   vec2 step = shape.y * vec2(dot(gradS, slide), dot(gradT, slide));
   float stepLength = length(step);
   // A torn or squeezed triangle can have huge gradients; a twentieth of a tile per layer is plenty.
-  vTile = vec4(furCoord * shape.y, step * min(1.0, 0.05 / max(stepLength, 1e-6)));
+  step *= min(1.0, 0.05 / max(stepLength, 1e-6));
+  // A step longer than a strand is wide would cut it into discs.
+  vSubSteps = clamp(stepLength * volume.x / 2.5, 1.0, 3.0);
+  vTile = vec4(furCoord * shape.y, step);
 
   vec3 axisS = normalize(gradS + vec3(1e-8, 0.0, 0.0));
   vec3 axisT = cross(normal, axisS) * (dot(cross(normal, gradS), gradT) < 0.0 ? -1.0 : 1.0);

@@ -107,6 +107,13 @@ void App::State::soak(float amount) {
     const geometry::SurfacePoint point{static_cast<std::uint32_t>(triangle), Vec3(1 - u - v, u, v), 0};
     wetting->addDroplet(mask, surface, query, positionAt(surface, point), normalAt(surface, point), droplet, amount);
   }
+  // What chance has missed.
+  for (std::uint32_t t = 0; t < surface.triangleCount(); ++t) {
+    const geometry::SurfacePoint middle{t, Vec3(1.0f / 3), 0};
+    const Vec2 at = atlasAt(surface, middle);
+    if (mask.at(at.x, at.y).w == 0)
+      wetting->addDroplet(mask, surface, query, positionAt(surface, middle), normalAt(surface, middle), droplet, amount);
+  }
   // Overlaps have added up: one wetness all over.
   std::vector<Vec4> even = mask.texels();
   for (Vec4& texel : even)
