@@ -123,10 +123,11 @@ const Field* findField(std::string_view name) {
 void setField(Settings& settings, const Field& field, double value, Warnings& warnings) {
   const double given = value;
   if (std::isnan(value)) value = field.standard;
-  if (field.type != FieldType::Float) value = std::floor(value + 0.5);
-  // The bounds as the field holds them: 3.1416f is a little less than 3.1416.
+  // As the field holds it: the bound 3.1416f is a little less than the 3.1416 of a text.
+  value = field.type == FieldType::Float ? static_cast<float>(glm::clamp(value, -1e30, 1e30)) : std::floor(value + 0.5);
+  const double wanted = value;
   value = glm::clamp(value, field.low, field.high);
-  if (std::isnan(given) || given < field.low || given > field.high)
+  if (std::isnan(given) || value != wanted)
     warnings.push_back(std::string(field.name) + ": " + shortNumber(given) + " is outside " + shortNumber(field.low) +
                        " to " + shortNumber(field.high) + ", " + shortNumber(value) + " is used");
   field.set(settings, value);

@@ -1,0 +1,78 @@
+#include "hair/StrandShading.h"
+
+#include <gtest/gtest.h>
+
+#include "core/Random.h"
+
+namespace fur::hair {
+namespace {
+
+Vec3 randomUnit(Random& random) {
+  for (;;) {
+    Vec3 v;
+    v.x = random.uniform(-1, 1);
+    v.y = random.uniform(-1, 1);
+    v.z = random.uniform(-1, 1);
+    if (glm::length(v) > 0.1f) return glm::normalize(v);
+  }
+}
+
+TEST(KajiyaSpecular, PeaksOnTheConeOppositeTheLight) {
+  Random random(4);
+  for (int k = 0; k < 500; ++k) {
+    const Vec3 t = randomUnit(random), l = randomUnit(random);
+    // Mirror the light's component along the strand, then turn about the strand at will.
+    const Vec3 axis = glm::cross(t, randomUnit(random));
+    if (glm::length(axis) < 0.1f) continue;
+    const float tl = glm::dot(t, l);
+    const Vec3 onCone = -tl * t + std::sqrt(std::max(1 - tl * tl, 0.0f)) * glm::normalize(axis);
+    EXPECT_NEAR(kajiyaSpecular(t, l, onCone, 24), 1.0f, 1e-4f);
+    EXPECT_LE(kajiyaSpecular(t, l, randomUnit(random), 24), 1.0f);
+  }
+}
+
+TEST(KajiyaSpecular, IsTheSameWithLightAndEyeExchangedOrTheStrandTurnedRound) {
+  Random random(5);
+  for (int k = 0; k < 500; ++k) {
+    const Vec3 t = randomUnit(random), l = randomUnit(random), v = randomUnit(random);
+    EXPECT_FLOAT_EQ(kajiyaSpecular(t, l, v, 10), kajiyaSpecular(t, v, l, 10));
+    EXPECT_FLOAT_EQ(kajiyaSpecular(t, l, v, 10), kajiyaSpecular(-t, l, v, 10));
+  }
+}
+
+TEST(KajiyaSpecular, FallsOffFasterWithAHigherExponent) {
+  const Vec3 t(0, 1, 0), l(1, 0, 0), v = glm::normalize(Vec3(1, 0.4f, 0));
+  EXPECT_LT(kajiyaSpecular(t, l, v, 50), kajiyaSpecular(t, l, v, 5));
+}
+
+TEST(KajiyaDiffuse, IsTheSineOfTheAngle) {
+  const Vec3 t(0, 1, 0);
+  EXPECT_FLOAT_EQ(kajiyaDiffuse(t, Vec3(1, 0, 0)), 1.0f);
+  EXPECT_FLOAT_EQ(kajiyaDiffuse(t, t), 0.0f);
+  EXPECT_NEAR(kajiyaDiffuse(t, glm::normalize(Vec3(1, 1, 0))), std::sqrt(0.5f), 1e-6f);
+}
+
+TEST(FurShadow, IsNoneUnderLightAlongTheNormal) {
+  for (const float h : {0.0f, 0.5f, 1.0f}) EXPECT_EQ(furShadow(h, 0.5f, 1.0f), 1.0f);
+}
+
+TEST(FurShadow, StaysWithinNoughtAndOneAndNeverDarkensUpwards) {
+  for (const float density : {0.0f, 0.1f, 0.5f, 1.0f})
+    for (const float nDotL : {-1.0f, 0.0f, 0.3f, 0.9f, 0.99999f, 1.0f, 1.1f}) {
+      float last = 0;
+      for (int i = 0; i <= 50; ++i) {
+        const float s = furShadow(i / 50.0f, density, nDotL);
+        ASSERT_GE(s, last);
+        ASSERT_LE(s, 1.0f);
+        last = s;
+      }
+    }
+}
+
+TEST(FurShadow, FollowsThePrintedFormula) {
+  // F = 0.8: (4 * 0.35 / 0.5 - 2.4) / 0.8
+  EXPECT_NEAR(furShadow(0.35f, 0.5f, 0.2f), 0.5f, 1e-5f);
+}
+
+}  // namespace
+}  // namespace fur::hair

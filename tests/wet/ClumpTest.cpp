@@ -1,0 +1,73 @@
+#include "wet/Clump.h"
+
+#include <gtest/gtest.h>
+
+#include "core/Random.h"
+
+namespace fur::wet {
+namespace {
+
+TEST(ClumpProfile, StartsAtTheSkinsShareAndEndsAtOne) {
+  for (const float layers : {2.0f, 3.0f, 16.0f, 64.0f})
+    for (const float w : {0.0f, 0.3f, 1.0f}) {
+      EXPECT_NEAR(clumpProfile(1.0f / layers, w, layers), (1 - w) / layers, 1e-6f);
+      EXPECT_NEAR(clumpProfile(1.0f, w, layers), 1.0f, 1e-6f);
+    }
+}
+
+TEST(ClumpProfile, RisesWithHeight) {
+  for (const float w : {0.0f, 0.3f, 1.0f})
+    for (int i = 1; i <= 200; ++i)
+      EXPECT_GE(clumpProfile(i / 200.0f, w, 16), clumpProfile((i - 1) / 200.0f, w, 16));
+}
+
+TEST(ClumpProfile, BendsInEarlierWithMoreShape) {
+  for (const float h : {0.2f, 0.5f, 0.8f}) EXPECT_GT(clumpProfile(h, 1, 16), clumpProfile(h, 0, 16));
+}
+
+TEST(ClumpShift, LeadsBackExactlyToTheRoot) {
+  Random random(1);
+  for (int k = 0; k < 1000; ++k) {
+    const Vec2 root(random.uniform(), random.uniform()), centre(random.uniform(), random.uniform());
+    const float s = clumpPull(random.uniform(), random.uniform(), 16, random.uniform());
+    const Vec2 at = clumpForward(root, centre, s);
+    // Single precision times the largest stretch of the way back, 1 / (1 - kMaxPull) = 20.
+    EXPECT_NEAR(glm::length(clumpInverse(at, centre, s) - root), 0.0f, 1e-5f);
+    EXPECT_NEAR(glm::length(at + (at - centre) * (s / (1 - s)) - root), 0.0f, 1e-5f);
+  }
+}
+
+TEST(ClumpShift, IsFiniteAtEveryExtreme) {
+  for (const float layers : {0.0f, 1.0f, 2.0f, 3.0f, 4.0f, 64.0f})
+    for (const float rho : {0.0f, 0.5f, 1.0f})
+      for (const float w : {0.0f, 1.0f})
+        for (const float h : {0.0f, 1e-9f, 0.5f, 1.0f, 2.0f}) {
+          const float shift = clumpShift(h, w, layers, rho);
+          EXPECT_TRUE(std::isfinite(shift));
+          EXPECT_GE(shift, 0.0f);
+          EXPECT_LE(shift, kMaxPull / (1 - kMaxPull) * 1.0001f);
+        }
+}
+
+TEST(ClumpShift, IsNothingInDryFur) { EXPECT_EQ(clumpShift(1, 0.5f, 16, 0), 0.0f); }
+
+TEST(ClumpShift, LeavesAClumpOfNoSizeWhereItIs) {
+  EXPECT_EQ(clumpInverse(Vec2(0.3f), Vec2(0.3f), kMaxPull), Vec2(0.3f));
+}
+
+TEST(WetLight, IsUnchangedWhereSigmaIsNought) {
+  EXPECT_EQ(wetSpecularExponent(24, 0.3f, 0), 24.0f);
+  EXPECT_EQ(occlusionFactor(0.2f, 0), 1.0f);
+  EXPECT_EQ(wetDarkening(0.7f, 0), 1.0f);
+}
+
+TEST(WetLight, IsSharperDarkerAndBrighterAtTheTip) {
+  EXPECT_FLOAT_EQ(wetSpecularExponent(24, 1, 0.8f), 24.0f);
+  EXPECT_LT(wetSpecularExponent(24, 0, 0.8f), wetSpecularExponent(24, 1, 0.8f));
+  EXPECT_LT(wetDarkening(1, 0.5f), wetDarkening(0, 0.5f));
+  EXPECT_LT(occlusionFactor(0, 0.6f), occlusionFactor(1, 0.6f));
+  EXPECT_FLOAT_EQ(occlusionFactor(1, 0.6f), 1.0f);
+}
+
+}  // namespace
+}  // namespace fur::wet
