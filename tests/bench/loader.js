@@ -1,0 +1,3 @@
+// ?page=limit or ?page=fur
+const name = new URLSearchParams(location.search).get('page');
+await import(name === 'limit' ? './limit.js' : './fur.js');
