@@ -45,6 +45,7 @@ EditorHost::EditorHost(App& app, editor::FileAccess fileAccess)
     auto& host = *static_cast<EditorHost*>(self);
     host.clipboard_ = text;
     if (host.writeClipboard_) host.writeClipboard_(text);
+    else host.request(PlatformCommand::Kind::CopyText, text);
   };
   io.GetClipboardTextFn = [](void* self) {
     auto& host = *static_cast<EditorHost*>(self);
@@ -132,6 +133,8 @@ bool EditorHost::key(std::string_view name, bool down, const editor::Modifiers& 
     wake();
     return true;
   }
+  // Without a clipboard to ask, the platform's own paste must take place, and comes in as paste().
+  if (text && !readClipboard_ && modifiers.control && (name == "v" || name == "V")) return false;
   const bool wanted = text || wantsKeyboard();
   // Releases always arrive, so that no key stays down.
   if (!down || wanted) {

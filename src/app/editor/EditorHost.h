@@ -25,9 +25,9 @@
 
 namespace fur::app {
 
-// What only the platform can do. The numbers are part of the JavaScript interface.
+// What only the platform can do.
 struct PlatformCommand {
-  enum class Kind { OpenDialog = 1, OpenPath = 2, LoadBunny = 3, CopyText = 4, PasteRequest = 5 };
+  enum class Kind { OpenDialog = 1, OpenPath = 2, LoadBunny = 3, CopyText = 4, PasteRequest = 5 };  // JavaScript knows these
   Kind kind;
   std::string text;  // the path, or the text to copy
 };
@@ -67,7 +67,8 @@ class EditorHost {
   // --- to and from the platform ---
   std::optional<PlatformCommand> takeCommand();
   void message(std::string text, bool isError);
-  // The clipboard that text fields of the panel use; without them it stays within the panel.
+  // A clipboard that answers at once, for the panel's text fields. Without it, what is cut or copied
+  // there becomes a CopyText, and what is pasted must come in through paste().
   void setClipboard(std::function<void(const char*)> write, std::function<std::string()> read);
 
  private:

@@ -1,0 +1,211 @@
+#include "editor/Editor.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "tests/editor/PanelDriver.h"
+
+namespace fur::editor {
+namespace {
+
+using settings::Field;
+using settings::Settings;
+
+// The names of the fields in which the two differ.
+std::set<std::string> differences(const Settings& a, const Settings& b) {
+  std::set<std::string> names;
+  for (const Field& field : settings::fields())
+    if (field.get(a) != field.get(b)) names.insert(field.name);
+  return names;
+}
+
+TEST(Editor, EveryFieldOfTheTableHasAWidget) {
+  PanelDriver person({1280, 3000});
+  person.openAllGroups();
+  std::set<ImGuiID> hovered;
+  for (const auto& [at, id] : person.sweep()) hovered.insert(id);
+  for (const Field& field : settings::fields()) EXPECT_TRUE(hovered.count(person.valueId(field))) << field.name;
+  EXPECT_TRUE(person.commands.empty()) << "hovering changes nothing";
+}
+
+TEST(Editor, AnIdlePanelAsksForNothing) {
+  PanelDriver person;
+  person.frames(30);
+  EXPECT_TRUE(person.commands.empty());
+}
+
+TEST(Editor, ADraggedSliderChangesOnlyItsFieldInOneStep) {
+  PanelDriver person;
+  const auto at = person.find(person.rowId("curl", "##value"));
+  ASSERT_TRUE(at);
+  const Settings before = person.model.settings;
+  person.moveTo(*at);
+  person.moveTo(*at, 1);
+  for (int i = 1; i <= 5; ++i) person.moveTo(*at + Vec2(8 * i, 0), 1);
+  EXPECT_TRUE(person.editor.changing());
+  EXPECT_EQ(person.count<command::EndChange>(), 0);
+  person.moveTo(*at + Vec2(40, 0), 0);
+
+  EXPECT_EQ(differences(before, person.model.settings), std::set<std::string>{"curl"});
+  EXPECT_GE(person.count<command::SetSettings>(), 5);
+  EXPECT_EQ(person.count<command::BeginChange>(), 1);
+  EXPECT_EQ(person.count<command::EndChange>(), 1);
+  EXPECT_TRUE(std::holds_alternative<command::BeginChange>(person.commands.front()));
+  EXPECT_TRUE(std::holds_alternative<command::EndChange>(person.commands.back()));
+}
+
+TEST(Editor, ASliderFollowsThePointerToBothEnds) {
+  PanelDriver person;
+  const auto at = person.find(person.rowId("curl", "##value"));
+  ASSERT_TRUE(at);
+  person.moveTo(*at);
+  person.moveTo(*at, 1);
+  person.moveTo(*at + Vec2(1000, 0), 1);
+  EXPECT_EQ(person.model.settings.curl, 1.0f);
+  person.moveTo(*at - Vec2(1000, 0), 1);
+  EXPECT_EQ(person.model.settings.curl, 0.0f);
+}
+
+TEST(Editor, ACheckboxIsOneStep) {
+  PanelDriver person;
+  const auto at = person.find(person.rowId("fins", "##value"));
+  ASSERT_TRUE(at);
+  person.click(*at);
+  EXPECT_FALSE(person.model.settings.fins);
+  ASSERT_EQ(person.commands.size(), 3u);
+  EXPECT_TRUE(std::holds_alternative<command::BeginChange>(person.commands[0]));
+  EXPECT_TRUE(std::holds_alternative<command::EndChange>(person.commands[2]));
+}
+
+TEST(Editor, TheResetOfARowRestoresItsDefaultAlone) {
+  PanelDriver person;
+  EXPECT_FALSE(person.find(person.rowId("curl", "##reset"))) << "nothing to reset yet";
+  person.model.settings.curl = 0.9f;
+  person.model.settings.density = 0.1f;
+  person.frames(2);
+  const auto at = person.find(person.rowId("curl", "##reset"));
+  ASSERT_TRUE(at);
+  person.click(*at);
+  EXPECT_EQ(differences(Settings{}, person.model.settings), std::set<std::string>{"density"});
+  EXPECT_EQ(person.count<command::BeginChange>(), 1);
+  EXPECT_EQ(person.count<command::EndChange>(), 1);
+}
+
+TEST(Editor, TheResetOfAGroupRestoresThatGroupAlone) {
+  PanelDriver person;
+  person.model.settings.curl = 0.9f;
+  person.model.settings.density = 0.1f;
+  person.model.settings.wind = 1;
+  person.frames(2);
+  const auto at = person.find(person.id("##resetFur"));
+  ASSERT_TRUE(at);
+  person.click(*at);
+  EXPECT_EQ(differences(Settings{}, person.model.settings), std::set<std::string>{"wind"});
+}
+
+TEST(Editor, TheRightButtonOnARowOffersItsReset) {
+  PanelDriver person;
+  person.model.settings.curl = 0.9f;
+  const auto at = person.find(person.rowId("curl", "##value"));
+  ASSERT_TRUE(at);
+  person.moveTo(*at, 2);
+  person.moveTo(*at, 0);
+  ASSERT_EQ(ImGui::GetCurrentContext()->OpenPopupStack.Size, 1);
+  const ImRect menu = ImGui::GetCurrentContext()->OpenPopupStack[0].Window->Rect();
+  person.click({menu.GetCenter().x, menu.Min.y + menu.GetHeight() * 0.25f});
+  EXPECT_EQ(person.model.settings, Settings{});
+}
+
+TEST(Editor, TheSearchBoxNarrowsThePanelToMatchingFields) {
+  PanelDriver person;
+  const auto box = person.find(person.id("##filter"));
+  ASSERT_TRUE(box);
+  person.click(*box);
+  EXPECT_TRUE(ImGui::GetIO().WantTextInput);
+  person.input.text("GuST");
+  person.settle();
+  std::set<ImGuiID> hovered;
+  for (const auto& [at, id] : person.sweep()) hovered.insert(id);
+  for (const Field& field : settings::fields())
+    EXPECT_EQ(hovered.count(person.valueId(field)), matchesFilter(field, "gust") ? 1u : 0u) << field.name;
+}
+
+TEST(Editor, AFilterLooksAtLabelNameAndGroup) {
+  const Field& gust = *settings::findField("gust");
+  EXPECT_TRUE(matchesFilter(gust, ""));
+  EXPECT_TRUE(matchesFilter(gust, "gusts"));   // label
+  EXPECT_TRUE(matchesFilter(gust, "MOTION"));  // group
+  EXPECT_FALSE(matchesFilter(gust, "curl"));
+}
+
+TEST(Editor, TheLightIsDraggedToWhereThePointerIs) {
+  PanelDriver person;
+  person.openAllGroups();
+  const auto pad = person.find(person.id("##lightPad"));
+  ASSERT_TRUE(pad);
+  const Settings before = person.model.settings;
+  person.moveTo(*pad);
+  person.moveTo(*pad, 1);
+  person.moveTo(*pad + Vec2(500, 0), 1);
+  person.moveTo(*pad + Vec2(500, 0), 0);
+  // Far to the right of wherever the pad is: from +x, at the horizon. Half a pad off at 500 pixels is
+  // less than 0.1 rad.
+  EXPECT_NEAR(person.model.settings.lightYaw, kPi / 2, 0.1);
+  EXPECT_NEAR(person.model.settings.lightPitch, settings::findField("lightPitch")->low, 1e-3);
+  EXPECT_EQ(differences(before, person.model.settings), (std::set<std::string>{"lightPitch", "lightYaw"}));
+  EXPECT_EQ(person.count<command::BeginChange>(), 1);
+}
+
+TEST(Editor, ColoursSurviveBeingShown) {
+  PanelDriver person;
+  person.model.settings.tipColor = 0x010280;
+  person.openAllGroups();
+  person.sweep();
+  EXPECT_EQ(person.model.settings.tipColor, 0x010280u);
+}
+
+TEST(Editor, UndoAndRedoHaveTheirKeys) {
+  const Modifiers control{false, true, false}, both{true, true, false};
+  EXPECT_TRUE(std::holds_alternative<command::Undo>(*Editor::shortcut("z", control)));
+  EXPECT_TRUE(std::holds_alternative<command::Redo>(*Editor::shortcut("Z", both)));
+  EXPECT_TRUE(std::holds_alternative<command::Redo>(*Editor::shortcut("y", control)));
+  EXPECT_FALSE(Editor::shortcut("z", {}));
+  EXPECT_FALSE(Editor::shortcut("a", control));
+}
+
+TEST(Editor, OnANarrowScreenItLeavesTheModelInSight) {
+  for (const float ratio : {1.0f, 2.0f, 3.0f}) {
+    const Vec2 screen = Vec2(390, 844) * ratio;
+    PanelDriver person(screen, {ratio, true});
+    EXPECT_LE(person.panel()->Size.y, 0.45f * screen.y);
+    EXPECT_EQ(person.panel()->Rect().Max.y, screen.y);
+    EXPECT_EQ(person.panel()->Size.x, screen.x);
+  }
+}
+
+TEST(Editor, CollapsedItIsATitleOnly) {
+  PanelDriver person({1280, 800});
+  const float open = person.panel()->Size.y;
+  person.editor.setCollapsed(true);
+  person.frames(2);
+  EXPECT_LT(person.panel()->Size.y, 0.1f * open);
+}
+
+TEST(Editor, AFingerGetsLargerTargets) {
+  PanelDriver mouse({1280, 800}, {1, false});
+  const float small = ImGui::GetFrameHeight();
+  PanelDriver finger({1280, 800}, {1, true});
+  EXPECT_GE(ImGui::GetFrameHeight(), 1.3f * small);
+}
+
+TEST(Theme, TheFontIsBuiltAgainOnlyForANewPixelRatio) {
+  PanelDriver person;
+  EXPECT_FALSE(applyTheme({1, false}));
+  EXPECT_FALSE(applyTheme({1, true}));
+  EXPECT_TRUE(applyTheme({2, true}));
+  EXPECT_FALSE(applyTheme({2, true}));
+}
+
+}  // namespace
+}  // namespace fur::editor

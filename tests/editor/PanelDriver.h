@@ -1,0 +1,125 @@
+// A person at the panel, without a window: runs Dear ImGui frame by frame, moves a pointer, and
+// carries settings commands out as a program would.
+#pragma once
+
+#include <cstring>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include "editor/Editor.h"
+#include "editor/FieldRows.h"
+
+namespace fur::editor {
+
+class PanelDriver {
+ public:
+  explicit PanelDriver(Vec2 screen = {1280, 3000}, ThemeScale scale = {}) : scale_(scale) {
+    before_ = ImGui::GetCurrentContext();
+    context_ = ImGui::CreateContext();
+    ImGui::SetCurrentContext(context_);
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.DisplaySize = ImVec2(screen.x, screen.y);
+    io.DeltaTime = 1.0f / 60;
+    InputQueue::mapKeys(io);
+    frames(3);
+  }
+  ~PanelDriver() {
+    ImGui::DestroyContext(context_);
+    ImGui::SetCurrentContext(before_);
+  }
+
+  void frames(int count) {
+    for (int i = 0; i < count; ++i) {
+      applyTheme(scale_);
+      input.feed(ImGui::GetIO());
+      ImGui::NewFrame();
+      for (const Command& command : editor.frame(model, scale_)) {
+        if (const auto* set = std::get_if<command::SetSettings>(&command)) model.settings = set->settings;
+        commands.push_back(command);
+      }
+      ImGui::Render();
+    }
+  }
+  // Until everything queued has been seen.
+  void settle() {
+    do frames(1);
+    while (!input.empty());
+    frames(2);
+  }
+
+  void moveTo(Vec2 at, int buttons = 0) {
+    input.pointer(PointerKind::Mouse, at, buttons);
+    settle();
+  }
+  void click(Vec2 at) {
+    moveTo(at);
+    moveTo(at, 1);
+    moveTo(at, 0);
+  }
+
+  // The window that holds the rows.
+  ImGuiWindow* content() const {
+    for (ImGuiWindow* window : context_->Windows)
+      if (std::strstr(window->Name, "/content")) return window;
+    return nullptr;
+  }
+  ImGuiWindow* panel() const { return ImGui::FindWindowByName("wet-fur"); }
+
+  void openAllGroups() {
+    for (const std::string_view group : fieldGroups())
+      content()->StateStorage.SetInt(content()->GetID(std::string(group).c_str()), 1);
+    frames(3);
+  }
+
+  ImGuiID id(const char* item) const { return content()->GetID(item); }
+  ImGuiID rowId(const char* field, const char* item) const { return ImHashStr(item, 0, content()->GetID(field)); }
+  // A colour is a group of widgets; its text box is the leftmost.
+  ImGuiID valueId(const settings::Field& field) const {
+    const ImGuiID value = rowId(field.name, "##value");
+    return field.type == settings::FieldType::Color ? ImHashStr("##Text", 0, value) : value;
+  }
+
+  // Where the pointer hovers the item, trying a raster over the panel.
+  std::optional<Vec2> find(ImGuiID item) {
+    for (const auto& [at, hovered] : sweep())
+      if (hovered == item) return at;
+    return {};
+  }
+
+  // What the pointer hovers, on lines through the value column, the reset column and the left.
+  std::vector<std::pair<Vec2, ImGuiID>> sweep() {
+    std::vector<std::pair<Vec2, ImGuiID>> seen;
+    const ImRect rect = panel()->Rect();
+    for (const float share : {0.47f, 0.7f, 0.2f, 0.94f})
+      for (float y = rect.Min.y + 3; y < rect.Max.y; y += 6) {
+        const Vec2 at(rect.Min.x + rect.GetWidth() * share, y);
+        input.pointer(PointerKind::Mouse, at, 0);
+        frames(2);
+        if (const ImGuiID hovered = ImGui::GetHoveredID()) seen.emplace_back(at, hovered);
+      }
+    return seen;
+  }
+
+  template <class C>
+  int count() const {
+    int n = 0;
+    for (const Command& command : commands) n += std::holds_alternative<C>(command);
+    return n;
+  }
+
+  EditorModel model;
+  Editor editor;
+  InputQueue input;
+  std::vector<Command> commands;  // all so far
+
+ private:
+  ThemeScale scale_;
+  ImGuiContext *before_, *context_;
+};
+
+}  // namespace fur::editor

@@ -1,0 +1,139 @@
+// The editor's panel over an App, as plain C functions; in the program wet-fur-editor only. `app` is
+// the handle of fur_create(). The page drives it like this:
+//
+//   event:  if (!fur_editor_pointer(...)) fur_pointer(...)          likewise wheel and key
+//   frame:  changed = fur_tick(app, dt); changed |= fur_editor_update(app, dt);
+//           if (changed) { fur_draw(app); fur_editor_draw(app); }
+//           then fur_editor_command() until it gives 0
+//   sleep:  when neither fur_active(app) nor fur_editor_active(app)
+//
+// After context loss: fur_editor_detach(app, 1), then fur_editor_attach(app) in the new context keeps
+// the panel as it was. Before fur_destroy(app): fur_editor_detach(app, 0).
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "app/editor/EditorHost.h"
+#include "web/Boundary.h"
+
+using namespace fur;
+using app::App;
+using app::EditorHost;
+using web::guarded;
+
+namespace {
+
+std::map<App*, std::unique_ptr<EditorHost>> hosts;  // the handle is the App's, so this finds its panel
+std::string commandText;
+
+EditorHost* hostOf(App* app) {
+  const auto found = hosts.find(app);
+  return found == hosts.end() ? nullptr : found->second.get();
+}
+
+// Calls for an app without a panel do nothing, so that a page can have one event path.
+template <class Work>
+int withHost(App* app, Work&& work) {
+  EditorHost* host = hostOf(app);
+  return host ? guarded([&] { return static_cast<int>(work(*host)); }) : 0;
+}
+
+editor::Modifiers modifiersOf(int bits) { return {(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0}; }
+
+}  // namespace
+
+// --- life ---
+
+FUR_EXPORT int fur_editor_attach(App* app) {
+  return guarded([&] {
+    auto& host = hosts[app];
+    if (!host) host = std::make_unique<EditorHost>(*app, editor::FileAccess::Dialog);
+    return web::report(host->attach());
+  });
+}
+FUR_EXPORT void fur_editor_detach(App* app, int lost) {
+  withHost(app, [](EditorHost& host) { return host.detach(), 0; });
+  if (!lost) hosts.erase(app);
+}
+// Pixels of the drawing buffer.
+FUR_EXPORT void fur_editor_resize(App* app, int width, int height, float pixelRatio) {
+  withHost(app, [&](EditorHost& host) { return host.resize(width, height, pixelRatio), 0; });
+}
+
+// --- input; 1: it was for the panel, the App must not get it ---
+// phase, kind, id, buttons and positions as in fur_pointer(); modifiers: bit 0 shift, 1 control (or
+// the Mac's command key), 2 alt
+
+FUR_EXPORT int fur_editor_pointer(App* app, int phase, int kind, int id, float x, float y, int buttons) {
+  app::PointerEvent event{static_cast<app::PointerPhase>(phase)};
+  event.kind = static_cast<app::PointerKind>(kind);
+  event.id = id;
+  event.position = {x, y};
+  event.buttons = buttons;
+  return withHost(app, [&](EditorHost& host) { return host.pointer(event); });
+}
+FUR_EXPORT void fur_editor_pointerLeft(App* app) {
+  withHost(app, [](EditorHost& host) { return host.pointerLeft(), 0; });
+}
+FUR_EXPORT int fur_editor_wheel(App* app, float notches, float x, float y) {
+  return withHost(app, [&](EditorHost& host) { return host.wheel(notches, {x, y}); });
+}
+// KeyboardEvent.key; send releases too.
+FUR_EXPORT int fur_editor_key(App* app, const char* domKey, int down, int modifiers) {
+  return withHost(app, [&](EditorHost& host) { return host.key(domKey, down != 0, modifiersOf(modifiers)); });
+}
+// Characters that were typed (a key of one character without control, or an input event).
+FUR_EXPORT int fur_editor_text(App* app, const char* utf8) {
+  return withHost(app, [&](EditorHost& host) { return host.text(utf8); });
+}
+// Clipboard text: goes into the text field with the focus, else is taken as settings.
+FUR_EXPORT void fur_editor_paste(App* app, const char* utf8) {
+  withHost(app, [&](EditorHost& host) { return host.paste(utf8), 0; });
+}
+FUR_EXPORT void fur_editor_focusLost(App* app) {
+  withHost(app, [](EditorHost& host) { return host.focusLost(), 0; });
+}
+// bit 0: the pointer, bit 1: the keyboard, bit 2: text (show an on-screen keyboard)
+FUR_EXPORT int fur_editor_wants(App* app) {
+  return withHost(app, [](EditorHost& host) {
+    return (host.wantsPointer() ? 1 : 0) | (host.wantsKeyboard() ? 2 : 0) | (host.wantsText() ? 4 : 0);
+  });
+}
+// A value for the CSS property cursor while the pointer is over the panel.
+FUR_EXPORT const char* fur_editor_cursor(App* app) {
+  const EditorHost* host = hostOf(app);
+  return web::text(host ? host->cursor() : "default");
+}
+
+// --- frames ---
+
+// Builds the panel's next frame; 1 when it looks different from the one on the screen.
+FUR_EXPORT int fur_editor_update(App* app, float seconds) {
+  return withHost(app, [&](EditorHost& host) { return host.update(seconds); });
+}
+// Over what fur_draw() has just drawn.
+FUR_EXPORT void fur_editor_draw(App* app) {
+  withHost(app, [](EditorHost& host) { return host.draw(), 0; });
+}
+// Further frames are needed although no event may come.
+FUR_EXPORT int fur_editor_active(App* app) {
+  return withHost(app, [](EditorHost& host) { return host.active(); });
+}
+
+// --- what the page must do ---
+
+// The next command: 0 none, 1 open a file dialog, 3 load the bunny, 4 copy fur_editor_commandText() to
+// the clipboard, 5 read the clipboard and call fur_editor_paste(). (2 is the desktop's: open a path.)
+FUR_EXPORT int fur_editor_command(App* app) {
+  return withHost(app, [](EditorHost& host) {
+    std::optional<app::PlatformCommand> command = host.takeCommand();
+    if (!command) return 0;
+    commandText = std::move(command->text);
+    return static_cast<int>(command->kind);
+  });
+}
+FUR_EXPORT const char* fur_editor_commandText() { return commandText.c_str(); }
+// Shown in the panel until dismissed: a warning, or a file that could not be read.
+FUR_EXPORT void fur_editor_message(App* app, const char* text, int isError) {
+  withHost(app, [&](EditorHost& host) { return host.message(text, isError != 0), 0; });
+}
