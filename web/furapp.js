@@ -1,8 +1,8 @@
 // app/App.h as JavaScript methods: one handle in one Program. Positions are pixels of the drawing buffer.
 
 const tools = ['droplet', 'dry', 'grab', 'none'];
-const phases = ['down', 'move', 'up', 'cancel'];
-const pointerKinds = ['mouse', 'touch', 'pen'];
+export const phases = ['down', 'move', 'up', 'cancel'];
+export const pointerKinds = ['mouse', 'touch', 'pen'];
 const statNames = [
   'vertices', 'triangles', 'strands', 'layers', 'finEdges', 'cpuBytes', 'gpuBytes', 'uploadedBytes', 'framesDrawn',
 ];

@@ -12,8 +12,6 @@ import { resetContext, Screen } from './screen.js';
 const maxFrameSeconds = 0.1;
 const maxWarnings = 100;
 const wetnessCheckMilliseconds = 200;
-/** Dear ImGui answers to an input over the next two frames. */
-const panelFrames = 3;
 
 /** Lets the browser show what changed before a long piece of work. */
 const breathe = () => new Promise((resolve) => {
@@ -45,7 +43,6 @@ export class WetFur extends EventTarget {
   #ready;
   #frame = 0;
   #lastTime = null;
-  #panelFramesLeft = 0;
   #lastCamera = '';
   #lastWetness = 0;
   #lastWetnessCheck = 0;
@@ -98,7 +95,7 @@ export class WetFur extends EventTarget {
   get canUndo() { return this.#app?.canUndo ?? false; }
   get canRedo() { return this.#app?.canRedo ?? false; }
   /** Whether a person can do anything with it: then it takes the focus and pointers. */
-  get interactive() { return this.#options.cameraControls || this.#options.tool !== 'none' || this.#panel !== null; }
+  get interactive() { return this.#options.cameraControls || this.get('tool') !== 'none' || this.#panel !== null; }
   get editorOpen() { return this.#panel !== null; }
 
   // --- options and settings ---
@@ -111,6 +108,7 @@ export class WetFur extends EventTarget {
   }
   get(name) {
     if (name === 'src') return this.#src;
+    if (name === 'tool' && this.#app) return this.#app.tool;  // the editor's panel sets it too
     return name in optionDefaults ? this.#options[name] : this.#getSetting(name);
   }
 
@@ -284,6 +282,7 @@ export class WetFur extends EventTarget {
       this.#setState(hopeless ? 'unsupported' : 'error');
       this.#ready.reject(error);
     }
+    this.#panel?.message(error.message, true);
     this.#emit('error', { code: error.code, message: error.message });
     return error;
   }
@@ -347,7 +346,6 @@ export class WetFur extends EventTarget {
   #canRun() { return this.#state === 'ready' && this.#screen.visible && !this.#options.paused; }
 
   #wake() {
-    if (this.#panel) this.#panelFramesLeft = panelFrames;
     if (!this.#frame && this.#canRun()) this.#frame = requestAnimationFrame((time) => this.#onFrame(time));
   }
 
@@ -357,10 +355,11 @@ export class WetFur extends EventTarget {
     this.#current();
     const since = this.#lastTime === null ? 1 / 60 : (time - this.#lastTime) / 1000;
     this.#lastTime = time;
-    const changed = this.#app.tick(this.#options.fixedDt || Math.min(since, maxFrameSeconds));
-    if (changed || this.#panelFramesLeft > 0) this.#paint();
-    if (this.#panelFramesLeft > 0) --this.#panelFramesLeft;
-    const goesOn = this.#app.active || this.#panelFramesLeft > 0;
+    const dt = this.#options.fixedDt || Math.min(since, maxFrameSeconds);
+    const changed = [this.#app.tick(dt), this.#panel?.update(dt)];
+    if (changed.some(Boolean)) this.#paint();
+    this.#panel?.afterFrame();
+    const goesOn = this.#app.active || Boolean(this.#panel?.active);
     this.#tellChanges(!goesOn);
     this.#flushWarnings();
     if (goesOn && !this.#frame) this.#frame = requestAnimationFrame((next) => this.#onFrame(next));
@@ -378,6 +377,7 @@ export class WetFur extends EventTarget {
     this.#current();
     this.#app.invalidate();
     this.#app.tick(0);
+    this.#panel?.update(0);
     this.#paint();
   }
 
@@ -458,6 +458,7 @@ export class WetFur extends EventTarget {
     const old = this.#app;
     const { state, tool, wetnessTexels } = old;
     this.#current();
+    this.#panel?.dispose();
     this.#panel = null;
     old.detach(false);
     this.#screen.unregister(old.program);
@@ -471,7 +472,11 @@ export class WetFur extends EventTarget {
     old.destroy();
     this.#program = which;
     if (EditorPanel) {
-      this.#panel = new EditorPanel(app, this.#canvas, () => this.#wake());
+      this.#panel = new EditorPanel(app, this.#canvas, {
+        wake: () => this.#wake(),
+        openDialog: () => this.#openDialog(),
+        loadBunny: () => { this.src = 'bunny'; },
+      });
       this.#panel.resize(this.#screen.width, this.#screen.height, this.#screen.pixelRatio);
     }
     this.#drawNow();
@@ -479,6 +484,16 @@ export class WetFur extends EventTarget {
     this.#drawNow();
     this.#wake();
     this.#emit('state-change', { state: this.state, reason: 'editor' });
+  }
+
+  #openDialog() {
+    const input = Object.assign(document.createElement('input'), { type: 'file', accept: '.glb,.gltf,.bin,image/*', multiple: true });
+    input.addEventListener('change', () => {
+      const files = [...input.files];
+      const model = files.find((file) => /\.(glb|gltf)$/i.test(file.name)) ?? files[0];
+      if (model) this.loadModel(model, { files }).catch(() => {});  // the error event carries it
+    });
+    input.click();
   }
 
   // --- what the screen does ---
@@ -502,6 +517,7 @@ export class WetFur extends EventTarget {
 
   #onLost() {
     if (!this.#app) return;
+    this.#panel?.detach(true);
     this.#app.detach(true);
     this.#screen.unregister(this.#app.program);
     this.#setState('lost');
@@ -513,12 +529,13 @@ export class WetFur extends EventTarget {
     try {
       this.#screen.register(this.#app.program);
       this.#app.attach();
+      this.#panel?.attach();
     } catch (error) {
       this.#emit('error', { code: error.code, message: error.message });
       return;
     }
     this.#app.resize(this.#screen.width, this.#screen.height, this.#screen.pixelRatio);
-    this.#panel?.restored();
+    this.#panel?.resize(this.#screen.width, this.#screen.height, this.#screen.pixelRatio);
     this.#setState(this.loaded ? 'ready' : 'loading');
     this.#drawNow();
     this.#emit('context-restored', {});
@@ -572,10 +589,10 @@ export class WetFur extends EventTarget {
     this.#stop.abort();
     cancelAnimationFrame(this.#frame);
     this.#input.dispose();
-    this.#panel?.dispose();
     if (this.#app) {
-      this.#current();
-      this.#app.detach(false);
+      if (this.#state !== 'lost') this.#current();
+      this.#panel?.dispose();
+      this.#app.detach(this.#state === 'lost');
       this.#screen.unregister(this.#app.program);
       this.#app.destroy();
     }

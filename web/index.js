@@ -12,7 +12,7 @@ export { FurError };
  * Draws a model on the canvas; resolves when it is there. dispose() ends it, and the canvas cannot
  * be used again.
  * @param {HTMLCanvasElement} canvas
- * @param {import('./types.d.ts').WetFurOptions} [options]
+ * @param {import('./types/index.d.ts').WetFurOptions} [options]
  */
 export async function createWetFur(canvas, options = {}) {
   const { WetFur } = await import('./host.js');

@@ -50,10 +50,11 @@ async function openAsLinked() {
 
 function setTool(tool) {
   fur.tool = tool;
-  for (const button of toolButtons) button.setAttribute('aria-pressed', String(button.dataset.tool === tool));
+  showButtons();
 }
 
 function showButtons() {
+  for (const button of toolButtons) button.setAttribute('aria-pressed', String(button.dataset.tool === fur.tool));
   byId('undo').disabled = !fur.canUndo;
   byId('redo').disabled = !fur.canRedo;
   byId('wind').setAttribute('aria-pressed', String(fur.wind > 0));
@@ -94,7 +95,10 @@ async function openFiles(files) {
 }
 
 function pickModel() {
-  if (modelPicker.value !== 'own') fur.src = modelPicker.value;
+  const src = modelPicker.value;
+  if (src === 'own') return;
+  if (src === fur.src) fur.reload();
+  else fur.src = src;
 }
 
 function onError({ detail }) {

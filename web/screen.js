@@ -54,6 +54,7 @@ export class Screen {
   }
   makeCurrent(program) { program.emscripten.GL.makeContextCurrent(this.handle); }
   unregister(program) {
+    if (!this.handle) return;
     program.emscripten.GL.deleteContext(this.handle);
     this.handle = 0;
   }

@@ -1,0 +1,156 @@
+/**
+ * The editor: Dear ImGui over the picture, in a program of its own that is fetched when it is asked for.
+ * `await openEditor(element)`; the scene moves over with its water, and back.
+ */
+import { modifiersOf, phases, pointerKinds } from './furapp.js';
+import { compileProgram } from './runtime.js';
+
+/** @param {import('./types/index.d.ts').WetFurApi} fur */
+export const openEditor = (fur) => fur.openEditor();
+export const closeEditor = (fur) => fur.closeEditor();
+
+/** Fetches and compiles it before it is needed. */
+export async function preloadEditor(onBytes) {
+  await compileProgram('editor', onBytes);
+}
+
+const wants = { pointer: 1, text: 4 };
+const commands = { openDialog: 1, loadBunny: 3, copy: 4, paste: 5 };
+
+/**
+ * What the panel cannot do itself.
+ * @typedef {object} PanelHost
+ * @property {() => void} wake
+ * @property {() => void} openDialog
+ * @property {() => void} loadBunny
+ */
+
+/** The panel of one app: web/editor/EditorBindings.cpp as methods, and a hidden text field for keyboards on screens. */
+export class EditorPanel {
+  #app;
+  #canvas;
+  #host;
+  #field = document.createElement('input');
+  #stop = new AbortController();
+
+  /** @param {import('./furapp.js').FurApp} app @param {HTMLCanvasElement} canvas @param {PanelHost} host */
+  constructor(app, canvas, host) {
+    this.#app = app;
+    this.#canvas = canvas;
+    this.#host = host;
+    this.attach();
+    this.#listen();
+  }
+
+  #call(name, ...args) { return this.#app.program.call(`fur_editor_${name}`, this.#app.handle, ...args); }
+
+  attach() { this.#app.program.callOrThrow('fur_editor_attach', this.#app.handle); }
+  detach(lost) { this.#call('detach', lost ? 1 : 0); }
+  resize(width, height, pixelRatio) { this.#call('resize', width, height, pixelRatio); }
+
+  dispose() {
+    this.#stop.abort();
+    this.#field.remove();
+    this.#canvas.style.cursor = '';
+    this.detach(false);
+  }
+
+  // --- input; true: it was for the panel ---
+
+  get wantsPointer() { return (this.#call('wants') & wants.pointer) !== 0; }
+
+  pointer(phase, event, x, y) {
+    return this.#call('pointer', phases.indexOf(phase), Math.max(0, pointerKinds.indexOf(event.pointerType)),
+      event.pointerId, x, y, event.buttons) !== 0;
+  }
+  wheel(notches, x, y) { return this.#call('wheel', notches, x, y) !== 0; }
+
+  key(event, down) {
+    const command = event.ctrlKey || event.metaKey;
+    // The browser's own paste event brings the text without asking for a permission.
+    if (command && event.key.toLowerCase() === 'v') return false;
+    const used = this.#call('key', event.key, down ? 1 : 0, modifiersOf(event)) !== 0;
+    const typed = down && !command && event.key.length === 1 && event.target !== this.#field;
+    return (typed && this.#call('text', event.key) !== 0) || used;
+  }
+
+  message(text, isError) { this.#call('message', text, isError ? 1 : 0); }
+
+  // --- frames ---
+
+  update(seconds) { return this.#call('update', seconds) !== 0; }
+  draw() { this.#call('draw'); }
+  get active() { return this.#call('active') !== 0; }
+
+  /** After a frame: the cursor, the on-screen keyboard, and what the panel asks of the page. */
+  afterFrame() {
+    this.#canvas.style.cursor = this.#app.program.text(this.#call('cursor'));
+    this.#followTextFocus();
+    for (let command = this.#call('command'); command !== 0; command = this.#call('command')) this.#carryOut(command);
+  }
+
+  #carryOut(command) {
+    if (command === commands.openDialog) this.#host.openDialog();
+    if (command === commands.loadBunny) this.#host.loadBunny();
+    if (command === commands.copy) this.#copy(this.#app.program.text(this.#app.program.call('fur_editor_commandText')));
+    if (command === commands.paste) this.#paste();
+  }
+
+  #copy(text) {
+    navigator.clipboard.writeText(text).catch((error) => this.message(`Nothing was copied: ${error.message}`, true));
+  }
+
+  async #paste() {
+    try {
+      this.#call('paste', await navigator.clipboard.readText());
+      this.#host.wake();
+    } catch (error) {
+      this.message(`Nothing was pasted: ${error.message}`, true);
+    }
+  }
+
+  #followTextFocus() {
+    const wanted = (this.#call('wants') & wants.text) !== 0;
+    const root = this.#canvas.getRootNode();
+    if (wanted && root.activeElement === this.#canvas) this.#field.focus({ preventScroll: true });
+    if (!wanted && root.activeElement === this.#field) this.#canvas.focus({ preventScroll: true });
+  }
+
+  #listen() {
+    const { signal } = this.#stop;
+    const field = this.#field;
+    field.setAttribute('aria-label', 'Text for the editor');
+    field.autocapitalize = field.autocomplete = 'off';
+    field.tabIndex = -1;
+    // 16 px: below that some phones zoom into what has the focus.
+    field.style.cssText = 'position:absolute;left:0;top:0;width:1px;height:1px;padding:0;border:0;opacity:0;font-size:16px';
+    this.#canvas.after(field);
+    const onKey = (down) => (event) => {
+      if (event.isComposing) return;
+      if (this.key(event, down) && event.key.length > 1) event.preventDefault();
+      this.#host.wake();
+    };
+    field.addEventListener('keydown', onKey(true), { signal });
+    field.addEventListener('keyup', onKey(false), { signal });
+    const take = () => {
+      if (field.value) this.#call('text', field.value);
+      field.value = '';
+      this.#host.wake();
+    };
+    field.addEventListener('input', (event) => { if (!event.isComposing) take(); }, { signal });
+    field.addEventListener('compositionend', take, { signal });
+    const paste = (event) => {
+      this.#call('paste', event.clipboardData.getData('text/plain'));
+      event.preventDefault();
+      this.#host.wake();
+    };
+    for (const target of [field, this.#canvas]) target.addEventListener('paste', paste, { signal });
+    this.#canvas.addEventListener('pointerleave', () => {
+      this.#call('pointerLeft');
+      this.#host.wake();
+    }, { signal });
+    this.#canvas.addEventListener('blur', () => {
+      if (this.#canvas.getRootNode().activeElement !== field) this.#call('focusLost');
+    }, { signal });
+  }
+}

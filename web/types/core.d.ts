@@ -1,0 +1,95 @@
+// wet-fur/core: fur, water and models without a picture, in browsers and Node.
+import type { SettingsField } from './index.js';
+
+export { FurError } from './index.js';
+
+export interface FurParameters {
+  /** Texels a side, a power of two, 64..1024. */
+  size?: number;
+  /** 4..128 */
+  layers?: number;
+  density?: number;
+  thickness?: number;
+  lengthVariation?: number;
+  length?: number;
+  curl?: number;
+  clump?: number;
+  seed?: number;
+}
+
+/** Layer-major, size * size texels a layer, layer 0 at the skin. */
+export interface FurVolume {
+  size: number;
+  layers: number;
+  strandCount: number;
+  density: number;
+  weight: number;
+  /** 0..255 */
+  coverage: Uint8Array;
+  /** 128..255 for 0.5..1 */
+  dominance: Uint8Array;
+  variance: Uint8Array;
+  /** 3 a texel: unit root-to-tip tangent, z up. */
+  tangent: Float32Array;
+  /** 2 a texel, in texels back to the strand's root. */
+  offset: Float32Array;
+  /** From 1; 0 where the layer has no strand. */
+  strandId: Uint16Array;
+  /** Strands seen from the side, row 0 at the root. */
+  fin: { rows: number; columns: number; coverage: Uint8Array; variance: Uint8Array; tangent: Float32Array };
+}
+
+export interface WetnessMask {
+  readonly size: number;
+  /** A copy: 4 a texel: clump centre u, v, clump radius, wetness. */
+  readonly data: Float32Array;
+  readonly meanWetness: number;
+  addDroplet(droplet: { u: number; v: number; radius?: number; wetness?: number }): void;
+  dryAt(brush: { u: number; v: number; radius?: number; amount?: number }): void;
+  dry(seconds: number, options?: { rate?: number }): void;
+  clear(): void;
+  at(u: number, v: number): { centreU: number; centreV: number; radius: number; wetness: number };
+  hash(): string;
+  dispose(): void;
+}
+
+export type Vector = readonly [number, number, number];
+
+/** Angles in radians, vectors as arrays of 3. */
+export interface Equations {
+  clumpProfile(h: number, w: number, layers: number): number;
+  clumpShift(h: number, w: number, layers: number, rho: number): number;
+  wetSpecularExponent(p: number, rho: number, sigmaSpec: number): number;
+  occlusionFactor(h: number, sigmaOcc: number): number;
+  wetDarkening(rho: number, sigmaWet: number): number;
+  strandThinning(s: number): number;
+  strandExists(h: number, presence: number, dominance: number): boolean;
+  furShadow(h: number, density: number, nDotL: number): number;
+  /** [along, across] */
+  windBend(force: number, t: number): [number, number];
+  arcBend(theta: number, t: number): [number, number];
+  kajiyaDiffuse(T: Vector, L: Vector): number;
+  kajiyaSpecular(T: Vector, L: Vector, V: Vector, p: number): number;
+}
+
+export interface ImportedModel {
+  vertexCount: number;
+  triangleCount: number;
+  hasTexcoords: boolean;
+  /** In the file's units. */
+  bounds: { low: [number, number, number]; high: [number, number, number] };
+  warnings: string[];
+}
+
+export interface Core {
+  generateFur(parameters?: FurParameters): FurVolume;
+  createWetnessMask(size?: number): WetnessMask;
+  /** Throws a FurError; `files`: buffers and images beside a .gltf, by the name it uses. */
+  importModel(
+    bytes: ArrayBuffer | ArrayBufferView,
+    options?: { name?: string; files?: Record<string, ArrayBuffer | ArrayBufferView> }): ImportedModel;
+  readonly equations: Equations;
+  readonly settingsTable: readonly SettingsField[];
+}
+
+export function loadCore(): Promise<Core>;

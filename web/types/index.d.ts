@@ -1,0 +1,258 @@
+// wet-fur: createWetFur and what it returns.
+
+/** Why something failed; `message` names the thing and the limit. */
+export type FurErrorCode =
+  | 'webgl-unavailable' | 'wasm-blocked' | 'wasm-load' | 'out-of-memory'
+  | 'bad-file' | 'too-large' | 'unsupported-version' | 'network';
+
+export class FurError extends Error {
+  readonly name: 'FurError';
+  readonly code: FurErrorCode;
+  constructor(code: FurErrorCode, message: string);
+}
+
+export type Tool = 'droplet' | 'dry' | 'grab' | 'none';
+export type Quality = 'auto' | 'low' | 'medium' | 'high';
+export type Motion = 'auto' | 'full' | 'reduced';
+export type WheelManner = 'page' | 'focus' | 'zoom';
+export type View = 'final' | 'skin' | 'shells' | 'fins' | 'wetness' | 'tangents' | 'coverage' | 'normals';
+/** "#rrggbb", sRGB. */
+export type Color = string;
+export type ModelBytes = ArrayBuffer | ArrayBufferView | Blob;
+
+/** Everything a person can change. Out-of-range values are clamped with a warning. */
+export interface FurSettings {
+  /** How many strands grow; 0 is bald. */
+  density: number;
+  /** Root radius of a strand; thicker coats have fewer strands. */
+  thickness: number;
+  /** How much shorter than the longest a strand may be. */
+  lengthVariation: number;
+  /** Amplitude of the waves along a strand. */
+  curl: number;
+  /** Length of the longest strand. */
+  furLength: number;
+  /** How often the fur tile repeats along one bounding radius. */
+  repeat: number;
+  /** Layers of the fur volume: more are smoother and slower. */
+  layers: number;
+  /** The same seed grows the same coat. */
+  seed: number;
+  /** Draw strands side-on along the silhouette. */
+  fins: boolean;
+  /** Colour at the skin end of a strand. */
+  rootColor: Color;
+  /** Colour at the tip of a strand. */
+  tipColor: Color;
+  /** Colour of the skin between the strands. */
+  skinColor: Color;
+  /** Difference in brightness from strand to strand. */
+  variance: number;
+  /** How much of the model's own base colour tints the fur. */
+  textureAmount: number;
+  /** Compass direction the light comes from, 0 = +z. */
+  lightYaw: number;
+  /** Angle of the light above the horizon. */
+  lightPitch: number;
+  /** Brightness of the key light. */
+  lightIntensity: number;
+  /** Brightness of the light from sky and ground. */
+  ambient: number;
+  /** Share of plain surface shading beside the strands' own (Sheppard 5.3.1). */
+  lambert: number;
+  /** Strength of the highlight across the strands. */
+  specular: number;
+  /** Exponent p of the highlight on soaked fur (Kajiya and Kay); dry fur is blunter. */
+  shininess: number;
+  /** How much strands darken what lies below them (Sheppard Eq. 3.4). */
+  strandShadow: number;
+  /** sigma_occ: less light reaches the roots (Silva Eq. 5). */
+  occlusion: number;
+  /** Brightness of the whole picture. */
+  exposure: number;
+  /** Radius of the spray of droplets, and of the dry brush. */
+  brushRadius: number;
+  /** Wetness that one droplet brings. */
+  brushFlow: number;
+  /** Radius of a single droplet, and so of the lock that it binds. */
+  clumpSize: number;
+  /** Wetness lost per second. */
+  dryRate: number;
+  /** w: 0 = straight leaning strands, 1 = strands bent in from the root (Silva Eq. 1). */
+  clumpShape: number;
+  /** sigma_wet: how much darker soaked fur is (Silva Eq. 5). */
+  wetDarkening: number;
+  /** sigma_spec: how much blunter the highlight of dry fur is than that of soaked fur (Silva Eq. 3). */
+  wetGloss: number;
+  /** How far its own weight bends the fur. */
+  gravity: number;
+  /** How strongly a strand returns to its rest direction. */
+  stiffness: number;
+  /** Strength of the wind. */
+  wind: number;
+  /** Compass direction the wind blows to, 0 = +z. */
+  windYaw: number;
+  /** How much the wind comes and goes. */
+  gust: number;
+  /** How strongly the fur answers to the model's own motion. */
+  inertia: number;
+  /** Upper colour of the gradient behind the model. */
+  backgroundTop: Color;
+  /** Lower colour of the gradient behind the model. */
+  backgroundBottom: Color;
+  /** Draw the soft shadow under the model. */
+  ground: boolean;
+  /** What is drawn: the picture, or one part of it for study. */
+  view: View;
+}
+
+/** One row of the settings table. */
+export type SettingsField = {
+  readonly name: keyof FurSettings;
+  readonly label: string;
+  readonly group: string;
+  readonly unit: string;
+  readonly tooltip: string;
+} & (
+  | { readonly type: 'float' | 'int'; readonly default: number; readonly min: number; readonly max: number }
+  | { readonly type: 'bool'; readonly default: boolean }
+  | { readonly type: 'color'; readonly default: Color }
+  | { readonly type: 'choice'; readonly default: string; readonly options: readonly string[] }
+);
+
+/** Angles in radians; lengths in bounding radii of the model. */
+export interface CameraOrbit {
+  yaw: number;
+  pitch: number;
+  distance: number;
+  target: [number, number, number];
+}
+
+export interface WetFurOptions extends Partial<FurSettings> {
+  /** "bunny", "sphere", "torus", "plane", or the address of a .glb or .gltf. */
+  src?: string;
+  tool?: Tool;
+  cameraControls?: boolean;
+  /** "yaw pitch distance [x y z]", radians or with "deg". */
+  cameraOrbit?: string | (Omit<CameraOrbit, 'target'> & { target?: [number, number, number] });
+  quality?: Quality;
+  /** One colour for the whole background; backgroundTop and backgroundBottom make a gradient. */
+  background?: Color;
+  /** Seconds that every frame advances, whatever the clock says; 0: the clock. */
+  fixedDt?: number;
+  paused?: boolean;
+  wheel?: WheelManner;
+  /** A CSS touch-action; without it the page scrolls by touch until the canvas has the focus. */
+  touchAction?: string;
+  motion?: Motion;
+  editor?: boolean;
+}
+
+export type WetFurState = 'idle' | 'loading' | 'ready' | 'suspended' | 'lost' | 'error' | 'unsupported' | 'disposed';
+
+export interface WetFurStats {
+  vertices: number;
+  triangles: number;
+  strands: number;
+  layers: number;
+  finEdges: number;
+  cpuBytes: number;
+  gpuBytes: number;
+  /** By the last frame. */
+  uploadedBytes: number;
+  framesDrawn: number;
+}
+
+export interface WetFurEventMap {
+  /** `src` is null for a file that loadModel() was given. */
+  load: CustomEvent<{ name: string; src: string | null }>;
+  /** Bytes of a stage (total 0: unknown), and how far all of it is, 0..1. */
+  progress: CustomEvent<{ stage: 'program' | 'model' | 'fur' | 'editor'; loaded: number; total: number; fraction: number }>;
+  error: CustomEvent<{ code: FurErrorCode; message: string }>;
+  warning: CustomEvent<{ message: string }>;
+  'camera-change': CustomEvent<{ orbit: CameraOrbit }>;
+  'wetness-change': CustomEvent<{ wetness: number }>;
+  'stroke-start': CustomEvent<{ tool: Tool; u: number; v: number }>;
+  'stroke-end': CustomEvent<{ tool: Tool }>;
+  'state-change': CustomEvent<{ state: WetFurState; reason: 'loading' | 'settings' | 'editor' }>;
+  'context-lost': CustomEvent<Record<string, never>>;
+  'context-restored': CustomEvent<Record<string, never>>;
+  'model-visibility': CustomEvent<{ visible: boolean }>;
+}
+
+/** What the element and what createWetFur() returns have in common. */
+export interface WetFurApi {
+  readonly loaded: boolean;
+  /** Resolves when the first model is shown, rejects with a FurError when it cannot be. */
+  readonly ready: Promise<void>;
+  readonly state: WetFurState;
+  /** null until the program is there. */
+  readonly stats: WetFurStats | null;
+  /** Live values; what is set before the program is there is kept for it. */
+  readonly settings: FurSettings;
+  readonly settingsTable: readonly SettingsField[] | null;
+  /** The newest hundred. */
+  readonly warnings: string[];
+  readonly modelName: string;
+  /** 0..1 over the whole model. */
+  readonly meanWetness: number;
+  /** Of the wetness mask: the same strokes give the same hash. */
+  readonly wetnessHash: string;
+  readonly canUndo: boolean;
+  readonly canRedo: boolean;
+  readonly editorOpen: boolean;
+  /** As the camera-orbit attribute takes it. */
+  readonly cameraOrbitText: string;
+
+  /** At atlas coordinates, or at CSS pixels of the canvas; whether it hit the model. */
+  splash(at: { u: number; v: number } | { x: number; y: number }, options?: { radius?: number; amount?: number }): boolean;
+  /** As `seconds` of drying would; all at once without. */
+  dry(seconds?: number): void;
+  /** The whole model: 0 dries it, more soaks it. */
+  setWetness(amount: number): void;
+  wetnessAt(u: number, v: number): number;
+  /** The atlas coordinates under CSS pixels of the canvas; null beside the model. */
+  pick(at: { x: number; y: number }): { u: number; v: number } | null;
+  play(): void;
+  pause(): void;
+  /** n steps of dt seconds and one frame, at once, whatever the page's own clock does. */
+  step(dt: number, n?: number): void;
+  undo(): boolean;
+  redo(): boolean;
+  /** JSON text: model name, settings that differ from the defaults, camera. */
+  getState(): string;
+  /** Throws a FurError when it cannot be used. */
+  setState(state: string | object): void;
+  /** Rejects with a FurError, and then the old scene stays. `files`: buffers and images beside a .gltf. */
+  loadModel(model: ModelBytes, options?: { name?: string; files?: Iterable<File> }): Promise<void>;
+  toBlob(options?: { mimeType?: string; quality?: number; width?: number; height?: number }): Promise<Blob>;
+  getCameraOrbit(): CameraOrbit | null;
+  resetCamera(): void;
+  openEditor(): Promise<void>;
+  closeEditor(): Promise<void>;
+  reload(): Promise<void>;
+  dispose(): void;
+}
+
+/** One furry model on one canvas. */
+export interface WetFur extends WetFurApi, EventTarget {
+  readonly canvas: HTMLCanvasElement;
+  src: string;
+  get<Name extends keyof WetFurOptions>(name: Name): WetFurOptions[Name];
+  set<Name extends keyof WetFurOptions>(name: Name, value: NonNullable<WetFurOptions[Name]>): void;
+  addEventListener<Type extends keyof WetFurEventMap>(
+    type: Type, listener: (event: WetFurEventMap[Type]) => void, options?: boolean | AddEventListenerOptions): void;
+  addEventListener(type: string, listener: EventListenerOrEventListenerObject | null, options?: boolean | AddEventListenerOptions): void;
+}
+
+/** Draws a model (default: the bunny) on the canvas; resolves when it is there, rejects with a FurError. */
+export function createWetFur(canvas: HTMLCanvasElement, options?: WetFurOptions): Promise<WetFur>;
+
+/** Fetches and compiles the program before it is needed. */
+export function preload(onBytes?: (loaded: number, total: number) => void): Promise<void>;
+
+/** Where the files lie when they are not beside the scripts. */
+export function configure(places: { wasmUrl?: string | URL; editorWasmUrl?: string | URL; modelsUrl?: string | URL }): void;
+
+/** Whether this browser can draw it; false outside a browser. */
+export function isSupported(): boolean;
