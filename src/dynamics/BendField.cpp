@@ -104,12 +104,14 @@ struct Climate {
   Vec3 gravity, wind, windDirection;
   Flow drag, kick;
   float compliance;
+  bool moving = false;
 
   // Where these forces hold a strand: the bend of balance.
   Vec3 target(const Vec3& position, const Vec3& direction, float wet) const {
     const float facing = saturate(0.5f - 0.5f * glm::dot(direction, windDirection));
     const float exposure = (kShelter + (1.0f - kShelter) * facing) * (1.0f - kWetWind * wet);
-    const Vec3 force = gravity * (1.0f + kWaterMass * wet) + wind * exposure + drag.at(position);
+    Vec3 force = gravity * (1.0f + kWaterMass * wet) + wind * exposure;
+    if (moving) force += drag.at(position);
     return capped(across(force, direction) * compliance, 1.0f) * kMaxBend;
   }
 };
@@ -134,7 +136,6 @@ void BendField::reset(const std::vector<Vec3>& positions, const std::vector<Vec3
              directions.size());
   positions_ = positions;
   directions_ = directions;
-  targets_.assign(positions.size(), Vec3(0));
   velocities_.assign(positions.size(), Vec3(0));
   bends_.assign(positions.size(), Vec4(0));
   lastVelocity_ = {};
@@ -168,35 +169,29 @@ void BendField::step(float dt, const Mat4& given, const BendForces& forces, cons
   const Mat3 toModel = glm::transpose(rotationOf(modelToWorld));
   const float inertia = unitOr0(forces.inertia);
   Climate climate = climateIn(modelToWorld, forces);
+  climate.moving = lastVelocity_.any() || change.any();
   const Mat3 drag = toModel * (-kDrag * inertia), kick = toModel * (-kKick * inertia);
   climate.drag = {drag * lastVelocity_.linear, drag * lastVelocity_.constant};
   climate.kick = {kick * change.linear, kick * change.constant};
-
   const SwingTable swings = swingTable(forces, dt);
   float worstAngle = 0, worstSpeed = 0;  // squared
   for (std::size_t i = 0; i < positions_.size(); ++i) {
     const float water = wetAt(wet, i);
     const Swing& swing = swings[static_cast<std::size_t>(water * kWetLevels + 0.5f)];
     const Vec3 target = climate.target(positions_[i], directions_[i], water);
-    const Vec3 push = across(climate.kick.at(positions_[i]), directions_[i]);
-    const Vec3 v = capped(velocities_[i] + push, kMaxSpeed);
+    Vec3 v = velocities_[i];
+    if (climate.moving) v = capped(v + across(climate.kick.at(positions_[i]), directions_[i]), kMaxSpeed);
     const Vec3 x = Vec3(bends_[i]) - target;
-    const Vec3 bend = capped(target + swing.xx * x + swing.xv * v, kMaxBend);
-    const Vec3 speed = swing.vx * x + swing.vv * v;
-    worstAngle = std::max(worstAngle, glm::dot(bend - target, bend - target));
+    const Vec3 left = swing.xx * x + swing.xv * v, speed = swing.vx * x + swing.vv * v;
+    worstAngle = std::max(worstAngle, glm::dot(left, left));
     worstSpeed = std::max(worstSpeed, glm::dot(speed, speed));
-    targets_[i] = target;
     velocities_[i] = speed;
-    bends_[i] = Vec4(bend, 0.0f);
+    bends_[i] = Vec4(capped(target + left, kMaxBend), 0.0f);
   }
+  const bool still = worstAngle < kStillAngle * kStillAngle && worstSpeed < kStillSpeed * kStillSpeed;
   // A moving model may balance its fur for a moment, but will not stop without swinging it.
-  const bool moving = lastVelocity_.linear != Mat3(0.0f) || lastVelocity_.constant != Vec3(0);
-  atRest_ = !moving && worstAngle < kStillAngle * kStillAngle && worstSpeed < kStillSpeed * kStillSpeed;
-  if (!atRest_) return;
-  for (std::size_t i = 0; i < positions_.size(); ++i) {
-    bends_[i] = Vec4(targets_[i], 0.0f);
-    velocities_[i] = Vec3(0);
-  }
+  atRest_ = still && !climate.moving;
+  if (atRest_) settle(modelToWorld, forces, wet);
 }
 
 void BendField::settle(const Mat4& given, const BendForces& forces, const std::vector<float>& wetness) {
@@ -204,8 +199,7 @@ void BendField::settle(const Mat4& given, const BendForces& forces, const std::v
   const Climate climate = climateIn(modelToWorld, forces);
   const bool wet = wetness.size() == positions_.size();
   for (std::size_t i = 0; i < positions_.size(); ++i) {
-    targets_[i] = climate.target(positions_[i], directions_[i], wet ? wetAt(wetness, i) : 0.0f);
-    bends_[i] = Vec4(targets_[i], 0.0f);
+    bends_[i] = Vec4(climate.target(positions_[i], directions_[i], wet ? wetAt(wetness, i) : 0.0f), 0.0f);
     velocities_[i] = Vec3(0);
   }
   lastTransform_ = modelToWorld;

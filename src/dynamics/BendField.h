@@ -45,12 +45,12 @@ class BendField {
   struct RigidVelocity {
     Mat3 linear{0.0f};
     Vec3 constant{0};
+    bool any() const { return linear != Mat3(0.0f) || constant != Vec3(0); }
   };
   // Takes the transform over and returns how much the velocity has changed.
   RigidVelocity follow(const Mat4& modelToWorld, float dt);
 
   std::vector<Vec3> positions_, directions_;
-  std::vector<Vec3> targets_;     // bends of balance under the last step's forces
   std::vector<Vec3> velocities_;  // of the bends, rad/s
   std::vector<Vec4> bends_;
   Mat4 lastTransform_{1.0f};
