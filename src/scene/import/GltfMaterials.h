@@ -1,0 +1,37 @@
+// The one base colour of a model: of its materials, the textured one that covers the most triangles.
+#pragma once
+
+#include <cstdint>
+#include <map>
+
+#include "scene/import/GltfFile.h"
+
+namespace fur::scene {
+
+inline constexpr std::uint64_t kNoMaterial = ~0ull;
+
+struct TexcoordUse {
+  std::uint64_t set = 0;     // TEXCOORD_set
+  Mat3 transform{1.0f};      // KHR_texture_transform; (u, v, 1) in, out
+};
+
+class GltfMaterials {
+ public:
+  explicit GltfMaterials(const GltfFile& file) : file_(file) {}
+
+  // Which texture coordinates the material's base colour reads (set 0 without a texture).
+  TexcoordUse texcoordUse(std::uint64_t material) const;
+  void count(std::uint64_t material, std::size_t triangles) { triangles_[material] += triangles; }
+  // Base colour factor and image of the chosen material. An image over kMaxImageSide is too-large; one
+  // that is missing or unreadable is a warning, and the factor alone remains.
+  void describe(Model& model) const;
+
+ private:
+  const Json* part(std::uint64_t material, const char* key) const;
+  void readImage(Model& model, const Json& texture) const;
+
+  const GltfFile& file_;
+  std::map<std::uint64_t, std::size_t> triangles_;
+};
+
+}  // namespace fur::scene

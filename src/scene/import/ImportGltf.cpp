@@ -1,0 +1,188 @@
+#include <cmath>
+#include <new>
+
+#include "scene/Model.h"
+#include "scene/import/GltfAccessors.h"
+#include "scene/import/GltfFile.h"
+#include "scene/import/GltfMaterials.h"
+#include "scene/import/GltfNodes.h"
+
+namespace fur::scene {
+
+namespace {
+
+constexpr std::size_t kMaxTriangles = kMaxVertices;
+
+// Warnings of which a file could cause millions.
+constexpr std::size_t kMaxWarnings = 20;
+
+class Importer {
+ public:
+  Importer(const GltfFile& file, Model& model) : file_(file), model_(model), materials_(file) {}
+
+  void run() {
+    for (const PlacedMesh& placed : placedMeshes(file_)) addMesh(placed);
+    if (model_.mesh.indices.empty()) file_.bad("there are no triangles in it");
+    if (!anyTexcoords_) model_.mesh.uv.clear();
+    model_.hasTexcoords = anyTexcoords_ && !missingTexcoords_;
+    materials_.describe(model_);
+    model_.bounds = geometry::bounds(model_.mesh);
+    geometry::fitToUnitSphere(model_.mesh);
+  }
+
+ private:
+  void warn(const std::string& text) {
+    if (model_.warnings.size() < kMaxWarnings) model_.warnings.push_back(text);
+  }
+
+  void addMesh(const PlacedMesh& placed) {
+    const Json& mesh = file_.element("meshes", placed.mesh);
+    const auto primitives = mesh.find("primitives");
+    const std::string where = "meshes[" + std::to_string(placed.mesh) + "]";
+    if (primitives == mesh.end() || !primitives->is_array()) file_.bad(where + " has no primitives");
+    std::size_t number = 0;
+    for (const Json& primitive : *primitives) {
+      const std::string name = where + ".primitives[" + std::to_string(number++) + "]";
+      if (!primitive.is_object()) file_.bad(name + " is not an object");
+      addPrimitive(primitive, placed.transform, name);
+    }
+  }
+
+  void addPrimitive(const Json& primitive, const glm::dmat4& transform, const std::string& where) {
+    const std::uint64_t mode = file_.whole(primitive, "mode", 4, where);
+    if (mode > 6) file_.bad(where + ".mode " + std::to_string(mode) + " is unknown");
+    const auto attributes = primitive.find("attributes");
+    if (attributes == primitive.end() || !attributes->is_object()) file_.bad(where + " has no attributes");
+    if (mode < 4) return warn(where + " has points or lines; they are left out");
+    if (attributes->find("POSITION") == attributes->end()) return warn(where + " has no positions; it is left out");
+
+    geometry::Mesh part;
+    readPositions(part, file_.whole(*attributes, "POSITION", where), transform, where);
+    readTriangles(part, primitive, mode, transform, where);
+    readNormals(part, *attributes, transform, where);
+    const std::uint64_t material = file_.whole(primitive, "material", kNoMaterial, where);
+    readTexcoords(part, *attributes, material, where);
+    materials_.count(material, part.triangleCount());
+    append(part);
+  }
+
+  void readPositions(geometry::Mesh& part, std::uint64_t accessor, const glm::dmat4& transform, const std::string& where) {
+    const std::size_t total = model_.mesh.positions.size() + elementCount(file_, accessor);
+    if (total > kMaxVertices) {
+      file_.fail(ErrorId::TooLarge, "the model has over " + std::to_string(kMaxVertices) + " vertices, which is the limit");
+    }
+    const std::vector<float> values = readFloats(file_, accessor, 3);
+    part.positions.resize(values.size() / 3);
+    for (std::size_t i = 0; i < part.positions.size(); ++i) {
+      const glm::dvec4 local(values[3 * i], values[3 * i + 1], values[3 * i + 2], 1.0);
+      const Vec3 p = Vec3(transform * local);
+      // Half of what float holds, so that differences of positions are finite too.
+      if (!(std::abs(p.x) < 1e38f && std::abs(p.y) < 1e38f && std::abs(p.z) < 1e38f)) {
+        file_.bad(where + ": position " + std::to_string(i) + " is not a finite number");
+      }
+      part.positions[i] = p;
+    }
+  }
+
+  void readTriangles(geometry::Mesh& part, const Json& primitive, std::uint64_t mode, const glm::dmat4& transform,
+                     const std::string& where) {
+    const bool indexed = primitive.find("indices") != primitive.end();
+    const std::uint64_t accessor = indexed ? file_.whole(primitive, "indices", where) : 0;
+    const std::size_t count = indexed ? elementCount(file_, accessor) : part.positions.size();
+    const std::size_t triangles = mode == 4 ? count / 3 : count < 3 ? 0 : count - 2;
+    if (model_.mesh.triangleCount() + triangles > kMaxTriangles) {
+      file_.fail(ErrorId::TooLarge, "the model has over " + std::to_string(kMaxTriangles) + " triangles, which is the limit");
+    }
+    std::vector<std::uint32_t> corners;
+    if (indexed) corners = readIndices(file_, accessor);
+    for (std::uint32_t i = 0; !indexed && i < count; ++i) corners.push_back(i);
+    for (const std::uint32_t corner : corners) {
+      if (corner < part.positions.size()) continue;
+      file_.bad(where + ": index " + std::to_string(corner) + " is past the " + std::to_string(part.positions.size()) +
+                " vertices");
+    }
+    if (mode == 4 && count % 3 != 0) warn(where + ": " + std::to_string(count % 3) + " indices are over");
+    // A mirrored node turns its triangles inside out.
+    const bool flip = glm::determinant(glm::dmat3(transform)) < 0.0;
+    part.indices.reserve(triangles * 3);
+    for (std::size_t t = 0; t < triangles; ++t) {
+      const std::size_t a = mode == 4 ? 3 * t : mode == 5 ? t : 0;
+      const std::size_t first = mode == 4 ? a + 1 : t + 1, second = first + 1;
+      // glTF 2.0, 3.7.2.1: every other triangle of a strip is wound the other way round.
+      const bool swap = flip != (mode == 5 && t % 2 == 1);
+      part.indices.push_back(corners[a]);
+      part.indices.push_back(corners[swap ? second : first]);
+      part.indices.push_back(corners[swap ? first : second]);
+    }
+  }
+
+  void readNormals(geometry::Mesh& part, const Json& attributes, const glm::dmat4& transform, const std::string& where) {
+    geometry::computeNormals(part);
+    if (attributes.find("NORMAL") == attributes.end()) return;
+    const std::vector<float> values = readFloats(file_, file_.whole(attributes, "NORMAL", where), 3);
+    if (values.size() != part.positions.size() * 3) return warn(where + ": not one normal a vertex; they are computed");
+    // Cofactors: the inverse transpose but for a factor, and defined for flat transforms too.
+    const glm::dmat3 m(transform);
+    const double turn = glm::determinant(m) < 0.0 ? -1.0 : 1.0;
+    const glm::dmat3 cofactors(glm::cross(m[1], m[2]) * turn, glm::cross(m[2], m[0]) * turn, glm::cross(m[0], m[1]) * turn);
+    for (std::size_t i = 0; i < part.positions.size(); ++i) {
+      const glm::dvec3 n = cofactors * glm::dvec3(values[3 * i], values[3 * i + 1], values[3 * i + 2]);
+      const double squared = glm::dot(n, n);
+      if (squared > 1e-300 && squared < 1e300) part.normals[i] = Vec3(n / std::sqrt(squared));
+    }
+  }
+
+  void readTexcoords(geometry::Mesh& part, const Json& attributes, std::uint64_t material, const std::string& where) {
+    part.uv.assign(part.positions.size(), Vec2(0.0f));
+    const TexcoordUse use = materials_.texcoordUse(material);
+    const std::string key = "TEXCOORD_" + std::to_string(use.set);
+    if (attributes.find(key) == attributes.end()) {
+      missingTexcoords_ = true;
+      return;
+    }
+    const std::vector<float> values = readFloats(file_, file_.whole(attributes, key.c_str(), where), 2);
+    if (values.size() != part.positions.size() * 2) {
+      missingTexcoords_ = true;
+      return warn(where + ": not one texture coordinate a vertex; they are left out");
+    }
+    for (std::size_t i = 0; i < part.uv.size(); ++i) {
+      const Vec2 uv = Vec2(use.transform * Vec3(values[2 * i], values[2 * i + 1], 1.0f));
+      if (std::abs(uv.x) < 1e6f && std::abs(uv.y) < 1e6f) part.uv[i] = uv;
+    }
+    anyTexcoords_ = true;
+  }
+
+  void append(const geometry::Mesh& part) {
+    geometry::Mesh& mesh = model_.mesh;
+    const auto base = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), part.positions.begin(), part.positions.end());
+    mesh.normals.insert(mesh.normals.end(), part.normals.begin(), part.normals.end());
+    mesh.uv.insert(mesh.uv.end(), part.uv.begin(), part.uv.end());
+    for (const std::uint32_t index : part.indices) mesh.indices.push_back(base + index);
+  }
+
+  const GltfFile& file_;
+  Model& model_;
+  GltfMaterials materials_;
+  bool anyTexcoords_ = false, missingTexcoords_ = false;
+};
+
+}  // namespace
+
+Result<Model> importGltf(std::span<const std::uint8_t> bytes, const std::string& name, const FileSet& others) {
+  try {
+    const GltfFile file(bytes, name, others);
+    Model model;
+    model.name = name;
+    Importer(file, model).run();
+    return model;
+  } catch (const ImportError& failure) {
+    return failure.error;
+  } catch (const std::bad_alloc&) {
+    return Error{ErrorId::OutOfMemory, name + ": there is not enough memory for it"};
+  } catch (const std::exception& failure) {
+    return Error{ErrorId::BadFile, name + ": " + failure.what()};
+  }
+}
+
+}  // namespace fur::scene
