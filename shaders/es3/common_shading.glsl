@@ -29,21 +29,28 @@ vec3 strandColor(float h, float strandVariance, vec3 baseColor) {
   return color * (1.0 + coat.y * 1.3 * (strandVariance - 0.5)) * mix(vec3(1.0), baseColor, coat.z);
 }
 
+// sin(T, L), and the highlight on the cone T.V = -T.L (Sheppard Eq. 2.4), Kajiya & Kay 1989.
+float kajiyaDiffuse(vec3 T, vec3 L) {
+  float tl = dot(T, L);
+  return sqrt(max(0.0, 1.0 - tl * tl));
+}
+float kajiyaSpecular(vec3 T, vec3 L, vec3 V, float exponent) {
+  return pow(max(0.0, kajiyaDiffuse(T, L) * kajiyaDiffuse(T, V) - dot(T, L) * dot(T, V)), exponent);
+}
+
 // Kajiya & Kay 1989 with a small Lambert term (Sheppard 5.3.1) and the factors of Silva et al. 2010:
 //   C = occ wet (C_d + C_s)                                  Eq. 2
 //   exponent p (1 + sigma_spec (rho - 1))                    Eq. 3
 //   occ = 1 + sigma_occ (h - 1), wet = 1 - sigma_wet rho     Eq. 5
 // L and V point away from the strand. `lit` is the share of the light that reaches the spot.
 vec3 shadeStrand(vec3 albedo, vec3 T, vec3 L, vec3 V, float h, float rho, float lit, float upness) {
-  float tl = dot(T, L), tv = dot(T, V);
-  float sinTl = sqrt(max(0.0, 1.0 - tl * tl)), sinTv = sqrt(max(0.0, 1.0 - tv * tv));
   float exponent = max(shading.z * (1.0 + water.z * (rho - 1.0)), 1.0);
   // The lobe's energy falls as its exponent rises; sqrt(p) keeps a strand's total about even.
-  float gloss = shading.y * sqrt(exponent / shading.z) * pow(max(0.0, sinTl * sinTv - tl * tv), exponent);
+  float gloss = shading.y * sqrt(exponent / shading.z) * kajiyaSpecular(T, L, V, exponent);
   // The body shades its own far side: object over fur, clamp(N.L + 0.5).
   float body = clamp(L.z + 0.5, 0.0, 1.0);
   float key = light.w * lit * body * mix(1.0, furShadow(h, volume.z, L.z), shading.w);
-  float diffuse = mix(sinTl, max(L.z, 0.0), shading.x);
+  float diffuse = mix(kajiyaDiffuse(T, L), max(L.z, 0.0), shading.x);
   vec3 glossColor = mix(vec3(1.0), albedo, 0.6 * (1.0 - rho));
   vec3 color = albedo * (key * diffuse + skyLight(upness)) + glossColor * (key * gloss);
   return color * (1.0 + coat.x * (h - 1.0)) * (1.0 - water.y * rho);

@@ -74,6 +74,8 @@ FUR_BLOCK(FurBlock) {
 #define FUR_BEND_ROW 1024
 // s stays below this: at s = 1 every strand would end in one point (Clump.h has the same).
 #define FUR_MAX_SHIFT 0.92
+// Pixels along the square that the twin tests evaluate.
+#define FUR_TWIN_SIZE 33
 // Quads of a fin along its height.
 #define FUR_FIN_SEGMENTS 6
 

@@ -1,0 +1,179 @@
+// What a person does, without a page: paint, drag, undo, wait.
+#include "tests/render/Picture.h"
+
+namespace fur::app {
+namespace {
+
+struct Desk {
+  test::Stage stage{200, 200};
+  App app;
+  Desk() {
+    stage.attach(app);
+    app.setField("dryRate", "0");
+    settle();
+  }
+  ~Desk() { app.detach(false); }
+
+  void settle() {
+    for (int i = 0; i < 600 && (i == 0 || app.active()); ++i) app.tick(1 / 60.0f);
+  }
+  void drag(Vec2 from, Vec2 to, PointerEvent event = {}) {
+    event.phase = PointerPhase::Down;
+    event.position = from;
+    if (!event.buttons) event.buttons = 1;
+    app.pointer(event);
+    event.phase = PointerPhase::Move;
+    for (int i = 1; i <= 8; ++i) {
+      event.position = glm::mix(from, to, static_cast<float>(i) / 8);
+      app.pointer(event);
+      app.tick(1 / 60.0f);
+    }
+    event.phase = PointerPhase::Up;
+    event.buttons = 0;
+    app.pointer(event);
+  }
+};
+
+TEST(App, AStrokeWetsAndUndoDriesAndRedoWetsAgain) {
+  Desk desk;
+  const auto dry = desk.app.wetnessHash();
+  desk.drag({90, 100}, {120, 110});
+  const auto wet = desk.app.wetnessHash();
+  EXPECT_NE(wet, dry);
+  EXPECT_TRUE(desk.app.undo());
+  EXPECT_EQ(desk.app.wetnessHash(), dry);
+  EXPECT_TRUE(desk.app.redo());
+  EXPECT_EQ(desk.app.wetnessHash(), wet);
+  EXPECT_FALSE(desk.app.redo());
+}
+
+TEST(App, AStrokeBesideTheModelTurnsTheCamera) {
+  Desk desk;
+  const auto dry = desk.app.wetnessHash();
+  const float yaw = desk.app.camera().yaw;
+  desk.drag({5, 5}, {60, 5});
+  EXPECT_EQ(desk.app.wetnessHash(), dry);
+  EXPECT_NE(desk.app.camera().yaw, yaw);
+}
+
+TEST(App, TheDryBrushTakesWaterAway) {
+  Desk desk;
+  desk.app.setWetness(0.8f);
+  const float wet = desk.app.meanWetness();
+  desk.app.setTool(Tool::Dry);
+  desk.drag({90, 100}, {110, 100});
+  EXPECT_LT(desk.app.meanWetness(), wet);
+}
+
+TEST(App, DryingEndsAndThenNothingIsActive) {
+  Desk desk;
+  desk.app.setField("dryRate", "1");
+  desk.app.splashPixel({100, 100}, 0.1f, 0.5f);
+  EXPECT_TRUE(desk.app.active());
+  desk.settle();
+  EXPECT_EQ(desk.app.meanWetness(), 0);
+  EXPECT_FALSE(desk.app.active());
+}
+
+TEST(App, AStillSceneNeedsNoFrames) {
+  Desk desk;
+  desk.app.draw().value();
+  EXPECT_FALSE(desk.app.active());
+  EXPECT_FALSE(desk.app.tick(1 / 60.0f));
+}
+
+TEST(App, TheSameStepsGiveTheSameWater) {
+  std::uint64_t hashes[2];
+  for (auto& hash : hashes) {
+    Desk desk;
+    desk.app.setField("dryRate", "0.1");
+    desk.drag({80, 90}, {130, 120});
+    for (int i = 0; i < 30; ++i) desk.app.tick(1 / 60.0f);
+    hash = desk.app.wetnessHash();
+  }
+  EXPECT_EQ(hashes[0], hashes[1]);
+}
+
+TEST(App, ADraggedModelSpringsBackToRest) {
+  Desk desk;
+  desk.drag({100, 100}, {150, 80}, {.phase = PointerPhase::Down, .buttons = 2});
+  EXPECT_TRUE(desk.app.active());
+  desk.settle();
+  EXPECT_FALSE(desk.app.active());
+}
+
+TEST(App, TwoFingersZoom) {
+  Desk desk;
+  const float distance = desk.app.camera().distance;
+  const auto touch = [&](PointerPhase phase, int id, Vec2 at) {
+    desk.app.pointer({.phase = phase, .kind = PointerKind::Touch, .id = id, .position = at, .buttons = 1});
+  };
+  touch(PointerPhase::Down, 1, {80, 100});
+  touch(PointerPhase::Down, 2, {120, 100});
+  touch(PointerPhase::Move, 1, {60, 100});
+  touch(PointerPhase::Move, 2, {140, 100});
+  touch(PointerPhase::Up, 1, {60, 100});
+  touch(PointerPhase::Up, 2, {140, 100});
+  EXPECT_NEAR(desk.app.camera().distance, distance / 2, 0.01f);
+}
+
+TEST(App, StateGoesRoundTrip) {
+  Desk desk;
+  desk.app.setField("furLength", "0.2");
+  desk.app.setField("tipColor", "#112233");
+  desk.app.setField("view", "skin");
+  desk.app.setCamera({1.0f, 0.5f, 4.0f, Vec3(0.1f, 0, 0)});
+  const std::string state = desk.app.state();
+  App other;
+  ASSERT_TRUE(other.setState(state));
+  EXPECT_EQ(other.settings(), desk.app.settings());
+  EXPECT_EQ(other.state(), state);
+  EXPECT_TRUE(other.takeWarnings().empty());
+}
+
+TEST(App, BadStatesAreTypedErrorsAndChangeNothing) {
+  App app;
+  const std::string before = app.state();
+  const auto idOf = [&](std::string_view text) {
+    const Status status = app.setState(text);
+    EXPECT_FALSE(status);
+    return status ? ErrorId::Network : status.error().id;
+  };
+  EXPECT_EQ(idOf("not json"), ErrorId::BadFile);
+  EXPECT_EQ(idOf("[1,2]"), ErrorId::BadFile);
+  EXPECT_EQ(idOf(R"({"version":99})"), ErrorId::UnsupportedVersion);
+  EXPECT_EQ(idOf(std::string(100000, ' ')), ErrorId::TooLarge);
+  EXPECT_EQ(app.state(), before);
+}
+
+TEST(App, ABadModelLeavesTheOldScene) {
+  Desk desk;
+  const auto before = desk.stage.draw(desk.app);
+  const std::uint8_t junk[] = {'n', 'o', ' ', 'g', 'l', 'b'};
+  const Status status = desk.app.loadModel(junk, "junk.glb");
+  ASSERT_FALSE(status);
+  EXPECT_EQ(status.error().id, ErrorId::BadFile);
+  EXPECT_NE(status.error().message.find("junk.glb"), std::string::npos);
+  EXPECT_EQ(desk.app.modelName(), "sphere");
+  EXPECT_EQ(before.differingShare(desk.stage.draw(desk.app), 0), 0);
+}
+
+TEST(App, OneSliderDragIsOneUndoStep) {
+  App app;
+  const float start = app.settings().furLength;
+  for (const char* value : {"0.15", "0.2", "0.25"}) app.setField("furLength", value);
+  EXPECT_TRUE(app.undo());
+  EXPECT_EQ(app.settings().furLength, start);
+  EXPECT_FALSE(app.undo());
+}
+
+TEST(App, OutOfRangeAndUnknownFieldsWarn) {
+  App app;
+  EXPECT_TRUE(app.setField("furLength", "99"));
+  EXPECT_FLOAT_EQ(app.settings().furLength, 0.4f);
+  EXPECT_FALSE(app.setField("noSuchField", "1"));
+  EXPECT_EQ(app.takeWarnings().size(), 2u);
+}
+
+}  // namespace
+}  // namespace fur::app

@@ -1,0 +1,80 @@
+// A drawing buffer for tests: an offscreen target, a context, and questions to the picture.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <optional>
+
+#include "app/App.h"
+#include "gl/Objects.h"
+#include "native/headless/EglContext.h"
+
+namespace fur::test {
+
+struct Picture {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgba;
+
+  const std::uint8_t* at(int x, int y) const { return &rgba[4 * (static_cast<std::size_t>(y) * width + x)]; }
+  // Share of pixels in which some channel differs by more than `tolerance`.
+  float differingShare(const Picture& other, int tolerance) const {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < rgba.size(); i += 4) {
+      int most = 0;
+      for (std::size_t k = 0; k < 3; ++k) most = std::max(most, std::abs(rgba[i + k] - other.rgba[i + k]));
+      count += most > tolerance;
+    }
+    return static_cast<float>(count) / static_cast<float>(rgba.size() / 4);
+  }
+  // Mean of all channels, 0..255.
+  float brightness() const {
+    double sum = 0;
+    for (std::size_t i = 0; i < rgba.size(); i += 4) sum += rgba[i] + rgba[i + 1] + rgba[i + 2];
+    return static_cast<float>(sum / (static_cast<double>(rgba.size()) * 0.75));
+  }
+};
+
+// One context a test program; each test draws into its own target.
+class Stage {
+ public:
+  Stage(int width, int height, int samples = 0) : width_(width), height_(height) {
+    static std::optional<native::EglContext> context = [] {
+      auto made = native::EglContext::create();
+      return made ? std::optional<native::EglContext>(std::move(*made)) : std::nullopt;
+    }();
+    EXPECT_TRUE(context.has_value()) << "no EGL context without a window";
+    auto target = gl::Target::offscreen(width, height, samples);
+    auto resolved = gl::Target::offscreen(width, height, 0);
+    EXPECT_TRUE(target && resolved);
+    target_ = std::move(*target);
+    resolved_ = std::move(*resolved);
+    target_.bind();
+  }
+
+  Picture draw(app::App& app) {
+    target_.bind();
+    const Status status = app.draw();
+    EXPECT_TRUE(status) << (status ? "" : status.error().message);
+    return read();
+  }
+  Picture read() {
+    resolved_.resolve(target_, width_, height_);
+    Picture picture{width_, height_, gl::readPixels(width_, height_)};
+    EXPECT_EQ(gl::takeError(), "");
+    target_.bind();
+    return picture;
+  }
+  void attach(app::App& app) {
+    target_.bind();
+    app.resize(width_, height_, 1);
+    const Status status = app.attach();
+    ASSERT_TRUE(status) << (status ? "" : status.error().message);
+  }
+
+ private:
+  int width_, height_;
+  gl::Target target_, resolved_;
+};
+
+}  // namespace fur::test

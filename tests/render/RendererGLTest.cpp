@@ -1,0 +1,146 @@
+#include "tests/render/Picture.h"
+
+namespace fur::render {
+namespace {
+
+using test::Picture;
+using test::Stage;
+
+struct Scene {
+  Stage stage;
+  app::App app;
+
+  explicit Scene(int width = 240, int height = 180, int samples = 4) : stage(width, height, samples) {
+    stage.attach(app);
+    app.setField("dryRate", "0");
+    app.settle();
+  }
+  ~Scene() { app.detach(false); }
+  Picture draw() { return stage.draw(app); }
+  Picture with(const char* field, const char* value) {
+    EXPECT_TRUE(app.setField(field, value));
+    app.settle();
+    return draw();
+  }
+};
+
+TEST(Renderer, DrawsTheSamePictureTwice) {
+  Scene scene;
+  const Picture first = scene.draw();
+  EXPECT_EQ(first.differingShare(scene.draw(), 0), 0);
+}
+
+TEST(Renderer, FurReachesBeyondTheSkin) {
+  Scene scene;
+  scene.app.setField("ground", "false");
+  const Picture empty = scene.with("view", "fins");  // few pixels; only for the size
+  const Picture skin = scene.with("view", "skin");
+  const Picture final = scene.with("view", "final");
+  ASSERT_EQ(empty.width, skin.width);
+  // The top of the fitted sphere and the row half a fur length above it.
+  int skinTop = 0, furTop = 0;
+  const auto differs = [&](const Picture& p, int y) {
+    const std::uint8_t* edge = p.at(2, y);
+    const std::uint8_t* middle = p.at(p.width / 2, y);
+    return std::abs(edge[0] - middle[0]) + std::abs(edge[1] - middle[1]) + std::abs(edge[2] - middle[2]) > 24;
+  };
+  while (skinTop < skin.height && !differs(skin, skinTop)) ++skinTop;
+  while (furTop < final.height && !differs(final, furTop)) ++furTop;
+  EXPECT_LT(furTop, skinTop - 2);
+}
+
+TEST(Renderer, NoFurAtLengthOrDensityZero) {
+  Scene scene;
+  const Picture skin = scene.with("view", "skin");
+  scene.app.setField("ground", "false");
+  scene.app.setField("furLength", "0");
+  EXPECT_EQ(skin.differingShare(scene.with("view", "final"), 0), 0);
+}
+
+TEST(Renderer, WetFurIsDarkerAndWithGaps) {
+  Scene scene;
+  scene.app.setField("ground", "false");
+  const Picture dry = scene.draw();
+  scene.app.setWetness(0.8f);
+  const Picture wet = scene.draw();
+  EXPECT_LT(wet.brightness(), dry.brightness() - 5);
+  EXPECT_GT(wet.differingShare(dry, 24), 0.25f);
+}
+
+TEST(Renderer, DryAgainLooksAsBefore) {
+  Scene scene;
+  const Picture dry = scene.draw();
+  scene.app.setWetness(0.8f);
+  scene.draw();
+  scene.app.setWetness(0);
+  scene.app.settle();
+  EXPECT_EQ(dry.differingShare(scene.draw(), 0), 0);
+}
+
+TEST(Renderer, TheLayerCountDoesNotChangeTheLook) {
+  Scene scene;
+  const Picture coarse = scene.with("layers", "16");
+  const Picture fine = scene.with("layers", "64");
+  // The strands move by a fraction of a layer, so pixels differ; the mean must not.
+  EXPECT_NEAR(coarse.brightness(), fine.brightness(), 3);
+}
+
+TEST(Renderer, WindMovesShellsAndFins) {
+  Scene scene;
+  const Picture shells = scene.with("view", "shells");
+  const Picture fins = scene.with("view", "fins");
+  scene.app.setField("gust", "0");
+  scene.app.setField("wind", "1");
+  EXPECT_GT(fins.differingShare(scene.with("view", "fins"), 16), 0.01f);
+  EXPECT_GT(shells.differingShare(scene.with("view", "shells"), 16), 0.1f);
+}
+
+TEST(Renderer, EveryViewDrawsSomethingOfItsOwn) {
+  Scene scene;
+  std::vector<Picture> pictures;
+  for (const char* view : {"final", "skin", "shells", "fins", "wetness", "tangents", "coverage", "normals"}) {
+    pictures.push_back(scene.with("view", view));
+    for (std::size_t i = 0; i + 1 < pictures.size(); ++i)
+      EXPECT_GT(pictures[i].differingShare(pictures.back(), 2), 0.005f) << view << " looks like view " << i;
+  }
+}
+
+TEST(Renderer, UploadsOnlyTheChangedRectangleOfTheMask) {
+  Scene scene;
+  scene.draw();
+  scene.draw();
+  const std::size_t still = scene.app.stats().uploadedBytes;
+  scene.app.splashAt(0.5f, 0.5f, 0.02f, 0.5f);
+  scene.draw();
+  const std::size_t painting = scene.app.stats().uploadedBytes - still;
+  // A droplet of 0.02 of 256 texels spans 12 texels at most; 16 bytes each.
+  EXPECT_GT(painting, 0u);
+  EXPECT_LE(painting, 12u * 12u * 16u);
+  EXPECT_LT(still, 4096u) << "a still frame uploads its uniforms only";
+}
+
+TEST(Renderer, ALostContextComesBackAsItWas) {
+  Scene scene;
+  scene.app.setWetness(0.6f);
+  scene.app.settle();
+  const Picture before = scene.draw();
+  // Not deleted, as after a real loss: names of the old context must not be touched.
+  scene.app.detach(true);
+  scene.stage.attach(scene.app);
+  EXPECT_EQ(before.differingShare(scene.draw(), 0), 0);
+}
+
+TEST(Renderer, APictureOfTheModelTintsTheFur) {
+  Scene scene;
+  const Picture white = scene.draw();
+  std::vector<std::uint8_t> green = {20, 220, 40, 255};
+  scene.app.provideImage(1, 1, green);
+  const Picture tinted = scene.draw();
+  const std::uint8_t* before = white.at(120, 90);
+  const std::uint8_t* after = tinted.at(120, 90);
+  EXPECT_LT(after[0], before[0] / 2);
+  EXPECT_GT(after[1], after[0]);
+}
+
+}  // namespace
+}  // namespace fur::render
