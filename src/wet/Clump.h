@@ -14,7 +14,7 @@ namespace fur::wet {
 
 // No strand is pulled nearer to its clump's centre than this share of its way: at 1 every root of
 // the clump would stand on one point, and the way back from that point is lost (s / (1 - s)).
-inline constexpr float kMaxPull = 0.95f;
+inline constexpr float kMaxPull = 0.92f;
 
 // f(h) = (1 - w) h + w (1 + ln h / ln N), h clamped to [1/N, 1]. f(1/N) = (1 - w)/N, f(1) = 1,
 // monotone. One layer is the tip alone: 1.

@@ -31,7 +31,7 @@ TEST(ClumpShift, LeadsBackExactlyToTheRoot) {
     const Vec2 root(random.uniform(), random.uniform()), centre(random.uniform(), random.uniform());
     const float s = clumpPull(random.uniform(), random.uniform(), 16, random.uniform());
     const Vec2 at = clumpForward(root, centre, s);
-    // Single precision times the largest stretch of the way back, 1 / (1 - kMaxPull) = 20.
+    // Single precision times the largest stretch of the way back, 1 / (1 - kMaxPull) = 12.5.
     EXPECT_NEAR(glm::length(clumpInverse(at, centre, s) - root), 0.0f, 1e-5f);
     EXPECT_NEAR(glm::length(at + (at - centre) * (s / (1 - s)) - root), 0.0f, 1e-5f);
   }
