@@ -53,7 +53,7 @@ std::vector<Command> Editor::frame(const EditorModel& model, const ThemeScale& s
                                       ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoFocusOnAppearing;
   ImGui::Begin("wet-fur", nullptr, kFlags);
   drawTitle(model);
-  if (!collapsed_) {
+  if (!collapsed()) {
     drawMessages(model);
     ImGui::BeginChild("content");
     scrollByFinger();
@@ -74,16 +74,16 @@ std::vector<Command> Editor::frame(const EditorModel& model, const ThemeScale& s
 
 void Editor::place(const ThemeScale& scale) {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const bool narrow = screen.x < kNarrowCssPixels * scale.pixelRatio;
-  const float margin = narrow ? 0 : px(kMarginCssPixels);
-  const float width = narrow ? screen.x : px(kPanelCssPixels);
-  const float most = narrow ? screen.y * kSheetShare : screen.y - 2 * margin;
+  narrow_ = screen.x < kNarrowCssPixels * scale.pixelRatio;
+  const float margin = narrow_ ? 0 : px(kMarginCssPixels);
+  const float width = narrow_ ? screen.x : px(kPanelCssPixels);
+  const float most = narrow_ ? screen.y * kSheetShare : screen.y - 2 * margin;
   const ImGuiStyle& style = ImGui::GetStyle();
   const float title = ImGui::GetFrameHeight() + 2 * style.WindowPadding.y;
   // Until the content has been measured once, it is taken to be long.
   const float content = contentHeight_ > 0 ? contentHeight_ + style.ItemSpacing.y : most;
-  const float height = std::floor(collapsed_ ? title : std::min(most, title + content + messagesHeight_));
-  ImGui::SetNextWindowPos(narrow ? ImVec2(0, screen.y - height) : ImVec2(screen.x - width - margin, margin));
+  const float height = std::floor(collapsed() ? title : std::min(most, title + content + messagesHeight_));
+  ImGui::SetNextWindowPos(narrow_ ? ImVec2(0, screen.y - height) : ImVec2(screen.x - width - margin, margin));
   ImGui::SetNextWindowSize(ImVec2(width, height));
 }
 
@@ -100,8 +100,9 @@ void Editor::drawTitle(const EditorModel& model) {
   ImGui::SameLine();
   if (iconButton("##camera", Icon::Camera, hint("Reset the camera"))) emit(command::ResetCamera{});
   ImGui::SameLine();
-  if (iconButton("##collapse", collapsed_ ? Icon::Expand : Icon::Collapse, hint(collapsed_ ? "Open" : "Collapse")))
-    collapsed_ = !collapsed_;
+  // The arrow points where the panel's free edge will go: the sheet opens upwards, the column downwards.
+  const Icon arrow = collapsed() == narrow_ ? Icon::ChevronUp : Icon::ChevronDown;
+  if (iconButton("##collapse", arrow, hint(collapsed() ? "Open" : "Collapse"))) collapsed_ = !collapsed();
   ImGui::PopStyleVar();
 }
 
@@ -114,6 +115,7 @@ void Editor::drawMessages(const EditorModel& model) {
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
     ImGui::Indent(px(10));
+    ImGui::AlignTextToFramePadding();
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width - px(10) - side - px(6));
     ImGui::TextUnformatted(model.messages[i].text.c_str());
     ImGui::PopTextWrapPos();
@@ -189,7 +191,7 @@ void Editor::drawSettings(const EditorModel& model) {
 }
 
 void Editor::drawStats(const EditorModel& model) {
-  if (!ImGui::CollapsingHeader("Share and statistics")) return;
+  if (!groupHeader("Share and statistics")) return;
   const float half = (ImGui::GetContentRegionAvail().x - px(3)) * 0.5f;
   if (ImGui::Button("Copy settings", ImVec2(half, 0))) emit(command::CopyState{});
   ImGui::SameLine(0, px(3));

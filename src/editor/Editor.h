@@ -1,7 +1,7 @@
 // The editor's panel. Pure Dear ImGui: it draws between ImGui::NewFrame() and ImGui::Render() of
 // the current context, never calls gl and never changes the program: see EditorModel.h.
 // Wide screens: a column at the right. Below 600 CSS pixels: a sheet at the bottom of at most 45 %
-// of the height, so that the model stays in sight.
+// of the height, closed to its title at first, so that the model stays in sight.
 #pragma once
 
 #include <optional>
@@ -24,7 +24,7 @@ class Editor {
 
   // Whether a change has begun and not ended.
   bool changing() const { return changing_; }
-  bool collapsed() const { return collapsed_; }
+  // Until set or clicked: closed to its title on narrow screens, else open.
   void setCollapsed(bool collapsed) { collapsed_ = collapsed; }
 
   // The command of a key that means the same wherever the focus is (undo and redo).
@@ -39,12 +39,14 @@ class Editor {
   void drawSettings(const EditorModel& model);
   void drawStats(const EditorModel& model);
   void scrollByFinger();
+  bool collapsed() const { return collapsed_.value_or(narrow_); }
   void emit(Command command) { commands_.push_back(std::move(command)); }
 
   std::vector<Command> commands_;
   char filter_[64] = "";
   char path_[1024] = "";
-  bool collapsed_ = false;
+  std::optional<bool> collapsed_;
+  bool narrow_ = false;
   bool changing_ = false;
   bool touch_ = false;
   // Heights of the scrolled part and of the messages above it, as of the last frame.

@@ -49,8 +49,10 @@ void resetGroup(Settings& settings, std::string_view group) {
 // As printf formats: "%.2f /s". A percent sign in a unit would need doubling; none has one.
 std::string numberFormat(const Field& field, double range) {
   const int decimals = range >= 90 ? 0 : range >= 10 ? 1 : range > 0.5 ? 2 : 3;
-  const std::string unit = field.unit;
-  return "%." + std::to_string(decimals) + "f" + (unit.empty() ? "" : unit.front() == '/' ? unit : ' ' + unit);
+  std::string unit = field.unit;
+  // Model radii are explained by the tooltip; beside every number they would only be noise.
+  if (unit == "r" || unit == "/r") unit.clear();
+  return "%." + std::to_string(decimals) + "f" + (unit.empty() || unit.front() == '/' ? unit : ' ' + unit);
 }
 
 void editAngle(Settings& settings, const Field& field) {
@@ -113,13 +115,20 @@ void editValue(Settings& settings, const Field& field) {
   }
 }
 
+std::string unitText(const Field& field) {
+  const std::string unit = field.unit;
+  if (unit == "r") return " model radii";
+  if (unit == "/r") return " per model radius";
+  return unit.empty() || unit.front() == '/' ? unit : ' ' + unit;
+}
+
 void rowTooltip(const Field& field) {
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(px(280));
   ImGui::TextUnformatted(field.tooltip);
   if (field.type == FieldType::Float || field.type == FieldType::Int)
-    ImGui::TextDisabled("%g to %g%s%s, default %s. Ctrl+click to type.", field.low, field.high, *field.unit ? " " : "",
-                        field.unit, settings::fieldText(Settings{}, field).c_str());
+    ImGui::TextDisabled("%g to %g%s, default %s. Ctrl+click to type.", field.low, field.high, unitText(field).c_str(),
+                        settings::fieldText(Settings{}, field).c_str());
   ImGui::TextDisabled("%s", field.name);
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
@@ -153,7 +162,6 @@ void drawRow(Settings& settings, const Field& field, bool tooltips) {
   rowMenu(settings, field);
   if (!isStandard(settings, field)) {
     ImGui::SameLine(left + width - icon);
-    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + (ImGui::GetFrameHeight() - icon) * 0.5f);
     const std::string hint = "Reset to " + settings::fieldText(Settings{}, field);
     if (iconButton("##reset", Icon::Reset, tooltips ? hint.c_str() : "", true, icon)) reset(settings, field);
   }
@@ -177,8 +185,7 @@ bool drawHeader(Settings& settings, std::string_view group, bool forceOpen) {
   const std::string name(group);
   if (forceOpen) ImGui::SetNextItemOpen(true);
   else ImGui::SetNextItemOpen(group == "Fur" || group == "Water", ImGuiCond_FirstUseEver);
-  const bool open =
-      ImGui::CollapsingHeader((name + (forceOpen ? "##filtered" : "")).c_str(), ImGuiTreeNodeFlags_AllowItemOverlap);
+  const bool open = groupHeader((name + (forceOpen ? "##filtered" : "")).c_str());
   const auto& all = settings::fields();
   const bool changed = std::any_of(all.begin(), all.end(), [&](const Field& field) {
     return field.group == group && !isStandard(settings, field);
@@ -186,7 +193,6 @@ bool drawHeader(Settings& settings, std::string_view group, bool forceOpen) {
   if (changed) {
     const float icon = px(18);
     ImGui::SameLine(ImGui::GetContentRegionMax().x - icon);
-    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + (ImGui::GetFrameHeight() - icon) * 0.5f);
     if (iconButton(("##reset" + name).c_str(), Icon::Reset, "", true, icon)) resetGroup(settings, group);
   }
   return open;

@@ -71,11 +71,11 @@ void drawIcon(ImDrawList& list, Icon icon, ImVec2 center, float size, ImU32 colo
         }
       list.AddCircleFilled(center, 0.24f * pen.half, color, 16);
       break;
-    case Icon::Collapse:
+    case Icon::ChevronDown:
       pen.line(-0.6f, -0.3f, 0, 0.35f);
       pen.line(0, 0.35f, 0.6f, -0.3f);
       break;
-    case Icon::Expand:
+    case Icon::ChevronUp:
       pen.line(-0.6f, 0.3f, 0, -0.35f);
       pen.line(0, -0.35f, 0.6f, 0.3f);
       break;

@@ -73,7 +73,10 @@ int segmentRow(const char* id, std::initializer_list<Segment> choices, const Ico
   for (const Segment& segment : choices) {
     if (index > 0) ImGui::SameLine();
     ImGui::PushID(index);
-    if (segmentButton(segment, icons ? icons + index : nullptr, width)) pressed = index;
+    // The last one takes what rounding left over.
+    const bool last = index + 1 == static_cast<int>(choices.size());
+    if (segmentButton(segment, icons ? icons + index : nullptr, last ? ImGui::GetContentRegionAvail().x : width))
+      pressed = index;
     ImGui::PopID();
     ++index;
   }
@@ -84,15 +87,16 @@ int segmentRow(const char* id, std::initializer_list<Segment> choices, const Ico
 
 }  // namespace
 
-bool iconButton(const char* id, Icon icon, const char* tooltip, bool enabled, float side) {
-  if (side <= 0) side = ImGui::GetFrameHeight();
+bool iconButton(const char* id, Icon icon, const char* tooltip, bool enabled, float width) {
+  const float height = ImGui::GetFrameHeight();
+  if (width <= 0) width = height;
   ImGui::BeginDisabled(!enabled);
-  const bool pressed = ImGui::InvisibleButton(id, ImVec2(side, side));
+  const bool pressed = ImGui::InvisibleButton(id, ImVec2(width, height));
   const bool hovered = ImGui::IsItemHovered(), active = ImGui::IsItemActive();
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (hovered) list.AddRectFilled(low, high, frameColor(true, active), ImGui::GetStyle().FrameRounding);
-  drawIcon(list, icon, ImVec2((low.x + high.x) * 0.5f, (low.y + high.y) * 0.5f), std::fmin(side * 0.6f, px(14)),
+  drawIcon(list, icon, ImVec2((low.x + high.x) * 0.5f, (low.y + high.y) * 0.5f), std::fmin(std::fmin(width, height) * 0.6f, px(14)),
            ImGui::GetColorU32(hovered ? color::kText : color::kDim));
   ImGui::EndDisabled();
   if (hovered && !active && *tooltip) ImGui::SetTooltip("%s", tooltip);
@@ -103,6 +107,13 @@ int segments(const char* id, std::initializer_list<Segment> choices) { return se
 
 int iconSegments(const char* id, std::initializer_list<Segment> choices, std::initializer_list<Icon> icons) {
   return segmentRow(id, choices, icons.begin());
+}
+
+bool groupHeader(const char* label) {
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(5), ImGui::GetStyle().FramePadding.y));
+  const bool open = ImGui::CollapsingHeader(label, ImGuiTreeNodeFlags_AllowItemOverlap);
+  ImGui::PopStyleVar();
+  return open;
 }
 
 bool fillSlider(const char* id, float& value, float low, float high, const char* format, bool logarithmic) {
@@ -144,7 +155,7 @@ bool lightPad(const char* id, float& yaw, float& pitch, float lowestPitch, float
   const Vec2 light = Vec2(std::sin(yaw), std::cos(yaw)) * std::cos(pitch) * radius;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   // A ball lit from there: circles that shrink and brighten towards the highlight.
-  constexpr int kRings = 14;
+  constexpr int kRings = 32;
   for (int ring = 0; ring < kRings; ++ring) {
     const float t = static_cast<float>(ring) / kRings;
     const Vec2 middle = center + light * (0.55f * t);

@@ -10,8 +10,8 @@
 
 namespace fur::editor {
 
-// A square button with a drawing. Disabled: dim and deaf.
-bool iconButton(const char* id, Icon icon, const char* tooltip, bool enabled = true, float side = 0);
+// A button with a drawing, as high as other widgets; width 0: square. Disabled: dim and deaf.
+bool iconButton(const char* id, Icon icon, const char* tooltip, bool enabled = true, float width = 0);
 
 struct Segment {
   const char* label;
@@ -20,6 +20,9 @@ struct Segment {
 // Buttons side by side over the full width, one of them lit. Returns which was pressed, or -1.
 int segments(const char* id, std::initializer_list<Segment> choices);
 int iconSegments(const char* id, std::initializer_list<Segment> choices, std::initializer_list<Icon> icons);
+
+// As ImGui's, with less padding beside the arrow. Buttons may be put on it.
+bool groupHeader(const char* label);
 
 // A bar that fills with the value; drag, or Ctrl+click (or double click) to type. Logarithmic:
 // equal steps multiply, for ranges over several powers (low must be above 0).

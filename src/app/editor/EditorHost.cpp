@@ -201,7 +201,8 @@ editor::EditorModel EditorHost::model() {
 bool EditorHost::update(float dt) {
   if (!attached_ || size_.x <= 0 || size_.y <= 0) return false;
   const Context current(*this);
-  scale_.touch = input_.lastKind() == editor::PointerKind::Touch;
+  // Not while a finger is down: what it is about to press must not move away.
+  if (owner_ == Owner::None && input_.empty()) scale_.touch = input_.lastKind() == editor::PointerKind::Touch;
   if (editor::applyTheme(scale_)) {
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
