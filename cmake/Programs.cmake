@@ -21,15 +21,16 @@ function(fur_program target)
   endif()
 endfunction()
 
-# A wasm program for Node. CommonJS, because Emscripten 3.1.6 cannot make an ES module for Node; the tree's
-# package.json says otherwise, so their folder has its own.
+# A wasm program for Node. Two manners of Emscripten 3.1.6: it cannot make an ES module for Node, so it is
+# CommonJS in a folder whose package.json says so (the tree's says otherwise); and compiling
+# asynchronously it hands a path to fetch().
 function(fur_node_program target)
   if(TARGET ${target})
     set(folder "${CMAKE_BINARY_DIR}/node")
     file(WRITE "${folder}/package.json" "{ \"type\": \"commonjs\" }\n")
     set_target_properties(${target} PROPERTIES SUFFIX ".js" RUNTIME_OUTPUT_DIRECTORY "${folder}")
-    target_link_options(${target} PRIVATE -sENVIRONMENT=node -sALLOW_MEMORY_GROWTH=1 -sTOTAL_STACK=1MB
-      -sEXIT_RUNTIME=1 ${ARGN})
+    target_link_options(${target} PRIVATE -sENVIRONMENT=node -sWASM_ASYNC_COMPILATION=0
+      -sALLOW_MEMORY_GROWTH=1 -sTOTAL_STACK=1MB -sEXIT_RUNTIME=1 ${ARGN})
   endif()
 endfunction()
 
