@@ -10,7 +10,7 @@ const budgetBytes = 250 * 1024;
 
 // The scripts that `entry` imports, at once or later, but for the editor's.
 function scriptsFrom(entry, seen = new Set()) {
-  if (seen.has(entry) || /editor/.test(entry)) return seen;
+  if (seen.has(entry) || /editor|\.d\.ts$/.test(entry)) return seen;
   assert.ok(existsSync(join(dist, entry)), entry);
   seen.add(entry);
   for (const [, name] of readFileSync(join(dist, entry), 'utf8').matchAll(/(?:from|import)\s*\(?\s*'(\.[^']+)'/g)) {
