@@ -7,7 +7,7 @@ const css = `
 :host([hidden]) { display: none; }
 canvas { display: block; width: 100%; height: 100%; outline: none; user-select: none; -webkit-user-select: none;
   -webkit-tap-highlight-color: transparent; }
-canvas:focus-visible { box-shadow: inset 0 0 0 3px var(--wet-fur-focus-ring, #3b82f6); outline: 3px solid var(--wet-fur-focus-ring, #3b82f6); outline-offset: -3px; }
+canvas:focus-visible:not([data-pointer-focus]) { outline: 3px solid var(--wet-fur-focus-ring, #3b82f6); outline-offset: -3px; }
 .cover { position: absolute; inset: 0; display: grid; place-items: center; pointer-events: none; }
 .cover[hidden] { display: none; }
 .poster { pointer-events: auto; overflow: hidden; }

@@ -39,7 +39,10 @@ export class Input {
     on('keyup', (event) => this.#onKey(event, false));
     on('contextmenu', (event) => event.preventDefault());
     on('focus', () => this.#applyTouchAction());
-    on('blur', () => this.#applyTouchAction());
+    on('blur', () => {
+      canvas.toggleAttribute('data-pointer-focus', false);
+      this.#applyTouchAction();
+    });
     this.#applyTouchAction();
   }
 
@@ -76,6 +79,8 @@ export class Input {
   }
 
   #press(app, panel, event) {
+    // Focus that came by pointer needs no ring, which browsers draw round what a script focuses.
+    if (!this.#focused) this.#canvas.toggleAttribute('data-pointer-focus', true);
     this.#canvas.focus({ preventScroll: true });
     if (event.type === 'pointerdown') this.#canvas.setPointerCapture(event.pointerId);
     this.#down.add(event.pointerId);
@@ -138,6 +143,7 @@ export class Input {
   #onKey(event, down) {
     const { app, panel } = this.#target;
     if (!app || event.isComposing) return;
+    this.#canvas.toggleAttribute('data-pointer-focus', false);
     if (panel?.key(event, down)) {
       event.preventDefault();
       this.#target.wake();

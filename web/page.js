@@ -59,6 +59,7 @@ function showButtons() {
   byId('redo').disabled = !fur.canRedo;
   byId('wind').setAttribute('aria-pressed', String(fur.wind > 0));
   byId('editor').setAttribute('aria-pressed', String(fur.editorOpen));
+  document.body.classList.toggle('editing', fur.editorOpen);
 }
 
 function showModelName(name) {
