@@ -40,8 +40,9 @@ float squaredDistance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c
 float entry(const Vec3& low, const Vec3& high, const Vec3& origin, const Vec3& inverse, float nearest) {
   float from = 0.0f, to = nearest;
   for (int axis = 0; axis < 3; ++axis) {
-    float t0 = (low[axis] - origin[axis]) * inverse[axis], t1 = (high[axis] - origin[axis]) * inverse[axis];
-    if (t0 > t1) std::swap(t0, t1);
+    const bool backwards = std::signbit(inverse[axis]);
+    const float t0 = ((backwards ? high : low)[axis] - origin[axis]) * inverse[axis];
+    const float t1 = ((backwards ? low : high)[axis] - origin[axis]) * inverse[axis];
     // Written so that NaN (0 times infinity: the ray runs in the box's face) leaves the interval as it is.
     from = t0 > from ? t0 : from;
     to = t1 < to ? t1 : to;
