@@ -122,9 +122,8 @@ void Window::installCallbacks() {
   glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int entered) {
     if (!entered) self(w).host_->pointerLeft();
   });
-  glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int modifiers) {
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int) {
     Window& window = self(w);
-    window.modifiers_ = modifiers;
     const int before = window.buttons_, bit = buttonBit(button);
     window.buttons_ = action == GLFW_PRESS ? before | bit : before & ~bit;
     // As with DOM pointers: further buttons of a pointer that is down are moves.
@@ -138,8 +137,8 @@ void Window::installCallbacks() {
     const float notches = static_cast<float>(-y);
     if (!window.host_->wheel(notches, at)) window.app_->wheel(notches, at);
   });
-  glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int scancode, int action, int modifiers) {
-    self(w).keyed(key, scancode, action, modifiers);
+  glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int scancode, int action, int) {
+    self(w).keyed(key, scancode, action);
   });
   glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned codepoint) { self(w).host_->text(utf8(codepoint)); });
   glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int focused) {
@@ -170,16 +169,25 @@ void Window::moved(app::PointerPhase phase) {
   app::PointerEvent event{phase};
   event.position = cursorPixels();
   event.buttons = buttons_;
-  event.shift = modifiers_ & GLFW_MOD_SHIFT;
-  event.control = modifiers_ & GLFW_MOD_CONTROL;
-  event.alt = modifiers_ & GLFW_MOD_ALT;
+  const editor::Modifiers held = modifiers();
+  event.shift = held.shift;
+  event.control = held.control;
+  event.alt = held.alt;
   if (!host_->pointer(event)) app_->pointer(event);
 }
 
-void Window::keyed(int key, int scancode, int action, int modifiers) {
-  modifiers_ = modifiers;
-  const editor::Modifiers held{(modifiers & GLFW_MOD_SHIFT) != 0, (modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0,
-                               (modifiers & GLFW_MOD_ALT) != 0};
+editor::Modifiers Window::modifiers() const {
+  // Not the bits of the event: on X11 those still hold a modifier that this very event lets go.
+  const auto down = [this](int left, int right) {
+    return glfwGetKey(window_, left) == GLFW_PRESS || glfwGetKey(window_, right) == GLFW_PRESS;
+  };
+  return {down(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT),
+          down(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL) || down(GLFW_KEY_LEFT_SUPER, GLFW_KEY_RIGHT_SUPER),
+          down(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT)};
+}
+
+void Window::keyed(int key, int scancode, int action) {
+  const editor::Modifiers held = modifiers();
   const std::string name = keyName(key, scancode, held.shift);
   if (host_->key(name, action != GLFW_RELEASE, held) || action == GLFW_RELEASE || name.empty()) return;
   app::KeyEvent event{name};

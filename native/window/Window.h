@@ -43,14 +43,15 @@ class Window {
   void installCallbacks();
   void resized();
   void moved(app::PointerPhase phase);
-  void keyed(int key, int scancode, int action, int modifiers);
+  void keyed(int key, int scancode, int action);
+  editor::Modifiers modifiers() const;
   Vec2 cursorPixels() const;
 
   GLFWwindow* window_;
   app::App* app_ = nullptr;
   app::EditorHost* host_ = nullptr;
   IVec2 size_{0};
-  int buttons_ = 0, modifiers_ = 0;
+  int buttons_ = 0;
   std::vector<std::string> dropped_;
   GLFWcursor *arrow_ = nullptr, *text_ = nullptr, *hand_ = nullptr;
 };

@@ -136,8 +136,9 @@ bool EditorHost::key(std::string_view name, bool down, const editor::Modifiers& 
   // Without a clipboard to ask, the platform's own paste must take place, and comes in as paste().
   if (text && !readClipboard_ && modifiers.control && (name == "v" || name == "V")) return false;
   const bool wanted = text || wantsKeyboard();
-  // Releases always arrive, so that no key stays down.
-  if (!down || wanted) {
+  // Releases always arrive, so that no key stays down; and so does what follows a click that has not
+  // been seen yet, for it may be what gives a text field the focus. ImGui ignores what it has no use for.
+  if (!down || wanted || !input_.empty()) {
     input_.key(name, down, modifiers);
     wake();
   }
@@ -145,10 +146,10 @@ bool EditorHost::key(std::string_view name, bool down, const editor::Modifiers& 
 }
 
 bool EditorHost::text(std::string_view utf8) {
-  if (!wantsText()) return false;
+  if (!wantsText() && input_.empty()) return false;
   input_.text(utf8);
   wake();
-  return true;
+  return wantsText();
 }
 
 void EditorHost::paste(const std::string& text) {
@@ -212,6 +213,8 @@ bool EditorHost::update(float dt) {
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = ImVec2(size_.x, size_.y);
   io.DeltaTime = std::max(dt, 1e-4f);  // ImGui insists on time going by
+  // An event may have waited in the queue: the frames count from when ImGui sees it.
+  if (!input_.empty()) wake();
   if (framesLeft_ > 0) --framesLeft_;
   input_.feed(io);
   ImGui::NewFrame();
