@@ -1,0 +1,111 @@
+// <wet-fur> among other things on a page, from a sub-folder of its host.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { sleep, startBrowser, untilStill, withFur } from './support.mjs';
+
+const site = startBrowser({ subfolder: true });
+const centreOf = (page, index) => page.evaluate((i) => {
+  const box = document.querySelectorAll('wet-fur')[i].getBoundingClientRect();
+  return [box.left + box.width / 2, box.top + box.height / 2];
+}, index);
+const scrollY = (page) => page.evaluate(() => Math.round(window.scrollY));
+
+test('the page scrolls over an element with the wheel until it is clicked', async () => {
+  const page = await site.open('embed.html', { viewport: { width: 480, height: 600 } });
+  await withFur(page, (fur) => { fur.settings.layers = 8; fur.scrollIntoView({ block: 'center' }); });
+  await page.mouse.move(...await centreOf(page, 0));
+  const distance = () => withFur(page, (fur) => fur.getCameraOrbit().distance);
+  const [start, top] = [await distance(), await scrollY(page)];
+  await page.mouse.wheel(0, 60);
+  await page.waitForFunction((y) => window.scrollY > y + 30, top);
+  assert.equal(await distance(), start);
+  await page.mouse.move(...await centreOf(page, 0));
+  await page.mouse.click(...await centreOf(page, 0));
+  const after = await scrollY(page);
+  await page.mouse.wheel(0, 100);
+  await page.waitForFunction((d) => document.querySelector('wet-fur').getCameraOrbit().distance > d, start);
+  assert.equal(await scrollY(page), after);
+  assert.deepEqual(page.problems, []);
+  assert.deepEqual(await page.evaluate(() => window.violations), []);
+});
+
+test('a finger that starts on an element scrolls the page and wets nothing; a tap wets it', async () => {
+  const page = await site.open('embed.html', { viewport: { width: 480, height: 600 }, hasTouch: true });
+  await withFur(page, (fur) => { fur.settings.layers = 8; fur.scrollIntoView({ block: 'center' }); });
+  const [x, y] = await centreOf(page, 0);
+  const top = await scrollY(page);
+  const touch = await page.context().newCDPSession(page);
+  await touch.send('Input.synthesizeScrollGesture', { x, y, yDistance: -120, speed: 600, gestureSourceType: 'touch' });
+  await page.waitForFunction((from) => window.scrollY > from + 60, top);
+  assert.equal(await withFur(page, (fur) => fur.meanWetness), 0);
+  await page.touchscreen.tap(...await centreOf(page, 0));
+  assert.ok(await withFur(page, (fur) => fur.meanWetness) > 0);
+});
+
+test('an element out of sight is not loaded before it comes near, and draws nothing once it has left', async () => {
+  const page = await site.open('embed.html', { viewport: { width: 480, height: 400 } });
+  const ring = (work, argument) => page.evaluate(`(${work})(document.getElementById('ring'), ${JSON.stringify(argument) ?? 0})`);
+  assert.equal(await ring((fur) => fur.loaded), false);
+  await ring((fur) => fur.scrollIntoView({ block: 'center' }));
+  await page.waitForFunction(() => document.getElementById('ring').loaded);
+  const drawn = await ring((fur) => fur.stats.framesDrawn);
+  await page.waitForFunction((n) => document.getElementById('ring').stats.framesDrawn > n + 2, drawn);  // wind
+  await page.evaluate(() => window.scrollTo(0, 0));
+  await page.waitForFunction(() => document.getElementById('ring').state === 'suspended');
+  const left = await ring((fur) => fur.stats.framesDrawn);
+  await sleep(700);
+  assert.equal(await ring((fur) => fur.stats.framesDrawn), left);
+  await ring((fur) => fur.scrollIntoView({ block: 'center' }));
+  await page.waitForFunction((n) => document.getElementById('ring').stats.framesDrawn > n, left);
+});
+
+test('two elements share the program and nothing else; one that is removed gives its context back', async () => {
+  let fetches = 0;
+  const page = await site.open('embed.html', {
+    viewport: { width: 480, height: 600 },
+    prepare: (tab) => tab.on('request', (request) => { if (request.url().endsWith('.wasm')) fetches++; }),
+  });
+  await page.evaluate(() => document.getElementById('ring').scrollIntoView({ block: 'center' }));
+  await page.waitForFunction(() => document.getElementById('ring').loaded);
+  assert.equal(fetches, 1);
+  const seen = await page.evaluate(() => {
+    const [bunny, ring] = document.querySelectorAll('wet-fur');
+    bunny.setWetness(1);
+    ring.settings.furLength = 0.3;
+    return { bunny: [bunny.meanWetness, bunny.settings.furLength], ring: [ring.meanWetness, ring.settings.furLength], coat: ring.settings.tipColor };
+  });
+  assert.ok(seen.bunny[0] > 0.3 && seen.ring[0] === 0);
+  assert.notEqual(seen.bunny[1], seen.ring[1]);
+  assert.equal(seen.coat, '#7b6f80');
+  const lost = await page.evaluate(async () => {
+    const bunny = document.querySelector('wet-fur');
+    const gl = bunny.shadowRoot.querySelector('canvas').getContext('webgl2');
+    bunny.remove();
+    await new Promise((resolve) => setTimeout(resolve, 50));
+    return gl.isContextLost();
+  });
+  assert.equal(lost, true);
+  await page.evaluate(() => document.getElementById('ring').step(1 / 60, 2));
+  assert.deepEqual(page.problems, []);
+});
+
+test('createWetFur draws on a canvas of the page', async () => {
+  const page = await site.open('embed.html', { viewport: { width: 480, height: 400 } });
+  const seen = await page.evaluate(async () => {
+    const { createWetFur } = await import(new URL('index.js', location.href).href);
+    const canvas = document.body.appendChild(document.createElement('canvas'));
+    canvas.style.cssText = 'display:block;width:120px;height:90px';
+    const fur = await createWetFur(canvas, { src: 'plane', layers: 8, tool: 'droplet', furLength: 0.3 });
+    const before = fur.wetnessAt(0.5, 0.5);
+    fur.splash({ u: 0.5, v: 0.5 }, { radius: 0.1, amount: 0.5 });
+    fur.step(1 / 60);
+    const out = { before, after: fur.wetnessAt(0.5, 0.5), layers: fur.stats.layers, length: fur.get('furLength'), width: canvas.width };
+    fur.dispose();
+    const refused = await createWetFur(document.createElement('canvas'), { src: 'away.glb' }).catch((error) => error.code);
+    return { ...out, refused };
+  });
+  assert.equal(seen.before, 0);
+  assert.ok(seen.after > 0.3);
+  assert.deepEqual([seen.layers, seen.width, seen.refused], [8, 120, 'network']);
+  await untilStill(page);
+});

@@ -1,0 +1,100 @@
+// Files that people bring, good and bad: a typed error, and the old scene as it was.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { badModels, hugeImage, tetrahedron } from './glb.mjs';
+import { light, startBrowser, withFur } from './support.mjs';
+
+const site = startBrowser();
+let page;
+before(async () => {
+  page = await site.open(`?${light}&dryRate=0`);
+  await withFur(page, (fur) => fur.splash({ u: 0.5, v: 0.5 }));
+});
+after(() => page?.context().close());
+
+const scene = () => withFur(page, (fur) => ({
+  hash: fur.wetnessHash, state: fur.getState(), triangles: fur.stats.triangles, name: fur.modelName, life: fur.state,
+}));
+
+/** Hands a file to loadModel(); gives the error's { code, message }, or null, and the milliseconds it took. */
+const load = (name, bytes) => withFur(page, async (fur, given) => {
+  const file = new File([Uint8Array.from(atob(given.base64), (c) => c.charCodeAt(0))], given.name);
+  const begun = performance.now();
+  const error = await fur.loadModel(file).then(() => null, ({ code, message }) => ({ code, message }));
+  return { error, took: performance.now() - begun };
+}, { name, base64: bytes.toString('base64') });
+
+/** Drops files on the window as a person would. */
+const drop = (files) => page.evaluate((list) => {
+  const transfer = new DataTransfer();
+  for (const { name, base64 } of list)
+    transfer.items.add(new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], name));
+  document.body.dispatchEvent(new DragEvent('drop', { dataTransfer: transfer, bubbles: true, cancelable: true }));
+}, files.map(([name, bytes]) => ({ name, base64: Buffer.from(bytes).toString('base64') })));
+
+for (const [what, bytes] of Object.entries({ ...badModels, 'an image of 20,000 pixels': hugeImage })) {
+  test(`${what} is a typed error within a second, and the old scene stays`, async () => {
+    const before = await scene();
+    const { error, took } = await load('spoilt.glb', bytes);
+    assert.ok(error, 'an error');
+    assert.match(error.code, /^(bad-file|too-large)$/);
+    assert.match(error.message, /spoilt\.glb/);
+    assert.ok(took < 1000, `${took} ms`);
+    assert.deepEqual(await scene(), before);
+    const shown = page.locator('.message', { hasText: error.message }).first();
+    assert.equal(await shown.getAttribute('role'), 'alert');
+    await shown.getByRole('button', { name: 'Dismiss' }).click();
+  });
+}
+
+test('a dropped file that is no model is refused by name', async () => {
+  const before = await scene();
+  await drop([['holiday.txt', 'hello']]);
+  await page.waitForSelector('.message:has-text("holiday.txt")');
+  await page.keyboard.press('Escape');
+  assert.equal(await page.locator('.message').count(), 0);
+  assert.deepEqual(await scene(), before);
+});
+
+test('a .gltf dropped together with its buffer is shown; alone, its buffer is missed by name', async () => {
+  const { json, binary } = tetrahedron({ uri: 'parts/four%20corners.bin' });
+  const text = Buffer.from(JSON.stringify(json));
+  await drop([['four.gltf', text]]);
+  await page.waitForSelector('.message:has-text("four.gltf")');
+  await page.keyboard.press('Escape');
+  await drop([['four.gltf', text], ['four corners.bin', binary]]);
+  await page.waitForFunction(() => wetFur.modelName === 'four.gltf');
+  assert.equal(await withFur(page, (fur) => fur.stats.triangles), 4);
+  assert.equal(await page.$eval('#model', (select) => select.selectedOptions[0].textContent), 'four.gltf');
+  assert.equal(await withFur(page, (fur) => fur.meanWetness), 0);  // another model, and a dry one
+});
+
+test('a good .glb is shown, and a picture that cannot be decoded is only a warning', async () => {
+  const brokenImage = tetrahedron({
+    change: (json) => {
+      json.images = [{ uri: 'data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAQAAAAECAYAAACp8Z5+' }];
+      json.textures = [{ source: 0 }];
+      json.materials = [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 } } }];
+      json.meshes[0].primitives[0].material = 0;
+    },
+  });
+  const { error } = await load('painted.glb', brokenImage.glb());
+  assert.equal(error, null);
+  assert.ok(await withFur(page, (fur) => fur.warnings.some((text) => text.includes('picture'))));
+});
+
+test('wrong states, settings and options warn or throw, and nothing breaks', async () => {
+  const seen = await withFur(page, (fur) => {
+    const codes = ['{', '[]', '{"version":999}'].map((text) => {
+      try { fur.setState(text); return null; } catch (error) { return error.code; }
+    });
+    fur.settings.layers = 1e9;
+    fur.settings.wind = NaN;
+    fur.tool = 'hammer';
+    fur.cameraOrbit = 'left a bit';
+    return { codes, layers: fur.settings.layers, wind: fur.wind, tool: fur.tool };
+  });
+  assert.deepEqual(seen.codes, ['bad-file', 'bad-file', 'unsupported-version']);
+  assert.deepEqual([seen.layers, seen.wind, seen.tool], [64, 0, 'droplet']);
+  assert.deepEqual(page.problems, []);
+});

@@ -1,0 +1,83 @@
+// The demo page's address: allow-listed, clamped, and a link that restores the scene.
+import assert from 'node:assert/strict';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import { dist, light, startBrowser, withFur } from './support.mjs';
+
+const { makeLink, readLink } = await import(pathToFileURL(join(dist, 'link.js')).href);
+const { parseOrbit, orbitText } = await import(pathToFileURL(join(dist, 'orbit.js')).href);
+const site = startBrowser();
+const page = 'https://example.org/fur/index.html';
+
+test('a link gives back source, state and tool', () => {
+  const state = '{"version":1,"settings":{"furLength":0.2},"note":"ä€😀"}';
+  const read = readLink(makeLink(`${page}?wind=1#x`, { src: 'torus', state, tool: 'dry' }));
+  assert.deepEqual({ ...read }, { src: 'torus', state, tool: 'dry', settings: [], warnings: [] });
+});
+
+test('what is not allowed warns and is left out', () => {
+  const bad = readLink(`${page}?src=https://elsewhere.org/a.glb&tool=hammer&quality=&dt=x&frames=1e9&ui=yes&state=%25&motion=full`);
+  assert.equal(bad.src ?? bad.tool ?? bad.quality ?? bad.dt ?? bad.ui ?? bad.state, undefined);
+  assert.equal(bad.frames, 10000);
+  assert.equal(bad.motion, 'full');
+  assert.equal(bad.warnings.length, 7);
+  for (const src of ['javascript:alert(1)', 'data:model/gltf-binary,x', '//elsewhere.org/a.glb', 'blob:https://example.org/1'])
+    assert.equal(readLink(`${page}?src=${encodeURIComponent(src)}`).src, undefined, src);
+  assert.equal(readLink(`${page}?src=models/bunny.glb`).src, 'models/bunny.glb');
+});
+
+test('an overlong state, value or list of parameters is not read', () => {
+  assert.equal(readLink(`${page}?state=${'A'.repeat(9000)}`).state, undefined);
+  assert.equal(readLink(`${page}?wind=${'1'.repeat(600)}`).settings.length, 0);
+  assert.equal(readLink(`${page}?${'a=1&'.repeat(200)}`).settings.length, 100);
+});
+
+test('a camera text reads back, in either unit', () => {
+  const orbit = { yaw: 0.5, pitch: -0.25, distance: 3, target: [0, 0.5, 0] };
+  assert.deepEqual(parseOrbit(orbitText(orbit)), orbit);
+  assert.ok(Math.abs(parseOrbit('90deg 0.1rad 2').yaw - Math.PI / 2) < 1e-12);
+  for (const text of ['', '1 2', '1 2 0', '1 2 NaN', '0x1 2 3', '1 2 3 4', '1deg 2 3deg']) assert.equal(parseOrbit(text), null, text);
+});
+
+test('unknown parameters and out-of-range settings warn; the page still works', async () => {
+  const tab = await site.open(`?${light}&src=sphere&furLength=99&nonsense=1&view=upside&preset=fox&camera=1,2&wind=0`);
+  const seen = await withFur(tab, (fur) => ({ warnings: fur.warnings, furLength: fur.settings.furLength, view: fur.view }));
+  assert.ok(Math.abs(seen.furLength - 0.4) < 1e-6);  // a float
+  assert.equal(seen.view, 'final');
+  for (const word of ['furLength', 'nonsense', 'view', 'preset', 'camera'])
+    assert.ok(seen.warnings.some((text) => text.includes(word)), `a warning about ${word} among: ${seen.warnings.join('; ')}`);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('the copied link restores settings, camera, model and tool', async () => {
+  const first = await site.open(`?layers=8&src=torus`, { permissions: ['clipboard-read', 'clipboard-write'], viewport: { width: 900, height: 400 } });
+  await withFur(first, (fur) => {
+    fur.settings.furLength = 0.21;
+    fur.settings.tipColor = '#112233';
+    fur.cameraOrbit = '0.7 0.2 4.5';
+  });
+  await first.click('[data-tool=dry]');
+  await first.click('#link');
+  await first.waitForSelector('.message');
+  const link = await first.evaluate(() => navigator.clipboard.readText());
+  const state = await withFur(first, (fur) => fur.getState());
+  const second = await site.open(new URL(link).search);
+  const seen = await withFur(second, (fur) => ({ state: fur.getState(), tool: fur.tool, src: fur.src, undo: fur.canUndo }));
+  assert.deepEqual(JSON.parse(seen.state), JSON.parse(state));
+  assert.equal(seen.tool, 'dry');
+  assert.equal(seen.src, 'torus');
+  assert.equal(seen.undo, false);  // a link is where the scene starts
+});
+
+test('dt, frames and autoplay=0 give the same still picture at every visit', async () => {
+  const visit = async () => {
+    const tab = await site.open(`?${light}&src=sphere&wind=0.8&motion=full&dt=0.02&frames=25&autoplay=0`);
+    const first = await withFur(tab, (fur) => [fur.stats.framesDrawn, fur.paused]);
+    await tab.waitForTimeout(400);
+    assert.equal(await withFur(tab, (fur) => fur.stats.framesDrawn), first[0]);
+    assert.equal(first[1], true);
+    return (await tab.screenshot()).toString('base64');
+  };
+  assert.equal(await visit(), await visit());
+});

@@ -1,0 +1,204 @@
+// The demo page in Chromium: what a visitor does, and what it shows.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { difference, light, luminanceAt, picture, sleep, spotOnModel, startBrowser, untilStill, withFur } from './support.mjs';
+
+const site = startBrowser();
+const plainBackground = 'backgroundTop=ff00ff&backgroundBottom=ff00ff&ground=0';
+
+test('the page draws a furry bunny, without an error or a breach of its policy', async () => {
+  const page = await site.open(`?${plainBackground}`);
+  const shot = await picture(page);
+  const isBackground = (i) => [0, 1, 2].every((c) => Math.abs(shot.data[i + c] - shot.data[c]) < 12);
+  let covered = 0;
+  for (let i = 0; i < shot.data.length; i += 4) covered += isBackground(i) ? 0 : 1;
+  const share = covered / (shot.data.length / 4);
+  assert.ok(share > 0.12 && share < 0.8, `the bunny covers ${(share * 100).toFixed(1)} % of the picture`);
+  // Fur, not one flat colour: neighbours differ from strand to strand.
+  const { x, y } = await spotOnModel(page);
+  const values = [];
+  for (let dy = -12; dy <= 12; dy++) for (let dx = -12; dx <= 12; dx++) values.push(luminanceAt(shot, x + dx, y + dy));
+  const mean = values.reduce((sum, v) => sum + v, 0) / values.length;
+  const deviation = Math.sqrt(values.reduce((sum, v) => sum + (v - mean) ** 2, 0) / values.length);
+  assert.ok(deviation > 4, `luminance deviates by ${deviation.toFixed(1)} of 255 within 25 pixels`);
+  assert.deepEqual(page.problems, []);
+  assert.deepEqual(await page.evaluate(() => window.violations), []);
+  assert.deepEqual(await withFur(page, (fur) => fur.warnings), []);
+});
+
+test('a press wets the fur there and darkens it; undo and redo take it away and bring it back', async () => {
+  const page = await site.open(`?layers=8&dryRate=0`, { viewport: { width: 900, height: 500 } });
+  const spot = await spotOnModel(page);
+  const wetness = () => withFur(page, (fur, at) => fur.wetnessAt(at.u, at.v), spot);
+  const before = await picture(page);
+  assert.equal(await wetness(), 0);
+  await page.mouse.move(spot.x, spot.y);
+  await page.mouse.down();
+  for (let i = 0; i < 6; i++) await page.mouse.move(spot.x + 8 * Math.cos(i), spot.y + 8 * Math.sin(i));
+  await page.mouse.move(spot.x, spot.y);
+  await page.mouse.up();
+  await untilStill(page);
+  assert.ok(await withFur(page, (fur) => fur.meanWetness) > 0);
+  const wet = await picture(page);
+  const darker = luminanceAt(before, spot.x, spot.y, 9) - luminanceAt(wet, spot.x, spot.y, 9);
+  assert.ok(darker > 6, `darker by ${darker.toFixed(1)} of 255`);
+  const hash = await withFur(page, (fur) => fur.wetnessHash);
+  await page.click('#undo');
+  assert.equal(await withFur(page, (fur) => fur.meanWetness), 0);
+  await page.keyboard.press('Control+y');
+  assert.equal(await withFur(page, (fur) => fur.wetnessHash), hash);
+  await page.click('#reset');
+  assert.equal(await withFur(page, (fur) => fur.meanWetness), 0);
+  assert.deepEqual(page.problems, []);
+});
+
+test('water dries with time, and at once under the dry brush', async () => {
+  const page = await site.open(`?${light}&src=sphere&dryRate=0.2`);
+  await withFur(page, (fur) => { fur.pause(); fur.setWetness(0.8); });
+  const mean = () => withFur(page, (fur) => fur.meanWetness);
+  const soaked = await mean();
+  assert.ok(soaked > 0.2);
+  await withFur(page, (fur) => fur.step(1 / 30, 30));
+  const later = await mean();
+  assert.ok(later < soaked && later > 0, `${soaked} after a second ${later}`);
+  const spot = await spotOnModel(page);
+  const at = () => withFur(page, (fur, { u, v }) => fur.wetnessAt(u, v), spot);
+  const before = await at();
+  await withFur(page, (fur) => { fur.settings.dryRate = 0; fur.tool = 'dry'; fur.play(); });
+  await page.mouse.move(spot.x, spot.y);
+  await page.mouse.down();
+  await page.mouse.up();
+  assert.ok(await at() < before);
+});
+
+test('nothing is drawn while it is dry, still and untouched', async () => {
+  const page = await site.open(`?${light}`);
+  const drawn = await untilStill(page);
+  await sleep(1000);
+  assert.equal(await withFur(page, (fur) => fur.stats.framesDrawn), drawn);
+  await page.mouse.move(200, 200);  // a pointer that passes over is no reason either
+  await sleep(300);
+  assert.equal(await withFur(page, (fur) => fur.stats.framesDrawn), drawn);
+});
+
+test('wind moves the fur until it is switched off', async () => {
+  const page = await site.open(`?layers=8&src=sphere`, { viewport: { width: 900, height: 300 } });
+  const still = await untilStill(page);
+  const calm = await picture(page);
+  await page.click('#wind');
+  assert.equal(await page.getAttribute('#wind', 'aria-pressed'), 'true');
+  await page.waitForFunction((n) => wetFur.stats.framesDrawn > n + 8, still);
+  assert.ok(difference(calm, await picture(page), 8) > 0.01);
+  await page.click('#wind');
+  await untilStill(page);
+});
+
+test('someone who asked for less motion gets no wind, unless motion is full', async () => {
+  const page = await site.open(`?${light}&src=sphere&wind=1`, { reducedMotion: 'reduce' });
+  const still = await untilStill(page);
+  await withFur(page, (fur) => { fur.motion = 'full'; });
+  await page.waitForFunction((n) => wetFur.stats.framesDrawn > n + 5, still);
+});
+
+test('step() gives the same water and the same pixels at every run', async () => {
+  const run = async () => {
+    const page = await site.open(`?${light}&autoplay=0&wind=0.5&motion=full`);
+    await withFur(page, (fur) => {
+      for (let i = 0; i < 10; i++) {
+        fur.splash({ u: 0.1 + 0.08 * i, v: 0.9 - 0.07 * i }, { radius: 0.1, amount: 0.6 });
+        fur.splash({ x: 200 + 8 * i, y: 200 });
+        fur.step(1 / 60, 3);
+      }
+    });
+    return [await withFur(page, (fur) => fur.wetnessHash), await picture(page)];
+  };
+  const [first, second] = [await run(), await run()];
+  assert.equal(first[0], second[0]);
+  assert.equal(difference(first[1], second[1]), 0);
+});
+
+test('keys turn, zoom, wet, undo and reset once the canvas has the focus', async () => {
+  const page = await site.open(`?${light}`);
+  const orbit = () => withFur(page, (fur) => fur.getCameraOrbit());
+  const start = await orbit();
+  await page.keyboard.press('ArrowLeft');
+  assert.deepEqual(await orbit(), start);
+  await page.keyboard.press('Tab');
+  await page.keyboard.press('ArrowLeft');
+  await page.keyboard.press('ArrowUp');
+  await page.keyboard.press('+');
+  const moved = await orbit();
+  assert.notEqual(moved.yaw, start.yaw);
+  assert.notEqual(moved.pitch, start.pitch);
+  assert.ok(moved.distance < start.distance);
+  await page.keyboard.press('Home');
+  assert.deepEqual(await orbit(), start);
+  await page.keyboard.press('Space');
+  assert.ok(await withFur(page, (fur) => fur.meanWetness) > 0);
+  await page.keyboard.press('Control+z');
+  assert.equal(await withFur(page, (fur) => fur.meanWetness), 0);
+});
+
+test('mouse, wheel and two fingers move the camera; a double click beside the model resets it', async () => {
+  const page = await site.open(`?${light}`, { hasTouch: true });
+  const orbit = () => withFur(page, (fur) => fur.getCameraOrbit());
+  const start = await orbit();
+  await page.mouse.move(20, 20);
+  await page.mouse.down();
+  await page.mouse.move(120, 40, { steps: 4 });
+  await page.mouse.up();
+  assert.notEqual((await orbit()).yaw, start.yaw);
+  await page.mouse.wheel(0, 300);
+  await page.waitForFunction((d) => wetFur.getCameraOrbit().distance > d, start.distance);
+  await page.mouse.dblclick(20, 20);
+  assert.deepEqual(await orbit(), start);
+
+  const touch = await page.context().newCDPSession(page);
+  const send = (type, ...points) => touch.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+  await send('touchStart', [200, 30]);
+  await send('touchStart', [200, 30], [280, 30]);
+  for (let i = 1; i <= 5; i++) await send('touchMove', [200 - 10 * i, 30], [280 + 10 * i, 30]);
+  await send('touchEnd');
+  const pinched = await orbit();
+  assert.ok(pinched.distance < start.distance * 0.8, `${start.distance} -> ${pinched.distance}`);
+});
+
+test('the canvas has the pixels of the screen, and follows a resize', async () => {
+  const page = await site.open(`?${light}&src=sphere`, { deviceScaleFactor: 2, viewport: { width: 300, height: 200 } });
+  const size = () => withFur(page, (fur) => {
+    const canvas = fur.shadowRoot.querySelector('canvas');
+    return [canvas.width, canvas.height];
+  });
+  assert.deepEqual(await size(), [600, 400]);
+  await page.setViewportSize({ width: 240, height: 320 });
+  await page.waitForFunction(() => wetFur.shadowRoot.querySelector('canvas').width === 480);
+  assert.deepEqual(await size(), [480, 640]);
+  const shot = await picture(page);
+  assert.ok(Math.abs(luminanceAt(shot, 240, 320, 4) - luminanceAt(shot, 10, 10, 4)) > 10);
+  const other = await picture(page, { width: 128, height: 96 });
+  assert.deepEqual([other.width, other.height], [128, 96]);
+  assert.deepEqual(await size(), [480, 640]);
+  await withFur(page, (fur) => { fur.quality = 'low'; });
+  assert.deepEqual(await size(), [240, 320]);
+});
+
+test('every control has a name and, on a phone, room for a finger', async () => {
+  const page = await site.open(`?layers=8&src=plane`, { viewport: { width: 390, height: 600 } });
+  const controls = await page.$$eval('#bar button, #bar select', (list) => list.map((control) => {
+    const { width, height, left, right } = control.getBoundingClientRect();
+    return { name: control.title || control.labels?.[0]?.textContent || '', width, height, inside: left >= 0 && right <= innerWidth };
+  }));
+  assert.equal(controls.length, 12);
+  for (const { name, width, height, inside } of controls) {
+    assert.ok(name.length > 2);
+    assert.ok(width >= 44 && height >= 44, `${name}: ${width} x ${height}`);
+    assert.ok(inside, `${name} is cut off`);
+  }
+  assert.ok(await page.$eval('#bar', (bar) => bar.getBoundingClientRect().height) < 120);
+});
+
+test('wetness is announced politely', async () => {
+  const page = await site.open(`?${light}&src=sphere`);
+  await withFur(page, (fur) => fur.setWetness(0.9));
+  await page.waitForFunction(() => /Wetness \d+ percent/.test(wetFur.shadowRoot.querySelector('[aria-live=polite]').textContent));
+});

@@ -1,0 +1,129 @@
+// One Chromium and one server a test file; pages that report every error they meet.
+import assert from 'node:assert/strict';
+import { existsSync } from 'node:fs';
+import { basename, dirname, join } from 'node:path';
+import { after, before } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { chromium } from 'playwright-core';
+import { PNG } from 'pngjs';
+import { serve } from '../../tools/serve.mjs';
+
+export const root = fileURLToPath(new URL('../../', import.meta.url));
+/** The folder under test; another one than dist/ when FUR_DIST names it. */
+export const dist = process.env.FUR_DIST ?? join(root, 'dist');
+
+const flags = [
+  '--headless=new', '--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-quic',
+  '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync',
+];
+
+function chromiumPath() {
+  const named = process.env.FUR_CHROMIUM || process.env.CHROMIUM;
+  const usual = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome', '/snap/bin/chromium',
+    '/Applications/Google Chrome.app/Contents/MacOS/Google Chrome'];
+  const found = named || usual.find(existsSync);
+  assert.ok(found, 'no Chromium: name one in CHROMIUM');
+  return found;
+}
+
+/** Small, because a software rasteriser draws; light, because most tests are not about the coat. */
+const viewport = { width: 480, height: 360 };
+export const light = 'layers=8&ui=0';
+
+/**
+ * Starts both before the tests of a file and stops them after. Gives { url, open }: `open(path, options)`
+ * opens a page in a context of its own and waits for the model.
+ */
+export function startBrowser({ headers = {}, subfolder = false } = {}) {
+  const site = {};
+  let browser;
+  let server;
+  before(async () => {
+    // From the folder above, dist/ is a sub-folder of the host.
+    server = await serve({ folder: subfolder ? dirname(dist) : dist, extraHeaders: headers });
+    browser = await chromium.launch({ executablePath: chromiumPath(), args: flags });
+    site.url = subfolder ? `${server.url}${basename(dist)}/` : server.url;
+  });
+  after(async () => {
+    await browser?.close();
+    await server?.close();
+  });
+  site.open = async (path, { wait = true, prepare, ...options } = {}) => {
+    const context = await browser.newContext({ viewport, ...options });
+    const page = await context.newPage();
+    const problems = [];
+    page.problems = problems;
+    page.on('pageerror', (error) => problems.push(`uncaught: ${error.message}`));
+    page.on('console', (message) => { if (message.type() === 'error') problems.push(`console: ${message.text()}`); });
+    await page.addInitScript(() => {
+      window.violations = [];
+      document.addEventListener('securitypolicyviolation', (event) => window.violations.push(event.violatedDirective));
+    });
+    await prepare?.(page, context);
+    await page.goto(new URL(path, site.url).href);
+    if (wait) await page.waitForFunction(() => document.querySelector('wet-fur').loaded, null, { timeout: 60000 });
+    return page;
+  };
+  return site;
+}
+
+/** Evaluates in the page with its <wet-fur> as `fur`. */
+export const withFur = (page, work, argument) =>
+  page.evaluate(`(${work})(document.querySelector('wet-fur'), ${JSON.stringify(argument) ?? 'undefined'})`);
+
+/** The picture as drawn now, {width, height, data (RGBA)}. */
+export async function picture(page, options = {}) {
+  const base64 = await withFur(page, async (fur, given) => {
+    const bytes = new Uint8Array(await (await fur.toBlob(given)).arrayBuffer());
+    let text = '';
+    for (const byte of bytes) text += String.fromCharCode(byte);
+    return btoa(text);
+  }, options);
+  return PNG.sync.read(Buffer.from(base64, 'base64'));
+}
+
+export function luminanceAt({ width, data }, x, y, half = 0) {
+  let sum = 0;
+  for (let dy = -half; dy <= half; dy++) {
+    for (let dx = -half; dx <= half; dx++) {
+      const at = ((y + dy) * width + x + dx) * 4;
+      sum += 0.2126 * data[at] + 0.7152 * data[at + 1] + 0.0722 * data[at + 2];
+    }
+  }
+  return sum / (2 * half + 1) ** 2;
+}
+
+/** Share of pixels that differ by more than `tolerance` in some channel. */
+export function difference(a, b, tolerance = 0) {
+  assert.equal(a.data.length, b.data.length);
+  let differing = 0;
+  for (let i = 0; i < a.data.length; i += 4) {
+    if ([0, 1, 2].some((c) => Math.abs(a.data[i + c] - b.data[i + c]) > tolerance)) differing++;
+  }
+  return differing / (a.data.length / 4);
+}
+
+export const sleep = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
+
+/** Waits until nothing has been drawn for a quarter of a second. */
+export async function untilStill(page) {
+  let drawn = -1;
+  for (let i = 0; i < 60; i++) {
+    const now = await withFur(page, (fur) => fur.stats.framesDrawn);
+    if (now === drawn) return now;
+    drawn = now;
+    await sleep(250);
+  }
+  throw new Error('the picture never comes to rest');
+}
+
+/** A pixel of the model near the middle of the page, in CSS pixels, with its atlas coordinates. */
+export const spotOnModel = (page) => withFur(page, (fur) => {
+  const { width, height } = fur.getBoundingClientRect();
+  for (const [fx, fy] of [[0.5, 0.55], [0.5, 0.5], [0.48, 0.6], [0.45, 0.45]]) {
+    const at = { x: Math.round(width * fx), y: Math.round(height * fy) };
+    const hit = fur.pick(at);
+    if (hit) return { ...at, ...hit };
+  }
+  throw new Error('no model in the middle');
+});

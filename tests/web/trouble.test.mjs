@@ -1,0 +1,109 @@
+// What goes wrong around the page: no WebGL2, WebAssembly blocked, files that do not come, a lost context.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { difference, light, picture, startBrowser, untilStill, withFur } from './support.mjs';
+
+const site = startBrowser();
+
+const visibleMessage = async (page) => {
+  const box = page.locator('wet-fur .message');
+  await box.waitFor({ state: 'visible' });
+  return box.innerText();
+};
+
+test('without WebGL2 the page says so', async () => {
+  const page = await site.open('?ui=0', {
+    wait: false,
+    prepare: (tab) => tab.addInitScript(() => {
+      const original = HTMLCanvasElement.prototype.getContext;
+      HTMLCanvasElement.prototype.getContext = function getContext(type, ...rest) {
+        return type === 'webgl2' ? null : original.call(this, type, ...rest);
+      };
+    }),
+  });
+  assert.match(await visibleMessage(page), /WebGL2/);
+  assert.equal(await withFur(page, (fur) => fur.state), 'unsupported');
+  assert.equal(await withFur(page, (fur) => fur.ready.catch((error) => error.code)), 'webgl-unavailable');
+});
+
+test('where the policy blocks WebAssembly the page says so', async () => {
+  const page = await site.open('', {
+    wait: false,
+    prepare: (tab) => tab.route('**/*', async (route) => {
+      const response = await route.fetch();
+      const headers = { ...response.headers(), 'content-security-policy': "script-src 'self'" };
+      await route.fulfill({ response, headers });
+    }),
+  });
+  assert.match(await visibleMessage(page), /WebAssembly/);
+  assert.equal(await withFur(page, (fur) => fur.ready.catch((error) => error.code)), 'wasm-blocked');
+});
+
+test('without WebAssembly the page says so', async () => {
+  const page = await site.open('', { wait: false, prepare: (tab) => tab.addInitScript(() => { delete globalThis.WebAssembly; }) });
+  assert.match(await visibleMessage(page), /WebAssembly/);
+});
+
+for (const [what, pattern, code] of [['the program', '**/wet-fur.wasm', 'wasm-load'], ['its script', '**/wet-fur.mjs*', 'wasm-load'], ['the model', '**/bunny.glb', 'network']]) {
+  test(`when ${what} does not come the page says so, and tries again`, async () => {
+    const page = await site.open(`?${light}`, { wait: false, prepare: (tab) => tab.route(pattern, (route) => route.abort()) });
+    const text = await visibleMessage(page);
+    assert.match(text, /wet-fur\.(wasm|mjs)|bunny\.glb/);
+    assert.equal(await withFur(page, (fur) => fur.ready.catch((error) => error.code)), code);
+    await page.unroute(pattern);
+    await page.locator('wet-fur .message button').click();
+    await page.waitForFunction(() => wetFur.loaded);
+    assert.equal(await page.locator('wet-fur .message').isVisible(), false);
+  });
+}
+
+test('a src that is not there is a network error and leaves the old scene', async () => {
+  const page = await site.open(`?${light}&src=torus`);
+  const error = await withFur(page, (fur) => new Promise((resolve) => {
+    fur.addEventListener('error', (event) => resolve(event.detail));
+    fur.src = 'models/away.glb';
+  }));
+  assert.equal(error.code, 'network');
+  assert.match(error.message, /away\.glb.*404/);
+  assert.equal(await withFur(page, (fur) => fur.modelName), 'torus');
+  assert.equal(await withFur(page, (fur) => fur.state), 'ready');
+});
+
+test('progress counts the bytes and only ever rises', async () => {
+  const page = await site.open(`?${light}`, {
+    prepare: (tab) => tab.addInitScript(() => {
+      window.seen = [];
+      addEventListener('progress', (event) => { if (event.detail) window.seen.push(event.detail); }, true);
+    }),
+  });
+  const seen = await page.evaluate(() => window.seen);
+  const program = seen.filter((one) => one.stage === 'program');
+  assert.ok(program.length > 0 && program.at(-1).loaded === program.at(-1).total && program.at(-1).total > 1e5);
+  for (let i = 1; i < seen.length; i++) assert.ok(seen[i].fraction >= seen[i - 1].fraction);
+  assert.equal(seen.at(-1).fraction, 1);
+});
+
+test('a lost context comes back with water, settings and camera as they were', async () => {
+  const page = await site.open(`?${light}&dryRate=0&furLength=0.2`);
+  await withFur(page, (fur) => { fur.splash({ x: 240, y: 200 }); fur.cameraOrbit = '1 0.3 3'; });
+  await untilStill(page);
+  const before = await picture(page);
+  const state = await withFur(page, (fur) => [fur.wetnessHash, fur.getState()]);
+  await withFur(page, async (fur) => {
+    const lost = new Promise((resolve) => fur.addEventListener('context-lost', resolve, { once: true }));
+    window.loss = fur.shadowRoot.querySelector('canvas').getContext('webgl2').getExtension('WEBGL_lose_context');
+    window.loss.loseContext();
+    await lost;
+  });
+  assert.equal(await withFur(page, (fur) => fur.state), 'lost');
+  await withFur(page, async (fur) => {
+    const restored = new Promise((resolve) => fur.addEventListener('context-restored', resolve, { once: true }));
+    window.loss.restoreContext();
+    await restored;
+  });
+  await untilStill(page);
+  assert.deepEqual(await withFur(page, (fur) => [fur.wetnessHash, fur.getState()]), state);
+  // The fur's bend settles anew; a few strands may end a pixel further.
+  assert.ok(difference(before, await picture(page), 16) < 0.02);
+  assert.deepEqual(page.problems, []);
+});

@@ -1,0 +1,25 @@
+// The hand-written typings: a strict program compiles against them, and they list every setting.
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import { dist, root } from './support.mjs';
+
+test('a strict TypeScript program compiles against the typings', () => {
+  const tsc = createRequire(import.meta.url).resolve('typescript/bin/tsc');
+  const { status, stdout } = spawnSync(process.execPath, [tsc, '-p', join(root, 'tests/web/types')], { encoding: 'utf8' });
+  assert.equal(status, 0, stdout);
+});
+
+test('the typings list the fields of the settings table, all and no others', async () => {
+  const { loadCore } = await import(pathToFileURL(join(dist, 'core.js')).href);
+  const { settingsTable } = await loadCore();
+  const text = readFileSync(join(dist, 'types/index.d.ts'), 'utf8');
+  const block = /export interface FurSettings \{([\s\S]*?)\n\}/.exec(text)[1];
+  const types = { float: 'number', int: 'number', bool: 'boolean', color: 'Color', choice: 'View' };
+  const listed = Object.fromEntries([...block.matchAll(/^ {2}(\w+): (\w+);/gm)].map(([, name, type]) => [name, type]));
+  assert.deepEqual(listed, Object.fromEntries(settingsTable.map(({ name, type }) => [name, types[type]])));
+});
