@@ -74,6 +74,29 @@ int cellsFor(float length, float scale, int gutter) {
   return std::max(1, static_cast<int>(std::ceil(length * scale))) + gutter;
 }
 
+// Above this many a skyline takes seconds (its time grows with count times width); rows do nearly as well then.
+constexpr std::size_t kMaxSkylineBoxes = 5000;
+
+// Rows from the highest box to the lowest.
+bool packRows(std::vector<stbrp_rect>& rects, int cells) {
+  std::vector<std::size_t> order(rects.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rects[a].h > rects[b].h; });
+  int x = 0, y = 0, rowHeight = 0;
+  for (const std::size_t i : order) {
+    if (x + rects[i].w > cells) {
+      y += rowHeight;
+      x = rowHeight = 0;
+    }
+    rowHeight = std::max(rowHeight, rects[i].h);
+    if (y + rowHeight > cells) return false;
+    rects[i].x = x;
+    rects[i].y = y;
+    x += rects[i].w;
+  }
+  return true;
+}
+
 bool pack(const std::vector<Box>& boxes, float scale, int cells, std::vector<stbrp_rect>& rects) {
   rects.resize(boxes.size());
   for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -82,6 +105,7 @@ bool pack(const std::vector<Box>& boxes, float scale, int cells, std::vector<stb
     if (width > cells || height > cells) return false;
     rects[i] = {static_cast<int>(i), width, height, 0, 0, 0};
   }
+  if (rects.size() > kMaxSkylineBoxes) return packRows(rects, cells);
   std::vector<stbrp_node> nodes(static_cast<std::size_t>(cells));
   stbrp_context context;
   stbrp_init_target(&context, cells, cells, nodes.data(), cells);
@@ -110,8 +134,7 @@ std::vector<Placement> packCharts(const Charts& charts) {
   float low = 0.0f;
   float high = static_cast<float>(cells / std::max(std::sqrt(area), static_cast<double>(longest)));
   while (!pack(boxes, low, cells, rects)) cells *= 2;
-  const int steps = boxes.size() > 5000 ? 6 : 14;
-  for (int i = 0; i < steps; ++i) {
+  for (int i = 0; i < 14; ++i) {
     const float middle = 0.5f * (low + high);
     if (pack(boxes, middle, cells, trial)) {
       low = middle;

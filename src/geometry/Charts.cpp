@@ -5,6 +5,7 @@
 #include <queue>
 
 #include "geometry/Adjacency.h"
+#include "geometry/ChartRelaxation.h"
 #include "geometry/TriangleGrid.h"
 
 namespace fur::geometry {
@@ -352,7 +353,9 @@ class ChartMaker {
 }  // namespace
 
 Charts makeCharts(const std::vector<Vec3>& positions, const std::vector<std::uint32_t>& indices, const Weld& weld) {
-  return ChartMaker(positions, indices, weld).make();
+  Charts charts = ChartMaker(positions, indices, weld).make();
+  relaxCharts(charts, positions, indices, weld);
+  return charts;
 }
 
 }  // namespace fur::geometry

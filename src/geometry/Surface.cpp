@@ -1,6 +1,7 @@
 #include "geometry/Surface.h"
 
 #include <cmath>
+#include <unordered_map>
 
 #include "geometry/Adjacency.h"
 #include "geometry/AtlasUv.h"
@@ -53,31 +54,26 @@ std::vector<Vec3> unitNormals(const Mesh& mesh) {
 class Splitter {
  public:
   Splitter(const Mesh& mesh, std::vector<Vec3> normals) : mesh_(mesh), normals_(std::move(normals)) {
-    firstCopy_.assign(mesh.positions.size(), kNone);
+    copies_.reserve(mesh.positions.size() * 2);
   }
 
   std::uint32_t vertexFor(Surface& surface, std::uint32_t source, std::uint32_t furChart, const Vec2& fur) {
-    std::uint32_t copy = firstCopy_[source];
-    while (copy != kNone && furCharts_[copy] != furChart) copy = nextCopy_[copy];
-    if (copy != kNone) return copy;
-    copy = static_cast<std::uint32_t>(surface.vertices.size());
+    const std::uint64_t key = std::uint64_t{furChart} << 32 | source;
+    const auto [slot, isNew] = copies_.try_emplace(key, static_cast<std::uint32_t>(surface.vertices.size()));
+    if (!isNew) return slot->second;
     SurfaceVertex vertex{};
     vertex.position = mesh_.positions[source];
     vertex.normal = normals_[source];
     vertex.uv = mesh_.uv.size() == mesh_.positions.size() ? mesh_.uv[source] : Vec2(0.0f);
     vertex.fur = fur;
     surface.vertices.push_back(vertex);
-    furCharts_.push_back(furChart);
-    nextCopy_.push_back(firstCopy_[source]);
-    firstCopy_[source] = copy;
-    return copy;
+    return slot->second;
   }
 
  private:
-  static constexpr std::uint32_t kNone = 0xffffffffu;
   const Mesh& mesh_;
   std::vector<Vec3> normals_;
-  std::vector<std::uint32_t> firstCopy_, nextCopy_, furCharts_;
+  std::unordered_map<std::uint64_t, std::uint32_t> copies_;  // looked up only: its order never shows
 };
 
 void placeInAtlas(Surface& surface, const Charts& charts) {

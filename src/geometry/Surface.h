@@ -2,9 +2,12 @@
 //
 //   uv     the model's own, for its base colour texture; may overlap or repeat
 //   atlas  unique: every surface point has its own texel in [0,1]^2 (wetness, groom). The model's
-//          uv when that is unique, else charts that we make
+//          uv when they lie in [0,1]^2, no two triangles overlap and all have an area there (AtlasUv.h);
+//          else packed charts with a gutter of two texels of a 256^2 map (ChartPacking.h)
 //   fur    the repeating domain of the fur tile: 1 unit = 1 tile at repeat 1, that is 1 model unit
-//          along the surface as nearly as the projection allows
+//          along the surface as nearly as a flat chart allows. These are the charts of Charts.h, also
+//          where the atlas is the model's own: unlike the faces of a cube they follow the shape, no slope
+//          starts beyond 75 degrees, and with a charted atlas atlasFromFur is one constant a chart
 #pragma once
 
 #include <cstdint>

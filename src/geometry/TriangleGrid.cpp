@@ -93,9 +93,9 @@ bool TriangleGrid::tryAdd(const FlatTriangle& triangle) {
   const bool free = visitCells(triangle, [&](std::size_t cell) {
     for (std::uint32_t link = heads_[cell]; link != kNone; link = links_[link].next) {
       const std::uint32_t other = links_[link].triangle;
+      ++comparisons_;
       if (lastCompared_[other] == mark) continue;
       lastCompared_[other] = mark;
-      ++comparisons_;
       if (trianglesOverlap(triangles_[other], triangle, tolerance_)) return false;
     }
     return true;

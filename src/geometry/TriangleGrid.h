@@ -23,7 +23,7 @@ class TriangleGrid {
   // Adds the triangle and returns true, or returns false when it overlaps one that is in already.
   bool tryAdd(const FlatTriangle& triangle);
 
-  // Pairs of triangles that were compared so far: what a caller bounds its work by.
+  // Meetings of two triangles in a cell so far: what a caller bounds its work by.
   std::size_t comparisons() const { return comparisons_; }
 
  private:

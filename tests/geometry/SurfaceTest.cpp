@@ -63,7 +63,7 @@ TEST(Surface, HasGradientsPerpendicularToTheNormal) {
 }
 
 // What remains of curvature that no flat chart can take up.
-constexpr float kLeastScale = 0.5f;
+constexpr float kLeastScale = 0.55f;
 
 TEST(Surface, HasAnEvenFurScale) {
   for (const Mesh& mesh : {withoutUv(makeSphere()), makeTorus(), makeLump()}) {

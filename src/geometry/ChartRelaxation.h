@@ -1,0 +1,19 @@
+// Evens out the scale of flat charts.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/Math.h"
+#include "geometry/Charts.h"
+#include "geometry/Weld.h"
+
+namespace fur::geometry {
+
+// Projection shortens what slopes away; this moves the corners until edges have the length they have
+// on the surface, as nearly as its curvature allows (position-based springs, Müller et al. 2007, "Position
+// Based Dynamics"). A chart that would fold or overlap stays as it was.
+void relaxCharts(Charts& charts, const std::vector<Vec3>& positions, const std::vector<std::uint32_t>& indices,
+                 const Weld& weld);
+
+}  // namespace fur::geometry
