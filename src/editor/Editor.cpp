@@ -65,6 +65,9 @@ std::vector<Command> Editor::frame(const EditorModel& model, const ThemeScale& s
     ImGui::EndChild();
   }
   ImGui::End();
+  // ImGui gives the focus to a window of its own first and then hands it on; arrow keys are the camera's
+  // until the person turns to the panel.
+  if (ImGui::GetFrameCount() == 1) ImGui::SetWindowFocus(nullptr);
   if (changing_ && !ImGui::IsAnyItemActive()) {
     changing_ = false;
     emit(command::EndChange{});

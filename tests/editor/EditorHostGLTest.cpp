@@ -1,0 +1,190 @@
+// The panel over the running program, in a context without a window.
+#include "app/editor/EditorHost.h"
+
+#include "tests/render/Picture.h"
+
+namespace fur::app {
+namespace {
+
+constexpr int kWidth = 800, kHeight = 500;
+constexpr int kPanelLeft = kWidth - 12 - 336;  // its margin and width
+constexpr Vec2 kOnModel{200, 250}, kOnPanel{600, 34};
+
+struct Desk {
+  test::Stage stage{kWidth, kHeight};
+  App app;
+  EditorHost host{app, editor::FileAccess::Path};
+  bool attached = false;
+
+  Desk() {
+    stage.attach(app);
+    app.setField("layers", "4");
+    attached = static_cast<bool>(host.attach());
+    host.resize(kWidth, kHeight, 1);
+    settle();
+  }
+  ~Desk() {
+    host.detach();
+    app.detach(false);
+  }
+
+  // Frames until neither wants any; returns how many of the panel's looked different.
+  int settle() {
+    int changed = 0;
+    for (int i = 0; i < 600 && (i == 0 || app.active() || host.active()); ++i) {
+      app.tick(1 / 60.0f);
+      changed += host.update(1 / 60.0f);
+    }
+    return changed;
+  }
+  test::Picture picture() {
+    stage.draw(app);
+    host.draw();
+    return stage.read();
+  }
+  bool send(PointerPhase phase, Vec2 at, int buttons, int id = 0) {
+    PointerEvent event{phase};
+    event.position = at;
+    event.buttons = buttons;
+    event.id = id;
+    return host.pointer(event);
+  }
+  bool click(Vec2 at) {
+    const bool captured = send(PointerPhase::Down, at, 1);
+    send(PointerPhase::Up, at, 0);
+    settle();
+    return captured;
+  }
+};
+
+TEST(EditorHost, SleepsWhenNothingHappens) {
+  Desk desk;
+  ASSERT_TRUE(desk.attached);
+  EXPECT_FALSE(desk.host.active());
+  desk.picture();
+  EXPECT_FALSE(desk.host.update(1 / 60.0f)) << "the panel looks as it was drawn";
+  desk.send(PointerPhase::Move, kOnPanel, 0);
+  EXPECT_TRUE(desk.host.active());
+  desk.settle();
+  EXPECT_FALSE(desk.host.active());
+}
+
+TEST(EditorHost, DrawsThePanelAndNothingElse) {
+  Desk desk;
+  const test::Picture without = desk.stage.draw(desk.app);
+  const test::Picture with = desk.picture();
+  int inside = 0, outside = 0;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const bool differs = !std::equal(without.at(x, y), without.at(x, y) + 3, with.at(x, y));
+      (x < kPanelLeft ? outside : inside) += differs;
+    }
+  EXPECT_EQ(outside, 0);
+  EXPECT_GT(inside, 336 * 400);
+}
+
+TEST(EditorHost, LeavesTheRendererItsState) {
+  Desk desk;
+  const test::Picture before = desk.stage.draw(desk.app);
+  desk.picture();
+  EXPECT_EQ(desk.stage.draw(desk.app).differingShare(before, 0), 0);
+  EXPECT_EQ(gl::takeError(), "");
+}
+
+TEST(EditorHost, TakesThePointerOverThePanelOnly) {
+  Desk desk;
+  EXPECT_FALSE(desk.click(kOnModel));
+  EXPECT_TRUE(desk.click(kOnPanel));
+  EXPECT_FALSE(desk.host.wheel(1, kOnModel));
+  EXPECT_TRUE(desk.host.wheel(1, kOnPanel));
+}
+
+TEST(EditorHost, APressKeepsItsOwnerUntilItIsLetGo) {
+  Desk desk;
+  desk.send(PointerPhase::Down, kOnPanel, 1);
+  EXPECT_TRUE(desk.send(PointerPhase::Move, kOnModel, 1));
+  EXPECT_TRUE(desk.send(PointerPhase::Up, kOnModel, 0));
+  desk.send(PointerPhase::Down, kOnModel, 1);
+  EXPECT_FALSE(desk.send(PointerPhase::Move, kOnPanel, 1)) << "a stroke that runs below the panel goes on";
+  EXPECT_FALSE(desk.send(PointerPhase::Up, kOnPanel, 0));
+}
+
+TEST(EditorHost, ASecondFingerIsNotThePanels) {
+  Desk desk;
+  desk.send(PointerPhase::Down, kOnModel, 1, 1);
+  EXPECT_TRUE(desk.send(PointerPhase::Down, kOnPanel, 1, 2));
+  EXPECT_FALSE(desk.send(PointerPhase::Move, kOnModel, 1, 1));
+  EXPECT_FALSE(desk.send(PointerPhase::Up, kOnModel, 0, 1));
+}
+
+TEST(EditorHost, UndoAndRedoReachTheApp) {
+  Desk desk;
+  desk.app.setField("curl", "0.9");
+  EXPECT_TRUE(desk.host.key("z", true, {false, true, false}));
+  EXPECT_FLOAT_EQ(desk.app.settings().curl, settings::Settings{}.curl);
+  EXPECT_TRUE(desk.host.key("Z", true, {true, true, false}));
+  EXPECT_FLOAT_EQ(desk.app.settings().curl, 0.9f);
+}
+
+TEST(EditorHost, LeavesKeysToTheAppUntilThePanelHasTheFocus) {
+  Desk desk;
+  EXPECT_FALSE(desk.host.key("ArrowLeft", true, {}));
+  EXPECT_FALSE(desk.host.wantsText());
+  desk.click({600, 220});  // somewhere among the rows
+  EXPECT_TRUE(desk.host.key("ArrowLeft", true, {}));
+  desk.host.key("ArrowLeft", false, {});
+  desk.settle();
+  EXPECT_FALSE(desk.click(kOnModel));
+  EXPECT_FALSE(desk.host.key("ArrowLeft", true, {})) << "given back by a click on the model";
+}
+
+TEST(EditorHost, PastedTextThatIsNoStateIsAnErrorOnThePanel) {
+  Desk desk;
+  desk.picture();
+  const settings::Settings before = desk.app.settings();
+  desk.host.paste("no state at all");
+  EXPECT_GT(desk.settle(), 0) << "the message shows";
+  EXPECT_EQ(desk.app.settings(), before);
+}
+
+TEST(EditorHost, PastedStateIsTakenOver) {
+  Desk desk;
+  const std::string before = desk.app.state();
+  desk.app.setField("curl", "0.9");
+  desk.host.paste(before);
+  EXPECT_FLOAT_EQ(desk.app.settings().curl, settings::Settings{}.curl);
+}
+
+TEST(EditorHost, ComesBackAsItWasAfterALostContext) {
+  Desk desk;
+  const test::Picture before = desk.picture();
+  desk.host.detach();
+  desk.app.detach(true);
+  ASSERT_TRUE(desk.app.attach());
+  ASSERT_TRUE(desk.host.attach());
+  desk.settle();
+  // The fur is grown again from the same seed, and the panel drawn from the same font: nothing may differ.
+  EXPECT_EQ(desk.picture().differingShare(before, 0), 0);
+}
+
+TEST(EditorHost, TwoOnOneProgramDoNotMixUp) {
+  Desk desk;
+  App other;
+  ASSERT_TRUE(other.attach());
+  {
+    EditorHost second(other, editor::FileAccess::Dialog);
+    ASSERT_TRUE(second.attach());
+    second.resize(400, 300, 2);
+    second.update(1 / 60.0f);
+    desk.host.update(1 / 60.0f);
+    second.message("only here", true);
+    EXPECT_TRUE(second.active());
+    EXPECT_FALSE(desk.host.active());
+  }
+  other.detach(false);
+  desk.picture();
+  EXPECT_EQ(gl::takeError(), "");
+}
+
+}  // namespace
+}  // namespace fur::app
