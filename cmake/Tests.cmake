@@ -50,8 +50,8 @@ if(FUR_CPU_TESTS)
 endif()
 
 if(FUR_GL_TESTS AND NOT EMSCRIPTEN AND TARGET third_party_egl AND TARGET fur_app)
-  # The tests draw through the context of the windowless program.
-  list(APPEND FUR_GL_TESTS "${CMAKE_SOURCE_DIR}/native/headless/EglContext.cpp")
+  # The tests draw through the context of the windowless program, and test its image reader.
+  list(APPEND FUR_GL_TESTS "${CMAKE_SOURCE_DIR}/native/headless/EglContext.cpp" "${CMAKE_SOURCE_DIR}/native/ImageDecode.cpp")
   add_executable(wet-fur-gl-tests EXCLUDE_FROM_ALL ${FUR_GL_TESTS})
   target_include_directories(wet-fur-gl-tests PRIVATE "${CMAKE_SOURCE_DIR}" "${CMAKE_SOURCE_DIR}/tests")
   target_link_libraries(wet-fur-gl-tests PRIVATE fur_app third_party_egl fur_test_options)

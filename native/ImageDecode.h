@@ -15,11 +15,8 @@ struct Image {
   std::vector<std::uint8_t> rgba;  // rows from the top
 };
 
-// bad-file: neither PNG nor JPEG, or damaged. too-large: a side over scene::kMaxImageSide, or more
-// than kMaxImagePixels texels. The bytes are at most scene::kMaxFileBytes.
+// bad-file: neither PNG nor JPEG, or damaged. too-large: a side over scene::kMaxImageSide (at most
+// 256 MiB of pixels, then), or more bytes than scene::kMaxFileBytes.
 Result<Image> decodeImage(std::span<const std::uint8_t> bytes);
-
-// 256 MiB as RGBA.
-inline constexpr std::int64_t kMaxImagePixels = 64 << 20;
 
 }  // namespace fur::native
