@@ -113,6 +113,9 @@ class App {
   bool wheel(float notches, Vec2 position);  // positive: away from the person, zooms out
   bool key(const KeyEvent& event);
   void setCameraControls(bool enabled);
+  // How much of the picture something hides, from the right edge and from the bottom edge, as shares
+  // of its width and height (a panel): the model glides to the middle of the rest. atOnce: without gliding.
+  void setCovered(Vec2 shares, bool atOnce = false);
 
   // --- time ---
   // Advances by dt seconds. Returns whether the picture has changed (draw it).

@@ -12,6 +12,8 @@ constexpr float kLowestPitch = -0.12f, kHighestPitch = 1.52f;
 constexpr float kNearest = 1.25f, kFarthest = 14.0f, kMaxPan = 1.5f;
 // Time constant of the glide, seconds.
 constexpr float kGlide = 0.07f;
+// However large a panel is, the model keeps this share.
+constexpr float kMostCovered = 0.6f;
 
 CameraOrbit limited(CameraOrbit o) {
   o.pitch = std::clamp(o.pitch, kLowestPitch, kHighestPitch);
@@ -53,12 +55,20 @@ void OrbitCamera::pan(Vec2 units) {
   goal_ = limited(goal_);
 }
 
-bool OrbitCamera::moving() const { return difference(goal_, shown_) > 1e-4f; }
+void OrbitCamera::setCovered(Vec2 shares, bool atOnce) {
+  coveredGoal_ = glm::clamp(shares, Vec2(0), Vec2(kMostCovered));
+  if (atOnce) coveredShown_ = coveredGoal_;
+}
+
+float OrbitCamera::way() const { return difference(goal_, shown_) + glm::distance(coveredGoal_, coveredShown_); }
+
+bool OrbitCamera::moving() const { return way() > 1e-4f; }
 
 bool OrbitCamera::update(float dt) {
-  if (difference(goal_, shown_) == 0) return false;
+  if (way() == 0) return false;
   if (!moving()) {
     shown_ = goal_;
+    coveredShown_ = coveredGoal_;
     return true;
   }
   const float blend = 1 - std::exp(-dt / kGlide);
@@ -66,12 +76,19 @@ bool OrbitCamera::update(float dt) {
   shown_.pitch += blend * (goal_.pitch - shown_.pitch);
   shown_.distance += blend * (goal_.distance - shown_.distance);
   shown_.target += blend * (goal_.target - shown_.target);
+  coveredShown_ += blend * (coveredGoal_ - coveredShown_);
   return true;
 }
 
 render::CameraPose OrbitCamera::pose(float aspect) const {
-  const float stretch = std::max(1.0f, 1.0f / std::max(aspect, 0.2f));
-  return {shown_.target + backward(shown_) * (shown_.distance * stretch), shown_.target, kFovY};
+  const Vec2 free = Vec2(std::max(aspect, 0.2f), 1) * (1.0f - coveredShown_);  // in picture heights
+  const float distance = shown_.distance * std::max(1.0f, 1.0f / std::min(free.x, free.y));
+  const Vec3 back = backward(shown_);
+  const Vec3 right = normalizeOr(glm::cross(Vec3(0, 1, 0), back), Vec3(1, 0, 0)), up = glm::cross(back, right);
+  // The middle of the free part lies that many half pictures left of and above the middle of all.
+  const Vec2 shift = coveredShown_ * Vec2(aspect, 1) * (distance * std::tan(kFovY / 2));
+  const Vec3 target = shown_.target + right * shift.x - up * shift.y;
+  return {target + back * distance, target, kFovY};
 }
 
 }  // namespace fur::app

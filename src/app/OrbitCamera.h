@@ -16,15 +16,20 @@ class OrbitCamera {
   void orbit(float yaw, float pitch);
   void zoom(float factor);
   void pan(Vec2 modelUnits);  // right and up in the picture
+  // See App::setCovered().
+  void setCovered(Vec2 shares, bool atOnce);
 
   // Returns whether it moved.
   bool update(float dt);
   bool moving() const;
-  // Narrow pictures stand further back, so that the model fits the width.
+  // Stands further back when the free part of the picture is narrow, so that the model fits.
   render::CameraPose pose(float aspect) const;
 
  private:
+  float way() const;  // how far what is shown is from where it glides
+
   CameraOrbit goal_, shown_;
+  Vec2 coveredGoal_{0}, coveredShown_{0};
 };
 
 }  // namespace fur::app

@@ -88,6 +88,7 @@ void Editor::place(const ThemeScale& scale) {
   const float height = std::floor(collapsed() ? title : std::min(most, title + content + messagesHeight_));
   ImGui::SetNextWindowPos(narrow_ ? ImVec2(0, screen.y - height) : ImVec2(screen.x - width - margin, margin));
   ImGui::SetNextWindowSize(ImVec2(width, height));
+  covered_ = collapsed() ? Vec2(0) : narrow_ ? Vec2(0, most / screen.y) : Vec2((width + margin) / screen.x, 0);
 }
 
 void Editor::drawTitle(const EditorModel& model) {

@@ -10,6 +10,7 @@
 
 #include <imgui.h>
 
+#include "core/Math.h"
 #include "editor/EditorModel.h"
 #include "editor/InputQueue.h"
 #include "editor/Theme.h"
@@ -21,6 +22,10 @@ class Editor {
   // Draws the panel; returns what the person asked for since the last frame. A held slider gives
   // BeginChange, one SetSettings per frame in which it moved, and EndChange when it is let go.
   std::vector<Command> frame(const EditorModel& model, const ThemeScale& scale);
+
+  // What the panel hides of the screen, from the right edge and from the bottom edge, as shares of its
+  // width and height. Closed to its title it counts as nothing.
+  Vec2 covered() const { return covered_; }
 
   // Whether a change has begun and not ended.
   bool changing() const { return changing_; }
@@ -45,6 +50,7 @@ class Editor {
   std::vector<Command> commands_;
   char filter_[64] = "";
   char path_[1024] = "";
+  Vec2 covered_{0};
   std::optional<bool> collapsed_;
   bool narrow_ = false;
   bool changing_ = false;

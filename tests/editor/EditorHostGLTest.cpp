@@ -117,6 +117,23 @@ TEST(EditorHost, ASecondFingerIsNotThePanels) {
   EXPECT_FALSE(desk.send(PointerPhase::Up, kOnModel, 0, 1));
 }
 
+TEST(EditorHost, TheModelStandsInTheMiddleOfWhatThePanelLeaves) {
+  Desk desk;
+  // The sphere's silhouette on the middle row: as far from the left edge as from the panel.
+  const auto hits = [&](int x) { return desk.app.pick({x, kHeight / 2}).has_value(); };
+  int left = 0, right = kPanelLeft;
+  while (left < kPanelLeft && !hits(left)) ++left;
+  while (right > 0 && !hits(right)) --right;
+  EXPECT_LT(left, right);
+  // Perspective moves the outline of a sphere off the axis outwards by 1/(d^2 - 1) of its offset: d is
+  // 4.4 and the offset 174 pixels, so 9 pixels, twice that between the two gaps, and one for the raster.
+  EXPECT_NEAR(left, kPanelLeft - right, 19);
+  desk.host.detach();
+  desk.settle();
+  EXPECT_TRUE(hits(kWidth / 2));
+  EXPECT_FALSE(hits(left)) << "back in the middle of all";
+}
+
 TEST(EditorHost, UndoAndRedoReachTheApp) {
   Desk desk;
   desk.app.setField("curl", "0.9");

@@ -65,6 +65,7 @@ Status EditorHost::attach() {
   if (!ImGui_ImplOpenGL3_Init()) return Error{ErrorId::WebglUnavailable, "Dear ImGui found no OpenGL ES 3.0"};
   attached_ = true;
   drawnHash_ = 0;
+  justAttached_ = true;
   wake();
   return Done{};
 }
@@ -74,6 +75,7 @@ void EditorHost::detach() {
   attached_ = false;
   const Context current(*this);
   if (editor_.changing()) app_.endChange();
+  app_.setCovered(Vec2(0));
   // Where a context can be lost, in WebGL, deleting what it held is allowed and does nothing.
   ImGui_ImplOpenGL3_Shutdown();
 }
@@ -221,6 +223,8 @@ bool EditorHost::update(float dt) {
   const std::vector<editor::Command> commands = editor_.frame(model(), scale_);
   ImGui::Render();
   for (const editor::Command& command : commands) perform(command);
+  app_.setCovered(editor_.covered(), justAttached_);
+  justAttached_ = false;
   if (!commands.empty()) wake();
   shownHash_ = pictureHash();
   return shownHash_ != drawnHash_;

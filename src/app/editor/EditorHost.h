@@ -98,7 +98,7 @@ class EditorHost {
   Vec2 size_{0};
   Owner owner_ = Owner::None;  // of the pointer that is down
   int ownerId_ = 0;
-  bool attached_ = false;
+  bool attached_ = false, justAttached_ = false;
   int framesLeft_ = kFramesAfterEvent;
   std::uint64_t drawnHash_ = 0, shownHash_ = 0;  // of the panel's triangles
   float frameTime_ = 0;
