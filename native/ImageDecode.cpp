@@ -43,7 +43,8 @@ Result<Image> decodeImage(std::span<const std::uint8_t> bytes) {
   const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
       stbi_load_from_memory(bytes.data(), size, &image.width, &image.height, &channels, 4), stbi_image_free);
   if (!pixels) return Error{ErrorId::BadFile, std::string("the image is damaged: ") + stbi_failure_reason()};
-  const std::size_t count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 4;
+  const std::size_t count =
+      static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 4;
   image.rgba.assign(pixels.get(), pixels.get() + count);
   return image;
 }

@@ -48,9 +48,11 @@ std::string keyName(int key, int scancode, bool shift) {
 std::string utf8(unsigned codepoint) {
   std::string out;
   if (codepoint < 0x80) return {static_cast<char>(codepoint)};
-  if (codepoint < 0x800) out += static_cast<char>(0xc0 | codepoint >> 6);
+  if (codepoint < 0x800)
+    out += static_cast<char>(0xc0 | codepoint >> 6);
   else {
-    if (codepoint < 0x10000) out += static_cast<char>(0xe0 | codepoint >> 12);
+    if (codepoint < 0x10000)
+      out += static_cast<char>(0xe0 | codepoint >> 12);
     else {
       out += static_cast<char>(0xf0 | codepoint >> 18);
       out += static_cast<char>(0x80 | (codepoint >> 12 & 0x3f));
@@ -60,7 +62,9 @@ std::string utf8(unsigned codepoint) {
   return out + static_cast<char>(0x80 | (codepoint & 0x3f));
 }
 
-int buttonBit(int button) { return button == GLFW_MOUSE_BUTTON_LEFT ? 1 : button == GLFW_MOUSE_BUTTON_RIGHT ? 2 : 4; }
+int buttonBit(int button) {
+  return button == GLFW_MOUSE_BUTTON_LEFT ? 1 : button == GLFW_MOUSE_BUTTON_RIGHT ? 2 : 4;
+}
 
 Window& self(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindowUserPointer(window)); }
 
@@ -118,7 +122,8 @@ void Window::installCallbacks() {
   glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { self(w).resized(); });
   glfwSetWindowContentScaleCallback(window_, [](GLFWwindow* w, float, float) { self(w).resized(); });
   glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { self(w).app_->invalidate(); });
-  glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double, double) { self(w).moved(app::PointerPhase::Move); });
+  glfwSetCursorPosCallback(window_,
+                           [](GLFWwindow* w, double, double) { self(w).moved(app::PointerPhase::Move); });
   glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int entered) {
     if (!entered) self(w).host_->pointerLeft();
   });
@@ -140,7 +145,8 @@ void Window::installCallbacks() {
   glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int scancode, int action, int) {
     self(w).keyed(key, scancode, action);
   });
-  glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned codepoint) { self(w).host_->text(utf8(codepoint)); });
+  glfwSetCharCallback(window_,
+                      [](GLFWwindow* w, unsigned codepoint) { self(w).host_->text(utf8(codepoint)); });
   glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int focused) {
     if (!focused) self(w).host_->focusLost();
   });
@@ -181,9 +187,10 @@ editor::Modifiers Window::modifiers() const {
   const auto down = [this](int left, int right) {
     return glfwGetKey(window_, left) == GLFW_PRESS || glfwGetKey(window_, right) == GLFW_PRESS;
   };
-  return {down(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT),
-          down(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL) || down(GLFW_KEY_LEFT_SUPER, GLFW_KEY_RIGHT_SUPER),
-          down(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT)};
+  return {
+      down(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT),
+      down(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL) || down(GLFW_KEY_LEFT_SUPER, GLFW_KEY_RIGHT_SUPER),
+      down(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT)};
 }
 
 void Window::keyed(int key, int scancode, int action) {
@@ -200,8 +207,10 @@ void Window::keyed(int key, int scancode, int action) {
 bool Window::closing() const { return glfwWindowShouldClose(window_); }
 
 void Window::poll(double longestSleep) {
-  if (longestSleep > 0) glfwWaitEventsTimeout(longestSleep);
-  else glfwPollEvents();
+  if (longestSleep > 0)
+    glfwWaitEventsTimeout(longestSleep);
+  else
+    glfwPollEvents();
 }
 
 void Window::present() { glfwSwapBuffers(window_); }

@@ -49,16 +49,21 @@ std::string readOptions(int count, char** values, Options& out) {
     }
     if (++i == count) return std::string(name) + " needs a value";
     const std::string value = values[i];
-    if (name == "--screenshot") out.screenshot = value;
-    else if (name == "--frames") out.frames = std::atoi(value.c_str());
-    else if (name == "--wetness") out.wetness = std::strtof(value.c_str(), nullptr);
-    else if (name == "--pixel-ratio") out.pixelRatio = std::strtof(value.c_str(), nullptr);
+    if (name == "--screenshot")
+      out.screenshot = value;
+    else if (name == "--frames")
+      out.frames = std::atoi(value.c_str());
+    else if (name == "--wetness")
+      out.wetness = std::strtof(value.c_str(), nullptr);
+    else if (name == "--pixel-ratio")
+      out.pixelRatio = std::strtof(value.c_str(), nullptr);
     else if (name == "--set") {
       const auto equals = value.find('=');
       if (equals == std::string::npos) return "--set needs name=value";
       out.settings.emplace_back(value.substr(0, equals), value.substr(equals + 1));
     } else if (name == "--size") {
-      if (std::sscanf(value.c_str(), "%dx%d", &out.width, &out.height) != 2 || out.width < 1 || out.height < 1)
+      if (std::sscanf(value.c_str(), "%dx%d", &out.width, &out.height) != 2 || out.width < 1 ||
+          out.height < 1)
         return "--size needs WxH, such as 1280x800";
     } else
       return "unknown option " + std::string(name);
@@ -75,7 +80,8 @@ class Session {
     window_.connect(app_, host_);
     if (Status status = app_.attach(); !status) return status;
     if (Status status = host_.attach(); !status) return status;
-    if (options_.pixelRatio > 0) host_.resize(window_.pixelSize().x, window_.pixelSize().y, options_.pixelRatio);
+    if (options_.pixelRatio > 0)
+      host_.resize(window_.pixelSize().x, window_.pixelSize().y, options_.pixelRatio);
     for (const auto& [name, value] : options_.settings) app_.setField(name, value);
     load(options_.scene);
     if (options_.wetness > 0) app_.setWetness(options_.wetness);
@@ -95,11 +101,20 @@ class Session {
     using Kind = app::PlatformCommand::Kind;
     while (const auto command = host_.takeCommand()) {
       switch (command->kind) {
-        case Kind::OpenPath: load(command->text); break;
-        case Kind::LoadBunny: load("bunny"); break;
-        case Kind::CopyText: window_.setClipboard(command->text); break;
-        case Kind::PasteRequest: host_.paste(window_.clipboard()); break;
-        case Kind::OpenDialog: break;  // the panel offers a path field instead
+        case Kind::OpenPath:
+          load(command->text);
+          break;
+        case Kind::LoadBunny:
+          load("bunny");
+          break;
+        case Kind::CopyText:
+          window_.setClipboard(command->text);
+          break;
+        case Kind::PasteRequest:
+          host_.paste(window_.clipboard());
+          break;
+        case Kind::OpenDialog:
+          break;  // the panel offers a path field instead
       }
     }
     for (const std::string& path : window_.takeDropped()) load(path);

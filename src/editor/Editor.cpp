@@ -48,9 +48,10 @@ std::vector<Command> Editor::frame(const EditorModel& model, const ThemeScale& s
   commands_.clear();
   touch_ = scale.touch;
   place(scale);
-  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
-                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollbar |
-                                      ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoFocusOnAppearing;
+  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
+                                      ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings |
+                                      ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse |
+                                      ImGuiWindowFlags_NoFocusOnAppearing;
   ImGui::Begin("wet-fur", nullptr, kFlags);
   drawTitle(model);
   if (!collapsed()) {
@@ -88,7 +89,9 @@ void Editor::place(const ThemeScale& scale) {
   const float height = std::floor(collapsed() ? title : std::min(most, title + content + messagesHeight_));
   ImGui::SetNextWindowPos(narrow_ ? ImVec2(0, screen.y - height) : ImVec2(screen.x - width - margin, margin));
   ImGui::SetNextWindowSize(ImVec2(width, height));
-  covered_ = collapsed() ? Vec2(0) : narrow_ ? Vec2(0, most / screen.y) : Vec2((width + margin) / screen.x, 0);
+  covered_ = collapsed() ? Vec2(0)
+             : narrow_   ? Vec2(0, most / screen.y)
+                         : Vec2((width + margin) / screen.x, 0);
 }
 
 void Editor::drawTitle(const EditorModel& model) {
@@ -126,7 +129,8 @@ void Editor::drawMessages(const EditorModel& model) {
     const float bottom = ImGui::GetItemRectMax().y;
     ImGui::Unindent(px(10));
     ImGui::GetWindowDrawList()->AddRectFilled(from, ImVec2(from.x + px(3), bottom),
-                                              model.messages[i].isError ? color::kError : color::kWarning, px(1.5f));
+                                              model.messages[i].isError ? color::kError : color::kWarning,
+                                              px(1.5f));
     ImGui::SameLine(ImGui::GetContentRegionMax().x - side);
     if (iconButton("##dismiss", Icon::Close, "", true, side)) emit(command::DismissMessage{i});
     ImGui::PopID();
@@ -142,19 +146,28 @@ void Editor::drawScene(const EditorModel& model) {
                               {"Sphere", isModel(model, "sphere")},
                               {"Torus", isModel(model, "torus")},
                               {"Plane", isModel(model, "plane")}})) {
-    case 0: emit(command::LoadBunny{}); break;
-    case 1: emit(command::LoadPrimitive{"sphere"}); break;
-    case 2: emit(command::LoadPrimitive{"torus"}); break;
-    case 3: emit(command::LoadPrimitive{"plane"}); break;
-    default: break;
+    case 0:
+      emit(command::LoadBunny{});
+      break;
+    case 1:
+      emit(command::LoadPrimitive{"sphere"});
+      break;
+    case 2:
+      emit(command::LoadPrimitive{"torus"});
+      break;
+    case 3:
+      emit(command::LoadPrimitive{"plane"});
+      break;
+    default:
+      break;
   }
   if (model.fileAccess == FileAccess::Dialog) {
     if (ImGui::Button("Open a .glb or .gltf file", ImVec2(-1, 0))) emit(command::OpenDialog{});
     return;
   }
   ImGui::SetNextItemWidth(-px(56));
-  const bool entered = ImGui::InputTextWithHint("##path", "Path of a .glb or .gltf, or drop one", path_, sizeof path_,
-                                                ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered = ImGui::InputTextWithHint("##path", "Path of a .glb or .gltf, or drop one", path_,
+                                                sizeof path_, ImGuiInputTextFlags_EnterReturnsTrue);
   ImGui::SameLine(0, px(3));
   const bool pressed = ImGui::Button("Open", ImVec2(-1, 0));
   if ((entered || pressed) && path_[0]) emit(command::OpenPath{path_});
@@ -162,9 +175,11 @@ void Editor::drawScene(const EditorModel& model) {
 
 void Editor::drawWater(const EditorModel& model) {
   ImGui::Dummy(ImVec2(0, px(2)));
-  const int tool = iconSegments(
-      "tools", {{"Wet", model.tool == Tool::Droplet}, {"Dry", model.tool == Tool::Dry}, {"Orbit", model.tool == Tool::None}},
-      {Icon::Droplet, Icon::Dry, Icon::Orbit});
+  const int tool = iconSegments("tools",
+                                {{"Wet", model.tool == Tool::Droplet},
+                                 {"Dry", model.tool == Tool::Dry},
+                                 {"Orbit", model.tool == Tool::None}},
+                                {Icon::Droplet, Icon::Dry, Icon::Orbit});
   if (tool >= 0) emit(command::SetTool{static_cast<Tool>(tool)});
   const float button = px(64), gap = px(3);
   char text[32];
@@ -212,8 +227,8 @@ void Editor::drawStats(const EditorModel& model) {
   const float longest = *std::max_element(model.frameSeconds.begin(), model.frameSeconds.end());
   char text[32];
   std::snprintf(text, sizeof text, "%.1f ms", static_cast<double>(model.frameSeconds.back()) * 1000);
-  ImGui::PlotLines("##frames", model.frameSeconds.data(), static_cast<int>(model.frameSeconds.size()), 0, text, 0,
-                   longest * 1.1f, ImVec2(-1, px(48)));
+  ImGui::PlotLines("##frames", model.frameSeconds.data(), static_cast<int>(model.frameSeconds.size()), 0,
+                   text, 0, longest * 1.1f, ImVec2(-1, px(48)));
 }
 
 void Editor::scrollByFinger() {

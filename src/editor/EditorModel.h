@@ -39,25 +39,36 @@ namespace command {
 // Every SetSettings between these two belongs to one undo step.
 struct BeginChange {};
 struct EndChange {};
-struct SetSettings { settings::Settings settings; };
-struct SetTool { Tool tool; };
-struct SetWetness { float amount; };
-struct LoadPrimitive { std::string name; };  // "sphere", "torus", "plane"
-struct LoadBunny {};                         // the model that ships with the program
+struct SetSettings {
+  settings::Settings settings;
+};
+struct SetTool {
+  Tool tool;
+};
+struct SetWetness {
+  float amount;
+};
+struct LoadPrimitive {
+  std::string name;
+};                    // "sphere", "torus", "plane"
+struct LoadBunny {};  // the model that ships with the program
 struct OpenDialog {};
-struct OpenPath { std::string path; };
+struct OpenPath {
+  std::string path;
+};
 struct ResetCamera {};
 struct Undo {};
 struct Redo {};
 struct CopyState {};   // settings and camera as text, to the clipboard
 struct PasteState {};  // and from it
-struct DismissMessage { std::size_t index; };
+struct DismissMessage {
+  std::size_t index;
+};
 }  // namespace command
 
-using Command =
-    std::variant<command::BeginChange, command::EndChange, command::SetSettings, command::SetTool,
-                 command::SetWetness, command::LoadPrimitive, command::LoadBunny, command::OpenDialog,
-                 command::OpenPath, command::ResetCamera, command::Undo, command::Redo, command::CopyState,
-                 command::PasteState, command::DismissMessage>;
+using Command = std::variant<command::BeginChange, command::EndChange, command::SetSettings, command::SetTool,
+                             command::SetWetness, command::LoadPrimitive, command::LoadBunny,
+                             command::OpenDialog, command::OpenPath, command::ResetCamera, command::Undo,
+                             command::Redo, command::CopyState, command::PasteState, command::DismissMessage>;
 
 }  // namespace fur::editor

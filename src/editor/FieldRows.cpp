@@ -58,8 +58,8 @@ std::string numberFormat(const Field& field, double range) {
 void editAngle(Settings& settings, const Field& field) {
   constexpr double kDegrees = 180.0 / 3.14159265358979;
   float degrees = static_cast<float>(field.get(settings) * kDegrees);
-  if (fillSlider("##value", degrees, static_cast<float>(field.low * kDegrees), static_cast<float>(field.high * kDegrees),
-                 "%.0f\xc2\xb0", false))
+  if (fillSlider("##value", degrees, static_cast<float>(field.low * kDegrees),
+                 static_cast<float>(field.high * kDegrees), "%.0f\xc2\xb0", false))
     assign(settings, field, degrees / kDegrees);
 }
 
@@ -75,9 +75,10 @@ void editFloat(Settings& settings, const Field& field) {
 void editInt(Settings& settings, const Field& field) {
   int value = static_cast<int>(field.get(settings));
   const int low = static_cast<int>(field.low), high = static_cast<int>(field.high);
-  const bool changed = field.high - field.low > kMostSliderSteps
-                           ? ImGui::DragInt("##value", &value, 0.2f, low, high, "%d", ImGuiSliderFlags_AlwaysClamp)
-                           : fillSlider("##value", value, low, high);
+  const bool changed =
+      field.high - field.low > kMostSliderSteps
+          ? ImGui::DragInt("##value", &value, 0.2f, low, high, "%d", ImGuiSliderFlags_AlwaysClamp)
+          : fillSlider("##value", value, low, high);
   if (changed) assign(settings, field, value);
 }
 
@@ -85,11 +86,12 @@ void editColor(Settings& settings, const Field& field) {
   const auto rgb = static_cast<std::uint32_t>(field.get(settings));
   float channels[3];
   for (int i = 0; i < 3; ++i) channels[i] = static_cast<float>((rgb >> (16 - 8 * i)) & 255u) / 255.0f;
-  constexpr ImGuiColorEditFlags kFlags =
-      ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_InputRGB | ImGuiColorEditFlags_NoLabel | ImGuiColorEditFlags_NoOptions;
+  constexpr ImGuiColorEditFlags kFlags = ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_InputRGB |
+                                         ImGuiColorEditFlags_NoLabel | ImGuiColorEditFlags_NoOptions;
   if (!ImGui::ColorEdit3("##value", channels, kFlags)) return;
   std::uint32_t packed = 0;
-  for (const float channel : channels) packed = packed << 8u | static_cast<std::uint32_t>(channel * 255.0f + 0.5f);
+  for (const float channel : channels)
+    packed = packed << 8u | static_cast<std::uint32_t>(channel * 255.0f + 0.5f);
   assign(settings, field, packed);
 }
 
@@ -104,10 +106,14 @@ void editChoice(Settings& settings, const Field& field) {
 
 void editValue(Settings& settings, const Field& field) {
   switch (field.type) {
-    case FieldType::Float: return editFloat(settings, field);
-    case FieldType::Int: return editInt(settings, field);
-    case FieldType::Color: return editColor(settings, field);
-    case FieldType::Choice: return editChoice(settings, field);
+    case FieldType::Float:
+      return editFloat(settings, field);
+    case FieldType::Int:
+      return editInt(settings, field);
+    case FieldType::Color:
+      return editColor(settings, field);
+    case FieldType::Choice:
+      return editChoice(settings, field);
     case FieldType::Bool: {
       bool on = field.get(settings) != 0;
       if (ImGui::Checkbox("##value", &on)) assign(settings, field, on);
@@ -127,8 +133,8 @@ void rowTooltip(const Field& field) {
   ImGui::PushTextWrapPos(px(280));
   ImGui::TextUnformatted(field.tooltip);
   if (field.type == FieldType::Float || field.type == FieldType::Int)
-    ImGui::TextDisabled("%g to %g%s, default %s. Ctrl+click to type.", field.low, field.high, unitText(field).c_str(),
-                        settings::fieldText(Settings{}, field).c_str());
+    ImGui::TextDisabled("%g to %g%s, default %s. Ctrl+click to type.", field.low, field.high,
+                        unitText(field).c_str(), settings::fieldText(Settings{}, field).c_str());
   ImGui::TextDisabled("%s", field.name);
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
@@ -139,7 +145,8 @@ void rowMenu(Settings& settings, const Field& field) {
   const std::string standard = settings::fieldText(Settings{}, field);
   if (ImGui::MenuItem(("Reset to " + standard).c_str(), nullptr, false, !isStandard(settings, field)))
     reset(settings, field);
-  if (ImGui::MenuItem((std::string("Reset all of ") + field.group).c_str())) resetGroup(settings, field.group);
+  if (ImGui::MenuItem((std::string("Reset all of ") + field.group).c_str()))
+    resetGroup(settings, field.group);
   ImGui::EndPopup();
 }
 
@@ -157,7 +164,8 @@ void drawRow(Settings& settings, const Field& field, bool tooltips) {
   ImGui::BeginGroup();
   editValue(settings, field);
   ImGui::EndGroup();
-  if ((onLabel || ImGui::IsItemHovered()) && ImGui::IsMouseReleased(ImGuiMouseButton_Right)) ImGui::OpenPopup("menu");
+  if ((onLabel || ImGui::IsItemHovered()) && ImGui::IsMouseReleased(ImGuiMouseButton_Right))
+    ImGui::OpenPopup("menu");
   if (onLabel && tooltips) rowTooltip(field);
   rowMenu(settings, field);
   if (!isStandard(settings, field)) {
@@ -173,7 +181,8 @@ void drawLightPad(Settings& settings) {
   const float diameter = px(92);
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + (ImGui::GetContentRegionAvail().x - diameter) * 0.5f);
   float yawValue = settings.lightYaw, pitchValue = settings.lightPitch;
-  if (lightPad("##lightPad", yawValue, pitchValue, static_cast<float>(pitch.low), static_cast<float>(pitch.high), diameter)) {
+  if (lightPad("##lightPad", yawValue, pitchValue, static_cast<float>(pitch.low),
+               static_cast<float>(pitch.high), diameter)) {
     assign(settings, yaw, yawValue);
     assign(settings, pitch, pitchValue);
   }
@@ -183,8 +192,10 @@ void drawLightPad(Settings& settings) {
 // The header; returns whether the group is open.
 bool drawHeader(Settings& settings, std::string_view group, bool forceOpen) {
   const std::string name(group);
-  if (forceOpen) ImGui::SetNextItemOpen(true);
-  else ImGui::SetNextItemOpen(group == "Fur" || group == "Water", ImGuiCond_FirstUseEver);
+  if (forceOpen)
+    ImGui::SetNextItemOpen(true);
+  else
+    ImGui::SetNextItemOpen(group == "Fur" || group == "Water", ImGuiCond_FirstUseEver);
   const bool open = groupHeader((name + (forceOpen ? "##filtered" : "")).c_str());
   const auto& all = settings::fields();
   const bool changed = std::any_of(all.begin(), all.end(), [&](const Field& field) {
@@ -208,13 +219,16 @@ std::vector<std::string_view> fieldGroups() {
 }
 
 bool matchesFilter(const Field& field, std::string_view filter) {
-  return filter.empty() || contains(field.label, filter) || contains(field.name, filter) || contains(field.group, filter);
+  return filter.empty() || contains(field.label, filter) || contains(field.name, filter) ||
+         contains(field.group, filter);
 }
 
 int drawFields(Settings& settings, std::string_view filter, bool tooltips) {
   int shown = 0;
   for (const std::string_view group : fieldGroups()) {
-    const auto rows = [&](const Field& field) { return field.group == group && matchesFilter(field, filter); };
+    const auto rows = [&](const Field& field) {
+      return field.group == group && matchesFilter(field, filter);
+    };
     const auto count = std::count_if(settings::fields().begin(), settings::fields().end(), rows);
     shown += static_cast<int>(count);
     if (count == 0 || !drawHeader(settings, group, !filter.empty())) continue;

@@ -17,7 +17,9 @@ struct Pen {
   ImU32 color;
 
   ImVec2 at(float x, float y) const { return {center.x + x * half, center.y + y * half}; }
-  void line(float x0, float y0, float x1, float y1) const { list.AddLine(at(x0, y0), at(x1, y1), color, thickness); }
+  void line(float x0, float y0, float x1, float y1) const {
+    list.AddLine(at(x0, y0), at(x1, y1), color, thickness);
+  }
   void arc(float x, float y, float radius, float from, float to) const {
     list.PathArcTo(at(x, y), radius * half, from, to, 20);
     list.PathStroke(color, 0, thickness);
@@ -30,7 +32,8 @@ struct Pen {
 // side -1: back, 1: forth
 void drawTurn(const Pen& pen, float side) {
   pen.line(-0.7f * side * -1, -0.25f, -0.15f * side, -0.25f);
-  pen.arc(-0.15f * side, 0.25f, 0.5f, side > 0 ? kPi * 0.5f : -kPi * 0.5f, side > 0 ? kPi * 1.5f : kPi * 0.5f);
+  pen.arc(-0.15f * side, 0.25f, 0.5f, side > 0 ? kPi * 0.5f : -kPi * 0.5f,
+          side > 0 ? kPi * 1.5f : kPi * 0.5f);
   pen.line(-0.15f * side, 0.75f, 0.35f * side, 0.75f);
   pen.triangle(0.95f * side, -0.25f, 0.4f * side, -0.72f, 0.4f * side, 0.22f);
 }
@@ -57,8 +60,12 @@ void drawSun(const Pen& pen) {
 void drawIcon(ImDrawList& list, Icon icon, ImVec2 center, float size, ImU32 color) {
   const Pen pen{list, center, size * 0.5f, std::fmax(1.2f, size * 0.11f), color};
   switch (icon) {
-    case Icon::Undo: drawTurn(pen, -1); break;
-    case Icon::Redo: drawTurn(pen, 1); break;
+    case Icon::Undo:
+      drawTurn(pen, -1);
+      break;
+    case Icon::Redo:
+      drawTurn(pen, 1);
+      break;
     case Icon::Reset:
       pen.arc(0, 0.05f, 0.7f, -kPi * 0.35f, kPi * 1.2f);
       pen.triangle(-0.05f, -0.7f, 0.55f, -1.0f, 0.5f, -0.3f);
@@ -83,8 +90,12 @@ void drawIcon(ImDrawList& list, Icon icon, ImVec2 center, float size, ImU32 colo
       pen.line(-0.55f, -0.55f, 0.55f, 0.55f);
       pen.line(-0.55f, 0.55f, 0.55f, -0.55f);
       break;
-    case Icon::Droplet: drawDroplet(pen); break;
-    case Icon::Dry: drawSun(pen); break;
+    case Icon::Droplet:
+      drawDroplet(pen);
+      break;
+    case Icon::Dry:
+      drawSun(pen);
+      break;
     case Icon::Orbit:
       pen.list.AddCircle(pen.center, 0.85f * pen.half, color, 24, pen.thickness);
       pen.arc(0, -0.55f, 1.0f, kPi * 0.2f, kPi * 0.8f);

@@ -66,13 +66,10 @@ void InputQueue::pointer(PointerKind kind, Vec2 position, int buttons) {
 
 void InputQueue::pointerGone() { pointer(lastKind_, Vec2(-FLT_MAX), 0); }
 
-void InputQueue::wheel(float notches) {
-  events_.push_back({.type = Event::Type::Wheel, .notches = notches});
-}
+void InputQueue::wheel(float notches) { events_.push_back({.type = Event::Type::Wheel, .notches = notches}); }
 
 void InputQueue::key(std::string_view name, bool down, Modifiers modifiers) {
-  events_.push_back(
-      {.type = Event::Type::Key, .code = keyCode(name), .down = down, .modifiers = modifiers});
+  events_.push_back({.type = Event::Type::Key, .code = keyCode(name), .down = down, .modifiers = modifiers});
 }
 
 void InputQueue::text(std::string_view utf8) {
@@ -97,7 +94,8 @@ void InputQueue::feed(ImGuiIO& io) {
       case Event::Type::Buttons:
         // A press waits until the widget under the new position has been hovered for a frame.
         if (moved || pressed) return;
-        for (int button = 0; button < kButtonCount; ++button) io.MouseDown[button] = (event.code >> button) & 1;
+        for (int button = 0; button < kButtonCount; ++button)
+          io.MouseDown[button] = (event.code >> button) & 1;
         pressed = true;
         break;
       case Event::Type::Wheel:

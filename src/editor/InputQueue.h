@@ -25,7 +25,7 @@ class InputQueue {
  public:
   // Buttons: bit 0 left, 1 right, 2 middle, as they are after the event.
   void pointer(PointerKind kind, Vec2 position, int buttons);
-  void pointerGone();  // left the window, or the finger was lifted
+  void pointerGone();         // left the window, or the finger was lifted
   void wheel(float notches);  // positive: towards the top of the panel
   // A key by its DOM name ("ArrowLeft", "z"); keys that ImGui has no use for are ignored.
   void key(std::string_view name, bool down, Modifiers modifiers);

@@ -35,7 +35,8 @@ void buildFont(float pixels) {
   config.FontDataOwnedByAtlas = false;
   config.OversampleH = 2;
   // ImGui takes the data as not const; the atlas does not own it and only reads.
-  atlas.AddFontFromMemoryTTF(const_cast<unsigned char*>(kFont), static_cast<int>(std::size(kFont)), pixels, &config);
+  atlas.AddFontFromMemoryTTF(const_cast<unsigned char*>(kFont), static_cast<int>(std::size(kFont)), pixels,
+                             &config);
 #else
   config.OversampleH = 1;
   config.PixelSnapH = true;

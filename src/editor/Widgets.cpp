@@ -31,8 +31,8 @@ void beginBar(float fraction) {
     list.AddRectFilled(from, to, color::kFill, rounding);
     list.PopClipRect();
   }
-  for (const ImGuiCol slot : {ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive, ImGuiCol_SliderGrab,
-                              ImGuiCol_SliderGrabActive})
+  for (const ImGuiCol slot : {ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive,
+                              ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive})
     ImGui::PushStyleColor(slot, IM_COL32_BLACK_TRANS);
   // A thin grab, so that the end of the bar is where the pointer is.
   ImGui::PushStyleVar(ImGuiStyleVar_GrabMinSize, 2.0f);
@@ -57,8 +57,8 @@ bool segmentButton(const Segment& segment, const Icon* icon, float width) {
     const float left = (low.x + high.x - side - gap - text) * 0.5f, middle = (low.y + high.y) * 0.5f;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     drawIcon(list, *icon, ImVec2(left + side * 0.5f, middle), side, ImGui::GetColorU32(ImGuiCol_Text));
-    list.AddText(ImVec2(left + side + gap, middle - ImGui::GetFontSize() * 0.5f), ImGui::GetColorU32(ImGuiCol_Text),
-                 segment.label);
+    list.AddText(ImVec2(left + side + gap, middle - ImGui::GetFontSize() * 0.5f),
+                 ImGui::GetColorU32(ImGuiCol_Text), segment.label);
   }
   return pressed;
 }
@@ -75,7 +75,8 @@ int segmentRow(const char* id, std::initializer_list<Segment> choices, const Ico
     ImGui::PushID(index);
     // The last one takes what rounding left over.
     const bool last = index + 1 == static_cast<int>(choices.size());
-    if (segmentButton(segment, icons ? icons + index : nullptr, last ? ImGui::GetContentRegionAvail().x : width))
+    if (segmentButton(segment, icons ? icons + index : nullptr,
+                      last ? ImGui::GetContentRegionAvail().x : width))
       pressed = index;
     ImGui::PopID();
     ++index;
@@ -96,14 +97,17 @@ bool iconButton(const char* id, Icon icon, const char* tooltip, bool enabled, fl
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (hovered) list.AddRectFilled(low, high, frameColor(true, active), ImGui::GetStyle().FrameRounding);
-  drawIcon(list, icon, ImVec2((low.x + high.x) * 0.5f, (low.y + high.y) * 0.5f), std::fmin(std::fmin(width, height) * 0.6f, px(14)),
+  drawIcon(list, icon, ImVec2((low.x + high.x) * 0.5f, (low.y + high.y) * 0.5f),
+           std::fmin(std::fmin(width, height) * 0.6f, px(14)),
            ImGui::GetColorU32(hovered ? color::kText : color::kDim));
   ImGui::EndDisabled();
   if (hovered && !active && *tooltip) ImGui::SetTooltip("%s", tooltip);
   return pressed;
 }
 
-int segments(const char* id, std::initializer_list<Segment> choices) { return segmentRow(id, choices, nullptr); }
+int segments(const char* id, std::initializer_list<Segment> choices) {
+  return segmentRow(id, choices, nullptr);
+}
 
 int iconSegments(const char* id, std::initializer_list<Segment> choices, std::initializer_list<Icon> icons) {
   return segmentRow(id, choices, icons.begin());
@@ -133,7 +137,8 @@ bool fillSlider(const char* id, int& value, int low, int high) {
   return changed;
 }
 
-bool lightPad(const char* id, float& yaw, float& pitch, float lowestPitch, float highestPitch, float diameter) {
+bool lightPad(const char* id, float& yaw, float& pitch, float lowestPitch, float highestPitch,
+              float diameter) {
   ImGui::InvisibleButton(id, ImVec2(diameter, diameter));
   const bool active = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
   const ImVec2 low = ImGui::GetItemRectMin();
@@ -160,9 +165,11 @@ bool lightPad(const char* id, float& yaw, float& pitch, float lowestPitch, float
     const float t = static_cast<float>(ring) / kRings;
     const Vec2 middle = center + light * (0.55f * t);
     const int grey = 38 + static_cast<int>(150 * t * t);
-    list.AddCircleFilled(ImVec2(middle.x, middle.y), radius * (1 - 0.94f * t), IM_COL32(grey, grey + 3, grey + 8, 255), 48);
+    list.AddCircleFilled(ImVec2(middle.x, middle.y), radius * (1 - 0.94f * t),
+                         IM_COL32(grey, grey + 3, grey + 8, 255), 48);
   }
-  list.AddCircle(ImVec2(center.x, center.y), radius, IM_COL32(255, 255, 255, hovered || active ? 110 : 50), 48, px(1));
+  list.AddCircle(ImVec2(center.x, center.y), radius, IM_COL32(255, 255, 255, hovered || active ? 110 : 50),
+                 48, px(1));
   const Vec2 dot = center + light * 0.93f;
   list.AddCircleFilled(ImVec2(dot.x, dot.y), px(active ? 6 : 5), IM_COL32(255, 226, 150, 255), 20);
   list.AddCircle(ImVec2(dot.x, dot.y), px(active ? 6 : 5), IM_COL32(30, 26, 18, 200), 20, px(1));

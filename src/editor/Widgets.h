@@ -30,6 +30,7 @@ bool fillSlider(const char* id, float& value, float low, float high, const char*
 bool fillSlider(const char* id, int& value, int low, int high);
 
 // A hemisphere seen from above: the middle is overhead, the rim the horizon, +z points down.
-bool lightPad(const char* id, float& yaw, float& pitch, float lowestPitch, float highestPitch, float diameter);
+bool lightPad(const char* id, float& yaw, float& pitch, float lowestPitch, float highestPitch,
+              float diameter);
 
 }  // namespace fur::editor

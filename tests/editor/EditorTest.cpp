@@ -25,7 +25,8 @@ TEST(Editor, EveryFieldOfTheTableHasAWidget) {
   person.openAllGroups();
   std::set<ImGuiID> hovered;
   for (const auto& [at, id] : person.sweep()) hovered.insert(id);
-  for (const Field& field : settings::fields()) EXPECT_TRUE(hovered.count(person.valueId(field))) << field.name;
+  for (const Field& field : settings::fields())
+    EXPECT_TRUE(hovered.count(person.valueId(field))) << field.name;
   EXPECT_TRUE(person.commands.empty()) << "hovering changes nothing";
 }
 

@@ -77,7 +77,9 @@ class PanelDriver {
   }
 
   ImGuiID id(const char* item) const { return content()->GetID(item); }
-  ImGuiID rowId(const char* field, const char* item) const { return ImHashStr(item, 0, content()->GetID(field)); }
+  ImGuiID rowId(const char* field, const char* item) const {
+    return ImHashStr(item, 0, content()->GetID(field));
+  }
   // A colour is a group of widgets; its text box is the leftmost.
   ImGuiID valueId(const settings::Field& field) const {
     const ImGuiID value = rowId(field.name, "##value");

@@ -1,7 +1,6 @@
 #include "app/editor/EditorHost.h"
 
 #include <algorithm>
-#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -19,6 +18,13 @@ void mix(std::uint64_t& hash, const void* data, std::size_t bytes) {
   for (std::size_t i = 0; i < bytes; ++i) hash = (hash ^ byte[i]) * 0x100000001b3ull;
 }
 
+template <class... F>
+struct Overloaded : F... {
+  using F::operator()...;
+};
+template <class... F>
+Overloaded(F...) -> Overloaded<F...>;
+
 editor::PointerKind panelKind(PointerKind kind) {
   return kind == PointerKind::Touch ? editor::PointerKind::Touch : editor::PointerKind::Mouse;
 }
@@ -26,7 +32,9 @@ editor::PointerKind panelKind(PointerKind kind) {
 }  // namespace
 
 struct EditorHost::Context {
-  explicit Context(const EditorHost& host) : before(ImGui::GetCurrentContext()) { ImGui::SetCurrentContext(host.context_); }
+  explicit Context(const EditorHost& host) : before(ImGui::GetCurrentContext()) {
+    ImGui::SetCurrentContext(host.context_);
+  }
   ~Context() { ImGui::SetCurrentContext(before); }
   ImGuiContext* before;
 };
@@ -44,8 +52,10 @@ EditorHost::EditorHost(App& app, editor::FileAccess fileAccess)
   io.SetClipboardTextFn = [](void* self, const char* text) {
     auto& host = *static_cast<EditorHost*>(self);
     host.clipboard_ = text;
-    if (host.writeClipboard_) host.writeClipboard_(text);
-    else host.request(PlatformCommand::Kind::CopyText, text);
+    if (host.writeClipboard_)
+      host.writeClipboard_(text);
+    else
+      host.request(PlatformCommand::Kind::CopyText, text);
   };
   io.GetClipboardTextFn = [](void* self) {
     auto& host = *static_cast<EditorHost*>(self);
@@ -90,14 +100,16 @@ bool EditorHost::covers(Vec2 position) const {
   const ImGuiContext& context = *context_;
   if (context.OpenPopupStack.Size > 0) return true;  // a click anywhere else closes it
   for (const ImGuiWindow* window : context.Windows)
-    if (window->WasActive && !window->Hidden && !(window->Flags & (ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_Tooltip)) &&
+    if (window->WasActive && !window->Hidden &&
+        !(window->Flags & (ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_Tooltip)) &&
         window->Rect().Contains(ImVec2(position.x, position.y)))
       return true;
   return false;
 }
 
 bool EditorHost::pointer(const PointerEvent& event) {
-  const bool down = event.phase == PointerPhase::Down, ended = !down && event.phase != PointerPhase::Move && !event.buttons;
+  const bool down = event.phase == PointerPhase::Down;
+  const bool ended = !down && event.phase != PointerPhase::Move && !event.buttons;
   if (down && owner_ == Owner::None) {
     owner_ = covers(event.position) ? Owner::Panel : Owner::App;
     ownerId_ = event.id;
@@ -108,7 +120,8 @@ bool EditorHost::pointer(const PointerEvent& event) {
   const bool touch = event.kind == PointerKind::Touch;
   if (ended) owner_ = Owner::None;
   // ImGui also hears of what is not for it: a press on the model takes the focus from the panel.
-  input_.pointer(panelKind(event.kind), event.position, event.phase == PointerPhase::Cancel ? 0 : event.buttons);
+  input_.pointer(panelKind(event.kind), event.position,
+                 event.phase == PointerPhase::Cancel ? 0 : event.buttons);
   if (touch && ended) input_.pointerGone();
   wake();
   return captured;
@@ -155,8 +168,10 @@ bool EditorHost::text(std::string_view utf8) {
 }
 
 void EditorHost::paste(const std::string& text) {
-  if (wantsText()) input_.text(text);
-  else check(app_.setState(text));
+  if (wantsText())
+    input_.text(text);
+  else
+    check(app_.setState(text));
   wake();
 }
 
@@ -171,11 +186,16 @@ bool EditorHost::wantsText() const { return context_->IO.WantTextInput; }
 
 const char* EditorHost::cursor() const {
   switch (context_->MouseCursor) {
-    case ImGuiMouseCursor_TextInput: return "text";
-    case ImGuiMouseCursor_ResizeEW: return "ew-resize";
-    case ImGuiMouseCursor_ResizeNS: return "ns-resize";
-    case ImGuiMouseCursor_Hand: return "pointer";
-    default: return "default";
+    case ImGuiMouseCursor_TextInput:
+      return "text";
+    case ImGuiMouseCursor_ResizeEW:
+      return "ew-resize";
+    case ImGuiMouseCursor_ResizeNS:
+      return "ns-resize";
+    case ImGuiMouseCursor_Hand:
+      return "pointer";
+    default:
+      return "default";
   }
 }
 
@@ -260,27 +280,26 @@ void EditorHost::check(const Status& status) {
 void EditorHost::perform(const editor::Command& command) {
   using namespace editor::command;
   using Kind = PlatformCommand::Kind;
-  std::visit(
-      [&](const auto& c) {
-        using C = std::decay_t<decltype(c)>;
-        if constexpr (std::is_same_v<C, BeginChange>) app_.beginChange();
-        else if constexpr (std::is_same_v<C, EndChange>) app_.endChange();
-        else if constexpr (std::is_same_v<C, SetSettings>) app_.setSettings(c.settings);
-        else if constexpr (std::is_same_v<C, SetTool>) app_.setTool(static_cast<Tool>(c.tool));
-        else if constexpr (std::is_same_v<C, SetWetness>) app_.setWetness(c.amount);
-        else if constexpr (std::is_same_v<C, LoadPrimitive>) check(app_.loadPrimitive(c.name));
-        else if constexpr (std::is_same_v<C, LoadBunny>) request(Kind::LoadBunny);
-        else if constexpr (std::is_same_v<C, OpenDialog>) request(Kind::OpenDialog);
-        else if constexpr (std::is_same_v<C, OpenPath>) request(Kind::OpenPath, c.path);
-        else if constexpr (std::is_same_v<C, ResetCamera>) app_.resetCamera();
-        else if constexpr (std::is_same_v<C, Undo>) app_.undo();
-        else if constexpr (std::is_same_v<C, Redo>) app_.redo();
-        else if constexpr (std::is_same_v<C, CopyState>) request(Kind::CopyText, app_.state());
-        else if constexpr (std::is_same_v<C, PasteState>) request(Kind::PasteRequest);
-        else if constexpr (std::is_same_v<C, DismissMessage>)
-          messages_.erase(messages_.begin() + static_cast<std::ptrdiff_t>(c.index));
+  const Overloaded actions{
+      [&](const BeginChange&) { app_.beginChange(); },
+      [&](const EndChange&) { app_.endChange(); },
+      [&](const SetSettings& c) { app_.setSettings(c.settings); },
+      [&](const SetTool& c) { app_.setTool(static_cast<Tool>(c.tool)); },
+      [&](const SetWetness& c) { app_.setWetness(c.amount); },
+      [&](const LoadPrimitive& c) { check(app_.loadPrimitive(c.name)); },
+      [&](const LoadBunny&) { request(Kind::LoadBunny); },
+      [&](const OpenDialog&) { request(Kind::OpenDialog); },
+      [&](const OpenPath& c) { request(Kind::OpenPath, c.path); },
+      [&](const ResetCamera&) { app_.resetCamera(); },
+      [&](const Undo&) { app_.undo(); },
+      [&](const Redo&) { app_.redo(); },
+      [&](const CopyState&) { request(Kind::CopyText, app_.state()); },
+      [&](const PasteState&) { request(Kind::PasteRequest); },
+      [&](const DismissMessage& c) {
+        messages_.erase(messages_.begin() + static_cast<std::ptrdiff_t>(c.index));
       },
-      command);
+  };
+  std::visit(actions, command);
 }
 
 std::optional<PlatformCommand> EditorHost::takeCommand() {

@@ -27,7 +27,13 @@ namespace fur::app {
 
 // What only the platform can do.
 struct PlatformCommand {
-  enum class Kind { OpenDialog = 1, OpenPath = 2, LoadBunny = 3, CopyText = 4, PasteRequest = 5 };  // JavaScript knows these
+  enum class Kind {
+    OpenDialog = 1,
+    OpenPath = 2,
+    LoadBunny = 3,
+    CopyText = 4,
+    PasteRequest = 5
+  };  // JavaScript knows these
   Kind kind;
   std::string text;  // the path, or the text to copy
 };
@@ -55,7 +61,7 @@ class EditorHost {
 
   bool wantsPointer() const { return owner_ == Owner::Panel; }
   bool wantsKeyboard() const;
-  bool wantsText() const;  // a text field has the focus: show an on-screen keyboard
+  bool wantsText() const;      // a text field has the focus: show an on-screen keyboard
   const char* cursor() const;  // the CSS name of the pointer's shape over the panel
 
   // --- frames ---
@@ -80,7 +86,9 @@ class EditorHost {
   void wake() { framesLeft_ = kFramesAfterEvent; }
   editor::EditorModel model();
   void perform(const editor::Command& command);
-  void request(PlatformCommand::Kind kind, std::string text = {}) { platform_.push_back({kind, std::move(text)}); }
+  void request(PlatformCommand::Kind kind, std::string text = {}) {
+    platform_.push_back({kind, std::move(text)});
+  }
   void check(const Status& status);
   std::uint64_t pictureHash() const;
 
