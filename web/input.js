@@ -3,6 +3,7 @@
 
 const doubleTapMilliseconds = 320;
 const doubleTapPixels = 24;
+const tapPixels = 12;
 
 /**
  * @typedef {object} InputTarget what the input acts on; `app` and `panel` may change between events
@@ -72,7 +73,7 @@ export class Input {
     const { app } = this.#target;
     if (!app) return;
     if (event.pointerType === 'touch' && !this.#touchAction && !this.#focused) {
-      this.#waitingTouch = event.pointerId;
+      this.#waitingTouch = { id: event.pointerId, x: event.clientX, y: event.clientY };
       return;
     }
     this.#press(app, this.#target.panel, event);
@@ -105,9 +106,11 @@ export class Input {
   #onUp(event, phase) {
     const { app, panel } = this.#target;
     if (!app) return;
-    if (this.#waitingTouch === event.pointerId) {
+    const waiting = this.#waitingTouch;
+    if (waiting?.id === event.pointerId) {
       this.#waitingTouch = null;
-      if (phase === 'up') this.#press(app, panel, event);
+      const stayed = Math.hypot(event.clientX - waiting.x, event.clientY - waiting.y) < tapPixels;
+      if (phase === 'up' && stayed) this.#press(app, panel, event);
     }
     if (!this.#down.delete(event.pointerId)) return;
     this.#send(phase, event);

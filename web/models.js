@@ -34,6 +34,15 @@ function externalUris(bytes) {
     .filter((uri) => typeof uri === 'string' && !uri.startsWith('data:'));
 }
 
+/** As the importer asks for it. */
+function unescaped(uri) {
+  try {
+    return decodeURIComponent(uri);
+  } catch {
+    return uri;
+  }
+}
+
 const isJson = (bytes) => bytes[0] !== 0x67;  // a .glb starts with "glTF", JSON never with a g
 
 /** The bytes behind `src`: a name of modelNames, or the address of a .glb or .gltf. @returns {Promise<ModelSource>} */
@@ -43,7 +52,7 @@ export async function fetchModel(src, onBytes, signal) {
   const bytes = await fetchBytes(url, onBytes, signal);
   const files = new Map();
   for (const uri of isJson(bytes) ? externalUris(bytes) : [])
-    files.set(uri, await fetchBytes(new URL(uri, url), undefined, signal));
+    files.set(unescaped(uri), await fetchBytes(new URL(uri, url), undefined, signal));
   return { name: shippedModels.includes(src) ? src : fileNameOf(url), bytes, files };
 }
 
@@ -70,22 +79,9 @@ export async function readModel(given, { name, files = [] } = {}) {
   else if (given instanceof Blob) bytes = await bytesOf(given, modelName);
   else throw new TypeError('loadModel: expected a File, Blob, ArrayBuffer or typed array');
   const byName = new Map();
-  for (const file of files) byName.set(file.name, await bytesOf(file, file.name));
-  // A .gltf may name what lies in folders or with escapes; a drop brings bare names.
-  const uris = isJson(bytes) ? externalUris(bytes) : [];
-  const others = new Map(uris.flatMap((uri) => {
-    const content = byName.get(uri) ?? byName.get(bareName(uri));
-    return content ? [[uri, content]] : [];
-  }));
-  return { name: modelName, bytes, files: others };
-}
-
-function bareName(uri) {
-  try {
-    return decodeURIComponent(uri.slice(uri.lastIndexOf('/') + 1));
-  } catch {
-    return uri;
-  }
+  // The importer looks for a name with its folders first, then without: a drop brings bare names.
+  if (isJson(bytes)) for (const file of files) byName.set(file.name, await bytesOf(file, file.name));
+  return { name: modelName, bytes, files: byName };
 }
 
 /** Loads into the app; a failure throws a FurError and leaves the app's old scene. @param {ModelSource} source */

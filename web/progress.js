@@ -1,6 +1,7 @@
 // How far loading has come, over all its stages. Program and model arrive side by side, then the fur grows.
 
-const shares = { program: 0.6, model: 0.3, fur: 0.1 };
+/** In tenths. */
+const shares = { program: 6, model: 3, fur: 1 };
 
 export class Progress {
   #done = { program: 0, model: 0, fur: 0 };
@@ -11,6 +12,6 @@ export class Progress {
     if (!(stage in shares)) return share;
     if (stage === 'fur') this.#done.program = this.#done.model = 1;
     this.#done[stage] = Math.max(this.#done[stage], share);
-    return Object.entries(shares).reduce((sum, [name, weight]) => sum + weight * this.#done[name], 0);
+    return Object.entries(shares).reduce((sum, [name, weight]) => sum + weight * this.#done[name], 0) / 10;
   }
 }

@@ -79,7 +79,10 @@ export class Screen {
   measure() {
     const deviceRatio = globalThis.devicePixelRatio || 1;
     const ratio = Math.min(deviceRatio, this.#maxRatio);
-    const device = this.#deviceSize ?? [this.canvas.clientWidth * deviceRatio, this.canvas.clientHeight * deviceRatio];
+    const layout = [this.canvas.clientWidth * deviceRatio, this.canvas.clientHeight * deviceRatio];
+    // The exact box, unless the ratio is emulated: then it still counts the pixels of the real screen.
+    const isExact = this.#deviceSize?.every((side, i) => Math.abs(side - layout[i]) <= deviceRatio);
+    const device = isExact ? this.#deviceSize : layout;
     const [width, height] = device.map((side) => Math.max(1, Math.min(maxSide, Math.round((side * ratio) / deviceRatio))));
     if (width === this.width && height === this.height && ratio === this.pixelRatio) return;
     this.resize(width, height, ratio);

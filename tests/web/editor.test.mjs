@@ -7,12 +7,12 @@ const site = startBrowser();
 
 test('the editor takes over water, settings, camera and model, and gives them back', async () => {
   const requested = [];
-  const page = await site.open('?layers=8&dryRate=0&furLength=0.2', {
-    viewport: { width: 960, height: 480 },
+  const page = await site.open('?quality=low&layers=8&dryRate=0&furLength=0.2', {
+    viewport: { width: 800, height: 400 },
     prepare: (tab) => tab.on('request', (request) => requested.push(request.url())),
   });
   assert.ok(!requested.some((url) => url.includes('wet-fur-editor')), 'a visitor does not download the editor');
-  await withFur(page, (fur) => { fur.splash({ x: 480, y: 260 }); fur.cameraOrbit = '0.6 0.3 3.2'; fur.tool = 'dry'; });
+  await withFur(page, (fur) => { fur.splash({ x: 400, y: 220 }); fur.cameraOrbit = '0.6 0.3 3.2'; fur.tool = 'dry'; });
   await untilStill(page);
   const scene = () => withFur(page, (fur) => [fur.wetnessHash, fur.getState(), fur.tool, fur.stats.triangles]);
   const before = await scene();
@@ -23,27 +23,27 @@ test('the editor takes over water, settings, camera and model, and gives them ba
   await untilStill(page);
   assert.deepEqual(await scene(), before);
   assert.ok(difference(plain, await picture(page), 16) < 0.02, 'a saved picture shows the scene without the panel');
-  const shot = await page.screenshot({ clip: { x: 640, y: 0, width: 320, height: 480 } });
+  const shot = await page.screenshot({ clip: { x: 500, y: 0, width: 300, height: 400 } });
   await page.click('#editor');
   await page.waitForFunction(() => !wetFur.editorOpen);
   await untilStill(page);
   assert.deepEqual(await scene(), before);
-  assert.notDeepEqual(await page.screenshot({ clip: { x: 640, y: 0, width: 320, height: 480 } }), shot);
+  assert.notDeepEqual(await page.screenshot({ clip: { x: 500, y: 0, width: 300, height: 400 } }), shot);
   assert.deepEqual(page.problems, []);
   assert.deepEqual(await page.evaluate(() => window.violations), []);
 });
 
 test('the panel takes the pointer and the keys that are meant for it, the picture takes the others', async () => {
-  const page = await site.open('?layers=8&src=sphere&editor=1&dryRate=0', { viewport: { width: 960, height: 480 } });
+  const page = await site.open('?quality=low&layers=8&src=sphere&editor=1&dryRate=0', { viewport: { width: 800, height: 400 } });
   await page.waitForFunction(() => wetFur.editorOpen, null, { timeout: 30000 });
   await untilStill(page);
-  await page.mouse.move(860, 260);
+  await page.mouse.move(720, 220);
   await page.mouse.down();
   await page.mouse.up();
   const orbit = await withFur(page, (fur) => fur.getCameraOrbit());
   assert.equal(await withFur(page, (fur) => fur.meanWetness), 0);
-  await page.mouse.click(300, 240);
-  await page.mouse.move(460, 240);
+  await page.mouse.click(200, 60);
+  await page.mouse.move(400, 220);
   await page.mouse.down();
   await page.mouse.up();
   assert.ok(await withFur(page, (fur) => fur.meanWetness) > 0);

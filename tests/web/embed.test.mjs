@@ -12,7 +12,7 @@ const scrollY = (page) => page.evaluate(() => Math.round(window.scrollY));
 
 test('the page scrolls over an element with the wheel until it is clicked', async () => {
   const page = await site.open('embed.html', { viewport: { width: 480, height: 600 } });
-  await withFur(page, (fur) => { fur.settings.layers = 8; fur.scrollIntoView({ block: 'center' }); });
+  await withFur(page, (fur) => { fur.quality = 'low'; fur.settings.layers = 8; fur.scrollIntoView({ block: 'center' }); });
   await page.mouse.move(...await centreOf(page, 0));
   const distance = () => withFur(page, (fur) => fur.getCameraOrbit().distance);
   const [start, top] = [await distance(), await scrollY(page)];
@@ -31,11 +31,14 @@ test('the page scrolls over an element with the wheel until it is clicked', asyn
 
 test('a finger that starts on an element scrolls the page and wets nothing; a tap wets it', async () => {
   const page = await site.open('embed.html', { viewport: { width: 480, height: 600 }, hasTouch: true });
-  await withFur(page, (fur) => { fur.settings.layers = 8; fur.scrollIntoView({ block: 'center' }); });
+  await withFur(page, (fur) => { fur.quality = 'low'; fur.settings.layers = 8; fur.scrollIntoView({ block: 'center' }); });
   const [x, y] = await centreOf(page, 0);
   const top = await scrollY(page);
   const touch = await page.context().newCDPSession(page);
-  await touch.send('Input.synthesizeScrollGesture', { x, y, yDistance: -120, speed: 600, gestureSourceType: 'touch' });
+  const send = (type, ...points) => touch.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([px, py]) => ({ x: px, y: py })) });
+  await send('touchStart', [x, y]);
+  for (let i = 1; i <= 12; i++) await send('touchMove', [x, y - 12 * i]);
+  await send('touchEnd');
   await page.waitForFunction((from) => window.scrollY > from + 60, top);
   assert.equal(await withFur(page, (fur) => fur.meanWetness), 0);
   await page.touchscreen.tap(...await centreOf(page, 0));

@@ -7,7 +7,7 @@ import { light, startBrowser, withFur } from './support.mjs';
 const site = startBrowser();
 let page;
 before(async () => {
-  page = await site.open(`?${light}&dryRate=0`);
+  page = await site.open(`?${light}&dryRate=0`, { keep: true });
   await withFur(page, (fur) => fur.splash({ u: 0.5, v: 0.5 }));
 });
 after(() => page?.context().close());
@@ -41,7 +41,7 @@ for (const [what, bytes] of Object.entries({ ...badModels, 'an image of 20,000 p
     assert.match(error.message, /spoilt\.glb/);
     assert.ok(took < 1000, `${took} ms`);
     assert.deepEqual(await scene(), before);
-    const shown = page.locator('.message', { hasText: error.message }).first();
+    const shown = page.locator('#messages .message', { hasText: error.message }).first();
     assert.equal(await shown.getAttribute('role'), 'alert');
     await shown.getByRole('button', { name: 'Dismiss' }).click();
   });
@@ -50,9 +50,9 @@ for (const [what, bytes] of Object.entries({ ...badModels, 'an image of 20,000 p
 test('a dropped file that is no model is refused by name', async () => {
   const before = await scene();
   await drop([['holiday.txt', 'hello']]);
-  await page.waitForSelector('.message:has-text("holiday.txt")');
+  await page.waitForSelector('#messages .message:has-text("holiday.txt")');
   await page.keyboard.press('Escape');
-  assert.equal(await page.locator('.message').count(), 0);
+  assert.equal(await page.locator('#messages .message').count(), 0);
   assert.deepEqual(await scene(), before);
 });
 
@@ -60,7 +60,7 @@ test('a .gltf dropped together with its buffer is shown; alone, its buffer is mi
   const { json, binary } = tetrahedron({ uri: 'parts/four%20corners.bin' });
   const text = Buffer.from(JSON.stringify(json));
   await drop([['four.gltf', text]]);
-  await page.waitForSelector('.message:has-text("four.gltf")');
+  await page.waitForSelector('#messages .message:has-text("four.gltf")');
   await page.keyboard.press('Escape');
   await drop([['four.gltf', text], ['four corners.bin', binary]]);
   await page.waitForFunction(() => wetFur.modelName === 'four.gltf');

@@ -51,7 +51,7 @@ test('unknown parameters and out-of-range settings warn; the page still works', 
 });
 
 test('the copied link restores settings, camera, model and tool', async () => {
-  const first = await site.open(`?layers=8&src=torus`, { permissions: ['clipboard-read', 'clipboard-write'], viewport: { width: 900, height: 400 } });
+  const first = await site.open(`?quality=low&layers=8&src=torus`, { permissions: ['clipboard-read', 'clipboard-write'] });
   await withFur(first, (fur) => {
     fur.settings.furLength = 0.21;
     fur.settings.tipColor = '#112233';
@@ -59,7 +59,7 @@ test('the copied link restores settings, camera, model and tool', async () => {
   });
   await first.click('[data-tool=dry]');
   await first.click('#link');
-  await first.waitForSelector('.message');
+  await first.waitForSelector('#messages .message');
   const link = await first.evaluate(() => navigator.clipboard.readText());
   const state = await withFur(first, (fur) => fur.getState());
   const second = await site.open(new URL(link).search);

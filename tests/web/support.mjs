@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { existsSync } from 'node:fs';
 import { basename, dirname, join } from 'node:path';
-import { after, before } from 'node:test';
+import { after, afterEach, before } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 import { PNG } from 'pngjs';
@@ -28,7 +28,7 @@ function chromiumPath() {
 
 /** Small, because a software rasteriser draws; light, because most tests are not about the coat. */
 const viewport = { width: 480, height: 360 };
-export const light = 'layers=8&ui=0';
+export const light = 'quality=low&layers=8&ui=0';
 
 /**
  * Starts both before the tests of a file and stops them after. Gives { url, open }: `open(path, options)`
@@ -38,18 +38,28 @@ export function startBrowser({ headers = {}, subfolder = false } = {}) {
   const site = {};
   let browser;
   let server;
-  before(async () => {
+  const open = new Set();
+  const start = async () => {
     // From the folder above, dist/ is a sub-folder of the host.
     server = await serve({ folder: subfolder ? dirname(dist) : dist, extraHeaders: headers });
     browser = await chromium.launch({ executablePath: chromiumPath(), args: flags });
     site.url = subfolder ? `${server.url}${basename(dist)}/` : server.url;
-  });
+  };
+  let started;
+  before(() => { started ??= start(); return started; });
   after(async () => {
     await browser?.close();
     await server?.close();
   });
-  site.open = async (path, { wait = true, prepare, ...options } = {}) => {
+  // A page that is left open goes on drawing at the cost of the next.
+  afterEach(async () => {
+    await Promise.all([...open].map((context) => context.close()));
+    open.clear();
+  });
+  site.open = async (path, { wait = true, keep = false, prepare, ...options } = {}) => {
+    await (started ??= start());
     const context = await browser.newContext({ viewport, ...options });
+    if (!keep) open.add(context);
     const page = await context.newPage();
     const problems = [];
     page.problems = problems;
@@ -105,17 +115,16 @@ export function difference(a, b, tolerance = 0) {
 
 export const sleep = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
 
-/** Waits until nothing has been drawn for a quarter of a second. */
-export async function untilStill(page) {
-  let drawn = -1;
-  for (let i = 0; i < 60; i++) {
-    const now = await withFur(page, (fur) => fur.stats.framesDrawn);
-    if (now === drawn) return now;
-    drawn = now;
-    await sleep(250);
+/** Waits until no frame is drawn any more, on a machine of any speed; gives how many were. */
+export const untilStill = (page) => withFur(page, async (fur) => {
+  const frame = () => new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve, 60)));
+  for (let still = 0, drawn = -1; still < 4; still++) {
+    for (let i = 0; i < 2; i++) await frame();
+    if (fur.stats.framesDrawn !== drawn) still = 0;
+    drawn = fur.stats.framesDrawn;
   }
-  throw new Error('the picture never comes to rest');
-}
+  return fur.stats.framesDrawn;
+});
 
 /** A pixel of the model near the middle of the page, in CSS pixels, with its atlas coordinates. */
 export const spotOnModel = (page) => withFur(page, (fur) => {
