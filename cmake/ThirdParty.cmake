@@ -2,7 +2,7 @@
 #   third_party_headers  glm, tiny_gltf.h, nlohmann/json.hpp, stb/ (header only)
 #   third_party_gles     OpenGL ES 3 (native: libGLESv2; wasm: Emscripten's own)
 #   third_party_egl, third_party_glfw   native only
-#   imgui, imgui_opengl3, imgui_glfw    Dear ImGui from FUR_IMGUI_DIR
+#   imgui, imgui_opengl3                Dear ImGui from FUR_IMGUI_DIR
 # A target that cannot be made is left out; Modules and Programs then leave out what needs it.
 
 add_library(third_party_headers INTERFACE)
@@ -67,12 +67,6 @@ if(FUR_GL AND EXISTS "${FUR_IMGUI_DIR}/imgui.h")
     target_compile_definitions(imgui_opengl3 PUBLIC IMGUI_IMPL_OPENGL_ES3)
     target_compile_options(imgui_opengl3 PRIVATE -w)
     target_link_libraries(imgui_opengl3 PUBLIC imgui third_party_gles)
-  endif()
-  if(TARGET third_party_glfw)
-    add_library(imgui_glfw STATIC "${FUR_IMGUI_DIR}/backends/imgui_impl_glfw.cpp")
-    target_compile_definitions(imgui_glfw PRIVATE GLFW_INCLUDE_NONE)
-    target_compile_options(imgui_glfw PRIVATE -w)
-    target_link_libraries(imgui_glfw PUBLIC imgui third_party_glfw)
   endif()
 elseif(FUR_GL)
   message(STATUS "wet-fur: no Dear ImGui in ${FUR_IMGUI_DIR}; the editor is left out")
