@@ -149,8 +149,9 @@ export class EditorPanel {
       this.#call('pointerLeft');
       this.#host.wake();
     }, { signal });
-    this.#canvas.addEventListener('blur', () => {
-      if (this.#canvas.getRootNode().activeElement !== field) this.#call('focusLost');
+    // While it is on its way the focus is nowhere, so only the event tells where it goes.
+    this.#canvas.addEventListener('blur', (event) => {
+      if (event.relatedTarget !== field) this.#call('focusLost');
     }, { signal });
   }
 }

@@ -64,7 +64,11 @@ void InputQueue::pointer(PointerKind kind, Vec2 position, int buttons) {
   }
 }
 
-void InputQueue::pointerGone() { pointer(lastKind_, Vec2(-FLT_MAX), 0); }
+void InputQueue::pointerGone() {
+  // Let go first: a slider that is held would follow the pointer to infinity.
+  if (buttons_ != 0) pointer(lastKind_, position_, 0);
+  pointer(lastKind_, Vec2(-FLT_MAX), 0);
+}
 
 void InputQueue::wheel(float notches) { events_.push_back({.type = Event::Type::Wheel, .notches = notches}); }
 

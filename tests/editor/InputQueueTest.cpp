@@ -58,10 +58,12 @@ TEST(InputQueue, LosingTheFocusLetsEverythingGo) {
   person.moveTo(*at);
   person.moveTo(*at, 1);
   EXPECT_TRUE(person.editor.changing());
+  const settings::Settings held = person.model.settings;
   person.input.releaseAll();
   person.settle();
   EXPECT_FALSE(person.editor.changing());
   EXPECT_EQ(person.count<command::EndChange>(), 1);
+  EXPECT_EQ(person.model.settings, held) << "the slider did not follow the pointer out of the window";
 }
 
 }  // namespace

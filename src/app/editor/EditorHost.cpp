@@ -109,7 +109,7 @@ bool EditorHost::covers(Vec2 position) const {
 
 bool EditorHost::pointer(const PointerEvent& event) {
   const bool down = event.phase == PointerPhase::Down;
-  const bool ended = !down && event.phase != PointerPhase::Move && !event.buttons;
+  const bool ended = event.phase == PointerPhase::Cancel || (event.phase == PointerPhase::Up && !event.buttons);
   if (down && owner_ == Owner::None) {
     owner_ = covers(event.position) ? Owner::Panel : Owner::App;
     ownerId_ = event.id;
@@ -120,9 +120,9 @@ bool EditorHost::pointer(const PointerEvent& event) {
   const bool touch = event.kind == PointerKind::Touch;
   if (ended) owner_ = Owner::None;
   // ImGui also hears of what is not for it: a press on the model takes the focus from the panel.
-  input_.pointer(panelKind(event.kind), event.position,
-                 event.phase == PointerPhase::Cancel ? 0 : event.buttons);
-  if (touch && ended) input_.pointerGone();
+  const bool cancelled = event.phase == PointerPhase::Cancel;  // its position means nothing
+  if (!cancelled) input_.pointer(panelKind(event.kind), event.position, event.buttons);
+  if (cancelled || (touch && ended)) input_.pointerGone();
   wake();
   return captured;
 }
