@@ -23,10 +23,17 @@ float furShadow(float h, float density, float nDotL) {
 
 vec3 skyLight(float upness) { return mix(floorLight.rgb, sky.rgb, 0.5 + 0.5 * upness); }
 
+// The model's own colour at its uv, by how much the settings ask for it; white where it has no picture.
+#ifdef TEXTURED
+vec3 modelColor(sampler2D picture, vec2 uv) { return mix(vec3(1.0), texture(picture, uv).rgb, coat.z); }
+#else
+vec3 modelColor(sampler2D picture, vec2 uv) { return vec3(1.0); }
+#endif
+
 // Colour of a strand at height h: root to tip, brighter or darker from strand to strand.
-vec3 strandColor(float h, float strandVariance, vec3 baseColor) {
+vec3 strandColor(float h, float strandVariance, vec3 model) {
   vec3 color = mix(rootColor.rgb, tipColor.rgb, h);
-  return color * (1.0 + coat.y * 1.3 * (strandVariance - 0.5)) * mix(vec3(1.0), baseColor, coat.z);
+  return color * (1.0 + coat.y * 1.3 * (strandVariance - 0.5)) * model;
 }
 
 // sin(T, L), and the highlight on the cone T.V = -T.L (Sheppard Eq. 2.4), Kajiya & Kay 1989.
@@ -54,4 +61,12 @@ vec3 shadeStrand(vec3 albedo, vec3 T, vec3 L, vec3 V, float h, float rho, float 
   vec3 glossColor = mix(vec3(1.0), albedo, 0.6 * (1.0 - rho));
   vec3 color = albedo * (key * diffuse + skyLight(upness)) + glossColor * (key * gloss);
   return color * (1.0 + coat.x * (h - 1.0)) * (1.0 - water.y * rho);
+}
+
+// Fur is read from one mip level, picked per pixel by chance between the two that trilinear filtering
+// would blend (Jimenez 2014, interleaved gradient noise): fur hides the grain, and a software
+// rasteriser draws the frame in half the time.
+float pickLevel(float lod) {
+  float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+  return floor(max(lod, 0.0) + noise);
 }

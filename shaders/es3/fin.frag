@@ -37,14 +37,14 @@ void main() {
     rho = clump.a;
   }
 #endif
-  vec4 t = textureLod(fin, vec2(u, min(h, 0.985)), max(vFin.w, 0.0));
+  vec4 t = textureLod(fin, vec2(u, min(h, 0.985)), pickLevel(vFin.w));
   float sharp = exp2(max(-vFin.w, 0.0));
   float alpha = clamp((t.r - 0.5) * sharp + 0.5, 0.0, 1.0) * vFin.z;
   alpha *= smoothstep(0.0, 0.2, h);  // no hard line where a fin meets the skin
   if (alpha < 0.02) discard;
   vec2 tilt = t.gb * 2.0 - 1.0;
   vec3 tangent = normalize(vec3(tilt + vLean + vec2(clumpLean, 0.0), sqrt(max(0.05, 1.0 - dot(tilt, tilt)))));
-  vec3 albedo = strandColor(h, t.a, texture(baseColor, vUv).rgb);
+  vec3 albedo = strandColor(h, t.a, modelColor(baseColor, vUv));
   // Nothing stands before an outline: light reaches it from the side, further down than inside the coat.
   float exposed = mix(h, 1.0, 0.6);
   vec3 color = shadeStrand(albedo, tangent, normalize(vLight.xyz), normalize(vView.xyz), exposed, rho, 0.9, vLight.w);

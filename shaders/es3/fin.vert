@@ -29,11 +29,17 @@ vec3 bendOf(float vertex) {
 void main() {
   vec3 middle = 0.5 * (positionA.xyz + positionB.xyz);
   vec3 toEye = normalize(eye.xyz - middle);
-  // Silhouette (Sheppard 2.1.3): (n1.v)(n2.v) < 0.3; opacity 0 there, 1 edge-on, so that nothing pops.
+  // Silhouette (Sheppard 2.1.3): (n1.v)(n2.v) below a threshold; opacity 0 there, 1 edge-on, so that
+  // nothing pops. Sheppard's 0.3 (57 degrees off) covers a third of the model with fins that the
+  // slabs show better; 0.1 (71 degrees) is where slabs begin to thin out.
   float facing = dot(face0.xyz, toEye) * dot(face1.xyz, toEye);
-  float opacity = smoothstep(0.0, 1.0, (0.3 - facing) / 0.3);
+  float opacity = smoothstep(0.0, 1.0, (0.1 - facing) / 0.1);
   // Both faces turned away: the edge lies behind the horizon.
   opacity *= smoothstep(-0.4, -0.1, max(dot(face0.xyz, toEye), dot(face1.xyz, toEye)));
+  if (opacity <= 0.0) {
+    gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+    return;
+  }
 
   float side = float(gl_VertexID & 1);
   float h = float(gl_VertexID >> 1) / float(FUR_FIN_SEGMENTS);
@@ -45,7 +51,7 @@ void main() {
   vec4 nearer = clipFromModel * vec4(p + normalize(eye.xyz - p) * (0.5 * shape.x), 1.0);
   vec4 clip = clipFromModel * vec4(p, 1.0);
   clip.z = nearer.z / nearer.w * clip.w;
-  gl_Position = opacity > 0.0 ? clip : vec4(2.0, 2.0, 2.0, 1.0);
+  gl_Position = clip;
 
   vec3 edge = positionB.xyz - positionA.xyz;
   float edgeLength = length(edge);
@@ -57,8 +63,9 @@ void main() {
   vLight = vec4(dot(axis, light.xyz), dot(across, light.xyz), dot(normal, light.xyz), dot(normal, up.xyz));
   vec3 v = eye.xyz - p;
   vView = vec4(dot(axis, v), dot(across, v), dot(normal, v), edgeLength);
-  vec3 leanNow = strandPoint(root, normal, bend, min(h + 0.05, 1.0)) - strandPoint(root, normal, bend, min(h + 0.05, 1.0) - 0.05);
-  leanNow /= max(0.05 * shape.x, 1e-6);
+  // Sideways part of the arc's tangent: the bend turns it by theta h.
+  float theta = length(bend);
+  vec3 leanNow = bend * (theta > 1e-5 ? sin(theta * h) / theta : 0.0);
   vLean = vec2(dot(axis, leanNow), dot(across, leanNow));
   vUv = vec2(face0.w, face1.w);
 #ifdef WET

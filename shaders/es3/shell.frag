@@ -30,7 +30,7 @@ const float kReferenceLayers = 16.0;
 float storedLayer(float drawn) { return floor((drawn + 0.5) * volume.y / shape.z); }
 
 void main() {
-  float lod = max(vLight.w, 0.0);
+  float lod = pickLevel(vLight.w);
   // Magnified strands get edges one pixel wide; minified ones keep their fractional coverage.
   float sharp = exp2(max(-vLight.w, 0.0));
   vec2 at = vTile.xy;
@@ -105,11 +105,11 @@ void main() {
     float rise = 0.07 * k;
     float above = h + rise;
     if (above < 1.0)
-      blocked += textureLod(tile, vec3(hit + vLightStep * rise, storedLayer(above * shape.z - 1.0)), lod + 0.5).r;
+      blocked += textureLod(tile, vec3(hit + vLightStep * rise, storedLayer(above * shape.z - 1.0)), lod + 1.0).r;
   }
   float lit = 1.0 - 0.35 * shading.w * blocked;
 
-  vec3 albedo = strandColor(h, sum.z, texture(baseColor, vLean.zw).rgb);
+  vec3 albedo = strandColor(h, sum.z, modelColor(baseColor, vLean.zw));
   vec3 color = shadeStrand(albedo, tangent, normalize(vLight.xyz), normalize(vView.xyz), h, rho, lit, vView.w);
 #if defined(VIEW_TANGENTS)
   color = tangent * 0.5 + 0.5;

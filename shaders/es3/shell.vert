@@ -45,14 +45,14 @@ void main() {
   float stepLength = length(step);
   // A torn or squeezed triangle can have huge gradients; a twentieth of a tile per layer is plenty.
   step *= min(1.0, 0.05 / max(stepLength, 1e-6));
-  // A step longer than a strand is wide would cut it into discs.
-  vSubSteps = clamp(stepLength * volume.x / 2.5, 1.0, 3.0);
   vTile = vec4(furCoord * shape.y, step);
 
   vec3 axisS = normalize(gradS + vec3(1e-8, 0.0, 0.0));
   vec3 axisT = cross(normal, axisS) * (dot(cross(normal, gradS), gradT) < 0.0 ? -1.0 : 1.0);
   vec3 toLight = light.xyz, toEye = -ray;
   float texelsPerPixel = distance / eye.w * shape.y * length(gradS) * volume.x;
+  // A step longer than a strand is wide would cut it into discs, where a pixel can show them.
+  vSubSteps = clamp(min(stepLength, 0.05) * volume.x / max(2.5, 1.5 * texelsPerPixel), 1.0, 3.0);
   vLight = vec4(dot(axisS, toLight), dot(axisT, toLight), dot(normal, toLight), log2(texelsPerPixel));
   vView = vec4(dot(axisS, toEye), dot(axisT, toEye), dot(normal, toEye), dot(normal, up.xyz));
   vec3 lean = -strandStep * (shape.z / max(shape.x, 1e-6));

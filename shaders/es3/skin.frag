@@ -35,7 +35,7 @@ void main() {
   float nDotL = dot(n, light.xyz);
   float upness = dot(n, up.xyz);
   float shadow = mix(1.0, furShadow(0.0, volume.z, nDotL), shading.w * furry);
-  vec3 albedo = skinColor.rgb * mix(vec3(1.0), texture(baseColor, vUvAtlas.xy).rgb, coat.z) * (1.0 - 0.5 * pores);
+  vec3 albedo = skinColor.rgb * modelColor(baseColor, vUvAtlas.xy) * (1.0 - 0.5 * pores);
   vec3 color = albedo * (light.w * max(nDotL, 0.0) * shadow + skyLight(upness));
   color *= (1.0 - coat.x * furry) * (1.0 - water.y * clump.a);
   fragColor = vec4(encodeSrgb(toneMap(color)), 1.0);

@@ -104,7 +104,8 @@ class VertexArray {
 void drawWithoutVertices(int vertexCount);
 
 enum class TexelFormat { R8, RG8, RGBA8, RGBA32F };
-enum class Filter { Nearest, Linear, Trilinear };
+// Mipmapped: bilinear within the level that the shader asks for.
+enum class Filter { Nearest, Linear, Mipmapped, Trilinear };
 
 struct TextureShape {
   TexelFormat format = TexelFormat::RGBA8;
@@ -117,13 +118,11 @@ struct TextureShape {
 class Texture {
  public:
   Texture() = default;
-  // `texels` may be empty (undefined content). Trilinear textures get their mipmaps here.
+  // `texels` may be empty (undefined content). Mipmapped and trilinear textures get their mipmaps here.
   Texture(const TextureShape& shape, std::span<const std::byte> texels);
   // Replaces [x, x+width) x [y, y+height) from an image whose rows are `rowTexels` long and whose
   // texel (x, y) of the whole image is the first one used.
   void update(int x, int y, int width, int height, std::span<const std::byte> image, int rowTexels);
-  // Replaces one mip level (trilinear textures), all layers.
-  void setLevel(int level, std::span<const std::byte> texels);
   void bind(int unit) const;
   const TextureShape& shape() const { return shape_; }
   std::size_t bytes() const;

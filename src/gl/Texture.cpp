@@ -27,8 +27,12 @@ GLenum targetOf(const TextureShape& shape) { return shape.layers > 0 ? GL_TEXTUR
 // Uploads and new textures use the last unit, so that bindings made for a draw stay.
 constexpr int kWorkUnit = 15;
 
+bool hasLevels(const TextureShape& shape) {
+  return shape.filter == Filter::Trilinear || shape.filter == Filter::Mipmapped;
+}
+
 int levelCount(const TextureShape& shape) {
-  if (shape.filter != Filter::Trilinear) return 1;
+  if (!hasLevels(shape)) return 1;
   int levels = 1;
   for (int side = std::max(shape.width, shape.height); side > 1; side /= 2) ++levels;
   return levels;
@@ -57,12 +61,15 @@ Texture::Texture(const TextureShape& shape, std::span<const std::byte> texels) :
     if (data) glTexSubImage2D(target, 0, 0, 0, shape.width, shape.height, layout.external, layout.type, data);
   }
   const GLint magnify = shape.filter == Filter::Nearest ? GL_NEAREST : GL_LINEAR;
-  glTexParameteri(target, GL_TEXTURE_MIN_FILTER, shape.filter == Filter::Trilinear ? GL_LINEAR_MIPMAP_LINEAR : magnify);
+  const GLint minify = shape.filter == Filter::Trilinear   ? GL_LINEAR_MIPMAP_LINEAR
+                       : shape.filter == Filter::Mipmapped ? GL_LINEAR_MIPMAP_NEAREST
+                                                           : magnify;
+  glTexParameteri(target, GL_TEXTURE_MIN_FILTER, minify);
   glTexParameteri(target, GL_TEXTURE_MAG_FILTER, magnify);
   const GLint wrap = shape.repeats ? GL_REPEAT : GL_CLAMP_TO_EDGE;
   glTexParameteri(target, GL_TEXTURE_WRAP_S, wrap);
   glTexParameteri(target, GL_TEXTURE_WRAP_T, wrap);
-  if (shape.filter == Filter::Trilinear && data) glGenerateMipmap(target);
+  if (hasLevels(shape) && data) glGenerateMipmap(target);
 }
 
 void Texture::update(int x, int y, int width, int height, std::span<const std::byte> image, int rowTexels) {
@@ -75,15 +82,6 @@ void Texture::update(int x, int y, int width, int height, std::span<const std::b
   glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
 }
 
-void Texture::setLevel(int level, std::span<const std::byte> texels) {
-  const Layout layout = layoutOf(shape_.format);
-  const int width = std::max(1, shape_.width >> level), height = std::max(1, shape_.height >> level);
-  bind(kWorkUnit);
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTexSubImage3D(GL_TEXTURE_2D_ARRAY, level, 0, 0, 0, width, height, shape_.layers, layout.external, layout.type,
-                  texels.data());
-}
-
 void Texture::bind(int unit) const {
   glActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));
   glBindTexture(targetOf(shape_), name_.id());
@@ -93,7 +91,7 @@ std::size_t Texture::bytes() const {
   if (!name_) return 0;
   const auto base = static_cast<std::size_t>(shape_.width) * shape_.height * std::max(shape_.layers, 1) *
                     layoutOf(shape_.format).bytes;
-  return shape_.filter == Filter::Trilinear ? base * 4 / 3 : base;
+  return hasLevels(shape_) ? base * 4 / 3 : base;
 }
 
 // --- targets -----------------------------------------------------------------------------------

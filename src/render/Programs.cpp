@@ -35,6 +35,7 @@ std::string definesOf(unsigned variant) {
       {kViewNormals, "VIEW_NORMALS"},
       {kStraightDown, "STRAIGHT_DOWN"},
       {kVertical, "VERTICAL"},
+      {kTextured, "TEXTURED"},
   };
   std::string text;
   for (const auto& [bit, name] : kNames)
@@ -71,10 +72,12 @@ std::vector<std::pair<Shader, unsigned>> allVariants() {
       {Shader::Background, kPlain}, {Shader::Ground, kPlain},       {Shader::GroundShadow, kPlain},
       {Shader::Blur, kPlain},       {Shader::Blur, kVertical},      {Shader::GroundShadow, kStraightDown},
       {Shader::Skin, kPlain},       {Shader::Skin, kViewWetness},   {Shader::Skin, kViewNormals},
+      {Shader::Skin, kTextured},
   };
-  for (const unsigned view : {kPlain, kViewTangents, kViewCoverage})
-    for (const unsigned wet : {kPlain, kWet}) all.emplace_back(Shader::Shell, view | wet);
-  for (const unsigned wet : {kPlain, kWet}) all.emplace_back(Shader::Fin, wet);
+  for (const unsigned look : {+kPlain, +kWet, +kTextured, kWet | kTextured}) {
+    for (const unsigned view : {kPlain, kViewTangents, kViewCoverage}) all.emplace_back(Shader::Shell, view | look);
+    all.emplace_back(Shader::Fin, look);
+  }
   return all;
 }
 

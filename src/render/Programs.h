@@ -21,6 +21,7 @@ enum Variant : unsigned {
   kViewNormals = 16,
   kStraightDown = 32,  // GroundShadow
   kVertical = 64,      // Blur
+  kTextured = 128,     // the model has a picture of its own
 };
 
 class Programs {

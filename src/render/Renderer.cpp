@@ -20,9 +20,9 @@ Vec4 shownColor(std::uint32_t rgb) {
   return Vec4((rgb >> 16) & 255u, (rgb >> 8) & 255u, rgb & 255u, 255.0f) / 255.0f;
 }
 
-// How many layers one slab marches. Fewer slabs cost less; more keep the outline round: eight show no
-// steps on the bunny at 16, 32 and 64 layers.
-int layersPerSlab(int layers) { return std::clamp((layers + 4) / 8, 1, 8); }
+// Layers that one slab marches; the slabs together may hold a few more than were asked for.
+int layersPerSlab(const settings::Settings& s) { return std::max(1, (s.layers + s.slabs - 1) / s.slabs); }
+int slabCount(const settings::Settings& s) { return (s.layers + layersPerSlab(s) - 1) / layersPerSlab(s); }
 
 shared::FrameBlock frameBlock(const Frame& frame) {
   const settings::Settings& s = frame.settings;
@@ -80,8 +80,7 @@ Result<Renderer> Renderer::create() {
 
 void Renderer::uploadBlocks(const Frame& frame) {
   const settings::Settings& s = frame.settings;
-  const auto slab = static_cast<float>(layersPerSlab(s.layers));
-  const float slabs = std::ceil(static_cast<float>(s.layers) / slab);
+  const auto slab = static_cast<float>(layersPerSlab(s)), slabs = static_cast<float>(slabCount(s));
   shared::FurBlock coat;
   coat.shape = Vec4(s.furLength, s.repeat, slab * slabs, slab);
   coat.volume = Vec4(tile_.shape().width, storedLayers_, furDensity_, slabs);
@@ -117,7 +116,7 @@ Status Renderer::draw(const Frame& frame) {
 
 Status Renderer::drawPasses(const Frame& frame) {
   const auto view = static_cast<View>(frame.settings.view);
-  const unsigned wet = frame.wet ? kWet : kPlain;
+  const unsigned look = (frame.wet ? kWet : kPlain) | (baseColor_.shape().width > 1 ? kTextured : kPlain);
   const bool furry = hasFur_ && frame.settings.furLength > 0;
   if (const auto program = programs_.use(Shader::Background, kPlain); !program) return program.error();
   gl::apply({.depthTest = false, .depthWrite = false, .cullBack = false});
@@ -126,10 +125,10 @@ Status Renderer::drawPasses(const Frame& frame) {
     if (Status status = drawGround(frame); !status) return status;
 
   const auto skin = [&](unsigned variant) { return drawSkin(variant); };
-  const auto shells = [&](unsigned variant) { return furry ? drawShells(frame, variant | wet) : Status(Done{}); };
-  const auto fins = [&] { return furry && frame.settings.fins ? drawFins(wet) : Status(Done{}); };
+  const auto shells = [&](unsigned variant) { return furry ? drawShells(frame, variant | look) : Status(Done{}); };
+  const auto fins = [&] { return furry && frame.settings.fins ? drawFins(look) : Status(Done{}); };
   switch (view) {
-    case View::Skin: return skin(kPlain);
+    case View::Skin: return skin(look & kTextured);
     case View::Wetness: return skin(kViewWetness);
     case View::Normals: return skin(kViewNormals);
     case View::Shells: return shells(kPlain);
@@ -138,7 +137,7 @@ Status Renderer::drawPasses(const Frame& frame) {
     case View::Coverage: return shells(kViewCoverage);
     case View::Final: break;
   }
-  if (Status status = skin(kPlain); !status) return status;
+  if (Status status = skin(look & kTextured); !status) return status;
   if (Status status = shells(kPlain); !status) return status;
   return fins();
 }
@@ -154,9 +153,8 @@ Status Renderer::drawSkin(unsigned variant) {
 Status Renderer::drawShells(const Frame& frame, unsigned variant) {
   const auto program = programs_.use(Shader::Shell, variant);
   if (!program) return program.error();
-  const int slab = layersPerSlab(frame.settings.layers);
   gl::apply({.blend = gl::Blend::Over});
-  surface_.drawIndexed(indexCount_, (frame.settings.layers + slab - 1) / slab);
+  surface_.drawIndexed(indexCount_, slabCount(frame.settings));
   return Done{};
 }
 

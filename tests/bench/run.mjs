@@ -1,7 +1,7 @@
 // Frame times of ours against the limit page (limit.js), in one browser, round by round, so that the
 // machine's drift cancels: node tests/bench/run.mjs [--layers 16,32,64] [--sizes 800x600] [--rounds 9]
 // [--query "wetness=0.8"] [--shots folder] [--model bunny]. Absolute times mean something only on a GPU.
-import { mkdir, mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
+import { mkdir, mkdtemp, readFile, rm } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
 import { dirname, extname, join, normalize } from 'node:path';
@@ -40,6 +40,8 @@ const median = (values) => {
 async function open(context, page, layers, size) {
   const [width, height] = size.split('x');
   const tab = await context.newPage();
+  tab.on('pageerror', (error) => console.error(`${page}: ${error}`));
+  tab.on('console', (message) => message.type() === 'error' && console.error(`${page}: ${message.text()}`));
   await tab.goto(`${origin}/bench/page.html?page=${page}&layers=${layers}&width=${width}&height=${height}&model=${options.model}&${options.query}`);
   await tab.waitForFunction(() => window.bench, null, { timeout: 120000 });
   await tab.evaluate(() => window.bench(2));

@@ -77,7 +77,7 @@ FUR_BLOCK(FurBlock) {
 // Pixels along the square that the twin tests evaluate.
 #define FUR_TWIN_SIZE 33
 // Quads of a fin along its height.
-#define FUR_FIN_SEGMENTS 6
+#define FUR_FIN_SEGMENTS 4
 
 #ifdef __cplusplus
 }  // namespace fur::render::shared
