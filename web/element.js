@@ -26,6 +26,7 @@ const forwardedGetters = [
 const kebab = (name) => name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
 const camel = (name) => name.replace(/-([a-z])/g, (_, letter) => letter.toUpperCase());
 const announceAfterMilliseconds = 1200;
+const announceStep = 1;
 const isBoolean = (name) => optionDefaults[name] === false;
 
 /** In Node there is no HTMLElement: importing must work all the same. */
@@ -64,6 +65,7 @@ export class WetFurElement extends Base {
   dispose() {
     this.#near?.disconnect();
     clearTimeout(this.#announceTimer);
+    this.#announceTimer = 0;
     this.#host.dispose();
     const fresh = document.createElement('canvas');
     fresh.setAttribute('part', 'canvas');
@@ -192,14 +194,18 @@ export class WetFurElement extends Base {
     }
   }
 
-  /** Politely, once the water has come to rest. */
+  /** Politely: a moment after the water changed, and while it dries only at every percent. */
   #announceSoon() {
-    clearTimeout(this.#announceTimer);
+    if (this.#announceTimer) return;
     this.#announceTimer = setTimeout(() => {
-      const percent = Math.round(this.meanWetness * 100);
-      this.#parts.status.textContent = this.meanWetness > 0 ? `Wetness ${percent < 1 ? 'under 1' : percent} percent` : 'Dry';
+      this.#announceTimer = 0;
+      const percent = this.meanWetness * 100;
+      if (percent > 0 && Math.abs(percent - this.#announced) < announceStep) return;
+      this.#announced = percent;
+      this.#parts.status.textContent = percent > 0 ? `Wetness ${Math.ceil(percent)} percent` : 'Dry';
     }, announceAfterMilliseconds);
   }
+  #announced = 0;
 
   // --- properties ---
 

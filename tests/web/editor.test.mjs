@@ -7,7 +7,7 @@ const site = startBrowser();
 
 test('the editor takes over water, settings, camera and model, and gives them back', async () => {
   const requested = [];
-  const page = await site.open('?quality=low&layers=8&dryRate=0&furLength=0.2', {
+  const page = await site.open('?quality=low&layers=8&fins=0&dryRate=0&furLength=0.2', {
     viewport: { width: 800, height: 400 },
     prepare: (tab) => tab.on('request', (request) => requested.push(request.url())),
   });
@@ -34,7 +34,7 @@ test('the editor takes over water, settings, camera and model, and gives them ba
 });
 
 test('the panel takes the pointer and the keys that are meant for it, the picture takes the others', async () => {
-  const page = await site.open('?quality=low&layers=8&src=sphere&editor=1&dryRate=0', { viewport: { width: 800, height: 400 } });
+  const page = await site.open('?quality=low&layers=8&fins=0&src=sphere&editor=1&dryRate=0', { viewport: { width: 800, height: 400 } });
   await page.waitForFunction(() => wetFur.editorOpen, null, { timeout: 30000 });
   await untilStill(page);
   await page.mouse.move(720, 220);

@@ -8,11 +8,24 @@ const centreOf = (page, index) => page.evaluate((i) => {
   const box = document.querySelectorAll('wet-fur')[i].getBoundingClientRect();
   return [box.left + box.width / 2, box.top + box.height / 2];
 }, index);
+/** Lighter than the page's own coats: a software rasteriser draws them. */
+const open = (options) => site.open('embed.html', {
+  ...options,
+  prepare: async (tab) => {
+    await options.prepare?.(tab);
+    await tab.addInitScript(() => addEventListener('DOMContentLoaded', () => {
+      for (const fur of document.querySelectorAll('wet-fur')) {
+        fur.quality = 'low';
+        Object.assign(fur.settings, { layers: 8, fins: false });
+      }
+    }));
+  },
+});
 const scrollY = (page) => page.evaluate(() => Math.round(window.scrollY));
 
 test('the page scrolls over an element with the wheel until it is clicked', async () => {
-  const page = await site.open('embed.html', { viewport: { width: 480, height: 600 } });
-  await withFur(page, (fur) => { fur.quality = 'low'; fur.settings.layers = 8; fur.scrollIntoView({ block: 'center' }); });
+  const page = await open({ viewport: { width: 480, height: 600 } });
+  await withFur(page, (fur) => fur.scrollIntoView({ block: 'center' }));
   await page.mouse.move(...await centreOf(page, 0));
   const distance = () => withFur(page, (fur) => fur.getCameraOrbit().distance);
   const [start, top] = [await distance(), await scrollY(page)];
@@ -30,8 +43,8 @@ test('the page scrolls over an element with the wheel until it is clicked', asyn
 });
 
 test('a finger that starts on an element scrolls the page and wets nothing; a tap wets it', async () => {
-  const page = await site.open('embed.html', { viewport: { width: 480, height: 600 }, hasTouch: true });
-  await withFur(page, (fur) => { fur.quality = 'low'; fur.settings.layers = 8; fur.scrollIntoView({ block: 'center' }); });
+  const page = await open({ viewport: { width: 480, height: 600 }, hasTouch: true });
+  await withFur(page, (fur) => fur.scrollIntoView({ block: 'center' }));
   const [x, y] = await centreOf(page, 0);
   const top = await scrollY(page);
   const touch = await page.context().newCDPSession(page);
@@ -46,7 +59,7 @@ test('a finger that starts on an element scrolls the page and wets nothing; a ta
 });
 
 test('an element out of sight is not loaded before it comes near, and draws nothing once it has left', async () => {
-  const page = await site.open('embed.html', { viewport: { width: 480, height: 400 } });
+  const page = await open({ viewport: { width: 480, height: 400 } });
   const ring = (work, argument) => page.evaluate(`(${work})(document.getElementById('ring'), ${JSON.stringify(argument) ?? 0})`);
   assert.equal(await ring((fur) => fur.loaded), false);
   await ring((fur) => fur.scrollIntoView({ block: 'center' }));
@@ -64,7 +77,7 @@ test('an element out of sight is not loaded before it comes near, and draws noth
 
 test('two elements share the program and nothing else; one that is removed gives its context back', async () => {
   let fetches = 0;
-  const page = await site.open('embed.html', {
+  const page = await open({
     viewport: { width: 480, height: 600 },
     prepare: (tab) => tab.on('request', (request) => { if (request.url().endsWith('.wasm')) fetches++; }),
   });
@@ -93,7 +106,7 @@ test('two elements share the program and nothing else; one that is removed gives
 });
 
 test('createWetFur draws on a canvas of the page', async () => {
-  const page = await site.open('embed.html', { viewport: { width: 480, height: 400 } });
+  const page = await open({ viewport: { width: 480, height: 400 } });
   const seen = await page.evaluate(async () => {
     const { createWetFur } = await import(new URL('index.js', location.href).href);
     const canvas = document.body.appendChild(document.createElement('canvas'));

@@ -51,7 +51,7 @@ test('unknown parameters and out-of-range settings warn; the page still works', 
 });
 
 test('the copied link restores settings, camera, model and tool', async () => {
-  const first = await site.open(`?quality=low&layers=8&src=torus`, { permissions: ['clipboard-read', 'clipboard-write'] });
+  const first = await site.open(`?quality=low&layers=8&fins=0&src=torus`, { permissions: ['clipboard-read', 'clipboard-write'] });
   await withFur(first, (fur) => {
     fur.settings.furLength = 0.21;
     fur.settings.tipColor = '#112233';

@@ -27,7 +27,7 @@ test('the page draws a furry bunny, without an error or a breach of its policy',
 });
 
 test('a press wets the fur there and darkens it; undo and redo take it away and bring it back', async () => {
-  const page = await site.open(`?quality=low&layers=8&dryRate=0`);
+  const page = await site.open(`?quality=low&layers=8&fins=0&dryRate=0`);
   const spot = await spotOnModel(page);
   const wetness = () => withFur(page, (fur, at) => fur.wetnessAt(at.u, at.v), spot);
   const before = await picture(page);
@@ -82,7 +82,7 @@ test('nothing is drawn while it is dry, still and untouched', async () => {
 });
 
 test('wind moves the fur until it is switched off', async () => {
-  const page = await site.open(`?quality=low&layers=8&src=sphere`);
+  const page = await site.open(`?quality=low&layers=8&fins=0&src=sphere`);
   const still = await untilStill(page);
   const calm = await picture(page);
   await page.click('#wind');
@@ -164,7 +164,7 @@ test('mouse, wheel and two fingers move the camera; a double click beside the mo
 });
 
 test('the canvas has the pixels of the screen, and follows a resize', async () => {
-  const page = await site.open(`?quality=auto&layers=8&ui=0&src=sphere`, { deviceScaleFactor: 2, viewport: { width: 300, height: 200 } });
+  const page = await site.open(`?quality=auto&layers=8&fins=0&ui=0&src=sphere`, { deviceScaleFactor: 2, viewport: { width: 300, height: 200 } });
   const size = () => withFur(page, (fur) => {
     const canvas = fur.shadowRoot.querySelector('canvas');
     return [canvas.width, canvas.height];
@@ -183,7 +183,7 @@ test('the canvas has the pixels of the screen, and follows a resize', async () =
 });
 
 test('every control has a name and, on a phone, room for a finger', async () => {
-  const page = await site.open(`?quality=low&layers=8&src=plane`, { viewport: { width: 390, height: 600 } });
+  const page = await site.open(`?quality=low&layers=8&fins=0&src=plane`, { viewport: { width: 390, height: 600 } });
   const controls = await page.$$eval('#bar button, #bar select', (list) => list.map((control) => {
     const { width, height, left, right } = control.getBoundingClientRect();
     return { name: control.title || control.labels?.[0]?.textContent || '', width, height, inside: left >= 0 && right <= innerWidth };

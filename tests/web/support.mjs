@@ -28,7 +28,7 @@ function chromiumPath() {
 
 /** Small, because a software rasteriser draws; light, because most tests are not about the coat. */
 const viewport = { width: 480, height: 360 };
-export const light = 'quality=low&layers=8&ui=0';
+export const light = 'quality=low&layers=8&fins=0&ui=0';
 
 /**
  * Starts both before the tests of a file and stops them after. Gives { url, open }: `open(path, options)`
