@@ -33,9 +33,9 @@ void main() {
   // nothing pops. Sheppard's 0.3 (57 degrees off) covers a third of the model with fins that the
   // slabs show better; 0.1 (71 degrees) is where slabs begin to thin out.
   float facing = dot(face0.xyz, toEye) * dot(face1.xyz, toEye);
-  float opacity = smoothstep(0.0, 1.0, (0.1 - facing) / 0.1);
+  float opacity = smoothstep(0.0, 1.0, (FUR_SILHOUETTE - facing) / FUR_SILHOUETTE);
   // Both faces turned away: the edge lies behind the horizon.
-  opacity *= smoothstep(-0.4, -0.1, max(dot(face0.xyz, toEye), dot(face1.xyz, toEye)));
+  opacity *= smoothstep(FUR_HORIZON, FUR_HORIZON + 0.3, max(dot(face0.xyz, toEye), dot(face1.xyz, toEye)));
   if (opacity <= 0.0) {
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
     return;

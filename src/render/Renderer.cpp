@@ -126,7 +126,7 @@ Status Renderer::drawPasses(const Frame& frame) {
 
   const auto skin = [&](unsigned variant) { return drawSkin(variant); };
   const auto shells = [&](unsigned variant) { return furry ? drawShells(frame, variant | look) : Status(Done{}); };
-  const auto fins = [&] { return furry && frame.settings.fins ? drawFins(look) : Status(Done{}); };
+  const auto fins = [&] { return furry && frame.settings.fins ? drawFins(frame, look) : Status(Done{}); };
   switch (view) {
     case View::Skin: return skin(look & kTextured);
     case View::Wetness: return skin(kViewWetness);
@@ -158,11 +158,13 @@ Status Renderer::drawShells(const Frame& frame, unsigned variant) {
   return Done{};
 }
 
-Status Renderer::drawFins(unsigned variant) {
+Status Renderer::drawFins(const Frame& frame, unsigned variant) {
+  selectFins(Vec3(glm::inverse(frame.worldFromModel) * Vec4(frame.camera.eye, 1)));
+  if (finCount_ == 0) return Done{};
   const auto program = programs_.use(Shader::Fin, variant);
   if (!program) return program.error();
   gl::apply({.depthWrite = false, .cullBack = false, .blend = gl::Blend::Over});
-  fins_.drawStrips(2 * (FUR_FIN_SEGMENTS + 1), edgeCount_);
+  fins_.drawStrips(2 * (FUR_FIN_SEGMENTS + 1), finCount_);
   return Done{};
 }
 

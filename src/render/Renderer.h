@@ -14,6 +14,11 @@
 
 namespace fur::render {
 
+// A fin instance, in the order of shared/Blocks.h.
+struct FinEdge {
+  Vec4 positionA, positionB, normalA, normalB, face0, face1, atlas;
+};
+
 class Renderer {
  public:
   // Needs a current context; compiles what every frame needs, so that a refusing driver shows at once.
@@ -40,9 +45,10 @@ class Renderer {
   Status drawGround(const Frame& frame);
   Status drawGroundShadow(const Frame& frame);
   Status drawShells(const Frame& frame, unsigned variant);
-  Status drawFins(unsigned variant);
+  Status drawFins(const Frame& frame, unsigned variant);
   Status drawSkin(unsigned variant);
   void uploadBlocks(const Frame& frame);
+  void selectFins(const Vec3& eyeModel);
 
   Programs programs_;
   gl::Buffer frameBlock_, coatBlock_;
@@ -51,7 +57,11 @@ class Renderer {
   gl::Texture tile_, finMap_, mask_, bends_, baseColor_;
   gl::Texture groundShadow_[2];
   gl::Target groundTarget_[2];
-  int indexCount_ = 0, edgeCount_ = 0;
+  int indexCount_ = 0;
+  // Every edge as the GPU takes it, and the eye that the uploaded selection was made for.
+  std::vector<FinEdge> finEdges_;
+  std::optional<Vec3> finEye_;
+  int finCount_ = 0;
   int bendCapacity_ = 0;
   int storedLayers_ = 1;
   float furDensity_ = 0;

@@ -18,10 +18,6 @@ struct GpuVertex {
 };
 static_assert(sizeof(GpuVertex) == 22 * sizeof(float));
 
-struct GpuEdge {
-  Vec4 positionA, positionB, normalA, normalB, face0, face1, atlas;
-};
-
 constexpr gl::Attribute kVertexAttributes[] = {
     {FUR_POSITION, 3, offsetof(GpuVertex, position)},   {FUR_NORMAL, 3, offsetof(GpuVertex, normal)},
     {FUR_UV_ATLAS, 4, offsetof(GpuVertex, uvAtlas)},    {FUR_FUR_COORD, 2, offsetof(GpuVertex, fur)},
@@ -29,10 +25,10 @@ constexpr gl::Attribute kVertexAttributes[] = {
     {FUR_ATLAS_FROM_FUR, 4, offsetof(GpuVertex, atlasFromFur)},
 };
 constexpr gl::Attribute kEdgeAttributes[] = {
-    {FUR_FIN_POSITION_A, 4, offsetof(GpuEdge, positionA)}, {FUR_FIN_POSITION_B, 4, offsetof(GpuEdge, positionB)},
-    {FUR_FIN_NORMAL_A, 4, offsetof(GpuEdge, normalA)},     {FUR_FIN_NORMAL_B, 4, offsetof(GpuEdge, normalB)},
-    {FUR_FIN_FACE_0, 4, offsetof(GpuEdge, face0)},         {FUR_FIN_FACE_1, 4, offsetof(GpuEdge, face1)},
-    {FUR_FIN_ATLAS, 4, offsetof(GpuEdge, atlas)},
+    {FUR_FIN_POSITION_A, 4, offsetof(FinEdge, positionA)}, {FUR_FIN_POSITION_B, 4, offsetof(FinEdge, positionB)},
+    {FUR_FIN_NORMAL_A, 4, offsetof(FinEdge, normalA)},     {FUR_FIN_NORMAL_B, 4, offsetof(FinEdge, normalB)},
+    {FUR_FIN_FACE_0, 4, offsetof(FinEdge, face0)},         {FUR_FIN_FACE_1, 4, offsetof(FinEdge, face1)},
+    {FUR_FIN_ATLAS, 4, offsetof(FinEdge, atlas)},
 };
 
 std::vector<GpuVertex> gpuVertices(const geometry::Surface& surface) {
@@ -43,8 +39,8 @@ std::vector<GpuVertex> gpuVertices(const geometry::Surface& surface) {
   return out;
 }
 
-std::vector<GpuEdge> gpuEdges(const geometry::Surface& surface) {
-  std::vector<GpuEdge> out;
+std::vector<FinEdge> finEdges(const geometry::Surface& surface) {
+  std::vector<FinEdge> out;
   out.reserve(surface.edges.size());
   for (const auto& e : surface.edges) {
     const auto& a = surface.vertices[e.a];
@@ -61,19 +57,35 @@ std::vector<GpuEdge> gpuEdges(const geometry::Surface& surface) {
 
 void Renderer::setSurface(const geometry::Surface& surface) {
   const auto vertices = gpuVertices(surface);
-  const auto edges = gpuEdges(surface);
+  finEdges_ = finEdges(surface);
   vertices_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(vertices), false);
   indices_ = gl::Buffer(gl::BufferKind::Index, gl::bytesOf(surface.indices), false);
-  edges_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(edges), false);
+  edges_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(finEdges_), true);
+  finEye_.reset();
   surface_ = gl::VertexArray(vertices_, sizeof(GpuVertex), kVertexAttributes, 0, &indices_);
-  fins_ = gl::VertexArray(edges_, sizeof(GpuEdge), kEdgeAttributes, 1, nullptr);
+  fins_ = gl::VertexArray(edges_, sizeof(FinEdge), kEdgeAttributes, 1, nullptr);
   indexCount_ = static_cast<int>(surface.indices.size());
-  edgeCount_ = static_cast<int>(edges.size());
   uploadedBytes_ += vertices_.bytes() + indices_.bytes() + edges_.bytes();
   bendCapacity_ = 0;
   shadowKey_.reset();
   const std::vector<Vec4> rest(surface.vertices.size(), Vec4(0));
   updateBends(rest);
+}
+
+// Those that fin.vert would not collapse: its test, with a margin for its rounding.
+void Renderer::selectFins(const Vec3& eyeModel) {
+  if (finEye_ == eyeModel) return;
+  finEye_ = eyeModel;
+  std::vector<FinEdge> seen;
+  for (const FinEdge& e : finEdges_) {
+    const Vec3 toEye = glm::normalize(eyeModel - 0.5f * (Vec3(e.positionA) + Vec3(e.positionB)));
+    const float facing0 = glm::dot(Vec3(e.face0), toEye), facing1 = glm::dot(Vec3(e.face1), toEye);
+    if (facing0 * facing1 < FUR_SILHOUETTE + 1e-3f && std::max(facing0, facing1) > FUR_HORIZON - 1e-3f) seen.push_back(e);
+  }
+  finCount_ = static_cast<int>(seen.size());
+  if (seen.empty()) return;
+  edges_.update(gl::bytesOf(seen));
+  uploadedBytes_ += seen.size() * sizeof(FinEdge);
 }
 
 void Renderer::setFur(const furgen::FurVolume& volume) {
