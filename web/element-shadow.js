@@ -13,7 +13,7 @@ canvas:focus-visible:not([data-pointer-focus]) { outline: 3px solid var(--wet-fu
 .poster { pointer-events: auto; overflow: hidden; }
 .poster img { width: 100%; height: 100%; object-fit: cover; }
 .poster:focus-visible { outline: 3px solid var(--wet-fur-focus-ring, #3b82f6); outline-offset: -3px; }
-.progress { width: min(220px, 60%); display: grid; gap: 8px; font: 13px/1.3 system-ui, sans-serif; text-align: center;
+.progress { width: min(260px, 70%); display: grid; gap: 8px; font: 13px/1.3 system-ui, sans-serif; text-align: center;
   color: var(--wet-fur-text-color, #556); }
 .track { height: 4px; border-radius: 2px; overflow: hidden; background: color-mix(in srgb, currentColor 18%, transparent); }
 .bar { height: 100%; width: 100%; transform-origin: left; transform: scaleX(0); border-radius: 2px;
@@ -85,13 +85,20 @@ export function buildShadow(root) {
     image.toggleAttribute('hidden', !url);
     if (url) image.src = url;
   };
+  // Program and model come side by side; what is said is about the one still on its way.
+  let program = null;
   parts.showProgress = (detail) => {
+    if (detail.stage === 'program') program = detail;
     const percent = Math.round(detail.fraction * 100);
     bar.style.transform = `scaleX(${detail.fraction})`;
     track.setAttribute('aria-valuenow', String(percent));
-    caption.textContent = stageText[detail.stage](detail);
+    const arrived = detail.stage === 'model' && detail.loaded === detail.total;
+    const said = arrived && program?.loaded !== program?.total ? program : detail;
+    caption.textContent = stageText[said.stage](said);
   };
   parts.showState = ({ waiting, loading, message: text, unsupported, retry }) => {
+    // A context that has not drawn yet is black.
+    parts.canvas.style.visibility = waiting ? 'hidden' : '';
     poster.hidden = !waiting;
     progress.hidden = !loading;
     notice.hidden = !text;

@@ -46,6 +46,11 @@ export class WetFurElement extends Base {
     this.shadowRoot.adoptedStyleSheets = [elementStyles()];
     this.#parts.reload.addEventListener('click', () => this.reload());
     this.#parts.poster.addEventListener('click', () => this.#askFor());
+    this.#parts.poster.addEventListener('keydown', (event) => {
+      if (event.key !== 'Enter' && event.key !== ' ') return;
+      event.preventDefault();
+      this.#askFor();
+    });
   }
 
   // --- life ---
@@ -116,7 +121,8 @@ export class WetFurElement extends Base {
   #loadWhenDue() {
     if (!this.isConnected || this.#asked || !this.src) return;
     this.#near?.disconnect();
-    this.#parts.poster.tabIndex = this.reveal === 'interaction' ? 0 : -1;
+    this.#parts.poster.tabIndex = 0;
+    this.#parts.poster.inert = this.reveal !== 'interaction';
     this.#showState();
     if (this.reveal === 'interaction') return;
     if (this.loading === 'eager') {
@@ -173,7 +179,7 @@ export class WetFurElement extends Base {
     const { state, loaded } = this.#host;
     const failed = state === 'error' || state === 'unsupported';
     this.#parts.showState({
-      waiting: !loaded && !failed,
+      waiting: !loaded,
       loading: state === 'loading',
       message: failed ? this.#lastError?.message ?? 'It could not be shown.' : state === 'lost' ? 'The graphics device was reset; the picture will be back in a moment.' : '',
       unsupported: state === 'unsupported',

@@ -1,4 +1,6 @@
 // One furry model on one canvas: what createWetFur() returns and <wet-fur> stands on.
+// Longer than most files here: it is the one place where loading, frames, a lost context and the
+// change of programs meet, and each must know what the others have left undone.
 import { asFurError, FurError } from './errors.js';
 import { FurApp } from './furapp.js';
 import { Input } from './input.js';

@@ -32,7 +32,7 @@ async function readFromDisk(url) {
 
 async function compile(url, onBytes) {
   if (typeof WebAssembly !== 'object')
-    throw new FurError('wasm-blocked', 'WebAssembly is missing or switched off in this browser');
+    throw new FurError('wasm-blocked', 'WebAssembly is missing or switched off in this browser.');
   try {
     if (isNode) return await WebAssembly.compile(await readFromDisk(url));
     const response = counted(await fetchOrThrow(url, 'wasm-load'), onBytes, 'application/wasm');
@@ -41,7 +41,7 @@ async function compile(url, onBytes) {
     if (error instanceof FurError) throw error;
     const blocked = /content security|unsafe-eval|disallowed|blocked/i.test(error.message);
     throw new FurError(blocked ? 'wasm-blocked' : 'wasm-load', blocked
-      ? "this page's Content-Security-Policy blocks WebAssembly: it needs script-src 'wasm-unsafe-eval'"
+      ? "This page's Content-Security-Policy blocks WebAssembly: it needs script-src 'wasm-unsafe-eval'."
       : `${url.pathname ?? url}: ${error.message}`);
   }
 }

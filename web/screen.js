@@ -35,7 +35,7 @@ export class Screen {
       alpha: false, antialias, depth: true, stencil: false, powerPreference: 'high-performance',
     });
     if (!this.gl)
-      throw new FurError('webgl-unavailable', 'this browser or its graphics driver offers no WebGL2, which drawing fur needs');
+      throw new FurError('webgl-unavailable', 'This browser or its graphics driver offers no WebGL2, which drawing fur needs.');
     const { signal } = this.#stop;
     this.canvas.addEventListener('webglcontextlost', (event) => {
       event.preventDefault();

@@ -105,6 +105,22 @@ test('two elements share the program and nothing else; one that is removed gives
   assert.deepEqual(page.problems, []);
 });
 
+test('with reveal="interaction" nothing is loaded before the person asks, by pointer or key', async () => {
+  const page = await open({ viewport: { width: 480, height: 600 } });
+  const state = await page.evaluate(async () => {
+    const fur = document.createElement('wet-fur');
+    Object.assign(fur, { reveal: 'interaction', src: 'plane', alt: 'A meadow', id: 'asked' });
+    document.body.prepend(fur);
+    await new Promise((resolve) => setTimeout(resolve, 300));
+    return fur.state;
+  });
+  assert.equal(state, 'idle');
+  const ask = page.locator('#asked').getByRole('button', { name: 'Show the model' });
+  await ask.press('Enter');
+  await page.waitForFunction(() => document.getElementById('asked').loaded);
+  assert.equal(await ask.isVisible(), false);
+});
+
 test('createWetFur draws on a canvas of the page', async () => {
   const page = await open({ viewport: { width: 480, height: 400 } });
   const seen = await page.evaluate(async () => {
