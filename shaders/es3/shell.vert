@@ -52,7 +52,7 @@ void main() {
   vec3 toLight = light.xyz, toEye = -ray;
   float texelsPerPixel = distance / eye.w * shape.y * length(gradS) * volume.x;
   // A step longer than a strand is wide would cut it into discs, where a pixel can show them.
-  vSubSteps = clamp(min(stepLength, 0.05) * volume.x / max(2.5, 1.5 * texelsPerPixel), 1.0, 2.0);
+  vSubSteps = clamp(min(stepLength, 0.05) * volume.x / max(4.0, 2.4 * texelsPerPixel), 1.0, 2.0);
   vLight = vec4(dot(axisS, toLight), dot(axisT, toLight), dot(normal, toLight), log2(texelsPerPixel));
   vView = vec4(dot(axisS, toEye), dot(axisT, toEye), dot(normal, toEye), dot(normal, up.xyz));
   vec3 lean = -strandStep * (shape.z / max(shape.x, 1e-6));
