@@ -31,7 +31,7 @@ void main() {
   vec3 toEye = normalize(eye.xyz - middle);
   // Silhouette (Sheppard 2.1.3): (n1.v)(n2.v) below a threshold; opacity 0 there, 1 edge-on, so that
   // nothing pops. Sheppard's 0.3 (57 degrees off) covers a third of the model with fins that the
-  // slabs show better; 0.06 (76 degrees) is where slabs begin to thin out.
+  // slabs show better; 0.1 (71 degrees) is where slabs begin to thin out.
   float facing = dot(face0.xyz, toEye) * dot(face1.xyz, toEye);
   float opacity = smoothstep(0.0, 1.0, (FUR_SILHOUETTE - facing) / FUR_SILHOUETTE);
   // Both faces turned away: the edge lies behind the horizon.
@@ -47,8 +47,9 @@ void main() {
   vec3 normal = normalize(mix(normalA.xyz, normalB.xyz, side));
   vec3 bend = side < 0.5 ? bendOf(positionA.w) : bendOf(positionB.w);
   vec3 p = strandPoint(root, normal, bend, h);
-  // Shells cover a pixel faintly and still write depth: fins are compared as if half a fur length nearer.
-  vec4 nearer = clipFromModel * vec4(p + normalize(eye.xyz - p) * (0.5 * shape.x), 1.0);
+  // Shells cover a pixel faintly and still write depth, on a round body well before its outline: fins
+  // are compared as if that much nearer.
+  vec4 nearer = clipFromModel * vec4(p + normalize(eye.xyz - p) * (2.5 * shape.x), 1.0);
   vec4 clip = clipFromModel * vec4(p, 1.0);
   clip.z = nearer.z / nearer.w * clip.w;
   gl_Position = clip;

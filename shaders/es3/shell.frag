@@ -82,10 +82,10 @@ void main() {
     at += vTile.zw * stepSize;
     layer -= stepSize;
   }
-  if (alpha < 0.03) discard;
-  sum /= alpha;
   // Along the silhouette a slab is seen edge-on and shows rings; fins take over (Lengyel et al. 2001).
-  float grazing = smoothstep(0.0, 0.15, normalize(vView.xyz).z);
+  float shown = alpha * smoothstep(0.0, 0.12, normalize(vView.xyz).z);
+  if (shown < 0.04) discard;
+  sum /= alpha;
   float h = (sum.w + 1.0) / shape.z;
 
   vec2 tilt = sum.xy * 2.0 - 1.0;
@@ -110,11 +110,10 @@ void main() {
   vec3 color = shadeStrand(albedo, tangent, normalize(vLight.xyz), normalize(vView.xyz), h, rho, lit, vView.w);
 #if defined(VIEW_TANGENTS)
   color = tangent * 0.5 + 0.5;
-  fragColor = vec4(color * alpha, alpha);
+  fragColor = vec4(color * shown, shown);
 #elif defined(VIEW_COVERAGE)
-  fragColor = vec4(vec3(h) * alpha, alpha);
+  fragColor = vec4(vec3(h) * shown, shown);
 #else
-  alpha *= grazing;
-  fragColor = vec4(encodeSrgb(toneMap(color)) * alpha, alpha);
+  fragColor = vec4(encodeSrgb(toneMap(color)) * shown, shown);
 #endif
 }

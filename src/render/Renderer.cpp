@@ -20,9 +20,18 @@ Vec4 shownColor(std::uint32_t rgb) {
   return Vec4((rgb >> 16) & 255u, (rgb >> 8) & 255u, rgb & 255u, 255.0f) / 255.0f;
 }
 
-// Layers that one slab marches; the slabs together may hold a few more than were asked for.
-int layersPerSlab(const settings::Settings& s) { return std::max(1, (s.layers + s.slabs - 1) / s.slabs); }
-int slabCount(const settings::Settings& s) { return (s.layers + layersPerSlab(s) - 1) / layersPerSlab(s); }
+// A slab is at most this thick on the screen: thicker ones show as rings along the outline.
+constexpr float kSlabPixels = 5.0f;
+
+// How many slabs the coat is drawn in. More keep the outline rounder and cost more.
+int slabCount(const Frame& frame) {
+  const float distance = std::max(0.1f, glm::length(frame.camera.eye - frame.camera.target));
+  const float unit = static_cast<float>(frame.height) / (2 * std::tan(frame.camera.fovY / 2)) / distance;
+  const int wanted = static_cast<int>(std::ceil(frame.settings.furLength * unit / kSlabPixels));
+  return std::min(std::clamp(wanted, 4, 10), frame.settings.layers);
+}
+// The slabs together may hold a few layers more than were asked for.
+int layersPerSlab(const Frame& frame) { return (frame.settings.layers + slabCount(frame) - 1) / slabCount(frame); }
 
 shared::FrameBlock frameBlock(const Frame& frame) {
   const settings::Settings& s = frame.settings;
@@ -80,7 +89,7 @@ Result<Renderer> Renderer::create() {
 
 void Renderer::uploadBlocks(const Frame& frame) {
   const settings::Settings& s = frame.settings;
-  const auto slab = static_cast<float>(layersPerSlab(s)), slabs = static_cast<float>(slabCount(s));
+  const auto slab = static_cast<float>(layersPerSlab(frame)), slabs = static_cast<float>(slabCount(frame));
   shared::FurBlock coat;
   coat.shape = Vec4(s.furLength, s.repeat, slab * slabs, slab);
   coat.volume = Vec4(tile_.shape().width, storedLayers_, furDensity_, slabs);
@@ -154,7 +163,7 @@ Status Renderer::drawShells(const Frame& frame, unsigned variant) {
   const auto program = programs_.use(Shader::Shell, variant);
   if (!program) return program.error();
   gl::apply({.blend = gl::Blend::Over});
-  surface_.drawIndexed(indexCount_, slabCount(frame.settings));
+  surface_.drawIndexed(indexCount_, slabCount(frame));
   return Done{};
 }
 
