@@ -125,7 +125,7 @@ Status Renderer::draw(const Frame& frame) {
 
 Status Renderer::drawPasses(const Frame& frame) {
   const auto view = static_cast<View>(frame.settings.view);
-  const unsigned look = (frame.wet ? kWet : kPlain) | (baseColor_.shape().width > 1 ? kTextured : kPlain);
+  const unsigned look = (frame.wet ? kWet : kPlain) | (hasPicture_ ? kTextured : kPlain);
   const bool furry = hasFur_ && frame.settings.furLength > 0;
   if (const auto program = programs_.use(Shader::Background, kPlain); !program) return program.error();
   gl::apply({.depthTest = false, .depthWrite = false, .cullBack = false});

@@ -65,7 +65,7 @@ class Renderer {
   int bendCapacity_ = 0;
   int storedLayers_ = 1;
   float furDensity_ = 0;
-  bool hasFur_ = false;
+  bool hasFur_ = false, hasPicture_ = false;
   // What the ground shadow was drawn for; it is redrawn when this changes.
   struct ShadowKey {
     Mat4 worldFromModel;

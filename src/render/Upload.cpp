@@ -104,7 +104,8 @@ void Renderer::setFur(const furgen::FurVolume& volume) {
 
 void Renderer::setBaseColor(int width, int height, std::span<const std::uint8_t> rgba) {
   const std::uint8_t white[4] = {255, 255, 255, 255};
-  if (rgba.empty()) width = height = 1, rgba = white;
+  hasPicture_ = !rgba.empty();
+  if (!hasPicture_) width = height = 1, rgba = white;
   baseColor_ = gl::Texture({gl::TexelFormat::RGBA8, width, height, 0, gl::Filter::Trilinear, true},
                            std::as_bytes(rgba));
   uploadedBytes_ += baseColor_.bytes();
