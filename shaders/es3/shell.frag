@@ -62,8 +62,9 @@ void main() {
       vec4 home = clumpAt(mask, clump.xy + fromCentre);
       // Algorithm 2: a root outside the clump, in a dry texel or in another clump is no strand here.
       vec2 apart = home.xy - clump.xy;
-      open = float(dot(fromCentre, fromCentre) <= clump.z * clump.z && home.a > 0.0 &&
-                   dot(apart, apart) <= 0.25 * clump.z * clump.z);
+      // The rim fades over a twelfth of the radius, so that locks have soft edges.
+      open = clamp(12.0 * (1.0 - length(fromCentre) / max(clump.z, 1e-6)), 0.0, 1.0) *
+             float(home.a > 0.0 && dot(apart, apart) <= 0.25 * clump.z * clump.z);
       root += tileFromAtlas * (clump.xy + fromCentre - a);
       float below = min(clumpProfile(h - 1.0 / shape.z, water.x, shape.z) * clump.a, FUR_MAX_SHIFT);
       lean.xy = tileFromAtlas * (fromCentre * (below - s));
