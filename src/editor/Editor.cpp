@@ -178,8 +178,9 @@ void Editor::drawWater(const EditorModel& model) {
   const int tool = iconSegments("tools",
                                 {{"Wet", model.tool == Tool::Droplet},
                                  {"Dry", model.tool == Tool::Dry},
+                                 {"Move", model.tool == Tool::Grab},
                                  {"Orbit", model.tool == Tool::None}},
-                                {Icon::Droplet, Icon::Dry, Icon::Orbit});
+                                {Icon::Droplet, Icon::Dry, Icon::Move, Icon::Orbit});
   if (tool >= 0) emit(command::SetTool{static_cast<Tool>(tool)});
   const float button = px(64), gap = px(3);
   char text[32];

@@ -12,7 +12,8 @@
 
 namespace fur::editor {
 
-enum class Tool { Droplet, Dry, None };
+// In the order of app::Tool, which EditorHost checks.
+enum class Tool { Droplet, Dry, Grab, None };
 
 // How a person can bring a file: through a dialog of the platform, or by typing its path.
 enum class FileAccess { Dialog, Path };

@@ -55,6 +55,16 @@ void drawSun(const Pen& pen) {
   }
 }
 
+// Arrows to the four sides.
+void drawCross(const Pen& pen) {
+  pen.line(-0.6f, 0, 0.6f, 0);
+  pen.line(0, -0.6f, 0, 0.6f);
+  for (const float side : {-1.0f, 1.0f}) {
+    pen.triangle(side, 0, 0.55f * side, -0.35f, 0.55f * side, 0.35f);
+    pen.triangle(0, side, -0.35f, 0.55f * side, 0.35f, 0.55f * side);
+  }
+}
+
 }  // namespace
 
 void drawIcon(ImDrawList& list, Icon icon, ImVec2 center, float size, ImU32 color) {
@@ -95,6 +105,9 @@ void drawIcon(ImDrawList& list, Icon icon, ImVec2 center, float size, ImU32 colo
       break;
     case Icon::Dry:
       drawSun(pen);
+      break;
+    case Icon::Move:
+      drawCross(pen);
       break;
     case Icon::Orbit:
       pen.list.AddCircle(pen.center, 0.85f * pen.half, color, 24, pen.thickness);

@@ -203,6 +203,8 @@ editor::EditorModel EditorHost::model() {
   const App::Stats stats = app_.stats();
   editor::EditorModel model;
   model.settings = app_.settings();
+  static_assert(static_cast<int>(editor::Tool::Grab) == static_cast<int>(Tool::Grab) &&
+                static_cast<int>(editor::Tool::None) == static_cast<int>(Tool::None));
   model.tool = static_cast<editor::Tool>(app_.tool());
   model.modelName = app_.modelName();
   model.meanWetness = app_.meanWetness();
