@@ -112,6 +112,8 @@ void App::State::adopt(geometry::Surface built, std::string name) {
   query = geometry::SurfaceQuery(surface);
   wetting.emplace(surface, mask.size());
   mask.clear();
+  strokeBefore.clear();  // a stroke on the old model ends here
+  drag = Drag::None;
   history.clear();
   motion.reset();
   pendingImage = {};
