@@ -146,6 +146,7 @@ FUR_EXPORT int fur_key(App* app, const char* name, int modifiers) {
   event.alt = modifiers & 4;
   return guarded([&] { return app->key(event) ? 1 : 0; });
 }
+FUR_EXPORT void fur_ignoreCovered(App* app, int ignore) { app->ignoreCovered(ignore != 0); }
 FUR_EXPORT void fur_setCameraControls(App* app, int enabled) { app->setCameraControls(enabled != 0); }
 
 // --- time ---

@@ -97,6 +97,7 @@ export class FurApp {
   }
   wheel(notches, x, y) { return this.#call('fur_wheel', notches, x, y) !== 0; }
   key(event) { return this.#call('fur_key', event.key, modifiersOf(event)) !== 0; }
+  set ignoreCovered(ignore) { this.#call('fur_ignoreCovered', ignore ? 1 : 0); }
   set cameraControls(enabled) { this.#call('fur_setCameraControls', enabled ? 1 : 0); }
 
   tick(seconds) { return this.#call('fur_tick', seconds) !== 0; }

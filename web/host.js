@@ -424,12 +424,14 @@ export class WetFur extends EventTarget {
     const size = [width ?? shown[0], height ?? shown[1]].map((side) => Math.max(1, Math.min(4096, Math.round(side))));
     const resized = size[0] !== shown[0] || size[1] !== shown[1];
     const panel = this.#panel;
-    this.#panel = null;  // not in the picture
+    this.#panel = null;  // not in the picture, nor what it pushes aside
+    this.#app.ignoreCovered = true;
     if (resized) this.#screen.resize(...size, shown[2] * (size[1] / shown[1]));
     else this.#drawNow();
     // The browser copies the drawing buffer now; only the encoding comes later.
     const blob = new Promise((resolve) => this.#canvas.toBlob(resolve, mimeType, quality));
     this.#panel = panel;
+    this.#app.ignoreCovered = false;
     if (resized) this.#screen.resize(...shown);
     else if (panel) this.#drawNow();
     return (await blob) ?? Promise.reject(new FurError('out-of-memory', `no memory for a picture of ${size.join(' x ')}`));

@@ -75,6 +75,11 @@ void App::resize(int width, int height, float pixelRatio) {
   state_->pictureChanged = true;
 }
 
+void App::ignoreCovered(bool ignore) {
+  state_->camera.ignoreCovered(ignore);
+  state_->pictureChanged = true;
+}
+
 void App::setCovered(Vec2 shares, bool atOnce) {
   state_->camera.setCovered(shares, atOnce);
   if (atOnce) state_->pictureChanged = true;

@@ -116,6 +116,8 @@ class App {
   // How much of the picture something hides, from the right edge and from the bottom edge, as shares
   // of its width and height (a panel): the model glides to the middle of the rest. atOnce: without gliding.
   void setCovered(Vec2 shares, bool atOnce = false);
+  // While true, as if nothing were: for a picture that is saved without the panel.
+  void ignoreCovered(bool ignore);
 
   // --- time ---
   // Advances by dt seconds. Returns whether the picture has changed (draw it).

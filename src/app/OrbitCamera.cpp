@@ -81,12 +81,13 @@ bool OrbitCamera::update(float dt) {
 }
 
 render::CameraPose OrbitCamera::pose(float aspect) const {
-  const Vec2 free = Vec2(std::max(aspect, 0.2f), 1) * (1.0f - coveredShown_);  // in picture heights
+  const Vec2 covered = ignoreCovered_ ? Vec2(0) : coveredShown_;
+  const Vec2 free = Vec2(std::max(aspect, 0.2f), 1) * (1.0f - covered);  // in picture heights
   const float distance = shown_.distance * std::max(1.0f, 1.0f / std::min(free.x, free.y));
   const Vec3 back = backward(shown_);
   const Vec3 right = normalizeOr(glm::cross(Vec3(0, 1, 0), back), Vec3(1, 0, 0)), up = glm::cross(back, right);
   // The middle of the free part lies that many half pictures left of and above the middle of all.
-  const Vec2 shift = coveredShown_ * Vec2(aspect, 1) * (distance * std::tan(kFovY / 2));
+  const Vec2 shift = covered * Vec2(aspect, 1) * (distance * std::tan(kFovY / 2));
   const Vec3 target = shown_.target + right * shift.x - up * shift.y;
   return {target + back * distance, target, kFovY};
 }

@@ -18,6 +18,8 @@ class OrbitCamera {
   void pan(Vec2 modelUnits);  // right and up in the picture
   // See App::setCovered().
   void setCovered(Vec2 shares, bool atOnce);
+  // While true, as if nothing were covered (a saved picture has no panel).
+  void ignoreCovered(bool ignore) { ignoreCovered_ = ignore; }
 
   // Returns whether it moved.
   bool update(float dt);
@@ -30,6 +32,7 @@ class OrbitCamera {
 
   CameraOrbit goal_, shown_;
   Vec2 coveredGoal_{0}, coveredShown_{0};
+  bool ignoreCovered_ = false;
 };
 
 }  // namespace fur::app
