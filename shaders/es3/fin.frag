@@ -39,11 +39,11 @@ void main() {
     rho = clump.a;
   }
 #endif
-  vec4 t = textureLod(fin, vec2(u, min(h, 0.985)), max(vFin.w, 0.0));
+  vec4 t = textureLod(fin, vec2(u, min(h, 0.985)), floor(max(vFin.w, 0.0) + 0.5));
   float sharp = exp2(max(-vFin.w, 0.0));
   float alpha = clamp((t.r - 0.5) * sharp + 0.5, 0.0, 1.0) * vFin.z;
   // Slabs show the coat up to its outline; only the tips that stand out over it are missing.
-  alpha *= smoothstep(0.3, 0.9, h) * (1.0 - smoothstep(0.94, 1.0, h));
+  alpha *= smoothstep(FUR_FIN_FOOT, 0.9, h) * (1.0 - smoothstep(0.94, 1.0, h));
   if (alpha < 0.02) discard;
   vec2 tilt = t.gb * 2.0 - 1.0;
   vec3 tangent = normalize(vec3(tilt + vLean + clumpLean, sqrt(max(0.05, 1.0 - dot(tilt, tilt)))));

@@ -31,7 +31,7 @@ void main() {
   vec3 toEye = normalize(eye.xyz - middle);
   // Silhouette (Sheppard 2.1.3): (n1.v)(n2.v) below a threshold; opacity 0 there, 1 edge-on, so that
   // nothing pops. Sheppard's 0.3 (57 degrees off) covers a third of the model with fins that the
-  // slabs show better; 0.1 (71 degrees) is where slabs begin to thin out.
+  // slabs show better; 0.06 (76 degrees) is where slabs begin to thin out.
   float facing = dot(face0.xyz, toEye) * dot(face1.xyz, toEye);
   float opacity = smoothstep(0.0, 1.0, (FUR_SILHOUETTE - facing) / FUR_SILHOUETTE);
   // Both faces turned away: the edge lies behind the horizon.
@@ -42,7 +42,7 @@ void main() {
   }
 
   float side = float(gl_VertexID & 1);
-  float h = float(gl_VertexID >> 1) / float(FUR_FIN_SEGMENTS);
+  float h = mix(FUR_FIN_FOOT, 1.0, float(gl_VertexID >> 1) / float(FUR_FIN_SEGMENTS));
   vec3 root = mix(positionA.xyz, positionB.xyz, side);
   vec3 normal = normalize(mix(normalA.xyz, normalB.xyz, side));
   vec3 bend = side < 0.5 ? bendOf(positionA.w) : bendOf(positionB.w);

@@ -94,7 +94,7 @@ void Renderer::setFur(const furgen::FurVolume& volume) {
   tile_ = gl::Texture({gl::TexelFormat::RGBA8, volume.size, volume.size, volume.layers, gl::Filter::Mipmapped, true},
                       gl::bytesOf(layers));
   // Repeats along the edge; the height is clamped by the look-up.
-  finMap_ = gl::Texture({gl::TexelFormat::RGBA8, volume.size, volume.finRows, 0, gl::Filter::Trilinear, true},
+  finMap_ = gl::Texture({gl::TexelFormat::RGBA8, volume.size, volume.finRows, 0, gl::Filter::Mipmapped, true},
                         gl::bytesOf(fin));
   storedLayers_ = volume.layers;
   furDensity_ = volume.density;

@@ -78,8 +78,10 @@ FUR_BLOCK(FurBlock) {
 #define FUR_TWIN_SIZE 33
 // A fin shows where (n1.v)(n2.v) is below the first (opacity rises from there to 1 edge-on), and where
 // not both faces are turned away by more than the second.
-#define FUR_SILHOUETTE 0.1
+#define FUR_SILHOUETTE 0.06
 #define FUR_HORIZON (-0.4)
+// Where a fin begins: below it the slabs show the coat, and better.
+#define FUR_FIN_FOOT 0.3
 // Quads of a fin along its height.
 #define FUR_FIN_SEGMENTS 4
 
