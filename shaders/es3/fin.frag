@@ -49,7 +49,7 @@ void main() {
   vec3 tangent = normalize(vec3(tilt + vLean + clumpLean, sqrt(max(0.05, 1.0 - dot(tilt, tilt)))));
   vec3 albedo = strandColor(h, t.a, modelColor(baseColor, vUv));
   // Nothing stands before an outline: light reaches it from the side, further down than inside the coat.
-  float exposed = mix(h, 1.0, 0.6);
-  vec3 color = shadeStrand(albedo, tangent, normalize(vLight.xyz), normalize(vView.xyz), exposed, rho, 0.9, vLight.w);
+  float exposed = mix(h, 1.0, 0.4);
+  vec3 color = shadeStrand(albedo, tangent, normalize(vLight.xyz), normalize(vView.xyz), exposed, rho, 0.75, vLight.w);
   fragColor = vec4(encodeSrgb(toneMap(color)) * alpha, alpha);
 }

@@ -145,6 +145,8 @@ Status App::loadPrimitive(std::string_view name) {
   else if (name == "torus") mesh = geometry::makeTorus();
   else if (name == "plane") mesh = geometry::makePlane();
   else return Error{ErrorId::BadFile, "there is no model called \"" + std::string(name) + '"'};
+  // Their own uv are stretched, and they have no picture: charts keep droplets round.
+  mesh.uv.clear();
   auto surface = geometry::buildSurface(mesh);
   if (!surface) return surface.error();
   state_->adopt(std::move(*surface), std::string(name));
