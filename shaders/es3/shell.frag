@@ -42,6 +42,9 @@ void main() {
   mat2 atlasFromTile = mat2(vAtlasStep.xy, vAtlasStep.zw);
   mat2 tileFromAtlas = inverse(atlasFromTile);
   vec3 wetSum = vec3(0.0);    // clump lean in tile units a layer, wetness
+  // One clump a slab: the ray hardly leaves its texel on the way, and whose strands stand here is
+  // asked of every root below.
+  vec4 clump = clumpAt(mask, vAtlas);
 #endif
   float subSteps = ceil(vSubSteps - 0.01);
   float stepSize = 1.0 / subSteps, steps = shape.w * subSteps;
@@ -50,15 +53,16 @@ void main() {
   float softness = min(1.0, kReferenceLayers / (shape.z * subSteps));
   for (float k = 0.0; k < steps; k += 1.0) {
     vec2 root = at;
-    float open = 1.0;
+    float open = 1.0, level = lod;
 #ifdef WET
     vec2 a = vAtlas + atlasFromTile * (at - vTile.xy);
-    vec4 clump = clumpAt(mask, a);
     vec3 lean = vec3(0.0, 0.0, clump.a);
     if (clump.a > 0.0) {
       float h = (layer + 1.0) / shape.z;
       float s = min(clumpProfile(h, water.x, shape.z) * clump.a, FUR_MAX_SHIFT);
       vec2 fromCentre = (a - clump.xy) / (1.0 - s);
+      // Drawn together, strands are that much thinner than a pixel. Not all of it: locks keep their lines.
+      level = floor(lod - 0.7 * log2(1.0 - s));
       vec4 home = clumpAt(mask, clump.xy + fromCentre);
       // Algorithm 2: a root outside the clump, in a dry texel or in another clump is no strand here.
       vec2 apart = home.xy - clump.xy;
@@ -70,7 +74,7 @@ void main() {
       lean.xy = tileFromAtlas * (fromCentre * (below - s));
     }
 #endif
-    vec4 t = textureLod(tile, vec3(root, storedLayer(layer)), lod);
+    vec4 t = textureLod(tile, vec3(root, storedLayer(layer)), level);
     float cover = clamp((t.r - 0.5) * sharp + 0.5, 0.0, 1.0) * open;
     float add = cover * softness / (1.0 - cover * (1.0 - softness)) * (1.0 - alpha);
     sum += add * vec4(t.gba, layer);

@@ -11,41 +11,42 @@ import { difference, dist, picture, root, startBrowser, withFur } from './suppor
 const site = startBrowser();
 const program = join(root, 'build/native-release/wet-fur-render');
 
-function nativePicture(model, settings, wetness) {
+function nativePicture(model, settings, splashes) {
   const folder = mkdtempSync(join(tmpdir(), 'wet-fur-'));
   const file = join(folder, 'native.png');
   const fields = Object.entries(settings).flatMap(([name, value]) => [`--${name}`, String(value)]);
   const run = spawnSync(program, [model === 'bunny' ? join(dist, 'models/bunny.glb') : model, '-o', file,
-    '--size', '480x360', '--samples', '0', '--wetness', String(wetness), ...fields], { encoding: 'utf8' });
+    '--size', '480x360', '--samples', '0', ...splashes.flatMap((at) => ['--splash', at.join()]), ...fields], { encoding: 'utf8' });
   assert.equal(run.status, 0, run.stderr);
   const png = PNG.sync.read(readFileSync(file));
   rmSync(folder, { recursive: true });
   return png;
 }
 
-async function webPicture(model, settings, wetness) {
+async function webPicture(model, settings, splashes) {
   const query = new URLSearchParams({ src: model, quality: 'low', ui: '0', ...settings });
   const page = await site.open(`index.html?${query}`);
-  await withFur(page, (fur, amount) => {
+  await withFur(page, (fur, spots) => {
     fur.pause();
-    fur.setWetness(amount);
+    for (const [x, y] of spots) fur.splash({ x, y }, { radius: fur.settings.brushRadius, amount: fur.settings.brushFlow });
     fur.step(0.6, 2);  // over half a second the fur settles at once
-  }, wetness);
+  }, splashes);
   return picture(page);
 }
 
+const spots = [[190, 200], [215, 190], [240, 200], [205, 225], [235, 230], [260, 215]];
 const scenes = [
-  ['the dry bunny', 'bunny', { layers: 32, dryRate: 0 }, 0],
-  ['the soaked bunny', 'bunny', { layers: 16, dryRate: 0 }, 0.8],
-  ['a red torus with long fur in the wind', 'torus', { layers: 24, furLength: 0.2, tipColor: '#c03020', wind: 0.6, gust: 0, motion: 'full' }, 0],
+  ['the dry bunny', 'bunny', { layers: 32, dryRate: 0 }, []],
+  ['a bunny with wet flanks', 'bunny', { layers: 32, dryRate: 0, brushRadius: 0.1, brushFlow: 0.8 }, spots],
+  ['a red torus with long fur in the wind', 'torus', { layers: 24, furLength: 0.2, tipColor: '#c03020', wind: 0.6, gust: 0, motion: 'full' }, []],
 ];
 
-for (const [name, model, settings, wetness] of scenes) {
+for (const [name, model, settings, splashes] of scenes) {
   test(`${name} looks the same natively and on the page`, { timeout: 120000 }, async (t) => {
     assert.ok(existsSync(program), 'wet-fur-render is built before the page tests');
     const { motion, ...fields } = settings;
-    const native = nativePicture(model, fields, wetness);
-    const web = await webPicture(model, settings, wetness);
+    const native = nativePicture(model, fields, splashes);
+    const web = await webPicture(model, settings, splashes);
     assert.deepEqual([web.width, web.height], [native.width, native.height]);
     const share = difference(native, web, 5);
     t.diagnostic(`${(100 * share).toFixed(3)} % of pixels differ by more than 5/255`);
