@@ -14,6 +14,9 @@ float clumpProfile(float h, float w, float layers) {
   return (1.0 - w) * h + w * (1.0 + naturalLog(max(h, 1.0 / layers)) / naturalLog(layers));
 }
 
+// s: the share of the way to the clump's centre that a strand of a clump of wetness rho has gone at height h.
+float clumpPull(float h, float rho) { return min(clumpProfile(h, water.x, shape.z) * rho, FUR_MAX_SHIFT); }
+
 // The clump that the atlas point `a` lies in: centre u, v, radius, wetness. Unfiltered: centres do not mix.
 vec4 clumpAt(sampler2D mask, vec2 a) {
   return texelFetch(mask, clamp(ivec2(a * water.w), ivec2(0), ivec2(int(water.w) - 1)), 0);

@@ -11,7 +11,7 @@ uniform sampler2D mask;
 
 in vec4 vFin;
 in vec4 vLight;
-in vec4 vView;
+in vec3 vView;
 in vec2 vUv;
 in vec2 vLean;
 #ifdef WET
@@ -27,7 +27,7 @@ void main() {
 #ifdef WET
   vec4 clump = clumpAt(mask, vAtlas);
   if (clump.a > 0.0) {
-    float s = min(clumpProfile(h, water.x, shape.z) * clump.a, FUR_MAX_SHIFT);
+    float s = clumpPull(h, clump.a);
     vec2 fromCentre = (vAtlas - clump.xy) / (1.0 - s);
     if (dot(fromCentre, fromCentre) > clump.z * clump.z || clumpAt(mask, clump.xy + fromCentre).a == 0.0) discard;
     // In turns of the fin map along the edge and across it; only the first moves the look-up, both
@@ -50,6 +50,6 @@ void main() {
   vec3 albedo = strandColor(h, t.a, modelColor(baseColor, vUv));
   // Nothing stands before an outline: light reaches it from the side, further down than inside the coat.
   float exposed = mix(h, 1.0, 0.4);
-  vec3 color = shadeStrand(albedo, tangent, normalize(vLight.xyz), normalize(vView.xyz), exposed, rho, 0.75, vLight.w);
+  vec3 color = shadeStrand(albedo, tangent, normalize(vLight.xyz), normalize(vView), exposed, rho, 0.75, vLight.w);
   fragColor = vec4(encodeSrgb(toneMap(color)) * alpha, alpha);
 }

@@ -13,7 +13,7 @@ uniform sampler2D bends;
 
 out vec4 vFin;    // x: along the fin map  y: height 0..1  z: opacity  w: mip level
 out vec4 vLight;  // xyz: light in the fin's frame (x along the edge, z along the normal)  w: N.up
-out vec4 vView;   // xyz: eye in the fin's frame  w: length of the edge in model units
+out vec3 vView;   // eye in the fin's frame
 out vec2 vUv;
 out vec2 vLean;
 #ifdef WET
@@ -63,7 +63,7 @@ void main() {
   vFin = vec4(normalA.w + side * edgeLength * shape.y, h, opacity, log2(texels));
   vLight = vec4(dot(axis, light.xyz), dot(across, light.xyz), dot(normal, light.xyz), dot(normal, up.xyz));
   vec3 v = eye.xyz - p;
-  vView = vec4(dot(axis, v), dot(across, v), dot(normal, v), edgeLength);
+  vView = vec3(dot(axis, v), dot(across, v), dot(normal, v));
   // Sideways part of the arc's tangent: the bend turns it by theta h.
   float theta = length(bend);
   vec3 leanNow = bend * (theta > 1e-5 ? sin(theta * h) / theta : 0.0);

@@ -59,7 +59,7 @@ void main() {
     vec3 lean = vec3(0.0, 0.0, clump.a);
     if (clump.a > 0.0) {
       float h = (layer + 1.0) / shape.z;
-      float s = min(clumpProfile(h, water.x, shape.z) * clump.a, FUR_MAX_SHIFT);
+      float s = clumpPull(h, clump.a);
       vec2 fromCentre = (a - clump.xy) / (1.0 - s);
       // Drawn together, strands are that much thinner than a pixel. Not all of it: locks keep their lines.
       level = floor(lod - 0.7 * log2(1.0 - s));
@@ -70,7 +70,7 @@ void main() {
       open = clamp(12.0 * (1.0 - length(fromCentre) / max(clump.z, 1e-6)), 0.0, 1.0) *
              float(home.a > 0.0 && dot(apart, apart) <= 0.25 * clump.z * clump.z);
       root += tileFromAtlas * (clump.xy + fromCentre - a);
-      float below = min(clumpProfile(h - 1.0 / shape.z, water.x, shape.z) * clump.a, FUR_MAX_SHIFT);
+      float below = clumpPull(h - 1.0 / shape.z, clump.a);
       lean.xy = tileFromAtlas * (fromCentre * (below - s));
     }
 #endif

@@ -305,7 +305,7 @@ bool App::tick(float dt) {
 
   if (s.wind() > 0) s.windClock += dt;
   if (dt > 0 && (moved || s.gusty() || s.forcesChanged || !s.bends.atRest())) {
-    s.bends.step(dt, s.motion.worldFromModel(), s.forces(), s.vertexWetness);
+    s.bends.step(dt, s.motion.worldFromModel(), s.forces(), s.wetnessOfVertices());
     if (s.renderer) s.renderer->updateBends(s.bends.bends());
     s.forcesChanged = false;
     changed = true;
@@ -324,7 +324,7 @@ bool App::tick(float dt) {
 }
 
 void App::State::settleBends() {
-  bends.settle(motion.worldFromModel(), forces(), vertexWetness);
+  bends.settle(motion.worldFromModel(), forces(), wetnessOfVertices());
   if (renderer) renderer->updateBends(bends.bends());
   forcesChanged = false;
   pictureChanged = true;

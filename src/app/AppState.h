@@ -48,7 +48,8 @@ struct App::State {
 
   // Water and motion.
   wet::WetnessMask mask{kMaskSize};
-  std::vector<float> vertexWetness;
+  std::vector<float> vertexWetness;  // read it through wetnessOfVertices()
+  bool vertexWetnessStale = false;
   dynamics::BendField bends;
   float furWeight = 0.5f;
   float windClock = 0;
@@ -103,6 +104,8 @@ struct App::State {
   void scatter(const Vec3& centre, const Vec3& normal, float radius, float amount);
   void soak(float amount);
   void maskTouched();
+  // Brought up to date when it is read: a stroke sprays many times between two steps of the fur.
+  const std::vector<float>& wetnessOfVertices();
 };
 
 }  // namespace fur::app

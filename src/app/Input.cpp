@@ -13,8 +13,7 @@ constexpr int kLeft = 1, kRight = 2;
 
 // Model units that one pixel covers at the camera's target.
 float unitsPerPixel(const render::Frame& frame) {
-  const float distance = glm::length(frame.camera.eye - frame.camera.target);
-  return 2 * distance * std::tan(frame.camera.fovY / 2) / static_cast<float>(frame.height);
+  return glm::length(frame.camera.eye - frame.camera.target) / render::pixelsPerUnit(frame);
 }
 
 // A step in the picture as a step in the world, in the plane that faces the camera.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/AppState.h"
 
@@ -31,9 +32,14 @@ std::optional<geometry::SurfacePoint> App::State::pick(Vec2 pixel) const {
 }
 
 void App::State::maskTouched() {
-  for (std::size_t i = 0; i < vertexWetness.size(); ++i)
-    vertexWetness[i] = mask.at(surface.vertices[i].atlas.x, surface.vertices[i].atlas.y).w;
-  forcesChanged = pictureChanged = true;
+  vertexWetnessStale = forcesChanged = pictureChanged = true;
+}
+
+const std::vector<float>& App::State::wetnessOfVertices() {
+  if (std::exchange(vertexWetnessStale, false))
+    for (std::size_t i = 0; i < vertexWetness.size(); ++i)
+      vertexWetness[i] = mask.at(surface.vertices[i].atlas.x, surface.vertices[i].atlas.y).w;
+  return vertexWetness;
 }
 
 void App::State::beginStroke() {
@@ -79,8 +85,7 @@ bool App::State::sprayAt(Vec2 pixel) {
 void App::State::paintTo(Vec2 pixel) {
   const render::Frame f = frame();
   const float distance = std::max(0.2f, glm::length(f.camera.eye - f.camera.target));
-  const float pixelsPerUnit = static_cast<float>(height) / (2 * std::tan(f.camera.fovY / 2)) / distance;
-  const float spacing = std::max(2.0f, kSpacing * settings.brushRadius * pixelsPerUnit);
+  const float spacing = std::max(2.0f, kSpacing * settings.brushRadius * render::pixelsPerUnit(f) / distance);
   for (Vec2 way = pixel - lastSpot; glm::length(way) >= spacing; way = pixel - lastSpot) {
     lastSpot += way * (spacing / glm::length(way));
     sprayAt(lastSpot);

@@ -122,7 +122,6 @@ void apply(const DrawState& state) {
     case Blend::None: break;
     case Blend::Over: glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA); break;  // premultiplied
     case Blend::Multiply: glBlendFunc(GL_ZERO, GL_SRC_COLOR); break;
-    case Blend::Add: glBlendFunc(GL_ONE, GL_ONE); break;
   }
 }
 

@@ -103,7 +103,7 @@ class VertexArray {
 // Draws `vertexCount` vertices without attributes (gl_VertexID alone).
 void drawWithoutVertices(int vertexCount);
 
-enum class TexelFormat { R8, RG8, RGBA8, RGBA32F };
+enum class TexelFormat { RG8, RGBA8, RGBA32F };
 // Mipmapped: bilinear within the level that the shader asks for.
 enum class Filter { Nearest, Linear, Mipmapped, Trilinear };
 
@@ -149,7 +149,7 @@ class Target {
   Name framebuffer_, color_, depth_;
 };
 
-enum class Blend { None, Over, Multiply, Add };
+enum class Blend { None, Over, Multiply };
 
 struct DrawState {
   bool depthTest = true, depthWrite = true, cullBack = true;

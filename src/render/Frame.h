@@ -26,5 +26,7 @@ struct Frame {
 enum class View { Final, Skin, Shells, Fins, Wetness, Tangents, Coverage, Normals };
 
 Mat4 clipFromWorld(const Frame& frame);
+// Pixels that a model unit covers at distance 1 from the eye; divide by the distance for others.
+float pixelsPerUnit(const Frame& frame);
 
 }  // namespace fur::render

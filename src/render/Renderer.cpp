@@ -26,8 +26,7 @@ constexpr float kSlabPixels = 5.0f;
 // How many slabs the coat is drawn in. More keep the outline rounder and cost more.
 int slabCount(const Frame& frame) {
   const float distance = std::max(0.1f, glm::length(frame.camera.eye - frame.camera.target));
-  const float unit = static_cast<float>(frame.height) / (2 * std::tan(frame.camera.fovY / 2)) / distance;
-  const int wanted = static_cast<int>(std::ceil(frame.settings.furLength * unit / kSlabPixels));
+  const int wanted = static_cast<int>(std::ceil(frame.settings.furLength * pixelsPerUnit(frame) / distance / kSlabPixels));
   return std::min(std::clamp(wanted, 4, 10), frame.settings.layers);
 }
 // The slabs together may hold a few layers more than were asked for.
@@ -37,14 +36,13 @@ shared::FrameBlock frameBlock(const Frame& frame) {
   const settings::Settings& s = frame.settings;
   const Mat4 modelFromWorld = glm::inverse(frame.worldFromModel);
   const Vec3 lightWorld = directionFrom(s.lightYaw, s.lightPitch);
-  const float pixelsPerUnit = static_cast<float>(frame.height) / (2.0f * std::tan(frame.camera.fovY * 0.5f));
   const auto direction = [&](const Vec3& v) { return Vec3(modelFromWorld * Vec4(v, 0)); };
   const Vec3 top = settings::linearColor(s.backgroundTop), bottom = settings::linearColor(s.backgroundBottom);
   shared::FrameBlock block;
   block.clipFromWorld = clipFromWorld(frame);
   block.clipFromModel = block.clipFromWorld * frame.worldFromModel;
   block.worldFromModel = frame.worldFromModel;
-  block.eye = Vec4(Vec3(modelFromWorld * Vec4(frame.camera.eye, 1)), pixelsPerUnit);
+  block.eye = Vec4(Vec3(modelFromWorld * Vec4(frame.camera.eye, 1)), pixelsPerUnit(frame));
   block.light = Vec4(direction(lightWorld), 2.2f * s.lightIntensity);
   block.up = Vec4(direction({0, 1, 0}), s.exposure);
   // The surroundings light the fur with their own colour, half of it taken out.
@@ -59,6 +57,10 @@ shared::FrameBlock frameBlock(const Frame& frame) {
 }
 
 }  // namespace
+
+float pixelsPerUnit(const Frame& frame) {
+  return static_cast<float>(frame.height) / (2 * std::tan(frame.camera.fovY / 2));
+}
 
 Mat4 clipFromWorld(const Frame& frame) {
   const float aspect = static_cast<float>(frame.width) / static_cast<float>(std::max(frame.height, 1));
@@ -92,12 +94,12 @@ void Renderer::uploadBlocks(const Frame& frame) {
   const auto slab = static_cast<float>(layersPerSlab(frame)), slabs = static_cast<float>(slabCount(frame));
   shared::FurBlock coat;
   coat.shape = Vec4(s.furLength, s.repeat, slab * slabs, slab);
-  coat.volume = Vec4(tile_.shape().width, storedLayers_, furDensity_, slabs);
+  coat.volume = Vec4(tile_.shape().width, storedLayers_, furDensity_, 0);
   coat.rootColor = Vec4(settings::linearColor(s.rootColor), 1) * frame.baseColorFactor;
   coat.tipColor = Vec4(settings::linearColor(s.tipColor), 1) * frame.baseColorFactor;
   coat.skinColor = Vec4(settings::linearColor(s.skinColor), 1) * frame.baseColorFactor;
   coat.shading = Vec4(s.lambert, s.specular, s.shininess, s.strandShadow);
-  coat.coat = Vec4(s.occlusion, s.variance, s.textureAmount, s.fins);
+  coat.coat = Vec4(s.occlusion, s.variance, s.textureAmount, 0);
   coat.water = Vec4(s.clumpShape, s.wetDarkening, s.wetGloss, mask_.shape().width);
   const shared::FrameBlock block = frameBlock(frame);
   frameBlock_.update(gl::bytesOf(block));

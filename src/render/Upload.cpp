@@ -47,7 +47,7 @@ std::vector<FinEdge> finEdges(const geometry::Surface& surface) {
     const auto& b = surface.vertices[e.b];
     const Vec2 uv = 0.5f * (a.uv + b.uv);
     out.push_back({Vec4(a.position, static_cast<float>(e.a)), Vec4(b.position, static_cast<float>(e.b)),
-                   Vec4(a.normal, e.finStart), Vec4(b.normal, 1), Vec4(e.faceNormal0, uv.x), Vec4(e.faceNormal1, uv.y),
+                   Vec4(a.normal, e.finStart), Vec4(b.normal, 0), Vec4(e.faceNormal0, uv.x), Vec4(e.faceNormal1, uv.y),
                    Vec4(a.atlas, b.atlas)});
   }
   return out;

@@ -33,12 +33,12 @@ FUR_BLOCK(FrameBlock) {
 // The coat. One a change of the settings.
 FUR_BLOCK(FurBlock) {
   vec4 shape;      // x: length (model units)  y: tiles per model unit  z: layers drawn  w: layers a slab
-  vec4 volume;     // x: texels along the tile  y: layers stored  z: density (strand shadow)  w: slabs
+  vec4 volume;     // x: texels along the tile  y: layers stored  z: density (strand shadow)  w: unused
   vec4 rootColor;  // linear
   vec4 tipColor;   // linear
   vec4 skinColor;  // linear
   vec4 shading;    // x: Lambert share  y: gloss  z: exponent p when soaked  w: strand shadow
-  vec4 coat;       // x: sigma_occ  y: variance  z: share of the model's texture  w: 1 = fins
+  vec4 coat;       // x: sigma_occ  y: variance  z: share of the model's texture  w: unused
   vec4 water;      // x: clump shape w  y: sigma_wet  z: sigma_spec  w: texels along the mask
 };
 
@@ -58,7 +58,7 @@ FUR_BLOCK(FurBlock) {
 #define FUR_FIN_POSITION_A 0  // w: vertex index, for its bend
 #define FUR_FIN_POSITION_B 1
 #define FUR_FIN_NORMAL_A 2    // w: where the edge starts in the fin map
-#define FUR_FIN_NORMAL_B 3    // w: fur length factor (1)
+#define FUR_FIN_NORMAL_B 3    // w: unused
 #define FUR_FIN_FACE_0 4      // w: model u at the edge's middle
 #define FUR_FIN_FACE_1 5      // w: model v at the edge's middle
 #define FUR_FIN_ATLAS 6       // atlas of a, atlas of b
