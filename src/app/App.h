@@ -16,6 +16,7 @@
 #include <string_view>
 
 #include "core/Result.h"
+#include "furgen/TilePicture.h"
 #include "geometry/Surface.h"
 #include "scene/Model.h"
 #include "settings/Settings.h"
@@ -90,6 +91,28 @@ class App {
   // Warnings gathered since the last call.
   Warnings takeWarnings();
   void addWarning(std::string text);
+
+  // --- coat ---
+  // A change of a generator setting grows a new coat in slices; the old one stays in the picture until
+  // the new one is whole. tick() does a slice; draw() of a first frame, settle() and finishCoat() all of it.
+  void finishCoat();
+  // 0..1: how far the coat is that the settings ask for; 1: it is the one that is drawn.
+  float coatProgress() const;
+  // A number that is another one whenever another coat is drawn.
+  std::uint64_t coatRevision() const;
+  // One layer of the coat (0 = skin), or its fin map (row 0 at the bottom), as a picture for people.
+  furgen::TilePicture tilePicture(int layer, furgen::TileChannel channel) const;
+  furgen::TilePicture finPicture(furgen::TileChannel channel) const;
+  int coatLayers() const;
+  // Share of each layer that strands cover, from the skin up.
+  std::span<const float> coverageByHeight() const;
+  // A type set (.fts) takes the place of the grown coat until a generator setting changes. A failure
+  // leaves the coat as it was.
+  Status loadTypeSet(std::span<const std::uint8_t> bytes, const std::string& name);
+  // The coat as .fts: 256 x 256 texels and 16 layers whatever the settings, as the format has it.
+  std::vector<std::uint8_t> saveTypeSet() const;
+  // The settings of a preset (settings/Presets.h), as one undo step. False: there is none of that name.
+  bool applyPreset(std::string_view name);
 
   // --- water ---
   void setTool(Tool tool);

@@ -30,16 +30,40 @@ export interface FurSettings {
   lengthVariation: number;
   /** Amplitude of the waves along a strand. */
   curl: number;
+  /** Blunt strands at 0, needles at 1. */
+  taper: number;
   /** Length of the longest strand. */
   furLength: number;
   /** How often the fur tile repeats along one bounding radius. */
   repeat: number;
+  /** Texels along the fur tile: larger tiles hold more strands and repeat less visibly. */
+  tileSize: '64' | '128' | '256' | '512' | '1024';
   /** Layers of the fur volume: more are smoother and slower. */
   layers: number;
   /** The same seed grows the same coat. */
   seed: number;
   /** Draw strands side-on along the silhouette. */
   fins: boolean;
+  /** Long waves that neighbouring strands share. */
+  wave: number;
+  /** Curls in three dimensions: from about a third up they fold back on themselves. */
+  coil: number;
+  /** Fine kinks of single strands. */
+  frizz: number;
+  /** How tightly strands gather into locks. */
+  clump: number;
+  /** Strands in a lock, from a few to a whole tuft. */
+  lockSize: number;
+  /** How far the strands of a lock wind round each other, as in yarn. */
+  roll: number;
+  /** Share of strands that no lock holds. */
+  stray: number;
+  /** How far locks open again at their tips. */
+  tipBreak: number;
+  /** Fine short strands between the guard hairs; 1 is three to two. */
+  undercoat: number;
+  /** Of the longest undercoat strand, as a share of the longest guard hair. */
+  undercoatLength: number;
   /** Colour at the skin end of a strand. */
   rootColor: Color;
   /** Colour at the tip of a strand. */
