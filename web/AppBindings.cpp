@@ -151,9 +151,10 @@ FUR_EXPORT void fur_setCameraControls(App* app, int enabled) { app->setCameraCon
 
 // --- time ---
 
-FUR_EXPORT int fur_tick(App* app, float seconds) {
-  return guarded([&] { return app->tick(seconds) ? 1 : 0; });
+FUR_EXPORT int fur_tick(App* app, float seconds, float coatBudget) {
+  return guarded([&] { return app->tick(seconds, coatBudget) ? 1 : 0; });
 }
+FUR_EXPORT double fur_coatProgress(App* app) { return app->coatProgress(); }
 FUR_EXPORT int fur_active(App* app) { return app->active() ? 1 : 0; }
 FUR_EXPORT void fur_setReducedMotion(App* app, int reduced) { app->setReducedMotion(reduced != 0); }
 FUR_EXPORT int fur_draw(App* app) {

@@ -28,6 +28,7 @@ const void* channelBytes(const FurVolume& v, int channel, std::uint32_t& bytes) 
     case 6: return bytesOf(v.finCoverage, bytes);
     case 7: return bytesOf(v.finVariance, bytes);
     case 8: return bytesOf(v.finTangent, bytes);
+    case 9: return bytesOf(v.finDominance, bytes);
     default: return bytes = 0, nullptr;
   }
 }
@@ -36,11 +37,23 @@ const void* channelBytes(const FurVolume& v, int channel, std::uint32_t& bytes) 
 
 // --- fur volume ---
 
-FUR_EXPORT FurVolume* fur_generate(int size, int layers, float density, float thickness, float lengthVariation,
-                                   float length, float curl, float clump, std::uint32_t seed) {
+// As many numbers as furDefaults of core.js has, in its order.
+FUR_EXPORT FurVolume* fur_generate(const double* values) {
   return guarded([&] {
-    return new FurVolume(furgen::generateFur(
-        {size, layers, density, thickness, lengthVariation, length, curl, clump, seed}));
+    furgen::FurParameters p;
+    p.size = static_cast<int>(values[0]);
+    p.layers = static_cast<int>(values[1]);
+    p.seed = static_cast<std::uint32_t>(values[2]);
+    values += 3;
+    for (float furgen::FurParameters::*field :
+         {&furgen::FurParameters::density, &furgen::FurParameters::thickness, &furgen::FurParameters::taper,
+          &furgen::FurParameters::lengthVariation, &furgen::FurParameters::length, &furgen::FurParameters::curl,
+          &furgen::FurParameters::wave, &furgen::FurParameters::coil, &furgen::FurParameters::frizz,
+          &furgen::FurParameters::clump, &furgen::FurParameters::lockSize, &furgen::FurParameters::roll,
+          &furgen::FurParameters::stray, &furgen::FurParameters::tipBreak, &furgen::FurParameters::undercoat,
+          &furgen::FurParameters::undercoatLength})
+      p.*field = static_cast<float>(*values++);
+    return new FurVolume(furgen::generateFur(p));
   });
 }
 FUR_EXPORT void fur_volumeFree(FurVolume* volume) { delete volume; }

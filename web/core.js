@@ -7,8 +7,12 @@ import { instantiateProgram } from './runtime.js';
 
 export { FurError };
 
+/** What generateFur takes, in the order in which CoreBindings.cpp reads it. */
 const furDefaults = {
-  size: 256, layers: 16, density: 0.85, thickness: 0.35, lengthVariation: 0.35, length: 1, curl: 0.25, clump: 0, seed: 1,
+  size: 256, layers: 16, seed: 1,
+  density: 0.85, thickness: 0.35, taper: 0.5, lengthVariation: 0.35, length: 1, curl: 0.25,
+  wave: 0, coil: 0, frizz: 0, clump: 0, lockSize: 0.3, roll: 0, stray: 0.1, tipBreak: 0,
+  undercoat: 0, undercoatLength: 0.45,
 };
 
 /** name: [index in CoreBindings.cpp, stored type, share of a stored unit (0: as it is)] */
@@ -20,7 +24,7 @@ const channels = {
   offset: [4, Int16Array, 1 / 64],
   strandId: [5, Uint16Array, 0],
 };
-const finChannels = { coverage: [6, Uint8Array, 0], variance: [7, Uint8Array, 0], tangent: [8, Int8Array, 1 / 127] };
+const finChannels = { coverage: [6, Uint8Array, 0], dominance: [9, Uint8Array, 0], variance: [7, Uint8Array, 0], tangent: [8, Int8Array, 1 / 127] };
 
 function readChannels(program, volume, table) {
   const out = {};
@@ -36,8 +40,7 @@ function generateFur(program, parameters = {}) {
   const unknown = Object.keys(parameters).filter((name) => !(name in furDefaults));
   if (unknown.length) throw new TypeError(`generateFur: unknown parameter ${unknown.join(', ')}`);
   const p = { ...furDefaults, ...parameters };
-  const volume = program.callOrThrow('fur_generate', p.size, p.layers, p.density, p.thickness, p.lengthVariation,
-    p.length, p.curl, p.clump, p.seed);
+  const volume = program.callOrThrow('fur_generate', Float64Array.from(Object.keys(furDefaults), (name) => p[name]));
   const [size, layers, strandCount, density, weight, rows] = program.numbers(program.call('fur_volumeInfo', volume), 6);
   const out = {
     size, layers, strandCount, density, weight,

@@ -100,7 +100,10 @@ export class FurApp {
   set ignoreCovered(ignore) { this.#call('fur_ignoreCovered', ignore ? 1 : 0); }
   set cameraControls(enabled) { this.#call('fur_setCameraControls', enabled ? 1 : 0); }
 
-  tick(seconds) { return this.#call('fur_tick', seconds) !== 0; }
+  /** `coatBudget`: seconds that may go into a coat that grows. */
+  tick(seconds, coatBudget = 1e9) { return this.#call('fur_tick', seconds, coatBudget) !== 0; }
+  /** 0..1; 1: the coat in the picture is the one that the settings ask for. */
+  get coatProgress() { return this.#call('fur_coatProgress'); }
   get active() { return this.#call('fur_active') !== 0; }
   set reducedMotion(reduced) { this.#call('fur_setReducedMotion', reduced ? 1 : 0); }
   draw() { this.#callOrThrow('fur_draw'); }

@@ -11,6 +11,8 @@ import { Progress } from './progress.js';
 import { instantiateProgram } from './runtime.js';
 import { resetContext, Screen } from './screen.js';
 
+/** What a frame may spend on a coat that grows: the page answers while it does. */
+const coatSeconds = 0.014;
 const maxFrameSeconds = 0.1;
 const maxWarnings = 100;
 const wetnessCheckMilliseconds = 200;
@@ -358,7 +360,7 @@ export class WetFur extends EventTarget {
     const since = this.#lastTime === null ? 1 / 60 : (time - this.#lastTime) / 1000;
     this.#lastTime = time;
     const dt = this.#options.fixedDt || Math.min(since, maxFrameSeconds);
-    const changed = [this.#app.tick(dt), this.#panel?.update(dt)];
+    const changed = [this.#app.tick(dt, this.#options.fixedDt ? undefined : coatSeconds), this.#panel?.update(dt)];
     if (changed.some(Boolean)) this.#paint();
     this.#panel?.afterFrame();
     const goesOn = this.#app.active || Boolean(this.#panel?.active);

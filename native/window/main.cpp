@@ -28,6 +28,7 @@ constexpr const char* kUsage =
 
 // Ticks are cut to this: after a sleep the fur must not jump.
 constexpr float kLongestStep = 0.1f;
+constexpr float kCoatSeconds = 0.014f;  // of a frame, for a coat that grows
 constexpr double kIdleStep = 1.0 / 60;
 // Nothing needs it to wake up; a safety net for an event that a window system swallowed.
 constexpr double kLongestSleep = 5;
@@ -125,7 +126,7 @@ class Session {
   // Whether anything was drawn.
   Result<bool> frame(float dt, bool always) {
     serveEditor();
-    bool changed = app_.tick(dt);
+    bool changed = app_.tick(dt, kCoatSeconds);
     changed |= host_.update(dt);
     if (!changed && !always) return false;
     if (Status status = app_.draw(); !status) return status.error();

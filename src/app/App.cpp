@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "app/AppState.h"
-#include "furgen/FurVolume.h"
 #include "geometry/Primitives.h"
 #include "scene/StateJson.h"
 
@@ -16,11 +15,6 @@ namespace {
 constexpr float kMergeTime = 0.8f;
 // Drying is so slow that fifteen steps a second look continuous.
 constexpr float kDryingStep = 1.0f / 15.0f;
-
-bool changesFur(const settings::Settings& a, const settings::Settings& b) {
-  return a.density != b.density || a.thickness != b.thickness || a.lengthVariation != b.lengthVariation ||
-         a.curl != b.curl || a.layers != b.layers || a.seed != b.seed;
-}
 
 // The field in which the two differ, nullptr when it is none or several.
 const settings::Field* onlyDifference(const settings::Settings& a, const settings::Settings& b) {
@@ -90,23 +84,8 @@ void App::State::uploadScene() {
   renderer->setBaseColor(imageWidth, imageHeight, image);
   renderer->updateMask(mask, {0, 0, mask.size(), mask.size()});
   renderer->updateBends(bends.bends());
-  furChanged = pictureChanged = true;
-}
-
-void App::State::regrowFur() {
-  furgen::FurParameters p;
-  p.layers = settings.layers;
-  p.density = settings.density;
-  p.thickness = settings.thickness;
-  p.lengthVariation = settings.lengthVariation;
-  p.curl = settings.curl;
-  p.seed = static_cast<std::uint32_t>(settings.seed);
-  const furgen::FurVolume volume = furgen::generateFur(p);
-  renderer->setFur(volume);
-  strandCount = volume.strandCount;
-  furWeight = volume.weight;
-  furChanged = false;
-  forcesChanged = pictureChanged = true;
+  uploadCoat();
+  pictureChanged = true;
 }
 
 // --- model -------------------------------------------------------------------------------------
@@ -187,7 +166,7 @@ const geometry::Surface& App::surface() const { return state_->surface; }
 const settings::Settings& App::settings() const { return state_->settings; }
 
 void App::State::applySettings(const settings::Settings& next) {
-  furChanged |= changesFur(settings, next);
+  furChanged |= furParameters(settings) != furParameters(next);
   settings = next;
   forcesChanged = pictureChanged = true;
 }
@@ -289,15 +268,15 @@ dynamics::BendForces App::State::forces() const {
   f.wind = strength * Vec3(std::sin(settings.windYaw), 0.08f, std::cos(settings.windYaw));
   f.stiffness = settings.stiffness;
   f.inertia = settings.inertia;
-  f.weight = furWeight;
+  f.weight = coat.weight();
   return f;
 }
 
-bool App::tick(float dt) {
+bool App::tick(float dt, float coatBudget) {
   State& s = *state_;
   dt = std::max(dt, 0.0f);
   s.sinceSettingChange += dt;
-  if (s.renderer && s.furChanged) s.regrowFur();
+  s.workOnCoat(coatBudget);
   bool changed = std::exchange(s.pictureChanged, false);
   changed |= s.camera.update(dt);
   const bool moved = s.motion.update(dt);
@@ -331,13 +310,13 @@ void App::State::settleBends() {
 }
 
 void App::settle() {
-  if (state_->renderer && state_->furChanged) state_->regrowFur();
+  state_->finishCoat();
   state_->settleBends();
 }
 
 bool App::active() const {
   const State& s = *state_;
-  return s.pictureChanged || s.furChanged || s.forcesChanged || s.camera.moving() || s.motion.moving() ||
+  return s.pictureChanged || s.furChanged || s.coatWork || s.forcesChanged || s.camera.moving() || s.motion.moving() ||
          !s.bends.atRest() || s.gusty() || s.drying();
 }
 
@@ -364,7 +343,7 @@ render::Frame App::State::frame() const {
 Status App::draw() {
   State& s = *state_;
   FUR_ASSERT(s.renderer.has_value(), "App::draw()", "an attached context", "none");
-  if (s.furChanged) s.regrowFur();
+  if (s.coat.layers() == 0) s.finishCoat();
   s.renderer->updateMask(s.mask, s.mask.takeChanged());
   const Status status = s.renderer->draw(s.frame());
   s.uploadedBytes = s.renderer->takeUploadedBytes();
@@ -378,7 +357,7 @@ App::Stats App::stats() const {
   Stats out{};
   out.vertices = static_cast<int>(s.surface.vertices.size());
   out.triangles = static_cast<int>(s.surface.triangleCount());
-  out.strands = s.strandCount;
+  out.strands = s.coat.strandCount();
   out.layers = s.settings.layers;
   out.finEdges = static_cast<int>(s.surface.edges.size());
   out.cpuBytes = s.surface.vertices.size() * (sizeof(geometry::SurfaceVertex) + 5 * sizeof(Vec4)) +

@@ -93,8 +93,8 @@ class App {
   void addWarning(std::string text);
 
   // --- coat ---
-  // A change of a generator setting grows a new coat in slices; the old one stays in the picture until
-  // the new one is whole. tick() does a slice; draw() of a first frame, settle() and finishCoat() all of it.
+  // A change of a generator setting grows a new coat in slices of tick(); the one before stays in the picture
+  // until it is whole. settle() and finishCoat() do all of it.
   void finishCoat();
   // 0..1: how far the coat is that the settings ask for; 1: it is the one that is drawn.
   float coatProgress() const;
@@ -144,7 +144,8 @@ class App {
 
   // --- time ---
   // Advances by dt seconds. Returns whether the picture has changed (draw it).
-  bool tick(float dt);
+  // `coatBudget`: seconds of this machine's time that may go into a coat that grows; by default all it needs.
+  bool tick(float dt, float coatBudget = 1e9f);
   // The fur takes the lean that the steady forces give it at once, as after a load.
   void settle();
   // Whether time alone changes things: keep ticking. False: wait for input.

@@ -1,11 +1,12 @@
 // What App holds, shared by its source files: App.cpp (scene, settings, time, drawing),
-// Input.cpp (pointers, keys), Painting.cpp (water).
+// AppCoat.cpp (the coat), Input.cpp (pointers, keys), Painting.cpp (water).
 #pragma once
 
 #include <map>
 #include <optional>
 
 #include "app/App.h"
+#include "app/CoatWork.h"
 #include "app/History.h"
 #include "app/ModelMotion.h"
 #include "app/OrbitCamera.h"
@@ -51,7 +52,6 @@ struct App::State {
   std::vector<float> vertexWetness;  // read it through wetnessOfVertices()
   bool vertexWetnessStale = false;
   dynamics::BendField bends;
-  float furWeight = 0.5f;
   float windClock = 0;
   float dryingDue = 0;  // seconds of drying not yet done
   bool forcesChanged = true;
@@ -66,13 +66,19 @@ struct App::State {
   Random sprayRandom{1};
   bool cameraControls = true;
 
+  // The coat. `furChanged`: the settings ask for another one than coatWork or, without it, the drawn one.
+  DrawnCoat coat;
+  std::optional<CoatWork> coatWork;
+  double coatSeconds = 0;  // that coatWork has taken
+  std::uint64_t coatRevision = 0;
+  bool furChanged = true;
+
   // Drawing.
   std::optional<render::Renderer> renderer;
   int width = 300, height = 150;
   float pixelRatio = 1;
-  bool pictureChanged = true, furChanged = true;
+  bool pictureChanged = true;
   long framesDrawn = 0;
-  int strandCount = 0;
   std::size_t uploadedBytes = 0;
   float sinceSettingChange = 1e9f;
   const settings::Field* lastField = nullptr;
@@ -82,7 +88,6 @@ struct App::State {
   // --- App.cpp ---
   void adopt(geometry::Surface built, std::string name);
   void uploadScene();
-  void regrowFur();
   void settleBends();
   render::Frame frame() const;
   dynamics::BendForces forces() const;
@@ -91,6 +96,12 @@ struct App::State {
   bool drying() const { return !mask.isDry() && settings.dryRate > 0; }
   void applySettings(const settings::Settings& next);
   void applyStep(const Step& step, bool undo);
+
+  // --- AppCoat.cpp ---
+  void workOnCoat(double budget);
+  void finishCoat();
+  void showCoat(DrawnCoat next);
+  void uploadCoat();
 
   // --- Painting.cpp ---
   ModelRay rayThrough(Vec2 pixel) const;

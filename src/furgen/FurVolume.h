@@ -66,9 +66,4 @@ inline constexpr float kTileAspect = 3.0f;
 // Never fails for parameters in range; out of range values are clamped. Same bytes on every platform.
 FurVolume generateFur(const FurParameters& parameters);
 
-// What the renderer uploads: RGBA8 a texel, coverage, tangent x, tangent y (both * 0.5 + 0.5),
-// variance; layer-major like the volume.
-std::vector<std::uint8_t> packLayers(const FurVolume& volume);
-std::vector<std::uint8_t> packFin(const FurVolume& volume);
-
 }  // namespace fur::furgen

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "furgen/Coat.h"
@@ -39,5 +40,14 @@ struct FinMaps {
   std::vector<std::int8_t> tangent;  // x runs along the edge
 };
 FinMaps paintFin(const Coat& coat, int rows);
+
+// Rows of the fin map of a volume of that many layers: 64 or more.
+int finRows(int layers);
+
+// All of it at once.
+FurVolume volumeOf(const Coat& coat, int layers);
+
+// Mean of a coverage map, 0..1.
+float meanCover(std::span<const std::uint8_t> coverage);
 
 }  // namespace fur::furgen

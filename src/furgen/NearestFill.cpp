@@ -16,22 +16,22 @@ NearestFill::NearestFill(int size)
       apex_(static_cast<std::size_t>(size) * 2),
       from_(static_cast<std::size_t>(size) * 2 + 1) {}
 
-void NearestFill::fill(std::uint16_t* ids) {
+void NearestFill::fill(std::uint32_t* ids) {
   const std::size_t texels = static_cast<std::size_t>(size_) * size_;
-  if (std::all_of(ids, ids + texels, [](std::uint16_t id) { return id == 0; })) return;
+  if (std::all_of(ids, ids + texels, [](std::uint32_t id) { return id == 0; })) return;
   sweepColumns(ids);
   for (int y = 0; y < size_; ++y) joinRow(y, ids + static_cast<std::size_t>(y) * size_);
 }
 
-void NearestFill::sweepColumns(const std::uint16_t* ids) {
+void NearestFill::sweepColumns(const std::uint32_t* ids) {
   const std::size_t texels = static_cast<std::size_t>(size_) * size_;
   for (std::size_t i = 0; i < texels; ++i) distance_[i] = ids[i] ? 0 : kFar;
   std::copy(ids, ids + texels, columnId_.begin());
   const auto take = [&](int to, int from) {
     std::int32_t* d = &distance_[static_cast<std::size_t>(to) * size_];
-    std::uint16_t* id = &columnId_[static_cast<std::size_t>(to) * size_];
+    std::uint32_t* id = &columnId_[static_cast<std::size_t>(to) * size_];
     const std::int32_t* dFrom = &distance_[static_cast<std::size_t>(from) * size_];
-    const std::uint16_t* idFrom = &columnId_[static_cast<std::size_t>(from) * size_];
+    const std::uint32_t* idFrom = &columnId_[static_cast<std::size_t>(from) * size_];
     for (int x = 0; x < size_; ++x) {
       const bool nearer = dFrom[x] + 1 < d[x];
       d[x] = nearer ? dFrom[x] + 1 : d[x];
@@ -44,9 +44,9 @@ void NearestFill::sweepColumns(const std::uint16_t* ids) {
   for (int y = end - 2; y >= 0; --y) take(y & mask, (y + 1) & mask);
 }
 
-void NearestFill::joinRow(int y, std::uint16_t* row) {
+void NearestFill::joinRow(int y, std::uint32_t* row) {
   const std::int32_t* distance = &distance_[static_cast<std::size_t>(y) * size_];
-  const std::uint16_t* id = &columnId_[static_cast<std::size_t>(y) * size_];
+  const std::uint32_t* id = &columnId_[static_cast<std::size_t>(y) * size_];
   const int mask = size_ - 1, half = size_ / 2;
   const auto height = [&](int q) { return static_cast<double>(distance[q & mask]) * distance[q & mask] + static_cast<double>(q) * q; };
   int top = -1;

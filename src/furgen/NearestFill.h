@@ -13,16 +13,16 @@ class NearestFill {
 
   // `ids` (size * size, row-major): every 0 takes the value of the nearest texel that is not 0,
   // by Euclidean distance between texel centres on the torus. All 0 stays all 0.
-  void fill(std::uint16_t* ids);
+  void fill(std::uint32_t* ids);
 
  private:
-  void sweepColumns(const std::uint16_t* ids);
-  void joinRow(int y, std::uint16_t* row);
+  void sweepColumns(const std::uint32_t* ids);
+  void joinRow(int y, std::uint32_t* row);
 
   int size_;
   // Of the nearest non-zero texel in the same column.
   std::vector<std::int32_t> distance_;
-  std::vector<std::uint16_t> columnId_;
+  std::vector<std::uint32_t> columnId_;
   // Lower envelope of the parabolas of one row.
   std::vector<int> apex_;
   std::vector<double> from_;

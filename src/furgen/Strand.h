@@ -13,6 +13,15 @@ inline float strandThinning(float s) {
   return 1.0f - 1.0f / (5.4f - 4.0f * std::max(s, 0.0f));
 }
 
+// The same with a taper: 0 keeps the radius of the skin up to the tip, 0.5 is the law above, 1 runs to a
+// point. Never rises with s.
+inline float strandThinning(float s, float taper) {
+  if (!(s <= 1.0f)) return 0.0f;
+  const float root = strandThinning(0.0f), usual = strandThinning(s);
+  if (taper < 0.5f) return root + (usual - root) * (2.0f * taper);
+  return usual + (root * (1.0f - std::max(s, 0.0f)) - usual) * (2.0f * taper - 1.0f);
+}
+
 // Whether a strand of that dominance (0.5..1) still stands at height h where its type is present to
 // `presence` (1 = fully there, 0 = only the other type): Sheppard Eq. 3.5.
 inline bool strandExists(float h, float presence, float dominance) {

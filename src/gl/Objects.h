@@ -123,6 +123,8 @@ class Texture {
   // Replaces [x, x+width) x [y, y+height) from an image whose rows are `rowTexels` long and whose
   // texel (x, y) of the whole image is the first one used.
   void update(int x, int y, int width, int height, std::span<const std::byte> image, int rowTexels);
+  // Replaces one whole level of one layer (0 of a plain texture).
+  void updateLevel(int level, int layer, std::span<const std::byte> texels);
   void bind(int unit) const;
   const TextureShape& shape() const { return shape_; }
   std::size_t bytes() const;

@@ -81,6 +81,19 @@ void Texture::update(int x, int y, int width, int height, std::span<const std::b
   glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
 }
 
+void Texture::updateLevel(int level, int layer, std::span<const std::byte> texels) {
+  const Layout layout = layoutOf(shape_.format);
+  const int width = std::max(shape_.width >> level, 1), height = std::max(shape_.height >> level, 1);
+  FUR_ASSERT(texels.size() == static_cast<std::size_t>(width) * height * layout.bytes, "Texture::updateLevel()",
+             "as many bytes as the level holds", texels.size());
+  bind(kWorkUnit);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  if (shape_.layers > 0)
+    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, level, 0, 0, layer, width, height, 1, layout.external, layout.type, texels.data());
+  else
+    glTexSubImage2D(GL_TEXTURE_2D, level, 0, 0, width, height, layout.external, layout.type, texels.data());
+}
+
 void Texture::bind(int unit) const {
   glActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));
   glBindTexture(targetOf(shape_), name_.id());

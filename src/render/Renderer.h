@@ -6,6 +6,7 @@
 #include <span>
 
 #include "furgen/FurVolume.h"
+#include "furgen/Packing.h"
 #include "geometry/Surface.h"
 #include "gl/Objects.h"
 #include "render/Frame.h"
@@ -25,7 +26,14 @@ class Renderer {
   static Result<Renderer> create();
 
   void setSurface(const geometry::Surface& surface);
-  void setFur(const furgen::FurVolume& volume);
+  // A coat comes in pieces, while the one before stays in the picture: beginFur(), each layer and the fin
+  // map with their mipmaps in any order, showFur(). beginFur() anew drops what came.
+  void beginFur(int size, int layers, int finRows);
+  void setFurLayer(int layer, std::span<const furgen::PackedLevel> levels);
+  void setFinMap(std::span<const furgen::PackedLevel> levels);
+  // `density` for the strand shadow; 0: there are no strands.
+  void showFur(float density);
+  void setFur(const furgen::FurVolume& volume);  // all of that at once
   // Straight RGBA8 in sRGB. {} makes it white.
   void setBaseColor(int width, int height, std::span<const std::uint8_t> rgba);
   // Uploads only `changed` (the whole mask after a change of size).
@@ -54,7 +62,7 @@ class Renderer {
   gl::Buffer frameBlock_, coatBlock_;
   gl::Buffer vertices_, indices_, edges_;
   gl::VertexArray surface_, fins_;
-  gl::Texture tile_, finMap_, mask_, bends_, baseColor_;
+  gl::Texture tile_, finMap_, nextTile_, nextFinMap_, mask_, bends_, baseColor_;
   gl::Texture groundShadow_[2];
   gl::Target groundTarget_[2];
   int indexCount_ = 0;

@@ -88,18 +88,45 @@ void Renderer::selectFins(const Vec3& eyeModel) {
   uploadedBytes_ += seen.size() * sizeof(FinEdge);
 }
 
-void Renderer::setFur(const furgen::FurVolume& volume) {
-  const auto layers = furgen::packLayers(volume);
-  const auto fin = furgen::packFin(volume);
-  tile_ = gl::Texture({gl::TexelFormat::RGBA8, volume.size, volume.size, volume.layers, gl::Filter::Mipmapped, true},
-                      gl::bytesOf(layers));
+void Renderer::beginFur(int size, int layers, int finRows) {
+  nextTile_ = gl::Texture({gl::TexelFormat::RGBA8, size, size, layers, gl::Filter::Mipmapped, true}, {});
   // Repeats along the edge; the height is clamped by the look-up.
-  finMap_ = gl::Texture({gl::TexelFormat::RGBA8, volume.size, volume.finRows, 0, gl::Filter::Mipmapped, true},
-                        gl::bytesOf(fin));
-  storedLayers_ = volume.layers;
-  furDensity_ = volume.density;
-  hasFur_ = volume.strandCount > 0;
-  uploadedBytes_ += tile_.bytes() + finMap_.bytes();
+  nextFinMap_ = gl::Texture({gl::TexelFormat::RGBA8, size, finRows, 0, gl::Filter::Mipmapped, true}, {});
+}
+
+void Renderer::setFurLayer(int layer, std::span<const furgen::PackedLevel> levels) {
+  for (std::size_t level = 0; level < levels.size(); ++level) {
+    nextTile_.updateLevel(static_cast<int>(level), layer, gl::bytesOf(levels[level].rgba));
+    uploadedBytes_ += levels[level].rgba.size();
+  }
+}
+
+void Renderer::setFinMap(std::span<const furgen::PackedLevel> levels) {
+  for (std::size_t level = 0; level < levels.size(); ++level) {
+    nextFinMap_.updateLevel(static_cast<int>(level), 0, gl::bytesOf(levels[level].rgba));
+    uploadedBytes_ += levels[level].rgba.size();
+  }
+}
+
+void Renderer::showFur(float density) {
+  tile_ = std::exchange(nextTile_, {});
+  finMap_ = std::exchange(nextFinMap_, {});
+  storedLayers_ = tile_.shape().layers;
+  furDensity_ = density;
+  hasFur_ = density > 0;
+}
+
+void Renderer::setFur(const furgen::FurVolume& v) {
+  beginFur(v.size, v.layers, v.finRows);
+  const std::size_t texels = static_cast<std::size_t>(v.size) * v.size;
+  for (int layer = 0; layer < v.layers; ++layer) {
+    const std::size_t first = texels * static_cast<std::size_t>(layer);
+    setFurLayer(layer, furgen::packLevels(v.size, v.size, std::span(v.coverage).subspan(first, texels),
+                                          std::span(v.tangent).subspan(first * 3, texels * 3),
+                                          std::span(v.variance).subspan(first, texels)));
+  }
+  setFinMap(furgen::packLevels(v.size, v.finRows, v.finCoverage, v.finTangent, v.finVariance));
+  showFur(v.density);
 }
 
 void Renderer::setBaseColor(int width, int height, std::span<const std::uint8_t> rgba) {
@@ -140,7 +167,7 @@ void Renderer::updateBends(std::span<const Vec4> bends) {
 }
 
 std::size_t Renderer::gpuBytes() const {
-  return vertices_.bytes() + indices_.bytes() + edges_.bytes() + tile_.bytes() + finMap_.bytes() + mask_.bytes() +
+  return vertices_.bytes() + indices_.bytes() + edges_.bytes() + tile_.bytes() + finMap_.bytes() + nextTile_.bytes() + mask_.bytes() +
          bends_.bytes() + baseColor_.bytes() + groundShadow_[0].bytes() + groundShadow_[1].bytes();
 }
 

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
-#include "furgen/Strands.h"
+#include "furgen/Layers.h"
+#include "furgen/Packing.h"
 
 namespace fur::furgen {
 namespace {
@@ -73,25 +75,25 @@ TEST(FurVolume, OfStraightStrandsNeverThickensWithHeight) {
   for (std::size_t i = texels; i < v.coverage.size(); ++i) ASSERT_LE(v.coverage[i], v.coverage[i - texels]);
 }
 
-TEST(FurVolume, CoversTheAreaOfItsDiscsWhereverTheyFallBetweenTexels) {
-  // One strand a seed, of 3 texels at the skin down to 0.7 at the tip.
-  FurParameters p = smallCoat();
-  p.density = 1e-6f;
-  p.curl = 0;
-  p.lengthVariation = 0;
-  p.layers = 4;
-  for (std::uint32_t seed = 1; seed <= 20; ++seed) {
-    p.seed = seed;
-    const auto strands = growStrands(p);
-    const FurVolume v = generateFur(p);
-    ASSERT_EQ(v.strandCount, 1);
-    for (int layer = 0; layer < 4; ++layer) {
-      const double r = strandRadius(strands[0], layerHeight(layer, 4));
-      const double area = kPi * r * r;
-      // Sampling a disc of under two texels at texel centres is off by up to a tenth.
-      EXPECT_NEAR(layerCover(v, layer) * v.size * v.size, area, 0.1 * area);
-    }
-  }
+TEST(FurVolume, CoversTheAreaOfItsStrandWhereverItStandsAndHoweverItLeans) {
+  // One strand of one piece, of 3 texels down to less than one.
+  for (const float radius : {3.0f, 1.2f, 0.4f, 0.15f})
+    for (const float lean : {0.0f, 2.0f, 30.0f})
+      for (int k = 0; k < 8; ++k) {
+        Coat coat;
+        coat.parameters.size = 64;
+        const float angle = 0.8f * static_cast<float>(k);
+        const Vec2 way = lean * Vec2(std::cos(angle), std::sin(angle));
+        coat.nodes = {{Vec2(0), 0, radius}, {way, 1.0f / 32, radius}};
+        coat.strands = {{{31.3f + 0.13f * static_cast<float>(k), 60.7f}, 1.0f / 32, 1, 0.5f, 0, 2}};
+        LayerPainter painter(coat);
+        LayerMaps maps;
+        painter.paint(0, 32, maps);
+        // The layer shows the upper half of the piece: half its height is 1/64.
+        const double area = kPi * radius * radius + 2 * radius * 0.5 * lean;
+        // Sampling at texel centres is off by up to a tenth, and so is a byte for what covers little.
+        EXPECT_NEAR(meanCover(maps.coverage) * 64 * 64, area, 0.1 * area + 0.05) << radius << ' ' << lean;
+      }
 }
 
 TEST(FurVolume, TilesWithoutASeam) {
@@ -125,23 +127,51 @@ TEST(FurVolume, HasUnitTangentsThatPointUp) {
 }
 
 TEST(FurVolume, HasOffsetsThatLeadBackToTheRoot) {
-  FurParameters p = smallCoat();
-  p.curl = 1;
-  p.clump = 0.5f;
-  const auto strands = growStrands(p);
+  for (const float coil : {0.0f, 0.8f}) {
+    FurParameters p = smallCoat();
+    p.curl = 1;
+    p.clump = 0.5f;
+    p.wave = 1;
+    p.coil = coil;
+    const Coat coat = growCoat(p);
+    const FurVolume v = volumeOf(coat, p.layers);
+    const float size = static_cast<float>(v.size);
+    for (int layer = 0; layer < v.layers; ++layer)
+      for (int y = 0; y < v.size; ++y)
+        for (int x = 0; x < v.size; ++x) {
+          const std::size_t i = (static_cast<std::size_t>(layer) * v.size + y) * v.size + x;
+          if (v.strandId[i] == 0) continue;
+          const Vec2 root = coat.strands[v.strandId[i] - 1u].root;
+          const Vec2 back(x + 0.5f + v.offset[i * 2] / 64.0f, y + 0.5f + v.offset[i * 2 + 1] / 64.0f);
+          // Half of the offset's step of 1/64 texel, and single precision.
+          ASSERT_NEAR(torusDelta(back.x, root.x, size), 0.0f, 0.009f);
+          ASSERT_NEAR(torusDelta(back.y, root.y, size), 0.0f, 0.009f);
+        }
+  }
+}
+
+TEST(FurVolume, GivesEveryEmptyTexelItsTrueNearestStrand) {
+  FurParameters p;
+  p.size = 64;
+  p.density = 0.3f;
+  p.curl = 0.6f;
   const FurVolume v = generateFur(p);
-  const float size = static_cast<float>(v.size);
-  for (int layer = 0; layer < v.layers; ++layer)
-    for (int y = 0; y < v.size; ++y)
-      for (int x = 0; x < v.size; ++x) {
-        const std::size_t i = (static_cast<std::size_t>(layer) * v.size + y) * v.size + x;
-        if (v.strandId[i] == 0) continue;
-        const Vec2 root = strands[v.strandId[i] - 1u].root;
-        const Vec2 back(x + 0.5f + v.offset[i * 2] / 64.0f, y + 0.5f + v.offset[i * 2 + 1] / 64.0f);
-        // Half of the offset's step of 1/64 texel, and single precision.
-        ASSERT_NEAR(torusDelta(back.x, root.x, size), 0.0f, 0.009f);
-        ASSERT_NEAR(torusDelta(back.y, root.y, size), 0.0f, 0.009f);
+  const int size = v.size;
+  for (const int layer : {0, 9, 15}) {
+    const std::size_t first = static_cast<std::size_t>(layer) * size * size;
+    for (int i = 0; i < size * size; ++i) {
+      int best = 1 << 30, taken = 1 << 30;
+      for (int j = 0; j < size * size; ++j) {
+        if (v.coverage[first + j] == 0) continue;
+        int dx = std::abs(i % size - j % size), dy = std::abs(i / size - j / size);
+        dx = std::min(dx, size - dx), dy = std::min(dy, size - dy);
+        best = std::min(best, dx * dx + dy * dy);
+        if (v.strandId[first + j] == v.strandId[first + i]) taken = std::min(taken, dx * dx + dy * dy);
       }
+      // Texels covered by less than 1/510 have their strand but round to nothing, and so count as nearest.
+      if (taken > best) ASSERT_LE(taken, best + 2 * static_cast<int>(std::sqrt(static_cast<float>(best))) + 2) << i;
+    }
+  }
 }
 
 TEST(FurVolume, KeepsDominanceAndVarianceOfAStrandAlongItsLength) {
@@ -171,20 +201,28 @@ TEST(FurVolume, IsTheSameForTheSameSeedOnEveryPlatform) {
 }
 
 TEST(FurVolume, IsValidInEveryCornerOfTheParameters) {
-  for (int corner = 0; corner < 64; ++corner) {
-    const auto bit = [&](int k) { return static_cast<float>((corner >> k) & 1); };
+  constexpr float FurParameters::*kAxes[] = {
+      &FurParameters::density, &FurParameters::thickness, &FurParameters::taper, &FurParameters::lengthVariation,
+      &FurParameters::length, &FurParameters::curl, &FurParameters::wave, &FurParameters::coil, &FurParameters::frizz,
+      &FurParameters::clump, &FurParameters::lockSize, &FurParameters::roll, &FurParameters::stray,
+      &FurParameters::tipBreak, &FurParameters::undercoat, &FurParameters::undercoatLength};
+  constexpr int kCount = static_cast<int>(std::size(kAxes));
+  // Every corner at 64 texels and 4 layers would take a minute; a fixed tenth of them, and all those of
+  // one parameter against the rest.
+  for (unsigned corner = 0; corner < 1u << kCount; ++corner) {
+    const bool oneAgainstTheRest = std::has_single_bit(corner) || std::has_single_bit(~corner & ((1u << kCount) - 1));
+    if (corner * 2654435761u >> 24 > 6 && !oneAgainstTheRest) continue;
     FurParameters p;
     p.size = 64;
     p.layers = 8;
-    p.density = bit(0), p.thickness = bit(1), p.lengthVariation = bit(2);
-    p.length = bit(3), p.curl = bit(4), p.clump = bit(5);
+    for (int axis = 0; axis < kCount; ++axis) p.*kAxes[axis] = static_cast<float>((corner >> axis) & 1u);
     const FurVolume v = generateFur(p);
     const std::size_t texels = 8 * 64 * 64;
     ASSERT_EQ(v.coverage.size(), texels);
     ASSERT_EQ(v.tangent.size(), texels * 3);
     ASSERT_EQ(v.offset.size(), texels * 2);
-    ASSERT_EQ(packLayers(v).size(), texels * 4);
-    ASSERT_EQ(packFin(v).size(), static_cast<std::size_t>(v.finRows) * 64 * 4);
+    ASSERT_EQ(v.finCoverage.size(), static_cast<std::size_t>(v.finRows) * 64);
+    ASSERT_EQ(v.finDominance.size(), v.finCoverage.size());
     EXPECT_EQ(v.strandCount > 0, p.density > 0) << corner;
     EXPECT_EQ(v.density > 0, p.density > 0) << corner;
     EXPECT_GE(v.weight, 0.0f);
@@ -230,16 +268,24 @@ TEST(FurVolume, GrowsHeavierWithLengthAndDensity) {
   EXPECT_LT(generateFur(p).weight, standard);
 }
 
-TEST(PackLayers, HoldsCoverageTangentAndVariance) {
-  const FurVolume v = generateFur(smallCoat());
-  const auto packed = packLayers(v);
-  for (std::size_t i = 0; i < v.coverage.size(); i += 97) {
-    EXPECT_EQ(packed[i * 4], v.coverage[i]);
-    EXPECT_EQ(packed[i * 4 + 3], v.variance[i]);
-    // Half a step of 1/255 doubled, the stored tangent being exact to 1/127.
-    EXPECT_NEAR(packed[i * 4 + 1] / 255.0 * 2 - 1, v.tangent[i * 3] / 127.0, 0.0041);
-    EXPECT_NEAR(packed[i * 4 + 2] / 255.0 * 2 - 1, v.tangent[i * 3 + 1] / 127.0, 0.0041);
-  }
+TEST(FurVolume, ThatFoldsBackHasSeveralStretchesOfOneStrandOnALayer) {
+  // A coil crosses a height up to five times: more discs than strands.
+  FurParameters p = smallCoat();
+  p.coil = 1;
+  p.density = 0.05f;
+  const FurVolume v = generateFur(p);
+  int parts = 0, texels = 0;
+  for (int y = 0; y < v.size; ++y)
+    for (int x = 0; x < v.size; ++x) {
+      const std::size_t layer = static_cast<std::size_t>(8) * v.size * v.size;
+      const bool here = v.coverage[layer + static_cast<std::size_t>(y) * v.size + x] > 128;
+      const bool left = v.coverage[layer + static_cast<std::size_t>(y) * v.size + ((x + v.size - 1) & (v.size - 1))] > 128;
+      const bool above = v.coverage[layer + static_cast<std::size_t>((y + v.size - 1) & (v.size - 1)) * v.size + x] > 128;
+      texels += here;
+      parts += here && !left && !above;
+    }
+  EXPECT_GT(parts, v.strandCount);
+  EXPECT_GT(texels, 0);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ int squaredOnTorus(int ax, int ay, int bx, int by, int size) {
 }
 
 // Checks against every seed; ties may go either way.
-void expectNearest(const std::vector<std::uint16_t>& seeds, const std::vector<std::uint16_t>& filled, int size) {
+void expectNearest(const std::vector<std::uint32_t>& seeds, const std::vector<std::uint32_t>& filled, int size) {
   for (int i = 0; i < size * size; ++i) {
     int best = 1 << 30, taken = 1 << 30;
     for (int j = 0; j < size * size; ++j) {
@@ -35,8 +35,8 @@ TEST(NearestFill, AgreesWithBruteForceHoweverManySeeds) {
   const int size = 32;
   for (const int count : {1, 2, 3, 10, 100, 600}) {
     Random random(static_cast<std::uint64_t>(count));
-    std::vector<std::uint16_t> seeds(size * size, 0);
-    for (int k = 1; k <= count; ++k) seeds[random.next() % (size * size)] = static_cast<std::uint16_t>(k);
+    std::vector<std::uint32_t> seeds(size * size, 0);
+    for (int k = 1; k <= count; ++k) seeds[random.next() % (size * size)] = static_cast<std::uint32_t>(k);
     auto filled = seeds;
     NearestFill(size).fill(filled.data());
     expectNearest(seeds, filled, size);
@@ -45,7 +45,7 @@ TEST(NearestFill, AgreesWithBruteForceHoweverManySeeds) {
 
 TEST(NearestFill, WrapsRoundTheTile) {
   const int size = 16;
-  std::vector<std::uint16_t> ids(size * size, 0);
+  std::vector<std::uint32_t> ids(size * size, 0);
   ids[0] = 1;
   ids[10 + 8 * size] = 2;
   NearestFill(size).fill(ids.data());
@@ -53,9 +53,9 @@ TEST(NearestFill, WrapsRoundTheTile) {
 }
 
 TEST(NearestFill, LeavesAnEmptyTileEmpty) {
-  std::vector<std::uint16_t> ids(16 * 16, 0);
+  std::vector<std::uint32_t> ids(16 * 16, 0);
   NearestFill(16).fill(ids.data());
-  EXPECT_TRUE(std::all_of(ids.begin(), ids.end(), [](std::uint16_t id) { return id == 0; }));
+  EXPECT_TRUE(std::all_of(ids.begin(), ids.end(), [](std::uint32_t id) { return id == 0; }));
 }
 
 }  // namespace

@@ -8,13 +8,30 @@ export interface FurParameters {
   size?: number;
   /** 4..128 */
   layers?: number;
+  /** The same seed gives the same bytes on every platform. */
+  seed?: number;
+  // All of these are 0..1.
   density?: number;
   thickness?: number;
+  /** 0 blunt, 0.5 Sheppard's thinning, 1 a needle. */
+  taper?: number;
   lengthVariation?: number;
+  /** Of the longest strand, in volume heights. */
   length?: number;
   curl?: number;
+  /** Long waves that neighbours share. */
+  wave?: number;
+  /** Loops in three dimensions: from about a third up they fold back on themselves. */
+  coil?: number;
+  frizz?: number;
+  /** Binds strands into locks. */
   clump?: number;
-  seed?: number;
+  lockSize?: number;
+  roll?: number;
+  stray?: number;
+  tipBreak?: number;
+  undercoat?: number;
+  undercoatLength?: number;
 }
 
 /** Layer-major, size * size texels a layer, layer 0 at the skin. */

@@ -1,0 +1,74 @@
+// The half of App that keeps the coat what the settings ask for.
+#include <chrono>
+
+#include "app/AppState.h"
+
+namespace fur::app {
+
+namespace {
+
+// A coat on its way is finished first when settings change again, so that a slider that is dragged shows
+// coat after coat, unless it has taken this many seconds: then the newest settings win.
+constexpr double kPatience = 0.4;
+
+double secondsNow() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+// `budget` in seconds of this machine's time; what is drawn in the end does not depend on it.
+void App::State::workOnCoat(double budget) {
+  if (!renderer) return;
+  const double begun = secondsNow();
+  do {
+    if (furChanged && (!coatWork || coatSeconds + secondsNow() - begun > kPatience)) {
+      coatWork.emplace(furParameters(settings, &warnings));
+      coatSeconds = 0;
+      furChanged = false;
+    }
+    if (!coatWork) break;
+    if (!coatWork->step(*renderer)) continue;
+    showCoat(coatWork->take());
+    coatWork.reset();
+    coatSeconds = 0;
+  } while (secondsNow() - begun < budget);
+  if (coatWork) coatSeconds += secondsNow() - begun;
+}
+
+void App::State::showCoat(DrawnCoat next) {
+  coat = std::move(next);
+  ++coatRevision;
+  forcesChanged = pictureChanged = true;
+}
+
+void App::State::finishCoat() {
+  if (furChanged) coatWork.reset();
+  workOnCoat(1e9);
+}
+
+// After a context was lost, or found: what was drawn has to be uploaded anew.
+void App::State::uploadCoat() {
+  coatWork.reset();
+  if (const furgen::FurVolume* volume = coat.volume(); volume && !furChanged) renderer->setFur(*volume);
+  else furChanged = true;
+}
+
+void App::finishCoat() { state_->finishCoat(); }
+
+float App::coatProgress() const {
+  const State& s = *state_;
+  return s.coatWork ? s.coatWork->progress() : s.furChanged ? 0.0f : 1.0f;
+}
+
+std::uint64_t App::coatRevision() const { return state_->coatRevision; }
+int App::coatLayers() const { return state_->coat.layers(); }
+std::span<const float> App::coverageByHeight() const { return state_->coat.coverage(); }
+
+furgen::TilePicture App::tilePicture(int layer, furgen::TileChannel channel) const {
+  return state_->coat.tilePicture(layer, channel);
+}
+
+furgen::TilePicture App::finPicture(furgen::TileChannel channel) const { return state_->coat.finPicture(channel); }
+
+}  // namespace fur::app

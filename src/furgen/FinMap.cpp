@@ -1,0 +1,83 @@
+#include <algorithm>
+#include <cmath>
+
+#include "furgen/Canvas.h"
+#include "furgen/Layers.h"
+#include "furgen/Packing.h"
+
+namespace fur::furgen {
+
+namespace {
+
+constexpr float kFinStrip = 0.06f;  // share of the tile whose strands make the fin map (Sheppard 4.2.3)
+
+// A piece of a strand as the fin shows it.
+struct Piece {
+  std::uint16_t strand;
+  std::int8_t tangent[3];
+};
+
+void drawStrand(const Coat& coat, std::uint16_t index, float height, Canvas& canvas, std::vector<Piece>& pieces) {
+  const Strand& strand = coat.strands[index];
+  const auto nodes = coat.nodesOf(strand);
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+    const Node& a = nodes[i];
+    const Node& b = nodes[i + 1];
+    Piece piece{index, {}};
+    packTangent(b.shift - a.shift, b.height - a.height, coat.parameters.size, piece.tangent);
+    pieces.push_back(piece);
+    const Vec2 from(strand.root.x + a.shift.x, a.height * height);
+    const Vec2 to(strand.root.x + b.shift.x, b.height * height);
+    canvas.draw({from, to - from, 0.5f * (a.radius + b.radius), index}, static_cast<std::uint32_t>(pieces.size()));
+  }
+}
+
+// Empty texels take the nearest piece of their row, round the torus; an empty row that of the row below.
+void fillRows(std::vector<std::uint32_t>& owners, int columns) {
+  std::vector<std::uint32_t> drawn(static_cast<std::size_t>(columns));
+  for (std::size_t row = 0; row < owners.size(); row += drawn.size()) {
+    std::copy_n(owners.begin() + static_cast<std::ptrdiff_t>(row), columns, drawn.begin());
+    if (std::all_of(drawn.begin(), drawn.end(), [](std::uint32_t o) { return o == 0; })) {
+      if (row) std::copy_n(owners.begin() + static_cast<std::ptrdiff_t>(row) - columns, columns, owners.begin() + static_cast<std::ptrdiff_t>(row));
+      continue;
+    }
+    for (int x = 0; x < columns; ++x) {
+      std::uint32_t& owner = owners[row + static_cast<std::size_t>(x)];
+      for (int d = 0; owner == 0; ++d) {
+        const std::uint32_t right = drawn[static_cast<std::size_t>((x + d) & (columns - 1))];
+        owner = right ? right : drawn[static_cast<std::size_t>((x - d) & (columns - 1))];
+      }
+    }
+  }
+}
+
+}  // namespace
+
+FinMaps paintFin(const Coat& coat, int rows) {
+  const int size = coat.parameters.size;
+  const float extent = static_cast<float>(size), height = extent / kTileAspect;
+  Canvas canvas(size, rows, false, height / static_cast<float>(rows));
+  std::vector<Piece> pieces;
+  for (std::size_t i = 0; i < coat.strands.size(); ++i)
+    if (std::abs(coat.strands[i].root.y - 0.5f * extent) < 0.5f * kFinStrip * extent)
+      drawStrand(coat, static_cast<std::uint16_t>(i), height, canvas, pieces);
+  std::vector<std::uint32_t>& owners = canvas.owners();
+  fillRows(owners, size);
+
+  FinMaps out;
+  out.rows = rows;
+  out.coverage.resize(owners.size()), out.dominance.assign(owners.size(), 255), out.variance.resize(owners.size());
+  out.tangent.assign(owners.size() * 3, 0);
+  for (std::size_t texel = 0; texel < owners.size(); ++texel) {
+    out.coverage[texel] = unitByte(canvas.cover(texel));
+    out.tangent[texel * 3 + 2] = 127;
+    if (owners[texel] == 0) continue;
+    const Piece& piece = pieces[owners[texel] - 1];
+    out.dominance[texel] = unitByte(coat.strands[piece.strand].dominance);
+    out.variance[texel] = unitByte(coat.strands[piece.strand].variance);
+    std::copy(piece.tangent, piece.tangent + 3, &out.tangent[texel * 3]);
+  }
+  return out;
+}
+
+}  // namespace fur::furgen

@@ -1,0 +1,31 @@
+// How values are stored in the bytes of a fur volume and of the textures made of it.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "furgen/Layers.h"
+
+namespace fur::furgen {
+
+inline std::uint8_t unitByte(float x) { return static_cast<std::uint8_t>(saturate(x) * 255.0f + 0.5f); }
+
+// The unit tangent of a way of (x, y) texels and `rise` volume heights, * 127, turned upwards: light on a
+// strand is the same from its root to its tip and back. z is 1 or more.
+void packTangent(const Vec2& way, float rise, int size, std::int8_t* out);
+
+// RGBA8 a texel, as shaders read it: coverage, tangent x, tangent y (both * 0.5 + 0.5), variance.
+struct PackedLevel {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgba;
+};
+
+// Level 0 and its mipmaps down to 1 x 1. A texel of a mipmap carries the mean coverage of what it stands for
+// (the renderer takes fractional coverage as such, so the fur keeps its opacity far away), and the mean of
+// tangent and variance over the strands there, weighted by coverage; mean tangents are made unit again. Means
+// are taken of level 0 without rounding between levels.
+std::vector<PackedLevel> packLevels(int width, int height, std::span<const std::uint8_t> coverage,
+                                    std::span<const std::int8_t> tangent, std::span<const std::uint8_t> variance);
+
+}  // namespace fur::furgen
