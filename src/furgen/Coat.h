@@ -1,6 +1,5 @@
 // The strands of a fur tile before they are cut into layers (Sheppard 2004, 3.3.3 and 4.2.2, and his
-// future work, 6.5). Units: texels across, volume heights up; a volume height is size / kTileAspect
-// texels.
+// future work, 6.5). Units: texels across, volume heights up; a volume height is kHeightTexels texels.
 //
 // A strand is a polyline from the skin to its tip that is free in all three dimensions: a curl may
 // fold back. Between nodes axis and radius run straight, so that everything about a strand is exact at

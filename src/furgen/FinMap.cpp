@@ -17,17 +17,17 @@ struct Piece {
   std::int8_t tangent[3];
 };
 
-void drawStrand(const Coat& coat, std::uint16_t index, float height, Canvas& canvas, std::vector<Piece>& pieces) {
+void drawStrand(const Coat& coat, std::uint16_t index, Canvas& canvas, std::vector<Piece>& pieces) {
   const Strand& strand = coat.strands[index];
   const auto nodes = coat.nodesOf(strand);
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
     const Node& a = nodes[i];
     const Node& b = nodes[i + 1];
     Piece piece{index, {}};
-    packTangent(b.shift - a.shift, b.height - a.height, coat.parameters.size, piece.tangent);
+    packTangent(b.shift - a.shift, b.height - a.height, piece.tangent);
     pieces.push_back(piece);
-    const Vec2 from(strand.root.x + a.shift.x, a.height * height);
-    const Vec2 to(strand.root.x + b.shift.x, b.height * height);
+    const Vec2 from(strand.root.x + a.shift.x, a.height * kHeightTexels);
+    const Vec2 to(strand.root.x + b.shift.x, b.height * kHeightTexels);
     canvas.draw({from, to - from, 0.5f * (a.radius + b.radius), index}, static_cast<std::uint32_t>(pieces.size()));
   }
 }
@@ -55,12 +55,12 @@ void fillRows(std::vector<std::uint32_t>& owners, int columns) {
 
 FinMaps paintFin(const Coat& coat, int rows) {
   const int size = coat.parameters.size;
-  const float extent = static_cast<float>(size), height = extent / kTileAspect;
-  Canvas canvas(size, rows, false, height / static_cast<float>(rows));
+  const float extent = static_cast<float>(size);
+  Canvas canvas(size, rows, false, kHeightTexels / static_cast<float>(rows));
   std::vector<Piece> pieces;
   for (std::size_t i = 0; i < coat.strands.size(); ++i)
     if (std::abs(coat.strands[i].root.y - 0.5f * extent) < 0.5f * kFinStrip * extent)
-      drawStrand(coat, static_cast<std::uint16_t>(i), height, canvas, pieces);
+      drawStrand(coat, static_cast<std::uint16_t>(i), canvas, pieces);
   std::vector<std::uint32_t>& owners = canvas.owners();
   fillRows(owners, size);
 

@@ -60,8 +60,8 @@ struct FurVolume {
   std::vector<std::int8_t> finTangent;  // 3 a texel, as above; x runs along the edge
 };
 
-// Tangents take the tile to be as wide as `tileAspect` volume heights.
-inline constexpr float kTileAspect = 3.0f;
+// The volume is this many texels high, whatever the size of its tile: a larger tile holds more of the same fur.
+inline constexpr float kHeightTexels = 256.0f / 3.0f;
 
 // Never fails for parameters in range; out of range values are clamped. Same bytes on every platform.
 FurVolume generateFur(const FurParameters& parameters);

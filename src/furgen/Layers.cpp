@@ -41,9 +41,8 @@ struct Cut {
 
 }  // namespace
 
-void packTangent(const Vec2& way, float rise, int size, std::int8_t* out) {
-  const float scale = kTileAspect / static_cast<float>(size);
-  Vec3 t(way.x * scale, way.y * scale, rise);
+void packTangent(const Vec2& way, float rise, std::int8_t* out) {
+  Vec3 t(way.x, way.y, rise * kHeightTexels);
   // Light on a strand is the same from its root to its tip and back.
   if (t.z < 0.0f) t = -t;
   const float length = std::sqrt(t.x * t.x + t.y * t.y + t.z * t.z);
@@ -79,7 +78,7 @@ void LayerPainter::Scratch::addCut(std::uint16_t index, const AxisPoint& a, cons
   Cut cut;
   cut.stroke = {coat.strands[index].root + a.shift, b.shift - a.shift, radius, index};
   cut.shift = 0.5f * (a.shift + b.shift);
-  packTangent(cut.stroke.way, b.height - a.height, coat.parameters.size, cut.tangent);
+  packTangent(cut.stroke.way, b.height - a.height, cut.tangent);
   cuts.push_back(cut);
 }
 
@@ -166,8 +165,9 @@ void LayerPainter::paint(int layer, int layers, LayerMaps& out) {
   s.canvas.clear();
   s.cuts.clear();
   const float h = layerHeight(layer, layers), half = 0.5f / static_cast<float>(layers);
-  for (std::size_t i = 0; i < s.coat.strands.size(); ++i)
-    s.cutStrand(static_cast<std::uint16_t>(i), h - half, std::min(h + half, 1.0f));
+  // The lowest layer shows the skin end too, so that the shortest strand is seen.
+  const float low = layer == 0 ? 0.0f : h - half, high = std::min(h + half, 1.0f);
+  for (std::size_t i = 0; i < s.coat.strands.size(); ++i) s.cutStrand(static_cast<std::uint16_t>(i), low, high);
   for (std::size_t i = 0; i < s.cuts.size(); ++i) s.canvas.draw(s.cuts[i].stroke, static_cast<std::uint32_t>(i + 1));
   s.nearest.fill(s.canvas.owners().data());
   s.write(out);

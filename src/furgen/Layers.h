@@ -25,7 +25,8 @@ class LayerPainter {
   ~LayerPainter();
   LayerPainter(LayerPainter&&) noexcept;
 
-  // Layer `layer` of `layers`: what of the coat stands within half a layer's spacing of its height.
+  // Layer `layer` of `layers`: what of the coat stands within half a layer's spacing of its height;
+  // of the lowest layer all that lies below, too.
   void paint(int layer, int layers, LayerMaps& out);
 
  private:

@@ -13,7 +13,7 @@ inline std::uint8_t unitByte(float x) { return static_cast<std::uint8_t>(saturat
 
 // The unit tangent of a way of (x, y) texels and `rise` volume heights, * 127, turned upwards: light on a
 // strand is the same from its root to its tip and back. z is 1 or more.
-void packTangent(const Vec2& way, float rise, int size, std::int8_t* out);
+void packTangent(const Vec2& way, float rise, std::int8_t* out);
 
 // RGBA8 a texel, as shaders read it: coverage, tangent x, tangent y (both * 0.5 + 0.5), variance.
 struct PackedLevel {

@@ -35,20 +35,21 @@ float strandsPerLock(float lockSize) { return 6.0f + 54.0f * lockSize * lockSize
 
 }  // namespace
 
-SmoothField::SmoothField(std::uint32_t seed, std::uint64_t stream) {
+SmoothField::SmoothField(std::uint32_t seed, std::uint64_t stream, int size)
+    : turns_(static_cast<float>(std::max(size / 256, 1))) {
   Random random(seed, stream);
   for (int i = 0; i < kWaves; ++i) {
     phase_[i] = random.uniform(0.0f, 2.0f * kPi);
-    weight_[i] = random.uniform(0.25f, 0.5f);
+    weight_[i] = random.uniform(0.25f, 0.5f) * std::min(static_cast<float>(size) / 256.0f, 1.0f);
   }
 }
 
 float SmoothField::at(const Vec2& tile) const {
-  // Waves per tile, in x and y: long ones only, in every direction.
+  // Waves in 256 texels, in x and y: long ones only, in every direction.
   constexpr int kx[kWaves] = {1, 0, 1, 1, 2}, ky[kWaves] = {0, 1, 1, -2, 1};
   float sum = 0.0f;
   for (int i = 0; i < kWaves; ++i)
-    sum += weight_[i] * portableSin(2.0f * kPi * (static_cast<float>(kx[i]) * tile.x + static_cast<float>(ky[i]) * tile.y) + phase_[i]);
+    sum += weight_[i] * portableSin(2.0f * kPi * turns_ * (static_cast<float>(kx[i]) * tile.x + static_cast<float>(ky[i]) * tile.y) + phase_[i]);
   return sum;
 }
 
@@ -90,7 +91,7 @@ StrandPath::StrandPath(const FurParameters& p)
         full.density = 1.0f;
         return wantedStrands(full);
       }()),
-      wavePhase_(p.seed, 1u << 20), waveTurn_(p.seed, 2u << 20), coilTurn_(p.seed, 3u << 20) {
+      wavePhase_(p.seed, 1u << 20, p.size), waveTurn_(p.seed, 2u << 20, p.size), coilTurn_(p.seed, 3u << 20, p.size) {
   const float radius = meanRadius(p.thickness) * strandThinning(0.0f);
   const float size = static_cast<float>(p.size);
   const float cover = kPi * radius * radius * static_cast<float>(wantedStrands(p)) / (size * size);
@@ -101,7 +102,6 @@ StrandPath::StrandPath(const FurParameters& p)
 // A strand of full length takes all of it, a shorter one ends on the way, so that neighbours of different
 // length run side by side.
 void StrandPath::windCoil() {
-  const float heightTexels = static_cast<float>(parameters_.size) / kTileAspect;
   const float reach = kCoilReach * parameters_.coil, turns = 2.5f + 2.0f * parameters_.coil;
   float highest = 1.0f;
   for (int i = 0; i <= kCoilSamples; ++i) {
@@ -110,7 +110,7 @@ void StrandPath::windCoil() {
     const float cosine = portableCos(angle), sine = portableSin(angle);
     const float height = std::max(way + kCoilTilt * r * sine, 0.0f);
     const float along = std::sqrt(1.0f - kCoilTilt * kCoilTilt) * r * sine;
-    coil_.push_back({along * heightTexels, r * (1.0f - cosine) * heightTexels, height});
+    coil_.push_back({along * kHeightTexels, r * (1.0f - cosine) * kHeightTexels, height});
     highest = std::max(highest, height);
   }
   for (CoilSample& sample : coil_) sample.height /= highest;
@@ -135,7 +135,7 @@ StrandPath::Walk StrandPath::start(const StrandDraws& draws, bool undercoat, flo
   if (w.frizz_ > 0.0f)
     for (const Vec2& phase : draws.frizzPhase) w.frizzAtRoot_ += Vec2(portableSin(phase.x), portableSin(phase.y));
   if (p.wave > 0.0f) {
-    w.wave_ = kWaveReach * size / kTileAspect * p.wave;
+    w.wave_ = kWaveReach * kHeightTexels * p.wave;
     w.wavePhase_ = 1.4f * wavePhase_.at(tile);
     w.waveAtRoot_ = portableSin(w.wavePhase_);
     const float turn = 0.8f * waveTurn_.at(tile);
@@ -193,9 +193,9 @@ Node StrandPath::Walk::nodeAt(const Vec3& point, float way) const {
 bool StrandPath::Walk::nextUpright(std::vector<Node>& nodes) {
   if (step_ < 0) return false;
   const float plane = static_cast<float>(step_) / kPlanes;
-  // A tip just over a plane would make a piece too short to have a direction.
+  // A tip just over a plane would make a piece too short to have a direction: the strand ends on the plane.
   const bool tip = plane > draws_.length - 0.1f / kPlanes;
-  const float h = tip ? draws_.length : plane;
+  const float h = std::min(plane, draws_.length);
   nodes.push_back(nodeAt(Vec3(shiftAt(h), h), h));
   step_ = tip ? -1 : step_ + 1;
   return true;

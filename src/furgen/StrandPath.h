@@ -11,15 +11,15 @@
 
 namespace fur::furgen {
 
-// A sum of a few waves, periodic in the tile; values within about -1..1.
+// A sum of a few waves, periodic in the tile and as steep whatever its size; values within about -1..1.
 class SmoothField {
  public:
-  SmoothField(std::uint32_t seed, std::uint64_t stream);
+  SmoothField(std::uint32_t seed, std::uint64_t stream, int size);
   float at(const Vec2& tile) const;  // tile coordinates, period 1
 
  private:
   static constexpr int kWaves = 5;
-  float phase_[kWaves], weight_[kWaves];
+  float turns_, phase_[kWaves], weight_[kWaves];
 };
 
 // Centres of locks, one in each cell of a jittered grid.

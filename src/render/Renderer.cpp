@@ -93,7 +93,7 @@ void Renderer::uploadBlocks(const Frame& frame) {
   const settings::Settings& s = frame.settings;
   const auto slab = static_cast<float>(layersPerSlab(frame)), slabs = static_cast<float>(slabCount(frame));
   shared::FurBlock coat;
-  coat.shape = Vec4(s.furLength, s.repeat, slab * slabs, slab);
+  coat.shape = Vec4(s.furLength, s.repeat * 256.0f / static_cast<float>(tile_.shape().width), slab * slabs, slab);
   coat.volume = Vec4(tile_.shape().width, storedLayers_, furDensity_, 0);
   coat.rootColor = Vec4(settings::linearColor(s.rootColor), 1) * frame.baseColorFactor;
   coat.tipColor = Vec4(settings::linearColor(s.tipColor), 1) * frame.baseColorFactor;

@@ -34,7 +34,7 @@ export interface FurSettings {
   taper: number;
   /** Length of the longest strand. */
   furLength: number;
-  /** How often the fur tile repeats along one bounding radius. */
+  /** How often 256 texels of the fur tile fit along one bounding radius: more is finer. */
   repeat: number;
   /** Texels along the fur tile: larger tiles hold more strands and repeat less visibly. */
   tileSize: '64' | '128' | '256' | '512' | '1024';
