@@ -19,7 +19,14 @@ test('the typings list the fields of the settings table, all and no others', asy
   const { settingsTable } = await loadCore();
   const text = readFileSync(join(dist, 'types/index.d.ts'), 'utf8');
   const block = /export interface FurSettings \{([\s\S]*?)\n\}/.exec(text)[1];
-  const types = { float: 'number', int: 'number', bool: 'boolean', color: 'Color', choice: 'View' };
+  const types = { float: 'number', int: 'number', bool: 'boolean', color: 'Color' };
+  // A choice has a type of its own that lists the options.
+  const choiceType = ({ name, options }) => {
+    const type = name[0].toUpperCase() + name.slice(1);
+    const union = new RegExp(`export type ${type} = ([^;]+);`).exec(text);
+    assert.deepEqual(union?.[1].split('|').map((option) => option.trim().slice(1, -1)), [...options], type);
+    return type;
+  };
   const listed = Object.fromEntries([...block.matchAll(/^ {2}(\w+): (\w+);/gm)].map(([, name, type]) => [name, type]));
-  assert.deepEqual(listed, Object.fromEntries(settingsTable.map(({ name, type }) => [name, types[type]])));
+  assert.deepEqual(listed, Object.fromEntries(settingsTable.map((field) => [field.name, types[field.type] ?? choiceType(field)])));
 });

@@ -16,6 +16,8 @@ export type Quality = 'auto' | 'low' | 'medium' | 'high';
 export type Motion = 'auto' | 'full' | 'reduced';
 export type WheelManner = 'page' | 'focus' | 'zoom';
 export type View = 'final' | 'skin' | 'shells' | 'fins' | 'wetness' | 'tangents' | 'coverage' | 'normals';
+/** Texels. */
+export type TileSize = '64' | '128' | '256' | '512' | '1024';
 /** "#rrggbb", sRGB. */
 export type Color = string;
 export type ModelBytes = ArrayBuffer | ArrayBufferView | Blob;
@@ -37,7 +39,7 @@ export interface FurSettings {
   /** How often 256 texels of the fur tile fit along one bounding radius: more is finer. */
   repeat: number;
   /** Texels along the fur tile: larger tiles hold more strands and repeat less visibly. */
-  tileSize: '64' | '128' | '256' | '512' | '1024';
+  tileSize: TileSize;
   /** Layers of the fur volume: more are smoother and slower. */
   layers: number;
   /** The same seed grows the same coat. */
