@@ -1,6 +1,7 @@
 // The formula sheet with plain numbers in and out: the same functions that the program runs.
 #include "Boundary.h"
 #include "dynamics/BendField.h"
+#include "furgen/Coat.h"
 #include "furgen/Strand.h"
 #include "hair/StrandShading.h"
 #include "wet/Clump.h"
@@ -16,7 +17,15 @@ FUR_EXPORT double fur_eqWetSpecularExponent(float p, float rho, float sigmaSpec)
 }
 FUR_EXPORT double fur_eqOcclusionFactor(float h, float sigmaOcc) { return wet::occlusionFactor(h, sigmaOcc); }
 FUR_EXPORT double fur_eqWetDarkening(float rho, float sigmaWet) { return wet::wetDarkening(rho, sigmaWet); }
-FUR_EXPORT double fur_eqStrandThinning(float s) { return furgen::strandThinning(s); }
+FUR_EXPORT double fur_eqStrandThinning(float s, float taper) { return furgen::strandThinning(s, taper); }
+FUR_EXPORT double fur_eqStrandRadius(float thickness) { return furgen::meanRadius(thickness); }
+FUR_EXPORT double fur_eqStrandCount(float density, float thickness, int size) {
+  furgen::FurParameters p;
+  p.density = density;
+  p.thickness = thickness;
+  p.size = size;
+  return furgen::wantedStrands(furgen::clampedParameters(p));
+}
 FUR_EXPORT int fur_eqStrandExists(float h, float presence, float dominance) {
   return furgen::strandExists(h, presence, dominance) ? 1 : 0;
 }

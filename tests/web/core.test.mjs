@@ -114,6 +114,13 @@ test('the formula sheet answers with the numbers of the papers', () => {
   near(e.wetDarkening(1, 0.55), 0.45);
   near(e.strandThinning(0), 1 - 1 / 5.4);
   assert.equal(e.strandThinning(1.01), 0);
+  near(e.strandThinning(1, 0), e.strandThinning(0));
+  near(e.strandThinning(1, 1), 0);
+  // d m (1 - 0.7 t), m = 1500 for a tile of 256 texels.
+  assert.equal(e.strandCount(0.6, 0.4), 648);
+  assert.equal(e.strandCount(0.6, 0.4, 512), 4 * 648);
+  assert.equal(e.strandCount(0, 0.4), 0);
+  assert.ok(e.strandRadius(1) > e.strandRadius(0));
   assert.equal(e.strandExists(0.5, 1, 0.8), true);
   assert.equal(e.strandExists(0.5, 0, 0.8), false);
   near(e.furShadow(0, 0.5, 1), 1);

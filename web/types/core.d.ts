@@ -53,7 +53,7 @@ export interface FurVolume {
   /** From 1; 0 where the layer has no strand. */
   strandId: Uint16Array;
   /** Strands seen from the side, row 0 at the root. */
-  fin: { rows: number; columns: number; coverage: Uint8Array; variance: Uint8Array; tangent: Float32Array };
+  fin: { rows: number; columns: number; coverage: Uint8Array; dominance: Uint8Array; variance: Uint8Array; tangent: Float32Array };
 }
 
 export interface WetnessMask {
@@ -79,7 +79,12 @@ export interface Equations {
   wetSpecularExponent(p: number, rho: number, sigmaSpec: number): number;
   occlusionFactor(h: number, sigmaOcc: number): number;
   wetDarkening(rho: number, sigmaWet: number): number;
-  strandThinning(s: number): number;
+  /** Relative to the nominal radius; Sheppard Eq. 3.6 at taper 0.5 (the default). */
+  strandThinning(s: number, taper?: number): number;
+  /** Mean nominal radius of a strand, texels. */
+  strandRadius(thickness: number): number;
+  /** How many guard hairs are tried for in a tile (Sheppard Eq. 4.1). */
+  strandCount(density: number, thickness: number, size?: number): number;
   strandExists(h: number, presence: number, dominance: number): boolean;
   furShadow(h: number, density: number, nDotL: number): number;
   /** [along, across] */
