@@ -99,7 +99,7 @@ FUR_EXPORT const char* fur_maskHash(WetnessMask* mask) { return web::hexadecimal
 
 FUR_EXPORT scene::Model* fur_importModel(const std::uint8_t* bytes, std::uint32_t size, const char* name) {
   return guarded([&]() -> scene::Model* {
-    Result<scene::Model> model = scene::importGltf({bytes, size}, name, web::takeStagedFiles());
+    Result<scene::Model> model = scene::importModel({bytes, size}, name, web::takeStagedFiles());
     if (model) return new scene::Model(std::move(*model));
     web::setError(model.error());
     return nullptr;

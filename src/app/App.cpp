@@ -133,7 +133,7 @@ Status App::loadPrimitive(std::string_view name) {
 }
 
 Status App::loadModel(std::span<const std::uint8_t> bytes, const std::string& name, const scene::FileSet& others) {
-  auto model = scene::importGltf(bytes, name, others);
+  auto model = scene::importModel(bytes, name, others);
   if (!model) return model.error();
   auto surface = geometry::buildSurface(model->mesh);
   if (!surface) return Error{surface.error().id, name + ": " + surface.error().message};

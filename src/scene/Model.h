@@ -31,14 +31,30 @@ struct Model {
 // Limits: over them is too-large, and the text names the limit.
 inline constexpr std::size_t kMaxFileBytes = 256u << 20;
 inline constexpr std::size_t kMaxVertices = 4'000'000;
+inline constexpr std::size_t kMaxTriangles = kMaxVertices;
 inline constexpr int kMaxImageSide = 8192;
 
 // Files that came along, by name (a .gltf names its buffers and images relative to itself).
 using FileSet = std::map<std::string, std::vector<std::uint8_t>>;
 
-// .glb or .gltf; `others` holds external buffers and images. Never throws; hostile bytes give a
-// typed error within a second.
+// None of the importers throws. Bytes that are not what they claim to be give a typed error that names
+// the file and the place in it, within about a second.
+
+// Any of the formats below: a glTF file is known by its content, the others by the ending of `name`, and
+// without a known ending by their first statements. `others` holds what a .gltf refers to.
+Result<Model> importModel(std::span<const std::uint8_t> bytes, const std::string& name, const FileSet& others = {});
+
+// .glb or .gltf; `others` holds external buffers and images.
 Result<Model> importGltf(std::span<const std::uint8_t> bytes, const std::string& name, const FileSet& others = {});
+
+// Wavefront .obj: v, vt, vn and f in any of their spellings, with absolute and relative numbers. Polygons
+// become fans round their first corner, which is right for convex ones. Normals are computed where a
+// corner has none. v of the texture coordinates is turned over: .obj counts from the bottom of the image,
+// glTF from the top. Materials, groups, points, lines and curves are left out, some with a warning.
+Result<Model> importObj(std::span<const std::uint8_t> bytes, const std::string& name);
+
+// Sheppard's .fo, see FoModel.h. One warning when lengths or types of fur differ, for they are not drawn yet.
+Result<Model> importFo(std::span<const std::uint8_t> bytes, const std::string& name);
 
 // A bare .glb (positions, normals, uv, indices), as any glTF viewer shows it.
 std::vector<std::uint8_t> exportGlb(const geometry::Mesh& mesh, const std::string& name);

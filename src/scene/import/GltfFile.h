@@ -6,9 +6,7 @@
 #pragma once
 
 #include <cstdint>
-#include <exception>
 #include <map>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -16,17 +14,11 @@
 
 #include "core/Result.h"
 #include "scene/Model.h"
+#include "scene/import/ImportError.h"
 
 namespace fur::scene {
 
 using Json = nlohmann::json;
-using Bytes = std::span<const std::uint8_t>;
-
-struct ImportError : std::exception {
-  explicit ImportError(Error e) : error(std::move(e)) {}
-  const char* what() const noexcept override { return error.message.c_str(); }
-  Error error;
-};
 
 class GltfFile {
  public:

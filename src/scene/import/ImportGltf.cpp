@@ -1,5 +1,4 @@
 #include <cmath>
-#include <new>
 
 #include "scene/Model.h"
 #include "scene/import/GltfAccessors.h"
@@ -10,8 +9,6 @@
 namespace fur::scene {
 
 namespace {
-
-constexpr std::size_t kMaxTriangles = kMaxVertices;
 
 // Warnings of which a file could cause millions.
 constexpr std::size_t kMaxWarnings = 20;
@@ -170,19 +167,13 @@ class Importer {
 }  // namespace
 
 Result<Model> importGltf(std::span<const std::uint8_t> bytes, const std::string& name, const FileSet& others) {
-  try {
+  return guardedImport<Model>(name, [&] {
     const GltfFile file(bytes, name, others);
     Model model;
     model.name = name;
     Importer(file, model).run();
     return model;
-  } catch (const ImportError& failure) {
-    return failure.error;
-  } catch (const std::bad_alloc&) {
-    return Error{ErrorId::OutOfMemory, name + ": there is not enough memory for it"};
-  } catch (const std::exception& failure) {
-    return Error{ErrorId::BadFile, name + ": " + failure.what()};
-  }
+  });
 }
 
 }  // namespace fur::scene

@@ -1,0 +1,62 @@
+// Sheppard's model format .fo (2004, 4.3.1), exactly as it is in the file: text, one statement a line,
+//
+//   v x y z nx ny nz length fur_type        position, normal, length of the fur there, number of its type
+//   t colour_u colour_v fur_u fur_v         coordinates of the colour map and of the repeating fur tile
+//   p v1/t1 v2/t2 v3/t3                     a triangle, by numbers counted from 1
+//
+// in this order. What the paper leaves open: colour_v counts from the bottom of the image, as in the .obj
+// that .fo comes from; a fur tile spans 1 of fur_u and fur_v, and its first row is at fur_v 0, so that
+// these two are Mesh::furUv as they are.
+//
+// Not here: the drawing of lengths and types (they are kept in FoModel only).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/Math.h"
+#include "core/Result.h"
+#include "geometry/Surface.h"
+#include "scene/Model.h"
+
+namespace fur::scene {
+
+struct FoModel {
+  struct Corner {
+    std::uint32_t vertex, texcoord;  // from 0, unlike in the file
+    bool operator==(const Corner&) const = default;
+  };
+  struct Texcoord {
+    Vec2 colour, fur;
+    bool operator==(const Texcoord&) const = default;
+  };
+  // One of each a vertex.
+  std::vector<Vec3> positions, normals;
+  std::vector<float> length;  // 0 is bald
+  std::vector<int> furType;
+
+  std::vector<Texcoord> texcoords;
+  std::vector<std::array<Corner, 3>> faces;
+
+  bool operator==(const FoModel&) const = default;
+};
+
+// Blank lines and comments (#) are allowed too. Errors name file, line and reason. kMaxVertices bounds
+// vertices and texture coordinates, kMaxTriangles the faces.
+Result<FoModel> readFo(std::span<const std::uint8_t> bytes, const std::string& name);
+
+// Every number must be finite. readFo() of it gives the same floats again, bit for bit.
+std::vector<std::uint8_t> writeFo(const FoModel& fo);
+
+// The mesh fitted to the unit sphere, with furUv. Lengths and types are lost, with one warning when they
+// are not the same everywhere.
+Result<Model> modelFromFo(const FoModel& fo, const std::string& name);
+
+// A surface for saving: length 1 and type 0 everywhere, the fur tile `repeat` times along a model unit.
+// Vertices that a seam has split are one again where position and normal are the same.
+FoModel foFromSurface(const geometry::Surface& surface, float repeat);
+
+}  // namespace fur::scene

@@ -1,0 +1,187 @@
+#include "scene/import/StatementReader.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/Model.h"
+
+namespace fur::scene {
+
+namespace {
+
+bool isBreak(char c) { return c == '\n' || c == '\r'; }
+bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
+// value * 10^exponent. Exact enough that nine digits give back the float that they were printed from.
+double scaled(double value, int exponent) {
+  for (; exponent > 22 && value != 0.0 && std::isfinite(value); exponent -= 22) value *= 1e22;
+  for (; exponent < -22 && value != 0.0; exponent += 22) value /= 1e22;
+  double power = 1.0;  // exact up to 10^22
+  for (int i = 0; i < std::min(std::abs(exponent), 22); ++i) power *= 10.0;
+  return exponent < 0 ? value / power : value * power;
+}
+
+// Decimal numbers as in C, whatever the locale. The standard library's own reader of them is missing
+// from the wasm compiler's library.
+bool readDecimal(std::string_view text, double& out) {
+  std::size_t at = 0;
+  const bool negative = !text.empty() && text[0] == '-';
+  if (!text.empty() && (text[0] == '-' || text[0] == '+')) ++at;
+  std::uint64_t mantissa = 0;
+  int exponent = 0, digits = 0;
+  bool point = false;
+  for (; at < text.size() && (isDigit(text[at]) || (text[at] == '.' && !point)); ++at) {
+    if (text[at] == '.') {
+      point = true;
+      continue;
+    }
+    digits = 1;
+    const bool fits = mantissa < 1'000'000'000'000'000'000u;  // digits beyond count only for the size
+    if (fits) mantissa = mantissa * 10 + static_cast<std::uint64_t>(text[at] - '0');
+    exponent += (fits ? 0 : 1) - (point ? 1 : 0);
+  }
+  if (digits == 0) return false;
+  if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) {
+    std::string_view rest = text.substr(at + 1);
+    std::int64_t given;
+    if (!StatementReader::takeWhole(rest, given)) return false;
+    exponent += static_cast<int>(std::clamp<std::int64_t>(given, -100'000, 100'000));
+    at = text.size() - rest.size();
+  }
+  out = scaled(static_cast<double>(mantissa), exponent);
+  if (negative) out = -out;
+  return at == text.size();
+}
+
+}  // namespace
+
+StatementReader::StatementReader(Bytes bytes, const std::string& name)
+    : at_(reinterpret_cast<const char*>(bytes.data())), end_(at_ + bytes.size()), name_(name) {
+  if (bytes.size() > kMaxFileBytes) {
+    fail(ErrorId::TooLarge, "the file has " + std::to_string(bytes.size()) + " bytes; the limit is " +
+                                std::to_string(kMaxFileBytes));
+  }
+  if (std::string_view(at_, bytes.size()).substr(0, 3) == "\xef\xbb\xbf") at_ += 3;  // byte order mark
+}
+
+bool StatementReader::takeBreak() {
+  if (at_ == end_ || !isBreak(*at_)) return false;
+  const bool pair = *at_ == '\r' && end_ - at_ > 1 && at_[1] == '\n';
+  at_ += pair ? 2 : 1;
+  ++line_;
+  return true;
+}
+
+// False: the line, with those joined to it, holds no more words.
+bool StatementReader::skipToWord() {
+  while (at_ < end_) {
+    if (isBlank(*at_)) {
+      ++at_;
+    } else if (*at_ == '\\' && end_ - at_ > 1 && isBreak(at_[1])) {
+      ++at_;
+      takeBreak();
+    } else if (*at_ == '#') {
+      while (at_ < end_ && !isBreak(*at_)) ++at_;
+    } else {
+      return !isBreak(*at_);
+    }
+  }
+  return false;
+}
+
+std::string_view StatementReader::word() {
+  if (!skipToWord()) return {};
+  const char* const start = at_;
+  while (at_ < end_ && !isBlank(*at_) && !isBreak(*at_)) {
+    if (*at_ == '\\' && end_ - at_ > 1 && isBreak(at_[1])) break;
+    if (*at_ == '\0') bad("there is a zero byte: this is not a text file");
+    ++at_;
+  }
+  return {start, static_cast<std::size_t>(at_ - start)};
+}
+
+bool StatementReader::next() {
+  if (!keyword_.empty())
+    while (skipToWord()) word();
+  keyword_ = {};
+  while (keyword_.empty() && at_ < end_) {
+    takeBreak();
+    keyword_ = word();
+  }
+  return !keyword_.empty();
+}
+
+float StatementReader::number(const char* what) {
+  const std::string_view text = word();
+  if (text.empty()) bad(std::string(what) + " is missing");
+  double value;
+  if (!readDecimal(text, value)) bad(std::string(what) + " is " + quoted(text) + ", which is not a number");
+  // Halfway from the largest float to what would come next: up to there a number is rounded to a float.
+  if (!(std::abs(value) < 0x1.ffffffp127))
+    bad(std::string(what) + " is " + quoted(text) + ", which is too large");
+  return static_cast<float>(value);
+}
+
+int StatementReader::whole(const char* what) {
+  const std::string_view text = word();
+  if (text.empty()) bad(std::string(what) + " is missing");
+  std::string_view rest = text;
+  std::int64_t value;
+  const bool fits = takeWhole(rest, value) && rest.empty() && value == static_cast<int>(value);
+  if (!fits) bad(std::string(what) + " is " + quoted(text) + ", which is not a whole number of 32 bits");
+  return static_cast<int>(value);
+}
+
+Vec3 StatementReader::position() {
+  Vec3 p;
+  const char* const names[3] = {"the x of a vertex", "the y of a vertex", "the z of a vertex"};
+  for (int axis = 0; axis < 3; ++axis) {
+    p[axis] = number(names[axis]);
+    // Half of what float holds, so that differences of positions are finite too.
+    if (std::abs(p[axis]) >= 1e38f) bad(std::string(names[axis]) + " is too large");
+  }
+  return p;
+}
+
+void StatementReader::expectEnd() {
+  if (const std::string_view more = word(); !more.empty()) bad(quoted(more) + " is one word too many");
+}
+
+bool StatementReader::takeWhole(std::string_view& word, std::int64_t& out) {
+  std::size_t at = 0;
+  const bool negative = !word.empty() && word[0] == '-';
+  if (!word.empty() && (word[0] == '-' || word[0] == '+')) ++at;
+  const std::size_t first = at;
+  constexpr std::int64_t kPast = std::int64_t{1} << 40;
+  for (out = 0; at < word.size() && isDigit(word[at]); ++at) out = std::min(out * 10 + (word[at] - '0'), kPast);
+  if (negative) out = -out;
+  const bool any = at > first;
+  word.remove_prefix(at);
+  return any;
+}
+
+std::uint32_t StatementReader::index(std::int64_t number, std::size_t count, const char* what) const {
+  if (number == 0) bad(std::string("a face refers to ") + what + " 0; they are counted from 1");
+  if (number < 0 || number > static_cast<std::int64_t>(count)) {
+    bad(std::string("a face refers to ") + what + " " + std::to_string(number) + ", but only " + std::to_string(count) +
+        " are defined so far");
+  }
+  return static_cast<std::uint32_t>(number - 1);
+}
+
+void StatementReader::fail(ErrorId id, const std::string& what) const {
+  throw ImportError({id, name_ + ", line " + std::to_string(line_) + ": " + what});
+}
+
+void StatementReader::checkRoom(std::size_t count, std::size_t limit, const char* what) const {
+  if (count >= limit) fail(ErrorId::TooLarge, "there are over " + std::to_string(limit) + " " + what + ", which is the limit");
+}
+
+std::string StatementReader::quoted(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text.substr(0, 40)) out += c > 0x20 && c < 0x7f ? c : '?';
+  return out + (text.size() > 40 ? "…\"" : "\"");
+}
+
+}  // namespace fur::scene
