@@ -40,6 +40,10 @@ CornerWeld weldCorners(const std::vector<Corner>& corners, const Corner& limits)
   return weld;
 }
 
+Vec2 usableTexcoord(const Vec2& uv) {
+  return std::abs(uv.x) < 1e6f && std::abs(uv.y) < 1e6f ? uv : Vec2(0.0f);
+}
+
 CornerWeld buildMesh(const CornerLists& lists, Model& model) {
   const auto limit = [](std::size_t count) { return static_cast<std::uint32_t>(count); };
   CornerWeld weld = weldCorners(
@@ -54,8 +58,7 @@ CornerWeld buildMesh(const CornerLists& lists, Model& model) {
   for (const std::uint32_t corner : weld.cornerOf) {
     const auto [position, texcoord, normal] = lists.corners[corner];
     mesh.positions.push_back(lists.positions[position - 1]);
-    const Vec2 uv = texcoord ? lists.texcoords[texcoord - 1] : Vec2(0.0f);
-    mesh.uv.push_back(std::abs(uv.x) < 1e6f && std::abs(uv.y) < 1e6f ? uv : Vec2(0.0f));
+    mesh.uv.push_back(texcoord ? usableTexcoord(lists.texcoords[texcoord - 1]) : Vec2(0.0f));
     if (texcoord) ++withTexcoords;
   }
   if (withTexcoords == 0) mesh.uv.clear();

@@ -29,6 +29,9 @@ struct CornerWeld {
 // corners and limits whatever the numbers are, for it sorts by counting.
 CornerWeld weldCorners(const std::vector<Corner>& corners, const Corner& limits);
 
+// (0, 0) in place of coordinates so large that a float no longer tells neighbouring texels apart.
+Vec2 usableTexcoord(const Vec2& uv);
+
 // Fills the mesh, fitted to the unit sphere, hasTexcoords and bounds. Throws ImportError (too-large).
 CornerWeld buildMesh(const CornerLists& lists, Model& model);
 

@@ -90,7 +90,7 @@ Result<Model> modelFromFo(const FoModel& fo, const std::string& name) {
         lists.corners.push_back({corner.vertex + 1, corner.texcoord + 1, corner.vertex + 1});
     const CornerWeld weld = buildMesh(lists, model);
     for (const std::uint32_t first : weld.cornerOf)
-      model.mesh.furUv.push_back(fo.texcoords[lists.corners[first][1] - 1].fur);
+      model.mesh.furUv.push_back(usableTexcoord(fo.texcoords[lists.corners[first][1] - 1].fur));
     if (varies(fo.length) || varies(fo.furType))
       model.warnings.push_back(name + ": fur of several lengths or types is not drawn yet");
     return model;

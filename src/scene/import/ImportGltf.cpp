@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "scene/Model.h"
+#include "scene/import/CornerMesh.h"
 #include "scene/import/GltfAccessors.h"
 #include "scene/import/GltfFile.h"
 #include "scene/import/GltfMaterials.h"
@@ -143,8 +144,7 @@ class Importer {
       return warn(where + ": not one texture coordinate a vertex; they are left out");
     }
     for (std::size_t i = 0; i < part.uv.size(); ++i) {
-      const Vec2 uv = Vec2(use.transform * Vec3(values[2 * i], values[2 * i + 1], 1.0f));
-      if (std::abs(uv.x) < 1e6f && std::abs(uv.y) < 1e6f) part.uv[i] = uv;
+      part.uv[i] = usableTexcoord(Vec2(use.transform * Vec3(values[2 * i], values[2 * i + 1], 1.0f)));
     }
     anyTexcoords_ = true;
   }

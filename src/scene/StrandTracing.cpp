@@ -1,0 +1,185 @@
+#include "scene/StrandTracing.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace fur::scene {
+
+namespace {
+
+// Texels of a cut may be this far apart: another strand may cover what lies between them.
+constexpr int kBridge = 2;
+// A strand finer than a texel may be missing from a layer; not from two.
+constexpr int kMaxStep = 2;
+constexpr std::uint32_t kNone = 0xffffffffu;
+
+struct Link {
+  int layer;
+  int values;                    // variance and dominance
+  std::uint32_t parent = kNone;  // the cut below it
+  Vec2 path{0.0f};               // from the strand's first cut
+  // To the nearest of its children.
+  Vec2 above{0.0f};
+  int stepAbove = 0;             // layers; 0: there is none
+};
+
+class Tracer {
+ public:
+  explicit Tracer(const MapStack& maps) : maps_(maps) {
+    trace_.cutOf.assign(maps.coverage.size(), 0);
+  }
+
+  StrandTrace run() {
+    for (int layer = 0; layer < maps_.layers; ++layer) {
+      const std::size_t firstCut = trace_.cuts.size();
+      labelLayer(layer);
+      for (std::size_t cut = firstCut; cut < trace_.cuts.size(); ++cut) link(static_cast<std::uint32_t>(cut));
+      takeTips(layer);
+    }
+    finish();
+    return std::move(trace_);
+  }
+
+ private:
+  std::size_t texelAt(int layer, int x, int y) const {
+    const int column = x & (maps_.width - 1), row = y & (maps_.height - 1);
+    return (static_cast<std::size_t>(layer) * maps_.height + row) * maps_.width + column;
+  }
+  int valuesAt(std::size_t texel) const { return maps_.variance[texel] * 256 + maps_.dominance[texel]; }
+
+  void labelLayer(int layer) {
+    for (int y = 0; y < maps_.height; ++y)
+      for (int x = 0; x < maps_.width; ++x) {
+        const std::size_t texel = texelAt(layer, x, y);
+        if (maps_.coverage[texel] && !trace_.cutOf[texel]) addCut(layer, x, y);
+      }
+  }
+
+  // The cut that holds the texel, by flooding.
+  void addCut(int layer, int startX, int startY) {
+    const auto label = static_cast<std::uint32_t>(trace_.cuts.size() + 1);
+    const int values = valuesAt(texelAt(layer, startX, startY));
+    flood_.assign(1, {startX, startY});
+    trace_.cutOf[texelAt(layer, startX, startY)] = label;
+    Vec2 sum(0.0f);
+    float weight = 0.0f;
+    while (!flood_.empty()) {
+      const IVec2 at = flood_.back();
+      flood_.pop_back();
+      const float cover = maps_.coverage[texelAt(layer, at.x, at.y)];
+      sum += (Vec2(at - IVec2(startX, startY))) * cover;
+      weight += cover;
+      for (int dy = -kBridge; dy <= kBridge; ++dy)
+        for (int dx = -kBridge; dx <= kBridge; ++dx) {
+          const std::size_t texel = texelAt(layer, at.x + dx, at.y + dy);
+          if (!maps_.coverage[texel] || trace_.cutOf[texel] || valuesAt(texel) != values) continue;
+          trace_.cutOf[texel] = label;
+          flood_.push_back({at.x + dx, at.y + dy});
+        }
+    }
+    StrandCut cut;
+    cut.axis = Vec2(startX, startY) + 0.5f + sum / weight;
+    const Vec2 extent(static_cast<float>(maps_.width), static_cast<float>(maps_.height));
+    cut.axis -= extent * glm::floor(cut.axis / extent);
+    trace_.cuts.push_back(cut);
+    links_.push_back({layer, values});
+  }
+
+  float wrapped(float distance, int size) const {
+    const auto extent = static_cast<float>(size);
+    return distance - extent * std::floor(distance / extent + 0.5f);
+  }
+  Vec2 way(const StrandCut& from, const StrandCut& to) const {
+    return {wrapped(to.axis.x - from.axis.x, maps_.width), wrapped(to.axis.y - from.axis.y, maps_.height)};
+  }
+
+  // Finds the cut that this one goes on from, among the tips of the layers below.
+  void link(std::uint32_t cut) {
+    const Link& self = links_[cut];
+    const float x = trace_.cuts[cut].axis.x, y = trace_.cuts[cut].axis.y, window = maps_.reach * kMaxStep;
+    float nearest = std::numeric_limits<float>::max();
+    std::uint32_t parent = kNone;
+    for (int turn = -1; turn <= 1; ++turn) {
+      const float low = y - window + static_cast<float>(turn * maps_.height);
+      const auto before = [&](std::uint32_t tip, float bound) {
+        return links_[tip].values != self.values ? links_[tip].values < self.values : trace_.cuts[tip].axis.y < bound;
+      };
+      auto tip = std::lower_bound(tips_.begin(), tips_.end(), low, before);
+      for (; tip != tips_.end() && links_[*tip].values == self.values && trace_.cuts[*tip].axis.y <= low + 2 * window; ++tip) {
+        const int step = self.layer - links_[*tip].layer;
+        const float reach = maps_.reach * static_cast<float>(step);
+        const float across = std::abs(trace_.cuts[*tip].axis.x - x);
+        if (std::min(across, static_cast<float>(maps_.width) - across) > reach) continue;
+        const float distance = glm::length(way(trace_.cuts[*tip], trace_.cuts[cut]));
+        if (distance > reach) continue;
+        const float cost = distance + maps_.reach * static_cast<float>(step - 1);
+        if (cost < nearest) nearest = cost, parent = *tip;
+      }
+    }
+    join(cut, parent);
+  }
+
+  void join(std::uint32_t cut, std::uint32_t parent) {
+    Link& self = links_[cut];
+    self.parent = parent;
+    if (parent == kNone) {
+      trace_.cuts[cut].strand = static_cast<std::uint32_t>(++trace_.strandCount);
+      firstCuts_.push_back(cut);
+      return;
+    }
+    Link& below = links_[parent];
+    const Vec2 step = way(trace_.cuts[parent], trace_.cuts[cut]);
+    self.path = below.path + step;
+    trace_.cuts[cut].strand = trace_.cuts[parent].strand;
+    if (below.stepAbove == 0 || glm::length(step) < glm::length(below.above)) {
+      below.above = step;
+      below.stepAbove = self.layer - below.layer;
+    }
+  }
+
+  // The cuts that the next layer may go on from, sorted for link(): this layer's, and those below that
+  // nothing in it goes on from.
+  void takeTips(int layer) {
+    std::size_t first = trace_.cuts.size();
+    while (first > 0 && links_[first - 1].layer > layer - kMaxStep) --first;
+    tips_.clear();
+    for (std::size_t cut = first; cut < trace_.cuts.size(); ++cut)
+      if (links_[cut].stepAbove == 0) tips_.push_back(static_cast<std::uint32_t>(cut));
+    std::sort(tips_.begin(), tips_.end(), [&](std::uint32_t a, std::uint32_t b) {
+      if (links_[a].values != links_[b].values) return links_[a].values < links_[b].values;
+      const float ya = trace_.cuts[a].axis.y, yb = trace_.cuts[b].axis.y;
+      return ya != yb ? ya < yb : a < b;
+    });
+  }
+
+  void finish() {
+    for (std::size_t i = 0; i < links_.size(); ++i) {
+      const Link& self = links_[i];
+      Vec2 way = self.above;
+      int steps = self.stepAbove;
+      if (self.parent != kNone) {
+        way += self.path - links_[self.parent].path;
+        steps += self.layer - links_[self.parent].layer;
+      }
+      if (steps > 0) trace_.cuts[i].slope = way / static_cast<float>(steps);
+    }
+    for (std::size_t i = 0; i < links_.size(); ++i) {
+      StrandCut& cut = trace_.cuts[i];
+      const std::uint32_t first = firstCuts_[cut.strand - 1];
+      const bool seenFromTheRoot = links_[first].layer == 0;
+      cut.shift = links_[i].path + (seenFromTheRoot ? trace_.cuts[first].slope : Vec2(0.0f));
+    }
+  }
+
+  const MapStack& maps_;
+  StrandTrace trace_;
+  std::vector<Link> links_;  // one a cut
+  std::vector<std::uint32_t> tips_, firstCuts_;
+  std::vector<IVec2> flood_;
+};
+
+}  // namespace
+
+StrandTrace traceStrands(const MapStack& maps) { return Tracer(maps).run(); }
+
+}  // namespace fur::scene

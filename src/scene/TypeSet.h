@@ -1,0 +1,37 @@
+// Sheppard's type set file .fts (2004, 4.2.1): one kind of fur as maps, binary and without a header,
+//
+//   16 layers, innermost first, each 256 rows of 256 texels of 3 bytes: variance, dominance, alpha
+//   the fin map, 64 rows of 256 such texels; row 0 is at the roots
+//   density of the fur, for the shadow between strands; its weight, for dynamics: float32, little-endian
+//
+// and nothing else. Alpha is FurVolume's coverage. Dominance is kept as the byte it is: our generator
+// gives 128..255, Sheppard's 51..255 (from 0.2 up).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/Result.h"
+#include "furgen/FurVolume.h"
+
+namespace fur::scene {
+
+inline constexpr int kTypeSetSize = 256;
+inline constexpr int kTypeSetLayers = 16;
+inline constexpr int kTypeSetFinRows = 64;
+inline constexpr std::size_t kTypeSetBytes =
+    3 * kTypeSetSize * (kTypeSetLayers * std::size_t{kTypeSetSize} + kTypeSetFinRows) + 8;
+
+// A whole volume. What the file lacks is worked out from the strands that can be told apart in it
+// (StrandTracing.h): strandId, tangent and root offset, in empty texels those of the nearest strand. Fin
+// tangents have no y: across its edge a fin does not show where a strand goes.
+// Bad-file: another length than kTypeSetBytes, density or weight not in 0..1.
+Result<furgen::FurVolume> readTypeSet(std::span<const std::uint8_t> bytes, const std::string& name);
+
+// Bad-file unless the volume has the size, layers and fin rows of the format. Reading what this gives and
+// writing that gives the same bytes.
+Result<std::vector<std::uint8_t>> writeTypeSet(const furgen::FurVolume& volume);
+
+}  // namespace fur::scene
