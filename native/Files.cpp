@@ -1,7 +1,9 @@
 #include "native/Files.h"
 
+#include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <string_view>
 
 #include "native/ImageDecode.h"
 
@@ -27,6 +29,14 @@ Result<std::vector<std::uint8_t>> readFile(const std::string& path) {
   return bytes;
 }
 
+Status writeFile(const std::string& path, std::span<const std::uint8_t> bytes) {
+  std::ofstream out(path, std::ios::binary);
+  out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  out.flush();
+  if (!out) return Error{ErrorId::Network, path + ": cannot be written"};
+  return Done{};
+}
+
 Status writePng(const std::string& path, int width, int height, const std::vector<std::uint8_t>& rgba) {
   std::ofstream out(path, std::ios::binary);
   const auto append = [](void* stream, void* data, int size) {
@@ -49,10 +59,17 @@ std::string findBunny(const std::string& programPath) {
   }
 }
 
+// Endings are told in lower case.
+bool hasEnding(const std::string& path, std::string_view ending) {
+  std::string own = fs::path(path).extension().string();
+  for (char& c : own) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return own == ending;
+}
+
 // The files that a .gltf may name, from its own folder.
 scene::FileSet neighbours(const std::string& path) {
   scene::FileSet set;
-  if (fs::path(path).extension() != ".gltf") return set;
+  if (!hasEnding(path, ".gltf")) return set;
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(fs::absolute(path, ignored).parent_path(), ignored)) {
     const std::string type = entry.path().extension().string();
@@ -64,8 +81,15 @@ scene::FileSet neighbours(const std::string& path) {
 
 }  // namespace
 
+Status loadTypeSet(app::App& app, const std::string& path) {
+  const auto bytes = readFile(path);
+  if (!bytes) return bytes.error();
+  return app.loadTypeSet(bytes.value(), fs::path(path).filename().string());
+}
+
 Status loadScene(app::App& app, const std::string& nameOrPath, const std::string& programPath) {
   if (nameOrPath == "sphere" || nameOrPath == "torus" || nameOrPath == "plane") return app.loadPrimitive(nameOrPath);
+  if (hasEnding(nameOrPath, ".fts")) return loadTypeSet(app, nameOrPath);
   const std::string path = nameOrPath == "bunny" ? findBunny(programPath) : nameOrPath;
   const auto bytes = readFile(path);
   if (!bytes) return bytes.error();

@@ -12,11 +12,16 @@
 namespace fur::native {
 
 Result<std::vector<std::uint8_t>> readFile(const std::string& path);
+Status writeFile(const std::string& path, std::span<const std::uint8_t> bytes);
 // RGBA8 rows from the top.
 Status writePng(const std::string& path, int width, int height, const std::vector<std::uint8_t>& rgba);
 
+// A type set (.fts) by path takes the place of the coat.
+Status loadTypeSet(app::App& app, const std::string& path);
+
 // A model by path, or "sphere", "torus", "plane", or "bunny" (models/bunny.glb beside the program or
-// below its parent folders). Decodes its picture too; one that cannot be decoded is a warning.
+// below its parent folders). Decodes its picture too; one that cannot be decoded is a warning. A path of
+// a .fts goes to loadTypeSet().
 Status loadScene(app::App& app, const std::string& nameOrPath, const std::string& programPath);
 
 }  // namespace fur::native

@@ -1,13 +1,26 @@
 // app/App.h as plain C functions. A handle is an app::App*; a module instance may hold several.
 // GL calls go to the context that JavaScript made current just before.
+#include <utility>
 #include <vector>
 
 #include "Boundary.h"
 #include "app/App.h"
+#include "scene/FoModel.h"
 
 using namespace fur;
 using app::App;
 using web::guarded;
+
+namespace {
+
+std::vector<std::uint8_t> saved;
+
+std::uint32_t keepSaved(std::vector<std::uint8_t> bytes) {
+  saved = std::move(bytes);
+  return static_cast<std::uint32_t>(saved.size());
+}
+
+}  // namespace
 
 // --- life ---
 
@@ -29,6 +42,19 @@ FUR_EXPORT int fur_loadPrimitive(App* app, const char* name) {
 FUR_EXPORT int fur_loadModel(App* app, const std::uint8_t* bytes, std::uint32_t size, const char* name) {
   return guarded([&] { return web::report(app->loadModel({bytes, size}, name, web::takeStagedFiles())); });
 }
+FUR_EXPORT int fur_loadTypeSet(App* app, const std::uint8_t* bytes, std::uint32_t size, const char* name) {
+  return guarded([&] { return web::report(app->loadTypeSet({bytes, size}, name)); });
+}
+// What these two make: the number of its bytes, which lie at fur_savedBytes() until they are forgotten.
+FUR_EXPORT std::uint32_t fur_saveTypeSet(App* app) {
+  return guarded([&] { return keepSaved(app->saveTypeSet()); });
+}
+FUR_EXPORT std::uint32_t fur_saveFo(App* app) {
+  return guarded([&] { return keepSaved(scene::writeFo(scene::foFromSurface(app->surface(), app->settings().repeat))); });
+}
+FUR_EXPORT const std::uint8_t* fur_savedBytes() { return saved.data(); }
+FUR_EXPORT void fur_forgetSavedBytes() { saved = {}; }
+FUR_EXPORT double fur_coatRevision(App* app) { return double(app->coatRevision()); }
 FUR_EXPORT const char* fur_modelName(App* app) { return web::text(app->modelName()); }
 // The encoded base colour image: type "" when there is none.
 FUR_EXPORT const char* fur_imageType(App* app) { return web::text(app->pendingImage().mimeType); }

@@ -92,7 +92,7 @@ function toBytes(bytes) {
   throw new TypeError('expected an ArrayBuffer or a typed array');
 }
 
-function importModel(program, bytes, { name = 'model.glb', files = {} } = {}) {
+function importModel(program, bytes, { name = 'model', files = {} } = {}) {
   program.call('fur_clearStagedFiles');
   for (const [fileName, content] of Object.entries(files)) {
     const staged = toBytes(content);

@@ -16,7 +16,7 @@ const forwardedEvents = [
 ];
 const forwardedMethods = [
   'splash', 'dry', 'setWetness', 'wetnessAt', 'pick', 'play', 'pause', 'step', 'undo', 'redo', 'getState', 'setState',
-  'toBlob', 'getCameraOrbit', 'resetCamera', 'openEditor', 'closeEditor',
+  'loadTypeSet', 'saveTypeSet', 'saveFo', 'toBlob', 'getCameraOrbit', 'resetCamera', 'openEditor', 'closeEditor',
 ];
 const forwardedGetters = [
   'loaded', 'ready', 'state', 'stats', 'settings', 'settingsTable', 'warnings', 'modelName', 'meanWetness',

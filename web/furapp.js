@@ -38,6 +38,17 @@ export class FurApp {
       this.program.callOrThrow('fur_stageFile', fileName, content, content.byteLength);
     this.#callOrThrow('fur_loadModel', bytes, bytes.byteLength, name);
   }
+  loadTypeSet(bytes, name) { this.#callOrThrow('fur_loadTypeSet', bytes, bytes.byteLength, name); }
+  saveTypeSet() { return this.#saved('fur_saveTypeSet'); }
+  saveFo() { return this.#saved('fur_saveFo'); }
+  #saved(name) {
+    const byteLength = this.#callOrThrow(name);
+    const bytes = this.program.array(Uint8Array, this.program.call('fur_savedBytes'), byteLength);
+    this.program.call('fur_forgetSavedBytes');
+    return bytes;
+  }
+  /** Another number whenever another coat is drawn. */
+  get coatRevision() { return this.#call('fur_coatRevision'); }
   /** The model's own picture, encoded, or null. */
   pendingImage() {
     const mimeType = this.#text('fur_imageType');

@@ -4,7 +4,7 @@
 import { asFurError, FurError } from './errors.js';
 import { FurApp } from './furapp.js';
 import { Input } from './input.js';
-import { fetchModel, loadInto, provideModelImage, readModel } from './models.js';
+import { acceptedFiles, fetchModel, loadInto, provideModelImage, readGiven, readModel, sortFiles } from './models.js';
 import { clampDt, choices, optionDefaults, optionValue, qualities, settingsObject } from './options.js';
 import { orbitText, parseOrbit } from './orbit.js';
 import { Progress } from './progress.js';
@@ -34,6 +34,7 @@ export class WetFur extends EventTarget {
   #panel = null;
   #program = 'viewer';
   #source = null;
+  #typeSet = null;
   #state = 'idle';
   #options = { ...optionDefaults };
   #wantedSettings = new Map();
@@ -192,11 +193,42 @@ export class WetFur extends EventTarget {
   }
 
   /**
-   * A File, Blob, ArrayBuffer or typed array with a .glb or .gltf. Rejects with a FurError, and then
-   * the old scene stays.
+   * A File, Blob, ArrayBuffer or typed array with a .glb, .gltf, .obj or .fo. Rejects with a FurError, and
+   * then the old scene stays.
    */
   async loadModel(given, options) {
     await this.#load(() => readModel(given, options));
+  }
+
+  /**
+   * The same with a type set (.fts): its coat is drawn until a setting changes that grows another. Waits for
+   * the model. Rejects with a FurError, and then the old coat stays.
+   */
+  async loadTypeSet(given, { name } = {}) {
+    await this.ready;
+    try {
+      const typeSet = await readGiven(given, name ?? given?.name ?? 'coat.fts');
+      if (!this.#app) return;  // disposed of meanwhile
+      this.#current();
+      this.#showTypeSet(typeSet);
+      this.#afterChange();
+    } catch (error) {
+      throw this.#failed(asFurError(error, error instanceof RangeError ? 'out-of-memory' : 'bad-file'));
+    }
+  }
+
+  /** The revision tells later whether it is still the coat that is drawn. */
+  #showTypeSet({ name, bytes }) {
+    this.#app.loadTypeSet(bytes, name);
+    this.#typeSet = { name, bytes, revision: this.#app.coatRevision };
+  }
+
+  /** The coat as .fts, the model with its fur coordinates as .fo: Uint8Arrays. */
+  saveTypeSet() { return this.#saved('saveTypeSet'); }
+  saveFo() { return this.#saved('saveFo'); }
+  #saved(what) {
+    if (!this.loaded) throw new FurError('bad-file', `${what}: there is no model yet`);
+    return this.#app[what]();
   }
 
   #loadSrc() {
@@ -463,6 +495,7 @@ export class WetFur extends EventTarget {
     if (!this.#app || this.#state === 'lost') return;
     const old = this.#app;
     const { state, tool, wetnessTexels } = old;
+    const typeSet = this.#typeSet?.revision === old.coatRevision ? this.#typeSet : null;
     this.#current();
     this.#panel?.dispose();
     this.#panel = null;
@@ -473,6 +506,7 @@ export class WetFur extends EventTarget {
     this.#adopt(app);
     loadInto(app, this.#source);
     app.state = state;
+    if (typeSet) this.#showTypeSet(typeSet);
     app.wetnessTexels = wetnessTexels;
     app.tool = tool;
     old.destroy();
@@ -493,11 +527,15 @@ export class WetFur extends EventTarget {
   }
 
   #openDialog() {
-    const input = Object.assign(document.createElement('input'), { type: 'file', accept: '.glb,.gltf,.bin,image/*', multiple: true });
-    input.addEventListener('change', () => {
-      const files = [...input.files];
-      const model = files.find((file) => /\.(glb|gltf)$/i.test(file.name)) ?? files[0];
-      if (model) this.loadModel(model, { files }).catch(() => {});  // the error event carries it
+    const input = Object.assign(document.createElement('input'), { type: 'file', accept: acceptedFiles, multiple: true });
+    input.addEventListener('change', async () => {
+      const { model, typeSet, others } = sortFiles(input.files);
+      try {
+        if (model ?? others[0]) await this.loadModel(model ?? others[0], { files: others });
+        if (typeSet) await this.loadTypeSet(typeSet);
+      } catch {
+        // The error event carries it.
+      }
     });
     input.click();
   }

@@ -7,6 +7,19 @@ const shippedModels = Object.freeze(['bunny']);
 /** The names that `src` takes beside addresses. */
 export const modelNames = Object.freeze([...shippedModels, ...primitives]);
 
+const modelFile = /\.(glb|gltf|obj|fo)$/i;
+const typeSetFile = /\.fts$/i;
+/** What a file dialog offers: models, coats, and what a .gltf refers to. */
+export const acceptedFiles = '.glb,.gltf,.obj,.fo,.fts,.bin,image/*';
+
+/** Which of the files that were picked or dropped together is the model, which the coat; undefined for none. */
+export function sortFiles(files) {
+  const list = [...files];
+  const model = list.find(({ name }) => modelFile.test(name));
+  const typeSet = list.find(({ name }) => typeSetFile.test(name));
+  return { model, typeSet, others: list.filter((file) => file !== model && file !== typeSet) };
+}
+
 /** Pictures are made smaller than this: beyond it fur shows no difference. */
 const maxImageSide = 2048;
 
@@ -43,9 +56,10 @@ function unescaped(uri) {
   }
 }
 
-const isJson = (bytes) => bytes[0] !== 0x67;  // a .glb starts with "glTF", JSON never with a g
+/** Whether it is a .gltf: of all formats only that begins with a brace. */
+const isJson = (bytes) => /^\s*\{/.test(new TextDecoder().decode(bytes.subarray(0, 64)));
 
-/** The bytes behind `src`: a name of modelNames, or the address of a .glb or .gltf. @returns {Promise<ModelSource>} */
+/** The bytes behind `src`: a name of modelNames, or the address of a file that is read. @returns {Promise<ModelSource>} */
 export async function fetchModel(src, onBytes, signal) {
   if (primitives.includes(src)) return { name: src, primitive: src, files: new Map() };
   const url = shippedModels.includes(src) ? new URL(`${src}.glb`, modelsUrl) : new URL(src, document.baseURI);
@@ -66,22 +80,26 @@ const bytesOf = async (blob, name) => {
   }
 };
 
+/** The bytes of a File, Blob, ArrayBuffer or typed array. @returns {Promise<{ name: string, bytes: Uint8Array }>} */
+export async function readGiven(given, name) {
+  if (given instanceof ArrayBuffer) return { name, bytes: new Uint8Array(given.slice(0)) };
+  if (ArrayBuffer.isView(given))
+    return { name, bytes: new Uint8Array(given.buffer, given.byteOffset, given.byteLength).slice() };
+  if (given instanceof Blob) return { name, bytes: await bytesOf(given, name) };
+  throw new TypeError('expected a File, Blob, ArrayBuffer or typed array');
+}
+
 /**
- * The bytes of a File, Blob, ArrayBuffer or typed array.
+ * The model in a File, Blob, ArrayBuffer or typed array.
  * @param {{ name?: string, files?: Iterable<File> }} options `files`: buffers and images beside a .gltf
  * @returns {Promise<ModelSource>}
  */
 export async function readModel(given, { name, files = [] } = {}) {
-  const modelName = name ?? given.name ?? 'model.glb';
-  let bytes;
-  if (given instanceof ArrayBuffer) bytes = new Uint8Array(given.slice(0));
-  else if (ArrayBuffer.isView(given)) bytes = new Uint8Array(given.buffer, given.byteOffset, given.byteLength).slice();
-  else if (given instanceof Blob) bytes = await bytesOf(given, modelName);
-  else throw new TypeError('loadModel: expected a File, Blob, ArrayBuffer or typed array');
+  const model = await readGiven(given, name ?? given?.name ?? 'model');
   const byName = new Map();
   // The importer looks for a name with its folders first, then without: a drop brings bare names.
-  if (isJson(bytes)) for (const file of files) byName.set(file.name, await bytesOf(file, file.name));
-  return { name: modelName, bytes, files: byName };
+  if (isJson(model.bytes)) for (const file of files) byName.set(file.name, await bytesOf(file, file.name));
+  return { ...model, files: byName };
 }
 
 /** Loads into the app; a failure throws a FurError and leaves the app's old scene. @param {ModelSource} source */

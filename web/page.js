@@ -2,7 +2,7 @@
 import './element.js';
 import { makeLink, readLink } from './link.js';
 import { Messages } from './messages.js';
-import { modelNames } from './models.js';
+import { acceptedFiles, modelNames, sortFiles } from './models.js';
 
 const byId = (id) => document.getElementById(id);
 const fur = byId('fur');
@@ -12,7 +12,6 @@ const messages = new Messages(byId('messages'));
 const toolButtons = [...bar.querySelectorAll('[data-tool]')];
 
 const pressedWind = 0.6;
-const modelFile = /\.(glb|gltf)$/i;
 
 /** The live handle: tests and the curious reach everything through it. */
 window.wetFur = fur;
@@ -80,16 +79,12 @@ function showModelName(name) {
 let shownSrc = null;
 
 async function openFiles(files) {
-  const list = [...files];
-  const model = list.find((file) => modelFile.test(file.name));
-  if (!model) {
-    if (list.length > 0) messages.error(`${list[0].name}: not a .glb or .gltf file`);
-    return;
-  }
+  const { model, typeSet, others } = sortFiles(files);
+  if (!model && !typeSet && others.length > 0)
+    messages.error(`${others[0].name}: not a .glb, .gltf, .obj, .fo or .fts file`);
   try {
-    await fur.loadModel(model, { files: list.filter((file) => file !== model) });
-    shownSrc = null;
-    showModelName(model.name);
+    if (model) await fur.loadModel(model, { files: others });
+    if (typeSet) await fur.loadTypeSet(typeSet);
   } catch {
     // The error event says it.
   }
@@ -158,6 +153,7 @@ function wireBar() {
   onClick('link', copyLink);
   onClick('picture', savePicture);
   onClick('editor', () => openEditor(!fur.editorOpen));
+  byId('file').accept = acceptedFiles;
   onClick('open', () => byId('file').click());
   byId('file').addEventListener('change', ({ target }) => {
     openFiles(target.files);

@@ -10,14 +10,18 @@
 #include "gl/Objects.h"
 #include "native/Files.h"
 #include "native/headless/EglContext.h"
+#include "scene/FoModel.h"
 
 namespace {
 
 using namespace fur;
 
 constexpr const char* kUsage = R"(usage: wet-fur-render [model] -o out.png [options]
-  model                 a .glb or .gltf file, or bunny (default), sphere, torus, plane
-  -o, --output FILE     the PNG to write
+  model                 a .glb, .gltf, .obj or .fo file, or bunny (default), sphere, torus, plane
+  -o, --output FILE     the PNG to write; may be left out when something else is saved
+  --type-set FILE       a coat from a .fts file
+  --save-type-set FILE  writes the coat as .fts
+  --save-fo FILE        writes the model with its fur coordinates as .fo
   --size WxH            pixels, 16x16 to 8192x8192 (default 1280x720)
   --samples N           multisampling, 0 to 8 (default 4)
   --time S              seconds to run before the picture, in steps of 1/60 (default 0)
@@ -29,7 +33,7 @@ constexpr const char* kUsage = R"(usage: wet-fur-render [model] -o out.png [opti
 )";
 
 struct Options {
-  std::string model = "bunny", output, stateFile;
+  std::string model = "bunny", output, stateFile, typeSet, savedTypeSet, savedFo;
   int width = 1280, height = 720, samples = 4;
   float time = 0, wetness = -1;
   std::vector<Vec2> splashes;
@@ -55,6 +59,9 @@ std::string readOption(const std::string& name, const std::string& value, Option
   std::vector<float> n;
   if (name == "-o" || name == "--output") o.output = value;
   else if (name == "--state") o.stateFile = value;
+  else if (name == "--type-set") o.typeSet = value;
+  else if (name == "--save-type-set") o.savedTypeSet = value;
+  else if (name == "--save-fo") o.savedFo = value;
   else if (name == "--size") {
     if (!readNumbers(value, 'x', n) || n.size() != 2 || n[0] < 16 || n[1] < 16 || n[0] > 8192 || n[1] > 8192)
       return "--size " + value + ": expected WxH from 16x16 to 8192x8192";
@@ -88,7 +95,7 @@ std::string readOptions(int count, char** values, Options& o) {
     if (i + 1 == count) return word + ": a value is missing";
     if (const std::string wrong = readOption(word, values[++i], o); !wrong.empty()) return wrong;
   }
-  return o.output.empty() ? "no output: -o out.png" : "";
+  return o.output.empty() && o.savedTypeSet.empty() && o.savedFo.empty() ? "no output: -o out.png" : "";
 }
 
 Status setUp(app::App& app, const Options& o, const char* program) {
@@ -101,7 +108,26 @@ Status setUp(app::App& app, const Options& o, const char* program) {
   }
   for (const auto& [name, value] : o.fields) app.setField(name, value);
   if (!o.camera.empty()) app.setCamera({o.camera[0], o.camera[1], o.camera[2], Vec3(0)});
-  return Done{};
+  // After the settings: a change of theirs would grow a coat in its place.
+  return o.typeSet.empty() ? Status(Done{}) : native::loadTypeSet(app, o.typeSet);
+}
+
+Status save(const app::App& app, const Options& o) {
+  if (!o.savedTypeSet.empty())
+    if (Status status = native::writeFile(o.savedTypeSet, app.saveTypeSet()); !status) return status;
+  if (o.savedFo.empty()) return Done{};
+  return native::writeFile(o.savedFo, scene::writeFo(scene::foFromSurface(app.surface(), app.settings().repeat)));
+}
+
+void printWarnings(app::App& app) {
+  for (const std::string& warning : app.takeWarnings()) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+}
+
+Status saveOnly(const Options& o, const char* program) {
+  app::App app;
+  if (Status status = setUp(app, o, program); !status) return status;
+  printWarnings(app);
+  return save(app, o);
 }
 
 Status render(const Options& o, const char* program) {
@@ -126,7 +152,8 @@ Status render(const Options& o, const char* program) {
   resolved->resolve(*target, o.width, o.height);
   const auto pixels = gl::readPixels(o.width, o.height);
   if (const std::string error = gl::takeError(); !error.empty()) return Error{ErrorId::WebglUnavailable, error};
-  for (const std::string& warning : app.takeWarnings()) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+  printWarnings(app);
+  if (Status status = save(app, o); !status) return status;
   app.detach(false);
   return native::writePng(o.output, o.width, o.height, pixels);
 }
@@ -139,10 +166,13 @@ int main(int count, char** values) {
     std::fprintf(stderr, "%s\n%s", wrong.c_str(), kUsage);
     return 2;
   }
-  if (const Status status = render(options, values[0]); !status) {
+  const bool picture = !options.output.empty();
+  if (const Status status = picture ? render(options, values[0]) : saveOnly(options, values[0]); !status) {
     std::fprintf(stderr, "%s: %s\n", errorCode(status.error().id), status.error().message.c_str());
     return 1;
   }
-  std::printf("%s (%dx%d)\n", options.output.c_str(), options.width, options.height);
+  if (picture) std::printf("%s (%dx%d)\n", options.output.c_str(), options.width, options.height);
+  for (const std::string& saved : {options.savedTypeSet, options.savedFo})
+    if (!saved.empty()) std::printf("%s\n", saved.c_str());
   return 0;
 }

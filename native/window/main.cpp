@@ -18,7 +18,8 @@ namespace {
 using namespace fur;
 
 constexpr const char* kUsage =
-    "usage: wet-fur [scene.glb | scene.gltf | bunny | sphere | torus | plane] [options]\n"
+    "usage: wet-fur [FILE | bunny | sphere | torus | plane] [options]\n"
+    "  FILE                  .glb, .gltf, .obj or .fo, or a coat as .fts; others can be dropped on the window\n"
     "  --size WxH            of the window, default 1280x800\n"
     "  --set name=value      a setting, as in links; may be given several times\n"
     "  --wetness AMOUNT      0 dry to 1 soaked\n"

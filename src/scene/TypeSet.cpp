@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <bit>
 
+#include "furgen/Coat.h"
 #include "furgen/NearestFill.h"
+#include "furgen/Packing.h"
 #include "scene/StrandTracing.h"
 
 namespace fur::scene {
@@ -49,22 +51,9 @@ void appendFloat(std::vector<std::uint8_t>& bytes, float value) {
   for (unsigned shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<std::uint8_t>(bits >> shift));
 }
 
-std::int8_t signedByte(float x) { return static_cast<std::int8_t>(std::floor(x * 127.0f + 0.5f)); }
-
-void packTangent(const Vec2& slope, int layers, std::int8_t* out) {
-  const float scale = furgen::kTileAspect / kSize;
-  const Vec3 unit = glm::normalize(Vec3(slope * scale, 1.0f / static_cast<float>(layers)));
-  out[0] = signedByte(unit.x);
-  out[1] = signedByte(unit.y);
-  out[2] = std::max<std::int8_t>(signedByte(unit.z), 1);
-}
-
 std::int16_t packOffset(float texels) {
   return static_cast<std::int16_t>(std::floor(glm::clamp(texels * 64.0f, -32768.0f, 32767.0f) + 0.5f));
 }
-
-// The shortest way from b to a.
-float around(float a, float b) { return a - b - kSize * std::floor((a - b) / kSize + 0.5f); }
 
 void traceLayers(FurVolume& volume) {
   MapStack maps{kSize, kSize, kLayers, reachOf(kLayers), volume.coverage, volume.variance, volume.dominance};
@@ -83,10 +72,10 @@ void traceLayers(FurVolume& volume) {
     }
     const StrandCut& cut = trace.cuts[trace.cutOf[i] - 1];
     const auto x = static_cast<float>(i % kSize) + 0.5f, y = static_cast<float>(i / kSize % kSize) + 0.5f;
-    volume.strandId[i] = cut.strand;
-    packTangent(cut.slope, kLayers, &volume.tangent[3 * i]);
-    volume.offset[2 * i] = packOffset(around(cut.axis.x, x) - cut.shift.x);
-    volume.offset[2 * i + 1] = packOffset(around(cut.axis.y, y) - cut.shift.y);
+    volume.strandId[i] = static_cast<std::uint16_t>(std::min(cut.strand, 65535u));
+    furgen::packTangent(cut.slope, 1.0f / kLayers, kSize, &volume.tangent[3 * i]);
+    volume.offset[2 * i] = packOffset(furgen::torusDelta(cut.axis.x, x, kSize) - cut.shift.x);
+    volume.offset[2 * i + 1] = packOffset(furgen::torusDelta(cut.axis.y, y, kSize) - cut.shift.y);
   }
 }
 
@@ -109,7 +98,8 @@ void traceFin(FurVolume& volume) {
   volume.finTangent.assign(trace.cutOf.size() * 3, 0);
   for (std::size_t i = 0; i < trace.cutOf.size(); ++i) {
     const std::uint32_t cut = trace.cutOf[i];
-    packTangent(cut ? Vec2(trace.cuts[cut - 1].slope.x, 0.0f) : Vec2(0.0f), kFinRows, &volume.finTangent[3 * i]);
+    const Vec2 way(cut ? trace.cuts[cut - 1].slope.x : 0.0f, 0.0f);
+    furgen::packTangent(way, 1.0f / kFinRows, kSize, &volume.finTangent[3 * i]);
   }
 }
 

@@ -25,8 +25,10 @@ inline constexpr std::size_t kTypeSetBytes =
     3 * kTypeSetSize * (kTypeSetLayers * std::size_t{kTypeSetSize} + kTypeSetFinRows) + 8;
 
 // A whole volume. What the file lacks is worked out from the strands that can be told apart in it
-// (StrandTracing.h): strandId, tangent and root offset, in empty texels those of the nearest strand. Fin
-// tangents have no y: across its edge a fin does not show where a strand goes.
+// (StrandTracing.h): strandId, tangent and root offset, in empty texels those of the nearest strand. Coils
+// that turn within a few layers come back with the direction of their axis. Fin tangents have no y: across
+// its edge a fin does not show where a strand goes.
+// More strands than an id can count, which no fur has, share the last one.
 // Bad-file: another length than kTypeSetBytes, density or weight not in 0..1.
 Result<furgen::FurVolume> readTypeSet(std::span<const std::uint8_t> bytes, const std::string& name);
 

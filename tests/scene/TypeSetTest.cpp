@@ -118,13 +118,14 @@ TEST(TypeSet, FindsTangentsAndRootsAgain) {
     const Vec2 miss(v.offset[2 * i] - again.offset[2 * i], v.offset[2 * i + 1] - again.offset[2 * i + 1]);
     astray.push_back(glm::length(miss) / 64.0f);
   }
-  // The middle of a disc of texels is known to about a tenth of a texel, a layer is 5.3 texels apart, and
-  // the slope between layers is an average where the strand curves.
-  EXPECT_LT(quantile(angle, 0.5), 1.5f);
-  EXPECT_LT(quantile(angle, 0.9), 4.0f);
+  // The middle of a disc of texels is known to some hundredths of a texel and layers are 5.3 texels apart,
+  // which is half a degree, as is a step of the stored tangent; where a strand curves or begins the slope is
+  // a mean over two layers.
+  EXPECT_LT(quantile(angle, 0.5), 1.0f);
+  EXPECT_LT(quantile(angle, 0.9), 2.0f);
   // Below the first layer a strand is taken to run on straight.
-  EXPECT_LT(quantile(astray, 0.5), 0.25f);
-  EXPECT_LT(quantile(astray, 0.99), 1.0f);
+  EXPECT_LT(quantile(astray, 0.5), 0.2f);
+  EXPECT_LT(quantile(astray, 0.99), 0.7f);
 }
 
 TEST(TypeSet, GivesEmptyTexelsTheNearestStrandOfTheirLayer) {

@@ -106,7 +106,10 @@ export interface ImportedModel {
 export interface Core {
   generateFur(parameters?: FurParameters): FurVolume;
   createWetnessMask(size?: number): WetnessMask;
-  /** Throws a FurError; `files`: buffers and images beside a .gltf, by the name it uses. */
+  /**
+   * A .glb, .gltf, .obj or .fo; the ending of `name` tells the last two apart, without one their content.
+   * Throws a FurError. `files`: buffers and images beside a .gltf, by the name it uses.
+   */
   importModel(
     bytes: ArrayBuffer | ArrayBufferView,
     options?: { name?: string; files?: Record<string, ArrayBuffer | ArrayBufferView> }): ImportedModel;

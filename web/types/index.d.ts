@@ -155,7 +155,7 @@ export interface CameraOrbit {
 }
 
 export interface WetFurOptions extends Partial<FurSettings> {
-  /** "bunny", "sphere", "torus", "plane", or the address of a .glb or .gltf. */
+  /** "bunny", "sphere", "torus", "plane", or the address of a .glb, .gltf, .obj or .fo. */
   src?: string;
   tool?: Tool;
   cameraControls?: boolean;
@@ -249,8 +249,20 @@ export interface WetFurApi {
   getState(): string;
   /** Throws a FurError when it cannot be used. */
   setState(state: string | object): void;
-  /** Rejects with a FurError, and then the old scene stays. `files`: buffers and images beside a .gltf. */
+  /**
+   * A .glb, .gltf, .obj or .fo. Rejects with a FurError, and then the old scene stays. `files`: buffers and
+   * images beside a .gltf.
+   */
   loadModel(model: ModelBytes, options?: { name?: string; files?: Iterable<File> }): Promise<void>;
+  /**
+   * A type set (.fts, Sheppard 2004): its coat is drawn until a setting changes that grows another. Waits for
+   * the model. Rejects with a FurError, and then the old coat stays.
+   */
+  loadTypeSet(typeSet: ModelBytes, options?: { name?: string }): Promise<void>;
+  /** The coat as .fts. */
+  saveTypeSet(): Uint8Array;
+  /** The model with its fur coordinates as .fo (Sheppard 2004). */
+  saveFo(): Uint8Array;
   toBlob(options?: { mimeType?: string; quality?: number; width?: number; height?: number }): Promise<Blob>;
   getCameraOrbit(): CameraOrbit | null;
   resetCamera(): void;

@@ -21,6 +21,8 @@ export async function onACanvas(canvas: HTMLCanvasElement): Promise<number> {
   const orbit: CameraOrbit | null = fur.getCameraOrbit();
   const blob: Blob = await fur.toBlob({ width: 640, height: 480 });
   await fur.loadModel(new Uint8Array(4), { name: 'a.glb', files: [new File([], 'a.bin')] });
+  await fur.loadTypeSet(fur.saveTypeSet(), { name: 'fox.fts' });
+  const saved: Uint8Array = fur.saveFo();
   fur.setState(fur.getState());
   const bounds = (fur.settingsTable ?? []).map((field: SettingsField) => (field.type === 'float' ? field.max : 0));
   // @ts-expect-error there is no such setting
@@ -30,7 +32,7 @@ export async function onACanvas(canvas: HTMLCanvasElement): Promise<number> {
   // @ts-expect-error read only
   fur.stats = null;
   fur.dispose();
-  return blob.size + (orbit?.yaw ?? 0) + Math.max(...bounds);
+  return blob.size + saved.length + (orbit?.yaw ?? 0) + Math.max(...bounds);
 }
 
 export async function onAPage(): Promise<void> {
