@@ -2,6 +2,7 @@
 #include <chrono>
 
 #include "app/AppState.h"
+#include "scene/TypeSet.h"
 
 namespace fur::app {
 
@@ -70,5 +71,28 @@ furgen::TilePicture App::tilePicture(int layer, furgen::TileChannel channel) con
 }
 
 furgen::TilePicture App::finPicture(furgen::TileChannel channel) const { return state_->coat.finPicture(channel); }
+
+
+Status App::loadTypeSet(std::span<const std::uint8_t> bytes, const std::string& name) {
+  auto volume = scene::readTypeSet(bytes, name);
+  if (!volume) return volume.error();
+  State& s = *state_;
+  s.coatWork.reset();
+  s.furChanged = false;
+  if (s.renderer) s.renderer->setFur(*volume);
+  s.showCoat(DrawnCoat(std::move(*volume)));
+  return Done{};
+}
+
+std::vector<std::uint8_t> App::saveTypeSet() const {
+  const State& s = *state_;
+  furgen::FurParameters wanted = furParameters(s.settings);
+  wanted.size = scene::kTypeSetSize;
+  wanted.layers = scene::kTypeSetLayers;
+  const bool drawn = !s.furChanged && !s.coatWork && s.coat.layers() > 0;
+  auto bytes = scene::writeTypeSet(drawn ? s.coat.typeSet() : furgen::generateFur(wanted));
+  FUR_ASSERT(bytes, "App::saveTypeSet()", "a volume of the format's shape", bytes.error().message);
+  return std::move(*bytes);
+}
 
 }  // namespace fur::app
