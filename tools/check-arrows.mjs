@@ -29,11 +29,11 @@ export const arrows = {
   // wet-fur/core offers the pure modules by themselves, without an app around them.
   'web': ['app', ...pure, 'emscripten'],
   'web/editor': ['app', 'app/editor', 'core', 'imgui', 'emscripten', 'web'],
-  // App speaks in scene's terms (files, encoded images); the platform's context and framebuffer are
-  // handed to it by gl.
+  // App speaks in scene's terms (files, encoded images) and in names of settings; the platform's context
+  // and framebuffer are handed to it by gl.
   'native': ['app', 'core', 'scene'],
-  'native/headless': ['app', 'core', 'scene', 'gl', 'egl', 'native'],
-  'native/window': ['app', 'app/editor', 'core', 'scene', 'gl', 'imgui', 'glfw', 'native'],
+  'native/headless': ['app', 'core', 'settings', 'scene', 'gl', 'egl', 'native'],
+  'native/window': ['app', 'app/editor', 'core', 'settings', 'scene', 'gl', 'imgui', 'glfw', 'native'],
   'tools/assets': pure.concat(importers),
 };
 

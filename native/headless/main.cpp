@@ -11,6 +11,7 @@
 #include "native/Files.h"
 #include "native/headless/EglContext.h"
 #include "scene/FoModel.h"
+#include "settings/Presets.h"
 
 namespace {
 
@@ -29,11 +30,12 @@ constexpr const char* kUsage = R"(usage: wet-fur-render [model] -o out.png [opti
   --splash X,Y          one droplet at a pixel (several allowed)
   --camera YAW,PITCH,DISTANCE   radians, radians, bounding radii
   --state FILE          a state as JSON
-  --<setting> VALUE     any field of the settings table, as --furLength 0.2 or --view skin
+  --preset NAME         a coat by its name, such as rabbit
+  --<setting> VALUE     over these, any field of the settings table, as --furLength 0.2 or --view skin
 )";
 
 struct Options {
-  std::string model = "bunny", output, stateFile, typeSet, savedTypeSet, savedFo;
+  std::string model = "bunny", output, stateFile, preset, typeSet, savedTypeSet, savedFo;
   int width = 1280, height = 720, samples = 4;
   float time = 0, wetness = -1;
   std::vector<Vec2> splashes;
@@ -62,6 +64,7 @@ std::string readOption(const std::string& name, const std::string& value, Option
   else if (name == "--type-set") o.typeSet = value;
   else if (name == "--save-type-set") o.savedTypeSet = value;
   else if (name == "--save-fo") o.savedFo = value;
+  else if (name == "--preset") o.preset = value;
   else if (name == "--size") {
     if (!readNumbers(value, 'x', n) || n.size() != 2 || n[0] < 16 || n[1] < 16 || n[0] > 8192 || n[1] > 8192)
       return "--size " + value + ": expected WxH from 16x16 to 8192x8192";
@@ -106,6 +109,7 @@ Status setUp(app::App& app, const Options& o, const char* program) {
     if (Status status = app.setState({reinterpret_cast<const char*>(text.value().data()), text.value().size()}); !status)
       return status;
   }
+  if (!o.preset.empty() && !app.applyPreset(o.preset)) app.addWarning(settings::unknownPreset(o.preset));
   for (const auto& [name, value] : o.fields) app.setField(name, value);
   if (!o.camera.empty()) app.setCamera({o.camera[0], o.camera[1], o.camera[2], Vec3(0)});
   // After the settings: a change of theirs would grow a coat in its place.

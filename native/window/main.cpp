@@ -12,6 +12,7 @@
 #include "gl/Objects.h"
 #include "native/Files.h"
 #include "native/window/Window.h"
+#include "settings/Presets.h"
 
 namespace {
 
@@ -21,7 +22,8 @@ constexpr const char* kUsage =
     "usage: wet-fur [FILE | bunny | sphere | torus | plane] [options]\n"
     "  FILE                  .glb, .gltf, .obj or .fo, or a coat as .fts; others can be dropped on the window\n"
     "  --size WxH            of the window, default 1280x800\n"
-    "  --set name=value      a setting, as in links; may be given several times\n"
+    "  --preset NAME         a coat by its name, such as rabbit\n"
+    "  --set name=value      a setting, as in links, over the preset; may be given several times\n"
     "  --wetness AMOUNT      0 dry to 1 soaked\n"
     "  --pixel-ratio RATIO   of the panel, default the screen's\n"
     "  --screenshot OUT.png  writes the window's picture and ends\n"
@@ -35,7 +37,7 @@ constexpr double kIdleStep = 1.0 / 60;
 constexpr double kLongestSleep = 5;
 
 struct Options {
-  std::string scene = "bunny", screenshot;
+  std::string scene = "bunny", preset, screenshot;
   std::vector<std::pair<std::string, std::string>> settings;
   int width = 1280, height = 800, frames = 30;
   float wetness = 0, pixelRatio = 0;
@@ -53,6 +55,8 @@ std::string readOptions(int count, char** values, Options& out) {
     const std::string value = values[i];
     if (name == "--screenshot")
       out.screenshot = value;
+    else if (name == "--preset")
+      out.preset = value;
     else if (name == "--frames")
       out.frames = std::atoi(value.c_str());
     else if (name == "--wetness")
@@ -84,6 +88,8 @@ class Session {
     if (Status status = host_.attach(); !status) return status;
     if (options_.pixelRatio > 0)
       host_.resize(window_.pixelSize().x, window_.pixelSize().y, options_.pixelRatio);
+    if (!options_.preset.empty() && !app_.applyPreset(options_.preset))
+      app_.addWarning(settings::unknownPreset(options_.preset));
     for (const auto& [name, value] : options_.settings) app_.setField(name, value);
     load(options_.scene);
     if (options_.wetness > 0) app_.setWetness(options_.wetness);
@@ -117,6 +123,9 @@ class Session {
           break;
         case Kind::OpenDialog:
           break;  // the panel offers a path field instead
+        case Kind::SaveTypeSet:
+        case Kind::SaveFo:
+          break;
       }
     }
     for (const std::string& path : window_.takeDropped()) load(path);

@@ -15,6 +15,8 @@ namespace fur::editor {
 namespace {
 
 constexpr float kNarrowCssPixels = 600;
+// From this height on the pictures of the tile leave room for the settings below them.
+constexpr float kRoomyCssPixels = 1000;
 constexpr float kPanelCssPixels = 336;
 constexpr float kMarginCssPixels = 12;
 constexpr float kSheetShare = 0.45f;
@@ -60,10 +62,19 @@ std::vector<Command> Editor::frame(const EditorModel& model, const ThemeScale& s
     scrollByFinger();
     drawScene(model);
     drawWater(model);
-    drawSettings(model);
+    settings::Settings edited = model.settings;
+    for (Command& command : coat_.draw(model, edited, {.tooltips = !touch_, .roomy = roomy_})) emit(std::move(command));
+    drawSettings(edited);
+    if (edited != model.settings) {
+      if (!changing_) emit(command::BeginChange{});
+      changing_ = true;
+      emit(command::SetSettings{edited});
+    }
     drawStats(model);
     contentHeight_ = ImGui::GetCursorPosY();
     ImGui::EndChild();
+  } else {
+    coat_.hide();
   }
   ImGui::End();
   // ImGui gives the focus to a window of its own first and then hands it on; arrow keys are the camera's
@@ -79,6 +90,7 @@ std::vector<Command> Editor::frame(const EditorModel& model, const ThemeScale& s
 void Editor::place(const ThemeScale& scale) {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   narrow_ = screen.x < kNarrowCssPixels * scale.pixelRatio;
+  roomy_ = !narrow_ && screen.y >= kRoomyCssPixels * scale.pixelRatio;
   const float margin = narrow_ ? 0 : px(kMarginCssPixels);
   const float width = narrow_ ? screen.x : px(kPanelCssPixels);
   const float most = narrow_ ? screen.y * kSheetShare : screen.y - 2 * margin;
@@ -162,11 +174,11 @@ void Editor::drawScene(const EditorModel& model) {
       break;
   }
   if (model.fileAccess == FileAccess::Dialog) {
-    if (ImGui::Button("Open a .glb or .gltf file", ImVec2(-1, 0))) emit(command::OpenDialog{});
+    if (ImGui::Button("Open .glb, .gltf, .obj, .fo or .fts", ImVec2(-1, 0))) emit(command::OpenDialog{});
     return;
   }
   ImGui::SetNextItemWidth(-px(56));
-  const bool entered = ImGui::InputTextWithHint("##path", "Path of a .glb or .gltf, or drop one", path_,
+  const bool entered = ImGui::InputTextWithHint("##path", "Path of a model or .fts, or drop one", path_,
                                                 sizeof path_, ImGuiInputTextFlags_EnterReturnsTrue);
   ImGui::SameLine(0, px(3));
   const bool pressed = ImGui::Button("Open", ImVec2(-1, 0));
@@ -194,7 +206,7 @@ void Editor::drawWater(const EditorModel& model) {
   ImGui::Dummy(ImVec2(0, px(2)));
 }
 
-void Editor::drawSettings(const EditorModel& model) {
+void Editor::drawSettings(settings::Settings& edited) {
   const bool filtered = filter_[0] != '\0';
   ImGui::SetNextItemWidth(filtered ? -ImGui::GetFrameHeight() - px(2) : -1);
   ImGui::InputTextWithHint("##filter", "Search settings", filter_, sizeof filter_);
@@ -202,12 +214,7 @@ void Editor::drawSettings(const EditorModel& model) {
     ImGui::SameLine(0, px(2));
     if (iconButton("##clear", Icon::Close, "")) filter_[0] = '\0';
   }
-  settings::Settings edited = model.settings;
   if (drawFields(edited, filter_, !touch_) == 0) caption("No setting has that in its name.");
-  if (edited == model.settings) return;
-  if (!changing_) emit(command::BeginChange{});
-  changing_ = true;
-  emit(command::SetSettings{edited});
 }
 
 void Editor::drawStats(const EditorModel& model) {

@@ -11,6 +11,7 @@
 #include <imgui.h>
 
 #include "core/Math.h"
+#include "editor/CoatPanel.h"
 #include "editor/EditorModel.h"
 #include "editor/InputQueue.h"
 #include "editor/Theme.h"
@@ -27,6 +28,9 @@ class Editor {
   // width and height. Closed to its title it counts as nothing.
   Vec2 covered() const { return covered_; }
 
+  // The pictures of the tile that the panel shows; none while that part of it is closed.
+  std::optional<TileView> shownTile() const { return coat_.shownTile(); }
+
   // Whether a change has begun and not ended.
   bool changing() const { return changing_; }
   // Until set or clicked: closed to its title on narrow screens, else open.
@@ -41,18 +45,19 @@ class Editor {
   void drawMessages(const EditorModel& model);
   void drawScene(const EditorModel& model);
   void drawWater(const EditorModel& model);
-  void drawSettings(const EditorModel& model);
+  void drawSettings(settings::Settings& edited);
   void drawStats(const EditorModel& model);
   void scrollByFinger();
   bool collapsed() const { return collapsed_.value_or(narrow_); }
   void emit(Command command) { commands_.push_back(std::move(command)); }
 
+  CoatPanel coat_;
   std::vector<Command> commands_;
   char filter_[64] = "";
   char path_[1024] = "";
   Vec2 covered_{0};
   std::optional<bool> collapsed_;
-  bool narrow_ = false;
+  bool narrow_ = false, roomy_ = false;
   bool changing_ = false;
   bool touch_ = false;
   // Heights of the scrolled part and of the messages above it, as of the last frame.

@@ -8,6 +8,9 @@
 #include <variant>
 #include <vector>
 
+#include <imgui.h>
+
+#include "core/Math.h"
 #include "settings/Settings.h"
 
 namespace fur::editor {
@@ -23,6 +26,27 @@ struct Message {
   bool isError = false;
 };
 
+// In the order of furgen::TileChannel, which EditorHost checks.
+enum class TileChannel { Coverage, Dominance, Variance, Tangent, Offset, Strand };
+inline constexpr int kTileChannels = 6;
+
+// One layer of the fur tile (0 = skin) in one channel.
+struct TileView {
+  int layer = 0;
+  TileChannel channel = TileChannel::Coverage;
+  bool operator==(const TileView&) const = default;
+};
+
+// The coat that is drawn, and how far the one is that the settings ask for.
+struct CoatView {
+  float progress = 1;               // 0..1
+  std::span<const float> coverage;  // share of each layer that strands cover, from the skin up
+  // Pictures of what Editor::shownTile() asks for: the layer, and the fin map with its root in row 0. Null
+  // until they are there.
+  ImTextureID tile = nullptr, fin = nullptr;
+  int tileSize = 0;  // texels
+};
+
 struct EditorModel {
   settings::Settings settings;
   Tool tool = Tool::Droplet;
@@ -34,6 +58,7 @@ struct EditorModel {
   int vertices = 0, triangles = 0, strands = 0, layers = 0, finEdges = 0;
   std::size_t cpuBytes = 0, gpuBytes = 0;
   std::span<const float> frameSeconds;  // the last frames, oldest first
+  CoatView coat;
 };
 
 namespace command {
@@ -62,6 +87,11 @@ struct Undo {};
 struct Redo {};
 struct CopyState {};   // settings and camera as text, to the clipboard
 struct PasteState {};  // and from it
+struct ApplyPreset {
+  std::string name;  // of settings/Presets.h
+};
+struct SaveTypeSet {};  // the coat as .fts
+struct SaveFo {};       // the model as .fo
 struct DismissMessage {
   std::size_t index;
 };
@@ -70,6 +100,7 @@ struct DismissMessage {
 using Command = std::variant<command::BeginChange, command::EndChange, command::SetSettings, command::SetTool,
                              command::SetWetness, command::LoadPrimitive, command::LoadBunny,
                              command::OpenDialog, command::OpenPath, command::ResetCamera, command::Undo,
-                             command::Redo, command::CopyState, command::PasteState, command::DismissMessage>;
+                             command::Redo, command::CopyState, command::PasteState, command::ApplyPreset,
+                             command::SaveTypeSet, command::SaveFo, command::DismissMessage>;
 
 }  // namespace fur::editor

@@ -109,6 +109,18 @@ void drawIcon(ImDrawList& list, Icon icon, ImVec2 center, float size, ImU32 colo
     case Icon::Move:
       drawCross(pen);
       break;
+    case Icon::Plus:
+      pen.line(0, -0.6f, 0, 0.6f);
+      [[fallthrough]];
+    case Icon::Minus:
+      pen.line(-0.6f, 0, 0.6f, 0);
+      break;
+    case Icon::Dice:
+      list.AddRect(pen.at(-0.85f, -0.85f), pen.at(0.85f, 0.85f), color, 0.3f * pen.half, 0, pen.thickness);
+      for (const float x : {-0.42f, 0.42f})
+        for (const float y : {-0.42f, 0.42f}) list.AddCircleFilled(pen.at(x, y), 0.17f * pen.half, color, 10);
+      list.AddCircleFilled(center, 0.17f * pen.half, color, 10);
+      break;
     case Icon::Orbit:
       pen.list.AddCircle(pen.center, 0.85f * pen.half, color, 24, pen.thickness);
       pen.arc(0, -0.55f, 1.0f, kPi * 0.2f, kPi * 0.8f);

@@ -5,7 +5,7 @@
 
 namespace fur::editor {
 
-enum class Icon { Undo, Redo, Reset, Camera, ChevronUp, ChevronDown, Close, Droplet, Dry, Move, Orbit };
+enum class Icon { Undo, Redo, Reset, Camera, ChevronUp, ChevronDown, Close, Droplet, Dry, Move, Orbit, Plus, Minus, Dice };
 
 // Fits the square of side `size` around `center`.
 void drawIcon(ImDrawList& list, Icon icon, ImVec2 center, float size, ImU32 color);

@@ -1,5 +1,6 @@
 #include "editor/Widgets.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/Math.h"
@@ -15,28 +16,31 @@ ImU32 frameColor(bool hovered, bool active) {
                                       : ImGuiCol_FrameBg);
 }
 
-// Draws the bar behind a slider that is about to be placed at the cursor, and makes the slider's
-// own frame and grab invisible. endBar() takes that back.
-void beginBar(float fraction) {
+// Draws the bar behind a slider of that size that is about to be placed at the cursor, and makes the
+// slider's own frame and grab invisible. endBar() takes that back.
+void beginBar(float fraction, ImVec2 size, bool upright) {
   const ImVec2 from = ImGui::GetCursorScreenPos();
-  const ImVec2 to(from.x + ImGui::CalcItemWidth(), from.y + ImGui::GetFrameHeight());
+  const ImVec2 to(from.x + size.x, from.y + size.y);
   const bool hovered = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(from, to);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float rounding = ImGui::GetStyle().FrameRounding;
   list.AddRectFilled(from, to, frameColor(hovered, hovered && ImGui::IsMouseDown(0)), rounding);
-  const float filled = from.x + (to.x - from.x) * saturate(fraction);
-  if (filled > from.x) {
-    // Clipped instead of shortened: the left corners stay round at small values.
-    list.PushClipRect(from, ImVec2(filled, to.y), true);
-    list.AddRectFilled(from, to, color::kFill, rounding);
-    list.PopClipRect();
-  }
+  // Clipped instead of shortened: the corners stay round at small values.
+  const float share = saturate(fraction);
+  if (upright)
+    list.PushClipRect(ImVec2(from.x, to.y - size.y * share), to, true);
+  else
+    list.PushClipRect(from, ImVec2(from.x + size.x * share, to.y), true);
+  if (share > 0) list.AddRectFilled(from, to, color::kFill, rounding);
+  list.PopClipRect();
   for (const ImGuiCol slot : {ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive,
                               ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive})
     ImGui::PushStyleColor(slot, IM_COL32_BLACK_TRANS);
   // A thin grab, so that the end of the bar is where the pointer is.
   ImGui::PushStyleVar(ImGuiStyleVar_GrabMinSize, 2.0f);
 }
+
+void beginBar(float fraction) { beginBar(fraction, {ImGui::CalcItemWidth(), ImGui::GetFrameHeight()}, false); }
 
 void endBar() {
   ImGui::PopStyleVar();
@@ -133,6 +137,13 @@ bool fillSlider(const char* id, float& value, float low, float high, const char*
 bool fillSlider(const char* id, int& value, int low, int high) {
   beginBar(static_cast<float>(value - low) / static_cast<float>(high - low));
   const bool changed = ImGui::SliderInt(id, &value, low, high);
+  endBar();
+  return changed;
+}
+
+bool fillSliderUpright(const char* id, int& value, int low, int high, ImVec2 size) {
+  beginBar(static_cast<float>(value - low) / static_cast<float>(std::max(high - low, 1)), size, true);
+  const bool changed = ImGui::VSliderInt(id, size, &value, low, high, "");
   endBar();
   return changed;
 }

@@ -29,6 +29,9 @@ bool groupHeader(const char* label);
 bool fillSlider(const char* id, float& value, float low, float high, const char* format, bool logarithmic);
 bool fillSlider(const char* id, int& value, int low, int high);
 
+// The same upright, low at the bottom, without its number.
+bool fillSliderUpright(const char* id, int& value, int low, int high, ImVec2 size);
+
 // A hemisphere seen from above: the middle is overhead, the rim the horizon, +z points down.
 bool lightPad(const char* id, float& yaw, float& pitch, float lowestPitch, float highestPitch,
               float diameter);

@@ -104,8 +104,8 @@ class VertexArray {
 void drawWithoutVertices(int vertexCount);
 
 enum class TexelFormat { RG8, RGBA8, RGBA32F };
-// Mipmapped: bilinear within the level that the shader asks for.
-enum class Filter { Nearest, Linear, Mipmapped, Trilinear };
+// Mipmapped: bilinear within the level that the shader asks for. Crisp: squares when magnified, trilinear else.
+enum class Filter { Nearest, Linear, Mipmapped, Trilinear, Crisp };
 
 struct TextureShape {
   TexelFormat format = TexelFormat::RGBA8;
@@ -118,7 +118,7 @@ struct TextureShape {
 class Texture {
  public:
   Texture() = default;
-  // `texels` may be empty (undefined content). Mipmapped and trilinear textures get their mipmaps here.
+  // `texels` may be empty (undefined content). Mipmapped, trilinear and crisp textures get their mipmaps here.
   Texture(const TextureShape& shape, std::span<const std::byte> texels);
   // Replaces [x, x+width) x [y, y+height) from an image whose rows are `rowTexels` long and whose
   // texel (x, y) of the whole image is the first one used.

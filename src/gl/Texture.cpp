@@ -27,7 +27,7 @@ GLenum targetOf(const TextureShape& shape) { return shape.layers > 0 ? GL_TEXTUR
 constexpr int kWorkUnit = 15;
 
 bool hasLevels(const TextureShape& shape) {
-  return shape.filter == Filter::Trilinear || shape.filter == Filter::Mipmapped;
+  return shape.filter == Filter::Trilinear || shape.filter == Filter::Mipmapped || shape.filter == Filter::Crisp;
 }
 
 int levelCount(const TextureShape& shape) {
@@ -59,10 +59,11 @@ Texture::Texture(const TextureShape& shape, std::span<const std::byte> texels) :
     glTexStorage2D(target, levelCount(shape), layout.internal, shape.width, shape.height);
     if (data) glTexSubImage2D(target, 0, 0, 0, shape.width, shape.height, layout.external, layout.type, data);
   }
-  const GLint magnify = shape.filter == Filter::Nearest ? GL_NEAREST : GL_LINEAR;
-  const GLint minify = shape.filter == Filter::Trilinear   ? GL_LINEAR_MIPMAP_LINEAR
-                       : shape.filter == Filter::Mipmapped ? GL_LINEAR_MIPMAP_NEAREST
-                                                           : magnify;
+  const bool squares = shape.filter == Filter::Nearest || shape.filter == Filter::Crisp;
+  const GLint magnify = squares ? GL_NEAREST : GL_LINEAR;
+  const GLint minify = shape.filter == Filter::Mipmapped ? GL_LINEAR_MIPMAP_NEAREST
+                       : hasLevels(shape)                ? GL_LINEAR_MIPMAP_LINEAR
+                                                         : magnify;
   glTexParameteri(target, GL_TEXTURE_MIN_FILTER, minify);
   glTexParameteri(target, GL_TEXTURE_MAG_FILTER, magnify);
   const GLint wrap = shape.repeats ? GL_REPEAT : GL_CLAMP_TO_EDGE;

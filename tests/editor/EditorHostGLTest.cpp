@@ -1,6 +1,8 @@
 // The panel over the running program, in a context without a window.
 #include "app/editor/EditorHost.h"
 
+#include "settings/Presets.h"
+
 #include "tests/render/Picture.h"
 
 namespace fur::app {
@@ -11,16 +13,17 @@ constexpr int kPanelLeft = kWidth - 12 - 336;  // its margin and width
 constexpr Vec2 kOnModel{200, 250}, kOnPanel{600, 34};
 
 struct Desk {
-  test::Stage stage{kWidth, kHeight};
+  int height;
+  test::Stage stage{kWidth, height};
   App app;
   EditorHost host{app, editor::FileAccess::Path};
   bool attached = false;
 
-  Desk() {
+  explicit Desk(int pixels = kHeight) : height(pixels) {
     stage.attach(app);
     app.setField("layers", "4");
     attached = static_cast<bool>(host.attach());
-    host.resize(kWidth, kHeight, 1);
+    host.resize(kWidth, height, 1);
     settle();
   }
   ~Desk() {
@@ -182,6 +185,67 @@ TEST(EditorHost, ComesBackAsItWasAfterALostContext) {
   desk.settle();
   // The fur is grown again from the same seed, and the panel drawn from the same font: nothing may differ.
   EXPECT_EQ(desk.picture().differingShare(before, 0), 0);
+}
+
+// Tall enough that the pictures of the tile are open.
+constexpr int kTall = 1100;
+
+// White pixels of the panel: strands in the picture of coverage. Its text is not quite white.
+int whiteOnPanel(const test::Picture& picture) {
+  int count = 0;
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = kPanelLeft; x < kWidth; ++x) {
+      const std::uint8_t* pixel = picture.at(x, y);
+      count += pixel[0] == 255 && pixel[1] == 255 && pixel[2] == 255;
+    }
+  return count;
+}
+
+TEST(EditorHost, ShowsTheTileOfTheCoat) {
+  Desk desk(kTall);
+  // The layer half way up, in the tile and from the side: of 256 x 256 texels some hundreds are strands.
+  const int strands = whiteOnPanel(desk.picture());
+  EXPECT_GT(strands, 1000);
+  desk.app.setField("density", "0.05");
+  desk.settle();
+  EXPECT_LT(whiteOnPanel(desk.picture()), strands / 3) << "a sparser coat is shown as soon as it is drawn";
+  EXPECT_EQ(gl::takeError(), "");
+}
+
+TEST(EditorHost, SleepsWithTheTileOpen) {
+  Desk desk(kTall);
+  desk.picture();
+  EXPECT_FALSE(desk.host.active());
+  EXPECT_FALSE(desk.host.update(1 / 60.0f)) << "the panel looks as it was drawn";
+}
+
+TEST(EditorHost, ANewCoatMakesThePanelLookDifferent) {
+  Desk desk(kTall);
+  desk.picture();
+  desk.app.setField("seed", "77");
+  EXPECT_GT(desk.settle(), 0);
+}
+
+TEST(EditorHost, ShowsTheTileAgainAfterALostContext) {
+  Desk desk(kTall);
+  const test::Picture before = desk.picture();
+  desk.host.detach();
+  desk.app.detach(true);
+  ASSERT_TRUE(desk.app.attach());
+  ASSERT_TRUE(desk.host.attach());
+  desk.settle();
+  EXPECT_EQ(desk.picture().differingShare(before, 0), 0);
+}
+
+TEST(EditorHost, APresetIsOneStepBack) {
+  Desk desk;
+  const settings::Settings before = desk.app.settings();
+  ASSERT_TRUE(desk.app.applyPreset("wool"));
+  EXPECT_EQ(settings::presetOf(desk.app.settings()), settings::findPreset("wool"));
+  EXPECT_TRUE(desk.app.undo());
+  EXPECT_EQ(desk.app.settings(), before);
+  EXPECT_FALSE(desk.app.applyPreset("fox"));
+  EXPECT_EQ(desk.app.settings(), before);
 }
 
 TEST(EditorHost, TwoOnOneProgramDoNotMixUp) {

@@ -12,6 +12,7 @@
 
 #include "editor/Editor.h"
 #include "editor/FieldRows.h"
+#include "settings/Presets.h"
 
 namespace fur::editor {
 
@@ -40,6 +41,8 @@ class PanelDriver {
       ImGui::NewFrame();
       for (const Command& command : editor.frame(model, scale_)) {
         if (const auto* set = std::get_if<command::SetSettings>(&command)) model.settings = set->settings;
+        if (const auto* preset = std::get_if<command::ApplyPreset>(&command))
+          model.settings = *settings::applyPreset(model.settings, preset->name);
         commands.push_back(command);
       }
       ImGui::Render();

@@ -8,6 +8,8 @@
 #include <imgui_impl_opengl3.h>
 #include <imgui_internal.h>  // which windows cover a pixel, before the frame that would tell
 
+#include "settings/Presets.h"
+
 namespace fur::app {
 
 namespace {
@@ -27,6 +29,28 @@ Overloaded(F...) -> Overloaded<F...>;
 
 editor::PointerKind panelKind(PointerKind kind) {
   return kind == PointerKind::Touch ? editor::PointerKind::Touch : editor::PointerKind::Mouse;
+}
+
+gl::Texture textureOf(const furgen::TilePicture& picture) {
+  gl::TextureShape shape{gl::TexelFormat::RGBA8, picture.width, picture.height};
+  shape.filter = gl::Filter::Crisp;
+  shape.repeats = true;
+  return {shape, gl::bytesOf(picture.rgba)};
+}
+
+ImTextureID idOf(const gl::Texture& texture) {
+  return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture.id()));
+}
+
+// "rabbit.fts"; a coat that is no preset's is "coat.fts".
+std::string typeSetName(const App& app) {
+  const settings::Preset* preset = settings::presetOf(app.settings());
+  return std::string(preset ? preset->name : "coat") + ".fts";
+}
+
+std::string foName(const App& app) {
+  const std::string& name = app.modelName();
+  return name.substr(0, name.rfind('.')) + ".fo";
 }
 
 }  // namespace
@@ -86,6 +110,8 @@ void EditorHost::detach() {
   const Context current(*this);
   if (editor_.changing()) app_.endChange();
   app_.setCovered(Vec2(0));
+  tile_ = {};
+  fin_ = {};
   // Where a context can be lost, in WebGL, deleting what it held is allowed and does nothing.
   ImGui_ImplOpenGL3_Shutdown();
 }
@@ -220,7 +246,38 @@ editor::EditorModel EditorHost::model() {
   model.cpuBytes = stats.cpuBytes;
   model.gpuBytes = stats.gpuBytes;
   model.frameSeconds = frameSeconds_;
+  model.coat.progress = app_.coatProgress();
+  model.coat.coverage = app_.coverageByHeight();
+  model.coat.tile = idOf(tile_.texture);
+  model.coat.fin = idOf(fin_.texture);
+  model.coat.tileSize = tile_.texture.id() ? tile_.texture.shape().width : 0;
   return model;
+}
+
+// Before the frame that shows them: the frame before may still be drawn with the old ones.
+void EditorHost::refreshCoatPictures() {
+  const std::optional<editor::TileView> view = editor_.shownTile();
+  if (!view) {
+    tile_ = {};
+    fin_ = {};
+    return;
+  }
+  static_assert(static_cast<int>(editor::TileChannel::Strand) == static_cast<int>(furgen::TileChannel::Strand) &&
+                editor::kTileChannels == furgen::kTileChannels);
+  const auto channel = static_cast<furgen::TileChannel>(view->channel);
+  const std::uint64_t revision = app_.coatRevision();
+  const auto stale = [&](const CoatPicture& picture) {
+    return !picture.texture.id() || picture.revision != revision || picture.view.channel != view->channel;
+  };
+  if (stale(fin_)) {
+    fin_ = {textureOf(app_.finPicture(channel)), revision, *view};
+    ++picturesMade_;
+  }
+  if (stale(tile_) || tile_.view.layer != view->layer) {
+    const int layer = std::clamp(view->layer, 0, app_.coatLayers() - 1);
+    tile_ = {textureOf(app_.tilePicture(layer, channel)), revision, *view};
+    ++picturesMade_;
+  }
 }
 
 bool EditorHost::update(float dt) {
@@ -241,9 +298,12 @@ bool EditorHost::update(float dt) {
   if (!input_.empty()) wake();
   if (framesLeft_ > 0) --framesLeft_;
   input_.feed(io);
+  refreshCoatPictures();
+  const std::optional<editor::TileView> pictured = editor_.shownTile();
   ImGui::NewFrame();
   const std::vector<editor::Command> commands = editor_.frame(model(), scale_);
   ImGui::Render();
+  if (editor_.shownTile() != pictured) wake();
   for (const editor::Command& command : commands) perform(command);
   app_.setCovered(editor_.covered(), justAttached_);
   justAttached_ = false;
@@ -270,8 +330,12 @@ std::uint64_t EditorHost::pictureHash() const {
     const ImDrawList& list = *data->CmdLists[i];
     mix(hash, list.VtxBuffer.Data, static_cast<std::size_t>(list.VtxBuffer.size_in_bytes()));
     mix(hash, list.IdxBuffer.Data, static_cast<std::size_t>(list.IdxBuffer.size_in_bytes()));
-    for (const ImDrawCmd& command : list.CmdBuffer) mix(hash, &command.ClipRect, sizeof command.ClipRect);
+    for (const ImDrawCmd& command : list.CmdBuffer) {
+      mix(hash, &command.ClipRect, sizeof command.ClipRect);
+      mix(hash, &command.TextureId, sizeof command.TextureId);
+    }
   }
+  mix(hash, &picturesMade_, sizeof picturesMade_);
   return hash;
 }
 
@@ -297,6 +361,9 @@ void EditorHost::perform(const editor::Command& command) {
       [&](const Redo&) { app_.redo(); },
       [&](const CopyState&) { request(Kind::CopyText, app_.state()); },
       [&](const PasteState&) { request(Kind::PasteRequest); },
+      [&](const ApplyPreset& c) { app_.applyPreset(c.name); },
+      [&](const SaveTypeSet&) { request(Kind::SaveTypeSet, typeSetName(app_)); },
+      [&](const SaveFo&) { request(Kind::SaveFo, foName(app_)); },
       [&](const DismissMessage& c) {
         messages_.erase(messages_.begin() + static_cast<std::ptrdiff_t>(c.index));
       },

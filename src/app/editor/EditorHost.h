@@ -22,6 +22,7 @@
 #include "app/App.h"
 #include "editor/Editor.h"
 #include "editor/InputQueue.h"
+#include "gl/Objects.h"
 
 namespace fur::app {
 
@@ -32,10 +33,12 @@ struct PlatformCommand {
     OpenPath = 2,
     LoadBunny = 3,
     CopyText = 4,
-    PasteRequest = 5
+    PasteRequest = 5,
+    SaveTypeSet = 6,  // App::saveTypeSet(), under the name in `text`
+    SaveFo = 7        // the model as .fo, likewise
   };  // JavaScript knows these
   Kind kind;
-  std::string text;  // the path, or the text to copy
+  std::string text;  // the path, the text to copy, or a name for the file
 };
 
 class EditorHost {
@@ -80,11 +83,19 @@ class EditorHost {
  private:
   enum class Owner { None, Panel, App };
 
+  // A picture of the coat on the GPU, and what it shows.
+  struct CoatPicture {
+    gl::Texture texture;
+    std::uint64_t revision = 0;  // of the coat
+    editor::TileView view;
+  };
+
   struct Context;  // makes this host's ImGui context the current one for a scope
 
   bool covers(Vec2 position) const;
   void wake() { framesLeft_ = kFramesAfterEvent; }
   editor::EditorModel model();
+  void refreshCoatPictures();
   void perform(const editor::Command& command);
   void request(PlatformCommand::Kind kind, std::string text = {}) {
     platform_.push_back({kind, std::move(text)});
@@ -108,7 +119,9 @@ class EditorHost {
   int ownerId_ = 0;
   bool attached_ = false, justAttached_ = false;
   int framesLeft_ = kFramesAfterEvent;
-  std::uint64_t drawnHash_ = 0, shownHash_ = 0;  // of the panel's triangles
+  std::uint64_t drawnHash_ = 0, shownHash_ = 0;  // of the panel's triangles and pictures
+  CoatPicture tile_, fin_;
+  std::uint64_t picturesMade_ = 0;
   float frameTime_ = 0;
   std::deque<PlatformCommand> platform_;
   std::vector<editor::Message> messages_;

@@ -1,0 +1,42 @@
+// The section "Coat" of the panel: presets, seed, and what the generator makes of the settings: the tile
+// layer by layer, its strands from the side, and how much of each layer they cover.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "editor/EditorModel.h"
+
+namespace fur::editor {
+
+class CoatPanel {
+ public:
+  struct Manner {
+    bool tooltips = true;  // there is a mouse: it hovers, and a finger's scroll need not be left alone
+    bool roomy = true;     // the pictures are open until the person closes them
+  };
+
+  // Draws the section into the current window. A new seed goes into `edited`, everything else is a command.
+  std::vector<Command> draw(const EditorModel& model, settings::Settings& edited, const Manner& manner);
+
+  // The panel is closed: nothing of this is on the screen.
+  void hide() { shown_.reset(); }
+
+  // What it shows; none while the pictures are closed.
+  std::optional<TileView> shownTile() const { return shown_; }
+
+ private:
+  void drawStrands(const EditorModel& model);
+  void drawPictures(const CoatView& coat, const Manner& manner);
+  void drawChannels();
+  int layerOf(int layers) const;
+  void setLayer(int layer, int layers);
+
+  std::optional<TileView> shown_;
+  TileChannel channel_ = TileChannel::Coverage;
+  float height_ = 0.5f;  // of the layer, 0 skin to 1 tip: keeps its place when the number of layers changes
+  bool repeated_ = false;
+  float growingFor_ = 0;  // seconds
+};
+
+}  // namespace fur::editor
