@@ -3,6 +3,7 @@
 
 #include "app/AppState.h"
 #include "scene/TypeSet.h"
+#include "settings/Presets.h"
 
 namespace fur::app {
 
@@ -72,7 +73,6 @@ furgen::TilePicture App::tilePicture(int layer, furgen::TileChannel channel) con
 
 furgen::TilePicture App::finPicture(furgen::TileChannel channel) const { return state_->coat.finPicture(channel); }
 
-
 Status App::loadTypeSet(std::span<const std::uint8_t> bytes, const std::string& name) {
   auto volume = scene::readTypeSet(bytes, name);
   if (!volume) return volume.error();
@@ -93,6 +93,15 @@ std::vector<std::uint8_t> App::saveTypeSet() const {
   auto bytes = scene::writeTypeSet(drawn ? s.coat.typeSet() : furgen::generateFur(wanted));
   FUR_ASSERT(bytes, "App::saveTypeSet()", "a volume of the format's shape", bytes.error().message);
   return std::move(*bytes);
+}
+
+bool App::applyPreset(std::string_view name) {
+  const auto next = settings::applyPreset(state_->settings, name);
+  if (!next) return false;
+  beginChange();
+  setSettings(*next);
+  endChange();
+  return true;
 }
 
 }  // namespace fur::app

@@ -83,7 +83,7 @@ std::vector<Command> CoatPanel::draw(const EditorModel& model, settings::Setting
                                      const Manner& manner) {
   std::vector<Command> commands;
   shown_.reset();
-  growingFor_ = model.coat.progress < 1 ? growingFor_ + ImGui::GetIO().DeltaTime : 0;
+  countTime(model.coat);
   ImGui::SetNextItemOpen(true, ImGuiCond_FirstUseEver);
   if (!groupHeader("Coat")) return commands;
   if (const auto* preset = pickPreset(settings::presetOf(model.settings), manner.tooltips))
@@ -98,6 +98,13 @@ std::vector<Command> CoatPanel::draw(const EditorModel& model, settings::Setting
   if (ImGui::Button("Save model (.fo)", ImVec2(-1, 0))) commands.push_back(command::SaveFo{});
   ImGui::Dummy(ImVec2(0, px(2)));
   return commands;
+}
+
+// While a slider is dragged coat follows coat, each with a time of its own.
+void CoatPanel::countTime(const CoatView& coat) {
+  const bool same = coat.progress < 1 && coat.revision == revision_;
+  growingFor_ = same ? growingFor_ + ImGui::GetIO().DeltaTime : 0;
+  revision_ = coat.revision;
 }
 
 void CoatPanel::drawStrands(const EditorModel& model) {

@@ -26,6 +26,7 @@ class CoatPanel {
   std::optional<TileView> shownTile() const { return shown_; }
 
  private:
+  void countTime(const CoatView& coat);
   void drawStrands(const EditorModel& model);
   void drawPictures(const CoatView& coat, const Manner& manner);
   void drawChannels();
@@ -36,7 +37,8 @@ class CoatPanel {
   TileChannel channel_ = TileChannel::Coverage;
   float height_ = 0.5f;  // of the layer, 0 skin to 1 tip: keeps its place when the number of layers changes
   bool repeated_ = false;
-  float growingFor_ = 0;  // seconds
+  float growingFor_ = 0;        // seconds that the coat on its way has taken
+  std::uint64_t revision_ = 0;  // of the coat before it
 };
 
 }  // namespace fur::editor

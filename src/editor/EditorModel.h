@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <variant>
@@ -40,6 +41,7 @@ struct TileView {
 // The coat that is drawn, and how far the one is that the settings ask for.
 struct CoatView {
   float progress = 1;               // 0..1
+  std::uint64_t revision = 0;       // another one whenever another coat is drawn
   std::span<const float> coverage;  // share of each layer that strands cover, from the skin up
   // Pictures of what Editor::shownTile() asks for: the layer, and the fin map with its root in row 0. Null
   // until they are there.

@@ -19,7 +19,7 @@ constexpr std::size_t kLayerTexels = std::size_t{kSize} * kSize;
 
 // A strand is followed as long as it leans by less than this many volume heights a height: 72 degrees.
 constexpr float kSteepest = 3.0f;
-float reachOf(int layers) { return kSteepest * kSize / furgen::kTileAspect / static_cast<float>(layers) + 1.0f; }
+float reachOf(int layers) { return kSteepest * furgen::kHeightTexels / static_cast<float>(layers) + 1.0f; }
 
 struct Maps {
   std::vector<std::uint8_t> coverage, dominance, variance;

@@ -197,6 +197,11 @@ TEST(CoatPanel, ShowsProgressOnlyWhenGrowingTakesItsTime) {
   person.model.coat.progress = 0.9f;
   person.frames(10);
   EXPECT_EQ(person.pictureHash(), still) << "the next one counts anew";
+  for (int i = 0; i < 10; ++i) {
+    ++person.model.coat.revision;
+    person.frames(10);
+  }
+  EXPECT_EQ(person.pictureHash(), still) << "coat after coat, as a slider is dragged: none of them is slow";
 }
 
 TEST(CoatPanel, SavingIsLeftToTheProgram) {

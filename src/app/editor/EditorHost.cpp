@@ -247,6 +247,7 @@ editor::EditorModel EditorHost::model() {
   model.gpuBytes = stats.gpuBytes;
   model.frameSeconds = frameSeconds_;
   model.coat.progress = app_.coatProgress();
+  model.coat.revision = app_.coatRevision();
   model.coat.coverage = app_.coverageByHeight();
   model.coat.tile = idOf(tile_.texture);
   model.coat.fin = idOf(fin_.texture);
@@ -257,7 +258,7 @@ editor::EditorModel EditorHost::model() {
 // Before the frame that shows them: the frame before may still be drawn with the old ones.
 void EditorHost::refreshCoatPictures() {
   const std::optional<editor::TileView> view = editor_.shownTile();
-  if (!view) {
+  if (!view || app_.coatLayers() == 0) {
     tile_ = {};
     fin_ = {};
     return;
