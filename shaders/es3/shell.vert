@@ -3,8 +3,8 @@
 // worked out per fragment from derivatives it costs four times as much and breaks at uv seams.
 #include "common.glsl"
 
-layout(location = FUR_POSITION) in vec3 position;
-layout(location = FUR_NORMAL) in vec3 normal;
+layout(location = FUR_POSITION) in vec4 positionFrom;
+layout(location = FUR_NORMAL) in vec4 normalTo;
 layout(location = FUR_UV_ATLAS) in vec4 uvAtlas;
 layout(location = FUR_FUR_COORD) in vec2 furCoord;
 layout(location = FUR_GRAD_S) in vec3 gradS;
@@ -20,12 +20,15 @@ out vec4 vLean;       // xy: sideways part of the bent strand's tangent  zw: mod
 out vec2 vLightStep;  // tile step towards the light for one fur length of height
 flat out float vTop;  // layer count up to the slab's top
 out float vSubSteps;  // steps a layer: more where the ray is shallow
+out vec2 vStrands;    // the strands shown: from, to; not clamped
 #ifdef WET
 out vec2 vAtlas;
 out vec4 vAtlasStep;  // d(atlas)/d(tile), by columns
 #endif
 
 void main() {
+  vec3 position = positionFrom.xyz, normal = normalTo.xyz;
+  vStrands = vec2(positionFrom.w, normalTo.w);
   vec3 bend = texelFetch(bends, ivec2(gl_VertexID % FUR_BEND_ROW, gl_VertexID / FUR_BEND_ROW), 0).xyz;
   vTop = float(gl_InstanceID + 1) * shape.w;
   float h = vTop / shape.z, below = max(h - 1.0 / shape.z, 0.0);

@@ -355,7 +355,7 @@ Status App::draw() {
 App::Stats App::stats() const {
   const State& s = *state_;
   Stats out{};
-  out.vertices = static_cast<int>(s.surface.vertices.size());
+  out.vertices = static_cast<int>(s.surface.trueVertexCount);
   out.triangles = static_cast<int>(s.surface.triangleCount());
   out.strands = s.coat.strandCount();
   out.layers = s.settings.layers;

@@ -47,4 +47,29 @@ std::vector<std::uint32_t> neighboursAcrossSides(const std::vector<TriangleSide>
   return across;
 }
 
+std::vector<std::uint32_t> connectedPieces(const std::vector<std::uint32_t>& across,
+                                           const std::function<bool(std::uint32_t, std::size_t, std::uint32_t)>& joined,
+                                           std::uint32_t& count) {
+  constexpr std::uint32_t kNone = 0xffffffffu;
+  std::vector<std::uint32_t> pieces(across.size() / 3, kNone), stack;
+  count = 0;
+  for (std::uint32_t seed = 0; seed < pieces.size(); ++seed) {
+    if (pieces[seed] != kNone) continue;
+    pieces[seed] = count;
+    stack.push_back(seed);
+    while (!stack.empty()) {
+      const std::uint32_t t = stack.back();
+      stack.pop_back();
+      for (std::size_t side = 0; side < 3; ++side) {
+        const std::uint32_t other = across[3 * t + side];
+        if (other == kNoTriangle || pieces[other] != kNone || !joined(t, side, other)) continue;
+        pieces[other] = count;
+        stack.push_back(other);
+      }
+    }
+    ++count;
+  }
+  return pieces;
+}
+
 }  // namespace fur::geometry

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "geometry/Weld.h"
@@ -24,5 +25,11 @@ inline constexpr std::uint32_t kNoTriangle = 0xffffffffu;
 // 3 a triangle, one a side: the triangle across it. kNoTriangle on a boundary, on an edge of more
 // than two triangles and between triangles of opposite winding.
 std::vector<std::uint32_t> neighboursAcrossSides(const std::vector<TriangleSide>& sides, std::size_t triangles);
+
+// The piece of every triangle, 0-based in order of first appearance: triangles t and across[3 t + side]
+// are of one piece where joined(t, side, across[3 t + side]) says so.
+std::vector<std::uint32_t> connectedPieces(const std::vector<std::uint32_t>& across,
+                                           const std::function<bool(std::uint32_t, std::size_t, std::uint32_t)>& joined,
+                                           std::uint32_t& count);
 
 }  // namespace fur::geometry

@@ -14,17 +14,6 @@ constexpr float kTolerance = 0.1f / 1024.0f;
 // As in Charts.cpp: uv that take more than this are not worth keeping.
 constexpr std::size_t kComparisonsPerTriangle = 100;
 
-bool sameUvAcross(const Mesh& mesh, const std::vector<std::uint32_t>& indices, std::uint32_t from, std::size_t side,
-                  std::uint32_t to) {
-  const std::uint32_t a = indices[3 * from + side], b = indices[3 * from + (side + 1) % 3];
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::uint32_t c = indices[3 * to + k], d = indices[3 * to + (k + 1) % 3];
-    if (mesh.positions[c] != mesh.positions[b] || mesh.positions[d] != mesh.positions[a]) continue;
-    return mesh.uv[c] == mesh.uv[b] && mesh.uv[d] == mesh.uv[a];
-  }
-  return false;
-}
-
 }  // namespace
 
 bool isUniqueAtlas(const Mesh& mesh, const std::vector<std::uint32_t>& indices) {
@@ -54,28 +43,18 @@ bool isUniqueAtlas(const Mesh& mesh, const std::vector<std::uint32_t>& indices) 
   return true;
 }
 
-std::vector<std::uint32_t> uvIslands(const Mesh& mesh, const std::vector<std::uint32_t>& indices,
+std::vector<std::uint32_t> uvIslands(const std::vector<Vec3>& positions, const std::vector<Vec2>& uv,
+                                     const std::vector<std::uint32_t>& indices,
                                      const std::vector<std::uint32_t>& across, std::uint32_t& count) {
-  constexpr std::uint32_t kNone = 0xffffffffu;
-  std::vector<std::uint32_t> islands(indices.size() / 3, kNone), stack;
-  count = 0;
-  for (std::uint32_t seed = 0; seed < islands.size(); ++seed) {
-    if (islands[seed] != kNone) continue;
-    islands[seed] = count;
-    stack.push_back(seed);
-    while (!stack.empty()) {
-      const std::uint32_t t = stack.back();
-      stack.pop_back();
-      for (std::size_t side = 0; side < 3; ++side) {
-        const std::uint32_t other = across[3 * t + side];
-        if (other == kNoTriangle || islands[other] != kNone || !sameUvAcross(mesh, indices, t, side, other)) continue;
-        islands[other] = count;
-        stack.push_back(other);
-      }
+  return connectedPieces(across, [&](std::uint32_t from, std::size_t side, std::uint32_t to) {
+    const std::uint32_t a = indices[3 * from + side], b = indices[3 * from + (side + 1) % 3];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t c = indices[3 * to + k], d = indices[3 * to + (k + 1) % 3];
+      if (positions[c] != positions[b] || positions[d] != positions[a]) continue;
+      return uv[c] == uv[b] && uv[d] == uv[a];
     }
-    ++count;
-  }
-  return islands;
+    return false;
+  }, count);
 }
 
 }  // namespace fur::geometry

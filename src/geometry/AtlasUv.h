@@ -14,7 +14,8 @@ bool isUniqueAtlas(const Mesh& mesh, const std::vector<std::uint32_t>& indices);
 
 // The island of every triangle, 0-based in order of first appearance: triangles are of one island when
 // they share an edge with the same uv on both sides. `across` as neighboursAcrossSides gives it.
-std::vector<std::uint32_t> uvIslands(const Mesh& mesh, const std::vector<std::uint32_t>& indices,
+std::vector<std::uint32_t> uvIslands(const std::vector<Vec3>& positions, const std::vector<Vec2>& uv,
+                                     const std::vector<std::uint32_t>& indices,
                                      const std::vector<std::uint32_t>& across, std::uint32_t& count);
 
 }  // namespace fur::geometry

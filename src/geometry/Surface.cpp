@@ -6,8 +6,10 @@
 #include "geometry/Adjacency.h"
 #include "geometry/AtlasUv.h"
 #include "geometry/ChartPacking.h"
-#include "geometry/Charts.h"
+#include "geometry/FurCharts.h"
+#include "geometry/FurOverlap.h"
 #include "geometry/SurfaceEdges.h"
+#include "geometry/SurfaceSteps.h"
 #include "geometry/Weld.h"
 
 namespace fur::geometry {
@@ -50,151 +52,86 @@ std::vector<Vec3> unitNormals(const Mesh& mesh) {
   return normals;
 }
 
-// Copies every vertex once for each fur chart that uses it.
-class Splitter {
- public:
-  Splitter(const Mesh& mesh, std::vector<Vec3> normals) : mesh_(mesh), normals_(std::move(normals)) {
-    copies_.reserve(mesh.positions.size() * 2);
-  }
-
-  std::uint32_t vertexFor(Surface& surface, std::uint32_t source, std::uint32_t furChart, const Vec2& fur) {
-    const std::uint64_t key = std::uint64_t{furChart} << 32 | source;
-    const auto [slot, isNew] = copies_.try_emplace(key, static_cast<std::uint32_t>(surface.vertices.size()));
-    if (!isNew) return slot->second;
-    SurfaceVertex vertex{};
-    vertex.position = mesh_.positions[source];
-    vertex.normal = normals_[source];
-    vertex.uv = mesh_.uv.size() == mesh_.positions.size() ? mesh_.uv[source] : Vec2(0.0f);
-    vertex.fur = fur;
-    surface.vertices.push_back(vertex);
-    return slot->second;
-  }
-
- private:
-  const Mesh& mesh_;
-  std::vector<Vec3> normals_;
-  std::unordered_map<std::uint64_t, std::uint32_t> copies_;  // looked up only: its order never shows
+// The atlas before any vertex is split: coordinates and chart for every corner of every triangle.
+struct AtlasLayout {
+  std::uint32_t chartCount = 0;
+  std::vector<std::uint32_t> chartOf;  // one a triangle
+  std::vector<Vec2> corners;           // three a triangle
 };
 
-void placeInAtlas(Surface& surface, const Charts& charts) {
+AtlasLayout ownLayout(const Mesh& mesh, const Weld& weld) {
+  AtlasLayout layout;
+  const auto across = neighboursAcrossSides(sortedSides(mesh.indices, weld), mesh.triangleCount());
+  layout.chartOf = uvIslands(mesh.positions, mesh.uv, mesh.indices, across, layout.chartCount);
+  layout.corners.reserve(mesh.indices.size());
+  for (const std::uint32_t vertex : mesh.indices) layout.corners.push_back(mesh.uv[vertex]);
+  return layout;
+}
+
+AtlasLayout packedLayout(const Charts& charts) {
   const std::vector<Placement> placements = packCharts(charts);
-  for (std::size_t i = 0; i < surface.indices.size(); ++i) {
-    SurfaceVertex& vertex = surface.vertices[surface.indices[i]];
-    const Placement& place = placements[charts.chartOf[i / 3]];
-    vertex.atlas = place.apply(vertex.fur);
-    vertex.atlasFromFur = Vec4(place.c, -place.s, place.s, place.c) * place.scale;
-    vertex.chart = charts.chartOf[i / 3];
-  }
-  surface.chartCount = charts.count;
+  AtlasLayout layout{charts.count, charts.chartOf, {}};
+  layout.corners.reserve(charts.corners.size());
+  for (std::size_t i = 0; i < charts.corners.size(); ++i)
+    layout.corners.push_back(placements[charts.chartOf[i / 3]].apply(charts.corners[i]));
+  return layout;
 }
 
-// The matrix that takes the triangle's fur steps to its atlas steps, times the surface's area.
-void sumAtlasFromFur(Surface& surface, std::size_t first, float area) {
-  SurfaceVertex* v[3];
-  for (std::size_t k = 0; k < 3; ++k) v[k] = &surface.vertices[surface.indices[first + k]];
-  const Vec2 f1 = v[1]->fur - v[0]->fur, f2 = v[2]->fur - v[0]->fur;
-  const Vec2 a1 = v[1]->atlas - v[0]->atlas, a2 = v[2]->atlas - v[0]->atlas;
-  const float det = f1.x * f2.y - f1.y * f2.x;
-  if (!(std::abs(det) > 1e-14f)) return;
-  const Vec2 perS = (a1 * f2.y - a2 * f1.y) / det, perT = (a2 * f1.x - a1 * f2.x) / det;
-  for (SurfaceVertex* vertex : v) vertex->atlasFromFur += Vec4(perS, perT) * area;
+// Copies every vertex once for each pair of fur chart and atlas chart that uses it.
+void splitVertices(Surface& surface, const Mesh& mesh, const Charts& fur, const AtlasLayout& atlas) {
+  std::unordered_map<std::uint64_t, std::uint32_t> pairs, copies;  // looked up only: their order never shows
+  copies.reserve(mesh.positions.size() * 2);
+  surface.indices.reserve(mesh.indices.size());
+  for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+    const std::uint64_t charts = std::uint64_t{fur.chartOf[i / 3]} << 32 | atlas.chartOf[i / 3];
+    const std::uint64_t pair = pairs.try_emplace(charts, static_cast<std::uint32_t>(pairs.size())).first->second;
+    const std::uint32_t source = mesh.indices[i];
+    const auto [slot, isNew] = copies.try_emplace(pair << 32 | source, static_cast<std::uint32_t>(surface.vertices.size()));
+    surface.indices.push_back(slot->second);
+    if (!isNew) continue;
+    SurfaceVertex vertex{};
+    vertex.position = mesh.positions[source];
+    vertex.normal = mesh.normals[source];
+    vertex.uv = mesh.uv.size() == mesh.positions.size() ? mesh.uv[source] : Vec2(0.0f);
+    vertex.atlas = atlas.corners[i];
+    vertex.fur = fur.corners[i];
+    vertex.chart = atlas.chartOf[i / 3];
+    surface.vertices.push_back(vertex);
+  }
+  surface.chartCount = atlas.chartCount;
+  surface.trueVertexCount = surface.vertices.size();
 }
 
-float areaOf(const Surface& surface, std::size_t first) {
-  const Vec3& p = surface.vertices[surface.indices[first]].position;
-  const Vec3 cross = glm::cross(surface.vertices[surface.indices[first + 1]].position - p,
-                                surface.vertices[surface.indices[first + 2]].position - p);
-  return 0.5f * std::sqrt(glm::dot(cross, cross));
-}
-
-void keepOwnAtlas(Surface& surface, const std::vector<std::uint32_t>& islands, std::uint32_t count) {
-  std::vector<float> areas(surface.vertices.size(), 0.0f);
-  double surfaceArea = 0.0, atlasArea = 0.0;
-  for (SurfaceVertex& vertex : surface.vertices) vertex.atlas = vertex.uv;
-  for (std::size_t i = 0; i < surface.indices.size(); i += 3) {
-    const float area = areaOf(surface, i);
-    const Vec2& uv = surface.vertices[surface.indices[i]].uv;
-    const Vec2 a = surface.vertices[surface.indices[i + 1]].uv - uv, b = surface.vertices[surface.indices[i + 2]].uv - uv;
-    surfaceArea += area;
-    atlasArea += 0.5 * std::abs(a.x * b.y - a.y * b.x);
-    sumAtlasFromFur(surface, i, area);
-    for (std::size_t k = 0; k < 3; ++k) {
-      areas[surface.indices[i + k]] += area;
-      surface.vertices[surface.indices[i + k]].chart = islands[i / 3];
-    }
-  }
-  const float even = static_cast<float>(std::sqrt(atlasArea / surfaceArea));
-  for (std::size_t i = 0; i < surface.vertices.size(); ++i) {
-    Vec4& m = surface.vertices[i].atlasFromFur;
-    if (areas[i] > 0.0f) m /= areas[i];
-    const float det = m.x * m.w - m.y * m.z;
-    // Where the uv fold or shrink to nothing, a plain step of the mean size stands in.
-    if (!(std::abs(det) > 1e-4f * even * even)) m = Vec4(even, 0.0f, 0.0f, even);
-  }
-  surface.chartCount = count;
-}
-
-void computeGradients(Surface& surface) {
-  std::vector<float> areas(surface.vertices.size(), 0.0f);
-  for (std::size_t i = 0; i < surface.indices.size(); i += 3) {
-    SurfaceVertex* v[3];
-    for (std::size_t k = 0; k < 3; ++k) v[k] = &surface.vertices[surface.indices[i + k]];
-    const glm::dvec3 e1 = glm::dvec3(v[1]->position) - glm::dvec3(v[0]->position);
-    const glm::dvec3 e2 = glm::dvec3(v[2]->position) - glm::dvec3(v[0]->position);
-    const glm::dvec3 normal = glm::cross(e1, e2);
-    const double squared = glm::dot(normal, normal);
-    // The vectors dual to e1 and e2 in the triangle's plane.
-    const glm::dvec3 d1 = glm::cross(e2, normal) / squared, d2 = glm::cross(normal, e1) / squared;
-    const Vec2 f1 = v[1]->fur - v[0]->fur, f2 = v[2]->fur - v[0]->fur;
-    const float area = static_cast<float>(0.5 * std::sqrt(squared));
-    const Vec3 gradS = Vec3(d1 * static_cast<double>(f1.x) + d2 * static_cast<double>(f2.x));
-    const Vec3 gradT = Vec3(d1 * static_cast<double>(f1.y) + d2 * static_cast<double>(f2.y));
-    for (std::size_t k = 0; k < 3; ++k) {
-      v[k]->gradS += gradS * area;
-      v[k]->gradT += gradT * area;
-      areas[surface.indices[i + k]] += area;
-    }
-  }
-  for (std::size_t i = 0; i < surface.vertices.size(); ++i) {
-    SurfaceVertex& v = surface.vertices[i];
-    for (Vec3* gradient : {&v.gradS, &v.gradT}) {
-      if (areas[i] > 0.0f) *gradient /= areas[i];
-      *gradient -= v.normal * glm::dot(*gradient, v.normal);
-    }
-  }
+Weld weldVertices(const Surface& surface) {
+  std::vector<Vec3> positions(surface.vertices.size());
+  for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = surface.vertices[i].position;
+  return weldPositions(positions);
 }
 
 }  // namespace
 
-Result<Surface> buildSurface(const Mesh& mesh) {
-  Mesh whole;
-  whole.positions = mesh.positions;
-  whole.uv = mesh.uv;
+Result<Surface> buildSurface(const Mesh& mesh, FurMapping mapping) {
+  Mesh whole = mesh;
   whole.indices = trianglesWithArea(mesh);
   if (whole.indices.empty()) return Error{ErrorId::BadFile, "the model has no triangle with an area"};
-  whole.normals = mesh.normals;
-  std::vector<Vec3> normals = unitNormals(whole);
+  whole.normals = unitNormals(whole);
 
   const Weld weld = weldPositions(whole.positions);
-  const Charts charts = makeCharts(whole.positions, whole.indices, weld);
+  const Charts fur = furCharts(whole, weld, mapping);
+  AtlasLayout atlas;
+  if (isUniqueAtlas(whole, whole.indices)) atlas = ownLayout(whole, weld);
+  else if (mapping == FurMapping::Charts && whole.furUv.empty()) atlas = packedLayout(fur);
+  else atlas = packedLayout(makeCharts(whole.positions, whole.indices, weld));
+
   Surface surface;
-  Splitter splitter(whole, std::move(normals));
-  surface.indices.reserve(whole.indices.size());
-  for (std::size_t i = 0; i < whole.indices.size(); ++i) {
-    surface.indices.push_back(splitter.vertexFor(surface, whole.indices[i], charts.chartOf[i / 3], charts.corners[i]));
-  }
-  if (isUniqueAtlas(whole, whole.indices)) {
-    std::uint32_t count = 0;
-    const auto across = neighboursAcrossSides(sortedSides(whole.indices, weld), whole.triangleCount());
-    const auto islands = uvIslands(whole, whole.indices, across, count);
-    keepOwnAtlas(surface, islands, count);
-  } else {
-    placeInAtlas(surface, charts);
-  }
-  computeGradients(surface);
-  std::vector<Vec3> positions(surface.vertices.size());
-  for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = surface.vertices[i].position;
-  surface.edges = findEdges(surface.vertices, surface.indices, weldPositions(positions));
+  splitVertices(surface, whole, fur, atlas);
+  const Weld trueWeld = weldVertices(surface);
+  surface.edges = findEdges(surface.vertices, surface.indices, trueWeld);
+  const FurOverlap overlap = overlapFurCharts(surface, fur.chartOf, fur.count, trueWeld);
+  std::vector<std::uint32_t> triangles = surface.indices;
+  triangles.insert(triangles.end(), surface.furIndices.begin() + static_cast<std::ptrdiff_t>(overlap.firstCopy),
+                   surface.furIndices.end());
+  computeSteps(surface, triangles, overlap.chartOfVertex, weldVertices(surface));
   return surface;
 }
 

@@ -5,9 +5,9 @@
 //          uv when they lie in [0,1]^2, no two triangles overlap and all have an area there (AtlasUv.h);
 //          else packed charts with a gutter of two texels of a 256^2 map (ChartPacking.h)
 //   fur    the repeating domain of the fur tile: 1 unit = 1 tile at repeat 1, that is 1 model unit
-//          along the surface as nearly as a flat chart allows. These are the charts of Charts.h, also
-//          where the atlas is the model's own: unlike the faces of a cube they follow the shape, no slope
-//          starts beyond 75 degrees, and with a charted atlas atlasFromFur is one constant a chart
+//          along the surface as nearly as a flat chart allows. Its charts (FurCharts.h) are the mesh's
+//          own furUv, else what FurMapping says. They overlap (FurOverlap.h), so that no strand is cut
+//          where two of them meet: shells are drawn with furIndices, all else with indices
 #pragma once
 
 #include <cstdint>
@@ -18,6 +18,10 @@
 #include "geometry/Mesh.h"
 
 namespace fur::geometry {
+
+// Where fur coordinates come from when a mesh brings none. Charts (Charts.h) follow the shape; Cube
+// (CubeMapping.h) is Sheppard's. FurDensity.h measures how even they are.
+enum class FurMapping { Charts, Cube };
 
 struct SurfaceVertex {
   Vec3 position;
@@ -31,6 +35,9 @@ struct SurfaceVertex {
   Vec3 gradT;
   // d(atlas)/d(fur), a 2x2 matrix by columns: (du/ds, dv/ds, du/dt, dv/dt). Invertible.
   Vec4 atlasFromFur;
+  // The strands that are drawn here: those whose own number, evenly spread over 0..1, lies in [x, y).
+  // Interpolated over the triangle and then clamped to 0..1; (-1, 2) is all of them.
+  Vec2 strands{-1.0f, 2.0f};
   std::uint32_t chart = 0;  // of the atlas; 0-based
 };
 
@@ -43,8 +50,12 @@ struct SurfaceEdge {
 };
 
 struct Surface {
+  // The surface itself first, then copies for the fur charts that reach over their borders: position,
+  // normal, uv and atlas of a true vertex, but another chart's fur coordinates.
   std::vector<SurfaceVertex> vertices;
-  std::vector<std::uint32_t> indices;
+  std::size_t trueVertexCount = 0;
+  std::vector<std::uint32_t> indices;     // the surface, each triangle once
+  std::vector<std::uint32_t> furIndices;  // for shells: of every fur chart all triangles that it has strands on
   std::vector<SurfaceEdge> edges;
   std::uint32_t chartCount = 0;
 
@@ -52,7 +63,8 @@ struct Surface {
 };
 
 // `mesh` has positions in the unit sphere; missing normals are computed, missing or overlapping uv
-// charted. Degenerate triangles are dropped. Fails (bad-file) when no triangle is left.
-Result<Surface> buildSurface(const Mesh& mesh);
+// charted. Degenerate triangles are dropped. Fails (bad-file) when no triangle is left. `mapping` does
+// not matter for a mesh with furUv.
+Result<Surface> buildSurface(const Mesh& mesh, FurMapping mapping = FurMapping::Charts);
 
 }  // namespace fur::geometry

@@ -165,7 +165,7 @@ Status Renderer::drawShells(const Frame& frame, unsigned variant) {
   const auto program = programs_.use(Shader::Shell, variant);
   if (!program) return program.error();
   gl::apply({.blend = gl::Blend::Over});
-  surface_.drawIndexed(indexCount_, slabCount(frame));
+  shells_.drawIndexed(furIndexCount_, slabCount(frame));
   return Done{};
 }
 

@@ -60,12 +60,12 @@ class Renderer {
 
   Programs programs_;
   gl::Buffer frameBlock_, coatBlock_;
-  gl::Buffer vertices_, indices_, edges_;
-  gl::VertexArray surface_, fins_;
+  gl::Buffer vertices_, indices_, furIndices_, edges_;
+  gl::VertexArray surface_, shells_, fins_;
   gl::Texture tile_, finMap_, nextTile_, nextFinMap_, mask_, bends_, baseColor_;
   gl::Texture groundShadow_[2];
   gl::Target groundTarget_[2];
-  int indexCount_ = 0;
+  int indexCount_ = 0, furIndexCount_ = 0;
   // Every edge as the GPU takes it, and the eye that the uploaded selection was made for.
   std::vector<FinEdge> finEdges_;
   std::optional<Vec3> finEye_;

@@ -10,16 +10,16 @@ namespace {
 
 // Interleaved as shared/Blocks.h lists the attributes.
 struct GpuVertex {
-  Vec3 position, normal;
+  Vec4 position, normal;
   Vec4 uvAtlas;
   Vec2 fur;
   Vec3 gradS, gradT;
   Vec4 atlasFromFur;
 };
-static_assert(sizeof(GpuVertex) == 22 * sizeof(float));
+static_assert(sizeof(GpuVertex) == 24 * sizeof(float));
 
 constexpr gl::Attribute kVertexAttributes[] = {
-    {FUR_POSITION, 3, offsetof(GpuVertex, position)},   {FUR_NORMAL, 3, offsetof(GpuVertex, normal)},
+    {FUR_POSITION, 4, offsetof(GpuVertex, position)},   {FUR_NORMAL, 4, offsetof(GpuVertex, normal)},
     {FUR_UV_ATLAS, 4, offsetof(GpuVertex, uvAtlas)},    {FUR_FUR_COORD, 2, offsetof(GpuVertex, fur)},
     {FUR_GRAD_S, 3, offsetof(GpuVertex, gradS)},        {FUR_GRAD_T, 3, offsetof(GpuVertex, gradT)},
     {FUR_ATLAS_FROM_FUR, 4, offsetof(GpuVertex, atlasFromFur)},
@@ -35,7 +35,8 @@ std::vector<GpuVertex> gpuVertices(const geometry::Surface& surface) {
   std::vector<GpuVertex> out;
   out.reserve(surface.vertices.size());
   for (const auto& v : surface.vertices)
-    out.push_back({v.position, v.normal, Vec4(v.uv, v.atlas), v.fur, v.gradS, v.gradT, v.atlasFromFur});
+    out.push_back({Vec4(v.position, v.strands.x), Vec4(v.normal, v.strands.y), Vec4(v.uv, v.atlas), v.fur, v.gradS,
+                   v.gradT, v.atlasFromFur});
   return out;
 }
 
@@ -60,12 +61,15 @@ void Renderer::setSurface(const geometry::Surface& surface) {
   finEdges_ = finEdges(surface);
   vertices_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(vertices), false);
   indices_ = gl::Buffer(gl::BufferKind::Index, gl::bytesOf(surface.indices), false);
+  furIndices_ = gl::Buffer(gl::BufferKind::Index, gl::bytesOf(surface.furIndices), false);
   edges_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(finEdges_), true);
   finEye_.reset();
   surface_ = gl::VertexArray(vertices_, sizeof(GpuVertex), kVertexAttributes, 0, &indices_);
+  shells_ = gl::VertexArray(vertices_, sizeof(GpuVertex), kVertexAttributes, 0, &furIndices_);
   fins_ = gl::VertexArray(edges_, sizeof(FinEdge), kEdgeAttributes, 1, nullptr);
   indexCount_ = static_cast<int>(surface.indices.size());
-  uploadedBytes_ += vertices_.bytes() + indices_.bytes() + edges_.bytes();
+  furIndexCount_ = static_cast<int>(surface.furIndices.size());
+  uploadedBytes_ += vertices_.bytes() + indices_.bytes() + furIndices_.bytes() + edges_.bytes();
   bendCapacity_ = 0;
   shadowKey_.reset();
   const std::vector<Vec4> rest(surface.vertices.size(), Vec4(0));
@@ -167,8 +171,8 @@ void Renderer::updateBends(std::span<const Vec4> bends) {
 }
 
 std::size_t Renderer::gpuBytes() const {
-  return vertices_.bytes() + indices_.bytes() + edges_.bytes() + tile_.bytes() + finMap_.bytes() + nextTile_.bytes() + mask_.bytes() +
-         bends_.bytes() + baseColor_.bytes() + groundShadow_[0].bytes() + groundShadow_[1].bytes();
+  return vertices_.bytes() + indices_.bytes() + furIndices_.bytes() + edges_.bytes() + tile_.bytes() +
+         finMap_.bytes() + nextTile_.bytes() + mask_.bytes() + bends_.bytes() + baseColor_.bytes() + groundShadow_[0].bytes() + groundShadow_[1].bytes();
 }
 
 std::size_t Renderer::takeUploadedBytes() { return std::exchange(uploadedBytes_, 0); }

@@ -73,7 +73,7 @@ void traceLayers(FurVolume& volume) {
     const StrandCut& cut = trace.cuts[trace.cutOf[i] - 1];
     const auto x = static_cast<float>(i % kSize) + 0.5f, y = static_cast<float>(i / kSize % kSize) + 0.5f;
     volume.strandId[i] = static_cast<std::uint16_t>(std::min(cut.strand, 65535u));
-    furgen::packTangent(cut.slope, 1.0f / kLayers, kSize, &volume.tangent[3 * i]);
+    furgen::packTangent(cut.slope, 1.0f / kLayers, &volume.tangent[3 * i]);
     volume.offset[2 * i] = packOffset(furgen::torusDelta(cut.axis.x, x, kSize) - cut.shift.x);
     volume.offset[2 * i + 1] = packOffset(furgen::torusDelta(cut.axis.y, y, kSize) - cut.shift.y);
   }
@@ -99,7 +99,7 @@ void traceFin(FurVolume& volume) {
   for (std::size_t i = 0; i < trace.cutOf.size(); ++i) {
     const std::uint32_t cut = trace.cutOf[i];
     const Vec2 way(cut ? trace.cuts[cut - 1].slope.x : 0.0f, 0.0f);
-    furgen::packTangent(way, 1.0f / kFinRows, kSize, &volume.finTangent[3 * i]);
+    furgen::packTangent(way, 1.0f / kFinRows, &volume.finTangent[3 * i]);
   }
 }
 

@@ -46,8 +46,8 @@ FUR_BLOCK(FurBlock) {
 #define FUR_COAT_BINDING 1
 
 // Surface vertices (shells, skin, ground shadow).
-#define FUR_POSITION 0
-#define FUR_NORMAL 1
+#define FUR_POSITION 0        // w: strands from (SurfaceVertex::strands)
+#define FUR_NORMAL 1          // w: strands to
 #define FUR_UV_ATLAS 2        // xy: model uv  zw: atlas
 #define FUR_FUR_COORD 3       // st
 #define FUR_GRAD_S 4

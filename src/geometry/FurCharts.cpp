@@ -1,0 +1,58 @@
+#include "geometry/FurCharts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/Adjacency.h"
+#include "geometry/AtlasUv.h"
+#include "geometry/CubeMapping.h"
+
+namespace fur::geometry {
+
+namespace {
+
+// Tiles along a model unit that half of the surface stays below; 0 when half of it has no area in furUv.
+float medianDensity(const Mesh& mesh) {
+  std::vector<std::pair<float, double>> scales;  // of a triangle, and its area
+  double total = 0.0;
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    const std::uint32_t* v = &mesh.indices[i];
+    const glm::dvec3 p(mesh.positions[v[0]]);
+    const glm::dvec3 cross = glm::cross(glm::dvec3(mesh.positions[v[1]]) - p, glm::dvec3(mesh.positions[v[2]]) - p);
+    const glm::dvec2 a(mesh.furUv[v[1]] - mesh.furUv[v[0]]), b(mesh.furUv[v[2]] - mesh.furUv[v[0]]);
+    const double area = std::sqrt(glm::dot(cross, cross));
+    scales.emplace_back(static_cast<float>(std::sqrt(std::abs(a.x * b.y - a.y * b.x) / area)), area);
+    total += area;
+  }
+  std::sort(scales.begin(), scales.end());
+  double sum = 0.0;
+  for (const auto& [scale, area] : scales)
+    if ((sum += area) >= 0.5 * total) return scale;
+  return 0.0f;
+}
+
+bool hasOwn(const Mesh& mesh) {
+  if (mesh.furUv.size() != mesh.positions.size()) return false;
+  const auto sane = [](const Vec2& uv) { return std::abs(uv.x) < 1e6f && std::abs(uv.y) < 1e6f; };
+  return std::all_of(mesh.furUv.begin(), mesh.furUv.end(), sane) && medianDensity(mesh) > 1e-6f;
+}
+
+Charts ownCharts(const Mesh& mesh, const std::vector<std::uint32_t>& across) {
+  Charts charts;
+  charts.chartOf = uvIslands(mesh.positions, mesh.furUv, mesh.indices, across, charts.count);
+  const float tilesPerUnit = 1.0f / medianDensity(mesh);
+  charts.corners.reserve(mesh.indices.size());
+  for (const std::uint32_t vertex : mesh.indices) charts.corners.push_back(mesh.furUv[vertex] * tilesPerUnit);
+  return charts;
+}
+
+}  // namespace
+
+Charts furCharts(const Mesh& mesh, const Weld& weld, FurMapping mapping) {
+  const bool own = hasOwn(mesh);
+  if (!own && mapping == FurMapping::Charts) return makeCharts(mesh.positions, mesh.indices, weld);
+  const auto across = neighboursAcrossSides(sortedSides(mesh.indices, weld), mesh.triangleCount());
+  return own ? ownCharts(mesh, across) : cubeCharts(mesh, across);
+}
+
+}  // namespace fur::geometry
