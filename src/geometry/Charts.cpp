@@ -350,11 +350,27 @@ class ChartMaker {
   std::vector<Region> regions_;
 };
 
+// Flattening loses area where a surface bulges: every chart gets as much as it has on the surface.
+void restoreAreas(Charts& charts, const std::vector<Vec3>& positions, const std::vector<std::uint32_t>& indices) {
+  std::vector<double> flat(charts.count, 0.0), round(charts.count, 0.0);
+  for (std::size_t i = 0; i < indices.size(); i += 3) {
+    const Vec2 a = charts.corners[i + 1] - charts.corners[i], b = charts.corners[i + 2] - charts.corners[i];
+    const Vec3 cross = glm::cross(positions[indices[i + 1]] - positions[indices[i]], positions[indices[i + 2]] - positions[indices[i]]);
+    flat[charts.chartOf[i / 3]] += std::abs(a.x * b.y - a.y * b.x);
+    round[charts.chartOf[i / 3]] += std::sqrt(glm::dot(cross, cross));
+  }
+  for (std::size_t i = 0; i < charts.corners.size(); ++i) {
+    const std::uint32_t chart = charts.chartOf[i / 3];
+    if (flat[chart] > 0.0) charts.corners[i] *= static_cast<float>(std::sqrt(round[chart] / flat[chart]));
+  }
+}
+
 }  // namespace
 
 Charts makeCharts(const std::vector<Vec3>& positions, const std::vector<std::uint32_t>& indices, const Weld& weld) {
   Charts charts = ChartMaker(positions, indices, weld).make();
   relaxCharts(charts, positions, indices, weld);
+  restoreAreas(charts, positions, indices);
   return charts;
 }
 

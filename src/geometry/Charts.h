@@ -3,7 +3,7 @@
 // Method: regions grow over the surface, each round its own mean normal (as in variational shape
 // approximation, Cohen-Steiner, Alliez, Desbrun 2004), and lie flat by projection along it; regions
 // whose union still lies flat are joined. No triangle of a chart overlaps another. Springs then even out
-// the scale (ChartRelaxation.h). A mesh that needs too many comparisons for that (a fan of thousands of
+// the scale (ChartRelaxation.h), and each chart has the area that its triangles have. A mesh that needs too many comparisons for that (a fan of thousands of
 // triangles round one vertex) ends as single triangles where the work runs out.
 // Not done: no angle-preserving unwrapping; a sphere gets a few round charts, not one.
 #pragma once

@@ -70,7 +70,9 @@ TEST(Atlas, HasTheSameScaleInEveryChart) {
   const auto determinant = [](const Vec4& m) { return m.x * m.w - m.y * m.z; };
   const float first = determinant(surface.vertices[0].atlasFromFur);
   EXPECT_GT(first, 0.0f);
-  for (const SurfaceVertex& v : surface.vertices) ASSERT_NEAR(determinant(v.atlasFromFur), first, 1e-4f * first);
+  for (std::size_t i = 0; i < surface.trueVertexCount; ++i)
+    // Worked out from coordinates of size 1 (6e-8) over edges of a few hundredths.
+    ASSERT_NEAR(determinant(surface.vertices[i].atlasFromFur), first, 1e-3f * first);
 }
 
 TEST(Atlas, KeepsTheMeshsOwnUniqueUv) {

@@ -70,35 +70,4 @@ inline std::vector<int> coverage(const Surface& surface, int size, std::vector<s
   return counts;
 }
 
-// The p-th part (by area) of the factors by which lengths change from the surface to a flat domain;
-// both principal directions count.
-template <class Coordinates>
-std::vector<float> stretchPercentiles(const Surface& surface, Coordinates coordinates, std::initializer_list<double> parts) {
-  std::vector<std::pair<double, double>> stretches;
-  double total = 0.0;
-  for (std::size_t t = 0; t < surface.triangleCount(); ++t) {
-    const auto v = cornersOf(surface, t);
-    const glm::dvec3 e1 = v[1]->position - v[0]->position, e2 = v[2]->position - v[0]->position;
-    const glm::dvec3 n = glm::cross(e1, e2), x = glm::normalize(e1), y = glm::normalize(glm::cross(n, x));
-    const glm::dmat2 local(glm::dot(e1, x), glm::dot(e1, y), glm::dot(e2, x), glm::dot(e2, y));
-    const glm::dvec2 f1 = coordinates(*v[1]) - coordinates(*v[0]), f2 = coordinates(*v[2]) - coordinates(*v[0]);
-    const glm::dmat2 j = glm::dmat2(f1, f2) * glm::inverse(local);
-    const double a = glm::dot(j[0], j[0]), b = glm::dot(j[1], j[1]), c = glm::dot(j[0], j[1]);
-    const double half = std::sqrt((a - b) * (a - b) / 4 + c * c);
-    const double area = glm::length(n);
-    stretches.push_back({std::sqrt((a + b) / 2 + half), area});
-    stretches.push_back({std::sqrt(std::max(0.0, (a + b) / 2 - half)), area});
-    total += 2 * area;
-  }
-  std::sort(stretches.begin(), stretches.end());
-  std::vector<float> out;
-  for (const double part : parts) {
-    double sum = 0.0;
-    auto at = stretches.begin();
-    while (at + 1 != stretches.end() && (sum += at->second) < part * total) ++at;
-    out.push_back(static_cast<float>(at->first));
-  }
-  return out;
-}
-
 }  // namespace fur::geometry

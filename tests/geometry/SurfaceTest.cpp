@@ -62,19 +62,6 @@ TEST(Surface, HasGradientsPerpendicularToTheNormal) {
   }
 }
 
-// What remains of curvature that no flat chart can take up.
-constexpr float kLeastScale = 0.55f;
-
-TEST(Surface, HasAnEvenFurScale) {
-  for (const Mesh& mesh : {withoutUv(makeSphere()), makeTorus(), makeLump()}) {
-    const auto scale = stretchPercentiles(built(mesh), [](const SurfaceVertex& v) { return glm::dvec2(v.fur); },
-                                          {0.05, 0.5, 0.95});
-    EXPECT_GT(scale[0], kLeastScale);
-    EXPECT_NEAR(scale[1], 1.0f, 0.05f);
-    EXPECT_LT(scale[2], 1.25f);
-  }
-}
-
 TEST(Surface, MapsFurStepsToAtlasSteps) {
   for (const Mesh& mesh : {makeLump(), makePlane(), makeTorus()}) {
     const Surface surface = built(mesh);
