@@ -343,7 +343,7 @@ render::Frame App::State::frame() const {
 Status App::draw() {
   State& s = *state_;
   FUR_ASSERT(s.renderer.has_value(), "App::draw()", "an attached context", "none");
-  if (s.coat.layers() == 0) s.finishCoat();
+  if (!s.coatUploaded) s.finishCoat();
   s.renderer->updateMask(s.mask, s.mask.takeChanged());
   const Status status = s.renderer->draw(s.frame());
   s.uploadedBytes = s.renderer->takeUploadedBytes();

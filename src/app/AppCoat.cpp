@@ -40,6 +40,7 @@ void App::State::workOnCoat(double budget) {
 
 void App::State::showCoat(DrawnCoat next) {
   coat = std::move(next);
+  coatUploaded = true;
   ++coatRevision;
   forcesChanged = pictureChanged = true;
 }
@@ -52,7 +53,8 @@ void App::State::finishCoat() {
 // After a context was lost, or found: what was drawn has to be uploaded anew.
 void App::State::uploadCoat() {
   coatWork.reset();
-  if (const furgen::FurVolume* volume = coat.volume(); volume && !furChanged) renderer->setFur(*volume);
+  coatUploaded = coat.volume() && !furChanged;
+  if (coatUploaded) renderer->setFur(*coat.volume());
   else furChanged = true;
 }
 

@@ -72,6 +72,7 @@ struct App::State {
   double coatSeconds = 0;  // that coatWork has taken
   std::uint64_t coatRevision = 0;
   bool furChanged = true;
+  bool coatUploaded = false;  // the renderer has a coat to draw
 
   // Drawing.
   std::optional<render::Renderer> renderer;
