@@ -31,7 +31,8 @@ export function which(program) {
 
 /**
  * Runs a program to its end with our own output, in the tree's root. `quiet` keeps its output and
- * shows it only when it fails. Throws Stop when it fails.
+ * shows it only when it fails. Returns what it kept of the
+ * standard output. Throws Stop when it fails.
  */
 export function run(program, args, { quiet = false, env = {}, cwd = root } = {}) {
   const result = spawnSync(program, args, {
@@ -41,7 +42,7 @@ export function run(program, args, { quiet = false, env = {}, cwd = root } = {})
     encoding: 'utf8',
     maxBuffer: 1 << 28,
   });
-  if (result.status === 0) return;
+  if (result.status === 0) return result.stdout;
   if (quiet) process.stderr.write(`${result.stdout ?? ''}${result.stderr ?? ''}`);
   const how = result.error ? result.error.message : `exit ${result.status ?? result.signal}`;
   throw new Stop(`${program} ${args.join(' ')}: ${how}`);

@@ -31,6 +31,7 @@ constexpr const char* kUsage = R"(usage: wet-fur-render [model] -o out.png [opti
   --camera YAW,PITCH,DISTANCE   radians, radians, bounding radii
   --state FILE          a state as JSON
   --preset NAME         a coat by its name, such as rabbit
+  --list-presets        all of them as JSON, and no picture
   --<setting> VALUE     over these, any field of the settings table, as --furLength 0.2 or --view skin
 )";
 
@@ -165,6 +166,10 @@ Status render(const Options& o, const char* program) {
 }  // namespace
 
 int main(int count, char** values) {
+  if (count == 2 && values[1] == std::string("--list-presets")) {
+    std::printf("%s\n", settings::presetTableJson().c_str());
+    return 0;
+  }
   Options options;
   if (const std::string wrong = readOptions(count, values, options); !wrong.empty()) {
     std::fprintf(stderr, "%s\n%s", wrong.c_str(), kUsage);

@@ -1,0 +1,55 @@
+// npm run coats: docs/coats.jpg, a contact sheet of the presets on the bunny, each near and at a distance.
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { models } from './build.mjs';
+import { build, buildFolder } from './cmake.mjs';
+import { makeAssets } from './makeAssets.mjs';
+import { command, root, run } from './process.mjs';
+import { chromiumPath, needs, setUp } from './setup.mjs';
+
+// Yaw, pitch and distance of the two looks.
+const views = { far: '0.35,0.28,2.75', near: '0.35,0.2,1.45' };
+const size = { width: 400, height: 330 };  // drawn twice as large
+
+/** The table of presets, as the program lists it. */
+function presets(program) {
+  return JSON.parse(run(program, ['--list-presets'], { quiet: true }));
+}
+
+function pictures(program, preset, folder) {
+  return Object.entries(views).map(([view, camera]) => {
+    const file = join(folder, `${preset.name}-${view}.png`);
+    run(program, ['bunny', '-o', file, '--preset', preset.name, '--size', `${2 * size.width}x${2 * size.height}`, '--camera', camera], { quiet: true });
+    return `data:image/png;base64,${readFileSync(file).toString('base64')}`;
+  });
+}
+
+const page = (figures) => `<!doctype html><style>
+  body { margin: 0; padding: 12px; display: grid; grid-template-columns: repeat(2, max-content); gap: 12px;
+         font: 17px Karla, sans-serif; background: #f6f3ee; color: #2b2622; width: max-content }
+  figure { margin: 0 } img { display: inline-block; vertical-align: bottom } figcaption { padding: 6px 2px 2px }
+</style>${figures.map(({ label, description, images }) => `<figure>${images.map((src) => `<img width="${size.width}" src="${src}">`).join('')}
+  <figcaption><b>${label}</b>: ${description}</figcaption></figure>`).join('')}`;
+
+async function photograph(html, file) {
+  const { chromium } = await import('playwright-core');
+  const browser = await chromium.launch({ executablePath: chromiumPath() });
+  try {
+    const tab = await browser.newPage();
+    await tab.setContent(html);
+    await tab.locator('body').screenshot({ path: file, type: 'jpeg', quality: 85 });
+  } finally {
+    await browser.close();
+  }
+}
+
+await command(async () => {
+  setUp({ packages: [needs.headless, needs.browser], npm: true });
+  build('native-release', ['wet-fur-make-assets', 'wet-fur-render']);
+  makeAssets(join(buildFolder('native-release'), 'wet-fur-make-assets'), models);
+  const program = join(buildFolder('native-release'), 'wet-fur-render'), folder = join(root, 'build/coats');
+  mkdirSync(folder, { recursive: true });
+  mkdirSync(join(root, 'docs'), { recursive: true });
+  const figures = presets(program).map((preset) => ({ ...preset, images: pictures(program, preset, folder) }));
+  await photograph(page(figures), join(root, 'docs/coats.jpg'));
+});
