@@ -1,4 +1,4 @@
-// npm run bench: frame times and start-up, measured by tests/bench/run.mjs on the built site.
+// npm run bench: frame times (tests/bench/run.mjs) and the generator's (tests/bench/coat.mjs), of the built site.
 import { join } from 'node:path';
 import { buildSite } from './build.mjs';
 import { command, root, run } from './process.mjs';
@@ -7,5 +7,6 @@ import { chromiumPath, needs, setUp } from './setup.mjs';
 await command(() => {
   setUp({ packages: [needs.browser] });
   buildSite();
+  run(process.execPath, [join(root, 'tests/bench/coat.mjs')]);
   run(process.execPath, [join(root, 'tests/bench/run.mjs'), ...process.argv.slice(2)], { env: { FUR_CHROMIUM: chromiumPath() } });
 });

@@ -26,12 +26,18 @@ const channels = {
 };
 const finChannels = { coverage: [6, Uint8Array, 0], dominance: [9, Uint8Array, 0], variance: [7, Uint8Array, 0], tangent: [8, Int8Array, 1 / 127] };
 
+function scaled(stored, scale) {
+  const out = new Float32Array(stored.length);
+  for (let i = 0; i < out.length; ++i) out[i] = stored[i] * scale;
+  return out;
+}
+
 function readChannels(program, volume, table) {
   const out = {};
   for (const [name, [index, Type, scale]] of Object.entries(table)) {
     const length = program.call('fur_volumeChannelBytes', volume, index) / Type.BYTES_PER_ELEMENT;
     const stored = program.array(Type, program.call('fur_volumeChannel', volume, index), length);
-    out[name] = scale ? Float32Array.from(stored, (value) => value * scale) : stored;
+    out[name] = scale ? scaled(stored, scale) : stored;
   }
   return out;
 }

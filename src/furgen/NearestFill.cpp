@@ -14,6 +14,7 @@ NearestFill::NearestFill(int size)
       distance_(static_cast<std::size_t>(size) * size),
       columnId_(static_cast<std::size_t>(size) * size),
       apex_(static_cast<std::size_t>(size) * 2),
+      apexHeight_(static_cast<std::size_t>(size) * 2),
       from_(static_cast<std::size_t>(size) * 2 + 1) {}
 
 void NearestFill::fill(std::uint32_t* ids) {
@@ -48,25 +49,27 @@ void NearestFill::joinRow(int y, std::uint32_t* row) {
   const std::int32_t* distance = &distance_[static_cast<std::size_t>(y) * size_];
   const std::uint32_t* id = &columnId_[static_cast<std::size_t>(y) * size_];
   const int mask = size_ - 1, half = size_ / 2;
-  const auto height = [&](int q) { return static_cast<double>(distance[q & mask]) * distance[q & mask] + static_cast<double>(q) * q; };
+  const auto height = [&](int q) { return distance[q & mask] * distance[q & mask] + q * q; };
   int top = -1;
   // No nearest texel is more than half a tile away, so this stretch holds every candidate.
   for (int q = -half; q < size_ + half; ++q) {
     if (distance[q & mask] >= kFar) continue;
-    const double h = height(q);
-    double start = -1e30;
+    // Whole numbers below 2^24, so that single precision tells on which side of every texel they cross.
+    const int h = height(q);
+    float start = -1e30f;
     while (top >= 0) {
       const int v = apex_[top];
-      start = (h - height(v)) / (2.0 * (q - v));
+      start = static_cast<float>(h - apexHeight_[top]) / static_cast<float>(2 * (q - v));
       if (start > from_[top]) break;
       --top;
     }
-    if (top < 0) start = -1e30;
+    if (top < 0) start = -1e30f;
     apex_[++top] = q;
+    apexHeight_[top] = h;
     from_[top] = start;
   }
   for (int x = 0, k = 0; x < size_; ++x) {
-    while (k < top && from_[k + 1] <= x) ++k;
+    while (k < top && from_[k + 1] <= static_cast<float>(x)) ++k;
     row[x] = id[apex_[k] & mask];
   }
 }

@@ -24,8 +24,8 @@ class NearestFill {
   std::vector<std::int32_t> distance_;
   std::vector<std::uint32_t> columnId_;
   // Lower envelope of the parabolas of one row.
-  std::vector<int> apex_;
-  std::vector<double> from_;
+  std::vector<int> apex_, apexHeight_;
+  std::vector<float> from_;
 };
 
 }  // namespace fur::furgen
