@@ -166,9 +166,11 @@ const geometry::Surface& App::surface() const { return state_->surface; }
 const settings::Settings& App::settings() const { return state_->settings; }
 
 void App::State::applySettings(const settings::Settings& next) {
-  furChanged |= furParameters(settings) != furParameters(next);
+  const bool otherCoat = furParameters(settings) != furParameters(next);
+  furChanged |= otherCoat;
+  // The picture stays as it is until the other coat has grown.
+  if (!otherCoat || !differOnlyInCoat(settings, next)) forcesChanged = pictureChanged = true;
   settings = next;
-  forcesChanged = pictureChanged = true;
 }
 
 void App::setSettings(const settings::Settings& next) {

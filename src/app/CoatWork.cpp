@@ -14,6 +14,31 @@ constexpr int kStrandsAStep = 64;
 // What growing takes of the whole, roughly.
 constexpr float kGrowingShare = 0.4f;
 
+using settings::Settings;
+using furgen::FurParameters;
+
+struct Link {
+  float Settings::*setting;
+  float FurParameters::*parameter;
+};
+constexpr Link kLinks[] = {
+    {&Settings::density, &FurParameters::density},
+    {&Settings::thickness, &FurParameters::thickness},
+    {&Settings::taper, &FurParameters::taper},
+    {&Settings::lengthVariation, &FurParameters::lengthVariation},
+    {&Settings::curl, &FurParameters::curl},
+    {&Settings::wave, &FurParameters::wave},
+    {&Settings::coil, &FurParameters::coil},
+    {&Settings::frizz, &FurParameters::frizz},
+    {&Settings::clump, &FurParameters::clump},
+    {&Settings::lockSize, &FurParameters::lockSize},
+    {&Settings::roll, &FurParameters::roll},
+    {&Settings::stray, &FurParameters::stray},
+    {&Settings::tipBreak, &FurParameters::tipBreak},
+    {&Settings::undercoat, &FurParameters::undercoat},
+    {&Settings::undercoatLength, &FurParameters::undercoatLength},
+};
+
 furgen::LayerMaps layerOf(const furgen::FurVolume& v, int layer) {
   const std::size_t texels = static_cast<std::size_t>(v.size) * v.size, first = texels * static_cast<std::size_t>(layer);
   const auto part = [&](const auto& all, std::size_t channels) {
@@ -27,23 +52,9 @@ furgen::LayerMaps layerOf(const furgen::FurVolume& v, int layer) {
 
 furgen::FurParameters furParameters(const settings::Settings& s, Warnings* warnings) {
   furgen::FurParameters p;
+  for (const Link& link : kLinks) p.*link.parameter = s.*link.setting;
   p.size = 64 << s.tileSize;
   p.layers = s.layers;
-  p.density = s.density;
-  p.thickness = s.thickness;
-  p.taper = s.taper;
-  p.lengthVariation = s.lengthVariation;
-  p.curl = s.curl;
-  p.wave = s.wave;
-  p.coil = s.coil;
-  p.frizz = s.frizz;
-  p.clump = s.clump;
-  p.lockSize = s.lockSize;
-  p.roll = s.roll;
-  p.stray = s.stray;
-  p.tipBreak = s.tipBreak;
-  p.undercoat = s.undercoat;
-  p.undercoatLength = s.undercoatLength;
   p.seed = static_cast<std::uint32_t>(s.seed);
   const std::size_t layerBytes = static_cast<std::size_t>(p.size) * p.size * 4 * 4 / 3;
   const int most = static_cast<int>(kMaxTileBytes / layerBytes);
@@ -54,6 +65,14 @@ furgen::FurParameters furParameters(const settings::Settings& s, Warnings* warni
     p.layers = most;
   }
   return p;
+}
+
+bool differOnlyInCoat(const Settings& a, Settings b) {
+  for (const Link& link : kLinks) b.*link.setting = a.*link.setting;
+  b.tileSize = a.tileSize;
+  b.layers = a.layers;
+  b.seed = a.seed;
+  return a == b;
 }
 
 // --- DrawnCoat ---
@@ -120,7 +139,8 @@ bool CoatWork::step(render::Renderer& renderer) {
   coverage_.push_back(furgen::meanCover(maps_.coverage));
   renderer.setFurLayer(nextLayer_, furgen::packLevels(parameters_.size, parameters_.size, maps_.coverage, maps_.tangent, maps_.variance));
   if (++nextLayer_ < parameters_.layers) return false;
-  renderer.showFur(coat_->strands.empty() ? 0.0f : coverage_[0]);
+  // Of the layer where strands stand closest: coils are dense above a bare skin.
+  renderer.showFur(*std::max_element(coverage_.begin(), coverage_.end()));
   return true;
 }
 

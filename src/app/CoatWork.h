@@ -18,6 +18,9 @@ namespace fur::app {
 // take more than 192 MiB on the GPU.
 furgen::FurParameters furParameters(const settings::Settings& settings, Warnings* warnings = nullptr);
 
+// Whether everything but the generator's settings is the same: nothing to draw anew before the coat is there.
+bool differOnlyInCoat(const settings::Settings& a, settings::Settings b);
+
 // A coat that can be drawn: grown from settings, or read from a type set.
 class DrawnCoat {
  public:

@@ -20,6 +20,9 @@ Vec4 shownColor(std::uint32_t rgb) {
   return Vec4((rgb >> 16) & 255u, (rgb >> 8) & 255u, rgb & 255u, 255.0f) / 255.0f;
 }
 
+// From this share of its densest layer up a coat keeps the light from its roots.
+constexpr float kCrowdedDensity = 0.35f;
+
 // A slab is at most this thick on the screen: thicker ones show as rings along the outline.
 constexpr float kSlabPixels = 5.0f;
 
@@ -98,8 +101,10 @@ void Renderer::uploadBlocks(const Frame& frame) {
   coat.rootColor = Vec4(settings::linearColor(s.rootColor), 1) * frame.baseColorFactor;
   coat.tipColor = Vec4(settings::linearColor(s.tipColor), 1) * frame.baseColorFactor;
   coat.skinColor = Vec4(settings::linearColor(s.skinColor), 1) * frame.baseColorFactor;
-  coat.shading = Vec4(s.lambert, s.specular, s.shininess, s.strandShadow);
-  coat.coat = Vec4(s.occlusion, s.variance, s.textureAmount, 0);
+  // Where few strands stand, they hardly darken each other and the skin.
+  const float crowding = saturate(furDensity_ / kCrowdedDensity);
+  coat.shading = Vec4(s.lambert, s.specular, s.shininess, s.strandShadow * crowding);
+  coat.coat = Vec4(s.occlusion * crowding, s.variance, s.textureAmount, 0);
   coat.water = Vec4(s.clumpShape, s.wetDarkening, s.wetGloss, mask_.shape().width);
   const shared::FrameBlock block = frameBlock(frame);
   frameBlock_.update(gl::bytesOf(block));

@@ -31,7 +31,7 @@ class Renderer {
   void beginFur(int size, int layers, int finRows);
   void setFurLayer(int layer, std::span<const furgen::PackedLevel> levels);
   void setFinMap(std::span<const furgen::PackedLevel> levels);
-  // `density` for the strand shadow; 0: there are no strands.
+  // `density`: the share of the densest layer that strands cover; 0: there are none.
   void showFur(float density);
   void setFur(const furgen::FurVolume& volume);  // all of that at once
   // Straight RGBA8 in sRGB. {} makes it white.
