@@ -1,7 +1,8 @@
 #include "scene/TypeSet.h"
 
 #include <algorithm>
-#include <bit>
+#include <cmath>
+#include <cstring>
 
 #include "furgen/Coat.h"
 #include "furgen/NearestFill.h"
@@ -43,11 +44,14 @@ void appendTexels(std::vector<std::uint8_t>& bytes, const std::vector<std::uint8
 float floatAt(std::span<const std::uint8_t> bytes, std::size_t at) {
   std::uint32_t bits = 0;
   for (std::size_t i = 0; i < 4; ++i) bits |= std::uint32_t{bytes[at + i]} << (8 * i);
-  return std::bit_cast<float>(bits);
+  float value;
+  std::memcpy(&value, &bits, sizeof value);
+  return value;
 }
 
 void appendFloat(std::vector<std::uint8_t>& bytes, float value) {
-  const auto bits = std::bit_cast<std::uint32_t>(value);
+  std::uint32_t bits;
+  std::memcpy(&bits, &value, sizeof bits);
   for (unsigned shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<std::uint8_t>(bits >> shift));
 }
 

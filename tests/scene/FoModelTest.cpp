@@ -2,7 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <bit>
+#include <cmath>
+#include <cstring>
 #include <limits>
 #include <string>
 
@@ -20,7 +21,9 @@ const std::string kTriangle =
 // Every bit pattern of a finite number in the range of positions.
 float anyFloat(Random& random) {
   for (;;) {
-    const float value = std::bit_cast<float>(random.next());
+    const std::uint32_t bits = random.next();
+    float value;
+    std::memcpy(&value, &bits, sizeof value);
     if (std::abs(value) < 1e38f) return value;
   }
 }

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <bit>
 #include <chrono>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <map>
 
@@ -38,8 +38,7 @@ FurVolume read(const Bytes& bytes) {
 }
 
 void setFloat(Bytes& bytes, std::size_t at, float value) {
-  const auto bits = std::bit_cast<std::uint32_t>(value);
-  for (std::size_t i = 0; i < 4; ++i) bytes[at + i] = static_cast<std::uint8_t>(bits >> (8 * i));
+  std::memcpy(&bytes[at], &value, sizeof value);  // every machine that this runs on is little-endian
 }
 
 // The value that the given share of them does not exceed.

@@ -83,6 +83,22 @@ test('a model is read, and its size is in the units of the file', () => {
   assert.ok(core.importModel(readFileSync(join(dist, 'models/bunny.glb')), { name: 'bunny.glb' }).hasTexcoords);
 });
 
+test('.obj and .fo are read too, known by their names or without one by their content', () => {
+  const encode = (text) => new TextEncoder().encode(text);
+  const obj = encode('v 0 0 0\nv 2 0 0\nv 0 2 0\nv 2 2 0\nf 1 2 4 3\n');
+  const fo = encode('v 0 0 0 0 0 1 1 0\nv 1 0 0 0 0 1 0.5 0\nv 0 1 0 0 0 1 1 0\nt 0 0 0 0\np 1/1 2/1 3/1\n');
+  assert.equal(core.importModel(obj, { name: 'a.obj' }).triangleCount, 2);
+  assert.equal(core.importModel(obj).vertexCount, 4);
+  const model = core.importModel(fo);
+  assert.equal(model.hasTexcoords, true);
+  assert.equal(model.warnings.length, 1);
+  assert.throws(() => core.importModel(encode('v 0 0 nan'), { name: 'a.obj' }), (error) => {
+    assert.equal(error.code, 'bad-file');
+    assert.equal(error.message, 'a.obj, line 1: the z of a vertex is "nan", which is not a number');
+    return true;
+  });
+});
+
 test('a .gltf takes its buffer from the files beside it', () => {
   const { json, binary } = tetrahedron({ uri: 'four.bin' });
   const text = Buffer.from(JSON.stringify(json));

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { badModels, hugeImage, tetrahedron } from './glb.mjs';
-import { light, startBrowser, withFur } from './support.mjs';
+import { difference, light, picture, startBrowser, withFur } from './support.mjs';
 
 const site = startBrowser();
 let page;
@@ -81,6 +81,78 @@ test('a good .glb is shown, and a picture that cannot be decoded is only a warni
   const { error } = await load('painted.glb', brokenImage.glb());
   assert.equal(error, null);
   assert.ok(await withFur(page, (fur) => fur.warnings.some((text) => text.includes('picture'))));
+});
+
+const pyramid = 'v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nv 0 1.5 0\nf 4 3 2 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n';
+
+test('an .obj from the file dialog is shown', async () => {
+  await page.setInputFiles('#file', { name: 'pyramid.obj', mimeType: 'text/plain', buffer: Buffer.from(pyramid) });
+  await page.waitForFunction(() => wetFur.modelName === 'pyramid.obj');
+  assert.equal(await withFur(page, (fur) => fur.stats.triangles), 6);
+  assert.equal(await page.$eval('#model', (select) => select.selectedOptions[0].textContent), 'pyramid.obj');
+});
+
+test('a spoilt .obj is refused by name, line and reason, and the old scene stays', async () => {
+  const before = await scene();
+  const { error } = await load('fox.obj', Buffer.from(`${pyramid}f 1 2 6\n`));
+  assert.deepEqual(error, {
+    code: 'bad-file', message: 'fox.obj, line 11: a face refers to vertex 6, but only 5 are defined so far',
+  });
+  assert.deepEqual(await scene(), before);
+  await page.keyboard.press('Escape');
+});
+
+test('a saved .fo opens again with the same triangles', async () => {
+  const [before, after] = await withFur(page, async (fur) => {
+    const triangles = fur.stats.triangles;
+    await fur.loadModel(fur.saveFo(), { name: 'again.fo' });
+    return [triangles, fur.stats.triangles];
+  });
+  assert.equal(after, before);
+  assert.equal(await withFur(page, (fur) => fur.modelName), 'again.fo');
+});
+
+/** Waits until the coat that would be saved is `wanted` (or no more), a property of the page's window. */
+const untilCoat = (same) => page.waitForFunction((expected) => {
+  const now = wetFur.saveTypeSet();
+  return window.wanted.every((byte, i) => byte === now[i]) === expected;
+}, same, { polling: 200 });
+
+test('a dropped .fts is the coat until a setting that grows another changes', async () => {
+  const coat = await withFur(page, (fur) => {
+    fur.settings.density = 0.2;
+    window.wanted = fur.saveTypeSet();
+    fur.settings.density = 0.9;
+    fur.step(1 / 60);
+    let text = '';
+    for (const byte of window.wanted) text += String.fromCharCode(byte);
+    return btoa(text);
+  });
+  const dense = await picture(page);
+  await drop([['curls.fts', Buffer.from(coat, 'base64')]]);
+  await untilCoat(true);
+  assert.ok(difference(dense, await picture(page), 10) > 0.05);  // a fifth of the strands: most of the model
+  await withFur(page, (fur) => { fur.settings.wind = 0; fur.settings.density = 0.5; });
+  await untilCoat(false);
+});
+
+test('a type set moves over to the editor and back', async () => {
+  await withFur(page, async (fur) => {
+    await fur.loadTypeSet(window.wanted);
+    await fur.openEditor();
+  });
+  await untilCoat(true);
+  await withFur(page, (fur) => fur.closeEditor());
+  await untilCoat(true);
+});
+
+test('a spoilt .fts is a typed error, and coat and scene stay', async () => {
+  const before = await scene();
+  await drop([['fox.fts', 'no fur']]);
+  await page.waitForSelector('#messages .message:has-text("fox.fts: a type set has 3194888 bytes; this file has 6")');
+  await page.keyboard.press('Escape');
+  await untilCoat(true);
+  assert.deepEqual(await scene(), before);
 });
 
 test('wrong states, settings and options warn or throw, and nothing breaks', async () => {
