@@ -38,7 +38,7 @@ if(EMSCRIPTEN)
   get_target_property(type fur_scene TYPE)
   if(type STREQUAL "STATIC_LIBRARY")
     # The JSON and glTF readers are most of the download and run once per model.
-    target_compile_options(fur_scene PRIVATE $<$<CONFIG:Release>:-Os>)
+    target_compile_options(fur_scene PRIVATE $<$<CONFIG:Release>:-Oz>)
   endif()
 endif()
 

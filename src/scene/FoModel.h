@@ -8,7 +8,7 @@
 // that .fo comes from; a fur tile spans 1 of fur_u and fur_v, and its first row is at fur_v 0, so that
 // these two are Mesh::furUv as they are.
 //
-// Not here: the drawing of lengths and types (they are kept in FoModel only).
+// As a scene::Model, with furUv, importFo() reads it; lengths and types are kept in FoModel only.
 #pragma once
 
 #include <array>
@@ -20,7 +20,6 @@
 #include "core/Math.h"
 #include "core/Result.h"
 #include "geometry/Surface.h"
-#include "scene/Model.h"
 
 namespace fur::scene {
 
@@ -50,10 +49,6 @@ Result<FoModel> readFo(std::span<const std::uint8_t> bytes, const std::string& n
 
 // Every number must be finite. readFo() of it gives the same floats again, bit for bit.
 std::vector<std::uint8_t> writeFo(const FoModel& fo);
-
-// The mesh fitted to the unit sphere, with furUv. Lengths and types are lost, with one warning when they
-// are not the same everywhere.
-Result<Model> modelFromFo(const FoModel& fo, const std::string& name);
 
 // A surface for saving: length 1 and type 0 everywhere, the fur tile `repeat` times along a model unit.
 // Vertices that a seam has split are one again where position and normal are the same.

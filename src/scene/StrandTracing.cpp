@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "scene/import/CornerMesh.h"
+
 namespace fur::scene {
 
 namespace {
@@ -85,6 +87,7 @@ class Tracer {
     links_.push_back({layer, values});
   }
 
+  int rowOf(std::uint32_t cut) const { return static_cast<int>(trace_.cuts[cut].axis.y); }
   float wrapped(float distance, int size) const {
     const auto extent = static_cast<float>(size);
     return distance - extent * std::floor(distance / extent + 0.5f);
@@ -96,16 +99,17 @@ class Tracer {
   // Finds the cut that this one goes on from, among the tips of the layers below.
   void link(std::uint32_t cut) {
     const Link& self = links_[cut];
-    const float x = trace_.cuts[cut].axis.x, y = trace_.cuts[cut].axis.y, window = maps_.reach * kMaxStep;
+    const float x = trace_.cuts[cut].axis.x;
+    const int row = rowOf(cut), window = static_cast<int>(maps_.reach * kMaxStep) + 1;
     float nearest = std::numeric_limits<float>::max();
     std::uint32_t parent = kNone;
     for (int turn = -1; turn <= 1; ++turn) {
-      const float low = y - window + static_cast<float>(turn * maps_.height);
-      const auto before = [&](std::uint32_t tip, float bound) {
-        return links_[tip].values != self.values ? links_[tip].values < self.values : trace_.cuts[tip].axis.y < bound;
+      const int low = row - window + turn * maps_.height;
+      const auto before = [&](std::uint32_t tip, int bound) {
+        return links_[tip].values != self.values ? links_[tip].values < self.values : rowOf(tip) < bound;
       };
       auto tip = std::lower_bound(tips_.begin(), tips_.end(), low, before);
-      for (; tip != tips_.end() && links_[*tip].values == self.values && trace_.cuts[*tip].axis.y <= low + 2 * window; ++tip) {
+      for (; tip != tips_.end() && links_[*tip].values == self.values && rowOf(*tip) <= low + 2 * window; ++tip) {
         const int step = self.layer - links_[*tip].layer;
         const float reach = maps_.reach * static_cast<float>(step);
         const float across = std::abs(trace_.cuts[*tip].axis.x - x);
@@ -145,11 +149,12 @@ class Tracer {
     tips_.clear();
     for (std::size_t cut = first; cut < trace_.cuts.size(); ++cut)
       if (links_[cut].stepAbove == 0) tips_.push_back(static_cast<std::uint32_t>(cut));
-    std::sort(tips_.begin(), tips_.end(), [&](std::uint32_t a, std::uint32_t b) {
-      if (links_[a].values != links_[b].values) return links_[a].values < links_[b].values;
-      const float ya = trace_.cuts[a].axis.y, yb = trace_.cuts[b].axis.y;
-      return ya != yb ? ya < yb : a < b;
-    });
+    std::vector<Corner> keys;
+    for (const std::uint32_t cut : tips_)
+      keys.push_back({static_cast<std::uint32_t>(rowOf(cut)), static_cast<std::uint32_t>(links_[cut].values), 0});
+    const std::vector<std::uint32_t> found = tips_;
+    const std::vector<std::uint32_t> order = sortedCorners(keys, {static_cast<std::uint32_t>(maps_.height), 0xffff, 0});
+    for (std::size_t i = 0; i < order.size(); ++i) tips_[i] = found[order[i]];
   }
 
   void finish() {

@@ -1,6 +1,7 @@
 #include "scene/TypeSet.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -8,6 +9,7 @@
 #include "furgen/NearestFill.h"
 #include "furgen/Packing.h"
 #include "scene/StrandTracing.h"
+#include "scene/import/ImportError.h"
 
 namespace fur::scene {
 
@@ -16,44 +18,26 @@ namespace {
 using furgen::FurVolume;
 
 constexpr int kSize = kTypeSetSize, kLayers = kTypeSetLayers, kFinRows = kTypeSetFinRows;
-constexpr std::size_t kLayerTexels = std::size_t{kSize} * kSize;
+constexpr std::size_t kLayerTexels = std::size_t{kSize} * kSize, kFinTexels = std::size_t{kSize} * kFinRows;
 
 // A strand is followed as long as it leans by less than this many volume heights a height: 72 degrees.
 constexpr float kSteepest = 3.0f;
 float reachOf(int layers) { return kSteepest * furgen::kHeightTexels / static_cast<float>(layers) + 1.0f; }
 
-struct Maps {
-  std::vector<std::uint8_t> coverage, dominance, variance;
-};
+// The three bytes of every texel of the file, of one of its two parts.
+using Map = std::vector<std::uint8_t>;
 
-Maps splitTexels(std::span<const std::uint8_t> bytes) {
-  Maps maps;
-  for (std::size_t i = 0; i + 2 < bytes.size(); i += 3) {
-    maps.variance.push_back(bytes[i]);
-    maps.dominance.push_back(bytes[i + 1]);
-    maps.coverage.push_back(bytes[i + 2]);
-  }
-  return maps;
+void unpackTexels(const std::uint8_t* from, std::size_t texels, Map& variance, Map& dominance, Map& coverage) {
+  variance.resize(texels), dominance.resize(texels), coverage.resize(texels);
+  for (std::size_t i = 0; i < texels; ++i, from += 3) variance[i] = from[0], dominance[i] = from[1], coverage[i] = from[2];
 }
 
-void appendTexels(std::vector<std::uint8_t>& bytes, const std::vector<std::uint8_t>& coverage,
-                  const std::vector<std::uint8_t>& dominance, const std::vector<std::uint8_t>& variance) {
-  for (std::size_t i = 0; i < coverage.size(); ++i) bytes.insert(bytes.end(), {variance[i], dominance[i], coverage[i]});
+std::uint8_t* packTexels(const Map& variance, const Map& dominance, const Map& coverage, std::uint8_t* to) {
+  for (std::size_t i = 0; i < coverage.size(); ++i) *to++ = variance[i], *to++ = dominance[i], *to++ = coverage[i];
+  return to;
 }
 
-float floatAt(std::span<const std::uint8_t> bytes, std::size_t at) {
-  std::uint32_t bits = 0;
-  for (std::size_t i = 0; i < 4; ++i) bits |= std::uint32_t{bytes[at + i]} << (8 * i);
-  float value;
-  std::memcpy(&value, &bits, sizeof value);
-  return value;
-}
-
-void appendFloat(std::vector<std::uint8_t>& bytes, float value) {
-  std::uint32_t bits;
-  std::memcpy(&bits, &value, sizeof bits);
-  for (unsigned shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<std::uint8_t>(bits >> shift));
-}
+static_assert(std::endian::native == std::endian::little, "floats are written as they lie in memory");
 
 std::int16_t packOffset(float texels) {
   return static_cast<std::int16_t>(std::floor(glm::clamp(texels * 64.0f, -32768.0f, 32767.0f) + 0.5f));
@@ -107,51 +91,40 @@ void traceFin(FurVolume& volume) {
   }
 }
 
-Error bad(const std::string& what) { return {ErrorId::BadFile, what}; }
+Error bad(std::string text) { return {ErrorId::BadFile, std::move(text)}; }
 
 }  // namespace
 
 Result<FurVolume> readTypeSet(std::span<const std::uint8_t> bytes, const std::string& name) {
-  if (bytes.size() != kTypeSetBytes) {
-    return bad(name + ": a type set has " + std::to_string(kTypeSetBytes) + " bytes; this file has " +
-               std::to_string(bytes.size()));
-  }
+  if (bytes.size() != kTypeSetBytes)
+    return bad(formatted("%.200s: a type set has %zu bytes; this file has %zu", name.c_str(), kTypeSetBytes, bytes.size()));
+  float ends[2];
+  std::memcpy(ends, &bytes[kTypeSetBytes - sizeof ends], sizeof ends);
+  for (int i = 0; i < 2; ++i)
+    if (!(ends[i] >= 0.0f && ends[i] <= 1.0f))
+      return bad(formatted("%.200s: its %s is %g, not in 0 to 1", name.c_str(), i ? "weight" : "density", double{ends[i]}));
   FurVolume volume;
   volume.size = kSize;
   volume.layers = kLayers;
   volume.finRows = kFinRows;
-  volume.density = floatAt(bytes, kTypeSetBytes - 8);
-  volume.weight = floatAt(bytes, kTypeSetBytes - 4);
-  for (const auto& [what, value] : {std::pair{"density", volume.density}, std::pair{"weight", volume.weight}})
-    if (!(value >= 0.0f && value <= 1.0f)) return bad(name + ": its " + what + " is " + std::to_string(value) + ", not in 0 to 1");
-  const std::size_t layerBytes = 3 * kLayers * kLayerTexels;
-  Maps layers = splitTexels(bytes.first(layerBytes));
-  volume.coverage = std::move(layers.coverage);
-  volume.dominance = std::move(layers.dominance);
-  volume.variance = std::move(layers.variance);
-  Maps fin = splitTexels(bytes.subspan(layerBytes, 3 * kFinRows * kSize));
-  volume.finCoverage = std::move(fin.coverage);
-  volume.finDominance = std::move(fin.dominance);
-  volume.finVariance = std::move(fin.variance);
+  volume.density = ends[0];
+  volume.weight = ends[1];
+  unpackTexels(bytes.data(), kLayers * kLayerTexels, volume.variance, volume.dominance, volume.coverage);
+  unpackTexels(&bytes[3 * kLayers * kLayerTexels], kFinTexels, volume.finVariance, volume.finDominance, volume.finCoverage);
   traceLayers(volume);
   traceFin(volume);
   return volume;
 }
 
 Result<std::vector<std::uint8_t>> writeTypeSet(const FurVolume& volume) {
-  if (volume.size != kSize || volume.layers != kLayers || volume.finRows != kFinRows) {
-    const auto shape = [](int size, int layers, int rows) {
-      return std::to_string(size) + " texels a side, " + std::to_string(layers) + " layers and " + std::to_string(rows) + " fin rows";
-    };
-    return bad("a type set holds " + shape(kSize, kLayers, kFinRows) + "; this coat has " +
-               shape(volume.size, volume.layers, volume.finRows));
-  }
-  std::vector<std::uint8_t> bytes;
-  bytes.reserve(kTypeSetBytes);
-  appendTexels(bytes, volume.coverage, volume.dominance, volume.variance);
-  appendTexels(bytes, volume.finCoverage, volume.finDominance, volume.finVariance);
-  appendFloat(bytes, volume.density);
-  appendFloat(bytes, volume.weight);
+  if (volume.size != kSize || volume.layers != kLayers || volume.finRows != kFinRows)
+    return bad(formatted("a type set has %d texels a side, %d layers and %d fin rows; this coat has %d, %d and %d", kSize,
+                         kLayers, kFinRows, volume.size, volume.layers, volume.finRows));
+  std::vector<std::uint8_t> bytes(kTypeSetBytes);
+  std::uint8_t* to = packTexels(volume.variance, volume.dominance, volume.coverage, bytes.data());
+  to = packTexels(volume.finVariance, volume.finDominance, volume.finCoverage, to);
+  const float ends[2] = {volume.density, volume.weight};
+  std::memcpy(to, ends, sizeof ends);
   return bytes;
 }
 

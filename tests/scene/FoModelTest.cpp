@@ -9,6 +9,7 @@
 
 #include "core/Random.h"
 #include "geometry/Primitives.h"
+#include "scene/Model.h"
 #include "scene/TextFile.h"
 
 namespace fur::scene {

@@ -7,6 +7,7 @@
 #include "core/Random.h"
 #include "geometry/Surface.h"
 #include "scene/FoModel.h"
+#include "scene/Model.h"
 #include "scene/TextFile.h"
 
 namespace fur::scene {
@@ -142,14 +143,14 @@ TEST(ImportFo, RejectsWhatIsNotItsLayout) {
   expectBadFo("v 0 0 0 0 0 1 nan 0\n", ", line 1: a fur length is \"nan\", which is not a number");
   expectBadFo("v 0 0 0 0 0 1 1 0.5\n", ", line 1: a fur type is \"0.5\", which is not a whole number");
   expectBadFo("v 0 0 0 0 0 1 1 2147483648\n", ", line 1: a fur type is \"2147483648\"");
-  expectBadFo("v 0 0 0 0 0 1 1 0 7\n", ", line 1: \"7\" is one word too many");
+  expectBadFo("v 0 0 0 0 0 1 1 0 7\n", ", line 1: the last word is \"7\", which is one too many");
   expectBadFo("t 0 0 0\n", ", line 1: a texture coordinate is missing");
-  expectBadFo("\nf 1 2 3\n", ", line 2: \"f\" is no statement of a .fo file");
+  expectBadFo("\nf 1 2 3\n", ", line 2: the statement is \"f\", which is none of a .fo file");
   expectBadFo("", ", line 1: the file ends without a face");
   const std::string lists = kFo.substr(0, kFo.find("p "));
   expectBadFo(lists, ", line 7: the file ends without a face");
   expectBadFo(lists + "p 1/1 2/2\n", ", line 7: a face has fewer than 3 corners");
-  expectBadFo(lists + "p 1/1 2/2 3/3 1/1\n", ", line 7: \"1/1\" is one word too many");
+  expectBadFo(lists + "p 1/1 2/2 3/3 1/1\n", ", line 7: the last word is \"1/1\", which is one too many");
   expectBadFo(lists + "p 1/1 2/2 4/3\n", ", line 7: a face refers to vertex 4, but only 3 are defined so far");
   expectBadFo(lists + "p 1/1 2/2 3/4\n", ", line 7: a face refers to texture coordinate 4, but only 3");
   expectBadFo(lists + "p 1/1 2/2 -1/1\n", ", line 7: a face refers to vertex -1");

@@ -1,3 +1,4 @@
+#include <cstdarg>
 #include <cstdio>
 
 #include "geometry/Weld.h"
@@ -8,37 +9,33 @@ namespace fur::scene {
 
 namespace {
 
-// Nine digits tell every float from its neighbours.
-void appendNumber(std::string& text, float value) {
-  char digits[32];
-  std::snprintf(digits, sizeof digits, " %.9g", static_cast<double>(value));
-  for (char* c = digits; *c; ++c)
+// A line of the file, as std::printf has it; %.9g tells every float from its neighbours.
+[[gnu::format(printf, 2, 3)]] void appendLine(std::vector<std::uint8_t>& bytes, const char* format, ...) {
+  char line[200];
+  std::va_list arguments;
+  va_start(arguments, format);
+  const int length = std::vsnprintf(line, sizeof line, format, arguments);
+  va_end(arguments);
+  for (char* c = line; *c; ++c)
     if (*c == ',') *c = '.';  // a host program may have set a locale that prints numbers so
-  text += digits;
+  bytes.insert(bytes.end(), line, line + length);
 }
 
 }  // namespace
 
 std::vector<std::uint8_t> writeFo(const FoModel& fo) {
-  std::string text;
+  std::vector<std::uint8_t> bytes;
   for (std::size_t i = 0; i < fo.positions.size(); ++i) {
-    const Vec3 &p = fo.positions[i], &n = fo.normals[i];
-    text += 'v';
-    for (const float value : {p.x, p.y, p.z, n.x, n.y, n.z, fo.length[i]}) appendNumber(text, value);
-    text += ' ' + std::to_string(fo.furType[i]) + '\n';
+    const glm::dvec3 p(fo.positions[i]), n(fo.normals[i]);
+    appendLine(bytes, "v %.9g %.9g %.9g %.9g %.9g %.9g %.9g %d\n", p.x, p.y, p.z, n.x, n.y, n.z, double{fo.length[i]}, fo.furType[i]);
   }
   for (const FoModel::Texcoord& t : fo.texcoords) {
-    text += 't';
-    for (const float value : {t.colour.x, t.colour.y, t.fur.x, t.fur.y}) appendNumber(text, value);
-    text += '\n';
+    const glm::dvec2 colour(t.colour), fur(t.fur);
+    appendLine(bytes, "t %.9g %.9g %.9g %.9g\n", colour.x, colour.y, fur.x, fur.y);
   }
-  for (const auto& face : fo.faces) {
-    text += 'p';
-    for (const FoModel::Corner& corner : face)
-      text += ' ' + std::to_string(corner.vertex + 1) + '/' + std::to_string(corner.texcoord + 1);
-    text += '\n';
-  }
-  return {text.begin(), text.end()};
+  for (const auto& [a, b, c] : fo.faces)
+    appendLine(bytes, "p %u/%u %u/%u %u/%u\n", a.vertex + 1, a.texcoord + 1, b.vertex + 1, b.texcoord + 1, c.vertex + 1, c.texcoord + 1);
+  return bytes;
 }
 
 FoModel foFromSurface(const geometry::Surface& surface, float repeat) {

@@ -20,10 +20,15 @@ void sortBy(std::size_t list, std::uint32_t limit, const std::vector<Corner>& co
 
 }  // namespace
 
-CornerWeld weldCorners(const std::vector<Corner>& corners, const Corner& limits) {
+std::vector<std::uint32_t> sortedCorners(const std::vector<Corner>& corners, const Corner& limits) {
   std::vector<std::uint32_t> order(corners.size());
   std::iota(order.begin(), order.end(), 0u);
   for (std::size_t list = 0; list < 3; ++list) sortBy(list, limits[list], corners, order);
+  return order;
+}
+
+CornerWeld weldCorners(const std::vector<Corner>& corners, const Corner& limits) {
+  const std::vector<std::uint32_t> order = sortedCorners(corners, limits);
   CornerWeld weld;
   weld.vertexOf.resize(corners.size());
   // Of equal corners the first in the file comes first, and stands for all.
@@ -49,8 +54,8 @@ CornerWeld buildMesh(const CornerLists& lists, Model& model) {
   CornerWeld weld = weldCorners(
       lists.corners, {limit(lists.positions.size()), limit(lists.texcoords.size()), limit(lists.normals.size())});
   if (weld.cornerOf.size() > kMaxVertices) {
-    throw ImportError({ErrorId::TooLarge, model.name + ": its faces have over " + std::to_string(kMaxVertices) +
-                                              " different corners, which is the limit"});
+    throw ImportError({ErrorId::TooLarge, formatted("%.200s: its faces have over %zu different corners, which is the limit",
+                                                    model.name.c_str(), kMaxVertices)});
   }
   geometry::Mesh& mesh = model.mesh;
   mesh.indices = weld.vertexOf;

@@ -25,8 +25,11 @@ struct CornerWeld {
   std::vector<std::uint32_t> cornerOf;  // one a vertex: the first corner that is it
 };
 
-// Corners are the same vertex when all three numbers are. `limits`: no number is above its own. Linear in
-// corners and limits whatever the numbers are, for it sorts by counting.
+// Indices of the corners, sorted by their third, then second, then first number; equals stay in order.
+// `limits`: no number is above its own. Linear in corners and limits, for it sorts by counting.
+std::vector<std::uint32_t> sortedCorners(const std::vector<Corner>& corners, const Corner& limits);
+
+// Corners are the same vertex when all three numbers are.
 CornerWeld weldCorners(const std::vector<Corner>& corners, const Corner& limits);
 
 // (0, 0) in place of coordinates so large that a float no longer tells neighbouring texels apart.

@@ -1,9 +1,11 @@
 // How importers fail inside: they throw, and guardedImport() makes a Result of it at their border.
+// Texts are put together by one function instead of many small strings: with all that takes to free those
+// when something throws they would be a good part of what a page downloads.
 #pragma once
 
 #include <cstdint>
+#include <cstdarg>
 #include <exception>
-#include <new>
 #include <span>
 #include <string>
 #include <utility>
@@ -20,17 +22,20 @@ struct ImportError : std::exception {
   Error error;
 };
 
-// Whatever `work` returns or throws. `name` is the file's.
+// As std::printf has it, of at most 500 bytes.
+[[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);
+std::string formatted(const char* format, std::va_list arguments);
+
+// The error that the exception being handled stands for. `name` is the file's.
+Error caughtError(const std::string& name);
+
+// Whatever `work` returns or throws.
 template <class T, class Work>
 Result<T> guardedImport(const std::string& name, Work&& work) {
   try {
     return work();
-  } catch (const ImportError& failure) {
-    return failure.error;
-  } catch (const std::bad_alloc&) {
-    return Error{ErrorId::OutOfMemory, name + ": there is not enough memory for it"};
-  } catch (const std::exception& failure) {
-    return Error{ErrorId::BadFile, name + ": " + failure.what()};
+  } catch (...) {
+    return caughtError(name);
   }
 }
 

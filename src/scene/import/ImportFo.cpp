@@ -2,6 +2,7 @@
 
 #include "scene/FoModel.h"
 #include "scene/import/CornerMesh.h"
+#include "scene/import/Readers.h"
 #include "scene/import/StatementReader.h"
 
 namespace fur::scene {
@@ -18,7 +19,7 @@ class FoReader {
       if (keyword == "v") readVertex();
       else if (keyword == "t") readTexcoord();
       else if (keyword == "p") readFace();
-      else reader_.bad(StatementReader::quoted(keyword) + " is no statement of a .fo file; these are v, t and p");
+      else reader_.badWord("the statement", keyword, "is none of a .fo file: v, t and p are");
       reader_.expectEnd();
     }
     if (fo_.faces.empty()) reader_.bad("the file ends without a face");
@@ -55,7 +56,7 @@ class FoReader {
       bool fits = StatementReader::takeWhole(word, vertex) && !word.empty() && word[0] == '/';
       if (fits) word.remove_prefix(1);
       fits = fits && StatementReader::takeWhole(word, texcoord) && word.empty();
-      if (!fits) reader_.bad("a face's corner is " + StatementReader::quoted(whole) + "; it is written v/t");
+      if (!fits) reader_.badWord("a face's corner", whole, "is not v/t");
       corner = {reader_.index(vertex, fo_.positions.size(), "vertex"),
                 reader_.index(texcoord, fo_.texcoords.size(), "texture coordinate")};
     }
@@ -77,30 +78,20 @@ Result<FoModel> readFo(std::span<const std::uint8_t> bytes, const std::string& n
   return guardedImport<FoModel>(name, [&] { return FoReader(bytes, name).run(); });
 }
 
-Result<Model> modelFromFo(const FoModel& fo, const std::string& name) {
-  return guardedImport<Model>(name, [&] {
-    Model model;
-    model.name = name;
-    CornerLists lists;
-    lists.positions = fo.positions;
-    lists.normals = fo.normals;
-    for (const FoModel::Texcoord& t : fo.texcoords) lists.texcoords.emplace_back(t.colour.x, 1.0f - t.colour.y);
-    for (const auto& face : fo.faces)
-      for (const FoModel::Corner& corner : face)
-        lists.corners.push_back({corner.vertex + 1, corner.texcoord + 1, corner.vertex + 1});
-    const CornerWeld weld = buildMesh(lists, model);
-    for (const std::uint32_t first : weld.cornerOf)
-      model.mesh.furUv.push_back(usableTexcoord(fo.texcoords[lists.corners[first][1] - 1].fur));
-    if (varies(fo.length) || varies(fo.furType))
-      model.warnings.push_back(name + ": fur of several lengths or types is not drawn yet");
-    return model;
-  });
-}
-
-Result<Model> importFo(std::span<const std::uint8_t> bytes, const std::string& name) {
-  const auto fo = readFo(bytes, name);
-  if (!fo) return fo.error();
-  return modelFromFo(fo.value(), name);
+void readFo(Bytes bytes, Model& model) {
+  FoModel fo = FoReader(bytes, model.name).run();
+  CornerLists lists;
+  for (const FoModel::Texcoord& t : fo.texcoords) lists.texcoords.emplace_back(t.colour.x, 1.0f - t.colour.y);
+  for (const auto& face : fo.faces)
+    for (const FoModel::Corner& corner : face)
+      lists.corners.push_back({corner.vertex + 1, corner.texcoord + 1, corner.vertex + 1});
+  lists.positions = std::move(fo.positions);
+  lists.normals = std::move(fo.normals);
+  const CornerWeld weld = buildMesh(lists, model);
+  for (const std::uint32_t first : weld.cornerOf)
+    model.mesh.furUv.push_back(usableTexcoord(fo.texcoords[lists.corners[first][1] - 1].fur));
+  if (varies(fo.length) || varies(fo.furType))
+    model.warnings.push_back(model.name + ": fur of several lengths or types is not drawn yet");
 }
 
 }  // namespace fur::scene

@@ -6,6 +6,7 @@
 #include "scene/import/GltfFile.h"
 #include "scene/import/GltfMaterials.h"
 #include "scene/import/GltfNodes.h"
+#include "scene/import/Readers.h"
 
 namespace fur::scene {
 
@@ -166,14 +167,9 @@ class Importer {
 
 }  // namespace
 
-Result<Model> importGltf(std::span<const std::uint8_t> bytes, const std::string& name, const FileSet& others) {
-  return guardedImport<Model>(name, [&] {
-    const GltfFile file(bytes, name, others);
-    Model model;
-    model.name = name;
-    Importer(file, model).run();
-    return model;
-  });
+void readGltf(Bytes bytes, const FileSet& others, Model& model) {
+  const GltfFile file(bytes, model.name, others);
+  Importer(file, model).run();
 }
 
 }  // namespace fur::scene

@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "scene/Model.h"
+#include "scene/import/Readers.h"
 #include "scene/import/StatementReader.h"
 
 namespace fur::scene {
@@ -25,17 +26,14 @@ std::string endingOf(const std::string& name) {
   return ending;
 }
 
-// Both formats begin with v; the first other statement of a mesh tells them apart.
+// Both text formats begin with v; the first other statement of a mesh tells them apart.
 Format formatOfStatements(Bytes bytes, const std::string& name) {
-  const auto format = guardedImport<Format>(name, [&] {
-    for (StatementReader reader(bytes, name); reader.next();) {
-      const std::string_view keyword = reader.keyword();
-      if (keyword == "vt" || keyword == "vn" || keyword == "f") return Format::Obj;
-      if (keyword == "t" || keyword == "p") return Format::Fo;
-    }
-    return Format::Unknown;
-  });
-  return format ? format.value() : Format::Unknown;
+  for (StatementReader reader(bytes, name); reader.next();) {
+    const std::string_view keyword = reader.keyword();
+    if (keyword == "vt" || keyword == "vn" || keyword == "f") return Format::Obj;
+    if (keyword == "t" || keyword == "p") return Format::Fo;
+  }
+  return Format::Unknown;
 }
 
 Format formatOf(Bytes bytes, const std::string& name) {
@@ -46,16 +44,37 @@ Format formatOf(Bytes bytes, const std::string& name) {
   return formatOfStatements(bytes, name);
 }
 
+Result<Model> importAs(Format format, Bytes bytes, const std::string& name, const FileSet& others) {
+  return guardedImport<Model>(name, [&] {
+    Model model;
+    model.name = name;
+    switch (format == Format::Unknown ? formatOf(bytes, name) : format) {
+      case Format::Gltf: readGltf(bytes, others, model); break;
+      case Format::Obj: readObj(bytes, model); break;
+      case Format::Fo: readFo(bytes, model); break;
+      case Format::Unknown:
+        throw ImportError({ErrorId::BadFile, name + ": this is no model; .glb, .gltf, .obj and .fo files are read"});
+    }
+    return model;
+  });
+}
+
 }  // namespace
 
 Result<Model> importModel(std::span<const std::uint8_t> bytes, const std::string& name, const FileSet& others) {
-  switch (formatOf(bytes, name)) {
-    case Format::Gltf: return importGltf(bytes, name, others);
-    case Format::Obj: return importObj(bytes, name);
-    case Format::Fo: return importFo(bytes, name);
-    case Format::Unknown: break;
-  }
-  return Error{ErrorId::BadFile, name + ": this is no model; .glb, .gltf, .obj and .fo files are read"};
+  return importAs(Format::Unknown, bytes, name, others);
+}
+
+Result<Model> importGltf(std::span<const std::uint8_t> bytes, const std::string& name, const FileSet& others) {
+  return importAs(Format::Gltf, bytes, name, others);
+}
+
+Result<Model> importObj(std::span<const std::uint8_t> bytes, const std::string& name) {
+  return importAs(Format::Obj, bytes, name, {});
+}
+
+Result<Model> importFo(std::span<const std::uint8_t> bytes, const std::string& name) {
+  return importAs(Format::Fo, bytes, name, {});
 }
 
 }  // namespace fur::scene

@@ -2,6 +2,7 @@
 
 #include "scene/Model.h"
 #include "scene/import/CornerMesh.h"
+#include "scene/import/Readers.h"
 #include "scene/import/StatementReader.h"
 
 namespace fur::scene {
@@ -28,11 +29,11 @@ class ObjReader {
     else if (keyword == "mtllib" || keyword == "usemtl") warnOnce(kMaterials, "its materials are left out");
     else if (keyword == "p" || keyword == "l") warnOnce(kPoints, "its points and lines are left out");
     else if (keyword != "o" && keyword != "g" && keyword != "s")
-      warnOnce(kOthers, StatementReader::quoted(keyword) + " and whatever else is no part of a mesh are left out");
+      warnOnce(kOthers, "what is no part of a mesh is left out");
   }
 
   enum Kind { kMaterials, kPoints, kOthers, kKinds };
-  void warnOnce(Kind kind, const std::string& text) {
+  void warnOnce(Kind kind, const char* text) {
     if (!warned_[kind]) model_.warnings.push_back(model_.name + ": " + text);
     warned_[kind] = true;
   }
@@ -68,7 +69,7 @@ class ObjReader {
       }
       last = corner;
     }
-    if (count < 3) reader_.bad("a face has " + std::to_string(count) + " corners; it needs 3");
+    if (count < 3) reader_.bad("a face has %zu corners; it needs 3", count);
   }
 
   // v, v/t, v//n or v/t/n.
@@ -91,7 +92,7 @@ class ObjReader {
       if (word[0] != '/') break;
       word.remove_prefix(1);
     }
-    reader_.bad("a face's corner is " + StatementReader::quoted(whole) + "; it is written v, v/t, v//n or v/t/n");
+    reader_.badWord("a face's corner", whole, "is none of v, v/t, v//n and v/t/n");
   }
 
   StatementReader reader_;
@@ -102,13 +103,6 @@ class ObjReader {
 
 }  // namespace
 
-Result<Model> importObj(std::span<const std::uint8_t> bytes, const std::string& name) {
-  return guardedImport<Model>(name, [&] {
-    Model model;
-    model.name = name;
-    ObjReader(bytes, model).run();
-    return model;
-  });
-}
+void readObj(Bytes bytes, Model& model) { ObjReader(bytes, model).run(); }
 
 }  // namespace fur::scene

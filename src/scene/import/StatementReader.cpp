@@ -59,8 +59,7 @@ bool readDecimal(std::string_view text, double& out) {
 StatementReader::StatementReader(Bytes bytes, const std::string& name)
     : at_(reinterpret_cast<const char*>(bytes.data())), end_(at_ + bytes.size()), name_(name) {
   if (bytes.size() > kMaxFileBytes) {
-    fail(ErrorId::TooLarge, "the file has " + std::to_string(bytes.size()) + " bytes; the limit is " +
-                                std::to_string(kMaxFileBytes));
+    fail(ErrorId::TooLarge, formatted("the file has %zu bytes; the limit is %zu", bytes.size(), kMaxFileBytes));
   }
   if (std::string_view(at_, bytes.size()).substr(0, 3) == "\xef\xbb\xbf") at_ += 3;  // byte order mark
 }
@@ -114,22 +113,21 @@ bool StatementReader::next() {
 
 float StatementReader::number(const char* what) {
   const std::string_view text = word();
-  if (text.empty()) bad(std::string(what) + " is missing");
+  if (text.empty()) bad("%s is missing", what);
   double value;
-  if (!readDecimal(text, value)) bad(std::string(what) + " is " + quoted(text) + ", which is not a number");
+  if (!readDecimal(text, value)) badWord(what, text, "is not a number");
   // Halfway from the largest float to what would come next: up to there a number is rounded to a float.
-  if (!(std::abs(value) < 0x1.ffffffp127))
-    bad(std::string(what) + " is " + quoted(text) + ", which is too large");
+  if (!(std::abs(value) < 0x1.ffffffp127)) badWord(what, text, "is too large");
   return static_cast<float>(value);
 }
 
 int StatementReader::whole(const char* what) {
   const std::string_view text = word();
-  if (text.empty()) bad(std::string(what) + " is missing");
+  if (text.empty()) bad("%s is missing", what);
   std::string_view rest = text;
   std::int64_t value;
   const bool fits = takeWhole(rest, value) && rest.empty() && value == static_cast<int>(value);
-  if (!fits) bad(std::string(what) + " is " + quoted(text) + ", which is not a whole number of 32 bits");
+  if (!fits) badWord(what, text, "is not a whole number of 32 bits");
   return static_cast<int>(value);
 }
 
@@ -139,13 +137,13 @@ Vec3 StatementReader::position() {
   for (int axis = 0; axis < 3; ++axis) {
     p[axis] = number(names[axis]);
     // Half of what float holds, so that differences of positions are finite too.
-    if (std::abs(p[axis]) >= 1e38f) bad(std::string(names[axis]) + " is too large");
+    if (std::abs(p[axis]) >= 1e38f) bad("%s is too large", names[axis]);
   }
   return p;
 }
 
 void StatementReader::expectEnd() {
-  if (const std::string_view more = word(); !more.empty()) bad(quoted(more) + " is one word too many");
+  if (const std::string_view more = word(); !more.empty()) badWord("the last word", more, "is one too many");
 }
 
 bool StatementReader::takeWhole(std::string_view& word, std::int64_t& out) {
@@ -162,26 +160,33 @@ bool StatementReader::takeWhole(std::string_view& word, std::int64_t& out) {
 }
 
 std::uint32_t StatementReader::index(std::int64_t number, std::size_t count, const char* what) const {
-  if (number == 0) bad(std::string("a face refers to ") + what + " 0; they are counted from 1");
-  if (number < 0 || number > static_cast<std::int64_t>(count)) {
-    bad(std::string("a face refers to ") + what + " " + std::to_string(number) + ", but only " + std::to_string(count) +
-        " are defined so far");
-  }
+  if (number == 0) bad("a face refers to %s 0; they are counted from 1", what);
+  if (number < 0 || number > static_cast<std::int64_t>(count))
+    bad("a face refers to %s %lld, but only %zu are defined so far", what, static_cast<long long>(number), count);
   return static_cast<std::uint32_t>(number - 1);
 }
 
 void StatementReader::fail(ErrorId id, const std::string& what) const {
-  throw ImportError({id, name_ + ", line " + std::to_string(line_) + ": " + what});
+  throw ImportError({id, formatted("%.200s, line %zu: %s", name_.c_str(), line_, what.c_str())});
+}
+
+void StatementReader::bad(const char* format, ...) const {
+  std::va_list arguments;
+  va_start(arguments, format);
+  const std::string what = formatted(format, arguments);
+  va_end(arguments);
+  fail(ErrorId::BadFile, what);
+}
+
+void StatementReader::badWord(const char* what, std::string_view word, const char* why) const {
+  constexpr std::size_t kShown = 40;
+  char shown[kShown + 1] = {};
+  for (std::size_t i = 0; i < std::min(word.size(), kShown); ++i) shown[i] = word[i] > 0x20 && word[i] < 0x7f ? word[i] : '?';
+  bad("%s is \"%s%s\", which %s", what, shown, word.size() > kShown ? "..." : "", why);
 }
 
 void StatementReader::checkRoom(std::size_t count, std::size_t limit, const char* what) const {
-  if (count >= limit) fail(ErrorId::TooLarge, "there are over " + std::to_string(limit) + " " + what + ", which is the limit");
-}
-
-std::string StatementReader::quoted(std::string_view text) {
-  std::string out = "\"";
-  for (const char c : text.substr(0, 40)) out += c > 0x20 && c < 0x7f ? c : '?';
-  return out + (text.size() > 40 ? "…\"" : "\"");
+  if (count >= limit) fail(ErrorId::TooLarge, formatted("there are over %zu %s, which is the limit", limit, what));
 }
 
 }  // namespace fur::scene

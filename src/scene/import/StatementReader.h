@@ -39,15 +39,15 @@ class StatementReader {
   // For an element that a face refers to by `number`, counted from 1: its index.
   std::uint32_t index(std::int64_t number, std::size_t count, const char* what) const;
 
-  [[noreturn]] void fail(ErrorId id, const std::string& what) const;
-  [[noreturn]] void bad(const std::string& what) const { fail(ErrorId::BadFile, what); }
-  // Fails when `count` elements leave no room for one more.
+  // Fails with bad-file and the reason, as std::printf has it.
+  [[noreturn, gnu::format(printf, 2, 3)]] void bad(const char* format, ...) const;
+  // Fails with bad-file: `what` is `word`, and why that will not do. Either may be whatever the file holds.
+  [[noreturn]] void badWord(const char* what, std::string_view word, const char* why) const;
+  // Fails with too-large when `count` elements leave no room for one more.
   void checkRoom(std::size_t count, std::size_t limit, const char* what) const;
 
-  // `text` fit for a message: short and printable, in quotation marks.
-  static std::string quoted(std::string_view text);
-
  private:
+  [[noreturn]] void fail(ErrorId id, const std::string& what) const;
   bool takeBreak();
   bool skipToWord();
 
