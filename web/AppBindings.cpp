@@ -6,6 +6,7 @@
 #include "Boundary.h"
 #include "app/App.h"
 #include "scene/FoModel.h"
+#include "settings/Presets.h"
 
 using namespace fur;
 using app::App;
@@ -80,6 +81,20 @@ FUR_EXPORT const char* fur_getSetting(App* app, const char* name) {
 }
 FUR_EXPORT int fur_setSetting(App* app, const char* name, const char* value) {
   return guarded([&] { return app->setField(name, value) ? 1 : 0; });
+}
+FUR_EXPORT const char* fur_presetTable() { return web::text(settings::presetTableJson()); }
+// The preset whose coat it is now; "" when it is none's.
+FUR_EXPORT const char* fur_getPreset(App* app) {
+  const settings::Preset* preset = settings::presetOf(app->settings());
+  return web::text(preset ? preset->name : "");
+}
+// Warns of a name that is none.
+FUR_EXPORT int fur_applyPreset(App* app, const char* name) {
+  return guarded([&] {
+    if (app->applyPreset(name)) return 1;
+    app->addWarning(settings::unknownPreset(name));
+    return 0;
+  });
 }
 // yaw, pitch (radians), distance, target x, y, z
 FUR_EXPORT const double* fur_getCamera(App* app) {

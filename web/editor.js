@@ -15,7 +15,7 @@ export async function preloadEditor(onBytes) {
 }
 
 const wants = { pointer: 1, text: 4 };
-const commands = { openDialog: 1, loadBunny: 3, copy: 4, paste: 5 };
+const commands = { openDialog: 1, loadBunny: 3, copy: 4, paste: 5, saveTypeSet: 6, saveFo: 7 };
 
 /**
  * What the panel cannot do itself.
@@ -23,6 +23,8 @@ const commands = { openDialog: 1, loadBunny: 3, copy: 4, paste: 5 };
  * @property {() => void} wake
  * @property {() => void} openDialog
  * @property {() => void} loadBunny
+ * @property {() => Uint8Array} saveTypeSet
+ * @property {() => Uint8Array} saveFo
  */
 
 /** The panel of one app: web/editor/EditorBindings.cpp as methods, and a hidden text field for keyboards on screens. */
@@ -92,12 +94,25 @@ export class EditorPanel {
   #carryOut(command) {
     if (command === commands.openDialog) this.#host.openDialog();
     if (command === commands.loadBunny) this.#host.loadBunny();
-    if (command === commands.copy) this.#copy(this.#app.program.text(this.#app.program.call('fur_editor_commandText')));
+    const text = () => this.#app.program.text(this.#app.program.call('fur_editor_commandText'));
+    if (command === commands.copy) this.#copy(text());
+    if (command === commands.saveTypeSet) this.#save(() => this.#host.saveTypeSet(), text());
+    if (command === commands.saveFo) this.#save(() => this.#host.saveFo(), text());
     if (command === commands.paste) this.#paste();
   }
 
   #copy(text) {
     navigator.clipboard.writeText(text).catch((error) => this.message(`Nothing was copied: ${error.message}`, true));
+  }
+
+  #save(makeBytes, name) {
+    try {
+      const url = URL.createObjectURL(new Blob([makeBytes()]));
+      Object.assign(document.createElement('a'), { href: url, download: name }).click();
+      setTimeout(() => URL.revokeObjectURL(url), 10000);
+    } catch (error) {
+      this.message(`${name} was not saved: ${error.message}`, true);
+    }
   }
 
   async #paste() {

@@ -19,7 +19,7 @@ const forwardedMethods = [
   'loadTypeSet', 'saveTypeSet', 'saveFo', 'toBlob', 'getCameraOrbit', 'resetCamera', 'openEditor', 'closeEditor',
 ];
 const forwardedGetters = [
-  'loaded', 'ready', 'state', 'stats', 'settings', 'settingsTable', 'warnings', 'modelName', 'meanWetness',
+  'loaded', 'ready', 'state', 'stats', 'settings', 'settingsTable', 'presets', 'warnings', 'modelName', 'meanWetness',
   'wetnessHash', 'canUndo', 'canRedo', 'editorOpen', 'cameraOrbitText',
 ];
 

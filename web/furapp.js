@@ -15,6 +15,7 @@ export class FurApp {
   constructor(program) {
     this.program = program;
     this.handle = program.callOrThrow('fur_create');
+    this.presets = Object.freeze(JSON.parse(program.text(program.call('fur_presetTable'))));
     this.settingsTable = Object.freeze(JSON.parse(program.text(program.call('fur_settingsTable'))).map(readableField));
   }
 
@@ -68,6 +69,9 @@ export class FurApp {
     return field.type === 'float' || field.type === 'int' ? Number(text) : text;
   }
   setSetting(name, value) { return this.#call('fur_setSetting', name, String(value)) !== 0; }
+  /** The preset whose coat it is, or ''. Setting a name that is none warns. */
+  get preset() { return this.#text('fur_getPreset'); }
+  set preset(name) { this.#call('fur_applyPreset', name); }
   get camera() {
     const [yaw, pitch, distance, ...target] = this.program.numbers(this.#call('fur_getCamera'), 6);
     return { yaw, pitch, distance, target };

@@ -94,6 +94,7 @@ export class WetFur extends EventTarget {
   get state() { return this.#state === 'ready' && !this.#screen.visible ? 'suspended' : this.#state; }
   get stats() { return this.#app?.stats ?? null; }
   get settingsTable() { return this.#app?.settingsTable ?? null; }
+  get presets() { return this.#app?.presets ?? null; }
   get modelName() { return this.#source?.name ?? ''; }
   get meanWetness() { return this.#app?.meanWetness ?? 0; }
   get wetnessHash() { return this.#app?.wetnessHash ?? ''; }
@@ -113,7 +114,7 @@ export class WetFur extends EventTarget {
   }
   get(name) {
     if (name === 'src') return this.#src;
-    if (name === 'tool' && this.#app) return this.#app.tool;  // the editor's panel sets it too
+    if ((name === 'tool' || name === 'preset') && this.#app) return this.#app[name];  // the editor's panel sets them too
     return name in optionDefaults ? this.#options[name] : this.#getSetting(name);
   }
 
@@ -138,6 +139,10 @@ export class WetFur extends EventTarget {
       for (const field of ['backgroundTop', 'backgroundBottom']) this.#setSetting(field, value);
     if (!this.#app) return;
     if (name === 'tool') this.#app.tool = value;
+    if (name === 'preset' && value) {
+      this.#applyPreset(this.#app);
+      this.#afterChange();
+    }
     if (name === 'cameraControls') this.#app.cameraControls = value;
     if (name === 'cameraOrbit' && value) this.#applyOrbit(value);
     if (name === 'editor' && this.#source) this.#switchEditor(value);
@@ -148,6 +153,13 @@ export class WetFur extends EventTarget {
     const { maxPixelRatio, layers } = qualities[name];
     this.#screen.maxPixelRatio = maxPixelRatio;
     if (layers && !this.#wantedSettings.has('layers')) this.#setSetting('layers', layers);
+  }
+
+  /** Once: what is set later stays over it. */
+  #applyPreset(app) {
+    const name = this.#options.preset;
+    this.#options.preset = '';
+    if (name) app.preset = name;
   }
 
   #applyMotion() {
@@ -278,6 +290,7 @@ export class WetFur extends EventTarget {
     this.#app = app;
     app.resize(this.#screen.width, this.#screen.height, this.#screen.pixelRatio);
     if (this.#wantedState) this.#takeWantedState(app);
+    this.#applyPreset(app);
     for (const [name, value] of this.#wantedSettings) app.setSetting(name, value);
     for (const name of ['tool', 'cameraControls', 'motion']) this.#applyOption(name);
     this.#flushWarnings();
@@ -516,6 +529,8 @@ export class WetFur extends EventTarget {
         wake: () => this.#wake(),
         openDialog: () => this.#openDialog(),
         loadBunny: () => { this.src = 'bunny'; },
+        saveTypeSet: () => this.saveTypeSet(),
+        saveFo: () => this.saveFo(),
       });
       this.#panel.resize(this.#screen.width, this.#screen.height, this.#screen.pixelRatio);
     }

@@ -54,6 +54,7 @@ function readState(text, warn) {
 const readers = {
   src: (text, warn, pageUrl) => (isAllowedSrc(text, pageUrl) ? text : warn('is neither a model of this page nor a file of its server')),
   state: readState,
+  preset: (text) => text,  // the program knows the names
   tool: oneOf(choices.tool),
   quality: oneOf(choices.quality),
   motion: oneOf(choices.motion),
@@ -67,7 +68,7 @@ const readers = {
 
 /**
  * @param {string} pageUrl the page's whole address
- * @returns {{ src?: string, state?: string, tool?: string, quality?: string, motion?: string, camera?: string, dt?: number,
+ * @returns {{ src?: string, state?: string, preset?: string, tool?: string, quality?: string, motion?: string, camera?: string, dt?: number,
  *   frames?: number, ui?: boolean, editor?: boolean, autoplay?: boolean, settings: [string, string][], warnings: string[] }}
  *   `settings` holds the keys that are none of these: fields of the settings table, or unknown; the program knows which.
  */

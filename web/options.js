@@ -9,7 +9,7 @@ export const qualities = Object.freeze({
 });
 
 export const optionDefaults = Object.freeze({
-  tool: 'none', cameraControls: false, cameraOrbit: '', quality: 'auto', background: '', fixedDt: 0, paused: false,
+  preset: '', tool: 'none', cameraControls: false, cameraOrbit: '', quality: 'auto', background: '', fixedDt: 0, paused: false,
   wheel: 'focus', touchAction: '', motion: 'auto', editor: false,
 });
 

@@ -1,5 +1,6 @@
 // The demo page: one <wet-fur> over the window, its toolbar, files and links.
 import './element.js';
+import { Coats } from './coats.js';
 import { makeLink, readLink } from './link.js';
 import { Messages } from './messages.js';
 import { acceptedFiles, modelNames, sortFiles } from './models.js';
@@ -9,6 +10,7 @@ const fur = byId('fur');
 const bar = byId('bar');
 const modelPicker = byId('model');
 const messages = new Messages(byId('messages'));
+const coats = new Coats(byId('coat'), byId('coats'), fur);
 const toolButtons = [...bar.querySelectorAll('[data-tool]')];
 
 const pressedWind = 0.6;
@@ -24,6 +26,7 @@ function applyLink(link) {
     fur.warnings.push(text);
   }
   if (link.state) fur.setState(link.state);
+  if (link.preset) fur.preset = link.preset;
   for (const [name, text] of link.settings) fur.fur.set(name, text);
   if (link.tool) setTool(link.tool);
   if (link.quality) fur.quality = link.quality;
@@ -54,6 +57,7 @@ function setTool(tool) {
 
 function showButtons() {
   for (const button of toolButtons) button.setAttribute('aria-pressed', String(button.dataset.tool === fur.tool));
+  coats.showChosen();
   byId('undo').disabled = !fur.canUndo;
   byId('redo').disabled = !fur.canRedo;
   byId('wind').setAttribute('aria-pressed', String(fur.wind > 0));
@@ -190,7 +194,7 @@ function wireDrop() {
 
 function wireKeys() {
   addEventListener('keydown', (event) => {
-    if (event.key === 'Escape') messages.dismissAll();
+    if (event.key === 'Escape' && !coats.close()) messages.dismissAll();
     if (event.defaultPrevented || event.target === fur || !(event.ctrlKey || event.metaKey)) return;
     if (event.target instanceof HTMLInputElement) return;
     const key = event.key.toLowerCase();

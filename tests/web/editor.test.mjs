@@ -1,6 +1,7 @@
 // The editor panel: fetched on demand, and the scene moves into it and back.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { PNG } from 'pngjs';
 import { difference, picture, startBrowser, untilStill, withFur } from './support.mjs';
 
 const site = startBrowser();
@@ -51,4 +52,22 @@ test('the panel takes the pointer and the keys that are meant for it, the pictur
   await page.keyboard.press('Control+z');
   await page.keyboard.press('Control+z');
   assert.equal(await withFur(page, (fur) => fur.meanWetness), 0);
+});
+
+test('on a tall window the panel shows the tile of the coat that is drawn', async () => {
+  const page = await site.open('?quality=low&layers=8&fins=0&src=plane&editor=1&dryRate=0', { viewport: { width: 640, height: 1060 } });
+  await page.waitForFunction(() => wetFur.editorOpen, null, { timeout: 30000 });
+  const strands = async () => {
+    await untilStill(page);
+    const { data } = PNG.sync.read(await page.screenshot({ clip: { x: 300, y: 0, width: 328, height: 1060 } }));
+    let white = 0;
+    for (let i = 0; i < data.length; i += 4) white += data[i] === 255 && data[i + 1] === 255 && data[i + 2] === 255;
+    return white;
+  };
+  const many = await strands();
+  assert.ok(many > 1000, `${many} white pixels`);
+  await withFur(page, (fur) => { fur.settings.density = 0.05; });
+  const few = await strands();
+  assert.ok(few < many / 3, `${few} of ${many} white pixels`);
+  assert.deepEqual(page.problems, []);
 });

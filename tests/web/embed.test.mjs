@@ -141,3 +141,29 @@ test('createWetFur draws on a canvas of the page', async () => {
   assert.deepEqual([seen.layers, seen.width, seen.refused], [8, 120, 'network']);
   await untilStill(page);
 });
+
+test('the preset attribute is the coat, what is set beside it stays over it, and it can be changed', async () => {
+  const page = await open({ viewport: { width: 480, height: 600 } });
+  const seen = await page.evaluate(async () => {
+    const fur = document.createElement('wet-fur');
+    for (const [name, value] of Object.entries({ seed: 5, preset: 'velvet', quality: 'low', src: 'plane', loading: 'eager' }))
+      fur.setAttribute(name, value);
+    Object.assign(fur.settings, { layers: 8, fins: false, furLength: 0.1 });
+    document.body.append(fur);
+    await fur.ready;
+    const first = [fur.seed, fur.settings.density, fur.settings.furLength.toFixed(3), fur.preset];
+    fur.preset = 'wool';
+    const second = [fur.preset, fur.getAttribute('preset'), fur.seed, fur.settings.layers];
+    fur.settings.density = 0.5;
+    const third = fur.preset;
+    fur.preset = 'fox';
+    const { warnings } = fur;
+    fur.remove();
+    return { first, second, third, warnings };
+  });
+  assert.deepEqual(seen.first, [5, 1, '0.100', '']);
+  assert.deepEqual(seen.second, ['wool', 'wool', 5, 8]);
+  assert.equal(seen.third, '');
+  assert.equal(seen.warnings.length, 1);
+  assert.match(seen.warnings[0], /fox.*chinchilla/);
+});

@@ -70,6 +70,28 @@ test('the copied link restores settings, camera, model and tool', async () => {
   assert.equal(seen.undo, false);  // a link is where the scene starts
 });
 
+test('a preset of the address is the coat, and fields beside it stay over it', async () => {
+  const tab = await site.open(`?furLength=0.06&${light}&src=sphere&preset=wool`);
+  const seen = await withFur(tab, (fur) => {
+    const wool = fur.presets.find(({ name }) => name === 'wool').settings;
+    return { wool, now: Object.fromEntries(Object.keys(wool).map((name) => [name, fur.settings[name]])), layers: fur.settings.layers };
+  });
+  for (const [name, value] of Object.entries({ ...seen.wool, furLength: 0.06 })) {
+    if (typeof value === 'number') assert.ok(Math.abs(seen.now[name] - value) < 1e-6, name);
+    else assert.equal(seen.now[name], value, name);
+  }
+  assert.equal(seen.layers, 8);
+  assert.equal(await withFur(tab, (fur) => fur.canUndo), false);
+  assert.deepEqual(await withFur(tab, (fur) => fur.warnings), []);
+});
+
+test('a preset that there is not warns once and names those that there are', async () => {
+  const tab = await site.open(`?${light}&src=sphere&preset=fox`);
+  const warnings = await withFur(tab, (fur) => fur.warnings);
+  assert.equal(warnings.length, 1);
+  for (const name of await withFur(tab, (fur) => fur.presets.map((preset) => preset.name))) assert.ok(warnings[0].includes(name), name);
+});
+
 test('dt, frames and autoplay=0 give the same still picture at every visit', async () => {
   const visit = async () => {
     const tab = await site.open(`?${light}&src=sphere&wind=0.8&motion=full&dt=0.02&frames=25&autoplay=0`);

@@ -188,13 +188,60 @@ test('every control has a name and, on a phone, room for a finger', async () => 
     const { width, height, left, right } = control.getBoundingClientRect();
     return { name: control.title || control.labels?.[0]?.textContent || '', width, height, inside: left >= 0 && right <= innerWidth };
   }));
-  assert.equal(controls.length, 12);
+  assert.equal(controls.length, 13);
   for (const { name, width, height, inside } of controls) {
     assert.ok(name.length > 2);
     assert.ok(width >= 44 && height >= 44, `${name}: ${width} x ${height}`);
     assert.ok(inside, `${name} is cut off`);
   }
   assert.ok(await page.$eval('#bar', (bar) => bar.getBoundingClientRect().height) < 120);
+});
+
+test('a coat that is chosen on the page changes the fur; undo takes it back, and the link holds it', async () => {
+  const page = await site.open(`?quality=low&layers=8&fins=0&src=sphere`, { permissions: ['clipboard-read', 'clipboard-write'] });
+  const before = await picture(page);
+  const plain = await withFur(page, (fur) => fur.getState());
+  await page.click('#coat');
+  assert.equal(await page.$$eval('#coats button', (list) => list.length), 11);
+  assert.equal(await page.$$eval('#coats [aria-pressed=true]', (list) => list.length), 0);
+  await page.click('#coats [data-coat=chinchilla]');
+  assert.equal(await withFur(page, (fur) => fur.preset), 'chinchilla');
+  assert.deepEqual(await page.$$eval('#coats [aria-pressed=true]', (list) => list.map((one) => one.dataset.coat)), ['chinchilla']);
+  await untilStill(page);
+  assert.ok(difference(before, await picture(page), 16) > 0.05);
+  await page.click('#link');
+  await page.waitForSelector('#messages .message');
+  const link = await page.evaluate(() => navigator.clipboard.readText());
+  await page.click('#undo');
+  assert.equal(await withFur(page, (fur) => fur.preset), '');
+  assert.equal(await withFur(page, (fur) => fur.getState()), plain);
+  const other = await site.open(new URL(link).search);
+  assert.equal(await withFur(other, (fur) => fur.preset), 'chinchilla');
+  assert.deepEqual(page.problems, []);
+  assert.deepEqual(await page.evaluate(() => window.violations), []);
+});
+
+test('the coats are reached by keys, and are on the screen of a phone', async () => {
+  const page = await site.open(`?quality=low&layers=8&fins=0&src=plane`, { viewport: { width: 390, height: 600 } });
+  await page.focus('#coat');
+  await page.keyboard.press('Enter');
+  const focused = () => page.evaluate(() => document.activeElement.dataset.coat ?? document.activeElement.id);
+  assert.equal(await focused(), 'rabbit');
+  await page.keyboard.press('ArrowRight');
+  assert.equal(await focused(), 'chinchilla');
+  await page.keyboard.press('ArrowDown');
+  await page.keyboard.press('ArrowUp');
+  assert.equal(await focused(), 'chinchilla');
+  await page.keyboard.press('Enter');
+  assert.equal(await withFur(page, (fur) => fur.preset), 'chinchilla');
+  const boxes = await page.$$eval('#coats button', (list) => list.map((one) => {
+    const { left, right, top, bottom, width, height } = one.getBoundingClientRect();
+    return { name: one.dataset.coat, inside: left >= 0 && right <= innerWidth && top >= 0 && bottom <= innerHeight, width, height };
+  }));
+  for (const { name, inside, width, height } of boxes) assert.ok(inside && width >= 44 && height >= 44, `${name}: ${width} x ${height}`);
+  await page.keyboard.press('Escape');
+  assert.equal(await page.isHidden('#coats'), true);
+  assert.equal(await focused(), 'coat');
 });
 
 test('wetness is announced politely', async () => {

@@ -1,5 +1,5 @@
 // wet-fur/element: registers <wet-fur>.
-import type { FurSettings, Motion, Quality, Tool, WetFurApi, WetFurEventMap, WheelManner } from './index.js';
+import type { FurSettings, Motion, PresetName, Quality, Tool, WetFurApi, WetFurEventMap, WheelManner } from './index.js';
 
 export class WetFurElement extends HTMLElement {
   src: string;
@@ -7,6 +7,7 @@ export class WetFurElement extends HTMLElement {
   poster: string;
   loading: 'auto' | 'lazy' | 'eager';
   reveal: 'auto' | 'interaction';
+  preset: PresetName | '';
   tool: Tool;
   cameraControls: boolean;
   cameraOrbit: string;

@@ -154,9 +154,23 @@ export interface CameraOrbit {
   target: [number, number, number];
 }
 
+export type PresetName =
+  | 'rabbit' | 'chinchilla' | 'curlyDog' | 'thickNylon' | 'fineSparse'
+  | 'otter' | 'shortCat' | 'persian' | 'shag' | 'velvet' | 'wool';
+
+/** A coat by its name: what it sets; the other settings of a coat take their defaults. */
+export interface Preset {
+  readonly name: PresetName;
+  readonly label: string;
+  readonly description: string;
+  readonly settings: Readonly<Partial<FurSettings>>;
+}
+
 export interface WetFurOptions extends Partial<FurSettings> {
   /** "bunny", "sphere", "torus", "plane", or the address of a .glb, .gltf, .obj or .fo. */
   src?: string;
+  /** Chooses a coat, and settings that are given beside it stay over it. Read: '' when the coat is no preset's. */
+  preset?: PresetName | '';
   tool?: Tool;
   cameraControls?: boolean;
   /** "yaw pitch distance [x y z]", radians or with "deg". */
@@ -217,6 +231,8 @@ export interface WetFurApi {
   /** Live values; what is set before the program is there is kept for it. */
   readonly settings: FurSettings;
   readonly settingsTable: readonly SettingsField[] | null;
+  /** null until the program is there. */
+  readonly presets: readonly Preset[] | null;
   /** The newest hundred. */
   readonly warnings: string[];
   readonly modelName: string;

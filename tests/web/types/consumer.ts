@@ -17,6 +17,9 @@ export async function onACanvas(canvas: HTMLCanvasElement): Promise<number> {
   fur.set('cameraOrbit', '20deg 10deg 3');
   const spot = fur.pick({ x: 10, y: 20 });
   if (spot) fur.splash(spot, { radius: 0.1 });
+  fur.set('preset', 'wool');
+  const coats: string[] = (fur.presets ?? []).map(({ label, settings }) => `${label} ${settings.tipColor}`);
+  console.log(coats.join(', '));
   fur.step(1 / 60, 30);
   const orbit: CameraOrbit | null = fur.getCameraOrbit();
   const blob: Blob = await fur.toBlob({ width: 640, height: 480 });
@@ -39,6 +42,9 @@ export async function onAPage(): Promise<void> {
   const element: WetFurElement = document.createElement('wet-fur');
   element.src = 'otter.glb';
   element.loading = 'lazy';
+  element.preset = 'chinchilla';
+  // @ts-expect-error there is no such coat
+  element.preset = 'fox';
   element.reveal = 'interaction';
   element.dryRate = 0.1;
   element.furLength = 0.1;
