@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "gl/Objects.h"
 #include "native/Files.h"
 #include "native/window/Window.h"
+#include "scene/FoModel.h"
 #include "settings/Presets.h"
 
 namespace {
@@ -105,6 +107,18 @@ class Session {
       host_.message(status.error().message, true);
   }
 
+  // Into the folder that the program was started in, beside what is there.
+  void save(const std::string& name, const std::vector<std::uint8_t>& bytes) {
+    namespace fs = std::filesystem;
+    const fs::path wanted(name);
+    fs::path path = wanted;
+    std::error_code ignored;
+    for (int i = 2; fs::exists(path, ignored); ++i)
+      path = wanted.stem().string() + '-' + std::to_string(i) + wanted.extension().string();
+    const Status status = native::writeFile(path.string(), bytes);
+    host_.message(status ? "Saved as " + fs::absolute(path, ignored).string() : status.error().message, !status);
+  }
+
   void serveEditor() {
     using Kind = app::PlatformCommand::Kind;
     while (const auto command = host_.takeCommand()) {
@@ -124,7 +138,10 @@ class Session {
         case Kind::OpenDialog:
           break;  // the panel offers a path field instead
         case Kind::SaveTypeSet:
+          save(command->text, app_.saveTypeSet());
+          break;
         case Kind::SaveFo:
+          save(command->text, scene::writeFo(scene::foFromSurface(app_.surface(), app_.settings().repeat)));
           break;
       }
     }
