@@ -70,10 +70,9 @@ export class Coats {
   }
 
   #onKey(event) {
-    const buttons = this.#buttons;
-    const columns = buttons.filter((button) => button.offsetTop === buttons[0].offsetTop).length;
-    const step = { ArrowLeft: -1, ArrowRight: 1, ArrowUp: -columns, ArrowDown: columns }[event.key];
+    const step = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
     if (!step) return;
+    const buttons = this.#buttons;
     buttons[buttons.indexOf(event.target) + step]?.focus();
     event.preventDefault();
   }
