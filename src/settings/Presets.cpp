@@ -23,19 +23,19 @@ constexpr Preset kPresets[] = {
      "specular=0.35"},
     {"thickNylon", "Thick nylon", "A toy's fur: thick rolled locks, and threads that none of them holds",
      "density=0.9 thickness=0.3 taper=0.4 lengthVariation=0.15 curl=0.2 furLength=0.2 repeat=2.5 clump=1 "
-     "lockSize=0.3 roll=0.35 stray=0.06 rootColor=#7d1b4c tipColor=#e85c98 skinColor=#54203a variance=0.2 "
+     "roll=0.35 stray=0.06 rootColor=#7d1b4c tipColor=#e85c98 skinColor=#54203a variance=0.2 "
      "specular=0.8 shininess=120"},
-    {"fineSparse", "Fine and sparse", "Thin hair, through which the skin shows",
+    {"fineSparse", "Fine sparse", "Thin hair, through which the skin shows",
      "density=0.25 thickness=0.08 lengthVariation=0.5 curl=0.2 furLength=0.14 rootColor=#8f7056 "
      "tipColor=#cdb695 skinColor=#dcab94 strandShadow=0.2 occlusion=0.2 gravity=0.35"},
     {"otter", "Otter", "Dark glossy guard hairs over a dense undercoat",
      "density=1 thickness=0.25 lengthVariation=0.2 curl=0.08 furLength=0.07 repeat=6 undercoat=1 "
      "undercoatLength=0.5 rootColor=#2b1d15 tipColor=#5d4331 skinColor=#463129 specular=0.55 shininess=90 "
      "stiffness=0.7"},
-    {"shortCat", "Short-haired cat", "Short, sleek and ginger",
+    {"shortCat", "Shorthair", "A cat's short coat: sleek, ginger",
      "density=1 thickness=0.28 lengthVariation=0.2 curl=0.05 furLength=0.05 repeat=6 undercoat=0.3 "
      "rootColor=#8a5a30 tipColor=#dd9850 skinColor=#a4735c specular=0.7 shininess=80 stiffness=0.8"},
-    {"persian", "Persian cat", "Very long, fine and soft, in cream",
+    {"persian", "Persian", "A cat's long coat: very fine and soft, in cream",
      "density=1 thickness=0.18 taper=0.7 curl=0.15 furLength=0.28 repeat=5 wave=0.35 clump=0.2 tipBreak=0.5 "
      "undercoat=0.4 rootColor=#c4b6a4 tipColor=#f7f1e8 skinColor=#c99f90 variance=0.25 gravity=0.4 "
      "stiffness=0.3"},
