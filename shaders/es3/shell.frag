@@ -28,25 +28,16 @@ out vec4 fragColor;
 // The layers that the strand edges and mip levels are tuned for; see `softness`.
 const float kReferenceLayers = 16.0;
 
-// How much of a strand, by its variance, belongs to this chart where `from` .. `to` of all strands do
-// (geometry/FurOverlap.h). The variance is folded twice: any part of 0..1 then holds as many bright as dark
-// strands. `blur` 0..1: mip levels mix the variances of neighbours, and tell only the mean share.
-float strandShare(float from, float to, float strandVariance, float blur) {
-  const float kSoft = 0.06;  // of 0..1: two texels' way through a zone
-  float number = abs(fract(2.0 * strandVariance) * 2.0 - 1.0);
-  // Ends widened by kSoft, so that 0 and 1 leave out none; what one chart leaves the next one takes.
-  vec2 below = clamp((vec2(from, to) * (1.0 + kSoft) - number) / kSoft, 0.0, 1.0);
-  return mix(below.y - below.x, to - from, blur);
-}
-
 float storedLayer(float drawn) { return floor((drawn + 0.5) * volume.y / shape.z); }
 
 void main() {
   vec2 strands = clamp(vStrands, 0.0, 1.0);
-  if (strands.x >= strands.y) discard;
-  bool inZone = strands.y - strands.x < 1.0;
   float lod = pickLevel(vLight.w);
-  float blur = smoothstep(0.0, 3.0, lod);
+  // Where charts overlap (geometry/FurOverlap.h) this one shows the strands whose number lies in
+  // `strands`, with ends `soft` wide: two texels' way through the zone. Mip levels mix the numbers of
+  // neighbours until only the mean share is known, which is what wide ends come to.
+  float soft = 0.1 * exp2(2.0 * lod);
+  vec3 ends = vec3(strands * (1.0 + soft), -1.0) / soft;
   // Magnified strands get edges one pixel wide; minified ones keep their fractional coverage.
   float sharp = exp2(max(-vLight.w, 0.0));
   vec2 at = vTile.xy;
@@ -63,7 +54,8 @@ void main() {
   vec4 clump = clumpAt(mask, vAtlas);
 #endif
   float subSteps = ceil(vSubSteps - 0.01);
-  float stepSize = 1.0 / subSteps, steps = shape.w * subSteps;
+  // A discard would not do: rasterisers may go on to march pixels that are discarded.
+  float stepSize = 1.0 / subSteps, steps = strands.x < strands.y ? shape.w * subSteps : 0.0;
   // A half-covered texel is half-covered on every layer of the same strand: counted anew each time
   // it would grow opaque with the number of layers. Stands in for 1 - (1 - c)^softness.
   float softness = min(1.0, kReferenceLayers / (shape.z * subSteps));
@@ -92,7 +84,9 @@ void main() {
 #endif
     vec4 t = textureLod(tile, vec3(root, storedLayer(layer)), level);
     float cover = clamp((t.r - 0.5) * sharp + 0.5, 0.0, 1.0) * open;
-    if (inZone) cover *= strandShare(strands.x, strands.y, t.a, blur);
+    // A strand's number is its variance, folded: any part of 0..1 holds as many bright as dark strands.
+    vec2 below = clamp(ends.xy + ends.z * abs(2.0 * t.a - 1.0), 0.0, 1.0);
+    cover *= below.y - below.x;
     float add = cover * softness / (1.0 - cover * (1.0 - softness)) * (1.0 - alpha);
     sum += add * vec4(t.gba, layer);
 #ifdef WET

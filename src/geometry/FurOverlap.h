@@ -24,9 +24,10 @@
 
 namespace fur::geometry {
 
-// About four strands' distance at the default density and repeat. Narrower, and the eye joins the cut
-// strands of the zone to a line again; wider costs more fragments that are shaded twice.
-inline constexpr float kReach = 0.03f;
+// Two to three strands' distance at the default density and repeat (0.008). Judged by pictures: from 0.015
+// on no border is found on bunny, sphere and torus; at 0.02 the bunny shades 8 % of its surface twice, at
+// 0.03 it is 12 %.
+inline constexpr float kReach = 0.02f;
 inline constexpr std::size_t kMostCopies = 4;
 
 // Appends the copies to `vertices`, sets `strands` of all of them and makes furIndices. `chartOf` has the
