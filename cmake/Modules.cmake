@@ -34,14 +34,6 @@ fur_library(fur_hair src/hair ${FUR_FIELDS})
 fur_library(fur_scene src/scene fur_furgen fur_wet fur_dynamics fur_hair)
 set(FUR_PURE_MODULES fur_core fur_geometry fur_settings fur_furgen fur_wet fur_dynamics fur_hair fur_scene)
 
-if(EMSCRIPTEN)
-  get_target_property(type fur_scene TYPE)
-  if(type STREQUAL "STATIC_LIBRARY")
-    # The JSON and glTF readers are most of the download and run once per model.
-    target_compile_options(fur_scene PRIVATE $<$<CONFIG:Release>:-Oz>)
-  endif()
-endif()
-
 if(TARGET third_party_gles)
   file(GLOB_RECURSE FUR_SHADERS CONFIGURE_DEPENDS
     "${CMAKE_SOURCE_DIR}/shaders/es3/*.vert" "${CMAKE_SOURCE_DIR}/shaders/es3/*.frag"
@@ -66,6 +58,15 @@ if(TARGET third_party_gles)
     fur_library(fur_editor src/editor fur_scene imgui fur_editor_font)
     fur_library(fur_app_editor src/app/editor fur_app fur_editor imgui_opengl3)
   endif()
+endif()
+
+if(EMSCRIPTEN)
+  # Much code that runs once a model, once a file or once a frame: the download counts more than its speed.
+  foreach(module scene settings geometry gl render app)
+    if(TARGET fur_${module})
+      target_compile_options(fur_${module} PRIVATE $<$<CONFIG:Release>:-Os>)
+    endif()
+  endforeach()
 endif()
 
 # The programs wait for this check, so a forbidden include fails the build of all of them.

@@ -20,7 +20,8 @@ struct Link {
   int values;                    // variance and dominance
   std::uint32_t parent = kNone;  // the cut below it
   Vec2 path{0.0f};               // from the strand's first cut
-  // To the nearest of its children.
+  // The nearest of those that go on from it, and the way to it.
+  std::uint32_t child = kNone;
   Vec2 above{0.0f};
   int stepAbove = 0;             // layers; 0: there is none
 };
@@ -136,6 +137,7 @@ class Tracer {
     self.path = below.path + step;
     trace_.cuts[cut].strand = trace_.cuts[parent].strand;
     if (below.stepAbove == 0 || glm::length(step) < glm::length(below.above)) {
+      below.child = cut;
       below.above = step;
       below.stepAbove = self.layer - below.layer;
     }
@@ -161,20 +163,30 @@ class Tracer {
     for (std::size_t i = 0; i < links_.size(); ++i) {
       const Link& self = links_[i];
       Vec2 way = self.above;
-      int steps = self.stepAbove;
+      float rise = heightOf(self.layer + self.stepAbove) - heightOf(self.layer);
       if (self.parent != kNone) {
         way += self.path - links_[self.parent].path;
-        steps += self.layer - links_[self.parent].layer;
+        rise += heightOf(self.layer) - heightOf(links_[self.parent].layer);
       }
-      if (steps > 0) trace_.cuts[i].slope = way / static_cast<float>(steps);
+      if (rise > 0.0f) trace_.cuts[i].slope = way / rise;
     }
     for (std::size_t i = 0; i < links_.size(); ++i) {
       StrandCut& cut = trace_.cuts[i];
-      const std::uint32_t first = firstCuts_[cut.strand - 1];
-      const bool seenFromTheRoot = links_[first].layer == 0;
-      cut.shift = links_[i].path + (seenFromTheRoot ? trace_.cuts[first].slope : Vec2(0.0f));
+      cut.shift = links_[i].path + rootToFirst(firstCuts_[cut.strand - 1]);
     }
   }
+
+  // From the root to a strand's first cut.
+  Vec2 rootToFirst(std::uint32_t first) const {
+    const Link& self = links_[first];
+    if (self.layer > 0) return Vec2(0.0f);
+    const Vec2 slope = trace_.cuts[first].slope;
+    // Newton's form of the parabola at height 0; the second cut's slope is that from the first to the third.
+    const Vec2 start = self.stepAbove == 1 ? 3.0f * slope - 2.0f * trace_.cuts[self.child].slope : slope;
+    return start * maps_.lowest;
+  }
+
+  float heightOf(int layer) const { return layer == 0 ? maps_.lowest : static_cast<float>(layer + 1); }
 
   const MapStack& maps_;
   StrandTrace trace_;

@@ -17,6 +17,7 @@ namespace fur::scene {
 struct MapStack {
   int width = 0, height = 0, layers = 0;  // the plane wraps round; both sides are powers of two
   float reach = 0;                        // texels that a strand moves from one layer to the next at most
+  float lowest = 1;                       // height of the first layer over the roots; the others stand at 2, 3, ...
   // Layer-major, row-major, one byte a texel.
   std::span<const std::uint8_t> coverage, variance, dominance;
 };
@@ -25,7 +26,7 @@ struct MapStack {
 struct StrandCut {
   Vec2 axis{0.0f};   // the middle of its texels, weighted by coverage; in the plane
   Vec2 shift{0.0f};  // from the strand's root to the axis
-  Vec2 slope{0.0f};  // how far it moves a layer, by the cuts before and after it
+  Vec2 slope{0.0f};  // how far it moves in a height of 1, by the cuts before and after it
   std::uint32_t strand = 0;  // from 1
 };
 
@@ -35,8 +36,8 @@ struct StrandTrace {
   int strandCount = 0;
 };
 
-// The root lies a layer below the first cut, in the direction that the strand takes from there; a strand
-// that first shows above the second layer is rooted straight below where it does.
+// The root lies at height 0 on the parabola through the first three cuts; a strand that shows
+// only above the first layer is rooted straight below where it does.
 // In O(n log n) of the texels whatever they hold.
 StrandTrace traceStrands(const MapStack& maps);
 

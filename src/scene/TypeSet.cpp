@@ -43,8 +43,11 @@ std::int16_t packOffset(float texels) {
   return static_cast<std::int16_t>(std::floor(glm::clamp(texels * 64.0f, -32768.0f, 32767.0f) + 0.5f));
 }
 
+// The lowest layer shows what stands from the skin to halfway to the next, see furgen/Layers.h.
+constexpr float kLowest = 0.75f;
+
 void traceLayers(FurVolume& volume) {
-  MapStack maps{kSize, kSize, kLayers, reachOf(kLayers), volume.coverage, volume.variance, volume.dominance};
+  MapStack maps{kSize, kSize, kLayers, reachOf(kLayers), kLowest, volume.coverage, volume.variance, volume.dominance};
   StrandTrace trace = traceStrands(maps);
   volume.strandCount = trace.strandCount;
   furgen::NearestFill nearest(kSize);
@@ -80,7 +83,7 @@ void fillRow(std::uint32_t* row) {
 
 // Seen from the side a row is a layer: the strands rise through the rows.
 void traceFin(FurVolume& volume) {
-  MapStack maps{kSize, 1, kFinRows, reachOf(kFinRows), volume.finCoverage, volume.finVariance, volume.finDominance};
+  MapStack maps{kSize, 1, kFinRows, reachOf(kFinRows), 1.0f, volume.finCoverage, volume.finVariance, volume.finDominance};
   StrandTrace trace = traceStrands(maps);
   for (int row = 0; row < kFinRows; ++row) fillRow(&trace.cutOf[std::size_t{kSize} * row]);
   volume.finTangent.assign(trace.cutOf.size() * 3, 0);

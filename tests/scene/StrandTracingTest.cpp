@@ -21,7 +21,7 @@ struct Stack {
         variance[static_cast<std::size_t>(texel)] = value;
       }
   }
-  StrandTrace trace() const { return traceStrands({kSide, kSide, kLayers, 4.0f, coverage, variance, dominance}); }
+  StrandTrace trace() const { return traceStrands({kSide, kSide, kLayers, 4.0f, 1.0f, coverage, variance, dominance}); }
 };
 
 TEST(StrandTracing, FollowsALeaningStrandRoundTheTile) {

@@ -122,7 +122,7 @@ TEST(TypeSet, FindsTangentsAndRootsAgain) {
   // a mean over two layers.
   EXPECT_LT(quantile(angle, 0.5), 1.0f);
   EXPECT_LT(quantile(angle, 0.9), 2.0f);
-  // Below the first layer a strand is taken to run on straight.
+  // Below the first layer a strand is taken to run on as it began.
   EXPECT_LT(quantile(astray, 0.5), 0.2f);
   EXPECT_LT(quantile(astray, 0.99), 0.7f);
 }
