@@ -1,5 +1,6 @@
 // The editor panel: fetched on demand, and the scene moves into it and back.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { PNG } from 'pngjs';
 import { difference, picture, startBrowser, untilStill, withFur } from './support.mjs';
@@ -69,5 +70,27 @@ test('on a tall window the panel shows the tile of the coat that is drawn', asyn
   await withFur(page, (fur) => { fur.settings.density = 0.05; });
   const few = await strands();
   assert.ok(few < many / 3, `${few} of ${many} white pixels`);
+  assert.deepEqual(page.problems, []);
+});
+
+test('the panel saves the coat as a file that gives the same coat again', async () => {
+  const page = await site.open('?quality=low&layers=8&fins=0&src=plane&editor=1&preset=wool', { viewport: { width: 640, height: 1060 } });
+  await page.waitForFunction(() => wetFur.editorOpen, null, { timeout: 30000 });
+  await untilStill(page);
+  let download;
+  page.on('download', (event) => { download = event; });
+  // Nobody but the panel knows where its buttons are: down the left half of it, below the plot of coverage.
+  for (let y = 860; y < 1030 && !download; y += 11) {
+    await page.mouse.click(370, y);
+    await untilStill(page);
+  }
+  assert.equal(download?.suggestedFilename(), 'wool.fts');
+  const bytes = readFileSync(await download.path());
+  const same = await withFur(page, async (fur, base64) => {
+    const given = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+    const saved = fur.saveTypeSet();
+    return given.length === saved.length && given.every((byte, i) => byte === saved[i]);
+  }, bytes.toString('base64'));
+  assert.ok(same, `${bytes.length} bytes`);
   assert.deepEqual(page.problems, []);
 });
