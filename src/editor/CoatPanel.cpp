@@ -25,6 +25,17 @@ int shuffledSeed(int seed) {
   return static_cast<int>((static_cast<unsigned>(seed) * 25173u + 13849u) & 0xffffu);
 }
 
+// Beside the list, not over it.
+void describe(const settings::Preset& preset) {
+  ImGui::SetNextWindowPos(ImVec2(ImGui::GetWindowPos().x - px(4), ImGui::GetItemRectMin().y), 0,
+                          ImVec2(1, 0));
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(px(220));
+  ImGui::TextUnformatted(preset.description);
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
 const settings::Preset* pickPreset(const settings::Preset* current, bool tooltips) {
   const settings::Preset* picked = nullptr;
   ImGui::SetNextItemWidth(-1);
@@ -34,7 +45,7 @@ const settings::Preset* pickPreset(const settings::Preset* current, bool tooltip
   const ImVec2 size(0, tooltips ? 0 : ImGui::GetFrameHeight());
   for (const settings::Preset& preset : settings::presets()) {
     if (ImGui::Selectable(preset.label, &preset == current, 0, size)) picked = &preset;
-    if (tooltips && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", preset.description);
+    if (tooltips && ImGui::IsItemHovered()) describe(preset);
   }
   ImGui::PopStyleVar();
   ImGui::EndCombo();

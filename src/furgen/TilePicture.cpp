@@ -11,7 +11,7 @@ namespace {
 // What an uncovered texel keeps of its brightness.
 constexpr float kEmptyShare = 0.3f;
 // An offset of this share of the tile has half the brightness: small ones must already show.
-constexpr float kHalfBrightShare = 1.0f / 32.0f;
+constexpr float kHalfBrightShare = 1.0f / 96.0f;
 
 std::uint8_t toByte(float value) { return static_cast<std::uint8_t>(saturate(value) * 255.0f + 0.5f); }
 
