@@ -18,6 +18,8 @@ constexpr float kFrizzTurns[3] = {19.0f, 31.0f, 47.0f};  // radians over a heigh
 constexpr float kCoilReach = 0.16f;    // radius of a coil in volume heights, at coil 1
 constexpr float kCoilTilt = 0.87f;     // sine of the tilt of a coil's circles against the skin: 60 degrees
 constexpr int kCoilSamples = 56;
+constexpr int kCoilPhases = 64;
+constexpr float kPhaseSpread = 2.0f;  // radians; coils that all began alike would fill some heights and leave others
 constexpr float kRollTurn = 4.0f * kPi;  // radians over a height, at roll 1
 // The share of the skin that strands could cover and still find room (equal discs at random jam at 0.547).
 constexpr float kTightest = 0.42f;
@@ -91,29 +93,34 @@ StrandPath::StrandPath(const FurParameters& p)
         full.density = 1.0f;
         return wantedStrands(full);
       }()),
-      wavePhase_(p.seed, 1u << 20, p.size), waveTurn_(p.seed, 2u << 20, p.size), coilTurn_(p.seed, 3u << 20, p.size) {
+      wavePhase_(p.seed, 1u << 20, p.size), waveTurn_(p.seed, 2u << 20, p.size), coilTurn_(p.seed, 3u << 20, p.size),
+      coilPhase_(p.seed, 4u << 20, p.size) {
   const float radius = meanRadius(p.thickness) * strandThinning(0.0f);
   const float size = static_cast<float>(p.size);
   const float cover = kPi * radius * radius * static_cast<float>(wantedStrands(p)) / (size * size);
   lockedSpread_ = std::min(1.0f, std::sqrt(cover / kTightest));
-  if (p.coil > 0.0f) windCoil();
+  if (p.coil > 0.0f) windCoils();
 }
 
 // A strand of full length takes all of it, a shorter one ends on the way, so that neighbours of different
 // length run side by side.
-void StrandPath::windCoil() {
+void StrandPath::windCoils() {
   const float reach = kCoilReach * parameters_.coil, turns = 2.5f + 2.0f * parameters_.coil;
-  float highest = 1.0f;
-  for (int i = 0; i <= kCoilSamples; ++i) {
-    const float way = static_cast<float>(i) / kCoilSamples;
-    const float angle = 2.0f * kPi * turns * way, r = reach * std::min(way / 0.3f, 1.0f);
-    const float cosine = portableCos(angle), sine = portableSin(angle);
-    const float height = std::max(way + kCoilTilt * r * sine, 0.0f);
-    const float along = std::sqrt(1.0f - kCoilTilt * kCoilTilt) * r * sine;
-    coil_.push_back({along * kHeightTexels, r * (1.0f - cosine) * kHeightTexels, height});
-    highest = std::max(highest, height);
+  coils_.resize(static_cast<std::size_t>(kCoilPhases) * (kCoilSamples + 1));
+  for (int phase = 0; phase < kCoilPhases; ++phase) {
+    const float start = 2.0f * kPi * static_cast<float>(phase) / kCoilPhases;
+    CoilSample* coil = &coils_[static_cast<std::size_t>(phase) * (kCoilSamples + 1)];
+    float highest = 1.0f;
+    for (int i = 0; i <= kCoilSamples; ++i) {
+      const float way = static_cast<float>(i) / kCoilSamples;
+      const float angle = start + 2.0f * kPi * turns * way, r = reach * std::min(way / 0.3f, 1.0f);
+      const float cosine = portableCos(angle), sine = portableSin(angle);
+      const float tilted = std::sqrt(1.0f - kCoilTilt * kCoilTilt) * r * sine;
+      coil[i] = {tilted * kHeightTexels, r * (1.0f - cosine) * kHeightTexels, std::max(way + kCoilTilt * r * sine, 0.0f)};
+      highest = std::max(highest, coil[i].height);
+    }
+    for (int i = 0; i <= kCoilSamples; ++i) coil[i].height /= highest;
   }
-  for (CoilSample& sample : coil_) sample.height /= highest;
 }
 
 // How wide a lock is at s, against its width at the skin: its strands come nearer as they thin, and as
@@ -145,8 +152,12 @@ StrandPath::Walk StrandPath::start(const StrandDraws& draws, bool undercoat, flo
   if (locked) w.toLock_ = locks_.towardsNearest(draws.root);
   if (p.coil > 0.0f) {
     // A lock curls as one: its strands ask the field where its centre stands.
-    const float turn = 0.6f * coilTurn_.at((draws.root + w.toLock_) / size);
+    const Vec2 middle = (draws.root + w.toLock_) / size;
+    const float turn = 0.6f * coilTurn_.at(middle);
     w.coilWay_ = {portableCos(turn), portableSin(turn)};
+    const float phase = kPhaseSpread * coilPhase_.at(middle) / (2.0f * kPi);
+    const int index = std::min(static_cast<int>((phase - std::floor(phase)) * kCoilPhases), kCoilPhases - 1);
+    w.coil_ = &coils_[static_cast<std::size_t>(index) * (kCoilSamples + 1)];
   }
   w.opening_ = p.tipBreak * draws.tipOpening;
   return w;
@@ -180,7 +191,7 @@ Vec2 StrandPath::Walk::shiftAt(float height) const {
 
 // Texels sideways, volume heights up.
 Vec3 StrandPath::Walk::pointAt(int sample) const {
-  const CoilSample& coil = path_.coil_[static_cast<std::size_t>(sample)];
+  const CoilSample& coil = coil_[sample];
   const Vec2 across(-coilWay_.y, coilWay_.x);
   const Vec2 side = shiftAt(static_cast<float>(sample) / kCoilSamples) + coilWay_ * coil.along + across * coil.across;
   return Vec3(side, coil.height);
@@ -226,7 +237,7 @@ bool StrandPath::Walk::nextFree(std::vector<Node>& nodes) {
 }
 
 bool StrandPath::Walk::next(std::vector<Node>& nodes) {
-  return path_.coil_.empty() ? nextUpright(nodes) : nextFree(nodes);
+  return coil_ ? nextFree(nodes) : nextUpright(nodes);
 }
 
 }  // namespace fur::furgen

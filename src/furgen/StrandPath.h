@@ -48,6 +48,12 @@ struct StrandDraws {
 };
 
 class StrandPath {
+  // Coils differ by where on their circle they begin and by the direction in which they lie: along and
+  // across that direction in texels, and the height.
+  struct CoilSample {
+    float along, across, height;
+  };
+
  public:
   explicit StrandPath(const FurParameters& parameters);
 
@@ -73,6 +79,7 @@ class StrandPath {
     Vec2 frizzAtRoot_{0};
     float wave_ = 0, wavePhase_ = 0, waveAtRoot_ = 0;  // texels, radians
     Vec2 waveWay_{0}, coilWay_{0};
+    const CoilSample* coil_ = nullptr;  // none: the strand stands upright
     Vec2 toLock_{0};                  // texels; 0 where no lock holds the strand
     float opening_ = 0;               // of the lock, for this strand
     int step_ = 0;
@@ -83,20 +90,14 @@ class StrandPath {
   Walk start(const StrandDraws& draws, bool undercoat, float calm) const;
 
  private:
-  // A coil is the same for all strands, but for the direction in which it lies: along and across that
-  // direction in texels, and the height.
-  struct CoilSample {
-    float along, across, height;
-  };
-
-  void windCoil();
+  void windCoils();
   float spreadAt(float s) const;
 
   FurParameters parameters_;
   Locks locks_;
-  SmoothField wavePhase_, waveTurn_, coilTurn_;
+  SmoothField wavePhase_, waveTurn_, coilTurn_, coilPhase_;
   float lockedSpread_;  // how near, against their thinning, the strands of a lock may come
-  std::vector<CoilSample> coil_;
+  std::vector<CoilSample> coils_;  // [phase][sample]
 };
 
 }  // namespace fur::furgen
