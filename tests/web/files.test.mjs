@@ -167,6 +167,6 @@ test('wrong states, settings and options warn or throw, and nothing breaks', asy
     return { codes, layers: fur.settings.layers, wind: fur.wind, tool: fur.tool };
   });
   assert.deepEqual(seen.codes, ['bad-file', 'bad-file', 'unsupported-version']);
-  assert.deepEqual([seen.layers, seen.wind, seen.tool], [64, 0, 'droplet']);
+  assert.deepEqual([seen.layers, seen.wind, seen.tool], [128, 0, 'droplet']);
   assert.deepEqual(page.problems, []);
 });
