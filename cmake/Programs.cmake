@@ -49,7 +49,7 @@ function(fur_web_program target)
     -sEXPORTED_RUNTIME_METHODS=GL,UTF8ToString,stringToUTF8,lengthBytesUTF8,HEAP8,HEAPU8,HEAP32,HEAPU32,HEAPF32
     $<$<CONFIG:Debug>:-sASSERTIONS=1>
     # After the compiler's own -O3, wasm-opt's adds size but no speed that we could measure.
-    $<$<CONFIG:Release>:-O2>
+    $<$<CONFIG:Release>:-Os>
     --no-entry)
 endfunction()
 
