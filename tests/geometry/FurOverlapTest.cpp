@@ -75,7 +75,7 @@ TEST(FurOverlap, ShowsEveryStrandOnceEverywhere) {
         if (u + v > 1) u = 1 - u, v = 1 - v;
         std::vector<std::pair<float, float>> parts;
         for (const std::uint32_t i : layers) {
-          const auto at = [&](std::uint32_t k) { return surface.vertices[surface.furIndices[i + k]].strands; };
+          const auto at = [&, &surface = surface](std::uint32_t k) { return surface.vertices[surface.furIndices[i + k]].strands; };
           const Vec2 ends = glm::clamp(at(0) * (1 - u - v) + at(1) * u + at(2) * v, 0.0f, 1.0f);
           if (ends.x < ends.y) parts.emplace_back(ends.x, ends.y);
         }
