@@ -517,8 +517,8 @@ export class WetFur extends EventTarget {
     resetContext(this.#screen.gl);
     const app = new FurApp(program);
     this.#adopt(app);
+    app.state = state;  // before the model, so that undo does not lead behind it
     loadInto(app, this.#source);
-    app.state = state;
     if (typeSet) this.#showTypeSet(typeSet);
     app.wetnessTexels = wetnessTexels;
     app.tool = tool;
