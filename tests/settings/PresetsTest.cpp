@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/Random.h"
+#include "scene/StateJson.h"
 
 namespace fur::settings {
 namespace {
@@ -89,6 +90,18 @@ TEST(Presets, AreKnownAgainUntilTheCoatChanges) {
     EXPECT_EQ(presetOf(settings), &preset) << "another seed is the same kind of coat";
     settings.density *= 0.5f;
     EXPECT_EQ(presetOf(settings), nullptr);
+  }
+}
+
+TEST(Presets, ComeBackFromASavedState) {
+  for (const Preset& preset : presets()) {
+    scene::ProgramState given;
+    given.settings = *applyPreset(randomSettings(5), preset.name);
+    auto read = scene::readState(scene::writeState(given));
+    ASSERT_TRUE(read) << preset.name;
+    EXPECT_EQ(read->settings, given.settings) << preset.name;
+    EXPECT_TRUE(read->warnings.empty()) << preset.name;
+    EXPECT_EQ(presetOf(read->settings), &preset);
   }
 }
 
