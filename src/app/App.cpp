@@ -90,20 +90,10 @@ void App::State::uploadScene() {
 
 // --- model -------------------------------------------------------------------------------------
 
-void App::State::adopt(geometry::Surface built, std::string name) {
+void App::State::takeSurface(geometry::Surface built) {
   surface = std::move(built);
-  modelName = std::move(name);
   query = geometry::SurfaceQuery(surface);
   wetting.emplace(surface, mask.size());
-  mask.clear();
-  strokeBefore.clear();  // a stroke on the old model ends here
-  drag = Drag::None;
-  history.clear();
-  motion.reset();
-  pendingImage = {};
-  imageWidth = imageHeight = 0;
-  image.clear();
-  baseColorFactor = Vec4(1);
   std::vector<Vec3> positions, normals;
   groundHeight = 0;
   for (const auto& v : surface.vertices) {
@@ -113,9 +103,25 @@ void App::State::adopt(geometry::Surface built, std::string name) {
   }
   bends.reset(positions, normals);
   vertexWetness.assign(surface.vertices.size(), 0.0f);
+  vertexWetnessStale = true;
   if (renderer) uploadScene();
   settleBends();
   pictureChanged = true;
+}
+
+void App::State::adopt(geometry::Mesh source, geometry::Surface built, std::string name) {
+  mesh = std::move(source);
+  modelName = std::move(name);
+  mask.clear();
+  strokeBefore.clear();  // a stroke on the old model ends here
+  drag = Drag::None;
+  history.clear();
+  motion.reset();
+  pendingImage = {};
+  imageWidth = imageHeight = 0;
+  image.clear();
+  baseColorFactor = Vec4(1);
+  takeSurface(std::move(built));
 }
 
 Status App::loadPrimitive(std::string_view name) {
@@ -126,19 +132,19 @@ Status App::loadPrimitive(std::string_view name) {
   else return Error{ErrorId::BadFile, "there is no model called \"" + std::string(name) + '"'};
   // Their own uv are stretched, and they have no picture: charts keep droplets round.
   mesh.uv.clear();
-  auto surface = geometry::buildSurface(mesh);
+  auto surface = geometry::buildSurface(mesh, state_->mapping());
   if (!surface) return surface.error();
-  state_->adopt(std::move(*surface), std::string(name));
+  state_->adopt(std::move(mesh), std::move(*surface), std::string(name));
   return Done{};
 }
 
 Status App::loadModel(std::span<const std::uint8_t> bytes, const std::string& name, const scene::FileSet& others) {
   auto model = scene::importModel(bytes, name, others);
   if (!model) return model.error();
-  auto surface = geometry::buildSurface(model->mesh);
+  auto surface = geometry::buildSurface(model->mesh, state_->mapping());
   if (!surface) return Error{surface.error().id, name + ": " + surface.error().message};
   for (const std::string& warning : model->warnings) state_->warnings.push_back(warning);
-  state_->adopt(std::move(*surface), model->name);
+  state_->adopt(std::move(model->mesh), std::move(*surface), model->name);
   state_->pendingImage = std::move(model->baseColor);
   state_->baseColorFactor = model->baseColorFactor;
   return Done{};
@@ -167,10 +173,16 @@ const settings::Settings& App::settings() const { return state_->settings; }
 
 void App::State::applySettings(const settings::Settings& next) {
   const bool otherCoat = furParameters(settings) != furParameters(next);
+  const bool remapped = settings.furMapping != next.furMapping;
   furChanged |= otherCoat;
   // The picture stays as it is until the other coat has grown.
   if (!otherCoat || !differOnlyInCoat(settings, next)) forcesChanged = pictureChanged = true;
   settings = next;
+  if (!remapped) return;
+  // Only fur coordinates change: the atlas stays, and with it what is wet.
+  auto built = geometry::buildSurface(mesh, mapping());
+  FUR_ASSERT(built, "App::applySettings()", "a mesh that has made a surface before", "an error");
+  takeSurface(std::move(*built));
 }
 
 void App::setSettings(const settings::Settings& next) {

@@ -38,6 +38,7 @@ struct App::State {
 
   // The model.
   std::string modelName;
+  geometry::Mesh mesh;  // what the surface is made of, kept for another furMapping
   geometry::Surface surface;
   geometry::SurfaceQuery query;
   std::optional<wet::SurfaceWetting> wetting;
@@ -87,7 +88,9 @@ struct App::State {
   bool reducedMotion = false;
 
   // --- App.cpp ---
-  void adopt(geometry::Surface built, std::string name);
+  void adopt(geometry::Mesh source, geometry::Surface built, std::string name);
+  void takeSurface(geometry::Surface built);
+  geometry::FurMapping mapping() const { return static_cast<geometry::FurMapping>(settings.furMapping); }
   void uploadScene();
   void settleBends();
   render::Frame frame() const;

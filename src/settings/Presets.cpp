@@ -52,7 +52,7 @@ constexpr Preset kPresets[] = {
 };
 
 constexpr std::string_view kGroups[] = {"Fur", "Shape", "Colour"};
-constexpr std::string_view kNotOfThem[] = {"layers", "tileSize", "fins", "seed", "textureAmount"};
+constexpr std::string_view kNotOfThem[] = {"layers", "tileSize", "furMapping", "fins", "seed", "textureAmount"};
 constexpr std::string_view kBeyond[] = {"strandShadow", "occlusion", "specular", "shininess", "gravity", "stiffness"};
 
 template <std::size_t n>

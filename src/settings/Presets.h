@@ -2,7 +2,8 @@
 //
 // A coat is made by the groups Fur, Shape and Colour, and by strandShadow, occlusion, specular, shininess,
 // gravity and stiffness. A preset decides about all of these, so that the same name gives the same coat
-// whatever was there before. It leaves alone what is a choice of quality (layers, tileSize, fins), what
+// whatever was there before. It leaves alone what is a choice of quality (layers, tileSize, fins) or of the
+// model (furMapping), what
 // makes one coat of many alike (seed), how much of the model's own picture shows (textureAmount), and
 // everything else: light, water, wind, view.
 #pragma once

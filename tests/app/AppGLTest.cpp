@@ -167,6 +167,23 @@ TEST(App, OneSliderDragIsOneUndoStep) {
   EXPECT_FALSE(app.undo());
 }
 
+TEST(App, AnotherFurMappingLaysTheFurAnewAndKeepsWhatIsWet) {
+  Desk desk;
+  desk.drag({90, 100}, {120, 110});
+  desk.settle();
+  const auto wet = desk.app.wetnessHash();
+  const test::Picture charts = desk.stage.draw(desk.app);
+  EXPECT_TRUE(desk.app.setField("furMapping", "cube"));
+  desk.settle();
+  EXPECT_EQ(desk.app.wetnessHash(), wet);
+  EXPECT_GT(charts.differingShare(desk.stage.draw(desk.app), 16), 0.03f);
+  EXPECT_TRUE(desk.app.undo());
+  desk.settle();
+  EXPECT_EQ(desk.app.wetnessHash(), wet);
+  // Not to the bit: the fur has come to rest from another side.
+  EXPECT_LT(charts.differingShare(desk.stage.draw(desk.app), 16), 0.01f);
+}
+
 TEST(App, OutOfRangeAndUnknownFieldsWarn) {
   App app;
   EXPECT_TRUE(app.setField("furLength", "99"));

@@ -57,7 +57,7 @@ TEST(Presets, SetOnlyFieldsOfTheCoatAndWhatTheySetIsInRange) {
 }
 
 TEST(Presets, LeaveAloneWhatIsNotTheCoat) {
-  for (const char* kept : {"layers", "tileSize", "fins", "seed", "textureAmount", "lightYaw", "ambient", "exposure",
+  for (const char* kept : {"layers", "tileSize", "furMapping", "fins", "seed", "textureAmount", "lightYaw", "ambient", "exposure",
                            "brushRadius", "dryRate", "wind", "inertia", "backgroundTop", "view"})
     EXPECT_FALSE(belongsToCoat(*findField(kept))) << kept;
   const Settings before = randomSettings(3);

@@ -18,6 +18,7 @@ export type WheelManner = 'page' | 'focus' | 'zoom';
 export type View = 'final' | 'skin' | 'shells' | 'fins' | 'wetness' | 'tangents' | 'coverage' | 'normals';
 /** Texels. */
 export type TileSize = '64' | '128' | '256' | '512' | '1024';
+export type FurMapping = 'charts' | 'cube';
 /** "#rrggbb", sRGB. */
 export type Color = string;
 export type ModelBytes = ArrayBuffer | ArrayBufferView | Blob;
@@ -40,6 +41,8 @@ export interface FurSettings {
   repeat: number;
   /** Texels along the fur tile: larger tiles hold more strands and repeat less visibly. */
   tileSize: TileSize;
+  /** How the fur tile is put on the model: charts follow its shape, a cube projects it from six sides. A model with fur coordinates of its own keeps them. */
+  furMapping: FurMapping;
   /** Layers of the fur volume: more are smoother and slower. */
   layers: number;
   /** The same seed grows the same coat. */
