@@ -34,7 +34,7 @@ void main() {
   vec2 strands = clamp(vStrands, 0.0, 1.0);
   float lod = pickLevel(vLight.w);
   // Where charts overlap (geometry/FurOverlap.h) this one shows the strands whose number lies in
-  // `strands`, with ends `soft` wide: two texels' way through the zone. Mip levels mix the numbers of
+  // `strands`, with ends `soft` wide: a texel or two on the way through the zone. Mip levels mix the numbers of
   // neighbours until only the mean share is known, which is what wide ends come to.
   float soft = 0.1 * exp2(2.0 * lod);
   vec3 ends = vec3(strands * (1.0 + soft), -1.0) / soft;
