@@ -28,16 +28,28 @@ out vec4 fragColor;
 // The layers that the strand edges and mip levels are tuned for; see `softness`.
 const float kReferenceLayers = 16.0;
 
+// The ends of the interval run linearly over the triangle, and a ray that comes in askew meets the strands
+// below where they have moved on: asked at the slab's top only, a strand would come and go from slab to slab.
+vec2 strandsALayerDown() {
+  vec2 tileX = dFdx(vTile.xy), tileY = dFdy(vTile.xy);
+  float area = tileX.x * tileY.y - tileX.y * tileY.x;
+  if (abs(area) < 1e-14) return vec2(0.0);
+  vec2 pixels = vec2(tileY.y * vTile.z - tileY.x * vTile.w, tileX.x * vTile.w - tileX.y * vTile.z) / area;
+  return clamp(dFdx(vStrands) * pixels.x + dFdy(vStrands) * pixels.y, -1.0, 1.0);
+}
+
 float storedLayer(float drawn) { return floor((drawn + 0.5) * volume.y / shape.z); }
 
 void main() {
-  vec2 strands = clamp(vStrands, 0.0, 1.0);
   float lod = pickLevel(vLight.w);
-  // Where charts overlap (geometry/FurOverlap.h) this one shows the strands whose number lies in
-  // `strands`, with ends `soft` wide: a texel or two on the way through the zone. Mip levels mix the numbers of
-  // neighbours until only the mean share is known, which is what wide ends come to.
+  // Where charts overlap (geometry/FurOverlap.h) this one shows the strands whose number lies between the
+  // two of `strands`, with ends `soft` wide: a texel or two on the way through the zone. Mip levels mix
+  // the numbers of neighbours until only the mean share is known, which is what wide ends come to.
   float soft = 0.1 * exp2(2.0 * lod);
-  vec3 ends = vec3(strands * (1.0 + soft), -1.0) / soft;
+  vec2 strandsStep = strandsALayerDown();
+  vec2 strands = (vStrands * (1.0 + soft)) / soft;
+  vec2 lastStrands = vStrands + strandsStep * shape.w;
+  bool some = max(vStrands.y, lastStrands.y) > 0.0 && min(vStrands.x, lastStrands.x) < 1.0 && vStrands.x < vStrands.y;
   // Magnified strands get edges one pixel wide; minified ones keep their fractional coverage.
   float sharp = exp2(max(-vLight.w, 0.0));
   vec2 at = vTile.xy;
@@ -54,8 +66,10 @@ void main() {
   vec4 clump = clumpAt(mask, vAtlas);
 #endif
   float subSteps = ceil(vSubSteps - 0.01);
+  float stepSize = 1.0 / subSteps;
+  strandsStep *= stepSize * (1.0 + soft) / soft;
   // A discard would not do: rasterisers may go on to march pixels that are discarded.
-  float stepSize = 1.0 / subSteps, steps = strands.x < strands.y ? shape.w * subSteps : 0.0;
+  float steps = some ? shape.w * subSteps : 0.0;
   // A half-covered texel is half-covered on every layer of the same strand: counted anew each time
   // it would grow opaque with the number of layers. Stands in for 1 - (1 - c)^softness.
   float softness = min(1.0, kReferenceLayers / (shape.z * subSteps));
@@ -85,7 +99,7 @@ void main() {
     vec4 t = textureLod(tile, vec3(root, storedLayer(layer)), level);
     float cover = clamp((t.r - 0.5) * sharp + 0.5, 0.0, 1.0) * open;
     // A strand's number is its variance, folded: any part of 0..1 holds as many bright as dark strands.
-    vec2 below = clamp(ends.xy + ends.z * abs(2.0 * t.a - 1.0), 0.0, 1.0);
+    vec2 below = clamp(strands - abs(2.0 * t.a - 1.0) / soft, 0.0, 1.0);
     cover *= below.y - below.x;
     float add = cover * softness / (1.0 - cover * (1.0 - softness)) * (1.0 - alpha);
     sum += add * vec4(t.gba, layer);
@@ -96,6 +110,7 @@ void main() {
     hit = at;
     if (alpha > 0.96) break;
     at += vTile.zw * stepSize;
+    strands += strandsStep;
     layer -= stepSize;
   }
   // Along the silhouette a slab is seen edge-on and shows rings; fins take over (Lengyel et al. 2001).
