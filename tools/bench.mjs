@@ -4,9 +4,9 @@ import { buildSite } from './build.mjs';
 import { command, root, run } from './process.mjs';
 import { chromiumPath, needs, setUp } from './setup.mjs';
 
-await command(() => {
+await command(async () => {
   setUp({ packages: [needs.browser] });
-  buildSite();
+  await buildSite();
   run(process.execPath, [join(root, 'tests/bench/coat.mjs')]);
   run(process.execPath, [join(root, 'tests/bench/run.mjs'), ...process.argv.slice(2)], { env: { FUR_CHROMIUM: chromiumPath() } });
 });

@@ -11,16 +11,16 @@ import { assemble, dist } from './site.mjs';
 export const models = join(root, 'build/models');
 
 /** Brings dist/ up to date. */
-export function buildSite() {
+export async function buildSite() {
   setUp({ packages: [needs.web], npm: true, imgui: true });
   build('web-release', ['wet-fur-make-assets', 'wet-fur', 'wet-fur-editor']);
   makeAssets(join(buildFolder('web-release'), 'node/wet-fur-make-assets.js'), models);
-  assemble();
+  await assemble();
 }
 
 if (import.meta.url === pathToFileURL(process.argv[1]).href) {
-  await command(() => {
-    buildSite();
+  await command(async () => {
+    await buildSite();
     say(`done: ${dist}`);
   });
 }

@@ -5,6 +5,6 @@ import { serveHere } from './serve.mjs';
 import { dist } from './site.mjs';
 
 await command(async () => {
-  buildSite();
+  await buildSite();
   await serveHere(dist);
 });
