@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <vector>
 
 namespace fur::settings {
 
@@ -60,15 +61,19 @@ bool isOneOf(std::string_view text, const std::string_view (&list)[n]) {
   return std::find(std::begin(list), std::end(list), text) != std::end(list);
 }
 
-// Calls visit(field, text) for each of the preset's values.
-template <class Visit>
-void eachValue(const Preset& preset, Visit&& visit) {
+struct Value {
+  std::string_view field, text;
+};
+
+std::vector<Value> valuesOf(const Preset& preset) {
+  std::vector<Value> values;
   for (std::string_view rest = preset.values; !rest.empty();) {
     const std::string_view pair = rest.substr(0, rest.find(' '));
     rest.remove_prefix(std::min(rest.size(), pair.size() + 1));
     const std::size_t equals = pair.find('=');
-    visit(pair.substr(0, equals), pair.substr(equals + 1));
+    values.push_back({pair.substr(0, equals), pair.substr(equals + 1)});
   }
+  return values;
 }
 
 using Coats = std::array<Settings, std::size(kPresets)>;
@@ -79,7 +84,7 @@ const Coats& coats() {
     Coats out;
     for (std::size_t i = 0; i < out.size(); ++i) {
       Warnings warnings;
-      eachValue(kPresets[i], [&](auto field, auto text) { setField(out[i], field, text, warnings); });
+      for (const Value& value : valuesOf(kPresets[i])) setField(out[i], value.field, value.text, warnings);
       FUR_ASSERT(warnings.empty(), "settings::coats()", "values that fit their fields", warnings.front());
     }
     return out;
@@ -121,24 +126,26 @@ const Preset* presetOf(const Settings& settings) {
 }
 
 std::string unknownPreset(std::string_view name) {
-  std::string text = "preset: \"" + std::string(name.substr(0, 64)) + "\" is not one of ";
-  for (const Preset& preset : kPresets) text += (&preset == kPresets ? "" : ", ") + std::string(preset.name);
+  std::string text = "preset: \"";
+  text.append(name.substr(0, 64)).append("\" is not one of");
+  for (const Preset& preset : kPresets) text.append(&preset == kPresets ? " " : ", ").append(preset.name);
   return text;
 }
 
 std::string presetTableJson() {
   // Nothing in this file needs escaping; the test reads it back.
-  std::string out = "[";
+  std::string out;
   for (const Preset& preset : kPresets) {
-    if (out.size() > 1) out += ',';
-    out += std::string("{\"name\":\"") + preset.name + "\",\"label\":\"" + preset.label + "\",\"description\":\"" +
-           preset.description + "\",\"settings\":{";
-    eachValue(preset, [&](auto field, auto text) {
-      const bool quoted = text.front() == '#';
-      out += std::string(out.back() == '{' ? "\"" : ",\"") + std::string(field) + "\":" + (quoted ? "\"" : "") +
-             std::string(text) + (quoted ? "\"" : "");
-    });
-    out += "}}";
+    out.append(out.empty() ? "[" : ",");
+    out.append("{\"name\":\"").append(preset.name).append("\",\"label\":\"").append(preset.label);
+    out.append("\",\"description\":\"").append(preset.description).append("\",\"settings\":");
+    const char* before = "{\"";
+    for (const Value& value : valuesOf(preset)) {
+      const char* quote = value.text.front() == '#' ? "\"" : "";
+      out.append(before).append(value.field).append("\":").append(quote).append(value.text).append(quote);
+      before = ",\"";
+    }
+    out.append("}}");
   }
   return out + ']';
 }
