@@ -43,11 +43,11 @@ float storedLayer(float drawn) { return floor((drawn + 0.5) * volume.y / shape.z
 void main() {
   float lod = pickLevel(vLight.w);
   // Where charts overlap (geometry/FurOverlap.h) this one shows the strands whose number lies between the
-  // two of `strands`, with ends `soft` wide: a texel or two on the way through the zone. Mip levels mix
-  // the numbers of neighbours until only the mean share is known, which is what wide ends come to.
-  float soft = 0.1 * exp2(2.0 * lod);
+  // two of `strands`, with ends a tenth wide (1 / perSoft): a texel or two on the way through the zone.
+  // Mip levels mix the numbers of neighbours until only the mean share is known: wide ends come to that.
+  float perSoft = 10.0 * exp2(-2.0 * lod);
   vec2 strandsStep = strandsALayerDown();
-  vec2 strands = (vStrands * (1.0 + soft)) / soft;
+  vec2 strands = vStrands * (perSoft + 1.0);
   vec2 lastStrands = vStrands + strandsStep * shape.w;
   bool some = max(vStrands.y, lastStrands.y) > 0.0 && min(vStrands.x, lastStrands.x) < 1.0 && vStrands.x < vStrands.y;
   // Magnified strands get edges one pixel wide; minified ones keep their fractional coverage.
@@ -67,7 +67,7 @@ void main() {
 #endif
   float subSteps = ceil(vSubSteps - 0.01);
   float stepSize = 1.0 / subSteps;
-  strandsStep *= stepSize * (1.0 + soft) / soft;
+  strandsStep *= stepSize * (perSoft + 1.0);
   // A discard would not do: rasterisers may go on to march pixels that are discarded.
   float steps = some ? shape.w * subSteps : 0.0;
   // A half-covered texel is half-covered on every layer of the same strand: counted anew each time
@@ -99,7 +99,7 @@ void main() {
     vec4 t = textureLod(tile, vec3(root, storedLayer(layer)), level);
     float cover = clamp((t.r - 0.5) * sharp + 0.5, 0.0, 1.0) * open;
     // A strand's number is its variance, folded: any part of 0..1 holds as many bright as dark strands.
-    vec2 below = clamp(strands - abs(2.0 * t.a - 1.0) / soft, 0.0, 1.0);
+    vec2 below = clamp(strands - abs(2.0 * perSoft * t.a - perSoft), 0.0, 1.0);
     cover *= below.y - below.x;
     float add = cover * softness / (1.0 - cover * (1.0 - softness)) * (1.0 - alpha);
     sum += add * vec4(t.gba, layer);
