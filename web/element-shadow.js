@@ -18,6 +18,8 @@ canvas:focus-visible:not([data-pointer-focus]) { outline: 3px solid var(--wet-fu
 .track { height: 4px; border-radius: 2px; overflow: hidden; background: color-mix(in srgb, currentColor 18%, transparent); }
 .bar { height: 100%; width: 100%; transform-origin: left; transform: scaleX(0); border-radius: 2px;
   background: var(--wet-fur-progress-color, currentColor); transition: transform 120ms linear; }
+.growing { position: absolute; inset: auto 0 0; border-radius: 0; pointer-events: none; color: var(--wet-fur-text-color, #556); }
+.growing[hidden] { display: none; }
 .message { pointer-events: auto; box-sizing: border-box; max-width: min(32em, calc(100% - 32px)); max-height: calc(100% - 16px); overflow: auto;
   padding: 16px 20px; border-radius: 14px; font: 15px/1.45 system-ui, sans-serif; text-align: center;
   color: #23272e; background: #fffffff2; box-shadow: 0 2px 18px #0003; }
@@ -73,12 +75,16 @@ export function buildShadow(root) {
   }, bar);
   const progress = make('div', { class: 'cover', hidden: '' },
     make('slot', { name: 'progress-bar' }, make('div', { class: 'progress' }, track, caption)));
+  const coatBar = make('div', { class: 'bar' });
+  const growing = make('div', {
+    class: 'track growing', part: 'coat-progress', role: 'progressbar', 'aria-label': 'Growing the coat', hidden: '',
+  }, coatBar);
   const message = make('p');
   const fallback = make('slot', { name: 'fallback', hidden: '' });
   const reload = make('button', { part: 'reload-button', type: 'button' }, 'Try again');
   const notice = make('div', { class: 'cover', hidden: '' }, make('div', { class: 'message', role: 'alert' }, fallback, message, reload));
   const status = make('div', { class: 'status', role: 'status', 'aria-live': 'polite' });
-  root.append(canvas, poster, progress, notice, status);
+  root.append(canvas, growing, poster, progress, notice, status);
 
   const parts = { canvas, poster, reload, status };
   parts.showPoster = (url) => {
@@ -88,6 +94,12 @@ export function buildShadow(root) {
   // Program and model come side by side; what is said is about the one still on its way.
   let program = null;
   parts.showProgress = (detail) => {
+    if (detail.stage === 'coat') {
+      growing.hidden = detail.fraction >= 1;
+      coatBar.style.transform = `scaleX(${detail.fraction})`;
+      growing.setAttribute('aria-valuenow', String(Math.round(detail.fraction * 100)));
+      return;
+    }
     if (detail.stage === 'program') program = detail;
     const percent = Math.round(detail.fraction * 100);
     bar.style.transform = `scaleX(${detail.fraction})`;

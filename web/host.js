@@ -408,11 +408,27 @@ export class WetFur extends EventTarget {
     const changed = [this.#app.tick(dt, this.#options.fixedDt ? undefined : coatSeconds), this.#panel?.update(dt)];
     if (changed.some(Boolean)) this.#paint();
     this.#panel?.afterFrame();
+    this.#tellCoat(time);
     const goesOn = this.#app.active || Boolean(this.#panel?.active);
     this.#tellChanges(!goesOn);
     this.#flushWarnings();
     if (goesOn && !this.#frame) this.#frame = requestAnimationFrame((next) => this.#onFrame(next));
     if (!goesOn) this.#lastTime = null;
+  }
+
+  // Only of a coat that takes longer than a person would notice.
+  #coat = null;
+  #tellCoat(time) {
+    const fraction = this.#app.coatProgress, revision = this.#app.coatRevision;
+    const done = fraction >= 1;
+    if (!this.#coat || this.#coat.revision !== revision) {
+      if (this.#coat?.told) this.#progress('coat', 1, 1);
+      this.#coat = { revision, since: time, told: false };
+    }
+    if (done) this.#coat.since = time;
+    if (done || time - this.#coat.since < 500) return;
+    this.#coat.told = true;
+    this.#progress('coat', fraction, 1);
   }
 
   #paint() {

@@ -246,3 +246,33 @@ test('wetness is announced politely', async () => {
   await withFur(page, (fur) => fur.setWetness(0.9));
   await page.waitForFunction(() => /Wetness \d+ percent/.test(wetFur.shadowRoot.querySelector('[aria-live=polite]').textContent));
 });
+
+test('a coat that takes long shows how far it is, and the page answers meanwhile', async () => {
+  const page = await site.open(`?${light}&src=sphere`);
+  const seen = await withFur(page, async (fur) => {
+    const bar = fur.shadowRoot.querySelector('[part=coat-progress]');
+    const fractions = [];
+    let shown = false, frames = 0;
+    const done = new Promise((resolve) => {
+      fur.addEventListener('progress', ({ detail }) => {
+        if (detail.stage !== 'coat') return;
+        fractions.push(detail.fraction);
+        shown ||= !bar.hidden;
+        if (detail.fraction === 1) resolve();
+      });
+    });
+    const strands = fur.stats.strands;
+    fur.settings.layers = 128;
+    fur.settings.tileSize = '512';
+    const count = () => { frames += 1; if (bar) requestAnimationFrame(count); };
+    requestAnimationFrame(count);
+    await done;
+    return { fractions, shown, frames, hidden: bar.hidden, strands, after: fur.stats.strands };
+  });
+  assert.ok(seen.shown && seen.hidden, 'the bar comes and goes');
+  assert.deepEqual(seen.fractions, [...seen.fractions].sort((a, b) => a - b));
+  assert.equal(seen.fractions.at(-1), 1);
+  assert.ok(seen.frames > seen.fractions.length, 'frames go on while it grows');
+  assert.ok(seen.after > 3 * seen.strands, `${seen.strands} strands, then ${seen.after}`);
+  assert.deepEqual(page.problems, []);
+});

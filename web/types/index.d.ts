@@ -210,7 +210,7 @@ export interface WetFurEventMap {
   /** `src` is null for a file that loadModel() was given. */
   load: CustomEvent<{ name: string; src: string | null }>;
   /** Bytes of a stage (total 0: unknown), and how far all of it is, 0..1. */
-  progress: CustomEvent<{ stage: 'program' | 'model' | 'fur' | 'editor'; loaded: number; total: number; fraction: number }>;
+  progress: CustomEvent<{ stage: 'program' | 'model' | 'fur' | 'editor' | 'coat'; loaded: number; total: number; fraction: number }>;
   error: CustomEvent<{ code: FurErrorCode; message: string }>;
   warning: CustomEvent<{ message: string }>;
   'camera-change': CustomEvent<{ orbit: CameraOrbit }>;
