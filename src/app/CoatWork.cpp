@@ -135,7 +135,11 @@ bool CoatWork::step(render::Renderer& renderer) {
     renderer.setFinMap(furgen::packLevels(parameters_.size, rows, fin.coverage, fin.tangent, fin.variance));
     return false;
   }
-  painter_->paint(nextLayer_, parameters_.layers, maps_);
+  if (!painted_) {
+    painted_ = painter_->step(nextLayer_, parameters_.layers, maps_);
+    return false;
+  }
+  painted_ = false;
   coverage_.push_back(furgen::meanCover(maps_.coverage));
   renderer.setFurLayer(nextLayer_, furgen::packLevels(parameters_.size, parameters_.size, maps_.coverage, maps_.tangent, maps_.variance));
   if (++nextLayer_ < parameters_.layers) return false;

@@ -65,6 +65,7 @@ class CoatWork {
   std::optional<furgen::LayerPainter> painter_;
   furgen::LayerMaps maps_;
   int nextLayer_ = 0;
+  bool painted_ = false;  // maps_ holds the next layer
   std::vector<float> coverage_;
 };
 

@@ -70,6 +70,7 @@ struct LayerPainter::Scratch {
   NearestFill nearest;
   std::vector<Cut> cuts;
   std::vector<AxisPoint> chain;
+  int stage = 0;  // of step()
 };
 
 void LayerPainter::Scratch::addCut(std::uint16_t index, const AxisPoint& a, const AxisPoint& b) {
@@ -126,6 +127,9 @@ void LayerPainter::Scratch::cutStrand(std::uint16_t index, float low, float high
 }
 
 void LayerPainter::Scratch::write(LayerMaps& out) {
+  const std::size_t texels = canvas.owners().size();
+  out.coverage.resize(texels), out.dominance.resize(texels), out.variance.resize(texels);
+  out.tangent.resize(texels * 3), out.offset.resize(texels * 2), out.strandId.resize(texels);
   const std::vector<std::uint32_t>& owner = canvas.owners();
   const int size = coat.parameters.size;
   const float extent = static_cast<float>(size);
@@ -157,20 +161,34 @@ LayerPainter::LayerPainter(const Coat& coat) : scratch_(std::make_unique<Scratch
 LayerPainter::~LayerPainter() = default;
 LayerPainter::LayerPainter(LayerPainter&&) noexcept = default;
 
-void LayerPainter::paint(int layer, int layers, LayerMaps& out) {
+bool LayerPainter::step(int layer, int layers, LayerMaps& out) {
   Scratch& s = *scratch_;
-  const std::size_t texels = s.canvas.owners().size();
-  out.coverage.resize(texels), out.dominance.resize(texels), out.variance.resize(texels);
-  out.tangent.resize(texels * 3), out.offset.resize(texels * 2), out.strandId.resize(texels);
-  s.canvas.clear();
-  s.cuts.clear();
-  const float h = layerHeight(layer, layers), half = 0.5f / static_cast<float>(layers);
-  // The lowest layer shows the skin end too, so that the shortest strand is seen.
-  const float low = layer == 0 ? 0.0f : h - half, high = std::min(h + half, 1.0f);
-  for (std::size_t i = 0; i < s.coat.strands.size(); ++i) s.cutStrand(static_cast<std::uint16_t>(i), low, high);
-  for (std::size_t i = 0; i < s.cuts.size(); ++i) s.canvas.draw(s.cuts[i].stroke, static_cast<std::uint32_t>(i + 1));
-  s.nearest.fill(s.canvas.owners().data());
-  s.write(out);
+  switch (s.stage++) {
+    case 0: {
+      const float h = layerHeight(layer, layers), half = 0.5f / static_cast<float>(layers);
+      // The lowest layer shows the skin end too, so that the shortest strand is seen.
+      const float low = layer == 0 ? 0.0f : h - half, high = std::min(h + half, 1.0f);
+      s.cuts.clear();
+      for (std::size_t i = 0; i < s.coat.strands.size(); ++i) s.cutStrand(static_cast<std::uint16_t>(i), low, high);
+      return false;
+    }
+    case 1:
+      s.canvas.clear();
+      for (std::size_t i = 0; i < s.cuts.size(); ++i) s.canvas.draw(s.cuts[i].stroke, static_cast<std::uint32_t>(i + 1));
+      return false;
+    case 2:
+      s.nearest.fill(s.canvas.owners().data());
+      return false;
+    default:
+      s.write(out);
+      s.stage = 0;
+      return true;
+  }
+}
+
+void LayerPainter::paint(int layer, int layers, LayerMaps& out) {
+  while (!step(layer, layers, out)) {
+  }
 }
 
 }  // namespace fur::furgen

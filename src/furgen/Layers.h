@@ -28,6 +28,9 @@ class LayerPainter {
   // Layer `layer` of `layers`: what of the coat stands within half a layer's spacing of its height;
   // of the lowest layer all that lies below, too.
   void paint(int layer, int layers, LayerMaps& out);
+  // A fourth of that, for callers who must not stay away long; true when the layer is whole. The same layer is to
+  // be asked for until then.
+  bool step(int layer, int layers, LayerMaps& out);
 
  private:
   struct Scratch;
