@@ -5,7 +5,6 @@
 
 #include "Boundary.h"
 #include "app/App.h"
-#include "scene/FoModel.h"
 #include "settings/Presets.h"
 
 using namespace fur;
@@ -51,7 +50,7 @@ FUR_EXPORT std::uint32_t fur_saveTypeSet(App* app) {
   return guarded([&] { return keepSaved(app->saveTypeSet()); });
 }
 FUR_EXPORT std::uint32_t fur_saveFo(App* app) {
-  return guarded([&] { return keepSaved(scene::writeFo(scene::foFromSurface(app->surface(), app->settings().repeat))); });
+  return guarded([&] { return keepSaved(app->saveFo()); });
 }
 FUR_EXPORT const std::uint8_t* fur_savedBytes() { return saved.data(); }
 FUR_EXPORT void fur_forgetSavedBytes() { saved = {}; }
@@ -91,9 +90,7 @@ FUR_EXPORT const char* fur_getPreset(App* app) {
 // Warns of a name that is none.
 FUR_EXPORT int fur_applyPreset(App* app, const char* name) {
   return guarded([&] {
-    if (app->applyPreset(name)) return 1;
-    app->addWarning(settings::unknownPreset(name));
-    return 0;
+    return app->applyPreset(name) ? 1 : 0;
   });
 }
 // yaw, pitch (radians), distance, target x, y, z

@@ -10,7 +10,6 @@
 #include "gl/Objects.h"
 #include "native/Files.h"
 #include "native/headless/EglContext.h"
-#include "scene/FoModel.h"
 #include "settings/Presets.h"
 
 namespace {
@@ -110,7 +109,7 @@ Status setUp(app::App& app, const Options& o, const char* program) {
     if (Status status = app.setState({reinterpret_cast<const char*>(text.value().data()), text.value().size()}); !status)
       return status;
   }
-  if (!o.preset.empty() && !app.applyPreset(o.preset)) app.addWarning(settings::unknownPreset(o.preset));
+  if (!o.preset.empty()) app.applyPreset(o.preset);
   for (const auto& [name, value] : o.fields) app.setField(name, value);
   if (!o.camera.empty()) app.setCamera({o.camera[0], o.camera[1], o.camera[2], Vec3(0)});
   // After the settings: a change of theirs would grow a coat in its place.
@@ -121,7 +120,7 @@ Status save(const app::App& app, const Options& o) {
   if (!o.savedTypeSet.empty())
     if (Status status = native::writeFile(o.savedTypeSet, app.saveTypeSet()); !status) return status;
   if (o.savedFo.empty()) return Done{};
-  return native::writeFile(o.savedFo, scene::writeFo(scene::foFromSurface(app.surface(), app.settings().repeat)));
+  return native::writeFile(o.savedFo, app.saveFo());
 }
 
 void printWarnings(app::App& app) {

@@ -13,8 +13,6 @@
 #include "gl/Objects.h"
 #include "native/Files.h"
 #include "native/window/Window.h"
-#include "scene/FoModel.h"
-#include "settings/Presets.h"
 
 namespace {
 
@@ -90,8 +88,7 @@ class Session {
     if (Status status = host_.attach(); !status) return status;
     if (options_.pixelRatio > 0)
       host_.resize(window_.pixelSize().x, window_.pixelSize().y, options_.pixelRatio);
-    if (!options_.preset.empty() && !app_.applyPreset(options_.preset))
-      app_.addWarning(settings::unknownPreset(options_.preset));
+    if (!options_.preset.empty()) app_.applyPreset(options_.preset);
     for (const auto& [name, value] : options_.settings) app_.setField(name, value);
     load(options_.scene);
     if (options_.wetness > 0) app_.setWetness(options_.wetness);
@@ -141,7 +138,7 @@ class Session {
           save(command->text, app_.saveTypeSet());
           break;
         case Kind::SaveFo:
-          save(command->text, scene::writeFo(scene::foFromSurface(app_.surface(), app_.settings().repeat)));
+          save(command->text, app_.saveFo());
           break;
       }
     }

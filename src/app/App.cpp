@@ -5,6 +5,7 @@
 
 #include "app/AppState.h"
 #include "geometry/Primitives.h"
+#include "scene/FoModel.h"
 #include "scene/StateJson.h"
 
 namespace fur::app {
@@ -166,6 +167,10 @@ void App::provideImage(int width, int height, std::vector<std::uint8_t> rgba) {
 
 const std::string& App::modelName() const { return state_->modelName; }
 const geometry::Surface& App::surface() const { return state_->surface; }
+
+std::vector<std::uint8_t> App::saveFo() const {
+  return scene::writeFo(scene::foFromSurface(state_->surface, state_->settings.repeat));
+}
 
 // --- settings and state ------------------------------------------------------------------------
 

@@ -68,6 +68,8 @@ class App {
   void provideImage(int width, int height, std::vector<std::uint8_t> rgba);
   const std::string& modelName() const;
   const geometry::Surface& surface() const;
+  // The model as .fo, with its fur coordinates at the repeat of the settings.
+  std::vector<std::uint8_t> saveFo() const;
 
   // --- settings, state ---
   const settings::Settings& settings() const;
@@ -111,7 +113,8 @@ class App {
   Status loadTypeSet(std::span<const std::uint8_t> bytes, const std::string& name);
   // The coat as .fts: 256 x 256 texels and 16 layers whatever the settings, as the format has it.
   std::vector<std::uint8_t> saveTypeSet() const;
-  // The settings of a preset (settings/Presets.h), as one undo step. False: there is none of that name.
+  // The settings of a preset (settings/Presets.h), as one undo step. False, and a warning
+  // that lists the names: there is none of that one.
   bool applyPreset(std::string_view name);
 
   // --- water ---

@@ -91,15 +91,18 @@ std::vector<std::uint8_t> App::saveTypeSet() const {
   furgen::FurParameters wanted = furParameters(s.settings);
   wanted.size = scene::kTypeSetSize;
   wanted.layers = scene::kTypeSetLayers;
-  const bool drawn = !s.furChanged && !s.coatWork && s.coat.layers() > 0;
-  auto bytes = scene::writeTypeSet(drawn ? s.coat.typeSet() : furgen::generateFur(wanted));
+  const furgen::FurVolume* read = s.furChanged || s.coatWork ? nullptr : s.coat.volume();
+  auto bytes = scene::writeTypeSet(read ? *read : furgen::generateFur(wanted));
   FUR_ASSERT(bytes, "App::saveTypeSet()", "a volume of the format's shape", bytes.error().message);
   return std::move(*bytes);
 }
 
 bool App::applyPreset(std::string_view name) {
   const auto next = settings::applyPreset(state_->settings, name);
-  if (!next) return false;
+  if (!next) {
+    addWarning(settings::unknownPreset(name));
+    return false;
+  }
   beginChange();
   setSettings(*next);
   endChange();

@@ -77,10 +77,10 @@ bool differOnlyInCoat(const Settings& a, Settings b) {
 
 // --- DrawnCoat ---
 
-DrawnCoat::DrawnCoat(furgen::Coat grown, std::vector<float> coverage, float density)
-    : grown_(std::move(grown)), coverage_(std::move(coverage)), density_(density) {}
+DrawnCoat::DrawnCoat(furgen::Coat grown, std::vector<float> coverage)
+    : grown_(std::move(grown)), coverage_(std::move(coverage)) {}
 
-DrawnCoat::DrawnCoat(furgen::FurVolume volume) : volume_(std::move(volume)), density_(volume_->density) {
+DrawnCoat::DrawnCoat(furgen::FurVolume volume) : volume_(std::move(volume)) {
   const std::size_t texels = static_cast<std::size_t>(volume_->size) * volume_->size;
   for (int layer = 0; layer < volume_->layers; ++layer)
     coverage_.push_back(furgen::meanCover(std::span(volume_->coverage).subspan(texels * static_cast<std::size_t>(layer), texels)));
@@ -107,16 +107,6 @@ furgen::TilePicture DrawnCoat::finPicture(furgen::TileChannel channel) const {
   if (!volume_) return furgen::pictureOf(furgen::paintFin(grown_, furgen::finRows(layers())), size(), channel);
   const furgen::FurVolume& v = *volume_;
   return furgen::pictureOf(furgen::FinMaps{v.finRows, v.finCoverage, v.finDominance, v.finVariance, v.finTangent}, size(), channel);
-}
-
-furgen::FurVolume DrawnCoat::typeSet() const {
-  constexpr int kSize = 256, kLayers = 16;
-  if (volume_) return *volume_;
-  if (grown_.parameters.size == kSize) return furgen::volumeOf(grown_, kLayers);
-  furgen::FurParameters p = grown_.parameters;
-  p.size = kSize;
-  p.layers = kLayers;
-  return furgen::generateFur(p);
 }
 
 // --- CoatWork ---
@@ -155,8 +145,7 @@ float CoatWork::progress() const {
 
 DrawnCoat CoatWork::take() {
   painter_.reset();
-  const float density = coverage_.empty() ? 0.0f : coverage_[0];
-  return DrawnCoat(std::move(*coat_), std::move(coverage_), density);
+  return DrawnCoat(std::move(*coat_), std::move(coverage_));
 }
 
 }  // namespace fur::app

@@ -25,19 +25,16 @@ bool differOnlyInCoat(const settings::Settings& a, settings::Settings b);
 class DrawnCoat {
  public:
   DrawnCoat() = default;
-  explicit DrawnCoat(furgen::Coat grown, std::vector<float> coverage, float density);
+  DrawnCoat(furgen::Coat grown, std::vector<float> coverage);
   explicit DrawnCoat(furgen::FurVolume volume);
 
   int layers() const;
   int size() const;
   int strandCount() const;
   float weight() const;
-  float density() const { return density_; }
   const std::vector<float>& coverage() const { return coverage_; }  // a share for each layer
   furgen::TilePicture tilePicture(int layer, furgen::TileChannel channel) const;
   furgen::TilePicture finPicture(furgen::TileChannel channel) const;
-  // 256 x 256 texels, 16 layers, 64 rows of fin map.
-  furgen::FurVolume typeSet() const;
   // nullptr: it was grown.
   const furgen::FurVolume* volume() const { return volume_ ? &*volume_ : nullptr; }
 
@@ -45,7 +42,6 @@ class DrawnCoat {
   furgen::Coat grown_;
   std::optional<furgen::FurVolume> volume_;
   std::vector<float> coverage_;
-  float density_ = 0;
 };
 
 class CoatWork {
@@ -55,7 +51,6 @@ class CoatWork {
   // Some milliseconds of work; returns whether the coat is whole and in the picture. Not to be called after.
   bool step(render::Renderer& renderer);
   float progress() const;  // 0..1
-  const furgen::FurParameters& parameters() const { return parameters_; }
   DrawnCoat take();
 
  private:

@@ -3,6 +3,7 @@
 
 #include "furgen/Canvas.h"
 #include "furgen/Layers.h"
+#include "furgen/NearestFill.h"
 #include "furgen/Packing.h"
 
 namespace fur::furgen {
@@ -32,22 +33,11 @@ void drawStrand(const Coat& coat, std::uint16_t index, Canvas& canvas, std::vect
   }
 }
 
-// Empty texels take the nearest piece of their row, round the torus; an empty row that of the row below.
+// Empty texels take the nearest piece of their row; an empty row takes that of the row below.
 void fillRows(std::vector<std::uint32_t>& owners, int columns) {
-  std::vector<std::uint32_t> drawn(static_cast<std::size_t>(columns));
-  for (std::size_t row = 0; row < owners.size(); row += drawn.size()) {
-    std::copy_n(owners.begin() + static_cast<std::ptrdiff_t>(row), columns, drawn.begin());
-    if (std::all_of(drawn.begin(), drawn.end(), [](std::uint32_t o) { return o == 0; })) {
-      if (row) std::copy_n(owners.begin() + static_cast<std::ptrdiff_t>(row) - columns, columns, owners.begin() + static_cast<std::ptrdiff_t>(row));
-      continue;
-    }
-    for (int x = 0; x < columns; ++x) {
-      std::uint32_t& owner = owners[row + static_cast<std::size_t>(x)];
-      for (int d = 0; owner == 0; ++d) {
-        const std::uint32_t right = drawn[static_cast<std::size_t>((x + d) & (columns - 1))];
-        owner = right ? right : drawn[static_cast<std::size_t>((x - d) & (columns - 1))];
-      }
-    }
+  for (std::size_t row = 0; row < owners.size(); row += static_cast<std::size_t>(columns)) {
+    std::uint32_t* first = &owners[row];
+    if (!fillRow(first, columns) && row) std::copy_n(first - columns, columns, first);
   }
 }
 

@@ -11,13 +11,8 @@ namespace fur::furgen {
 
 namespace {
 
-constexpr float kOffsetScale = 64.0f;
 // Pieces of a strand inside one layer that deviate less than this from their chord are drawn as one, texels.
 constexpr float kStraight = 0.2f;
-
-std::int16_t packOffset(float texels) {
-  return static_cast<std::int16_t>(std::floor(glm::clamp(texels * kOffsetScale, -32768.0f, 32767.0f) + 0.5f));
-}
 
 float mix(float a, float b, float t) { return a + (b - a) * t; }
 

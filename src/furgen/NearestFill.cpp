@@ -74,4 +74,15 @@ void NearestFill::joinRow(int y, std::uint32_t* row) {
   }
 }
 
+bool fillRow(std::uint32_t* row, int columns) {
+  const std::vector<std::uint32_t> drawn(row, row + columns);
+  if (std::all_of(drawn.begin(), drawn.end(), [](std::uint32_t id) { return id == 0; })) return false;
+  for (int x = 0; x < columns; ++x)
+    for (int d = 1; row[x] == 0; ++d) {
+      const std::uint32_t right = drawn[static_cast<std::size_t>((x + d) & (columns - 1))];
+      row[x] = right ? right : drawn[static_cast<std::size_t>((x - d) & (columns - 1))];
+    }
+  return true;
+}
+
 }  // namespace fur::furgen

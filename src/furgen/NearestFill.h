@@ -28,4 +28,7 @@ class NearestFill {
   std::vector<float> from_;
 };
 
+// The same for one row that wraps round, `columns` a power of two. False: it is all 0.
+bool fillRow(std::uint32_t* row, int columns);
+
 }  // namespace fur::furgen

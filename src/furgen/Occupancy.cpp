@@ -26,8 +26,8 @@ Occupancy::Occupancy(int size, float maxRadius) : size_(static_cast<float>(size)
 
 int Occupancy::cellOf(float x) const { return std::min(static_cast<int>(x / cellSize_), cells_ - 1); }
 
-std::int32_t& Occupancy::head(int slice, int x, int y) {
-  return heads_[(static_cast<std::size_t>(slice) * cells_ + y) * cells_ + x];
+std::size_t Occupancy::cellAt(int slice, int x, int y) const {
+  return (static_cast<std::size_t>(slice) * cells_ + y) * cells_ + x;
 }
 
 Occupancy::Piece Occupancy::pieceBetween(const Vec2& root, const Node& a, const Node& b) {
@@ -73,7 +73,7 @@ bool Occupancy::collides(int slice, const Piece& piece) const {
     const int y = (rows.first + dy) % cells_;
     for (int dx = 0; dx < columns.count; ++dx) {
       const int x = (columns.first + dx) % cells_;
-      for (std::int32_t i = heads_[(static_cast<std::size_t>(slice) * cells_ + y) * cells_ + x]; i >= 0; i = pieces_[i].next)
+      for (std::int32_t i = heads_[cellAt(slice, x, y)]; i >= 0; i = pieces_[i].next)
         if (touches(piece, pieces_[i])) return true;
     }
   }
@@ -95,7 +95,7 @@ void Occupancy::add(const Vec2& root, std::span<const Node> nodes) {
     Piece piece = pieceBetween(root, nodes[i], nodes[i + 1]);
     piece.middle = {wrapped(piece.middle.x, size_), wrapped(piece.middle.y, size_)};
     const int slice = sliceOf(piece.low, piece.high);
-    std::int32_t& first = head(slice, cellOf(piece.middle.x), cellOf(piece.middle.y));
+    std::int32_t& first = heads_[cellAt(slice, cellOf(piece.middle.x), cellOf(piece.middle.y))];
     piece.next = first;
     first = static_cast<std::int32_t>(pieces_.size());
     widest_[slice] = std::max(widest_[slice], reachOf(piece.half, std::max(piece.lowRadius, piece.highRadius)));

@@ -38,7 +38,7 @@ class Occupancy {
   bool collides(int slice, const Piece& piece) const;
   CellRange cellsAround(float x, float reach) const;
   int cellOf(float x) const;
-  std::int32_t& head(int slice, int x, int y);
+  std::size_t cellAt(int slice, int x, int y) const;
 
   float size_;
   int cells_;

@@ -1,6 +1,7 @@
 // How values are stored in the bytes of a fur volume and of the textures made of it.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -14,6 +15,11 @@ inline std::uint8_t unitByte(float x) { return static_cast<std::uint8_t>(saturat
 // The unit tangent of a way of (x, y) texels and `rise` volume heights, * 127, turned upwards: light on a
 // strand is the same from its root to its tip and back. z is 1 or more.
 void packTangent(const Vec2& way, float rise, std::int8_t* out);
+
+// One component of an offset, texels * 64.
+inline std::int16_t packOffset(float texels) {
+  return static_cast<std::int16_t>(std::floor(glm::clamp(texels * 64.0f, -32768.0f, 32767.0f) + 0.5f));
+}
 
 // RGBA8 a texel, as shaders read it: coverage, tangent x, tangent y (both * 0.5 + 0.5), variance.
 struct PackedLevel {

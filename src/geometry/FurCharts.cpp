@@ -31,16 +31,19 @@ float medianDensity(const Mesh& mesh) {
   return 0.0f;
 }
 
-bool hasOwn(const Mesh& mesh) {
-  if (mesh.furUv.size() != mesh.positions.size()) return false;
+// medianDensity() of coordinates that can serve, else 0.
+float ownDensity(const Mesh& mesh) {
+  if (mesh.furUv.size() != mesh.positions.size()) return 0.0f;
   const auto sane = [](const Vec2& uv) { return std::abs(uv.x) < 1e6f && std::abs(uv.y) < 1e6f; };
-  return std::all_of(mesh.furUv.begin(), mesh.furUv.end(), sane) && medianDensity(mesh) > 1e-6f;
+  if (!std::all_of(mesh.furUv.begin(), mesh.furUv.end(), sane)) return 0.0f;
+  const float density = medianDensity(mesh);
+  return density > 1e-6f ? density : 0.0f;
 }
 
-Charts ownCharts(const Mesh& mesh, const std::vector<std::uint32_t>& across) {
+Charts ownCharts(const Mesh& mesh, float density, const std::vector<std::uint32_t>& across) {
   Charts charts;
   charts.chartOf = uvIslands(mesh.positions, mesh.furUv, mesh.indices, across, charts.count);
-  const float tilesPerUnit = 1.0f / medianDensity(mesh);
+  const float tilesPerUnit = 1.0f / density;
   charts.corners.reserve(mesh.indices.size());
   for (const std::uint32_t vertex : mesh.indices) charts.corners.push_back(mesh.furUv[vertex] * tilesPerUnit);
   return charts;
@@ -49,10 +52,10 @@ Charts ownCharts(const Mesh& mesh, const std::vector<std::uint32_t>& across) {
 }  // namespace
 
 Charts furCharts(const Mesh& mesh, const Weld& weld, FurMapping mapping) {
-  const bool own = hasOwn(mesh);
-  if (!own && mapping == FurMapping::Charts) return makeCharts(mesh.positions, mesh.indices, weld);
+  const float density = ownDensity(mesh);
+  if (density == 0.0f && mapping == FurMapping::Charts) return makeCharts(mesh.positions, mesh.indices, weld);
   const auto across = neighboursAcrossSides(sortedSides(mesh.indices, weld), mesh.triangleCount());
-  return own ? ownCharts(mesh, across) : cubeCharts(mesh, across);
+  return density > 0.0f ? ownCharts(mesh, density, across) : cubeCharts(mesh, across);
 }
 
 }  // namespace fur::geometry

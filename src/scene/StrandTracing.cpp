@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "furgen/Coat.h"
 #include "scene/import/CornerMesh.h"
 
 namespace fur::scene {
@@ -89,12 +90,9 @@ class Tracer {
   }
 
   int rowOf(std::uint32_t cut) const { return static_cast<int>(trace_.cuts[cut].axis.y); }
-  float wrapped(float distance, int size) const {
-    const auto extent = static_cast<float>(size);
-    return distance - extent * std::floor(distance / extent + 0.5f);
-  }
   Vec2 way(const StrandCut& from, const StrandCut& to) const {
-    return {wrapped(to.axis.x - from.axis.x, maps_.width), wrapped(to.axis.y - from.axis.y, maps_.height)};
+    return {furgen::torusDelta(to.axis.x, from.axis.x, static_cast<float>(maps_.width)),
+            furgen::torusDelta(to.axis.y, from.axis.y, static_cast<float>(maps_.height))};
   }
 
   // Finds the cut that this one goes on from, among the tips of the layers below.

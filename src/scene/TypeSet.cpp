@@ -39,10 +39,6 @@ std::uint8_t* packTexels(const Map& variance, const Map& dominance, const Map& c
 
 static_assert(std::endian::native == std::endian::little, "floats are written as they lie in memory");
 
-std::int16_t packOffset(float texels) {
-  return static_cast<std::int16_t>(std::floor(glm::clamp(texels * 64.0f, -32768.0f, 32767.0f) + 0.5f));
-}
-
 // The lowest layer shows what stands from the skin to halfway to the next, see furgen/Layers.h.
 constexpr float kLowest = 0.75f;
 
@@ -65,27 +61,16 @@ void traceLayers(FurVolume& volume) {
     const auto x = static_cast<float>(i % kSize) + 0.5f, y = static_cast<float>(i / kSize % kSize) + 0.5f;
     volume.strandId[i] = static_cast<std::uint16_t>(std::min(cut.strand, 65535u));
     furgen::packTangent(cut.slope, 1.0f / kLayers, &volume.tangent[3 * i]);
-    volume.offset[2 * i] = packOffset(furgen::torusDelta(cut.axis.x, x, kSize) - cut.shift.x);
-    volume.offset[2 * i + 1] = packOffset(furgen::torusDelta(cut.axis.y, y, kSize) - cut.shift.y);
+    volume.offset[2 * i] = furgen::packOffset(furgen::torusDelta(cut.axis.x, x, kSize) - cut.shift.x);
+    volume.offset[2 * i + 1] = furgen::packOffset(furgen::torusDelta(cut.axis.y, y, kSize) - cut.shift.y);
   }
-}
-
-// Empty texels of a row take the nearest cut in it, round the tile.
-void fillRow(std::uint32_t* row) {
-  const std::vector<std::uint32_t> drawn(row, row + kSize);
-  if (std::all_of(drawn.begin(), drawn.end(), [](std::uint32_t cut) { return cut == 0; })) return;
-  for (int x = 0; x < kSize; ++x)
-    for (int d = 1; row[x] == 0; ++d) {
-      const std::uint32_t right = drawn[static_cast<std::size_t>((x + d) & (kSize - 1))];
-      row[x] = right ? right : drawn[static_cast<std::size_t>((x - d) & (kSize - 1))];
-    }
 }
 
 // Seen from the side a row is a layer: the strands rise through the rows.
 void traceFin(FurVolume& volume) {
   MapStack maps{kSize, 1, kFinRows, reachOf(kFinRows), 1.0f, volume.finCoverage, volume.finVariance, volume.finDominance};
   StrandTrace trace = traceStrands(maps);
-  for (int row = 0; row < kFinRows; ++row) fillRow(&trace.cutOf[std::size_t{kSize} * row]);
+  for (int row = 0; row < kFinRows; ++row) furgen::fillRow(&trace.cutOf[std::size_t{kSize} * row], kSize);
   volume.finTangent.assign(trace.cutOf.size() * 3, 0);
   for (std::size_t i = 0; i < trace.cutOf.size(); ++i) {
     const std::uint32_t cut = trace.cutOf[i];

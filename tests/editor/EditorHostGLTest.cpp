@@ -175,8 +175,7 @@ TEST(EditorHost, PastedStateIsTakenOver) {
   EXPECT_FLOAT_EQ(desk.app.settings().curl, settings::Settings{}.curl);
 }
 
-TEST(EditorHost, ComesBackAsItWasAfterALostContext) {
-  Desk desk;
+void expectBackAfterALostContext(Desk& desk) {
   const test::Picture before = desk.picture();
   desk.host.detach();
   desk.app.detach(true);
@@ -185,6 +184,11 @@ TEST(EditorHost, ComesBackAsItWasAfterALostContext) {
   desk.settle();
   // The fur is grown again from the same seed, and the panel drawn from the same font: nothing may differ.
   EXPECT_EQ(desk.picture().differingShare(before, 0), 0);
+}
+
+TEST(EditorHost, ComesBackAsItWasAfterALostContext) {
+  Desk desk;
+  expectBackAfterALostContext(desk);
 }
 
 // Tall enough that the pictures of the tile are open.
@@ -228,13 +232,7 @@ TEST(EditorHost, ANewCoatMakesThePanelLookDifferent) {
 
 TEST(EditorHost, ShowsTheTileAgainAfterALostContext) {
   Desk desk(kTall);
-  const test::Picture before = desk.picture();
-  desk.host.detach();
-  desk.app.detach(true);
-  ASSERT_TRUE(desk.app.attach());
-  ASSERT_TRUE(desk.host.attach());
-  desk.settle();
-  EXPECT_EQ(desk.picture().differingShare(before, 0), 0);
+  expectBackAfterALostContext(desk);
 }
 
 TEST(EditorHost, APresetIsOneStepBack) {

@@ -77,6 +77,11 @@ float worstOverlap(const Coat& coat, float h) {
   return worst;
 }
 
+void expectSame(const Coat& a, const Coat& b) {
+  ASSERT_EQ(a.nodes.size(), b.nodes.size());
+  for (std::size_t i = 0; i < a.nodes.size(); ++i) ASSERT_EQ(a.nodes[i].shift, b.nodes[i].shift);
+}
+
 TEST(Coat, HasNoTwoStrandsThatOverlapAtAnyHeightRoundTheTorus) {
   int coatIndex = 0;
   for (const FurParameters& p : variedCoats()) {
@@ -128,9 +133,7 @@ TEST(Coat, IsTheSameHoweverItsGrowthIsSliced) {
       EXPECT_GE(grower.progress(), last);
       last = grower.progress();
     }
-    const Coat sliced = grower.take();
-    ASSERT_EQ(whole.nodes.size(), sliced.nodes.size());
-    for (std::size_t i = 0; i < whole.nodes.size(); ++i) ASSERT_EQ(whole.nodes[i].shift, sliced.nodes[i].shift);
+    expectSame(whole, grower.take());
   }
 }
 
@@ -139,9 +142,7 @@ TEST(Coat, DoesNotDependOnTheLayersThatItIsCutInto) {
   p.layers = 8;
   const Coat few = growCoat(p);
   p.layers = 128;
-  const Coat many = growCoat(p);
-  ASSERT_EQ(few.nodes.size(), many.nodes.size());
-  for (std::size_t i = 0; i < few.nodes.size(); ++i) ASSERT_EQ(few.nodes[i].shift, many.nodes[i].shift);
+  expectSame(few, growCoat(p));
 }
 
 TEST(Coat, StandsStraightWithoutAnythingThatBendsIt) {
