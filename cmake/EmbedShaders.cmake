@@ -1,8 +1,9 @@
-# Run with cmake -DSHADERS=<shaders/es3> -DOUTPUT=<header> -P: writes every .vert and .frag as a C++ string.
-#   #include "x"           is replaced by that file, relative to SHADERS, at most once per stage
+# Run with cmake -DSHADERS=<shaders/es3> -DOUTPUT=<header> -P: writes every file as a C++ string.
+#   #include "x"           stays: render/ShaderText.h puts in that file, relative to SHADERS, when a program is linked,
+#                          so that the download carries what shaders share once
 #   #ifdef __cplusplus     blocks and #pragma once are dropped: shared/ headers are C++ as well
 #   // comments, blank lines  are dropped
-# shell.vert becomes kShellVert, ground_shadow.frag kGroundShadowFrag.
+# shell.vert becomes kShellVert, ground_shadow.frag kGroundShadowFrag; kIncluded lists what can be included.
 cmake_minimum_required(VERSION 3.20)
 
 # CMake's lists split at ; and do not split inside [ ]: these stand aside while lines are a list.
@@ -22,41 +23,35 @@ function(read_lines path result)
   set(${result} "${text}" PARENT_SCOPE)
 endfunction()
 
-# Appends a file to the stage `stage_text`, which it and `stage_files` (already included) keep in the
-# caller's scope.
-macro(append_file path depth)
-  read_lines("${path}" lines_${depth})
-  set(hidden_${depth} 0)       # depth of #if inside a dropped __cplusplus block, 0 outside
-  set(guarded_${depth} FALSE)  # inside the kept #else of such a block
-  foreach(line IN LISTS lines_${depth})
+# Appends the lines of a file to `stage_text` in the caller's scope.
+macro(append_file path)
+  read_lines("${path}" lines)
+  set(hidden 0)       # depth of #if inside a dropped __cplusplus block, 0 outside
+  set(guarded FALSE)  # inside the kept #else of such a block
+  foreach(line IN LISTS lines)
     string(REGEX REPLACE "//.*$" "" line "${line}")
     string(STRIP "${line}" trimmed)
-    if(hidden_${depth} GREATER 0)
+    if(hidden GREATER 0)
       if(trimmed MATCHES "^#[ ]*if")
-        math(EXPR hidden_${depth} "${hidden_${depth}} + 1")
+        math(EXPR hidden "${hidden} + 1")
       elseif(trimmed MATCHES "^#[ ]*endif")
-        math(EXPR hidden_${depth} "${hidden_${depth}} - 1")
-      elseif(trimmed MATCHES "^#[ ]*else" AND hidden_${depth} EQUAL 1)
-        set(hidden_${depth} 0)
-        set(guarded_${depth} TRUE)
+        math(EXPR hidden "${hidden} - 1")
+      elseif(trimmed MATCHES "^#[ ]*else" AND hidden EQUAL 1)
+        set(hidden 0)
+        set(guarded TRUE)
       endif()
     elseif(trimmed MATCHES "^#[ ]*ifdef[ ]+__cplusplus$")
-      set(hidden_${depth} 1)
-    elseif(guarded_${depth} AND trimmed MATCHES "^#[ ]*if")
+      set(hidden 1)
+    elseif(guarded AND trimmed MATCHES "^#[ ]*if")
       message(FATAL_ERROR "${path}: no #if inside the #else of #ifdef __cplusplus, please")
-    elseif(guarded_${depth} AND trimmed MATCHES "^#[ ]*endif")
-      set(guarded_${depth} FALSE)
+    elseif(guarded AND trimmed MATCHES "^#[ ]*endif")
+      set(guarded FALSE)
     elseif(trimmed STREQUAL "" OR trimmed MATCHES "^#[ ]*pragma[ ]+once$")
     elseif(trimmed MATCHES "^#[ ]*include[ ]+\"([^\"]+)\"$")
-      set(included "${CMAKE_MATCH_1}")
-      if(NOT EXISTS "${SHADERS}/${included}")
-        message(FATAL_ERROR "${path}: #include \"${included}\": no such file in ${SHADERS}")
+      if(NOT EXISTS "${SHADERS}/${CMAKE_MATCH_1}")
+        message(FATAL_ERROR "${path}: #include \"${CMAKE_MATCH_1}\": no such file in ${SHADERS}")
       endif()
-      if(NOT included IN_LIST stage_files)
-        list(APPEND stage_files "${included}")
-        math(EXPR deeper "${depth} + 1")
-        append_file("${SHADERS}/${included}" ${deeper})
-      endif()
+      string(APPEND stage_text "${trimmed}\n")
     else()
       string(REGEX REPLACE "[ \t]+$" "" line "${line}")
       string(APPEND stage_text "${line}\n")
@@ -64,10 +59,11 @@ macro(append_file path depth)
   endforeach()
 endmacro()
 
-file(GLOB_RECURSE stages "${SHADERS}/*.vert" "${SHADERS}/*.frag")
+file(GLOB_RECURSE stages "${SHADERS}/*.vert" "${SHADERS}/*.frag" "${SHADERS}/*.glsl" "${SHADERS}/*.h")
 list(SORT stages)
 set(output "// Made by cmake/EmbedShaders.cmake from shaders/es3.\n#pragma once\n\nnamespace fur::render::shaders {\n")
 set(names "")
+set(included "")
 foreach(stage IN LISTS stages)
   get_filename_component(file_name "${stage}" NAME)
   string(REGEX REPLACE "[._-]" ";" words "${file_name}")
@@ -84,13 +80,18 @@ foreach(stage IN LISTS stages)
   list(APPEND names "${name}")
 
   set(stage_text "")
-  set(stage_files "")
-  append_file("${stage}" 0)
+  append_file("${stage}")
   string(REPLACE "${MARK_BACKSLASH}" "\\" stage_text "${stage_text}")
   string(REPLACE "${MARK_SEMICOLON}" ";" stage_text "${stage_text}")
   string(REPLACE "${MARK_OPEN}" "[" stage_text "${stage_text}")
   string(REPLACE "${MARK_CLOSE}" "]" stage_text "${stage_text}")
   string(APPEND output "\ninline constexpr char ${name}[] = R\"glsl(${stage_text})glsl\";\n")
+  if(NOT stage MATCHES "(vert|frag)$")
+    file(RELATIVE_PATH path "${SHADERS}" "${stage}")
+    string(APPEND included "    {\"${path}\", ${name}},\n")
+  endif()
 endforeach()
+string(APPEND output "\nstruct Included {\n  const char *name, *text;\n};\n")
+string(APPEND output "inline constexpr Included kIncluded[] = {\n${included}};\n")
 string(APPEND output "\n}  // namespace fur::render::shaders\n")
 file(WRITE "${OUTPUT}" "${output}")

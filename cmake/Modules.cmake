@@ -28,11 +28,20 @@ fur_library(fur_geometry src/geometry fur_core)
 fur_library(fur_settings src/settings fur_core)
 set(FUR_FIELDS fur_geometry fur_settings)
 fur_library(fur_furgen src/furgen ${FUR_FIELDS})
+fur_library(fur_groom src/groom ${FUR_FIELDS})
 fur_library(fur_wet src/wet ${FUR_FIELDS})
 fur_library(fur_dynamics src/dynamics ${FUR_FIELDS})
 fur_library(fur_hair src/hair ${FUR_FIELDS})
-fur_library(fur_scene src/scene fur_furgen fur_wet fur_dynamics fur_hair)
-set(FUR_PURE_MODULES fur_core fur_geometry fur_settings fur_furgen fur_wet fur_dynamics fur_hair fur_scene)
+fur_library(fur_scene src/scene fur_furgen fur_groom fur_wet fur_dynamics fur_hair)
+set(FUR_PURE_MODULES fur_core fur_geometry fur_settings fur_furgen fur_groom fur_wet fur_dynamics fur_hair fur_scene)
+
+if(NOT EMSCRIPTEN)
+  # The reference renderer: minutes of several threads, nothing for a web page.
+  find_package(Threads REQUIRED)
+  fur_library(fur_truth src/truth fur_furgen fur_dynamics fur_hair Threads::Threads)
+  target_include_directories(fur_truth PUBLIC "${CMAKE_SOURCE_DIR}/shaders/es3")
+  list(APPEND FUR_PURE_MODULES fur_truth)
+endif()
 
 if(TARGET third_party_gles)
   file(GLOB_RECURSE FUR_SHADERS CONFIGURE_DEPENDS
@@ -62,13 +71,16 @@ endif()
 
 if(EMSCRIPTEN)
   # Much code that runs once a model, once a file or once a frame: the download counts more than its speed.
-  foreach(module scene settings gl render app)
+  foreach(module groom hair scene settings gl render app)
     if(TARGET fur_${module})
       target_compile_options(fur_${module} PRIVATE $<$<CONFIG:Release>:-Os>)
     endif()
   endforeach()
-  # With -Os Emscripten leaves small functions where they are, which makes a surface take four times as long.
-  target_compile_options(fur_geometry PRIVATE "$<$<CONFIG:Release>:-Os;-finline-functions>")
+  # With -Os Emscripten leaves small functions where they are, which makes a surface take four times as long, and
+  # water three times.
+  foreach(module furgen geometry wet)
+    target_compile_options(fur_${module} PRIVATE "$<$<CONFIG:Release>:-Os;-finline-functions>")
+  endforeach()
 endif()
 
 # The programs wait for this check, so a forbidden include fails the build of all of them.

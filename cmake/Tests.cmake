@@ -1,7 +1,10 @@
 # wet-fur-tests     the pure modules, on the CPU; native, and as wasm under Node
 # wet-fur-gl-tests  what needs a context (EGL without a window), and the modules that link GL; native
 
-set(FUR_PURE_TEST_FOLDERS core settings geometry furgen wet dynamics hair scene)
+set(FUR_PURE_TEST_FOLDERS core settings geometry furgen groom wet dynamics hair scene)
+if(TARGET fur_truth)
+  list(APPEND FUR_PURE_TEST_FOLDERS truth)
+endif()
 
 set(pure_globs ${FUR_PURE_TEST_FOLDERS})
 list(TRANSFORM pure_globs PREPEND "${CMAKE_SOURCE_DIR}/tests/")
@@ -54,7 +57,7 @@ if(FUR_GL_TESTS AND NOT EMSCRIPTEN AND TARGET third_party_egl AND TARGET fur_app
   list(APPEND FUR_GL_TESTS "${CMAKE_SOURCE_DIR}/native/headless/EglContext.cpp" "${CMAKE_SOURCE_DIR}/native/ImageDecode.cpp")
   add_executable(wet-fur-gl-tests EXCLUDE_FROM_ALL ${FUR_GL_TESTS})
   target_include_directories(wet-fur-gl-tests PRIVATE "${CMAKE_SOURCE_DIR}" "${CMAKE_SOURCE_DIR}/tests")
-  target_link_libraries(wet-fur-gl-tests PRIVATE fur_app third_party_egl fur_test_options)
+  target_link_libraries(wet-fur-gl-tests PRIVATE fur_app fur_truth third_party_egl fur_test_options)
   if(TARGET fur_app_editor)
     target_link_libraries(wet-fur-gl-tests PRIVATE fur_app_editor)
   else()

@@ -87,9 +87,20 @@ Status loadTypeSet(app::App& app, const std::string& path) {
   return app.loadTypeSet(bytes.value(), fs::path(path).filename().string());
 }
 
+Status loadLengthMap(app::App& app, const std::string& path) {
+  const auto bytes = readFile(path);
+  if (!bytes) return bytes.error();
+  const auto image = decodeImage(bytes.value());
+  if (!image) return Error{image.error().id, path + ": " + image.error().message};
+  app.groomFromImage(image.value().width, image.value().height, image.value().rgba);
+  return Done{};
+}
+
 Status loadScene(app::App& app, const std::string& nameOrPath, const std::string& programPath) {
   if (nameOrPath == "sphere" || nameOrPath == "torus" || nameOrPath == "plane") return app.loadPrimitive(nameOrPath);
   if (hasEnding(nameOrPath, ".fts")) return loadTypeSet(app, nameOrPath);
+  for (const char* ending : {".png", ".jpg", ".jpeg"})
+    if (hasEnding(nameOrPath, ending)) return loadLengthMap(app, nameOrPath);
   const std::string path = nameOrPath == "bunny" ? findBunny(programPath) : nameOrPath;
   const auto bytes = readFile(path);
   if (!bytes) return bytes.error();

@@ -19,9 +19,12 @@ Status writePng(const std::string& path, int width, int height, const std::vecto
 // A type set (.fts) by path takes the place of the coat.
 Status loadTypeSet(app::App& app, const std::string& path);
 
+// An image by path becomes the length map of the groom.
+Status loadLengthMap(app::App& app, const std::string& path);
+
 // A model by path, or "sphere", "torus", "plane", or "bunny" (models/bunny.glb beside the program or
 // below its parent folders). Decodes its picture too; one that cannot be decoded is a warning. A path of
-// a .fts goes to loadTypeSet().
+// a .fts goes to loadTypeSet(), of a .png or .jpg to loadLengthMap().
 Status loadScene(app::App& app, const std::string& nameOrPath, const std::string& programPath);
 
 }  // namespace fur::native

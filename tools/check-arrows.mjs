@@ -7,7 +7,7 @@ import { pathToFileURL } from 'node:url';
 import { root as ownRoot } from './process.mjs';
 
 const fields = ['core', 'geometry', 'settings'];
-const pure = [...fields, 'furgen', 'wet', 'dynamics', 'hair', 'scene'];
+const pure = [...fields, 'furgen', 'groom', 'wet', 'dynamics', 'hair', 'scene'];
 const importers = ['scene/import', 'scene/export'];
 
 // Zone (the longest folder that holds a file) -> what it may include beyond itself. `imgui`, `gles`,
@@ -17,10 +17,13 @@ export const arrows = {
   'src/geometry': ['core'],
   'src/settings': ['core'],
   'src/furgen': fields,
+  'src/groom': fields,
   'src/wet': fields,
   'src/dynamics': fields,
   'src/hair': fields,
   'src/scene': [...pure, ...importers, 'gltf'],
+  // The reference renderer reads the very numbers that the shaders are given, and no more of render.
+  'src/truth': [...fields, 'furgen', 'dynamics', 'hair', 'shared'],
   'src/gl': ['core', 'gles', 'emscripten'],
   'src/render': [...pure, 'gl', 'shared'],
   'src/editor': ['core', 'settings', 'scene', 'imgui'],
@@ -33,6 +36,7 @@ export const arrows = {
   // and framebuffer are handed to it by gl.
   'native': ['app', 'core', 'scene'],
   'native/headless': ['app', 'core', 'settings', 'scene', 'gl', 'egl', 'native'],
+  'native/compare': ['app', ...pure, 'gl', 'render', 'truth', 'native', 'native/headless'],
   'native/window': ['app', 'app/editor', 'core', 'settings', 'scene', 'gl', 'imgui', 'glfw', 'native'],
   'tools/assets': pure.concat(importers),
 };

@@ -50,9 +50,9 @@ export function missingFiles(folder) {
 /** Scripts without comments and long names: half of what a visitor would download. */
 async function minifyScripts(folder) {
   const { minify } = await import('terser');
-  for (const name of readdirSync(folder).filter((file) => file.endsWith('.js'))) {
+  for (const name of readdirSync(folder).filter((file) => /\.m?js$/.test(file))) {
     const file = join(folder, name);
-    const { code } = await minify(readFileSync(file, 'utf8'), { module: true, ecma: 2022, format: { quote_style: 1 } });
+    const { code } = await minify(readFileSync(file, 'utf8'), { module: true, ecma: 2022, compress: { passes: 3 }, format: { quote_style: 1 } });
     writeFileSync(file, `${code}\n`);
   }
 }
@@ -66,8 +66,8 @@ export async function assemble() {
   for (const entry of readdirSync(next, { withFileTypes: true })) {
     if (entry.isDirectory() && readdirSync(join(next, entry.name)).length === 0) rmSync(join(next, entry.name), { recursive: true });
   }
-  await minifyScripts(next);
   for (const name of programs) cpSync(join(buildFolder('web-release'), 'web', name), join(next, name));
+  await minifyScripts(next);
   cpSync(join(root, 'build/models'), join(next, 'models'), { recursive: true });
   for (const folder of existsSync(join(root, 'assets')) ? readdirSync(join(root, 'assets')) : []) {
     cpSync(join(root, 'assets', folder), join(next, basename(folder)), { recursive: true });

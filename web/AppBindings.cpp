@@ -11,17 +11,6 @@ using namespace fur;
 using app::App;
 using web::guarded;
 
-namespace {
-
-std::vector<std::uint8_t> saved;
-
-std::uint32_t keepSaved(std::vector<std::uint8_t> bytes) {
-  saved = std::move(bytes);
-  return static_cast<std::uint32_t>(saved.size());
-}
-
-}  // namespace
-
 // --- life ---
 
 FUR_EXPORT App* fur_create() {
@@ -39,21 +28,19 @@ FUR_EXPORT void fur_resize(App* app, int width, int height, float pixelRatio) { 
 FUR_EXPORT int fur_loadPrimitive(App* app, const char* name) {
   return guarded([&] { return web::report(app->loadPrimitive(name)); });
 }
-FUR_EXPORT int fur_loadModel(App* app, const std::uint8_t* bytes, std::uint32_t size, const char* name) {
-  return guarded([&] { return web::report(app->loadModel({bytes, size}, name, web::takeStagedFiles())); });
+FUR_EXPORT int fur_loadModel(App* app, const std::uint8_t* bytes, std::uint32_t size, const char* name,
+                             int keepState) {
+  return guarded([&] { return web::report(app->loadModel({bytes, size}, name, web::takeStagedFiles(), keepState != 0)); });
 }
 FUR_EXPORT int fur_loadTypeSet(App* app, const std::uint8_t* bytes, std::uint32_t size, const char* name) {
   return guarded([&] { return web::report(app->loadTypeSet({bytes, size}, name)); });
 }
-// What these two make: the number of its bytes, which lie at fur_savedBytes() until they are forgotten.
-FUR_EXPORT std::uint32_t fur_saveTypeSet(App* app) {
-  return guarded([&] { return keepSaved(app->saveTypeSet()); });
+// The number of the bytes that this makes; they lie at fur_savedBytes() until they are forgotten.
+FUR_EXPORT std::uint32_t fur_saveGroom(App* app) {
+  return guarded([&] { return web::keepSaved(app->saveGroom()); });
 }
-FUR_EXPORT std::uint32_t fur_saveFo(App* app) {
-  return guarded([&] { return keepSaved(app->saveFo()); });
-}
-FUR_EXPORT const std::uint8_t* fur_savedBytes() { return saved.data(); }
-FUR_EXPORT void fur_forgetSavedBytes() { saved = {}; }
+FUR_EXPORT const std::uint8_t* fur_savedBytes() { return web::savedBytes().data(); }
+FUR_EXPORT void fur_forgetSavedBytes() { web::keepSaved({}); }
 FUR_EXPORT double fur_coatRevision(App* app) { return double(app->coatRevision()); }
 FUR_EXPORT const char* fur_modelName(App* app) { return web::text(app->modelName()); }
 // The encoded base colour image: type "" when there is none.
@@ -129,7 +116,7 @@ FUR_EXPORT const char* fur_takeWarnings(App* app) {
 
 // --- water ---
 
-// 0 droplet, 1 dry, 2 grab, 3 none, as app::Tool
+// The number of an app::Tool.
 FUR_EXPORT void fur_setTool(App* app, int tool) { app->setTool(static_cast<app::Tool>(tool)); }
 FUR_EXPORT int fur_getTool(App* app) { return static_cast<int>(app->tool()); }
 FUR_EXPORT void fur_splashAt(App* app, float u, float v, float radius, float amount) {
@@ -156,6 +143,19 @@ FUR_EXPORT int fur_restoreWetness(App* app, const float* texels, int size) {
     return 1;
   });
 }
+// --- groom ---
+
+FUR_EXPORT int fur_restoreGroom(App* app, const std::uint8_t* bytes, std::uint32_t size, int undoable) {
+  return guarded([&] { return web::report(app->restoreGroom({bytes, size}, undoable != 0)); });
+}
+FUR_EXPORT int fur_groomed(App* app) { return app->groomed() ? 1 : 0; }
+FUR_EXPORT int fur_clearGroom(App* app) {
+  return guarded([&] {
+    app->clearGroom();
+    return 1;
+  });
+}
+
 // (u, v), or null off the model
 FUR_EXPORT const double* fur_pick(App* app, float x, float y) {
   const std::optional<Vec2> hit = app->pick({x, y});
@@ -195,14 +195,20 @@ FUR_EXPORT int fur_tick(App* app, float seconds, float coatBudget) {
 FUR_EXPORT double fur_coatProgress(App* app) { return app->coatProgress(); }
 FUR_EXPORT int fur_active(App* app) { return app->active() ? 1 : 0; }
 FUR_EXPORT void fur_setReducedMotion(App* app, int reduced) { app->setReducedMotion(reduced != 0); }
-FUR_EXPORT int fur_draw(App* app) {
-  return guarded([&] { return web::report(app->draw()); });
+// 0 best, 1 moving, 2 still, as app::Picture
+FUR_EXPORT int fur_draw(App* app, int picture) {
+  return guarded([&] { return web::report(app->draw(static_cast<app::Picture>(picture))); });
 }
 FUR_EXPORT void fur_invalidate(App* app) { app->invalidate(); }
-// vertices, triangles, strands, layers, finEdges, cpuBytes, gpuBytes, uploadedBytes, framesDrawn
+FUR_EXPORT void fur_setQuality(App* app, int best, int governed) { app->setQuality(best, governed != 0); }
+FUR_EXPORT void fur_setFrameBudget(App* app, float milliseconds) { app->setFrameBudget(milliseconds); }
+FUR_EXPORT void fur_frameShown(App* app, float milliseconds, float drawing) { app->frameShown(milliseconds, drawing); }
+FUR_EXPORT int fur_improvable(App* app) { return app->improvable() ? 1 : 0; }
+// vertices, triangles, strands, layers, finEdges, cpuBytes, gpuBytes, uploadedBytes, framesDrawn, level, pixels,
+// frameTime
 FUR_EXPORT const double* fur_stats(App* app) {
   const App::Stats s = app->stats();
   return web::numbers({double(s.vertices), double(s.triangles), double(s.strands), double(s.layers),
                        double(s.finEdges), double(s.cpuBytes), double(s.gpuBytes), double(s.uploadedBytes),
-                       double(s.framesDrawn)});
+                       double(s.framesDrawn), double(s.level), double(s.pixels), double(s.frameTime)});
 }

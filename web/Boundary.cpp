@@ -10,6 +10,7 @@ namespace {
 
 Error lastError{ErrorId::BadFile, ""};
 scene::FileSet stagedFiles;
+std::vector<std::uint8_t> saved;
 
 }  // namespace
 
@@ -44,6 +45,12 @@ const char* hexadecimal(std::uint64_t value) {
 }
 
 scene::FileSet takeStagedFiles() { return std::exchange(stagedFiles, {}); }
+
+std::uint32_t keepSaved(std::vector<std::uint8_t> bytes) {
+  saved = std::move(bytes);
+  return static_cast<std::uint32_t>(saved.size());
+}
+const std::vector<std::uint8_t>& savedBytes() { return saved; }
 
 }  // namespace fur::web
 

@@ -11,6 +11,7 @@
 #include <initializer_list>
 #include <new>
 #include <string>
+#include <vector>
 
 #include "core/Result.h"
 #include "scene/Model.h"
@@ -26,6 +27,9 @@ const char* text(std::string value);
 double* numbers(std::initializer_list<double> values);
 const char* hexadecimal(std::uint64_t value);
 scene::FileSet takeStagedFiles();
+// Keeps what was saved for JavaScript to copy; returns how many bytes.
+std::uint32_t keepSaved(std::vector<std::uint8_t> bytes);
+const std::vector<std::uint8_t>& savedBytes();
 
 // Runs `work` (returning int or a pointer); what it throws becomes an error and 0.
 template <class Work>

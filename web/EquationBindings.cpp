@@ -3,7 +3,9 @@
 #include "dynamics/BendField.h"
 #include "furgen/Coat.h"
 #include "furgen/Strand.h"
+#include "hair/Marschner.h"
 #include "hair/StrandShading.h"
+#include "hair/VolumeShadow.h"
 #include "wet/Clump.h"
 
 using namespace fur;
@@ -46,4 +48,14 @@ FUR_EXPORT double fur_eqKajiyaSpecular(float tx, float ty, float tz, float lx, f
 }
 FUR_EXPORT double fur_eqFurShadow(float height, float density, float nDotL) {
   return hair::furShadow(height, density, nDotL);
+}
+FUR_EXPORT double fur_eqMarschnerM(float thetaH, float alpha, float beta) {
+  return hair::marschnerM(thetaH, alpha, beta);
+}
+FUR_EXPORT double fur_eqMarschnerN(int p, float thetaD, float phiD, float eta, float absorption) {
+  return hair::marschnerN(p, thetaD, phiD, eta, absorption);
+}
+FUR_EXPORT double fur_eqTransmittance(float k, float sigma) { return hair::transmittance(k, sigma); }
+FUR_EXPORT double fur_eqOpacityLookup(const double* layers, int count, float z, float dz) {
+  return hair::opacityLookup({layers, static_cast<std::size_t>(count)}, z, dz);
 }

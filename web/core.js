@@ -137,6 +137,10 @@ function equationsOf(program) {
     arcBend: pair('fur_eqArcBend'),
     kajiyaDiffuse: number('fur_eqKajiyaDiffuse'),
     kajiyaSpecular: number('fur_eqKajiyaSpecular'),
+    marschnerM: number('fur_eqMarschnerM'),
+    marschnerN: number('fur_eqMarschnerN'),
+    transmittance: number('fur_eqTransmittance'),
+    opacityLookup: (layers, z, dz) => program.call('fur_eqOpacityLookup', Float64Array.from(layers), layers.length, z, dz),
   });
 }
 

@@ -15,7 +15,7 @@ export async function preloadEditor(onBytes) {
 }
 
 const wants = { pointer: 1, text: 4 };
-const commands = { openDialog: 1, loadBunny: 3, copy: 4, paste: 5, saveTypeSet: 6, saveFo: 7 };
+const commands = { openDialog: 1, loadBunny: 3, copy: 4, paste: 5, saveTypeSet: 6, saveFo: 7, saveScene: 8 };
 
 /**
  * What the panel cannot do itself.
@@ -23,8 +23,9 @@ const commands = { openDialog: 1, loadBunny: 3, copy: 4, paste: 5, saveTypeSet: 
  * @property {() => void} wake
  * @property {() => void} openDialog
  * @property {() => void} loadBunny
- * @property {() => Uint8Array} saveTypeSet
- * @property {() => Uint8Array} saveFo
+ * @property {() => Promise<Uint8Array>} saveTypeSet
+ * @property {() => Promise<Uint8Array>} saveFo
+ * @property {() => Promise<Uint8Array>} save
  */
 
 /** The panel of one app: web/editor/EditorBindings.cpp as methods, and a hidden text field for keyboards on screens. */
@@ -98,6 +99,7 @@ export class EditorPanel {
     if (command === commands.copy) this.#copy(text());
     if (command === commands.saveTypeSet) this.#save(() => this.#host.saveTypeSet(), text());
     if (command === commands.saveFo) this.#save(() => this.#host.saveFo(), text());
+    if (command === commands.saveScene) this.#save(() => this.#host.save(), text());
     if (command === commands.paste) this.#paste();
   }
 
@@ -105,9 +107,9 @@ export class EditorPanel {
     navigator.clipboard.writeText(text).catch((error) => this.message(`Nothing was copied: ${error.message}`, true));
   }
 
-  #save(makeBytes, name) {
+  async #save(makeBytes, name) {
     try {
-      const url = URL.createObjectURL(new Blob([makeBytes()]));
+      const url = URL.createObjectURL(new Blob([await makeBytes()]));
       Object.assign(document.createElement('a'), { href: url, download: name }).click();
       setTimeout(() => URL.revokeObjectURL(url), 10000);
     } catch (error) {

@@ -16,15 +16,16 @@ const forwardedEvents = [
 ];
 const forwardedMethods = [
   'splash', 'dry', 'setWetness', 'wetnessAt', 'pick', 'play', 'pause', 'step', 'undo', 'redo', 'getState', 'setState',
-  'loadTypeSet', 'saveTypeSet', 'saveFo', 'toBlob', 'getCameraOrbit', 'resetCamera', 'openEditor', 'closeEditor',
+  'loadTypeSet', 'saveTypeSet', 'saveFo', 'save', 'groom', 'loadLengthMap', 'toBlob', 'getCameraOrbit', 'resetCamera', 'openEditor', 'closeEditor',
 ];
 const forwardedGetters = [
   'loaded', 'ready', 'state', 'stats', 'settings', 'settingsTable', 'presets', 'warnings', 'modelName', 'meanWetness',
-  'wetnessHash', 'canUndo', 'canRedo', 'editorOpen', 'cameraOrbitText',
+  'wetnessHash', 'groomed', 'canUndo', 'canRedo', 'editorOpen', 'cameraOrbitText',
 ];
 
 const kebab = (name) => name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
 const camel = (name) => name.replace(/-([a-z])/g, (_, letter) => letter.toUpperCase());
+const spaceDoes = { droplet: 'drops water', dry: 'takes water', comb: 'combs down', trim: 'trims', grow: 'lengthens the fur' };
 const announceAfterMilliseconds = 1200;
 const announceStep = 1;
 const isBoolean = (name) => optionDefaults[name] === false;
@@ -195,7 +196,7 @@ export class WetFurElement extends Base {
     if (interactive) {
       const keys = [];
       if (this.cameraControls) keys.push('Arrow keys turn the view, plus and minus zoom, Home resets it.');
-      if (this.tool === 'droplet') keys.push('Space drops water in the middle of the picture.');
+      if (spaceDoes[this.tool]) keys.push(`Space ${spaceDoes[this.tool]} in the middle of the picture.`);
       canvas.setAttribute('aria-description', keys.join(' '));
     }
   }

@@ -1,10 +1,16 @@
 // app/App.h as JavaScript methods: one handle in one Program. Positions are pixels of the drawing buffer.
 
-const tools = ['droplet', 'dry', 'grab', 'none'];
+import { choices } from './options.js';
+
+// In the order of app::Tool and app::GroomEdit.
+const tools = choices.tool;
+const groomEdits = ['clear', 'length', 'invert', 'vary', 'type', 'comb', 'raise', 'size'];
 export const phases = ['down', 'move', 'up', 'cancel'];
 export const pointerKinds = ['mouse', 'touch', 'pen'];
+export const pictures = { best: 0, moving: 1, still: 2 };
 const statNames = [
   'vertices', 'triangles', 'strands', 'layers', 'finEdges', 'cpuBytes', 'gpuBytes', 'uploadedBytes', 'framesDrawn',
+  'level', 'pixels', 'frameTime',
 ];
 
 /** Bit 0 shift, 1 control (or the command key), 2 alt. */
@@ -32,16 +38,17 @@ export class FurApp {
   resize(width, height, pixelRatio) { this.#call('fur_resize', width, height, pixelRatio); }
 
   loadPrimitive(name) { this.#callOrThrow('fur_loadPrimitive', name); }
-  /** @param {Map<string, Uint8Array>} files what came along, by the name that the model uses */
-  loadModel(bytes, name, files) {
+  /**
+   * @param {Map<string, Uint8Array>} files what came along, by the name that the model uses
+   * @param {boolean} keepState not the settings that a saved scene brings
+   */
+  loadModel(bytes, name, files, keepState = false) {
     this.program.call('fur_clearStagedFiles');
     for (const [fileName, content] of files)
       this.program.callOrThrow('fur_stageFile', fileName, content, content.byteLength);
-    this.#callOrThrow('fur_loadModel', bytes, bytes.byteLength, name);
+    this.#callOrThrow('fur_loadModel', bytes, bytes.byteLength, name, keepState ? 1 : 0);
   }
   loadTypeSet(bytes, name) { this.#callOrThrow('fur_loadTypeSet', bytes, bytes.byteLength, name); }
-  saveTypeSet() { return this.#saved('fur_saveTypeSet'); }
-  saveFo() { return this.#saved('fur_saveFo'); }
   #saved(name) {
     const byteLength = this.#callOrThrow(name);
     const bytes = this.program.array(Uint8Array, this.program.call('fur_savedBytes'), byteLength);
@@ -100,6 +107,17 @@ export class FurApp {
     return { size, texels: this.program.array(Float32Array, this.#call('fur_wetnessTexels'), size * size * 4) };
   }
   set wetnessTexels({ size, texels }) { this.#callOrThrow('fur_restoreWetness', texels, size); }
+  /** As bytes, for another program with the same model. */
+  get groom() { return this.#saved('fur_saveGroom'); }
+  restoreGroom(bytes, undoable) { this.#callOrThrow('fur_restoreGroom', bytes, bytes.byteLength, undoable ? 1 : 0); }
+  clearGroom() { this.#call('fur_clearGroom'); }
+  get groomed() { return this.#call('fur_groomed') !== 0; }
+  // These are in the editor's program only.
+  saveTypeSet() { return this.#saved('fur_saveTypeSet'); }
+  saveFo() { return this.#saved('fur_saveFo'); }
+  saveScene() { return this.#saved('fur_saveScene'); }
+  groomAll(edit, value, [x, y, z]) { this.#call('fur_groomAll', groomEdits.indexOf(edit), value, x, y, z); }
+  groomFromImage(width, height, rgba) { this.#callOrThrow('fur_groomFromImage', width, height, rgba); }
   /** {u, v} of the surface under the pixel, or null. */
   pick(x, y) {
     const hit = this.program.numbers(this.#call('fur_pick', x, y), 2);
@@ -121,7 +139,12 @@ export class FurApp {
   get coatProgress() { return this.#call('fur_coatProgress'); }
   get active() { return this.#call('fur_active') !== 0; }
   set reducedMotion(reduced) { this.#call('fur_setReducedMotion', reduced ? 1 : 0); }
-  draw() { this.#callOrThrow('fur_draw'); }
+  /** For `pictures.best`, `.moving` or `.still`, as app/App.h tells. */
+  draw(picture = pictures.best) { this.#callOrThrow('fur_draw', picture); }
+  set governed(governed) { this.#call('fur_setQuality', 0, governed ? 1 : 0); }
+  set frameBudget(milliseconds) { this.#call('fur_setFrameBudget', milliseconds); }
+  frameShown(milliseconds, drawing) { this.#call('fur_frameShown', milliseconds, drawing); }
+  get improvable() { return this.#call('fur_improvable') !== 0; }
   invalidate() { this.#call('fur_invalidate'); }
   get stats() {
     const values = this.program.numbers(this.#call('fur_stats'), statNames.length);

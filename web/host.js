@@ -2,15 +2,18 @@
 // Longer than most files here: it is the one place where loading, frames, a lost context and the
 // change of programs meet, and each must know what the others have left undone.
 import { asFurError, FurError } from './errors.js';
-import { FurApp } from './furapp.js';
+import { FrameTimer } from './frametimer.js';
+import { FurApp, pictures } from './furapp.js';
 import { Input } from './input.js';
-import { acceptedFiles, fetchModel, loadInto, provideModelImage, readGiven, readModel, sortFiles } from './models.js';
+import { acceptedFiles, decodeImage, fetchModel, loadInto, provideModelImage, readGiven, readModel, sortFiles } from './models.js';
 import { clampDt, choices, optionDefaults, optionValue, qualities, settingsObject } from './options.js';
 import { orbitText, parseOrbit } from './orbit.js';
 import { Progress } from './progress.js';
 import { instantiateProgram } from './runtime.js';
 import { resetContext, Screen } from './screen.js';
 
+/** After so long without a change a picture is drawn better than moving ones are. */
+const stillMilliseconds = 300;
 /** What a frame may spend on a coat that grows: the page answers while it does. */
 const coatSeconds = 0.014;
 const maxFrameSeconds = 0.1;
@@ -43,11 +46,15 @@ export class WetFur extends EventTarget {
   #loading = new Progress();
   #starting = null;
   #wantedState = null;
+  #hasOwnLook = false;  // asked for beside the model: what a scene file brings gives way
   #switching = Promise.resolve();
   #abort = null;
   #ready;
   #frame = 0;
   #lastTime = null;
+  #run = 0;  // frames that were painted one after another
+  #timer = null;
+  #stillTimer = 0;
   #lastCamera = '';
   #lastWetness = 0;
   #lastWetnessCheck = 0;
@@ -134,10 +141,12 @@ export class WetFur extends EventTarget {
     if (name === 'wheel') this.#input.wheel = value;
     if (name === 'touchAction') this.#input.touchAction = value;
     if (name === 'quality') this.#applyQuality(value);
+    if (name === 'frameBudget' && this.#app) this.#app.frameBudget = value;
     if (name === 'motion') this.#applyMotion();
     if (name === 'background' && value)
       for (const field of ['backgroundTop', 'backgroundBottom']) this.#setSetting(field, value);
     if (!this.#app) return;
+    if (name === 'paused' && value) this.#pauseNow();
     if (name === 'tool') this.#app.tool = value;
     if (name === 'preset' && value) {
       this.#applyPreset(this.#app);
@@ -150,8 +159,9 @@ export class WetFur extends EventTarget {
   }
 
   #applyQuality(name) {
-    const { maxPixelRatio, layers } = qualities[name];
+    const { maxPixelRatio, layers, governed } = qualities[name];
     this.#screen.maxPixelRatio = maxPixelRatio;
+    if (this.#app) this.#app.governed = governed;
     if (layers && !this.#wantedSettings.has('layers')) this.#setSetting('layers', layers);
   }
 
@@ -235,13 +245,10 @@ export class WetFur extends EventTarget {
     this.#typeSet = { name, bytes, revision: this.#app.coatRevision };
   }
 
-  /** The coat as .fts, the model with its fur coordinates as .fo: Uint8Arrays. */
-  saveTypeSet() { return this.#saved('saveTypeSet'); }
-  saveFo() { return this.#saved('saveFo'); }
-  #saved(what) {
-    if (!this.loaded) throw new FurError('bad-file', `${what}: there is no model yet`);
-    return this.#app[what]();
-  }
+  /** The coat as .fts, the model with its fur coordinates as .fo, all but the water as .glb: Uint8Arrays. */
+  saveTypeSet() { return this.#inWorkshop((app) => app.saveTypeSet()); }
+  saveFo() { return this.#inWorkshop((app) => app.saveFo()); }
+  save() { return this.#inWorkshop((app) => app.saveScene()); }
 
   #loadSrc() {
     const src = this.#src;
@@ -288,7 +295,11 @@ export class WetFur extends EventTarget {
     this.#screen.register(app.program);
     app.attach();
     this.#app = app;
+    this.#timer = new FrameTimer(this.#screen.gl);
+    app.governed = qualities[this.#options.quality].governed;
+    app.frameBudget = this.#options.frameBudget;
     app.resize(this.#screen.width, this.#screen.height, this.#screen.pixelRatio);
+    this.#hasOwnLook ||= Boolean(this.#wantedState || this.#options.preset);
     if (this.#wantedState) this.#takeWantedState(app);
     this.#applyPreset(app);
     for (const [name, value] of this.#wantedSettings) app.setSetting(name, value);
@@ -308,8 +319,9 @@ export class WetFur extends EventTarget {
 
   async #show(source) {
     this.#current();
-    loadInto(this.#app, source);
     const first = !this.loaded;
+    loadInto(this.#app, source, first && this.#hasOwnLook);
+    if (first) for (const [name, value] of this.#wantedSettings) this.#app.setSetting(name, value);
     this.#source = source;
     const warning = await provideModelImage(this.#app, source);
     if (warning) this.#warn(warning);
@@ -373,6 +385,49 @@ export class WetFur extends EventTarget {
   /** The atlas coordinates under {x, y} in CSS pixels of the canvas, or null. */
   pick(at) { return this.loaded ? this.#app.pick(...this.#cssToBuffer(at)) : null; }
 
+  // --- groom ---
+
+  /** Whether any fur is shorter, of another type or combed. */
+  get groomed() { return this.#app?.groomed ?? false; }
+  /** One of 'clear', 'length', 'invert', 'vary', 'type', 'comb', 'raise' and 'size', all over the model. */
+  async groom(edit, value = 1, direction = [0, -1, 0]) {
+    if (edit !== 'clear') return this.#groomInWorkshop((app) => app.groomAll(edit, value, direction));
+    if (!this.loaded) return;
+    this.#app.clearGroom();
+    this.#afterChange();
+  }
+  /** An image in the model's texture coordinates: black is bald. */
+  async loadLengthMap(given) {
+    await this.ready;
+    const image = await decodeImage(given instanceof Blob ? given : new Blob([given])).catch((error) => {
+      throw this.#failed(new FurError('bad-file', `the length map could not be read (${error.message})`));
+    });
+    await this.#groomInWorkshop((app) => app.groomFromImage(image.width, image.height, image.data));
+  }
+  async #groomInWorkshop(work) {
+    await this.#inWorkshop((app) => {
+      work(app);
+      if (app !== this.#app) this.#app.restoreGroom(app.groom, true);
+    });
+    this.#afterChange();
+  }
+
+  /** Work that the viewer's program leaves to the editor's: on a copy of the scene, without a picture. */
+  async #inWorkshop(work) {
+    if (!this.loaded) throw new FurError('bad-file', 'there is no model yet');
+    if (this.#program === 'editor') return work(this.#app);
+    const app = new FurApp(await instantiateProgram('editor', (loaded, total) => this.#progress('editor', loaded, total)));
+    try {
+      loadInto(app, this.#source, true);
+      app.state = this.#app.state;
+      app.restoreGroom(this.#app.groom, false);
+      if (this.#typeSet?.revision === this.#app.coatRevision) app.loadTypeSet(this.#typeSet.bytes, this.#typeSet.name);
+      return work(app);
+    } finally {
+      app.destroy();
+    }
+  }
+
   #cssToBuffer({ x, y }) {
     const box = this.#canvas.getBoundingClientRect();
     return this.#screen.toBuffer({ clientX: box.left + x, clientY: box.top + y });
@@ -400,20 +455,53 @@ export class WetFur extends EventTarget {
 
   #onFrame(time) {
     this.#frame = 0;
-    if (!this.#canRun()) return;
+    if (!this.#canRun()) {
+      this.#endRun();
+      return;
+    }
     this.#current();
+    clearTimeout(this.#stillTimer);
     const since = this.#lastTime === null ? 1 / 60 : (time - this.#lastTime) / 1000;
+    // Only where drawing is all that the time went by with.
+    if (this.#run > 1 && !this.#options.fixedDt) {
+      this.#timer.update();
+      this.#app.frameShown(since * 1000, this.#timer.milliseconds);
+    }
     this.#lastTime = time;
     const dt = this.#options.fixedDt || Math.min(since, maxFrameSeconds);
     const changed = [this.#app.tick(dt, this.#options.fixedDt ? undefined : coatSeconds), this.#panel?.update(dt)];
-    if (changed.some(Boolean)) this.#paint();
+    const paints = changed.some(Boolean);
+    // Steps of a given length are for pictures that come out the same everywhere.
+    if (paints) this.#paint(this.#options.fixedDt ? pictures.best : pictures.moving);
+    this.#run = paints ? this.#run + 1 : 0;
     this.#panel?.afterFrame();
     this.#tellCoat(time);
     const goesOn = this.#app.active || Boolean(this.#panel?.active);
     this.#tellChanges(!goesOn);
     this.#flushWarnings();
     if (goesOn && !this.#frame) this.#frame = requestAnimationFrame((next) => this.#onFrame(next));
-    if (!goesOn) this.#lastTime = null;
+    if (goesOn) return;
+    this.#endRun();
+    if (this.#app.improvable) this.#stillTimer = setTimeout(() => this.#improve(), stillMilliseconds);
+  }
+
+  /** What was drawn in a hurry is not left standing. */
+  #pauseNow() {
+    cancelAnimationFrame(this.#frame);
+    this.#frame = 0;
+    this.#endRun();
+    this.#improve();
+  }
+
+  #endRun() {
+    this.#lastTime = null;
+    this.#run = 0;
+  }
+
+  #improve() {
+    if (this.#frame || this.#state !== 'ready' || !this.#screen.visible || !this.#app.improvable) return;
+    this.#current();
+    this.#paint(pictures.still);
   }
 
   // Only of a coat that takes longer than a person would notice.
@@ -431,8 +519,10 @@ export class WetFur extends EventTarget {
     this.#progress('coat', fraction, 1);
   }
 
-  #paint() {
-    this.#app.draw();
+  #paint(picture) {
+    if (picture === pictures.moving) this.#timer.begin();
+    this.#app.draw(picture);
+    this.#timer.end();
     this.#panel?.draw();
   }
 
@@ -443,7 +533,7 @@ export class WetFur extends EventTarget {
     this.#app.invalidate();
     this.#app.tick(0);
     this.#panel?.update(0);
-    this.#paint();
+    this.#paint(pictures.best);
   }
 
   #current() { this.#screen.makeCurrent(this.#app.program); }
@@ -523,7 +613,7 @@ export class WetFur extends EventTarget {
     const { EditorPanel } = which === 'editor' ? await import('./editor.js') : {};
     if (!this.#app || this.#state === 'lost') return;
     const old = this.#app;
-    const { state, tool, wetnessTexels } = old;
+    const { state, tool, wetnessTexels, groom } = old;
     const typeSet = this.#typeSet?.revision === old.coatRevision ? this.#typeSet : null;
     this.#current();
     this.#panel?.dispose();
@@ -534,7 +624,8 @@ export class WetFur extends EventTarget {
     const app = new FurApp(program);
     this.#adopt(app);
     app.state = state;  // before the model, so that undo does not lead behind it
-    loadInto(app, this.#source);
+    loadInto(app, this.#source, true);
+    app.restoreGroom(groom, false);
     if (typeSet) this.#showTypeSet(typeSet);
     app.wetnessTexels = wetnessTexels;
     app.tool = tool;
@@ -547,6 +638,7 @@ export class WetFur extends EventTarget {
         loadBunny: () => { this.src = 'bunny'; },
         saveTypeSet: () => this.saveTypeSet(),
         saveFo: () => this.saveFo(),
+        save: () => this.save(),
       });
       this.#panel.resize(this.#screen.width, this.#screen.height, this.#screen.pixelRatio);
     }
@@ -560,9 +652,10 @@ export class WetFur extends EventTarget {
   #openDialog() {
     const input = Object.assign(document.createElement('input'), { type: 'file', accept: acceptedFiles, multiple: true });
     input.addEventListener('change', async () => {
-      const { model, typeSet, others } = sortFiles(input.files);
+      const { model, typeSet, image, others } = sortFiles(input.files);
       try {
-        if (model ?? others[0]) await this.loadModel(model ?? others[0], { files: others });
+        if (image) await this.loadLengthMap(image);
+        else if (model ?? others[0]) await this.loadModel(model ?? others[0], { files: others });
         if (typeSet) await this.loadTypeSet(typeSet);
       } catch {
         // The error event carries it.
@@ -585,7 +678,7 @@ export class WetFur extends EventTarget {
 
   #onVisible(visible) {
     if (!this.loaded) return;
-    this.#lastTime = null;
+    this.#endRun();
     this.#emit('model-visibility', { visible });
     if (visible) this.#wake();
   }
@@ -604,6 +697,7 @@ export class WetFur extends EventTarget {
     try {
       this.#screen.register(this.#app.program);
       this.#app.attach();
+      this.#timer = new FrameTimer(this.#screen.gl);
       this.#panel?.attach();
     } catch (error) {
       this.#emit('error', { code: error.code, message: error.message });
@@ -663,6 +757,7 @@ export class WetFur extends EventTarget {
     this.#abort?.abort();
     this.#stop.abort();
     cancelAnimationFrame(this.#frame);
+    clearTimeout(this.#stillTimer);
     this.#input.dispose();
     if (this.#app) {
       if (this.#state !== 'lost') this.#current();

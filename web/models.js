@@ -12,12 +12,16 @@ const typeSetFile = /\.fts$/i;
 /** What a file dialog offers: models, coats, and what a .gltf refers to. */
 export const acceptedFiles = '.glb,.gltf,.obj,.fo,.fts,.bin,image/*';
 
-/** Which of the files that were picked or dropped together is the model, which the coat; undefined for none. */
+/**
+ * Which of the files that were picked or dropped together is the model, which the coat; undefined for none. A
+ * picture that comes alone is a length map.
+ */
 export function sortFiles(files) {
   const list = [...files];
   const model = list.find(({ name }) => modelFile.test(name));
   const typeSet = list.find(({ name }) => typeSetFile.test(name));
-  return { model, typeSet, others: list.filter((file) => file !== model && file !== typeSet) };
+  const image = list.length === 1 && /^image\//.test(list[0].type) ? list[0] : undefined;
+  return { model, typeSet, image, others: list.filter((file) => file !== model && file !== typeSet) };
 }
 
 /** Pictures are made smaller than this: beyond it fur shows no difference. */
@@ -103,9 +107,19 @@ export async function readModel(given, { name, files = [] } = {}) {
 }
 
 /** Loads into the app; a failure throws a FurError and leaves the app's old scene. @param {ModelSource} source */
-export function loadInto(app, source) {
+export function loadInto(app, source, keepState) {
   if (source.primitive) app.loadPrimitive(source.primitive);
-  else app.loadModel(source.bytes, source.name, source.files);
+  else app.loadModel(source.bytes, source.name, source.files, keepState);
+}
+
+/** An encoded picture as { width, height, data }; `options` as createImageBitmap() has them. */
+export async function decodeImage(blob, options) {
+  const bitmap = await createImageBitmap(blob, { colorSpaceConversion: 'none', premultiplyAlpha: 'none', ...options });
+  const { width, height } = bitmap;
+  const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
+  context.drawImage(bitmap, 0, 0);
+  bitmap.close();
+  return context.getImageData(0, 0, width, height);
 }
 
 /** Decodes the picture that the model brought, if any; returns a warning when it cannot be read. */
@@ -117,13 +131,8 @@ export async function provideModelImage(app, source) {
     const smaller = shrink < 1
       ? { resizeWidth: Math.round(image.width * shrink) || 1, resizeHeight: Math.round(image.height * shrink) || 1, resizeQuality: 'high' }
       : {};
-    const bitmap = await createImageBitmap(new Blob([image.bytes], { type: image.mimeType }),
-      { colorSpaceConversion: 'none', premultiplyAlpha: 'none', ...smaller });
-    const { width, height } = bitmap;
-    const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
-    context.drawImage(bitmap, 0, 0);
-    bitmap.close();
-    app.provideImage(width, height, context.getImageData(0, 0, width, height).data);
+    const { width, height, data } = await decodeImage(new Blob([image.bytes], { type: image.mimeType }), smaller);
+    app.provideImage(width, height, data);
     return null;
   } catch (error) {
     return `${source.name}: its picture could not be read (${error.message}); the fur keeps its own colours`;

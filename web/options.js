@@ -1,20 +1,23 @@
 // What can be set beside the fields of the settings table, and what is made of a value that is given.
 
-/** What `quality` stands for; `layers` only where none are given. */
+/**
+ * What `quality` stands for; `layers` only where none are given. governed: moving pictures
+ * are drawn with less where frames would be too slow.
+ */
 export const qualities = Object.freeze({
-  auto: { maxPixelRatio: 2, antialias: true },
+  auto: { maxPixelRatio: 2, antialias: true, governed: true },
   low: { maxPixelRatio: 1, antialias: false, layers: 16 },
   medium: { maxPixelRatio: 1.5, antialias: true, layers: 24 },
   high: { maxPixelRatio: 3, antialias: true, layers: 48 },
 });
 
 export const optionDefaults = Object.freeze({
-  preset: '', tool: 'none', cameraControls: false, cameraOrbit: '', quality: 'auto', background: '', fixedDt: 0, paused: false,
+  preset: '', tool: 'none', cameraControls: false, cameraOrbit: '', quality: 'auto', frameBudget: 1000 / 60, background: '', fixedDt: 0, paused: false,
   wheel: 'focus', touchAction: '', motion: 'auto', editor: false,
 });
 
 export const choices = Object.freeze({
-  tool: ['droplet', 'dry', 'grab', 'none'],
+  tool: ['droplet', 'dry', 'comb', 'smooth', 'raise', 'trim', 'grow', 'type', 'grab', 'none'],
   wheel: ['page', 'focus', 'zoom'],
   motion: ['auto', 'full', 'reduced'],
   quality: Object.keys(qualities),
@@ -26,10 +29,17 @@ export function clampDt(value) {
   return Number.isFinite(seconds) ? Math.min(Math.max(seconds, 0), 1) : 0;
 }
 
+/** Milliseconds: 4 to 1000, that of 60 frames a second for what is no number. */
+function clampBudget(value) {
+  const milliseconds = Number(value);
+  return milliseconds > 0 ? Math.min(Math.max(milliseconds, 4), 1000) : optionDefaults.frameBudget;
+}
+
 /** The value as the option holds it; undefined when it is none of the option's choices. */
 export function optionValue(name, value) {
   if (choices[name]) return choices[name].includes(value) ? value : undefined;
   const kind = typeof optionDefaults[name];
+  if (name === 'frameBudget') return clampBudget(value);
   if (kind === 'boolean') return Boolean(value);
   return kind === 'number' ? clampDt(value) : value;
 }

@@ -83,12 +83,13 @@ function showModelName(name) {
 let shownSrc = null;
 
 async function openFiles(files) {
-  const { model, typeSet, others } = sortFiles(files);
-  if (!model && !typeSet && others.length > 0)
+  const { model, typeSet, image, others } = sortFiles(files);
+  if (!model && !typeSet && !image && others.length > 0)
     messages.error(`${others[0].name}: not a .glb, .gltf, .obj, .fo or .fts file`);
   try {
     if (model) await fur.loadModel(model, { files: others });
     if (typeSet) await fur.loadTypeSet(typeSet);
+    if (image) await fur.loadLengthMap(image);
   } catch {
     // The error event says it.
   }
@@ -118,6 +119,7 @@ function toggleWind() {
 function reset() {
   fur.setState('{"version":1}');
   fur.setWetness(0);
+  if (fur.groomed) fur.groom('clear');
   fur.resetCamera();
 }
 
@@ -125,7 +127,8 @@ async function copyLink() {
   const link = makeLink(location.href, { src: shownSrc, state: fur.getState(), tool: fur.tool });
   try {
     await navigator.clipboard.writeText(link);
-    messages.note(shownSrc ? 'Link copied' : 'Link copied; the file itself is not in it');
+    const missing = [!shownSrc && 'the file itself', fur.groomed && 'the groom'].filter(Boolean).join(' and ');
+    messages.note(missing ? `Link copied, without ${missing}` : 'Link copied');
   } catch {
     messages.copyable('Copy this link:', link);
   }

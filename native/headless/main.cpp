@@ -8,6 +8,7 @@
 
 #include "app/App.h"
 #include "gl/Objects.h"
+#include "native/Arguments.h"
 #include "native/Files.h"
 #include "native/headless/EglContext.h"
 #include "settings/Presets.h"
@@ -22,6 +23,8 @@ constexpr const char* kUsage = R"(usage: wet-fur-render [model] -o out.png [opti
   --type-set FILE       a coat from a .fts file
   --save-type-set FILE  writes the coat as .fts
   --save-fo FILE        writes the model with its fur coordinates as .fo
+  --save-scene FILE     writes model, groom, settings and camera as .glb
+  --length-map FILE     an image whose brightness is the length of the fur
   --size WxH            pixels, 16x16 to 8192x8192 (default 1280x720)
   --samples N           multisampling, 0 to 8 (default 4)
   --time S              seconds to run before the picture, in steps of 1/60 (default 0)
@@ -35,7 +38,7 @@ constexpr const char* kUsage = R"(usage: wet-fur-render [model] -o out.png [opti
 )";
 
 struct Options {
-  std::string model = "bunny", output, stateFile, preset, typeSet, savedTypeSet, savedFo;
+  std::string model = "bunny", output, stateFile, preset, typeSet, savedTypeSet, savedFo, savedScene, lengthMap;
   int width = 1280, height = 720, samples = 4;
   float time = 0, wetness = -1;
   std::vector<Vec2> splashes;
@@ -64,6 +67,8 @@ std::string readOption(const std::string& name, const std::string& value, Option
   else if (name == "--type-set") o.typeSet = value;
   else if (name == "--save-type-set") o.savedTypeSet = value;
   else if (name == "--save-fo") o.savedFo = value;
+  else if (name == "--save-scene") o.savedScene = value;
+  else if (name == "--length-map") o.lengthMap = value;
   else if (name == "--preset") o.preset = value;
   else if (name == "--size") {
     if (!readNumbers(value, 'x', n) || n.size() != 2 || n[0] < 16 || n[1] < 16 || n[0] > 8192 || n[1] > 8192)
@@ -89,16 +94,8 @@ std::string readOption(const std::string& name, const std::string& value, Option
 }
 
 std::string readOptions(int count, char** values, Options& o) {
-  for (int i = 1; i < count; ++i) {
-    const std::string word = values[i];
-    if (word.empty() || word[0] != '-') {
-      o.model = word;
-      continue;
-    }
-    if (i + 1 == count) return word + ": a value is missing";
-    if (const std::string wrong = readOption(word, values[++i], o); !wrong.empty()) return wrong;
-  }
-  return o.output.empty() && o.savedTypeSet.empty() && o.savedFo.empty() ? "no output: -o out.png" : "";
+  if (std::string wrong = native::readArguments(count, values, o, readOption); !wrong.empty()) return wrong;
+  return o.output.empty() && o.savedTypeSet.empty() && o.savedFo.empty() && o.savedScene.empty() ? "no output: -o out.png" : "";
 }
 
 Status setUp(app::App& app, const Options& o, const char* program) {
@@ -112,6 +109,8 @@ Status setUp(app::App& app, const Options& o, const char* program) {
   if (!o.preset.empty()) app.applyPreset(o.preset);
   for (const auto& [name, value] : o.fields) app.setField(name, value);
   if (!o.camera.empty()) app.setCamera({o.camera[0], o.camera[1], o.camera[2], Vec3(0)});
+  if (!o.lengthMap.empty())
+    if (Status status = native::loadLengthMap(app, o.lengthMap); !status) return status;
   // After the settings: a change of theirs would grow a coat in its place.
   return o.typeSet.empty() ? Status(Done{}) : native::loadTypeSet(app, o.typeSet);
 }
@@ -119,8 +118,10 @@ Status setUp(app::App& app, const Options& o, const char* program) {
 Status save(const app::App& app, const Options& o) {
   if (!o.savedTypeSet.empty())
     if (Status status = native::writeFile(o.savedTypeSet, app.saveTypeSet()); !status) return status;
-  if (o.savedFo.empty()) return Done{};
-  return native::writeFile(o.savedFo, app.saveFo());
+  if (!o.savedFo.empty())
+    if (Status status = native::writeFile(o.savedFo, app.saveFo()); !status) return status;
+  if (o.savedScene.empty()) return Done{};
+  return native::writeFile(o.savedScene, app.saveScene());
 }
 
 void printWarnings(app::App& app) {
@@ -134,7 +135,7 @@ Status saveOnly(const Options& o, const char* program) {
   return save(app, o);
 }
 
-Status render(const Options& o, const char* program) {
+Status drawPicture(const Options& o, const char* program) {
   app::App app;
   app.resize(o.width, o.height, 1);
   const auto context = native::EglContext::create();
@@ -175,12 +176,12 @@ int main(int count, char** values) {
     return 2;
   }
   const bool picture = !options.output.empty();
-  if (const Status status = picture ? render(options, values[0]) : saveOnly(options, values[0]); !status) {
+  if (const Status status = picture ? drawPicture(options, values[0]) : saveOnly(options, values[0]); !status) {
     std::fprintf(stderr, "%s: %s\n", errorCode(status.error().id), status.error().message.c_str());
     return 1;
   }
   if (picture) std::printf("%s (%dx%d)\n", options.output.c_str(), options.width, options.height);
-  for (const std::string& saved : {options.savedTypeSet, options.savedFo})
+  for (const std::string& saved : {options.savedTypeSet, options.savedFo, options.savedScene})
     if (!saved.empty()) std::printf("%s\n", saved.c_str());
   return 0;
 }

@@ -25,6 +25,7 @@ constexpr const char* kUsage =
     "  --preset NAME         a coat by its name, such as rabbit\n"
     "  --set name=value      a setting, as in links, over the preset; may be given several times\n"
     "  --wetness AMOUNT      0 dry to 1 soaked\n"
+    "  --quality auto|fixed  auto, the default: as good as 60 frames a second allow\n"
     "  --pixel-ratio RATIO   of the panel, default the screen's\n"
     "  --screenshot OUT.png  writes the window's picture and ends\n"
     "  --frames N            frames before that, default 30\n";
@@ -33,11 +34,12 @@ constexpr const char* kUsage =
 constexpr float kLongestStep = 0.1f;
 constexpr float kCoatSeconds = 0.014f;  // of a frame, for a coat that grows
 constexpr double kIdleStep = 1.0 / 60;
+constexpr double kStillAfter = 0.3;  // seconds without a change, then the picture is drawn better than moving ones are
 // Nothing needs it to wake up; a safety net for an event that a window system swallowed.
 constexpr double kLongestSleep = 5;
 
 struct Options {
-  std::string scene = "bunny", preset, screenshot;
+  std::string scene = "bunny", preset, screenshot, quality = "auto";
   std::vector<std::pair<std::string, std::string>> settings;
   int width = 1280, height = 800, frames = 30;
   float wetness = 0, pixelRatio = 0;
@@ -57,7 +59,10 @@ std::string readOptions(int count, char** values, Options& out) {
       out.screenshot = value;
     else if (name == "--preset")
       out.preset = value;
-    else if (name == "--frames")
+    else if (name == "--quality") {
+      if (value != "auto" && value != "fixed") return "--quality is auto or fixed";
+      out.quality = value;
+    } else if (name == "--frames")
       out.frames = std::atoi(value.c_str());
     else if (name == "--wetness")
       out.wetness = std::strtof(value.c_str(), nullptr);
@@ -90,6 +95,7 @@ class Session {
       host_.resize(window_.pixelSize().x, window_.pixelSize().y, options_.pixelRatio);
     if (!options_.preset.empty()) app_.applyPreset(options_.preset);
     for (const auto& [name, value] : options_.settings) app_.setField(name, value);
+    if (options_.quality == "auto") app_.setQuality(0, true);
     load(options_.scene);
     if (options_.wetness > 0) app_.setWetness(options_.wetness);
     const Status status = options_.screenshot.empty() ? loop() : screenshot();
@@ -140,6 +146,9 @@ class Session {
         case Kind::SaveFo:
           save(command->text, app_.saveFo());
           break;
+        case Kind::SaveScene:
+          save(command->text, app_.saveScene());
+          break;
       }
     }
     for (const std::string& path : window_.takeDropped()) load(path);
@@ -148,29 +157,50 @@ class Session {
   }
 
   // Whether anything was drawn.
-  Result<bool> frame(float dt, bool always) {
+  Result<bool> frame(float dt, app::Picture picture, bool always) {
     serveEditor();
     bool changed = app_.tick(dt, kCoatSeconds);
     changed |= host_.update(dt);
     if (!changed && !always) return false;
-    if (Status status = app_.draw(); !status) return status.error();
+    if (Status status = app_.draw(picture); !status) return status.error();
     host_.draw();
     return true;
   }
 
+  bool busy() const { return app_.active() || host_.active(); }
+
+  // What was drawn in a hurry is not left standing when nothing changes for a while.
+  Status improve() {
+    window_.poll(kStillAfter);
+    if (busy()) return Done{};
+    if (const auto drawn = frame(0, app::Picture::Still, true); !drawn) return drawn.error();
+    window_.present();
+    return Done{};
+  }
+
   Status loop() {
-    double last = glfwGetTime();
+    double last = glfwGetTime(), lastShown = 0;
     bool drawn = true;
+    int run = 0;  // frames drawn one after another
     while (!window_.closing()) {
-      const bool busy = app_.active() || host_.active();
+      if (!busy()) {
+        run = 0;
+        if (app_.improvable())
+          if (Status status = improve(); !status) return status;
+      }
       // Presenting waits for the screen; a frame that drew nothing must not spin.
-      window_.poll(!busy ? kLongestSleep : drawn ? 0 : kIdleStep);
+      window_.poll(!busy() ? kLongestSleep : drawn ? 0 : kIdleStep);
       const double now = glfwGetTime();
-      const auto result = frame(std::min(static_cast<float>(now - last), kLongestStep), false);
+      const auto result = frame(std::min(static_cast<float>(now - last), kLongestStep), app::Picture::Moving, false);
       last = now;
       if (!result) return result.error();
       drawn = result.value();
-      if (drawn) window_.present();
+      run = drawn ? run + 1 : 0;
+      if (!drawn) continue;
+      window_.present();
+      const double shown = glfwGetTime();
+      if (run > 1) app_.frameShown(1000 * static_cast<float>(shown - lastShown));
+      lastShown = shown;
     }
     return Done{};
   }
@@ -178,7 +208,7 @@ class Session {
   Status screenshot() {
     for (int i = 0; i < options_.frames; ++i) {
       window_.poll(0);
-      if (const auto drawn = frame(1.0f / 60, i + 1 == options_.frames); !drawn) return drawn.error();
+      if (const auto drawn = frame(1.0f / 60, app::Picture::Best, i + 1 == options_.frames); !drawn) return drawn.error();
     }
     const IVec2 size = window_.pixelSize();
     return native::writePng(options_.screenshot, size.x, size.y, gl::readPixels(size.x, size.y));

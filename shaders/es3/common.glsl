@@ -12,8 +12,11 @@ vec2 arcBend(float theta, float t) {
 }
 
 // Where a strand rooted at `root` is at height h, for the bend b (model space, radians, across the normal).
-vec3 strandPoint(vec3 root, vec3 normal, vec3 bend, float h) {
+vec3 strandPoint(vec3 root, vec3 normal, vec3 bend, float h, float len) {
   float theta = length(bend);
-  vec2 arc = arcBend(theta, h) * shape.x;
+  vec2 arc = arcBend(theta, h) * len;
   return root + normal * arc.x + (theta > 1e-5 ? bend * (arc.y / theta) : vec3(0.0));
 }
+
+// Where the fur's own shadow map has a point: xy 0..1, z depth along the light.
+vec3 lightSpace(vec3 positionModel) { return (lightFromModel * vec4(positionModel, 1.0)).xyz; }

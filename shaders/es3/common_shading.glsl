@@ -36,37 +36,66 @@ vec3 strandColor(float h, float strandVariance, vec3 model) {
   return color * (1.0 + coat.y * 1.3 * (strandVariance - 0.5)) * model;
 }
 
-// sin(T, L), and the highlight on the cone T.V = -T.L (Sheppard Eq. 2.4), Kajiya & Kay 1989.
-float kajiyaDiffuse(vec3 T, vec3 L) {
-  float tl = dot(T, L);
-  return sqrt(max(0.0, 1.0 - tl * tl));
+
+// Its two lobes: C++ twins in hair/StrandShading.h, which says more. The sines of small shifts are the shifts.
+float shiftedCosine(vec4 cosines, float shift) {  // sin(T,L) sin(T,V), T.L T.V, T.L sin(T,V), T.V sin(T,L)
+  return (cosines.x - cosines.y) * (1.0 - 0.5 * shift * shift) + (cosines.z + cosines.w) * shift;
 }
-float kajiyaSpecular(vec3 T, vec3 L, vec3 V, float exponent) {
-  return pow(max(0.0, kajiyaDiffuse(T, L) * kajiyaDiffuse(T, V) - dot(T, L) * dot(T, V)), exponent);
+float kajiyaLobe(float cosine, float exponent) {
+  float x = max(0.0, 1.0 - exponent * (1.0 - cosine) * 0.125);
+  x *= x;
+  x *= x;
+  return x * x;
 }
+vec2 lobeShifts(float strand) { return vec2(-0.14, 0.2) + 0.3 * (strand - 0.5); }
+
+// Light from behind through the thin edge of the coat.
+float rimLight(float lightDotView, float normalDotView, float h) {
+  float behind = max(-lightDotView, 0.0), thin = clamp(1.0 - abs(normalDotView), 0.0, 1.0);
+  behind *= behind * thin;
+  return behind * behind * h;
+}
+
+#ifdef MARSCHNER
+#include "common_marschner.glsl"
+#endif
 
 // Kajiya & Kay 1989 with a small Lambert term (Sheppard 5.3.1) and the factors of Silva et al. 2010:
 //   C = occ wet (C_d + C_s)                                  Eq. 2
 //   exponent p (1 + sigma_spec (rho - 1))                    Eq. 3
 //   occ = 1 + sigma_occ (h - 1), wet = 1 - sigma_wet rho     Eq. 5
-// L and V point away from the strand. `lit` is the share of the light that reaches the spot.
-vec3 shadeStrand(vec3 albedo, vec3 T, vec3 L, vec3 V, float h, float rho, float lit, float upness) {
+// C_s: a white lobe, mirrored on the scales, and a wider one that went through the strand and has its colour;
+// or Marschner's model, which has all light that goes through strands. L and V point away from the strand.
+// `lit` is the share of the light that reaches the spot, `strand` the strand's random number (its variance).
+vec3 shadeStrand(vec3 albedo, vec3 T, vec3 L, vec3 V, float h, float rho, float lit, float upness, float strand) {
   float exponent = max(shading.z * (1.0 + water.z * (rho - 1.0)), 1.0);
-  // The lobe's energy falls as its exponent rises; sqrt(p) keeps a strand's total about even.
-  float gloss = shading.y * sqrt(exponent / shading.z) * kajiyaSpecular(T, L, V, exponent);
   // The body shades its own far side: object over fur, clamp(N.L + 0.5).
   float body = clamp(L.z + 0.5, 0.0, 1.0);
   float key = light.w * lit * body * mix(1.0, furShadow(h, volume.z, L.z), shading.w);
-  float diffuse = mix(kajiyaDiffuse(T, L), max(L.z, 0.0), shading.x);
-  vec3 glossColor = mix(vec3(1.0), albedo, 0.6 * (1.0 - rho));
-  vec3 color = albedo * (key * diffuse + skyLight(upness)) + glossColor * (key * gloss);
+  vec2 along = vec2(dot(T, L), dot(T, V)), across = sqrt(max(vec2(0.0), 1.0 - along * along));
+  float diffuse = mix(across.x, max(L.z, 0.0), shading.x);
+#ifdef MARSCHNER
+  // The setting 0.5 is the strand as it is.
+  vec3 gloss = 2.0 * shading.y * key * marschnerStrand(albedo, along, across, dot(L, V), exponent);
+#else
+  // A lobe's energy falls as its exponent rises; sqrt(p) keeps a strand's total about even.
+  float strength = shading.y * sqrt(exponent / shading.z);
+  vec4 cosines = vec4(across.x * across.y, along.x * along.y, along * across.yx);
+  vec2 shifts = lobeShifts(strand);
+  vec3 gloss = (strength * key) * ((0.7 + 0.3 * rho) * kajiyaLobe(shiftedCosine(cosines, shifts.x), exponent) +
+                                   albedo * kajiyaLobe(shiftedCosine(cosines, shifts.y), 0.5 * exponent));
+  gloss += albedo * (1.6 * light.w * lit * rimLight(dot(L, V), V.z, h));
+#endif
+  vec3 color = albedo * (key * diffuse + skyLight(upness)) + gloss;
   return color * (1.0 + coat.x * (h - 1.0)) * (1.0 - water.y * rho);
 }
 
-// Fur is read from one mip level, picked per pixel by chance between the two that trilinear filtering
-// would blend (Jimenez 2014, interleaved gradient noise): fur hides the grain, and a software
-// rasteriser draws the frame in half the time.
-float pickLevel(float lod) {
-  float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
-  return floor(max(lod, 0.0) + noise);
+// Skin without fur, darker where it is wet; `lit` is the share of the light that reaches it.
+vec3 bareSkin(vec3 albedo, float nDotL, float upness, float rho, float lit) {
+  return albedo * (light.w * lit * max(nDotL, 0.0) + skyLight(upness)) * (1.0 - water.y * rho);
+}
+// Skin seen through the fur above it, or the undergrowth up to the height h: in the shadow of the strands.
+vec3 shadeSkin(vec3 albedo, float nDotL, float upness, float h, float rho, float lit) {
+  float shadow = lit * mix(1.0, furShadow(h, volume.z, nDotL), shading.w);
+  return albedo * (light.w * max(nDotL, 0.0) * shadow + skyLight(upness)) * (1.0 + coat.x * (h - 1.0)) * (1.0 - water.y * rho);
 }

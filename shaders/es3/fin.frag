@@ -2,6 +2,8 @@
 #include "common.glsl"
 #include "common_shading.glsl"
 #include "common_clump.glsl"
+#include "common_noise.glsl"
+#include "common_furshadow.glsl"
 
 uniform sampler2D fin;  // r: coverage  g: tangent along the edge  b: across  a: variance
 uniform sampler2D baseColor;
@@ -19,6 +21,7 @@ in vec2 vAtlas;
 flat in vec2 vAtlasAlong;
 #endif
 
+in vec3 vLightSpace;
 out vec4 fragColor;
 
 void main() {
@@ -50,6 +53,9 @@ void main() {
   vec3 albedo = strandColor(h, t.a, modelColor(baseColor, vUv));
   // Nothing stands before an outline: light reaches it from the side, further down than inside the coat.
   float exposed = mix(h, 1.0, 0.4);
-  vec3 color = shadeStrand(albedo, tangent, normalize(vLight.xyz), normalize(vView), exposed, rho, 0.75, vLight.w);
-  fragColor = vec4(encodeSrgb(toneMap(color)) * alpha, alpha);
+  vec3 color = shadeStrand(albedo, tangent, normalize(vLight.xyz), normalize(vView), exposed, rho, 0.75 * furShadowAt(vLightSpace), vLight.w, t.a);
+  // Samples by chance, as in shell.frag.
+  alpha += (pixelNoise() - 0.5) / sky.w;
+  if (alpha < 0.5 / sky.w) discard;
+  fragColor = vec4(encodeSrgb(toneMap(color)), alpha);
 }

@@ -1,5 +1,6 @@
 // Fins: one instance an edge, collapsed unless the edge lies on the silhouette.
 #include "common.glsl"
+#include "common_bend.glsl"
 
 layout(location = FUR_FIN_POSITION_A) in vec4 positionA;
 layout(location = FUR_FIN_POSITION_B) in vec4 positionB;
@@ -9,22 +10,16 @@ layout(location = FUR_FIN_FACE_0) in vec4 face0;
 layout(location = FUR_FIN_FACE_1) in vec4 face1;
 layout(location = FUR_FIN_ATLAS) in vec4 atlas;
 
-uniform sampler2D bends;
-
 out vec4 vFin;    // x: along the fin map  y: height 0..1  z: opacity  w: mip level
 out vec4 vLight;  // xyz: light in the fin's frame (x along the edge, z along the normal)  w: N.up
 out vec3 vView;   // eye in the fin's frame
 out vec2 vUv;
 out vec2 vLean;
+out vec3 vLightSpace;
 #ifdef WET
 out vec2 vAtlas;
 flat out vec2 vAtlasAlong;  // atlas step along the edge for one turn of the fin map
 #endif
-
-vec3 bendOf(float vertex) {
-  int id = int(vertex);
-  return texelFetch(bends, ivec2(id % FUR_BEND_ROW, id / FUR_BEND_ROW), 0).xyz;
-}
 
 void main() {
   vec3 middle = 0.5 * (positionA.xyz + positionB.xyz);
@@ -36,6 +31,9 @@ void main() {
   float opacity = smoothstep(0.0, 1.0, (FUR_SILHOUETTE - facing) / FUR_SILHOUETTE);
   // Both faces turned away: the edge lies behind the horizon.
   opacity *= smoothstep(FUR_HORIZON, FUR_HORIZON + 0.3, max(dot(face0.xyz, toEye), dot(face1.xyz, toEye)));
+  // Where the surface curves evenly the shells' rays show the outline, strand by strand. Fins stand in where it is
+  // hollow, sharp or ends.
+  opacity *= 1.0 - smoothstep(FUR_FIN_FLAT, FUR_FIN_ROUND, normalB.w);
   if (opacity <= 0.0) {
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
     return;
@@ -45,14 +43,16 @@ void main() {
   float h = mix(FUR_FIN_FOOT, 1.0, float(gl_VertexID >> 1) / float(FUR_FIN_SEGMENTS));
   vec3 root = mix(positionA.xyz, positionB.xyz, side);
   vec3 normal = normalize(mix(normalA.xyz, normalB.xyz, side));
-  vec3 bend = side < 0.5 ? bendOf(positionA.w) : bendOf(positionB.w);
-  vec3 p = strandPoint(root, normal, bend, h);
+  vec4 groomed = bendOf(int(side < 0.5 ? positionA.w : positionB.w));
+  vec3 bend = groomed.xyz;
+  vec3 p = strandPoint(root, normal, bend, h, shape.x * groomed.w);
   // Shells cover a pixel faintly and still write depth, on a round body well before its outline: fins
   // are compared as if that much nearer.
   vec4 nearer = clipFromModel * vec4(p + normalize(eye.xyz - p) * (2.5 * shape.x), 1.0);
   vec4 clip = clipFromModel * vec4(p, 1.0);
   clip.z = nearer.z / nearer.w * clip.w;
   gl_Position = clip;
+  vLightSpace = lightSpace(p);
 
   vec3 edge = positionB.xyz - positionA.xyz;
   float edgeLength = length(edge);

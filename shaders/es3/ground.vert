@@ -7,4 +7,5 @@ void main() {
   vGround = kCorners[gl_VertexID];
   vec2 spot = groundCentre.xy + vGround * groundPlane.y;
   gl_Position = clipFromWorld * vec4(spot.x, groundPlane.x, spot.y, 1.0);
+  gl_Position.z = gl_Position.w;  // behind everything, before the background
 }

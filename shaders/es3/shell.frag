@@ -1,87 +1,115 @@
-// Marches one slab of fur from its top layer down, front to back, and shades the result once.
-// Blended over what lies below: slabs are drawn from the skin outwards.
+// Marches the coat along the view ray, front to back from where the ray enters it, and shades once what it met:
+// strands, and the skin between them. Rays that leave a round body's coat again stay transparent.
 #include "common.glsl"
 #include "common_shading.glsl"
 #include "common_clump.glsl"
+#include "common_noise.glsl"
+#include "common_furshadow.glsl"
 
 uniform sampler2DArray tile;  // r: coverage  g, b: strand tangent x, y  a: variance
 uniform sampler2D baseColor;
 #ifdef WET
 uniform sampler2D mask;
 #endif
+#ifdef GROOMED
+uniform sampler2D groom;  // r: length of the fur, a share
+#endif
 
 in vec4 vTile;
+in vec4 vTurn;
+in vec4 vPath;
 in vec4 vLight;
 in vec4 vView;
 in vec4 vLean;
 in vec2 vLightStep;
 flat in float vTop;
-in float vSubSteps;
 in vec2 vStrands;
-#ifdef WET
+#if defined(WET) || defined(GROOMED)
 in vec2 vAtlas;
 in vec4 vAtlasStep;
 #endif
+#ifdef GROOMED
+in float vLength;
+#endif
 
+in vec3 vLightSpace, vLightRay;
 out vec4 fragColor;
 
-// The layers that the strand edges and mip levels are tuned for; see `softness`.
-const float kReferenceLayers = 16.0;
+// Half-covered texels count as they are for this many steps a fur length, less for more. By FLIP against the
+// reference: 16 and 32 are as good near, 64 is worse far.
+const float kReferenceSteps = 24.0;
+// A step in texels of the mip level, and how much longer each is than the one before: the first strands are seen
+// clearly, only rays along the outline come further.
+const float kTexelsAStep = 1.25;  // times volume.w
+const float kGrowth = 1.03;
+const int kMostSteps = 64;
+// Steps a fur length at least, however small the picture.
+const float kFewestSteps = 12.0;
+// Strands that hide this much hide all.
+const float kClosed = 0.96;
 
-// The ends of the interval run linearly over the triangle, and a ray that comes in askew meets the strands
-// below where they have moved on: asked at the slab's top only, a strand would come and go from slab to slab.
-vec2 strandsALayerDown() {
-  vec2 tileX = dFdx(vTile.xy), tileY = dFdy(vTile.xy);
-  float area = tileX.x * tileY.y - tileX.y * tileY.x;
-  if (abs(area) < 1e-14) return vec2(0.0);
-  vec2 pixels = vec2(tileY.y * vTile.z - tileY.x * vTile.w, tileX.x * vTile.w - tileX.y * vTile.z) / area;
-  return clamp(dFdx(vStrands) * pixels.x + dFdy(vStrands) * pixels.y, -1.0, 1.0);
+// `between`: added before rounding down.
+float storedLayer(float h, float between) { return clamp(floor(h * volume.y + between), 0.0, volume.y - 1.0); }
+
+// How far the ray goes, in fur lengths: to the skin, or where it only grazes a round body, out again.
+float rayEnd(out bool reachesSkin) {
+  float slope = -vPath.x, inside = slope * slope - 4.0 * vPath.y * vTop;
+  reachesSkin = slope > 0.0 && inside > 0.0;
+  if (slope <= 0.0) return 0.0;
+  return min(reachesSkin ? 2.0 * vTop / (slope + sqrt(inside)) : slope / vPath.y, 6.0);
 }
 
-float storedLayer(float drawn) { return floor((drawn + 0.5) * volume.y / shape.z); }
+// The chart's share where charts overlap, see geometry/FurClusters.h: blended in order.
+float chartShare() {
+  vec2 strands = clamp(vStrands, 0.0, 1.0);
+  return (strands.y - strands.x) / max(1.0 - strands.x, 1e-3);
+}
+
+// A direction in the surface's frame where the ray is, whose normal has turned on the way.
+vec3 inTurnedFrame(vec3 v, vec2 turned) { return normalize(v + vec3(-turned * v.z, dot(turned, v.xy))); }
 
 void main() {
-  float lod = pickLevel(vLight.w);
-  // Where charts overlap (geometry/FurOverlap.h) this one shows the strands whose number lies between the
-  // two of `strands`, with ends a tenth wide (1 / perSoft): a texel or two on the way through the zone.
-  // Mip levels mix the numbers of neighbours until only the mean share is known: wide ends come to that.
-  float perSoft = 10.0 * exp2(-2.0 * lod);
-  vec2 strandsStep = strandsALayerDown();
-  vec2 strands = vStrands * (perSoft + 1.0);
-  vec2 lastStrands = vStrands + strandsStep * shape.w;
-  bool some = max(vStrands.y, lastStrands.y) > 0.0 && min(vStrands.x, lastStrands.x) < 1.0 && vStrands.x < vStrands.y;
+  // Fur is read from one mip level, picked by chance between the two that trilinear filtering would
+  // blend, and half a level sharper than a pixel's footprint: fur hides the grain, blur would make felt of it.
+  float lod = floor(max(vLight.w - 0.5, 0.0) + quadNoise());
   // Magnified strands get edges one pixel wide; minified ones keep their fractional coverage.
   float sharp = exp2(max(-vLight.w, 0.0));
+  float share = chartShare();
+  bool reachesSkin;
+  float end = rayEnd(reachesSkin);
+  if (share <= 0.0) end = 0.0;
+  float texels = length(vTile.zw) * volume.x * exp2(-max(vLight.w, 0.0));
+  float stepSize = volume.w * min(kTexelsAStep / max(texels, 1e-3), 1.0 / (kFewestSteps * max(-vPath.x, 1.0 / kFewestSteps)));
+  // Where the first step falls, which layer stands for a height between two, which samples are covered: each by
+  // chance, so that nothing forms rings.
+  float noise = otherPixelNoise();
+  float between = fract(noise * 7.0) - 0.5;
+  float x = stepSize * noise, alpha = 0.0, xSum = 0.0;
+  vec4 sum = vec4(0.0);  // tangent x, y, variance, height; weighted by what each step adds
   vec2 at = vTile.xy;
-  float layer = vTop - 1.0;
-  float alpha = 0.0;
-  vec4 sum = vec4(0.0);       // tangent x, y, variance, layer; weighted by what each adds
-  vec2 hit = at;
-#ifdef WET
+#if defined(WET) || defined(GROOMED)
   mat2 atlasFromTile = mat2(vAtlasStep.xy, vAtlasStep.zw);
-  mat2 tileFromAtlas = inverse(atlasFromTile);
-  vec3 wetSum = vec3(0.0);    // clump lean in tile units a layer, wetness
-  // One clump a slab: the ray hardly leaves its texel on the way, and whose strands stand here is
-  // asked of every root below.
-  vec4 clump = clumpAt(mask, vAtlas);
 #endif
-  float subSteps = ceil(vSubSteps - 0.01);
-  float stepSize = 1.0 / subSteps;
-  strandsStep *= stepSize * (perSoft + 1.0);
-  // A discard would not do: rasterisers may go on to march pixels that are discarded.
-  float steps = some ? shape.w * subSteps : 0.0;
-  // A half-covered texel is half-covered on every layer of the same strand: counted anew each time
-  // it would grow opaque with the number of layers. Stands in for 1 - (1 - c)^softness.
-  float softness = min(1.0, kReferenceLayers / (shape.z * subSteps));
-  for (float k = 0.0; k < steps; k += 1.0) {
-    vec2 root = at;
-    float open = 1.0, level = lod;
 #ifdef WET
+  mat2 tileFromAtlas = inverse(atlasFromTile);
+  vec3 wetSum = vec3(0.0);  // clump lean in tile units a fur length, wetness
+  float rho = 0.0;
+#endif
+  for (int k = 0; k < kMostSteps; ++k) {
+    if (x >= end) break;
+    float h = vTop + x * (vPath.x + x * vPath.y);
+    at = vTile.xy + x * (vTile.zw + x * vTurn.xy) + vTurn.zw * (vTop * vTop - h * h);
+    vec2 root = at;
+    float open = 1.0, level = lod, along = h;
+#if defined(WET) || defined(GROOMED)
     vec2 a = vAtlas + atlasFromTile * (at - vTile.xy);
-    vec3 lean = vec3(0.0, 0.0, clump.a);
-    if (clump.a > 0.0) {
-      float h = (layer + 1.0) / shape.z;
-      float s = clumpPull(h, clump.a);
+#endif
+#ifdef WET
+    vec4 clump = clumpAt(mask, a);
+    rho = clump.a;
+    vec3 lean = vec3(0.0, 0.0, rho);
+    if (rho > 0.0) {
+      float s = clumpPull(h, rho);
       vec2 fromCentre = (a - clump.xy) / (1.0 - s);
       // Drawn together, strands are that much thinner than a pixel. Not all of it: locks keep their lines.
       level = floor(lod - 0.7 * log2(1.0 - s));
@@ -92,41 +120,49 @@ void main() {
       open = clamp(12.0 * (1.0 - length(fromCentre) / max(clump.z, 1e-6)), 0.0, 1.0) *
              float(home.a > 0.0 && dot(apart, apart) <= 0.25 * clump.z * clump.z);
       root += tileFromAtlas * (clump.xy + fromCentre - a);
-      float below = clumpPull(h - 1.0 / shape.z, clump.a);
-      lean.xy = tileFromAtlas * (fromCentre * (below - s));
+      float below = clumpPull(h - 1.0 / shape.z, rho);
+      lean.xy = tileFromAtlas * (fromCentre * (below - s)) * shape.z;
     }
 #endif
-    vec4 t = textureLod(tile, vec3(root, storedLayer(layer)), level);
+#ifdef GROOMED
+    // Vertices know the mean length; the map knows it of every strand.
+    along = h * vLength / max(textureLod(groom, vAtlas + atlasFromTile * (root - vTile.xy), 0.0).r, 1e-3);
+    open *= float(along <= 1.0);
+#endif
+    vec4 t = textureLod(tile, vec3(root, storedLayer(along, between)), level);
     float cover = clamp((t.r - 0.5) * sharp + 0.5, 0.0, 1.0) * open;
-    // A strand's number is its variance, folded: any part of 0..1 holds as many bright as dark strands.
-    vec2 below = clamp(strands - abs(2.0 * perSoft * t.a - perSoft), 0.0, 1.0);
-    cover *= below.y - below.x;
+    // Stands in for 1 - (1 - c)^softness.
+    float softness = kReferenceSteps * stepSize;
     float add = cover * softness / (1.0 - cover * (1.0 - softness)) * (1.0 - alpha);
-    sum += add * vec4(t.gba, layer);
+    sum += add * vec4(t.gba, h);
+    xSum += add * x;
 #ifdef WET
     wetSum += add * lean;
 #endif
     alpha += add;
-    hit = at;
-    if (alpha > 0.96) break;
-    at += vTile.zw * stepSize;
-    strands += strandsStep;
-    layer -= stepSize;
+    if (alpha > kClosed) break;
+    x += stepSize;
+    stepSize *= kGrowth;
   }
-  // Along the silhouette a slab is seen edge-on and shows rings; fins take over (Lengyel et al. 2001).
-  float shown = alpha * smoothstep(0.0, 0.12, normalize(vView.xyz).z);
-  if (shown < 0.04) discard;
-  sum /= alpha;
-  float h = (sum.w + 1.0) / shape.z;
+  float closed = min(alpha / kClosed, 1.0), levels = sky.w;
+  float shown = (reachesSkin ? 1.0 : closed) * share + (fract(noise * 13.0) - 0.5) / levels;
+  if (shown < 0.5 / levels) discard;
 
+  float perStrand = 1.0 / max(alpha, 1e-3);
+  sum *= perStrand;
+  float h = sum.w;
+  vec2 turned = vPath.zw * (xSum * perStrand);
+  vec3 light3 = inTurnedFrame(vLight.xyz, turned), view3 = inTurnedFrame(vView.xyz, turned);
   vec2 tilt = sum.xy * 2.0 - 1.0;
-  float rho = 0.0;
-  vec3 tangent = vec3(tilt + vLean.xy, sqrt(max(0.05, 1.0 - dot(tilt, tilt))));
+  vec3 tangent = vec3(tilt + vLean.xy * h, sqrt(max(0.05, 1.0 - dot(tilt, tilt))));
 #ifdef WET
-  wetSum /= alpha;
+  wetSum *= perStrand;
+  // Eq. 4: the strand moves by -d, in model units.
+  tangent.xy += wetSum.xy / max(shape.x * shape.y, 1e-6);
+  float skinWetness = rho;
   rho = wetSum.z;
-  // Eq. 4: the strand moves by -d, in model units; a layer is shape.x / shape.z high.
-  tangent.xy += wetSum.xy * (shape.z / max(shape.x * shape.y, 1e-6));
+#else
+  const float rho = 0.0, skinWetness = 0.0;
 #endif
   tangent = normalize(tangent);
 
@@ -134,17 +170,21 @@ void main() {
   const float kRise = 0.1;
   float lit = 1.0;
   if (h + kRise < 1.0)
-    lit -= 0.65 * shading.w *
-           textureLod(tile, vec3(hit + vLightStep * kRise, storedLayer((h + kRise) * shape.z - 1.0)), lod + 1.0).r;
+    lit -= 0.65 * shading.w * textureLod(tile, vec3(at + vLightStep * kRise, storedLayer(h + kRise, 0.0)), lod + 1.0).r;
 
-  vec3 albedo = strandColor(h, sum.z, modelColor(baseColor, vLean.zw));
-  vec3 color = shadeStrand(albedo, tangent, normalize(vLight.xyz), normalize(vView.xyz), h, rho, lit, vView.w);
+  // How far the ray went, to the strands or to the skin.
+  lit *= furShadowAt(vLightSpace + vLightRay * (alpha > 0.0 ? xSum * perStrand : end));
+  vec3 model = modelColor(baseColor, vLean.zw);
+  vec3 color = shadeStrand(strandColor(h, sum.z, model), tangent, light3, view3, h, rho, lit, vView.w, sum.z);
+  if (reachesSkin && closed < 1.0) {
+    vec3 skin = shadeSkin(skinColor.rgb * model * 0.5, vLight.z, vView.w, 0.0, skinWetness, lit);
+    color = alpha > 0.0 ? mix(skin, color, closed) : skin;
+  }
 #if defined(VIEW_TANGENTS)
-  color = tangent * 0.5 + 0.5;
-  fragColor = vec4(color * shown, shown);
+  fragColor = vec4(tangent * 0.5 + 0.5, shown);
 #elif defined(VIEW_COVERAGE)
-  fragColor = vec4(vec3(h) * shown, shown);
+  fragColor = vec4(vec3(h), shown);
 #else
-  fragColor = vec4(encodeSrgb(toneMap(color)) * shown, shown);
+  fragColor = vec4(encodeSrgb(toneMap(color)), shown);
 #endif
 }

@@ -1,69 +1,91 @@
-// Slabs of fur. Instance i holds layers [i K, (i + 1) K); its triangles lie at the slab's top and the
-// fragment shader marches down through it. The step per layer in tile coordinates comes from here:
-// worked out per fragment from derivatives it costs four times as much and breaks at uv seams.
+// Slabs of fur. Instance i lies between the heights i / K and (i + 1) / K of the coat; its triangles are the
+// slab's top and the fragment shader marches down through it along the view ray. Where the ray goes in the
+// coat's own space, tile coordinates and height, comes from here as two parabolas: worked out per fragment
+// from derivatives it costs four times as much and breaks at uv seams.
 #include "common.glsl"
+#include "common_bend.glsl"
 
 layout(location = FUR_POSITION) in vec4 positionFrom;
 layout(location = FUR_NORMAL) in vec4 normalTo;
 layout(location = FUR_UV_ATLAS) in vec4 uvAtlas;
-layout(location = FUR_FUR_COORD) in vec2 furCoord;
-layout(location = FUR_GRAD_S) in vec3 gradS;
+layout(location = FUR_FUR_COORD) in vec4 furCurvature;
+layout(location = FUR_GRAD_S) in vec4 gradSCurvature;
 layout(location = FUR_GRAD_T) in vec3 gradT;
 layout(location = FUR_ATLAS_FROM_FUR) in vec4 atlasFromFur;
 
-uniform sampler2D bends;
-
-out vec4 vTile;       // xy: tile coordinates at the slab's top  zw: step a layer down along the view ray
+// A point x fur lengths down the ray is at the height h = top + x (path.x + x path.y), over the tile
+// coordinates tile + x (step + x turn) + lean (top^2 - h^2).
+out vec4 vTile;       // xy: tile  zw: step
+out vec4 vTurn;       // xy: turn  zw: lean
+out vec4 vPath;       // xy: path  zw: how the normal turns along the ray, a fur length
 out vec4 vLight;      // xyz: light in the surface's frame  w: mip level
 out vec4 vView;       // xyz: eye in the surface's frame  w: N.up
-out vec4 vLean;       // xy: sideways part of the bent strand's tangent  zw: model uv
+out vec4 vLean;       // xy: sideways part of the tip's tangent for h = 1  zw: model uv
 out vec2 vLightStep;  // tile step towards the light for one fur length of height
-flat out float vTop;  // layer count up to the slab's top
-out float vSubSteps;  // steps a layer: more where the ray is shallow
+flat out float vTop;  // the slab's top, 0..1
 out vec2 vStrands;    // the strands shown: from, to; not clamped
-#ifdef WET
+#if defined(WET) || defined(GROOMED)
 out vec2 vAtlas;
 out vec4 vAtlasStep;  // d(atlas)/d(tile), by columns
 #endif
+#ifdef GROOMED
+out float vLength;    // of the coat here, a share of the fur length
+#endif
+out vec3 vLightSpace, vLightRay;  // in the fur's own shadow map: where the ray enters, and a fur length of it
 
 void main() {
-  vec3 position = positionFrom.xyz, normal = normalTo.xyz;
-  vStrands = vec2(positionFrom.w, normalTo.w);
-  vec3 bend = texelFetch(bends, ivec2(gl_VertexID % FUR_BEND_ROW, gl_VertexID / FUR_BEND_ROW), 0).xyz;
-  vTop = float(gl_InstanceID + 1) * shape.w;
-  float h = vTop / shape.z, below = max(h - 1.0 / shape.z, 0.0);
-  vec3 p = strandPoint(position, normal, bend, h);
-  vec3 strandStep = strandPoint(position, normal, bend, below) - p;
+  vec3 position = positionFrom.xyz, normal = normalTo.xyz, gradS = gradSCurvature.xyz;
+  vStrands = coat.w > 0.5 ? vec2(positionFrom.w, normalTo.w) : vec2(-1.0, 2.0);
+  vec4 groomed = bendOf(gl_VertexID);
+  vec3 bend = groomed.xyz;
+  float top = 1.0 - float(gl_InstanceID) / shape.w;
+  // In a crease the coat ends before its strands would cross those of the other side.
+  mat2 S = mat2(furCurvature.z, furCurvature.w, furCurvature.w, gradSCurvature.w);
+  float meanS = 0.5 * (S[0][0] + S[1][1]), apart = 0.5 * (S[0][0] - S[1][1]);
+  float hollow = sqrt(apart * apart + S[0][1] * S[0][1]) - meanS;
+  float len = max(min(shape.x * groomed.w, 0.65 / max(hollow, 1e-6)), 1e-4);
+  vTop = top;
+  vec3 p = strandPoint(position, normal, bend, top, len);
   gl_Position = clipFromModel * vec4(p, 1.0);
+  vLightSpace = lightSpace(p);
 
-  // One layer down along the view ray, less what the strand itself moves on the way.
   vec3 ray = p - eye.xyz;
   float distance = length(ray);
   ray /= distance;
-  // Grazing rays would step for ever: at 0.15 (81 degrees) the next slab and the fins take over.
-  vec3 rayStep = ray * (dot(strandStep, normal) / min(dot(ray, normal), -0.15));
-  rayStep = ray * (-dot(strandStep, normal) / max(-dot(ray, normal), 0.15));
-  vec3 slide = rayStep - strandStep;
-  vec2 step = shape.y * vec2(dot(gradS, slide), dot(gradT, slide));
-  float stepLength = length(step);
-  // A torn or squeezed triangle can have huge gradients; a twentieth of a tile per layer is plenty.
-  step *= min(1.0, 0.05 / max(stepLength, 1e-6));
-  vTile = vec4(furCoord * shape.y, step);
-
+  vLightRay = lightSpace(p + ray * len) - vLightSpace;
   vec3 axisS = normalize(gradS + vec3(1e-8, 0.0, 0.0));
-  vec3 axisT = cross(normal, axisS) * (dot(cross(normal, gradS), gradT) < 0.0 ? -1.0 : 1.0);
-  vec3 toLight = light.xyz, toEye = -ray;
+  vec3 axisT = cross(normal, axisS);
+  mat2 tileFromAxes = shape.y * mat2(dot(gradS, axisS), dot(gradT, axisS), dot(gradS, axisT), dot(gradT, axisT));
+
+  // A bent coat is lower: arc.x of its length; and its strands stand arc.y h^2 aside.
+  float theta = length(bend);
+  vec2 arc = arcBend(theta, 1.0);
+  vec2 aside = theta > 1e-5 ? vec2(dot(axisS, bend), dot(axisT, bend)) * (arc.y / theta) : vec2(0.0);
+  // Above a curved skin the same way covers less of it: (I + z S)^-1. In a crease it would cover all of it.
+  float z = len * arc.x * top;
+  mat2 A = inverse(mat2(1.0) + z * S);
+  float down = dot(ray, normal);
+  vec2 along = vec2(dot(axisS, ray), dot(axisT, ray));
+  vec2 foot = A * along, turning = S * foot;
+  // Height of the ray: falls with the slope, rises with the curvature; foot of the ray: see
+  // render/README.md.
+  vPath = vec4(vec2(down, 0.5 * len * dot(along, turning)) / arc.x, turning * len);
+  vec2 step = tileFromAxes * (len * foot), turn = tileFromAxes * (A * turning * (-down * len * len));
+  vTile = vec4(furCurvature.xy * shape.y, step);
+  vTurn = vec4(turn, tileFromAxes * (A * aside * len));
+
   float texelsPerPixel = distance / eye.w * shape.y * length(gradS) * volume.x;
-  // A step longer than a strand is wide would cut it into discs, where a pixel can show them.
-  vSubSteps = clamp(min(stepLength, 0.05) * volume.x / max(4.0, 2.4 * texelsPerPixel), 1.0, 2.0);
+  vec3 toLight = light.xyz, toEye = -ray;
   vLight = vec4(dot(axisS, toLight), dot(axisT, toLight), dot(normal, toLight), log2(texelsPerPixel));
   vView = vec4(dot(axisS, toEye), dot(axisT, toEye), dot(normal, toEye), dot(normal, up.xyz));
-  vec3 lean = -strandStep * (shape.z / max(shape.x, 1e-6));
-  vLean = vec4(dot(axisS, lean), dot(axisT, lean), uvAtlas.xy);
-  vec3 lightSlide = toLight * (shape.x / max(dot(normal, toLight), 0.35));
+  vLean = vec4(2.0 * aside, uvAtlas.xy);
+  vec3 lightSlide = toLight * (len / max(dot(normal, toLight), 0.35));
   lightSlide -= normal * dot(normal, lightSlide);
   vLightStep = shape.y * vec2(dot(gradS, lightSlide), dot(gradT, lightSlide));
-#ifdef WET
+#ifdef GROOMED
+  vLength = groomed.w;
+#endif
+#if defined(WET) || defined(GROOMED)
   vAtlas = uvAtlas.zw;
   vAtlasStep = atlasFromFur / shape.y;
 #endif

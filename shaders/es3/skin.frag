@@ -1,15 +1,16 @@
-// The skin under the fur: pores darkened by the lowest layer, the same light.
+// The skin: bare in full light, or what is left to see of it behind fur.
 #include "common.glsl"
 #include "common_shading.glsl"
 #include "common_clump.glsl"
+#include "common_furshadow.glsl"
 
-uniform sampler2DArray tile;
 uniform sampler2D baseColor;
 uniform sampler2D mask;
 
 in vec3 vNormal;
 in vec4 vUvAtlas;
-in vec2 vTile;
+in vec3 vColor;
+in vec3 vLightSpace;
 
 out vec4 fragColor;
 
@@ -19,6 +20,9 @@ vec3 clumpHue(vec2 centre) {
 }
 
 void main() {
+#if defined(UNDER_FUR)
+  fragColor = vec4(encodeSrgb(toneMap(vColor * modelColor(baseColor, vUvAtlas.xy))), 1.0);
+#else
   vec3 n = normalize(vNormal);
   vec4 clump = clumpAt(mask, vUvAtlas.zw);
 #if defined(VIEW_WETNESS)
@@ -29,15 +33,9 @@ void main() {
 #elif defined(VIEW_NORMALS)
   fragColor = vec4(n * 0.5 + 0.5, 1.0);
 #else
-  // Without fur the skin is bare: full light, no pores.
-  float furry = float(shape.x > 0.0) * step(0.001, volume.z);
-  float pores = texture(tile, vec3(vTile, 0.0)).r * furry;
-  float nDotL = dot(n, light.xyz);
-  float upness = dot(n, up.xyz);
-  float shadow = mix(1.0, furShadow(0.0, volume.z, nDotL), shading.w * furry);
-  vec3 albedo = skinColor.rgb * modelColor(baseColor, vUvAtlas.xy) * (1.0 - 0.5 * pores);
-  vec3 color = albedo * (light.w * max(nDotL, 0.0) * shadow + skyLight(upness));
-  color *= (1.0 - coat.x * furry) * (1.0 - water.y * clump.a);
+  vec3 color = bareSkin(skinColor.rgb * modelColor(baseColor, vUvAtlas.xy), dot(n, light.xyz), dot(n, up.xyz), clump.a,
+                        furShadowAt(vLightSpace));
   fragColor = vec4(encodeSrgb(toneMap(color)), 1.0);
+#endif
 #endif
 }

@@ -1,17 +1,28 @@
 #include "common.glsl"
+#include "common_bend.glsl"
+#include "common_shading.glsl"
+#include "common_furshadow.glsl"
 
 layout(location = FUR_POSITION) in vec3 position;
 layout(location = FUR_NORMAL) in vec3 normal;
 layout(location = FUR_UV_ATLAS) in vec4 uvAtlas;
-layout(location = FUR_FUR_COORD) in vec2 furCoord;
 
 out vec3 vNormal;
 out vec4 vUvAtlas;
-out vec2 vTile;
+out vec3 vColor;  // under fur: its light, without the model's picture
+out vec3 vLightSpace;
 
 void main() {
   gl_Position = clipFromModel * vec4(position, 1.0);
   vNormal = normal;
+  vLightSpace = lightSpace(position);
   vUvAtlas = uvAtlas;
-  vTile = furCoord * shape.y;
+  // Shells show the skin themselves where a ray reaches it. This one is seen where a ray has left the coat of one
+  // part of the body and goes on deep in that of another: there it stands for the strands that are missing.
+  float nDotL = dot(normal, light.xyz), upness = dot(normal, up.xyz);
+  vec3 albedo = mix(skinColor.rgb, 0.5 * (rootColor.rgb + tipColor.rgb), min(2.0 * volume.z, 1.0));
+  vColor = shadeSkin(albedo, nDotL, upness, 0.3, 0.0, furShadowAt(lightSpace(position + normal * (0.3 * shape.x))));
+  float furry = bendOf(gl_VertexID).w;
+  if (furry < 0.15)
+    vColor = mix(bareSkin(skinColor.rgb, nDotL, upness, 0.0, furShadowAt(vLightSpace)), vColor, furry / 0.15);
 }

@@ -1,8 +1,12 @@
 // Evaluates one shared function at two numbers a pixel and writes the result as 24-bit fixed point
 // over [-2, 2): how the tests hold the shaders against their C++ twins. Never drawn on screen.
 #include "common.glsl"
+#if FUNCTION == 9
+#define MARSCHNER 1
+#endif
 #include "common_shading.glsl"
 #include "common_clump.glsl"
+#include "common_furshadow.glsl"
 out vec4 fragColor;
 
 vec3 onCircle(float angle) { return vec3(sin(angle), 0.0, cos(angle)); }
@@ -20,9 +24,24 @@ void main() {
 #elif FUNCTION == 4
   float value = encodeSrgb(vec3(at.x)).x;
 #elif FUNCTION == 5
-  float value = kajiyaDiffuse(onCircle(at.x * 3.0), onCircle(at.y * 3.0));
+  float value = kajiyaLobe(at.x * 2.0 - 1.0, at.y * 60.0);
+#elif FUNCTION == 7
+  float value = shadeStrand(vec3(0.5, 0.3, 0.2), onCircle(at.x * 3.0), onCircle(0.7), onCircle(-0.4), at.y, 0.3, 0.8, 0.5, at.x).x;
+#elif FUNCTION == 8
+  float value = toneMap(vec3(at.x * 3.0)).x;
+#elif FUNCTION == 6 || FUNCTION == 9
+  vec3 L = onCircle(at.x * 3.0), V = onCircle(at.y * 3.0) * vec3(1.0, 1.0, 0.8) + vec3(0.0, 0.6 * cos(at.y * 3.0), 0.0);
+  vec2 along = vec2(L.x, V.x), across = sqrt(max(vec2(0.0), 1.0 - along * along));
+#if FUNCTION == 6
+  float value = shiftedCosine(vec4(across.x * across.y, along.x * along.y, along * across.yx), lobeShifts(at.x).y);
 #else
-  float value = kajiyaSpecular(vec3(1.0, 0.0, 0.0), onCircle(at.x * 3.0), onCircle(at.y * 3.0), 12.0);
+  float value = marschnerStrand(vec3(0.4), along, across, dot(L, V), 12.0).g;
+#endif
+#elif FUNCTION == 11
+  // Over a square of two units, at the height of the eye.
+  float value = furShadowAt(lightSpace(vec3(at.x * 2.0 - 1.0, eye.y, at.y * 2.0 - 1.0)));
+#else
+  float value = rimLight(at.x * 2.0 - 1.0, at.y * 2.0 - 1.0, 0.7);
 #endif
   float fixedPoint = floor(clamp((value + 2.0) / 4.0, 0.0, 0.9999999) * 16777216.0);
   vec3 bytes = floor(mod(fixedPoint / vec3(65536.0, 256.0, 1.0), 256.0));

@@ -5,7 +5,6 @@
 
 #include "app/AppState.h"
 #include "geometry/Primitives.h"
-#include "scene/FoModel.h"
 #include "scene/StateJson.h"
 
 namespace fur::app {
@@ -64,6 +63,7 @@ void App::detach(bool lost) {
 }
 
 void App::resize(int width, int height, float pixelRatio) {
+  if (width != state_->width || height != state_->height) state_->governor.forget();
   state_->width = std::max(width, 1);
   state_->height = std::max(height, 1);
   state_->pixelRatio = pixelRatio;
@@ -85,6 +85,7 @@ void App::State::uploadScene() {
   renderer->setBaseColor(imageWidth, imageHeight, image);
   renderer->updateMask(mask, {0, 0, mask.size(), mask.size()});
   renderer->updateBends(bends.bends());
+  uploadGroom({0, 0, groom.map.size(), groom.map.size()});
   uploadCoat();
   pictureChanged = true;
 }
@@ -92,6 +93,7 @@ void App::State::uploadScene() {
 // --- model -------------------------------------------------------------------------------------
 
 void App::State::takeSurface(geometry::Surface built) {
+  governor.forget();
   surface = std::move(built);
   query = geometry::SurfaceQuery(surface);
   wetting.emplace(surface, mask.size());
@@ -103,6 +105,10 @@ void App::State::takeSurface(geometry::Surface built) {
     groundHeight = std::min(groundHeight, v.position.y);
   }
   bends.reset(positions, normals);
+  points.reset();
+  groomAtlas.reset();
+  readGroomMap();
+  groomStale = true;
   vertexWetness.assign(surface.vertices.size(), 0.0f);
   vertexWetnessStale = true;
   if (renderer) uploadScene();
@@ -114,11 +120,12 @@ void App::State::adopt(geometry::Mesh source, geometry::Surface built, std::stri
   mesh = std::move(source);
   modelName = std::move(name);
   mask.clear();
+  newGroom();
   strokeBefore.clear();  // a stroke on the old model ends here
   drag = Drag::None;
   history.clear();
   motion.reset();
-  pendingImage = {};
+  pendingImage = sourceImage = {};
   imageWidth = imageHeight = 0;
   image.clear();
   baseColorFactor = Vec4(1);
@@ -139,7 +146,8 @@ Status App::loadPrimitive(std::string_view name) {
   return Done{};
 }
 
-Status App::loadModel(std::span<const std::uint8_t> bytes, const std::string& name, const scene::FileSet& others) {
+Status App::loadModel(std::span<const std::uint8_t> bytes, const std::string& name, const scene::FileSet& others,
+                      bool keepState) {
   auto model = scene::importModel(bytes, name, others);
   if (!model) return model.error();
   auto surface = geometry::buildSurface(model->mesh, state_->mapping());
@@ -148,6 +156,13 @@ Status App::loadModel(std::span<const std::uint8_t> bytes, const std::string& na
   state_->adopt(std::move(model->mesh), std::move(*surface), model->name);
   state_->pendingImage = std::move(model->baseColor);
   state_->baseColorFactor = model->baseColorFactor;
+  state_->takeFur(model->fur);
+  state_->settleBends();
+  if (model->fur.state.empty() || keepState) return Done{};
+  // The importer has read it once: it is sound. Undo does not lead behind it.
+  const Status status = setState(model->fur.state);
+  state_->history.clear();
+  if (!status) return status;
   return Done{};
 }
 
@@ -157,7 +172,7 @@ void App::provideImage(int width, int height, std::vector<std::uint8_t> rgba) {
   FUR_ASSERT(rgba.size() == static_cast<std::size_t>(width) * height * 4, "App::provideImage()",
              "4 bytes for each of width * height texels", rgba.size());
   State& s = *state_;
-  s.pendingImage = {};
+  s.sourceImage = std::exchange(s.pendingImage, {});
   s.imageWidth = width;
   s.imageHeight = height;
   s.image = std::move(rgba);
@@ -167,10 +182,6 @@ void App::provideImage(int width, int height, std::vector<std::uint8_t> rgba) {
 
 const std::string& App::modelName() const { return state_->modelName; }
 const geometry::Surface& App::surface() const { return state_->surface; }
-
-std::vector<std::uint8_t> App::saveFo() const {
-  return scene::writeFo(scene::foFromSurface(state_->surface, state_->settings.repeat));
-}
 
 // --- settings and state ------------------------------------------------------------------------
 
@@ -252,21 +263,23 @@ void App::State::applyStep(const Step& step, bool undo) {
   } else if (const auto* m = std::get_if<MaskStep>(&step)) {
     mask.restore(withRect(mask.size(), mask.texels(), m->rect, undo ? m->before : m->after));
     maskTouched();
+  } else if (const auto* g = std::get_if<GroomStep>(&step)) {
+    applyGroomStep(*g, undo);
   }
 }
 
 bool App::undo() {
   state_->endStroke();
   endChange();
-  const auto step = state_->history.undo();
+  const Step* step = state_->history.undo();
   if (step) state_->applyStep(*step, true);
-  return step.has_value();
+  return step != nullptr;
 }
 
 bool App::redo() {
-  const auto step = state_->history.redo();
+  const Step* step = state_->history.redo();
   if (step) state_->applyStep(*step, false);
-  return step.has_value();
+  return step != nullptr;
 }
 
 bool App::canUndo() const { return state_->history.canUndo(); }
@@ -301,6 +314,7 @@ bool App::tick(float dt, float coatBudget) {
   const bool moved = s.motion.update(dt);
   changed |= moved;
 
+  s.refreshGroom();
   if (s.wind() > 0) s.windClock += dt;
   if (dt > 0 && (moved || s.gusty() || s.forcesChanged || !s.bends.atRest())) {
     s.bends.step(dt, s.motion.worldFromModel(), s.forces(), s.wetnessOfVertices());
@@ -322,6 +336,7 @@ bool App::tick(float dt, float coatBudget) {
 }
 
 void App::State::settleBends() {
+  refreshGroom();
   bends.settle(motion.worldFromModel(), forces(), wetnessOfVertices());
   if (renderer) renderer->updateBends(bends.bends());
   forcesChanged = false;
@@ -346,25 +361,38 @@ void App::setReducedMotion(bool reduced) {
 
 void App::invalidate() { state_->pictureChanged = true; }
 
-render::Frame App::State::frame() const {
+render::Frame App::State::frame(int level) const {
+  const QualityLevel& quality = qualityLevels()[static_cast<std::size_t>(level)];
   render::Frame f;
   f.settings = settings;
+  f.settings.fins &= quality.fins;
+  f.settings.shadows = std::min(f.settings.shadows, quality.shadows);
+  f.pixelScale = quality.pixelScale;
+  f.stepLength = quality.stepLength;
+  f.slabs = quality.slabs;
   f.worldFromModel = motion.worldFromModel();
   f.camera = camera.pose(static_cast<float>(width) / static_cast<float>(height));
   f.width = width;
   f.height = height;
   f.groundHeight = groundHeight;
   f.wet = !mask.isDry();
+  f.groomed = groomed;
   f.baseColorFactor = baseColorFactor;
   return f;
 }
 
-Status App::draw() {
+render::Frame App::frame() const { return state_->frame(); }
+const furgen::Coat* App::grownCoat() const { return state_->coat.grown(); }
+std::span<const Vec4> App::bends() const { return state_->bends.bends(); }
+
+Status App::draw(Picture picture) {
   State& s = *state_;
   FUR_ASSERT(s.renderer.has_value(), "App::draw()", "an attached context", "none");
   if (!s.coatUploaded) s.finishCoat();
   s.renderer->updateMask(s.mask, s.mask.takeChanged());
-  const Status status = s.renderer->draw(s.frame());
+  s.refreshGroom();
+  s.drawnLevel = s.levelFor(picture);
+  const Status status = s.renderer->draw(s.frame(s.drawnLevel));
   s.uploadedBytes = s.renderer->takeUploadedBytes();
   s.pictureChanged = false;
   ++s.framesDrawn;
@@ -382,10 +410,14 @@ App::Stats App::stats() const {
   out.cpuBytes = s.surface.vertices.size() * (sizeof(geometry::SurfaceVertex) + 5 * sizeof(Vec4)) +
                  s.surface.indices.size() * sizeof(std::uint32_t) * 4 +
                  s.surface.edges.size() * sizeof(geometry::SurfaceEdge) + s.mask.texels().size() * sizeof(Vec4) +
+                 s.groom.map.texels().size() * sizeof(groom::GroomMap::Texel) +
                  s.image.size();
   out.gpuBytes = s.renderer ? s.renderer->gpuBytes() : 0;
   out.uploadedBytes = s.uploadedBytes;
   out.framesDrawn = s.framesDrawn;
+  out.level = s.drawnLevel;
+  out.pixels = s.renderer ? s.renderer->drawnPixels() : 0;
+  out.frameTime = s.governor.frameTime();
   return out;
 }
 

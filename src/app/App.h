@@ -18,14 +18,35 @@
 #include "core/Result.h"
 #include "furgen/TilePicture.h"
 #include "geometry/Surface.h"
+#include "groom/Groom.h"
 #include "scene/Model.h"
 #include "settings/Settings.h"
 #include "wet/WetnessMask.h"
 
+namespace fur::furgen {
+struct Coat;
+}
+namespace fur::render {
+struct Frame;
+}
+
 namespace fur::app {
 
-// Droplet and Dry paint on the model, Grab moves it about (it springs back), None leaves every drag to the camera.
-enum class Tool { Droplet, Dry, Grab, None };
+// Droplet and Dry paint on the model, and so do the tools of the groom from Comb to Type; Grab moves the model about
+// (it springs back), None leaves every drag to the camera.
+enum class Tool { Droplet, Dry, Comb, Smooth, Raise, Trim, Grow, Type, Grab, None };
+
+// What groomAll() does all over the model. `value` is 0..1 unless it says otherwise.
+enum class GroomEdit {
+  Clear,   // full length, one type, upright
+  Length,  // value: share of the longest
+  Invert,  // of the lengths
+  Vary,    // value: how much shorter the shortest patches get, by the settings' seed
+  Type,    // value: 1..4
+  Comb,    // along `direction` (model space), by the share `value`
+  Raise,
+  Size     // value: texels along the map, 16..1024
+};
 enum class PointerKind { Mouse, Touch, Pen };
 enum class PointerPhase { Down, Move, Up, Cancel };
 
@@ -49,6 +70,10 @@ struct CameraOrbit {
   Vec3 target{0};
 };
 
+// What a picture is for. Best: the same scene gives the same pixels, however long that takes. Moving: one of many, as
+// good as the frame budget allows. Still: it stays for a while, as good as is not unbearably slow.
+enum class Picture { Best, Moving, Still };
+
 class App {
  public:
   App();
@@ -62,14 +87,18 @@ class App {
   // --- model ---
   // "sphere", "torus", "plane". A failure leaves the old scene.
   Status loadPrimitive(std::string_view name);
-  Status loadModel(std::span<const std::uint8_t> bytes, const std::string& name, const scene::FileSet& others = {});
+  // A scene that was saved brings its groom and, unless keepState, its settings and camera.
+  Status loadModel(std::span<const std::uint8_t> bytes, const std::string& name, const scene::FileSet& others = {},
+                   bool keepState = false);
   // The base colour image that the model came with, still encoded; empty when there is none.
   const scene::EncodedImage& pendingImage() const;
   void provideImage(int width, int height, std::vector<std::uint8_t> rgba);
   const std::string& modelName() const;
   const geometry::Surface& surface() const;
-  // The model as .fo, with its fur coordinates at the repeat of the settings.
+  // The model as .fo, with its fur coordinates at the repeat of the settings, lengths and types.
   std::vector<std::uint8_t> saveFo() const;
+  // Model, picture, groom, settings and camera as .glb, which other programs show without fur. No water.
+  std::vector<std::uint8_t> saveScene() const;
 
   // --- settings, state ---
   const settings::Settings& settings() const;
@@ -134,6 +163,21 @@ class App {
   // The surface's atlas coordinates under a pixel of the drawing buffer; none off the model.
   std::optional<Vec2> pick(Vec2 pixel) const;
 
+  // --- groom (groom/Groom.h); belongs to the model ---
+  void groomAll(GroomEdit edit, float value = 1, const Vec3& direction = Vec3(0, -1, 0));
+  // An image, RGBA8 in the model's own texture coordinates: its brightness becomes the length.
+  void groomFromImage(int width, int height, std::span<const std::uint8_t> rgba);
+  groom::Coverage groomCoverage() const;
+  std::uint64_t groomRevision() const;  // another one, above 0, whenever it has changed
+  bool groomed() const;  // any of it is not as a new model's
+  const groom::GroomMap& groomMap() const;
+  // Of map and comb.
+  std::uint64_t groomHash() const;
+  // What moves over when another program takes over, as bytes that only this version reads: bad-file for others.
+  std::vector<std::uint8_t> saveGroom() const;
+  Status restoreGroom(std::span<const std::uint8_t> bytes, bool undoable = false);
+  void clearGroom();  // GroomEdit::Clear
+
   // --- input; each returns whether the app used the event ---
   bool pointer(const PointerEvent& event);
   bool wheel(float notches, Vec2 position);  // positive: away from the person, zooms out
@@ -156,13 +200,33 @@ class App {
   // The person asked for less motion: wind counts as 0 while true; the setting stays as it is.
   void setReducedMotion(bool reduced);
   // A shader that the driver refuses is the error.
-  Status draw();
+  Status draw(Picture picture = Picture::Best);
   void invalidate();  // draw at the next tick whatever happened
+  // What draw(Picture::Best) shows, for another renderer than ours: camera and light; the grown coat, nullptr when it was read
+  // from a type set; how far the fur leans at every vertex of surface().
+  render::Frame frame() const;
+  const furgen::Coat* grownCoat() const;
+  std::span<const Vec4> bends() const;
+
+  // --- quality (app/QualityGovernor.h) ---
+  // The best level to draw with, and whether moving and still pictures may have cheaper ones: as many as it takes to
+  // hold the frame budget, by what frameShown() tells. At first level 0, and no others.
+  void setQuality(int best, bool governed);
+  void setFrameBudget(float milliseconds);
+  // After each of several moving pictures that were drawn one right after another: milliseconds since the one before
+  // was shown; of a recent one's drawing alone on the graphics processor, 0 where that cannot be known.
+  void frameShown(float milliseconds, float drawing = 0);
+  // Whether draw(Picture::Still) would show a better picture than the one that was drawn last.
+  bool improvable() const;
 
   struct Stats {
     int vertices, triangles, strands, layers, finEdges;
     std::size_t cpuBytes, gpuBytes, uploadedBytes;  // cpu: the model's own data; uploaded: by the last frame
     long framesDrawn;
+    // Of the last picture: its level (0 best), the pixels drawn. Median time of moving ones, ms; 0: not known.
+    int level;
+    long pixels;
+    float frameTime;
   };
   Stats stats() const;
 

@@ -42,6 +42,7 @@ void App::State::showCoat(DrawnCoat next) {
   coat = std::move(next);
   coatUploaded = true;
   ++coatRevision;
+  governor.forget();
   forcesChanged = pictureChanged = true;
 }
 

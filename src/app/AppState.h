@@ -1,5 +1,6 @@
 // What App holds, shared by its source files: App.cpp (scene, settings, time, drawing),
-// AppCoat.cpp (the coat), Input.cpp (pointers, keys), Painting.cpp (water).
+// AppCoat.cpp (the coat), AppGroom.cpp (the groom), AppQuality.cpp (levels), Input.cpp (pointers, keys),
+// Painting.cpp (water).
 #pragma once
 
 #include <map>
@@ -10,9 +11,11 @@
 #include "app/History.h"
 #include "app/ModelMotion.h"
 #include "app/OrbitCamera.h"
+#include "app/QualityGovernor.h"
 #include "core/Random.h"
 #include "dynamics/BendField.h"
 #include "geometry/SurfaceQuery.h"
+#include "groom/Groom.h"
 #include "render/Renderer.h"
 #include "wet/SurfaceWetting.h"
 #include "wet/WetnessMask.h"
@@ -20,6 +23,8 @@
 namespace fur::app {
 
 inline constexpr int kMaskSize = 256;
+
+inline bool grooms(Tool tool) { return tool >= Tool::Comb && tool <= Tool::Type; }
 
 struct ModelRay {
   Vec3 origin, direction;  // model space
@@ -42,7 +47,7 @@ struct App::State {
   geometry::Surface surface;
   geometry::SurfaceQuery query;
   std::optional<wet::SurfaceWetting> wetting;
-  scene::EncodedImage pendingImage;
+  scene::EncodedImage pendingImage, sourceImage;  // to be decoded; decoded, kept for saving
   Vec4 baseColorFactor{1.0f};
   int imageWidth = 0, imageHeight = 0;
   std::vector<std::uint8_t> image;
@@ -56,6 +61,17 @@ struct App::State {
   float windClock = 0;
   float dryingDue = 0;  // seconds of drying not yet done
   bool forcesChanged = true;
+
+  // The groom. The two optionals are made when they are first needed: read them through ground().
+  groom::Groom groom;  // its comb is empty until then: upright
+  std::optional<groom::SurfacePoints> points;
+  std::optional<geometry::AtlasTexels> groomAtlas;
+  std::uint64_t groomRevision = 1;
+  bool groomStale = false;    // fur and renderer do not know the newest yet
+  bool groomed = false;       // the map is not plain
+  std::vector<float> vertexLengths;  // what it says at the vertices; empty when it is plain
+  std::optional<groom::Groom> groomBefore;  // the stroke at work
+  std::optional<Vec3> lastDab;              // where its last dab was, model space
 
   // Input.
   std::map<int, Vec2> pointers;
@@ -82,6 +98,10 @@ struct App::State {
   bool pictureChanged = true;
   long framesDrawn = 0;
   std::size_t uploadedBytes = 0;
+  QualityGovernor governor;
+  float frameBudget = 1000.0f / 60;
+  int bestLevel = 0, drawnLevel = 0;
+  bool governed = false;
   float sinceSettingChange = 1e9f;
   const settings::Field* lastField = nullptr;
   std::optional<settings::Settings> changeBefore;  // between beginChange() and endChange()
@@ -93,7 +113,8 @@ struct App::State {
   geometry::FurMapping mapping() const { return static_cast<geometry::FurMapping>(settings.furMapping); }
   void uploadScene();
   void settleBends();
-  render::Frame frame() const;
+  render::Frame frame(int level) const;
+  render::Frame frame() const { return frame(bestLevel); }
   dynamics::BendForces forces() const;
   float wind() const { return reducedMotion ? 0 : settings.wind; }
   bool gusty() const { return wind() > 0 && settings.gust > 0; }
@@ -107,10 +128,29 @@ struct App::State {
   void showCoat(DrawnCoat next);
   void uploadCoat();
 
+  // --- AppGroom.cpp ---
+  groom::Ground ground();
+  void newGroom();  // of another model
+  void takeFur(const scene::FurData& fur);
+  bool upright() const;  // nothing is combed
+  void groomTouched();
+  // Brings the fur's rest and lengths, and what is drawn, up to date with the groom.
+  void refreshGroom();
+  void readGroomMap();
+  void uploadGroom(const geometry::TexelRect& changed);
+  void beginGroomStroke();
+  void endGroomStroke();
+  void groomAt(const geometry::SurfacePoint& at);
+  void applyGroomStep(const GroomStep& step, bool undo);
+
+  // --- AppQuality.cpp ---
+  int levelFor(Picture picture) const;
+
   // --- Painting.cpp ---
   ModelRay rayThrough(Vec2 pixel) const;
   std::optional<geometry::SurfacePoint> pick(Vec2 pixel) const;
-  void beginStroke();
+  void beginStroke();      // with the tool
+  void beginWaterStroke();
   void endStroke();
   // One spray of the tool where the pixel hits; false when it misses.
   bool sprayAt(Vec2 pixel);

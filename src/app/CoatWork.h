@@ -35,6 +35,8 @@ class DrawnCoat {
   const std::vector<float>& coverage() const { return coverage_; }  // a share for each layer
   furgen::TilePicture tilePicture(int layer, furgen::TileChannel channel) const;
   furgen::TilePicture finPicture(furgen::TileChannel channel) const;
+  // nullptr: it was read, or there is none yet.
+  const furgen::Coat* grown() const { return volume_ || layers() == 0 ? nullptr : &grown_; }
   // nullptr: it was grown.
   const furgen::FurVolume* volume() const { return volume_ ? &*volume_ : nullptr; }
 

@@ -6,36 +6,77 @@ namespace fur::app {
 
 namespace {
 
-std::size_t bytesOf(const Step& step) {
-  const auto* mask = std::get_if<MaskStep>(&step);
-  return sizeof(Step) + (mask ? (mask->before.size() + mask->after.size()) * sizeof(Vec4) : 0);
+template <class T>
+std::size_t bytesIn(const std::vector<T>& values) {
+  return values.size() * sizeof(T);
 }
 
-std::vector<Vec4> cut(int size, const std::vector<Vec4>& texels, const wet::TexelRect& rect) {
-  std::vector<Vec4> part;
+std::size_t bytesOf(const Step& step) {
+  if (const auto* mask = std::get_if<MaskStep>(&step)) return sizeof(Step) + bytesIn(mask->before) + bytesIn(mask->after);
+  const auto* groom = std::get_if<GroomStep>(&step);
+  if (!groom) return sizeof(Step);
+  return sizeof(Step) + bytesIn(groom->before) + bytesIn(groom->after) + bytesIn(groom->points) +
+         bytesIn(groom->combBefore) + bytesIn(groom->combAfter);
+}
+
+template <class Texel>
+std::vector<Texel> cut(int size, const std::vector<Texel>& texels, const geometry::TexelRect& rect) {
+  std::vector<Texel> part;
   for (int y = rect.y0; y < rect.y1; ++y)
     part.insert(part.end(), texels.begin() + y * size + rect.x0, texels.begin() + y * size + rect.x1);
   return part;
 }
 
-}  // namespace
-
-std::optional<MaskStep> maskStep(int size, const std::vector<Vec4>& before, const std::vector<Vec4>& after) {
-  wet::TexelRect rect{size, size, 0, 0};
+template <class Texel>
+geometry::TexelRect difference(int size, const std::vector<Texel>& before, const std::vector<Texel>& after) {
+  geometry::TexelRect rect{size, size, 0, 0};
   for (int y = 0; y < size; ++y)
     for (int x = 0; x < size; ++x)
       if (before[static_cast<std::size_t>(y) * size + x] != after[static_cast<std::size_t>(y) * size + x])
         rect = {std::min(rect.x0, x), std::min(rect.y0, y), std::max(rect.x1, x + 1), std::max(rect.y1, y + 1)};
+  return rect;
+}
+
+}  // namespace
+
+std::optional<MaskStep> maskStep(int size, const std::vector<Vec4>& before, const std::vector<Vec4>& after) {
+  const geometry::TexelRect rect = difference(size, before, after);
   if (rect.empty()) return std::nullopt;
   return MaskStep{rect, cut(size, before, rect), cut(size, after, rect)};
 }
 
-std::vector<Vec4> withRect(int size, std::vector<Vec4> texels, const wet::TexelRect& rect,
-                           const std::vector<Vec4>& part) {
-  const int width = rect.x1 - rect.x0;
-  for (int y = rect.y0; y < rect.y1; ++y)
-    std::copy_n(part.begin() + (y - rect.y0) * width, width, texels.begin() + y * size + rect.x0);
-  return texels;
+std::optional<GroomStep> groomStep(const groom::Groom& before, const groom::Groom& after) {
+  GroomStep step;
+  step.sizeBefore = before.map.size();
+  step.sizeAfter = after.map.size();
+  if (step.sizeBefore != step.sizeAfter) {
+    step.before = before.map.texels();
+    step.after = after.map.texels();
+  } else if (step.rect = difference(step.sizeAfter, before.map.texels(), after.map.texels()); !step.rect.empty()) {
+    step.before = cut(step.sizeBefore, before.map.texels(), step.rect);
+    step.after = cut(step.sizeAfter, after.map.texels(), step.rect);
+  }
+  for (std::uint32_t i = 0; i < after.comb.size(); ++i) {
+    const Vec3 was = before.comb.empty() ? Vec3(0) : before.comb[i];
+    if (was == after.comb[i]) continue;
+    step.points.push_back(i);
+    step.combBefore.push_back(was);
+    step.combAfter.push_back(after.comb[i]);
+  }
+  if (step.before.empty() && step.points.empty()) return std::nullopt;
+  return step;
+}
+
+void apply(const GroomStep& step, bool undo, groom::Groom& groom) {
+  const auto& texels = undo ? step.before : step.after;
+  if (step.sizeBefore != step.sizeAfter) {
+    groom.map = groom::GroomMap(undo ? step.sizeBefore : step.sizeAfter);
+    groom.map.restore(texels);
+  } else if (!step.rect.empty()) {
+    groom.map.restore(withRect(groom.map.size(), groom.map.texels(), step.rect, texels));
+  }
+  for (std::size_t i = 0; i < step.points.size(); ++i)
+    groom.comb[step.points[i]] = (undo ? step.combBefore : step.combAfter)[i];
 }
 
 void History::push(Step step, bool mergeable) {
@@ -54,15 +95,9 @@ void History::push(Step step, bool mergeable) {
   done_ = steps_.size();
 }
 
-std::optional<Step> History::undo() {
-  if (!canUndo()) return std::nullopt;
-  return steps_[--done_];
-}
+const Step* History::undo() { return canUndo() ? &steps_[--done_] : nullptr; }
 
-std::optional<Step> History::redo() {
-  if (!canRedo()) return std::nullopt;
-  return steps_[done_++];
-}
+const Step* History::redo() { return canRedo() ? &steps_[done_++] : nullptr; }
 
 void History::clear() {
   steps_.clear();

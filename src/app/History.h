@@ -1,11 +1,13 @@
 // Undo and redo of settings and strokes. Steps hold what they replace, bounded in bytes.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <variant>
 #include <vector>
 
 #include "settings/Settings.h"
+#include "groom/Groom.h"
 #include "wet/WetnessMask.h"
 
 namespace fur::app {
@@ -20,13 +22,32 @@ struct MaskStep {
   std::vector<Vec4> before, after;
 };
 
-using Step = std::variant<SettingsStep, MaskStep>;
+// The changed rectangle of the map, row-major, or all of both when its size has changed; and the points that were
+// combed otherwise.
+struct GroomStep {
+  int sizeBefore = 0, sizeAfter = 0;
+  geometry::TexelRect rect;
+  std::vector<groom::GroomMap::Texel> before, after;
+  std::vector<std::uint32_t> points;
+  std::vector<Vec3> combBefore, combAfter;
+};
+
+using Step = std::variant<SettingsStep, MaskStep, GroomStep>;
 
 // The step that turns `before` into `after` (both size x size); none when they are equal.
 std::optional<MaskStep> maskStep(int size, const std::vector<Vec4>& before, const std::vector<Vec4>& after);
+std::optional<GroomStep> groomStep(const groom::Groom& before, const groom::Groom& after);
+// Puts one side of the step in place.
+void apply(const GroomStep& step, bool undo, groom::Groom& groom);
 // `texels` with the rectangle replaced by one side of the step.
-std::vector<Vec4> withRect(int size, std::vector<Vec4> texels, const wet::TexelRect& rect,
-                           const std::vector<Vec4>& part);
+template <class Texel>
+std::vector<Texel> withRect(int size, std::vector<Texel> texels, const geometry::TexelRect& rect,
+                            const std::vector<Texel>& part) {
+  const int width = rect.x1 - rect.x0;
+  for (int y = rect.y0; y < rect.y1; ++y)
+    std::copy_n(part.begin() + (y - rect.y0) * width, width, texels.begin() + y * size + rect.x0);
+  return texels;
+}
 
 class History {
  public:
@@ -34,8 +55,9 @@ class History {
 
   // Forgets what could be redone. `mergeable`: a settings step may join the last one (a slider drag).
   void push(Step step, bool mergeable = false);
-  std::optional<Step> undo();
-  std::optional<Step> redo();
+  // The step to take back or to do again, nullptr when there is none; valid until the next call.
+  const Step* undo();
+  const Step* redo();
   bool canUndo() const { return done_ > 0; }
   bool canRedo() const { return done_ < steps_.size(); }
   void clear();

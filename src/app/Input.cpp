@@ -125,7 +125,10 @@ bool App::key(const KeyEvent& event) {
   if (event.alt) return false;
   if (event.key == " " || event.key == "Enter") {
     s.beginStroke();
-    const bool hit = s.sprayAt(Vec2(s.width, s.height) * 0.5f);
+    const Vec2 middle = Vec2(s.width, s.height) * 0.5f;
+    // A comb needs a way to go: down the picture.
+    if (s.tool == Tool::Comb) s.sprayAt(middle - Vec2(0, 0.03f * static_cast<float>(s.height)));
+    const bool hit = s.sprayAt(middle);
     s.endStroke();
     return hit;
   }

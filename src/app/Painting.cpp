@@ -43,11 +43,17 @@ const std::vector<float>& App::State::wetnessOfVertices() {
 }
 
 void App::State::beginStroke() {
+  if (grooms(tool)) return beginGroomStroke();
+  beginWaterStroke();
+}
+
+void App::State::beginWaterStroke() {
   endStroke();
   strokeBefore = mask.texels();
 }
 
 void App::State::endStroke() {
+  endGroomStroke();
   if (strokeBefore.empty()) return;
   if (auto step = maskStep(mask.size(), strokeBefore, mask.texels())) history.push(std::move(*step));
   strokeBefore.clear();
@@ -73,6 +79,10 @@ void App::State::scatter(const Vec3& centre, const Vec3& normal, float radius, f
 bool App::State::sprayAt(Vec2 pixel) {
   const auto hit = pick(pixel);
   if (!hit) return false;
+  if (grooms(tool)) {
+    groomAt(*hit);
+    return true;
+  }
   const Vec3 centre = positionAt(surface, *hit), normal = normalAt(surface, *hit);
   if (tool == Tool::Dry)
     wetting->dryAt(mask, surface, query, centre, normal, settings.brushRadius, settings.brushFlow * kDryShare);
@@ -136,7 +146,7 @@ void App::setTool(Tool tool) {
 Tool App::tool() const { return state_->tool; }
 
 void App::splashAt(float u, float v, float radius, float amount) {
-  state_->beginStroke();
+  state_->beginWaterStroke();
   state_->mask.addDroplet({Vec2(u, v), radius, amount});
   state_->maskTouched();
   state_->endStroke();
@@ -146,7 +156,7 @@ bool App::splashPixel(Vec2 pixel, float radius, float amount) {
   State& s = *state_;
   const auto hit = s.pick(pixel);
   if (!hit) return false;
-  s.beginStroke();
+  s.beginWaterStroke();
   s.wetting->addDroplet(s.mask, s.surface, s.query, positionAt(s.surface, *hit), normalAt(s.surface, *hit), radius, amount);
   s.maskTouched();
   s.endStroke();
@@ -154,13 +164,13 @@ bool App::splashPixel(Vec2 pixel, float radius, float amount) {
 }
 
 void App::setWetness(float amount) {
-  state_->beginStroke();
+  state_->beginWaterStroke();
   state_->soak(amount);
   state_->endStroke();
 }
 
 void App::dry(float seconds) {
-  state_->beginStroke();
+  state_->beginWaterStroke();
   state_->mask.dry(seconds, std::max(state_->settings.dryRate, 0.01f));
   state_->maskTouched();
   state_->endStroke();

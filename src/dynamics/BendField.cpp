@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/Assert.h"
 
@@ -106,12 +107,15 @@ struct Climate {
   float compliance;
   bool moving = false;
 
-  // Where these forces hold a strand: the bend of balance.
-  Vec3 target(const Vec3& position, const Vec3& direction, float wet) const {
+  Vec3 forceAt(const Vec3& position, const Vec3& direction, float wet) const {
     const float facing = saturate(0.5f - 0.5f * glm::dot(direction, windDirection));
     const float exposure = (kShelter + (1.0f - kShelter) * facing) * (1.0f - kWetWind * wet);
     Vec3 force = gravity * (1.0f + kWaterMass * wet) + wind * exposure;
     if (moving) force += drag.at(position);
+    return force;
+  }
+  // The bend in which this force is held by an upright strand.
+  Vec3 bendBy(const Vec3& force, const Vec3& direction) const {
     return capped(across(force, direction) * compliance, 1.0f) * kMaxBend;
   }
 };
@@ -137,10 +141,40 @@ void BendField::reset(const std::vector<Vec3>& positions, const std::vector<Vec3
   positions_ = positions;
   directions_ = directions;
   velocities_.assign(positions.size(), Vec3(0));
-  bends_.assign(positions.size(), Vec4(0));
+  bends_.assign(positions.size(), Vec4(0, 0, 0, 1));
+  rests_.clear();
+  chords_.clear();
   lastVelocity_ = {};
   hasLast_ = false;
   atRest_ = true;
+}
+
+void BendField::setRest(std::vector<Vec3> rests, const std::vector<float>& lengths) {
+  const auto fits = [this](std::size_t count) { return count == 0 || count == positions_.size(); };
+  FUR_ASSERT(fits(rests.size()) && fits(lengths.size()), "BendField::setRest()", "one of each a vertex, or none", rests.size());
+  rests_ = std::move(rests);
+  chords_.clear();
+  chords_.reserve(rests_.size());
+  for (std::size_t i = 0; i < rests_.size(); ++i) {
+    rests_[i] = capped(across(finiteOr0(rests_[i]), directions_[i]), kMaxBend);
+    const float half = 0.5f * glm::length(rests_[i]);
+    chords_.push_back(directions_[i] * std::cos(half) + normalizeOr(rests_[i], Vec3(0)) * std::sin(half));
+  }
+  for (std::size_t i = 0; i < bends_.size(); ++i) bends_[i].w = lengths.empty() ? 1.0f : unitOr0(lengths[i]);
+}
+
+// The shortest rotation that takes the chord to the direction (Rodrigues); they are at most 0.7 rad apart.
+Vec3 BendField::uprighted(const Vec3& force, std::size_t i) const {
+  if (chords_.empty()) return force;
+  const Vec3 axis = glm::cross(chords_[i], directions_[i]), once = glm::cross(axis, force);
+  return force + once + glm::cross(axis, once) / (1.0f + glm::dot(chords_[i], directions_[i]));
+}
+
+template <class Climate>
+Vec3 BendField::targetAt(const Climate& climate, std::size_t i, float wet) const {
+  const Vec3& direction = chords_.empty() ? directions_[i] : chords_[i];
+  const Vec3 bend = climate.bendBy(uprighted(climate.forceAt(positions_[i], direction, wet), i), directions_[i]);
+  return rests_.empty() ? bend : capped(rests_[i] + bend, kMaxBend);
 }
 
 BendField::RigidVelocity BendField::follow(const Mat4& modelToWorld, float dt) {
@@ -178,15 +212,15 @@ void BendField::step(float dt, const Mat4& given, const BendForces& forces, cons
   for (std::size_t i = 0; i < positions_.size(); ++i) {
     const float water = wetAt(wet, i);
     const Swing& swing = swings[static_cast<std::size_t>(water * kWetLevels + 0.5f)];
-    const Vec3 target = climate.target(positions_[i], directions_[i], water);
+    const Vec3 target = targetAt(climate, i, water);
     Vec3 v = velocities_[i];
-    if (climate.moving) v = capped(v + across(climate.kick.at(positions_[i]), directions_[i]), kMaxSpeed);
+    if (climate.moving) v = capped(v + across(uprighted(climate.kick.at(positions_[i]), i), directions_[i]), kMaxSpeed);
     const Vec3 x = Vec3(bends_[i]) - target;
     const Vec3 left = swing.xx * x + swing.xv * v, speed = swing.vx * x + swing.vv * v;
     worstAngle = std::max(worstAngle, glm::dot(left, left));
     worstSpeed = std::max(worstSpeed, glm::dot(speed, speed));
     velocities_[i] = speed;
-    bends_[i] = Vec4(capped(target + left, kMaxBend), 0.0f);
+    bends_[i] = Vec4(capped(target + left, kMaxBend), bends_[i].w);
   }
   const bool still = worstAngle < kStillAngle * kStillAngle && worstSpeed < kStillSpeed * kStillSpeed;
   // A moving model may balance its fur for a moment, but will not stop without swinging it.
@@ -199,7 +233,7 @@ void BendField::settle(const Mat4& given, const BendForces& forces, const std::v
   const Climate climate = climateIn(modelToWorld, forces);
   const bool wet = wetness.size() == positions_.size();
   for (std::size_t i = 0; i < positions_.size(); ++i) {
-    bends_[i] = Vec4(climate.target(positions_[i], directions_[i], wet ? wetAt(wetness, i) : 0.0f), 0.0f);
+    bends_[i] = Vec4(targetAt(climate, i, wet ? wetAt(wetness, i) : 0.0f), bends_[i].w);
     velocities_[i] = Vec3(0);
   }
   lastTransform_ = modelToWorld;

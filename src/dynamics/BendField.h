@@ -1,8 +1,11 @@
 // How far the fur leans at every vertex, and the forces that make it (Sheppard 2004, 3.4).
 //
-// A bend is a vector in model space, perpendicular to the strand's rest direction; its length is
-// the angle theta (radians) by which the tip's direction has turned. A strand is an arc of constant
-// length: along = sin(theta t) / theta, across = (1 - cos(theta t)) / theta.
+// A bend is a vector in model space, perpendicular to the direction in which the strand leaves the skin (the
+// normal); its length is the angle theta (radians) by which the tip's direction has turned. A strand is an arc
+// of constant length: along = sin(theta t) / theta, across = (1 - cos(theta t)) / theta.
+//
+// Fur that is combed rests bent (setRest). Forces then act on the combed strand: across its chord, the direction
+// from root to tip, which the rest bend has turned by half its angle.
 #pragma once
 
 #include <vector>
@@ -25,6 +28,10 @@ class BendField {
  public:
   // Rest positions and rest directions (unit) in model space, one a vertex; starts at rest, still.
   void reset(const std::vector<Vec3>& positions, const std::vector<Vec3>& directions);
+  // How the fur is combed: the bend of every vertex without forces, across its direction and at most kMaxBend, and
+  // what bends() has in w, for the shaders: the length of the fur there as a share of the longest. One of each
+  // a vertex; without rests the fur stands up, without lengths w is 1. What moves goes on from where it is: step or settle.
+  void setRest(std::vector<Vec3> rests, const std::vector<float>& lengths);
 
   // Advances by dt seconds, with the same result at any frame rate: every strand is a damped spring
   // that is integrated exactly. dt <= 0 and NaN do nothing, more than half a second settles, a
@@ -35,7 +42,7 @@ class BendField {
   // Where the forces, held steady, lead: used on load, so that nothing swings in.
   void settle(const Mat4& modelToWorld, const BendForces& forces, const std::vector<float>& wetness);
 
-  // xyz = bend (model space, radians), w = 0. One a vertex.
+  // xyz = bend (model space, radians), w = length. One a vertex.
   const std::vector<Vec4>& bends() const { return bends_; }
   // True once nothing moves any more: stop stepping, drawing, uploading.
   bool atRest() const { return atRest_; }
@@ -50,7 +57,14 @@ class BendField {
   // Takes the transform over and returns how much the velocity has changed.
   RigidVelocity follow(const Mat4& modelToWorld, float dt);
 
+  // What a force of `climate` at vertex i leads to.
+  template <class Climate>
+  Vec3 targetAt(const Climate& climate, std::size_t i, float wet) const;
+  // A force as it acts on the strand of vertex i: turned with the strand's chord to where that would stand upright.
+  Vec3 uprighted(const Vec3& force, std::size_t i) const;
+
   std::vector<Vec3> positions_, directions_;
+  std::vector<Vec3> rests_, chords_;  // unit chords; both empty when nothing is combed
   std::vector<Vec3> velocities_;  // of the bends, rad/s
   std::vector<Vec4> bends_;
   Mat4 lastTransform_{1.0f};

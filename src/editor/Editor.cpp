@@ -64,6 +64,7 @@ std::vector<Command> Editor::frame(const EditorModel& model, const ThemeScale& s
     drawWater(model);
     settings::Settings edited = model.settings;
     for (Command& command : coat_.draw(model, edited, {.tooltips = !touch_, .roomy = roomy_})) emit(std::move(command));
+    for (Command& command : groom_.draw(model, edited, !touch_)) emit(std::move(command));
     drawSettings(edited);
     if (edited != model.settings) {
       if (!changing_) emit(command::BeginChange{});
@@ -75,6 +76,7 @@ std::vector<Command> Editor::frame(const EditorModel& model, const ThemeScale& s
     ImGui::EndChild();
   } else {
     coat_.hide();
+    groom_.hide();
   }
   ImGui::End();
   // ImGui gives the focus to a window of its own first and then hands it on; arrow keys are the camera's
@@ -174,11 +176,11 @@ void Editor::drawScene(const EditorModel& model) {
       break;
   }
   if (model.fileAccess == FileAccess::Dialog) {
-    if (ImGui::Button("Open .glb, .gltf, .obj, .fo or .fts", ImVec2(-1, 0))) emit(command::OpenDialog{});
+    if (ImGui::Button("Open a model, a coat or a length map", ImVec2(-1, 0))) emit(command::OpenDialog{});
     return;
   }
   ImGui::SetNextItemWidth(-px(56));
-  const bool entered = ImGui::InputTextWithHint("##path", "Path of a model or .fts, or drop one", path_,
+  const bool entered = ImGui::InputTextWithHint("##path", "Path of a model, .fts or .png, or drop one", path_,
                                                 sizeof path_, ImGuiInputTextFlags_EnterReturnsTrue);
   ImGui::SameLine(0, px(3));
   const bool pressed = ImGui::Button("Open", ImVec2(-1, 0));
@@ -193,7 +195,8 @@ void Editor::drawWater(const EditorModel& model) {
                                  {"Move", model.tool == Tool::Grab},
                                  {"Orbit", model.tool == Tool::None}},
                                 {Icon::Droplet, Icon::Dry, Icon::Move, Icon::Orbit});
-  if (tool >= 0) emit(command::SetTool{static_cast<Tool>(tool)});
+  constexpr Tool kTools[] = {Tool::Droplet, Tool::Dry, Tool::Grab, Tool::None};
+  if (tool >= 0) emit(command::SetTool{kTools[tool]});
   const float button = px(64), gap = px(3);
   char text[32];
   std::snprintf(text, sizeof text, "%.0f %% wet", static_cast<double>(model.meanWetness) * 100);
@@ -219,6 +222,7 @@ void Editor::drawSettings(settings::Settings& edited) {
 
 void Editor::drawStats(const EditorModel& model) {
   if (!groupHeader("Share and statistics")) return;
+  if (ImGui::Button("Save scene (.glb)", ImVec2(-1, 0))) emit(command::SaveScene{});
   const float half = (ImGui::GetContentRegionAvail().x - px(3)) * 0.5f;
   if (ImGui::Button("Copy settings", ImVec2(half, 0))) emit(command::CopyState{});
   ImGui::SameLine(0, px(3));

@@ -13,6 +13,7 @@
 #include "core/Math.h"
 #include "editor/CoatPanel.h"
 #include "editor/EditorModel.h"
+#include "editor/GroomPanel.h"
 #include "editor/InputQueue.h"
 #include "editor/Theme.h"
 
@@ -30,6 +31,9 @@ class Editor {
 
   // The pictures of the tile that the panel shows; none while that part of it is closed.
   std::optional<TileView> shownTile() const { return coat_.shownTile(); }
+
+  // Whether the picture of the groom's map is on the screen.
+  bool showsGroom() const { return groom_.shownMap(); }
 
   // Whether a change has begun and not ended.
   bool changing() const { return changing_; }
@@ -52,6 +56,7 @@ class Editor {
   void emit(Command command) { commands_.push_back(std::move(command)); }
 
   CoatPanel coat_;
+  GroomPanel groom_;
   std::vector<Command> commands_;
   char filter_[64] = "";
   char path_[1024] = "";

@@ -17,7 +17,7 @@
 namespace fur::editor {
 
 // In the order of app::Tool, which EditorHost checks.
-enum class Tool { Droplet, Dry, Grab, None };
+enum class Tool { Droplet, Dry, Comb, Smooth, Raise, Trim, Grow, Type, Grab, None };
 
 // How a person can bring a file: through a dialog of the platform, or by typing its path.
 enum class FileAccess { Dialog, Path };
@@ -49,6 +49,18 @@ struct CoatView {
   int tileSize = 0;  // texels
 };
 
+// In the order of app::GroomEdit, which EditorHost checks.
+enum class GroomEdit { Clear, Length, Invert, Vary, Type, Comb, Raise, Size };
+
+// The groom of the model, shares of its surface as groom::Coverage has them.
+struct GroomView {
+  float bald = 0, length = 1;
+  float types[4] = {1, 0, 0, 0};
+  int mapSize = 256;
+  bool plain = true;           // nothing of it is anybody's work
+  ImTextureID map = nullptr;   // a picture while Editor::showsGroom(); null until it is there
+};
+
 struct EditorModel {
   settings::Settings settings;
   Tool tool = Tool::Droplet;
@@ -61,6 +73,7 @@ struct EditorModel {
   std::size_t cpuBytes = 0, gpuBytes = 0;
   std::span<const float> frameSeconds;  // the last frames, oldest first
   CoatView coat;
+  GroomView groom;
 };
 
 namespace command {
@@ -94,6 +107,12 @@ struct ApplyPreset {
 };
 struct SaveTypeSet {};  // the coat as .fts
 struct SaveFo {};       // the model as .fo
+struct SaveScene {};    // all of it as .glb
+struct GroomAll {       // app::App::groomAll()
+  GroomEdit edit = GroomEdit::Clear;
+  float value = 1;
+  Vec3 direction{0};
+};
 struct DismissMessage {
   std::size_t index;
 };
@@ -103,6 +122,7 @@ using Command = std::variant<command::BeginChange, command::EndChange, command::
                              command::SetWetness, command::LoadPrimitive, command::LoadBunny,
                              command::OpenDialog, command::OpenPath, command::ResetCamera, command::Undo,
                              command::Redo, command::CopyState, command::PasteState, command::ApplyPreset,
-                             command::SaveTypeSet, command::SaveFo, command::DismissMessage>;
+                             command::SaveTypeSet, command::SaveFo, command::SaveScene, command::GroomAll,
+                             command::DismissMessage>;
 
 }  // namespace fur::editor

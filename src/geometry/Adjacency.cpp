@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/Sort.h"
+
 namespace fur::geometry {
 
 std::vector<TriangleSide> sortedSides(const std::vector<std::uint32_t>& indices, const Weld& weld) {
@@ -25,7 +27,7 @@ std::vector<TriangleSide> sortedSides(const std::vector<std::uint32_t>& indices,
                                      static_cast<std::uint32_t>(i % 3), a < b};
   }
   for (std::size_t i = 0; i + 1 < start.size(); ++i) {
-    std::sort(sides.begin() + start[i], sides.begin() + start[i + 1], [](const auto& x, const auto& y) {
+    sortStably(sides.begin() + start[i], sides.begin() + start[i + 1], [](const auto& x, const auto& y) {
       return x.high != y.high ? x.high < y.high : x.triangle != y.triangle ? x.triangle < y.triangle : x.side < y.side;
     });
   }

@@ -4,12 +4,13 @@
 #include <cmath>
 
 #include "core/PortableMath.h"
+#include "core/Sort.h"
 
 namespace {
 // Stable, since qsort orders equals differently in each C library.
 template <class Rect>
 void sortRects(Rect* rects, int count, int (*compare)(const void*, const void*)) {
-  std::stable_sort(rects, rects + count, [&](const Rect& a, const Rect& b) { return compare(&a, &b) < 0; });
+  fur::sortStably(rects, rects + count, [&](const Rect& a, const Rect& b) { return compare(&a, &b) < 0; });
 }
 }  // namespace
 
@@ -81,7 +82,7 @@ constexpr std::size_t kMaxSkylineBoxes = 5000;
 bool packRows(std::vector<stbrp_rect>& rects, int cells) {
   std::vector<std::size_t> order(rects.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rects[a].h > rects[b].h; });
+  sortStably(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rects[a].h > rects[b].h; });
   int x = 0, y = 0, rowHeight = 0;
   for (const std::size_t i : order) {
     if (x + rects[i].w > cells) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/Sort.h"
 #include "geometry/TriangleGrid.h"
 
 namespace fur::geometry {
@@ -47,7 +48,7 @@ class Cloth {
       for (std::size_t k = 0; k < 3; ++k) pointOf[weld.idOf[indices[3 * t + k]]] = kNone;
     }
     const auto same = [](const Spring& x, const Spring& y) { return x.a == y.a && x.b == y.b; };
-    std::sort(springs.begin(), springs.end(), [](const Spring& x, const Spring& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
+    sortStably(springs.begin(), springs.end(), [](const Spring& x, const Spring& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
     springs.erase(std::unique(springs.begin(), springs.end(), same), springs.end());
     springs_ = std::move(springs);
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <queue>
 
+#include "core/Sort.h"
 #include "geometry/Adjacency.h"
 #include "geometry/ChartRelaxation.h"
 #include "geometry/TriangleGrid.h"
@@ -290,13 +291,13 @@ class ChartMaker {
       }
     }
     const auto byPair = [](const Border& x, const Border& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; };
-    std::stable_sort(borders.begin(), borders.end(), byPair);
+    sortStably(borders.begin(), borders.end(), byPair);
     std::vector<Border> sums;
     for (const Border& border : borders) {
       if (!sums.empty() && sums.back().a == border.a && sums.back().b == border.b) sums.back().length += border.length;
       else sums.push_back(border);
     }
-    std::stable_sort(sums.begin(), sums.end(), [](const Border& x, const Border& y) { return x.length > y.length; });
+    sortStably(sums.begin(), sums.end(), [](const Border& x, const Border& y) { return x.length > y.length; });
     return sums;
   }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/Sort.h"
 #include "geometry/Adjacency.h"
 #include "geometry/AtlasUv.h"
 #include "geometry/CubeMapping.h"
@@ -24,7 +25,7 @@ float medianDensity(const Mesh& mesh) {
     scales.emplace_back(static_cast<float>(std::sqrt(std::abs(a.x * b.y - a.y * b.x) / area)), area);
     total += area;
   }
-  std::sort(scales.begin(), scales.end());
+  sortStably(scales.begin(), scales.end());
   double sum = 0.0;
   for (const auto& [scale, area] : scales)
     if ((sum += area) >= 0.5 * total) return scale;

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/Sort.h"
+
 namespace fur::geometry {
 
 namespace {
@@ -50,8 +52,8 @@ FurDensity measureFurDensity(const Surface& surface) {
     const double stretch = least > 0.0 ? most / least : std::numeric_limits<double>::infinity();
     out.worstStretch = std::max(out.worstStretch, static_cast<float>(stretch));
   }
-  std::sort(scales.begin(), scales.end());
-  std::sort(lengths.begin(), lengths.end());
+  sortStably(scales.begin(), scales.end());
+  sortStably(lengths.begin(), lengths.end());
   out.low = percentile(scales, 0.05);
   out.median = percentile(scales, 0.5);
   out.high = percentile(scales, 0.95);

@@ -250,19 +250,22 @@ class Lapper {
   FurOverlap emit() {
     FurOverlap out;
     out.chartOfVertex.resize(surface_.vertices.size());
-    std::vector<std::uint32_t> copied;
+    std::vector<std::uint32_t> copied, copiedFrom;
     reached_.assign(weld_.count, kNobody);
     ownShown_.assign(chartOf_.size(), true);
     for (std::uint32_t chart = 0; chart < laps_.size(); ++chart) {
       emitOwn(chart, out.chartOfVertex);
-      emitCopies(chart, out.chartOfVertex, copied);
+      emitCopies(chart, out.chartOfVertex, copied, copiedFrom);
       for (const auto& [p, g] : laps_[chart].near) reached_[p] = std::max(reached_[p], g);
     }
     for (std::uint32_t t = 0; t < chartOf_.size(); ++t)
-      if (ownShown_[t])
+      if (ownShown_[t]) {
+        out.triangleOf.push_back(t);
         for (std::size_t k = 0; k < 3; ++k) surface_.furIndices.push_back(surface_.indices[3 * t + k]);
+      }
     out.firstCopy = surface_.furIndices.size();
     surface_.furIndices.insert(surface_.furIndices.end(), copied.begin(), copied.end());
+    out.triangleOf.insert(out.triangleOf.end(), copiedFrom.begin(), copiedFrom.end());
     return out;
   }
 
@@ -279,11 +282,13 @@ class Lapper {
     }
   }
 
-  void emitCopies(std::uint32_t chart, std::vector<std::uint32_t>& chartOfVertex, std::vector<std::uint32_t>& copied) {
+  void emitCopies(std::uint32_t chart, std::vector<std::uint32_t>& chartOfVertex, std::vector<std::uint32_t>& copied,
+                  std::vector<std::uint32_t>& copiedFrom) {
     const std::vector<FlatCorner>& corners = laps_[chart].corners;
     std::unordered_map<std::uint64_t, std::uint32_t> vertexOf;  // looked up only: its order never shows
     for (const Copy& copy : laps_[chart].copies) {
       if (hard_[chartOf_[copy.triangle]] || !hasStrands(corners, copy)) continue;
+      copiedFrom.push_back(copy.triangle);
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t source = surface_.indices[3 * copy.triangle + k];
         const std::uint64_t key = std::uint64_t{copy.corners[k]} << 32 | source;

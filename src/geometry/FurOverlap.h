@@ -1,4 +1,4 @@
-// Lets fur charts overlap, so that no strand ends as half a hair where two of them meet (after lapped
+// Lets fur charts overlap, so that no border shows where two of them meet (after lapped
 // textures: Praun, Finkelstein, Hoppe 2000, which Lengyel et al. 2001 used for shells).
 //
 // Each chart reaches over its border into charts of higher index, up to kReach along the surface: it
@@ -9,7 +9,9 @@
 //   F_k = max of g_0 .. g_k
 // chart k shows the strands from F_(k-1) to F_k, clamped to 0..1 (SurfaceVertex::strands). One chart's
 // upper end is the next one's lower end, and the chart that owns the triangle ends at 1: at every point the
-// charts' intervals together are 0..1, each number once. So as many strands stand there as elsewhere.
+// charts' intervals together are 0..1, each number once. So as many strands stand there as elsewhere. A picture of
+// strands (src/truth) takes their numbers; shells, whose rays go further than a zone is wide, give each chart a share as
+// large of every pixel.
 //
 // No room: a chart of some size whose neighbours' zones would cover it more than once over (a cube's
 // face of two triangles) keeps hard borders, nobody reaches into it. So do all charts from the one on
@@ -32,9 +34,10 @@ inline constexpr std::size_t kMostCopies = 4;
 
 // Appends the copies to `vertices`, sets `strands` of all of them and makes furIndices. `chartOf` has the
 // fur chart of every triangle, `weld` is over the vertices (all of them true ones). Returns the fur
-// chart of every vertex, and where the copied triangles start in furIndices.
+// chart of every vertex, the triangles that furIndices lie on, and where the copied triangles start in furIndices.
 struct FurOverlap {
   std::vector<std::uint32_t> chartOfVertex;
+  std::vector<std::uint32_t> triangleOf;  // one a triangle of furIndices: the triangle of indices that it lies on
   std::size_t firstCopy = 0;
 };
 FurOverlap overlapFurCharts(Surface& surface, const std::vector<std::uint32_t>& chartOf, std::uint32_t chartCount,

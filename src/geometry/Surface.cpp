@@ -6,6 +6,7 @@
 #include "geometry/Adjacency.h"
 #include "geometry/AtlasUv.h"
 #include "geometry/ChartPacking.h"
+#include "geometry/Curvature.h"
 #include "geometry/FurCharts.h"
 #include "geometry/FurOverlap.h"
 #include "geometry/SurfaceEdges.h"
@@ -59,12 +60,12 @@ struct AtlasLayout {
   std::vector<Vec2> corners;           // three a triangle
 };
 
-AtlasLayout ownLayout(const Mesh& mesh, const Weld& weld) {
+AtlasLayout ownLayout(const Mesh& mesh, const std::vector<Vec2>& uv, const Weld& weld) {
   AtlasLayout layout;
   const auto across = neighboursAcrossSides(sortedSides(mesh.indices, weld), mesh.triangleCount());
-  layout.chartOf = uvIslands(mesh.positions, mesh.uv, mesh.indices, across, layout.chartCount);
+  layout.chartOf = uvIslands(mesh.positions, uv, mesh.indices, across, layout.chartCount);
   layout.corners.reserve(mesh.indices.size());
-  for (const std::uint32_t vertex : mesh.indices) layout.corners.push_back(mesh.uv[vertex]);
+  for (const std::uint32_t vertex : mesh.indices) layout.corners.push_back(uv[vertex]);
   return layout;
 }
 
@@ -119,7 +120,8 @@ Result<Surface> buildSurface(const Mesh& mesh, FurMapping mapping) {
   const Weld weld = weldPositions(whole.positions);
   const Charts fur = furCharts(whole, weld, mapping);
   AtlasLayout atlas;
-  if (isUniqueAtlas(whole, whole.indices)) atlas = ownLayout(whole, weld);
+  if (whole.atlas.size() == whole.positions.size()) atlas = ownLayout(whole, whole.atlas, weld);
+  else if (isUniqueAtlas(whole, whole.indices)) atlas = ownLayout(whole, whole.uv, weld);
   else if (mapping == FurMapping::Charts && whole.furUv.empty()) atlas = packedLayout(fur);
   else atlas = packedLayout(makeCharts(whole.positions, whole.indices, weld));
 
@@ -131,7 +133,12 @@ Result<Surface> buildSurface(const Mesh& mesh, FurMapping mapping) {
   std::vector<std::uint32_t> triangles = surface.indices;
   triangles.insert(triangles.end(), surface.furIndices.begin() + static_cast<std::ptrdiff_t>(overlap.firstCopy),
                    surface.furIndices.end());
-  computeSteps(surface, triangles, overlap.chartOfVertex, weldVertices(surface));
+  const Weld weldAll = weldVertices(surface);
+  computeSteps(surface, triangles, overlap.chartOfVertex, weldAll);
+  computeCurvature(surface, surface.indices, weldAll);
+  std::vector<std::uint32_t> furChartOf(overlap.triangleOf.size());
+  for (std::size_t t = 0; t < furChartOf.size(); ++t) furChartOf[t] = overlap.chartOfVertex[surface.furIndices[3 * t]];
+  surface.furClusters = makeFurClusters(surface, overlap.triangleOf, furChartOf);
   return surface;
 }
 

@@ -1,7 +1,7 @@
 // A mesh made ready to carry fur: three texture domains, their gradients, the edges for fins.
 //
 //   uv     the model's own, for its base colour texture; may overlap or repeat
-//   atlas  unique: every surface point has its own texel in [0,1]^2 (wetness, groom). The model's
+//   atlas  unique: every surface point has its own texel in [0,1]^2 (wetness, groom). Mesh::atlas, else the model's
 //          uv when they lie in [0,1]^2, no two triangles overlap and all have an area there (AtlasUv.h);
 //          else packed charts with a gutter of two texels of a 256^2 map (ChartPacking.h)
 //   fur    the repeating domain of the fur tile: 1 unit = 1 tile at repeat 1, that is 1 model unit
@@ -15,6 +15,7 @@
 
 #include "core/Math.h"
 #include "core/Result.h"
+#include "geometry/FurClusters.h"
 #include "geometry/Mesh.h"
 
 namespace fur::geometry {
@@ -33,6 +34,9 @@ struct SurfaceVertex {
   // coordinates by (dot(gradS, x), dot(gradT, x)). Both are perpendicular to the normal.
   Vec3 gradS;
   Vec3 gradT;
+  // The shape operator, how the normal turns along the surface: (S_ss, S_st, S_tt) in the axes of
+  // Curvature.h, per model unit; positive where the surface is convex.
+  Vec3 curvature{0.0f};
   // d(atlas)/d(fur), a 2x2 matrix by columns: (du/ds, dv/ds, du/dt, dv/dt). Invertible.
   Vec4 atlasFromFur;
   // The strands that are drawn here: those whose own number, evenly spread over 0..1, lies in [x, y).
@@ -56,6 +60,8 @@ struct Surface {
   std::size_t trueVertexCount = 0;
   std::vector<std::uint32_t> indices;     // the surface, each triangle once
   std::vector<std::uint32_t> furIndices;  // for shells: of every fur chart all triangles that it has strands on
+  std::vector<std::uint32_t> ownFurIndices;  // those of indices by clusters: shells so far off that overlaps do not show
+  std::vector<FurCluster> furClusters;       // parts of the two
   std::vector<SurfaceEdge> edges;
   std::uint32_t chartCount = 0;
 

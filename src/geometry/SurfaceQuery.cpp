@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/Sort.h"
+
 namespace fur::geometry {
 
 namespace {
@@ -82,7 +84,7 @@ SurfaceQuery::SurfaceQuery(const Surface& surface) {
     const Vec3 extent = highCentre - lowCentre;
     const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
     const auto begin = order_.begin() + first;
-    std::nth_element(begin, begin + size / 2, begin + size, [&](std::uint32_t a, std::uint32_t b) {
+    sortStably(begin, begin + size, [&](std::uint32_t a, std::uint32_t b) {
       return centres[a][axis] != centres[b][axis] ? centres[a][axis] < centres[b][axis] : a < b;
     });
     const auto child = static_cast<std::uint32_t>(nodes_.size());
@@ -160,7 +162,7 @@ std::vector<std::uint32_t> SurfaceQuery::trianglesWithin(const Vec3& centre, flo
       }
     }
   }
-  std::sort(found.begin(), found.end());
+  sortStably(found.begin(), found.end());
   return found;
 }
 

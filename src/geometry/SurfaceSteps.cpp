@@ -5,6 +5,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "core/Sort.h"
+
 namespace fur::geometry {
 
 namespace {
@@ -17,7 +19,7 @@ std::vector<std::uint32_t> furPoints(const std::vector<SurfaceVertex>& vertices,
   };
   std::vector<std::uint32_t> order(vertices.size()), points(vertices.size());
   std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+  sortStably(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
   std::uint32_t point = 0;
   for (std::size_t i = 0; i < order.size(); ++i) {
     if (i > 0 && key(order[i]) != key(order[i - 1])) ++point;

@@ -105,6 +105,7 @@ namespace {
 void toggle(GLenum what, bool on) { on ? glEnable(what) : glDisable(what); }
 
 int platformFramebuffer = 0;
+int samplesOfPlatform = 0;
 
 }  // namespace
 
@@ -112,6 +113,7 @@ void apply(const DrawState& state) {
   toggle(GL_DEPTH_TEST, state.depthTest);
   toggle(GL_CULL_FACE, state.cullBack);
   toggle(GL_BLEND, state.blend != Blend::None);
+  toggle(GL_SAMPLE_ALPHA_TO_COVERAGE, state.alphaToCoverage);
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_STENCIL_TEST);
   glDepthFunc(GL_LEQUAL);
@@ -120,7 +122,7 @@ void apply(const DrawState& state) {
   glBlendEquation(GL_FUNC_ADD);
   switch (state.blend) {
     case Blend::None: break;
-    case Blend::Over: glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA); break;  // premultiplied
+    case Blend::Add: glBlendFunc(GL_ONE, GL_ONE); break;
     case Blend::Multiply: glBlendFunc(GL_ZERO, GL_SRC_COLOR); break;
   }
 }
@@ -134,7 +136,16 @@ void clear(const Vec4& color) {
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-void rememberPlatformFramebuffer() { glGetIntegerv(GL_FRAMEBUFFER_BINDING, &platformFramebuffer); }
+void clearDepth() {
+  glDepthMask(true);
+  glClear(GL_DEPTH_BUFFER_BIT);
+}
+
+void rememberPlatformFramebuffer() {
+  glGetIntegerv(GL_FRAMEBUFFER_BINDING, &platformFramebuffer);
+  glGetIntegerv(GL_SAMPLES, &samplesOfPlatform);
+}
+int platformSamples() { return samplesOfPlatform; }
 void bindPlatformFramebuffer() { glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(platformFramebuffer)); }
 
 std::vector<std::uint8_t> readPixels(int width, int height) {

@@ -103,7 +103,8 @@ class VertexArray {
 // Draws `vertexCount` vertices without attributes (gl_VertexID alone).
 void drawWithoutVertices(int vertexCount);
 
-enum class TexelFormat { RG8, RGBA8, RGBA32F };
+// RGBA16F is filtered as bytes are, and takes its texels as 32-bit floats.
+enum class TexelFormat { RG8, RGBA8, RGBA16F, RGBA32F };
 // Mipmapped: bilinear within the level that the shader asks for. Crisp: squares when magnified, trilinear else.
 enum class Filter { Nearest, Linear, Mipmapped, Trilinear, Crisp };
 
@@ -139,8 +140,8 @@ class Texture {
 class Target {
  public:
   Target() = default;
-  // One colour texture, no depth.
-  static Result<Target> toTexture(const Texture& texture);
+  // One colour texture, or each of up to four layers of an array as a colour of its own; depth of 24 bits if wanted.
+  static Result<Target> toTexture(const Texture& texture, bool depth = false);
   // Colour and depth renderbuffers of `samples` (0: plain), for pictures without a window.
   static Result<Target> offscreen(int width, int height, int samples);
   void bind() const;
@@ -151,20 +152,23 @@ class Target {
   Name framebuffer_, color_, depth_;
 };
 
-enum class Blend { None, Over, Multiply };
+enum class Blend { None, Multiply, Add };
 
 struct DrawState {
   bool depthTest = true, depthWrite = true, cullBack = true;
   Blend blend = Blend::None;
+  bool alphaToCoverage = false;
   bool red = true, green = true, blue = true, alpha = true;  // channels written
 };
 void apply(const DrawState& state);
 
 void setViewport(int width, int height);
 void clear(const Vec4& color);
+void clearDepth();  // alone
 void bindPlatformFramebuffer();
 // The framebuffer that is bound now becomes the platform's (called once at attach).
 void rememberPlatformFramebuffer();
+int platformSamples();  // a pixel of it; 0: no multisampling
 // RGBA8 rows from the top of the bound framebuffer.
 std::vector<std::uint8_t> readPixels(int width, int height);
 

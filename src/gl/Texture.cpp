@@ -16,6 +16,7 @@ Layout layoutOf(TexelFormat format) {
   switch (format) {
     case TexelFormat::RG8: return {GL_RG8, GL_RG, GL_UNSIGNED_BYTE, 2};
     case TexelFormat::RGBA8: break;
+    case TexelFormat::RGBA16F: return {GL_RGBA16F, GL_RGBA, GL_FLOAT, 16};
     case TexelFormat::RGBA32F: return {GL_RGBA32F, GL_RGBA, GL_FLOAT, 16};
   }
   return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
@@ -103,7 +104,7 @@ void Texture::bind(int unit) const {
 std::size_t Texture::bytes() const {
   if (!name_) return 0;
   const auto base = static_cast<std::size_t>(shape_.width) * shape_.height * std::max(shape_.layers, 1) *
-                    layoutOf(shape_.format).bytes;
+                    (shape_.format == TexelFormat::RGBA16F ? 8 : layoutOf(shape_.format).bytes);
   return hasLevels(shape_) ? base * 4 / 3 : base;
 }
 
@@ -132,11 +133,20 @@ Status checkComplete(const char* what) {
 
 }  // namespace
 
-Result<Target> Target::toTexture(const Texture& texture) {
+Result<Target> Target::toTexture(const Texture& texture, bool depth) {
   Target target;
   target.framebuffer_ = makeFramebuffer();
+  if (depth) target.depth_ = makeRenderbuffer(GL_DEPTH_COMPONENT24, texture.shape().width, texture.shape().height, 0);
   target.bind();
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.id(), 0);
+  const int layers = texture.shape().layers;
+  const GLenum colors[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2, GL_COLOR_ATTACHMENT3};
+  FUR_ASSERT(layers <= 4, "Target::toTexture()", "at most four layers", layers);
+  for (int i = 0; i < layers; ++i) glFramebufferTextureLayer(GL_FRAMEBUFFER, colors[i], texture.id(), 0, i);
+  if (layers)
+    glDrawBuffers(layers, colors);
+  else
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.id(), 0);
+  if (depth) glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, target.depth_.id());
   const Status status = checkComplete("Target::toTexture()");
   bindPlatformFramebuffer();
   if (!status) return status.error();

@@ -19,11 +19,77 @@ float kajiyaSpecular(const Vec3& tangent, const Vec3& light, const Vec3& view, f
   return base > 0.0f ? std::pow(base, exponent) : 0.0f;
 }
 
+float shiftedCosine(const Vec3& tangent, const Vec3& light, const Vec3& view, float shift) {
+  const float tl = glm::dot(tangent, light), tv = glm::dot(tangent, view);
+  const float sl = sineOf(tl), sv = sineOf(tv);
+  return (sl * sv - tl * tv) * std::cos(shift) + (tl * sv + tv * sl) * std::sin(shift);
+}
+
+float kajiyaLobe(float cosine, float exponent) {
+  float x = std::max(0.0f, 1.0f - exponent * (1.0f - cosine) / 8.0f);
+  x *= x;
+  x *= x;
+  return x * x;
+}
+
+Vec2 lobeShifts(float strand) { return Vec2(-0.14f, 0.2f) + 0.3f * (strand - 0.5f); }
+
+float rimLight(float lightDotView, float normalDotView, float height) {
+  const float behind = std::max(-lightDotView, 0.0f), thin = saturate(1.0f - std::abs(normalDotView));
+  return behind * behind * behind * behind * thin * thin * height;
+}
+
 float furShadow(float height, float density, float nDotL) {
   const float f = 1.0f - saturate(nDotL);
   // Also where nothing stands to cast one.
   if (f <= 0.0f || density <= 0.0f) return 1.0f;
   return saturate((4.0f * height / density - 3.0f * f) / f);
+}
+
+float keyShare(const StrandLook& look, float height, float nDotL, float lit) {
+  // The body shades its own far side: object over fur, clamp(N.L + 0.5).
+  const float body = saturate(nDotL + 0.5f);
+  return lit * body * glm::mix(1.0f, furShadow(height, look.density, nDotL), look.strandShadow);
+}
+
+Vec3 shadeStrand(const StrandLook& look, const Vec3& albedo, const Vec3& tangent, const Vec3& light, const Vec3& view,
+                 float nDotL, float height, float wetness, float key, float rim, const Vec3& sky, float strand) {
+  const float exponent = std::max(look.exponent * (1.0f + look.wetGloss * (wetness - 1.0f)), 1.0f);
+  // A lobe's energy falls as its exponent rises; sqrt(p) keeps a strand's total about even.
+  const float strength = look.gloss * std::sqrt(exponent / look.exponent);
+  const Vec2 shifts = lobeShifts(strand);
+  const auto lobe = [&](float shift, float p) { return kajiyaLobe(shiftedCosine(tangent, light, view, shift), p); };
+  const Vec3 gloss = strength * key * ((0.7f + 0.3f * wetness) * lobe(shifts.x, exponent) + albedo * lobe(shifts.y, 0.5f * exponent));
+  const float diffuse = glm::mix(kajiyaDiffuse(tangent, light), std::max(nDotL, 0.0f), look.lambert);
+  const Vec3 color = albedo * (key * diffuse + 1.6f * rim + sky) + gloss;
+  return color * (1.0f + look.occlusion * (height - 1.0f)) * (1.0f - look.wetDarkening * wetness);
+}
+
+Vec3 strandColor(const Vec3& root, const Vec3& tip, float height, float variance, float spread) {
+  return glm::mix(root, tip, height) * (1.0f + spread * 1.3f * (variance - 0.5f));
+}
+
+Vec3 toneMap(const Vec3& linear, float exposure) {
+  const Vec3 x = linear * exposure, over = glm::max(x - 0.6f, Vec3(0.0f));
+  return glm::min(x, Vec3(0.6f)) + 0.4f * over / (over + 0.4f);
+}
+
+Vec3 encodeSrgb(const Vec3& linear) {
+  Vec3 out;
+  for (int k = 0; k < 3; ++k) {
+    const float x = saturate(linear[k]);
+    out[k] = x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1.0f / 2.4f) - 0.055f;
+  }
+  return out;
+}
+
+Vec3 decodeSrgb(const Vec3& shown) {
+  Vec3 out;
+  for (int k = 0; k < 3; ++k) {
+    const float x = saturate(shown[k]);
+    out[k] = x <= 0.04045f ? x / 12.92f : std::pow((x + 0.055f) / 1.055f, 2.4f);
+  }
+  return out;
 }
 
 }  // namespace fur::hair

@@ -1,4 +1,4 @@
-// Light on one strand, as plain numbers: the C++ twins of what the shaders do.
+// Light on one strand, as plain numbers: the C++ twins of what the shaders do (common_shading.glsl).
 // T is the unit tangent root to tip; L and V point away from the strand, towards light and eye.
 #pragma once
 
@@ -11,7 +11,45 @@ float kajiyaDiffuse(const Vec3& tangent, const Vec3& light);
 // max(0, sin(T,L) sin(T,V) - (T.L)(T.V))^p. The printed forms (Halen 3.2.1, Silva Eq. 3) have L the
 // way the light travels; this peaks on the cone T.V = -T.L (Sheppard Eq. 2.4).
 float kajiyaSpecular(const Vec3& tangent, const Vec3& light, const Vec3& view, float exponent);
+// What the shaders draw of it, without powers, in two lobes (Marschner et al. 2003 saw them; Scheuermann 2004 gave
+// them to Kajiya and Kay's model): `cosine` is cos(x - shift) where x = theta_L + theta_V is 0 on that cone.
+// A shift moves the highlight along the strand, positive towards the tip.
+float shiftedCosine(const Vec3& tangent, const Vec3& light, const Vec3& view, float shift);
+// max(0, 1 - p (1 - cosine) / 8)^8, within 0.05 of cosine^p for p >= 8; 1 at cosine 1.
+float kajiyaLobe(float cosine, float exponent);
+// The two shifts of a strand whose random number is 0..1: strands of one lock shine at different heights.
+Vec2 lobeShifts(float strand);
+// Light from behind that shines through the thin edge of the coat, relative to the light: max(0, -L.V)^4, as
+// fur scatters forwards, by (1 - |N.V|)^2 h, as only the edge is thin.
+float rimLight(float lightDotView, float normalDotView, float height);
 // Sheppard Eq. 3.3-3.4: F = 1 - N.L, S = clamp((4 h / d - 3 F) / F); F = 0 casts no shadow: 1.
 float furShadow(float height, float density, float nDotL);
+
+// How a coat answers to light; the names are those of the settings.
+struct StrandLook {
+  float lambert = 0.4f, gloss = 0.45f;
+  float exponent = 60;  // when soaked
+  float strandShadow = 0.6f;
+  float occlusion = 0.6f, wetDarkening = 0.4f, wetGloss = 0.8f;  // sigma_occ, sigma_wet, sigma_spec
+  float density = 0.4f;  // share of the densest layer that strands cover
+};
+
+// The share of the key light that comes to height h of the coat on a body whose normal has that cosine to the light;
+// `lit` is what the strands next to it leave.
+float keyShare(const StrandLook& look, float height, float nDotL, float lit);
+// Light of one colour share from strand to eye, all vectors in one frame: Kajiya & Kay 1989 with a Lambert term and
+// the factors of Silva et al. 2010, Eq. 2-5; two lobes, a white one and a wider one of the strand's colour. `key` is the
+// light that arrives, `rim` what of it comes through the coat's edge (rimLight()), `sky` that from all round; `strand`
+// the strand's random number.
+Vec3 shadeStrand(const StrandLook& look, const Vec3& albedo, const Vec3& tangent, const Vec3& light, const Vec3& view,
+                 float nDotL, float height, float wetness, float key, float rim, const Vec3& sky, float strand);
+// Root to tip, brighter or darker from strand to strand (variance and spread in 0..1).
+Vec3 strandColor(const Vec3& root, const Vec3& tip, float height, float variance, float spread);
+
+// Linear light to linear light as a screen shows it: straight up to 0.6, then towards 1.
+Vec3 toneMap(const Vec3& linear, float exposure);
+// IEC 61966-2-1, both ways. The shaders' encodeSrgb() is a fit of the first within 0.0015.
+Vec3 encodeSrgb(const Vec3& linear);
+Vec3 decodeSrgb(const Vec3& shown);
 
 }  // namespace fur::hair

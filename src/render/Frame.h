@@ -18,7 +18,15 @@ struct Frame {
   CameraPose camera;
   int width = 1, height = 1;  // pixels of the drawing buffer
   float groundHeight = -1;    // world y
+  // Times that the coat is entered: once at its outside, then again further in, for rays that left the coat of one
+  // part of the body and go on deep in that of another. Only rays that found nothing yet pay for it.
+  int slabs = 1;
+  // The march's steps are this many times as long as is good for the picture: 1 and more.
+  float stepLength = 1;
+  // The picture is drawn in this share of its width and of its height, then enlarged: above 0, up to 1.
+  float pixelScale = 1;
   bool wet = false;           // any texel of the mask is: picks the shaders that look at it
+  bool groomed = false;       // the groom's map says more than full length of one type: likewise
   Vec4 baseColorFactor{1.0f};
 };
 

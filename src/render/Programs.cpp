@@ -1,29 +1,50 @@
 #include "render/Programs.h"
 
 #include "render/ShaderSources.h"
+#include "render/ShaderText.h"
 #include "shared/Blocks.h"
 
 namespace fur::render {
 
 namespace {
 
+// Apart from the vertex shaders, and named first: the linker keeps this order, in which fragment shaders, which
+// share most of their text, lie within the 32 KB that the download's compression looks back.
+const char* fragmentOf(Shader shader) {
+  switch (shader) {
+    case Shader::Background: return shaders::kBackgroundFrag;
+    case Shader::GroundShadow: return shaders::kGroundShadowFrag;
+    case Shader::Blur: return shaders::kBlurFrag;
+    case Shader::Ground: return shaders::kGroundFrag;
+    case Shader::Skin: return shaders::kSkinFrag;
+    case Shader::Shell: return shaders::kShellFrag;
+    case Shader::Fin: return shaders::kFinFrag;
+    case Shader::ShadowMap: return shaders::kShadowMapFrag;
+    case Shader::Enlarge: return shaders::kEnlargeFrag;
+    case Shader::ShadowBlur: break;
+  }
+  return shaders::kShadowBlurFrag;
+}
+
 struct Source {
   const char* label;
   const char* vertex;
-  const char* fragment;
 };
 
 Source sourceOf(Shader shader) {
   switch (shader) {
-    case Shader::Background: return {"background", shaders::kScreenVert, shaders::kBackgroundFrag};
-    case Shader::GroundShadow: return {"ground_shadow", shaders::kGroundShadowVert, shaders::kGroundShadowFrag};
-    case Shader::Blur: return {"blur", shaders::kScreenVert, shaders::kBlurFrag};
-    case Shader::Ground: return {"ground", shaders::kGroundVert, shaders::kGroundFrag};
-    case Shader::Skin: return {"skin", shaders::kSkinVert, shaders::kSkinFrag};
-    case Shader::Shell: return {"shell", shaders::kShellVert, shaders::kShellFrag};
-    case Shader::Fin: break;
+    case Shader::Background: return {"background", shaders::kScreenVert};
+    case Shader::GroundShadow: return {"ground_shadow", shaders::kGroundShadowVert};
+    case Shader::Blur: return {"blur", shaders::kScreenVert};
+    case Shader::Ground: return {"ground", shaders::kGroundVert};
+    case Shader::Skin: return {"skin", shaders::kSkinVert};
+    case Shader::Shell: return {"shell", shaders::kShellVert};
+    case Shader::Enlarge: return {"enlarge", shaders::kScreenVert};
+    case Shader::Fin: return {"fin", shaders::kFinVert};
+    case Shader::ShadowMap: return {"shadow_map", shaders::kShadowMapVert};
+    case Shader::ShadowBlur: break;
   }
-  return {"fin", shaders::kFinVert, shaders::kFinFrag};
+  return {"shadow_blur", shaders::kScreenVert};
 }
 
 std::string definesOf(unsigned variant) {
@@ -36,6 +57,12 @@ std::string definesOf(unsigned variant) {
       {kStraightDown, "STRAIGHT_DOWN"},
       {kVertical, "VERTICAL"},
       {kTextured, "TEXTURED"},
+      {kUnderFur, "UNDER_FUR"},
+      {kMarschner, "MARSCHNER"},
+      {kShadowDepth, "SHADOW_DEPTH"},
+      {kShadowLayers, "SHADOW_LAYERS"},
+      {kSkinOnly, "SKIN_ONLY"},
+      {kGroomed, "GROOMED"},
   };
   std::string text;
   for (const auto& [bit, name] : kNames)
@@ -50,7 +77,8 @@ Result<const gl::Program*> Programs::use(Shader shader, unsigned variant) {
   auto found = programs_.find(key);
   if (found == programs_.end()) {
     const Source source = sourceOf(shader);
-    auto linked = gl::Program::link(source.label, source.vertex, source.fragment, definesOf(variant));
+    auto linked = gl::Program::link(source.label, stageText(source.vertex), stageText(fragmentOf(shader)),
+                                    definesOf(variant));
     if (!linked) return linked.error();
     linked->bindBlock("FrameBlock", FUR_FRAME_BINDING);
     linked->bindBlock("FurBlock", FUR_COAT_BINDING);
@@ -58,9 +86,14 @@ Result<const gl::Program*> Programs::use(Shader shader, unsigned variant) {
     linked->bindSampler("fin", FUR_UNIT_FIN);
     linked->bindSampler("mask", FUR_UNIT_MASK);
     linked->bindSampler("bends", FUR_UNIT_BEND);
+    linked->bindSampler("groom", FUR_UNIT_GROOM);
     linked->bindSampler("baseColor", FUR_UNIT_BASE_COLOR);
     linked->bindSampler("shadowMap", FUR_UNIT_GROUND);
     linked->bindSampler("source", FUR_UNIT_GROUND);
+    linked->bindSampler("strandM", FUR_UNIT_STRAND_M);
+    linked->bindSampler("strandN", FUR_UNIT_STRAND_N);
+    linked->bindSampler("firstSurfaces", FUR_UNIT_SHADOW);
+    linked->bindSampler("opacities", FUR_UNIT_OPACITY);
     found = programs_.emplace(key, std::move(*linked)).first;
   }
   found->second.use();
@@ -71,12 +104,20 @@ std::vector<std::pair<Shader, unsigned>> allVariants() {
   std::vector<std::pair<Shader, unsigned>> all = {
       {Shader::Background, kPlain}, {Shader::Ground, kPlain},       {Shader::GroundShadow, kPlain},
       {Shader::Blur, kPlain},       {Shader::Blur, kVertical},      {Shader::GroundShadow, kStraightDown},
-      {Shader::Skin, kPlain},       {Shader::Skin, kViewWetness},   {Shader::Skin, kViewNormals},
-      {Shader::Skin, kTextured},
+      {Shader::Skin, kViewWetness}, {Shader::Skin, kViewNormals},   {Shader::ShadowMap, kPlain},
+      {Shader::Enlarge, kPlain},
+      {Shader::ShadowMap, kShadowLayers}, {Shader::ShadowMap, kSkinOnly},
   };
-  for (const unsigned look : {+kPlain, +kWet, +kTextured, kWet | kTextured}) {
-    for (const unsigned view : {kPlain, kViewTangents, kViewCoverage}) all.emplace_back(Shader::Shell, view | look);
-    all.emplace_back(Shader::Fin, look);
+  for (const unsigned direction : {+kPlain, +kVertical}) all.emplace_back(Shader::ShadowBlur, direction | kShadowDepth);
+  for (const unsigned shadow : {kPlain, kShadowDepth, kShadowLayers}) {
+    for (const unsigned look : {+kPlain, +kTextured, +kUnderFur, kUnderFur | kTextured})
+      all.emplace_back(Shader::Skin, look | shadow);
+    for (const unsigned look : {+kPlain, +kWet, +kTextured, kWet | kTextured}) {
+      for (const unsigned groom : {kPlain, kGroomed})
+        for (const unsigned view : {kPlain, kMarschner, kViewTangents, kViewCoverage})
+          all.emplace_back(Shader::Shell, view | look | shadow | groom);
+      for (const unsigned light : {kPlain, kMarschner}) all.emplace_back(Shader::Fin, light | look | shadow);
+    }
   }
   return all;
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "shared/Blocks.h"
+#include "render/Blocks.h"
 
 namespace fur::render {
 
@@ -23,17 +23,16 @@ Vec4 shownColor(std::uint32_t rgb) {
 // From this share of its densest layer up a coat keeps the light from its roots.
 constexpr float kCrowdedDensity = 0.35f;
 
-// A slab is at most this thick on the screen: thicker ones show as rings along the outline.
-constexpr float kSlabPixels = 5.0f;
+Vec3 eyeInModel(const Frame& frame) { return Vec3(glm::inverse(frame.worldFromModel) * Vec4(frame.camera.eye, 1)); }
 
-// How many slabs the coat is drawn in. More keep the outline rounder and cost more.
-int slabCount(const Frame& frame) {
-  const float distance = std::max(0.1f, glm::length(frame.camera.eye - frame.camera.target));
-  const int wanted = static_cast<int>(std::ceil(frame.settings.furLength * pixelsPerUnit(frame) / distance / kSlabPixels));
-  return std::min(std::clamp(wanted, 4, 10), frame.settings.layers);
+}  // namespace
+
+// Whether strands are so large that one cut at a chart's border can be seen. Below two texels a pixel; a strand is some
+// four texels wide.
+bool chartsOverlap(const Frame& frame) {
+  const float distance = glm::length(frame.camera.eye - frame.camera.target);
+  return frame.settings.repeat * 256.0f * distance < 2.0f * pixelsPerUnit(frame);
 }
-// The slabs together may hold a few layers more than were asked for.
-int layersPerSlab(const Frame& frame) { return (frame.settings.layers + slabCount(frame) - 1) / slabCount(frame); }
 
 shared::FrameBlock frameBlock(const Frame& frame) {
   const settings::Settings& s = frame.settings;
@@ -59,7 +58,22 @@ shared::FrameBlock frameBlock(const Frame& frame) {
   return block;
 }
 
-}  // namespace
+shared::FurBlock furBlock(const Frame& frame, int tileSize, int storedLayers, float density, int maskSize) {
+  const settings::Settings& s = frame.settings;
+  shared::FurBlock coat;
+  coat.shape = Vec4(s.furLength, s.repeat * 256.0f / static_cast<float>(tileSize), s.layers, frame.slabs);
+  coat.volume = Vec4(tileSize, storedLayers, density, frame.stepLength);
+  coat.rootColor = Vec4(settings::linearColor(s.rootColor), 1) * frame.baseColorFactor;
+  coat.rootColor.w = 0.39894228f / strandLobeWidth(s);
+  coat.tipColor = Vec4(settings::linearColor(s.tipColor), 1) * frame.baseColorFactor;
+  coat.skinColor = Vec4(settings::linearColor(s.skinColor), 1) * frame.baseColorFactor;
+  // Where few strands stand, they hardly darken each other and the skin.
+  const float crowding = saturate(density / kCrowdedDensity);
+  coat.shading = Vec4(s.lambert, s.specular, s.shininess, s.strandShadow * crowding);
+  coat.coat = Vec4(s.occlusion * crowding, s.variance, s.textureAmount, chartsOverlap(frame));
+  coat.water = Vec4(s.clumpShape, s.wetDarkening, s.wetGloss, maskSize);
+  return coat;
+}
 
 float pixelsPerUnit(const Frame& frame) {
   return static_cast<float>(frame.height) / (2 * std::tan(frame.camera.fovY / 2));
@@ -76,8 +90,10 @@ Result<Renderer> Renderer::create() {
   const auto capabilities = gl::queryCapabilities();
   if (!capabilities) return capabilities.error();
   Renderer r;
-  for (const Shader shader : {Shader::Background, Shader::Skin, Shader::Shell, Shader::Fin})
-    if (const auto program = r.programs_.use(shader, kPlain); !program) return program.error();
+  const unsigned usual = shadowVariant({});
+  for (const auto& [shader, variant] : {std::pair(Shader::Background, +kPlain), std::pair(Shader::Skin, usual),
+                                        std::pair(Shader::Shell, usual), std::pair(Shader::Fin, usual)})
+    if (const auto program = r.programs_.use(shader, variant); !program) return program.error();
   const shared::FrameBlock frame{};
   const shared::FurBlock coat{};
   r.frameBlock_ = gl::Buffer(gl::BufferKind::Uniform, gl::bytesOf(frame), true);
@@ -89,24 +105,17 @@ Result<Renderer> Renderer::create() {
     r.groundTarget_[i] = std::move(*target);
   }
   r.setBaseColor(0, 0, {});
+  r.updateGroom(groom::GroomMap(groom::GroomMap::kLeastSize), {});
   return r;
 }
 
 void Renderer::uploadBlocks(const Frame& frame) {
-  const settings::Settings& s = frame.settings;
-  const auto slab = static_cast<float>(layersPerSlab(frame)), slabs = static_cast<float>(slabCount(frame));
-  shared::FurBlock coat;
-  coat.shape = Vec4(s.furLength, s.repeat * 256.0f / static_cast<float>(tile_.shape().width), slab * slabs, slab);
-  coat.volume = Vec4(tile_.shape().width, storedLayers_, furDensity_, 0);
-  coat.rootColor = Vec4(settings::linearColor(s.rootColor), 1) * frame.baseColorFactor;
-  coat.tipColor = Vec4(settings::linearColor(s.tipColor), 1) * frame.baseColorFactor;
-  coat.skinColor = Vec4(settings::linearColor(s.skinColor), 1) * frame.baseColorFactor;
-  // Where few strands stand, they hardly darken each other and the skin.
-  const float crowding = saturate(furDensity_ / kCrowdedDensity);
-  coat.shading = Vec4(s.lambert, s.specular, s.shininess, s.strandShadow * crowding);
-  coat.coat = Vec4(s.occlusion * crowding, s.variance, s.textureAmount, 0);
-  coat.water = Vec4(s.clumpShape, s.wetDarkening, s.wetGloss, mask_.shape().width);
-  const shared::FrameBlock block = frameBlock(frame);
+  const shared::FurBlock coat = furBlock(frame, tile_.shape().width, storedLayers_, furDensity_, mask_.shape().width);
+  shared::FrameBlock block = frameBlock(frame);
+  const FurShadow::Key shadow = furShadowKey(frame);
+  block.lightFromModel = shadow.lightFromModel;
+  block.volumeShadow = shadow.volumeShadow;
+  block.sky.w = static_cast<float>(std::max(1, gl::platformSamples()));
   frameBlock_.update(gl::bytesOf(block));
   coatBlock_.update(gl::bytesOf(coat));
   frameBlock_.bindAsBlock(FUR_FRAME_BINDING);
@@ -116,35 +125,57 @@ void Renderer::uploadBlocks(const Frame& frame) {
 
 Status Renderer::draw(const Frame& frame) {
   FUR_ASSERT(indexCount_ > 0, "Renderer::draw()", "a surface", indexCount_);
-  uploadBlocks(frame);
-  if (frame.settings.ground)
-    if (Status status = drawGroundShadow(frame); !status) return status;
-  gl::setViewport(frame.width, frame.height);
-  gl::clear(Vec4(0, 0, 0, 1));
+  const bool whole = frame.pixelScale >= 1;
+  const auto scaled = [&](int side) {
+    return whole ? side : std::max(1, static_cast<int>(std::lround(static_cast<float>(side) * frame.pixelScale)));
+  };
+  Frame drawn = frame;
+  drawn.width = scaled(frame.width);
+  drawn.height = scaled(frame.height);
+  drawnPixels_ = static_cast<long>(drawn.width) * drawn.height;
+  uploadBlocks(drawn);
+  if (drawn.settings.ground)
+    if (Status status = drawGroundShadow(drawn); !status) return status;
   tile_.bind(FUR_UNIT_TILE);
   finMap_.bind(FUR_UNIT_FIN);
   mask_.bind(FUR_UNIT_MASK);
   bends_.bind(FUR_UNIT_BEND);
+  groom_.bind(FUR_UNIT_GROOM);
+  if (Status status = furShadow_.update(programs_, furShadowKey(frame), surface_, indexCount_); !status) return status;
+  if (!whole)
+    if (Status status = small_.begin(drawn.width, drawn.height); !status) return status;
+  gl::setViewport(drawn.width, drawn.height);
+  gl::clear(Vec4(0, 0, 0, 1));
   baseColor_.bind(FUR_UNIT_BASE_COLOR);
   groundShadow_[0].bind(FUR_UNIT_GROUND);
-  return drawPasses(frame);
+  uploadedBytes_ += strandTables_.use(frame.settings);
+  if (Status status = drawPasses(drawn); !status || whole) return status;
+  return small_.show(programs_, frame.width, frame.height);
 }
 
 Status Renderer::drawPasses(const Frame& frame) {
   const auto view = static_cast<View>(frame.settings.view);
-  const unsigned look = (frame.wet ? kWet : kPlain) | (hasPicture_ ? kTextured : kPlain);
-  const bool furry = hasFur_ && frame.settings.furLength > 0;
-  if (const auto program = programs_.use(Shader::Background, kPlain); !program) return program.error();
-  gl::apply({.depthTest = false, .depthWrite = false, .cullBack = false});
-  gl::drawWithoutVertices(3);
-  if (frame.settings.ground && view == View::Final)
-    if (Status status = drawGround(frame); !status) return status;
-
+  const unsigned look = (frame.wet ? kWet : kPlain) | (hasPicture_ ? kTextured : kPlain) |
+                        (frame.settings.strandModel ? kMarschner : kPlain) | shadowVariant(frame.settings);
+  const unsigned skinLook = look & ~(kWet | kMarschner);
+  const bool furry = hasFur_ && frame.settings.furLength > 0 && !patches_.indices.empty();
   const auto skin = [&](unsigned variant) { return drawSkin(variant); };
-  const auto shells = [&](unsigned variant) { return furry ? drawShells(frame, variant | look) : Status(Done{}); };
+  const unsigned shellLook = look | (frame.groomed ? kGroomed : kPlain);
+  const auto shells = [&](unsigned view) {
+    return furry ? drawShells(frame, view ? (shellLook & ~kMarschner) | view : shellLook) : Status(Done{});
+  };
   const auto fins = [&] { return furry && frame.settings.fins ? drawFins(frame, look) : Status(Done{}); };
+  const auto background = [&]() -> Status {
+    const auto program = programs_.use(Shader::Background, kPlain);
+    if (!program) return program.error();
+    gl::apply({.depthWrite = false, .cullBack = false});
+    gl::drawWithoutVertices(3);
+    return frame.settings.ground && view == View::Final ? drawGround(frame) : Status(Done{});
+  };
+  if (view != View::Final)
+    if (Status status = background(); !status) return status;
   switch (view) {
-    case View::Skin: return skin(look & kTextured);
+    case View::Skin: return skin(skinLook);
     case View::Wetness: return skin(kViewWetness);
     case View::Normals: return skin(kViewNormals);
     case View::Shells: return shells(kPlain);
@@ -153,9 +184,18 @@ Status Renderer::drawPasses(const Frame& frame) {
     case View::Coverage: return shells(kViewCoverage);
     case View::Final: break;
   }
-  if (Status status = skin(look & kTextured); !status) return status;
   if (Status status = shells(kPlain); !status) return status;
-  return fins();
+  if (Status status = fins(); !status) return status;
+  if (Status status = skin(skinLook | (furry ? kUnderFur : kPlain)); !status) return status;
+  return background();
+}
+
+FurShadow::Key Renderer::furShadowKey(const Frame& frame) const {
+  settings::Settings s = frame.settings;
+  if (patches_.indices.empty()) s.furLength = 0;
+  const Vec3 light(glm::inverse(frame.worldFromModel) * Vec4(directionFrom(s.lightYaw, s.lightPitch), 0));
+  return {static_cast<Shadows>(s.shadows), lightFromModel(light, shadowRadius(s.furLength)), volumeShadow(s, furDensity_),
+          furShadowScene_};
 }
 
 Status Renderer::drawSkin(unsigned variant) {
@@ -169,17 +209,20 @@ Status Renderer::drawSkin(unsigned variant) {
 Status Renderer::drawShells(const Frame& frame, unsigned variant) {
   const auto program = programs_.use(Shader::Shell, variant);
   if (!program) return program.error();
-  gl::apply({.blend = gl::Blend::Over});
-  shells_.drawIndexed(furIndexCount_, slabCount(frame));
+  orderShells(eyeInModel(frame), frame.settings.furLength,
+              chartsOverlap(frame));
+  if (shellIndexCount_ == 0) return Done{};
+  gl::apply({.alphaToCoverage = true, .alpha = false});
+  shells_.drawIndexed(shellIndexCount_, frame.slabs);
   return Done{};
 }
 
 Status Renderer::drawFins(const Frame& frame, unsigned variant) {
-  selectFins(Vec3(glm::inverse(frame.worldFromModel) * Vec4(frame.camera.eye, 1)));
+  selectFins(eyeInModel(frame));
   if (finCount_ == 0) return Done{};
   const auto program = programs_.use(Shader::Fin, variant);
   if (!program) return program.error();
-  gl::apply({.depthWrite = false, .cullBack = false, .blend = gl::Blend::Over});
+  gl::apply({.cullBack = false, .alphaToCoverage = true, .alpha = false});
   fins_.drawStrips(2 * (FUR_FIN_SEGMENTS + 1), finCount_);
   return Done{};
 }
@@ -189,7 +232,7 @@ Status Renderer::drawGround(const Frame& frame) {
   if (frame.camera.eye.y <= frame.groundHeight) return Done{};
   const auto program = programs_.use(Shader::Ground, kPlain);
   if (!program) return program.error();
-  gl::apply({.depthTest = false, .depthWrite = false, .cullBack = false, .blend = gl::Blend::Multiply});
+  gl::apply({.depthWrite = false, .cullBack = false, .blend = gl::Blend::Multiply});
   gl::drawWithoutVertices(6);
   return Done{};
 }

@@ -8,9 +8,13 @@
 #include "furgen/FurVolume.h"
 #include "furgen/Packing.h"
 #include "geometry/Surface.h"
+#include "groom/Groom.h"
 #include "gl/Objects.h"
 #include "render/Frame.h"
+#include "render/FurShadow.h"
 #include "render/Programs.h"
+#include "render/SmallPicture.h"
+#include "render/StrandTables.h"
 #include "wet/WetnessMask.h"
 
 namespace fur::render {
@@ -38,12 +42,19 @@ class Renderer {
   void setBaseColor(int width, int height, std::span<const std::uint8_t> rgba);
   // Uploads only `changed` (the whole mask after a change of size).
   void updateMask(const wet::WetnessMask& mask, const wet::TexelRect& changed);
-  void updateBends(std::span<const Vec4> bends);
+  void updateBends(std::span<const Vec4> bends);  // w: length of the fur there, a share
+  // The same for the map of the groom.
+  void updateGroom(const groom::GroomMap& map, const geometry::TexelRect& changed);
+  // Which triangles shells are drawn on, in place of all of the surface, and the length at every vertex: fins
+  // between two of none are left out. What is bald costs nothing. Until the next setSurface().
+  void setFurry(geometry::FurPatches patches, std::span<const float> vertexLengths);
 
-  // Into the framebuffer that is bound. A shader that the driver refuses is the error.
+  // Into the platform's framebuffer, which is bound. A shader that the driver refuses is the error.
   Status draw(const Frame& frame);
 
   std::size_t gpuBytes() const;
+  // Of the last picture: less than the framebuffer has when it was drawn small and enlarged.
+  long drawnPixels() const { return drawnPixels_; }
   // Since the last call.
   std::size_t takeUploadedBytes();
 
@@ -56,18 +67,29 @@ class Renderer {
   Status drawFins(const Frame& frame, unsigned variant);
   Status drawSkin(unsigned variant);
   void uploadBlocks(const Frame& frame);
+  FurShadow::Key furShadowKey(const Frame& frame) const;
   void selectFins(const Vec3& eyeModel);
+  void orderShells(const Vec3& eyeModel, float reach, bool overlapping);
 
   Programs programs_;
+  StrandTables strandTables_;
+  FurShadow furShadow_;
+  unsigned long furShadowScene_ = 0;  // see FurShadow::Key
+  SmallPicture small_;
   gl::Buffer frameBlock_, coatBlock_;
   gl::Buffer vertices_, indices_, furIndices_, edges_;
   gl::VertexArray surface_, shells_, fins_;
-  gl::Texture tile_, finMap_, nextTile_, nextFinMap_, mask_, bends_, baseColor_;
+  gl::Texture tile_, finMap_, nextTile_, nextFinMap_, mask_, bends_, baseColor_, groom_;
   gl::Texture groundShadow_[2];
   gl::Target groundTarget_[2];
-  int indexCount_ = 0, furIndexCount_ = 0;
+  int indexCount_ = 0, shellIndexCount_ = 0;
+  // All patches of fur, and the eye, fur length and overlap that those on the GPU were put in order for.
+  geometry::FurPatches patches_;
+  std::optional<Vec4> shellsFor_;
+  bool shellsOverlap_ = false;
   // Every edge as the GPU takes it, and the eye that the uploaded selection was made for.
   std::vector<FinEdge> finEdges_;
+  std::vector<float> vertexLengths_;  // empty: 1 everywhere
   std::optional<Vec3> finEye_;
   int finCount_ = 0;
   int bendCapacity_ = 0;
@@ -83,6 +105,7 @@ class Renderer {
   };
   std::optional<ShadowKey> shadowKey_;
   std::size_t uploadedBytes_ = 0;
+  long drawnPixels_ = 0;
 };
 
 }  // namespace fur::render

@@ -1,6 +1,7 @@
 // The renderer's half that turns CPU data into GL objects.
 #include <algorithm>
 
+#include "geometry/Curvature.h"
 #include "render/Renderer.h"
 #include "shared/Blocks.h"
 
@@ -12,16 +13,17 @@ namespace {
 struct GpuVertex {
   Vec4 position, normal;
   Vec4 uvAtlas;
-  Vec2 fur;
-  Vec3 gradS, gradT;
+  Vec4 fur;
+  Vec4 gradS;
+  Vec3 gradT;
   Vec4 atlasFromFur;
 };
-static_assert(sizeof(GpuVertex) == 24 * sizeof(float));
+static_assert(sizeof(GpuVertex) == 27 * sizeof(float));
 
 constexpr gl::Attribute kVertexAttributes[] = {
     {FUR_POSITION, 4, offsetof(GpuVertex, position)},   {FUR_NORMAL, 4, offsetof(GpuVertex, normal)},
-    {FUR_UV_ATLAS, 4, offsetof(GpuVertex, uvAtlas)},    {FUR_FUR_COORD, 2, offsetof(GpuVertex, fur)},
-    {FUR_GRAD_S, 3, offsetof(GpuVertex, gradS)},        {FUR_GRAD_T, 3, offsetof(GpuVertex, gradT)},
+    {FUR_UV_ATLAS, 4, offsetof(GpuVertex, uvAtlas)},    {FUR_FUR_COORD, 4, offsetof(GpuVertex, fur)},
+    {FUR_GRAD_S, 4, offsetof(GpuVertex, gradS)},        {FUR_GRAD_T, 3, offsetof(GpuVertex, gradT)},
     {FUR_ATLAS_FROM_FUR, 4, offsetof(GpuVertex, atlasFromFur)},
 };
 constexpr gl::Attribute kEdgeAttributes[] = {
@@ -35,9 +37,25 @@ std::vector<GpuVertex> gpuVertices(const geometry::Surface& surface) {
   std::vector<GpuVertex> out;
   out.reserve(surface.vertices.size());
   for (const auto& v : surface.vertices)
-    out.push_back({Vec4(v.position, v.strands.x), Vec4(v.normal, v.strands.y), Vec4(v.uv, v.atlas), v.fur, v.gradS,
-                   v.gradT, v.atlasFromFur});
+    out.push_back({Vec4(v.position, v.strands.x), Vec4(v.normal, v.strands.y), Vec4(v.uv, v.atlas),
+                   Vec4(v.fur, v.curvature.x, v.curvature.y), Vec4(v.gradS, v.curvature.z), v.gradT, v.atlasFromFur});
   return out;
+}
+
+// From this angle between its two faces on an edge is sharp.
+constexpr float kSharpCosine = 0.77f;
+
+float curvatureAcross(const geometry::SurfaceEdge& e, const geometry::SurfaceVertex& a, const geometry::SurfaceVertex& b) {
+  if (glm::dot(e.faceNormal0, e.faceNormal1) < kSharpCosine) return -1.0f;
+  float sum = 0.0f;
+  for (const auto* v : {&a, &b}) {
+    Vec3 s, t;
+    geometry::tangentAxes(*v, s, t);
+    const Vec3 across = normalizeOr(glm::cross(v->normal, b.position - a.position), s);
+    const Vec2 d(glm::dot(s, across), glm::dot(t, across));
+    sum += 0.5f * (v->curvature.x * d.x * d.x + 2.0f * v->curvature.y * d.x * d.y + v->curvature.z * d.y * d.y);
+  }
+  return sum;
 }
 
 std::vector<FinEdge> finEdges(const geometry::Surface& surface) {
@@ -48,7 +66,7 @@ std::vector<FinEdge> finEdges(const geometry::Surface& surface) {
     const auto& b = surface.vertices[e.b];
     const Vec2 uv = 0.5f * (a.uv + b.uv);
     out.push_back({Vec4(a.position, static_cast<float>(e.a)), Vec4(b.position, static_cast<float>(e.b)),
-                   Vec4(a.normal, e.finStart), Vec4(b.normal, 0), Vec4(e.faceNormal0, uv.x), Vec4(e.faceNormal1, uv.y),
+                   Vec4(a.normal, e.finStart), Vec4(b.normal, curvatureAcross(e, a, b)), Vec4(e.faceNormal0, uv.x), Vec4(e.faceNormal1, uv.y),
                    Vec4(a.atlas, b.atlas)});
   }
   return out;
@@ -61,19 +79,29 @@ void Renderer::setSurface(const geometry::Surface& surface) {
   finEdges_ = finEdges(surface);
   vertices_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(vertices), false);
   indices_ = gl::Buffer(gl::BufferKind::Index, gl::bytesOf(surface.indices), false);
-  furIndices_ = gl::Buffer(gl::BufferKind::Index, gl::bytesOf(surface.furIndices), false);
+  patches_ = {surface.furIndices, surface.ownFurIndices, surface.furClusters};
+  furIndices_ = gl::Buffer(gl::BufferKind::Index, gl::bytesOf(patches_.indices), true);
+  shellsFor_.reset();
   edges_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(finEdges_), true);
   finEye_.reset();
   surface_ = gl::VertexArray(vertices_, sizeof(GpuVertex), kVertexAttributes, 0, &indices_);
   shells_ = gl::VertexArray(vertices_, sizeof(GpuVertex), kVertexAttributes, 0, &furIndices_);
   fins_ = gl::VertexArray(edges_, sizeof(FinEdge), kEdgeAttributes, 1, nullptr);
   indexCount_ = static_cast<int>(surface.indices.size());
-  furIndexCount_ = static_cast<int>(surface.furIndices.size());
   uploadedBytes_ += vertices_.bytes() + indices_.bytes() + furIndices_.bytes() + edges_.bytes();
   bendCapacity_ = 0;
   shadowKey_.reset();
-  const std::vector<Vec4> rest(surface.vertices.size(), Vec4(0));
+  ++furShadowScene_;
+  vertexLengths_.clear();
+  const std::vector<Vec4> rest(surface.vertices.size(), Vec4(0, 0, 0, 1));
   updateBends(rest);
+}
+
+void Renderer::setFurry(geometry::FurPatches patches, std::span<const float> vertexLengths) {
+  patches_ = std::move(patches);
+  vertexLengths_.assign(vertexLengths.begin(), vertexLengths.end());
+  finEye_.reset();
+  shellsFor_.reset();
 }
 
 // Those that fin.vert would not collapse: its test, with a margin for its rounding.
@@ -81,7 +109,12 @@ void Renderer::selectFins(const Vec3& eyeModel) {
   if (finEye_ == eyeModel) return;
   finEye_ = eyeModel;
   std::vector<FinEdge> seen;
+  const auto bald = [this](float vertex) {
+    return !vertexLengths_.empty() && vertexLengths_[static_cast<std::size_t>(vertex)] <= 0;
+  };
   for (const FinEdge& e : finEdges_) {
+    if (e.normalB.w >= FUR_FIN_ROUND) continue;
+    if (bald(e.positionA.w) && bald(e.positionB.w)) continue;
     const Vec3 toEye = glm::normalize(eyeModel - 0.5f * (Vec3(e.positionA) + Vec3(e.positionB)));
     const float facing0 = glm::dot(Vec3(e.face0), toEye), facing1 = glm::dot(Vec3(e.face1), toEye);
     if (facing0 * facing1 < FUR_SILHOUETTE + 1e-3f && std::max(facing0, facing1) > FUR_HORIZON - 1e-3f) seen.push_back(e);
@@ -90,6 +123,24 @@ void Renderer::selectFins(const Vec3& eyeModel) {
   if (seen.empty()) return;
   edges_.update(gl::bytesOf(seen));
   uploadedBytes_ += seen.size() * sizeof(FinEdge);
+}
+
+// Near to far: what is covered is rejected by depth. Without what faces away.
+void Renderer::orderShells(const Vec3& eyeModel, float reach, bool overlapping) {
+  if (shellsFor_ == Vec4(eyeModel, reach) && shellsOverlap_ == overlapping) return;
+  shellsFor_ = Vec4(eyeModel, reach);
+  shellsOverlap_ = overlapping;
+  std::vector<std::uint32_t> seen;
+  seen.reserve(patches_.indices.size());
+  for (const std::uint32_t i : geometry::clustersNearToFar(patches_.clusters, eyeModel, reach)) {
+    const geometry::FurCluster& c = patches_.clusters[i];
+    const auto first = overlapping ? patches_.indices.begin() + c.first : patches_.ownIndices.begin() + c.ownFirst;
+    seen.insert(seen.end(), first, first + (overlapping ? c.count : c.ownCount));
+  }
+  shellIndexCount_ = static_cast<int>(seen.size());
+  if (seen.empty()) return;
+  furIndices_.update(gl::bytesOf(seen));
+  uploadedBytes_ += seen.size() * sizeof(std::uint32_t);
 }
 
 void Renderer::beginFur(int size, int layers, int finRows) {
@@ -118,6 +169,7 @@ void Renderer::showFur(float density) {
   storedLayers_ = tile_.shape().layers;
   furDensity_ = density;
   hasFur_ = density > 0;
+  ++furShadowScene_;
 }
 
 void Renderer::setFur(const furgen::FurVolume& v) {
@@ -156,7 +208,21 @@ void Renderer::updateMask(const wet::WetnessMask& mask, const wet::TexelRect& ch
   uploadedBytes_ += static_cast<std::size_t>(changed.x1 - changed.x0) * (changed.y1 - changed.y0) * sizeof(Vec4);
 }
 
+void Renderer::updateGroom(const groom::GroomMap& map, const geometry::TexelRect& changed) {
+  const int size = map.size();
+  const auto bytes = gl::bytesOf(map.texels());
+  if (groom_.shape().width != size) {
+    groom_ = gl::Texture({gl::TexelFormat::RGBA8, size, size, 0, gl::Filter::Linear, false}, bytes);
+    uploadedBytes_ += groom_.bytes();
+  } else if (!changed.empty()) {
+    const int width = changed.x1 - changed.x0, height = changed.y1 - changed.y0;
+    groom_.update(changed.x0, changed.y0, width, height, bytes, size);
+    uploadedBytes_ += sizeof(groom::GroomMap::Texel) * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  }
+}
+
 void Renderer::updateBends(std::span<const Vec4> bends) {
+  ++furShadowScene_;
   const int rows = std::max(1, (static_cast<int>(bends.size()) + FUR_BEND_ROW - 1) / FUR_BEND_ROW);
   if (rows * FUR_BEND_ROW != bendCapacity_) {
     bends_ = gl::Texture({gl::TexelFormat::RGBA32F, FUR_BEND_ROW, rows, 0, gl::Filter::Nearest, false}, {});
@@ -172,7 +238,8 @@ void Renderer::updateBends(std::span<const Vec4> bends) {
 
 std::size_t Renderer::gpuBytes() const {
   return vertices_.bytes() + indices_.bytes() + furIndices_.bytes() + edges_.bytes() + tile_.bytes() +
-         finMap_.bytes() + nextTile_.bytes() + mask_.bytes() + bends_.bytes() + baseColor_.bytes() + groundShadow_[0].bytes() + groundShadow_[1].bytes();
+         finMap_.bytes() + nextTile_.bytes() + mask_.bytes() + bends_.bytes() + groom_.bytes() + baseColor_.bytes() +
+         groundShadow_[0].bytes() + groundShadow_[1].bytes() + strandTables_.bytes() + furShadow_.bytes() + small_.bytes();
 }
 
 std::size_t Renderer::takeUploadedBytes() { return std::exchange(uploadedBytes_, 0); }

@@ -8,7 +8,7 @@
 // that .fo comes from; a fur tile spans 1 of fur_u and fur_v, and its first row is at fur_v 0, so that
 // these two are Mesh::furUv as they are.
 //
-// As a scene::Model, with furUv, importFo() reads it; lengths and types are kept in FoModel only.
+// As a scene::Model, with furUv, importFo() reads it; lengths and types become shares and small numbers (FurData).
 #pragma once
 
 #include <array>
@@ -50,8 +50,10 @@ Result<FoModel> readFo(std::span<const std::uint8_t> bytes, const std::string& n
 // Every number must be finite. readFo() of it gives the same floats again, bit for bit.
 std::vector<std::uint8_t> writeFo(const FoModel& fo);
 
-// A surface for saving: length 1 and type 0 everywhere, the fur tile `repeat` times along a model unit.
+// A surface for saving, the fur tile `repeat` times along a model unit. `lengths` and `types`: one a vertex, or
+// empty for length 1 and type 0 everywhere.
 // Vertices that a seam has split are one again where position and normal are the same.
-FoModel foFromSurface(const geometry::Surface& surface, float repeat);
+FoModel foFromSurface(const geometry::Surface& surface, float repeat, std::span<const float> lengths = {},
+                      std::span<const int> types = {});
 
 }  // namespace fur::scene

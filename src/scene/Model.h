@@ -9,6 +9,7 @@
 
 #include "core/Result.h"
 #include "geometry/Mesh.h"
+#include "scene/FurData.h"
 
 namespace fur::scene {
 
@@ -24,6 +25,7 @@ struct Model {
   EncodedImage baseColor;
   Vec4 baseColorFactor{1.0f};  // linear
   bool hasTexcoords = false;   // the file had them for every mesh
+  FurData fur;
   geometry::Bounds bounds;     // before fitting, in the file's units
   Warnings warnings;
 };
@@ -53,10 +55,20 @@ Result<Model> importGltf(std::span<const std::uint8_t> bytes, const std::string&
 // glTF from the top. Materials, groups, points, lines and curves are left out, some with a warning.
 Result<Model> importObj(std::span<const std::uint8_t> bytes, const std::string& name);
 
-// Sheppard's .fo, see FoModel.h. One warning when lengths or types of fur differ, for they are not drawn yet.
+// Sheppard's .fo, see FoModel.h. Its types become 1, 2, .. in ascending order; one warning when they are more than
+// groom::kTypes, whose last one then stands for all the others.
 Result<Model> importFo(std::span<const std::uint8_t> bytes, const std::string& name);
 
 // A bare .glb (positions, normals, uv, indices), as any glTF viewer shows it.
 std::vector<std::uint8_t> exportGlb(const geometry::Mesh& mesh, const std::string& name);
+
+// The same with everything that importGltf() reads back: the picture, and the extension WETFUR_fur. What is
+// empty is left out. A map needs mesh.atlas. The state is JSON, put in as it is.
+struct ScenePicture {
+  const EncodedImage& image;
+  Vec4 factor;
+};
+std::vector<std::uint8_t> exportScene(const geometry::Mesh& mesh, const std::string& name, const FurData& fur,
+                                      const ScenePicture& picture);
 
 }  // namespace fur::scene

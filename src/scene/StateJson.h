@@ -1,6 +1,7 @@
 // The state of the program as JSON: what links, scene files and scripts carry.
 //   {"version":1, "model":"bunny", "settings":{"furLength":0.1}, "camera":{"yaw":0,"pitch":0.3,"distance":3,"target":[0,0,0]}}
-// Only settings that differ from the defaults are written. No water: a mask is binary and travels apart.
+// Only settings that differ from the defaults are written. No water and no groom: they are binary and travel apart
+// (FurData.h).
 #pragma once
 
 #include <optional>

@@ -5,12 +5,14 @@
 #include <utility>
 
 #include "core/Assert.h"
+#include "core/Sort.h"
+#include "geometry/Adjacency.h"
+#include "geometry/AtlasTexels.h"
 
 namespace fur::wet {
 
 namespace {
 
-constexpr int kGutter = 2;
 // Where the atlas is badly stretched (the poles of a globe) triangles hardly agree where the centre
 // is; so many answers are enough.
 constexpr std::size_t kMaxSheets = 8;
@@ -45,16 +47,16 @@ std::uint16_t chartOf(const geometry::Surface& surface, std::size_t triangle) {
 
 float cross2(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
-int texelOf(float x, int size) { return static_cast<int>(glm::clamp(x, 0.0f, static_cast<float>(size - 1))); }
-
 }  // namespace
 
 SurfaceWetting::SurfaceWetting(const geometry::Surface& surface, int maskSize)
     : size_(maskSize), chartOfTexel_(static_cast<std::size_t>(maskSize) * maskSize, kNoChart) {
   faces_.reserve(surface.triangleCount());
   for (std::size_t t = 0; t < surface.triangleCount(); ++t) faces_.push_back(mapFace(surface, t));
-  rasterise(surface);
-  for (int step = 0; step < kGutter; ++step) dilate();
+  const geometry::AtlasTexels texels(surface, maskSize);
+  for (std::size_t i = 0; i < chartOfTexel_.size(); ++i)
+    if (texels.triangleOf()[i] != geometry::kNoTriangle) chartOfTexel_[i] = chartOf(surface, texels.triangleOf()[i]);
+  for (const auto& [texel, source] : texels.gutter()) chartOfTexel_[texel] = chartOfTexel_[source];
 }
 
 SurfaceWetting::Face SurfaceWetting::mapFace(const geometry::Surface& surface, std::size_t triangle) {
@@ -78,47 +80,6 @@ SurfaceWetting::Face SurfaceWetting::mapFace(const geometry::Surface& surface, s
   return face;
 }
 
-void SurfaceWetting::rasterise(const geometry::Surface& surface) {
-  const float scale = static_cast<float>(size_);
-  for (std::size_t t = 0; t < surface.triangleCount(); ++t) {
-    const std::uint16_t chart = chartOf(surface, t);
-    // In texels, whose centres are whole numbers here.
-    Vec2 p[3];
-    for (int k = 0; k < 3; ++k) p[k] = corner(surface, t, k).atlas * scale - 0.5f;
-    float area = cross2(p[1] - p[0], p[2] - p[0]);
-    if (area < 0.0f) std::swap(p[1], p[2]), area = -area;
-    const Vec2 low = glm::min(p[0], glm::min(p[1], p[2])), high = glm::max(p[0], glm::max(p[1], p[2]));
-    for (int y = texelOf(std::ceil(low.y), size_); y <= texelOf(std::floor(high.y), size_); ++y)
-      for (int x = texelOf(std::ceil(low.x), size_); x <= texelOf(std::floor(high.x), size_); ++x) {
-        const Vec2 at(static_cast<float>(x), static_cast<float>(y));
-        bool inside = area > 0.0f;
-        for (int k = 0; k < 3; ++k) inside = inside && cross2(p[(k + 1) % 3] - p[k], at - p[k]) >= 0.0f;
-        if (inside) chartOfTexel_[static_cast<std::size_t>(y) * size_ + x] = chart;
-      }
-  }
-  // Triangles too fine to hold a texel's centre.
-  for (const auto& vertex : surface.vertices) {
-    const int x = texelOf(vertex.atlas.x * scale, size_), y = texelOf(vertex.atlas.y * scale, size_);
-    std::uint16_t& chart = chartOfTexel_[static_cast<std::size_t>(y) * size_ + x];
-    if (chart == kNoChart && vertex.chart < kNoChart) chart = static_cast<std::uint16_t>(vertex.chart);
-  }
-}
-
-void SurfaceWetting::dilate() {
-  const std::vector<std::uint16_t> before = chartOfTexel_;
-  // Straight neighbours first: they are nearer.
-  constexpr int kSteps[8][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, 1}, {1, -1}, {-1, -1}};
-  for (int y = 0; y < size_; ++y)
-    for (int x = 0; x < size_; ++x) {
-      const std::size_t texel = static_cast<std::size_t>(y) * size_ + x;
-      for (int k = 0; k < 8 && chartOfTexel_[texel] == kNoChart; ++k) {
-        const int nx = x + kSteps[k][0], ny = y + kSteps[k][1];
-        if (nx < 0 || ny < 0 || nx >= size_ || ny >= size_) continue;
-        chartOfTexel_[texel] = before[static_cast<std::size_t>(ny) * size_ + nx];
-      }
-    }
-}
-
 std::vector<SurfaceWetting::Sheet> SurfaceWetting::sheetsAt(const geometry::Surface& surface,
                                                             const geometry::SurfaceQuery& query, const Vec3& centre,
                                                             const Vec3& normal, float radius) const {
@@ -132,7 +93,7 @@ std::vector<SurfaceWetting::Sheet> SurfaceWetting::sheetsAt(const geometry::Surf
     near.emplace_back(glm::dot(way, way), t);
   }
   // The nearest triangle of a sheet says where its centre is, the others only agree.
-  std::sort(near.begin(), near.end());
+  sortStably(near.begin(), near.end());
   std::vector<Sheet> sheets;
   for (const auto& [distance, t] : near) {
     const Face& face = faces_[t];

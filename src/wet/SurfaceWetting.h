@@ -15,8 +15,8 @@ namespace fur::wet {
 
 class SurfaceWetting {
  public:
-  // Rasterises the charts at the mask's size, with a gutter of two texels. The surface and mask
-  // given later must be of the same triangles and size.
+  // Takes the charts at the mask's size, with their gutters (AtlasTexels.h). The surface and mask given
+  // later must be of the same triangles and size.
   SurfaceWetting(const geometry::Surface& surface, int maskSize);
 
   // `centre` on the surface, radius in model units. Charts whose normals face away from `normal`
@@ -45,8 +45,6 @@ class SurfaceWetting {
   };
 
   static Face mapFace(const geometry::Surface& surface, std::size_t triangle);
-  void rasterise(const geometry::Surface& surface);
-  void dilate();
   std::vector<Sheet> sheetsAt(const geometry::Surface& surface, const geometry::SurfaceQuery& query,
                               const Vec3& centre, const Vec3& normal, float radius) const;
 

@@ -19,17 +19,6 @@ bool usable(const Droplet& droplet) {
          droplet.radius > 0.0f && droplet.wetness > 0.0f;
 }
 
-void grow(TexelRect& rect, int x, int y) {
-  if (rect.empty()) {
-    rect = {x, y, x + 1, y + 1};
-    return;
-  }
-  rect.x0 = std::min(rect.x0, x);
-  rect.y0 = std::min(rect.y0, y);
-  rect.x1 = std::max(rect.x1, x + 1);
-  rect.y1 = std::max(rect.y1, y + 1);
-}
-
 // Calls `change(texel)` for each texel of the chart whose centre lies within the droplet; it returns
 // whether the texel is another now. Returns the tight rectangle of those.
 template <class Change>
@@ -50,7 +39,7 @@ TexelRect visitDisc(std::vector<Vec4>& texels, int size, const Droplet& droplet,
     for (int x = x0; x <= x1; ++x) {
       const std::size_t texel = static_cast<std::size_t>(y) * size + x;
       if (chartOfTexel && chartOfTexel[texel] != chart) continue;
-      if (change(texels[texel])) grow(changed, x, y);
+      if (change(texels[texel])) changed.include(x, y);
     }
   }
   return changed;
@@ -76,12 +65,6 @@ bool blend(Vec4& texel, const Droplet& droplet, float wetness) {
 }
 
 }  // namespace
-
-TexelRect unite(const TexelRect& a, const TexelRect& b) {
-  if (a.empty()) return b;
-  if (b.empty()) return a;
-  return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
-}
 
 WetnessMask::WetnessMask(int size)
     : size_(std::clamp(size, 16, 2048)), texels_(static_cast<std::size_t>(size_) * size_, Vec4(0)) {}
@@ -140,7 +123,7 @@ void WetnessMask::clear() {
       Vec4& texel = texels_[static_cast<std::size_t>(y) * size_ + x];
       if (texel.w <= 0.0f) continue;
       texel = Vec4(0);
-      grow(changed, x, y);
+      changed.include(x, y);
     }
   wetTexels_ = 0;
   changed_ = unite(changed_, changed);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/Math.h"
+#include "geometry/AtlasTexels.h"
 
 namespace fur::wet {
 
@@ -16,12 +17,7 @@ struct Droplet {
   float wetness = 0.5f;  // 0..1
 };
 
-// Texels [x0, x1) x [y0, y1); empty when x0 >= x1.
-struct TexelRect {
-  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-  bool empty() const { return x0 >= x1 || y0 >= y1; }
-};
-TexelRect unite(const TexelRect& a, const TexelRect& b);
+using geometry::TexelRect;
 
 class WetnessMask {
  public:

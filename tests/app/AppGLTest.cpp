@@ -1,4 +1,5 @@
 // What a person does, without a page: paint, drag, undo, wait.
+#include "app/QualityGovernor.h"
 #include "tests/render/Picture.h"
 
 namespace fur::app {
@@ -190,6 +191,64 @@ TEST(App, OutOfRangeAndUnknownFieldsWarn) {
   EXPECT_FLOAT_EQ(app.settings().furLength, 0.4f);
   EXPECT_FALSE(app.setField("noSuchField", "1"));
   EXPECT_EQ(app.takeWarnings().size(), 2u);
+}
+
+TEST(App, CheaperLevelsDrawFewerPixelsOfTheSameScene) {
+  Desk desk;
+  const test::Picture best = desk.stage.draw(desk.app);
+  long pixels = desk.app.stats().pixels;
+  EXPECT_EQ(pixels, 200 * 200);
+  for (int level = 1; level < kQualityLevels; ++level) {
+    desk.app.setQuality(level, false);
+    const test::Picture picture = desk.stage.draw(desk.app);
+    EXPECT_EQ(desk.app.stats().level, level);
+    EXPECT_LE(desk.app.stats().pixels, pixels);
+    pixels = desk.app.stats().pixels;
+    // Single strands move; what is model and what is not stays, and how bright it is.
+    EXPECT_LT(picture.differingShare(best, 64), 0.08f) << level;
+    EXPECT_NEAR(picture.brightness(), best.brightness(), 4) << level;
+  }
+  EXPECT_LT(pixels, 200 * 200 / 5);
+  desk.app.setQuality(0, false);
+  EXPECT_EQ(desk.stage.draw(desk.app).differingShare(best, 0), 0);
+}
+
+TEST(App, SlowFramesMakeMovingPicturesCheaperAndNoOthers) {
+  Desk desk;
+  desk.app.setQuality(0, true);
+  for (int i = 0; i < 60; ++i) desk.app.frameShown(40);
+  EXPECT_TRUE(desk.app.draw(Picture::Moving));
+  EXPECT_GT(desk.app.stats().level, 0);
+  EXPECT_LT(desk.app.stats().pixels, 200 * 200);
+  EXPECT_TRUE(desk.app.improvable());
+  EXPECT_TRUE(desk.app.draw(Picture::Still));
+  EXPECT_EQ(desk.app.stats().level, 0);
+  EXPECT_FALSE(desk.app.improvable());
+  EXPECT_TRUE(desk.app.draw());
+  EXPECT_EQ(desk.app.stats().level, 0);
+  desk.app.setQuality(0, false);
+  for (int i = 0; i < 60; ++i) desk.app.frameShown(40);
+  EXPECT_TRUE(desk.app.draw(Picture::Moving));
+  EXPECT_EQ(desk.app.stats().level, 0);
+}
+
+TEST(App, AnotherModelSizeOrCoatIsMeasuredAnew) {
+  Desk desk;
+  desk.app.setQuality(0, true);
+  const auto measure = [&] {
+    for (int i = 0; i < 60; ++i) desk.app.frameShown(10);
+    return desk.app.stats().frameTime;
+  };
+  EXPECT_EQ(measure(), 10);
+  EXPECT_TRUE(desk.app.loadPrimitive("torus"));
+  EXPECT_EQ(desk.app.stats().frameTime, 0);
+  EXPECT_EQ(measure(), 10);
+  desk.app.resize(160, 200, 1);
+  EXPECT_EQ(desk.app.stats().frameTime, 0);
+  EXPECT_EQ(measure(), 10);
+  desk.app.setField("seed", "9");
+  desk.app.settle();
+  EXPECT_EQ(desk.app.stats().frameTime, 0);
 }
 
 }  // namespace

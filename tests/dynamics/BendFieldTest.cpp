@@ -41,7 +41,7 @@ float farthest(const BendField& a, const BendField& b) {
 
 float largest(const BendField& a) {
   float most = 0;
-  for (const Vec4& bend : a.bends()) most = std::max(most, glm::length(bend));
+  for (const Vec4& bend : a.bends()) most = std::max(most, glm::length(Vec3(bend)));
   return most;
 }
 
@@ -243,9 +243,86 @@ TEST(BendField, StaysFiniteAndBoundedWhateverHappens) {
     field.step(random.uniform(0.0f, k % 5 == 0 ? 2.0f : 0.03f), m, forces, wetness);
     for (const Vec4& bend : field.bends()) {
       ASSERT_TRUE(std::isfinite(glm::dot(bend, bend))) << k;
-      ASSERT_LE(glm::length(bend), kMaxBend * 1.0001f) << k;
+      ASSERT_LE(glm::length(Vec3(bend)), kMaxBend * 1.0001f) << k;
     }
   }
+}
+
+// Combed downwards, more on one side than on the other.
+std::vector<Vec3> combed(const Ball& ball) {
+  std::vector<Vec3> rests;
+  for (const Vec3& n : ball.directions) rests.push_back((Vec3(0, -1, 0) + n * n.y) * (0.6f + 0.5f * n.x));
+  return rests;
+}
+
+TEST(BendField, CombedFurRestsCombed) {
+  const Ball ball;
+  BendField field = ball.field();
+  field.setRest(combed(ball), {});
+  field.settle(kStill, none(), {});
+  for (std::size_t i = 0; i < ball.directions.size(); ++i)
+    EXPECT_LT(glm::length(Vec3(field.bends()[i]) - combed(ball)[i]), 1e-5f);
+  field.setRest({}, {});
+  field.settle(kStill, none(), {});
+  EXPECT_EQ(largest(field), 0);
+}
+
+TEST(BendField, ARestOfNothingIsNoRest) {
+  const Ball ball;
+  BendField upright = ball.field(), combed = ball.field();
+  combed.setRest(std::vector<Vec3>(ball.positions.size(), Vec3(0)), {});
+  for (int k = 0; k < 40; ++k) {
+    const Mat4 turned = glm::rotate(kStill, 0.05f * k, Vec3(0, 1, 0));
+    upright.step(1 / 60.0f, turned, windy(), {});
+    combed.step(1 / 60.0f, turned, windy(), {});
+  }
+  EXPECT_LT(farthest(upright, combed), 1e-5f);
+}
+
+TEST(BendField, SwingsFromTheCombToTheBalanceThatSettleGives) {
+  const Ball ball;
+  BendField stepped = ball.field(), settled = ball.field();
+  for (BendField* field : {&stepped, &settled}) field->setRest(combed(ball), {});
+  settled.settle(kStill, windy(), {});
+  for (int k = 0; k < 600; ++k) stepped.step(1 / 60.0f, kStill, windy(), {});
+  EXPECT_TRUE(stepped.atRest());
+  EXPECT_LT(farthest(stepped, settled), 2e-3f);
+  for (std::size_t i = 0; i < ball.directions.size(); ++i) {
+    EXPECT_NEAR(glm::dot(Vec3(settled.bends()[i]), ball.directions[i]), 0, 1e-5f);
+    EXPECT_LE(glm::length(Vec3(settled.bends()[i])), kMaxBend * 1.0001f);
+  }
+}
+
+TEST(BendField, AForceAlongTheCombMovesLessThanOneAcrossIt) {
+  BendField field;
+  field.reset({Vec3(0, 1, 0)}, {Vec3(0, 1, 0)});
+  field.setRest({Vec3(1.2f, 0, 0)}, {});
+  BendForces forces = none();
+  const auto moved = [&](const Vec3& pull) {  // gravity, for wind has its lee
+    forces.gravity = pull;
+    field.settle(kStill, forces, {});
+    return glm::length(Vec3(field.bends()[0]) - Vec3(1.2f, 0, 0));
+  };
+  // The chord of a strand that turns by 1.2 stands at 0.6 rad: as much of the force as its cosine is left.
+  const float across = moved(Vec3(0, 0, 0.1f)), against = moved(Vec3(-0.1f, 0, 0));
+  EXPECT_GT(across, 0.05f);
+  EXPECT_NEAR(against, across * std::cos(0.6f), 1e-4f);
+  // What presses down lays it flatter.
+  forces.gravity = Vec3(0, -0.02f, 0);
+  field.settle(kStill, forces, {});
+  EXPECT_GT(field.bends()[0].x, 1.2f);
+}
+
+TEST(BendField, CarriesTheLengthsForTheShaders) {
+  const Ball ball;
+  BendField field = ball.field();
+  EXPECT_EQ(field.bends()[7].w, 1);
+  std::vector<float> lengths(ball.positions.size(), 0.25f);
+  field.setRest({}, lengths);
+  field.step(1 / 60.0f, kStill, windy(), {});
+  EXPECT_EQ(field.bends()[7].w, 0.25f);
+  field.settle(kStill, windy(), {});
+  EXPECT_EQ(field.bends()[7].w, 0.25f);
 }
 
 TEST(ArcBend, KeepsTheStrandsLength) {

@@ -45,6 +45,37 @@ TEST(KajiyaSpecular, FallsOffFasterWithAHigherExponent) {
   EXPECT_LT(kajiyaSpecular(t, l, v, 50), kajiyaSpecular(t, l, v, 5));
 }
 
+TEST(ShiftedCosine, IsTheHighlightsCosineTurnedByTheShift) {
+  Random random(6);
+  for (int k = 0; k < 500; ++k) {
+    const Vec3 t = randomUnit(random), l = randomUnit(random), v = randomUnit(random);
+    const float x = std::asin(glm::dot(t, l)) + std::asin(glm::dot(t, v));
+    for (const float shift : {-0.3f, 0.0f, 0.2f}) EXPECT_NEAR(shiftedCosine(t, l, v, shift), std::cos(x - shift), 1e-4f);
+    EXPECT_NEAR(std::pow(std::max(shiftedCosine(t, l, v, 0), 0.0f), 9.0f), kajiyaSpecular(t, l, v, 9), 1e-4f);
+  }
+}
+
+TEST(KajiyaLobe, IsThePowerWithinAnEightBitGlance) {
+  for (const float p : {8.0f, 12.0f, 60.0f, 200.0f})
+    for (int i = 0; i <= 100; ++i) {
+      const float c = i / 100.0f;
+      EXPECT_NEAR(kajiyaLobe(c, p), std::pow(c, p), 0.05f);
+    }
+  EXPECT_EQ(kajiyaLobe(1, 40), 1.0f);
+}
+
+TEST(LobeShifts, StandsThePrimaryTowardsTheRootOfTheSecondaryOnEveryStrand) {
+  for (const float strand : {0.0f, 0.5f, 1.0f}) EXPECT_LT(lobeShifts(strand).x, lobeShifts(strand).y);
+  EXPECT_NE(lobeShifts(0), lobeShifts(1));
+}
+
+TEST(RimLight, ShinesOnlyThroughTheEdgeAndFromBehind) {
+  EXPECT_FLOAT_EQ(rimLight(-1, 0, 1), 1.0f);
+  for (const float facing : {-1.0f, 1.0f}) EXPECT_EQ(rimLight(-1, facing, 1), 0.0f);
+  for (const float front : {0.0f, 0.5f, 1.0f}) EXPECT_EQ(rimLight(front, 0, 1), 0.0f);
+  EXPECT_GT(rimLight(-0.9f, 0.2f, 1), rimLight(-0.9f, 0.2f, 0.3f));
+}
+
 TEST(KajiyaDiffuse, IsTheSineOfTheAngle) {
   const Vec3 t(0, 1, 0);
   EXPECT_FLOAT_EQ(kajiyaDiffuse(t, Vec3(1, 0, 0)), 1.0f);

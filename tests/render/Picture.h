@@ -65,6 +65,7 @@ class Stage {
     target_.bind();
     return picture;
   }
+  void attachTarget() const { target_.bind(); }
   void attach(app::App& app) {
     target_.bind();
     app.resize(width_, height_, 1);

@@ -3,10 +3,13 @@
 #include <functional>
 
 #include "dynamics/BendField.h"
+#include "hair/Marschner.h"
 #include "hair/StrandShading.h"
 #include "render/ShaderSources.h"
+#include "render/ShaderText.h"
+#include "render/StrandTables.h"
 #include "shared/Blocks.h"
-#include "tests/render/Picture.h"
+#include "tests/render/TwinPicture.h"
 #include "wet/Clump.h"
 
 namespace fur::render {
@@ -14,30 +17,52 @@ namespace {
 
 using Twin = std::function<float(float, float)>;
 
+// The settings under which those functions are compared that read them.
+const hair::StrandLook kLook{0.4f, 0.45f, 60, 0.6f, 0.7f, 0.4f, 0.8f, 0.5f};
+constexpr float kLightIntensity = 2.2f, kExposure = 1.3f;
+const Vec3 kSky(0.3f, 0.25f, 0.2f), kFloorLight(0.1f, 0.15f, 0.2f);
+
+shared::FrameBlock frameOfLook() {
+  shared::FrameBlock frame{};
+  frame.light.w = kLightIntensity;
+  frame.up.w = kExposure;
+  frame.sky = Vec4(kSky, 0);
+  frame.floorLight = Vec4(kFloorLight, 0);
+  return frame;
+}
+shared::FurBlock coatOfLook() {
+  shared::FurBlock coat{};
+  coat.volume.z = kLook.density;
+  coat.shading = Vec4(kLook.lambert, kLook.gloss, kLook.exponent, kLook.strandShadow);
+  coat.coat.x = kLook.occlusion;
+  coat.water = Vec4(0, kLook.wetDarkening, kLook.wetGloss, 0);
+  return coat;
+}
+
 // The largest difference between FUNCTION of twins.frag and the twin, over [0, 1]^2.
 float largestDifference(int function, const Twin& twin) {
   test::Stage stage(FUR_TWIN_SIZE, FUR_TWIN_SIZE);
-  const auto program = gl::Program::link("twins", shaders::kScreenVert, shaders::kTwinsFrag,
+  const auto program = gl::Program::link("twins", stageText(shaders::kScreenVert), stageText(shaders::kTwinsFrag),
                                          "#define FUNCTION " + std::to_string(function) + "\n");
   EXPECT_TRUE(program) << (program ? "" : program.error().message);
-  const shared::FrameBlock frame{};
-  const shared::FurBlock coat{};
+  const shared::FrameBlock frame = frameOfLook();
+  shared::FurBlock coat = coatOfLook();
+  settings::Settings settings;
+  settings.strandModel = 1;
+  StrandTables tables;
+  tables.use(settings);
+  program.value().bindSampler("strandM", FUR_UNIT_STRAND_M);
+  program.value().bindSampler("strandN", FUR_UNIT_STRAND_N);
+  coat.rootColor.w = 1 / (strandLobeWidth(settings) * std::sqrt(2 * kPi));
   const gl::Buffer frameBlock(gl::BufferKind::Uniform, gl::bytesOf(frame), true);
   const gl::Buffer coatBlock(gl::BufferKind::Uniform, gl::bytesOf(coat), true);
   frameBlock.bindAsBlock(FUR_FRAME_BINDING);
   coatBlock.bindAsBlock(FUR_COAT_BINDING);
-  program.value().bindBlock("FrameBlock", FUR_FRAME_BINDING);
-  program.value().bindBlock("FurBlock", FUR_COAT_BINDING);
-  program.value().use();
-  gl::setViewport(FUR_TWIN_SIZE, FUR_TWIN_SIZE);
-  gl::apply({.depthTest = false, .depthWrite = false, .cullBack = false});
-  gl::drawWithoutVertices(3);
-  const test::Picture picture = stage.read();
+  const test::Picture picture = test::drawTwin(stage, program.value());
   float worst = 0;
   for (int y = 0; y < FUR_TWIN_SIZE; ++y)
     for (int x = 0; x < FUR_TWIN_SIZE; ++x) {
-      const std::uint8_t* p = picture.at(x, FUR_TWIN_SIZE - 1 - y);  // rows come from the top
-      const float value = static_cast<float>((p[0] << 16) | (p[1] << 8) | p[2]) / 16777216.0f * 4 - 2;
+      const float value = test::twinValue(picture, x, y);
       const float u = static_cast<float>(x) / (FUR_TWIN_SIZE - 1), v = static_cast<float>(y) / (FUR_TWIN_SIZE - 1);
       worst = std::max(worst, std::abs(value - twin(u, v)));
     }
@@ -72,14 +97,42 @@ TEST(Twins, SrgbEncodingIsWithinAThirdOfAnEightBitStep) {
   EXPECT_LT(largestDifference(4, exact), 0.0015f);
 }
 
+// Light and eye of twins.frag, about the strand (1, 0, 0).
+Vec3 eyeOf(float v) { return {std::sin(3 * v), 0.6f * std::cos(3 * v), 0.8f * std::cos(3 * v)}; }
+
 TEST(Twins, KajiyaAndKay) {
-  EXPECT_LT(largestDifference(5, [](float u, float v) { return hair::kajiyaDiffuse(onCircle(3 * u), onCircle(3 * v)); }),
-            kGpuPrecision);
-  EXPECT_LT(largestDifference(6,
-                              [](float u, float v) {
-                                return hair::kajiyaSpecular({1, 0, 0}, onCircle(3 * u), onCircle(3 * v), 12);
-                              }),
-            kGpuPrecision);
+  EXPECT_LT(largestDifference(5, [](float u, float v) { return hair::kajiyaLobe(u * 2 - 1, v * 60); }), kGpuPrecision);
+  const auto shifted = [](float u, float v) {
+    return hair::shiftedCosine({1, 0, 0}, onCircle(3 * u), eyeOf(v), hair::lobeShifts(u).y);
+  };
+  // The shader takes a shift of up to 0.35 for its sine and 1 - x^2 / 2 for its cosine.
+  EXPECT_LT(largestDifference(6, shifted), 0.35f * 0.35f * 0.35f / 6 + kGpuPrecision);
+  EXPECT_LT(largestDifference(10, [](float u, float v) { return hair::rimLight(u * 2 - 1, v * 2 - 1, 0.7f); }), kGpuPrecision);
+}
+
+TEST(Twins, MarschnerFromTablesIsMarschnersFormula) {
+  const float width = strandLobeWidth({});
+  const auto formula = [&](float u, float v) {
+    return hair::marschnerStrand(Vec3(0.4f), {1, 0, 0}, onCircle(3 * u), eyeOf(v), width, 1).g;
+  };
+  // Bilinear look-ups between 128 texels under a lobe of 4 degrees, whose peak here is 1.7, and colour^way without
+  // a power.
+  EXPECT_LT(largestDifference(9, formula), 0.1f);
+}
+
+TEST(Twins, LightOnAStrand) {
+  const Vec3 albedo(0.5f, 0.3f, 0.2f), light = onCircle(0.7f), view = onCircle(-0.4f);
+  const auto shade = [&](float u, float v) {
+    const float key = kLightIntensity * hair::keyShare(kLook, v, light.z, 0.8f);
+    const float through = kLightIntensity * 0.8f * hair::rimLight(glm::dot(light, view), view.z, v);
+    return hair::shadeStrand(kLook, albedo, onCircle(3 * u), light, view, light.z, v, 0.3f, key, through, glm::mix(kFloorLight, kSky, 0.75f), u).x;
+  };
+  // The sum of several terms, scaled by the light.
+  EXPECT_LT(largestDifference(7, shade), 2 * kLightIntensity * kGpuPrecision);
+}
+
+TEST(Twins, ToneMap) {
+  EXPECT_LT(largestDifference(8, [](float u, float) { return hair::toneMap(Vec3(3 * u), kExposure).x; }), kGpuPrecision);
 }
 
 }  // namespace

@@ -96,13 +96,29 @@ TEST(FoModel, BecomesAMeshWithFurCoordinates) {
   EXPECT_TRUE(model.value().warnings.empty());
 }
 
-TEST(FoModel, SaysOnceThatSeveralLengthsOrTypesAreNotDrawnYet) {
-  for (const char* vertex : {"v 9 9 9 0 0 1 0.5 0\n", "v 9 9 9 0 0 1 1 2\n", "v 9 9 9 0 0 1 0.5 2\n"}) {
-    const auto model = importFo(textFile(vertex + kTriangle), "fox.fo");
-    ASSERT_TRUE(model) << model.error().message;
-    ASSERT_EQ(model.value().warnings.size(), 1u);
-    EXPECT_NE(model.value().warnings[0].find("not drawn yet"), std::string::npos);
-  }
+TEST(FoModel, LengthsBecomeSharesOfTheLongestAndTypesSmallNumbers) {
+  const auto model = importFo(textFile("v 9 9 9 0 0 1 0.5 7\nv 5 5 9 0 0 1 2 0\nv 5 9 9 0 0 1 0 3\nt 0 0 0 0\np 1/1 2/1 3/1\n"), "fox.fo");
+  ASSERT_TRUE(model) << model.error().message;
+  EXPECT_EQ(model.value().fur.lengths, (std::vector<float>{0.25f, 1, 0}));
+  EXPECT_EQ(model.value().fur.types, (std::vector<int>{3, 1, 2}));
+  EXPECT_TRUE(model.value().warnings.empty());
+}
+
+TEST(FoModel, OneLengthAndOneTypeSayNothing) {
+  const auto model = importFo(textFile(kTriangle), "fox.fo");
+  ASSERT_TRUE(model) << model.error().message;
+  EXPECT_TRUE(model.value().fur.lengths.empty());
+  EXPECT_TRUE(model.value().fur.types.empty());
+}
+
+TEST(FoModel, SaysOnceThatItTellsOnlyFourTypesApart) {
+  std::string text;
+  for (int i = 0; i < 6; ++i) text += "v " + std::to_string(i) + " " + std::to_string(i * i) + " 0 0 0 1 1 " + std::to_string(i) + "\n";
+  const auto model = importFo(textFile(text + "t 0 0 0 0\np 1/1 2/1 3/1\np 4/1 5/1 6/1\n"), "fox.fo");
+  ASSERT_TRUE(model) << model.error().message;
+  EXPECT_EQ(model.value().fur.types, (std::vector<int>{1, 2, 3, 4, 4, 4}));
+  ASSERT_EQ(model.value().warnings.size(), 1u);
+  EXPECT_NE(model.value().warnings[0].find("6 types"), std::string::npos);
 }
 
 TEST(FoModel, OfASurfaceHoldsItsTrianglesAndItsFurCoordinatesTimesTheRepeat) {

@@ -268,12 +268,17 @@ TEST(ImportGltf, NeverCrashesOnMutatedFiles) {
   sparse.moreViews = R"(,{"buffer":0,"byteOffset":44,"byteLength":1},{"buffer":0,"byteOffset":48,"byteLength":12})";
   sparse.position = R"({"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","sparse":{"count":1,
     "indices":{"bufferView":2,"componentType":5121},"values":{"bufferView":3}}})";
-  const FileBytes seeds[] = {exportGlb(geometry::makeSphere(6, 4), "seed"), sparse.build()};
+  FurData fur{R"({"version":1})", std::vector<groom::GroomMap::Texel>(16 * 16, {9, 8, 7, 6}), 16, {}, {}, {}};
+  geometry::Mesh plane = geometry::makePlane(2);
+  plane.atlas = plane.uv;
+  fur.comb.assign(plane.positions.size(), Vec3(0.5f, 0, 0));
+  const FileBytes seeds[] = {exportGlb(geometry::makeSphere(6, 4), "seed"), sparse.build(),
+                             exportScene(plane, "seed", fur, {{}, Vec4(1)})};
   Random random(20240607);
   const int rounds = std::getenv("WETFUR_MUTATIONS") ? std::atoi(std::getenv("WETFUR_MUTATIONS")) : 2000;
   int imported = 0;
   for (int round = 0; round < rounds; ++round) {
-    FileBytes bytes = seeds[round % 2];
+    FileBytes bytes = seeds[round % 3];
     const std::uint32_t jsonEnd = 20 + (bytes[12] | static_cast<std::uint32_t>(bytes[13]) << 8);
     for (std::uint32_t n = 1 + random.next() % 4; n > 0; --n) {
       // Half of the changes go into the JSON, where most of what can go wrong is said.

@@ -19,7 +19,7 @@ test('core uses nothing, and no pure module sees gl, render or app', () => {
   for (const name of ['geometry', 'settings', 'scene', 'gl', 'app']) {
     assert.equal(whats('src/core/A.h', `#include "${name}/X.h"`).length, 1, name);
   }
-  for (const pure of ['geometry', 'settings', 'furgen', 'wet', 'dynamics', 'hair', 'scene']) {
+  for (const pure of ['geometry', 'settings', 'furgen', 'wet', 'dynamics', 'hair', 'scene', 'truth']) {
     for (const name of ['gl', 'render', 'editor', 'app']) {
       assert.equal(whats(`src/${pure}/A.h`, `#include "${name}/X.h"`).length, 1, `${pure} -> ${name}`);
     }

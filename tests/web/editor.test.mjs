@@ -89,7 +89,7 @@ test('the panel saves the coat as a file that gives the same coat again', async 
   const bytes = readFileSync(await download.path());
   const same = await withFur(page, async (fur, base64) => {
     const given = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
-    const saved = fur.saveTypeSet();
+    const saved = await fur.saveTypeSet();
     return given.length === saved.length && given.every((byte, i) => byte === saved[i]);
   }, bytes.toString('base64'));
   assert.ok(same, `${bytes.length} bytes`);

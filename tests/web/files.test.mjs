@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { badModels, hugeImage, tetrahedron } from './glb.mjs';
-import { difference, light, picture, startBrowser, withFur } from './support.mjs';
+import { difference, light, picture, sleep, startBrowser, withFur } from './support.mjs';
 
 const site = startBrowser();
 let page;
@@ -105,7 +105,7 @@ test('a spoilt .obj is refused by name, line and reason, and the old scene stays
 test('a saved .fo opens again with the same triangles', async () => {
   const [before, after] = await withFur(page, async (fur) => {
     const triangles = fur.stats.triangles;
-    await fur.loadModel(fur.saveFo(), { name: 'again.fo' });
+    await fur.loadModel(await fur.saveFo(), { name: 'again.fo' });
     return [triangles, fur.stats.triangles];
   });
   assert.equal(after, before);
@@ -113,25 +113,33 @@ test('a saved .fo opens again with the same triangles', async () => {
 });
 
 /** Waits until the coat that would be saved is `wanted` (or no more), a property of the page's window. */
-const untilCoat = (same) => page.waitForFunction((expected) => {
-  const now = wetFur.saveTypeSet();
+const untilCoat = (same) => page.waitForFunction(async (expected) => {
+  const now = await wetFur.saveTypeSet();
   return window.wanted.every((byte, i) => byte === now[i]) === expected;
 }, same, { polling: 200 });
 
 test('a dropped .fts is the coat until a setting that grows another changes', async () => {
-  const coat = await withFur(page, (fur) => {
+  const coat = await withFur(page, async (fur) => {
     fur.settings.density = 0.2;
-    window.wanted = fur.saveTypeSet();
+    window.wanted = await fur.saveTypeSet();
     fur.settings.density = 0.9;
     fur.step(1 / 60);
     let text = '';
     for (const byte of window.wanted) text += String.fromCharCode(byte);
     return btoa(text);
   });
+  // Until it has grown the picture keeps the coat before it.
+  await page.waitForFunction(() => wetFur.stats.strands > 600);
   const dense = await picture(page);
   await drop([['curls.fts', Buffer.from(coat, 'base64')]]);
   await untilCoat(true);
-  assert.ok(difference(dense, await picture(page), 10) > 0.05);  // a fifth of the strands: most of the model
+  // The coat grows in slices, so the picture follows in a while.
+  let apart = 0;
+  for (let turn = 0; turn < 40 && apart <= 0.05; ++turn) {
+    await sleep(100);
+    apart = difference(dense, await picture(page), 10);
+  }
+  assert.ok(apart > 0.05, `${apart}`);  // a fifth of the strands: most of the model
   await withFur(page, (fur) => { fur.settings.wind = 0; fur.settings.density = 0.5; });
   await untilCoat(false);
 });

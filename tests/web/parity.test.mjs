@@ -38,6 +38,8 @@ const spots = [[190, 200], [215, 190], [240, 200], [205, 225], [235, 230], [260,
 const scenes = [
   ['the dry bunny', 'bunny', { layers: 32, dryRate: 0 }, []],
   ['a bunny with wet flanks', 'bunny', { layers: 32, dryRate: 0, brushRadius: 0.1, brushFlow: 0.8 }, spots],
+  ['a bunny of glass strands that shade each other', 'bunny',
+    { layers: 24, strandModel: 'marschner', shadows: 'layers', lightYaw: 2.6, dryRate: 0 }, []],
   ['a red torus with long fur in the wind', 'torus', { layers: 24, furLength: 0.2, tipColor: '#c03020', wind: 0.6, gust: 0, motion: 'full' }, []],
 ];
 

@@ -138,3 +138,29 @@ FUR_EXPORT const char* fur_editor_commandText() { return commandText.c_str(); }
 FUR_EXPORT void fur_editor_message(App* app, const char* text, int isError) {
   withHost(app, [&](EditorHost& host) { return host.message(text, isError != 0), 0; });
 }
+
+// --- work that visitors seldom ask for, so that they need not download it ---
+
+// These give the number of the bytes that they make, which lie at fur_savedBytes() until they are forgotten.
+FUR_EXPORT std::uint32_t fur_saveTypeSet(App* app) {
+  return guarded([&] { return web::keepSaved(app->saveTypeSet()); });
+}
+FUR_EXPORT std::uint32_t fur_saveFo(App* app) {
+  return guarded([&] { return web::keepSaved(app->saveFo()); });
+}
+FUR_EXPORT std::uint32_t fur_saveScene(App* app) {
+  return guarded([&] { return web::keepSaved(app->saveScene()); });
+}
+// `edit`: the number of an app::GroomEdit; others do nothing.
+FUR_EXPORT int fur_groomAll(App* app, int edit, float value, float x, float y, float z) {
+  return guarded([&] {
+    app->groomAll(static_cast<app::GroomEdit>(edit), value, {x, y, z});
+    return 1;
+  });
+}
+FUR_EXPORT int fur_groomFromImage(App* app, int width, int height, const std::uint8_t* rgba) {
+  return guarded([&] {
+    app->groomFromImage(width, height, {rgba, std::size_t(width) * std::size_t(height) * 4});
+    return 1;
+  });
+}

@@ -92,6 +92,14 @@ export interface Equations {
   arcBend(theta: number, t: number): [number, number];
   kajiyaDiffuse(T: Vector, L: Vector): number;
   kajiyaSpecular(T: Vector, L: Vector, V: Vector, p: number): number;
+  /** A normal distribution of thetaH round alpha; its integral is 1. */
+  marschnerM(thetaH: number, alpha: number, beta: number): number;
+  /** p: 0 R, 1 TT, 2 TRT. Per radian of phiD; absorption per strand radius. */
+  marschnerN(p: number, thetaD: number, phiD: number, eta: number, absorption: number): number;
+  /** exp(-k sigma) */
+  transmittance(k: number, sigma: number): number;
+  /** sigma(z) from the opacity before each layer, layer i at i dz. */
+  opacityLookup(layerOpacities: ArrayLike<number>, z: number, dz: number): number;
 }
 
 export interface ImportedModel {

@@ -12,6 +12,7 @@ export class WetFurElement extends HTMLElement {
   cameraControls: boolean;
   cameraOrbit: string;
   quality: Quality;
+  frameBudget: number;
   background: string;
   fixedDt: number;
   paused: boolean;

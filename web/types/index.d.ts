@@ -11,7 +11,11 @@ export class FurError extends Error {
   constructor(code: FurErrorCode, message: string);
 }
 
-export type Tool = 'droplet' | 'dry' | 'grab' | 'none';
+/** 'comb' to 'type' dress the fur: 'smooth', 'raise' and 'comb' lay it, 'trim' and 'grow' change its length, 'type' its kind. */
+export type Tool = 'droplet' | 'dry' | 'comb' | 'smooth' | 'raise' | 'trim' | 'grow' | 'type' | 'grab' | 'none';
+export type GroomType = '1' | '2' | '3' | '4';
+/** All over the model; see WetFurApi.groom. */
+export type GroomEdit = 'clear' | 'length' | 'invert' | 'vary' | 'type' | 'comb' | 'raise' | 'size';
 export type Quality = 'auto' | 'low' | 'medium' | 'high';
 export type Motion = 'auto' | 'full' | 'reduced';
 export type WheelManner = 'page' | 'focus' | 'zoom';
@@ -19,6 +23,8 @@ export type View = 'final' | 'skin' | 'shells' | 'fins' | 'wetness' | 'tangents'
 /** Texels. */
 export type TileSize = '64' | '128' | '256' | '512' | '1024';
 export type FurMapping = 'charts' | 'cube';
+export type Shadows = 'none' | 'depth' | 'layers';
+export type StrandModel = 'kajiya' | 'marschner';
 /** "#rrggbb", sRGB. */
 export type Color = string;
 export type ModelBytes = ArrayBuffer | ArrayBufferView | Blob;
@@ -93,13 +99,17 @@ export interface FurSettings {
   specular: number;
   /** Exponent p of the highlight on soaked fur (Kajiya and Kay); dry fur is blunter. */
   shininess: number;
+  /** How a strand shines: as a dull thread with two highlights (Kajiya and Kay), or as a rod of tinted glass that light passes through (Marschner). */
+  strandModel: StrandModel;
   /** How much strands darken what lies below them (Sheppard Eq. 3.4). */
   strandShadow: number;
+  /** Shadow that fur casts on itself at a distance, softer with depth: by the depth below its outer surface, or by counting the strands on the way. */
+  shadows: Shadows;
   /** sigma_occ: less light reaches the roots (Silva Eq. 5). */
   occlusion: number;
   /** Brightness of the whole picture. */
   exposure: number;
-  /** Radius of the spray of droplets, and of the dry brush. */
+  /** Radius of the spray of droplets, and of all brushes. */
   brushRadius: number;
   /** Wetness that one droplet brings. */
   brushFlow: number;
@@ -113,6 +123,10 @@ export interface FurSettings {
   wetDarkening: number;
   /** sigma_spec: how much blunter the highlight of dry fur is than that of soaked fur (Silva Eq. 3). */
   wetGloss: number;
+  /** How much one pass of the comb, the scissors or the type brush does. */
+  groomStrength: number;
+  /** What the type brush paints; 1 takes the others away. */
+  groomType: GroomType;
   /** How far its own weight bends the fur. */
   gravity: number;
   /** How strongly a strand returns to its rest direction. */
@@ -178,7 +192,10 @@ export interface WetFurOptions extends Partial<FurSettings> {
   cameraControls?: boolean;
   /** "yaw pitch distance [x y z]", radians or with "deg". */
   cameraOrbit?: string | (Omit<CameraOrbit, 'target'> & { target?: [number, number, number] });
+  /** "auto" draws moving pictures with less where they would not hold `frameBudget`; pictures that stay, steps and saved ones not. */
   quality?: Quality;
+  /** Milliseconds from one moving picture to the next, 4 to 1000; default 1000 / 60. */
+  frameBudget?: number;
   /** One colour for the whole background; backgroundTop and backgroundBottom make a gradient. */
   background?: Color;
   /** Seconds that every frame advances, whatever the clock says; 0: the clock. */
@@ -204,6 +221,12 @@ export interface WetFurStats {
   /** By the last frame. */
   uploadedBytes: number;
   framesDrawn: number;
+  /** Of the last picture: 0 is drawn with everything, up to 7 with ever less. */
+  level: number;
+  /** Drawn for the last picture: fewer than the canvas has when it was enlarged. */
+  pixels: number;
+  /** Median milliseconds from one moving picture to the next; 0: not known. */
+  frameTime: number;
 }
 
 export interface WetFurEventMap {
@@ -243,6 +266,8 @@ export interface WetFurApi {
   readonly meanWetness: number;
   /** Of the wetness mask: the same strokes give the same hash. */
   readonly wetnessHash: string;
+  /** Whether any fur is shorter, of another type or combed. */
+  readonly groomed: boolean;
   readonly canUndo: boolean;
   readonly canRedo: boolean;
   readonly editorOpen: boolean;
@@ -258,6 +283,14 @@ export interface WetFurApi {
   wetnessAt(u: number, v: number): number;
   /** The atlas coordinates under CSS pixels of the canvas; null beside the model. */
   pick(at: { x: number; y: number }): { u: number; v: number } | null;
+  /**
+   * Dresses the whole model, as one undo step. This, length maps and all that saves fetch the editor's program. `value`: the length as a share of the longest ('length'), how much shorter patches
+   * get ('vary'), 1 to 4 ('type'), how far it is combed ('comb', along `direction` in model space), texels along the
+   * map ('size'); 'clear', 'invert' and 'raise' take none.
+   */
+  groom(edit: GroomEdit, value?: number, direction?: readonly [number, number, number]): Promise<void>;
+  /** An image in the model's texture coordinates: its brightness becomes the length of the fur. */
+  loadLengthMap(image: ModelBytes): Promise<void>;
   play(): void;
   pause(): void;
   /** n steps of dt seconds and one frame, at once, whatever the page's own clock does. */
@@ -279,9 +312,11 @@ export interface WetFurApi {
    */
   loadTypeSet(typeSet: ModelBytes, options?: { name?: string }): Promise<void>;
   /** The coat as .fts. */
-  saveTypeSet(): Uint8Array;
+  saveTypeSet(): Promise<Uint8Array>;
   /** The model with its fur coordinates as .fo (Sheppard 2004). */
-  saveFo(): Uint8Array;
+  saveFo(): Promise<Uint8Array>;
+  /** Model, groom, settings and camera as .glb; other programs show it bare. */
+  save(): Promise<Uint8Array>;
   toBlob(options?: { mimeType?: string; quality?: number; width?: number; height?: number }): Promise<Blob>;
   getCameraOrbit(): CameraOrbit | null;
   resetCamera(): void;

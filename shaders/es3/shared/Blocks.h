@@ -21,24 +21,26 @@ FUR_BLOCK(FrameBlock) {
   vec4 eye;               // model space; w: pixels that a model unit covers at distance 1
   vec4 light;             // model space, unit, towards the light; w: intensity
   vec4 up;                // model space, unit, the world's +y; w: exposure
-  vec4 sky;               // linear light from above; w: unused
+  vec4 sky;               // linear light from above; w: samples a pixel
   vec4 floorLight;        // linear light from below; w: unused
   vec4 backgroundTop;     // sRGB as it is shown
   vec4 backgroundBottom;  // sRGB as it is shown
   vec4 lightWorld;        // world space, unit; w: unused
   vec4 groundPlane;       // x: its height in the world  y: half the side of its shadow map  z: darkness
   vec4 groundCentre;      // world x and z of the shadow map's centre
+  mat4 lightFromModel;    // to the fur's own shadow map: xy 0..1, z depth along the light in model units
+  vec4 volumeShadow;      // x: log2(e) k  y: bias, or distance of the layers  z: height of the first surface  w: depth that the map spans
 };
 
 // The coat. One a change of the settings.
 FUR_BLOCK(FurBlock) {
-  vec4 shape;      // x: length (model units)  y: tiles per model unit  z: layers drawn  w: layers a slab
-  vec4 volume;     // x: texels along the tile  y: layers stored  z: density (strand shadow)  w: unused
-  vec4 rootColor;  // linear
+  vec4 shape;      // x: length (model units)  y: tiles per model unit  z: layers  w: slabs
+  vec4 volume;     // x: texels along the tile  y: layers stored  z: density (strand shadow)  w: length of a march's steps
+  vec4 rootColor;  // linear; w: 1 / (beta_R sqrt(2 pi)) of Marschner's lobes
   vec4 tipColor;   // linear
   vec4 skinColor;  // linear
   vec4 shading;    // x: Lambert share  y: gloss  z: exponent p when soaked  w: strand shadow
-  vec4 coat;       // x: sigma_occ  y: variance  z: share of the model's texture  w: unused
+  vec4 coat;       // x: sigma_occ  y: variance  z: share of the model's texture  w: whether charts overlap
   vec4 water;      // x: clump shape w  y: sigma_wet  z: sigma_spec  w: texels along the mask
 };
 
@@ -49,8 +51,8 @@ FUR_BLOCK(FurBlock) {
 #define FUR_POSITION 0        // w: strands from (SurfaceVertex::strands)
 #define FUR_NORMAL 1          // w: strands to
 #define FUR_UV_ATLAS 2        // xy: model uv  zw: atlas
-#define FUR_FUR_COORD 3       // st
-#define FUR_GRAD_S 4
+#define FUR_FUR_COORD 3       // xy: st  zw: curvature S_ss, S_st
+#define FUR_GRAD_S 4          // w: curvature S_tt
 #define FUR_GRAD_T 5
 #define FUR_ATLAS_FROM_FUR 6  // 2x2 by columns
 
@@ -58,7 +60,7 @@ FUR_BLOCK(FurBlock) {
 #define FUR_FIN_POSITION_A 0  // w: vertex index, for its bend
 #define FUR_FIN_POSITION_B 1
 #define FUR_FIN_NORMAL_A 2    // w: where the edge starts in the fin map
-#define FUR_FIN_NORMAL_B 3    // w: unused
+#define FUR_FIN_NORMAL_B 3    // w: curvature across the edge; -1 where it is sharp or a boundary
 #define FUR_FIN_FACE_0 4      // w: model u at the edge's middle
 #define FUR_FIN_FACE_1 5      // w: model v at the edge's middle
 #define FUR_FIN_ATLAS 6       // atlas of a, atlas of b
@@ -69,6 +71,23 @@ FUR_BLOCK(FurBlock) {
 #define FUR_UNIT_BEND 3
 #define FUR_UNIT_BASE_COLOR 4
 #define FUR_UNIT_GROUND 5
+#define FUR_UNIT_STRAND_M 6
+#define FUR_UNIT_STRAND_N 7
+#define FUR_UNIT_SHADOW 8
+#define FUR_UNIT_OPACITY 9
+#define FUR_UNIT_GROOM 10
+
+// Texels along the fur's own shadow map and along its opacity layers (a texel is their penumbra), their targets of
+// four layers each, the shells that fill them.
+#define FUR_SHADOW_SIZE 512
+#define FUR_OPACITY_SIZE 256
+#define FUR_SHADOW_TARGETS 4
+#define FUR_SHADOW_SHELLS 8
+
+// Texels of Marschner's tables (hair/Marschner.h).
+#define FUR_STRAND_M 128.0
+#define FUR_STRAND_N_X 128.0
+#define FUR_STRAND_N_Y 32.0
 
 // Bends are stored this many to a row.
 #define FUR_BEND_ROW 1024
@@ -80,6 +99,9 @@ FUR_BLOCK(FurBlock) {
 // not both faces are turned away by more than the second.
 #define FUR_SILHOUETTE 0.06
 #define FUR_HORIZON (-0.4)
+// Curvature across a fin's edge: fins up to the first and none from the second on.
+#define FUR_FIN_FLAT (-0.2)
+#define FUR_FIN_ROUND 0.1
 // Where a fin begins: below it the slabs show the coat, and better.
 #define FUR_FIN_FOOT 0.3
 // Quads of a fin along its height.

@@ -31,11 +31,15 @@ editor::PointerKind panelKind(PointerKind kind) {
   return kind == PointerKind::Touch ? editor::PointerKind::Touch : editor::PointerKind::Mouse;
 }
 
-gl::Texture textureOf(const furgen::TilePicture& picture) {
-  gl::TextureShape shape{gl::TexelFormat::RGBA8, picture.width, picture.height};
+gl::Texture pictureTexture(int width, int height, std::span<const std::byte> rgba) {
+  gl::TextureShape shape{gl::TexelFormat::RGBA8, width, height};
   shape.filter = gl::Filter::Crisp;
   shape.repeats = true;
-  return {shape, gl::bytesOf(picture.rgba)};
+  return {shape, rgba};
+}
+
+gl::Texture textureOf(const furgen::TilePicture& picture) {
+  return pictureTexture(picture.width, picture.height, gl::bytesOf(picture.rgba));
 }
 
 ImTextureID idOf(const gl::Texture& texture) {
@@ -48,9 +52,9 @@ std::string typeSetName(const App& app) {
   return std::string(preset ? preset->name : "coat") + ".fts";
 }
 
-std::string foName(const App& app) {
+std::string modelFileName(const App& app, const char* ending) {
   const std::string& name = app.modelName();
-  return name.substr(0, name.rfind('.')) + ".fo";
+  return name.substr(0, name.rfind('.')) + ending;
 }
 
 }  // namespace
@@ -112,6 +116,8 @@ void EditorHost::detach() {
   app_.setCovered(Vec2(0));
   tile_ = {};
   fin_ = {};
+  groomPicture_ = {};
+  groomRevision_ = 0;
   // Where a context can be lost, in WebGL, deleting what it held is allowed and does nothing.
   ImGui_ImplOpenGL3_Shutdown();
 }
@@ -252,7 +258,29 @@ editor::EditorModel EditorHost::model() {
   model.coat.tile = idOf(tile_.texture);
   model.coat.fin = idOf(fin_.texture);
   model.coat.tileSize = tile_.texture.id() ? tile_.texture.shape().width : 0;
+  model.groom.bald = groomCoverage_.bald;
+  model.groom.length = groomCoverage_.length;
+  std::copy_n(groomCoverage_.types, groom::kTypes, model.groom.types);
+  model.groom.mapSize = app_.groomMap().size();
+  model.groom.plain = !app_.groomed();
+  model.groom.map = idOf(groomPicture_);
   return model;
+}
+
+// The map for people, while it is on the screen.
+void EditorHost::refreshGroom() {
+  static_assert(static_cast<int>(editor::GroomEdit::Clear) == static_cast<int>(GroomEdit::Clear) &&
+                static_cast<int>(editor::GroomEdit::Size) == static_cast<int>(GroomEdit::Size));
+  if (!editor_.showsGroom()) {
+    groomPicture_ = {};
+    groomRevision_ = 0;
+    return;
+  }
+  if (groomRevision_ == app_.groomRevision()) return;
+  groomRevision_ = app_.groomRevision();
+  groomCoverage_ = app_.groomCoverage();
+  groomPicture_ = pictureTexture(app_.groomMap().size(), app_.groomMap().size(), gl::bytesOf(groom::picture(app_.groomMap())));
+  ++picturesMade_;
 }
 
 // Before the frame that shows them: the frame before may still be drawn with the old ones.
@@ -300,11 +328,13 @@ bool EditorHost::update(float dt) {
   if (framesLeft_ > 0) --framesLeft_;
   input_.feed(io);
   refreshCoatPictures();
+  refreshGroom();
+  const bool groomShown = editor_.showsGroom();
   const std::optional<editor::TileView> pictured = editor_.shownTile();
   ImGui::NewFrame();
   const std::vector<editor::Command> commands = editor_.frame(model(), scale_);
   ImGui::Render();
-  if (editor_.shownTile() != pictured) wake();
+  if (editor_.shownTile() != pictured || editor_.showsGroom() != groomShown) wake();
   for (const editor::Command& command : commands) perform(command);
   app_.setCovered(editor_.covered(), justAttached_);
   justAttached_ = false;
@@ -364,7 +394,9 @@ void EditorHost::perform(const editor::Command& command) {
       [&](const PasteState&) { request(Kind::PasteRequest); },
       [&](const ApplyPreset& c) { app_.applyPreset(c.name); },
       [&](const SaveTypeSet&) { request(Kind::SaveTypeSet, typeSetName(app_)); },
-      [&](const SaveFo&) { request(Kind::SaveFo, foName(app_)); },
+      [&](const SaveFo&) { request(Kind::SaveFo, modelFileName(app_, ".fo")); },
+      [&](const SaveScene&) { request(Kind::SaveScene, modelFileName(app_, ".glb")); },
+      [&](const GroomAll& c) { app_.groomAll(static_cast<GroomEdit>(c.edit), c.value, c.direction); },
       [&](const DismissMessage& c) {
         messages_.erase(messages_.begin() + static_cast<std::ptrdiff_t>(c.index));
       },

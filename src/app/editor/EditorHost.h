@@ -35,7 +35,8 @@ struct PlatformCommand {
     CopyText = 4,
     PasteRequest = 5,
     SaveTypeSet = 6,  // App::saveTypeSet(), under the name in `text`
-    SaveFo = 7        // the model as .fo, likewise
+    SaveFo = 7,       // the model as .fo, likewise
+    SaveScene = 8     // App::saveScene(), likewise
   };  // JavaScript knows these
   Kind kind;
   std::string text;  // the path, the text to copy, or a name for the file
@@ -96,6 +97,7 @@ class EditorHost {
   void wake() { framesLeft_ = kFramesAfterEvent; }
   editor::EditorModel model();
   void refreshCoatPictures();
+  void refreshGroom();
   void perform(const editor::Command& command);
   void request(PlatformCommand::Kind kind, std::string text = {}) {
     platform_.push_back({kind, std::move(text)});
@@ -121,6 +123,9 @@ class EditorHost {
   int framesLeft_ = kFramesAfterEvent;
   std::uint64_t drawnHash_ = 0, shownHash_ = 0;  // of the panel's triangles and pictures
   CoatPicture tile_, fin_;
+  gl::Texture groomPicture_;
+  groom::Coverage groomCoverage_;
+  std::uint64_t groomRevision_ = 0;  // of these two; 0: none
   std::uint64_t picturesMade_ = 0;
   float frameTime_ = 0;
   std::deque<PlatformCommand> platform_;

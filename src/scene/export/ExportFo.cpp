@@ -38,7 +38,8 @@ std::vector<std::uint8_t> writeFo(const FoModel& fo) {
   return bytes;
 }
 
-FoModel foFromSurface(const geometry::Surface& surface, float repeat) {
+FoModel foFromSurface(const geometry::Surface& surface, float repeat, std::span<const float> lengths,
+                      std::span<const int> types) {
   std::vector<Vec3> positions, normals;
   for (const geometry::SurfaceVertex& v : surface.vertices) {
     positions.push_back(v.position);
@@ -53,9 +54,9 @@ FoModel foFromSurface(const geometry::Surface& surface, float repeat) {
   for (const std::uint32_t vertex : weld.cornerOf) {
     fo.positions.push_back(positions[vertex]);
     fo.normals.push_back(normals[vertex]);
+    fo.length.push_back(lengths.empty() ? 1.0f : lengths[vertex]);
+    fo.furType.push_back(types.empty() ? 0 : types[vertex]);
   }
-  fo.length.assign(fo.positions.size(), 1.0f);
-  fo.furType.assign(fo.positions.size(), 0);
   for (const geometry::SurfaceVertex& v : surface.vertices)
     fo.texcoords.push_back({{v.uv.x, 1.0f - v.uv.y}, v.fur * repeat});
   for (std::size_t t = 0; t < surface.triangleCount(); ++t) {

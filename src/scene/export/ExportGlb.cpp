@@ -1,8 +1,9 @@
-#include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <span>
 
 #include "scene/Model.h"
+#include "scene/PackBits.h"
 
 namespace fur::scene {
 
@@ -43,65 +44,121 @@ std::string numbers(const float* values, int count) {
 struct Writer {
   std::vector<std::uint8_t> binary;
   std::string accessors, views;
-  int count = 0;
+  int accessorCount = 0, viewCount = 0;
+
+  // A view of its own; `extra` is further JSON of it. Returns its index.
+  int addView(std::span<const std::uint8_t> bytes, const std::string& extra) {
+    views += (viewCount ? "," : "") + std::string("{\"buffer\":0,\"byteOffset\":") + std::to_string(binary.size()) +
+             ",\"byteLength\":" + std::to_string(bytes.size()) + extra + "}";
+    binary.insert(binary.end(), bytes.begin(), bytes.end());
+    padTo4(binary, 0);
+    return viewCount++;
+  }
 
   // One accessor on a view of its own; `extra` is further accessor JSON. Returns its index.
-  int add(const void* data, std::size_t bytes, std::size_t elements, const char* type, std::uint32_t component,
-          std::uint32_t target, const std::string& extra) {
-    const auto* from = static_cast<const std::uint8_t*>(data);
-    const char* comma = count ? "," : "";
-    views += comma + std::string("{\"buffer\":0,\"byteOffset\":") + std::to_string(binary.size()) +
-             ",\"byteLength\":" + std::to_string(bytes) + ",\"target\":" + std::to_string(target) + "}";
-    accessors += comma + std::string("{\"bufferView\":") + std::to_string(count) +
-                 ",\"componentType\":" + std::to_string(component) + ",\"count\":" + std::to_string(elements) +
+  template <class T>
+  int add(const std::vector<T>& values, const char* type, std::uint32_t component, std::uint32_t target,
+          const std::string& extra = "") {
+    const auto* from = reinterpret_cast<const std::uint8_t*>(values.data());
+    const int view = addView({from, values.size() * sizeof(T)}, ",\"target\":" + std::to_string(target));
+    accessors += (accessorCount ? "," : "") + std::string("{\"bufferView\":") + std::to_string(view) +
+                 ",\"componentType\":" + std::to_string(component) + ",\"count\":" + std::to_string(values.size()) +
                  ",\"type\":\"" + type + "\"" + extra + "}";
-    binary.insert(binary.end(), from, from + bytes);
-    padTo4(binary, 0);
-    return count++;
+    return accessorCount++;
   }
 };
 
 static_assert(sizeof(Vec3) == 12 && sizeof(Vec2) == 8, "vectors are written as they lie in memory (little-endian)");
 
-}  // namespace
-
-std::vector<std::uint8_t> exportGlb(const geometry::Mesh& mesh, const std::string& name) {
-  Writer writer;
+// The attributes of the one primitive. Texture coordinate sets must be numbered without gaps: the atlas is the
+// second when the mesh has uv, else the first.
+std::string attributesOf(Writer& writer, const geometry::Mesh& mesh, const FurData& fur) {
   const std::size_t vertices = mesh.positions.size();
   const geometry::Bounds box = geometry::bounds(mesh);
-  std::string attributes = "\"POSITION\":" + std::to_string(writer.add(
-      mesh.positions.data(), vertices * sizeof(Vec3), vertices, "VEC3", kFloat, kVertexBuffer,
-      ",\"min\":" + numbers(&box.low.x, 3) + ",\"max\":" + numbers(&box.high.x, 3)));
-  if (mesh.normals.size() == vertices) {
-    attributes += ",\"NORMAL\":" + std::to_string(writer.add(mesh.normals.data(), vertices * sizeof(Vec3), vertices,
-                                                             "VEC3", kFloat, kVertexBuffer, ""));
+  std::string out;
+  const auto put = [&](const char* name, const auto& values, const char* type, const std::string& extra = "") {
+    if (values.size() != vertices) return;
+    out += (out.empty() ? "\"" : ",\"") + std::string(name) + "\":" +
+           std::to_string(writer.add(values, type, kFloat, kVertexBuffer, extra));
+  };
+  put("POSITION", mesh.positions, "VEC3", ",\"min\":" + numbers(&box.low.x, 3) + ",\"max\":" + numbers(&box.high.x, 3));
+  put("NORMAL", mesh.normals, "VEC3");
+  put("TEXCOORD_0", mesh.uv, "VEC2");
+  put(mesh.uv.empty() ? "TEXCOORD_0" : "TEXCOORD_1", mesh.atlas, "VEC2");
+  put("_WETFUR_TILE", mesh.furUv, "VEC2");
+  put("_WETFUR_COMB", fur.comb, "VEC3");
+  return out;
+}
+
+// WETFUR_fur of the root; "" when there is nothing to say.
+std::string furExtension(Writer& writer, const geometry::Mesh& mesh, const FurData& fur) {
+  const bool hasMap = !fur.map.empty() && mesh.atlas.size() == mesh.positions.size();
+  if (fur.state.empty() && !hasMap && fur.comb.empty() && mesh.furUv.empty()) return "";
+  std::string out = "\"WETFUR_fur\":{\"version\":" + std::to_string(kFurVersion);
+  if (!fur.state.empty()) out += ",\"state\":" + fur.state;
+  if (hasMap) {
+    std::vector<std::uint8_t> planes;
+    for (std::size_t k = 0; k < 4; ++k)
+      for (const auto& texel : fur.map) planes.push_back(texel[k]);
+    out += ",\"groom\":{\"size\":" + std::to_string(fur.mapSize) + ",\"bufferView\":" +
+           std::to_string(writer.addView(packBits(planes), "")) + ",\"texCoord\":" + (mesh.uv.empty() ? "0}" : "1}");
   }
-  if (mesh.uv.size() == vertices) {
-    attributes += ",\"TEXCOORD_0\":" + std::to_string(writer.add(mesh.uv.data(), vertices * sizeof(Vec2), vertices,
-                                                                 "VEC2", kFloat, kVertexBuffer, ""));
-  }
-  const int indices = writer.add(mesh.indices.data(), mesh.indices.size() * 4, mesh.indices.size(), "SCALAR",
-                                 kUnsignedInt, kIndexBuffer, "");
-  std::string json = "{\"asset\":{\"version\":\"2.0\",\"generator\":\"wet-fur\"},\"scene\":0,"
-                     "\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,\"name\":" + quoted(name) + "}],"
-                     "\"meshes\":[{\"name\":" + quoted(name) + ",\"primitives\":[{\"attributes\":{" + attributes +
-                     "},\"indices\":" + std::to_string(indices) + "}]}],\"accessors\":[" + writer.accessors +
-                     "],\"bufferViews\":[" + writer.views + "],\"buffers\":[{\"byteLength\":" +
-                     std::to_string(writer.binary.size()) + "}]}";
+  return out + "}";
+}
+
+// Material, texture and image, each with a comma after it.
+std::string materialOf(Writer& writer, const ScenePicture& picture, std::string& used) {
+  const bool hasImage = !picture.image.bytes.empty();
+  if (!hasImage && picture.factor == Vec4(1)) return "";
+  std::string out = "\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorFactor\":" + numbers(&picture.factor.x, 4) +
+                    ",\"metallicFactor\":0" + (hasImage ? ",\"baseColorTexture\":{\"index\":0}" : "") + "}}],";
+  if (!hasImage) return out;
+  const bool webp = picture.image.mimeType == "image/webp";
+  if (webp) used += std::string(used.empty() ? "" : ",") + "\"EXT_texture_webp\"";
+  out += webp ? "\"textures\":[{\"extensions\":{\"EXT_texture_webp\":{\"source\":0}}}]," : "\"textures\":[{\"source\":0}],";
+  return out + "\"images\":[{\"bufferView\":" + std::to_string(writer.addView(picture.image.bytes, "")) +
+         ",\"mimeType\":\"" + picture.image.mimeType + "\"}],";
+}
+
+std::vector<std::uint8_t> container(const std::string& json, const std::vector<std::uint8_t>& binary) {
   std::vector<std::uint8_t> jsonBytes(json.begin(), json.end());
   padTo4(jsonBytes, ' ');
-
   std::vector<std::uint8_t> file;
   append32(file, 0x46546c67);  // "glTF"
   append32(file, 2);
-  append32(file, static_cast<std::uint32_t>(12 + 8 + jsonBytes.size() + 8 + writer.binary.size()));
+  append32(file, static_cast<std::uint32_t>(12 + 8 + jsonBytes.size() + 8 + binary.size()));
   append32(file, static_cast<std::uint32_t>(jsonBytes.size()));
   append32(file, 0x4e4f534a);  // "JSON"
   file.insert(file.end(), jsonBytes.begin(), jsonBytes.end());
-  append32(file, static_cast<std::uint32_t>(writer.binary.size()));
+  append32(file, static_cast<std::uint32_t>(binary.size()));
   append32(file, 0x004e4942);  // "BIN"
-  file.insert(file.end(), writer.binary.begin(), writer.binary.end());
+  file.insert(file.end(), binary.begin(), binary.end());
   return file;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> exportGlb(const geometry::Mesh& mesh, const std::string& name) {
+  return exportScene(mesh, name, {}, {{}, Vec4(1)});
+}
+
+std::vector<std::uint8_t> exportScene(const geometry::Mesh& mesh, const std::string& name, const FurData& fur,
+                                      const ScenePicture& picture) {
+  Writer writer;
+  const std::string attributes = attributesOf(writer, mesh, fur);
+  const int indices = writer.add(mesh.indices, "SCALAR", kUnsignedInt, kIndexBuffer);
+  const std::string extension = furExtension(writer, mesh, fur);
+  std::string used = extension.empty() ? "" : "\"WETFUR_fur\"";
+  const std::string material = materialOf(writer, picture, used);
+  std::string json = "{\"asset\":{\"version\":\"2.0\",\"generator\":\"wet-fur\"},";
+  if (!used.empty()) json += "\"extensionsUsed\":[" + used + "],";
+  if (!extension.empty()) json += "\"extensions\":{" + extension + "},";
+  json += "\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,\"name\":" + quoted(name) + "}]," + material +
+          "\"meshes\":[{\"name\":" + quoted(name) + ",\"primitives\":[{\"attributes\":{" + attributes + "},\"indices\":" +
+          std::to_string(indices) + (material.empty() ? "" : ",\"material\":0") + "}]}],\"accessors\":[" +
+          writer.accessors + "],\"bufferViews\":[" + writer.views + "],\"buffers\":[{\"byteLength\":" +
+          std::to_string(writer.binary.size()) + "}]}";
+  return container(json, writer.binary);
 }
 
 }  // namespace fur::scene

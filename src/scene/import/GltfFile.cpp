@@ -81,7 +81,7 @@ GltfFile::GltfFile(Bytes bytes, const std::string& name, const FileSet& others) 
   }
   const Bytes text = splitContainer(bytes);
   checkShape(text);
-  json_ = Json::parse(text.begin(), text.end(), nullptr, false);
+  json_ = Json::parse(std::string_view(reinterpret_cast<const char*>(text.data()), text.size()), nullptr, false);
   if (!json_.is_object()) bad("the JSON cannot be parsed");
   checkVersion();
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "scene/FoModel.h"
+#include "core/Sort.h"
 #include "scene/import/CornerMesh.h"
 #include "scene/import/Readers.h"
 #include "scene/import/StatementReader.h"
@@ -72,6 +73,26 @@ bool varies(const std::vector<T>& values) {
   return std::adjacent_find(values.begin(), values.end(), std::not_equal_to<T>()) != values.end();
 }
 
+// Lengths and types of the mesh's vertices; nothing where they are all the same.
+void describeFur(const FoModel& fo, const CornerLists& lists, const CornerWeld& weld, Model& model) {
+  const auto vertexOf = [&](std::uint32_t corner) { return lists.corners[corner][0] - 1; };
+  if (varies(fo.length)) {
+    const float longest = *std::max_element(fo.length.begin(), fo.length.end());
+    for (const std::uint32_t first : weld.cornerOf) model.fur.lengths.push_back(fo.length[vertexOf(first)] / longest);
+  }
+  if (!varies(fo.furType)) return;
+  std::vector<int> kinds = fo.furType;
+  sortStably(kinds.begin(), kinds.end());
+  kinds.erase(std::unique(kinds.begin(), kinds.end()), kinds.end());
+  for (const std::uint32_t first : weld.cornerOf) {
+    const auto kind = std::lower_bound(kinds.begin(), kinds.end(), fo.furType[vertexOf(first)]) - kinds.begin();
+    model.fur.types.push_back(1 + std::min(static_cast<int>(kind), groom::kTypes - 1));
+  }
+  if (kinds.size() > groom::kTypes)
+    model.warnings.push_back(model.name + ": of " + std::to_string(kinds.size()) + " types of fur " +
+                             std::to_string(groom::kTypes) + " are told apart");
+}
+
 }  // namespace
 
 Result<FoModel> readFo(std::span<const std::uint8_t> bytes, const std::string& name) {
@@ -90,8 +111,7 @@ void readFo(Bytes bytes, Model& model) {
   const CornerWeld weld = buildMesh(lists, model);
   for (const std::uint32_t first : weld.cornerOf)
     model.mesh.furUv.push_back(usableTexcoord(fo.texcoords[lists.corners[first][1] - 1].fur));
-  if (varies(fo.length) || varies(fo.furType))
-    model.warnings.push_back(model.name + ": fur of several lengths or types is not drawn yet");
+  describeFur(fo, lists, weld, model);
 }
 
 }  // namespace fur::scene

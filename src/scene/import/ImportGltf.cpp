@@ -1,9 +1,11 @@
 #include <cmath>
 
+#include "geometry/AtlasUv.h"
 #include "scene/Model.h"
 #include "scene/import/CornerMesh.h"
 #include "scene/import/GltfAccessors.h"
 #include "scene/import/GltfFile.h"
+#include "scene/import/GltfFur.h"
 #include "scene/import/GltfMaterials.h"
 #include "scene/import/GltfNodes.h"
 #include "scene/import/Readers.h"
@@ -20,10 +22,12 @@ class Importer {
   Importer(const GltfFile& file, Model& model) : file_(file), model_(model), materials_(file) {}
 
   void run() {
+    fur_ = readFur(file_, model_.fur);
     for (const PlacedMesh& placed : placedMeshes(file_)) addMesh(placed);
     if (model_.mesh.indices.empty()) file_.bad("there are no triangles in it");
     if (!anyTexcoords_) model_.mesh.uv.clear();
     model_.hasTexcoords = anyTexcoords_ && !missingTexcoords_;
+    checkFur();
     materials_.describe(model_);
     model_.bounds = geometry::bounds(model_.mesh);
     geometry::fitToUnitSphere(model_.mesh);
@@ -62,6 +66,7 @@ class Importer {
     const std::uint64_t material = file_.whole(primitive, "material", kNoMaterial, where);
     readTexcoords(part, *attributes, material, where);
     materials_.count(material, part.triangleCount());
+    readFurAttributes(*attributes, transform, part.positions.size(), where);
     append(part);
   }
 
@@ -150,6 +155,52 @@ class Importer {
     anyTexcoords_ = true;
   }
 
+  // The values of an attribute that only we know; none where the primitive has none.
+  std::vector<float> ownValues(const Json& attributes, const std::string& name, int components, std::size_t vertices,
+                               const std::string& where) {
+    if (attributes.find(name) == attributes.end()) return {};
+    std::vector<float> values = readFloats(file_, file_.whole(attributes, name.c_str(), where), components);
+    if (values.size() != vertices * static_cast<std::size_t>(components)) file_.bad(where + ": not one " + name + " a vertex");
+    return values;
+  }
+
+  // Zero where a primitive has none; nothing is added for a file without.
+  void readOwn(std::vector<Vec2>& all, const Json& attributes, const std::string& name, std::size_t vertices,
+               const std::string& where) {
+    const std::vector<float> values = ownValues(attributes, name, 2, vertices, where);
+    if (!values.empty()) all.resize(model_.mesh.positions.size(), Vec2(0));
+    for (std::size_t i = 0; i < values.size(); i += 2) all.emplace_back(values[i], values[i + 1]);
+  }
+
+  void readFurAttributes(const Json& attributes, const glm::dmat4& transform, std::size_t vertices, const std::string& where) {
+    if (!fur_.present) return;
+    if (fur_.hasMap) readOwn(model_.mesh.atlas, attributes, "TEXCOORD_" + std::to_string(fur_.atlasSet), vertices, where);
+    readOwn(model_.mesh.furUv, attributes, "_WETFUR_TILE", vertices, where);
+    const std::vector<float> combs = ownValues(attributes, "_WETFUR_COMB", 3, vertices, where);
+    if (!combs.empty()) model_.fur.comb.resize(model_.mesh.positions.size(), Vec3(0));
+    for (std::size_t i = 0; i < combs.size(); i += 3) {
+      const Vec3 comb(combs[i], combs[i + 1], combs[i + 2]);
+      // An angle stays what it is under a scale.
+      model_.fur.comb.push_back(normalizeOr(Mat3(transform) * comb, Vec3(0)) * glm::length(comb));
+    }
+  }
+
+  // All primitives have them, or none counts; a map needs coordinates of its own for every point.
+  void checkFur() {
+    geometry::Mesh& mesh = model_.mesh;
+    if (!mesh.furUv.empty()) mesh.furUv.resize(mesh.positions.size(), Vec2(0));
+    for (Vec2& uv : mesh.furUv) uv = usableTexcoord(uv);
+    if (!model_.fur.comb.empty()) model_.fur.comb.resize(mesh.positions.size(), Vec3(0));
+    if (!fur_.hasMap) return;
+    geometry::Mesh flat;
+    flat.positions = mesh.positions;
+    flat.uv = mesh.atlas;
+    if (flat.uv.size() == flat.positions.size() && geometry::isUniqueAtlas(flat, mesh.indices)) return;
+    mesh.atlas.clear();
+    model_.fur.map.clear();
+    warn("the groom is left out: its texture coordinates are missing, overlap or lie outside of the map");
+  }
+
   void append(const geometry::Mesh& part) {
     geometry::Mesh& mesh = model_.mesh;
     const auto base = static_cast<std::uint32_t>(mesh.positions.size());
@@ -162,6 +213,7 @@ class Importer {
   const GltfFile& file_;
   Model& model_;
   GltfMaterials materials_;
+  GltfFur fur_;
   bool anyTexcoords_ = false, missingTexcoords_ = false;
 };
 

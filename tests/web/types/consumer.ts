@@ -24,8 +24,12 @@ export async function onACanvas(canvas: HTMLCanvasElement): Promise<number> {
   const orbit: CameraOrbit | null = fur.getCameraOrbit();
   const blob: Blob = await fur.toBlob({ width: 640, height: 480 });
   await fur.loadModel(new Uint8Array(4), { name: 'a.glb', files: [new File([], 'a.bin')] });
-  await fur.loadTypeSet(fur.saveTypeSet(), { name: 'fox.fts' });
-  const saved: Uint8Array = fur.saveFo();
+  await fur.loadTypeSet(await fur.saveTypeSet(), { name: 'fox.fts' });
+  const saved: Uint8Array = await fur.saveFo();
+  fur.set('tool', 'comb');
+  await fur.groom('comb', 1, [0, -1, 0.3]);
+  await fur.loadLengthMap(new Blob([]));
+  await fur.loadModel(await fur.save(), { name: 'scene.glb' });
   fur.setState(fur.getState());
   const bounds = (fur.settingsTable ?? []).map((field: SettingsField) => (field.type === 'float' ? field.max : 0));
   // @ts-expect-error there is no such setting

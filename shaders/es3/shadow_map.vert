@@ -1,0 +1,26 @@
+// The coat from the light: its first surface, or the skin, or one instance a shell.
+#include "common.glsl"
+#include "common_bend.glsl"
+layout(location = FUR_POSITION) in vec3 position;
+layout(location = FUR_NORMAL) in vec3 normal;
+layout(location = FUR_FUR_COORD) in vec2 furCoord;
+
+#ifdef SHADOW_LAYERS
+out vec2 vTile;
+flat out float vHeight;
+#endif
+
+void main() {
+#ifdef SHADOW_LAYERS
+  float h = float(gl_InstanceID + 1) / float(FUR_SHADOW_SHELLS);
+  vTile = furCoord * shape.y;
+  vHeight = h;
+#elif defined(SKIN_ONLY)
+  const float h = 0.0;
+#else
+  float h = volumeShadow.z;
+#endif
+  vec4 groomed = bendOf(gl_VertexID);
+  vec3 at = lightSpace(strandPoint(position, normal, groomed.xyz, h, shape.x * groomed.w));
+  gl_Position = vec4(vec3(at.xy, at.z / volumeShadow.w) * 2.0 - 1.0, 1.0);
+}

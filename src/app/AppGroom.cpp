@@ -1,0 +1,276 @@
+// The half of App that dresses the fur.
+#include <algorithm>
+#include <cstring>
+
+#include "app/AppState.h"
+#include "groom/GroomBrush.h"
+#include "groom/GroomFilters.h"
+#include "scene/FoModel.h"
+
+namespace fur::app {
+
+namespace {
+
+// Patches of the length noise, in model units: a few locks wide.
+constexpr float kGrain = 0.09f;
+
+// One dab of `tool`; combing goes along `way`.
+void dab(Tool tool, groom::Groom& groom, const groom::Ground& ground, const groom::Brush& brush, int type,
+         const std::optional<Vec3>& way) {
+  switch (tool) {
+    case Tool::Comb:
+      if (way) groom::comb(groom, ground, brush, *way);
+      break;
+    case Tool::Smooth: groom::smooth(groom, ground, brush); break;
+    case Tool::Raise: groom::raise(groom, ground, brush); break;
+    case Tool::Trim: groom::trim(groom, ground, brush); break;
+    case Tool::Grow: groom::grow(groom, ground, brush); break;
+    case Tool::Type: groom::paintType(groom, ground, brush, type); break;
+    default: break;
+  }
+}
+
+// Values of points as values of true vertices; none stay none.
+template <class T>
+std::vector<T> perVertex(const std::vector<T>& ofPoints, const groom::Ground& ground) {
+  std::vector<T> out;
+  for (std::size_t i = 0; !ofPoints.empty() && i < ground.surface.trueVertexCount; ++i)
+    out.push_back(ofPoints[ground.points.pointOf[i]]);
+  return out;
+}
+
+}  // namespace
+
+groom::Ground App::State::ground() {
+  if (!points) points.emplace(surface);
+  if (!groomAtlas || groomAtlas->size() != groom.map.size()) groomAtlas.emplace(surface, groom.map.size());
+  if (groom.comb.empty()) groom.comb.assign(points->count(), Vec3(0));
+  return {surface, query, *groomAtlas, *points};
+}
+
+void App::State::newGroom() {
+  groom = {groom::GroomMap(), {}};
+  groomBefore.reset();
+  lastDab.reset();
+  ++groomRevision;
+}
+
+void App::State::groomTouched() {
+  ++groomRevision;
+  groomStale = forcesChanged = pictureChanged = true;
+}
+
+void App::State::readGroomMap() {
+  (void)groom.map.takeChanged();
+  groomed = !groom.map.isPlain();
+  vertexLengths = groomed ? groom::vertexLengths(groom.map, surface, ground().points) : std::vector<float>();
+}
+
+bool App::State::upright() const {
+  return std::all_of(groom.comb.begin(), groom.comb.end(), [](const Vec3& comb) { return comb == Vec3(0); });
+}
+
+void App::State::refreshGroom() {
+  if (!std::exchange(groomStale, false)) return;
+  if (const geometry::TexelRect changed = groom.map.takeChanged(); !changed.empty()) {
+    readGroomMap();
+    if (renderer) uploadGroom(changed);
+  }
+  bends.setRest(upright() ? std::vector<Vec3>() : groom::restBends(groom, surface, ground().points), vertexLengths);
+}
+
+void App::State::uploadGroom(const geometry::TexelRect& changed) {
+  constexpr int kLeast = groom::GroomMap::kLeastSize;
+  if (groomed) {
+    renderer->updateGroom(groom.map, changed);
+    renderer->setFurry(geometry::remainingPatches(surface, groom::furryTriangles(groom.map, surface, surface.furIndices),
+                                                  groom::furryTriangles(groom.map, surface, surface.ownFurIndices)),
+                       vertexLengths);
+  } else {
+    // Of a plain map the least says it all.
+    renderer->updateGroom(groom::GroomMap(kLeast), {0, 0, kLeast, kLeast});
+    renderer->setFurry({surface.furIndices, surface.ownFurIndices, surface.furClusters}, {});
+  }
+}
+
+void App::State::beginGroomStroke() {
+  endStroke();
+  ground();
+  groomBefore = groom;
+  lastDab.reset();
+}
+
+void App::State::endGroomStroke() {
+  const auto before = std::exchange(groomBefore, std::nullopt);
+  if (!before) return;
+  if (auto step = groomStep(*before, groom)) history.push(std::move(*step));
+}
+
+void App::State::groomAt(const geometry::SurfacePoint& at) {
+  const Vec3 centre = positionAt(surface, at);
+  dab(tool, groom, ground(), {centre, normalAt(surface, at), settings.brushRadius, settings.groomStrength},
+      settings.groomType + 1, lastDab ? std::optional(centre - *lastDab) : std::nullopt);
+  lastDab = centre;
+  groomTouched();
+}
+
+void App::State::applyGroomStep(const GroomStep& step, bool undo) {
+  ground();
+  apply(step, undo, groom);
+  groomTouched();
+}
+
+// What a file says of the vertices of `mesh`, brought to the points of the surface.
+void App::State::takeFur(const scene::FurData& fur) {
+  if (fur.map.empty() && fur.comb.empty() && fur.lengths.empty() && fur.types.empty()) return;
+  if (!fur.map.empty()) {
+    groom.map = groom::GroomMap(fur.mapSize);
+    groom.map.restore(fur.map);
+  }
+  const groom::Ground at = ground();
+  const std::vector<std::uint32_t> pointOfMesh = at.points.at(mesh.positions);
+  std::vector<float> lengths(fur.lengths.empty() ? 0 : at.points.count());
+  std::vector<int> types(fur.types.empty() ? 0 : at.points.count());
+  for (std::size_t i = 0; i < pointOfMesh.size(); ++i) {
+    const std::uint32_t point = pointOfMesh[i];
+    if (point == groom::SurfacePoints::kNoPoint) continue;
+    if (!fur.comb.empty()) groom.comb[point] = fur.comb[i];
+    if (!lengths.empty()) lengths[point] = fur.lengths[i];
+    if (!types.empty()) types[point] = fur.types[i];
+  }
+  groom.comb = groom::soundComb(std::move(groom.comb), at.points);
+  groom::paintFromVertices(groom, at, perVertex(lengths, at), perVertex(types, at));
+  groomTouched();
+}
+
+// --- App's side --------------------------------------------------------------------------------
+
+void App::groomAll(GroomEdit edit, float value, const Vec3& direction) {
+  State& s = *state_;
+  if (!std::isfinite(value) || !std::isfinite(direction.x + direction.y + direction.z)) return;
+  s.beginGroomStroke();
+  const groom::Ground ground = s.ground();
+  switch (edit) {
+    case GroomEdit::Clear: return clearGroom();
+    case GroomEdit::Length: groom::setLength(s.groom.map, value); break;
+    case GroomEdit::Invert: groom::invertLength(s.groom.map); break;
+    case GroomEdit::Vary:
+      groom::varyLength(s.groom, ground, value, kGrain, static_cast<std::uint32_t>(s.settings.seed));
+      break;
+    case GroomEdit::Type: groom::setType(s.groom.map, static_cast<int>(glm::clamp(value, 1.0f, 4.0f))); break;
+    case GroomEdit::Comb: groom::combAlong(s.groom, ground.points, direction, value); break;
+    case GroomEdit::Raise: groom::raiseAll(s.groom); break;
+    case GroomEdit::Size: s.groom.map = groom::resized(s.groom.map, static_cast<int>(glm::clamp(value, 0.0f, 1e4f))); break;
+  }
+  s.groomTouched();
+  s.endGroomStroke();
+}
+
+void App::clearGroom() {
+  State& s = *state_;
+  s.beginGroomStroke();
+  s.groom = groom::plainGroom(s.groom.map.size(), s.ground().points);
+  s.groomTouched();
+  s.endGroomStroke();
+}
+
+void App::groomFromImage(int width, int height, std::span<const std::uint8_t> rgba) {
+  State& s = *state_;
+  s.beginGroomStroke();
+  groom::lengthFromImage(s.groom, s.ground(), width, height, rgba);
+  s.groomTouched();
+  s.endGroomStroke();
+}
+
+groom::Coverage App::groomCoverage() const {
+  // A plain one needs no atlas.
+  State& s = *state_;
+  return s.groom.map.isPlain() ? groom::Coverage{} : groom::coverage(s.groom.map, s.ground().atlas);
+}
+
+std::uint64_t App::groomRevision() const { return state_->groomRevision; }
+bool App::groomed() const { return !state_->groom.isPlain(); }
+const groom::GroomMap& App::groomMap() const { return state_->groom.map; }
+
+std::uint64_t App::groomHash() const {
+  state_->ground();
+  std::uint64_t hash = state_->groom.map.hash();
+  for (const Vec3& comb : state_->groom.comb)
+    for (int k = 0; k < 3; ++k) {
+      const float number = comb[k] + 0.0f;  // -0 is 0
+      std::uint32_t bits;
+      std::memcpy(&bits, &number, sizeof bits);
+      hash = (hash ^ bits) * 1099511628211ull;
+    }
+  return hash;
+}
+
+std::vector<std::uint8_t> App::saveFo() const {
+  State& s = *state_;
+  std::vector<int> types;
+  if (s.groomed)
+    for (const auto& vertex : s.surface.vertices) types.push_back(s.groom.map.typeAt(vertex.atlas) - 1);
+  return scene::writeFo(scene::foFromSurface(s.surface, s.settings.repeat, s.vertexLengths, types));
+}
+
+std::vector<std::uint8_t> App::saveScene() const {
+  State& s = *state_;
+  s.refreshGroom();
+  geometry::Mesh mesh;
+  mesh.indices = s.surface.indices;
+  for (std::size_t i = 0; i < s.surface.trueVertexCount; ++i) {
+    const geometry::SurfaceVertex& v = s.surface.vertices[i];
+    mesh.positions.push_back(v.position);
+    mesh.normals.push_back(v.normal);
+    if (!s.mesh.uv.empty()) mesh.uv.push_back(v.uv);
+    mesh.atlas.push_back(v.atlas);
+    if (!s.mesh.furUv.empty()) mesh.furUv.push_back(v.fur);
+  }
+  scene::FurData fur;
+  fur.state = state();
+  fur.mapSize = s.groom.map.size();
+  if (!s.groom.map.isPlain()) fur.map = s.groom.map.texels();
+  if (!s.upright()) {
+    fur.comb = groom::restBends(s.groom, s.surface, s.ground().points);
+    fur.comb.resize(s.surface.trueVertexCount);
+  }
+  return scene::exportScene(mesh, s.modelName, fur, {s.sourceImage.bytes.empty() ? s.pendingImage : s.sourceImage, s.baseColorFactor});
+}
+
+// The map's size, its texels, then the comb.
+std::vector<std::uint8_t> App::saveGroom() const {
+  State& s = *state_;
+  s.ground();
+  const auto size = static_cast<std::uint32_t>(s.groom.map.size());
+  std::vector<std::uint8_t> bytes;
+  const auto append = [&](const void* from, std::size_t count) {
+    const auto* first = static_cast<const std::uint8_t*>(from);
+    bytes.insert(bytes.end(), first, first + count);
+  };
+  append(&size, sizeof size);
+  append(s.groom.map.texels().data(), s.groom.map.texels().size() * sizeof(groom::GroomMap::Texel));
+  append(s.groom.comb.data(), s.groom.comb.size() * sizeof(Vec3));
+  return bytes;
+}
+
+Status App::restoreGroom(std::span<const std::uint8_t> bytes, bool undoable) {
+  State& s = *state_;
+  const groom::Ground ground = s.ground();
+  std::uint32_t size = 0;
+  if (bytes.size() >= sizeof size) std::memcpy(&size, bytes.data(), sizeof size);
+  const std::size_t texels = std::size_t{size} * size, combs = ground.points.count();
+  const bool sound = size >= groom::GroomMap::kLeastSize && size <= groom::GroomMap::kMostSize &&
+                     bytes.size() == sizeof size + texels * sizeof(groom::GroomMap::Texel) + combs * sizeof(Vec3);
+  if (!sound) return Error{ErrorId::BadFile, "a groom of " + std::to_string(bytes.size()) + " bytes is not of this model"};
+  if (undoable) s.beginGroomStroke();
+  std::vector<groom::GroomMap::Texel> map(texels);
+  std::memcpy(map.data(), &bytes[sizeof size], texels * sizeof(groom::GroomMap::Texel));
+  s.groom.map = groom::GroomMap(static_cast<int>(size));
+  s.groom.map.restore(std::move(map));
+  std::memcpy(s.groom.comb.data(), &bytes[sizeof size + texels * sizeof(groom::GroomMap::Texel)], combs * sizeof(Vec3));
+  s.groomTouched();
+  s.endGroomStroke();
+  return Done{};
+}
+
+}  // namespace fur::app

@@ -1,0 +1,112 @@
+#include "editor/GroomPanel.h"
+
+#include <cstdio>
+#include <utility>
+
+#include "editor/Theme.h"
+#include "editor/Widgets.h"
+
+namespace fur::editor {
+
+namespace {
+
+// How much shorter "Vary" makes the shortest patches.
+constexpr float kVariation = 0.5f;
+// A map of 256 texels at this size shows each as a pixel on most screens.
+constexpr float kMapSide = 160;
+
+void label(const char* text) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::PushStyleColor(ImGuiCol_Text, color::kDim);
+  ImGui::TextUnformatted(text);
+  ImGui::PopStyleColor();
+  ImGui::SameLine(px(80));
+}
+
+void slider(const char* text, const char* id, float& value, const char* field) {
+  label(text);
+  ImGui::SetNextItemWidth(-1);
+  const settings::Field& bounds = *settings::findField(field);
+  fillSlider(id, value, static_cast<float>(bounds.low), static_cast<float>(bounds.high), "%.2f", false);
+}
+
+}  // namespace
+
+void GroomPanel::hint(const char* text) const {
+  if (tooltips_ && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);
+}
+
+std::vector<Command> GroomPanel::draw(const EditorModel& model, settings::Settings& edited, bool tooltips) {
+  commands_.clear();
+  shown_ = false;
+  tooltips_ = tooltips;
+  if (!groupHeader("Groom")) return {};
+  drawBrush(model, edited);
+  drawLengths();
+  drawDirections();
+  drawMap(model.groom);
+  ImGui::Dummy(ImVec2(0, px(2)));
+  return std::exchange(commands_, {});
+}
+
+void GroomPanel::drawBrush(const EditorModel& model, settings::Settings& edited) {
+  constexpr Tool kCombs[] = {Tool::Comb, Tool::Smooth, Tool::Raise}, kCuts[] = {Tool::Trim, Tool::Grow, Tool::Type};
+  const auto chosen = [&](Tool tool) { return model.tool == tool; };
+  const int comb = segments("combs", {{"Comb", chosen(Tool::Comb)}, {"Smooth", chosen(Tool::Smooth)}, {"Raise", chosen(Tool::Raise)}});
+  const int cut = segments("cuts", {{"Trim", chosen(Tool::Trim)}, {"Grow", chosen(Tool::Grow)}, {"Type", chosen(Tool::Type)}});
+  if (comb >= 0) commands_.push_back(command::SetTool{kCombs[comb]});
+  if (cut >= 0) commands_.push_back(command::SetTool{kCuts[cut]});
+  slider("Size", "##groomSize", edited.brushRadius, "brushRadius");
+  slider("Strength", "##groomStrength", edited.groomStrength, "groomStrength");
+  label("Type");
+  const int type = segments("types", {{"1", edited.groomType == 0}, {"2", edited.groomType == 1},
+                                      {"3", edited.groomType == 2}, {"4", edited.groomType == 3}});
+  if (type >= 0) edited.groomType = type;
+  hint("What the brush Type paints: 1 takes the others away. Kept with the model; the picture still shows one type");
+}
+
+void GroomPanel::drawLengths() {
+  label("Length");
+  const int share = segments("lengths", {{"Full", false}, {"3/4", false}, {"1/2", false}, {"1/4", false}, {"Bald", false}});
+  if (share >= 0) edit(GroomEdit::Length, 1 - 0.25f * static_cast<float>(share));
+  ImGui::Dummy(ImVec2(0, 0));
+  ImGui::SameLine(px(80));
+  const int change = segments("changes", {{"Invert", false}, {"Vary", false}});
+  if (change == 0) edit(GroomEdit::Invert);
+  if (change == 1) edit(GroomEdit::Vary, kVariation);
+}
+
+void GroomPanel::drawDirections() {
+  label("Comb all");
+  const int way = segments("ways", {{"Down", false}, {"Back", false}, {"Up", false}, {"Upright", false}});
+  constexpr float kWays[3][3] = {{0, -1, 0}, {0, -0.3f, -1}, {0, 1, 0}};
+  if (way == 3) edit(GroomEdit::Raise);
+  else if (way >= 0) edit(GroomEdit::Comb, 1, {kWays[way][0], kWays[way][1], kWays[way][2]});
+}
+
+void GroomPanel::drawMap(const GroomView& groom) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.0f %% furry, %.0f %% long", static_cast<double>(1 - groom.bald) * 100,
+                static_cast<double>(groom.length) * 100);
+  const float button = px(64), gap = px(3);
+  ImGui::ProgressBar(1 - groom.bald, ImVec2(-button - gap, ImGui::GetFrameHeight()), text);
+  ImGui::SameLine(0, gap);
+  ImGui::BeginDisabled(groom.plain);
+  if (ImGui::Button("Clear", ImVec2(-1, 0))) edit(GroomEdit::Clear);
+  ImGui::EndDisabled();
+  hint("Full length, one type, upright");
+  std::snprintf(text, sizeof text, "Types %.0f, %.0f, %.0f, %.0f %%", static_cast<double>(groom.types[0]) * 100,
+                static_cast<double>(groom.types[1]) * 100, static_cast<double>(groom.types[2]) * 100,
+                static_cast<double>(groom.types[3]) * 100);
+  ImGui::TextDisabled("%s", text);
+  label("Map");
+  const int size = segments("sizes", {{"256", groom.mapSize == 256}, {"512", groom.mapSize == 512}, {"1024", groom.mapSize == 1024}});
+  if (size >= 0) edit(GroomEdit::Size, static_cast<float>(256 << size));
+  shown_ = true;
+  const float side = px(kMapSide);
+  if (groom.map) ImGui::Image(groom.map, ImVec2(side, side));
+  else ImGui::Dummy(ImVec2(side, side));
+  hint("The groom over the atlas: bright is long, colours are the types 2 to 4");
+}
+
+}  // namespace fur::editor

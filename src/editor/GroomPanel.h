@@ -1,0 +1,35 @@
+// The section "Groom" of the panel: brushes that dress the fur, what can be done to all of it at once, and
+// what it has become: the map, and how much of the surface carries what.
+#pragma once
+
+#include <vector>
+
+#include "editor/EditorModel.h"
+
+namespace fur::editor {
+
+class GroomPanel {
+ public:
+  // Draws the section into the current window. Brush settings go into `edited`, everything else is a command.
+  std::vector<Command> draw(const EditorModel& model, settings::Settings& edited, bool tooltips);
+
+  // The panel is closed: nothing of this is on the screen.
+  void hide() { shown_ = false; }
+  // Whether it shows the map.
+  bool shownMap() const { return shown_; }
+
+ private:
+  void drawBrush(const EditorModel& model, settings::Settings& edited);
+  void drawLengths();
+  void drawDirections();
+  void drawMap(const GroomView& groom);
+  void hint(const char* text) const;
+  void edit(GroomEdit what, float value = 1, const Vec3& direction = Vec3(0)) {
+    commands_.push_back(command::GroomAll{what, value, direction});
+  }
+
+  std::vector<Command> commands_;
+  bool shown_ = false, tooltips_ = false;
+};
+
+}  // namespace fur::editor

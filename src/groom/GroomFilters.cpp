@@ -1,0 +1,131 @@
+#include "groom/GroomFilters.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/Assert.h"
+#include "groom/GroomBrush.h"
+
+namespace fur::groom {
+
+namespace {
+
+std::uint8_t toByte(float share) { return static_cast<std::uint8_t>(saturate(share) * 255.0f + 0.5f); }
+
+template <class Change>
+void forAllTexels(GroomMap& map, Change change) {
+  for (std::uint32_t i = 0; i < map.texels().size(); ++i) {
+    GroomMap::Texel texel = map.texels()[i];
+    change(texel);
+    map.set(i, texel);
+  }
+}
+
+// change(texel, point of the surface); then the gutters.
+template <class Change>
+void forSurfaceTexels(GroomMap& map, const Ground& ground, Change change) {
+  for (std::uint32_t t = 0; t < ground.surface.triangleCount(); ++t)
+    ground.atlas.forTexelsOf(ground.surface, t, [&](std::uint32_t i, const Vec3& weights) {
+      GroomMap::Texel texel = map.texels()[i];
+      change(texel, geometry::SurfacePoint{t, weights, 0.0f});
+      map.set(i, texel);
+    });
+  map.fillGutter(ground.atlas, {0, 0, map.size(), map.size()});
+}
+
+// A number of 0..1 for every cell of space (Wang's integer hash, chained).
+float cellValue(int x, int y, int z, std::uint32_t seed) {
+  std::uint32_t h = seed;
+  for (const int c : {x, y, z}) {
+    h = (h ^ 61u ^ static_cast<std::uint32_t>(c) * 0x9e3779b9u) * 9u;
+    h = (h ^ (h >> 4u)) * 0x27d4eb2du;
+    h ^= h >> 15u;
+  }
+  return static_cast<float>(h >> 8u) * (1.0f / 16777216.0f);
+}
+
+float noiseAt(const Vec3& at, std::uint32_t seed) {
+  const Vec3 cell = glm::floor(at), part = at - cell, s = part * part * (3.0f - 2.0f * part);
+  const int x = static_cast<int>(cell.x), y = static_cast<int>(cell.y), z = static_cast<int>(cell.z);
+  const auto row = [&](int dy, int dz) {
+    return glm::mix(cellValue(x, y + dy, z + dz, seed), cellValue(x + 1, y + dy, z + dz, seed), s.x);
+  };
+  return glm::mix(glm::mix(row(0, 0), row(1, 0), s.y), glm::mix(row(0, 1), row(1, 1), s.y), s.z);
+}
+
+const geometry::SurfaceVertex& cornerOf(const Ground& ground, const geometry::SurfacePoint& at, int k) {
+  return ground.surface.vertices[ground.surface.indices[std::size_t{3} * at.triangle + static_cast<std::size_t>(k)]];
+}
+
+}  // namespace
+
+void setLength(GroomMap& map, float share) {
+  forAllTexels(map, [byte = toByte(share)](GroomMap::Texel& texel) { texel[0] = byte; });
+}
+
+void setType(GroomMap& map, int type) {
+  const auto chosen = static_cast<std::size_t>(std::clamp(type, 1, kTypes)) - 1;
+  forAllTexels(map, [chosen](GroomMap::Texel& texel) {
+    for (std::size_t k = 1; k < kTypes; ++k) texel[k] = k == chosen ? 255 : 0;
+  });
+}
+
+void invertLength(GroomMap& map) {
+  forAllTexels(map, [](GroomMap::Texel& texel) { texel[0] = static_cast<std::uint8_t>(255 - texel[0]); });
+}
+
+void varyLength(Groom& groom, const Ground& ground, float amount, float grain, std::uint32_t seed) {
+  const float perUnit = 1.0f / std::max(grain, 1e-3f);
+  forSurfaceTexels(groom.map, ground, [&](GroomMap::Texel& texel, const geometry::SurfacePoint& at) {
+    const float share = 1.0f - saturate(amount) * noiseAt(positionAt(ground.surface, at) * perUnit, seed);
+    texel[0] = toByte(static_cast<float>(texel[0]) / 255.0f * share);
+  });
+}
+
+void combAlong(Groom& groom, const SurfacePoints& points, const Vec3& direction, float amount) {
+  for (std::size_t i = 0; i < groom.comb.size(); ++i)
+    groom.comb[i] = glm::mix(groom.comb[i], combedTo(direction, points.normals[i]), saturate(amount));
+}
+
+void raiseAll(Groom& groom) { std::fill(groom.comb.begin(), groom.comb.end(), Vec3(0)); }
+
+void paintFromVertices(Groom& groom, const Ground& ground, std::span<const float> lengths, std::span<const int> types) {
+  const std::size_t count = ground.surface.trueVertexCount;
+  const auto fits = [count](std::size_t given) { return given == 0 || given == count; };
+  FUR_ASSERT(fits(lengths.size()) && fits(types.size()), "groom::paintFromVertices()", "one a true vertex, or none",
+             lengths.size());
+  forSurfaceTexels(groom.map, ground, [&](GroomMap::Texel& texel, const geometry::SurfacePoint& at) {
+    float length = 0, presence[kTypes] = {};
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t vertex = ground.surface.indices[std::size_t{3} * at.triangle + static_cast<std::size_t>(k)];
+      if (!lengths.empty()) length += at.weights[k] * lengths[vertex];
+      if (!types.empty()) presence[std::clamp(types[vertex], 1, kTypes) - 1] += at.weights[k];
+    }
+    if (!lengths.empty()) texel[0] = toByte(length);
+    for (std::size_t k = 1; !types.empty() && k < kTypes; ++k) texel[k] = toByte(presence[k]);
+  });
+}
+
+void lengthFromImage(Groom& groom, const Ground& ground, int width, int height, std::span<const std::uint8_t> rgba) {
+  const std::size_t bytes = std::size_t{4} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  FUR_ASSERT(width > 0 && height > 0 && rgba.size() == bytes, "groom::lengthFromImage()",
+             "4 bytes for each of width * height texels", rgba.size());
+  const auto& vertices = ground.surface.vertices;
+  const bool hasUv = std::any_of(vertices.begin(), vertices.end(), [](const auto& v) { return v.uv != Vec2(0); });
+  const auto texelAt = [](float c, int size) {
+    return std::min(static_cast<int>((c - std::floor(c)) * static_cast<float>(size)), size - 1);
+  };
+  forSurfaceTexels(groom.map, ground, [&](GroomMap::Texel& texel, const geometry::SurfacePoint& at) {
+    Vec2 uv(0);
+    for (int k = 0; k < 3; ++k) {
+      const geometry::SurfaceVertex& corner = cornerOf(ground, at, k);
+      uv += at.weights[k] * (hasUv ? corner.uv : corner.atlas);
+    }
+    const auto x = static_cast<std::size_t>(texelAt(uv.x, width)), y = static_cast<std::size_t>(texelAt(uv.y, height));
+    const std::uint8_t* pixel = &rgba[4 * (y * static_cast<std::size_t>(width) + x)];
+    // Rec. 709 weights in 8 bits.
+    texel[0] = static_cast<std::uint8_t>((54 * pixel[0] + 183 * pixel[1] + 19 * pixel[2] + 128) / 256);
+  });
+}
+
+}  // namespace fur::groom

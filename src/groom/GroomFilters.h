@@ -1,0 +1,30 @@
+// Changes of a whole groom at once, and grooms from other data. Gutters are left as filled as they were found, or filled.
+#pragma once
+
+#include <span>
+
+#include "groom/Groom.h"
+
+namespace fur::groom {
+
+// --- the map ---
+void setLength(GroomMap& map, float share);  // everywhere, 0..1
+void setType(GroomMap& map, int type);       // 1..kTypes, and no other
+void invertLength(GroomMap& map);            // share -> 1 - share
+// Every length becomes a share of itself, 1 - amount to 1, by smooth noise in space, so that charts do not
+// show. `grain`: size of its patches in model units.
+void varyLength(Groom& groom, const Ground& ground, float amount, float grain, std::uint32_t seed);
+
+// --- the comb ---
+void combAlong(Groom& groom, const SurfacePoints& points, const Vec3& direction, float amount);  // amount 0..1
+void raiseAll(Groom& groom);
+
+// --- from other data ---
+// One length (0..1) and one type (1..kTypes) a true vertex, linear between them. Either may be empty: that stays
+// as it is.
+void paintFromVertices(Groom& groom, const Ground& ground, std::span<const float> lengths, std::span<const int> types);
+// The brightness of an image in the model's own texture coordinates (RGBA8, first row at v = 0) as length; of a
+// model without any, in the atlas. `rgba` has 4 * width * height bytes.
+void lengthFromImage(Groom& groom, const Ground& ground, int width, int height, std::span<const std::uint8_t> rgba);
+
+}  // namespace fur::groom

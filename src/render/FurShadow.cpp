@@ -1,0 +1,135 @@
+#include "render/FurShadow.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shared/Blocks.h"
+
+namespace fur::render {
+
+namespace {
+
+constexpr float kLog2E = 1.442695f;
+
+}  // namespace
+
+float shadowRadius(float furLength) { return 1.02f + furLength; }
+
+Mat4 lightFromModel(const Vec3& light, float radius) {
+  const Vec3 up = std::abs(light.y) < 0.99f ? Vec3(0, 1, 0) : Vec3(1, 0, 0);
+  const Vec3 x = glm::normalize(glm::cross(up, light)), y = glm::cross(light, x);
+  const float half = 0.5f / radius;
+  Mat4 matrix(glm::transpose(Mat3(half * x, half * y, -light)));
+  matrix[3] = Vec4(0.5f, 0.5f, radius, 1);
+  return matrix;
+}
+
+Vec4 volumeShadow(const settings::Settings& s, float density) {
+  const float range = 2 * shadowRadius(s.furLength);
+  // Bare skin takes a map as coarse as ours for fur of this length.
+  const float length = std::max(s.furLength, 0.06f);
+  if (static_cast<Shadows>(s.shadows) == Shadows::Layers) {
+    // sigma 1 is dark (Halen 3.3.2). The layers reach three lengths deep; the skin has a depth of its own.
+    return {5 * kLog2E, 0.2f * length, 1, range};
+  }
+  // A dense coat keeps all but a third of the light from its own depth; a body beneath a thin one still does.
+  // Above 10 the edges of shadows would be harder than fur is.
+  const float k = std::min(std::max(1.1f * saturate(density / 0.35f), 0.6f) / length, 10.0f);
+  // Half a length is what strands' own shadow shows, and covers the map's steps: no acne.
+  return {k * kLog2E, 0.5f * length, 0.6f, range};
+}
+
+unsigned shadowVariant(const settings::Settings& s) {
+  switch (static_cast<Shadows>(s.shadows)) {
+    case Shadows::None:
+      break;
+    case Shadows::Depth:
+      return kShadowDepth;
+    case Shadows::Layers:
+      return kShadowLayers;
+  }
+  return kPlain;
+}
+
+Status FurShadow::prepare(int size, bool layers) {
+  if (first_[0].shape().width != size)
+    for (int i = 0; i < 2; ++i) {
+      const auto format = layers ? gl::TexelFormat::RGBA8 : gl::TexelFormat::RG8;
+      first_[i] = gl::Texture({format, size, size, 0, gl::Filter::Nearest}, {});
+      auto target = gl::Target::toTexture(first_[i], i == 0);
+      if (!target) return target.error();
+      firstTarget_[i] = std::move(*target);
+    }
+  if (layers && !opacity_.bytes()) {
+    opacity_ = gl::Texture({gl::TexelFormat::RGBA8, size, size, FUR_SHADOW_TARGETS, gl::Filter::Nearest}, {});
+    auto target = gl::Target::toTexture(opacity_);
+    if (!target) return target.error();
+    opacityTarget_ = std::move(*target);
+  }
+  return Done{};
+}
+
+Status FurShadow::drawFirst(Programs& programs, bool layers, const gl::VertexArray& surface, int indexCount) {
+  firstTarget_[0].bind();
+  gl::clear(Vec4(1));
+  for (const bool skin : {false, true}) {
+    if (skin && !layers) break;
+    const auto program = programs.use(Shader::ShadowMap, skin ? kSkinOnly : kPlain);
+    if (!program) return program.error();
+    if (skin) gl::clearDepth();
+    gl::apply({.cullBack = false, .red = !skin, .green = !skin, .blue = skin, .alpha = skin});
+    surface.drawIndexed(indexCount, 1);
+  }
+  return Done{};
+}
+
+Status FurShadow::blur(Programs& programs) {
+  gl::apply({.depthTest = false, .depthWrite = false, .cullBack = false});
+  // Across into [1], down back into [0].
+  for (const unsigned direction : {kPlain, kVertical}) {
+    const int from = direction == kPlain ? 0 : 1;
+    const auto program = programs.use(Shader::ShadowBlur, direction | kShadowDepth);
+    if (!program) return program.error();
+    firstTarget_[1 - from].bind();
+    first_[from].bind(FUR_UNIT_SHADOW);
+    gl::drawWithoutVertices(3);
+  }
+  return Done{};
+}
+
+Status FurShadow::drawLayers(Programs& programs, const gl::VertexArray& surface, int indexCount) {
+  const auto program = programs.use(Shader::ShadowMap, kShadowLayers);
+  if (!program) return program.error();
+  first_[0].bind(FUR_UNIT_SHADOW);
+  opacityTarget_.bind();
+  gl::clear(Vec4(0));
+  gl::apply({.depthTest = false, .depthWrite = false, .cullBack = false, .blend = gl::Blend::Add});
+  surface.drawIndexed(indexCount, FUR_SHADOW_SHELLS);
+  return Done{};
+}
+
+Status FurShadow::update(Programs& programs, const Key& key, const gl::VertexArray& surface, int indexCount) {
+  if (key.shadows == Shadows::None) return Done{};
+  const bool layers = key.shadows == Shadows::Layers;
+  if (key_ != key) {
+    const int size = layers ? FUR_OPACITY_SIZE : FUR_SHADOW_SIZE;
+    if (Status status = prepare(size, layers); !status) return status;
+    gl::setViewport(size, size);
+    Status status = drawFirst(programs, layers, surface, indexCount);
+    if (status) status = layers ? drawLayers(programs, surface, indexCount) : blur(programs);
+    gl::bindPlatformFramebuffer();
+    if (!status) return status;
+    key_ = key;
+    ++redraws_;
+  }
+  first_[0].bind(FUR_UNIT_SHADOW);
+  if (layers) opacity_.bind(FUR_UNIT_OPACITY);
+  return Done{};
+}
+
+std::size_t FurShadow::bytes() const {
+  const auto side = static_cast<std::size_t>(first_[0].bytes() ? first_[0].shape().width : 0);
+  return first_[0].bytes() + first_[1].bytes() + opacity_.bytes() + 4 * side * side;  // the last: depth
+}
+
+}  // namespace fur::render

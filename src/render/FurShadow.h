@@ -1,0 +1,59 @@
+// Shadow that fur casts and receives as a volume, seen from the light (Halen & Wester 2007, 3.3.2
+// and 5.7-5.8):
+//   depth   the depth-difference map: T = exp(-k dz), dz the way from the first fur surface on
+//   layers  opacity shadow maps: 16 layers, laid from the first surface on (Yuksel & Keyser 2008 do so),
+//           which count the strands on the way: T = exp(-k sigma(z))
+// Redrawn only when its key changes. shaders/es3/common_furshadow.glsl looks it up; hair/VolumeShadow.h has
+// the formulas. It does not know of wet locks, and the ground keeps a shadow of its own.
+#pragma once
+
+#include <optional>
+
+#include "gl/Objects.h"
+#include "render/Programs.h"
+#include "settings/Settings.h"
+
+namespace fur::render {
+
+enum class Shadows { None, Depth, Layers };  // the setting `shadows`
+
+// An orthographic camera round the unit sphere that models are fitted to, with fur of that length round it.
+float shadowRadius(float furLength);
+// Model space to the map: xy 0..1, z depth along the light in model units from the sphere's top. `light`:
+// unit, towards the light.
+Mat4 lightFromModel(const Vec3& light, float radius);
+// FrameBlock::volumeShadow for a coat of that density (share of the densest layer that strands cover).
+Vec4 volumeShadow(const settings::Settings& settings, float density);
+// The variant of a shader that receives it.
+unsigned shadowVariant(const settings::Settings& settings);
+
+class FurShadow {
+ public:
+  struct Key {
+    Shadows shadows;
+    Mat4 lightFromModel;
+    Vec4 volumeShadow;
+    unsigned long scene;  // another one whenever surface, bends or coat are others
+    bool operator==(const Key&) const = default;
+  };
+  // Needs both uniform blocks, the bends and the tile bound; leaves the platform's framebuffer bound, and
+  // another viewport. Binds the maps to their units.
+  Status update(Programs& programs, const Key& key, const gl::VertexArray& surface, int indexCount);
+  std::size_t bytes() const;
+  long redraws() const { return redraws_; }
+
+ private:
+  Status prepare(int size, bool layers);
+  Status drawFirst(Programs& programs, bool layers, const gl::VertexArray& surface, int indexCount);
+  Status blur(Programs& programs);
+  Status drawLayers(Programs& programs, const gl::VertexArray& surface, int indexCount);
+
+  gl::Texture first_[2];  // depth of the first surface; [1]: half blurred
+  gl::Target firstTarget_[2];
+  gl::Texture opacity_;
+  gl::Target opacityTarget_;
+  std::optional<Key> key_;
+  long redraws_ = 0;
+};
+
+}  // namespace fur::render

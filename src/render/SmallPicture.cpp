@@ -1,0 +1,48 @@
+#include "render/SmallPicture.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "render/Blocks.h"
+
+namespace fur::render {
+
+Status SmallPicture::begin(int width, int height) {
+  if (width != width_ || height != height_ || samples_ != gl::platformSamples()) {
+    samples_ = gl::platformSamples();
+    gl::Texture texture({.format = gl::TexelFormat::RGBA8, .width = width, .height = height}, {});
+    auto resolved = gl::Target::toTexture(texture);
+    if (!resolved) return resolved.error();
+    auto drawn = gl::Target::offscreen(width, height, samples_);
+    if (!drawn) return drawn.error();
+    texture_ = std::move(texture);
+    resolved_ = std::move(*resolved);
+    drawn_ = std::move(*drawn);
+    width_ = width;
+    height_ = height;
+  }
+  drawn_.bind();
+  return Done{};
+}
+
+Status SmallPicture::show(Programs& programs, int fullWidth, int fullHeight) const {
+  resolved_.resolve(drawn_, width_, height_);
+  gl::bindPlatformFramebuffer();
+  const auto program = programs.use(Shader::Enlarge, kPlain);
+  if (!program) return program.error();
+  gl::setViewport(fullWidth, fullHeight);
+  // The depth that lies there is of no use to anyone, nor the colour.
+  gl::clear(Vec4(0, 0, 0, 1));
+  gl::apply({.depthTest = false, .depthWrite = false, .cullBack = false});
+  texture_.bind(FUR_UNIT_GROUND);
+  gl::drawWithoutVertices(3);
+  return Done{};
+}
+
+std::size_t SmallPicture::bytes() const {
+  // Colour and depth of each sample, four bytes each.
+  const auto pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+  return texture_.bytes() + pixels * 8 * static_cast<std::size_t>(std::max(samples_, 1));
+}
+
+}  // namespace fur::render

@@ -1,0 +1,28 @@
+// What a file says about the fur of its mesh.
+//
+// A .glb does in the extension WETFUR_fur (WETFUR_fur.schema.json in this folder): the state of the program, and
+// the groom as a map in the mesh's atlas and a comb at its vertices. A .fo has a length and a type at every vertex.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/Math.h"
+#include "groom/Groom.h"
+
+namespace fur::scene {
+
+inline constexpr int kFurVersion = 1;  // of WETFUR_fur
+
+struct FurData {
+  std::string state;  // for readState(); "" when there is none
+  std::vector<groom::GroomMap::Texel> map;  // mapSize * mapSize, or none
+  int mapSize = 0;
+  // One a vertex of the mesh, or none.
+  std::vector<Vec3> comb;      // model space, radians, as it was read: neither bounded nor across any normal
+  std::vector<float> lengths;  // share of the longest, 0..1
+  std::vector<int> types;      // 1..groom::kTypes
+};
+
+}  // namespace fur::scene

@@ -1,0 +1,20 @@
+// The extension WETFUR_fur of a glTF file (scene/FurData.h). Throws ImportError as GltfFile does: unsupported-version
+// for a newer one, too-large for a map over its limit, bad-file for the rest.
+#pragma once
+
+#include "scene/Model.h"
+#include "scene/import/GltfFile.h"
+
+namespace fur::scene {
+
+// What the root says; the vertices come later.
+struct GltfFur {
+  bool present = false;
+  bool hasMap = false;
+  std::uint64_t atlasSet = 0;  // of the map
+};
+
+// Fills state and map of `fur`.
+GltfFur readFur(const GltfFile& file, FurData& fur);
+
+}  // namespace fur::scene

@@ -1,0 +1,60 @@
+// Where a point of the fur's volume stands in space: tile coordinates and a height in, model space out.
+//
+// This is the map that the shells carry out, without their layers: at height h a chart's triangles lie with their
+// corners at strandPoint(corner, h) (common.glsl), and tile coordinates run linearly over them. Points beyond a
+// triangle are looked for in its neighbours of the same chart; beyond the chart its outermost triangle goes on.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/Surface.h"
+
+namespace fur::truth {
+
+// A point of a fur chart: a triangle of Surface::furIndices and the weights of its corners, which sum to 1. Beyond
+// the chart's border some are negative.
+struct Spot {
+  std::uint32_t triangle = 0;
+  Vec3 weights{1, 0, 0};
+};
+
+// strandPoint() of the shaders: where a strand rooted at `root` is at height h.
+Vec3 strandPoint(const Vec3& root, const Vec3& normal, const Vec3& bend, float length, float h);
+
+class FurMap {
+ public:
+  // `length`: of the fur, model units; `tiles`: tiles per unit of the fur coordinates. Surface and bends are looked
+  // at as long as the map lives.
+  FurMap(const geometry::Surface& surface, std::span<const Vec4> bends, float length, float tiles);
+
+  std::uint32_t triangleCount() const { return static_cast<std::uint32_t>(surface_.furIndices.size() / 3); }
+  // Tile coordinates of the triangle's corners.
+  std::array<glm::dvec2, 3> corners(std::uint32_t triangle) const;
+  // The spot with those tile coordinates, sought from a triangle near by.
+  Spot find(std::uint32_t from, const glm::dvec2& tile) const;
+
+  Vec3 point(const Spot& spot, float h) const;
+  Vec3 normal(const Spot& spot) const;  // unit
+  // From, to (SurfaceVertex::strands), not clamped.
+  Vec2 strands(const Spot& spot) const;
+  // Model units that one tile unit is long at that height, the root of what areas grow by.
+  float scale(const Spot& spot, float h) const;
+
+ private:
+  const geometry::SurfaceVertex& corner(std::uint32_t triangle, int k) const {
+    return surface_.vertices[surface_.furIndices[3 * triangle + static_cast<std::uint32_t>(k)]];
+  }
+  Vec3 raised(std::uint32_t triangle, int k, float h) const;
+  Vec3 weightsAt(std::uint32_t triangle, const glm::dvec2& tile) const;
+  void joinNeighbours();
+
+  const geometry::Surface& surface_;
+  std::span<const Vec4> bends_;
+  float length_, tiles_;
+  std::vector<std::uint32_t> across_;  // 3 a triangle: the neighbour opposite that corner, or kNone
+};
+
+}  // namespace fur::truth

@@ -1,0 +1,15 @@
+// Tubes and skin to a picture: a z-buffer with many samples a pixel, drawn one small square of the picture at a time.
+#pragma once
+
+#include <vector>
+
+#include "truth/Shading.h"
+
+namespace fur::truth {
+
+// `light`: of every node, linear; between them it runs straight along the axis. What comes nearer to the eye than 0.02
+// model units is left out.
+Picture drawPicture(const Scene& scene, const Tubes& tubes, const std::vector<Vec3>& light, const DeepShadow& shadow,
+                    int width, int height, const Options& options);
+
+}  // namespace fur::truth

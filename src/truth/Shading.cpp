@@ -1,0 +1,86 @@
+#include "truth/Shading.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hair/StrandShading.h"
+#include "truth/Parallel.h"
+
+namespace fur::truth {
+
+namespace {
+
+// As in shell.vert: below this cosine the way of the light through the coat grows no longer.
+constexpr float kLowestLight = 0.35f;
+// Whether skin shades a point is asked that far above it, model units, and skin counts that lies nearer to the light
+// by that much: so the facets of the lit side do not shade themselves, and roots on the far side get no light.
+constexpr float kSkinOffset = 0.01f, kSkinBias = 0.002f;
+constexpr float kAllTheWay = 1e9f;
+constexpr std::size_t kTubesAPiece = 1024;
+
+hair::StrandLook lookOf(const Scene& scene) {
+  const render::shared::FurBlock& c = scene.coat;
+  return {c.shading.x, c.shading.y, c.shading.z, c.shading.w, c.coat.x, c.water.y, c.water.z, c.volume.z};
+}
+
+Vec3 skyLight(const Scene& scene, const Vec3& normal) {
+  const float upness = glm::dot(normal, Vec3(scene.frame.up));
+  return glm::mix(Vec3(scene.frame.floorLight), Vec3(scene.frame.sky), 0.5f + 0.5f * upness);
+}
+
+// The share of the key light that comes to a node.
+float keyAt(const Scene& scene, const hair::StrandLook& look, const TubeNode& node, const Vec3& tangent,
+            const DeepShadow& shadow, Light light) {
+  const float through = shareOfOneStrand(scene), nDotL = glm::dot(node.normal, Vec3(scene.frame.light));
+  if (light == Light::Traced) {
+    const float past = shadow.sharePastSkin(node.position + node.normal * kSkinOffset, kSkinBias);
+    return past > 0 ? past * shadow.shareThrough(node.position, node.radius, tangent, through, kAllTheWay) : 0.0f;
+  }
+  const float rise = std::min(kLook, 1 - node.height) * scene.coat.shape.x;
+  const float lit = shadow.shareThrough(node.position, node.radius, tangent, through, rise / std::max(nDotL, kLowestLight));
+  return hair::keyShare(look, node.height, nDotL, lit);
+}
+
+}  // namespace
+
+float shareOfOneStrand(const Scene& scene) { return 1 - 0.65f * scene.coat.shading.w; }
+
+std::vector<Vec3> shadeNodes(const Scene& scene, const Tubes& tubes, const DeepShadow& shadow, Light light) {
+  const hair::StrandLook look = lookOf(scene);
+  const Vec3 toLight(scene.frame.light), eye(scene.frame.eye);
+  std::vector<Vec3> out(tubes.nodes.size());
+  const auto shadeTube = [&](const Tube& tube) {
+    const TubeNode* nodes = &tubes.nodes[tube.firstNode];
+    for (std::uint32_t k = 0; k < tube.nodeCount; ++k) {
+      const TubeNode& node = nodes[k];
+      const Vec3 way = nodes[std::min(k + 1, tube.nodeCount - 1)].position - nodes[k > 0 ? k - 1 : 0].position;
+      const Vec3 tangent = normalizeOr(way, node.normal), view = normalizeOr(eye - node.position, node.normal);
+      const Vec3 albedo = hair::strandColor(Vec3(scene.coat.rootColor), Vec3(scene.coat.tipColor), node.height, tube.variance, scene.coat.coat.y);
+      const float key = scene.frame.light.w * keyAt(scene, look, node, tangent, shadow, light);
+      const float rim = key * hair::rimLight(glm::dot(toLight, view), glm::dot(node.normal, view), node.height);
+      out[tube.firstNode + k] = hair::shadeStrand(look, albedo, tangent, toLight, view, glm::dot(node.normal, toLight),
+                                                  node.height, 0, key, rim, skyLight(scene, node.normal), tube.variance);
+    }
+  };
+  inParallel((tubes.tubes.size() + kTubesAPiece - 1) / kTubesAPiece, [&](std::size_t piece) {
+    const std::size_t end = std::min((piece + 1) * kTubesAPiece, tubes.tubes.size());
+    for (std::size_t t = piece * kTubesAPiece; t < end; ++t) shadeTube(tubes.tubes[t]);
+  });
+  return out;
+}
+
+Vec3 shadeSkin(const Scene& scene, const Vec3& point, const Vec3& normal, float roots, const DeepShadow& shadow, Light light) {
+  const hair::StrandLook look = lookOf(scene);
+  const bool furry = roots > 0;
+  const float nDotL = glm::dot(normal, Vec3(scene.frame.light));
+  float share = 1;
+  if (light == Light::Traced)
+    share = shadow.sharePastSkin(point + normal * kSkinOffset, kSkinBias) * shadow.shareThrough(point, 0, normal, shareOfOneStrand(scene), kAllTheWay);
+  else if (furry)
+    share = glm::mix(1.0f, hair::furShadow(0, look.density, nDotL), look.strandShadow);
+  const Vec3 albedo = Vec3(scene.coat.skinColor) * (1 - 0.5f * roots);
+  const Vec3 color = albedo * (scene.frame.light.w * std::max(nDotL, 0.0f) * share + skyLight(scene, normal));
+  return color * (furry ? 1 - look.occlusion : 1.0f);
+}
+
+}  // namespace fur::truth

@@ -1,0 +1,238 @@
+// What a person does with comb and scissors, without a page.
+#include "tests/render/Picture.h"
+
+namespace fur::app {
+namespace {
+
+struct Salon {
+  test::Stage stage{160, 160};
+  App app;
+  Salon() {
+    stage.attach(app);
+    for (const auto& [name, value] : {std::pair("layers", "8"), std::pair("tileSize", "64"), std::pair("dryRate", "0")})
+      app.setField(name, value);
+    app.settle();
+    app.tick(0);
+  }
+  ~Salon() { app.detach(false); }
+
+  void stroke(Tool tool, Vec2 from, Vec2 to) {
+    app.setTool(tool);
+    PointerEvent event{PointerPhase::Down};
+    event.position = from;
+    event.buttons = 1;
+    app.pointer(event);
+    event.phase = PointerPhase::Move;
+    for (int i = 1; i <= 12; ++i) {
+      event.position = glm::mix(from, to, static_cast<float>(i) / 12);
+      app.pointer(event);
+    }
+    event.phase = PointerPhase::Up;
+    event.buttons = 0;
+    app.pointer(event);
+  }
+  test::Picture settled() {
+    app.settle();
+    app.tick(0);
+    return stage.draw(app);
+  }
+};
+
+constexpr Tool kTools[] = {Tool::Comb, Tool::Smooth, Tool::Raise, Tool::Trim, Tool::Grow, Tool::Type};
+
+// Something that each of the tools can change.
+void prepare(App& app) {
+  app.groomAll(GroomEdit::Comb, 0.6f, Vec3(0.2f, -1, 0));
+  app.groomAll(GroomEdit::Vary, 0.8f);
+}
+
+TEST(AppGroom, EveryToolIsOneUndoStepAStroke) {
+  for (const Tool tool : kTools) {
+    Salon salon;
+    prepare(salon.app);
+    salon.stroke(Tool::Comb, {60, 90}, {100, 60});
+    const auto before = salon.app.groomHash();
+    salon.stroke(tool, {50, 80}, {110, 85});
+    const auto after = salon.app.groomHash();
+    EXPECT_NE(after, before) << static_cast<int>(tool);
+    EXPECT_TRUE(salon.app.undo());
+    EXPECT_EQ(salon.app.groomHash(), before) << static_cast<int>(tool);
+    EXPECT_TRUE(salon.app.redo());
+    EXPECT_EQ(salon.app.groomHash(), after) << static_cast<int>(tool);
+    EXPECT_EQ(salon.app.meanWetness(), 0) << "no water is spilt";
+  }
+}
+
+TEST(AppGroom, EveryEditOfTheWholeIsOneUndoStep) {
+  const std::pair<GroomEdit, float> edits[] = {{GroomEdit::Length, 0.4f}, {GroomEdit::Invert, 0}, {GroomEdit::Vary, 0.5f},
+                                               {GroomEdit::Type, 2},      {GroomEdit::Comb, 1},   {GroomEdit::Raise, 0},
+                                               {GroomEdit::Size, 512},    {GroomEdit::Clear, 0}};
+  App app;
+  std::vector<std::uint64_t> hashes{app.groomHash()};
+  for (const auto& [edit, value] : edits) {
+    app.groomAll(edit, value);
+    hashes.push_back(app.groomHash());
+    EXPECT_NE(hashes.back(), hashes[hashes.size() - 2]) << static_cast<int>(edit);
+  }
+  for (std::size_t i = hashes.size() - 1; i-- > 0;) {
+    EXPECT_TRUE(app.undo());
+    EXPECT_EQ(app.groomHash(), hashes[i]);
+  }
+  for (std::size_t i = 1; i < hashes.size(); ++i) {
+    EXPECT_TRUE(app.redo());
+    EXPECT_EQ(app.groomHash(), hashes[i]);
+  }
+}
+
+TEST(AppGroom, WhatChangesNothingIsNoStep) {
+  App app;
+  app.groomAll(GroomEdit::Clear);
+  app.groomAll(GroomEdit::Length, 1);
+  EXPECT_FALSE(app.canUndo());
+}
+
+TEST(AppGroom, ABaldModelHasNoFurInThePicture) {
+  Salon salon;
+  salon.app.setField("ground", "false");  // which the view of the skin leaves out
+  const test::Picture furry = salon.settled();
+  salon.app.groomAll(GroomEdit::Length, 0);
+  const test::Picture bald = salon.settled();
+  EXPECT_GT(furry.differingShare(bald, 16), 0.2f);
+  salon.app.setField("furLength", "0");
+  EXPECT_EQ(salon.settled().differingShare(bald, 0), 0) << "nothing but bare skin is left";
+  EXPECT_TRUE(salon.app.undo());
+  salon.app.groomAll(GroomEdit::Length, 1);
+  EXPECT_EQ(salon.settled().differingShare(furry, 0), 0);
+}
+
+TEST(AppGroom, ACombBendsThePictureAndRaisingBringsItBack) {
+  Salon salon;
+  const test::Picture upright = salon.settled();
+  salon.app.groomAll(GroomEdit::Comb);
+  EXPECT_GT(salon.settled().differingShare(upright, 16), 0.1f);
+  salon.app.groomAll(GroomEdit::Raise);
+  EXPECT_EQ(salon.settled().differingShare(upright, 0), 0);
+}
+
+TEST(AppGroom, CombedFurSwingsOverAndComesToRest) {
+  Salon salon;
+  salon.app.groomAll(GroomEdit::Comb);
+  EXPECT_TRUE(salon.app.active());
+  int ticks = 0;
+  while (salon.app.active() && ticks < 600) salon.app.tick(1 / 60.0f), ++ticks;
+  EXPECT_GT(ticks, 5) << "not at once";
+  EXPECT_LT(ticks, 600);
+}
+
+TEST(AppGroom, AnotherFurMappingKeepsTheGroomAndItsUndo) {
+  Salon salon;
+  const auto plain = salon.app.groomHash();
+  salon.stroke(Tool::Comb, {50, 80}, {110, 85});
+  salon.stroke(Tool::Trim, {50, 80}, {110, 85});
+  const auto groomed = salon.app.groomHash();
+  salon.app.setField("furMapping", "cube");
+  EXPECT_EQ(salon.app.groomHash(), groomed);
+  salon.settled();
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(salon.app.undo());
+  EXPECT_EQ(salon.app.groomHash(), plain);
+}
+
+TEST(AppGroom, MovesOverToAnotherProgramAsBytes) {
+  Salon salon;
+  salon.stroke(Tool::Comb, {50, 80}, {110, 85});
+  salon.stroke(Tool::Type, {50, 80}, {110, 85});
+  const auto bytes = salon.app.saveGroom();
+  App other;
+  ASSERT_TRUE(other.restoreGroom(bytes));
+  EXPECT_EQ(other.groomHash(), salon.app.groomHash());
+  ASSERT_TRUE(other.loadPrimitive("plane"));
+  EXPECT_EQ(other.groomCoverage().types[0], 1) << "it belongs to the model";
+  for (const std::size_t size : {std::size_t{0}, std::size_t{3}, bytes.size() - 1, bytes.size()}) {
+    const Status status = other.restoreGroom(std::span(bytes).first(size));
+    ASSERT_FALSE(status);
+    EXPECT_EQ(status.error().id, ErrorId::BadFile);
+  }
+}
+
+TEST(AppGroom, ASavedSceneOpensAsItWas) {
+  Salon salon;
+  salon.app.setField("tipColor", "#336699");
+  salon.app.setCamera({0.8f, 0.2f, 3.5f, Vec3(0)});
+  salon.stroke(Tool::Comb, {50, 80}, {110, 85});
+  salon.stroke(Tool::Trim, {80, 50}, {85, 110});
+  salon.stroke(Tool::Type, {60, 60}, {85, 110});
+  const test::Picture before = salon.settled();
+  const auto map = salon.app.groomMap().hash();
+  const auto file = salon.app.saveScene();
+  salon.app.loadPrimitive("torus").value();
+  salon.app.setField("tipColor", "#000000");
+  ASSERT_TRUE(salon.app.loadModel(file, "saved.glb"));
+  EXPECT_TRUE(salon.app.takeWarnings().empty());
+  EXPECT_EQ(salon.app.groomMap().hash(), map);
+  EXPECT_EQ(salon.app.settings().tipColor, 0x336699u);
+  EXPECT_FALSE(salon.app.canUndo());
+  // The model is fitted anew: rounding moves a pixel here and there.
+  EXPECT_LT(salon.settled().differingShare(before, 24), 0.01f);
+  // And once more, for what is saved again.
+  ASSERT_TRUE(salon.app.loadModel(salon.app.saveScene(), "again.glb"));
+  EXPECT_EQ(salon.app.groomMap().hash(), map);
+}
+
+TEST(AppGroom, ASceneCanBeOpenedWithoutItsSettings) {
+  App app;
+  app.setField("furLength", "0.3");
+  app.groomAll(GroomEdit::Length, 0.5f);
+  const auto file = app.saveScene();
+  app.setField("furLength", "0.1");
+  ASSERT_TRUE(app.loadModel(file, "saved.glb", {}, true));
+  EXPECT_FLOAT_EQ(app.settings().furLength, 0.1f);
+  EXPECT_NEAR(app.groomCoverage().length, 0.5, 0.01);
+}
+
+TEST(AppGroom, LengthsAndTypesGoThroughAFo) {
+  Salon salon;
+  for (int i = 0; i < 4; ++i) salon.stroke(Tool::Trim, {80, 50}, {85, 110});
+  for (int i = 0; i < 8; ++i) salon.stroke(Tool::Type, {50, 80}, {110, 85});
+  const groom::Coverage before = salon.app.groomCoverage();
+  EXPECT_LT(before.length, 0.99f);
+  EXPECT_GT(before.types[1], 0.01f);
+  ASSERT_TRUE(salon.app.loadModel(salon.app.saveFo(), "saved.fo"));
+  const groom::Coverage after = salon.app.groomCoverage();
+  // A value a vertex instead of one a texel.
+  EXPECT_NEAR(after.length, before.length, 0.02f);
+  EXPECT_NEAR(after.types[1], before.types[1], 0.03f);
+}
+
+TEST(AppGroom, AnotherContextDrawsTheSameGroom) {
+  Salon salon;
+  salon.stroke(Tool::Trim, {50, 80}, {110, 85});
+  salon.app.groomAll(GroomEdit::Comb, 0.5f);
+  const test::Picture before = salon.settled();
+  salon.app.detach(false);
+  salon.stage.attach(salon.app);
+  EXPECT_EQ(salon.settled().differingShare(before, 0), 0);
+}
+
+TEST(AppGroom, SpaceGroomsTheMiddleOfTheView) {
+  for (const Tool tool : {Tool::Comb, Tool::Trim}) {
+    Salon salon;
+    salon.app.setTool(tool);
+    const auto before = salon.app.groomHash();
+    EXPECT_TRUE(salon.app.key({" "}));
+    EXPECT_NE(salon.app.groomHash(), before);
+    EXPECT_TRUE(salon.app.undo());
+    EXPECT_EQ(salon.app.groomHash(), before);
+  }
+}
+
+TEST(AppGroom, WaterStaysWaterWhateverTheTool) {
+  Salon salon;
+  salon.app.setTool(Tool::Comb);
+  salon.app.splashPixel({80, 80}, 0.1f, 0.5f);
+  EXPECT_GT(salon.app.meanWetness(), 0);
+  EXPECT_TRUE(salon.app.undo());
+  EXPECT_EQ(salon.app.meanWetness(), 0);
+}
+
+}  // namespace
+}  // namespace fur::app

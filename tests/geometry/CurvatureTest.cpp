@@ -1,0 +1,68 @@
+// The shape operator of smooth shapes whose curvature is known.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include "geometry/Curvature.h"
+#include "geometry/SurfaceChecks.h"
+
+namespace fur::geometry {
+namespace {
+
+// The two principal curvatures, the greater first.
+Vec2 principal(const SurfaceVertex& v) {
+  const float mean = 0.5f * (v.curvature.x + v.curvature.z), half = 0.5f * (v.curvature.x - v.curvature.z);
+  const float apart = std::sqrt(half * half + v.curvature.y * v.curvature.y);
+  return {mean + apart, mean - apart};
+}
+
+// At the seams of a shape made by rows a fit has triangles on one side only; the rest must be right.
+template <class Check>
+float shareOf(const Surface& surface, Check check) {
+  const auto good = std::count_if(surface.vertices.begin(), surface.vertices.end(), check);
+  return static_cast<float>(good) / static_cast<float>(surface.vertices.size());
+}
+
+TEST(Curvature, OfASphereIsOneOverItsRadiusEveryWay) {
+  const Surface surface = built(makeSphere());
+  const float radius = glm::length(surface.vertices[0].position);
+  // Facets of 5 degrees: chords are a thousandth shorter than arcs.
+  EXPECT_GT(shareOf(surface, [&](const SurfaceVertex& v) {
+    return glm::length(principal(v) - Vec2(1.0f / radius)) < 0.02f / radius;
+  }), 0.98f);
+}
+
+TEST(Curvature, OfAPlaneIsNone) {
+  for (const SurfaceVertex& v : built(makePlane()).vertices) ASSERT_LT(glm::length(v.curvature), 1e-4f);
+}
+
+TEST(Curvature, OfATorusIsThatOfItsTubeAndTurnsHollowInside) {
+  const Surface surface = built(makeTorus(144, 64));
+  // The greater principal curvature is 1 / tube radius everywhere.
+  std::vector<float> greater, lesser;
+  for (const SurfaceVertex& v : surface.vertices) greater.push_back(principal(v).x), lesser.push_back(principal(v).y);
+  std::nth_element(greater.begin(), greater.begin() + static_cast<std::ptrdiff_t>(greater.size() / 2), greater.end());
+  EXPECT_LT(*std::min_element(lesser.begin(), lesser.end()), -0.5f);
+  const float median = greater[greater.size() / 2];
+  EXPECT_GT(shareOf(surface, [&](const SurfaceVertex& v) { return std::abs(principal(v).x - median) < 0.03f * median; }), 0.95f);
+}
+
+TEST(Curvature, IsTheSameForAllVerticesOfOnePoint) {
+  const Surface surface = built(makeLump());
+  std::vector<const SurfaceVertex*> order;
+  for (const SurfaceVertex& v : surface.vertices) order.push_back(&v);
+  const auto less = [](const SurfaceVertex* a, const SurfaceVertex* b) {
+    return std::tie(a->position.x, a->position.y, a->position.z) < std::tie(b->position.x, b->position.y, b->position.z);
+  };
+  std::sort(order.begin(), order.end(), less);
+  for (std::size_t i = 1; i < order.size(); ++i)
+    if (order[i]->position == order[i - 1]->position) {
+      // Each is given in axes of its own; what they share does not depend on them.
+      const Vec2 difference = principal(*order[i]) - principal(*order[i - 1]);
+      ASSERT_LT(glm::length(difference), 1e-3f * (1.0f + std::abs(principal(*order[i]).x)));
+    }
+}
+
+}  // namespace
+}  // namespace fur::geometry

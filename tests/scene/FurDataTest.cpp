@@ -1,0 +1,132 @@
+// Groom and state of a scene in a .glb: there and back, and what strangers put there.
+#include "scene/FurData.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "geometry/Primitives.h"
+#include "geometry/Surface.h"
+#include "scene/Model.h"
+#include "scene/PackBits.h"
+#include "tests/scene/GltfBuilder.h"
+
+namespace fur::scene {
+namespace {
+
+// A torus with an atlas, a map in which every channel differs, and a comb.
+struct Scene {
+  geometry::Mesh mesh;
+  FurData fur;
+  Scene() {
+    geometry::Mesh torus = geometry::makeTorus();
+    geometry::fitToUnitSphere(torus);
+    const geometry::Surface surface = geometry::buildSurface(torus).value();
+    mesh.indices = surface.indices;
+    for (std::size_t i = 0; i < surface.trueVertexCount; ++i) {
+      const auto& v = surface.vertices[i];
+      mesh.positions.push_back(v.position);
+      mesh.normals.push_back(v.normal);
+      mesh.atlas.push_back(v.atlas);
+      fur.comb.push_back(glm::cross(v.normal, Vec3(0, 1, 0)));
+    }
+    fur.mapSize = 32;
+    for (int i = 0; i < 32 * 32; ++i)
+      fur.map.push_back({static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(i % 50), static_cast<std::uint8_t>(i / 32), 7});
+    fur.state = R"({"version":1,"settings":{"furLength":0.2}})";
+  }
+  std::vector<std::uint8_t> file() const { return exportScene(mesh, "torus", fur, {picture, factor}); }
+  EncodedImage picture;
+  Vec4 factor{1.0f};
+};
+
+TEST(FurData, GoesThroughAFile) {
+  const Scene scene;
+  const auto model = importGltf(scene.file(), "torus.glb");
+  ASSERT_TRUE(model) << model.error().message;
+  EXPECT_TRUE(model.value().warnings.empty());
+  EXPECT_EQ(model.value().fur.map, scene.fur.map);
+  EXPECT_EQ(model.value().fur.mapSize, 32);
+  EXPECT_EQ(model.value().mesh.atlas, scene.mesh.atlas);
+  EXPECT_EQ(model.value().fur.state, R"({"settings":{"furLength":0.2},"version":1})");
+  ASSERT_EQ(model.value().fur.comb.size(), scene.fur.comb.size());
+  // A direction and a length instead of three numbers: rounding.
+  for (std::size_t i = 0; i < scene.fur.comb.size(); ++i)
+    ASSERT_LT(glm::length(model.value().fur.comb[i] - scene.fur.comb[i]), 1e-6f);
+}
+
+TEST(FurData, KeepsItsAtlasBesideTheModelsOwnCoordinatesAndItsTile) {
+  Scene scene;
+  for (const Vec3& p : scene.mesh.positions) scene.mesh.uv.emplace_back(p.x, p.y), scene.mesh.furUv.emplace_back(p.z, 2 * p.x);
+  const auto model = importGltf(scene.file(), "torus.glb");
+  ASSERT_TRUE(model) << model.error().message;
+  EXPECT_EQ(model.value().mesh.uv, scene.mesh.uv);
+  EXPECT_EQ(model.value().mesh.furUv, scene.mesh.furUv);
+  EXPECT_EQ(model.value().mesh.atlas, scene.mesh.atlas);
+  // And the surface takes it.
+  const auto surface = geometry::buildSurface(model.value().mesh);
+  ASSERT_TRUE(surface);
+  EXPECT_EQ(surface.value().vertices[surface.value().indices[0]].atlas, scene.mesh.atlas[scene.mesh.indices[0]]);
+}
+
+TEST(FurData, BringsThePictureAndItsFactor) {
+  Scene scene;
+  for (const Vec3& p : scene.mesh.positions) scene.mesh.uv.emplace_back(p.x, p.y);
+  scene.factor = Vec4(0.5f, 0.25f, 1, 1);
+  // The header of a PNG of 3 x 2 pixels, all that the importer looks at.
+  const std::vector<std::uint8_t> png{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n', 0, 0, 0, 13, 'I', 'H', 'D', 'R', 0, 0, 0, 3, 0, 0, 0, 2, 8, 6, 0, 0, 0};
+  scene.picture = {"image/png", png, 3, 2};
+  const auto model = importGltf(scene.file(), "torus.glb");
+  ASSERT_TRUE(model) << model.error().message;
+  EXPECT_EQ(model.value().baseColor.bytes, png);
+  EXPECT_EQ(model.value().baseColor.width, 3);
+  EXPECT_EQ(model.value().baseColorFactor, scene.factor);
+}
+
+TEST(FurData, AFileWithoutItHasNone) {
+  const auto model = importGltf(exportGlb(geometry::makeTorus(), "torus"), "torus.glb");
+  ASSERT_TRUE(model);
+  EXPECT_TRUE(model.value().fur.map.empty() && model.value().fur.comb.empty() && model.value().fur.state.empty());
+  EXPECT_TRUE(model.value().mesh.atlas.empty());
+}
+
+// One triangle whose root says `extension`.
+Result<Model> withExtension(const std::string& extension, const std::string& views = "", FileBytes more = {}) {
+  TriangleFile file;
+  file.top = "\"extensionsUsed\":[\"WETFUR_fur\"],\"extensions\":{\"WETFUR_fur\":" + extension + "},";
+  file.moreViews = views;
+  file.more = std::move(more);
+  return importGltf(file.build(), "hostile.glb");
+}
+
+TEST(FurData, HostileOnesAreTypedErrors) {
+  const auto idOf = [](const Result<Model>& model) {
+    EXPECT_FALSE(model);
+    return model ? ErrorId::Network : model.error().id;
+  };
+  EXPECT_EQ(idOf(withExtension("7")), ErrorId::BadFile);
+  EXPECT_EQ(idOf(withExtension("{}")), ErrorId::BadFile);
+  EXPECT_EQ(idOf(withExtension(R"({"version":"1"})")), ErrorId::BadFile);
+  EXPECT_EQ(idOf(withExtension(R"({"version":2})")), ErrorId::UnsupportedVersion);
+  EXPECT_EQ(idOf(withExtension(R"({"version":1,"state":[]})")), ErrorId::BadFile);
+  EXPECT_EQ(idOf(withExtension(R"({"version":1,"state":{"version":9}})")), ErrorId::UnsupportedVersion);
+  EXPECT_EQ(idOf(withExtension(R"({"version":1,"groom":3})")), ErrorId::BadFile);
+  EXPECT_EQ(idOf(withExtension(R"({"version":1,"groom":{"size":1025,"bufferView":0,"texCoord":0}})")), ErrorId::TooLarge);
+  EXPECT_EQ(idOf(withExtension(R"({"version":1,"groom":{"size":4e9,"bufferView":0,"texCoord":0}})")), ErrorId::TooLarge);
+  EXPECT_EQ(idOf(withExtension(R"({"version":1,"groom":{"size":2,"bufferView":0,"texCoord":0}})")), ErrorId::BadFile);
+  EXPECT_EQ(idOf(withExtension(R"({"version":1,"groom":{"size":16,"bufferView":0,"texCoord":0}})")), ErrorId::BadFile);
+  EXPECT_EQ(idOf(withExtension(R"({"version":1,"groom":{"size":16,"bufferView":9,"texCoord":0}})")), ErrorId::BadFile);
+}
+
+TEST(FurData, AMapWithoutCoordinatesOfItsOwnIsLeftOutWithAWarning) {
+  const FileBytes packed = packBits(FileBytes(4 * 16 * 16, 3));
+  const std::string view = ",{\"buffer\":0,\"byteOffset\":44,\"byteLength\":" + std::to_string(packed.size()) + "}";
+  const auto model = withExtension(R"({"version":1,"groom":{"size":16,"bufferView":2,"texCoord":3}})", view, packed);
+  ASSERT_TRUE(model) << model.error().message;
+  EXPECT_TRUE(model.value().fur.map.empty());
+  ASSERT_EQ(model.value().warnings.size(), 1u);
+  EXPECT_NE(model.value().warnings[0].find("groom"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace fur::scene

@@ -1,0 +1,68 @@
+// The reference and the real-time picture are of the same strands, the same camera and the same light.
+#include "render/Blocks.h"
+#include "tests/render/Picture.h"
+#include "truth/Flip.h"
+#include "truth/Truth.h"
+
+namespace fur::truth {
+namespace {
+
+constexpr int kWidth = 240, kHeight = 200;
+
+struct Desk {
+  test::Stage stage{kWidth, kHeight, 4};
+  app::App app;
+  Desk() {
+    stage.attach(app);
+    app.setField("ground", "false");
+    app.setField("layers", "64");
+    app.setField("repeat", "2");  // a quarter of the strands, twice as thick
+    // From near by and from the light's side, so that single strands can be told.
+    app.setCamera({-0.75f, 0.4f, 1.5f, Vec3(0)});
+    app.settle();
+  }
+  ~Desk() { app.detach(false); }
+
+  Picture realTime() {
+    const test::Picture drawn = stage.draw(app);
+    Picture out{kWidth, kHeight, {}};
+    for (std::size_t i = 0; i < drawn.rgba.size(); i += 4)
+      out.pixels.push_back(Vec3(drawn.rgba[i], drawn.rgba[i + 1], drawn.rgba[i + 2]) / 255.0f);
+    return out;
+  }
+  Picture reference() {
+    const furgen::Coat& coat = *app.grownCoat();
+    const render::Frame frame = app.frame();
+    Options options;
+    options.samples = 4;
+    options.shadowTexels = 1024;
+    return render({app.surface(), coat, app.bends(), render::frameBlock(frame),
+                   render::furBlock(frame, coat.parameters.size, 64, densestSection(coat), 1)},
+                  kWidth, kHeight, options);
+  }
+};
+
+Vec3 meanOf(const Picture& p) {
+  Vec3 sum(0);
+  for (const Vec3& pixel : p.pixels) sum += pixel;
+  return sum / static_cast<float>(p.pixels.size());
+}
+
+TEST(Truth, ShowsTheSameStrandsAsTheRealTimePicture) {
+  Desk desk;
+  const Picture realTime = desk.realTime();
+  const float same = flip(desk.reference(), realTime).mean;
+  desk.app.setField("seed", "2");
+  desk.app.settle();
+  const float others = flip(desk.reference(), realTime).mean;
+  EXPECT_LT(same, 0.8f * others) << same << " against " << others;
+}
+
+TEST(Truth, IsAsBrightAsTheRealTimePicture) {
+  Desk desk;
+  // A tenth of the range: the reference averages in linear light, the other in sRGB.
+  EXPECT_LT(glm::distance(meanOf(desk.reference()), meanOf(desk.realTime())), 0.1f);
+}
+
+}  // namespace
+}  // namespace fur::truth

@@ -1,0 +1,112 @@
+// Comb and scissors on the page: strokes, undo, the way into the editor and back, files.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { PNG } from 'pngjs';
+import { difference, light, picture, spotOnModel, startBrowser, untilStill, withFur } from './support.mjs';
+
+const site = startBrowser();
+
+async function stroke(page, tool) {
+  await withFur(page, (fur, name) => { fur.tool = name; }, tool);
+  const spot = await spotOnModel(page);
+  await page.mouse.move(spot.x - 30, spot.y);
+  await page.mouse.down();
+  await page.mouse.move(spot.x + 30, spot.y, { steps: 6 });
+  await page.mouse.up();
+  await untilStill(page);
+}
+
+const saved = (page) => withFur(page, async (fur) => btoa(Array.from(await fur.save(), (byte) => String.fromCharCode(byte)).join('')));
+
+test('a stroke of the comb lays the fur, and undo raises it', async () => {
+  const page = await site.open(`?${light}&dryRate=0&src=sphere`);
+  await untilStill(page);
+  const before = await picture(page);
+  await stroke(page, 'comb');
+  assert.equal(await withFur(page, (fur) => fur.groomed), true);
+  assert.ok(difference(before, await picture(page), 16) > 0.01);
+  assert.equal(await withFur(page, (fur) => fur.undo()), true);
+  await untilStill(page);
+  assert.equal(await withFur(page, (fur) => fur.groomed), false);
+  assert.ok(difference(before, await picture(page), 16) < 0.001);
+  assert.deepEqual(page.problems, []);
+});
+
+test('Space combs and trims the middle, for those who use no pointer', async () => {
+  const page = await site.open(`?${light}&dryRate=0&src=sphere`);
+  for (const tool of ['comb', 'trim']) {
+    await withFur(page, (fur, name) => { fur.tool = name; fur.shadowRoot.querySelector('canvas').focus(); }, tool);
+    await page.keyboard.press(' ');
+    assert.equal(await withFur(page, (fur) => fur.groomed), true, tool);
+    await page.keyboard.press('Control+z');
+    assert.equal(await withFur(page, (fur) => fur.groomed), false, tool);
+  }
+});
+
+test('the buttons Comb and Trim choose their tools, and Reset takes their work away', async () => {
+  const page = await site.open('?quality=low&layers=8&fins=0&dryRate=0&src=sphere');
+  for (const tool of ['comb', 'trim']) {
+    await page.click(`[data-tool=${tool}]`);
+    assert.equal(await withFur(page, (fur) => fur.tool), tool);
+  }
+  await withFur(page, (fur) => fur.groom('length', 0.5));
+  assert.equal(await withFur(page, (fur) => fur.groomed), true);
+  await page.click('#reset');
+  assert.equal(await withFur(page, (fur) => fur.groomed), false);
+});
+
+test('the editor takes the groom over and gives it back', async () => {
+  const page = await site.open('?quality=low&layers=8&fins=0&dryRate=0&src=sphere', { viewport: { width: 800, height: 400 } });
+  await stroke(page, 'comb');
+  await stroke(page, 'trim');
+  const before = await saved(page);
+  await page.click('#editor');
+  await page.waitForFunction(() => wetFur.editorOpen, null, { timeout: 30000 });
+  assert.equal(await saved(page), before);
+  await page.click('#editor');
+  await page.waitForFunction(() => !wetFur.editorOpen);
+  assert.equal(await saved(page), before);
+  assert.deepEqual(page.problems, []);
+});
+
+test('a saved scene opens with its groom and its settings', async () => {
+  const page = await site.open(`?${light}&dryRate=0&src=torus&tipColor=336699`);
+  await stroke(page, 'trim');
+  await withFur(page, (fur) => fur.groom('comb'));
+  await untilStill(page);
+  const shown = await picture(page);
+  await withFur(page, async (fur) => {
+    const scene = await fur.save();
+    fur.src = 'sphere';
+    await new Promise((resolve) => fur.addEventListener('load', resolve, { once: true }));
+    fur.settings.tipColor = '#000000';
+    await fur.loadModel(scene, { name: 'scene.glb' });
+  });
+  await untilStill(page);
+  assert.equal(await withFur(page, (fur) => fur.settings.tipColor), '#336699');
+  assert.equal(await withFur(page, (fur) => fur.groomed), true);
+  assert.ok(difference(shown, await picture(page), 24) < 0.01);
+});
+
+test('a picture that is dropped alone is a length map', async () => {
+  const page = await site.open(`?${light}&dryRate=0&src=sphere`);
+  const image = new PNG({ width: 4, height: 4 });
+  image.data.forEach((_, at) => { image.data[at] = at % 4 === 3 || at < 32 ? 255 : 0; });
+  await page.evaluate((base64) => {
+    const transfer = new DataTransfer();
+    const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+    transfer.items.add(new File([bytes], 'lengths.png', { type: 'image/png' }));
+    document.body.dispatchEvent(new DragEvent('drop', { dataTransfer: transfer, bubbles: true, cancelable: true }));
+  }, PNG.sync.write(image).toString('base64'));
+  await page.waitForFunction(() => wetFur.groomed);
+  assert.equal(await withFur(page, (fur) => fur.undo()), true);
+  const refused = await withFur(page, (fur) => fur.loadLengthMap(new Uint8Array([1, 2, 3])).then(() => null, ({ code }) => code));
+  assert.equal(refused, 'bad-file');
+});
+
+test('a link says that the groom is not in it', async () => {
+  const page = await site.open('?quality=low&layers=8&fins=0&src=sphere', { permissions: ['clipboard-read', 'clipboard-write'] });
+  await withFur(page, (fur) => fur.groom('length', 0.5));
+  await page.click('#link');
+  await page.waitForSelector('#messages .message:has-text("without the groom")');
+});
