@@ -130,16 +130,13 @@ test('a dropped .fts is the coat until a setting that grows another changes', as
   });
   // Until it has grown the picture keeps the coat before it.
   await page.waitForFunction(() => wetFur.stats.strands > 600);
-  const dense = await picture(page);
+  const dense = await picture(page), again = await picture(page);
   await drop([['curls.fts', Buffer.from(coat, 'base64')]]);
   await untilCoat(true);
-  // The coat grows in slices, so the picture follows in a while.
-  let apart = 0;
-  for (let turn = 0; turn < 40 && apart <= 0.05; ++turn) {
-    await sleep(100);
-    apart = difference(dense, await picture(page), 10);
-  }
-  assert.ok(apart > 0.05, `${apart}`);  // a fifth of the strands: most of the model
+  // The picture keeps the dense coat until the other has grown.
+  await page.waitForFunction(() => wetFur.stats.strands < 600);
+  const apart = difference(dense, await picture(page), 10);
+  assert.ok(apart > 100 * difference(dense, again, 10) && apart > 0.01, `${apart}`);
   await withFur(page, (fur) => { fur.settings.wind = 0; fur.settings.density = 0.5; });
   await untilCoat(false);
 });
