@@ -87,12 +87,12 @@ Status loadTypeSet(app::App& app, const std::string& path) {
   return app.loadTypeSet(bytes.value(), fs::path(path).filename().string());
 }
 
-Status loadLengthMap(app::App& app, const std::string& path) {
+Status loadGroomImage(app::App& app, groom::ImageOf what, const std::string& path) {
   const auto bytes = readFile(path);
   if (!bytes) return bytes.error();
   const auto image = decodeImage(bytes.value());
   if (!image) return Error{image.error().id, path + ": " + image.error().message};
-  app.groomFromImage(image.value().width, image.value().height, image.value().rgba);
+  app.groomFromImage(what, image.value().width, image.value().height, image.value().rgba);
   return Done{};
 }
 
@@ -100,7 +100,7 @@ Status loadScene(app::App& app, const std::string& nameOrPath, const std::string
   if (nameOrPath == "sphere" || nameOrPath == "torus" || nameOrPath == "plane") return app.loadPrimitive(nameOrPath);
   if (hasEnding(nameOrPath, ".fts")) return loadTypeSet(app, nameOrPath);
   for (const char* ending : {".png", ".jpg", ".jpeg"})
-    if (hasEnding(nameOrPath, ending)) return loadLengthMap(app, nameOrPath);
+    if (hasEnding(nameOrPath, ending)) return loadGroomImage(app, groom::ImageOf::Length, nameOrPath);
   const std::string path = nameOrPath == "bunny" ? findBunny(programPath) : nameOrPath;
   const auto bytes = readFile(path);
   if (!bytes) return bytes.error();

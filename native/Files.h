@@ -20,11 +20,11 @@ Status writePng(const std::string& path, int width, int height, const std::vecto
 Status loadTypeSet(app::App& app, const std::string& path);
 
 // An image by path becomes the length map of the groom.
-Status loadLengthMap(app::App& app, const std::string& path);
+Status loadGroomImage(app::App& app, groom::ImageOf what, const std::string& path);
 
 // A model by path, or "sphere", "torus", "plane", or "bunny" (models/bunny.glb beside the program or
 // below its parent folders). Decodes its picture too; one that cannot be decoded is a warning. A path of
-// a .fts goes to loadTypeSet(), of a .png or .jpg to loadLengthMap().
+// a .fts goes to loadTypeSet(), of a .png or .jpg is a length map.
 Status loadScene(app::App& app, const std::string& nameOrPath, const std::string& programPath);
 
 }  // namespace fur::native

@@ -117,7 +117,7 @@ export class FurApp {
   saveFo() { return this.#saved('fur_saveFo'); }
   saveScene() { return this.#saved('fur_saveScene'); }
   groomAll(edit, value, [x, y, z]) { this.#call('fur_groomAll', groomEdits.indexOf(edit), value, x, y, z); }
-  groomFromImage(width, height, rgba) { this.#callOrThrow('fur_groomFromImage', width, height, rgba); }
+  groomFromImage(what, width, height, rgba) { this.#callOrThrow('fur_groomFromImage', what, width, height, rgba); }
   /** {u, v} of the surface under the pixel, or null. */
   pick(x, y) {
     const hit = this.program.numbers(this.#call('fur_pick', x, y), 2);

@@ -397,12 +397,15 @@ export class WetFur extends EventTarget {
     this.#afterChange();
   }
   /** An image in the model's texture coordinates: black is bald. */
-  async loadLengthMap(given) {
+  async loadLengthMap(image) { await this.#loadGroomImage(0, 'length', image); }
+  /** The same: red, green and blue are the presence of the fur types 2, 3 and 4. */
+  async loadTypeMap(image) { await this.#loadGroomImage(1, 'type', image); }
+  async #loadGroomImage(what, name, given) {
     await this.ready;
     const image = await decodeImage(given instanceof Blob ? given : new Blob([given])).catch((error) => {
-      throw this.#failed(new FurError('bad-file', `the length map could not be read (${error.message})`));
+      throw this.#failed(new FurError('bad-file', `the ${name} map could not be read (${error.message})`));
     });
-    await this.#groomInWorkshop((app) => app.groomFromImage(image.width, image.height, image.data));
+    await this.#groomInWorkshop((app) => app.groomFromImage(what, image.width, image.height, image.data));
   }
   async #groomInWorkshop(work) {
     await this.#inWorkshop((app) => {

@@ -25,6 +25,7 @@ constexpr const char* kUsage = R"(usage: wet-fur-render [model] -o out.png [opti
   --save-fo FILE        writes the model with its fur coordinates as .fo
   --save-scene FILE     writes model, groom, settings and camera as .glb
   --length-map FILE     an image whose brightness is the length of the fur
+  --type-map FILE       one whose red, green and blue are the presence of the fur types 2 to 4
   --size WxH            pixels, 16x16 to 8192x8192 (default 1280x720)
   --samples N           multisampling, 0 to 8 (default 4)
   --time S              seconds to run before the picture, in steps of 1/60 (default 0)
@@ -38,7 +39,7 @@ constexpr const char* kUsage = R"(usage: wet-fur-render [model] -o out.png [opti
 )";
 
 struct Options {
-  std::string model = "bunny", output, stateFile, preset, typeSet, savedTypeSet, savedFo, savedScene, lengthMap;
+  std::string model = "bunny", output, stateFile, preset, typeSet, savedTypeSet, savedFo, savedScene, lengthMap, typeMap;
   int width = 1280, height = 720, samples = 4;
   float time = 0, wetness = -1;
   std::vector<Vec2> splashes;
@@ -69,6 +70,7 @@ std::string readOption(const std::string& name, const std::string& value, Option
   else if (name == "--save-fo") o.savedFo = value;
   else if (name == "--save-scene") o.savedScene = value;
   else if (name == "--length-map") o.lengthMap = value;
+  else if (name == "--type-map") o.typeMap = value;
   else if (name == "--preset") o.preset = value;
   else if (name == "--size") {
     if (!readNumbers(value, 'x', n) || n.size() != 2 || n[0] < 16 || n[1] < 16 || n[0] > 8192 || n[1] > 8192)
@@ -110,7 +112,9 @@ Status setUp(app::App& app, const Options& o, const char* program) {
   for (const auto& [name, value] : o.fields) app.setField(name, value);
   if (!o.camera.empty()) app.setCamera({o.camera[0], o.camera[1], o.camera[2], Vec3(0)});
   if (!o.lengthMap.empty())
-    if (Status status = native::loadLengthMap(app, o.lengthMap); !status) return status;
+    if (Status status = native::loadGroomImage(app, groom::ImageOf::Length, o.lengthMap); !status) return status;
+  if (!o.typeMap.empty())
+    if (Status status = native::loadGroomImage(app, groom::ImageOf::Types, o.typeMap); !status) return status;
   // After the settings: a change of theirs would grow a coat in its place.
   return o.typeSet.empty() ? Status(Done{}) : native::loadTypeSet(app, o.typeSet);
 }

@@ -31,9 +31,8 @@ vec3 modelColor(sampler2D picture, vec2 uv) { return vec3(1.0); }
 #endif
 
 // Colour of a strand at height h: root to tip, brighter or darker from strand to strand.
-vec3 strandColor(float h, float strandVariance, vec3 model) {
-  vec3 color = mix(rootColor.rgb, tipColor.rgb, h);
-  return color * (1.0 + coat.y * 1.3 * (strandVariance - 0.5)) * model;
+vec3 strandColor(vec3 root, vec4 tipVariance, float h, float strandVariance, vec3 model) {
+  return mix(root, tipVariance.rgb, h) * (1.0 + tipVariance.w * 1.3 * (strandVariance - 0.5)) * model;
 }
 
 

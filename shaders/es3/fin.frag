@@ -4,8 +4,11 @@
 #include "common_clump.glsl"
 #include "common_noise.glsl"
 #include "common_furshadow.glsl"
+#ifdef TYPES
+#include "common_types.glsl"
+#endif
 
-uniform sampler2D fin;  // r: coverage  g: tangent along the edge  b: across  a: variance
+uniform sampler2DArray finCoverage, finStrand;  // one layer a fur type, as the shells' are
 uniform sampler2D baseColor;
 #ifdef WET
 uniform sampler2D mask;
@@ -16,8 +19,13 @@ in vec4 vLight;
 in vec3 vView;
 in vec2 vUv;
 in vec2 vLean;
-#ifdef WET
+#if defined(WET) || defined(TYPES)
 in vec2 vAtlas;
+#endif
+#ifdef TYPES
+in float vLength;
+#endif
+#ifdef WET
 flat in vec2 vAtlasAlong;
 #endif
 
@@ -42,18 +50,29 @@ void main() {
     rho = clump.a;
   }
 #endif
-  vec4 t = textureLod(fin, vec2(u, min(h, 0.985)), floor(max(vFin.w, 0.0) + 0.5));
+  int type = 0;
+#ifdef TYPES
+  // A fin shows one type a pixel, by chance.
+  vec4 dressed = textureLod(groom, vAtlas, 0.0), grows = presences(dressed.gba);
+  float chance = otherPixelNoise();
+  for (; type < FUR_TYPES - 1 && chance >= grows[type]; ++type) chance -= grows[type];
+  h *= vLength * typeRise[type] / max(dressed.r, 1e-3);
+  if (h > 1.0 || rootColors[type].w <= 0.0) discard;
+#endif
+  vec3 spot = vec3(u, min(h, 0.985), float(type));
+  float level = floor(max(vFin.w, 0.0) + 0.5);
   float sharp = exp2(max(-vFin.w, 0.0));
-  float alpha = clamp((t.r - 0.5) * sharp + 0.5, 0.0, 1.0) * vFin.z;
+  float alpha = clamp((textureLod(finCoverage, spot, level).r - 0.5) * sharp + 0.5, 0.0, 1.0) * vFin.z;
   // Slabs show the coat up to its outline; only the tips that stand out over it are missing.
   alpha *= smoothstep(FUR_FIN_FOOT, 0.9, h) * (1.0 - smoothstep(0.94, 1.0, h));
   if (alpha < 0.02) discard;
-  vec2 tilt = t.gb * 2.0 - 1.0;
+  vec4 strand = textureLod(finStrand, spot, level);
+  vec2 tilt = strand.xy * 2.0 - 1.0;
   vec3 tangent = normalize(vec3(tilt + vLean + clumpLean, sqrt(max(0.05, 1.0 - dot(tilt, tilt)))));
-  vec3 albedo = strandColor(h, t.a, modelColor(baseColor, vUv));
+  vec3 albedo = strandColor(rootColors[type].rgb, tipColors[type], h, strand.z, modelColor(baseColor, vUv));
   // Nothing stands before an outline: light reaches it from the side, further down than inside the coat.
   float exposed = mix(h, 1.0, 0.4);
-  vec3 color = shadeStrand(albedo, tangent, normalize(vLight.xyz), normalize(vView), exposed, rho, 0.75 * furShadowAt(vLightSpace), vLight.w, t.a);
+  vec3 color = shadeStrand(albedo, tangent, normalize(vLight.xyz), normalize(vView), exposed, rho, 0.75 * furShadowAt(vLightSpace), vLight.w, strand.z);
   // Samples by chance, as in shell.frag.
   alpha += (pixelNoise() - 0.5) / sky.w;
   if (alpha < 0.5 / sky.w) discard;

@@ -16,8 +16,13 @@ out vec3 vView;   // eye in the fin's frame
 out vec2 vUv;
 out vec2 vLean;
 out vec3 vLightSpace;
-#ifdef WET
+#if defined(WET) || defined(TYPES)
 out vec2 vAtlas;
+#endif
+#ifdef TYPES
+out float vLength;  // of the coat here, a share of the fur length
+#endif
+#ifdef WET
 flat out vec2 vAtlasAlong;  // atlas step along the edge for one turn of the fin map
 #endif
 
@@ -69,8 +74,13 @@ void main() {
   vec3 leanNow = bend * (theta > 1e-5 ? sin(theta * h) / theta : 0.0);
   vLean = vec2(dot(axis, leanNow), dot(across, leanNow));
   vUv = vec2(face0.w, face1.w);
-#ifdef WET
+#ifdef TYPES
+  vLength = groomed.w;
+#endif
+#if defined(WET) || defined(TYPES)
   vAtlas = mix(atlas.xy, atlas.zw, side);
+#endif
+#ifdef WET
   vAtlasAlong = (atlas.zw - atlas.xy) / max(edgeLength * shape.y, 1e-6);
 #endif
 }

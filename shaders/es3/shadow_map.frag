@@ -2,7 +2,7 @@
 #include "common.glsl"
 #ifdef SHADOW_LAYERS
 #include "common_furshadow.glsl"
-uniform sampler2DArray tile;
+uniform sampler2DArray coverage;
 in vec2 vTile;
 flat in float vHeight;
 layout(location = 0) out vec4 layers0;
@@ -17,7 +17,7 @@ void main() {
   float z = gl_FragCoord.z * volumeShadow.w - unpack(packedDepths(ivec2(gl_FragCoord.xy)).rg) * volumeShadow.w;
   float lod = log2(volumeShadow.w * shape.y * volume.x / float(kShadowSize));
   float layer = floor(vHeight * (volume.y - 1.0) + 0.5);
-  float opacity = kShell * textureLod(tile, vec3(vTile, layer), lod).r;
+  float opacity = kShell * textureLod(coverage, vec3(vTile, layer), lod).r;
   // Half a layer on, or rounding would count the first surface as lying before itself.
   float deep = z / volumeShadow.y + 0.5;
   const vec4 four = vec4(0.0, 1.0, 2.0, 3.0);

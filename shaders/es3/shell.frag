@@ -6,13 +6,17 @@
 #include "common_noise.glsl"
 #include "common_furshadow.glsl"
 
-uniform sampler2DArray tile;  // r: coverage  g, b: strand tangent x, y  a: variance
+uniform sampler2DArray coverage;  // r
+uniform sampler2DArray strand;    // xy: tangent  z: variance  w: dominance
 uniform sampler2D baseColor;
+#if defined(TEXTURED) || defined(VIEW_OFFSET)
+uniform sampler2DArray offset;  // 0.5 + the way back to the strand's root, in tiles
+#endif
 #ifdef WET
 uniform sampler2D mask;
 #endif
 #ifdef GROOMED
-uniform sampler2D groom;  // r: length of the fur, a share
+#include "common_types.glsl"
 #endif
 
 in vec4 vTile;
@@ -68,11 +72,31 @@ float chartShare() {
 // A direction in the surface's frame where the ray is, whose normal has turned on the way.
 vec3 inTurnedFrame(vec3 v, vec2 turned) { return normalize(v + vec3(-turned * v.z, dot(turned, v.xy))); }
 
+// Magnified strands get edges one pixel wide; minified ones keep their fractional coverage.
+float edged(float cover, float sharp) { return clamp((cover - 0.5) * sharp + 0.5, 0.0, 1.0); }
+// Stands in for 1 - (1 - c)^softness.
+float stepCover(float cover, float softness) { return cover * softness / (1.0 - cover * (1.0 - softness)); }
+
+#ifdef TEXTURED
+// The model's own colour at the root of the strand that was met, so that a curl has it up to its tip: the model's uv
+// a tile on is solved out of what both do from pixel to pixel.
+vec3 colorAtRoot(vec4 spot) {
+  vec2 root = spot.xy + textureLod(offset, spot.xyz, spot.w).xy - 0.5 - vTile.xy;
+  mat2 tiles = mat2(dFdx(vTile.xy), dFdy(vTile.xy)), uvs = mat2(dFdx(vLean.zw), dFdy(vLean.zw));
+  float area = determinant(tiles);
+  // A surface seen edge-on tells nothing: there the root is not far.
+  vec2 moved = abs(area) > 1e-9 ? uvs * (inverse(tiles) * root) : vec2(0.0);
+  // By the entry's mip level: from strand to strand roots jump.
+  return mix(vec3(1.0), textureGrad(baseColor, vLean.zw + moved, uvs[0], uvs[1]).rgb, coat.z);
+}
+#else
+vec3 colorAtRoot(vec4 spot) { return vec3(1.0); }
+#endif
+
 void main() {
   // Fur is read from one mip level, picked by chance between the two that trilinear filtering would
   // blend, and half a level sharper than a pixel's footprint: fur hides the grain, blur would make felt of it.
   float lod = floor(max(vLight.w - 0.5, 0.0) + quadNoise());
-  // Magnified strands get edges one pixel wide; minified ones keep their fractional coverage.
   float sharp = exp2(max(-vLight.w, 0.0));
   float share = chartShare();
   bool reachesSkin;
@@ -85,7 +109,12 @@ void main() {
   float noise = otherPixelNoise();
   float between = fract(noise * 7.0) - 0.5;
   float x = stepSize * noise, alpha = 0.0, xSum = 0.0;
-  vec4 sum = vec4(0.0);  // tangent x, y, variance, height; weighted by what each step adds
+  float hSum = 0.0, most = 0.0;  // height, weighted by what each step adds; the most that one added
+  vec4 spot = vec4(vTile.xy, 0.0, lod);  // where that was: tile, layer, mip level
+#ifdef TYPES
+  vec4 types = vec4(0.0);  // what each adds
+  vec4 present = furryTypes();
+#endif
   vec2 at = vTile.xy;
 #if defined(WET) || defined(GROOMED)
   mat2 atlasFromTile = mat2(vAtlasStep.xy, vAtlasStep.zw);
@@ -94,6 +123,9 @@ void main() {
   mat2 tileFromAtlas = inverse(atlasFromTile);
   vec3 wetSum = vec3(0.0);  // clump lean in tile units a fur length, wetness
   float rho = 0.0;
+#endif
+#ifdef GROOMED
+  float furry = 1.0;  // how much of a coat there is where the ray is
 #endif
   for (int k = 0; k < kMostSteps; ++k) {
     if (x >= end) break;
@@ -126,15 +158,38 @@ void main() {
 #endif
 #ifdef GROOMED
     // Vertices know the mean length; the map knows it of every strand.
-    along = h * vLength / max(textureLod(groom, vAtlas + atlasFromTile * (root - vTile.xy), 0.0).r, 1e-3);
+    vec4 dressed = textureLod(groom, vAtlas + atlasFromTile * (root - vTile.xy), 0.0);
+    along = h * vLength / max(dressed.r, 1e-3);
+    furry = min(dressed.r / 0.15, 1.0);
+#endif
+    float softness = kReferenceSteps * stepSize;
+#ifdef TYPES
+    vec4 grows = presences(dressed.gba) * present;
+    furry *= min(2.0 * dot(grows, vec4(1.0)), 1.0);
+    float closedHere = 0.0;
+    for (int type = 0; type < FUR_TYPES; ++type) {
+      if (grows[type] <= 0.0) continue;
+      float up = along * typeRise[type];
+      if (up > 1.0) continue;
+      vec4 there = vec4(root, storedLayer(up, between) + float(type) * volume.y, level);
+      float stands = standsUpTo(grows[type], textureLod(strand, there.xyz, level).w);
+      float cover = edged(textureLod(coverage, there.xyz, level).r, sharp) * open * float(up <= stands);
+      float add = stepCover(cover, softness) * (1.0 - alpha - closedHere);
+      closedHere += add;
+      hSum += add * up;
+      types[type] += add;
+      if (add > most) most = add, spot = there;
+    }
+    float add = closedHere;
+#else
+#ifdef GROOMED
     open *= float(along <= 1.0);
 #endif
-    vec4 t = textureLod(tile, vec3(root, storedLayer(along, between)), level);
-    float cover = clamp((t.r - 0.5) * sharp + 0.5, 0.0, 1.0) * open;
-    // Stands in for 1 - (1 - c)^softness.
-    float softness = kReferenceSteps * stepSize;
-    float add = cover * softness / (1.0 - cover * (1.0 - softness)) * (1.0 - alpha);
-    sum += add * vec4(t.gba, h);
+    vec4 there = vec4(root, storedLayer(along, between), level);
+    float add = stepCover(edged(textureLod(coverage, there.xyz, level).r, sharp) * open, softness) * (1.0 - alpha);
+    hSum += add * along;
+    if (add > most) most = add, spot = there;
+#endif
     xSum += add * x;
 #ifdef WET
     wetSum += add * lean;
@@ -148,12 +203,13 @@ void main() {
   float shown = (reachesSkin ? 1.0 : closed) * share + (fract(noise * 13.0) - 0.5) / levels;
   if (shown < 0.5 / levels) discard;
 
+  if (most <= 0.0) spot.xy = at;
   float perStrand = 1.0 / max(alpha, 1e-3);
-  sum *= perStrand;
-  float h = sum.w;
+  float h = hSum * perStrand;
+  vec4 met = textureLod(strand, spot.xyz, spot.w);
   vec2 turned = vPath.zw * (xSum * perStrand);
   vec3 light3 = inTurnedFrame(vLight.xyz, turned), view3 = inTurnedFrame(vView.xyz, turned);
-  vec2 tilt = sum.xy * 2.0 - 1.0;
+  vec2 tilt = met.xy * 2.0 - 1.0;
   vec3 tangent = vec3(tilt + vLean.xy * h, sqrt(max(0.05, 1.0 - dot(tilt, tilt))));
 #ifdef WET
   wetSum *= perStrand;
@@ -166,24 +222,53 @@ void main() {
 #endif
   tangent = normalize(tangent);
 
+  float firstLayer = 0.0;  // of the type that was met
+#ifdef TYPES
+  firstLayer = floor(spot.z / volume.y) * volume.y;
+#endif
   // A look towards the light through the fur above: real strands cast real shadows.
   const float kRise = 0.1;
   float lit = 1.0;
   if (h + kRise < 1.0)
-    lit -= 0.65 * shading.w * textureLod(tile, vec3(at + vLightStep * kRise, storedLayer(h + kRise, 0.0)), lod + 1.0).r;
+    lit -= 0.65 * shading.w * textureLod(coverage, vec3(at + vLightStep * kRise, storedLayer(h + kRise, 0.0) + firstLayer), lod + 1.0).r;
 
   // How far the ray went, to the strands or to the skin.
   lit *= furShadowAt(vLightSpace + vLightRay * (alpha > 0.0 ? xSum * perStrand : end));
-  vec3 model = modelColor(baseColor, vLean.zw);
-  vec3 color = shadeStrand(strandColor(h, sum.z, model), tangent, light3, view3, h, rho, lit, vView.w, sum.z);
+  vec3 model = colorAtRoot(spot);
+  vec4 tip = tipColors[0];
+  vec3 rootTint = rootColors[0].rgb;
+#ifdef TYPES
+  types *= perStrand;
+  tip *= types.x, rootTint *= types.x;
+  for (int type = 1; type < FUR_TYPES; ++type) {
+    tip += types[type] * tipColors[type];
+    rootTint += types[type] * rootColors[type].rgb;
+  }
+#endif
+  vec3 color = shadeStrand(strandColor(rootTint, tip, h, met.z, model), tangent, light3, view3, h, rho, lit, vView.w, met.z);
   if (reachesSkin && closed < 1.0) {
     vec3 skin = shadeSkin(skinColor.rgb * model * 0.5, vLight.z, vView.w, 0.0, skinWetness, lit);
+#ifdef GROOMED
+    skin = mix(bareSkin(skinColor.rgb * model, vLight.z, vView.w, skinWetness, lit), skin, furry);
+#endif
     color = alpha > 0.0 ? mix(skin, color, closed) : skin;
   }
 #if defined(VIEW_TANGENTS)
   fragColor = vec4(tangent * 0.5 + 0.5, shown);
 #elif defined(VIEW_COVERAGE)
   fragColor = vec4(vec3(h), shown);
+#elif defined(VIEW_DOMINANCE)
+  fragColor = vec4(vec3(met.w * 2.0 - 1.0), shown);
+#elif defined(VIEW_OFFSET)
+  fragColor = vec4(clamp(0.5 + 12.0 * (textureLod(offset, spot.xyz, spot.w).xy - 0.5), 0.0, 1.0), 0.5, shown);
+#elif defined(VIEW_TYPES)
+  // As the picture of the groom: type 1 white, the others red, green and blue.
+#ifdef TYPES
+  vec3 tint = types.x + types.yzw + 0.25 * (1.0 - types.x);
+#else
+  const vec3 tint = vec3(1.0);
+#endif
+  fragColor = vec4(tint * mix(0.3, 0.9, h), shown);
 #else
   fragColor = vec4(encodeSrgb(toneMap(color)), shown);
 #endif

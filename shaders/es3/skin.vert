@@ -2,6 +2,9 @@
 #include "common_bend.glsl"
 #include "common_shading.glsl"
 #include "common_furshadow.glsl"
+#ifdef TYPES
+#include "common_types.glsl"
+#endif
 
 layout(location = FUR_POSITION) in vec3 position;
 layout(location = FUR_NORMAL) in vec3 normal;
@@ -20,9 +23,15 @@ void main() {
   // Shells show the skin themselves where a ray reaches it. This one is seen where a ray has left the coat of one
   // part of the body and goes on deep in that of another: there it stands for the strands that are missing.
   float nDotL = dot(normal, light.xyz), upness = dot(normal, up.xyz);
-  vec3 albedo = mix(skinColor.rgb, 0.5 * (rootColor.rgb + tipColor.rgb), min(2.0 * volume.z, 1.0));
-  vColor = shadeSkin(albedo, nDotL, upness, 0.3, 0.0, furShadowAt(lightSpace(position + normal * (0.3 * shape.x))));
+  vec3 strands = rootColors[0].rgb + tipColors[0].rgb;
   float furry = bendOf(gl_VertexID).w;
+#ifdef TYPES
+  vec4 grows = presences(textureLod(groom, uvAtlas.zw, 0.0).gba);
+  strands *= grows.x;
+  for (int type = 1; type < FUR_TYPES; ++type) strands += grows[type] * (rootColors[type].rgb + tipColors[type].rgb);
+#endif
+  vec3 albedo = mix(skinColor.rgb, 0.5 * strands, min(2.0 * volume.z, 1.0));
+  vColor = shadeSkin(albedo, nDotL, upness, 0.3, 0.0, furShadowAt(lightSpace(position + normal * (0.3 * shape.x))));
   if (furry < 0.15)
     vColor = mix(bareSkin(skinColor.rgb, nDotL, upness, 0.0, furShadowAt(vLightSpace)), vColor, furry / 0.15);
 }

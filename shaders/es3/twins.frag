@@ -7,6 +7,7 @@
 #include "common_shading.glsl"
 #include "common_clump.glsl"
 #include "common_furshadow.glsl"
+#include "common_types.glsl"
 out vec4 fragColor;
 
 vec3 onCircle(float angle) { return vec3(sin(angle), 0.0, cos(angle)); }
@@ -37,6 +38,8 @@ void main() {
 #else
   float value = marschnerStrand(vec3(0.4), along, across, dot(L, V), 12.0).g;
 #endif
+#elif FUNCTION == 12
+  float value = standsUpTo(at.x, mix(0.5, 1.0, at.y));
 #elif FUNCTION == 11
   // Over a square of two units, at the height of the eye.
   float value = furShadowAt(lightSpace(vec3(at.x * 2.0 - 1.0, eye.y, at.y * 2.0 - 1.0)));

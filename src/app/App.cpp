@@ -188,12 +188,15 @@ const geometry::Surface& App::surface() const { return state_->surface; }
 const settings::Settings& App::settings() const { return state_->settings; }
 
 void App::State::applySettings(const settings::Settings& next) {
-  const bool otherCoat = furParameters(settings) != furParameters(next);
+  const CoatParameters before = coatParameters(settings, furTypes), after = coatParameters(next, furTypes);
+  const bool otherCoat = before != after;
+  if (before[0] != after[0]) given.reset();
   const bool remapped = settings.furMapping != next.furMapping;
   furChanged |= otherCoat;
   // The picture stays as it is until the other coat has grown.
   if (!otherCoat || !differOnlyInCoat(settings, next)) forcesChanged = pictureChanged = true;
   settings = next;
+  groomStale |= furTypes > 1;  // heights of the types
   if (!remapped) return;
   // Only fur coordinates change: the atlas stays, and with it what is wet.
   auto built = geometry::buildSurface(mesh, mapping());
@@ -308,13 +311,13 @@ bool App::tick(float dt, float coatBudget) {
   State& s = *state_;
   dt = std::max(dt, 0.0f);
   s.sinceSettingChange += dt;
+  s.refreshGroom();
   s.workOnCoat(coatBudget);
   bool changed = std::exchange(s.pictureChanged, false);
   changed |= s.camera.update(dt);
   const bool moved = s.motion.update(dt);
   changed |= moved;
 
-  s.refreshGroom();
   if (s.wind() > 0) s.windClock += dt;
   if (dt > 0 && (moved || s.gusty() || s.forcesChanged || !s.bends.atRest())) {
     s.bends.step(dt, s.motion.worldFromModel(), s.forces(), s.wetnessOfVertices());
@@ -377,6 +380,7 @@ render::Frame App::State::frame(int level) const {
   f.groundHeight = groundHeight;
   f.wet = !mask.isDry();
   f.groomed = groomed;
+  f.types = shownTypes > 1;
   f.baseColorFactor = baseColorFactor;
   return f;
 }
@@ -388,9 +392,9 @@ std::span<const Vec4> App::bends() const { return state_->bends.bends(); }
 Status App::draw(Picture picture) {
   State& s = *state_;
   FUR_ASSERT(s.renderer.has_value(), "App::draw()", "an attached context", "none");
+  s.refreshGroom();
   if (!s.coatUploaded) s.finishCoat();
   s.renderer->updateMask(s.mask, s.mask.takeChanged());
-  s.refreshGroom();
   s.drawnLevel = s.levelFor(picture);
   const Status status = s.renderer->draw(s.frame(s.drawnLevel));
   s.uploadedBytes = s.renderer->takeUploadedBytes();

@@ -165,8 +165,8 @@ class App {
 
   // --- groom (groom/Groom.h); belongs to the model ---
   void groomAll(GroomEdit edit, float value = 1, const Vec3& direction = Vec3(0, -1, 0));
-  // An image, RGBA8 in the model's own texture coordinates: its brightness becomes the length.
-  void groomFromImage(int width, int height, std::span<const std::uint8_t> rgba);
+  // An image, RGBA8 in the model's own texture coordinates.
+  void groomFromImage(groom::ImageOf what, int width, int height, std::span<const std::uint8_t> rgba);
   groom::Coverage groomCoverage() const;
   std::uint64_t groomRevision() const;  // another one, above 0, whenever it has changed
   bool groomed() const;  // any of it is not as a new model's

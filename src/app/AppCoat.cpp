@@ -17,6 +17,12 @@ double secondsNow() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+std::vector<std::uint8_t> written(const furgen::FurVolume& volume) {
+  auto bytes = scene::writeTypeSet(volume);
+  FUR_ASSERT(bytes, "App::saveTypeSet()", "a volume of the format's shape", bytes.error().message);
+  return std::move(*bytes);
+}
+
 }  // namespace
 
 // `budget` in seconds of this machine's time; what is drawn in the end does not depend on it.
@@ -25,7 +31,8 @@ void App::State::workOnCoat(double budget) {
   const double begun = secondsNow();
   do {
     if (furChanged && (!coatWork || coatSeconds + secondsNow() - begun > kPatience)) {
-      coatWork.emplace(furParameters(settings, &warnings));
+      coatWork.emplace(coatParameters(settings, furTypes, &warnings), given);
+      workTypes = furTypes;
       coatSeconds = 0;
       furChanged = false;
     }
@@ -41,12 +48,14 @@ void App::State::workOnCoat(double budget) {
 void App::State::showCoat(DrawnCoat next) {
   coat = std::move(next);
   coatUploaded = true;
+  shownTypes = workTypes;
   ++coatRevision;
   governor.forget();
   forcesChanged = pictureChanged = true;
 }
 
 void App::State::finishCoat() {
+  refreshGroom();  // it says which types there are
   if (furChanged) coatWork.reset();
   workOnCoat(1e9);
 }
@@ -54,9 +63,8 @@ void App::State::finishCoat() {
 // After a context was lost, or found: what was drawn has to be uploaded anew.
 void App::State::uploadCoat() {
   coatWork.reset();
-  coatUploaded = coat.volume() && !furChanged;
-  if (coatUploaded) renderer->setFur(*coat.volume());
-  else furChanged = true;
+  coatUploaded = false;
+  furChanged = true;
 }
 
 void App::finishCoat() { state_->finishCoat(); }
@@ -80,22 +88,19 @@ Status App::loadTypeSet(std::span<const std::uint8_t> bytes, const std::string& 
   auto volume = scene::readTypeSet(bytes, name);
   if (!volume) return volume.error();
   State& s = *state_;
-  s.coatWork.reset();
-  s.furChanged = false;
-  if (s.renderer) s.renderer->setFur(*volume);
-  s.showCoat(DrawnCoat(std::move(*volume)));
+  s.given = std::make_shared<const furgen::FurVolume>(std::move(*volume));
+  s.furChanged = true;
+  s.finishCoat();
   return Done{};
 }
 
 std::vector<std::uint8_t> App::saveTypeSet() const {
   const State& s = *state_;
-  furgen::FurParameters wanted = furParameters(s.settings);
+  if (s.given) return written(*s.given);
+  furgen::FurParameters wanted = coatParameters(s.settings, 1u)[0];
   wanted.size = scene::kTypeSetSize;
   wanted.layers = scene::kTypeSetLayers;
-  const furgen::FurVolume* read = s.furChanged || s.coatWork ? nullptr : s.coat.volume();
-  auto bytes = scene::writeTypeSet(read ? *read : furgen::generateFur(wanted));
-  FUR_ASSERT(bytes, "App::saveTypeSet()", "a volume of the format's shape", bytes.error().message);
-  return std::move(*bytes);
+  return written(furgen::generateFur(wanted));
 }
 
 bool App::applyPreset(std::string_view name) {

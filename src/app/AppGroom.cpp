@@ -6,6 +6,7 @@
 #include "groom/GroomBrush.h"
 #include "groom/GroomFilters.h"
 #include "scene/FoModel.h"
+#include "settings/Presets.h"
 
 namespace fur::app {
 
@@ -39,6 +40,15 @@ std::vector<T> perVertex(const std::vector<T>& ofPoints, const groom::Ground& gr
   return out;
 }
 
+groom::TypeHeights heightsOf(const settings::Settings& settings) {
+  groom::TypeHeights heights = groom::kAllFull;
+  for (std::size_t i = 1; i < heights.size(); ++i) {
+    const settings::Settings coat = settings::typeCoat(settings, static_cast<int>(i));
+    heights[i] = coat.density > 0 ? std::min(coat.furLength / std::max(settings.furLength, 1e-6f), 1.0f) : 0;
+  }
+  return heights;
+}
+
 }  // namespace
 
 groom::Ground App::State::ground() {
@@ -63,7 +73,8 @@ void App::State::groomTouched() {
 void App::State::readGroomMap() {
   (void)groom.map.takeChanged();
   groomed = !groom.map.isPlain();
-  vertexLengths = groomed ? groom::vertexLengths(groom.map, surface, ground().points) : std::vector<float>();
+  if (const unsigned types = groom::typesPresent(groom.map); types != std::exchange(furTypes, types)) furChanged = true;
+  vertexLengths = groomed ? groom::vertexLengths(groom.map, surface, ground().points, typeHeights) : std::vector<float>();
 }
 
 bool App::State::upright() const {
@@ -72,7 +83,8 @@ bool App::State::upright() const {
 
 void App::State::refreshGroom() {
   if (!std::exchange(groomStale, false)) return;
-  if (const geometry::TexelRect changed = groom.map.takeChanged(); !changed.empty()) {
+  const geometry::TexelRect changed = groom.map.takeChanged();
+  if (const groom::TypeHeights heights = heightsOf(settings); std::exchange(typeHeights, heights) != heights || !changed.empty()) {
     readGroomMap();
     if (renderer) uploadGroom(changed);
   }
@@ -83,8 +95,8 @@ void App::State::uploadGroom(const geometry::TexelRect& changed) {
   constexpr int kLeast = groom::GroomMap::kLeastSize;
   if (groomed) {
     renderer->updateGroom(groom.map, changed);
-    renderer->setFurry(geometry::remainingPatches(surface, groom::furryTriangles(groom.map, surface, surface.furIndices),
-                                                  groom::furryTriangles(groom.map, surface, surface.ownFurIndices)),
+    const auto remaining = [&](const std::vector<std::uint32_t>& all) { return groom::furryTriangles(groom.map, surface, all, typeHeights); };
+    renderer->setFurry(geometry::remainingPatches(surface, remaining(surface.furIndices), remaining(surface.ownFurIndices)),
                        vertexLengths);
   } else {
     // Of a plain map the least says it all.
@@ -174,10 +186,10 @@ void App::clearGroom() {
   s.endGroomStroke();
 }
 
-void App::groomFromImage(int width, int height, std::span<const std::uint8_t> rgba) {
+void App::groomFromImage(groom::ImageOf what, int width, int height, std::span<const std::uint8_t> rgba) {
   State& s = *state_;
   s.beginGroomStroke();
-  groom::lengthFromImage(s.groom, s.ground(), width, height, rgba);
+  groom::paintFromImage(what, s.groom, s.ground(), width, height, rgba);
   s.groomTouched();
   s.endGroomStroke();
 }
@@ -208,9 +220,11 @@ std::uint64_t App::groomHash() const {
 std::vector<std::uint8_t> App::saveFo() const {
   State& s = *state_;
   std::vector<int> types;
+  std::vector<float> lengths;
+  if (s.groomed) lengths = groom::vertexLengths(s.groom.map, s.surface, s.ground().points);
   if (s.groomed)
     for (const auto& vertex : s.surface.vertices) types.push_back(s.groom.map.typeAt(vertex.atlas) - 1);
-  return scene::writeFo(scene::foFromSurface(s.surface, s.settings.repeat, s.vertexLengths, types));
+  return scene::writeFo(scene::foFromSurface(s.surface, s.settings.repeat, lengths, types));
 }
 
 std::vector<std::uint8_t> App::saveScene() const {

@@ -83,8 +83,12 @@ struct App::State {
   Random sprayRandom{1};
   bool cameraControls = true;
 
-  // The coat. `furChanged`: the settings ask for another one than coatWork or, without it, the drawn one.
+  // The coat. `furChanged`: settings and groom ask for another one than coatWork or, without it, the drawn one.
   DrawnCoat coat;
+  GivenCoat given;   // the coat of type 1 that was read, until a setting that grows another changes
+  unsigned furTypes = 1;  // those that the groom has anywhere: groom::typesPresent()
+  groom::TypeHeights typeHeights = groom::kAllFull;  // by the settings, as far as vertexLengths knows them
+  unsigned workTypes = 1, shownTypes = 1;  // likewise, of coatWork and of the coat that is drawn
   std::optional<CoatWork> coatWork;
   double coatSeconds = 0;  // that coatWork has taken
   std::uint64_t coatRevision = 0;

@@ -3,12 +3,13 @@
 #include <algorithm>
 
 #include "furgen/Packing.h"
+#include "settings/Presets.h"
 
 namespace fur::app {
 
 namespace {
 
-constexpr std::size_t kMaxTileBytes = 192u << 20;
+constexpr std::size_t kMostBytes = 192u << 20, kTexelBytes = 7;  // FurTextures
 // Strands that a step tries for: the densest coat takes about 50 microseconds for each in a browser.
 constexpr int kStrandsAStep = 64;
 // What growing takes of the whole, roughly.
@@ -48,23 +49,32 @@ furgen::LayerMaps layerOf(const furgen::FurVolume& v, int layer) {
   return {part(v.coverage, 1), part(v.dominance, 1), part(v.variance, 1), part(v.tangent, 3), part(v.offset, 2), part(v.strandId, 1)};
 }
 
+furgen::FinMaps finOf(const furgen::FurVolume& v) { return {v.finRows, v.finCoverage, v.finDominance, v.finVariance, v.finTangent}; }
+
 }  // namespace
 
-furgen::FurParameters furParameters(const settings::Settings& s, Warnings* warnings) {
-  furgen::FurParameters p;
-  for (const Link& link : kLinks) p.*link.parameter = s.*link.setting;
-  p.size = 64 << s.tileSize;
-  p.layers = s.layers;
-  p.seed = static_cast<std::uint32_t>(s.seed);
-  const std::size_t layerBytes = static_cast<std::size_t>(p.size) * p.size * 4 * 4 / 3;
-  const int most = static_cast<int>(kMaxTileBytes / layerBytes);
-  if (p.layers > most) {
-    if (warnings)
-      warnings->push_back("A tile of " + std::to_string(p.size) + " texels is kept to " + std::to_string(most) + " layers of the " +
-                          std::to_string(p.layers) + " asked for: more would take over 192 MiB");
-    p.layers = most;
+CoatParameters coatParameters(const Settings& settings, unsigned types, Warnings* warnings) {
+  CoatParameters all;
+  for (int type = 0; type < FUR_TYPES; ++type) {
+    const Settings s = settings::typeCoat(settings, type);
+    furgen::FurParameters p;
+    for (const Link& link : kLinks) p.*link.parameter = s.*link.setting;
+    p.size = 64 << s.tileSize;
+    p.layers = s.layers;
+    p.seed = static_cast<std::uint32_t>(s.seed + type);
+    if (!(types >> type & 1)) p = {.density = 0};
+    all.push_back(p);
   }
-  return p;
+  while (all.size() > 1 && all.back().density <= 0) all.pop_back();
+  const std::size_t layerBytes = static_cast<std::size_t>(all[0].size) * all[0].size * kTexelBytes * all.size() * 4 / 3;
+  const int most = static_cast<int>(kMostBytes / layerBytes);
+  if (settings.layers > most) {
+    if (warnings)
+      warnings->push_back("A tile of " + std::to_string(all[0].size) + " texels is kept to " + std::to_string(most) + " layers of the " +
+                          std::to_string(settings.layers) + " asked for: more would take over 192 MiB");
+    for (furgen::FurParameters& p : all) p.layers = most;
+  }
+  return all;
 }
 
 bool differOnlyInCoat(const Settings& a, Settings b) {
@@ -72,6 +82,7 @@ bool differOnlyInCoat(const Settings& a, Settings b) {
   b.tileSize = a.tileSize;
   b.layers = a.layers;
   b.seed = a.seed;
+  b.type2 = a.type2, b.type3 = a.type3, b.type4 = a.type4;
   return a == b;
 }
 
@@ -80,11 +91,8 @@ bool differOnlyInCoat(const Settings& a, Settings b) {
 DrawnCoat::DrawnCoat(furgen::Coat grown, std::vector<float> coverage)
     : grown_(std::move(grown)), coverage_(std::move(coverage)) {}
 
-DrawnCoat::DrawnCoat(furgen::FurVolume volume) : volume_(std::move(volume)) {
-  const std::size_t texels = static_cast<std::size_t>(volume_->size) * volume_->size;
-  for (int layer = 0; layer < volume_->layers; ++layer)
-    coverage_.push_back(furgen::meanCover(std::span(volume_->coverage).subspan(texels * static_cast<std::size_t>(layer), texels)));
-}
+DrawnCoat::DrawnCoat(GivenCoat volume, std::vector<float> coverage)
+    : volume_(std::move(volume)), coverage_(std::move(coverage)) {}
 
 int DrawnCoat::layers() const { return static_cast<int>(coverage_.size()); }
 int DrawnCoat::size() const { return volume_ ? volume_->size : grown_.parameters.size; }
@@ -105,47 +113,76 @@ furgen::TilePicture DrawnCoat::tilePicture(int layer, furgen::TileChannel channe
 furgen::TilePicture DrawnCoat::finPicture(furgen::TileChannel channel) const {
   if (layers() == 0) return {};
   if (!volume_) return furgen::pictureOf(furgen::paintFin(grown_, furgen::finRows(layers())), size(), channel);
-  const furgen::FurVolume& v = *volume_;
-  return furgen::pictureOf(furgen::FinMaps{v.finRows, v.finCoverage, v.finDominance, v.finVariance, v.finTangent}, size(), channel);
+  return furgen::pictureOf(finOf(*volume_), size(), channel);
 }
 
 // --- CoatWork ---
 
-CoatWork::CoatWork(const furgen::FurParameters& parameters)
-    : parameters_(furgen::clampedParameters(parameters)), grower_(parameters_) {}
+CoatWork::CoatWork(CoatParameters types, GivenCoat given) : types_(std::move(types)), given_(std::move(given)) {
+  for (FurParameters& p : types_) {
+    if (given_) p.size = given_->size, p.layers = given_->layers;
+    p = furgen::clampedParameters(p);
+  }
+  if (!given_) grower_.emplace(types_[0]);
+}
 
 bool CoatWork::step(render::Renderer& renderer) {
-  if (!coat_) {
-    if (!grower_.step(kStrandsAStep)) return false;
-    coat_ = std::make_unique<furgen::Coat>(grower_.take());
-    painter_.emplace(*coat_);
-    const int rows = furgen::finRows(parameters_.layers);
-    renderer.beginFur(parameters_.size, parameters_.layers, rows);
-    const furgen::FinMaps fin = furgen::paintFin(*coat_, rows);
-    renderer.setFinMap(furgen::packLevels(parameters_.size, rows, fin.coverage, fin.tangent, fin.variance));
-    return false;
+  const FurParameters& p = types_[type()];
+  const int type = static_cast<int>(this->type()), layer = static_cast<int>(coverage_.size());
+  switch (stage_) {
+    case Stage::Grow:
+      if (!isGiven()) {
+        if (!grower_->step(kStrandsAStep)) return false;
+        coat_ = std::make_unique<furgen::Coat>(grower_->take());
+        painter_.emplace(*coat_);
+      }
+      stage_ = Stage::Fin;
+      return false;
+    case Stage::Fin: {
+      const int rows = given_ ? given_->finRows : furgen::finRows(p.layers);
+      if (type == 0) renderer.beginFur(p.size, p.layers, rows, static_cast<int>(types_.size()));
+      const furgen::FinMaps fin = isGiven() ? finOf(*given_) : furgen::paintFin(*coat_, rows);
+      renderer.setFinMap(type, furgen::packLevels(p.size, rows, {fin.coverage, fin.dominance, fin.variance, fin.tangent, {}}));
+      stage_ = Stage::Paint;
+      return false;
+    }
+    case Stage::Paint:
+      if (isGiven()) maps_ = layerOf(*given_, layer);
+      else if (!painter_->step(layer, p.layers, maps_)) return false;
+      stage_ = Stage::Upload;
+      return false;
+    case Stage::Upload: break;
   }
-  if (!painted_) {
-    painted_ = painter_->step(nextLayer_, parameters_.layers, maps_);
-    return false;
-  }
-  painted_ = false;
   coverage_.push_back(furgen::meanCover(maps_.coverage));
-  renderer.setFurLayer(nextLayer_, furgen::packLevels(parameters_.size, parameters_.size, maps_.coverage, maps_.tangent, maps_.variance));
-  if (++nextLayer_ < parameters_.layers) return false;
+  renderer.setFurLayer(type, layer, furgen::packLevels(p.size, p.size, {maps_.coverage, maps_.dominance, maps_.variance,
+                                                                        maps_.tangent, maps_.offset}));
+  stage_ = Stage::Paint;
+  return layer + 1 == p.layers && finishType(renderer);
+}
+
+bool CoatWork::finishType(render::Renderer& renderer) {
   // Of the layer where strands stand closest: coils are dense above a bare skin.
-  renderer.showFur(*std::max_element(coverage_.begin(), coverage_.end()));
-  return true;
+  const float density = *std::max_element(coverage_.begin(), coverage_.end());
+  painter_.reset();
+  if (isGiven()) first_ = DrawnCoat(given_, std::move(coverage_));
+  else if (type() == 0) first_ = DrawnCoat(std::move(*coat_), std::move(coverage_));
+  densities_.push_back(density);
+  coverage_.clear();
+  while (type() < types_.size() && types_[type()].density <= 0) densities_.push_back(0);
+  if (type() == types_.size()) {
+    renderer.showFur(densities_);
+    return true;
+  }
+  grower_.emplace(types_[type()]);
+  stage_ = Stage::Grow;
+  return false;
 }
 
 float CoatWork::progress() const {
-  if (!coat_) return kGrowingShare * grower_.progress();
-  return kGrowingShare + (1 - kGrowingShare) * static_cast<float>(nextLayer_) / static_cast<float>(parameters_.layers);
-}
-
-DrawnCoat CoatWork::take() {
-  painter_.reset();
-  return DrawnCoat(std::move(*coat_), std::move(coverage_));
+  const auto layers = static_cast<float>(types_[0].layers);
+  const float part = stage_ == Stage::Grow && grower_ ? kGrowingShare * grower_->progress()
+                                                      : kGrowingShare + (1 - kGrowingShare) * static_cast<float>(coverage_.size()) / layers;
+  return (static_cast<float>(type()) + part) / static_cast<float>(types_.size());
 }
 
 }  // namespace fur::app

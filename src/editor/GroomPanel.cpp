@@ -62,7 +62,7 @@ void GroomPanel::drawBrush(const EditorModel& model, settings::Settings& edited)
   const int type = segments("types", {{"1", edited.groomType == 0}, {"2", edited.groomType == 1},
                                       {"3", edited.groomType == 2}, {"4", edited.groomType == 3}});
   if (type >= 0) edited.groomType = type;
-  hint("What the brush Type paints: 1 takes the others away. Kept with the model; the picture still shows one type");
+  hint("What the brush Type paints: 1, the coat of the settings, takes the others away. What 2 to 4 are is set under Types");
 }
 
 void GroomPanel::drawLengths() {

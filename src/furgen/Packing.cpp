@@ -9,16 +9,16 @@ namespace {
 
 // Sums over the texels of level 0: coverage, the weight of what lies there, and what it weighs.
 struct Sum {
-  float cover = 0, weight = 0, variance = 0;
+  float cover = 0, weight = 0, variance = 0, dominance = 0;
   Vec3 tangent{0};
+  Vec2 offset{0};
 
   Sum& operator+=(const Sum& o) {
-    cover += o.cover, weight += o.weight, variance += o.variance, tangent += o.tangent;
+    cover += o.cover, weight += o.weight, variance += o.variance, dominance += o.dominance;
+    tangent += o.tangent, offset += o.offset;
     return *this;
   }
 };
-
-std::uint8_t tangentByte(float t) { return unitByte(t * 0.5f + 0.5f); }
 
 // Two by two texels become one; a side of one texel stays.
 std::vector<Sum> halved(const std::vector<Sum>& sums, int width, int height) {
@@ -31,45 +31,44 @@ std::vector<Sum> halved(const std::vector<Sum>& sums, int width, int height) {
   return out;
 }
 
-PackedLevel packSums(const std::vector<Sum>& sums, int width, int height, float texels) {
-  PackedLevel level{width, height, std::vector<std::uint8_t>(sums.size() * 4)};
-  for (std::size_t i = 0; i < sums.size(); ++i) {
-    const Sum& s = sums[i];
-    const Vec3 t = normalizeOr(s.tangent, Vec3(0, 0, 1));
-    std::uint8_t* out = &level.rgba[i * 4];
-    out[0] = static_cast<std::uint8_t>(s.cover / texels + 0.5f);
-    out[1] = tangentByte(t.x);
-    out[2] = tangentByte(t.y);
-    out[3] = static_cast<std::uint8_t>(s.variance / s.weight + 0.5f);
+std::uint8_t meanByte(float sum, float weight) { return static_cast<std::uint8_t>(sum / weight + 0.5f); }
+
+// `texels` of level 0 to one of these; `offsetScale`: from offsets to widths of the map.
+PackedLevel packSums(const std::vector<Sum>& sums, int width, int height, float texels, float offsetScale) {
+  PackedLevel level{width, height, {}, {}, {}};
+  level.coverage.reserve(sums.size()), level.strand.reserve(sums.size() * 4), level.offset.reserve(sums.size() * 2);
+  for (const Sum& s : sums) {
+    const Vec3 t = texels > 1 ? normalizeOr(s.tangent, Vec3(0, 0, 1)) : s.tangent / (127.0f * s.weight);
+    level.coverage.push_back(meanByte(s.cover, texels));
+    for (const std::uint8_t byte : {unitByte(t.x * 0.5f + 0.5f), unitByte(t.y * 0.5f + 0.5f),
+                                    meanByte(s.variance, s.weight), meanByte(s.dominance, s.weight)})
+      level.strand.push_back(byte);
+    const Vec2 offset = s.offset * (offsetScale / s.weight) + 0.5f;
+    level.offset.push_back(unitByte(offset.x)), level.offset.push_back(unitByte(offset.y));
   }
   return level;
 }
 
 }  // namespace
 
-std::vector<PackedLevel> packLevels(int width, int height, std::span<const std::uint8_t> coverage,
-                                    std::span<const std::int8_t> tangent, std::span<const std::uint8_t> variance) {
-  std::vector<PackedLevel> levels(1);
-  PackedLevel& first = levels[0];
-  first = {width, height, std::vector<std::uint8_t>(coverage.size() * 4)};
-  std::vector<Sum> sums(coverage.size());
-  for (std::size_t i = 0; i < coverage.size(); ++i) {
-    const Vec3 t(tangent[i * 3], tangent[i * 3 + 1], tangent[i * 3 + 2]);
-    std::uint8_t* out = &first.rgba[i * 4];
-    out[0] = coverage[i];
-    out[1] = tangentByte(t.x / 127.0f);
-    out[2] = tangentByte(t.y / 127.0f);
-    out[3] = variance[i];
+std::vector<PackedLevel> packLevels(int width, int height, const MapsToPack& maps) {
+  std::vector<Sum> sums(maps.coverage.size());
+  for (std::size_t i = 0; i < sums.size(); ++i) {
     // The nearest strand of an empty texel counts a little, so that every mean is of something.
-    const float weight = static_cast<float>(coverage[i]) + 1.0f;
-    sums[i] = {static_cast<float>(coverage[i]), weight, weight * static_cast<float>(variance[i]), t * weight};
+    const float cover = maps.coverage[i], weight = cover + 1.0f;
+    const std::int8_t* t = &maps.tangent[i * 3];
+    sums[i] = {cover, weight, weight * static_cast<float>(maps.variance[i]), weight * static_cast<float>(maps.dominance[i]),
+               weight * Vec3(t[0], t[1], t[2]),
+               maps.offset.empty() ? Vec2(0) : weight * Vec2(maps.offset[i * 2], maps.offset[i * 2 + 1])};
   }
+  const float offsetScale = 1.0f / (64.0f * static_cast<float>(width));
+  std::vector<PackedLevel> levels{packSums(sums, width, height, 1, offsetScale)};
   float texels = 1;
   while (width > 1 || height > 1) {
     sums = halved(sums, width, height);
     texels *= static_cast<float>((width > 1 ? 2 : 1) * (height > 1 ? 2 : 1));
     width = std::max(width / 2, 1), height = std::max(height / 2, 1);
-    levels.push_back(packSums(sums, width, height, texels));
+    levels.push_back(packSums(sums, width, height, texels, offsetScale));
   }
   return levels;
 }

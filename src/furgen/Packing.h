@@ -21,17 +21,26 @@ inline std::int16_t packOffset(float texels) {
   return static_cast<std::int16_t>(std::floor(glm::clamp(texels * 64.0f, -32768.0f, 32767.0f) + 0.5f));
 }
 
-// RGBA8 a texel, as shaders read it: coverage, tangent x, tangent y (both * 0.5 + 0.5), variance.
+// A level of mipmaps as shaders read it. The march asks for coverage again and again, for the strand only where it
+// met one.
 struct PackedLevel {
   int width = 0, height = 0;
-  std::vector<std::uint8_t> rgba;
+  std::vector<std::uint8_t> coverage;  // R8
+  std::vector<std::uint8_t> strand;    // RGBA8: tangent x, tangent y (both * 0.5 + 0.5), variance, dominance
+  std::vector<std::uint8_t> offset;    // RG8: 0.5 + the way back to the strand's root in widths of the map
+};
+
+// What is packed, see LayerMaps; an empty offset is none.
+struct MapsToPack {
+  std::span<const std::uint8_t> coverage, dominance, variance;
+  std::span<const std::int8_t> tangent;
+  std::span<const std::int16_t> offset;
 };
 
 // Level 0 and its mipmaps down to 1 x 1. A texel of a mipmap carries the mean coverage of what it stands for
 // (the renderer takes fractional coverage as such, so the fur keeps its opacity far away), and the mean of
-// tangent and variance over the strands there, weighted by coverage; mean tangents are made unit again. Means
+// the others over the strands there, weighted by coverage; mean tangents are made unit again. Means
 // are taken of level 0 without rounding between levels.
-std::vector<PackedLevel> packLevels(int width, int height, std::span<const std::uint8_t> coverage,
-                                    std::span<const std::int8_t> tangent, std::span<const std::uint8_t> variance);
+std::vector<PackedLevel> packLevels(int width, int height, const MapsToPack& maps);
 
 }  // namespace fur::furgen

@@ -22,11 +22,13 @@ inline float strandThinning(float s, float taper) {
   return usual + (root * (1.0f - std::max(s, 0.0f)) - usual) * (2.0f * taper - 1.0f);
 }
 
-// Whether a strand of that dominance (0.5..1) still stands at height h where its type is present to
-// `presence` (1 = fully there, 0 = only the other type): Sheppard Eq. 3.5.
+// Up to which height a strand of that dominance (0.5..1) stands where its type is present to `presence` (1 = fully
+// there, 0 = only the other type): Sheppard Eq. 3.5.
+inline float standsUpTo(float presence, float dominance) {
+  return std::max(2.0f - 2.0f * (1.0f - presence) / dominance, 0.0f);
+}
 inline bool strandExists(float h, float presence, float dominance) {
-  if (!(dominance > 0.0f)) return false;
-  return h <= std::max(2.0f - 2.0f * (1.0f - presence) / dominance, 0.0f);
+  return dominance > 0.0f && h <= standsUpTo(presence, dominance);
 }
 
 }  // namespace fur::furgen

@@ -104,7 +104,7 @@ class VertexArray {
 void drawWithoutVertices(int vertexCount);
 
 // RGBA16F is filtered as bytes are, and takes its texels as 32-bit floats.
-enum class TexelFormat { RG8, RGBA8, RGBA16F, RGBA32F };
+enum class TexelFormat { R8, RG8, RGBA8, RGBA16F, RGBA32F };
 // Mipmapped: bilinear within the level that the shader asks for. Crisp: squares when magnified, trilinear else.
 enum class Filter { Nearest, Linear, Mipmapped, Trilinear, Crisp };
 

@@ -14,6 +14,7 @@ struct Layout {
 
 Layout layoutOf(TexelFormat format) {
   switch (format) {
+    case TexelFormat::R8: return {GL_R8, GL_RED, GL_UNSIGNED_BYTE, 1};
     case TexelFormat::RG8: return {GL_RG8, GL_RG, GL_UNSIGNED_BYTE, 2};
     case TexelFormat::RGBA8: break;
     case TexelFormat::RGBA16F: return {GL_RGBA16F, GL_RGBA, GL_FLOAT, 16};

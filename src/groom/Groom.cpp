@@ -54,15 +54,18 @@ bool GroomMap::isPlain() const {
   return std::all_of(texels_.begin(), texels_.end(), [](const Texel& texel) { return texel == kPlain; });
 }
 
-float GroomMap::lengthAt(const Vec2& atlas) const {
+Vec4 GroomMap::at(const Vec2& atlas) const {
   const auto last = static_cast<float>(size_ - 1);
   const Vec2 at = glm::clamp(atlas * static_cast<float>(size_) - 0.5f, Vec2(0.0f), Vec2(last));
   const auto side = static_cast<std::size_t>(size_);
   const auto x0 = static_cast<std::size_t>(at.x), y0 = static_cast<std::size_t>(at.y);
   const std::size_t x1 = std::min(x0 + 1, side - 1), y1 = std::min(y0 + 1, side - 1);
   const Vec2 part = at - Vec2(static_cast<float>(x0), static_cast<float>(y0));
-  const auto red = [&](std::size_t x, std::size_t y) { return static_cast<float>(texels_[y * side + x][0]); };
-  const float low = glm::mix(red(x0, y0), red(x1, y0), part.x), high = glm::mix(red(x0, y1), red(x1, y1), part.x);
+  const auto texel = [&](std::size_t x, std::size_t y) {
+    const Texel& t = texels_[y * side + x];
+    return Vec4(t[0], t[1], t[2], t[3]);
+  };
+  const Vec4 low = glm::mix(texel(x0, y0), texel(x1, y0), part.x), high = glm::mix(texel(x0, y1), texel(x1, y1), part.x);
   return glm::mix(low, high, part.y) / 255.0f;
 }
 
@@ -129,6 +132,14 @@ std::vector<Vec3> soundComb(std::vector<Vec3> comb, const SurfacePoints& points)
   return comb;
 }
 
+unsigned typesPresent(const GroomMap& map) {
+  unsigned types = 1;
+  for (const GroomMap::Texel& texel : map.texels())
+    for (unsigned type = 1; type < kTypes; ++type)
+      if (texel[type] > 0) types |= 1u << type;
+  return types;
+}
+
 bool Groom::isPlain() const {
   return map.isPlain() && std::all_of(comb.begin(), comb.end(), [](const Vec3& c) { return c == Vec3(0); });
 }
@@ -149,10 +160,16 @@ std::vector<Vec3> restBends(const Groom& groom, const geometry::Surface& surface
   return out;
 }
 
-std::vector<float> vertexLengths(const GroomMap& map, const geometry::Surface& surface, const SurfacePoints& points) {
+std::vector<float> vertexLengths(const GroomMap& map, const geometry::Surface& surface, const SurfacePoints& points,
+                                 const TypeHeights& heights) {
+  const auto heightAt = [&](const Vec4& dressed) {
+    float tallest = std::min(2 * (1 - dressed.y - dressed.z - dressed.w), 1.0f) * heights[0];
+    for (int k = 1; k < kTypes; ++k) tallest = std::max(tallest, std::min(2 * dressed[k], 1.0f) * heights[static_cast<std::size_t>(k)]);
+    return tallest * dressed.x;
+  };
   std::vector<float> sum(points.count(), 0.0f), weight(points.count(), 0.0f);
   for (std::size_t i = 0; i < surface.trueVertexCount; ++i) {
-    sum[points.pointOf[i]] += map.lengthAt(surface.vertices[i].atlas);
+    sum[points.pointOf[i]] += heightAt(map.at(surface.vertices[i].atlas));
     weight[points.pointOf[i]] += 1.0f;
   }
   std::vector<float> out;
@@ -162,8 +179,13 @@ std::vector<float> vertexLengths(const GroomMap& map, const geometry::Surface& s
 }
 
 std::vector<std::uint32_t> furryTriangles(const GroomMap& map, const geometry::Surface& surface,
-                                          const std::vector<std::uint32_t>& indices) {
-  const auto bald = [](const GroomMap::Texel& texel) { return texel[0] == 0; };
+                                          const std::vector<std::uint32_t>& indices, const TypeHeights& heights) {
+  const auto bald = [&heights](const GroomMap::Texel& texel) {
+    if (texel[0] == 0) return true;
+    bool furry = heights[0] > 0 && texel[1] + texel[2] + texel[3] < 255;
+    for (std::size_t k = 1; k < kTypes; ++k) furry |= heights[k] > 0 && texel[k] > 0;
+    return !furry;
+  };
   if (std::none_of(map.texels().begin(), map.texels().end(), bald)) return indices;
   std::vector<std::uint32_t> kept;
   const auto atlas = [&](std::size_t i) { return surface.vertices[indices[i]].atlas; };

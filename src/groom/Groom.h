@@ -47,8 +47,9 @@ class GroomMap {
   void fillGutter(const geometry::AtlasTexels& atlas, const geometry::TexelRect& changed);
 
   bool isPlain() const;
-  // 0..1, filtered as a shader does.
-  float lengthAt(const Vec2& atlas) const;
+  // Its four channels, 0..1, filtered as a shader does; and the first of them.
+  Vec4 at(const Vec2& atlas) const;
+  float lengthAt(const Vec2& atlas) const { return at(atlas).x; }
   // 1..kTypes: the one with the greatest presence.
   int typeAt(const Vec2& atlas) const;
   // FNV-1a over the bytes.
@@ -84,6 +85,9 @@ struct Groom {
   bool isPlain() const;
 };
 
+// What an image that is painted onto the map means, see paintFromImage().
+enum class ImageOf { Length, Types };
+
 // What the functions of this module know of the model. The map has the size of `atlas`.
 struct Ground {
   const geometry::Surface& surface;
@@ -98,13 +102,22 @@ Groom plainGroom(int mapSize, const SurfacePoints& points);
 
 // One a vertex, for BendField::setRest.
 std::vector<Vec3> restBends(const Groom& groom, const geometry::Surface& surface, const SurfacePoints& points);
-// One a vertex, 0..1: what the map says round it, the same for all vertices of a point.
-std::vector<float> vertexLengths(const GroomMap& map, const geometry::Surface& surface, const SurfacePoints& points);
+// The longest strand of each type as a share of the coat's length; 0: the type is bald.
+using TypeHeights = std::array<float, kTypes>;
+inline constexpr TypeHeights kAllFull{1, 1, 1, 1};
+
+// One a vertex, 0..1: how high the coat stands round it by the map, the same for all vertices of a point. No strand
+// of a type whose presence is e reaches beyond 2 e of its height.
+std::vector<float> vertexLengths(const GroomMap& map, const geometry::Surface& surface, const SurfacePoints& points,
+                                 const TypeHeights& heights = kAllFull);
 
 // Those of the triangles (three indices each, into the surface's vertices) on which a filtered look-up into the
 // map meets any fur. What is left out costs nothing.
 std::vector<std::uint32_t> furryTriangles(const GroomMap& map, const geometry::Surface& surface,
-                                          const std::vector<std::uint32_t>& indices);
+                                          const std::vector<std::uint32_t>& indices,
+                                          const TypeHeights& heights = kAllFull);
+// A bit for each type that is present anywhere: 1 for type 1 (always), 2, 4, 8.
+unsigned typesPresent(const GroomMap& map);
 // For people: brightness is length, types 2 to 4 are tinted red, green and blue. size * size texels, opaque.
 std::vector<GroomMap::Texel> picture(const GroomMap& map);
 // Share of the surface's texels that are bald, and their mean length, both 0..1.

@@ -106,9 +106,10 @@ void paintFromVertices(Groom& groom, const Ground& ground, std::span<const float
   });
 }
 
-void lengthFromImage(Groom& groom, const Ground& ground, int width, int height, std::span<const std::uint8_t> rgba) {
+void paintFromImage(ImageOf what, Groom& groom, const Ground& ground, int width, int height,
+                    std::span<const std::uint8_t> rgba) {
   const std::size_t bytes = std::size_t{4} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  FUR_ASSERT(width > 0 && height > 0 && rgba.size() == bytes, "groom::lengthFromImage()",
+  FUR_ASSERT(width > 0 && height > 0 && rgba.size() == bytes, "groom::paintFromImage()",
              "4 bytes for each of width * height texels", rgba.size());
   const auto& vertices = ground.surface.vertices;
   const bool hasUv = std::any_of(vertices.begin(), vertices.end(), [](const auto& v) { return v.uv != Vec2(0); });
@@ -123,8 +124,9 @@ void lengthFromImage(Groom& groom, const Ground& ground, int width, int height, 
     }
     const auto x = static_cast<std::size_t>(texelAt(uv.x, width)), y = static_cast<std::size_t>(texelAt(uv.y, height));
     const std::uint8_t* pixel = &rgba[4 * (y * static_cast<std::size_t>(width) + x)];
+    if (what == ImageOf::Types) std::copy_n(pixel, 3, &texel[1]);
     // Rec. 709 weights in 8 bits.
-    texel[0] = static_cast<std::uint8_t>((54 * pixel[0] + 183 * pixel[1] + 19 * pixel[2] + 128) / 256);
+    else texel[0] = static_cast<std::uint8_t>((54 * pixel[0] + 183 * pixel[1] + 19 * pixel[2] + 128) / 256);
   });
 }
 

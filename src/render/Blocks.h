@@ -1,14 +1,18 @@
 // The numbers that the shaders are given, worked out of a frame: the one place for whoever draws the same picture.
 #pragma once
 
+#include <array>
+
 #include "render/Frame.h"
 #include "shared/Blocks.h"
 
 namespace fur::render {
 
 shared::FrameBlock frameBlock(const Frame& frame);
-// A tile of that many texels along a side and that many layers; `density` is the share of its densest layer that
-// strands cover.
-shared::FurBlock furBlock(const Frame& frame, int tileSize, int storedLayers, float density, int maskSize);
+// One a fur type: the share of its densest layer that strands cover; 0: bald, or not there.
+using FurDensities = std::array<float, FUR_TYPES>;
+
+// A tile of that many texels along a side and that many layers for each type.
+shared::FurBlock furBlock(const Frame& frame, int tileSize, int storedLayers, const FurDensities& densities, int maskSize);
 
 }  // namespace fur::render

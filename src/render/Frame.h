@@ -27,11 +27,12 @@ struct Frame {
   float pixelScale = 1;
   bool wet = false;           // any texel of the mask is: picks the shaders that look at it
   bool groomed = false;       // the groom's map says more than full length of one type: likewise
+  bool types = false;         // and more than one fur type
   Vec4 baseColorFactor{1.0f};
 };
 
 // The index of a named view in the settings' "view" choice, checked when the program starts.
-enum class View { Final, Skin, Shells, Fins, Wetness, Tangents, Coverage, Normals };
+enum class View { Final, Skin, Shells, Fins, Wetness, Tangents, Coverage, Normals, Dominance, Types, Offset };
 
 Mat4 clipFromWorld(const Frame& frame);
 // Pixels that a model unit covers at distance 1 from the eye; divide by the distance for others.

@@ -54,6 +54,9 @@ std::string definesOf(unsigned variant) {
       {kViewCoverage, "VIEW_COVERAGE"},
       {kViewWetness, "VIEW_WETNESS"},
       {kViewNormals, "VIEW_NORMALS"},
+      {kViewDominance, "VIEW_DOMINANCE"},
+      {kViewTypes, "VIEW_TYPES"},
+      {kViewOffset, "VIEW_OFFSET"},
       {kStraightDown, "STRAIGHT_DOWN"},
       {kVertical, "VERTICAL"},
       {kTextured, "TEXTURED"},
@@ -63,6 +66,7 @@ std::string definesOf(unsigned variant) {
       {kShadowLayers, "SHADOW_LAYERS"},
       {kSkinOnly, "SKIN_ONLY"},
       {kGroomed, "GROOMED"},
+      {kTypes, "TYPES"},
   };
   std::string text;
   for (const auto& [bit, name] : kNames)
@@ -82,8 +86,11 @@ Result<const gl::Program*> Programs::use(Shader shader, unsigned variant) {
     if (!linked) return linked.error();
     linked->bindBlock("FrameBlock", FUR_FRAME_BINDING);
     linked->bindBlock("FurBlock", FUR_COAT_BINDING);
-    linked->bindSampler("tile", FUR_UNIT_TILE);
-    linked->bindSampler("fin", FUR_UNIT_FIN);
+    linked->bindSampler("coverage", FUR_UNIT_COVERAGE);
+    linked->bindSampler("strand", FUR_UNIT_STRAND);
+    linked->bindSampler("offset", FUR_UNIT_OFFSET);
+    linked->bindSampler("finCoverage", FUR_UNIT_FIN_COVERAGE);
+    linked->bindSampler("finStrand", FUR_UNIT_FIN_STRAND);
     linked->bindSampler("mask", FUR_UNIT_MASK);
     linked->bindSampler("bends", FUR_UNIT_BEND);
     linked->bindSampler("groom", FUR_UNIT_GROOM);
@@ -110,13 +117,14 @@ std::vector<std::pair<Shader, unsigned>> allVariants() {
   };
   for (const unsigned direction : {+kPlain, +kVertical}) all.emplace_back(Shader::ShadowBlur, direction | kShadowDepth);
   for (const unsigned shadow : {kPlain, kShadowDepth, kShadowLayers}) {
-    for (const unsigned look : {+kPlain, +kTextured, +kUnderFur, kUnderFur | kTextured})
+    for (const unsigned look : {+kPlain, +kTextured, +kUnderFur, kUnderFur | kTextured, kUnderFur | kTypes, kUnderFur | kTextured | kTypes})
       all.emplace_back(Shader::Skin, look | shadow);
     for (const unsigned look : {+kPlain, +kWet, +kTextured, kWet | kTextured}) {
-      for (const unsigned groom : {kPlain, kGroomed})
-        for (const unsigned view : {kPlain, kMarschner, kViewTangents, kViewCoverage})
+      for (const unsigned groom : {+kPlain, +kGroomed, kGroomed | kTypes})
+        for (const unsigned view : {kPlain, kMarschner, kViewTangents, kViewCoverage, kViewDominance, kViewTypes, kViewOffset})
           all.emplace_back(Shader::Shell, view | look | shadow | groom);
-      for (const unsigned light : {kPlain, kMarschner}) all.emplace_back(Shader::Fin, light | look | shadow);
+      for (const unsigned light : {kPlain, kMarschner})
+        for (const unsigned types : {kPlain, kTypes}) all.emplace_back(Shader::Fin, light | look | shadow | types);
     }
   }
   return all;

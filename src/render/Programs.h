@@ -27,6 +27,10 @@ enum Variant : unsigned {
   kShadowDepth = 1024,   // Skin, Shell, Fin: receive the fur's shadow, see FurShadow.h; ShadowBlur: makes it
   kShadowLayers = 2048,  // the same with opacity layers; ShadowMap: the layers themselves
   kGroomed = 8192,       // Shell: the groom's map says more than full length
+  kTypes = 16384,          // Shell, Fin, Skin: several fur types; shells then are groomed
+  kViewDominance = 32768,
+  kViewTypes = 65536,
+  kViewOffset = 131072,
   kSkinOnly = 4096,      // ShadowMap: the skin instead of the coat's outside
 };
 

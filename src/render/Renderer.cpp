@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/Blocks.h"
+#include "settings/Presets.h"
 
 namespace fur::render {
 
@@ -58,19 +58,24 @@ shared::FrameBlock frameBlock(const Frame& frame) {
   return block;
 }
 
-shared::FurBlock furBlock(const Frame& frame, int tileSize, int storedLayers, float density, int maskSize) {
+shared::FurBlock furBlock(const Frame& frame, int tileSize, int storedLayers, const FurDensities& densities, int maskSize) {
   const settings::Settings& s = frame.settings;
   shared::FurBlock coat;
   coat.shape = Vec4(s.furLength, s.repeat * 256.0f / static_cast<float>(tileSize), s.layers, frame.slabs);
+  const float density = *std::max_element(densities.begin(), densities.end());
   coat.volume = Vec4(tileSize, storedLayers, density, frame.stepLength);
-  coat.rootColor = Vec4(settings::linearColor(s.rootColor), 1) * frame.baseColorFactor;
-  coat.rootColor.w = 0.39894228f / strandLobeWidth(s);
-  coat.tipColor = Vec4(settings::linearColor(s.tipColor), 1) * frame.baseColorFactor;
-  coat.skinColor = Vec4(settings::linearColor(s.skinColor), 1) * frame.baseColorFactor;
+  const Vec3 factor(frame.baseColorFactor);
+  for (int type = 0; type < FUR_TYPES; ++type) {
+    const settings::Settings look = settings::typeCoat(s, type);
+    coat.rootColors[type] = Vec4(settings::linearColor(look.rootColor) * factor, densities[static_cast<std::size_t>(type)] > 0);
+    coat.tipColors[type] = Vec4(settings::linearColor(look.tipColor) * factor, look.variance);
+    coat.typeRise[type] = s.furLength / std::min(look.furLength, s.furLength);
+  }
+  coat.skinColor = Vec4(settings::linearColor(s.skinColor) * factor, 0.39894228f / strandLobeWidth(s));
   // Where few strands stand, they hardly darken each other and the skin.
   const float crowding = saturate(density / kCrowdedDensity);
   coat.shading = Vec4(s.lambert, s.specular, s.shininess, s.strandShadow * crowding);
-  coat.coat = Vec4(s.occlusion * crowding, s.variance, s.textureAmount, chartsOverlap(frame));
+  coat.coat = Vec4(s.occlusion * crowding, 0, s.textureAmount, chartsOverlap(frame));
   coat.water = Vec4(s.clumpShape, s.wetDarkening, s.wetGloss, maskSize);
   return coat;
 }
@@ -110,7 +115,7 @@ Result<Renderer> Renderer::create() {
 }
 
 void Renderer::uploadBlocks(const Frame& frame) {
-  const shared::FurBlock coat = furBlock(frame, tile_.shape().width, storedLayers_, furDensity_, mask_.shape().width);
+  const shared::FurBlock coat = furBlock(frame, fur_.size(), fur_.layers(), densities_, mask_.shape().width);
   shared::FrameBlock block = frameBlock(frame);
   const FurShadow::Key shadow = furShadowKey(frame);
   block.lightFromModel = shadow.lightFromModel;
@@ -136,8 +141,7 @@ Status Renderer::draw(const Frame& frame) {
   uploadBlocks(drawn);
   if (drawn.settings.ground)
     if (Status status = drawGroundShadow(drawn); !status) return status;
-  tile_.bind(FUR_UNIT_TILE);
-  finMap_.bind(FUR_UNIT_FIN);
+  fur_.bind();
   mask_.bind(FUR_UNIT_MASK);
   bends_.bind(FUR_UNIT_BEND);
   groom_.bind(FUR_UNIT_GROOM);
@@ -156,11 +160,12 @@ Status Renderer::draw(const Frame& frame) {
 Status Renderer::drawPasses(const Frame& frame) {
   const auto view = static_cast<View>(frame.settings.view);
   const unsigned look = (frame.wet ? kWet : kPlain) | (hasPicture_ ? kTextured : kPlain) |
-                        (frame.settings.strandModel ? kMarschner : kPlain) | shadowVariant(frame.settings);
+                        (frame.settings.strandModel ? kMarschner : kPlain) | shadowVariant(frame.settings) |
+                        (frame.types ? kTypes : kPlain);
   const unsigned skinLook = look & ~(kWet | kMarschner);
   const bool furry = hasFur_ && frame.settings.furLength > 0 && !patches_.indices.empty();
   const auto skin = [&](unsigned variant) { return drawSkin(variant); };
-  const unsigned shellLook = look | (frame.groomed ? kGroomed : kPlain);
+  const unsigned shellLook = look | (frame.groomed || frame.types ? kGroomed : kPlain);
   const auto shells = [&](unsigned view) {
     return furry ? drawShells(frame, view ? (shellLook & ~kMarschner) | view : shellLook) : Status(Done{});
   };
@@ -175,18 +180,21 @@ Status Renderer::drawPasses(const Frame& frame) {
   if (view != View::Final)
     if (Status status = background(); !status) return status;
   switch (view) {
-    case View::Skin: return skin(skinLook);
+    case View::Skin: return skin(skinLook & ~kTypes);
     case View::Wetness: return skin(kViewWetness);
     case View::Normals: return skin(kViewNormals);
     case View::Shells: return shells(kPlain);
     case View::Fins: return fins();
     case View::Tangents: return shells(kViewTangents);
     case View::Coverage: return shells(kViewCoverage);
+    case View::Dominance: return shells(kViewDominance);
+    case View::Types: return shells(kViewTypes);
+    case View::Offset: return shells(kViewOffset);
     case View::Final: break;
   }
   if (Status status = shells(kPlain); !status) return status;
   if (Status status = fins(); !status) return status;
-  if (Status status = skin(skinLook | (furry ? kUnderFur : kPlain)); !status) return status;
+  if (Status status = skin(furry ? skinLook | kUnderFur : skinLook & ~kTypes); !status) return status;
   return background();
 }
 
@@ -194,7 +202,7 @@ FurShadow::Key Renderer::furShadowKey(const Frame& frame) const {
   settings::Settings s = frame.settings;
   if (patches_.indices.empty()) s.furLength = 0;
   const Vec3 light(glm::inverse(frame.worldFromModel) * Vec4(directionFrom(s.lightYaw, s.lightPitch), 0));
-  return {static_cast<Shadows>(s.shadows), lightFromModel(light, shadowRadius(s.furLength)), volumeShadow(s, furDensity_),
+  return {static_cast<Shadows>(s.shadows), lightFromModel(light, shadowRadius(s.furLength)), volumeShadow(s, *std::max_element(densities_.begin(), densities_.end())),
           furShadowScene_};
 }
 

@@ -10,8 +10,10 @@
 #include "geometry/Surface.h"
 #include "groom/Groom.h"
 #include "gl/Objects.h"
+#include "render/Blocks.h"
 #include "render/Frame.h"
 #include "render/FurShadow.h"
+#include "render/FurTextures.h"
 #include "render/Programs.h"
 #include "render/SmallPicture.h"
 #include "render/StrandTables.h"
@@ -32,12 +34,12 @@ class Renderer {
   void setSurface(const geometry::Surface& surface);
   // A coat comes in pieces, while the one before stays in the picture: beginFur(), each layer and the fin
   // map with their mipmaps in any order, showFur(). beginFur() anew drops what came.
-  void beginFur(int size, int layers, int finRows);
-  void setFurLayer(int layer, std::span<const furgen::PackedLevel> levels);
-  void setFinMap(std::span<const furgen::PackedLevel> levels);
-  // `density`: the share of the densest layer that strands cover; 0: there are none.
-  void showFur(float density);
-  void setFur(const furgen::FurVolume& volume);  // all of that at once
+  void beginFur(int size, int layers, int finRows, int types) { fur_.begin(size, layers, finRows, types); }
+  void setFurLayer(int type, int layer, std::span<const furgen::PackedLevel> levels);
+  void setFinMap(int type, std::span<const furgen::PackedLevel> levels);
+  // `densities`, one a type: the share of its densest layer that strands cover; 0: it is bald.
+  void showFur(std::span<const float> densities);
+  void setFur(const furgen::FurVolume& volume);  // all of that at once, of one type
   // Straight RGBA8 in sRGB. {} makes it white.
   void setBaseColor(int width, int height, std::span<const std::uint8_t> rgba);
   // Uploads only `changed` (the whole mask after a change of size).
@@ -79,7 +81,8 @@ class Renderer {
   gl::Buffer frameBlock_, coatBlock_;
   gl::Buffer vertices_, indices_, furIndices_, edges_;
   gl::VertexArray surface_, shells_, fins_;
-  gl::Texture tile_, finMap_, nextTile_, nextFinMap_, mask_, bends_, baseColor_, groom_;
+  FurTextures fur_;
+  gl::Texture mask_, bends_, baseColor_, groom_;
   gl::Texture groundShadow_[2];
   gl::Target groundTarget_[2];
   int indexCount_ = 0, shellIndexCount_ = 0;
@@ -93,8 +96,7 @@ class Renderer {
   std::optional<Vec3> finEye_;
   int finCount_ = 0;
   int bendCapacity_ = 0;
-  int storedLayers_ = 1;
-  float furDensity_ = 0;
+  FurDensities densities_{};
   bool hasFur_ = false, hasPicture_ = false;
   // What the ground shadow was drawn for; it is redrawn when this changes.
   struct ShadowKey {

@@ -143,46 +143,37 @@ void Renderer::orderShells(const Vec3& eyeModel, float reach, bool overlapping) 
   uploadedBytes_ += seen.size() * sizeof(std::uint32_t);
 }
 
-void Renderer::beginFur(int size, int layers, int finRows) {
-  nextTile_ = gl::Texture({gl::TexelFormat::RGBA8, size, size, layers, gl::Filter::Mipmapped, true}, {});
-  // Repeats along the edge; the height is clamped by the look-up.
-  nextFinMap_ = gl::Texture({gl::TexelFormat::RGBA8, size, finRows, 0, gl::Filter::Mipmapped, true}, {});
+void Renderer::setFurLayer(int type, int layer, std::span<const furgen::PackedLevel> levels) {
+  fur_.setLayer(type, layer, levels);
+  for (const furgen::PackedLevel& level : levels)
+    uploadedBytes_ += level.coverage.size() + level.strand.size() + level.offset.size();
 }
 
-void Renderer::setFurLayer(int layer, std::span<const furgen::PackedLevel> levels) {
-  for (std::size_t level = 0; level < levels.size(); ++level) {
-    nextTile_.updateLevel(static_cast<int>(level), layer, gl::bytesOf(levels[level].rgba));
-    uploadedBytes_ += levels[level].rgba.size();
-  }
+void Renderer::setFinMap(int type, std::span<const furgen::PackedLevel> levels) {
+  fur_.setFin(type, levels);
+  for (const furgen::PackedLevel& level : levels) uploadedBytes_ += level.coverage.size() + level.strand.size();
 }
 
-void Renderer::setFinMap(std::span<const furgen::PackedLevel> levels) {
-  for (std::size_t level = 0; level < levels.size(); ++level) {
-    nextFinMap_.updateLevel(static_cast<int>(level), 0, gl::bytesOf(levels[level].rgba));
-    uploadedBytes_ += levels[level].rgba.size();
-  }
-}
-
-void Renderer::showFur(float density) {
-  tile_ = std::exchange(nextTile_, {});
-  finMap_ = std::exchange(nextFinMap_, {});
-  storedLayers_ = tile_.shape().layers;
-  furDensity_ = density;
-  hasFur_ = density > 0;
+void Renderer::showFur(std::span<const float> densities) {
+  fur_.show();
+  std::fill(densities_.begin(), densities_.end(), 0.0f);
+  std::copy_n(densities.begin(), std::min(densities.size(), densities_.size()), densities_.begin());
+  hasFur_ = *std::max_element(densities_.begin(), densities_.end()) > 0;
   ++furShadowScene_;
 }
 
 void Renderer::setFur(const furgen::FurVolume& v) {
-  beginFur(v.size, v.layers, v.finRows);
+  beginFur(v.size, v.layers, v.finRows, 1);
   const std::size_t texels = static_cast<std::size_t>(v.size) * v.size;
   for (int layer = 0; layer < v.layers; ++layer) {
-    const std::size_t first = texels * static_cast<std::size_t>(layer);
-    setFurLayer(layer, furgen::packLevels(v.size, v.size, std::span(v.coverage).subspan(first, texels),
-                                          std::span(v.tangent).subspan(first * 3, texels * 3),
-                                          std::span(v.variance).subspan(first, texels)));
+    const auto part = [&](const auto& all, std::size_t channels) {
+      return std::span(all).subspan(texels * static_cast<std::size_t>(layer) * channels, texels * channels);
+    };
+    setFurLayer(0, layer, furgen::packLevels(v.size, v.size, {part(v.coverage, 1), part(v.dominance, 1), part(v.variance, 1),
+                                                              part(v.tangent, 3), part(v.offset, 2)}));
   }
-  setFinMap(furgen::packLevels(v.size, v.finRows, v.finCoverage, v.finTangent, v.finVariance));
-  showFur(v.density);
+  setFinMap(0, furgen::packLevels(v.size, v.finRows, {v.finCoverage, v.finDominance, v.finVariance, v.finTangent, {}}));
+  showFur(std::array{v.density});
 }
 
 void Renderer::setBaseColor(int width, int height, std::span<const std::uint8_t> rgba) {
@@ -237,8 +228,8 @@ void Renderer::updateBends(std::span<const Vec4> bends) {
 }
 
 std::size_t Renderer::gpuBytes() const {
-  return vertices_.bytes() + indices_.bytes() + furIndices_.bytes() + edges_.bytes() + tile_.bytes() +
-         finMap_.bytes() + nextTile_.bytes() + mask_.bytes() + bends_.bytes() + groom_.bytes() + baseColor_.bytes() +
+  return vertices_.bytes() + indices_.bytes() + furIndices_.bytes() + edges_.bytes() + fur_.bytes() +
+         mask_.bytes() + bends_.bytes() + groom_.bytes() + baseColor_.bytes() +
          groundShadow_[0].bytes() + groundShadow_[1].bytes() + strandTables_.bytes() + furShadow_.bytes() + small_.bytes();
 }
 

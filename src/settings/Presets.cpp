@@ -92,6 +92,11 @@ const Coats& coats() {
   return all;
 }
 
+void copyCoat(const Settings& from, Settings& to) {
+  for (const Field& field : fields())
+    if (belongsToCoat(field)) field.set(to, field.get(from));
+}
+
 }  // namespace
 
 std::span<const Preset> presets() { return kPresets; }
@@ -111,8 +116,16 @@ std::optional<Settings> applyPreset(const Settings& settings, std::string_view n
   if (!preset) return {};
   const Settings& coat = coats()[static_cast<std::size_t>(preset - kPresets)];
   Settings out = settings;
-  for (const Field& field : fields())
-    if (belongsToCoat(field)) field.set(out, field.get(coat));
+  copyCoat(coat, out);
+  return out;
+}
+
+Settings typeCoat(const Settings& settings, int type) {
+  if (type == 0) return settings;
+  const int chosen = type == 1 ? settings.type2 : type == 2 ? settings.type3 : settings.type4;
+  Settings out = settings;
+  if (chosen == 0) out.density = 0;
+  else copyCoat(coats()[static_cast<std::size_t>(chosen - 1)], out);
   return out;
 }
 

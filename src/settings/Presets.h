@@ -38,6 +38,9 @@ std::optional<Settings> applyPreset(const Settings& settings, std::string_view n
 // The preset whose coat these settings have; nullptr when it is none of them.
 const Preset* presetOf(const Settings& settings);
 
+// The coat of a fur type, 0 to 3: the settings' own, or the presets that type2 to type4 name; density 0 for "bald".
+Settings typeCoat(const Settings& settings, int type);
+
 // The warning for a name that is none: it lists those that are.
 std::string unknownPreset(std::string_view name);
 

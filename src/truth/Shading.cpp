@@ -55,7 +55,7 @@ std::vector<Vec3> shadeNodes(const Scene& scene, const Tubes& tubes, const DeepS
       const TubeNode& node = nodes[k];
       const Vec3 way = nodes[std::min(k + 1, tube.nodeCount - 1)].position - nodes[k > 0 ? k - 1 : 0].position;
       const Vec3 tangent = normalizeOr(way, node.normal), view = normalizeOr(eye - node.position, node.normal);
-      const Vec3 albedo = hair::strandColor(Vec3(scene.coat.rootColor), Vec3(scene.coat.tipColor), node.height, tube.variance, scene.coat.coat.y);
+      const Vec3 albedo = hair::strandColor(Vec3(scene.coat.rootColors[0]), Vec3(scene.coat.tipColors[0]), node.height, tube.variance, scene.coat.tipColors[0].w);
       const float key = scene.frame.light.w * keyAt(scene, look, node, tangent, shadow, light);
       const float rim = key * hair::rimLight(glm::dot(toLight, view), glm::dot(node.normal, view), node.height);
       out[tube.firstNode + k] = hair::shadeStrand(look, albedo, tangent, toLight, view, glm::dot(node.normal, toLight),

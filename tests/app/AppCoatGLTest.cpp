@@ -141,7 +141,7 @@ TEST(AppCoat, ATileTooLargeForTheGpuGetsFewerLayersAndAWarning) {
   s.tileSize = 4;  // 1024
   s.layers = 128;
   Warnings warnings;
-  const furgen::FurParameters p = furParameters(s, &warnings);
+  const furgen::FurParameters p = coatParameters(s, 1, &warnings)[0];
   EXPECT_EQ(p.size, 1024);
   EXPECT_LT(p.layers, 128);
   ASSERT_EQ(warnings.size(), 1u);
@@ -157,7 +157,7 @@ TEST(AppCoat, EveryGeneratorSettingReachesTheGenerator) {
     ASSERT_NE(field, nullptr) << name;
     settings::Settings other = standard;
     field->set(other, field->get(standard) == field->high ? field->low : field->high);
-    EXPECT_NE(furParameters(other), furParameters(standard)) << name;
+    EXPECT_NE(coatParameters(other, 15), coatParameters(standard, 15)) << name;
     EXPECT_TRUE(differOnlyInCoat(standard, other)) << name;
   }
 }

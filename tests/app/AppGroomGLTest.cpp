@@ -154,6 +154,65 @@ TEST(AppGroom, MovesOverToAnotherProgramAsBytes) {
   }
 }
 
+// Mean colour of a square of the picture, 0..255.
+Vec3 colorAt(const test::Picture& picture, int x, int y) {
+  Vec3 sum(0);
+  for (int dy = -6; dy < 6; ++dy)
+    for (int dx = -6; dx < 6; ++dx) sum += Vec3(picture.at(x + dx, y + dy)[0], picture.at(x + dx, y + dy)[1], picture.at(x + dx, y + dy)[2]);
+  return sum / 144.0f;
+}
+
+TEST(AppGroom, EachFurTypeGrowsWhereItIsPaintedAndElsewhereNothingChanges) {
+  Salon salon;
+  salon.app.setField("brushRadius", "0.3");
+  salon.app.setField("groomStrength", "1");
+  salon.app.setField("type2", "otter");
+  const test::Picture one = salon.settled();
+  for (int i = 0; i < 10; ++i) salon.stroke(Tool::Type, {75, 78}, {85, 82});
+  const test::Picture two = salon.settled();
+  // Dark brown for sand.
+  EXPECT_LT(colorAt(two, 80, 80).x, 0.6f * colorAt(one, 80, 80).x);
+  EXPECT_NEAR(colorAt(two, 80, 40).x, colorAt(one, 80, 40).x, 4) << "the types' strands are the same there";
+  salon.app.setField("type2", "persian");
+  EXPECT_GT(colorAt(salon.settled(), 80, 80).x, colorAt(one, 80, 80).x) << "cream";
+  salon.app.clearGroom();
+  EXPECT_EQ(salon.settled().differingShare(one, 0), 0);
+}
+
+TEST(AppGroom, WhereTypesMeetStrandsOfBothStand) {
+  Salon salon;
+  salon.app.setField("type2", "otter");
+  salon.app.setField("furLength", "0.07");  // as long as the otter's
+  salon.app.setField("view", "types");
+  const std::uint8_t half[] = {128, 0, 0, 255};
+  salon.app.groomFromImage(groom::ImageOf::Types, 1, 1, half);
+  const test::Picture both = salon.settled();
+  int first = 0, second = 0;
+  for (int y = 60; y < 100; ++y)
+    for (int x = 60; x < 100; ++x) {
+      const std::uint8_t* pixel = both.at(x, y);
+      // White is type 1, red is type 2.
+      (pixel[1] > 3 * pixel[0] / 4 ? first : second) += 1;
+    }
+  // The otter's undercoat is denser: not half and half.
+  EXPECT_GT(first, 1600 / 8);
+  EXPECT_GT(second, 1600 / 8);
+}
+
+TEST(AppGroom, ABaldTypeShowsTheSkin) {
+  Salon salon;
+  salon.app.setField("type4", "bald");
+  salon.app.setField("skinColor", "#00c000");
+  const std::uint8_t all[] = {0, 0, 255, 255};
+  salon.app.groomFromImage(groom::ImageOf::Types, 1, 1, all);
+  const test::Picture bald = salon.settled();
+  const Vec3 skin = colorAt(bald, 80, 80);
+  EXPECT_GT(skin.y, 2 * skin.x);
+  salon.app.setField("furLength", "0");
+  // Without any fur the skin is lit by the pixel instead of by the vertex, and nothing casts a shadow on it.
+  EXPECT_LT(salon.settled().differingShare(bald, 24), 0.02f);
+}
+
 TEST(AppGroom, ASavedSceneOpensAsItWas) {
   Salon salon;
   salon.app.setField("tipColor", "#336699");

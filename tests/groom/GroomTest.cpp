@@ -92,6 +92,18 @@ TEST(Groom, BaldTrianglesCostNothing) {
   EXPECT_TRUE(furryTriangles(s.groom.map, s.surface, s.surface.furIndices).empty());
 }
 
+TEST(Groom, WhereATypeIsBaldNothingIsDrawn) {
+  Setting s;
+  EXPECT_EQ(typesPresent(s.groom.map), 1u);
+  paintType(s.groom, s.ground(), {Vec3(0, 0, 1), Vec3(0, 0, 1), 0.8f, 1}, 3);
+  EXPECT_EQ(typesPresent(s.groom.map), 5u);
+  const auto& all = s.surface.furIndices;
+  EXPECT_EQ(furryTriangles(s.groom.map, s.surface, all), all);
+  setType(s.groom.map, 3);
+  EXPECT_TRUE(furryTriangles(s.groom.map, s.surface, all, {1, 1, 0, 1}).empty());
+  EXPECT_EQ(furryTriangles(s.groom.map, s.surface, all, {0, 0, 0.5f, 0}), all);
+}
+
 TEST(Groom, ATriangleStaysAsLongAsAFilteredLookUpMeetsFur) {
   Setting s;
   varyLength(s.groom, s.ground(), 1, 0.15f, 9);
@@ -178,10 +190,22 @@ TEST(GroomFilters, AnImageIsReadInTheModelsOwnCoordinates) {
   // The sphere's own uv: u runs round it.
   Setting s(256, geometry::buildSurface(geometry::makeSphere()).value());
   const std::uint8_t halves[] = {0, 0, 0, 255, 255, 255, 255, 255};
-  lengthFromImage(s.groom, s.ground(), 2, 1, halves);
+  paintFromImage(ImageOf::Length, s.groom, s.ground(), 2, 1, halves);
   EXPECT_NEAR(coverage(s.groom.map, s.atlas).bald, 0.5, 0.01);
   for (const auto& vertex : s.surface.vertices)
     if (std::abs(vertex.uv.x - 0.25f) < 0.2f) ASSERT_EQ(s.groom.map.lengthAt(vertex.atlas), 0);
+}
+
+TEST(GroomFilters, AnImagesColoursAreThePresenceOfTheTypes) {
+  Setting s(256, geometry::buildSurface(geometry::makeSphere()).value());
+  const std::uint8_t halves[] = {0, 255, 0, 255, 60, 0, 60, 255};
+  paintFromImage(ImageOf::Types, s.groom, s.ground(), 2, 1, halves);
+  EXPECT_EQ(coverage(s.groom.map, s.atlas).length, 1) << "lengths stay";
+  for (const auto& vertex : s.surface.vertices) {
+    if (std::abs(vertex.uv.x - 0.25f) < 0.2f) ASSERT_EQ(s.groom.map.typeAt(vertex.atlas), 3);
+    if (std::abs(vertex.uv.x - 0.75f) < 0.2f) ASSERT_EQ(s.groom.map.typeAt(vertex.atlas), 1);
+  }
+  EXPECT_EQ(typesPresent(s.groom.map), 0b1111u);
 }
 
 TEST(Groom, TheSameWorkGivesTheSameBytesEverywhere) {

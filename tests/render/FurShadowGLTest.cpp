@@ -26,16 +26,13 @@ class Lit {
     addGround();
     if (withSphere) addSphere();
     upload(light);
-    // One texel a layer: coverage, no tilt.
-    std::vector<std::uint8_t> texels;
-    for (const std::uint8_t c : coverage) texels.insert(texels.end(), {c, 128, 128, 128});
-    tile_ = gl::Texture(
-        {gl::TexelFormat::RGBA8, 1, 1, static_cast<int>(coverage.size()), gl::Filter::Nearest, true},
-        gl::bytesOf(texels));
+    // One texel a layer.
+    tile_ = gl::Texture({gl::TexelFormat::R8, 1, 1, static_cast<int>(coverage.size()), gl::Filter::Nearest, true},
+                        std::as_bytes(coverage));
     const std::vector<Vec4> rest(FUR_BEND_ROW * 8, Vec4(0, 0, 0, 1));
     bends_ =
         gl::Texture({gl::TexelFormat::RGBA32F, FUR_BEND_ROW, 8, 0, gl::Filter::Nearest}, gl::bytesOf(rest));
-    tile_.bind(FUR_UNIT_TILE);
+    tile_.bind(FUR_UNIT_COVERAGE);
     bends_.bind(FUR_UNIT_BEND);
     update();
   }

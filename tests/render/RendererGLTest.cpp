@@ -144,5 +144,35 @@ TEST(Renderer, APictureOfTheModelTintsTheFur) {
   EXPECT_GT(after[1], after[0]);
 }
 
+TEST(Renderer, AStrandHasTheColourOfItsRootUpToItsTip) {
+  // A plane, half red and half green, under fur that the comb lays over the border.
+  Scene scene;
+  const std::string_view square =
+      "v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 1 0\nf 1/1/1 4/4/1 3/3/1 2/2/1\n";
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(square.data());
+  ASSERT_TRUE(scene.app.loadModel({bytes, bytes + square.size()}, "square.obj"));
+  scene.app.setField("furLength", "0.3");
+  scene.app.setCamera({0, 1.5f, 3, Vec3(0)});
+  const std::vector<std::uint8_t> halves = {255, 0, 0, 255, 0, 255, 0, 255};
+  scene.app.provideImage(2, 1, halves);
+  const auto redShare = [&] {
+    scene.app.settle();
+    const Picture picture = scene.draw();
+    int red = 0, green = 0;
+    for (int y = 60; y < 120; ++y)
+      for (int x = 60; x < 180; ++x) (picture.at(x, y)[0] > picture.at(x, y)[1] ? red : green) += 1;
+    return static_cast<float>(red) / static_cast<float>(red + green);
+  };
+  const float upright = redShare();
+  EXPECT_NEAR(upright, 0.5f, 0.06f);
+  scene.app.groomAll(app::GroomEdit::Comb, 1, Vec3(1, 0, 0));
+  const float right = redShare();
+  scene.app.groomAll(app::GroomEdit::Comb, 1, Vec3(-1, 0, 0));
+  scene.app.groomAll(app::GroomEdit::Comb, 1, Vec3(-1, 0, 0));
+  const float left = redShare();
+  // Which side is red depends on the plane's uv: the border moves with the strands that lie over it.
+  EXPECT_GT(std::abs(right - left), 0.05f) << left << " " << upright << " " << right;
+}
+
 }  // namespace
 }  // namespace fur::render

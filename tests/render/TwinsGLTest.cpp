@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "dynamics/BendField.h"
+#include "furgen/Strand.h"
 #include "hair/Marschner.h"
 #include "hair/StrandShading.h"
 #include "render/ShaderSources.h"
@@ -53,7 +54,7 @@ float largestDifference(int function, const Twin& twin) {
   tables.use(settings);
   program.value().bindSampler("strandM", FUR_UNIT_STRAND_M);
   program.value().bindSampler("strandN", FUR_UNIT_STRAND_N);
-  coat.rootColor.w = 1 / (strandLobeWidth(settings) * std::sqrt(2 * kPi));
+  coat.skinColor.w = 1 / (strandLobeWidth(settings) * std::sqrt(2 * kPi));
   const gl::Buffer frameBlock(gl::BufferKind::Uniform, gl::bytesOf(frame), true);
   const gl::Buffer coatBlock(gl::BufferKind::Uniform, gl::bytesOf(coat), true);
   frameBlock.bindAsBlock(FUR_FRAME_BINDING);
@@ -82,6 +83,12 @@ TEST(Twins, ArcOfConstantLength) {
 
 TEST(Twins, ClumpProfile) {
   EXPECT_LT(largestDifference(2, [](float u, float v) { return wet::clumpProfile(glm::mix(1 / 32.0f, 1.0f, u), v, 32); }),
+            kGpuPrecision);
+}
+
+TEST(Twins, HeightOfAStrandWhereTypesMeet) {
+  // Up to 2, where the fixed point ends.
+  EXPECT_LT(largestDifference(12, [](float u, float v) { return std::min(furgen::standsUpTo(u, glm::mix(0.5f, 1.0f, v)), 1.9999995f); }),
             kGpuPrecision);
 }
 

@@ -113,6 +113,25 @@ TEST(Presets, ThereIsNoneOfAnUnknownName) {
   for (const Preset& preset : presets()) EXPECT_NE(warning.find(preset.name), std::string::npos) << preset.name;
 }
 
+TEST(Presets, AreWhatTheOtherFurTypesCanBe) {
+  Settings settings = randomSettings(4);
+  for (const char* name : {"type2", "type3", "type4"}) {
+    const Field& field = *findField(name);
+    EXPECT_EQ(optionName(field, 0), "bald");
+    EXPECT_EQ(optionName(field, static_cast<int>(presets().size()) + 1), "") << "no more than there are presets";
+    const int type = name[4] - '1';
+    for (std::size_t i = 0; i < presets().size(); ++i) {
+      EXPECT_EQ(optionName(field, static_cast<int>(i) + 1), presets()[i].name);
+      field.set(settings, static_cast<double>(i) + 1);
+      EXPECT_EQ(presetOf(typeCoat(settings, type)), &presets()[i]);
+      EXPECT_EQ(typeCoat(settings, type).tileSize, settings.tileSize);
+    }
+    field.set(settings, 0);
+    EXPECT_EQ(typeCoat(settings, type).density, 0);
+  }
+  EXPECT_EQ(typeCoat(settings, 0), settings);
+}
+
 TEST(Presets, DescribeThemselvesAsJson) {
   const Json table = Json::parse(presetTableJson(), nullptr, false);
   ASSERT_TRUE(table.is_array());

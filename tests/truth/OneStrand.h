@@ -57,7 +57,7 @@ inline render::shared::FurBlock furOf(float length, float tiles) {
   render::shared::FurBlock block{};
   block.shape = Vec4(length, tiles, 16, 4);
   block.volume = Vec4(256, 16, 0.4f, 0);
-  block.rootColor = block.tipColor = Vec4(0.5f, 0.3f, 0.1f, 1);
+  block.rootColors[0] = block.tipColors[0] = Vec4(0.5f, 0.3f, 0.1f, 1);
   block.skinColor = Vec4(0.1f, 0.6f, 0.1f, 1);
   block.shading = Vec4(0.4f, 0.2f, 60, 0.6f);
   block.coat = Vec4(0.2f, 0, 0, 0);

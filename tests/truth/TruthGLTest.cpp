@@ -37,7 +37,7 @@ struct Desk {
     options.samples = 4;
     options.shadowTexels = 1024;
     return render({app.surface(), coat, app.bends(), render::frameBlock(frame),
-                   render::furBlock(frame, coat.parameters.size, 64, densestSection(coat), 1)},
+                   render::furBlock(frame, coat.parameters.size, 64, {densestSection(coat)}, 1)},
                   kWidth, kHeight, options);
   }
 };

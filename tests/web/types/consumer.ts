@@ -29,6 +29,7 @@ export async function onACanvas(canvas: HTMLCanvasElement): Promise<number> {
   fur.set('tool', 'comb');
   await fur.groom('comb', 1, [0, -1, 0.3]);
   await fur.loadLengthMap(new Blob([]));
+  await fur.loadTypeMap(new Blob([]));
   await fur.loadModel(await fur.save(), { name: 'scene.glb' });
   fur.setState(fur.getState());
   const bounds = (fur.settingsTable ?? []).map((field: SettingsField) => (field.type === 'float' ? field.max : 0));
