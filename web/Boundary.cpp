@@ -1,8 +1,9 @@
 #include "Boundary.h"
 
-#include <cstdio>
 #include <cstdlib>
 #include <utility>
+
+#include "core/NumberText.h"
 
 namespace fur::web {
 
@@ -38,10 +39,7 @@ double* numbers(std::initializer_list<double> values) {
 }
 
 const char* hexadecimal(std::uint64_t value) {
-  char digits[17];
-  std::snprintf(digits, sizeof digits, "%08x%08x", static_cast<unsigned>(value >> 32),
-                static_cast<unsigned>(value & 0xffffffffu));
-  return text(digits);
+  return text(fur::hexadecimal(value, 16));
 }
 
 scene::FileSet takeStagedFiles() { return std::exchange(stagedFiles, {}); }

@@ -1,5 +1,5 @@
 // The half of App that keeps the coat what the settings ask for.
-#include <chrono>
+#include <ctime>
 
 #include "app/AppState.h"
 #include "scene/TypeSet.h"
@@ -13,8 +13,11 @@ namespace {
 // coat after coat, unless it has taken this many seconds: then the newest settings win.
 constexpr double kPatience = 0.4;
 
+// Not std::chrono: its clocks can throw, and the texts of what they throw bring all of printf to the download.
 double secondsNow() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  timespec now;
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 std::vector<std::uint8_t> written(const furgen::FurVolume& volume) {

@@ -6,7 +6,8 @@
 namespace fur {
 
 void assertFailed(const char* where, const char* expected, const std::string& got) {
-  std::fprintf(stderr, "%s: expected %s, got %s\n", where, expected, got.c_str());
+  const std::string line = std::string(where) + ": expected " + expected + ", got " + got + '\n';
+  std::fputs(line.c_str(), stderr);
   std::abort();
 }
 

@@ -1,9 +1,9 @@
 #include "gl/Objects.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <utility>
 
+#include "core/NumberText.h"
 #include "gl/Api.h"
 
 namespace fur::gl {
@@ -179,11 +179,7 @@ Result<Capabilities> queryCapabilities() {
 std::string takeError() {
   std::string text;
   while (const GLenum error = glGetError()) {
-    if (text.empty()) {
-      char code[16];
-      std::snprintf(code, sizeof code, "0x%04x", error);
-      text = std::string("GL error ") + code;
-    }
+    if (text.empty()) text = "GL error 0x" + hexadecimal(error, 4);
     if (error == 0x0507) break;  // context lost: would be reported for ever
   }
   return text;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/NumberText.h"
 #include "scene/Model.h"
 
 namespace fur::scene {
@@ -12,47 +13,6 @@ namespace {
 bool isBreak(char c) { return c == '\n' || c == '\r'; }
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
-
-// value * 10^exponent. Exact enough that nine digits give back the float that they were printed from.
-double scaled(double value, int exponent) {
-  for (; exponent > 22 && value != 0.0 && std::isfinite(value); exponent -= 22) value *= 1e22;
-  for (; exponent < -22 && value != 0.0; exponent += 22) value /= 1e22;
-  double power = 1.0;  // exact up to 10^22
-  for (int i = 0; i < std::min(std::abs(exponent), 22); ++i) power *= 10.0;
-  return exponent < 0 ? value / power : value * power;
-}
-
-// Decimal numbers as in C, whatever the locale. The standard library's own reader of them is missing
-// from the wasm compiler's library.
-bool readDecimal(std::string_view text, double& out) {
-  std::size_t at = 0;
-  const bool negative = !text.empty() && text[0] == '-';
-  if (!text.empty() && (text[0] == '-' || text[0] == '+')) ++at;
-  std::uint64_t mantissa = 0;
-  int exponent = 0, digits = 0;
-  bool point = false;
-  for (; at < text.size() && (isDigit(text[at]) || (text[at] == '.' && !point)); ++at) {
-    if (text[at] == '.') {
-      point = true;
-      continue;
-    }
-    digits = 1;
-    const bool fits = mantissa < 1'000'000'000'000'000'000u;  // digits beyond count only for the size
-    if (fits) mantissa = mantissa * 10 + static_cast<std::uint64_t>(text[at] - '0');
-    exponent += (fits ? 0 : 1) - (point ? 1 : 0);
-  }
-  if (digits == 0) return false;
-  if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) {
-    std::string_view rest = text.substr(at + 1);
-    std::int64_t given;
-    if (!StatementReader::takeWhole(rest, given)) return false;
-    exponent += static_cast<int>(std::clamp<std::int64_t>(given, -100'000, 100'000));
-    at = text.size() - rest.size();
-  }
-  out = scaled(static_cast<double>(mantissa), exponent);
-  if (negative) out = -out;
-  return at == text.size();
-}
 
 }  // namespace
 
