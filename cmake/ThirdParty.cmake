@@ -1,5 +1,5 @@
 # What is not ours, as targets:
-#   third_party_headers  glm, tiny_gltf.h, nlohmann/json.hpp, stb/ (header only)
+#   third_party_headers  glm, stb/; tiny_gltf.h and nlohmann/json.hpp for the tests (header only)
 #   third_party_gles     OpenGL ES 3 (native: libGLESv2; wasm: Emscripten's own)
 #   third_party_egl, third_party_glfw   native only
 #   imgui, imgui_opengl3                Dear ImGui from FUR_IMGUI_DIR

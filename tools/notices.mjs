@@ -55,7 +55,6 @@ export function notices() {
   const system = join(emscripten, 'system/lib');
   const parts = [
     ['OpenGL Mathematics (GLM)', firstOf(debian('libglm-dev'), headerComment('glm/glm.hpp'), headerComment('glm/detail/setup.hpp'))],
-    ['JSON for Modern C++ (nlohmann/json)', firstOf(debian('nlohmann-json3-dev'), headerComment('nlohmann/json.hpp'))],
     ['stb (stb_rect_pack.h)', firstOf(debian('libstb-dev'), headerComment('stb/stb_rect_pack.h'))],
     ['Dear ImGui (the editor only), with stb_rect_pack, stb_textedit and stb_truetype (public domain)', firstOf(file(join(imguiFolder, 'LICENSE.txt')))],
     ['Emscripten, its JavaScript and system libraries', firstOf(file(join(emscripten, 'LICENSE')), debian('emscripten'))],

@@ -1,19 +1,20 @@
 #include "scene/StateJson.h"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
+
+#include "core/NumberText.h"
+#include "core/Json.h"
 
 namespace fur::scene {
 
 namespace {
 
-using Json = nlohmann::json;
-
 // A finite number, or a warning and `fallback`.
 float readNumber(const Json& object, const char* key, float fallback, Warnings& warnings) {
-  const auto found = object.find(key);
-  if (found == object.end()) return fallback;
-  if (found->is_number() && std::isfinite(found->get<float>())) return found->get<float>();
+  const Json* found = object.find(key);
+  if (!found) return fallback;
+  const auto number = static_cast<float>(found->number());
+  if (std::isfinite(number)) return number;
   warnings.push_back(std::string("camera.") + key + " is not a number");
   return fallback;
 }
@@ -23,71 +24,81 @@ CameraState readCamera(const Json& json, Warnings& warnings) {
   camera.yaw = readNumber(json, "yaw", 0.35f, warnings);
   camera.pitch = readNumber(json, "pitch", 0.28f, warnings);
   camera.distance = readNumber(json, "distance", 4.0f, warnings);
-  const auto target = json.find("target");
-  if (target != json.end() && target->is_array() && target->size() == 3)
-    for (int k = 0; k < 3; ++k)
-      if ((*target)[k].is_number()) camera.target[k] = (*target)[k].get<float>();
+  if (const Json* target = json.find("target"); target && target->isArray() && target->count() == 3) {
+    int axis = 0;
+    for (const Json& number : *target) {
+      if (number.isNumber()) camera.target[axis] = static_cast<float>(number.number());
+      ++axis;
+    }
+  }
   return camera;
 }
 
 void readSettings(const Json& json, settings::Settings& settings, Warnings& warnings) {
-  for (const auto& [key, value] : json.items()) {
-    const settings::Field* field = settings::findField(key);
-    if (value.is_number() && field)
-      settings::setField(settings, *field, value.get<double>(), warnings);
+  for (const Json& key : json) {
+    const std::string name = key.text();
+    const Json& value = key.value();
+    const settings::Field* field = settings::findField(name);
+    if (value.isNumber() && field)
+      settings::setField(settings, *field, value.number(), warnings);
     else
-      settings::setField(settings, key, value.is_string() ? value.get<std::string>() : value.dump(), warnings);
+      settings::setField(settings, name, value.isString() ? value.text() : std::string(value.source()), warnings);
   }
 }
 
-Json valueOf(const settings::Settings& settings, const settings::Field& field) {
-  switch (field.type) {
-    case settings::FieldType::Bool: return field.get(settings) != 0;
-    case settings::FieldType::Int: return static_cast<int>(field.get(settings));
-    // Parsed from its short text: 0.1, not 0.10000000149.
-    case settings::FieldType::Float: return std::strtod(settings::fieldText(settings, field).c_str(), nullptr);
-    default: return settings::fieldText(settings, field);
-  }
+void append(std::string& out, const char* key, float value) {
+  out.append(key).append(shortDecimal(std::round(static_cast<double>(value) * 1e4) / 1e4));
 }
-
-double shortened(float value) { return std::round(static_cast<double>(value) * 1e4) / 1e4; }
 
 }  // namespace
 
 std::string writeState(const ProgramState& state) {
   const settings::Settings standard;
-  Json out = {{"version", kStateVersion}, {"settings", Json::object()}};
-  if (!state.model.empty()) out["model"] = state.model;
-  for (const settings::Field& field : settings::fields())
-    if (field.get(state.settings) != field.get(standard)) out["settings"][field.name] = valueOf(state.settings, field);
+  std::string out = "{";
   if (state.camera) {
     const CameraState& c = *state.camera;
-    out["camera"] = {{"yaw", shortened(c.yaw)},
-                     {"pitch", shortened(c.pitch)},
-                     {"distance", shortened(c.distance)},
-                     {"target", {shortened(c.target.x), shortened(c.target.y), shortened(c.target.z)}}};
+    append(out, "\"camera\":{\"distance\":", c.distance);
+    append(out, ",\"pitch\":", c.pitch);
+    append(out, ",\"target\":[", c.target.x);
+    append(out, ",", c.target.y);
+    append(out, ",", c.target.z);
+    append(out, "],\"yaw\":", c.yaw);
+    out += "},";
   }
-  return out.dump(-1, ' ', false, Json::error_handler_t::replace);
+  if (!state.model.empty()) out.append("\"model\":").append(jsonString(state.model)).append(",");
+  out += "\"settings\":{";
+  const char* before = "\"";
+  for (const settings::Field& field : settings::fields()) {
+    if (field.get(state.settings) == field.get(standard)) continue;
+    out.append(before).append(field.name).append("\":").append(settings::fieldJson(state.settings, field));
+    before = ",\"";
+  }
+  return out.append("},\"version\":").append(std::to_string(kStateVersion)).append("}");
 }
 
 Result<ProgramState> readState(std::string_view text) {
   if (text.size() > kMaxStateBytes)
     return Error{ErrorId::TooLarge, "state: " + std::to_string(text.size()) + " bytes, the limit is " +
                                         std::to_string(kMaxStateBytes)};
-  const Json json = Json::parse(text, nullptr, false);
-  if (!json.is_object()) return Error{ErrorId::BadFile, "state: not a JSON object"};
-  const auto version = json.find("version");
-  if (version != json.end() && (!version->is_number_integer() || version->get<double>() > kStateVersion))
-    return Error{ErrorId::UnsupportedVersion, "state: version " + version->dump() + ", this program reads up to " +
-                                                  std::to_string(kStateVersion)};
+  const std::vector<Json> nodes = parseJson(text);
+  if (nodes.empty() || !nodes[0].isObject()) return Error{ErrorId::BadFile, "state: not a JSON object"};
+  const Json& json = nodes[0];
+  if (const Json* version = json.find("version")) {
+    const double number = version->number();
+    if (!(number <= kStateVersion && number == std::floor(number)))
+      return Error{ErrorId::UnsupportedVersion, "state: version " + std::string(version->source().substr(0, 64)) +
+                                                    ", this program reads up to " + std::to_string(kStateVersion)};
+  }
   ProgramState state;
-  for (const auto& [key, value] : json.items()) {
-    if (key == "settings" && value.is_object())
+  for (const Json& own : json) {
+    const std::string key = own.text();
+    const Json& value = own.value();
+    if (key == "settings" && value.isObject())
       readSettings(value, state.settings, state.warnings);
-    else if (key == "camera" && value.is_object())
+    else if (key == "camera" && value.isObject())
       state.camera = readCamera(value, state.warnings);
-    else if (key == "model" && value.is_string())
-      state.model = value.get<std::string>();
+    else if (key == "model" && value.isString())
+      state.model = value.text();
     else if (key != "version")
       state.warnings.push_back("state: unknown key \"" + key.substr(0, 64) + '"');
   }

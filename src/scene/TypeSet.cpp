@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/NumberText.h"
 #include "furgen/Coat.h"
 #include "furgen/NearestFill.h"
 #include "furgen/Packing.h"
@@ -90,7 +91,8 @@ Result<FurVolume> readTypeSet(std::span<const std::uint8_t> bytes, const std::st
   std::memcpy(ends, &bytes[kTypeSetBytes - sizeof ends], sizeof ends);
   for (int i = 0; i < 2; ++i)
     if (!(ends[i] >= 0.0f && ends[i] <= 1.0f))
-      return bad(formatted("%.200s: its %s is %g, not in 0 to 1", name.c_str(), i ? "weight" : "density", double{ends[i]}));
+      return bad(formatted("%.200s: its %s is %s, not in 0 to 1", name.c_str(), i ? "weight" : "density",
+                           shortDecimal(ends[i]).c_str()));
   FurVolume volume;
   volume.size = kSize;
   volume.layers = kLayers;

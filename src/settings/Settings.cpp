@@ -2,34 +2,15 @@
 
 #include <charconv>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
+
+#include "core/NumberText.h"
+#include "core/Json.h"
 
 namespace fur::settings {
 
 namespace {
 
 constexpr double kMaxColor = 0xffffff;
-
-std::string shortNumber(double value) {
-  // The shortest text that reads back as the same float (std::to_chars of floats is missing from
-  // older C++ libraries for wasm).
-  char buffer[32];
-  for (int digits = 6; digits <= 9; ++digits) {
-    std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);
-    if (std::strtof(buffer, nullptr) == static_cast<float>(value)) break;
-  }
-  return buffer;
-}
-
-bool readNumber(std::string_view text, double& value) {
-  const std::string copy(text);
-  // Decimal only: strtod would also take spaces, hexadecimal, inf and nan.
-  if (copy.empty() || copy.find_first_not_of("+-.0123456789eE") != std::string::npos) return false;
-  char* end = nullptr;
-  value = std::strtod(copy.c_str(), &end);
-  return end == copy.c_str() + copy.size();
-}
 
 bool readColor(std::string_view text, double& value) {
   if (!text.empty() && text.front() == '#') text.remove_prefix(1);
@@ -52,17 +33,8 @@ bool readValue(const Field& field, std::string_view text, double& value) {
       if (index >= 0) return value = index, true;
       return false;
     }
-    default: return readNumber(text, value);
+    default: return readDecimal(text, value);
   }
-}
-
-std::string jsonString(std::string_view text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    out += c;
-  }
-  return out + '"';
 }
 
 const char* typeName(FieldType type) {
@@ -128,8 +100,8 @@ void setField(Settings& settings, const Field& field, double value, Warnings& wa
   const double wanted = value;
   value = glm::clamp(value, field.low, field.high);
   if (std::isnan(given) || value != wanted)
-    warnings.push_back(std::string(field.name) + ": " + shortNumber(given) + " is outside " + shortNumber(field.low) +
-                       " to " + shortNumber(field.high) + ", " + shortNumber(value) + " is used");
+    warnings.push_back(std::string(field.name) + ": " + shortDecimal(given) + " is outside " + shortDecimal(field.low) +
+                       " to " + shortDecimal(field.high) + ", " + shortDecimal(value) + " is used");
   field.set(settings, value);
 }
 
@@ -155,15 +127,16 @@ std::string fieldText(const Settings& settings, const Field& field) {
   switch (field.type) {
     case FieldType::Bool: return value != 0 ? "true" : "false";
     case FieldType::Choice: return std::string(optionName(field, static_cast<int>(value)));
-    case FieldType::Color: {
-      char buffer[8];
-      std::snprintf(buffer, sizeof buffer, "#%06x", static_cast<unsigned>(value));
-      return buffer;
-    }
+    case FieldType::Color: return '#' + hexadecimal(static_cast<std::uint64_t>(value), 6);
     case FieldType::Int: return std::to_string(static_cast<int>(value));
-    case FieldType::Float: return shortNumber(value);
+    case FieldType::Float: return shortDecimal(value);
   }
   return {};
+}
+
+std::string fieldJson(const Settings& settings, const Field& field) {
+  const std::string text = fieldText(settings, field);
+  return field.type == FieldType::Color || field.type == FieldType::Choice ? jsonString(text) : text;
 }
 
 int optionIndex(const Field& field, std::string_view option) {
@@ -188,12 +161,10 @@ std::string fieldTableJson() {
   for (const Field& field : fields()) {
     const Settings standard;
     if (out.size() > 1) out += ',';
-    const bool number = field.type == FieldType::Float || field.type == FieldType::Int;
-    const std::string value = fieldText(standard, field);
     out += "{\"name\":" + jsonString(field.name) + ",\"label\":" + jsonString(field.label) +
            ",\"group\":" + jsonString(field.group) + ",\"type\":" + jsonString(typeName(field.type)) +
-           ",\"default\":" + (number || field.type == FieldType::Bool ? value : jsonString(value)) +
-           ",\"min\":" + shortNumber(field.low) + ",\"max\":" + shortNumber(field.high) +
+           ",\"default\":" + fieldJson(standard, field) +
+           ",\"min\":" + shortDecimal(field.low) + ",\"max\":" + shortDecimal(field.high) +
            ",\"unit\":" + jsonString(field.unit) + ",\"options\":" + jsonString(field.options) +
            ",\"tooltip\":" + jsonString(field.tooltip) + '}';
   }

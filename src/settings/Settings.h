@@ -74,6 +74,8 @@ bool setField(Settings& settings, std::string_view name, std::string_view text, 
 
 // The inverse of the text form: setField(settings, name, fieldText(...)) gives the value back.
 std::string fieldText(const Settings& settings, const Field& field);
+// The same as a JSON value: in quotes where it is no number and no bool.
+std::string fieldJson(const Settings& settings, const Field& field);
 
 // The index of an option in a choice's "a|b|c", or -1.
 int optionIndex(const Field& field, std::string_view option);

@@ -2,6 +2,7 @@
 #include <cstring>
 #include <span>
 
+#include "core/Json.h"
 #include "scene/Model.h"
 #include "scene/PackBits.h"
 
@@ -18,16 +19,6 @@ void append32(std::vector<std::uint8_t>& bytes, std::uint32_t value) {
 
 void padTo4(std::vector<std::uint8_t>& bytes, std::uint8_t with) {
   while (bytes.size() % 4 != 0) bytes.push_back(with);
-}
-
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    if (static_cast<unsigned char>(c) < 0x20) out += ' ';
-    else out += c;
-  }
-  return out + "\"";
 }
 
 std::string numbers(const float* values, int count) {
@@ -153,8 +144,8 @@ std::vector<std::uint8_t> exportScene(const geometry::Mesh& mesh, const std::str
   std::string json = "{\"asset\":{\"version\":\"2.0\",\"generator\":\"wet-fur\"},";
   if (!used.empty()) json += "\"extensionsUsed\":[" + used + "],";
   if (!extension.empty()) json += "\"extensions\":{" + extension + "},";
-  json += "\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,\"name\":" + quoted(name) + "}]," + material +
-          "\"meshes\":[{\"name\":" + quoted(name) + ",\"primitives\":[{\"attributes\":{" + attributes + "},\"indices\":" +
+  json += "\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,\"name\":" + jsonString(name) + "}]," + material +
+          "\"meshes\":[{\"name\":" + jsonString(name) + ",\"primitives\":[{\"attributes\":{" + attributes + "},\"indices\":" +
           std::to_string(indices) + (material.empty() ? "" : ",\"material\":0") + "}]}],\"accessors\":[" +
           writer.accessors + "],\"bufferViews\":[" + writer.views + "],\"buffers\":[{\"byteLength\":" +
           std::to_string(writer.binary.size()) + "}]}";

@@ -10,7 +10,7 @@ namespace {
 enum Component : std::uint64_t { kByte = 5120, kUnsignedByte = 5121, kShort = 5122, kUnsignedShort = 5123,
                                  kUnsignedInt = 5125, kFloat = 5126 };
 
-std::size_t sizeOf(std::uint64_t component) {
+std::size_t sizeOf(Whole component) {
   switch (component) {
     case kByte: case kUnsignedByte: return 1;
     case kShort: case kUnsignedShort: return 2;
@@ -28,46 +28,40 @@ struct Elements {
 struct Accessor {
   std::string where;
   const Json& json;
-  std::uint64_t component;
+  Whole component;
   std::size_t count;
   bool normalized;
 };
 
-Accessor openAccessor(const GltfFile& file, std::uint64_t index, const char* type, std::size_t limit) {
+Accessor openAccessor(const GltfFile& file, Whole index, const char* type, std::size_t limit) {
   const Json& json = file.element("accessors", index);
-  const std::string where = "accessors[" + std::to_string(index) + "]";
-  const auto given = json.find("type");
-  if (given == json.end() || !given->is_string() || given->get_ref<const std::string&>() != type) {
-    file.bad(where + ".type is not " + type);
-  }
-  const std::uint64_t component = file.whole(json, "componentType", where);
-  if (sizeOf(component) == 0) file.bad(where + ".componentType " + std::to_string(component) + " is unknown");
-  const std::uint64_t count = file.whole(json, "count", where);
-  if (count > limit) {
-    file.fail(ErrorId::TooLarge, where + " has " + std::to_string(count) + " elements; the limit is " + std::to_string(limit));
-  }
-  const auto normalized = json.find("normalized");
-  return {where, json, component, static_cast<std::size_t>(count),
-          normalized != json.end() && normalized->is_boolean() && normalized->get<bool>()};
+  const std::string where = formatted("accessors[%llu]", index);
+  const Json* given = json.find("type");
+  if (!given || given->text() != type) file.bad("%s.type is not %s", where.c_str(), type);
+  const Whole component = file.whole(json, "componentType", where);
+  if (sizeOf(component) == 0) file.bad("%s.componentType %llu is unknown", where.c_str(), component);
+  const Whole count = file.whole(json, "count", where);
+  if (count > limit) file.fail(ErrorId::TooLarge, "%s has %llu elements; the limit is %zu", where.c_str(), count, limit);
+  const Json* normalized = json.find("normalized");
+  return {where, json, component, static_cast<std::size_t>(count), normalized && normalized->isTrue()};
 }
 
 // `count` elements of `size` bytes from `offset` on in a view: all inside, or bad-file.
-Elements elementsIn(const GltfFile& file, std::uint64_t view, std::uint64_t offset, std::size_t count, std::size_t size,
+Elements elementsIn(const GltfFile& file, Whole view, Whole offset, std::size_t count, std::size_t size,
                     const std::string& where) {
   const GltfFile::View from = file.bufferView(view);
   const std::size_t stride = from.stride ? from.stride : size;
-  if (stride < size) file.bad(where + ": the elements overlap (a stride of " + std::to_string(stride) + ")");
+  if (stride < size) file.bad("%s: the elements overlap (a stride of %zu)", where.c_str(), stride);
   // No sum here overflows 64 bits: offset <= 2^53, count <= kMaxIndices, stride <= 252.
-  const std::uint64_t end = count == 0 ? 0 : offset + std::uint64_t{stride} * (count - 1) + size;
+  const Whole end = count == 0 ? 0 : offset + Whole{stride} * (count - 1) + size;
   if (end > from.bytes.size()) {
-    file.bad(where + " reaches byte " + std::to_string(end) + " of bufferViews[" + std::to_string(view) + "], which has " +
-             std::to_string(from.bytes.size()));
+    file.bad("%s reaches byte %llu of bufferViews[%llu], which has %zu", where.c_str(), end, view, from.bytes.size());
   }
   return {count ? from.bytes.data() + offset : nullptr, stride, count};
 }
 
 Elements elementsOf(const GltfFile& file, const Accessor& accessor, std::size_t size) {
-  if (accessor.json.find("bufferView") == accessor.json.end()) return {nullptr, 0, accessor.count};
+  if (!accessor.json.find("bufferView")) return {nullptr, 0, accessor.count};
   return elementsIn(file, file.whole(accessor.json, "bufferView", accessor.where),
                     file.whole(accessor.json, "byteOffset", 0, accessor.where), accessor.count, size, accessor.where);
 }
@@ -80,7 +74,7 @@ T load(const std::uint8_t* from) {
 }
 
 // glTF 2.0, 3.11: signed normalized integers reach -1 one step early.
-float componentAt(const std::uint8_t* from, std::uint64_t component, bool normalized) {
+float componentAt(const std::uint8_t* from, Whole component, bool normalized) {
   switch (component) {
     case kByte: {
       const float value = load<std::int8_t>(from);
@@ -96,12 +90,12 @@ float componentAt(const std::uint8_t* from, std::uint64_t component, bool normal
   }
 }
 
-std::uint32_t indexAt(const std::uint8_t* from, std::uint64_t component) {
+std::uint32_t indexAt(const std::uint8_t* from, Whole component) {
   if (component == kUnsignedByte) return *from;
   return component == kUnsignedShort ? load<std::uint16_t>(from) : load<std::uint32_t>(from);
 }
 
-bool isIndexComponent(std::uint64_t component) {
+bool isIndexComponent(Whole component) {
   return component == kUnsignedByte || component == kUnsignedShort || component == kUnsignedInt;
 }
 
@@ -113,20 +107,20 @@ struct Sparse {
 
 Sparse openSparse(const GltfFile& file, const Accessor& accessor, std::size_t size) {
   Sparse sparse;
-  const auto json = accessor.json.find("sparse");
-  if (json == accessor.json.end()) return sparse;
+  const Json* json = accessor.json.find("sparse");
+  if (!json) return sparse;
   const std::string where = accessor.where + ".sparse";
-  if (!json->is_object()) file.bad(where + " is not an object");
-  const std::uint64_t count = file.whole(*json, "count", where);
+  if (!json->isObject()) file.bad("%s is not an object", where.c_str());
+  const Whole count = file.whole(*json, "count", where);
   if (count > accessor.count) {
-    file.bad(where + " replaces " + std::to_string(count) + " of " + std::to_string(accessor.count) + " elements");
+    file.bad("%s replaces %llu of %zu elements", where.c_str(), count, accessor.count);
   }
-  const auto indices = json->find("indices"), values = json->find("values");
-  if (indices == json->end() || !indices->is_object() || values == json->end() || !values->is_object()) {
-    file.bad(where + " has no indices or no values");
+  const Json *indices = json->find("indices"), *values = json->find("values");
+  if (!indices || !indices->isObject() || !values || !values->isObject()) {
+    file.bad("%s has no indices or no values", where.c_str());
   }
   sparse.indexComponent = file.whole(*indices, "componentType", where);
-  if (!isIndexComponent(sparse.indexComponent)) file.bad(where + ".indices are no unsigned integers");
+  if (!isIndexComponent(sparse.indexComponent)) file.bad("%s.indices are no unsigned integers", where.c_str());
   sparse.indices = elementsIn(file, file.whole(*indices, "bufferView", where), file.whole(*indices, "byteOffset", 0, where),
                               static_cast<std::size_t>(count), sizeOf(sparse.indexComponent), where + ".indices");
   sparse.values = elementsIn(file, file.whole(*values, "bufferView", where), file.whole(*values, "byteOffset", 0, where),
@@ -143,7 +137,7 @@ void forEachElement(const GltfFile& file, const Accessor& accessor, std::size_t 
   for (std::size_t i = 0; i < sparse.indices.count; ++i) {
     const std::uint32_t at = indexAt(sparse.indices.bytes + i * sparse.indices.stride, sparse.indexComponent);
     if (at >= accessor.count) {
-      file.bad(accessor.where + ".sparse replaces element " + std::to_string(at) + " of " + std::to_string(accessor.count));
+      file.bad("%s.sparse replaces element %u of %zu", accessor.where.c_str(), at, accessor.count);
     }
     store(at, sparse.values.bytes + i * sparse.values.stride);
   }
@@ -151,9 +145,9 @@ void forEachElement(const GltfFile& file, const Accessor& accessor, std::size_t 
 
 }  // namespace
 
-std::vector<float> readFloats(const GltfFile& file, std::uint64_t index, int components) {
+std::vector<float> readFloats(const GltfFile& file, Whole index, int components) {
   const Accessor accessor = openAccessor(file, index, components == 2 ? "VEC2" : "VEC3", kMaxVertices);
-  if (accessor.component == kUnsignedInt) file.bad(accessor.where + " has 32-bit integers where numbers are needed");
+  if (accessor.component == kUnsignedInt) file.bad("%s has 32-bit integers where numbers are needed", accessor.where.c_str());
   const std::size_t part = sizeOf(accessor.component), width = static_cast<std::size_t>(components);
   std::vector<float> out;
   const auto store = [&](std::size_t i, const std::uint8_t* from) {
@@ -167,9 +161,11 @@ std::vector<float> readFloats(const GltfFile& file, std::uint64_t index, int com
   return out;
 }
 
-std::vector<std::uint32_t> readIndices(const GltfFile& file, std::uint64_t index) {
+std::vector<std::uint32_t> readIndices(const GltfFile& file, Whole index) {
   const Accessor accessor = openAccessor(file, index, "SCALAR", kMaxIndices);
-  if (!isIndexComponent(accessor.component)) file.bad(accessor.where + " is used for indices but is not of unsigned integers");
+  if (!isIndexComponent(accessor.component)) {
+    file.bad("%s is used for indices but is not of unsigned integers", accessor.where.c_str());
+  }
   std::vector<std::uint32_t> out;
   forEachElement(file, accessor, sizeOf(accessor.component), [&](std::size_t i, const std::uint8_t* from) {
     if (out.empty()) out.resize(accessor.count, 0);
@@ -179,11 +175,11 @@ std::vector<std::uint32_t> readIndices(const GltfFile& file, std::uint64_t index
   return out;
 }
 
-std::size_t elementCount(const GltfFile& file, std::uint64_t index) {
-  const std::string where = "accessors[" + std::to_string(index) + "]";
-  const std::uint64_t count = file.whole(file.element("accessors", index), "count", where);
+std::size_t elementCount(const GltfFile& file, Whole index) {
+  const std::string where = formatted("accessors[%llu]", index);
+  const Whole count = file.whole(file.element("accessors", index), "count", where);
   if (count > kMaxIndices) {
-    file.fail(ErrorId::TooLarge, where + " has " + std::to_string(count) + " elements; the limit is " + std::to_string(kMaxIndices));
+    file.fail(ErrorId::TooLarge, "%s has %llu elements; the limit is %zu", where.c_str(), count, kMaxIndices);
   }
   return static_cast<std::size_t>(count);
 }

@@ -10,13 +10,13 @@ namespace fur::scene {
 
 // The elements as floats, `components` each (2 for VEC2, 3 for VEC3), normalized integers as
 // KHR_mesh_quantization has it, sparse values in place. Not checked for NaN. At most kMaxVertices elements.
-std::vector<float> readFloats(const GltfFile& file, std::uint64_t accessor, int components);
+std::vector<float> readFloats(const GltfFile& file, Whole accessor, int components);
 
 // A SCALAR accessor of unsigned integers. At most kMaxIndices.
-std::vector<std::uint32_t> readIndices(const GltfFile& file, std::uint64_t accessor);
+std::vector<std::uint32_t> readIndices(const GltfFile& file, Whole accessor);
 
 // How many elements the accessor says it has (within kMaxIndices).
-std::size_t elementCount(const GltfFile& file, std::uint64_t accessor);
+std::size_t elementCount(const GltfFile& file, Whole accessor);
 
 inline constexpr std::size_t kMaxIndices = 3 * kMaxVertices;
 

@@ -76,13 +76,13 @@ bool canIgnore(const std::string& extension) {
 
 GltfFile::GltfFile(Bytes bytes, const std::string& name, const FileSet& others) : name_(name), others_(others) {
   if (bytes.size() > kMaxFileBytes) {
-    fail(ErrorId::TooLarge, "the file has " + std::to_string(bytes.size()) + " bytes; the limit is " +
-                                std::to_string(kMaxFileBytes));
+    fail(ErrorId::TooLarge, "the file has %zu bytes; the limit is %zu", bytes.size(), kMaxFileBytes);
   }
-  const Bytes text = splitContainer(bytes);
+  Bytes text = splitContainer(bytes);
+  while (!text.empty() && text.back() == 0) text = text.first(text.size() - 1);  // some writers pad with zeros
   checkShape(text);
-  json_ = Json::parse(std::string_view(reinterpret_cast<const char*>(text.data()), text.size()), nullptr, false);
-  if (!json_.is_object()) bad("the JSON cannot be parsed");
+  nodes_ = parseJson({reinterpret_cast<const char*>(text.data()), text.size()});
+  if (nodes_.empty() || !json().isObject()) bad("the JSON cannot be parsed");
   checkVersion();
 }
 
@@ -96,23 +96,23 @@ Bytes GltfFile::splitContainer(Bytes bytes) {
   if (bytes.size() < 4 || word(bytes, 0) != 0x46546c67) bad("this is neither a .glb (wrong magic) nor a .gltf");
   if (bytes.size() < 20) bad("the .glb is truncated: its header is not whole");
   const std::uint32_t version = word(bytes, 4), length = word(bytes, 8);
-  if (version != 2) fail(ErrorId::UnsupportedVersion, "the .glb has version " + std::to_string(version) + "; 2 is read");
+  if (version != 2) fail(ErrorId::UnsupportedVersion, "the .glb has version %u; 2 is read", version);
   if (length > bytes.size()) {
-    bad("the .glb is truncated: " + std::to_string(bytes.size()) + " bytes of " + std::to_string(length));
+    bad("the .glb is truncated: %zu bytes of %u", bytes.size(), length);
   }
-  if (length < 20) bad("the .glb claims a length of " + std::to_string(length));
+  if (length < 20) bad("the .glb claims a length of %u", length);
   Bytes rest = bytes.subspan(12, length - 12);
   const std::uint32_t jsonLength = word(rest, 0);
   if (word(rest, 4) != 0x4e4f534a) bad("the first chunk is not JSON");
   if (jsonLength > rest.size() - 8) {
-    bad("the JSON chunk claims " + std::to_string(jsonLength) + " bytes; " + std::to_string(rest.size() - 8) + " are left");
+    bad("the JSON chunk claims %u bytes; %zu are left", jsonLength, rest.size() - 8);
   }
   const Bytes text = rest.subspan(8, jsonLength);
   rest = rest.subspan(8 + static_cast<std::size_t>(jsonLength));
   while (rest.size() >= 8) {
     const std::uint32_t chunkLength = word(rest, 0);
     if (chunkLength > rest.size() - 8) {
-      bad("a chunk claims " + std::to_string(chunkLength) + " bytes; " + std::to_string(rest.size() - 8) + " are left");
+      bad("a chunk claims %u bytes; %zu are left", chunkLength, rest.size() - 8);
     }
     if (word(rest, 4) == 0x004e4942 && !hasBinary_) {
       binary_ = rest.subspan(8, chunkLength);
@@ -139,112 +139,109 @@ void GltfFile::checkShape(Bytes text) const {
     }
   }
   if (values > kMaxJsonValues) {
-    fail(ErrorId::TooLarge, "the JSON has over " + std::to_string(kMaxJsonValues) + " values, which is the limit");
+    fail(ErrorId::TooLarge, "the JSON has over %zu values, which is the limit", kMaxJsonValues);
   }
 }
 
 void GltfFile::checkVersion() const {
-  const auto asset = json_.find("asset");
-  if (asset == json_.end() || !asset->is_object()) bad("there is no \"asset\"");
-  const auto version = asset->find("version");
-  if (version == asset->end() || !version->is_string()) bad("asset.version is missing");
-  const std::string& text = version->get_ref<const std::string&>();
-  if (text.rfind("2.", 0) != 0) fail(ErrorId::UnsupportedVersion, "glTF version " + text.substr(0, 20) + "; 2.x is read");
-  const auto required = json_.find("extensionsRequired");
-  if (required == json_.end()) return;
-  if (!required->is_array()) bad("extensionsRequired is not an array");
+  const Json* asset = json().find("asset");
+  if (!asset || !asset->isObject()) bad("there is no \"asset\"");
+  const Json* version = asset->find("version");
+  if (!version || !version->isString()) bad("asset.version is missing");
+  const std::string text = version->text();
+  if (text.rfind("2.", 0) != 0) fail(ErrorId::UnsupportedVersion, "glTF version %.20s; 2.x is read", text.c_str());
+  const Json* required = json().find("extensionsRequired");
+  if (!required) return;
+  if (!required->isArray()) bad("extensionsRequired is not an array");
   for (const Json& extension : *required) {
-    if (!extension.is_string()) bad("extensionsRequired holds something that is not a name");
-    const std::string& wanted = extension.get_ref<const std::string&>();
+    if (!extension.isString()) bad("extensionsRequired holds something that is not a name");
+    const std::string wanted = extension.text();
     if (!canIgnore(wanted)) {
-      fail(ErrorId::UnsupportedVersion, "the file needs the extension " + wanted.substr(0, 80) + ", which is not read");
+      fail(ErrorId::UnsupportedVersion, "the file needs the extension %.80s, which is not read", wanted.c_str());
     }
   }
 }
 
-std::size_t GltfFile::count(const char* key) const {
-  const auto array = json_.find(key);
-  if (array == json_.end()) return 0;
-  if (!array->is_array()) bad(std::string(key) + " is not an array");
-  return array->size();
+const std::vector<const Json*>& GltfFile::list(const char* key) const {
+  const auto [at, isNew] = lists_.try_emplace(key);
+  const Json* array = isNew ? json().find(key) : nullptr;
+  if (!array) return at->second;
+  if (!array->isArray()) bad("%s is not an array", key);
+  for (const Json& one : *array) at->second.push_back(&one);
+  return at->second;
 }
 
-const Json& GltfFile::element(const char* key, std::uint64_t index) const {
-  const std::size_t size = count(key);
-  const std::string where = std::string(key) + "[" + std::to_string(index) + "]";
-  if (index >= size) bad(where + " is used, but there are " + std::to_string(size));
-  const Json& found = json_[key][static_cast<std::size_t>(index)];
-  if (!found.is_object()) bad(where + " is not an object");
+std::size_t GltfFile::count(const char* key) const { return list(key).size(); }
+
+const Json& GltfFile::element(const char* key, Whole index) const {
+  const std::vector<const Json*>& all = list(key);
+  if (index >= all.size()) bad("%s[%llu] is used, but there are %zu", key, index, all.size());
+  const Json& found = *all[static_cast<std::size_t>(index)];
+  if (!found.isObject()) bad("%s[%llu] is not an object", key, index);
   return found;
 }
 
-std::uint64_t GltfFile::whole(const Json& object, const char* key, const std::string& where) const {
-  constexpr std::uint64_t kAbsent = ~0ull;
-  const std::uint64_t value = whole(object, key, kAbsent, where);
-  if (value == kAbsent) bad(where + "." + key + " is missing");
+Whole GltfFile::whole(const Json& object, const char* key, const std::string& where) const {
+  constexpr Whole kAbsent = ~0ull;
+  const Whole value = whole(object, key, kAbsent, where);
+  if (value == kAbsent) bad("%s.%s is missing", where.c_str(), key);
   return value;
 }
 
-std::uint64_t GltfFile::whole(const Json& object, const char* key, std::uint64_t absent, const std::string& where) const {
-  const auto found = object.find(key);
-  if (found == object.end()) return absent;
+Whole GltfFile::whole(const Json& object, const char* key, Whole absent, const std::string& where) const {
+  const Json* found = object.find(key);
+  if (!found) return absent;
   // Up to 2^53, what every JSON writer agrees on: sums of two cannot overflow.
   constexpr double kLimit = 9007199254740992.0;
-  if (found->is_number()) {
-    const double value = found->get<double>();
-    if (value >= 0.0 && value <= kLimit && value == std::floor(value)) return static_cast<std::uint64_t>(value);
-  }
-  bad(where + "." + key + " is not a whole number");
+  const double value = found->number();
+  if (value >= 0.0 && value <= kLimit && value == std::floor(value)) return static_cast<Whole>(value);
+  bad("%s.%s is not a whole number", where.c_str(), key);
 }
 
 bool GltfFile::numbers(const Json& object, const char* key, float* out, std::size_t count, const std::string& where) const {
-  const auto found = object.find(key);
-  if (found == object.end()) return false;
-  if (!found->is_array() || found->size() != count) bad(where + "." + key + " does not have " + std::to_string(count) + " numbers");
-  for (std::size_t i = 0; i < count; ++i) {
-    const Json& value = (*found)[i];
-    const double number = value.is_number() ? value.get<double>() : NAN;
-    if (!(std::abs(number) <= 3e38)) bad(where + "." + key + " holds something that is not a finite number");
-    out[i] = static_cast<float>(number);
+  const Json* found = object.find(key);
+  if (!found) return false;
+  if (!found->isArray() || found->count() != count) bad("%s.%s does not have %zu numbers", where.c_str(), key, count);
+  for (const Json& value : *found) {
+    const double number = value.number();
+    if (!(std::abs(number) <= 3e38)) bad("%s.%s holds something that is not a finite number", where.c_str(), key);
+    *out++ = static_cast<float>(number);
   }
   return true;
 }
 
-GltfFile::View GltfFile::bufferView(std::uint64_t index) const {
+GltfFile::View GltfFile::bufferView(Whole index) const {
   const Json& view = element("bufferViews", index);
-  const std::string where = "bufferViews[" + std::to_string(index) + "]";
+  const std::string where = formatted("bufferViews[%llu]", index);
   const Bytes bytes = buffer(whole(view, "buffer", where));
-  const std::uint64_t offset = whole(view, "byteOffset", 0, where), length = whole(view, "byteLength", where);
+  const Whole offset = whole(view, "byteOffset", 0, where), length = whole(view, "byteLength", where);
   if (offset > bytes.size() || length > bytes.size() - offset) {
-    bad(where + " reaches byte " + std::to_string(offset + length) + " of a buffer of " + std::to_string(bytes.size()));
+    bad("%s reaches byte %llu of a buffer of %zu", where.c_str(), offset + length, bytes.size());
   }
-  const std::uint64_t stride = whole(view, "byteStride", 0, where);
-  if (stride > 252) bad(where + ".byteStride is " + std::to_string(stride) + "; 252 is the limit");
+  const Whole stride = whole(view, "byteStride", 0, where);
+  if (stride > 252) bad("%s.byteStride is %llu; 252 is the limit", where.c_str(), stride);
   return {bytes.subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(length)), static_cast<std::size_t>(stride)};
 }
 
-Bytes GltfFile::buffer(std::uint64_t index) const {
+Bytes GltfFile::buffer(Whole index) const {
   if (const auto known = buffers_.find(index); known != buffers_.end()) return known->second;
   const Json& json = element("buffers", index);
-  const std::string where = "buffers[" + std::to_string(index) + "]";
-  const std::uint64_t length = whole(json, "byteLength", where);
+  const std::string where = formatted("buffers[%llu]", index);
+  const Whole length = whole(json, "byteLength", where);
   Bytes bytes;
-  const auto uri = json.find("uri");
-  if (uri == json.end()) {
-    if (index != 0 || !hasBinary_) bad(where + " has no uri and the file no binary chunk for it");
+  if (const Json* uri = json.find("uri"); !uri) {
+    if (index != 0 || !hasBinary_) bad("%s has no uri and the file no binary chunk for it", where.c_str());
     bytes = binary_;
   } else {
-    if (!uri->is_string()) bad(where + ".uri is not a text");
-    if (decoded_.size() >= kMaxDecodedBuffers) bad("more than " + std::to_string(kMaxDecodedBuffers) + " buffers");
+    if (!uri->isString()) bad("%s.uri is not a text", where.c_str());
+    if (decoded_.size() >= kMaxDecodedBuffers) bad("more than %zu buffers", kMaxDecodedBuffers);
     decoded_.emplace_back();
-    const std::string& text = uri->get_ref<const std::string&>();
+    const std::string text = uri->text();
     if (!resolve(text, decoded_.back(), bytes)) {
-      bad("the buffer file \"" + percentDecoded(text).substr(0, 200) + "\" did not come along");
+      bad("the buffer file \"%.200s\" did not come along", percentDecoded(text).c_str());
     }
   }
-  if (length > bytes.size()) {
-    bad(where + " claims " + std::to_string(length) + " bytes and has " + std::to_string(bytes.size()));
-  }
+  if (length > bytes.size()) bad("%s claims %llu bytes and has %zu", where.c_str(), length, bytes.size());
   bytes = bytes.first(static_cast<std::size_t>(length));
   buffers_[index] = bytes;
   return bytes;
@@ -270,6 +267,22 @@ bool GltfFile::resolve(const std::string& uri, std::vector<std::uint8_t>& decode
   return true;
 }
 
-void GltfFile::fail(ErrorId id, const std::string& what) const { throw ImportError({id, name_ + ": " + what}); }
+void GltfFile::failWith(ErrorId id, const std::string& what) const { throw ImportError({id, name_ + ": " + what}); }
+
+void GltfFile::fail(ErrorId id, const char* format, ...) const {
+  std::va_list arguments;
+  va_start(arguments, format);
+  const std::string what = formatted(format, arguments);
+  va_end(arguments);
+  failWith(id, what);
+}
+
+void GltfFile::bad(const char* format, ...) const {
+  std::va_list arguments;
+  va_start(arguments, format);
+  const std::string what = formatted(format, arguments);
+  va_end(arguments);
+  failWith(ErrorId::BadFile, what);
+}
 
 }  // namespace fur::scene

@@ -1,7 +1,6 @@
 // A .glb or .gltf as JSON and bytes: nothing in it is trusted, every look-up is checked.
 //
-// JSON is read by nlohmann::json directly: a glTF library that fills structures first would read
-// views and images before anybody has checked them.
+// A glTF library that fills structures first would read views and images before anybody has checked them.
 // All members throw ImportError, which importGltf catches.
 #pragma once
 
@@ -10,15 +9,14 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
+#include "core/Json.h"
 #include "core/Result.h"
 #include "scene/Model.h"
 #include "scene/import/ImportError.h"
 
 namespace fur::scene {
 
-using Json = nlohmann::json;
+using Whole = unsigned long long;  // a number of the file, up to 2^53; %llu prints it
 
 class GltfFile {
  public:
@@ -26,16 +24,16 @@ class GltfFile {
   // Holds on to `bytes` and `others`.
   GltfFile(Bytes bytes, const std::string& name, const FileSet& others);
 
-  const Json& json() const { return json_; }
+  const Json& json() const { return nodes_[0]; }
 
   // The element of a top-level array; bad-file when there is none. The text calls it `key[index]`.
-  const Json& element(const char* key, std::uint64_t index) const;
+  const Json& element(const char* key, Whole index) const;
   // How many elements a top-level array has; 0 when it is absent.
   std::size_t count(const char* key) const;
 
   // A non-negative whole number. `where` names the object in the error's text.
-  std::uint64_t whole(const Json& object, const char* key, const std::string& where) const;
-  std::uint64_t whole(const Json& object, const char* key, std::uint64_t absent, const std::string& where) const;
+  Whole whole(const Json& object, const char* key, const std::string& where) const;
+  Whole whole(const Json& object, const char* key, Whole absent, const std::string& where) const;
   // `count` finite numbers, or false when the key is absent.
   bool numbers(const Json& object, const char* key, float* out, std::size_t count, const std::string& where) const;
 
@@ -43,25 +41,29 @@ class GltfFile {
     Bytes bytes;
     std::size_t stride;  // 0: packed
   };
-  View bufferView(std::uint64_t index) const;
+  View bufferView(Whole index) const;
   // What a URI stands for: the data in it, or the file that came along; empty pointer when it did not.
   bool resolve(const std::string& uri, std::vector<std::uint8_t>& decoded, Bytes& bytes) const;
 
-  [[noreturn]] void fail(ErrorId id, const std::string& what) const;
-  [[noreturn]] void bad(const std::string& what) const { fail(ErrorId::BadFile, what); }
+  // The reason as std::printf has it; bad: of bad-file.
+  [[noreturn, gnu::format(printf, 3, 4)]] void fail(ErrorId id, const char* format, ...) const;
+  [[noreturn, gnu::format(printf, 2, 3)]] void bad(const char* format, ...) const;
 
  private:
   Bytes splitContainer(Bytes bytes);
   void checkShape(Bytes text) const;
   void checkVersion() const;
-  Bytes buffer(std::uint64_t index) const;
+  const std::vector<const Json*>& list(const char* key) const;
+  Bytes buffer(Whole index) const;
+  [[noreturn]] void failWith(ErrorId id, const std::string& what) const;
 
   std::string name_;
   const FileSet& others_;
-  Json json_;
+  std::vector<Json> nodes_;
+  mutable std::map<std::string_view, std::vector<const Json*>> lists_;  // what top-level arrays hold
   Bytes binary_;
   bool hasBinary_ = false;
-  mutable std::map<std::uint64_t, Bytes> buffers_;
+  mutable std::map<Whole, Bytes> buffers_;
   mutable std::vector<std::vector<std::uint8_t>> decoded_;  // what data: URIs held
 };
 

@@ -9,17 +9,15 @@ namespace {
 
 void readMap(const GltfFile& file, const Json& groom, FurData& fur) {
   const std::string where = "WETFUR_fur.groom";
-  if (!groom.is_object()) file.bad(where + " is not an object");
-  const std::uint64_t size = file.whole(groom, "size", where);
-  if (size > static_cast<std::uint64_t>(groom::GroomMap::kMostSize))
-    file.fail(ErrorId::TooLarge, where + ".size is " + std::to_string(size) + "; the limit is " +
-                                     std::to_string(groom::GroomMap::kMostSize));
-  if (size < static_cast<std::uint64_t>(groom::GroomMap::kLeastSize))
-    file.bad(where + ".size is " + std::to_string(size) + "; the least is " + std::to_string(groom::GroomMap::kLeastSize));
+  if (!groom.isObject()) file.bad("%s is not an object", where.c_str());
+  const Whole size = file.whole(groom, "size", where);
+  constexpr int kLeast = groom::GroomMap::kLeastSize, kMost = groom::GroomMap::kMostSize;
+  if (size > Whole{kMost}) file.fail(ErrorId::TooLarge, "%s.size is %llu; the limit is %d", where.c_str(), size, kMost);
+  if (size < Whole{kLeast}) file.bad("%s.size is %llu; the least is %d", where.c_str(), size, kLeast);
   const auto texels = static_cast<std::size_t>(size * size);
   std::vector<std::uint8_t> planes(4 * texels);
   if (!unpackBits(file.bufferView(file.whole(groom, "bufferView", where)).bytes, planes))
-    file.bad(where + " does not hold a map of " + std::to_string(size) + " x " + std::to_string(size) + " texels");
+    file.bad("%s does not hold a map of %llu x %llu texels", where.c_str(), size, size);
   fur.mapSize = static_cast<int>(size);
   fur.map.resize(texels);
   for (std::size_t i = 0; i < texels; ++i)
@@ -30,21 +28,19 @@ void readMap(const GltfFile& file, const Json& groom, FurData& fur) {
 
 GltfFur readFur(const GltfFile& file, FurData& fur) {
   GltfFur out;
-  const auto extensions = file.json().find("extensions");
-  if (extensions == file.json().end() || !extensions->is_object()) return out;
-  const auto found = extensions->find("WETFUR_fur");
-  if (found == extensions->end()) return out;
-  if (!found->is_object()) file.bad("WETFUR_fur is not an object");
-  const std::uint64_t version = file.whole(*found, "version", "WETFUR_fur");
-  if (version > static_cast<std::uint64_t>(kFurVersion))
-    file.fail(ErrorId::UnsupportedVersion, "WETFUR_fur has version " + std::to_string(version) +
-                                               "; this program reads up to " + std::to_string(kFurVersion));
+  const Json* extensions = file.json().find("extensions");
+  const Json* found = extensions ? extensions->find("WETFUR_fur") : nullptr;
+  if (!found) return out;
+  if (!found->isObject()) file.bad("WETFUR_fur is not an object");
+  const Whole version = file.whole(*found, "version", "WETFUR_fur");
+  if (version > Whole{kFurVersion})
+    file.fail(ErrorId::UnsupportedVersion, "WETFUR_fur has version %llu; this program reads up to %d", version, kFurVersion);
   out.present = true;
-  if (const auto state = found->find("state"); state != found->end()) {
-    fur.state = state->dump();
-    if (auto read = readState(fur.state); !read) file.fail(read.error().id, "WETFUR_fur: " + read.error().message);
+  if (const Json* state = found->find("state")) {
+    fur.state = state->source();
+    if (auto read = readState(fur.state); !read) file.fail(read.error().id, "WETFUR_fur: %s", read.error().message.c_str());
   }
-  if (const auto groom = found->find("groom"); groom != found->end()) {
+  if (const Json* groom = found->find("groom")) {
     readMap(file, *groom, fur);
     out.hasMap = true;
     out.atlasSet = file.whole(*groom, "texCoord", "WETFUR_fur.groom");

@@ -11,7 +11,7 @@ namespace fur::scene {
 struct GltfFur {
   bool present = false;
   bool hasMap = false;
-  std::uint64_t atlasSet = 0;  // of the map
+  Whole atlasSet = 0;  // of the map
 };
 
 // Fills state and map of `fur`.

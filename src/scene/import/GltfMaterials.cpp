@@ -9,33 +9,31 @@ namespace fur::scene {
 namespace {
 
 const Json* child(const Json* object, const char* key) {
-  if (!object || !object->is_object()) return nullptr;
-  const auto found = object->find(key);
-  return found != object->end() ? &*found : nullptr;
+  return object ? object->find(key) : nullptr;
 }
 
 }  // namespace
 
 // pbrMetallicRoughness.key of a material, or null.
-const Json* GltfMaterials::part(std::uint64_t material, const char* key) const {
+const Json* GltfMaterials::part(Whole material, const char* key) const {
   if (material == kNoMaterial) return nullptr;
   return child(child(&file_.element("materials", material), "pbrMetallicRoughness"), key);
 }
 
-TexcoordUse GltfMaterials::texcoordUse(std::uint64_t material) const {
+TexcoordUse GltfMaterials::texcoordUse(Whole material) const {
   TexcoordUse use;
   const Json* texture = part(material, "baseColorTexture");
-  if (!texture || !texture->is_object()) return use;
-  const std::string where = "materials[" + std::to_string(material) + "].baseColorTexture";
+  if (!texture || !texture->isObject()) return use;
+  const std::string where = formatted("materials[%llu].baseColorTexture", material);
   use.set = file_.whole(*texture, "texCoord", 0, where);
   const Json* moved = child(child(texture, "extensions"), "KHR_texture_transform");
-  if (!moved || !moved->is_object()) return use;
+  if (!moved || !moved->isObject()) return use;
   use.set = file_.whole(*moved, "texCoord", use.set, where);
   float offset[2] = {0, 0}, scale[2] = {1, 1};
   file_.numbers(*moved, "offset", offset, 2, where);
   file_.numbers(*moved, "scale", scale, 2, where);
   const Json* rotation = child(moved, "rotation");
-  const float angle = rotation && rotation->is_number() ? rotation->get<float>() : 0.0f;
+  const float angle = rotation && rotation->isNumber() ? static_cast<float>(rotation->number()) : 0.0f;
   const float c = std::cos(angle), s = std::sin(angle);
   // translation * rotation * scale, as the extension's text has it.
   const Mat3 transform(Vec3(c * scale[0], -s * scale[0], 0), Vec3(s * scale[1], c * scale[1], 0), Vec3(offset[0], offset[1], 1));
@@ -44,7 +42,7 @@ TexcoordUse GltfMaterials::texcoordUse(std::uint64_t material) const {
 }
 
 void GltfMaterials::describe(Model& model) const {
-  std::uint64_t chosen = kNoMaterial;
+  Whole chosen = kNoMaterial;
   std::size_t most = 0, textured = 0;
   bool chosenTextured = false;
   for (const auto& [material, triangles] : triangles_) {
@@ -56,34 +54,33 @@ void GltfMaterials::describe(Model& model) const {
     chosenTextured = hasTexture;
   }
   if (chosen == kNoMaterial) return;
-  if (textured > 1) model.warnings.push_back("of " + std::to_string(textured) + " textured materials the largest is used");
-  const std::string where = "materials[" + std::to_string(chosen) + "]";
-  if (const Json* factor = part(chosen, "baseColorFactor")) {
-    float rgba[4];
-    file_.numbers(Json{{"baseColorFactor", *factor}}, "baseColorFactor", rgba, 4, where);
+  if (textured > 1) model.warnings.push_back(formatted("of %zu textured materials the largest is used", textured));
+  const std::string where = formatted("materials[%llu]", chosen);
+  const Json* look = child(&file_.element("materials", chosen), "pbrMetallicRoughness");
+  if (float rgba[4]; look && file_.numbers(*look, "baseColorFactor", rgba, 4, where)) {
     model.baseColorFactor = glm::clamp(Vec4(rgba[0], rgba[1], rgba[2], rgba[3]), 0.0f, 1.0f);
   }
   if (const Json* texture = part(chosen, "baseColorTexture")) {
-    if (!texture->is_object()) file_.bad(where + ".baseColorTexture is not an object");
+    if (!texture->isObject()) file_.bad("%s.baseColorTexture is not an object", where.c_str());
     readImage(model, file_.element("textures", file_.whole(*texture, "index", where + ".baseColorTexture")));
   }
 }
 
 void GltfMaterials::readImage(Model& model, const Json& texture) const {
   const Json* webp = child(child(&texture, "extensions"), "EXT_texture_webp");
-  const Json* holder = webp && webp->is_object() && webp->contains("source") ? webp : &texture;
-  if (!holder->contains("source")) {
+  const Json* holder = child(webp, "source") ? webp : &texture;
+  if (!holder->find("source")) {
     model.warnings.push_back("the base colour texture has no image of a kind that is read (PNG, JPEG, WebP)");
     return;
   }
-  const std::uint64_t index = file_.whole(*holder, "source", "the base colour texture");
+  const Whole index = file_.whole(*holder, "source", "the base colour texture");
   const Json& image = file_.element("images", index);
-  const std::string where = "images[" + std::to_string(index) + "]";
+  const std::string where = formatted("images[%llu]", index);
   std::vector<std::uint8_t> decoded;
   Bytes bytes;
   std::string label = where;
-  if (const Json* uri = child(&image, "uri"); uri && uri->is_string()) {
-    const std::string& text = uri->get_ref<const std::string&>();
+  if (const Json* uri = child(&image, "uri"); uri && uri->isString()) {
+    const std::string text = uri->text();
     if (text.rfind("data:", 0) != 0) label = "\"" + text.substr(0, 200) + "\"";
     if (!file_.resolve(text, decoded, bytes)) {
       model.warnings.push_back("the image file " + label + " did not come along");
@@ -99,9 +96,8 @@ void GltfMaterials::readImage(Model& model, const Json& texture) const {
   }
   constexpr std::uint32_t kMost = kMaxImageSide;
   if (header->width > kMost || header->height > kMost) {
-    file_.fail(ErrorId::TooLarge, "the image " + label + " has " + std::to_string(header->width) + " x " +
-                                      std::to_string(header->height) + " pixels; the limit is " + std::to_string(kMost) +
-                                      " a side");
+    file_.fail(ErrorId::TooLarge, "the image %s has %u x %u pixels; the limit is %u a side", label.c_str(), header->width,
+               header->height, kMost);
   }
   model.baseColor = {header->mimeType, {bytes.begin(), bytes.end()}, static_cast<int>(header->width),
                      static_cast<int>(header->height)};

@@ -8,10 +8,10 @@
 
 namespace fur::scene {
 
-inline constexpr std::uint64_t kNoMaterial = ~0ull;
+inline constexpr Whole kNoMaterial = ~0ull;
 
 struct TexcoordUse {
-  std::uint64_t set = 0;     // TEXCOORD_set
+  Whole set = 0;     // TEXCOORD_set
   Mat3 transform{1.0f};      // KHR_texture_transform; (u, v, 1) in, out
 };
 
@@ -20,18 +20,18 @@ class GltfMaterials {
   explicit GltfMaterials(const GltfFile& file) : file_(file) {}
 
   // Which texture coordinates the material's base colour reads (set 0 without a texture).
-  TexcoordUse texcoordUse(std::uint64_t material) const;
-  void count(std::uint64_t material, std::size_t triangles) { triangles_[material] += triangles; }
+  TexcoordUse texcoordUse(Whole material) const;
+  void count(Whole material, std::size_t triangles) { triangles_[material] += triangles; }
   // Base colour factor and image of the chosen material. An image over kMaxImageSide is too-large; one
   // that is missing or unreadable is a warning, and the factor alone remains.
   void describe(Model& model) const;
 
  private:
-  const Json* part(std::uint64_t material, const char* key) const;
+  const Json* part(Whole material, const char* key) const;
   void readImage(Model& model, const Json& texture) const;
 
   const GltfFile& file_;
-  std::map<std::uint64_t, std::size_t> triangles_;
+  std::map<Whole, std::size_t> triangles_;
 };
 
 }  // namespace fur::scene

@@ -25,41 +25,41 @@ glm::dmat4 localTransform(const GltfFile& file, const Json& node, const std::str
 }
 
 // The node numbers in an array such as `children`.
-std::vector<std::uint64_t> nodeList(const GltfFile& file, const Json& object, const char* key, const std::string& where) {
-  std::vector<std::uint64_t> out;
-  const auto list = object.find(key);
-  if (list == object.end()) return out;
-  if (!list->is_array()) file.bad(where + "." + key + " is not an array");
+std::vector<Whole> nodeList(const GltfFile& file, const Json& object, const char* key, const std::string& where) {
+  std::vector<Whole> out;
+  const Json* list = object.find(key);
+  if (!list) return out;
+  if (!list->isArray()) file.bad("%s.%s is not an array", where.c_str(), key);
   const std::size_t nodes = file.count("nodes");
   for (const Json& entry : *list) {
-    const double value = entry.is_number() ? entry.get<double>() : -1.0;
+    const double value = entry.number();
     if (!(value >= 0.0 && value < static_cast<double>(nodes) && value == std::floor(value))) {
-      file.bad(where + "." + key + " names a node that does not exist");
+      file.bad("%s.%s names a node that does not exist", where.c_str(), key);
     }
-    out.push_back(static_cast<std::uint64_t>(value));
+    out.push_back(static_cast<Whole>(value));
   }
   return out;
 }
 
-std::vector<std::uint64_t> rootsOfAllNodes(const GltfFile& file) {
+std::vector<Whole> rootsOfAllNodes(const GltfFile& file) {
   std::vector<bool> isChild(file.count("nodes"), false);
-  for (std::uint64_t node = 0; node < isChild.size(); ++node) {
-    const std::string where = "nodes[" + std::to_string(node) + "]";
-    for (const std::uint64_t child : nodeList(file, file.element("nodes", node), "children", where)) {
+  for (Whole node = 0; node < isChild.size(); ++node) {
+    const std::string where = formatted("nodes[%llu]", node);
+    for (const Whole child : nodeList(file, file.element("nodes", node), "children", where)) {
       isChild[static_cast<std::size_t>(child)] = true;
     }
   }
-  std::vector<std::uint64_t> roots;
-  for (std::uint64_t node = 0; node < isChild.size(); ++node) {
+  std::vector<Whole> roots;
+  for (Whole node = 0; node < isChild.size(); ++node) {
     if (!isChild[static_cast<std::size_t>(node)]) roots.push_back(node);
   }
   return roots;
 }
 
-std::vector<std::uint64_t> rootsOf(const GltfFile& file) {
+std::vector<Whole> rootsOf(const GltfFile& file) {
   if (file.count("scenes") == 0) return rootsOfAllNodes(file);
-  const std::uint64_t scene = file.whole(file.json(), "scene", 0, "the file");
-  return nodeList(file, file.element("scenes", scene), "nodes", "scenes[" + std::to_string(scene) + "]");
+  const Whole scene = file.whole(file.json(), "scene", 0, "the file");
+  return nodeList(file, file.element("scenes", scene), "nodes", formatted("scenes[%llu]", scene));
 }
 
 }  // namespace
@@ -67,18 +67,18 @@ std::vector<std::uint64_t> rootsOf(const GltfFile& file) {
 std::vector<PlacedMesh> placedMeshes(const GltfFile& file) {
   std::vector<PlacedMesh> placed;
   if (file.count("nodes") == 0) {
-    for (std::uint64_t mesh = 0; mesh < file.count("meshes"); ++mesh) placed.push_back({mesh, glm::dmat4(1.0)});
+    for (Whole mesh = 0; mesh < file.count("meshes"); ++mesh) placed.push_back({mesh, glm::dmat4(1.0)});
     return placed;
   }
-  struct Visit { std::uint64_t node; glm::dmat4 parent; };
+  struct Visit { Whole node; glm::dmat4 parent; };
   std::vector<Visit> stack;
   std::vector<bool> seen(file.count("nodes"), false);
   // Last in, first out: children are pushed back to front to keep their order.
-  const auto push = [&](std::vector<std::uint64_t> nodes, const glm::dmat4& parent) {
+  const auto push = [&](std::vector<Whole> nodes, const glm::dmat4& parent) {
     std::reverse(nodes.begin(), nodes.end());
-    for (const std::uint64_t node : nodes) {
+    for (const Whole node : nodes) {
       if (seen[static_cast<std::size_t>(node)]) {
-        file.bad("nodes[" + std::to_string(node) + "] is reached twice: a cycle, or two parents");
+        file.bad("nodes[%llu] is reached twice: a cycle, or two parents", node);
       }
       seen[static_cast<std::size_t>(node)] = true;
       stack.push_back({node, parent});
@@ -88,11 +88,11 @@ std::vector<PlacedMesh> placedMeshes(const GltfFile& file) {
   while (!stack.empty()) {
     const Visit visit = stack.back();
     stack.pop_back();
-    const std::string where = "nodes[" + std::to_string(visit.node) + "]";
+    const std::string where = formatted("nodes[%llu]", visit.node);
     const Json& node = file.element("nodes", visit.node);
     const glm::dmat4 transform = visit.parent * localTransform(file, node, where);
-    if (node.find("mesh") != node.end()) {
-      const bool skinned = node.find("skin") != node.end();
+    if (node.find("mesh")) {
+      const bool skinned = node.find("skin");
       placed.push_back({file.whole(node, "mesh", where), skinned ? glm::dmat4(1.0) : transform});
     }
     push(nodeList(file, node, "children", where), transform);

@@ -9,7 +9,7 @@
 namespace fur::scene {
 
 struct PlacedMesh {
-  std::uint64_t mesh;
+  Whole mesh;
   glm::dmat4 transform;  // to the scene
 };
 

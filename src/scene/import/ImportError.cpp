@@ -1,14 +1,34 @@
 #include "scene/import/ImportError.h"
 
-#include <cstdio>
 #include <new>
+#include <string_view>
 
 namespace fur::scene {
 
 std::string formatted(const char* format, std::va_list arguments) {
-  char text[501];
-  std::vsnprintf(text, sizeof text, format, arguments);
-  return text;
+  std::string out;
+  for (const char* c = format; *c; ++c) {
+    if (*c != '%') {
+      out += *c;
+      continue;
+    }
+    std::size_t most = 0;
+    if (*++c == '.')
+      while (*++c >= '0' && *c <= '9') most = most * 10 + static_cast<std::size_t>(*c - '0');
+    switch (*c) {
+      case 's': {
+        const std::string_view text = va_arg(arguments, const char*);
+        out += most ? text.substr(0, most) : text;
+        break;
+      }
+      case 'd': out += std::to_string(va_arg(arguments, int)); break;
+      case 'u': out += std::to_string(va_arg(arguments, unsigned)); break;
+      case 'z': out += std::to_string(va_arg(arguments, std::size_t)), ++c; break;
+      case 'l': out += std::to_string(va_arg(arguments, long long)), c += 2; break;
+      default: out += *c;
+    }
+  }
+  return out;
 }
 
 std::string formatted(const char* format, ...) {

@@ -22,7 +22,7 @@ struct ImportError : std::exception {
   Error error;
 };
 
-// As std::printf has it, of at most 500 bytes.
+// As std::printf has it, of %s, %.<number>s, %d, %u, %zu, and %lld and %llu below 2^63 alone: that is what makes it small.
 [[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);
 std::string formatted(const char* format, std::va_list arguments);
 

@@ -40,40 +40,39 @@ class Importer {
 
   void addMesh(const PlacedMesh& placed) {
     const Json& mesh = file_.element("meshes", placed.mesh);
-    const auto primitives = mesh.find("primitives");
-    const std::string where = "meshes[" + std::to_string(placed.mesh) + "]";
-    if (primitives == mesh.end() || !primitives->is_array()) file_.bad(where + " has no primitives");
+    const Json* primitives = mesh.find("primitives");
+    if (!primitives || !primitives->isArray()) file_.bad("meshes[%llu] has no primitives", placed.mesh);
     std::size_t number = 0;
     for (const Json& primitive : *primitives) {
-      const std::string name = where + ".primitives[" + std::to_string(number++) + "]";
-      if (!primitive.is_object()) file_.bad(name + " is not an object");
+      const std::string name = formatted("meshes[%llu].primitives[%zu]", placed.mesh, number++);
+      if (!primitive.isObject()) file_.bad("%s is not an object", name.c_str());
       addPrimitive(primitive, placed.transform, name);
     }
   }
 
   void addPrimitive(const Json& primitive, const glm::dmat4& transform, const std::string& where) {
-    const std::uint64_t mode = file_.whole(primitive, "mode", 4, where);
-    if (mode > 6) file_.bad(where + ".mode " + std::to_string(mode) + " is unknown");
-    const auto attributes = primitive.find("attributes");
-    if (attributes == primitive.end() || !attributes->is_object()) file_.bad(where + " has no attributes");
+    const Whole mode = file_.whole(primitive, "mode", 4, where);
+    if (mode > 6) file_.bad("%s.mode %llu is unknown", where.c_str(), mode);
+    const Json* attributes = primitive.find("attributes");
+    if (!attributes || !attributes->isObject()) file_.bad("%s has no attributes", where.c_str());
     if (mode < 4) return warn(where + " has points or lines; they are left out");
-    if (attributes->find("POSITION") == attributes->end()) return warn(where + " has no positions; it is left out");
+    if (!attributes->find("POSITION")) return warn(where + " has no positions; it is left out");
 
     geometry::Mesh part;
     readPositions(part, file_.whole(*attributes, "POSITION", where), transform, where);
     readTriangles(part, primitive, mode, transform, where);
     readNormals(part, *attributes, transform, where);
-    const std::uint64_t material = file_.whole(primitive, "material", kNoMaterial, where);
+    const Whole material = file_.whole(primitive, "material", kNoMaterial, where);
     readTexcoords(part, *attributes, material, where);
     materials_.count(material, part.triangleCount());
     readFurAttributes(*attributes, transform, part.positions.size(), where);
     append(part);
   }
 
-  void readPositions(geometry::Mesh& part, std::uint64_t accessor, const glm::dmat4& transform, const std::string& where) {
+  void readPositions(geometry::Mesh& part, Whole accessor, const glm::dmat4& transform, const std::string& where) {
     const std::size_t total = model_.mesh.positions.size() + elementCount(file_, accessor);
     if (total > kMaxVertices) {
-      file_.fail(ErrorId::TooLarge, "the model has over " + std::to_string(kMaxVertices) + " vertices, which is the limit");
+      file_.fail(ErrorId::TooLarge, "the model has over %zu vertices, which is the limit", kMaxVertices);
     }
     const std::vector<float> values = readFloats(file_, accessor, 3);
     part.positions.resize(values.size() / 3);
@@ -82,30 +81,29 @@ class Importer {
       const Vec3 p = Vec3(transform * local);
       // Half of what float holds, so that differences of positions are finite too.
       if (!(std::abs(p.x) < 1e38f && std::abs(p.y) < 1e38f && std::abs(p.z) < 1e38f)) {
-        file_.bad(where + ": position " + std::to_string(i) + " is not a finite number");
+        file_.bad("%s: position %zu is not a finite number", where.c_str(), i);
       }
       part.positions[i] = p;
     }
   }
 
-  void readTriangles(geometry::Mesh& part, const Json& primitive, std::uint64_t mode, const glm::dmat4& transform,
+  void readTriangles(geometry::Mesh& part, const Json& primitive, Whole mode, const glm::dmat4& transform,
                      const std::string& where) {
-    const bool indexed = primitive.find("indices") != primitive.end();
-    const std::uint64_t accessor = indexed ? file_.whole(primitive, "indices", where) : 0;
+    const bool indexed = primitive.find("indices") != nullptr;
+    const Whole accessor = indexed ? file_.whole(primitive, "indices", where) : 0;
     const std::size_t count = indexed ? elementCount(file_, accessor) : part.positions.size();
     const std::size_t triangles = mode == 4 ? count / 3 : count < 3 ? 0 : count - 2;
     if (model_.mesh.triangleCount() + triangles > kMaxTriangles) {
-      file_.fail(ErrorId::TooLarge, "the model has over " + std::to_string(kMaxTriangles) + " triangles, which is the limit");
+      file_.fail(ErrorId::TooLarge, "the model has over %zu triangles, which is the limit", kMaxTriangles);
     }
     std::vector<std::uint32_t> corners;
     if (indexed) corners = readIndices(file_, accessor);
     for (std::uint32_t i = 0; !indexed && i < count; ++i) corners.push_back(i);
     for (const std::uint32_t corner : corners) {
       if (corner < part.positions.size()) continue;
-      file_.bad(where + ": index " + std::to_string(corner) + " is past the " + std::to_string(part.positions.size()) +
-                " vertices");
+      file_.bad("%s: index %u is past the %zu vertices", where.c_str(), corner, part.positions.size());
     }
-    if (mode == 4 && count % 3 != 0) warn(where + ": " + std::to_string(count % 3) + " indices are over");
+    if (mode == 4 && count % 3 != 0) warn(formatted("%s: %zu indices are over", where.c_str(), count % 3));
     // A mirrored node turns its triangles inside out.
     const bool flip = glm::determinant(glm::dmat3(transform)) < 0.0;
     part.indices.reserve(triangles * 3);
@@ -122,7 +120,7 @@ class Importer {
 
   void readNormals(geometry::Mesh& part, const Json& attributes, const glm::dmat4& transform, const std::string& where) {
     geometry::computeNormals(part);
-    if (attributes.find("NORMAL") == attributes.end()) return;
+    if (!attributes.find("NORMAL")) return;
     const std::vector<float> values = readFloats(file_, file_.whole(attributes, "NORMAL", where), 3);
     if (values.size() != part.positions.size() * 3) return warn(where + ": not one normal a vertex; they are computed");
     // Cofactors: the inverse transpose but for a factor, and defined for flat transforms too.
@@ -136,11 +134,11 @@ class Importer {
     }
   }
 
-  void readTexcoords(geometry::Mesh& part, const Json& attributes, std::uint64_t material, const std::string& where) {
+  void readTexcoords(geometry::Mesh& part, const Json& attributes, Whole material, const std::string& where) {
     part.uv.assign(part.positions.size(), Vec2(0.0f));
     const TexcoordUse use = materials_.texcoordUse(material);
-    const std::string key = "TEXCOORD_" + std::to_string(use.set);
-    if (attributes.find(key) == attributes.end()) {
+    const std::string key = formatted("TEXCOORD_%llu", use.set);
+    if (!attributes.find(key)) {
       missingTexcoords_ = true;
       return;
     }
@@ -158,9 +156,9 @@ class Importer {
   // The values of an attribute that only we know; none where the primitive has none.
   std::vector<float> ownValues(const Json& attributes, const std::string& name, int components, std::size_t vertices,
                                const std::string& where) {
-    if (attributes.find(name) == attributes.end()) return {};
+    if (!attributes.find(name)) return {};
     std::vector<float> values = readFloats(file_, file_.whole(attributes, name.c_str(), where), components);
-    if (values.size() != vertices * static_cast<std::size_t>(components)) file_.bad(where + ": not one " + name + " a vertex");
+    if (values.size() != vertices * static_cast<std::size_t>(components)) file_.bad("%s: not one %s a vertex", where.c_str(), name.c_str());
     return values;
   }
 
@@ -174,7 +172,7 @@ class Importer {
 
   void readFurAttributes(const Json& attributes, const glm::dmat4& transform, std::size_t vertices, const std::string& where) {
     if (!fur_.present) return;
-    if (fur_.hasMap) readOwn(model_.mesh.atlas, attributes, "TEXCOORD_" + std::to_string(fur_.atlasSet), vertices, where);
+    if (fur_.hasMap) readOwn(model_.mesh.atlas, attributes, formatted("TEXCOORD_%llu", fur_.atlasSet), vertices, where);
     readOwn(model_.mesh.furUv, attributes, "_WETFUR_TILE", vertices, where);
     const std::vector<float> combs = ownValues(attributes, "_WETFUR_COMB", 3, vertices, where);
     if (!combs.empty()) model_.fur.comb.resize(model_.mesh.positions.size(), Vec3(0));
