@@ -17,6 +17,13 @@ float clumpProfile(float h, float w, float layers) {
 // s: the share of the way to the clump's centre that a strand of a clump of wetness rho has gone at height h.
 float clumpPull(float h, float rho) { return min(clumpProfile(h, water.x, shape.z) * rho, FUR_MAX_SHIFT); }
 
+// A clump's own colour; grey where it is dry. Views only.
+vec3 clumpColor(vec4 clump) {
+  vec2 chance = fract(clump.xy * vec2(37.3, 91.7) + clump.yx * vec2(61.1, 23.9));
+  vec3 hue = clamp(abs(fract(chance.x + vec3(0.0, 2.0 / 3.0, 1.0 / 3.0)) * 6.0 - 3.0) - 1.0, 0.0, 1.0);
+  return clump.a > 0.0 ? mix(hue, vec3(0.95), 0.6 * chance.y) : vec3(0.45);
+}
+
 // The clump that the atlas point `a` lies in: centre u, v, radius, wetness. Unfiltered: centres do not mix.
 vec4 clumpAt(sampler2D mask, vec2 a) {
   return texelFetch(mask, clamp(ivec2(a * water.w), ivec2(0), ivec2(int(water.w) - 1)), 0);

@@ -59,6 +59,12 @@ float rimLight(float lightDotView, float normalDotView, float h) {
 #include "common_marschner.glsl"
 #endif
 
+// The share of the light that gets to height h of the coat: `lit` gets to that spot, strands take of it (Sheppard), and
+// the body shades its own far side (object over fur, clamp(N.L + 0.5)).
+float lightShare(float lit, float h, float nDotL) {
+  return lit * clamp(nDotL + 0.5, 0.0, 1.0) * mix(1.0, furShadow(h, volume.z, nDotL), shading.w);
+}
+
 // Kajiya & Kay 1989 with a small Lambert term (Sheppard 5.3.1) and the factors of Silva et al. 2010:
 //   C = occ wet (C_d + C_s)                                  Eq. 2
 //   exponent p (1 + sigma_spec (rho - 1))                    Eq. 3
@@ -68,9 +74,7 @@ float rimLight(float lightDotView, float normalDotView, float h) {
 // `lit` is the share of the light that reaches the spot, `strand` the strand's random number (its variance).
 vec3 shadeStrand(vec3 albedo, vec3 T, vec3 L, vec3 V, float h, float rho, float lit, float upness, float strand) {
   float exponent = max(shading.z * (1.0 + water.z * (rho - 1.0)), 1.0);
-  // The body shades its own far side: object over fur, clamp(N.L + 0.5).
-  float body = clamp(L.z + 0.5, 0.0, 1.0);
-  float key = light.w * lit * body * mix(1.0, furShadow(h, volume.z, L.z), shading.w);
+  float key = light.w * lightShare(lit, h, L.z);
   vec2 along = vec2(dot(T, L), dot(T, V)), across = sqrt(max(vec2(0.0), 1.0 - along * along));
   float diffuse = mix(across.x, max(L.z, 0.0), shading.x);
 #ifdef MARSCHNER

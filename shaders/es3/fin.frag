@@ -76,5 +76,10 @@ void main() {
   // Samples by chance, as in shell.frag.
   alpha += (pixelNoise() - 0.5) / sky.w;
   if (alpha < 0.5 / sky.w) discard;
+#ifdef VIEW_SHADOW
+  color = vec3(lightShare(0.75 * furShadowAt(vLightSpace), exposed, normalize(vLight.xyz).z));
+  fragColor = vec4(color, alpha);
+#else
   fragColor = vec4(encodeSrgb(toneMap(color)), alpha);
+#endif
 }

@@ -38,7 +38,21 @@ void main() {
   opacity *= smoothstep(FUR_HORIZON, FUR_HORIZON + 0.3, max(dot(face0.xyz, toEye), dot(face1.xyz, toEye)));
   // Where the surface curves evenly the shells' rays show the outline, strand by strand. Fins stand in where it is
   // hollow, sharp or ends.
-  opacity *= 1.0 - smoothstep(FUR_FIN_FLAT, FUR_FIN_ROUND, normalB.w);
+  float standsIn = 1.0 - smoothstep(FUR_FIN_FLAT, FUR_FIN_ROUND, normalB.w);
+#ifdef VIEW_EDGES
+  // The edge as a line on the skin: a quad of the strip, the others end where it does. Of one width in any picture.
+  vec3 end = gl_VertexID < 2 ? positionA.xyz : positionB.xyz;
+  float width = 0.0022 * length(eye.xyz - middle);
+  vec3 along = normalize(positionB.xyz - positionA.xyz), beside = normalize(cross(along, toEye));
+  end += beside * (gl_VertexID % 2 == 0 ? width : -width) + along * (gl_VertexID < 2 ? -width : width);
+  vFin = vec4(opacity, standsIn, 0.0, 0.0);
+  // The skin would hide half of it.
+  gl_Position = opacity > 0.0 ? clipFromModel * vec4(end, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
+  vec4 near = clipFromModel * vec4(end + 0.03 * toEye, 1.0);
+  if (opacity > 0.0) gl_Position.z = near.z / near.w * gl_Position.w;
+  return;
+#endif
+  opacity *= standsIn;
   if (opacity <= 0.0) {
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
     return;

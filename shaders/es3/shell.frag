@@ -5,6 +5,9 @@
 #include "common_clump.glsl"
 #include "common_noise.glsl"
 #include "common_furshadow.glsl"
+#ifdef VIEW_STEPS
+#include "common_heat.glsl"
+#endif
 
 uniform sampler2DArray coverage;  // r
 uniform sampler2DArray strand;    // xy: tangent  z: variance  w: dominance
@@ -116,6 +119,21 @@ void main() {
   vec4 present = furryTypes();
 #endif
   vec2 at = vTile.xy;
+#ifdef VIEW_LAYER
+  // A shell alone: one look-up where the ray meets it, which counts as it is. Only samples go by chance.
+  reachesSkin = false;
+  lod = floor(max(vLight.w, 0.0) + 0.5);
+  noise = pixelNoise() / 13.0;
+  x = between = 0.0;
+  stepSize = 1.0 / kReferenceSteps;
+  end = 0.5 * stepSize;
+#endif
+#ifdef VIEW_STEPS
+  float steps = 0.0;
+#endif
+#ifdef VIEW_CLUMPS
+  vec3 clumpSum = vec3(0.0);
+#endif
 #if defined(WET) || defined(GROOMED)
   mat2 atlasFromTile = mat2(vAtlasStep.xy, vAtlasStep.zw);
 #endif
@@ -194,13 +212,35 @@ void main() {
 #ifdef WET
     wetSum += add * lean;
 #endif
+#ifdef VIEW_CLUMPS
+#ifndef WET
+    const vec4 clump = vec4(0.0);
+#endif
+    clumpSum += add * clumpColor(clump);
+#endif
+#ifdef VIEW_STEPS
+    steps += 1.0;
+#endif
     alpha += add;
     if (alpha > kClosed) break;
     x += stepSize;
     stepSize *= kGrowth;
   }
+#ifdef VIEW_STEPS
+  fragColor = heat(0.2 * steps);
+  return;
+#endif
+#ifdef VIEW_CLUMPS
+  reachesSkin = false;  // its own pass has the colours
+#endif
   float closed = min(alpha / kClosed, 1.0), levels = sky.w;
   float shown = (reachesSkin ? 1.0 : closed) * share + (fract(noise * 13.0) - 0.5) / levels;
+#ifdef VIEW_EXPLODED
+  // A line along the shell's end and its outline. So far out a hollow is turned inside out: it is left out.
+  bool line = vStrands.y < 1.5 || vView.z < min(2.0 * fwidth(vView.z), 0.15);
+  if (line) shown = 1.0;
+  if (vStrands.y <= 0.0 || vView.z < 0.0) discard;
+#endif
   if (shown < 0.5 / levels) discard;
 
   if (most <= 0.0) spot.xy = at;
@@ -235,6 +275,10 @@ void main() {
   // How far the ray went, to the strands or to the skin.
   lit *= furShadowAt(vLightSpace + vLightRay * (alpha > 0.0 ? xSum * perStrand : end));
   vec3 model = colorAtRoot(spot);
+  float exposed = h;
+#ifdef VIEW_LAYER
+  exposed = lit = 1.0;  // nothing stands above it
+#endif
   vec4 tip = tipColors[0];
   vec3 rootTint = rootColors[0].rgb;
 #ifdef TYPES
@@ -245,7 +289,7 @@ void main() {
     rootTint += types[type] * rootColors[type].rgb;
   }
 #endif
-  vec3 color = shadeStrand(strandColor(rootTint, tip, h, met.z, model), tangent, light3, view3, h, rho, lit, vView.w, met.z);
+  vec3 color = shadeStrand(strandColor(rootTint, tip, h, met.z, model), tangent, light3, view3, exposed, rho, lit, vView.w, met.z);
   if (reachesSkin && closed < 1.0) {
     vec3 skin = shadeSkin(skinColor.rgb * model * 0.5, vLight.z, vView.w, 0.0, skinWetness, lit);
 #ifdef GROOMED
@@ -253,7 +297,11 @@ void main() {
 #endif
     color = alpha > 0.0 ? mix(skin, color, closed) : skin;
   }
-#if defined(VIEW_TANGENTS)
+#if defined(VIEW_EXPLODED)
+  // From blue at the skin to yellow at the tips.
+  vec3 tint = mix(vec3(0.25, 0.55, 1.0), vec3(1.0, 0.8, 0.1), vTop) - vec3(1.8, 0.0, 0.4) * vTop * (1.0 - vTop);
+  fragColor = vec4(mix(encodeSrgb(toneMap(color)), tint, line ? 1.0 : 0.5), shown);
+#elif defined(VIEW_TANGENTS)
   fragColor = vec4(tangent * 0.5 + 0.5, shown);
 #elif defined(VIEW_COVERAGE)
   fragColor = vec4(vec3(h), shown);
@@ -269,6 +317,10 @@ void main() {
   const vec3 tint = vec3(1.0);
 #endif
   fragColor = vec4(tint * mix(0.3, 0.9, h), shown);
+#elif defined(VIEW_CLUMPS)
+  fragColor = vec4(clumpSum * perStrand * (0.5 + 0.5 * h), shown);
+#elif defined(VIEW_SHADOW)
+  fragColor = vec4(vec3(mix(lightShare(lit, 0.0, light3.z), lightShare(lit, h, light3.z), closed)), shown);
 #else
   fragColor = vec4(encodeSrgb(toneMap(color)), shown);
 #endif

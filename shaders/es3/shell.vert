@@ -38,7 +38,14 @@ void main() {
   vStrands = coat.w > 0.5 ? vec2(positionFrom.w, normalTo.w) : vec2(-1.0, 2.0);
   vec4 groomed = bendOf(gl_VertexID);
   vec3 bend = groomed.xyz;
+#if defined(VIEW_EXPLODED)
+  // The middle of each share of the coat, the outermost first.
+  float top = 1.0 - (float(gl_InstanceID) + 0.5) / float(FUR_EXPLODED_SHELLS);
+#elif defined(VIEW_LAYER)
+  float top = floorLight.w;
+#else
   float top = 1.0 - float(gl_InstanceID) / shape.w;
+#endif
   // In a crease the coat ends before its strands would cross those of the other side.
   mat2 S = mat2(furCurvature.z, furCurvature.w, furCurvature.w, gradSCurvature.w);
   float meanS = 0.5 * (S[0][0] + S[1][1]), apart = 0.5 * (S[0][0] - S[1][1]);
@@ -46,6 +53,14 @@ void main() {
   float len = max(min(shape.x * groomed.w, 0.65 / max(hollow, 1e-6)), 1e-4);
   vTop = top;
   vec3 p = strandPoint(position, normal, bend, top, len);
+#ifdef VIEW_EXPLODED
+  // Each ends further to the left than the one below it, so that all can be seen.
+  float shell = float(FUR_EXPLODED_SHELLS - gl_InstanceID);
+  vec3 right = normalize(cross(up.xyz, eye.xyz) + vec3(1e-4, 0.0, 0.0));
+  float beforeEnd = 0.85 - 1.4 * shell / float(FUR_EXPLODED_SHELLS) - dot(position, right);
+  vStrands = vec2(-1.0, beforeEnd * 700.0 / length(eye.xyz - position));
+  p += normal * (FUR_EXPLODED_GAP * shell);
+#endif
   gl_Position = clipFromModel * vec4(p, 1.0);
   vLightSpace = lightSpace(p);
 

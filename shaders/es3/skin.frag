@@ -14,22 +14,24 @@ in vec3 vLightSpace;
 
 out vec4 fragColor;
 
-vec3 clumpHue(vec2 centre) {
-  float turn = fract(dot(centre, vec2(37.3, 91.7)));
-  return clamp(abs(fract(turn + vec3(0.0, 2.0 / 3.0, 1.0 / 3.0)) * 6.0 - 3.0) - 1.0, 0.0, 1.0);
-}
-
 void main() {
-#if defined(UNDER_FUR)
+#if defined(VIEW_SHADOW)
+  fragColor = vec4(vColor, 1.0);
+#elif defined(UNDER_FUR)
   fragColor = vec4(encodeSrgb(toneMap(vColor * modelColor(baseColor, vUvAtlas.xy))), 1.0);
 #else
   vec3 n = normalize(vNormal);
   vec4 clump = clumpAt(mask, vUvAtlas.zw);
+  float facing = 0.55 + 0.45 * dot(n, light.xyz);
 #if defined(VIEW_WETNESS)
-  // Blue by wetness, each clump with its own hue, so that centres and borders can be read.
-  float facing = 0.55 + 0.45 * dot(n, normalize(light.xyz));
-  vec3 shown = mix(vec3(0.32, 0.31, 0.3), mix(vec3(0.15, 0.45, 0.95), clumpHue(clump.xy), 0.45), clump.a);
+  // Blue by wetness, each clump with its own colour, so that centres and borders can be read.
+  vec3 shown = mix(vec3(0.32, 0.31, 0.3), mix(vec3(0.15, 0.45, 0.95), clumpColor(clump), 0.45), clump.a);
   fragColor = vec4(shown * facing, 1.0);
+#elif defined(VIEW_CLUMPS)
+  // Darker than the locks above it.
+  fragColor = vec4(clumpColor(clump) * (0.5 * facing), 1.0);
+#elif defined(VIEW_DIM)
+  fragColor = vec4(vec3(0.13, 0.16, 0.21) * facing, 1.0);
 #elif defined(VIEW_NORMALS)
   fragColor = vec4(n * 0.5 + 0.5, 1.0);
 #else

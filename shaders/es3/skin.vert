@@ -25,6 +25,14 @@ void main() {
   float nDotL = dot(normal, light.xyz), upness = dot(normal, up.xyz);
   vec3 strands = rootColors[0].rgb + tipColors[0].rgb;
   float furry = bendOf(gl_VertexID).w;
+#ifdef VIEW_SHADOW
+  vColor = vec3(lightShare(furShadowAt(vLightSpace), 1.0, nDotL));
+#ifdef UNDER_FUR
+  float under = lightShare(furShadowAt(lightSpace(position + normal * (0.3 * shape.x))), 0.3, nDotL);
+  vColor = mix(vColor, vec3(under), min(furry / 0.15, 1.0));
+#endif
+  return;
+#endif
 #ifdef TYPES
   vec4 grows = presences(textureLod(groom, uvAtlas.zw, 0.0).gba);
   strands *= grows.x;

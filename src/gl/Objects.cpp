@@ -116,6 +116,8 @@ void apply(const DrawState& state) {
   toggle(GL_SAMPLE_ALPHA_TO_COVERAGE, state.alphaToCoverage);
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_STENCIL_TEST);
+  toggle(GL_POLYGON_OFFSET_FILL, state.nearer);
+  glPolygonOffset(-2, -8);
   glDepthFunc(GL_LEQUAL);
   glDepthMask(state.depthWrite);
   glColorMask(state.red, state.green, state.blue, state.alpha);
@@ -134,6 +136,12 @@ void clear(const Vec4& color) {
   glDepthMask(true);
   glClearColor(color.r, color.g, color.b, color.a);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+void clearColor() {
+  glColorMask(true, true, true, true);
+  glClearColor(0, 0, 0, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
 }
 
 void clearDepth() {

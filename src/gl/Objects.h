@@ -158,6 +158,7 @@ struct DrawState {
   bool depthTest = true, depthWrite = true, cullBack = true;
   Blend blend = Blend::None;
   bool alphaToCoverage = false;
+  bool nearer = false;  // in the depth test, by about the rounding of two programs that draw the same triangle
   bool red = true, green = true, blue = true, alpha = true;  // channels written
 };
 void apply(const DrawState& state);
@@ -165,6 +166,7 @@ void apply(const DrawState& state);
 void setViewport(int width, int height);
 void clear(const Vec4& color);
 void clearDepth();  // alone
+void clearColor();  // alone, to black
 void bindPlatformFramebuffer();
 // The framebuffer that is bound now becomes the platform's (called once at attach).
 void rememberPlatformFramebuffer();

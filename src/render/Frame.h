@@ -31,8 +31,11 @@ struct Frame {
   Vec4 baseColorFactor{1.0f};
 };
 
-// The index of a named view in the settings' "view" choice, checked when the program starts.
-enum class View { Final, Skin, Shells, Fins, Wetness, Tangents, Coverage, Normals, Dominance, Types, Offset };
+// In the order of the settings' "view" choice. README.md says what each shows.
+enum class View {
+  Final, Skin, Shells, Fins, Layer, Exploded, Silhouette, Coverage, Tangents, Normals, Dominance, Types, Offset,
+  Wetness, Clumps, Shadow, Overdraw, Steps
+};
 
 Mat4 clipFromWorld(const Frame& frame);
 // Pixels that a model unit covers at distance 1 from the eye; divide by the distance for others.

@@ -10,7 +10,9 @@ namespace {
 
 // Apart from the vertex shaders, and named first: the linker keeps this order, in which fragment shaders, which
 // share most of their text, lie within the 32 KB that the download's compression looks back.
-const char* fragmentOf(Shader shader) {
+const char* fragmentOf(Shader shader, unsigned variant) {
+  if (variant & kViewOverdraw) return shaders::kViewOverdrawFrag;
+  if (shader == Shader::Fin && variant & kViewEdges) return shaders::kViewEdgeFrag;
   switch (shader) {
     case Shader::Background: return shaders::kBackgroundFrag;
     case Shader::GroundShadow: return shaders::kGroundShadowFrag;
@@ -67,6 +69,13 @@ std::string definesOf(unsigned variant) {
       {kSkinOnly, "SKIN_ONLY"},
       {kGroomed, "GROOMED"},
       {kTypes, "TYPES"},
+      {kViewLayer, "VIEW_LAYER"},
+      {kViewExploded, "VIEW_EXPLODED"},
+      {kViewDim, "VIEW_DIM"},
+      {kViewEdges, "VIEW_EDGES"},
+      {kViewClumps, "VIEW_CLUMPS"},
+      {kViewShadow, "VIEW_SHADOW"},
+      {kViewSteps, "VIEW_STEPS"},
   };
   std::string text;
   for (const auto& [bit, name] : kNames)
@@ -81,7 +90,7 @@ Result<const gl::Program*> Programs::use(Shader shader, unsigned variant) {
   auto found = programs_.find(key);
   if (found == programs_.end()) {
     const Source source = sourceOf(shader);
-    auto linked = gl::Program::link(source.label, stageText(source.vertex), stageText(fragmentOf(shader)),
+    auto linked = gl::Program::link(source.label, stageText(source.vertex), stageText(fragmentOf(shader, variant)),
                                     definesOf(variant));
     if (!linked) return linked.error();
     linked->bindBlock("FrameBlock", FUR_FRAME_BINDING);
@@ -114,11 +123,23 @@ std::vector<std::pair<Shader, unsigned>> allVariants() {
       {Shader::Skin, kViewWetness}, {Shader::Skin, kViewNormals},   {Shader::ShadowMap, kPlain},
       {Shader::Enlarge, kPlain},
       {Shader::ShadowMap, kShadowLayers}, {Shader::ShadowMap, kSkinOnly},
+      {Shader::Skin, kViewClumps},  {Shader::Skin, kViewDim},     {Shader::Fin, kViewEdges},
   };
+  for (const Shader counted : {Shader::Shell, Shader::Fin, Shader::Skin}) all.emplace_back(counted, kViewOverdraw);
+  for (const unsigned look : {+kPlain, +kWet, +kGroomed, kWet | kGroomed, kGroomed | kTypes, kWet | kGroomed | kTypes})
+    for (const unsigned view : {+kViewClumps, +kViewSteps, +kViewLayer, kViewLayer | kTextured, kViewLayer | kViewExploded,
+                                kViewLayer | kViewExploded | kTextured})
+      all.emplace_back(Shader::Shell, view | look);
   for (const unsigned direction : {+kPlain, +kVertical}) all.emplace_back(Shader::ShadowBlur, direction | kShadowDepth);
   for (const unsigned shadow : {kPlain, kShadowDepth, kShadowLayers}) {
     for (const unsigned look : {+kPlain, +kTextured, +kUnderFur, kUnderFur | kTextured, kUnderFur | kTypes, kUnderFur | kTextured | kTypes})
       all.emplace_back(Shader::Skin, look | shadow);
+    for (const unsigned look : {+kPlain, +kUnderFur, kUnderFur | kTypes}) all.emplace_back(Shader::Skin, look | shadow | kViewShadow);
+    for (const unsigned look : {+kPlain, +kWet}) {
+      for (const unsigned groom : {+kPlain, +kGroomed, kGroomed | kTypes})
+        all.emplace_back(Shader::Shell, look | shadow | groom | kViewShadow);
+      for (const unsigned types : {kPlain, kTypes}) all.emplace_back(Shader::Fin, look | shadow | types | kViewShadow);
+    }
     for (const unsigned look : {+kPlain, +kWet, +kTextured, kWet | kTextured}) {
       for (const unsigned groom : {+kPlain, +kGroomed, kGroomed | kTypes})
         for (const unsigned view : {kPlain, kMarschner, kViewTangents, kViewCoverage, kViewDominance, kViewTypes, kViewOffset})

@@ -14,24 +14,33 @@ enum class Shader { Background, GroundShadow, Blur, Ground, Skin, Shell, ShadowM
 // Bits of a variant; each is a #define in the shader.
 enum Variant : unsigned {
   kPlain = 0,
-  kWet = 1,
-  kViewTangents = 2,
-  kViewCoverage = 4,
-  kViewWetness = 8,
-  kViewNormals = 16,
-  kStraightDown = 32,  // GroundShadow
-  kVertical = 64,      // Blur
-  kTextured = 128,     // the model has a picture of its own
-  kUnderFur = 256,     // Skin
-  kMarschner = 512,    // Shell, Fin: strands lit by Marschner's model
-  kShadowDepth = 1024,   // Skin, Shell, Fin: receive the fur's shadow, see FurShadow.h; ShadowBlur: makes it
-  kShadowLayers = 2048,  // the same with opacity layers; ShadowMap: the layers themselves
-  kGroomed = 8192,       // Shell: the groom's map says more than full length
-  kTypes = 16384,          // Shell, Fin, Skin: several fur types; shells then are groomed
-  kViewDominance = 32768,
-  kViewTypes = 65536,
-  kViewOffset = 131072,
-  kSkinOnly = 4096,      // ShadowMap: the skin instead of the coat's outside
+  kWet = 1 << 0,
+  kTextured = 1 << 1,      // the model has a picture of its own
+  kGroomed = 1 << 2,       // Shell: the groom's map says more than full length
+  kTypes = 1 << 3,         // Shell, Fin, Skin: several fur types; shells then are groomed
+  kMarschner = 1 << 4,     // Shell, Fin: strands lit by Marschner's model
+  kShadowDepth = 1 << 5,   // Skin, Shell, Fin: receive the fur's shadow, see FurShadow.h; ShadowBlur: makes it
+  kShadowLayers = 1 << 6,  // the same with opacity layers; ShadowMap: the layers themselves
+  kUnderFur = 1 << 7,      // Skin
+  kSkinOnly = 1 << 8,      // ShadowMap: the skin instead of the coat's outside
+  kStraightDown = 1 << 9,  // GroundShadow
+  kVertical = 1 << 10,     // Blur
+  // From here on each makes a view.
+  kViewTangents = 1 << 11,
+  kViewCoverage = 1 << 12,
+  kViewWetness = 1 << 13,
+  kViewNormals = 1 << 14,
+  kViewDominance = 1 << 15,
+  kViewTypes = 1 << 16,
+  kViewOffset = 1 << 17,
+  kViewLayer = 1 << 18,
+  kViewExploded = 1 << 19,  // with kViewLayer
+  kViewDim = 1 << 20,       // Skin: so that what is drawn over it stands out
+  kViewEdges = 1 << 21,     // Fin
+  kViewClumps = 1 << 22,
+  kViewShadow = 1 << 23,
+  kViewOverdraw = 1 << 24,
+  kViewSteps = 1 << 25,
 };
 
 class Programs {

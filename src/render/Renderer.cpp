@@ -23,6 +23,12 @@ Vec4 shownColor(std::uint32_t rgb) {
 // From this share of its densest layer up a coat keeps the light from its roots.
 constexpr float kCrowdedDensity = 0.35f;
 
+// How a pass is drawn: as usual, or its fragments counted.
+gl::DrawState stateOf(unsigned variant, const gl::DrawState& usual) {
+  if (!(variant & (kViewOverdraw | kViewSteps))) return usual;
+  return {.depthWrite = false, .cullBack = usual.cullBack, .blend = gl::Blend::Add, .nearer = true};
+}
+
 Vec3 eyeInModel(const Frame& frame) { return Vec3(glm::inverse(frame.worldFromModel) * Vec4(frame.camera.eye, 1)); }
 
 }  // namespace
@@ -49,7 +55,7 @@ shared::FrameBlock frameBlock(const Frame& frame) {
   block.up = Vec4(direction({0, 1, 0}), s.exposure);
   // The surroundings light the fur with their own colour, half of it taken out.
   block.sky = Vec4(s.ambient * glm::mix(Vec3(0.75f), top, 0.5f), 0);
-  block.floorLight = Vec4(s.ambient * 0.55f * glm::mix(Vec3(0.6f), bottom, 0.5f), 0);
+  block.floorLight = Vec4(s.ambient * 0.55f * glm::mix(Vec3(0.6f), bottom, 0.5f), s.viewLayer);
   block.backgroundTop = shownColor(s.backgroundTop);
   block.backgroundBottom = shownColor(s.backgroundBottom);
   block.lightWorld = Vec4(lightWorld, 0);
@@ -165,11 +171,27 @@ Status Renderer::drawPasses(const Frame& frame) {
   const unsigned skinLook = look & ~(kWet | kMarschner);
   const bool furry = hasFur_ && frame.settings.furLength > 0 && !patches_.indices.empty();
   const auto skin = [&](unsigned variant) { return drawSkin(variant); };
-  const unsigned shellLook = look | (frame.groomed || frame.types ? kGroomed : kPlain);
-  const auto shells = [&](unsigned view) {
-    return furry ? drawShells(frame, view ? (shellLook & ~kMarschner) | view : shellLook) : Status(Done{});
+  // Of the look, what a view shows, so that fewer shaders are compiled.
+  const auto shown = [](unsigned look, unsigned view) {
+    unsigned kept = ~0u;
+    if (view & (kViewTangents | kViewCoverage | kViewDominance | kViewTypes | kViewOffset)) kept = ~kMarschner;
+    if (view & kViewShadow) kept = ~(kMarschner | kTextured);
+    if (view & kViewLayer) kept = kWet | kGroomed | kTypes | kTextured;
+    if (view & (kViewClumps | kViewSteps)) kept = kWet | kGroomed | kTypes;
+    if (view & (kViewOverdraw | kViewEdges)) kept = kPlain;
+    return (look & kept) | view;
   };
-  const auto fins = [&] { return furry && frame.settings.fins ? drawFins(frame, look) : Status(Done{}); };
+  const auto shells = [&](unsigned view) {
+    return furry ? drawShells(frame, shown(look | (frame.groomed || frame.types ? kGroomed : kPlain), view)) : Status(Done{});
+  };
+  const auto fins = [&](unsigned view) {
+    return furry && frame.settings.fins ? drawFins(frame, shown(look, view)) : Status(Done{});
+  };
+  const auto model = [&](unsigned view) {
+    if (Status status = shells(view); !status) return status;
+    if (Status status = fins(view); !status) return status;
+    return skin(shown(furry ? skinLook | kUnderFur : skinLook & ~kTypes, view));
+  };
   const auto background = [&]() -> Status {
     const auto program = programs_.use(Shader::Background, kPlain);
     if (!program) return program.error();
@@ -177,25 +199,36 @@ Status Renderer::drawPasses(const Frame& frame) {
     gl::drawWithoutVertices(3);
     return frame.settings.ground && view == View::Final ? drawGround(frame) : Status(Done{});
   };
-  if (view != View::Final)
+  const auto both = [](Status first, auto&& second) { return first ? second() : first; };
+  const bool counts = view == View::Overdraw || view == View::Steps;
+  if (view != View::Final && !counts)
     if (Status status = background(); !status) return status;
   switch (view) {
     case View::Skin: return skin(skinLook & ~kTypes);
     case View::Wetness: return skin(kViewWetness);
     case View::Normals: return skin(kViewNormals);
     case View::Shells: return shells(kPlain);
-    case View::Fins: return fins();
+    case View::Fins: return fins(kPlain);
     case View::Tangents: return shells(kViewTangents);
     case View::Coverage: return shells(kViewCoverage);
     case View::Dominance: return shells(kViewDominance);
     case View::Types: return shells(kViewTypes);
     case View::Offset: return shells(kViewOffset);
+    case View::Layer: return both(skin(kViewDim), [&] { return shells(kViewLayer); });
+    case View::Exploded: return both(skin(kViewDim), [&] { return shells(kViewLayer | kViewExploded); });
+    case View::Clumps: return both(shells(kViewClumps), [&] { return skin(kViewClumps); });
+    case View::Silhouette:
+      return both(skin(kViewDim), [&] { return furry ? drawFins(frame, kViewEdges) : Status(Done{}); });
+    case View::Shadow: return model(kViewShadow);
+    case View::Overdraw:
+    case View::Steps:
     case View::Final: break;
   }
-  if (Status status = shells(kPlain); !status) return status;
-  if (Status status = fins(); !status) return status;
-  if (Status status = skin(furry ? skinLook | kUnderFur : skinLook & ~kTypes); !status) return status;
-  return background();
+  if (Status status = model(kPlain); !status) return status;
+  if (!counts) return background();
+  // The picture leaves its depth behind, then fragments are counted that are no further.
+  gl::clearColor();
+  return view == View::Steps ? shells(kViewSteps) : model(kViewOverdraw);
 }
 
 FurShadow::Key Renderer::furShadowKey(const Frame& frame) const {
@@ -209,7 +242,7 @@ FurShadow::Key Renderer::furShadowKey(const Frame& frame) const {
 Status Renderer::drawSkin(unsigned variant) {
   const auto program = programs_.use(Shader::Skin, variant);
   if (!program) return program.error();
-  gl::apply({});
+  gl::apply(stateOf(variant, {}));
   surface_.drawIndexed(indexCount_, 1);
   return Done{};
 }
@@ -217,20 +250,22 @@ Status Renderer::drawSkin(unsigned variant) {
 Status Renderer::drawShells(const Frame& frame, unsigned variant) {
   const auto program = programs_.use(Shader::Shell, variant);
   if (!program) return program.error();
-  orderShells(eyeInModel(frame), frame.settings.furLength,
-              chartsOverlap(frame));
+  const bool exploded = variant & kViewExploded;
+  orderShells(eyeInModel(frame), frame.settings.furLength + (exploded ? FUR_EXPLODED_SHELLS * FUR_EXPLODED_GAP : 0),
+              chartsOverlap(frame) && !exploded);
   if (shellIndexCount_ == 0) return Done{};
-  gl::apply({.alphaToCoverage = true, .alpha = false});
-  shells_.drawIndexed(shellIndexCount_, frame.slabs);
+  gl::apply(stateOf(variant, {.alphaToCoverage = true, .alpha = false}));
+  shells_.drawIndexed(shellIndexCount_, exploded ? FUR_EXPLODED_SHELLS : variant & kViewLayer ? 1 : frame.slabs);
   return Done{};
 }
 
 Status Renderer::drawFins(const Frame& frame, unsigned variant) {
-  selectFins(eyeInModel(frame));
+  const bool lines = variant & kViewEdges;
+  selectFins(eyeInModel(frame), lines);
   if (finCount_ == 0) return Done{};
   const auto program = programs_.use(Shader::Fin, variant);
   if (!program) return program.error();
-  gl::apply({.cullBack = false, .alphaToCoverage = true, .alpha = false});
+  gl::apply(stateOf(variant, {.cullBack = false, .alphaToCoverage = !lines, .alpha = false}));
   fins_.drawStrips(2 * (FUR_FIN_SEGMENTS + 1), finCount_);
   return Done{};
 }

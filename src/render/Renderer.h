@@ -70,7 +70,7 @@ class Renderer {
   Status drawSkin(unsigned variant);
   void uploadBlocks(const Frame& frame);
   FurShadow::Key furShadowKey(const Frame& frame) const;
-  void selectFins(const Vec3& eyeModel);
+  void selectFins(const Vec3& eyeModel, bool evenOnes);
   void orderShells(const Vec3& eyeModel, float reach, bool overlapping);
 
   Programs programs_;
@@ -93,7 +93,7 @@ class Renderer {
   // Every edge as the GPU takes it, and the eye that the uploaded selection was made for.
   std::vector<FinEdge> finEdges_;
   std::vector<float> vertexLengths_;  // empty: 1 everywhere
-  std::optional<Vec3> finEye_;
+  std::optional<Vec4> finEye_;  // w: whether with those where the surface curves evenly
   int finCount_ = 0;
   int bendCapacity_ = 0;
   FurDensities densities_{};

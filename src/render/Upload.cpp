@@ -104,16 +104,17 @@ void Renderer::setFurry(geometry::FurPatches patches, std::span<const float> ver
   shellsFor_.reset();
 }
 
-// Those that fin.vert would not collapse: its test, with a margin for its rounding.
-void Renderer::selectFins(const Vec3& eyeModel) {
-  if (finEye_ == eyeModel) return;
-  finEye_ = eyeModel;
+// Those that fin.vert would not collapse: its test, with a margin for its rounding. `evenOnes`: and those where rays show
+// the outline.
+void Renderer::selectFins(const Vec3& eyeModel, bool evenOnes) {
+  if (finEye_ == Vec4(eyeModel, evenOnes)) return;
+  finEye_ = Vec4(eyeModel, evenOnes);
   std::vector<FinEdge> seen;
   const auto bald = [this](float vertex) {
     return !vertexLengths_.empty() && vertexLengths_[static_cast<std::size_t>(vertex)] <= 0;
   };
   for (const FinEdge& e : finEdges_) {
-    if (e.normalB.w >= FUR_FIN_ROUND) continue;
+    if (e.normalB.w >= FUR_FIN_ROUND && !evenOnes) continue;
     if (bald(e.positionA.w) && bald(e.positionB.w)) continue;
     const Vec3 toEye = glm::normalize(eyeModel - 0.5f * (Vec3(e.positionA) + Vec3(e.positionB)));
     const float facing0 = glm::dot(Vec3(e.face0), toEye), facing1 = glm::dot(Vec3(e.face1), toEye);

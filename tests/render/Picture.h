@@ -78,4 +78,23 @@ class Stage {
   gl::Target target_, resolved_;
 };
 
+// The app with its first model, a sphere, and water that stays.
+struct Scene {
+  Stage stage;
+  app::App app;
+
+  explicit Scene(int width = 240, int height = 180, int samples = 4) : stage(width, height, samples) {
+    stage.attach(app);
+    app.setField("dryRate", "0");
+    app.settle();
+  }
+  ~Scene() { app.detach(false); }
+  Picture draw() { return stage.draw(app); }
+  Picture with(const char* field, const char* value) {
+    EXPECT_TRUE(app.setField(field, value));
+    app.settle();
+    return draw();
+  }
+};
+
 }  // namespace fur::test

@@ -4,25 +4,7 @@ namespace fur::render {
 namespace {
 
 using test::Picture;
-using test::Stage;
-
-struct Scene {
-  Stage stage;
-  app::App app;
-
-  explicit Scene(int width = 240, int height = 180, int samples = 4) : stage(width, height, samples) {
-    stage.attach(app);
-    app.setField("dryRate", "0");
-    app.settle();
-  }
-  ~Scene() { app.detach(false); }
-  Picture draw() { return stage.draw(app); }
-  Picture with(const char* field, const char* value) {
-    EXPECT_TRUE(app.setField(field, value));
-    app.settle();
-    return draw();
-  }
-};
+using test::Scene;
 
 TEST(Renderer, DrawsTheSamePictureTwice) {
   Scene scene;
@@ -95,16 +77,6 @@ TEST(Renderer, WindMovesShellsAndFins) {
   scene.app.setField("wind", "1");
   EXPECT_GT(fins.differingShare(scene.with("view", "fins"), 16), 0.01f);
   EXPECT_GT(shells.differingShare(scene.with("view", "shells"), 8), 0.02f);
-}
-
-TEST(Renderer, EveryViewDrawsSomethingOfItsOwn) {
-  Scene scene;
-  std::vector<Picture> pictures;
-  for (const char* view : {"final", "skin", "shells", "fins", "wetness", "tangents", "coverage", "normals"}) {
-    pictures.push_back(scene.with("view", view));
-    for (std::size_t i = 0; i + 1 < pictures.size(); ++i)
-      EXPECT_GT(pictures[i].differingShare(pictures.back(), 2), 0.005f) << view << " looks like view " << i;
-  }
 }
 
 TEST(Renderer, UploadsOnlyTheChangedRectangleOfTheMask) {

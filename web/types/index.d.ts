@@ -20,7 +20,8 @@ export type GroomEdit = 'clear' | 'length' | 'invert' | 'vary' | 'type' | 'comb'
 export type Quality = 'auto' | 'low' | 'medium' | 'high';
 export type Motion = 'auto' | 'full' | 'reduced';
 export type WheelManner = 'page' | 'focus' | 'zoom';
-export type View = 'final' | 'skin' | 'shells' | 'fins' | 'wetness' | 'tangents' | 'coverage' | 'normals' | 'dominance' | 'types' | 'offset';
+export type View = 'final' | 'skin' | 'shells' | 'fins' | 'layer' | 'exploded' | 'silhouette' | 'coverage' | 'tangents' |
+  'normals' | 'dominance' | 'types' | 'offset' | 'wetness' | 'clumps' | 'shadow' | 'overdraw' | 'steps';
 /** Texels. */
 export type TileSize = '64' | '128' | '256' | '512' | '1024';
 export type FurMapping = 'charts' | 'cube';
@@ -154,6 +155,8 @@ export interface FurSettings {
   ground: boolean;
   /** What is drawn: the picture, or one part of it for study. */
   view: View;
+  /** Show: layer: how high that layer stands, from the skin to the tips. */
+  viewLayer: number;
 }
 
 /** One row of the settings table. */

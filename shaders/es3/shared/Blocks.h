@@ -24,7 +24,7 @@ FUR_BLOCK(FrameBlock) {
   vec4 light;             // model space, unit, towards the light; w: intensity
   vec4 up;                // model space, unit, the world's +y; w: exposure
   vec4 sky;               // linear light from above; w: samples a pixel
-  vec4 floorLight;        // linear light from below; w: unused
+  vec4 floorLight;        // linear light from below; w: height of the layer that a view shows, 0..1
   vec4 backgroundTop;     // sRGB as it is shown
   vec4 backgroundBottom;  // sRGB as it is shown
   vec4 lightWorld;        // world space, unit; w: unused
@@ -112,6 +112,9 @@ FUR_BLOCK(FurBlock) {
 #define FUR_FIN_FOOT 0.3
 // Quads of a fin along its height.
 #define FUR_FIN_SEGMENTS 4
+// Shells of the exploded view, and how much further apart they are than in the coat, model units.
+#define FUR_EXPLODED_SHELLS 8
+#define FUR_EXPLODED_GAP 0.035
 
 #ifdef __cplusplus
 }  // namespace fur::render::shared
