@@ -34,7 +34,7 @@ async function remake(golden, scene, scratch) {
 const page = (rows) => `<!doctype html><style>
   body { margin: 0; padding: 12px; display: grid; grid-template-columns: repeat(2, max-content); gap: 12px 24px;
          font: 13px Karla, sans-serif; background: #f6f3ee; color: #2b2622; width: max-content }
-  figure { margin: 0; width: 726px } img { width: 240px; height: 180px; margin-right: 2px; background: #ddd }
+  figure { margin: 0; width: 678px } img { width: 224px; height: 168px; margin-right: 2px; background: #ddd }
   .other { outline: 3px solid #c02818 }
 </style>${rows.map(({ scene, text, wrong, images }) => `<figure class="${wrong ? 'other' : ''}">${images
     .map((file) => (existsSync(file) ? `<img src="${inline(file)}">` : '<img>')).join('')}

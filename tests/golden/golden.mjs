@@ -11,7 +11,7 @@ const root = join(folder, '../..');
 export const program = join(root, 'build/native-release/wet-fur-render');
 /** Where pictures go that are not what they should be. */
 export const failedFolder = join(root, 'build/golden/failed');
-export const size = { width: 240, height: 180 };
+export const size = { width: 224, height: 168 };
 
 /** Every scene: what its JSON holds, its name, where its picture lies. */
 export const scenes = readdirSync(folder).filter((file) => file.endsWith('.json')).sort().map((file) => {

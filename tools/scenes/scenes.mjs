@@ -4,7 +4,7 @@ import { statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { furGlb } from './furGlb.mjs';
-import { capsule, facets, meshOf, sphere } from './shapes.mjs';
+import { facets, meshOf, rod, sphere } from './shapes.mjs';
 
 const clamp = (x) => Math.max(0, Math.min(1, x));
 const smooth = (low, high, x) => ((t) => t * t * (3 - 2 * t))(clamp((x - low) / (high - low)));
@@ -16,7 +16,8 @@ const stack = [[-0.68, -0.3, 0], [0, -0.3, 0], [0.68, -0.3, 0], [-0.34, 0.29, 0]
 const patches = ([x, y, z]) => smooth(-0.25, 0.25, Math.sin(14 * x + 2 * Math.sin(9 * y)) + Math.sin(13 * y + 8 * z));
 const fiveCoats = {
   name: 'five-coats',
-  body: () => meshOf(stack.flatMap((centre, part) => sphere({ centre, radius: 0.31, part }))),
+  body: () => meshOf(stack.flatMap((centre, part) => sphere({ centre, radius: 0.31, part })), 0.3),
+  mapSize: 512,
   // The first four are the fur types, of full length; the fifth is the first again, shorter and piebald.
   groom: ({ part }) => ({ length: part === 4 ? 0.5 : 1, types: [1, 2, 3].map((type) => Number(type === part)) }),
   colour: (place) => (place.part === 4 ? mix([0.28, 0.2, 0.17], [1, 0.97, 0.9], patches(place.position)) : [1, 1, 1]),
@@ -56,10 +57,10 @@ const fins = (name, gap) => ({
 // Figure 3.7: fur that fades towards bald skin grows sparser and shorter, by existence and dominance.
 const fading = {
   name: 'fading',
-  body: () => meshOf(capsule({ half: 0.75, radius: 0.4 })),
+  body: () => meshOf(rod({ half: 0.75, radius: 0.4 })),
   groom: ({ position: [x] }) => ({ types: [smooth(-0.8, 0.8, x)] }),
   settings: {
-    type2: 'bald', density: 0.7, thickness: 0.5, lengthVariation: 0.1, curl: 0.2, furLength: 0.16, repeat: 4, layers: 32, gravity: 0.2,
+    type2: 'bald', density: 0.7, thickness: 0.5, lengthVariation: 0.1, curl: 0.2, furLength: 0.13, repeat: 4, layers: 32, gravity: 0.2,
     rootColor: '#4d3a2c', tipColor: '#d9b98f', skinColor: '#c09a86', dryRate: 0,
   },
   camera: { yaw: 0.1, pitch: 0.3, distance: 3.1 },
@@ -68,7 +69,7 @@ const fading = {
 // Figure 6.2: the same coat without and with variance from strand to strand.
 const variance = {
   name: 'variance',
-  body: () => meshOf([-0.6, 0.6].flatMap((x, part) => sphere({ centre: [x, 0, 0], radius: 0.42, part }))),
+  body: () => meshOf([-0.6, 0.6].flatMap((x, part) => sphere({ centre: [x, 0, 0], radius: 0.42, part })), 0.3),
   groom: ({ part }) => ({ types: [part] }),
   settings: {
     type2: 'rabbit', density: 0.95, thickness: 0.3, curl: 0.15, furLength: 0.11, repeat: 5, undercoat: 0.6, undercoatLength: 0.6,
@@ -80,10 +81,10 @@ const variance = {
 // Figure 6.3: one fur type runs into another over a curved body, which Sheppard's own program could not yet do.
 const interpolation = {
   name: 'interpolation',
-  body: () => meshOf(capsule({ half: 0.7, radius: 0.45 })),
+  body: () => meshOf(rod({ half: 0.7, radius: 0.45 })),
   groom: ({ position: [x] }) => ({ types: [clamp(smooth(-0.85, 0.05, x) - smooth(0.15, 0.95, x)), smooth(0.15, 0.95, x)] }),
   settings: {
-    type2: 'curlyDog', type3: 'chinchilla', density: 1, thickness: 0.28, lengthVariation: 0.2, curl: 0.05, furLength: 0.08, repeat: 6,
+    type2: 'wool', type3: 'otter', density: 1, thickness: 0.28, lengthVariation: 0.2, curl: 0.05, furLength: 0.08, repeat: 6,
     undercoat: 0.3, rootColor: '#8a5a30', tipColor: '#dd9850', skinColor: '#a4735c', specular: 0.5, layers: 32, dryRate: 0,
   },
   camera: { yaw: 0.15, pitch: 0.2, distance: 3 },
@@ -96,6 +97,6 @@ export function makeScenes(folder) {
   const files = scenes.map(({ name }) => join(folder, `${name}.glb`));
   const newest = Math.max(...['scenes', 'shapes', 'furGlb'].map((file) => statSync(fileURLToPath(new URL(`${file}.mjs`, import.meta.url))).mtimeMs));
   if (files.every((file) => (statSync(file, { throwIfNoEntry: false })?.mtimeMs ?? 0) > newest)) return;
-  for (const [i, { name, body, groom, colour, settings, camera }] of scenes.entries())
-    writeFileSync(files[i], furGlb(body(), { name, groom, colour, state: { settings, camera: { target: [0, 0, 0], ...camera } } }));
+  for (const [i, { name, body, groom, colour, mapSize, settings, camera }] of scenes.entries())
+    writeFileSync(files[i], furGlb(body(), { name, groom, colour, mapSize, state: { settings, camera: { target: [0, 0, 0], ...camera } } }));
 }

@@ -27,18 +27,17 @@ export const sphere = ({ centre = [0, 0, 0], radius = 1, cells = 12, part = 0 } 
   },
 }));
 
-/** A rod along x with round ends: `half` is half the length of its straight part. */
-export const capsule = ({ half = 1, radius = 0.5, cells = 20 } = {}) => sides.map((side) => ({
+/** A rod along x with round ends, all in one patch: s along it, t round it. `half` is half the length of its straight part. */
+export const rod = ({ half = 1, radius = 0.5, cells = 36 } = {}) => [{
   cells,
   part: 0,
   at: (s, t) => {
-    const box = onSide(side, s, t);
-    const place = [box[0] * (half + radius), box[1] * radius, box[2] * radius];
-    const core = [Math.max(-half, Math.min(half, place[0])), 0, 0];
-    const normal = unit(place.map((x, i) => x - core[i]));
-    return { position: add(core, scale(normal, radius)), normal };
+    const quarter = (Math.PI / 2) * radius, way = Math.max(0, Math.min(1, s)) * 2 * (quarter + half) - quarter - half;
+    const x = Math.max(-half, Math.min(half, way)), tilt = (way - x) / radius, round = 2 * Math.PI * t;
+    const normal = [Math.sin(tilt), -Math.cos(tilt) * Math.cos(round), Math.cos(tilt) * Math.sin(round)];
+    return { position: add([x, 0, 0], scale(normal, radius)), normal };
   },
-}));
+}];
 
 /** A ball of flat facets, `count` squared on each side of the cube, drawn in by the share `gap` so that none meets another. */
 export const facets = ({ count = 4, gap = 0 } = {}) => sphere().flatMap(({ at }) => Array.from({ length: count * count }, (_, i) => {
@@ -53,12 +52,12 @@ export const facets = ({ count = 4, gap = 0 } = {}) => sphere().flatMap(({ at })
   };
 }));
 
-// Of a map of 256 texels: more than what a filtered look-up and its smaller levels reach.
-const gutter = 3 / 256;
-
-/** Vertices, texture coordinates and triangles of patches, and the way back from an atlas texel to the body. */
-export function meshOf(patches) {
-  const columns = Math.ceil(Math.sqrt(patches.length)), pitch = 1 / columns, inner = pitch - 2 * gutter;
+/**
+ * Vertices, texture coordinates and triangles of patches, and the way back from an atlas texel to the body. Rays that
+ * cross the fur at a slant look beyond a patch: `gutterShare` of its cell, on each side, is there for them.
+ */
+export function meshOf(patches, gutterShare = 0.18) {
+  const columns = Math.ceil(Math.sqrt(patches.length)), pitch = 1 / columns, gutter = gutterShare * pitch, inner = pitch - 2 * gutter;
   const mesh = { positions: [], normals: [], uv: [], indices: [] };
   patches.forEach(({ cells, at }, number) => {
     const base = mesh.positions.length / 3, corner = [number % columns, Math.floor(number / columns)];
@@ -79,13 +78,12 @@ export function meshOf(patches) {
     }
   });
 
-  /** What lies at (u, v): the nearest place of the patch there; beyond the last patch, that of the last one. */
+  /** What lies at (u, v): a place of the patch there, in its gutter one beyond its border; after the last patch, one of the last. */
   const placeAt = (u, v) => {
     const column = Math.min(columns - 1, Math.floor(u / pitch)), row = Math.min(columns - 1, Math.floor(v / pitch));
     const patch = patches[Math.min(row * columns + column, patches.length - 1)];
-    const inside = (x, cell) => Math.max(0, Math.min(1, (x - cell * pitch - gutter) / inner));
-    const [s, t] = [inside(u, column), inside(v, row)];
-    return { ...patch.at(s, t), part: patch.part, s, t };
+    const along = (x, cell) => (x - cell * pitch - gutter) / inner;
+    return { ...patch.at(along(u, column), along(v, row)), part: patch.part };
   };
   return { mesh, placeAt };
 }
