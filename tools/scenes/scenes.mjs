@@ -24,7 +24,7 @@ const fiveCoats = {
   settings: {
     type2: 'chinchilla', type3: 'thickNylon', type4: 'shortCat', density: 0.95, thickness: 0.3, curl: 0.15, furLength: 0.08,
     repeat: 8, layers: 32, undercoat: 0.6, undercoatLength: 0.6, rootColor: '#8a8078', tipColor: '#f0dfc4', skinColor: '#8a6f66',
-    variance: 0.4, gravity: 0.15, dryRate: 0, ground: true,
+    variance: 0.4, gravity: 0.15,
   },
   camera: { yaw: 0.15, pitch: 0.12, distance: 3.1 },
 };
@@ -37,7 +37,7 @@ const shells = (layers) => ({
   body: () => meshOf(sphere({ cells: 16 })),
   settings: {
     layers, density: 0.6, thickness: 0.55, lengthVariation: 0.2, curl: 0.35, furLength: 0.22, repeat: 3, gravity: 0.35,
-    rootColor: '#4a3424', tipColor: '#d8b483', skinColor: '#7d5a4a', variance: 0.4, fins: false, dryRate: 0,
+    rootColor: '#4a3424', tipColor: '#d8b483', skinColor: '#7d5a4a', variance: 0.4, fins: false,
   },
   camera: { yaw: 0.35, pitch: 0.3, distance: 3.6 },
 });
@@ -49,7 +49,7 @@ const fins = (name, gap) => ({
   body: () => meshOf(facets({ gap })),
   settings: {
     view: 'fins', density: 0.6, thickness: 0.5, furLength: 0.16, repeat: 3, layers: 16, gravity: 0, rootColor: '#4a3424',
-    tipColor: '#e0bd8e', skinColor: '#a08070', dryRate: 0,
+    tipColor: '#e0bd8e', skinColor: '#a08070',
   },
   camera: { yaw: 0.35, pitch: 0.28, distance: 4.2 },
 });
@@ -61,7 +61,7 @@ const fading = {
   groom: ({ position: [x] }) => ({ types: [smooth(-0.8, 0.8, x)] }),
   settings: {
     type2: 'bald', density: 0.7, thickness: 0.5, lengthVariation: 0.1, curl: 0.2, furLength: 0.13, repeat: 4, layers: 32, gravity: 0.2,
-    rootColor: '#4d3a2c', tipColor: '#d9b98f', skinColor: '#c09a86', dryRate: 0,
+    rootColor: '#4d3a2c', tipColor: '#d9b98f', skinColor: '#c09a86',
   },
   camera: { yaw: 0.1, pitch: 0.3, distance: 3.1 },
 };
@@ -73,7 +73,7 @@ const variance = {
   groom: ({ part }) => ({ types: [part] }),
   settings: {
     type2: 'rabbit', density: 0.95, thickness: 0.3, curl: 0.15, furLength: 0.11, repeat: 5, undercoat: 0.6, undercoatLength: 0.6,
-    rootColor: '#57524f', tipColor: '#b89c78', skinColor: '#8a6f66', variance: 0, specular: 0.3, gravity: 0.15, layers: 32, dryRate: 0,
+    rootColor: '#57524f', tipColor: '#b89c78', skinColor: '#8a6f66', variance: 0, specular: 0.3, gravity: 0.15, layers: 32,
   },
   camera: { yaw: 0, pitch: 0.2, distance: 3.2 },
 };
@@ -85,18 +85,21 @@ const interpolation = {
   groom: ({ position: [x] }) => ({ types: [clamp(smooth(-0.85, 0.05, x) - smooth(0.15, 0.95, x)), smooth(0.15, 0.95, x)] }),
   settings: {
     type2: 'wool', type3: 'otter', density: 1, thickness: 0.28, lengthVariation: 0.2, curl: 0.05, furLength: 0.08, repeat: 6,
-    undercoat: 0.3, rootColor: '#8a5a30', tipColor: '#dd9850', skinColor: '#a4735c', specular: 0.5, layers: 32, dryRate: 0,
+    undercoat: 0.3, rootColor: '#8a5a30', tipColor: '#dd9850', skinColor: '#a4735c', specular: 0.5, layers: 32,
   },
   camera: { yaw: 0.15, pitch: 0.2, distance: 3 },
 };
 
-export const scenes = [fiveCoats, shells(8), shells(16), shells(32), fins('fins-everywhere', 0.02), fins('fins-outline', 0), fading, variance, interpolation];
+export const scenes = [
+  fiveCoats, shells(8), shells(16), shells(32), fins('fins-everywhere', 0.02), fins('fins-outline', 0), fading, variance, interpolation,
+];
 
 /** Writes every scene as `folder`/name.glb, unless they are newer than what they are made of. */
 export function makeScenes(folder) {
   const files = scenes.map(({ name }) => join(folder, `${name}.glb`));
-  const newest = Math.max(...['scenes', 'shapes', 'furGlb'].map((file) => statSync(fileURLToPath(new URL(`${file}.mjs`, import.meta.url))).mtimeMs));
-  if (files.every((file) => (statSync(file, { throwIfNoEntry: false })?.mtimeMs ?? 0) > newest)) return;
+  const changed = (file) => statSync(file, { throwIfNoEntry: false })?.mtimeMs ?? 0;
+  const sources = ['scenes', 'shapes', 'furGlb'].map((name) => fileURLToPath(new URL(`${name}.mjs`, import.meta.url)));
+  if (Math.min(...files.map(changed)) > Math.max(...sources.map(changed))) return;
   for (const [i, { name, body, groom, colour, mapSize, settings, camera }] of scenes.entries())
     writeFileSync(files[i], furGlb(body(), { name, groom, colour, mapSize, state: { settings, camera: { target: [0, 0, 0], ...camera } } }));
 }
