@@ -1,5 +1,7 @@
 // npm run golden [-- name...]: draws the pictures of tests/golden anew, all or those named, and puts old, new and
 // difference side by side into build/golden/sheet.jpg. Look at it before the new ones are committed.
+// npm run golden -- --tolerances: after the page has drawn them too (node --test tests/web/golden.test.mjs), twice what it
+// was apart becomes what may be. For when rasterisers differ more than before and that is as it should be.
 import { existsSync, mkdirSync, mkdtempSync, rmSync } from 'node:fs';
 import { availableParallelism, tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -41,6 +43,11 @@ const page = (rows) => `<!doctype html><style>
   <figcaption><b>${scene.name}</b> ${text}<br>${scene.guards}</figcaption></figure>`).join('')}`;
 
 await command(async () => {
+  if (process.argv[2] === '--tolerances') {
+    const { renewTolerance, scenes } = await import('../tests/golden/golden.mjs');
+    scenes.forEach(renewTolerance);
+    return;
+  }
   setUp({ packages: [needs.headless, needs.browser], npm: true });
   build('native-release', ['wet-fur-make-assets', 'wet-fur-render']);
   makeAssets(join(buildFolder('native-release'), 'wet-fur-make-assets'), models);

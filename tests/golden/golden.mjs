@@ -9,8 +9,9 @@ import { PNG } from 'pngjs';
 const folder = dirname(fileURLToPath(import.meta.url));
 const root = join(folder, '../..');
 export const program = join(root, 'build/native-release/wet-fur-render');
-/** Where pictures go that are not what they should be. */
+/** Where pictures go that are not what they should be, and how far each was from what it should be. */
 export const failedFolder = join(root, 'build/golden/failed');
+const measuredFile = ({ name }, by) => join(root, 'build/golden/measured', `${name}-${by}.json`);
 export const size = { width: 224, height: 168 };
 
 /** Every scene: what its JSON holds, its name, where its picture lies. */
@@ -102,8 +103,24 @@ export const inWords = ({ shade, blocks, pixels }) =>
 /** The verdict on a picture; one that fails is kept to be looked at. @returns {{ text: string, wrong: string }} */
 export function judge(scene, drawn, by) {
   const measured = distance(readPicture(scene), drawn), wrong = excess(scene, measured);
+  mkdirSync(dirname(measuredFile(scene, by)), { recursive: true });
+  writeFileSync(measuredFile(scene, by), JSON.stringify(measured));
   if (!wrong) return { text: inWords(measured), wrong };
   const file = join(failedFolder, `${scene.name}-${by}.png`);
   writePicture(file, drawn);
   return { text: inWords(measured), wrong: `${wrong} (${scene.guards}) The picture is in ${file}` };
+}
+
+// Never less than what roundings in a few pixels make.
+const least = { shade: 0.1, blocks: 0.003, pixels: 0.002 };
+
+/** Twice what the page's picture was apart when it was last judged, written into the scene's file. */
+export function renewTolerance({ name }) {
+  const file = join(folder, `${name}.json`), json = JSON.parse(readFileSync(file, 'utf8'));
+  const measured = JSON.parse(readFileSync(measuredFile({ name }, 'web'), 'utf8'));
+  const rounded = (value, step) => Number((Math.ceil(value / step) * step).toFixed(4));
+  json.measured = Object.fromEntries(Object.entries(measured).map(([key, value]) => [key, Number(value.toFixed(4))]));
+  json.tolerance = Object.fromEntries(Object.entries(measured)
+    .map(([key, value]) => [key, Math.max(least[key], rounded(2 * value, key === 'shade' ? 0.05 : 0.001))]));
+  writeFileSync(file, `${JSON.stringify(json, null, 2)}\n`);
 }
