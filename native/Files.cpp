@@ -50,12 +50,14 @@ Status writePng(const std::string& path, int width, int height, const std::vecto
 
 namespace {
 
-std::string findBunny(const std::string& programPath) {
+// Where the model of that name lies among those that are shipped.
+std::string findShipped(const std::string& name, const std::string& programPath) {
+  const fs::path file = "models/" + name + ".glb";
   std::error_code ignored;
   for (fs::path folder = fs::absolute(programPath, ignored).parent_path();; folder = folder.parent_path()) {
-    for (const char* below : {"models/bunny.glb", "build/models/bunny.glb"})
+    for (const fs::path& below : {file, "build" / file})
       if (fs::exists(folder / below, ignored)) return (folder / below).string();
-    if (folder == folder.parent_path()) return "models/bunny.glb";
+    if (folder == folder.parent_path()) return file.string();
   }
 }
 
@@ -101,10 +103,12 @@ Status loadScene(app::App& app, const std::string& nameOrPath, const std::string
   if (hasEnding(nameOrPath, ".fts")) return loadTypeSet(app, nameOrPath);
   for (const char* ending : {".png", ".jpg", ".jpeg"})
     if (hasEnding(nameOrPath, ending)) return loadGroomImage(app, groom::ImageOf::Length, nameOrPath);
-  const std::string path = nameOrPath == "bunny" ? findBunny(programPath) : nameOrPath;
+  std::error_code ignored;
+  const bool shipped = !fs::path(nameOrPath).has_extension() && !fs::exists(nameOrPath, ignored);
+  const std::string path = shipped ? findShipped(nameOrPath, programPath) : nameOrPath;
   const auto bytes = readFile(path);
   if (!bytes) return bytes.error();
-  const std::string name = nameOrPath == "bunny" ? "bunny" : fs::path(path).filename().string();
+  const std::string name = fs::path(nameOrPath).filename().string();
   if (Status status = app.loadModel(bytes.value(), name, neighbours(path)); !status) return status;
   const scene::EncodedImage& encoded = app.pendingImage();
   if (encoded.bytes.empty()) return Done{};

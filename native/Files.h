@@ -22,9 +22,9 @@ Status loadTypeSet(app::App& app, const std::string& path);
 // An image by path becomes the length map of the groom.
 Status loadGroomImage(app::App& app, groom::ImageOf what, const std::string& path);
 
-// A model by path, or "sphere", "torus", "plane", or "bunny" (models/bunny.glb beside the program or
-// below its parent folders). Decodes its picture too; one that cannot be decoded is a warning. A path of
-// a .fts goes to loadTypeSet(), of a .png or .jpg is a length map.
+// A model by path, or "sphere", "torus", "plane", or the name of one that is shipped, as "bunny" or "five-coats"
+// (models/NAME.glb beside the program or below its parent folders). Decodes its picture too; one that cannot be
+// decoded is a warning. A path of a .fts goes to loadTypeSet(), of a .png or .jpg is a length map.
 Status loadScene(app::App& app, const std::string& nameOrPath, const std::string& programPath);
 
 }  // namespace fur::native

@@ -1,11 +1,12 @@
 // npm run coats: docs/coats.jpg, a contact sheet of the presets on the bunny, each near and at a distance.
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { models } from './build.mjs';
 import { build, buildFolder } from './cmake.mjs';
 import { makeAssets } from './makeAssets.mjs';
+import { inline, photograph } from './photograph.mjs';
 import { command, root, run } from './process.mjs';
-import { chromiumPath, needs, setUp } from './setup.mjs';
+import { needs, setUp } from './setup.mjs';
 
 // Yaw, pitch and distance of the two looks.
 const views = { far: '0.35,0.28,2.75', near: '0.35,0.2,1.45' };
@@ -20,7 +21,7 @@ function pictures(program, preset, folder) {
   return Object.entries(views).map(([view, camera]) => {
     const file = join(folder, `${preset.name}-${view}.png`);
     run(program, ['bunny', '-o', file, '--preset', preset.name, '--size', `${2 * size.width}x${2 * size.height}`, '--camera', camera], { quiet: true });
-    return `data:image/png;base64,${readFileSync(file).toString('base64')}`;
+    return inline(file);
   });
 }
 
@@ -30,18 +31,6 @@ const page = (figures) => `<!doctype html><style>
   figure { margin: 0 } img { display: inline-block; vertical-align: bottom } figcaption { padding: 6px 2px 2px }
 </style>${figures.map(({ label, description, images }) => `<figure>${images.map((src) => `<img width="${size.width}" src="${src}">`).join('')}
   <figcaption><b>${label}</b>: ${description}</figcaption></figure>`).join('')}`;
-
-async function photograph(html, file) {
-  const { chromium } = await import('playwright-core');
-  const browser = await chromium.launch({ executablePath: chromiumPath() });
-  try {
-    const tab = await browser.newPage();
-    await tab.setContent(html);
-    await tab.locator('body').screenshot({ path: file, type: 'jpeg', quality: 85 });
-  } finally {
-    await browser.close();
-  }
-}
 
 await command(async () => {
   setUp({ packages: [needs.headless, needs.browser], npm: true });

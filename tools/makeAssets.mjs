@@ -1,13 +1,14 @@
 // node tools/makeAssets.mjs <program> <out folder>
 //
-// Makes the models that are shipped, with the program wet-fur-make-assets: its wasm build (a .js file,
-// run by this same Node) or the native one. Nothing is done for a model newer than its sources.
+// Makes the models that are shipped: the bunny with the program wet-fur-make-assets, its wasm build (a .js file,
+// run by this same Node) or the native one, and the scenes. Nothing is done for a model newer than its sources.
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdirSync, mkdtempSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { makeScenes } from './scenes/scenes.mjs';
 
 const require = createRequire(import.meta.url);
 
@@ -28,6 +29,7 @@ function isNewer(file, sources) {
 export function makeAssets(program, outFolder) {
   program = resolve(program);
   mkdirSync(outFolder, { recursive: true });
+  makeScenes(resolve(outFolder));
   const out = join(resolve(outFolder), 'bunny.glb');
   if (isNewer(out, [program, fileURLToPath(import.meta.url), require.resolve('bunny')])) return;
   const scratch = mkdtempSync(join(tmpdir(), 'wet-fur-'));

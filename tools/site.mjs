@@ -4,6 +4,7 @@ import { basename, extname, join } from 'node:path';
 import { buildFolder } from './cmake.mjs';
 import { notices } from './notices.mjs';
 import { Stop, root } from './process.mjs';
+import { scenes } from './scenes/scenes.mjs';
 
 export const dist = join(root, 'dist');
 
@@ -43,7 +44,7 @@ function manifest() {
 
 /** Every file that the package's manifest names and that `folder` lacks. */
 export function missingFiles(folder) {
-  const named = [...programs, ...Object.values(entries).flat(), 'index.html', 'embed.html', 'models/bunny.glb'];
+  const named = [...programs, ...Object.values(entries).flat(), 'index.html', 'embed.html', ...['bunny', ...scenes.map(({ name }) => name)].map((name) => `models/${name}.glb`)];
   return named.filter((name) => !existsSync(join(folder, name)));
 }
 

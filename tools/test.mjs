@@ -65,7 +65,7 @@ async function main() {
   const files = testFilesBelow(join(root, 'tests'));
   const pageFiles = files.filter((file) => file.startsWith('tests/web/'));
   const of = (...folders) => files.filter((file) => folders.some((folder) => file.startsWith(`tests/${folder}/`)));
-  const rest = files.filter((file) => !pageFiles.includes(file) && !of('tools', 'wasm').includes(file));
+  const rest = files.filter((file) => !pageFiles.includes(file) && !of('tools', 'wasm', 'golden').includes(file));
 
   await stage('set-up', () => setUp({
     packages: [needs.nativeTests, needs.native, needs.web, needs.wasmTests, needs.browser], npm: true, imgui: true,
@@ -79,6 +79,7 @@ async function main() {
   });
   await stage('CPU tests, native', () => program('native-release', 'wet-fur-tests'));
   await stage('GL tests, native', () => program('native-release', 'wet-fur-gl-tests'));
+  await stage('golden pictures, native', () => nodeTests(of('golden')));
   await stage('sanitizer build', () => build('native-asan', ['wet-fur-tests']));
   await stage('CPU tests under the address and undefined-behaviour sanitizers', () => program('native-asan', 'wet-fur-tests'));
 

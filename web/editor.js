@@ -15,14 +15,14 @@ export async function preloadEditor(onBytes) {
 }
 
 const wants = { pointer: 1, text: 4 };
-const commands = { openDialog: 1, loadBunny: 3, copy: 4, paste: 5, saveTypeSet: 6, saveFo: 7, saveScene: 8 };
+const commands = { openDialog: 1, loadShipped: 3, copy: 4, paste: 5, saveTypeSet: 6, saveFo: 7, saveScene: 8 };
 
 /**
  * What the panel cannot do itself.
  * @typedef {object} PanelHost
  * @property {() => void} wake
  * @property {() => void} openDialog
- * @property {() => void} loadBunny
+ * @property {(name: string) => void} loadShipped
  * @property {() => Promise<Uint8Array>} saveTypeSet
  * @property {() => Promise<Uint8Array>} saveFo
  * @property {() => Promise<Uint8Array>} save
@@ -94,8 +94,8 @@ export class EditorPanel {
 
   #carryOut(command) {
     if (command === commands.openDialog) this.#host.openDialog();
-    if (command === commands.loadBunny) this.#host.loadBunny();
     const text = () => this.#app.program.text(this.#app.program.call('fur_editor_commandText'));
+    if (command === commands.loadShipped) this.#host.loadShipped(text());
     if (command === commands.copy) this.#copy(text());
     if (command === commands.saveTypeSet) this.#save(() => this.#host.saveTypeSet(), text());
     if (command === commands.saveFo) this.#save(() => this.#host.saveFo(), text());

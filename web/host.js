@@ -638,7 +638,7 @@ export class WetFur extends EventTarget {
       this.#panel = new EditorPanel(app, this.#canvas, {
         wake: () => this.#wake(),
         openDialog: () => this.#openDialog(),
-        loadBunny: () => { this.src = 'bunny'; },
+        loadShipped: (name) => { this.src = name; },
         saveTypeSet: () => this.saveTypeSet(),
         saveFo: () => this.saveFo(),
         save: () => this.save(),

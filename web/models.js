@@ -3,7 +3,9 @@ import { FurError } from './errors.js';
 import { fetchBytes, fileNameOf, maxFileBytes } from './fetching.js';
 
 export const primitives = Object.freeze(['sphere', 'torus', 'plane']);
-const shippedModels = Object.freeze(['bunny']);
+/** Models with a groom, a look and a camera of their own (tools/scenes/scenes.mjs). */
+export const sceneNames = Object.freeze(['five-coats', 'shells-8', 'shells-16', 'shells-32', 'fins-everywhere', 'fins-outline', 'fading', 'variance', 'interpolation']);
+const shippedModels = Object.freeze(['bunny', ...sceneNames]);
 /** The names that `src` takes beside addresses. */
 export const modelNames = Object.freeze([...shippedModels, ...primitives]);
 

@@ -3,7 +3,7 @@ import './element.js';
 import { Coats } from './coats.js';
 import { makeLink, readLink } from './link.js';
 import { Messages } from './messages.js';
-import { acceptedFiles, modelNames, sortFiles } from './models.js';
+import { acceptedFiles, modelNames, sceneNames, sortFiles } from './models.js';
 
 const byId = (id) => document.getElementById(id);
 const fur = byId('fur');
@@ -117,6 +117,10 @@ function toggleWind() {
 }
 
 function reset() {
+  if (sceneNames.includes(shownSrc)) {
+    fur.reload();
+    return;
+  }
   fur.setState('{"version":1}');
   fur.setWetness(0);
   if (fur.groomed) fur.groom('clear');

@@ -1,5 +1,5 @@
 // wet-fur-render: a picture of a model without a window.
-#include <charconv>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -18,7 +18,8 @@ namespace {
 using namespace fur;
 
 constexpr const char* kUsage = R"(usage: wet-fur-render [model] -o out.png [options]
-  model                 a .glb, .gltf, .obj or .fo file, or bunny (default), sphere, torus, plane
+  model                 a .glb, .gltf, .obj or .fo file, or bunny (default), sphere, torus, plane,
+                        or a scene as five-coats (tools/scenes/scenes.mjs has them all)
   -o, --output FILE     the PNG to write; may be left out when something else is saved
   --type-set FILE       a coat from a .fts file
   --save-type-set FILE  writes the coat as .fts
@@ -26,17 +27,25 @@ constexpr const char* kUsage = R"(usage: wet-fur-render [model] -o out.png [opti
   --save-scene FILE     writes model, groom, settings and camera as .glb
   --length-map FILE     an image whose brightness is the length of the fur
   --type-map FILE       one whose red, green and blue are the presence of the fur types 2 to 4
+  --groom EDIT[,VALUE[,X,Y,Z]]  all over the model (several allowed, in order): length, invert, vary, type, comb, raise or
+                        size, as the element's groom() has them
   --size WxH            pixels, 16x16 to 8192x8192 (default 1280x720)
   --samples N           multisampling, 0 to 8 (default 4)
   --time S              seconds to run before the picture, in steps of 1/60 (default 0)
   --wetness R           soaks the whole model, 0 to 1
   --splash X,Y          one droplet at a pixel (several allowed)
-  --camera YAW,PITCH,DISTANCE   radians, radians, bounding radii
+  --camera YAW,PITCH,DISTANCE[,X,Y,Z]  radians, radians, bounding radii; where it looks
   --state FILE          a state as JSON
   --preset NAME         a coat by its name, such as rabbit
   --list-presets        all of them as JSON, and no picture
   --<setting> VALUE     over these, any field of the settings table, as --furLength 0.2 or --view skin
 )";
+
+struct GroomStep {
+  app::GroomEdit edit;
+  float value = 1;
+  Vec3 direction{0, -1, 0};
+};
 
 struct Options {
   std::string model = "bunny", output, stateFile, preset, typeSet, savedTypeSet, savedFo, savedScene, lengthMap, typeMap;
@@ -44,6 +53,7 @@ struct Options {
   float time = 0, wetness = -1;
   std::vector<Vec2> splashes;
   std::vector<float> camera;
+  std::vector<GroomStep> grooms;
   std::vector<std::pair<std::string, std::string>> fields;
 };
 
@@ -58,6 +68,20 @@ bool readNumbers(const std::string& text, char separator, std::vector<float>& ou
     at = end + 1;
   }
   return true;
+}
+
+bool readGroom(const std::string& text, std::vector<GroomStep>& out) {
+  // In the order of app::GroomEdit.
+  constexpr const char* kEdits[] = {"clear", "length", "invert", "vary", "type", "comb", "raise", "size"};
+  const std::size_t comma = std::min(text.find(','), text.size());
+  const auto found = std::find(std::begin(kEdits), std::end(kEdits), text.substr(0, comma));
+  std::vector<float> n;
+  if (found == std::end(kEdits) || (comma < text.size() && !readNumbers(text.substr(comma + 1), ',', n))) return false;
+  GroomStep step{static_cast<app::GroomEdit>(found - std::begin(kEdits))};
+  if (!n.empty()) step.value = n[0];
+  if (n.size() == 4) step.direction = {n[1], n[2], n[3]};
+  out.push_back(step);
+  return n.size() < 2 || n.size() == 4;
 }
 
 // One option with its value; "" or what is wrong with it.
@@ -86,7 +110,10 @@ std::string readOption(const std::string& name, const std::string& value, Option
     if (!readNumbers(value, ',', n) || n.size() != 2) return "--splash " + value + ": expected X,Y";
     o.splashes.emplace_back(n[0], n[1]);
   } else if (name == "--camera") {
-    if (!readNumbers(value, ',', o.camera) || o.camera.size() != 3) return "--camera " + value + ": expected YAW,PITCH,DISTANCE";
+    if (!readNumbers(value, ',', o.camera) || (o.camera.size() != 3 && o.camera.size() != 6))
+      return "--camera " + value + ": expected YAW,PITCH,DISTANCE or YAW,PITCH,DISTANCE,X,Y,Z";
+  } else if (name == "--groom") {
+    if (!readGroom(value, o.grooms)) return "--groom " + value + ": expected EDIT, EDIT,VALUE or EDIT,VALUE,X,Y,Z";
   } else if (name.rfind("--", 0) == 0 && settings::findField(name.substr(2))) {
     o.fields.emplace_back(name.substr(2), value);
   } else {
@@ -110,11 +137,13 @@ Status setUp(app::App& app, const Options& o, const char* program) {
   }
   if (!o.preset.empty()) app.applyPreset(o.preset);
   for (const auto& [name, value] : o.fields) app.setField(name, value);
-  if (!o.camera.empty()) app.setCamera({o.camera[0], o.camera[1], o.camera[2], Vec3(0)});
+  if (const auto& c = o.camera; !c.empty())
+    app.setCamera({c[0], c[1], c[2], c.size() == 6 ? Vec3(c[3], c[4], c[5]) : Vec3(0)});
   if (!o.lengthMap.empty())
     if (Status status = native::loadGroomImage(app, groom::ImageOf::Length, o.lengthMap); !status) return status;
   if (!o.typeMap.empty())
     if (Status status = native::loadGroomImage(app, groom::ImageOf::Types, o.typeMap); !status) return status;
+  for (const GroomStep& step : o.grooms) app.groomAll(step.edit, step.value, step.direction);
   // After the settings: a change of theirs would grow a coat in its place.
   return o.typeSet.empty() ? Status(Done{}) : native::loadTypeSet(app, o.typeSet);
 }

@@ -19,8 +19,9 @@ namespace {
 using namespace fur;
 
 constexpr const char* kUsage =
-    "usage: wet-fur [FILE | bunny | sphere | torus | plane] [options]\n"
+    "usage: wet-fur [FILE | bunny | sphere | torus | plane | SCENE] [options]\n"
     "  FILE                  .glb, .gltf, .obj or .fo, or a coat as .fts; others can be dropped on the window\n"
+    "  SCENE                 one of tools/scenes/scenes.mjs, as five-coats\n"
     "  --size WxH            of the window, default 1280x800\n"
     "  --preset NAME         a coat by its name, such as rabbit\n"
     "  --set name=value      a setting, as in links, over the preset; may be given several times\n"
@@ -127,10 +128,8 @@ class Session {
     while (const auto command = host_.takeCommand()) {
       switch (command->kind) {
         case Kind::OpenPath:
+        case Kind::LoadShipped:
           load(command->text);
-          break;
-        case Kind::LoadBunny:
-          load("bunny");
           break;
         case Kind::CopyText:
           window_.setClipboard(command->text);

@@ -143,6 +143,7 @@ Status App::loadPrimitive(std::string_view name) {
   auto surface = geometry::buildSurface(mesh, state_->mapping());
   if (!surface) return surface.error();
   state_->adopt(std::move(mesh), std::move(*surface), std::string(name));
+  state_->leaveBroughtLook();
   return Done{};
 }
 
@@ -158,12 +159,24 @@ Status App::loadModel(std::span<const std::uint8_t> bytes, const std::string& na
   state_->baseColorFactor = model->baseColorFactor;
   state_->takeFur(model->fur);
   state_->settleBends();
-  if (model->fur.state.empty() || keepState) return Done{};
+  if (keepState) return Done{};
+  if (model->fur.state.empty()) {
+    state_->leaveBroughtLook();
+    return Done{};
+  }
+  if (!state_->ownLook) state_->ownLook = State::Look{state_->settings, camera()};
   // The importer has read it once: it is sound. Undo does not lead behind it.
   const Status status = setState(model->fur.state);
+  state_->broughtSettings = state_->settings;
   state_->history.clear();
-  if (!status) return status;
-  return Done{};
+  return status;
+}
+
+void App::State::leaveBroughtLook() {
+  const auto own = std::exchange(ownLook, std::nullopt);
+  if (!own || settings != broughtSettings) return;
+  applySettings(own->settings);
+  camera.jump(own->camera);
 }
 
 const scene::EncodedImage& App::pendingImage() const { return state_->pendingImage; }

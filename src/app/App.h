@@ -87,7 +87,8 @@ class App {
   // --- model ---
   // "sphere", "torus", "plane". A failure leaves the old scene.
   Status loadPrimitive(std::string_view name);
-  // A scene that was saved brings its groom and, unless keepState, its settings and camera.
+  // A scene that was saved brings its groom and, unless keepState, its settings and camera. They go with it: unless
+  // they were changed, the next model without any is shown as the one before was.
   Status loadModel(std::span<const std::uint8_t> bytes, const std::string& name, const scene::FileSet& others = {},
                    bool keepState = false);
   // The base colour image that the model came with, still encoded; empty when there is none.

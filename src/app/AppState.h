@@ -36,6 +36,13 @@ enum class Drag { None, Paint, Orbit, Grab, Spin, Light, Pinch };
 struct App::State {
   settings::Settings settings;
   OrbitCamera camera;
+  // What they were before the model came that brought its own, and what it brought.
+  struct Look {
+    settings::Settings settings;
+    CameraOrbit camera;
+  };
+  std::optional<Look> ownLook;
+  settings::Settings broughtSettings;
   ModelMotion motion;
   History history;
   Warnings warnings;
@@ -113,6 +120,7 @@ struct App::State {
 
   // --- App.cpp ---
   void adopt(geometry::Mesh source, geometry::Surface built, std::string name);
+  void leaveBroughtLook();
   void takeSurface(geometry::Surface built);
   geometry::FurMapping mapping() const { return static_cast<geometry::FurMapping>(settings.furMapping); }
   void uploadScene();

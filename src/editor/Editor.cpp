@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <utility>
 
 #include <imgui_internal.h>  // ActiveId: which window a finger drags
@@ -24,6 +25,22 @@ constexpr float kSheetShare = 0.45f;
 bool isModel(const EditorModel& model, std::string_view name) {
   return std::string_view(model.modelName).substr(0, model.modelName.find('.')) == name;
 }
+
+// Those of tools/scenes/scenes.mjs.
+struct ShippedScene {
+  const char *name, *label;
+};
+constexpr ShippedScene kScenes[] = {
+    {"five-coats", "Five coats"},
+    {"shells-8", "8 layers"},
+    {"shells-16", "16 layers"},
+    {"shells-32", "32 layers"},
+    {"fins-everywhere", "Fins everywhere"},
+    {"fins-outline", "Fins at the outline"},
+    {"fading", "Fading fur"},
+    {"variance", "Without and with variance"},
+    {"interpolation", "One type into another"},
+};
 
 void caption(const char* text) {
   ImGui::PushStyleColor(ImGuiCol_Text, color::kDim);
@@ -161,7 +178,7 @@ void Editor::drawScene(const EditorModel& model) {
                               {"Torus", isModel(model, "torus")},
                               {"Plane", isModel(model, "plane")}})) {
     case 0:
-      emit(command::LoadBunny{});
+      emit(command::LoadShipped{"bunny"});
       break;
     case 1:
       emit(command::LoadPrimitive{"sphere"});
@@ -175,6 +192,7 @@ void Editor::drawScene(const EditorModel& model) {
     default:
       break;
   }
+  drawShippedScenes(model);
   if (model.fileAccess == FileAccess::Dialog) {
     if (ImGui::Button("Open a model, a coat or a length map", ImVec2(-1, 0))) emit(command::OpenDialog{});
     return;
@@ -185,6 +203,16 @@ void Editor::drawScene(const EditorModel& model) {
   ImGui::SameLine(0, px(3));
   const bool pressed = ImGui::Button("Open", ImVec2(-1, 0));
   if ((entered || pressed) && path_[0]) emit(command::OpenPath{path_});
+}
+
+void Editor::drawShippedScenes(const EditorModel& model) {
+  const ShippedScene* shown = std::find_if(std::begin(kScenes), std::end(kScenes),
+                                           [&](const ShippedScene& scene) { return isModel(model, scene.name); });
+  ImGui::SetNextItemWidth(-1);
+  if (!ImGui::BeginCombo("##scenes", shown == std::end(kScenes) ? "Scenes" : shown->label, ImGuiComboFlags_HeightLargest)) return;
+  for (const ShippedScene& scene : kScenes)
+    if (ImGui::Selectable(scene.label, &scene == shown)) emit(command::LoadShipped{scene.name});
+  ImGui::EndCombo();
 }
 
 void Editor::drawWater(const EditorModel& model) {

@@ -48,6 +48,7 @@ class Editor {
   void drawTitle(const EditorModel& model);
   void drawMessages(const EditorModel& model);
   void drawScene(const EditorModel& model);
+  void drawShippedScenes(const EditorModel& model);
   void drawWater(const EditorModel& model);
   void drawSettings(settings::Settings& edited);
   void drawStats(const EditorModel& model);

@@ -91,8 +91,10 @@ struct SetWetness {
 };
 struct LoadPrimitive {
   std::string name;
-};                    // "sphere", "torus", "plane"
-struct LoadBunny {};  // the model that ships with the program
+};  // "sphere", "torus", "plane"
+struct LoadShipped {
+  std::string name;
+};  // a model or scene that ships with the program
 struct OpenDialog {};
 struct OpenPath {
   std::string path;
@@ -119,7 +121,7 @@ struct DismissMessage {
 }  // namespace command
 
 using Command = std::variant<command::BeginChange, command::EndChange, command::SetSettings, command::SetTool,
-                             command::SetWetness, command::LoadPrimitive, command::LoadBunny,
+                             command::SetWetness, command::LoadPrimitive, command::LoadShipped,
                              command::OpenDialog, command::OpenPath, command::ResetCamera, command::Undo,
                              command::Redo, command::CopyState, command::PasteState, command::ApplyPreset,
                              command::SaveTypeSet, command::SaveFo, command::SaveScene, command::GroomAll,

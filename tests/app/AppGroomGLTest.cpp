@@ -248,6 +248,27 @@ TEST(AppGroom, ASceneCanBeOpenedWithoutItsSettings) {
   EXPECT_NEAR(app.groomCoverage().length, 0.5, 0.01);
 }
 
+TEST(AppGroom, TheLookThatASceneBringsGoesWithItUnlessItWasChanged) {
+  App app;
+  app.setField("furLength", "0.3");
+  app.setCamera({0.8f, 0.2f, 3.5f, Vec3(0)});
+  const auto file = app.saveScene();
+  app.setField("furLength", "0.1");
+  app.setField("furMapping", "cube");
+  app.setCamera({0.1f, 0.1f, 5.0f, Vec3(0)});
+  const std::string own = app.state();
+  for (int i = 0; i < 2; ++i) ASSERT_TRUE(app.loadModel(file, "saved.glb"));
+  EXPECT_FLOAT_EQ(app.settings().furLength, 0.3f);
+  EXPECT_FLOAT_EQ(app.camera().distance, 3.5f);
+  ASSERT_TRUE(app.loadPrimitive("sphere"));
+  EXPECT_EQ(app.state(), own);
+  EXPECT_FALSE(app.canUndo());
+  ASSERT_TRUE(app.loadModel(file, "saved.glb"));
+  app.setField("curl", "0.9");
+  ASSERT_TRUE(app.loadPrimitive("sphere"));
+  EXPECT_FLOAT_EQ(app.settings().furLength, 0.3f);
+}
+
 TEST(AppGroom, LengthsAndTypesGoThroughAFo) {
   Salon salon;
   for (int i = 0; i < 4; ++i) salon.stroke(Tool::Trim, {80, 50}, {85, 110});

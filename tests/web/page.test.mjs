@@ -93,6 +93,27 @@ test('wind moves the fur until it is switched off', async () => {
   await untilStill(page);
 });
 
+test('a scene brings its look, keeps it through a reset, and gives back the one before to the next model', async () => {
+  const page = await site.open(`?${light}&src=sphere&furLength=0.07&ui=1`);
+  const look = () => withFur(page, (fur) => ({ length: fur.settings.furLength.toFixed(2), view: fur.view, pitch: fur.getCameraOrbit().pitch.toFixed(2) }));
+  const choose = async (act) => {
+    const loads = withFur(page, (fur) => new Promise((resolve) => fur.addEventListener('load', ({ detail }) => resolve(detail.name), { once: true })));
+    await act();
+    return loads;
+  };
+  const own = await look();
+  assert.equal(await choose(() => page.selectOption('#model', 'fins-outline')), 'fins-outline');
+  const scene = await look();
+  assert.equal(scene.view, 'fins');
+  await withFur(page, (fur) => { fur.settings.furLength = 0.3; fur.setWetness(0.5); });
+  await choose(() => page.click('#reset'));
+  assert.deepEqual(await look(), scene);
+  assert.equal(await withFur(page, (fur) => fur.meanWetness), 0);
+  assert.equal(await choose(() => page.selectOption('#model', 'torus')), 'torus');
+  assert.deepEqual(await look(), own);
+  assert.deepEqual(page.problems, []);
+});
+
 test('someone who asked for less motion gets no wind, unless motion is full', async () => {
   const page = await site.open(`?${light}&src=sphere&wind=1`, { reducedMotion: 'reduce' });
   const still = await untilStill(page);

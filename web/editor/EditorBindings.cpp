@@ -122,7 +122,7 @@ FUR_EXPORT int fur_editor_active(App* app) {
 
 // --- what the page must do ---
 
-// The next command: 0 none, 1 open a file dialog, 3 load the bunny, 4 copy fur_editor_commandText() to
+// The next command: 0 none, 1 open a file dialog, 3 load the shipped model fur_editor_commandText(), 4 copy that text to
 // the clipboard, 5 read the clipboard and call fur_editor_paste(), 6 save the coat as .fts, 7 the model as
 // .fo, both under the name in fur_editor_commandText(). (2 is the desktop's: open a path.)
 FUR_EXPORT int fur_editor_command(App* app) {

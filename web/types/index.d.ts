@@ -194,7 +194,7 @@ export interface Preset {
 }
 
 export interface WetFurOptions extends Partial<FurSettings> {
-  /** "bunny", "sphere", "torus", "plane", or the address of a .glb, .gltf, .obj or .fo. */
+  /** "bunny", "sphere", "torus", "plane", a scene as "five-coats", or the address of a .glb, .gltf, .obj or .fo. */
   src?: string;
   /** Chooses a coat, and settings that are given beside it stay over it. Read: '' when the coat is no preset's. */
   preset?: PresetName | '';

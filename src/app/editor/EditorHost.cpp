@@ -384,7 +384,7 @@ void EditorHost::perform(const editor::Command& command) {
       [&](const SetTool& c) { app_.setTool(static_cast<Tool>(c.tool)); },
       [&](const SetWetness& c) { app_.setWetness(c.amount); },
       [&](const LoadPrimitive& c) { check(app_.loadPrimitive(c.name)); },
-      [&](const LoadBunny&) { request(Kind::LoadBunny); },
+      [&](const LoadShipped& shipped) { request(Kind::LoadShipped, shipped.name); },
       [&](const OpenDialog&) { request(Kind::OpenDialog); },
       [&](const OpenPath& c) { request(Kind::OpenPath, c.path); },
       [&](const ResetCamera&) { app_.resetCamera(); },

@@ -31,7 +31,7 @@ struct PlatformCommand {
   enum class Kind {
     OpenDialog = 1,
     OpenPath = 2,
-    LoadBunny = 3,
+    LoadShipped = 3,  // the model or scene called `text`
     CopyText = 4,
     PasteRequest = 5,
     SaveTypeSet = 6,  // App::saveTypeSet(), under the name in `text`

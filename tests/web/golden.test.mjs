@@ -1,0 +1,51 @@
+// The page draws every golden scene (tests/golden) as its picture shows it, which the program without a window drew.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { judge, mapFile, scenes, size } from '../golden/golden.mjs';
+import { picture, startBrowser, withFur } from './support.mjs';
+
+const site = startBrowser();
+// Multisampling is decided when a page opens: one page for scenes with and one for those without.
+const pages = new Map();
+const pageFor = ({ samples = 0 }) => {
+  const quality = samples ? 'medium' : 'low';
+  if (!pages.has(quality)) pages.set(quality, site.open(`?src=sphere&ui=0&motion=full&quality=${quality}&layers=8&autoplay=0`, { viewport: size, keep: true }));
+  return pages.get(quality);
+};
+
+// In the order in which the program takes its options.
+const show = (page, scene) => withFur(page, async (fur, { model, preset, settings = {}, camera, groom = [], wetness, splashes = [], seconds, map }) => {
+  fur.setState('{"version":1}');
+  fur.resetCamera();
+  const loaded = new Promise((resolve, reject) => {
+    fur.addEventListener('load', resolve, { once: true });
+    fur.addEventListener('error', ({ detail }) => reject(new Error(detail.message)), { once: true });
+  });
+  if (fur.src === model) fur.reload();
+  else fur.src = model;
+  await loaded;
+  if (preset) fur.preset = preset;
+  // Drying waits until the fur hangs still.
+  for (const [name, value] of Object.entries({ ...settings, dryRate: 0 })) fur.settings[name] = value;
+  if (camera) fur.cameraOrbit = camera;
+  if (map) await fur.loadLengthMap(Uint8Array.from(map));
+  for (const [edit, value, ...direction] of groom) await fur.groom(edit, value, direction.length ? direction : undefined);
+  if (wetness !== undefined) fur.setWetness(wetness);
+  for (const [x, y] of splashes) fur.splash({ x, y });
+  fur.step(0.6, 2);  // over half a second the fur settles at once
+  if (settings.dryRate !== undefined) fur.settings.dryRate = settings.dryRate;
+  if (seconds) fur.step(1 / 60, Math.round(60 * seconds));
+  return fur.warnings.splice(0);
+}, { ...scene, map: mapFile(scene) && [...readFileSync(mapFile(scene))] });
+
+for (const scene of scenes) {
+  test(`${scene.name} looks on the page as its picture does`, { timeout: 120000 }, async (t) => {
+    const page = await pageFor(scene);
+    assert.deepEqual(await show(page, scene), []);
+    const { text, wrong } = judge(scene, await picture(page), 'web');
+    t.diagnostic(text);
+    assert.equal(wrong, '');
+    assert.deepEqual(page.problems, []);
+  });
+}
