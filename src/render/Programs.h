@@ -9,7 +9,7 @@
 
 namespace fur::render {
 
-enum class Shader { Background, GroundShadow, Blur, Ground, Skin, Shell, ShadowMap, ShadowBlur, Fin, Enlarge };
+enum class Shader { Background, GroundShadow, Blur, Ground, Skin, Shell, ShadowMap, ShadowBlur, Fin, Enlarge, Whisker };
 
 // Bits of a variant; each is a #define in the shader.
 enum Variant : unsigned {
@@ -23,8 +23,8 @@ enum Variant : unsigned {
   kVertical = 64,      // Blur
   kTextured = 128,     // the model has a picture of its own
   kUnderFur = 256,     // Skin
-  kMarschner = 512,    // Shell, Fin: strands lit by Marschner's model
-  kShadowDepth = 1024,   // Skin, Shell, Fin: receive the fur's shadow, see FurShadow.h; ShadowBlur: makes it
+  kMarschner = 512,    // Shell, Fin, Whisker: strands lit by Marschner's model
+  kShadowDepth = 1024,   // Skin, Shell, Fin, Whisker: receive the fur's shadow, see FurShadow.h; ShadowBlur: makes it
   kShadowLayers = 2048,  // the same with opacity layers; ShadowMap: the layers themselves
   kGroomed = 8192,       // Shell: the groom's map says more than full length
   kTypes = 16384,          // Shell, Fin, Skin: several fur types; shells then are groomed

@@ -195,6 +195,7 @@ Status Renderer::drawPasses(const Frame& frame) {
   if (Status status = shells(kPlain); !status) return status;
   if (Status status = fins(); !status) return status;
   if (Status status = skin(furry ? skinLook | kUnderFur : skinLook & ~kTypes); !status) return status;
+  if (Status status = whiskers_.draw(programs_, look & ~(kTextured | kTypes)); !status) return status;
   return background();
 }
 
