@@ -18,7 +18,8 @@ export const arrows = {
   'src/geometry': ['core'],
   'src/settings': ['core'],
   'src/furgen': fields,
-  'src/groom': fields,
+  // A comb is a rest of its bends, and whiskers lean by its law.
+  'src/groom': [...fields, 'dynamics'],
   'src/wet': fields,
   'src/dynamics': fields,
   'src/hair': fields,

@@ -25,7 +25,7 @@ const forwardedGetters = [
 
 const kebab = (name) => name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
 const camel = (name) => name.replace(/-([a-z])/g, (_, letter) => letter.toUpperCase());
-const spaceDoes = { droplet: 'drops water', dry: 'takes water', comb: 'combs down', trim: 'trims', grow: 'lengthens the fur' };
+const spaceDoes = { droplet: 'drops water', dry: 'takes water', comb: 'combs down', trim: 'trims', grow: 'lengthens the fur', whisker: 'plants a whisker' };
 const announceAfterMilliseconds = 1200;
 const announceStep = 1;
 const isBoolean = (name) => optionDefaults[name] === false;

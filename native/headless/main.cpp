@@ -34,6 +34,7 @@ constexpr const char* kUsage = R"(usage: wet-fur-render [model] -o out.png [opti
   --time S              seconds to run before the picture, in steps of 1/60 (default 0)
   --wetness R           soaks the whole model, 0 to 1
   --splash X,Y          one droplet at a pixel (several allowed)
+  --whisker X,Y[,X2,Y2]  plants one at a pixel, dragged to another (several allowed)
   --camera YAW,PITCH,DISTANCE[,X,Y,Z]  radians, radians, bounding radii; where it looks
   --state FILE          a state as JSON
   --preset NAME         a coat by its name, such as rabbit
@@ -52,6 +53,7 @@ struct Options {
   int width = 1280, height = 720, samples = 4;
   float time = 0, wetness = -1;
   std::vector<Vec2> splashes;
+  std::vector<std::pair<Vec2, Vec2>> whiskers;
   std::vector<float> camera;
   std::vector<GroomStep> grooms;
   std::vector<std::pair<std::string, std::string>> fields;
@@ -109,6 +111,9 @@ std::string readOption(const std::string& name, const std::string& value, Option
   } else if (name == "--splash") {
     if (!readNumbers(value, ',', n) || n.size() != 2) return "--splash " + value + ": expected X,Y";
     o.splashes.emplace_back(n[0], n[1]);
+  } else if (name == "--whisker") {
+    if (!readNumbers(value, ',', n) || (n.size() != 2 && n.size() != 4)) return "--whisker " + value + ": expected X,Y or X,Y,X2,Y2";
+    o.whiskers.emplace_back(Vec2(n[0], n[1]), Vec2(n[n.size() - 2], n[n.size() - 1]));
   } else if (name == "--camera") {
     if (!readNumbers(value, ',', o.camera) || (o.camera.size() != 3 && o.camera.size() != 6))
       return "--camera " + value + ": expected YAW,PITCH,DISTANCE or YAW,PITCH,DISTANCE,X,Y,Z";
@@ -148,6 +153,23 @@ Status setUp(app::App& app, const Options& o, const char* program) {
   return o.typeSet.empty() ? Status(Done{}) : native::loadTypeSet(app, o.typeSet);
 }
 
+// As a person does with a pointer.
+void plant(app::App& app, const Vec2& at, const Vec2& to) {
+  app.setTool(app::Tool::Whisker);
+  app::PointerEvent event{app::PointerPhase::Down};
+  event.position = at;
+  event.buttons = 1;
+  const std::size_t before = app.whiskerCount();
+  app.pointer(event);
+  if (app.whiskerCount() == before) app.addWarning("--whisker " + std::to_string(at.x) + "," + std::to_string(at.y) + " misses the model");
+  event.phase = app::PointerPhase::Move;
+  event.position = to;
+  if (to != at) app.pointer(event);
+  event.phase = app::PointerPhase::Up;
+  event.buttons = 0;
+  app.pointer(event);
+}
+
 Status save(const app::App& app, const Options& o) {
   if (!o.savedTypeSet.empty())
     if (Status status = native::writeFile(o.savedTypeSet, app.saveTypeSet()); !status) return status;
@@ -184,6 +206,7 @@ Status drawPicture(const Options& o, const char* program) {
   for (const Vec2& at : o.splashes)
     if (!app.splashPixel(at, app.settings().brushRadius, app.settings().brushFlow))
       app.addWarning("--splash " + std::to_string(at.x) + "," + std::to_string(at.y) + " misses the model");
+  for (const auto& [at, to] : o.whiskers) plant(app, at, to);
   app.settle();
   for (int i = 0; i < static_cast<int>(std::lround(o.time * 60)); ++i) app.tick(1.0f / 60);
   if (Status status = app.draw(); !status) return status;

@@ -86,6 +86,7 @@ void App::State::uploadScene() {
   renderer->updateMask(mask, {0, 0, mask.size(), mask.size()});
   renderer->updateBends(bends.bends());
   uploadGroom({0, 0, groom.map.size(), groom.map.size()});
+  uploadWhiskers();
   uploadCoat();
   pictureChanged = true;
 }

@@ -32,13 +32,14 @@ struct Frame;
 
 namespace fur::app {
 
-// Droplet and Dry paint on the model, and so do the tools of the groom from Comb to Type; Grab moves the model about
+// Droplet and Dry paint on the model, and so do the tools of the groom from Comb to Pluck; Grab moves the model about
 // (it springs back), None leaves every drag to the camera.
-enum class Tool { Droplet, Dry, Comb, Smooth, Raise, Trim, Grow, Type, Grab, None };
+// Of these Whisker plants one where it goes down and aims it while it is dragged, and Pluck pulls them out.
+enum class Tool { Droplet, Dry, Comb, Smooth, Raise, Trim, Grow, Type, Whisker, Pluck, Grab, None };
 
 // What groomAll() does all over the model. `value` is 0..1 unless it says otherwise.
 enum class GroomEdit {
-  Clear,   // full length, one type, upright
+  Clear,   // full length, one type, upright, no whiskers
   Length,  // value: share of the longest
   Invert,  // of the lengths
   Vary,    // value: how much shorter the shortest patches get, by the settings' seed
@@ -172,7 +173,8 @@ class App {
   std::uint64_t groomRevision() const;  // another one, above 0, whenever it has changed
   bool groomed() const;  // any of it is not as a new model's
   const groom::GroomMap& groomMap() const;
-  // Of map and comb.
+  std::size_t whiskerCount() const;
+  // Of map, comb and whiskers.
   std::uint64_t groomHash() const;
   // What moves over when another program takes over, as bytes that only this version reads: bad-file for others.
   std::vector<std::uint8_t> saveGroom() const;

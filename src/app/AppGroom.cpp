@@ -1,5 +1,6 @@
 // The half of App that dresses the fur.
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 #include "app/AppState.h"
@@ -27,6 +28,7 @@ void dab(Tool tool, groom::Groom& groom, const groom::Ground& ground, const groo
     case Tool::Trim: groom::trim(groom, ground, brush); break;
     case Tool::Grow: groom::grow(groom, ground, brush); break;
     case Tool::Type: groom::paintType(groom, ground, brush, type); break;
+    case Tool::Pluck: groom::pluck(groom, brush); break;
     default: break;
   }
 }
@@ -49,6 +51,12 @@ groom::TypeHeights heightsOf(const settings::Settings& settings) {
   return heights;
 }
 
+std::array<std::uint32_t, groom::kWhiskerBytes / 4> wordsOf(const groom::Whisker& whisker) {
+  std::array<std::uint32_t, groom::kWhiskerBytes / 4> words;
+  std::memcpy(words.data(), &whisker, sizeof whisker);
+  return words;
+}
+
 }  // namespace
 
 groom::Ground App::State::ground() {
@@ -59,7 +67,7 @@ groom::Ground App::State::ground() {
 }
 
 void App::State::newGroom() {
-  groom = {groom::GroomMap(), {}};
+  groom = {groom::GroomMap(), {}, {}};
   groomBefore.reset();
   lastDab.reset();
   ++groomRevision;
@@ -88,6 +96,7 @@ void App::State::refreshGroom() {
     readGroomMap();
     if (renderer) uploadGroom(changed);
   }
+  if (renderer && shownWhiskers != groom.whiskers) uploadWhiskers();
   bends.setRest(upright() ? std::vector<Vec3>() : groom::restBends(groom, surface, ground().points), vertexLengths);
 }
 
@@ -105,6 +114,11 @@ void App::State::uploadGroom(const geometry::TexelRect& changed) {
   }
 }
 
+void App::State::uploadWhiskers() {
+  shownWhiskers = groom.whiskers;
+  renderer->setWhiskers(groom::whiskerHairs(groom.whiskers, surface, query));
+}
+
 void App::State::beginGroomStroke() {
   endStroke();
   ground();
@@ -118,7 +132,37 @@ void App::State::endGroomStroke() {
   if (auto step = groomStep(*before, groom)) history.push(std::move(*step));
 }
 
+void App::State::plantWhisker(const geometry::SurfacePoint& at) {
+  if (groom.whiskers.size() >= groom::kMostWhiskers) {
+    warnings.push_back("512 whiskers stand, which is the limit");
+    return;
+  }
+  groom.whiskers.resize(groom.whiskers.size() + 1);
+  groom::Whisker& whisker = groom.whiskers.back();
+  whisker.root = positionAt(surface, at);
+  whisker.direction = whiskerNormal = normalAt(surface, at);
+  whisker.length = settings.whiskerLength;
+  whisker.width = settings.whiskerWidth;
+  whisker.spread = settings.whiskerSpread;
+  whisker.stiffness = settings.whiskerStiffness;
+  whisker.hairs = static_cast<std::uint32_t>(settings.whiskerHairs);
+  whisker.seed = sprayRandom.next();
+  whisker.color = settings.whiskerColor;
+  groomTouched();
+}
+
+void App::State::aimWhisker(Vec2 pixel) {
+  if (!groomBefore || groom.whiskers.size() <= groomBefore->whiskers.size()) return;
+  groom::Whisker& whisker = groom.whiskers.back();
+  const ModelRay ray = rayThrough(pixel);
+  const Vec3 way = ray.origin - whisker.root;
+  // Where the ray passes the root, as far from the eye.
+  whisker.direction = groom::pulledDirection(whiskerNormal, whisker.length, way - ray.direction * glm::dot(way, ray.direction));
+  groomTouched();
+}
+
 void App::State::groomAt(const geometry::SurfacePoint& at) {
+  if (tool == Tool::Whisker) return plantWhisker(at);
   const Vec3 centre = positionAt(surface, at);
   dab(tool, groom, ground(), {centre, normalAt(surface, at), settings.brushRadius, settings.groomStrength},
       settings.groomType + 1, lastDab ? std::optional(centre - *lastDab) : std::nullopt);
@@ -134,7 +178,8 @@ void App::State::applyGroomStep(const GroomStep& step, bool undo) {
 
 // What a file says of the vertices of `mesh`, brought to the points of the surface.
 void App::State::takeFur(const scene::FurData& fur) {
-  if (fur.map.empty() && fur.comb.empty() && fur.lengths.empty() && fur.types.empty()) return;
+  if (fur.map.empty() && fur.comb.empty() && fur.lengths.empty() && fur.types.empty() && fur.whiskers.empty())
+    return;
   if (!fur.map.empty()) {
     groom.map = groom::GroomMap(fur.mapSize);
     groom.map.restore(fur.map);
@@ -152,6 +197,9 @@ void App::State::takeFur(const scene::FurData& fur) {
   }
   groom.comb = groom::soundComb(std::move(groom.comb), at.points);
   groom::paintFromVertices(groom, at, perVertex(lengths, at), perVertex(types, at));
+  groom.whiskers = fur.whiskers;
+  groom::keepSound(groom.whiskers, query);
+  if (groom.whiskers.size() < fur.whiskers.size()) warnings.push_back("whiskers off the surface are left out");
   groomTouched();
 }
 
@@ -202,18 +250,22 @@ groom::Coverage App::groomCoverage() const {
 
 std::uint64_t App::groomRevision() const { return state_->groomRevision; }
 bool App::groomed() const { return !state_->groom.isPlain(); }
+std::size_t App::whiskerCount() const { return state_->groom.whiskers.size(); }
 const groom::GroomMap& App::groomMap() const { return state_->groom.map; }
 
 std::uint64_t App::groomHash() const {
   state_->ground();
   std::uint64_t hash = state_->groom.map.hash();
+  const auto add = [&hash](std::uint32_t bits) { hash = (hash ^ bits) * 1099511628211ull; };
   for (const Vec3& comb : state_->groom.comb)
     for (int k = 0; k < 3; ++k) {
       const float number = comb[k] + 0.0f;  // -0 is 0
       std::uint32_t bits;
       std::memcpy(&bits, &number, sizeof bits);
-      hash = (hash ^ bits) * 1099511628211ull;
+      add(bits);
     }
+  for (const groom::Whisker& whisker : state_->groom.whiskers)
+    for (const std::uint32_t word : wordsOf(whisker)) add(word);
   return hash;
 }
 
@@ -248,40 +300,47 @@ std::vector<std::uint8_t> App::saveScene() const {
     fur.comb = groom::restBends(s.groom, s.surface, s.ground().points);
     fur.comb.resize(s.surface.trueVertexCount);
   }
+  fur.whiskers = s.groom.whiskers;
   return scene::exportScene(mesh, s.modelName, fur, {s.sourceImage.bytes.empty() ? s.pendingImage : s.sourceImage, s.baseColorFactor});
 }
 
-// The map's size, its texels, then the comb.
+// The map's size and the number of whiskers, texels, comb, whiskers.
 std::vector<std::uint8_t> App::saveGroom() const {
   State& s = *state_;
   s.ground();
-  const auto size = static_cast<std::uint32_t>(s.groom.map.size());
+  const std::uint32_t counts[2] = {static_cast<std::uint32_t>(s.groom.map.size()), static_cast<std::uint32_t>(s.groom.whiskers.size())};
   std::vector<std::uint8_t> bytes;
   const auto append = [&](const void* from, std::size_t count) {
     const auto* first = static_cast<const std::uint8_t*>(from);
     bytes.insert(bytes.end(), first, first + count);
   };
-  append(&size, sizeof size);
+  append(counts, sizeof counts);
   append(s.groom.map.texels().data(), s.groom.map.texels().size() * sizeof(groom::GroomMap::Texel));
   append(s.groom.comb.data(), s.groom.comb.size() * sizeof(Vec3));
+  append(s.groom.whiskers.data(), s.groom.whiskers.size() * groom::kWhiskerBytes);
   return bytes;
 }
 
 Status App::restoreGroom(std::span<const std::uint8_t> bytes, bool undoable) {
   State& s = *state_;
   const groom::Ground ground = s.ground();
-  std::uint32_t size = 0;
-  if (bytes.size() >= sizeof size) std::memcpy(&size, bytes.data(), sizeof size);
-  const std::size_t texels = std::size_t{size} * size, combs = ground.points.count();
+  std::uint32_t counts[2] = {};
+  if (bytes.size() >= sizeof counts) std::memcpy(counts, bytes.data(), sizeof counts);
+  const std::uint32_t size = counts[0];
+  const std::size_t texels = std::size_t{size} * size;
+  const std::size_t mapAt = sizeof counts, combAt = mapAt + texels * sizeof(groom::GroomMap::Texel);
+  const std::size_t whiskersAt = combAt + ground.points.count() * sizeof(Vec3);
   const bool sound = size >= groom::GroomMap::kLeastSize && size <= groom::GroomMap::kMostSize &&
-                     bytes.size() == sizeof size + texels * sizeof(groom::GroomMap::Texel) + combs * sizeof(Vec3);
+                     counts[1] <= groom::kMostWhiskers && bytes.size() == whiskersAt + counts[1] * groom::kWhiskerBytes;
   if (!sound) return Error{ErrorId::BadFile, "a groom of " + std::to_string(bytes.size()) + " bytes is not of this model"};
   if (undoable) s.beginGroomStroke();
   std::vector<groom::GroomMap::Texel> map(texels);
-  std::memcpy(map.data(), &bytes[sizeof size], texels * sizeof(groom::GroomMap::Texel));
+  std::memcpy(map.data(), &bytes[mapAt], combAt - mapAt);
   s.groom.map = groom::GroomMap(static_cast<int>(size));
   s.groom.map.restore(std::move(map));
-  std::memcpy(s.groom.comb.data(), &bytes[sizeof size + texels * sizeof(groom::GroomMap::Texel)], combs * sizeof(Vec3));
+  std::memcpy(s.groom.comb.data(), &bytes[combAt], whiskersAt - combAt);
+  s.groom.whiskers = groom::readWhiskers(bytes.subspan(whiskersAt));
+  groom::keepSound(s.groom.whiskers, s.query);
   s.groomTouched();
   s.endGroomStroke();
   return Done{};

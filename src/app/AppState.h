@@ -24,7 +24,7 @@ namespace fur::app {
 
 inline constexpr int kMaskSize = 256;
 
-inline bool grooms(Tool tool) { return tool >= Tool::Comb && tool <= Tool::Type; }
+inline bool grooms(Tool tool) { return tool >= Tool::Comb && tool <= Tool::Pluck; }
 
 struct ModelRay {
   Vec3 origin, direction;  // model space
@@ -79,6 +79,8 @@ struct App::State {
   std::vector<float> vertexLengths;  // what it says at the vertices; empty when it is plain
   std::optional<groom::Groom> groomBefore;  // the stroke at work
   std::optional<Vec3> lastDab;              // where its last dab was, model space
+  Vec3 whiskerNormal{0, 1, 0};              // of the skin where it has planted a whisker
+  std::vector<groom::Whisker> shownWhiskers;  // that the renderer has
 
   // Input.
   std::map<int, Vec2> pointers;
@@ -153,6 +155,10 @@ struct App::State {
   void beginGroomStroke();
   void endGroomStroke();
   void groomAt(const geometry::SurfacePoint& at);
+  void plantWhisker(const geometry::SurfacePoint& at);
+  // Turns the one that the stroke has planted to where the pixel pulls it.
+  void aimWhisker(Vec2 pixel);
+  void uploadWhiskers();
   void applyGroomStep(const GroomStep& step, bool undo);
 
   // --- AppQuality.cpp ---

@@ -16,7 +16,7 @@ std::size_t bytesOf(const Step& step) {
   const auto* groom = std::get_if<GroomStep>(&step);
   if (!groom) return sizeof(Step);
   return sizeof(Step) + bytesIn(groom->before) + bytesIn(groom->after) + bytesIn(groom->points) +
-         bytesIn(groom->combBefore) + bytesIn(groom->combAfter);
+         bytesIn(groom->combBefore) + bytesIn(groom->combAfter) + bytesIn(groom->whiskersBefore) + bytesIn(groom->whiskersAfter);
 }
 
 template <class Texel>
@@ -63,7 +63,12 @@ std::optional<GroomStep> groomStep(const groom::Groom& before, const groom::Groo
     step.combBefore.push_back(was);
     step.combAfter.push_back(after.comb[i]);
   }
-  if (step.before.empty() && step.points.empty()) return std::nullopt;
+  const bool planted = before.whiskers != after.whiskers;
+  if (planted) {
+    step.whiskersBefore = before.whiskers;
+    step.whiskersAfter = after.whiskers;
+  }
+  if (step.before.empty() && step.points.empty() && !planted) return std::nullopt;
   return step;
 }
 
@@ -77,6 +82,7 @@ void apply(const GroomStep& step, bool undo, groom::Groom& groom) {
   }
   for (std::size_t i = 0; i < step.points.size(); ++i)
     groom.comb[step.points[i]] = (undo ? step.combBefore : step.combAfter)[i];
+  if (step.whiskersBefore != step.whiskersAfter) groom.whiskers = undo ? step.whiskersBefore : step.whiskersAfter;
 }
 
 void History::push(Step step, bool mergeable) {

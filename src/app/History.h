@@ -23,13 +23,14 @@ struct MaskStep {
 };
 
 // The changed rectangle of the map, row-major, or all of both when its size has changed; and the points that were
-// combed otherwise.
+// combed otherwise; and all whiskers, when any of them has changed.
 struct GroomStep {
   int sizeBefore = 0, sizeAfter = 0;
   geometry::TexelRect rect;
   std::vector<groom::GroomMap::Texel> before, after;
   std::vector<std::uint32_t> points;
   std::vector<Vec3> combBefore, combAfter;
+  std::vector<groom::Whisker> whiskersBefore{}, whiskersAfter{};
 };
 
 using Step = std::variant<SettingsStep, MaskStep, GroomStep>;

@@ -93,6 +93,7 @@ bool App::State::sprayAt(Vec2 pixel) {
 }
 
 void App::State::paintTo(Vec2 pixel) {
+  if (tool == Tool::Whisker) return aimWhisker(pixel);
   const render::Frame f = frame();
   const float distance = std::max(0.2f, glm::length(f.camera.eye - f.camera.target));
   const float spacing = std::max(2.0f, kSpacing * settings.brushRadius * render::pixelsPerUnit(f) / distance);

@@ -249,6 +249,12 @@ Vec2 arcBend(float theta, float t) {
   return {std::sin(turn) / theta, (1.0f - std::cos(turn)) / theta};
 }
 
+Vec3 strandPoint(const Vec3& root, const Vec3& normal, const Vec3& bend, float length, float h) {
+  const float theta = glm::length(bend);
+  const Vec2 arc = arcBend(theta, h) * length;
+  return root + normal * arc.x + (theta > 1e-5f ? bend * (arc.y / theta) : Vec3(0));
+}
+
 Vec2 windBend(float force, float t) {
   const float f = saturate(force);
   const float across = 0.861986f * f - 0.176676f * f * f;

@@ -75,6 +75,8 @@ class BendField {
 
 // (along, across) of a strand of length 1 at t in [0, 1], theta = the tip's turn. Both are exact limits at theta = 0.
 Vec2 arcBend(float theta, float t);
+// strandPoint() of the shaders: where a strand rooted at `root` is at height h.
+Vec3 strandPoint(const Vec3& root, const Vec3& normal, const Vec3& bend, float length, float h);
 // Sheppard's polynomial stand-in (Eq. 3.14-3.16), force in 0..1: kept for comparison.
 Vec2 windBend(float force, float t);
 

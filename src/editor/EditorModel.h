@@ -17,7 +17,7 @@
 namespace fur::editor {
 
 // In the order of app::Tool, which EditorHost checks.
-enum class Tool { Droplet, Dry, Comb, Smooth, Raise, Trim, Grow, Type, Grab, None };
+enum class Tool { Droplet, Dry, Comb, Smooth, Raise, Trim, Grow, Type, Whisker, Pluck, Grab, None };
 
 // How a person can bring a file: through a dialog of the platform, or by typing its path.
 enum class FileAccess { Dialog, Path };
@@ -57,6 +57,7 @@ struct GroomView {
   float bald = 0, length = 1;
   float types[4] = {1, 0, 0, 0};
   int mapSize = 256;
+  int whiskers = 0;
   bool plain = true;           // nothing of it is anybody's work
   ImTextureID map = nullptr;   // a picture while Editor::showsGroom(); null until it is there
 };

@@ -42,6 +42,7 @@ std::vector<Command> GroomPanel::draw(const EditorModel& model, settings::Settin
   tooltips_ = tooltips;
   if (!groupHeader("Groom")) return {};
   drawBrush(model, edited);
+  drawWhiskers(model, edited);
   drawLengths();
   drawDirections();
   drawMap(model.groom);
@@ -63,6 +64,17 @@ void GroomPanel::drawBrush(const EditorModel& model, settings::Settings& edited)
                                       {"3", edited.groomType == 2}, {"4", edited.groomType == 3}});
   if (type >= 0) edited.groomType = type;
   hint("What the brush Type paints: 1, the coat of the settings, takes the others away. What 2 to 4 are is set under Types");
+}
+
+void GroomPanel::drawWhiskers(const EditorModel& model, settings::Settings& edited) {
+  const int tool = segments("hairs", {{"Whisker", model.tool == Tool::Whisker}, {"Pluck", model.tool == Tool::Pluck}});
+  if (tool >= 0) commands_.push_back(command::SetTool{tool == 0 ? Tool::Whisker : Tool::Pluck});
+  hint("Press to plant one, drag to aim it; Pluck pulls out those under the brush. How they grow is set under Whiskers below");
+  label("Hairs");
+  ImGui::SetNextItemWidth(-px(64));
+  fillSlider("##whiskerHairs", edited.whiskerHairs, 1, 8);
+  ImGui::SameLine(0, px(3));
+  ImGui::TextDisabled("%d stand", model.groom.whiskers);
 }
 
 void GroomPanel::drawLengths() {
@@ -94,7 +106,7 @@ void GroomPanel::drawMap(const GroomView& groom) {
   ImGui::BeginDisabled(groom.plain);
   if (ImGui::Button("Clear", ImVec2(-1, 0))) edit(GroomEdit::Clear);
   ImGui::EndDisabled();
-  hint("Full length, one type, upright");
+  hint("Full length, one type, upright, no whiskers");
   std::snprintf(text, sizeof text, "Types %.0f, %.0f, %.0f, %.0f %%", static_cast<double>(groom.types[0]) * 100,
                 static_cast<double>(groom.types[1]) * 100, static_cast<double>(groom.types[2]) * 100,
                 static_cast<double>(groom.types[3]) * 100);

@@ -20,6 +20,7 @@ class GroomPanel {
 
  private:
   void drawBrush(const EditorModel& model, settings::Settings& edited);
+  void drawWhiskers(const EditorModel& model, settings::Settings& edited);
   void drawLengths();
   void drawDirections();
   void drawMap(const GroomView& groom);

@@ -18,7 +18,7 @@ Bounds bounds(const Mesh& mesh) {
   return box;
 }
 
-void fitToUnitSphere(Mesh& mesh) {
+Fit fitToUnitSphere(Mesh& mesh) {
   // In double: the squares of coordinates near the limits of float would overflow.
   const Bounds box = bounds(mesh);
   const glm::dvec3 centre = (glm::dvec3(box.low) + glm::dvec3(box.high)) * 0.5;
@@ -27,8 +27,9 @@ void fitToUnitSphere(Mesh& mesh) {
     const glm::dvec3 d = glm::dvec3(p) - centre;
     squared = std::max(squared, glm::dot(d, d));
   }
-  const double scale = squared > 0.0 ? 1.0 / std::sqrt(squared) : 1.0;
-  for (Vec3& p : mesh.positions) p = Vec3((glm::dvec3(p) - centre) * scale);
+  const Fit fit{centre, squared > 0.0 ? 1.0 / std::sqrt(squared) : 1.0};
+  for (Vec3& p : mesh.positions) p = fit.of(p);
+  return fit;
 }
 
 void computeNormals(Mesh& mesh) {

@@ -25,8 +25,14 @@ struct Bounds {
 
 Bounds bounds(const Mesh& mesh);
 
+// Where a point of a mesh goes when that is fitted.
+struct Fit {
+  glm::dvec3 centre;
+  double scale;
+  Vec3 of(const Vec3& point) const { return Vec3((glm::dvec3(point) - centre) * scale); }
+};
 // Moves the centre of the bounding box to the origin and scales the farthest vertex to distance 1.
-void fitToUnitSphere(Mesh& mesh);
+Fit fitToUnitSphere(Mesh& mesh);
 
 // Area- and angle-weighted normals. Vertices at the same position share one normal, so that a
 // surface split along a UV seam stays smooth.

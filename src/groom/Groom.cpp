@@ -141,7 +141,7 @@ unsigned typesPresent(const GroomMap& map) {
 }
 
 bool Groom::isPlain() const {
-  return map.isPlain() && std::all_of(comb.begin(), comb.end(), [](const Vec3& c) { return c == Vec3(0); });
+  return whiskers.empty() && map.isPlain() && std::all_of(comb.begin(), comb.end(), [](const Vec3& c) { return c == Vec3(0); });
 }
 
 Groom plainGroom(int mapSize, const SurfacePoints& points) {

@@ -11,6 +11,8 @@
 // surface (SurfacePoints). Vertices that lie together share it, whichever charts they were split for, so that
 // another fur mapping keeps the groom; each shows the part across its own normal.
 //
+// whiskers: hairs that stand out of all that (Whiskers.h).
+//
 // GroomBrush.h and GroomFilters.h change a groom by + - * / and square roots alone: the same bytes everywhere.
 // Knows no settings' length, no time and no picture.
 #pragma once
@@ -22,6 +24,7 @@
 #include "geometry/AtlasTexels.h"
 #include "geometry/Surface.h"
 #include "geometry/SurfaceQuery.h"
+#include "groom/Whiskers.h"
 
 namespace fur::groom {
 
@@ -81,6 +84,7 @@ struct SurfacePoints {
 struct Groom {
   GroomMap map;
   std::vector<Vec3> comb;  // one a point, across its normal, at most kMaxComb long
+  std::vector<Whisker> whiskers{};
 
   bool isPlain() const;
 };

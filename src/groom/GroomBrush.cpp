@@ -161,4 +161,18 @@ bool smooth(Groom& groom, const Ground& ground, const Brush& brush) {
   return dabPoints(groom, ground, brush, points, goals);
 }
 
+bool pluck(Groom& groom, const Brush& brush) {
+  if (!usable(brush)) return false;
+  const std::size_t before = groom.whiskers.size();
+  std::size_t kept = 0;
+  for (const Whisker& whisker : groom.whiskers) {
+    const Vec3 way = whisker.root - brush.centre;
+    // Those of the far side of an ear stay; one that lies flat may point away a little.
+    const bool under = glm::dot(way, way) <= brush.radius * brush.radius && glm::dot(whisker.direction, brush.normal) > -0.5f;
+    if (!under) groom.whiskers[kept++] = whisker;
+  }
+  groom.whiskers.resize(kept);
+  return kept < before;
+}
+
 }  // namespace fur::groom

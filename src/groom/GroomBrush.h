@@ -30,6 +30,10 @@ bool comb(Groom& groom, const Ground& ground, const Brush& brush, const Vec3& di
 bool raise(Groom& groom, const Ground& ground, const Brush& brush);   // towards upright
 bool smooth(Groom& groom, const Ground& ground, const Brush& brush);  // towards the mean of the neighbours
 
+// --- whiskers ---
+// Pulls out those whose roots lie in the ball, whatever the strength.
+bool pluck(Groom& groom, const Brush& brush);
+
 // What comb() leads to at a point with this normal: kMaxComb along the direction, less where they nearly meet.
 Vec3 combedTo(const Vec3& direction, const Vec3& normal);
 

@@ -23,6 +23,7 @@ const char* fragmentOf(Shader shader, unsigned variant) {
     case Shader::Fin: return shaders::kFinFrag;
     case Shader::ShadowMap: return shaders::kShadowMapFrag;
     case Shader::Enlarge: return shaders::kEnlargeFrag;
+    case Shader::Whisker: return shaders::kWhiskerFrag;
     case Shader::ShadowBlur: break;
   }
   return shaders::kShadowBlurFrag;
@@ -43,6 +44,7 @@ Source sourceOf(Shader shader) {
     case Shader::Shell: return {"shell", shaders::kShellVert};
     case Shader::Enlarge: return {"enlarge", shaders::kScreenVert};
     case Shader::Fin: return {"fin", shaders::kFinVert};
+    case Shader::Whisker: return {"whisker", shaders::kWhiskerVert};
     case Shader::ShadowMap: return {"shadow_map", shaders::kShadowMapVert};
     case Shader::ShadowBlur: break;
   }
@@ -134,6 +136,7 @@ std::vector<std::pair<Shader, unsigned>> allVariants() {
   for (const unsigned shadow : {kPlain, kShadowDepth, kShadowLayers}) {
     for (const unsigned look : {+kPlain, +kTextured, +kUnderFur, kUnderFur | kTextured, kUnderFur | kTypes, kUnderFur | kTextured | kTypes})
       all.emplace_back(Shader::Skin, look | shadow);
+    for (const unsigned look : {+kPlain, +kWet, +kMarschner, kWet | kMarschner}) all.emplace_back(Shader::Whisker, look | shadow);
     for (const unsigned look : {+kPlain, +kUnderFur, kUnderFur | kTypes}) all.emplace_back(Shader::Skin, look | shadow | kViewShadow);
     for (const unsigned look : {+kPlain, +kWet}) {
       for (const unsigned groom : {+kPlain, +kGroomed, kGroomed | kTypes})

@@ -9,7 +9,7 @@
 
 namespace fur::render {
 
-enum class Shader { Background, GroundShadow, Blur, Ground, Skin, Shell, ShadowMap, ShadowBlur, Fin, Enlarge };
+enum class Shader { Background, GroundShadow, Blur, Ground, Skin, Shell, ShadowMap, ShadowBlur, Fin, Enlarge, Whisker };
 
 // Bits of a variant; each is a #define in the shader.
 enum Variant : unsigned {
@@ -18,8 +18,8 @@ enum Variant : unsigned {
   kTextured = 1 << 1,      // the model has a picture of its own
   kGroomed = 1 << 2,       // Shell: the groom's map says more than full length
   kTypes = 1 << 3,         // Shell, Fin, Skin: several fur types; shells then are groomed
-  kMarschner = 1 << 4,     // Shell, Fin: strands lit by Marschner's model
-  kShadowDepth = 1 << 5,   // Skin, Shell, Fin: receive the fur's shadow, see FurShadow.h; ShadowBlur: makes it
+  kMarschner = 1 << 4,     // Shell, Fin, Whisker: strands lit by Marschner's model
+  kShadowDepth = 1 << 5,   // Skin, Shell, Fin, Whisker: receive the fur's shadow, see FurShadow.h; ShadowBlur: makes it
   kShadowLayers = 1 << 6,  // the same with opacity layers; ShadowMap: the layers themselves
   kUnderFur = 1 << 7,      // Skin
   kSkinOnly = 1 << 8,      // ShadowMap: the skin instead of the coat's outside

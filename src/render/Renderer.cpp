@@ -225,7 +225,10 @@ Status Renderer::drawPasses(const Frame& frame) {
     case View::Final: break;
   }
   if (Status status = model(kPlain); !status) return status;
-  if (!counts) return background();
+  if (!counts) {
+    if (Status status = whiskers_.draw(programs_, look & ~(kTextured | kTypes)); !status) return status;
+    return background();
+  }
   // The picture leaves its depth behind, then fragments are counted that are no further.
   gl::clearColor();
   return view == View::Steps ? shells(kViewSteps) : model(kViewOverdraw);

@@ -17,6 +17,7 @@
 #include "render/Programs.h"
 #include "render/SmallPicture.h"
 #include "render/StrandTables.h"
+#include "render/Whiskers.h"
 #include "wet/WetnessMask.h"
 
 namespace fur::render {
@@ -51,6 +52,9 @@ class Renderer {
   // between two of none are left out. What is bald costs nothing. Until the next setSurface().
   void setFurry(geometry::FurPatches patches, std::span<const float> vertexLengths);
 
+  // Those that stand on the surface; until the next call.
+  void setWhiskers(std::span<const groom::WhiskerHair> hairs) { uploadedBytes_ += whiskers_.set(hairs); }
+
   // Into the platform's framebuffer, which is bound. A shader that the driver refuses is the error.
   Status draw(const Frame& frame);
 
@@ -76,6 +80,7 @@ class Renderer {
   Programs programs_;
   StrandTables strandTables_;
   FurShadow furShadow_;
+  Whiskers whiskers_;
   unsigned long furShadowScene_ = 0;  // see FurShadow::Key
   SmallPicture small_;
   gl::Buffer frameBlock_, coatBlock_;

@@ -231,7 +231,7 @@ void Renderer::updateBends(std::span<const Vec4> bends) {
 std::size_t Renderer::gpuBytes() const {
   return vertices_.bytes() + indices_.bytes() + furIndices_.bytes() + edges_.bytes() + fur_.bytes() +
          mask_.bytes() + bends_.bytes() + groom_.bytes() + baseColor_.bytes() +
-         groundShadow_[0].bytes() + groundShadow_[1].bytes() + strandTables_.bytes() + furShadow_.bytes() + small_.bytes();
+         groundShadow_[0].bytes() + groundShadow_[1].bytes() + strandTables_.bytes() + whiskers_.bytes() + furShadow_.bytes() + small_.bytes();
 }
 
 std::size_t Renderer::takeUploadedBytes() { return std::exchange(uploadedBytes_, 0); }

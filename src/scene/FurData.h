@@ -1,7 +1,7 @@
 // What a file says about the fur of its mesh.
 //
 // A .glb does in the extension WETFUR_fur (WETFUR_fur.schema.json in this folder): the state of the program, and
-// the groom as a map in the mesh's atlas and a comb at its vertices. A .fo has a length and a type at every vertex.
+// the groom as a map in the mesh's atlas, a comb at its vertices and whiskers where they stand. A .fo has a length and a type at every vertex.
 #pragma once
 
 #include <cstdint>
@@ -23,6 +23,7 @@ struct FurData {
   std::vector<Vec3> comb;      // model space, radians, as it was read: neither bounded nor across any normal
   std::vector<float> lengths;  // share of the longest, 0..1
   std::vector<int> types;      // 1..groom::kTypes
+  std::vector<groom::Whisker> whiskers{};  // as they were read, their roots in model space; at most kMostWhiskers
 };
 
 }  // namespace fur::scene

@@ -20,12 +20,6 @@ double crossOf(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.
 
 }  // namespace
 
-Vec3 strandPoint(const Vec3& root, const Vec3& normal, const Vec3& bend, float length, float h) {
-  const float theta = glm::length(bend);
-  const Vec2 arc = dynamics::arcBend(theta, h) * length;
-  return root + normal * arc.x + (theta > 1e-5f ? bend * (arc.y / theta) : Vec3(0));
-}
-
 FurMap::FurMap(const geometry::Surface& surface, std::span<const Vec4> bends, float length, float tiles)
     : surface_(surface), bends_(bends), length_(length), tiles_(tiles) {
   FUR_ASSERT(bends.size() == surface.vertices.size(), "FurMap::FurMap()", "a bend for every vertex", bends.size());
@@ -100,7 +94,7 @@ Spot FurMap::find(std::uint32_t from, const glm::dvec2& tile) const {
 Vec3 FurMap::raised(std::uint32_t triangle, int k, float h) const {
   const geometry::SurfaceVertex& v = corner(triangle, k);
   const std::uint32_t index = surface_.furIndices[3 * triangle + static_cast<std::uint32_t>(k)];
-  return strandPoint(v.position, v.normal, Vec3(bends_[index]), length_, h);
+  return dynamics::strandPoint(v.position, v.normal, Vec3(bends_[index]), length_, h);
 }
 
 Vec3 FurMap::point(const Spot& spot, float h) const {

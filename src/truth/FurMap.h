@@ -1,7 +1,7 @@
 // Where a point of the fur's volume stands in space: tile coordinates and a height in, model space out.
 //
 // This is the map that the shells carry out, without their layers: at height h a chart's triangles lie with their
-// corners at strandPoint(corner, h) (common.glsl), and tile coordinates run linearly over them. Points beyond a
+// corners at dynamics::strandPoint(), and tile coordinates run linearly over them. Points beyond a
 // triangle are looked for in its neighbours of the same chart; beyond the chart its outermost triangle goes on.
 #pragma once
 
@@ -20,9 +20,6 @@ struct Spot {
   std::uint32_t triangle = 0;
   Vec3 weights{1, 0, 0};
 };
-
-// strandPoint() of the shaders: where a strand rooted at `root` is at height h.
-Vec3 strandPoint(const Vec3& root, const Vec3& normal, const Vec3& bend, float length, float h);
 
 class FurMap {
  public:

@@ -38,7 +38,7 @@ struct Salon {
   }
 };
 
-constexpr Tool kTools[] = {Tool::Comb, Tool::Smooth, Tool::Raise, Tool::Trim, Tool::Grow, Tool::Type};
+constexpr Tool kTools[] = {Tool::Comb, Tool::Smooth, Tool::Raise, Tool::Trim, Tool::Grow, Tool::Type, Tool::Whisker, Tool::Pluck};
 
 // Something that each of the tools can change.
 void prepare(App& app) {
@@ -51,6 +51,7 @@ TEST(AppGroom, EveryToolIsOneUndoStepAStroke) {
     Salon salon;
     prepare(salon.app);
     salon.stroke(Tool::Comb, {60, 90}, {100, 60});
+    salon.stroke(Tool::Whisker, {70, 82}, {60, 60});
     const auto before = salon.app.groomHash();
     salon.stroke(tool, {50, 80}, {110, 85});
     const auto after = salon.app.groomHash();
@@ -129,11 +130,12 @@ TEST(AppGroom, AnotherFurMappingKeepsTheGroomAndItsUndo) {
   const auto plain = salon.app.groomHash();
   salon.stroke(Tool::Comb, {50, 80}, {110, 85});
   salon.stroke(Tool::Trim, {50, 80}, {110, 85});
+  salon.stroke(Tool::Whisker, {40, 80}, {10, 60});
   const auto groomed = salon.app.groomHash();
   salon.app.setField("furMapping", "cube");
   EXPECT_EQ(salon.app.groomHash(), groomed);
   salon.settled();
-  for (int i = 0; i < 3; ++i) EXPECT_TRUE(salon.app.undo());
+  for (int i = 0; i < 4; ++i) EXPECT_TRUE(salon.app.undo());
   EXPECT_EQ(salon.app.groomHash(), plain);
 }
 
@@ -141,11 +143,15 @@ TEST(AppGroom, MovesOverToAnotherProgramAsBytes) {
   Salon salon;
   salon.stroke(Tool::Comb, {50, 80}, {110, 85});
   salon.stroke(Tool::Type, {50, 80}, {110, 85});
+  salon.stroke(Tool::Whisker, {60, 80}, {40, 70});
+  salon.stroke(Tool::Whisker, {90, 80}, {110, 70});
   const auto bytes = salon.app.saveGroom();
   App other;
   ASSERT_TRUE(other.restoreGroom(bytes));
   EXPECT_EQ(other.groomHash(), salon.app.groomHash());
+  EXPECT_EQ(other.whiskerCount(), 2u);
   ASSERT_TRUE(other.loadPrimitive("plane"));
+  EXPECT_EQ(other.whiskerCount(), 0u);
   EXPECT_EQ(other.groomCoverage().types[0], 1) << "it belongs to the model";
   for (const std::size_t size : {std::size_t{0}, std::size_t{3}, bytes.size() - 1, bytes.size()}) {
     const Status status = other.restoreGroom(std::span(bytes).first(size));
@@ -220,14 +226,19 @@ TEST(AppGroom, ASavedSceneOpensAsItWas) {
   salon.stroke(Tool::Comb, {50, 80}, {110, 85});
   salon.stroke(Tool::Trim, {80, 50}, {85, 110});
   salon.stroke(Tool::Type, {60, 60}, {85, 110});
+  salon.app.setField("whiskerHairs", "8");
+  salon.app.setField("whiskerWidth", "0.02");
+  salon.stroke(Tool::Whisker, {40, 80}, {10, 60});
   const test::Picture before = salon.settled();
   const auto map = salon.app.groomMap().hash();
   const auto file = salon.app.saveScene();
   salon.app.loadPrimitive("torus").value();
   salon.app.setField("tipColor", "#000000");
+  EXPECT_EQ(salon.app.whiskerCount(), 0u) << "they belong to the model";
   ASSERT_TRUE(salon.app.loadModel(file, "saved.glb"));
   EXPECT_TRUE(salon.app.takeWarnings().empty());
   EXPECT_EQ(salon.app.groomMap().hash(), map);
+  EXPECT_EQ(salon.app.whiskerCount(), 1u);
   EXPECT_EQ(salon.app.settings().tipColor, 0x336699u);
   EXPECT_FALSE(salon.app.canUndo());
   // The model is fitted anew: rounding moves a pixel here and there.
@@ -287,6 +298,7 @@ TEST(AppGroom, AnotherContextDrawsTheSameGroom) {
   Salon salon;
   salon.stroke(Tool::Trim, {50, 80}, {110, 85});
   salon.app.groomAll(GroomEdit::Comb, 0.5f);
+  salon.stroke(Tool::Whisker, {40, 80}, {10, 60});
   const test::Picture before = salon.settled();
   salon.app.detach(false);
   salon.stage.attach(salon.app);
@@ -294,7 +306,7 @@ TEST(AppGroom, AnotherContextDrawsTheSameGroom) {
 }
 
 TEST(AppGroom, SpaceGroomsTheMiddleOfTheView) {
-  for (const Tool tool : {Tool::Comb, Tool::Trim}) {
+  for (const Tool tool : {Tool::Comb, Tool::Trim, Tool::Whisker}) {
     Salon salon;
     salon.app.setTool(tool);
     const auto before = salon.app.groomHash();
@@ -303,6 +315,35 @@ TEST(AppGroom, SpaceGroomsTheMiddleOfTheView) {
     EXPECT_TRUE(salon.app.undo());
     EXPECT_EQ(salon.app.groomHash(), before);
   }
+}
+
+TEST(AppGroom, AWhiskerIsPlantedWhereTheStrokeBeginsAndPointsWhereItEnds) {
+  Salon salon;
+  salon.stroke(Tool::Whisker, {80, 80}, {20, 80});
+  EXPECT_EQ(salon.app.whiskerCount(), 1u) << "a drag aims, it plants no row";
+  const auto left = salon.app.groomHash();
+  EXPECT_TRUE(salon.app.undo());
+  EXPECT_EQ(salon.app.whiskerCount(), 0u);
+  salon.stroke(Tool::Whisker, {80, 80}, {140, 80});
+  EXPECT_NE(salon.app.groomHash(), left);
+  // And they are pulled out where they stand, not where their tips are.
+  salon.app.setField("brushRadius", "0.1");
+  salon.stroke(Tool::Pluck, {125, 80}, {120, 80});
+  EXPECT_EQ(salon.app.whiskerCount(), 1u);
+  salon.stroke(Tool::Pluck, {82, 80}, {81, 80});
+  EXPECT_EQ(salon.app.whiskerCount(), 0u);
+}
+
+TEST(AppGroom, WhiskersEndAtTheirLimitWithAWarning) {
+  Salon salon;
+  for (std::size_t i = 0; i < groom::kMostWhiskers; ++i) salon.stroke(Tool::Whisker, {80, 80}, {80, 80});
+  EXPECT_EQ(salon.app.whiskerCount(), groom::kMostWhiskers);
+  EXPECT_TRUE(salon.app.takeWarnings().empty());
+  salon.stroke(Tool::Whisker, {80, 80}, {80, 60});
+  EXPECT_EQ(salon.app.whiskerCount(), groom::kMostWhiskers);
+  EXPECT_EQ(salon.app.takeWarnings().size(), 1u);
+  salon.app.clearGroom();
+  EXPECT_FALSE(salon.app.groomed());
 }
 
 TEST(AppGroom, WaterStaysWaterWhateverTheTool) {

@@ -53,10 +53,11 @@ struct Person : PanelDriver {
 
 TEST(GroomPanel, ItsBrushesAreTools) {
   Person person;
-  const std::pair<const char*, int> buttons[] = {{"Comb", 0}, {"Smooth", 1}, {"Raise", 2}, {"Trim", 0}, {"Grow", 1}, {"Type", 2}};
+  const std::pair<const char*, int> buttons[] = {{"Comb", 0}, {"Smooth", 1}, {"Raise", 2}, {"Trim", 0}, {"Grow", 1}, {"Type", 2}, {"Whisker", 0}, {"Pluck", 1}};
   int next = static_cast<int>(Tool::Comb);
   for (const auto& [label, segment] : buttons) {
-    person.press(next < static_cast<int>(Tool::Trim) ? "combs" : "cuts", segment, label);
+    const bool combs = next < static_cast<int>(Tool::Trim), hairs = next >= static_cast<int>(Tool::Whisker);
+    person.press(combs ? "combs" : hairs ? "hairs" : "cuts", segment, label);
     ASSERT_EQ(person.commands.size(), 1u);
     EXPECT_EQ(static_cast<int>(std::get<command::SetTool>(person.commands[0]).tool), next++);
     person.commands.clear();

@@ -83,10 +83,36 @@ TEST(FurData, BringsThePictureAndItsFactor) {
   EXPECT_EQ(model.value().baseColorFactor, scene.factor);
 }
 
+TEST(FurData, WhiskersStandWhereTheirModelIsFittedTo) {
+  Scene scene;
+  groom::Whisker whisker;
+  whisker.root = scene.mesh.positions[7];
+  whisker.direction = Vec3(0, 0.6f, -0.8f);
+  whisker.hairs = 5;
+  whisker.seed = 0xfedcba98u;
+  whisker.color = 0x336699;
+  scene.fur.whiskers = {whisker, {}};
+  const auto model = importGltf(scene.file(), "torus.glb");
+  ASSERT_TRUE(model) << model.error().message;
+  ASSERT_EQ(model.value().fur.whiskers.size(), 2u);
+  groom::Whisker read = model.value().fur.whiskers[0];
+  EXPECT_LT(glm::length(read.root - whisker.root), 1e-6f);
+  read.root = whisker.root;
+  EXPECT_EQ(read, whisker);
+  // In a file of another size they stand at the same place of the model, and are as long as it is large.
+  for (Vec3& p : scene.mesh.positions) p = 20.0f * p + Vec3(3, 0, -5);
+  scene.fur.whiskers[0].root = scene.mesh.positions[7];
+  const auto large = importGltf(scene.file(), "torus.glb");
+  ASSERT_TRUE(large);
+  EXPECT_LT(glm::length(large.value().fur.whiskers[0].root - large.value().mesh.positions[7]), 1e-5f);
+  EXPECT_EQ(large.value().fur.whiskers[0].length, whisker.length);
+}
+
 TEST(FurData, AFileWithoutItHasNone) {
   const auto model = importGltf(exportGlb(geometry::makeTorus(), "torus"), "torus.glb");
   ASSERT_TRUE(model);
   EXPECT_TRUE(model.value().fur.map.empty() && model.value().fur.comb.empty() && model.value().fur.state.empty());
+  EXPECT_TRUE(model.value().fur.whiskers.empty());
   EXPECT_TRUE(model.value().mesh.atlas.empty());
 }
 
@@ -116,6 +142,15 @@ TEST(FurData, HostileOnesAreTypedErrors) {
   EXPECT_EQ(idOf(withExtension(R"({"version":1,"groom":{"size":2,"bufferView":0,"texCoord":0}})")), ErrorId::BadFile);
   EXPECT_EQ(idOf(withExtension(R"({"version":1,"groom":{"size":16,"bufferView":0,"texCoord":0}})")), ErrorId::BadFile);
   EXPECT_EQ(idOf(withExtension(R"({"version":1,"groom":{"size":16,"bufferView":9,"texCoord":0}})")), ErrorId::BadFile);
+  EXPECT_EQ(idOf(withExtension(R"({"version":1,"whiskers":[]})")), ErrorId::BadFile);
+  EXPECT_EQ(idOf(withExtension(R"({"version":1,"whiskers":{"bufferView":9}})")), ErrorId::BadFile);
+  const auto whiskersOf = [](std::size_t bytes) {
+    const std::string view = ",{\"buffer\":0,\"byteOffset\":44,\"byteLength\":" + std::to_string(bytes) + "}";
+    return withExtension(R"({"version":1,"whiskers":{"bufferView":2}})", view, FileBytes(bytes, 0xff));
+  };
+  EXPECT_EQ(idOf(whiskersOf(51)), ErrorId::BadFile);
+  EXPECT_EQ(idOf(whiskersOf(513 * 52)), ErrorId::TooLarge);
+  EXPECT_TRUE(whiskersOf(512 * 52)) << "what is in them is judged where the surface is known";
 }
 
 TEST(FurData, AMapWithoutCoordinatesOfItsOwnIsLeftOutWithAWarning) {

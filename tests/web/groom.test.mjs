@@ -59,6 +59,7 @@ test('the editor takes the groom over and gives it back', async () => {
   const page = await site.open('?quality=low&layers=8&fins=0&dryRate=0&src=sphere', { viewport: { width: 800, height: 400 } });
   await stroke(page, 'comb');
   await stroke(page, 'trim');
+  await stroke(page, 'whisker');
   const before = await saved(page);
   await page.click('#editor');
   await page.waitForFunction(() => wetFur.editorOpen, null, { timeout: 30000 });
@@ -66,6 +67,24 @@ test('the editor takes the groom over and gives it back', async () => {
   await page.click('#editor');
   await page.waitForFunction(() => !wetFur.editorOpen);
   assert.equal(await saved(page), before);
+  assert.deepEqual(page.problems, []);
+});
+
+test('a whisker is planted where it is pressed, and plucked there', async () => {
+  const page = await site.open(`?${light}&dryRate=0&src=sphere&whiskerWidth=0.02&whiskerLength=1&whiskerHairs=8&whiskerColor=000000`);
+  await untilStill(page);
+  const before = await picture(page);
+  await stroke(page, 'whisker');
+  assert.equal(await withFur(page, (fur) => fur.groomed), true);
+  assert.ok(difference(before, await picture(page), 24) > 0.0005);
+  await stroke(page, 'pluck');
+  assert.equal(await withFur(page, (fur) => fur.groomed), false);
+  assert.ok(difference(before, await picture(page), 16) < 0.001);
+  // Two steps: the plucking, then the planting.
+  assert.equal(await withFur(page, (fur) => fur.undo()), true);
+  assert.equal(await withFur(page, (fur) => fur.groomed), true);
+  assert.equal(await withFur(page, (fur) => fur.undo()), true);
+  assert.equal(await withFur(page, (fur) => fur.groomed), false);
   assert.deepEqual(page.problems, []);
 });
 

@@ -11,8 +11,11 @@ export class FurError extends Error {
   constructor(code: FurErrorCode, message: string);
 }
 
-/** 'comb' to 'type' dress the fur: 'smooth', 'raise' and 'comb' lay it, 'trim' and 'grow' change its length, 'type' its kind. */
-export type Tool = 'droplet' | 'dry' | 'comb' | 'smooth' | 'raise' | 'trim' | 'grow' | 'type' | 'grab' | 'none';
+/**
+ * 'comb' to 'type' dress the fur: 'smooth', 'raise' and 'comb' lay it, 'trim' and 'grow' change its length, 'type' its kind.
+ * 'whisker' plants a whisker or a tuft where it is pressed and aims it while it is dragged; 'pluck' pulls them out.
+ */
+export type Tool = 'droplet' | 'dry' | 'comb' | 'smooth' | 'raise' | 'trim' | 'grow' | 'type' | 'whisker' | 'pluck' | 'grab' | 'none';
 export type GroomType = '1' | '2' | '3' | '4';
 export type FurType = 'bald' | 'rabbit' | 'chinchilla' | 'curlyDog' | 'thickNylon' | 'fineSparse' | 'otter' | 'shortCat' | 'persian' | 'shag' | 'velvet' | 'wool';
 /** All over the model; see WetFurApi.groom. */
@@ -135,6 +138,18 @@ export interface FurSettings {
   type3: FurType;
   /** The coat that grows where the type brush painted 4: its strands and colours, on the same tile, no longer than Length. */
   type4: FurType;
+  /** Length of the longest hair of what the whisker tool plants; those that stand keep theirs, as with all below. */
+  whiskerLength: number;
+  /** Width of a hair at its root; it tapers to nothing. */
+  whiskerWidth: number;
+  /** Hairs that one click plants: more make a tuft. */
+  whiskerHairs: number;
+  /** How far the hairs of a tuft fan out. */
+  whiskerSpread: number;
+  /** How little a hair leans with the coat round it: 1 stands whatever wind and comb do. */
+  whiskerStiffness: number;
+  /** Colour of the hairs. */
+  whiskerColor: Color;
   /** How far its own weight bends the fur. */
   gravity: number;
   /** How strongly a strand returns to its rest direction. */
@@ -276,7 +291,7 @@ export interface WetFurApi {
   readonly meanWetness: number;
   /** Of the wetness mask: the same strokes give the same hash. */
   readonly wetnessHash: string;
-  /** Whether any fur is shorter, of another type or combed. */
+  /** Whether any fur is shorter, of another type or combed, or any whisker stands. */
   readonly groomed: boolean;
   readonly canUndo: boolean;
   readonly canRedo: boolean;

@@ -68,6 +68,14 @@ FUR_BLOCK(FurBlock) {
 #define FUR_FIN_FACE_1 5      // w: model v at the edge's middle
 #define FUR_FIN_ATLAS 6       // atlas of a, atlas of b
 
+#define FUR_WHISKER_ROOT 0       // w: width at the root
+#define FUR_WHISKER_DIRECTION 1  // w: length
+#define FUR_WHISKER_CURVE 2      // its own bend; w: share of the coat's bend that it takes
+#define FUR_WHISKER_NORMAL 3     // of the skin; w: its random number
+#define FUR_WHISKER_COLOR 4      // linear; w: atlas u
+#define FUR_WHISKER_VERTICES 5   // indices of its triangle's vertices; w: atlas v
+#define FUR_WHISKER_WEIGHTS 6    // their shares
+
 #define FUR_UNIT_COVERAGE 0
 #define FUR_UNIT_STRAND 1
 #define FUR_UNIT_MASK 2
@@ -115,6 +123,8 @@ FUR_BLOCK(FurBlock) {
 // Shells of the exploded view, and how much further apart they are than in the coat, model units.
 #define FUR_EXPLODED_SHELLS 8
 #define FUR_EXPLODED_GAP 0.035
+// Points of a whisker, root to tip (groom/Whiskers.h).
+#define FUR_WHISKER_POINTS 8
 
 #ifdef __cplusplus
 }  // namespace fur::render::shared

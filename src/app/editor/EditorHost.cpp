@@ -262,6 +262,7 @@ editor::EditorModel EditorHost::model() {
   model.groom.length = groomCoverage_.length;
   std::copy_n(groomCoverage_.types, groom::kTypes, model.groom.types);
   model.groom.mapSize = app_.groomMap().size();
+  model.groom.whiskers = static_cast<int>(app_.whiskerCount());
   model.groom.plain = !app_.groomed();
   model.groom.map = idOf(groomPicture_);
   return model;

@@ -84,7 +84,7 @@ std::string attributesOf(Writer& writer, const geometry::Mesh& mesh, const FurDa
 // WETFUR_fur of the root; "" when there is nothing to say.
 std::string furExtension(Writer& writer, const geometry::Mesh& mesh, const FurData& fur) {
   const bool hasMap = !fur.map.empty() && mesh.atlas.size() == mesh.positions.size();
-  if (fur.state.empty() && !hasMap && fur.comb.empty() && mesh.furUv.empty()) return "";
+  if (fur.state.empty() && !hasMap && fur.comb.empty() && fur.whiskers.empty() && mesh.furUv.empty()) return "";
   std::string out = "\"WETFUR_fur\":{\"version\":" + std::to_string(kFurVersion);
   if (!fur.state.empty()) out += ",\"state\":" + fur.state;
   if (hasMap) {
@@ -93,6 +93,10 @@ std::string furExtension(Writer& writer, const geometry::Mesh& mesh, const FurDa
       for (const auto& texel : fur.map) planes.push_back(texel[k]);
     out += ",\"groom\":{\"size\":" + std::to_string(fur.mapSize) + ",\"bufferView\":" +
            std::to_string(writer.addView(packBits(planes), "")) + ",\"texCoord\":" + (mesh.uv.empty() ? "0}" : "1}");
+  }
+  if (!fur.whiskers.empty()) {
+    const auto* from = reinterpret_cast<const std::uint8_t*>(fur.whiskers.data());
+    out += ",\"whiskers\":{\"bufferView\":" + std::to_string(writer.addView({from, fur.whiskers.size() * groom::kWhiskerBytes}, "")) + "}";
   }
   return out + "}";
 }

@@ -24,6 +24,16 @@ void readMap(const GltfFile& file, const Json& groom, FurData& fur) {
     for (std::size_t k = 0; k < 4; ++k) fur.map[i][k] = planes[k * texels + i];
 }
 
+void readWhiskers(const GltfFile& file, const Json& whiskers, FurData& fur) {
+  const char* where = "WETFUR_fur.whiskers";
+  if (!whiskers.isObject()) file.bad("%s is not an object", where);
+  const Bytes bytes = file.bufferView(file.whole(whiskers, "bufferView", where)).bytes;
+  const bool whole = bytes.size() % groom::kWhiskerBytes == 0;
+  if (!whole || bytes.size() > groom::kMostWhiskers * groom::kWhiskerBytes)
+    file.fail(whole ? ErrorId::TooLarge : ErrorId::BadFile, "%s does not hold up to 512 of 52 bytes", where);
+  fur.whiskers = groom::readWhiskers(bytes);
+}
+
 }  // namespace
 
 GltfFur readFur(const GltfFile& file, FurData& fur) {
@@ -45,6 +55,7 @@ GltfFur readFur(const GltfFile& file, FurData& fur) {
     out.hasMap = true;
     out.atlasSet = file.whole(*groom, "texCoord", "WETFUR_fur.groom");
   }
+  if (const Json* whiskers = found->find("whiskers")) readWhiskers(file, *whiskers, fur);
   return out;
 }
 

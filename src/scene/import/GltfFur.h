@@ -1,5 +1,5 @@
 // The extension WETFUR_fur of a glTF file (scene/FurData.h). Throws ImportError as GltfFile does: unsupported-version
-// for a newer one, too-large for a map over its limit, bad-file for the rest.
+// for a newer one, too-large for a map or whiskers over their limit, bad-file for the rest.
 #pragma once
 
 #include "scene/Model.h"
@@ -14,7 +14,7 @@ struct GltfFur {
   Whole atlasSet = 0;  // of the map
 };
 
-// Fills state and map of `fur`.
+// Fills state, map and whiskers of `fur`; whiskers stand where the file has them.
 GltfFur readFur(const GltfFile& file, FurData& fur);
 
 }  // namespace fur::scene

@@ -30,7 +30,8 @@ class Importer {
     checkFur();
     materials_.describe(model_);
     model_.bounds = geometry::bounds(model_.mesh);
-    geometry::fitToUnitSphere(model_.mesh);
+    const geometry::Fit fit = geometry::fitToUnitSphere(model_.mesh);
+    for (groom::Whisker& whisker : model_.fur.whiskers) whisker.root = fit.of(whisker.root);
   }
 
  private:

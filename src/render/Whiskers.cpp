@@ -1,0 +1,40 @@
+#include "render/Whiskers.h"
+
+#include "shared/Blocks.h"
+
+namespace fur::render {
+
+namespace {
+
+using groom::WhiskerHair;
+
+constexpr gl::Attribute kAttributes[] = {
+    {FUR_WHISKER_ROOT, 4, offsetof(WhiskerHair, root)},         {FUR_WHISKER_DIRECTION, 4, offsetof(WhiskerHair, direction)},
+    {FUR_WHISKER_CURVE, 4, offsetof(WhiskerHair, curve)},       {FUR_WHISKER_NORMAL, 4, offsetof(WhiskerHair, normal)},
+    {FUR_WHISKER_COLOR, 4, offsetof(WhiskerHair, color)},       {FUR_WHISKER_VERTICES, 4, offsetof(WhiskerHair, vertices)},
+    {FUR_WHISKER_WEIGHTS, 3, offsetof(WhiskerHair, weights)},
+};
+static_assert(sizeof(WhiskerHair) == 27 * sizeof(float) && FUR_WHISKER_POINTS == groom::kHairPoints);
+
+}  // namespace
+
+std::size_t Whiskers::set(std::span<const WhiskerHair> hairs) {
+  count_ = static_cast<int>(hairs.size());
+  array_ = {};
+  hairs_ = {};
+  if (hairs.empty()) return 0;
+  hairs_ = gl::Buffer(gl::BufferKind::Vertex, std::as_bytes(hairs), false);
+  array_ = gl::VertexArray(hairs_, sizeof(WhiskerHair), kAttributes, 1, nullptr);
+  return hairs_.bytes();
+}
+
+Status Whiskers::draw(Programs& programs, unsigned variant) const {
+  if (count_ == 0) return Done{};
+  const auto program = programs.use(Shader::Whisker, variant);
+  if (!program) return program.error();
+  gl::apply({.cullBack = false, .alphaToCoverage = true, .alpha = false});
+  array_.drawStrips(2 * FUR_WHISKER_POINTS, count_);
+  return Done{};
+}
+
+}  // namespace fur::render
