@@ -65,6 +65,10 @@ float lightShare(float lit, float h, float nDotL) {
   return lit * clamp(nDotL + 0.5, 0.0, 1.0) * mix(1.0, furShadow(h, volume.z, nDotL), shading.w);
 }
 
+// Kajiya and Kay's lobes know no surface: past the terminator of a coat they would glow where strands of the lit side
+// stand in the light's way. C++ twin in hair/StrandShading.h.
+float glossShare(float nDotL) { return clamp(1.6 * nDotL + 0.6, 0.0, 1.0); }
+
 // Kajiya & Kay 1989 with a small Lambert term (Sheppard 5.3.1) and the factors of Silva et al. 2010:
 //   C = occ wet (C_d + C_s)                                  Eq. 2
 //   exponent p (1 + sigma_spec (rho - 1))                    Eq. 3
@@ -79,10 +83,10 @@ vec3 shadeStrand(vec3 albedo, vec3 T, vec3 L, vec3 V, float h, float rho, float 
   float diffuse = mix(across.x, max(L.z, 0.0), shading.x);
 #ifdef MARSCHNER
   // The setting 0.5 is the strand as it is.
-  vec3 gloss = 2.0 * shading.y * key * marschnerStrand(albedo, along, across, dot(L, V), exponent);
+  vec3 gloss = 2.0 * shading.y * glossShare(L.z) * key * marschnerStrand(albedo, along, across, dot(L, V), exponent);
 #else
   // A lobe's energy falls as its exponent rises; sqrt(p) keeps a strand's total about even.
-  float strength = shading.y * sqrt(exponent / shading.z);
+  float strength = shading.y * sqrt(exponent / shading.z) * glossShare(L.z);
   vec4 cosines = vec4(across.x * across.y, along.x * along.y, along * across.yx);
   vec2 shifts = lobeShifts(strand);
   vec3 gloss = (strength * key) * ((0.7 + 0.3 * rho) * kajiyaLobe(shiftedCosine(cosines, shifts.x), exponent) +

@@ -142,9 +142,7 @@ void main() {
   vec3 wetSum = vec3(0.0);  // clump lean in tile units a fur length, wetness
   float rho = 0.0;
 #endif
-#ifdef GROOMED
   float furry = 1.0;  // how much of a coat there is where the ray is
-#endif
   for (int k = 0; k < kMostSteps; ++k) {
     if (x >= end) break;
     float h = vTop + x * (vPath.x + x * vPath.y);
@@ -270,7 +268,7 @@ void main() {
   const float kRise = 0.1;
   float lit = 1.0;
   if (h + kRise < 1.0)
-    lit -= 0.65 * shading.w * textureLod(coverage, vec3(at + vLightStep * kRise, storedLayer(h + kRise, 0.0) + firstLayer), lod + 1.0).r;
+    lit -= 0.65 * shading.w * furry * textureLod(coverage, vec3(at + vLightStep * kRise, storedLayer(h + kRise, 0.0) + firstLayer), lod + 1.0).r;
 
   // How far the ray went, to the strands or to the skin.
   lit *= furShadowAt(vLightSpace + vLightRay * (alpha > 0.0 ? xSum * perStrand : end));
@@ -292,6 +290,8 @@ void main() {
   vec3 color = shadeStrand(strandColor(rootTint, tip, h, met.z, model), tangent, light3, view3, exposed, rho, lit, vView.w, met.z);
   if (reachesSkin && closed < 1.0) {
     vec3 skin = shadeSkin(skinColor.rgb * model * 0.5, vLight.z, vView.w, 0.0, skinWetness, lit);
+    // Pores: the lowest layer says where strands root (Sheppard 5.2).
+    skin *= 1.0 - 0.4 * furry * textureLod(coverage, vec3(at, firstLayer), lod).r;
 #ifdef GROOMED
     skin = mix(bareSkin(skinColor.rgb * model, vLight.z, vView.w, skinWetness, lit), skin, furry);
 #endif

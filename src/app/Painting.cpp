@@ -36,9 +36,18 @@ void App::State::maskTouched() {
 }
 
 const std::vector<float>& App::State::wetnessOfVertices() {
-  if (std::exchange(vertexWetnessStale, false))
-    for (std::size_t i = 0; i < vertexWetness.size(); ++i)
-      vertexWetness[i] = mask.at(surface.vertices[i].atlas.x, surface.vertices[i].atlas.y).w;
+  if (!std::exchange(vertexWetnessStale, false)) return vertexWetness;
+  // Vertices of one point weigh the same, whichever charts they are of: where they bent apart, the coat would crack.
+  if (!points) points.emplace(surface);
+  std::vector<Vec2> sums(points->count(), Vec2(0));
+  for (std::size_t i = 0; i < vertexWetness.size(); ++i) {
+    const Vec2 atlas = surface.vertices[i].atlas;
+    sums[points->pointOf[i]] += Vec2(mask.at(atlas.x, atlas.y).w, 1);
+  }
+  for (std::size_t i = 0; i < vertexWetness.size(); ++i) {
+    const Vec2& sum = sums[points->pointOf[i]];
+    vertexWetness[i] = sum.x / sum.y;
+  }
   return vertexWetness;
 }
 

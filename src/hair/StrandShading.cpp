@@ -52,11 +52,13 @@ float keyShare(const StrandLook& look, float height, float nDotL, float lit) {
   return lit * body * glm::mix(1.0f, furShadow(height, look.density, nDotL), look.strandShadow);
 }
 
+float glossShare(float nDotL) { return saturate(1.6f * nDotL + 0.6f); }
+
 Vec3 shadeStrand(const StrandLook& look, const Vec3& albedo, const Vec3& tangent, const Vec3& light, const Vec3& view,
                  float nDotL, float height, float wetness, float key, float rim, const Vec3& sky, float strand) {
   const float exponent = std::max(look.exponent * (1.0f + look.wetGloss * (wetness - 1.0f)), 1.0f);
   // A lobe's energy falls as its exponent rises; sqrt(p) keeps a strand's total about even.
-  const float strength = look.gloss * std::sqrt(exponent / look.exponent);
+  const float strength = look.gloss * std::sqrt(exponent / look.exponent) * glossShare(nDotL);
   const Vec2 shifts = lobeShifts(strand);
   const auto lobe = [&](float shift, float p) { return kajiyaLobe(shiftedCosine(tangent, light, view, shift), p); };
   const Vec3 gloss = strength * key * ((0.7f + 0.3f * wetness) * lobe(shifts.x, exponent) + albedo * lobe(shifts.y, 0.5f * exponent));

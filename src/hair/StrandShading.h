@@ -37,6 +37,9 @@ struct StrandLook {
 // The share of the key light that comes to height h of the coat on a body whose normal has that cosine to the light;
 // `lit` is what the strands next to it leave.
 float keyShare(const StrandLook& look, float height, float nDotL, float lit);
+// The share of the light that a strand throws back as gloss. Kajiya and Kay's lobes know no surface: past the
+// terminator of a coat they would glow where strands of the lit side stand in the light's way.
+float glossShare(float nDotL);
 // Light of one colour share from strand to eye, all vectors in one frame: Kajiya & Kay 1989 with a Lambert term and
 // the factors of Silva et al. 2010, Eq. 2-5; two lobes, a white one and a wider one of the strand's colour. `key` is the
 // light that arrives, `rim` what of it comes through the coat's edge (rimLight()), `sky` that from all round; `strand`

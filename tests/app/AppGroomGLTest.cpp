@@ -219,6 +219,24 @@ TEST(AppGroom, ABaldTypeShowsTheSkin) {
   EXPECT_LT(salon.settled().differingShare(bald, 24), 0.02f);
 }
 
+TEST(AppGroom, AWetCoatDoesNotCrackWhereChartsMeet) {
+  Salon salon;
+  for (int i = 0; i < 6; ++i) salon.app.splashPixel({60.0f + 8 * static_cast<float>(i), 80}, 0.3f, 0.8f);
+  salon.app.settle();
+  const auto& vertices = salon.app.surface().vertices;
+  const groom::SurfacePoints points(salon.app.surface());
+  std::vector<int> first(points.count(), -1);
+  int pairs = 0;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    int& same = first[points.pointOf[i]];
+    if (same < 0) same = static_cast<int>(i);
+    if (same == static_cast<int>(i) || glm::distance(vertices[i].normal, vertices[static_cast<std::size_t>(same)].normal) > 1e-4f) continue;
+    ++pairs;
+    ASSERT_LT(glm::distance(salon.app.bends()[i], salon.app.bends()[static_cast<std::size_t>(same)]), 1e-3f);
+  }
+  EXPECT_GT(pairs, 10) << "charts meet somewhere";
+}
+
 TEST(AppGroom, ASavedSceneOpensAsItWas) {
   Salon salon;
   salon.app.setField("tipColor", "#336699");

@@ -21,7 +21,7 @@ std::set<std::string> differences(const Settings& a, const Settings& b) {
 }
 
 TEST(Editor, EveryFieldOfTheTableHasAWidget) {
-  PanelDriver person({1280, 3400});
+  PanelDriver person({1280, 4000});
   person.openAllGroups();
   std::set<ImGuiID> hovered;
   for (const auto& [at, id] : person.sweep()) hovered.insert(id);
