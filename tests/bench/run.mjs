@@ -1,16 +1,13 @@
 // Frame times of ours against the limit page (limit.js), in one browser, round by round, so that the
 // machine's drift cancels: node tests/bench/run.mjs [--layers 16,32,64] [--sizes 800x600] [--rounds 9]
-// [--query "wetness=0.8"] [--shots folder] [--model bunny]. Absolute times mean something only on a GPU.
-import { mkdir, mkdtemp, readFile, rm } from 'node:fs/promises';
-import { createServer } from 'node:http';
+// [--query "wetness=0.8"] [--shots folder] [--model bunny|bunny16|torus142k]. Absolute times mean something only on a GPU.
+import { mkdir, mkdtemp, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
-import { dirname, extname, join, normalize } from 'node:path';
-import { fileURLToPath } from 'node:url';
+import { join } from 'node:path';
 import { chromium } from 'playwright-core';
 import { chromiumPath } from '../../tools/setup.mjs';
+import { serve } from './server.mjs';
 
-const here = dirname(fileURLToPath(import.meta.url));
-const dist = join(here, '../../dist');
 const options = { layers: '16,32,64', sizes: '800x600', rounds: '9', query: '', shots: '', model: 'bunny', frames: '4' };
 for (let i = 2; i < process.argv.length; i += 2) {
   const name = process.argv[i].replace(/^--/, '');
@@ -18,19 +15,7 @@ for (let i = 2; i < process.argv.length; i += 2) {
   options[name] = process.argv[i + 1];
 }
 
-const types = { '.html': 'text/html', '.js': 'text/javascript', '.mjs': 'text/javascript', '.wasm': 'application/wasm' };
-const server = createServer(async (request, response) => {
-  const path = normalize(decodeURIComponent(request.url.split('?')[0]));
-  const file = path.startsWith('/bench/') ? join(here, path.slice(7)) : join(dist, path);
-  try {
-    const body = await readFile(file);
-    response.writeHead(200, { 'content-type': types[extname(file)] ?? 'application/octet-stream' }).end(body);
-  } catch {
-    response.writeHead(404).end();
-  }
-});
-await new Promise((listening) => server.listen(0, '127.0.0.1', listening));
-const origin = `http://127.0.0.1:${server.address().port}`;
+const { origin, close } = await serve();
 
 const median = (values) => {
   const sorted = [...values].sort((a, b) => a - b), middle = sorted.length >> 1;
@@ -42,7 +27,7 @@ async function open(context, page, layers, size) {
   const tab = await context.newPage();
   tab.on('pageerror', (error) => console.error(`${page}: ${error}`));
   tab.on('console', (message) => message.type() === 'error' && console.error(`${page}: ${message.text()}`));
-  await tab.goto(`${origin}/bench/page.html?page=${page}&layers=${layers}&width=${width}&height=${height}&model=${options.model}&${options.query}`);
+  await tab.goto(`${origin}/bench/page.html?page=${page}&shells=${layers}&width=${width}&height=${height}&mesh=${options.model}&${options.query}`);
   await tab.waitForFunction(() => window.bench, null, { timeout: 120000 });
   await tab.evaluate(() => window.bench(2));
   if (options.shots) {
@@ -89,6 +74,6 @@ try {
     for (const layers of options.layers.split(',')) await measure(context, Number(layers), size);
 } finally {
   await context.close();
-  server.close();
+  close();
   await rm(profile, { recursive: true, force: true, maxRetries: 5 });
 }

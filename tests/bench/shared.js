@@ -2,11 +2,11 @@
 
 const query = new URLSearchParams(location.search);
 export const setting = {
-  model: query.get('model') ?? 'bunny',
-  layers: Number(query.get('layers') ?? 32),
+  model: query.get('mesh') ?? 'bunny',
+  layers: Number(query.get('shells') ?? 32),
   width: Number(query.get('width') ?? 800),
   height: Number(query.get('height') ?? 600),
-  furLength: Number(query.get('furLength') ?? 0.06),
+  furLength: Number(query.get('length') ?? 0.06),
   antialias: query.get('aa') === '1',
 };
 
