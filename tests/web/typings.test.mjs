@@ -22,7 +22,7 @@ test('the typings list the fields of the settings table, all and no others', asy
   const types = { float: 'number', int: 'number', bool: 'boolean', color: 'Color' };
   // A choice has a type of its own that lists the options.
   const choiceType = ({ name, options }) => {
-    const type = name[0].toUpperCase() + name.slice(1);
+    const type = /^type[2-4]$/.test(name) ? 'FurType' : name[0].toUpperCase() + name.slice(1);
     const union = new RegExp(`export type ${type} = ([^;]+);`).exec(text);
     assert.deepEqual(union?.[1].split('|').map((option) => option.trim().slice(1, -1)), options.split('|'), type);
     return type;
