@@ -4,7 +4,7 @@ import { install, makeCanvas, setting, view } from './shared.js';
 
 const canvas = makeCanvas();
 const fur = await createWetFur(canvas, {
-  src: setting.model, quality: setting.antialias ? 'medium' : 'low', paused: true, dryRate: 0,
+  src: new URL(`/models/${setting.model}.glb`, location).href, quality: setting.antialias ? 'medium' : 'low', paused: true, dryRate: 0,
 });
 const query = new URLSearchParams(location.search);
 for (const name of fur.settingsTable.map((field) => field.name)) {
