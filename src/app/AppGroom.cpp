@@ -43,11 +43,8 @@ std::vector<T> perVertex(const std::vector<T>& ofPoints, const groom::Ground& gr
 }
 
 groom::TypeHeights heightsOf(const settings::Settings& settings) {
-  groom::TypeHeights heights = groom::kAllFull;
-  for (std::size_t i = 1; i < heights.size(); ++i) {
-    const settings::Settings coat = settings::typeCoat(settings, static_cast<int>(i));
-    heights[i] = coat.density > 0 ? std::min(coat.furLength / std::max(settings.furLength, 1e-6f), 1.0f) : 0;
-  }
+  groom::TypeHeights heights;
+  for (std::size_t i = 0; i < heights.size(); ++i) heights[i] = settings::typeHeight(settings, static_cast<int>(i));
   return heights;
 }
 

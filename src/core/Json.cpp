@@ -9,15 +9,6 @@ namespace fur {
 
 namespace {
 
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
-
-// The value of a hexadecimal digit, -1 of anything else.
-int hexDigit(char c) {
-  if (isDigit(c)) return c - '0';
-  const char small = static_cast<char>(c | 0x20);
-  return small >= 'a' && small <= 'f' ? small - 'a' + 10 : -1;
-}
-
 // The four digits of a \u; they have been checked.
 std::uint32_t codeAt(const char* digits) {
   std::uint32_t code = 0;

@@ -8,8 +8,6 @@ namespace fur {
 
 namespace {
 
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
-
 // value * 10^exponent
 double scaled(double value, int exponent) {
   for (; exponent > 22 && value != 0.0 && std::isfinite(value); exponent -= 22) value *= 1e22;

@@ -8,6 +8,15 @@
 
 namespace fur {
 
+inline bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
+// The value of a hexadecimal digit, -1 of anything else.
+inline int hexDigit(char c) {
+  if (isDigit(c)) return c - '0';
+  const char small = static_cast<char>(c | 0x20);
+  return small >= 'a' && small <= 'f' ? small - 'a' + 10 : -1;
+}
+
 // The whole of `text` as C writes decimal numbers (no spaces, hexadecimal, inf or nan), or false. Correct to the last
 // bit for up to 15 digits at exponents within 22, else to 1e-15 of the number; infinite beyond double's range.
 bool readDecimal(std::string_view text, double& out);

@@ -75,7 +75,7 @@ shared::FurBlock furBlock(const Frame& frame, int tileSize, int storedLayers, co
     const settings::Settings look = settings::typeCoat(s, type);
     coat.rootColors[type] = Vec4(settings::linearColor(look.rootColor) * factor, densities[static_cast<std::size_t>(type)] > 0);
     coat.tipColors[type] = Vec4(settings::linearColor(look.tipColor) * factor, look.variance);
-    coat.typeRise[type] = s.furLength / std::min(look.furLength, s.furLength);
+    coat.typeRise[type] = 1 / std::max(settings::typeHeight(s, type), 1e-6f);
   }
   coat.skinColor = Vec4(settings::linearColor(s.skinColor) * factor, 0.39894228f / strandLobeWidth(s));
   // Where few strands stand, they hardly darken each other and the skin.

@@ -5,7 +5,6 @@
 #include <optional>
 #include <span>
 
-#include "furgen/FurVolume.h"
 #include "furgen/Packing.h"
 #include "geometry/Surface.h"
 #include "groom/Groom.h"
@@ -40,7 +39,6 @@ class Renderer {
   void setFinMap(int type, std::span<const furgen::PackedLevel> levels);
   // `densities`, one a type: the share of its densest layer that strands cover; 0: it is bald.
   void showFur(std::span<const float> densities);
-  void setFur(const furgen::FurVolume& volume);  // all of that at once, of one type
   // Straight RGBA8 in sRGB. {} makes it white.
   void setBaseColor(int width, int height, std::span<const std::uint8_t> rgba);
   // Uploads only `changed` (the whole mask after a change of size).

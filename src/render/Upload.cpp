@@ -163,20 +163,6 @@ void Renderer::showFur(std::span<const float> densities) {
   ++furShadowScene_;
 }
 
-void Renderer::setFur(const furgen::FurVolume& v) {
-  beginFur(v.size, v.layers, v.finRows, 1);
-  const std::size_t texels = static_cast<std::size_t>(v.size) * v.size;
-  for (int layer = 0; layer < v.layers; ++layer) {
-    const auto part = [&](const auto& all, std::size_t channels) {
-      return std::span(all).subspan(texels * static_cast<std::size_t>(layer) * channels, texels * channels);
-    };
-    setFurLayer(0, layer, furgen::packLevels(v.size, v.size, {part(v.coverage, 1), part(v.dominance, 1), part(v.variance, 1),
-                                                              part(v.tangent, 3), part(v.offset, 2)}));
-  }
-  setFinMap(0, furgen::packLevels(v.size, v.finRows, {v.finCoverage, v.finDominance, v.finVariance, v.finTangent, {}}));
-  showFur(std::array{v.density});
-}
-
 void Renderer::setBaseColor(int width, int height, std::span<const std::uint8_t> rgba) {
   const std::uint8_t white[4] = {255, 255, 255, 255};
   hasPicture_ = !rgba.empty();

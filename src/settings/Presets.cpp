@@ -129,6 +129,12 @@ Settings typeCoat(const Settings& settings, int type) {
   return out;
 }
 
+float typeHeight(const Settings& settings, int type) {
+  if (type == 0) return 1;
+  const Settings coat = typeCoat(settings, type);
+  return coat.density > 0 ? std::min(coat.furLength / std::max(settings.furLength, 1e-6f), 1.0f) : 0;
+}
+
 const Preset* presetOf(const Settings& settings) {
   for (const Preset& preset : kPresets) {
     const Settings& coat = coats()[static_cast<std::size_t>(&preset - kPresets)];

@@ -40,6 +40,8 @@ const Preset* presetOf(const Settings& settings);
 
 // The coat of a fur type, 0 to 3: the settings' own, or the presets that type2 to type4 name; density 0 for "bald".
 Settings typeCoat(const Settings& settings, int type);
+// The longest strand of that type as a share of the settings' furLength, no more than 1 (type 0: 1); 0: it is bald.
+float typeHeight(const Settings& settings, int type);
 
 // The warning for a name that is none: it lists those that are.
 std::string unknownPreset(std::string_view name);

@@ -4,6 +4,8 @@
 #include <cstring>
 #include <optional>
 
+#include "core/NumberText.h"
+
 namespace fur::scene {
 
 namespace {
@@ -16,13 +18,6 @@ constexpr std::size_t kMaxDecodedBuffers = 1024;
 std::uint32_t word(Bytes bytes, std::size_t at) {
   return static_cast<std::uint32_t>(bytes[at]) | static_cast<std::uint32_t>(bytes[at + 1]) << 8 |
          static_cast<std::uint32_t>(bytes[at + 2]) << 16 | static_cast<std::uint32_t>(bytes[at + 3]) << 24;
-}
-
-int hexDigit(char c) {
-  if (c >= '0' && c <= '9') return c - '0';
-  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-  return -1;
 }
 
 std::string percentDecoded(const std::string& uri) {
