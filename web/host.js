@@ -9,7 +9,7 @@ import { acceptedFiles, decodeImage, fetchModel, loadInto, provideModelImage, re
 import { clampDt, choices, optionDefaults, optionValue, qualities, settingsObject } from './options.js';
 import { orbitText, parseOrbit } from './orbit.js';
 import { Progress } from './progress.js';
-import { instantiateProgram } from './runtime.js';
+import { compileProgram, instantiateProgram } from './runtime.js';
 import { resetContext, Screen } from './screen.js';
 
 /** After so long without a change a picture is drawn better than moving ones are. */
@@ -283,6 +283,8 @@ export class WetFur extends EventTarget {
 
   /** The context and the program, once. */
   async #start() {
+    // A context takes long to come: the program is on its way meanwhile.
+    compileProgram('viewer').catch(() => {});
     this.#screen.open({ antialias: qualities[this.#options.quality].antialias });
     this.#starting ??= instantiateProgram('viewer', (loaded, total) => this.#progress('program', loaded, total))
       .then((program) => this.#adopt(new FurApp(program)))

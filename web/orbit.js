@@ -1,15 +1,15 @@
 // The camera as text: "yaw pitch distance [targetX targetY targetZ]", angles in radians or with
-// a unit ("20deg"), separated by spaces or commas.
+// a unit ("20deg"), lengths in model units, with or without "m", separated by spaces or commas.
 
 const number = String.raw`[+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?`;
 const anglePattern = new RegExp(`^(${number})(rad|deg)?$`, 'i');
-const lengthPattern = new RegExp(`^(${number})$`, 'i');
+const lengthPattern = new RegExp(`^(${number})m?$`, 'i');
 
 const readAngle = (text) => {
   const match = anglePattern.exec(text);
   return match ? Number(match[1]) * (match[2]?.toLowerCase() === 'deg' ? Math.PI / 180 : 1) : NaN;
 };
-const readLength = (text) => (lengthPattern.test(text) ? Number(text) : NaN);
+const readLength = (text) => Number(lengthPattern.exec(text)?.[1] ?? NaN);
 
 /** @returns {{yaw: number, pitch: number, distance: number, target: number[]} | null} null when it cannot be read */
 export function parseOrbit(text) {

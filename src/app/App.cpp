@@ -38,8 +38,8 @@ CameraOrbit startView() {
 
 App::App() : state_(std::make_unique<State>()) {
   state_->camera.jump(startView());
-  const Status status = loadPrimitive("sphere");
-  FUR_ASSERT(status, "App::App()", "a sphere", "an error");
+  const Status status = loadPrimitive("plane");
+  FUR_ASSERT(status, "App::App()", "a plane", "an error");
 }
 
 App::~App() = default;

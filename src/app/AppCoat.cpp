@@ -34,6 +34,7 @@ void App::State::workOnCoat(double budget) {
   const double begun = secondsNow();
   do {
     if (furChanged && (!coatWork || coatSeconds + secondsNow() - begun > kPatience)) {
+      if (!coatUploaded) renderer->warmUp(frame());
       coatWork.emplace(coatParameters(settings, furTypes, &warnings), given);
       workTypes = furTypes;
       coatSeconds = 0;

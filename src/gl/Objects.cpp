@@ -131,6 +131,8 @@ void apply(const DrawState& state) {
 
 void setViewport(int width, int height) { glViewport(0, 0, width, height); }
 
+void flush() { glFlush(); }
+
 void clear(const Vec4& color) {
   glColorMask(true, true, true, true);
   glDepthMask(true);

@@ -43,6 +43,9 @@ class Program {
   // A refused shader is webgl-unavailable with the driver's words.
   static Result<Program> link(const char* label, std::string_view vertex, std::string_view fragment,
                               std::string_view defines = {});
+  // The same in two parts: the driver may work on it in between. `label` outlives it.
+  static Program begin(const char* label, std::string_view vertex, std::string_view fragment, std::string_view defines);
+  Status finish();
   // Names that the program does not use are ignored: a variant may optimise them away.
   void bindBlock(const char* name, unsigned binding) const;
   void bindSampler(const char* name, int unit) const;
@@ -51,7 +54,8 @@ class Program {
   void use() const;
 
  private:
-  Name name_;
+  const char* label_ = "";
+  Name name_, vertex_, fragment_;  // the shaders: until it is finished
 };
 
 enum class BufferKind { Vertex, Index, Uniform };
@@ -164,6 +168,7 @@ struct DrawState {
 void apply(const DrawState& state);
 
 void setViewport(int width, int height);
+void flush();  // what was asked for so far begins now
 void clear(const Vec4& color);
 void clearDepth();  // alone
 void clearColor();  // alone, to black

@@ -16,37 +16,55 @@ std::string infoLog(unsigned id, bool program) {
   return text;
 }
 
-Result<Name> compile(const char* label, GLenum stage, const std::string& source) {
+Name compile(unsigned stage, const std::string& source) {
   Name name(glCreateShader(stage), [](unsigned id) { glDeleteShader(id); });
   const char* text = source.c_str();
   glShaderSource(name.id(), 1, &text, nullptr);
   glCompileShader(name.id());
-  int compiled = 0;
-  glGetShaderiv(name.id(), GL_COMPILE_STATUS, &compiled);
-  if (compiled) return name;
-  return Error{ErrorId::WebglUnavailable, std::string(label) + (stage == GL_VERTEX_SHADER ? ".vert: " : ".frag: ") +
-                                              infoLog(name.id(), false)};
+  return name;
+}
+
+bool compiled(const Name& shader) {
+  int status = 0;
+  glGetShaderiv(shader.id(), GL_COMPILE_STATUS, &status);
+  return status != 0;
 }
 
 }  // namespace
 
 Result<Program> Program::link(const char* label, std::string_view vertex, std::string_view fragment,
                               std::string_view defines) {
+  Program program = begin(label, vertex, fragment, defines);
+  if (Status status = program.finish(); !status) return status.error();
+  return program;
+}
+
+Program Program::begin(const char* label, std::string_view vertex, std::string_view fragment, std::string_view defines) {
   const std::string head = "#version 300 es\n" + std::string(defines);
-  auto vertexShader = compile(label, GL_VERTEX_SHADER, head + std::string(vertex));
-  if (!vertexShader) return vertexShader.error();
-  auto fragmentShader = compile(label, GL_FRAGMENT_SHADER, head + std::string(fragment));
-  if (!fragmentShader) return fragmentShader.error();
   Program program;
+  program.label_ = label;
+  program.vertex_ = compile(GL_VERTEX_SHADER, head + std::string(vertex));
+  program.fragment_ = compile(GL_FRAGMENT_SHADER, head + std::string(fragment));
   program.name_ = Name(glCreateProgram(), [](unsigned id) { glDeleteProgram(id); });
   const unsigned id = program.name_.id();
-  glAttachShader(id, vertexShader->id());
-  glAttachShader(id, fragmentShader->id());
+  glAttachShader(id, program.vertex_.id());
+  glAttachShader(id, program.fragment_.id());
   glLinkProgram(id);
-  int linked = 0;
-  glGetProgramiv(id, GL_LINK_STATUS, &linked);
-  if (!linked) return Error{ErrorId::WebglUnavailable, std::string(label) + ": " + infoLog(id, true)};
   return program;
+}
+
+// Asks for nothing but the link: each question waits for the driver.
+Status Program::finish() {
+  const Name vertex = std::move(vertex_), fragment = std::move(fragment_);
+  int linked = 0;
+  glGetProgramiv(name_.id(), GL_LINK_STATUS, &linked);
+  if (linked) return Done{};
+  const auto refused = [&](const char* stage, const std::string& log) {
+    return Error{ErrorId::WebglUnavailable, std::string(label_) + stage + ": " + log};
+  };
+  if (!compiled(vertex)) return refused(".vert", infoLog(vertex.id(), false));
+  if (!compiled(fragment)) return refused(".frag", infoLog(fragment.id(), false));
+  return refused("", infoLog(name_.id(), true));
 }
 
 void Program::bindBlock(const char* name, unsigned binding) const {

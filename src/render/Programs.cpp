@@ -87,32 +87,40 @@ std::string definesOf(unsigned variant) {
 
 }  // namespace
 
+void Programs::begin(Shader shader, unsigned variant) {
+  const auto key = std::pair(shader, variant);
+  if (programs_.contains(key) || begun_.contains(key)) return;
+  const Source source = sourceOf(shader);
+  begun_.emplace(key, gl::Program::begin(source.label, stageText(source.vertex), stageText(fragmentOf(shader, variant)),
+                                         definesOf(variant)));
+}
+
 Result<const gl::Program*> Programs::use(Shader shader, unsigned variant) {
   const auto key = std::pair(shader, variant);
   auto found = programs_.find(key);
   if (found == programs_.end()) {
-    const Source source = sourceOf(shader);
-    auto linked = gl::Program::link(source.label, stageText(source.vertex), stageText(fragmentOf(shader, variant)),
-                                    definesOf(variant));
-    if (!linked) return linked.error();
-    linked->bindBlock("FrameBlock", FUR_FRAME_BINDING);
-    linked->bindBlock("FurBlock", FUR_COAT_BINDING);
-    linked->bindSampler("coverage", FUR_UNIT_COVERAGE);
-    linked->bindSampler("strand", FUR_UNIT_STRAND);
-    linked->bindSampler("offset", FUR_UNIT_OFFSET);
-    linked->bindSampler("finCoverage", FUR_UNIT_FIN_COVERAGE);
-    linked->bindSampler("finStrand", FUR_UNIT_FIN_STRAND);
-    linked->bindSampler("mask", FUR_UNIT_MASK);
-    linked->bindSampler("bends", FUR_UNIT_BEND);
-    linked->bindSampler("groom", FUR_UNIT_GROOM);
-    linked->bindSampler("baseColor", FUR_UNIT_BASE_COLOR);
-    linked->bindSampler("shadowMap", FUR_UNIT_GROUND);
-    linked->bindSampler("source", FUR_UNIT_GROUND);
-    linked->bindSampler("strandM", FUR_UNIT_STRAND_M);
-    linked->bindSampler("strandN", FUR_UNIT_STRAND_N);
-    linked->bindSampler("firstSurfaces", FUR_UNIT_SHADOW);
-    linked->bindSampler("opacities", FUR_UNIT_OPACITY);
-    found = programs_.emplace(key, std::move(*linked)).first;
+    begin(shader, variant);
+    auto linked = begun_.extract(key);
+    if (Status status = linked.mapped().finish(); !status) return status.error();
+    gl::Program& program = linked.mapped();
+    program.bindBlock("FrameBlock", FUR_FRAME_BINDING);
+    program.bindBlock("FurBlock", FUR_COAT_BINDING);
+    program.bindSampler("coverage", FUR_UNIT_COVERAGE);
+    program.bindSampler("strand", FUR_UNIT_STRAND);
+    program.bindSampler("offset", FUR_UNIT_OFFSET);
+    program.bindSampler("finCoverage", FUR_UNIT_FIN_COVERAGE);
+    program.bindSampler("finStrand", FUR_UNIT_FIN_STRAND);
+    program.bindSampler("mask", FUR_UNIT_MASK);
+    program.bindSampler("bends", FUR_UNIT_BEND);
+    program.bindSampler("groom", FUR_UNIT_GROOM);
+    program.bindSampler("baseColor", FUR_UNIT_BASE_COLOR);
+    program.bindSampler("shadowMap", FUR_UNIT_GROUND);
+    program.bindSampler("source", FUR_UNIT_GROUND);
+    program.bindSampler("strandM", FUR_UNIT_STRAND_M);
+    program.bindSampler("strandN", FUR_UNIT_STRAND_N);
+    program.bindSampler("firstSurfaces", FUR_UNIT_SHADOW);
+    program.bindSampler("opacities", FUR_UNIT_OPACITY);
+    found = programs_.insert(std::move(linked)).position;
   }
   found->second.use();
   return &found->second;

@@ -1,4 +1,4 @@
-// Every shader variant, compiled when it is first drawn.
+// Every shader variant, compiled when it is first drawn or asked for ahead.
 #pragma once
 
 #include <map>
@@ -45,11 +45,13 @@ enum Variant : unsigned {
 
 class Programs {
  public:
-  // The program, bound for use. A refused shader is remembered as the first error.
+  // Lets the driver compile it while the program goes on; use() waits for it.
+  void begin(Shader shader, unsigned variant);
+  // The program, bound for use. A shader that the driver refuses is the error.
   Result<const gl::Program*> use(Shader shader, unsigned variant);
 
  private:
-  std::map<std::pair<Shader, unsigned>, gl::Program> programs_;
+  std::map<std::pair<Shader, unsigned>, gl::Program> begun_, programs_;
 };
 
 // Every variant that the renderer can ask for: a test compiles them all.

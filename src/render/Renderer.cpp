@@ -102,9 +102,13 @@ Result<Renderer> Renderer::create() {
   if (!capabilities) return capabilities.error();
   Renderer r;
   const unsigned usual = shadowVariant({});
-  for (const auto& [shader, variant] : {std::pair(Shader::Background, +kPlain), std::pair(Shader::Skin, usual),
-                                        std::pair(Shader::Shell, usual), std::pair(Shader::Fin, usual)})
-    if (const auto program = r.programs_.use(shader, variant); !program) return program.error();
+  for (const auto& [shader, variant] :
+       {std::pair(Shader::Shell, usual), std::pair(Shader::Fin, usual), std::pair(Shader::Skin, usual | kUnderFur),
+        std::pair(Shader::ShadowMap, +kPlain), std::pair(Shader::ShadowBlur, kPlain | kShadowDepth),
+        std::pair(Shader::ShadowBlur, kVertical | kShadowDepth), std::pair(Shader::GroundShadow, +kPlain),
+        std::pair(Shader::GroundShadow, +kStraightDown), std::pair(Shader::Blur, +kPlain), std::pair(Shader::Blur, +kVertical),
+        std::pair(Shader::Background, +kPlain), std::pair(Shader::Ground, +kPlain)})
+    r.programs_.begin(shader, variant);
   const shared::FrameBlock frame{};
   const shared::FurBlock coat{};
   r.frameBlock_ = gl::Buffer(gl::BufferKind::Uniform, gl::bytesOf(frame), true);
@@ -132,6 +136,18 @@ void Renderer::uploadBlocks(const Frame& frame) {
   frameBlock_.bindAsBlock(FUR_FRAME_BINDING);
   coatBlock_.bindAsBlock(FUR_COAT_BINDING);
   uploadedBytes_ += sizeof block + sizeof coat;
+}
+
+void Renderer::warmUp(const Frame& frame) {
+  const float bald[] = {0};
+  beginFur(1, 1, 1, 1);
+  showFur(bald);
+  hasFur_ = true;
+  Frame pixel = frame;
+  pixel.width = pixel.height = 1;
+  (void)draw(pixel);  // whoever draws next has the error, too
+  hasFur_ = false;
+  gl::flush();
 }
 
 Status Renderer::draw(const Frame& frame) {

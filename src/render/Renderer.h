@@ -28,7 +28,7 @@ struct FinEdge {
 
 class Renderer {
  public:
-  // Needs a current context; compiles what every frame needs, so that a refusing driver shows at once.
+  // Needs a current context, in which the driver begins to compile what usual frames need.
   static Result<Renderer> create();
 
   void setSurface(const geometry::Surface& surface);
@@ -53,6 +53,9 @@ class Renderer {
   // Those that stand on the surface; until the next call.
   void setWhiskers(std::span<const groom::WhiskerHair> hairs) { uploadedBytes_ += whiskers_.set(hairs); }
 
+  // Before there is a coat: has the driver make ready, in its own time, for pictures like this one. Drivers compile
+  // for good when something is first drawn: that is one pixel, which the next picture paints over.
+  void warmUp(const Frame& frame);
   // Into the platform's framebuffer, which is bound. A shader that the driver refuses is the error.
   Status draw(const Frame& frame);
 

@@ -126,6 +126,7 @@ TEST(App, StateGoesRoundTrip) {
   desk.app.setCamera({1.0f, 0.5f, 4.0f, Vec3(0.1f, 0, 0)});
   const std::string state = desk.app.state();
   App other;
+  ASSERT_TRUE(other.loadPrimitive("sphere"));
   ASSERT_TRUE(other.setState(state));
   EXPECT_EQ(other.settings(), desk.app.settings());
   EXPECT_EQ(other.state(), state);

@@ -69,6 +69,7 @@ TEST(AppGroom, EveryEditOfTheWholeIsOneUndoStep) {
                                                {GroomEdit::Type, 2},      {GroomEdit::Comb, 1},   {GroomEdit::Raise, 0},
                                                {GroomEdit::Size, 512},    {GroomEdit::Clear, 0}};
   App app;
+  ASSERT_TRUE(app.loadPrimitive("sphere"));
   std::vector<std::uint64_t> hashes{app.groomHash()};
   for (const auto& [edit, value] : edits) {
     app.groomAll(edit, value);
@@ -147,6 +148,7 @@ TEST(AppGroom, MovesOverToAnotherProgramAsBytes) {
   salon.stroke(Tool::Whisker, {90, 80}, {110, 70});
   const auto bytes = salon.app.saveGroom();
   App other;
+  ASSERT_TRUE(other.loadPrimitive("sphere"));
   ASSERT_TRUE(other.restoreGroom(bytes));
   EXPECT_EQ(other.groomHash(), salon.app.groomHash());
   EXPECT_EQ(other.whiskerCount(), 2u);
@@ -279,6 +281,7 @@ TEST(AppGroom, ASceneCanBeOpenedWithoutItsSettings) {
 
 TEST(AppGroom, TheLookThatASceneBringsGoesWithItUnlessItWasChanged) {
   App app;
+  ASSERT_TRUE(app.loadPrimitive("sphere"));
   app.setField("furLength", "0.3");
   app.setCamera({0.8f, 0.2f, 3.5f, Vec3(0)});
   const auto file = app.saveScene();

@@ -66,8 +66,10 @@ class Stage {
     return picture;
   }
   void attachTarget() const { target_.bind(); }
+  // With the sphere that tests look at, unless it has a model.
   void attach(app::App& app) {
     target_.bind();
+    if (app.modelName() == "plane") EXPECT_TRUE(app.loadPrimitive("sphere"));
     app.resize(width_, height_, 1);
     const Status status = app.attach();
     ASSERT_TRUE(status) << (status ? "" : status.error().message);
@@ -78,7 +80,7 @@ class Stage {
   gl::Target target_, resolved_;
 };
 
-// The app with its first model, a sphere, and water that stays.
+// The app with a sphere and water that stays.
 struct Scene {
   Stage stage;
   app::App app;

@@ -37,6 +37,7 @@ test('a camera text reads back, in either unit', () => {
   const orbit = { yaw: 0.5, pitch: -0.25, distance: 3, target: [0, 0.5, 0] };
   assert.deepEqual(parseOrbit(orbitText(orbit)), orbit);
   assert.ok(Math.abs(parseOrbit('90deg 0.1rad 2').yaw - Math.PI / 2) < 1e-12);
+  assert.deepEqual(parseOrbit('90deg 0.1rad 2.5m'), parseOrbit('90deg 0.1rad 2.5'));
   for (const text of ['', '1 2', '1 2 0', '1 2 NaN', '0x1 2 3', '1 2 3 4', '1deg 2 3deg']) assert.equal(parseOrbit(text), null, text);
 });
 
