@@ -38,8 +38,10 @@ CameraOrbit startView() {
 
 App::App() : state_(std::make_unique<State>()) {
   state_->camera.jump(startView());
-  const Status status = loadPrimitive("plane");
-  FUR_ASSERT(status, "App::App()", "a plane", "an error");
+  geometry::Mesh square = geometry::makePlane(1);
+  auto surface = geometry::buildSurface(square, state_->mapping());
+  FUR_ASSERT(surface, "App::App()", "a square", "an error");
+  state_->adopt(std::move(square), std::move(*surface), "plane");
 }
 
 App::~App() = default;

@@ -77,7 +77,7 @@ enum class Picture { Best, Moving, Still };
 
 class App {
  public:
-  App();  // with a plane, which is quick to make
+  App();  // with a square, which is quick to make
   ~App();
 
   // --- GL ---

@@ -78,7 +78,7 @@ void App::State::groomTouched() {
 void App::State::readGroomMap() {
   (void)groom.map.takeChanged();
   groomed = !groom.map.isPlain();
-  if (const unsigned types = groom::typesPresent(groom.map); types != std::exchange(furTypes, types)) furChanged = true;
+  if (const unsigned types = groomed ? groom::typesPresent(groom.map) : 1u; types != std::exchange(furTypes, types)) furChanged = true;
   vertexLengths = groomed ? groom::vertexLengths(groom.map, surface, ground().points, typeHeights) : std::vector<float>();
 }
 

@@ -20,31 +20,63 @@ struct Sum {
   }
 };
 
-// Two by two texels become one; a side of one texel stays.
-std::vector<Sum> halved(const std::vector<Sum>& sums, int width, int height) {
+Sum sumAt(const MapsToPack& maps, std::size_t i) {
+  // The nearest strand of an empty texel counts a little, so that every mean is of something.
+  const float cover = maps.coverage[i], weight = cover + 1.0f;
+  const std::int8_t* t = &maps.tangent[i * 3];
+  return {cover, weight, weight * static_cast<float>(maps.variance[i]), weight * static_cast<float>(maps.dominance[i]),
+          weight * Vec3(t[0], t[1], t[2]),
+          maps.offset.empty() ? Vec2(0) : weight * Vec2(maps.offset[i * 2], maps.offset[i * 2 + 1])};
+}
+
+// Two by two texels become one; a side of one texel stays. `at(i)`: the sum of texel i.
+template <class At>
+std::vector<Sum> halved(const At& at, int width, int height) {
   const int nextWidth = std::max(width / 2, 1), nextHeight = std::max(height / 2, 1);
   std::vector<Sum> out(static_cast<std::size_t>(nextWidth) * nextHeight);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
       out[static_cast<std::size_t>(std::min(y / 2, nextHeight - 1)) * nextWidth + std::min(x / 2, nextWidth - 1)] +=
-          sums[static_cast<std::size_t>(y) * width + x];
+          at(static_cast<std::size_t>(y) * width + x);
   return out;
+}
+
+PackedLevel emptyLevel(int width, int height) {
+  const std::size_t texels = static_cast<std::size_t>(width) * height;
+  return {width, height, std::vector<std::uint8_t>(texels), std::vector<std::uint8_t>(4 * texels), std::vector<std::uint8_t>(2 * texels)};
 }
 
 std::uint8_t meanByte(float sum, float weight) { return static_cast<std::uint8_t>(sum / weight + 0.5f); }
 
-// `texels` of level 0 to one of these; `offsetScale`: from offsets to widths of the map.
+// The texels themselves. `offsetScale`: from offsets to widths of the map.
+PackedLevel packTexels(const MapsToPack& maps, int width, int height, float offsetScale) {
+  PackedLevel level = emptyLevel(width, height);
+  std::uint8_t tangentByte[256];
+  for (int t = -128; t < 128; ++t) tangentByte[static_cast<std::uint8_t>(t)] = unitByte(static_cast<float>(t) / 127.0f * 0.5f + 0.5f);
+  std::copy(maps.coverage.begin(), maps.coverage.end(), level.coverage.begin());
+  for (std::size_t i = 0; i < maps.coverage.size(); ++i) {
+    std::uint8_t* strand = &level.strand[4 * i];
+    strand[0] = tangentByte[static_cast<std::uint8_t>(maps.tangent[3 * i])];
+    strand[1] = tangentByte[static_cast<std::uint8_t>(maps.tangent[3 * i + 1])];
+    strand[2] = maps.variance[i], strand[3] = maps.dominance[i];
+  }
+  for (std::size_t i = 0; i < level.offset.size(); ++i)
+    level.offset[i] = unitByte(maps.offset.empty() ? 0.5f : static_cast<float>(maps.offset[i]) * offsetScale + 0.5f);
+  return level;
+}
+
+// `texels` of level 0 to one of these.
 PackedLevel packSums(const std::vector<Sum>& sums, int width, int height, float texels, float offsetScale) {
-  PackedLevel level{width, height, {}, {}, {}};
-  level.coverage.reserve(sums.size()), level.strand.reserve(sums.size() * 4), level.offset.reserve(sums.size() * 2);
-  for (const Sum& s : sums) {
-    const Vec3 t = texels > 1 ? normalizeOr(s.tangent, Vec3(0, 0, 1)) : s.tangent / (127.0f * s.weight);
-    level.coverage.push_back(meanByte(s.cover, texels));
-    for (const std::uint8_t byte : {unitByte(t.x * 0.5f + 0.5f), unitByte(t.y * 0.5f + 0.5f),
-                                    meanByte(s.variance, s.weight), meanByte(s.dominance, s.weight)})
-      level.strand.push_back(byte);
+  PackedLevel level = emptyLevel(width, height);
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    const Sum& s = sums[i];
+    const Vec3 t = normalizeOr(s.tangent, Vec3(0, 0, 1));
+    level.coverage[i] = meanByte(s.cover, texels);
+    std::uint8_t* strand = &level.strand[4 * i];
+    strand[0] = unitByte(t.x * 0.5f + 0.5f), strand[1] = unitByte(t.y * 0.5f + 0.5f);
+    strand[2] = meanByte(s.variance, s.weight), strand[3] = meanByte(s.dominance, s.weight);
     const Vec2 offset = s.offset * (offsetScale / s.weight) + 0.5f;
-    level.offset.push_back(unitByte(offset.x)), level.offset.push_back(unitByte(offset.y));
+    level.offset[2 * i] = unitByte(offset.x), level.offset[2 * i + 1] = unitByte(offset.y);
   }
   return level;
 }
@@ -52,20 +84,13 @@ PackedLevel packSums(const std::vector<Sum>& sums, int width, int height, float 
 }  // namespace
 
 std::vector<PackedLevel> packLevels(int width, int height, const MapsToPack& maps) {
-  std::vector<Sum> sums(maps.coverage.size());
-  for (std::size_t i = 0; i < sums.size(); ++i) {
-    // The nearest strand of an empty texel counts a little, so that every mean is of something.
-    const float cover = maps.coverage[i], weight = cover + 1.0f;
-    const std::int8_t* t = &maps.tangent[i * 3];
-    sums[i] = {cover, weight, weight * static_cast<float>(maps.variance[i]), weight * static_cast<float>(maps.dominance[i]),
-               weight * Vec3(t[0], t[1], t[2]),
-               maps.offset.empty() ? Vec2(0) : weight * Vec2(maps.offset[i * 2], maps.offset[i * 2 + 1])};
-  }
   const float offsetScale = 1.0f / (64.0f * static_cast<float>(width));
-  std::vector<PackedLevel> levels{packSums(sums, width, height, 1, offsetScale)};
+  std::vector<PackedLevel> levels{packTexels(maps, width, height, offsetScale)};
+  std::vector<Sum> sums;
   float texels = 1;
   while (width > 1 || height > 1) {
-    sums = halved(sums, width, height);
+    sums = levels.size() == 1 ? halved([&](std::size_t i) { return sumAt(maps, i); }, width, height)
+                              : halved([&](std::size_t i) -> const Sum& { return sums[i]; }, width, height);
     texels *= static_cast<float>((width > 1 ? 2 : 1) * (height > 1 ? 2 : 1));
     width = std::max(width / 2, 1), height = std::max(height / 2, 1);
     levels.push_back(packSums(sums, width, height, texels, offsetScale));

@@ -93,9 +93,9 @@ void VertexArray::drawStrips(int vertexCount, int instances) const {
   glBindVertexArray(0);
 }
 
-void drawWithoutVertices(int vertexCount) {
+void drawWithoutVertices(int vertexCount, int first) {
   glBindVertexArray(0);
-  glDrawArrays(GL_TRIANGLES, 0, vertexCount);
+  glDrawArrays(GL_TRIANGLES, first, vertexCount);
 }
 
 // --- state -------------------------------------------------------------------------------------
@@ -125,7 +125,6 @@ void apply(const DrawState& state) {
   switch (state.blend) {
     case Blend::None: break;
     case Blend::Add: glBlendFunc(GL_ONE, GL_ONE); break;
-    case Blend::Multiply: glBlendFunc(GL_ZERO, GL_SRC_COLOR); break;
   }
 }
 

@@ -105,7 +105,7 @@ class VertexArray {
 };
 
 // Draws `vertexCount` vertices without attributes (gl_VertexID alone).
-void drawWithoutVertices(int vertexCount);
+void drawWithoutVertices(int vertexCount, int first = 0);
 
 // RGBA16F is filtered as bytes are, and takes its texels as 32-bit floats.
 enum class TexelFormat { R8, RG8, RGBA8, RGBA16F, RGBA32F };
@@ -156,7 +156,7 @@ class Target {
   Name framebuffer_, color_, depth_;
 };
 
-enum class Blend { None, Multiply, Add };
+enum class Blend { None, Add };
 
 struct DrawState {
   bool depthTest = true, depthWrite = true, cullBack = true;

@@ -52,9 +52,9 @@ unsigned shadowVariant(const settings::Settings& s) {
 }
 
 Status FurShadow::prepare(int size, bool layers) {
-  if (first_[0].shape().width != size)
+  const auto format = layers ? gl::TexelFormat::RGBA8 : gl::TexelFormat::RG8;
+  if (first_[0].shape().width != size || first_[0].shape().format != format)
     for (int i = 0; i < 2; ++i) {
-      const auto format = layers ? gl::TexelFormat::RGBA8 : gl::TexelFormat::RG8;
       first_[i] = gl::Texture({format, size, size, 0, gl::Filter::Nearest}, {});
       auto target = gl::Target::toTexture(first_[i], i == 0);
       if (!target) return target.error();
@@ -86,13 +86,12 @@ Status FurShadow::drawFirst(Programs& programs, bool layers, const gl::VertexArr
 Status FurShadow::blur(Programs& programs) {
   gl::apply({.depthTest = false, .depthWrite = false, .cullBack = false});
   // Across into [1], down back into [0].
-  for (const unsigned direction : {kPlain, kVertical}) {
-    const int from = direction == kPlain ? 0 : 1;
-    const auto program = programs.use(Shader::ShadowBlur, direction | kShadowDepth);
-    if (!program) return program.error();
+  const auto program = programs.use(Shader::ShadowBlur, kShadowDepth);
+  if (!program) return program.error();
+  for (const int from : {0, 1}) {
     firstTarget_[1 - from].bind();
     first_[from].bind(FUR_UNIT_SHADOW);
-    gl::drawWithoutVertices(3);
+    gl::drawWithoutVertices(3, 3 * from);
   }
   return Done{};
 }

@@ -17,7 +17,6 @@ const char* fragmentOf(Shader shader, unsigned variant) {
     case Shader::Background: return shaders::kBackgroundFrag;
     case Shader::GroundShadow: return shaders::kGroundShadowFrag;
     case Shader::Blur: return shaders::kBlurFrag;
-    case Shader::Ground: return shaders::kGroundFrag;
     case Shader::Skin: return shaders::kSkinFrag;
     case Shader::Shell: return shaders::kShellFrag;
     case Shader::Fin: return shaders::kFinFrag;
@@ -36,10 +35,9 @@ struct Source {
 
 Source sourceOf(Shader shader) {
   switch (shader) {
-    case Shader::Background: return {"background", shaders::kScreenVert};
+    case Shader::Background: return {"background", shaders::kBackgroundVert};
     case Shader::GroundShadow: return {"ground_shadow", shaders::kGroundShadowVert};
     case Shader::Blur: return {"blur", shaders::kScreenVert};
-    case Shader::Ground: return {"ground", shaders::kGroundVert};
     case Shader::Skin: return {"skin", shaders::kSkinVert};
     case Shader::Shell: return {"shell", shaders::kShellVert};
     case Shader::Enlarge: return {"enlarge", shaders::kScreenVert};
@@ -61,8 +59,6 @@ std::string definesOf(unsigned variant) {
       {kViewDominance, "VIEW_DOMINANCE"},
       {kViewTypes, "VIEW_TYPES"},
       {kViewOffset, "VIEW_OFFSET"},
-      {kStraightDown, "STRAIGHT_DOWN"},
-      {kVertical, "VERTICAL"},
       {kTextured, "TEXTURED"},
       {kUnderFur, "UNDER_FUR"},
       {kMarschner, "MARSCHNER"},
@@ -128,8 +124,7 @@ Result<const gl::Program*> Programs::use(Shader shader, unsigned variant) {
 
 std::vector<std::pair<Shader, unsigned>> allVariants() {
   std::vector<std::pair<Shader, unsigned>> all = {
-      {Shader::Background, kPlain}, {Shader::Ground, kPlain},       {Shader::GroundShadow, kPlain},
-      {Shader::Blur, kPlain},       {Shader::Blur, kVertical},      {Shader::GroundShadow, kStraightDown},
+      {Shader::Background, kPlain}, {Shader::GroundShadow, kPlain}, {Shader::Blur, kPlain}, {Shader::ShadowBlur, kShadowDepth},
       {Shader::Skin, kViewWetness}, {Shader::Skin, kViewNormals},   {Shader::ShadowMap, kPlain},
       {Shader::Enlarge, kPlain},
       {Shader::ShadowMap, kShadowLayers}, {Shader::ShadowMap, kSkinOnly},
@@ -140,7 +135,6 @@ std::vector<std::pair<Shader, unsigned>> allVariants() {
     for (const unsigned view : {+kViewClumps, +kViewSteps, +kViewLayer, kViewLayer | kTextured, kViewLayer | kViewExploded,
                                 kViewLayer | kViewExploded | kTextured})
       all.emplace_back(Shader::Shell, view | look);
-  for (const unsigned direction : {+kPlain, +kVertical}) all.emplace_back(Shader::ShadowBlur, direction | kShadowDepth);
   for (const unsigned shadow : {kPlain, kShadowDepth, kShadowLayers}) {
     for (const unsigned look : {+kPlain, +kTextured, +kUnderFur, kUnderFur | kTextured, kUnderFur | kTypes, kUnderFur | kTextured | kTypes})
       all.emplace_back(Shader::Skin, look | shadow);

@@ -9,7 +9,7 @@
 
 namespace fur::render {
 
-enum class Shader { Background, GroundShadow, Blur, Ground, Skin, Shell, ShadowMap, ShadowBlur, Fin, Enlarge, Whisker };
+enum class Shader { Background, GroundShadow, Blur, Skin, Shell, ShadowMap, ShadowBlur, Fin, Enlarge, Whisker };
 
 // Bits of a variant; each is a #define in the shader.
 enum Variant : unsigned {
@@ -23,24 +23,22 @@ enum Variant : unsigned {
   kShadowLayers = 1 << 6,  // the same with opacity layers; ShadowMap: the layers themselves
   kUnderFur = 1 << 7,      // Skin
   kSkinOnly = 1 << 8,      // ShadowMap: the skin instead of the coat's outside
-  kStraightDown = 1 << 9,  // GroundShadow
-  kVertical = 1 << 10,     // Blur
   // From here on each makes a view.
-  kViewTangents = 1 << 11,
-  kViewCoverage = 1 << 12,
-  kViewWetness = 1 << 13,
-  kViewNormals = 1 << 14,
-  kViewDominance = 1 << 15,
-  kViewTypes = 1 << 16,
-  kViewOffset = 1 << 17,
-  kViewLayer = 1 << 18,
-  kViewExploded = 1 << 19,  // with kViewLayer
-  kViewDim = 1 << 20,       // Skin: so that what is drawn over it stands out
-  kViewEdges = 1 << 21,     // Fin
-  kViewClumps = 1 << 22,
-  kViewShadow = 1 << 23,
-  kViewOverdraw = 1 << 24,
-  kViewSteps = 1 << 25,
+  kViewTangents = 1 << 9,
+  kViewCoverage = 1 << 10,
+  kViewWetness = 1 << 11,
+  kViewNormals = 1 << 12,
+  kViewDominance = 1 << 13,
+  kViewTypes = 1 << 14,
+  kViewOffset = 1 << 15,
+  kViewLayer = 1 << 16,
+  kViewExploded = 1 << 17,  // with kViewLayer
+  kViewDim = 1 << 18,       // Skin: so that what is drawn over it stands out
+  kViewEdges = 1 << 19,     // Fin
+  kViewClumps = 1 << 20,
+  kViewShadow = 1 << 21,
+  kViewOverdraw = 1 << 22,
+  kViewSteps = 1 << 23,
 };
 
 class Programs {

@@ -9,7 +9,7 @@ namespace fur::render {
 
 namespace {
 
-constexpr int kGroundShadowSize = 256;
+constexpr int kGroundShadowSize = 128;
 constexpr float kGroundHalfSide = 3.2f;
 
 Vec3 directionFrom(float yaw, float pitch) {
@@ -59,7 +59,8 @@ shared::FrameBlock frameBlock(const Frame& frame) {
   block.backgroundTop = shownColor(s.backgroundTop);
   block.backgroundBottom = shownColor(s.backgroundBottom);
   block.lightWorld = Vec4(lightWorld, 0);
-  block.groundPlane = Vec4(frame.groundHeight, kGroundHalfSide, 0.55f, 0);
+  const bool ground = s.ground && static_cast<View>(s.view) == View::Final;
+  block.groundPlane = Vec4(frame.groundHeight, kGroundHalfSide, ground ? 0.55f : 0.0f, 0);
   block.groundCentre = Vec4(frame.worldFromModel[3].x, frame.worldFromModel[3].z, 0, 0);
   return block;
 }
@@ -104,10 +105,8 @@ Result<Renderer> Renderer::create() {
   const unsigned usual = shadowVariant({});
   for (const auto& [shader, variant] :
        {std::pair(Shader::Shell, usual), std::pair(Shader::Fin, usual), std::pair(Shader::Skin, usual | kUnderFur),
-        std::pair(Shader::ShadowMap, +kPlain), std::pair(Shader::ShadowBlur, kPlain | kShadowDepth),
-        std::pair(Shader::ShadowBlur, kVertical | kShadowDepth), std::pair(Shader::GroundShadow, +kPlain),
-        std::pair(Shader::GroundShadow, +kStraightDown), std::pair(Shader::Blur, +kPlain), std::pair(Shader::Blur, +kVertical),
-        std::pair(Shader::Background, +kPlain), std::pair(Shader::Ground, +kPlain)})
+        std::pair(Shader::ShadowMap, +kPlain), std::pair(Shader::ShadowBlur, +kShadowDepth),
+        std::pair(Shader::GroundShadow, +kPlain), std::pair(Shader::Blur, +kPlain), std::pair(Shader::Background, +kPlain)})
     r.programs_.begin(shader, variant);
   const shared::FrameBlock frame{};
   const shared::FurBlock coat{};
@@ -213,7 +212,7 @@ Status Renderer::drawPasses(const Frame& frame) {
     if (!program) return program.error();
     gl::apply({.depthWrite = false, .cullBack = false});
     gl::drawWithoutVertices(3);
-    return frame.settings.ground && view == View::Final ? drawGround(frame) : Status(Done{});
+    return Done{};
   };
   const auto both = [](Status first, auto&& second) { return first ? second() : first; };
   const bool counts = view == View::Overdraw || view == View::Steps;
@@ -289,16 +288,6 @@ Status Renderer::drawFins(const Frame& frame, unsigned variant) {
   return Done{};
 }
 
-Status Renderer::drawGround(const Frame& frame) {
-  // From below the ground would hide the model.
-  if (frame.camera.eye.y <= frame.groundHeight) return Done{};
-  const auto program = programs_.use(Shader::Ground, kPlain);
-  if (!program) return program.error();
-  gl::apply({.depthWrite = false, .cullBack = false, .blend = gl::Blend::Multiply});
-  gl::drawWithoutVertices(6);
-  return Done{};
-}
-
 Status Renderer::drawGroundShadow(const Frame& frame) {
   const settings::Settings& s = frame.settings;
   const ShadowKey key{frame.worldFromModel, directionFrom(s.lightYaw, s.lightPitch), s.furLength, frame.groundHeight};
@@ -306,24 +295,18 @@ Status Renderer::drawGroundShadow(const Frame& frame) {
   gl::setViewport(kGroundShadowSize, kGroundShadowSize);
   groundTarget_[0].bind();
   gl::clear(Vec4(0));
-  gl::DrawState flat{.depthTest = false, .depthWrite = false, .cullBack = false};
-  for (const unsigned variant : {kPlain, kStraightDown}) {
-    const auto program = programs_.use(Shader::GroundShadow, variant);
-    if (!program) return program.error();
-    flat.red = variant == kPlain;
-    flat.green = variant == kStraightDown;
-    gl::apply(flat);
-    surface_.drawIndexed(indexCount_, 1);
-  }
+  const auto flat = programs_.use(Shader::GroundShadow, kPlain);
+  if (!flat) return flat.error();
+  gl::apply({.depthTest = false, .depthWrite = false, .cullBack = false, .blend = gl::Blend::Add});
+  surface_.drawIndexed(indexCount_, 2);
   gl::apply({.depthTest = false, .depthWrite = false, .cullBack = false});
+  const auto blur = programs_.use(Shader::Blur, kPlain);
+  if (!blur) return blur.error();
   // Across into [1], down back into [0].
-  for (const unsigned variant : {kPlain, kVertical}) {
-    const int from = variant == kPlain ? 0 : 1;
-    const auto program = programs_.use(Shader::Blur, variant);
-    if (!program) return program.error();
+  for (const int from : {0, 1}) {
     groundTarget_[1 - from].bind();
     groundShadow_[from].bind(FUR_UNIT_GROUND);
-    gl::drawWithoutVertices(3);
+    gl::drawWithoutVertices(3, 3 * from);
   }
   gl::bindPlatformFramebuffer();
   shadowKey_ = key;

@@ -68,7 +68,6 @@ class Renderer {
  private:
   Renderer() = default;
   Status drawPasses(const Frame& frame);
-  Status drawGround(const Frame& frame);
   Status drawGroundShadow(const Frame& frame);
   Status drawShells(const Frame& frame, unsigned variant);
   Status drawFins(const Frame& frame, unsigned variant);

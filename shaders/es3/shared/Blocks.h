@@ -93,7 +93,7 @@ FUR_BLOCK(FurBlock) {
 
 // Texels along the fur's own shadow map and along its opacity layers (a texel is their penumbra), their targets of
 // four layers each, the shells that fill them.
-#define FUR_SHADOW_SIZE 512
+#define FUR_SHADOW_SIZE 256
 #define FUR_OPACITY_SIZE 256
 #define FUR_SHADOW_TARGETS 4
 #define FUR_SHADOW_SHELLS 8
