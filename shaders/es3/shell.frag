@@ -32,6 +32,7 @@ in vec2 vLightStep;
 flat in float vTop;
 in vec2 vStrands;
 #if defined(WET) || defined(GROOMED)
+#define DRESSED  // strands stand elsewhere than in the tile, or not all of them
 in vec2 vAtlas;
 in vec4 vAtlasStep;
 #endif
@@ -49,14 +50,18 @@ const float kReferenceSteps = 24.0;
 // clearly, only rays along the outline come further.
 const float kTexelsAStep = 1.25;  // times volume.w
 const float kGrowth = 1.03;
-const int kMostSteps = 64;
+const float kMostSteps = 64.0;
 // Steps a fur length at least, however small the picture.
 const float kFewestSteps = 12.0;
 // Strands that hide this much hide all.
 const float kClosed = 0.96;
 
-// `between`: added before rounding down.
-float storedLayer(float h, float between) { return clamp(floor(h * volume.y + between), 0.0, volume.y - 1.0); }
+// `between`: added before rounding down; which arrays do, by themselves, to the nearest.
+float storedLayer(float h, float between) { return h * volume.y + between - 0.5; }
+float layerOf(float stored) { return clamp(floor(stored + 0.5), 0.0, volume.y - 1.0); }
+
+float heightAt(float x) { return vTop + x * (vPath.x + x * vPath.y); }
+vec2 tileAt(float x, float h) { return vTile.xy + x * (vTile.zw + x * vTurn.xy) + vTurn.zw * (vTop * vTop - h * h); }
 
 // How far the ray goes, in fur lengths: to the skin, or where it only grazes a round body, out again.
 float rayEnd(out bool reachesSkin) {
@@ -111,14 +116,14 @@ void main() {
   // chance, so that nothing forms rings.
   float noise = otherPixelNoise();
   float between = fract(noise * 7.0) - 0.5;
+  stepSize = max(stepSize, end / kMostSteps);
   float x = stepSize * noise, alpha = 0.0, xSum = 0.0;
-  float hSum = 0.0, most = 0.0;  // height, weighted by what each step adds; the most that one added
-  vec4 spot = vec4(vTile.xy, 0.0, lod);  // where that was: tile, layer, mip level
+  float hSum = 0.0, most = 0.0, mostX = 0.0;  // height, weighted by what each step adds; the most that one added, and where
+  vec4 spot = vec4(vTile.xy, 0.0, lod);       // its tile, layer, mip level
 #ifdef TYPES
   vec4 types = vec4(0.0);  // what each adds
   vec4 present = furryTypes();
 #endif
-  vec2 at = vTile.xy;
 #ifdef VIEW_LAYER
   // A shell alone: one look-up where the ray meets it, which counts as it is. Only samples go by chance.
   reachesSkin = false;
@@ -134,7 +139,7 @@ void main() {
 #ifdef VIEW_CLUMPS
   vec3 clumpSum = vec3(0.0);
 #endif
-#if defined(WET) || defined(GROOMED)
+#ifdef DRESSED
   mat2 atlasFromTile = mat2(vAtlasStep.xy, vAtlasStep.zw);
 #endif
 #ifdef WET
@@ -143,13 +148,12 @@ void main() {
   float rho = 0.0;
 #endif
   float furry = 1.0;  // how much of a coat there is where the ray is
-  for (int k = 0; k < kMostSteps; ++k) {
-    if (x >= end) break;
-    float h = vTop + x * (vPath.x + x * vPath.y);
-    at = vTile.xy + x * (vTile.zw + x * vTurn.xy) + vTurn.zw * (vTop * vTop - h * h);
-    vec2 root = at;
+  // Few variables and one way out: on a software rasteriser the loop itself costs as much as its look-ups.
+  while (x < end && alpha <= kClosed) {
+    float h = heightAt(x);
+    vec2 at = tileAt(x, h), root = at;
     float open = 1.0, level = lod, along = h;
-#if defined(WET) || defined(GROOMED)
+#ifdef DRESSED
     vec2 a = vAtlas + atlasFromTile * (at - vTile.xy);
 #endif
 #ifdef WET
@@ -187,7 +191,7 @@ void main() {
       if (grows[type] <= 0.0) continue;
       float up = along * typeRise[type];
       if (up > 1.0) continue;
-      vec4 there = vec4(root, storedLayer(up, between) + float(type) * volume.y, level);
+      vec4 there = vec4(root, layerOf(storedLayer(up, between)) + float(type) * volume.y, level);
       float stands = standsUpTo(grows[type], textureLod(strand, there.xyz, level).w);
       float cover = edged(textureLod(coverage, there.xyz, level).r, sharp) * open * float(up <= stands);
       float add = stepCover(cover, softness) * (1.0 - alpha - closedHere);
@@ -204,7 +208,10 @@ void main() {
     vec4 there = vec4(root, storedLayer(along, between), level);
     float add = stepCover(edged(textureLod(coverage, there.xyz, level).r, sharp) * open, softness) * (1.0 - alpha);
     hSum += add * along;
-    if (add > most) most = add, spot = there;
+#ifdef DRESSED
+    if (add > most) spot = there;
+#endif
+    if (add > most) most = add, mostX = x;
 #endif
     xSum += add * x;
 #ifdef WET
@@ -220,7 +227,6 @@ void main() {
     steps += 1.0;
 #endif
     alpha += add;
-    if (alpha > kClosed) break;
     x += stepSize;
     stepSize *= kGrowth;
   }
@@ -241,7 +247,11 @@ void main() {
 #endif
   if (shown < 0.5 / levels) discard;
 
-  if (most <= 0.0) spot.xy = at;
+#ifndef DRESSED
+  spot.xyz = vec3(tileAt(mostX, heightAt(mostX)), storedLayer(heightAt(mostX), between));
+#endif
+  vec2 foot = tileAt(end, 0.0);  // where the ray meets the skin
+  if (most <= 0.0) spot.xyz = vec3(foot, 0.0);
   float perStrand = 1.0 / max(alpha, 1e-3);
   float h = hSum * perStrand;
   vec4 met = textureLod(strand, spot.xyz, spot.w);
@@ -268,7 +278,7 @@ void main() {
   const float kRise = 0.1;
   float lit = 1.0;
   if (h + kRise < 1.0)
-    lit -= 0.65 * shading.w * furry * textureLod(coverage, vec3(at + vLightStep * kRise, storedLayer(h + kRise, 0.0) + firstLayer), lod + 1.0).r;
+    lit -= 0.65 * shading.w * furry * textureLod(coverage, vec3(spot.xy + vLightStep * kRise, layerOf(storedLayer(h + kRise, 0.0)) + firstLayer), lod + 1.0).r;
 
   // How far the ray went, to the strands or to the skin.
   lit *= furShadowAt(vLightSpace + vLightRay * (alpha > 0.0 ? xSum * perStrand : end));
@@ -291,7 +301,7 @@ void main() {
   if (reachesSkin && closed < 1.0) {
     vec3 skin = shadeSkin(skinColor.rgb * model * 0.5, vLight.z, vView.w, 0.0, skinWetness, lit);
     // Pores: the lowest layer says where strands root (Sheppard 5.2).
-    skin *= 1.0 - 0.4 * furry * textureLod(coverage, vec3(at, firstLayer), lod).r;
+    skin *= 1.0 - 0.4 * furry * textureLod(coverage, vec3(foot, firstLayer), lod).r;
 #ifdef GROOMED
     skin = mix(bareSkin(skinColor.rgb * model, vLight.z, vView.w, skinWetness, lit), skin, furry);
 #endif
