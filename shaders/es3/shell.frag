@@ -46,15 +46,14 @@ out vec4 fragColor;
 // Half-covered texels count as they are for this many steps a fur length, less for more. By FLIP against the
 // reference: 16 and 32 are as good near, 64 is worse far.
 const float kReferenceSteps = 24.0;
-// A step in texels of the mip level, and how much longer each is than the one before: the first strands are seen
-// clearly, only rays along the outline come further.
-const float kTexelsAStep = 1.25;  // times volume.w
-const float kGrowth = 1.03;
-const float kMostSteps = 64.0;
-// Steps a fur length at least, however small the picture.
-const float kFewestSteps = 12.0;
-// Strands that hide this much hide all.
-const float kClosed = 0.96;
+// A step in texels of the mip level, times volume.w, and how many there are of a fur length at least, however small the
+// picture.
+const float kTexelsAStep = 1.6;
+const float kFewestSteps = 8.0;
+const float kMostSteps = 128.0;
+// Strands that hide this much hide all. Smaller steps and more strands are further from the reference: what lies deep
+// makes fur too dark.
+const float kClosed = 0.75;
 
 // `between`: added before rounding down; which arrays do, by themselves, to the nearest.
 float storedLayer(float h, float between) { return h * volume.y + between - 0.5; }
@@ -116,7 +115,6 @@ void main() {
   // chance, so that nothing forms rings.
   float noise = otherPixelNoise();
   float between = fract(noise * 7.0) - 0.5;
-  stepSize = max(stepSize, end / kMostSteps);
   float x = stepSize * noise, alpha = 0.0, xSum = 0.0;
   float hSum = 0.0, most = 0.0, mostX = 0.0;  // height, weighted by what each step adds; the most that one added, and where
   vec4 spot = vec4(vTile.xy, 0.0, lod);       // its tile, layer, mip level
@@ -147,9 +145,11 @@ void main() {
   vec3 wetSum = vec3(0.0);  // clump lean in tile units a fur length, wetness
   float rho = 0.0;
 #endif
+  float softness = kReferenceSteps * stepSize;
   float furry = 1.0;  // how much of a coat there is where the ray is
   // Few variables and one way out: on a software rasteriser the loop itself costs as much as its look-ups.
-  while (x < end && alpha <= kClosed) {
+  float last = min(end, kMostSteps * stepSize);
+  while (x < last && alpha <= kClosed) {
     float h = heightAt(x);
     vec2 at = tileAt(x, h), root = at;
     float open = 1.0, level = lod, along = h;
@@ -182,7 +182,6 @@ void main() {
     along = h * vLength / max(dressed.r, 1e-3);
     furry = min(dressed.r / 0.15, 1.0);
 #endif
-    float softness = kReferenceSteps * stepSize;
 #ifdef TYPES
     vec4 grows = presences(dressed.gba) * present;
     furry *= min(2.0 * dot(grows, vec4(1.0)), 1.0);
@@ -228,7 +227,6 @@ void main() {
 #endif
     alpha += add;
     x += stepSize;
-    stepSize *= kGrowth;
   }
 #ifdef VIEW_STEPS
   fragColor = heat(0.2 * steps);

@@ -54,14 +54,14 @@ std::span<const QualityLevel, kQualityLevels> qualityLevels() {
   // of a frame and changed 0.02 % of the bunny's pixels.
   static constexpr QualityLevel kLevels[kQualityLevels] = {
       // scale step slabs fins shadows cost
-      {1.00f, 1.0f, 1, true, 2, 1.00f},
-      {1.00f, 1.5f, 1, true, 2, 0.86f},
-      {0.85f, 1.5f, 1, true, 2, 0.62f},
-      {0.75f, 1.5f, 1, true, 1, 0.50f},
-      {0.65f, 2.0f, 1, true, 1, 0.40f},
-      {0.55f, 2.0f, 1, true, 1, 0.31f},
-      {0.50f, 2.5f, 1, false, 1, 0.24f},
-      {0.40f, 3.0f, 1, false, 0, 0.16f},
+      {1.00f, 1.00f, 1, true, 2, 1.00f},
+      {1.00f, 1.25f, 1, true, 2, 0.92f},
+      {0.85f, 1.25f, 1, true, 2, 0.67f},
+      {0.75f, 1.25f, 1, true, 1, 0.53f},
+      {0.65f, 1.50f, 1, true, 1, 0.41f},
+      {0.55f, 1.50f, 1, true, 1, 0.31f},
+      {0.50f, 1.75f, 1, false, 1, 0.24f},
+      {0.40f, 2.00f, 1, false, 0, 0.16f},
   };
   return kLevels;
 }
