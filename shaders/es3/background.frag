@@ -2,23 +2,17 @@
 #include "common.glsl"
 #include "common_noise.glsl"
 uniform sampler2D shadowMap;
-in vec2 vScreen;
+in vec3 vColor;
 in vec3 vRay;
-flat in vec3 vEye;
+flat in vec4 vGround;
 out vec4 fragColor;
 void main() {
-  vec3 color = mix(backgroundBottom.rgb, backgroundTop.rgb, smoothstep(0.0, 1.0, vScreen.y));
-  float above = vEye.y - groundPlane.x;
-  // From below the ground would hide the model.
-  if (groundPlane.z > 0.0 && above > 0.0 && vRay.y < 0.0) {
-    vec2 spot = (vEye.xz - vRay.xz * (above / vRay.y) - groundCentre.xy) / groundPlane.y;  // -1..1 over the map
-    float far = length(spot);
-    if (far < 1.0) {
-      vec2 shadow = textureLod(shadowMap, spot * 0.5 + 0.5, 0.0).rg;
-      float dark = clamp(0.55 * shadow.r + 0.45 * shadow.g * shadow.g, 0.0, 1.0);
-      color *= 1.0 - dark * groundPlane.z * (1.0 - smoothstep(0.75, 1.0, far));
-    }
+  vec3 color = vColor;
+  if (vRay.y < 0.0 && vGround.w > 0.0) {
+    vec2 spot = vGround.xy + vRay.xz * (vGround.z / vRay.y);
+    // Nothing where the map ends.
+    color -= color * (vGround.w * textureLod(shadowMap, spot, 0.0).r);
   }
   // Half a step of noise: a smooth gradient bands in 8 bits.
-  fragColor = vec4(color + (pixelNoise() - 0.5) / 255.0, 1.0);
+  fragColor = vec4(color + (quickNoise() - 0.5) / 255.0, 1.0);
 }

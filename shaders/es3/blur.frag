@@ -1,4 +1,5 @@
-// One direction of a Gaussian (sigma 2 texels), across and then down; g, the contact shadow, 1.8 times as wide.
+// One direction of a Gaussian (sigma 2 texels), across and then down; g, the contact shadow, 1.8 times as wide. In the end
+// r is how dark the ground is, which ends in a circle.
 precision highp float;
 uniform highp sampler2D source;
 in vec2 vScreen;
@@ -13,5 +14,10 @@ void main() {
     sum += weight * vec2(texture(source, vScreen + i * stepUv).r, texture(source, vScreen + 1.8 * i * stepUv).g);
     total += weight;
   }
-  fragColor = vec4(sum / total, 0.0, 1.0);
+  vec2 shadow = sum / total;
+  if (vSecond != 0) {
+    float edge = 1.0 - smoothstep(0.75, 0.98, length(2.0 * vScreen - 1.0));
+    shadow = vec2(min(0.55 * shadow.r + 0.45 * shadow.g * shadow.g, 1.0) * edge, 0.0);
+  }
+  fragColor = vec4(shadow, 0.0, 1.0);
 }

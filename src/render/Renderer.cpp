@@ -211,7 +211,7 @@ Status Renderer::drawPasses(const Frame& frame) {
     const auto program = programs_.use(Shader::Background, kPlain);
     if (!program) return program.error();
     gl::apply({.depthWrite = false, .cullBack = false});
-    gl::drawWithoutVertices(3);
+    gl::drawWithoutVertices(6 * FUR_BACKGROUND_STRIPS);
     return Done{};
   };
   const auto both = [](Status first, auto&& second) { return first ? second() : first; };

@@ -91,6 +91,9 @@ FUR_BLOCK(FurBlock) {
 #define FUR_UNIT_FIN_COVERAGE 12
 #define FUR_UNIT_FIN_STRAND 13
 
+// Of the background's gradient.
+#define FUR_BACKGROUND_STRIPS 16
+
 // Texels along the fur's own shadow map and along its opacity layers (a texel is their penumbra), their targets of
 // four layers each, the shells that fill them.
 #define FUR_SHADOW_SIZE 256
