@@ -56,7 +56,7 @@ function(fur_web_program target)
 endfunction()
 
 # Makes the models that are shipped. Built for both targets, so that the web app alone needs no native compiler.
-fur_program(wet-fur-make-assets SOURCES tools/assets/*.cpp LINK fur_scene)
+fur_program(wet-fur-make-assets SOURCES tools/assets/*.cpp LINK fur_scene fur_wet)
 if(EMSCRIPTEN)
   fur_node_program(wet-fur-make-assets -sNODERAWFS=1)
   fur_web_program(wet-fur SOURCES web/*.cpp LINK fur_app)

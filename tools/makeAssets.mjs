@@ -1,14 +1,15 @@
 // node tools/makeAssets.mjs <program> <out folder>
 //
 // Makes the models that are shipped: the bunny with the program wet-fur-make-assets, its wasm build (a .js file,
-// run by this same Node) or the native one, and the scenes. Nothing is done for a model newer than its sources.
+// run by this same Node) or the native one, the wet scenes likewise, and the others. Nothing is done for a model newer than its sources.
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdirSync, mkdtempSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { makeScenes } from './scenes/scenes.mjs';
+import { makeScenes, scenes, waterBytes } from './scenes/scenes.mjs';
+import { meshOf, sphere } from './scenes/shapes.mjs';
 
 const require = createRequire(import.meta.url);
 
@@ -22,6 +23,11 @@ function meshBytes({ positions, cells }) {
   return bytes;
 }
 
+const threes = (list) => Array.from({ length: list.length / 3 }, (_, i) => list.slice(3 * i, 3 * i + 3));
+const asCells = ({ mesh }) => ({ positions: threes(mesh.positions), cells: threes(mesh.indices) });
+const flat = { cells: 24, part: 0, at: (s, t) => ({ position: [1.4 * s - 0.7, 0, 0.7 - 1.4 * t], normal: [0, 1, 0] }) };
+const shapes = { bunny: () => require('bunny'), sphere: () => asCells(meshOf(sphere({ cells: 24 }))), plane: () => asCells(meshOf([flat])) };
+
 function isNewer(file, sources) {
   return existsSync(file) && sources.every((source) => statSync(source).mtimeMs < statSync(file).mtimeMs);
 }
@@ -30,14 +36,19 @@ export function makeAssets(program, outFolder) {
   program = resolve(program);
   mkdirSync(outFolder, { recursive: true });
   makeScenes(resolve(outFolder));
-  const out = join(resolve(outFolder), 'bunny.glb');
-  if (isNewer(out, [program, fileURLToPath(import.meta.url), require.resolve('bunny')])) return;
+  const sources = [program, ...[import.meta.url, new URL('scenes/scenes.mjs', import.meta.url), new URL('scenes/shapes.mjs', import.meta.url)].map((url) => fileURLToPath(url))];
+  const waiting = [{ name: 'bunny', shape: 'bunny' }, ...scenes.filter(({ drops }) => drops)]
+    .filter(({ name }) => !isNewer(join(resolve(outFolder), `${name}.glb`), [...sources, require.resolve('bunny')]));
+  if (!waiting.length) return;
   const scratch = mkdtempSync(join(tmpdir(), 'wet-fur-'));
   try {
-    const mesh = join(scratch, 'bunny.mesh');
-    writeFileSync(mesh, meshBytes(require('bunny')));
     const command = /\.(c|m)?js$/.test(program) ? [process.execPath, program] : [program];
-    execFileSync(command[0], [...command.slice(1), mesh, out], { stdio: 'inherit' });
+    for (const scene of waiting) {
+      const mesh = join(scratch, 'mesh'), water = join(scratch, 'water');
+      writeFileSync(mesh, meshBytes(shapes[scene.shape]()));
+      if (scene.drops) writeFileSync(water, waterBytes(scene));
+      execFileSync(command[0], [...command.slice(1), mesh, join(resolve(outFolder), `${scene.name}.glb`), ...(scene.drops ? [water] : [])], { stdio: 'inherit' });
+    }
   } finally {
     rmSync(scratch, { recursive: true });
   }

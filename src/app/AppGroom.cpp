@@ -175,6 +175,16 @@ void App::State::applyGroomStep(const GroomStep& step, bool undo) {
 
 // What a file says of the vertices of `mesh`, brought to the points of the surface.
 void App::State::takeFur(const scene::FurData& fur) {
+  if (!fur.wetness.empty()) {
+    std::vector<Vec4> texels;
+    const int size = mask.size();
+    for (int i = 0; i < size * size; ++i) {
+      const int x = i % size * fur.wetnessSize / size, y = i / size * fur.wetnessSize / size;
+      texels.push_back(fur.wetness[static_cast<std::size_t>(y) * static_cast<std::size_t>(fur.wetnessSize) + static_cast<std::size_t>(x)]);
+    }
+    mask.restore(std::move(texels));
+    maskTouched();
+  }
   if (fur.map.empty() && fur.comb.empty() && fur.lengths.empty() && fur.types.empty() && fur.whiskers.empty())
     return;
   if (!fur.map.empty()) {
@@ -298,6 +308,8 @@ std::vector<std::uint8_t> App::saveScene() const {
     fur.comb.resize(s.surface.trueVertexCount);
   }
   fur.whiskers = s.groom.whiskers;
+  fur.wetnessSize = s.mask.size();
+  if (!s.mask.isDry()) fur.wetness = s.mask.texels();
   return scene::exportScene(mesh, s.modelName, fur, {s.sourceImage.bytes.empty() ? s.pendingImage : s.sourceImage, s.baseColorFactor});
 }
 

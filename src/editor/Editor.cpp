@@ -40,6 +40,12 @@ constexpr ShippedScene kScenes[] = {
     {"fading", "Fading fur"},
     {"variance", "Without and with variance"},
     {"interpolation", "One type into another"},
+    {"wet-bunny", "Wet bunny"},
+    {"half-wet", "Half wet"},
+    {"wet-letters", "Letters of water"},
+    {"wet-straight", "Straight locks"},
+    {"wet-bent", "Bent locks"},
+    {"wet-tile", "Dry and wet"},
 };
 
 void caption(const char* text) {

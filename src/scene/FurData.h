@@ -1,7 +1,8 @@
 // What a file says about the fur of its mesh.
 //
 // A .glb does in the extension WETFUR_fur (WETFUR_fur.schema.json in this folder): the state of the program, and
-// the groom as a map in the mesh's atlas, a comb at its vertices and whiskers where they stand. A .fo has a length and a type at every vertex.
+// the groom and the wetness
+// as maps in the mesh's atlas, a comb at its vertices and whiskers where they stand. A .fo has a length and a type at every vertex.
 #pragma once
 
 #include <cstdint>
@@ -24,6 +25,8 @@ struct FurData {
   std::vector<float> lengths;  // share of the longest, 0..1
   std::vector<int> types;      // 1..groom::kTypes
   std::vector<groom::Whisker> whiskers{};  // as they were read, their roots in model space; at most kMostWhiskers
+  std::vector<Vec4> wetness{};  // wetnessSize * wetnessSize texels as wet::WetnessMask has them, or none
+  int wetnessSize = 0;
 };
 
 }  // namespace fur::scene

@@ -1,7 +1,11 @@
-// wet-fur-make-assets IN OUT.glb: makes a model that can be shipped from bare positions and triangles.
+// wet-fur-make-assets IN OUT.glb [WATER]: makes a model that can be shipped from bare positions and triangles.
 //
 // IN holds little-endian 32-bit words: vertex count V, triangle count T, 3 V floats (positions), 3 T
 // vertex indices. OUT is the same surface in the unit sphere with smooth normals and its own uv atlas.
+//
+// WATER makes a wet scene of it: drop count D; 8 D floats, a drop each: where its way begins, in which direction it goes, its
+// radius and wetness; then the scene's state as JSON. A drop wets the surface where its way first meets it.
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
@@ -9,7 +13,9 @@
 #include <vector>
 
 #include "geometry/Surface.h"
+#include "geometry/SurfaceQuery.h"
 #include "scene/Model.h"
+#include "wet/SurfaceWetting.h"
 
 namespace {
 
@@ -35,15 +41,41 @@ bool meshFrom(const std::vector<std::uint32_t>& words, fur::geometry::Mesh& mesh
   return true;
 }
 
-fur::geometry::Mesh withAtlas(const fur::geometry::Surface& surface) {
+// `asUv`: the atlas is the model's own uv, else coordinates of the maps of its fur.
+fur::geometry::Mesh withAtlas(const fur::geometry::Surface& surface, bool asUv) {
   fur::geometry::Mesh mesh;
-  for (const fur::geometry::SurfaceVertex& vertex : surface.vertices) {
+  for (std::size_t i = 0; i < (asUv ? surface.vertices.size() : surface.trueVertexCount); ++i) {
+    const fur::geometry::SurfaceVertex& vertex = surface.vertices[i];
     mesh.positions.push_back(vertex.position);
     mesh.normals.push_back(vertex.normal);
-    mesh.uv.push_back(vertex.atlas);
+    (asUv ? mesh.uv : mesh.atlas).push_back(vertex.atlas);
   }
   mesh.indices = surface.indices;
   return mesh;
+}
+
+constexpr int kMaskSize = 256;
+
+bool wetBy(const std::vector<std::uint32_t>& words, const fur::geometry::Surface& surface, fur::scene::FurData& fur) {
+  const std::size_t drops = words.empty() ? 0 : words[0];
+  if (words.size() < 1 + 8 * drops) return false;
+  const fur::geometry::SurfaceQuery query(surface);
+  const fur::wet::SurfaceWetting wetting(surface, kMaskSize);
+  fur::wet::WetnessMask mask(kMaskSize);
+  float most = 0;
+  for (std::size_t i = 0; i < drops; ++i) {
+    float d[8];
+    std::memcpy(d, &words[1 + 8 * i], sizeof d);
+    most = std::max(most, d[7]);
+    if (const auto hit = query.castRay({d[0], d[1], d[2]}, fur::normalizeOr({d[3], d[4], d[5]}, {0, -1, 0})))
+      wetting.addDroplet(mask, surface, query, positionAt(surface, *hit), normalAt(surface, *hit), d[6], d[7]);
+  }
+  fur.wetnessSize = kMaskSize;
+  fur.wetness = mask.texels();
+  // Where drops overlap no spot gets wetter than the wettest of them.
+  for (fur::Vec4& texel : fur.wetness) texel.w = std::min(texel.w, most);
+  fur.state.assign(reinterpret_cast<const char*>(words.data() + 1 + 8 * drops), 4 * (words.size() - 1 - 8 * drops));
+  return true;
 }
 
 int fail(const std::string& message) {
@@ -54,7 +86,7 @@ int fail(const std::string& message) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 3) return fail("expected two arguments, IN and OUT.glb");
+  if (argc != 3 && argc != 4) return fail("expected IN and OUT.glb, and WATER for a wet one");
   std::vector<std::uint32_t> words;
   fur::geometry::Mesh mesh;
   if (!readFile(argv[1], words)) return fail(std::string(argv[1]) + " cannot be read");
@@ -66,7 +98,10 @@ int main(int argc, char** argv) {
   std::string name = argv[2];
   name = name.substr(name.find_last_of("/\\") + 1);
   name = name.substr(0, name.find_last_of('.'));
-  const std::vector<std::uint8_t> glb = fur::scene::exportGlb(withAtlas(surface.value()), name);
+  fur::scene::FurData data;
+  std::vector<std::uint32_t> water;
+  if (argc == 4 && (!readFile(argv[3], water) || !wetBy(water, surface.value(), data))) return fail(std::string(argv[3]) + " cannot be read");
+  const std::vector<std::uint8_t> glb = fur::scene::exportScene(withAtlas(surface.value(), argc == 3), name, data, {{}, fur::Vec4(1)});
   std::FILE* file = std::fopen(argv[2], "wb");
   if (!file) return fail(std::string(argv[2]) + " cannot be written");
   const bool whole = std::fwrite(glb.data(), 1, glb.size(), file) == glb.size();

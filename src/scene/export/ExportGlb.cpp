@@ -5,6 +5,7 @@
 #include "core/Json.h"
 #include "scene/Model.h"
 #include "scene/PackBits.h"
+#include "scene/WetnessPlanes.h"
 
 namespace fur::scene {
 
@@ -83,8 +84,10 @@ std::string attributesOf(Writer& writer, const geometry::Mesh& mesh, const FurDa
 
 // WETFUR_fur of the root; "" when there is nothing to say.
 std::string furExtension(Writer& writer, const geometry::Mesh& mesh, const FurData& fur) {
-  const bool hasMap = !fur.map.empty() && mesh.atlas.size() == mesh.positions.size();
-  if (fur.state.empty() && !hasMap && fur.comb.empty() && fur.whiskers.empty() && mesh.furUv.empty()) return "";
+  const bool hasAtlas = mesh.atlas.size() == mesh.positions.size();
+  const bool hasMap = !fur.map.empty() && hasAtlas, isWet = !fur.wetness.empty() && hasAtlas;
+  const std::string atlas = mesh.uv.empty() ? ",\"texCoord\":0}" : ",\"texCoord\":1}";
+  if (fur.state.empty() && !hasMap && !isWet && fur.comb.empty() && fur.whiskers.empty() && mesh.furUv.empty()) return "";
   std::string out = "\"WETFUR_fur\":{\"version\":" + std::to_string(kFurVersion);
   if (!fur.state.empty()) out += ",\"state\":" + fur.state;
   if (hasMap) {
@@ -92,8 +95,11 @@ std::string furExtension(Writer& writer, const geometry::Mesh& mesh, const FurDa
     for (std::size_t k = 0; k < 4; ++k)
       for (const auto& texel : fur.map) planes.push_back(texel[k]);
     out += ",\"groom\":{\"size\":" + std::to_string(fur.mapSize) + ",\"bufferView\":" +
-           std::to_string(writer.addView(packBits(planes), "")) + ",\"texCoord\":" + (mesh.uv.empty() ? "0}" : "1}");
+           std::to_string(writer.addView(packBits(planes), "")) + atlas;
   }
+  if (isWet)
+    out += ",\"wetness\":{\"size\":" + std::to_string(fur.wetnessSize) + ",\"bufferView\":" +
+           std::to_string(writer.addView(packWetness(fur.wetness), "")) + atlas;
   if (!fur.whiskers.empty()) {
     const auto* from = reinterpret_cast<const std::uint8_t*>(fur.whiskers.data());
     out += ",\"whiskers\":{\"bufferView\":" + std::to_string(writer.addView({from, fur.whiskers.size() * groom::kWhiskerBytes}, "")) + "}";

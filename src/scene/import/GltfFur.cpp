@@ -2,26 +2,43 @@
 
 #include "scene/PackBits.h"
 #include "scene/StateJson.h"
+#include "scene/WetnessPlanes.h"
 
 namespace fur::scene {
 
 namespace {
 
-void readMap(const GltfFile& file, const Json& groom, FurData& fur) {
-  const std::string where = "WETFUR_fur.groom";
-  if (!groom.isObject()) file.bad("%s is not an object", where.c_str());
-  const Whole size = file.whole(groom, "size", where);
-  constexpr int kLeast = groom::GroomMap::kLeastSize, kMost = groom::GroomMap::kMostSize;
-  if (size > Whole{kMost}) file.fail(ErrorId::TooLarge, "%s.size is %llu; the limit is %d", where.c_str(), size, kMost);
-  if (size < Whole{kLeast}) file.bad("%s.size is %llu; the least is %d", where.c_str(), size, kLeast);
-  const auto texels = static_cast<std::size_t>(size * size);
-  std::vector<std::uint8_t> planes(4 * texels);
-  if (!unpackBits(file.bufferView(file.whole(groom, "bufferView", where)).bytes, planes))
+// Reads the square map that `map` describes: `unpack(bytes, texels)` says whether the bytes hold that many. Returns its side.
+template <class Unpack>
+int readSquare(const GltfFile& file, const Json& map, const std::string& where, int least, int most, const Unpack& unpack) {
+  if (!map.isObject()) file.bad("%s is not an object", where.c_str());
+  const Whole size = file.whole(map, "size", where);
+  if (size > static_cast<Whole>(most)) file.fail(ErrorId::TooLarge, "%s.size is %llu; the limit is %d", where.c_str(), size, most);
+  if (size < static_cast<Whole>(least)) file.bad("%s.size is %llu; the least is %d", where.c_str(), size, least);
+  if (!unpack(file.bufferView(file.whole(map, "bufferView", where)).bytes, static_cast<std::size_t>(size * size)))
     file.bad("%s does not hold a map of %llu x %llu texels", where.c_str(), size, size);
-  fur.mapSize = static_cast<int>(size);
+  return static_cast<int>(size);
+}
+
+void readMap(const GltfFile& file, const Json& groom, FurData& fur) {
+  std::vector<std::uint8_t> planes;
+  fur.mapSize = readSquare(file, groom, "WETFUR_fur.groom", groom::GroomMap::kLeastSize, groom::GroomMap::kMostSize,
+                           [&](Bytes bytes, std::size_t texels) {
+                             planes.resize(4 * texels);
+                             return unpackBits(bytes, planes);
+                           });
+  const std::size_t texels = planes.size() / 4;
   fur.map.resize(texels);
   for (std::size_t i = 0; i < texels; ++i)
     for (std::size_t k = 0; k < 4; ++k) fur.map[i][k] = planes[k * texels + i];
+}
+
+void readWetness(const GltfFile& file, const Json& wetness, FurData& fur) {
+  fur.wetnessSize = readSquare(file, wetness, "WETFUR_fur.wetness", kLeastWetness, kMostWetness,
+                               [&](Bytes bytes, std::size_t texels) {
+                                 fur.wetness.resize(texels);
+                                 return unpackWetness(bytes, fur.wetness);
+                               });
 }
 
 void readWhiskers(const GltfFile& file, const Json& whiskers, FurData& fur) {
@@ -54,6 +71,13 @@ GltfFur readFur(const GltfFile& file, FurData& fur) {
     readMap(file, *groom, fur);
     out.hasMap = true;
     out.atlasSet = file.whole(*groom, "texCoord", "WETFUR_fur.groom");
+  }
+  if (const Json* wetness = found->find("wetness")) {
+    readWetness(file, *wetness, fur);
+    const Whole set = file.whole(*wetness, "texCoord", "WETFUR_fur.wetness");
+    if (out.hasMap && set != out.atlasSet) file.bad("WETFUR_fur: groom and wetness have not the same texCoord");
+    out.hasMap = true;
+    out.atlasSet = set;
   }
   if (const Json* whiskers = found->find("whiskers")) readWhiskers(file, *whiskers, fur);
   return out;

@@ -1,5 +1,5 @@
 // The extension WETFUR_fur of a glTF file (scene/FurData.h). Throws ImportError as GltfFile does: unsupported-version
-// for a newer one, too-large for a map or whiskers over their limit, bad-file for the rest.
+// for a newer one, too-large for maps or whiskers over their limit, bad-file for the rest.
 #pragma once
 
 #include "scene/Model.h"
@@ -11,10 +11,10 @@ namespace fur::scene {
 struct GltfFur {
   bool present = false;
   bool hasMap = false;
-  Whole atlasSet = 0;  // of the map
+  Whole atlasSet = 0;  // of the maps
 };
 
-// Fills state, map and whiskers of `fur`; whiskers stand where the file has them.
+// Fills state, maps and whiskers of `fur`; whiskers stand where the file has them.
 GltfFur readFur(const GltfFile& file, FurData& fur);
 
 }  // namespace fur::scene

@@ -197,7 +197,8 @@ class Importer {
     if (flat.uv.size() == flat.positions.size() && geometry::isUniqueAtlas(flat, mesh.indices)) return;
     mesh.atlas.clear();
     model_.fur.map.clear();
-    warn("the groom is left out: its texture coordinates are missing, overlap or lie outside of the map");
+    model_.fur.wetness.clear();
+    warn("groom and wetness are left out: their texture coordinates are missing, overlap or lie outside of the map");
   }
 
   void append(const geometry::Mesh& part) {
