@@ -2,6 +2,9 @@
 #include "common.glsl"
 #include "common_noise.glsl"
 uniform sampler2D shadowMap;
+#ifdef WET
+uniform sampler2D puddles;
+#endif
 in vec3 vColor;
 in vec3 vRay;
 flat in vec4 vGround;
@@ -11,7 +14,19 @@ void main() {
   if (vRay.y < 0.0 && vGround.w > 0.0) {
     vec2 spot = vGround.xy + vRay.xz * (vGround.z / vRay.y);
     // Nothing where the map ends.
-    color -= color * (vGround.w * textureLod(shadowMap, spot, 0.0).r);
+    float dark = textureLod(shadowMap, spot, 0.0).r;
+    color -= color * (vGround.w * dark);
+#ifdef WET
+    // Wet ground is darker, and mirrors sky and light, more at grazing.
+    vec2 within = step(abs(spot - 0.5), vec2(0.5));
+    float wet = smoothstep(0.15, 0.75, textureLod(puddles, spot, 0.0).r) * within.x * within.y;
+    vec3 ray = normalize(vRay);
+    float away = 1.0 + ray.y, grazing = away * away * away, glint = max(dot(reflect(ray, vec3(0.0, 1.0, 0.0)), lightWorld.xyz), 0.0);
+    color *= 1.0 - 0.35 * wet;
+    color = mix(color, backgroundTop.rgb, wet * min(0.04 + 0.7 * grazing, 0.7) * (1.0 - 0.5 * dark));
+    glint *= glint, glint *= glint, glint *= glint, glint *= glint, glint *= glint;
+    color += wet * (1.0 - dark) * 0.35 * light.w * glint * glint;
+#endif
   }
   // Half a step of noise: a smooth gradient bands in 8 bits.
   fragColor = vec4(color + (quickNoise() - 0.5) / 255.0, 1.0);

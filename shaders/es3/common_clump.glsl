@@ -1,12 +1,11 @@
 // Wet clumps (Silva et al. 2010, Eq. 1 and Algorithm 2), the inverse taken exactly. C++ twin: wet/Clump.h.
 
-// ln x for x > 0 within 1e-5. GPUs may be a thousandth off in log(), and a clump magnifies that tenfold.
+// ln x for x > 0 within 1.2e-5. GPUs may be a thousandth off in log(), and a clump magnifies that tenfold.
 float naturalLog(float x) {
   int bits = floatBitsToInt(x);
-  float mantissa = intBitsToFloat((bits & 0x7fffff) | 0x3f800000);
-  float z = (mantissa - 1.0) / (mantissa + 1.0), y = z * z;
+  float u = 2.0 * intBitsToFloat((bits & 0x7fffff) | 0x3f800000) - 3.0;
   return float((bits >> 23) - 127) * 0.69314718 +
-         2.0 * z * (1.0 + y * (1.0 / 3.0 + y * (1.0 / 5.0 + y * (1.0 / 7.0 + y * (1.0 / 9.0)))));
+         0.40545697 + u * (0.33333567 + u * (-0.05540979 + u * (0.01230384 + u * (-0.00346471 + u * 0.00093152))));
 }
 
 // f(h) = (1 - w) h + w (1 + ln h / ln N), h in [1/N, 1].
@@ -14,8 +13,29 @@ float clumpProfile(float h, float w, float layers) {
   return (1.0 - w) * h + w * (1.0 + naturalLog(max(h, 1.0 / layers)) / naturalLog(layers));
 }
 
-// s: the share of the way to the clump's centre that a strand of a clump of wetness rho has gone at height h.
-float clumpPull(float h, float rho) { return min(clumpProfile(h, water.x, shape.z) * rho, FUR_MAX_SHIFT); }
+// `held`: the water that a texel of the mask holds; 1 is saturated, what is more lies on the strands as a film.
+// How far clumps have closed into a sheet: not at all up to where fur is merely wet.
+float sheetOf(float held) { return smoothstep(FUR_SHEET_FROM, 1.0, held); }
+
+// s: the share of the way to the clump's centre that a strand has gone at height h. A sheet opens it again.
+float clumpPull(float h, float held, float sheet) {
+  return min(clumpProfile(h, water.x, shape.z) * min(held, 1.0) * (1.0 - FUR_SHEET_OPENS * sheet), FUR_MAX_SHIFT);
+}
+
+// The water that a clump of that radius (fur lengths) can draw its strands together by: none is drawn further aside than
+// it is long, so large drops on short fur leave it standing.
+float drawnBy(float held, float radius) { return min(held, FUR_MOST_ASIDE / max(radius, 1e-6)); }
+
+// How far along the strand of constant length a point at height h lies that has been drawn `aside` (fur lengths): the
+// outer strands of a lock end lower, which is what points it.
+float alongStrand(float h, vec2 aside) { return length(vec3(aside, h)); }
+
+// Wet strands lie down the way they lean: so far aside at their tips, and a sheet stands no higher than upright().
+vec2 lieOf(vec2 lean, float held, float sheet) {
+  float much = length(lean);
+  return lean * ((0.45 * min(held, 1.0) + 0.4 * sheet) * smoothstep(0.0, 0.12, much) / max(much, 1e-6));
+}
+float upright(float sheet) { return 1.0 - FUR_SHEET_SINKS * sheet; }
 
 // A clump's own colour; grey where it is dry. Views only.
 vec3 clumpColor(vec4 clump) {
@@ -24,7 +44,18 @@ vec3 clumpColor(vec4 clump) {
   return clump.a > 0.0 ? mix(hue, vec3(0.95), 0.6 * chance.y) : vec3(0.45);
 }
 
-// The clump that the atlas point `a` lies in: centre u, v, radius, wetness. Unfiltered: centres do not mix.
+// The clump that the atlas point `a` lies in: centre u, v, radius, water held; that is below 0 beside the charts.
+// Unfiltered: centres do not mix.
 vec4 clumpAt(sampler2D mask, vec2 a) {
   return texelFetch(mask, clamp(ivec2(a * water.w), ivec2(0), ivec2(int(water.w) - 1)), 0);
+}
+
+// Whether the strand rooted `from` the centre of the clump is one of its own, 0..1. Algorithm 2: a root outside the clump, in a
+// dry texel or in another clump is no strand here. The rim fades over a twelfth of the radius, so that locks have
+// soft edges.
+float ownStrand(sampler2D mask, vec4 clump, vec2 from) {
+  vec4 home = clumpAt(mask, clump.xy + from);
+  vec2 apart = home.xy - clump.xy;
+  float squared = clump.z * clump.z;
+  return clamp(6.0 - 6.0 * dot(from, from) / max(squared, 1e-12), 0.0, 1.0) * float(home.a > 0.0 && dot(apart, apart) <= 0.25 * squared);
 }

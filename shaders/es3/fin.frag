@@ -33,22 +33,27 @@ in vec3 vLightSpace;
 out vec4 fragColor;
 
 void main() {
-  float u = vFin.x, h = vFin.y, rho = 0.0;
+  float u = vFin.x, h = vFin.y, rho = 0.0, open = 1.0;
   vec2 clumpLean = vec2(0.0);
 #ifdef WET
   vec4 clump = clumpAt(mask, vAtlas);
-  if (clump.a > 0.0) {
-    float s = clumpPull(h, clump.a);
-    vec2 fromCentre = (vAtlas - clump.xy) / (1.0 - s);
-    if (dot(fromCentre, fromCentre) > clump.z * clump.z || clumpAt(mask, clump.xy + fromCentre).a == 0.0) discard;
-    // In turns of the fin map along the edge and across it; only the first moves the look-up, both
-    // tilt the strand.
-    vec2 moved = clump.xy + fromCentre - vAtlas, across = vec2(-vAtlasAlong.y, vAtlasAlong.x);
-    vec2 turns = vec2(dot(moved, vAtlasAlong), dot(moved, across)) / max(dot(vAtlasAlong, vAtlasAlong), 1e-12);
-    u += turns.x;
-    clumpLean = -turns / (max(h, 0.1) * max(shape.x * shape.y, 1e-6));
-    rho = clump.a;
+  float held = max(clump.a, 0.0), sheet = sheetOf(held), furLengths = 1.0 / max(shape.x * shape.y, 1e-6);
+  vec2 outward = vec2(0.0);
+  rho = min(held, 1.0);
+  h /= upright(sheet);
+  if (held > 0.0) {
+    float drawn = drawnBy(held, clump.z * furLengths / max(length(vAtlasAlong), 1e-6));
+    float s = clumpPull(h, drawn, sheet), below = clumpPull(h - 1.0 / shape.z, drawn, sheet);
+    vec2 fromCentre = (vAtlas - clump.xy) / (1.0 - s), across = vec2(-vAtlasAlong.y, vAtlasAlong.x);
+    open = mix(ownStrand(mask, clump, fromCentre), 1.0, 0.7 * sheet);
+    // In turns of the fin map along the edge and across it; only the first moves the look-up, both tilt the strand.
+    vec2 turns = vec2(dot(fromCentre, vAtlasAlong), dot(fromCentre, across)) / max(dot(vAtlasAlong, vAtlasAlong), 1e-12);
+    u += turns.x * s;
+    h = alongStrand(h, turns * (s * furLengths));
+    clumpLean = turns * ((below - s) * shape.z * furLengths);
+    outward = turns * length(vAtlasAlong) / max(clump.z, 1e-6);
   }
+  if (h > 1.0) discard;
 #endif
   int type = 0;
 #ifdef TYPES
@@ -62,7 +67,7 @@ void main() {
   vec3 spot = vec3(u, min(h, 0.985), float(type));
   float level = floor(max(vFin.w, 0.0) + 0.5);
   float sharp = exp2(max(-vFin.w, 0.0));
-  float alpha = clamp((textureLod(finCoverage, spot, level).r - 0.5) * sharp + 0.5, 0.0, 1.0) * vFin.z;
+  float alpha = clamp((textureLod(finCoverage, spot, level).r - 0.5) * sharp + 0.5, 0.0, 1.0) * vFin.z * open;
   // Slabs show the coat up to its outline; only the tips that stand out over it are missing.
   alpha *= smoothstep(FUR_FIN_FOOT, 0.9, h) * (1.0 - smoothstep(0.94, 1.0, h));
   if (alpha < 0.02) discard;
@@ -72,12 +77,20 @@ void main() {
   vec3 albedo = strandColor(rootColors[type].rgb, tipColors[type], h, strand.z, modelColor(baseColor, vUv));
   // Nothing stands before an outline: light reaches it from the side, further down than inside the coat.
   float exposed = mix(h, 1.0, 0.4);
-  vec3 color = shadeStrand(albedo, tangent, normalize(vLight.xyz), normalize(vView), exposed, rho, 0.75 * furShadowAt(vLightSpace), vLight.w, strand.z);
+  vec3 L = normalize(vLight.xyz), V = normalize(vView);
+  float lit = 0.75 * furShadowAt(vLightSpace);
+#ifdef WET
+  albedo = wetAlbedo(albedo, rho);
+#endif
+  vec3 color = shadeStrand(albedo, tangent, L, V, exposed, rho, lit, vLight.w, strand.z);
+#ifdef WET
+  color = lockLight(color, tangent, lockNormal(outward, sheet), L, V, h, held, sheet, lit, vLight.w, strand.z);
+#endif
   // Samples by chance, as in shell.frag.
   alpha += (pixelNoise() - 0.5) / sky.w;
   if (alpha < 0.5 / sky.w) discard;
 #ifdef VIEW_SHADOW
-  color = vec3(lightShare(0.75 * furShadowAt(vLightSpace), exposed, normalize(vLight.xyz).z));
+  color = vec3(lightShare(lit, exposed, L.z));
   fragColor = vec4(color, alpha);
 #else
   fragColor = vec4(encodeSrgb(toneMap(color)), alpha);

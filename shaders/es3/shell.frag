@@ -62,13 +62,60 @@ float layerOf(float stored) { return clamp(floor(stored + 0.5), 0.0, volume.y - 
 float heightAt(float x) { return vTop + x * (vPath.x + x * vPath.y); }
 vec2 tileAt(float x, float h) { return vTile.xy + x * (vTile.zw + x * vTurn.xy) + vTurn.zw * (vTop * vTop - h * h); }
 
-// How far the ray goes, in fur lengths: to the skin, or where it only grazes a round body, out again.
-float rayEnd(out bool reachesSkin) {
-  float slope = -vPath.x, inside = slope * slope - 4.0 * vPath.y * vTop;
-  reachesSkin = slope > 0.0 && inside > 0.0;
+// How far the ray goes, in fur lengths: until it is so far down, or where it only grazes a round body, out again.
+float rayTo(float depth, out bool comesThere) {
+  float slope = -vPath.x, inside = slope * slope - 4.0 * vPath.y * depth;
+  comesThere = slope > 0.0 && inside > 0.0;
   if (slope <= 0.0) return 0.0;
-  return min(reachesSkin ? 2.0 * vTop / (slope + sqrt(inside)) : slope / vPath.y, 6.0);
+  return min(comesThere ? 2.0 * depth / (slope + sqrt(inside)) : slope / vPath.y, 6.0);
 }
+
+#ifdef WET
+// Of the whole ray, by where it enters: the water there, how much of a sheet the coat is, how high it stands, where its tips lie
+// from their roots (tiles); how many fur lengths a tile is, how many tiles the atlas.
+float entryHeld, sheet, coatTop, furLengths, atlasLength;
+vec2 lie;
+mat2 tileFromAtlas;
+
+// The strand that the ray meets at height h over the tile point `at`.
+struct WetStrand {
+  vec2 root;   // tile
+  float along; // itself, 0..1
+  float open;  // 0: none; more than 1 where many are drawn together
+  float pull;  // s
+  vec4 clump;  // w: the water it holds
+  vec2 from;   // of its root from the clump's middle, tiles
+};
+// `a`: the atlas point; `inside`: the last one that lay in the chart.
+WetStrand wetStrandAt(vec2 at, vec2 a, float h, inout vec2 inside) {
+  WetStrand strand;
+  strand.clump = clumpAt(mask, a);
+  float side = 1.0;
+  if (strand.clump.a < 0.0) {
+    // Beside the chart, where a ray along the outline soon is: locks as inside it, mirrored where it left.
+    a = 2.0 * inside - a;
+    side = -1.0;
+    strand.clump = clumpAt(mask, a);
+  } else {
+    inside = a;
+  }
+  bool clumped = strand.clump.a > 0.0;
+  if (strand.clump.a < 0.0) strand.clump.a = entryHeld;
+  strand.along = h / coatTop;
+  strand.pull = clumped ? clumpPull(strand.along, drawnBy(strand.clump.a, strand.clump.z * atlasLength * furLengths), sheet) : 0.0;
+  vec2 from = (a - strand.clump.xy) / (1.0 - strand.pull);
+  strand.from = tileFromAtlas * from * side;
+  vec2 aside = strand.from * strand.pull;
+  strand.root = at + aside;
+  strand.along = alongStrand(strand.along, aside * furLengths);
+  // A sheet nearly closes the gaps.
+  float own = mix(ownStrand(mask, strand.clump, from), 1.0, 0.7 * sheet) * (1.0 + 2.0 * strand.pull + sheet);
+  strand.open = (clumped ? own : 1.0) * float(strand.along <= 1.0);
+  return strand;
+}
+// Drawn together, strands are that much thinner than a pixel. Not all of it: locks keep their lines.
+float wetLevel(float lod, float pull) { return lod + step(0.63, pull); }
+#endif
 
 // The chart's share where charts overlap, see geometry/FurClusters.h: blended in order.
 float chartShare() {
@@ -107,7 +154,7 @@ void main() {
   float sharp = exp2(max(-vLight.w, 0.0));
   float share = chartShare();
   bool reachesSkin;
-  float end = rayEnd(reachesSkin);
+  float end = rayTo(vTop, reachesSkin);
   if (share <= 0.0) end = 0.0;
   float texels = length(vTile.zw) * volume.x * exp2(-max(vLight.w, 0.0));
   float stepSize = volume.w * min(kTexelsAStep / max(texels, 1e-3), 1.0 / (kFewestSteps * max(-vPath.x, 1.0 / kFewestSteps)));
@@ -141,45 +188,51 @@ void main() {
   mat2 atlasFromTile = mat2(vAtlasStep.xy, vAtlasStep.zw);
 #endif
 #ifdef WET
-  mat2 tileFromAtlas = inverse(atlasFromTile);
-  vec3 wetSum = vec3(0.0);  // clump lean in tile units a fur length, wetness
-  float rho = 0.0;
+  tileFromAtlas = inverse(atlasFromTile);
+  atlasLength = sqrt(abs(determinant(tileFromAtlas)));
+  furLengths = 1.0 / max(shape.x * shape.y, 1e-6);
+#ifdef GROOMED
+  furLengths /= max(vLength, 0.02);
+#endif
+  entryHeld = max(clumpAt(mask, vAtlas).a, 0.0);
+  sheet = sheetOf(entryHeld);
+  coatTop = upright(sheet);
+  lie = lieOf(vTurn.zw * furLengths, entryHeld, sheet) / furLengths;
+  // Locks are denser than dry fur: they close sooner, and longer steps find them.
+  stepSize *= 1.0 + 0.7 * min(entryHeld, 1.0);
+  if (vTop > coatTop) {
+    bool comesDown;
+    x += rayTo(vTop - coatTop, comesDown);
+    if (!comesDown) end = 0.0;
+  }
+  vec2 inside = vAtlas;
 #endif
   float softness = kReferenceSteps * stepSize;
   float furry = 1.0;  // how much of a coat there is where the ray is
   // Few variables and one way out: on a software rasteriser the loop itself costs as much as its look-ups.
-  float last = min(end, kMostSteps * stepSize);
+  float last = min(end, x + kMostSteps * stepSize);
   while (x < last && alpha <= kClosed) {
     float h = heightAt(x);
-    vec2 at = tileAt(x, h), root = at;
+    vec2 at = tileAt(x, h);
+#ifdef WET
+    at -= lie * (h / coatTop);
+#endif
+    vec2 root = at;
     float open = 1.0, level = lod, along = h;
 #ifdef DRESSED
     vec2 a = vAtlas + atlasFromTile * (at - vTile.xy);
 #endif
 #ifdef WET
-    vec4 clump = clumpAt(mask, a);
-    rho = clump.a;
-    vec3 lean = vec3(0.0, 0.0, rho);
-    if (rho > 0.0) {
-      float s = clumpPull(h, rho);
-      vec2 fromCentre = (a - clump.xy) / (1.0 - s);
-      // Drawn together, strands are that much thinner than a pixel. Not all of it: locks keep their lines.
-      level = floor(lod - 0.7 * log2(1.0 - s));
-      vec4 home = clumpAt(mask, clump.xy + fromCentre);
-      // Algorithm 2: a root outside the clump, in a dry texel or in another clump is no strand here.
-      vec2 apart = home.xy - clump.xy;
-      // The rim fades over a twelfth of the radius, so that locks have soft edges.
-      open = clamp(12.0 * (1.0 - length(fromCentre) / max(clump.z, 1e-6)), 0.0, 1.0) *
-             float(home.a > 0.0 && dot(apart, apart) <= 0.25 * clump.z * clump.z);
-      root += tileFromAtlas * (clump.xy + fromCentre - a);
-      float below = clumpPull(h - 1.0 / shape.z, rho);
-      lean.xy = tileFromAtlas * (fromCentre * (below - s)) * shape.z;
-    }
+    WetStrand wet = wetStrandAt(at, a, h, inside);
+    root = wet.root;
+    along = wet.along;
+    open = wet.open;
+    level = wetLevel(lod, wet.pull);
 #endif
 #ifdef GROOMED
     // Vertices know the mean length; the map knows it of every strand.
     vec4 dressed = textureLod(groom, vAtlas + atlasFromTile * (root - vTile.xy), 0.0);
-    along = h * vLength / max(dressed.r, 1e-3);
+    along *= vLength / max(dressed.r, 1e-3);
     furry = min(dressed.r / 0.15, 1.0);
 #endif
 #ifdef TYPES
@@ -192,12 +245,12 @@ void main() {
       if (up > 1.0) continue;
       vec4 there = vec4(root, layerOf(storedLayer(up, between)) + float(type) * volume.y, level);
       float stands = standsUpTo(grows[type], textureLod(strand, there.xyz, level).w);
-      float cover = edged(textureLod(coverage, there.xyz, level).r, sharp) * open * float(up <= stands);
+      float cover = min(edged(textureLod(coverage, there.xyz, level).r, sharp) * open, 1.0) * float(up <= stands);
       float add = stepCover(cover, softness) * (1.0 - alpha - closedHere);
       closedHere += add;
       hSum += add * up;
       types[type] += add;
-      if (add > most) most = add, spot = there;
+      if (add > most) most = add, mostX = x, spot = there;
     }
     float add = closedHere;
 #else
@@ -205,19 +258,18 @@ void main() {
     open *= float(along <= 1.0);
 #endif
     vec4 there = vec4(root, storedLayer(along, between), level);
-    float add = stepCover(edged(textureLod(coverage, there.xyz, level).r, sharp) * open, softness) * (1.0 - alpha);
+    float add = stepCover(min(edged(textureLod(coverage, there.xyz, level).r, sharp) * open, 1.0), softness) * (1.0 - alpha);
     hSum += add * along;
-#ifdef DRESSED
+#ifdef GROOMED
     if (add > most) spot = there;
 #endif
     if (add > most) most = add, mostX = x;
 #endif
     xSum += add * x;
-#ifdef WET
-    wetSum += add * lean;
-#endif
 #ifdef VIEW_CLUMPS
-#ifndef WET
+#ifdef WET
+    vec4 clump = wet.clump;
+#else
     const vec4 clump = vec4(0.0);
 #endif
     clumpSum += add * clumpColor(clump);
@@ -245,7 +297,14 @@ void main() {
 #endif
   if (shown < 0.5 / levels) discard;
 
-#ifndef DRESSED
+#ifdef WET
+  float metHeight = heightAt(mostX);
+  vec2 metTile = tileAt(mostX, metHeight) - lie * (metHeight / coatTop);
+  WetStrand lock = wetStrandAt(metTile, vAtlas + atlasFromTile * (metTile - vTile.xy), metHeight, inside);
+#ifndef GROOMED
+  spot = vec4(lock.root, storedLayer(lock.along, between), wetLevel(lod, lock.pull));
+#endif
+#elif !defined(GROOMED)
   spot.xyz = vec3(tileAt(mostX, heightAt(mostX)), storedLayer(heightAt(mostX), between));
 #endif
   vec2 foot = tileAt(end, 0.0);  // where the ray meets the skin
@@ -258,11 +317,12 @@ void main() {
   vec2 tilt = met.xy * 2.0 - 1.0;
   vec3 tangent = vec3(tilt + vLean.xy * h, sqrt(max(0.05, 1.0 - dot(tilt, tilt))));
 #ifdef WET
-  wetSum *= perStrand;
-  // Eq. 4: the strand moves by -d, in model units.
-  tangent.xy += wetSum.xy / max(shape.x * shape.y, 1e-6);
-  float skinWetness = rho;
-  rho = wetSum.z;
+  // Eq. 4: the strand moves by -d, in fur lengths.
+  float metAlong = metHeight / coatTop, drawn = drawnBy(lock.clump.a, lock.clump.z * atlasLength * furLengths);
+  float rises = clumpPull(metAlong - 1.0 / shape.z, drawn, sheet) - clumpPull(metAlong, drawn, sheet);
+  tangent.xy += (lock.from * (rises * shape.z) + lie / coatTop) * furLengths;
+  vec2 outward = lock.from / max(lock.clump.z * atlasLength, 1e-6);
+  float rho = min(lock.clump.a, 1.0), skinWetness = rho;
 #else
   const float rho = 0.0, skinWetness = 0.0;
 #endif
@@ -295,7 +355,14 @@ void main() {
     rootTint += types[type] * rootColors[type].rgb;
   }
 #endif
-  vec3 color = shadeStrand(strandColor(rootTint, tip, h, met.z, model), tangent, light3, view3, exposed, rho, lit, vView.w, met.z);
+  vec3 albedo = strandColor(rootTint, tip, h, met.z, model);
+#ifdef WET
+  albedo = wetAlbedo(albedo, rho);
+#endif
+  vec3 color = shadeStrand(albedo, tangent, light3, view3, exposed, rho, lit, vView.w, met.z);
+#ifdef WET
+  color = lockLight(color, tangent, lockNormal(outward, sheet), light3, view3, h, lock.clump.a, sheet, lit, vView.w, met.z);
+#endif
   if (reachesSkin && closed < 1.0) {
     vec3 skin = shadeSkin(skinColor.rgb * model * 0.5, vLight.z, vView.w, 0.0, skinWetness, lit);
     // Pores: the lowest layer says where strands root (Sheppard 5.2).

@@ -18,10 +18,17 @@ void main() {
 #if defined(VIEW_SHADOW)
   fragColor = vec4(vColor, 1.0);
 #elif defined(UNDER_FUR)
-  fragColor = vec4(encodeSrgb(toneMap(vColor * modelColor(baseColor, vUvAtlas.xy))), 1.0);
+  vec3 color = vColor * modelColor(baseColor, vUvAtlas.xy);
+#ifdef WET
+  // Between locks, in their shade.
+  float rho = clamp(clumpAt(mask, vUvAtlas.zw).a, 0.0, 1.0);
+  color = wetAlbedo(color, rho) * (1.0 - water.y * rho) * (1.0 - 0.5 * rho);
+#endif
+  fragColor = vec4(encodeSrgb(toneMap(color)), 1.0);
 #else
   vec3 n = normalize(vNormal);
   vec4 clump = clumpAt(mask, vUvAtlas.zw);
+  clump.a = clamp(clump.a, 0.0, 1.0);
   float facing = 0.55 + 0.45 * dot(n, light.xyz);
 #if defined(VIEW_WETNESS)
   // Blue by wetness, each clump with its own colour, so that centres and borders can be read.

@@ -38,6 +38,19 @@ void main() {
 #else
   float value = marschnerStrand(vec3(0.4), along, across, dot(L, V), 12.0).g;
 #endif
+#elif FUNCTION == 13
+  float value = clumpPull(mix(1.0 / shape.z, 1.0, at.x), at.y, sheetOf(at.y));
+#elif FUNCTION == 18
+  float value = drawnBy(at.x, 3.0 * at.y);
+#elif FUNCTION == 14
+  float value = alongStrand(at.x, vec2(at.y, 0.0));
+#elif FUNCTION == 15
+  float value = wetAlbedo(vec3(at.x), at.y).x;
+#elif FUNCTION == 16
+  vec2 mirrored = waterGloss(onCircle(at.x * 3.0), lockNormal(vec2(at.y, 0.0), 0.4), onCircle(0.7), onCircle(-0.4), 0.9, 0.4, at.x);
+  float value = 0.25 * (mirrored.x + mirrored.y);
+#elif FUNCTION == 17
+  float value = lieOf(vec2(0.0, at.x), at.y, sheetOf(at.y)).y;
 #elif FUNCTION == 12
   float value = standsUpTo(at.x, mix(0.5, 1.0, at.y));
 #elif FUNCTION == 11

@@ -49,7 +49,7 @@ void main() {
   float above = max(dot(p - rootWidth.xyz, normal), 0.4 * t * directionLength.w) / max(depth, 1e-4);
   vBand = vec4(reach, width, above, 0.0);
 #ifdef WET
-  vBand.w = clumpAt(mask, vec2(colorU.w, verticesV.w)).a;
+  vBand.w = clamp(clumpAt(mask, vec2(colorU.w, verticesV.w)).a, 0.0, 1.0);
 #endif
   vTangent = vec4(tangent, normalShade.w);
   vView = vec4(toEye, mix(clamp(dot(normal, light.xyz) + 0.5, 0.0, 1.0), 1.0, t));

@@ -85,7 +85,7 @@ void App::setCovered(Vec2 shares, bool atOnce) {
 void App::State::uploadScene() {
   renderer->setSurface(surface);
   renderer->setBaseColor(imageWidth, imageHeight, image);
-  renderer->updateMask(mask, {0, 0, mask.size(), mask.size()});
+  renderer->updateMask(mask, {0, 0, mask.size(), mask.size()}, wetting->chartOfTexel());
   renderer->updateBends(bends.bends());
   uploadGroom({0, 0, groom.map.size(), groom.map.size()});
   uploadWhiskers();
@@ -410,7 +410,7 @@ Status App::draw(Picture picture) {
   FUR_ASSERT(s.renderer.has_value(), "App::draw()", "an attached context", "none");
   s.refreshGroom();
   if (!s.coatUploaded) s.finishCoat();
-  s.renderer->updateMask(s.mask, s.mask.takeChanged());
+  s.renderer->updateMask(s.mask, s.mask.takeChanged(), s.wetting->chartOfTexel());
   s.drawnLevel = s.levelFor(picture);
   const Status status = s.renderer->draw(s.frame(s.drawnLevel));
   s.uploadedBytes = s.renderer->takeUploadedBytes();

@@ -125,6 +125,7 @@ void apply(const DrawState& state) {
   switch (state.blend) {
     case Blend::None: break;
     case Blend::Add: glBlendFunc(GL_ONE, GL_ONE); break;
+    case Blend::Over: glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA); break;
   }
 }
 

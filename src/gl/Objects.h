@@ -156,7 +156,7 @@ class Target {
   Name framebuffer_, color_, depth_;
 };
 
-enum class Blend { None, Add };
+enum class Blend { None, Add, Over };  // Over: colours come multiplied by their alpha
 
 struct DrawState {
   bool depthTest = true, depthWrite = true, cullBack = true;

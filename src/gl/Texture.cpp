@@ -79,7 +79,7 @@ void Texture::update(int x, int y, int width, int height, std::span<const std::b
   bind(kWorkUnit);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   glPixelStorei(GL_UNPACK_ROW_LENGTH, rowTexels);
-  const auto first = (static_cast<std::size_t>(y) * rowTexels + x) * layout.bytes;
+  const auto first = rowTexels ? (static_cast<std::size_t>(y) * rowTexels + x) * layout.bytes : 0;
   glTexSubImage2D(GL_TEXTURE_2D, 0, x, y, width, height, layout.external, layout.type, image.data() + first);
   glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
 }

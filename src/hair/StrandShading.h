@@ -46,6 +46,17 @@ float glossShare(float nDotL);
 // the strand's random number.
 Vec3 shadeStrand(const StrandLook& look, const Vec3& albedo, const Vec3& tangent, const Vec3& light, const Vec3& view,
                  float nDotL, float height, float wetness, float key, float rim, const Vec3& sky, float strand);
+// Wet strands. Water lies between them with nearly their own refractive index: light goes further in before it comes
+// out again, so that a wet coat is darker and its colour richer (Lekner and Dorf 1988, mirrors left out).
+Vec3 wetAlbedo(const Vec3& albedo, float wetness);
+// The normal of a lock in the surface's frame; `outward`: from its middle, 1 at its rim. `sheet`: wet::sheetOf().
+Vec3 lockNormal(const Vec2& outward, float sheet);
+// The share of the key light and the share of the sky that water mirrors to the eye off a strand of the lock with the
+// normal `n`: glints that run along strands where the lock is turned to the light, more of both at grazing.
+// `wetGloss`: sigma_spec, `exponent`: of soaked strands.
+Vec2 waterGloss(const Vec3& tangent, const Vec3& n, const Vec3& light, const Vec3& view, float wetness, float sheet,
+                float wetGloss, float exponent, float strand);
+
 // Root to tip, brighter or darker from strand to strand (variance and spread in 0..1).
 Vec3 strandColor(const Vec3& root, const Vec3& tip, float height, float variance, float spread);
 

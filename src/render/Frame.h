@@ -1,6 +1,9 @@
 // What one picture needs besides the uploaded model: plain values, made anew each frame.
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include "core/Math.h"
 #include "settings/Settings.h"
 
@@ -10,6 +13,13 @@ struct CameraPose {
   Vec3 eye{0, 0, 3};  // world
   Vec3 target{0};
   float fovY = 0.6f;  // radians
+};
+
+// A drop of water that flies or clings.
+struct Drop {
+  Vec3 position{0};  // world
+  float radius = 0.01f;
+  Vec3 velocity{0};  // world, units a second: it is longer that way
 };
 
 struct Frame {
@@ -29,7 +39,15 @@ struct Frame {
   bool groomed = false;       // the groom's map says more than full length of one type: likewise
   bool types = false;         // and more than one fur type
   Vec4 baseColorFactor{1.0f};
+  // Looked at while the frame is drawn; none cost nothing.
+  std::span<const Drop> drops;
+  // How wet the ground is, 0..255: kPuddleCells squared from -z to z, each row from -x to x, over the square of half side
+  // kGroundHalfSide whose middle lies below the model's origin. Or none: it is dry.
+  std::span<const std::uint8_t> puddles;
 };
+
+inline constexpr int kPuddleCells = 64;
+inline constexpr float kGroundHalfSide = 3.2f;  // world
 
 // In the order of the settings' "view" choice. README.md says what each shows.
 enum class View {

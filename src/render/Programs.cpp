@@ -23,6 +23,7 @@ const char* fragmentOf(Shader shader, unsigned variant) {
     case Shader::ShadowMap: return shaders::kShadowMapFrag;
     case Shader::Enlarge: return shaders::kEnlargeFrag;
     case Shader::Whisker: return shaders::kWhiskerFrag;
+    case Shader::Drop: return shaders::kDropFrag;
     case Shader::ShadowBlur: break;
   }
   return shaders::kShadowBlurFrag;
@@ -43,6 +44,7 @@ Source sourceOf(Shader shader) {
     case Shader::Enlarge: return {"enlarge", shaders::kScreenVert};
     case Shader::Fin: return {"fin", shaders::kFinVert};
     case Shader::Whisker: return {"whisker", shaders::kWhiskerVert};
+    case Shader::Drop: return {"drop", shaders::kDropVert};
     case Shader::ShadowMap: return {"shadow_map", shaders::kShadowMapVert};
     case Shader::ShadowBlur: break;
   }
@@ -111,6 +113,7 @@ Result<const gl::Program*> Programs::use(Shader shader, unsigned variant) {
     program.bindSampler("groom", FUR_UNIT_GROOM);
     program.bindSampler("baseColor", FUR_UNIT_BASE_COLOR);
     program.bindSampler("shadowMap", FUR_UNIT_GROUND);
+    program.bindSampler("puddles", FUR_UNIT_PUDDLES);
     program.bindSampler("source", FUR_UNIT_GROUND);
     program.bindSampler("strandM", FUR_UNIT_STRAND_M);
     program.bindSampler("strandN", FUR_UNIT_STRAND_N);
@@ -126,7 +129,7 @@ std::vector<std::pair<Shader, unsigned>> allVariants() {
   std::vector<std::pair<Shader, unsigned>> all = {
       {Shader::Background, kPlain}, {Shader::GroundShadow, kPlain}, {Shader::Blur, kPlain}, {Shader::ShadowBlur, kShadowDepth},
       {Shader::Skin, kViewWetness}, {Shader::Skin, kViewNormals},   {Shader::ShadowMap, kPlain},
-      {Shader::Enlarge, kPlain},
+      {Shader::Enlarge, kPlain}, {Shader::Drop, kPlain}, {Shader::Background, kWet},
       {Shader::ShadowMap, kShadowLayers}, {Shader::ShadowMap, kSkinOnly},
       {Shader::Skin, kViewClumps},  {Shader::Skin, kViewDim},     {Shader::Fin, kViewEdges},
   };
@@ -138,6 +141,8 @@ std::vector<std::pair<Shader, unsigned>> allVariants() {
   for (const unsigned shadow : {kPlain, kShadowDepth, kShadowLayers}) {
     for (const unsigned look : {+kPlain, +kTextured, +kUnderFur, kUnderFur | kTextured, kUnderFur | kTypes, kUnderFur | kTextured | kTypes})
       all.emplace_back(Shader::Skin, look | shadow);
+    for (const unsigned look : {+kPlain, +kTextured, +kTypes, kTextured | kTypes})
+      all.emplace_back(Shader::Skin, look | shadow | kWet | kUnderFur);
     for (const unsigned look : {+kPlain, +kWet, +kMarschner, kWet | kMarschner}) all.emplace_back(Shader::Whisker, look | shadow);
     for (const unsigned look : {+kPlain, +kUnderFur, kUnderFur | kTypes}) all.emplace_back(Shader::Skin, look | shadow | kViewShadow);
     for (const unsigned look : {+kPlain, +kWet}) {

@@ -10,7 +10,6 @@ namespace fur::render {
 namespace {
 
 constexpr int kGroundShadowSize = 128;
-constexpr float kGroundHalfSide = 3.2f;
 
 Vec3 directionFrom(float yaw, float pitch) {
   return {std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)};
@@ -173,6 +172,7 @@ Status Renderer::draw(const Frame& frame) {
   gl::clear(Vec4(0, 0, 0, 1));
   baseColor_.bind(FUR_UNIT_BASE_COLOR);
   groundShadow_[0].bind(FUR_UNIT_GROUND);
+  if (!frame.puddles.empty()) showPuddles(frame.puddles);
   uploadedBytes_ += strandTables_.use(frame.settings);
   if (Status status = drawPasses(drawn); !status || whole) return status;
   return small_.show(programs_, frame.width, frame.height);
@@ -205,10 +205,11 @@ Status Renderer::drawPasses(const Frame& frame) {
   const auto model = [&](unsigned view) {
     if (Status status = shells(view); !status) return status;
     if (Status status = fins(view); !status) return status;
-    return skin(shown(furry ? skinLook | kUnderFur : skinLook & ~kTypes, view));
+    const unsigned under = kUnderFur | (view == kPlain ? look & kWet : kPlain);
+    return skin(shown(furry ? skinLook | under : skinLook & ~kTypes, view));
   };
   const auto background = [&]() -> Status {
-    const auto program = programs_.use(Shader::Background, kPlain);
+    const auto program = programs_.use(Shader::Background, frame.puddles.empty() ? kPlain : kWet);
     if (!program) return program.error();
     gl::apply({.depthWrite = false, .cullBack = false});
     gl::drawWithoutVertices(6 * FUR_BACKGROUND_STRIPS);
@@ -242,7 +243,8 @@ Status Renderer::drawPasses(const Frame& frame) {
   if (Status status = model(kPlain); !status) return status;
   if (!counts) {
     if (Status status = whiskers_.draw(programs_, look & ~(kTextured | kTypes)); !status) return status;
-    return background();
+    if (Status status = background(); !status) return status;
+    return drops_.draw(programs_, frame.drops, uploadedBytes_);
   }
   // The picture leaves its depth behind, then fragments are counted that are no further.
   gl::clearColor();

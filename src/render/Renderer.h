@@ -10,6 +10,7 @@
 #include "groom/Groom.h"
 #include "gl/Objects.h"
 #include "render/Blocks.h"
+#include "render/Drops.h"
 #include "render/Frame.h"
 #include "render/FurShadow.h"
 #include "render/FurTextures.h"
@@ -17,7 +18,7 @@
 #include "render/SmallPicture.h"
 #include "render/StrandTables.h"
 #include "render/Whiskers.h"
-#include "wet/WetnessMask.h"
+#include "wet/SurfaceWetting.h"
 
 namespace fur::render {
 
@@ -42,7 +43,8 @@ class Renderer {
   // Straight RGBA8 in sRGB. {} makes it white.
   void setBaseColor(int width, int height, std::span<const std::uint8_t> rgba);
   // Uploads only `changed` (the whole mask after a change of size).
-  void updateMask(const wet::WetnessMask& mask, const wet::TexelRect& changed);
+  // `charts`: of every texel (SurfaceWetting), so that rays know when they leave one.
+  void updateMask(const wet::WetnessMask& mask, const wet::TexelRect& changed, std::span<const std::uint16_t> charts);
   void updateBends(std::span<const Vec4> bends);  // w: length of the fur there, a share
   // The same for the map of the groom.
   void updateGroom(const groom::GroomMap& map, const geometry::TexelRect& changed);
@@ -73,6 +75,7 @@ class Renderer {
   Status drawFins(const Frame& frame, unsigned variant);
   Status drawSkin(unsigned variant);
   void uploadBlocks(const Frame& frame);
+  void showPuddles(std::span<const std::uint8_t> cells);
   FurShadow::Key furShadowKey(const Frame& frame) const;
   void selectFins(const Vec3& eyeModel, bool evenOnes);
   void orderShells(const Vec3& eyeModel, float reach, bool overlapping);
@@ -81,13 +84,14 @@ class Renderer {
   StrandTables strandTables_;
   FurShadow furShadow_;
   Whiskers whiskers_;
+  Drops drops_;
   unsigned long furShadowScene_ = 0;  // see FurShadow::Key
   SmallPicture small_;
   gl::Buffer frameBlock_, coatBlock_;
   gl::Buffer vertices_, indices_, furIndices_, edges_;
   gl::VertexArray surface_, shells_, fins_;
   FurTextures fur_;
-  gl::Texture mask_, bends_, baseColor_, groom_;
+  gl::Texture mask_, bends_, baseColor_, groom_, puddles_;
   gl::Texture groundShadow_[2];
   gl::Target groundTarget_[2];
   int indexCount_ = 0, shellIndexCount_ = 0;

@@ -1,6 +1,7 @@
 // The renderer's half that turns CPU data into GL objects.
 #include <algorithm>
 
+#include "core/Assert.h"
 #include "geometry/Curvature.h"
 #include "render/Renderer.h"
 #include "shared/Blocks.h"
@@ -172,18 +173,33 @@ void Renderer::setBaseColor(int width, int height, std::span<const std::uint8_t>
   uploadedBytes_ += baseColor_.bytes();
 }
 
-void Renderer::updateMask(const wet::WetnessMask& mask, const wet::TexelRect& changed) {
+void Renderer::updateMask(const wet::WetnessMask& mask, const wet::TexelRect& changed, std::span<const std::uint16_t> charts) {
   const int size = mask.size();
+  wet::TexelRect rect = changed;
   if (mask_.shape().width != size || mask_.shape().format != gl::TexelFormat::RGBA32F) {
-    mask_ = gl::Texture({gl::TexelFormat::RGBA32F, size, size, 0, gl::Filter::Nearest, false},
-                        gl::bytesOf(mask.texels()));
-    uploadedBytes_ += mask_.bytes();
-    return;
+    mask_ = gl::Texture({gl::TexelFormat::RGBA32F, size, size, 0, gl::Filter::Nearest, false}, {});
+    rect = {0, 0, size, size};
   }
-  if (changed.empty()) return;
-  mask_.update(changed.x0, changed.y0, changed.x1 - changed.x0, changed.y1 - changed.y0, gl::bytesOf(mask.texels()),
-               size);
-  uploadedBytes_ += static_cast<std::size_t>(changed.x1 - changed.x0) * (changed.y1 - changed.y0) * sizeof(Vec4);
+  if (rect.empty()) return;
+  const int width = rect.x1 - rect.x0, height = rect.y1 - rect.y0;
+  std::vector<Vec4> texels;
+  texels.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  for (int y = rect.y0; y < rect.y1; ++y)
+    for (int x = rect.x0; x < rect.x1; ++x) {
+      const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(size) + static_cast<std::size_t>(x);
+      texels.push_back(charts[i] == wet::SurfaceWetting::kNoChart ? Vec4(0, 0, 0, -1) : mask.texels()[i]);
+    }
+  mask_.update(rect.x0, rect.y0, width, height, gl::bytesOf(texels), 0);
+  uploadedBytes_ += texels.size() * sizeof(Vec4);
+}
+
+void Renderer::showPuddles(std::span<const std::uint8_t> cells) {
+  FUR_ASSERT(cells.size() == kPuddleCells * kPuddleCells, "Frame::puddles", "64 x 64 cells", cells.size());
+  static_assert(kPuddleCells == FUR_PUDDLE_CELLS);
+  if (puddles_.bytes() == 0) puddles_ = gl::Texture({gl::TexelFormat::R8, kPuddleCells, kPuddleCells, 0}, {});
+  puddles_.update(0, 0, kPuddleCells, kPuddleCells, std::as_bytes(cells), 0);
+  puddles_.bind(FUR_UNIT_PUDDLES);
+  uploadedBytes_ += cells.size();
 }
 
 void Renderer::updateGroom(const groom::GroomMap& map, const geometry::TexelRect& changed) {
@@ -217,7 +233,7 @@ void Renderer::updateBends(std::span<const Vec4> bends) {
 std::size_t Renderer::gpuBytes() const {
   return vertices_.bytes() + indices_.bytes() + furIndices_.bytes() + edges_.bytes() + fur_.bytes() +
          mask_.bytes() + bends_.bytes() + groom_.bytes() + baseColor_.bytes() +
-         groundShadow_[0].bytes() + groundShadow_[1].bytes() + strandTables_.bytes() + whiskers_.bytes() + furShadow_.bytes() + small_.bytes();
+         groundShadow_[0].bytes() + groundShadow_[1].bytes() + strandTables_.bytes() + whiskers_.bytes() + drops_.bytes() + puddles_.bytes() + furShadow_.bytes() + small_.bytes();
 }
 
 std::size_t Renderer::takeUploadedBytes() { return std::exchange(uploadedBytes_, 0); }

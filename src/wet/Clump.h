@@ -12,6 +12,10 @@
 
 namespace fur::wet {
 
+// Soaked clumps close into a sheet: from this wetness on, strands are drawn together by so much less and stand so much
+// lower.
+inline constexpr float kSheetFrom = 0.85f, kSheetOpens = 0.85f, kSheetSinks = 0.5f;
+
 // No strand is pulled nearer to its clump's centre than this share of its way: at 1 every root of
 // the clump would stand on one point, and the way back from that point is lost (s / (1 - s)).
 inline constexpr float kMaxPull = 0.92f;
@@ -24,9 +28,27 @@ inline float clumpProfile(float h, float w, float layers) {
   return (1.0f - w) * height + w * std::max(1.0f + std::log(height) / std::log(layers), 0.0f);
 }
 
-// s: the share of the way to the clump's centre that a strand has gone at height h, 0..kMaxPull.
+// How far clumps have closed into a sheet, 0..1: smooth, so that nothing jumps as water comes and goes.
+inline float sheetOf(float rho) { return glm::smoothstep(kSheetFrom, 1.0f, rho); }
+
+// s: the share of the way to the clump's centre that a strand has gone at height h, 0..kMaxPull. Below kSheetFrom it is
+// f(h) rho, as printed.
 inline float clumpPull(float h, float w, float layers, float rho) {
-  return glm::clamp(clumpProfile(h, w, layers) * rho, 0.0f, kMaxPull);
+  return glm::clamp(clumpProfile(h, w, layers) * rho * (1.0f - kSheetOpens * sheetOf(rho)), 0.0f, kMaxPull);
+}
+
+// The wetness that a clump of that radius (fur lengths) can draw its strands together by: none is drawn further aside than
+// it is long.
+inline constexpr float kMostAside = 0.7f;
+inline float drawnBy(float rho, float radius) { return std::min(rho, kMostAside / std::max(radius, 1e-6f)); }
+
+// How far along a strand of constant length a point at height h lies that has been drawn `aside`, both in fur lengths:
+// the outer strands of a lock end lower, which is what points it.
+inline float alongStrand(float h, float aside) { return std::sqrt(h * h + aside * aside); }
+
+// How far aside its tip lies (fur lengths) for a coat that leans by `lean` there: wet strands lie down the way they lean.
+inline float lieOf(float lean, float rho) {
+  return (0.45f * rho + 0.4f * sheetOf(rho)) * glm::smoothstep(0.0f, 0.12f, lean);
 }
 
 // s / (1 - s): times (p - c) it leads from the texel p to the root of the strand that stands there.

@@ -21,6 +21,7 @@ using Twin = std::function<float(float, float)>;
 // The settings under which those functions are compared that read them.
 const hair::StrandLook kLook{0.4f, 0.45f, 60, 0.6f, 0.7f, 0.4f, 0.8f, 0.5f};
 constexpr float kLightIntensity = 2.2f, kExposure = 1.3f;
+constexpr float kLayers = 32, kClumpShape = 0.6f;
 const Vec3 kSky(0.3f, 0.25f, 0.2f), kFloorLight(0.1f, 0.15f, 0.2f);
 
 shared::FrameBlock frameOfLook() {
@@ -36,9 +37,12 @@ shared::FurBlock coatOfLook() {
   coat.volume.z = kLook.density;
   coat.shading = Vec4(kLook.lambert, kLook.gloss, kLook.exponent, kLook.strandShadow);
   coat.coat.x = kLook.occlusion;
-  coat.water = Vec4(0, kLook.wetDarkening, kLook.wetGloss, 0);
+  coat.shape.z = kLayers;
+  coat.water = Vec4(kClumpShape, kLook.wetDarkening, kLook.wetGloss, 0);
   return coat;
 }
+
+Vec3 onCircle(float angle) { return {std::sin(angle), 0, std::cos(angle)}; }
 
 // The largest difference between FUNCTION of twins.frag and the twin, over [0, 1]^2.
 float largestDifference(int function, const Twin& twin) {
@@ -70,8 +74,6 @@ float largestDifference(int function, const Twin& twin) {
   return worst;
 }
 
-Vec3 onCircle(float angle) { return {std::sin(angle), 0, std::cos(angle)}; }
-
 // GPUs evaluate sin, log and pow to about 2^-11 of full scale at worst (GLSL ES 3.00, 4.5.1 leaves it
 // open; llvmpipe's polynomials are at 1e-4); a wrong formula is off by far more.
 constexpr float kGpuPrecision = 5e-4f;
@@ -84,6 +86,23 @@ TEST(Twins, ArcOfConstantLength) {
 TEST(Twins, ClumpProfile) {
   EXPECT_LT(largestDifference(2, [](float u, float v) { return wet::clumpProfile(glm::mix(1 / 32.0f, 1.0f, u), v, 32); }),
             kGpuPrecision);
+}
+
+TEST(Twins, StrandsOfAClump) {
+  EXPECT_LT(largestDifference(13, [](float u, float v) { return wet::clumpPull(glm::mix(1 / kLayers, 1.0f, u), kClumpShape, kLayers, v); }), kGpuPrecision);
+  EXPECT_LT(largestDifference(14, wet::alongStrand), kGpuPrecision);
+  EXPECT_LT(largestDifference(17, wet::lieOf), kGpuPrecision);
+  EXPECT_LT(largestDifference(18, [](float u, float v) { return wet::drawnBy(u, 3 * v); }), kGpuPrecision);
+}
+
+TEST(Twins, WaterOnStrands) {
+  EXPECT_LT(largestDifference(15, [](float u, float v) { return hair::wetAlbedo(Vec3(u), v).x; }), kGpuPrecision);
+  const auto mirrored = [](float u, float v) {
+    const Vec2 shares = hair::waterGloss(onCircle(3 * u), hair::lockNormal(Vec2(v, 0), 0.4f), onCircle(0.7f), onCircle(-0.4f), 0.9f, 0.4f,
+                                         kLook.wetGloss, kLook.exponent, u);
+    return 0.25f * (shares.x + shares.y);
+  };
+  EXPECT_LT(largestDifference(16, mirrored), 2 * kGpuPrecision);
 }
 
 TEST(Twins, HeightOfAStrandWhereTypesMeet) {

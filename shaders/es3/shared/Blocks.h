@@ -76,6 +76,9 @@ FUR_BLOCK(FurBlock) {
 #define FUR_WHISKER_VERTICES 5   // indices of its triangle's vertices; w: atlas v
 #define FUR_WHISKER_WEIGHTS 6    // their shares
 
+#define FUR_DROP_PLACE 0  // world; w: radius
+#define FUR_DROP_WAY 1    // velocity
+
 #define FUR_UNIT_COVERAGE 0
 #define FUR_UNIT_STRAND 1
 #define FUR_UNIT_MASK 2
@@ -90,6 +93,7 @@ FUR_BLOCK(FurBlock) {
 #define FUR_UNIT_OFFSET 11
 #define FUR_UNIT_FIN_COVERAGE 12
 #define FUR_UNIT_FIN_STRAND 13
+#define FUR_UNIT_PUDDLES 14
 
 // Of the background's gradient.
 #define FUR_BACKGROUND_STRIPS 16
@@ -110,6 +114,12 @@ FUR_BLOCK(FurBlock) {
 #define FUR_BEND_ROW 1024
 // s stays below this: at s = 1 every strand would end in one point (Clump.h has the same).
 #define FUR_MAX_SHIFT 0.92
+// Soaked clumps close into a sheet from this water on; then strands are drawn together by so much less, and stand by
+// so much lower (Clump.h has the same).
+#define FUR_SHEET_FROM 0.85
+#define FUR_SHEET_OPENS 0.85
+#define FUR_SHEET_SINKS 0.5
+#define FUR_MOST_ASIDE 0.7
 // Pixels along the square that the twin tests evaluate.
 #define FUR_TWIN_SIZE 33
 // A fin shows where (n1.v)(n2.v) is below the first (opacity rises from there to 1 edge-on), and where
@@ -126,6 +136,8 @@ FUR_BLOCK(FurBlock) {
 // Shells of the exploded view, and how much further apart they are than in the coat, model units.
 #define FUR_EXPLODED_SHELLS 8
 #define FUR_EXPLODED_GAP 0.035
+// Cells along the square of ground that may be wet: the one that the ground's shadow map covers.
+#define FUR_PUDDLE_CELLS 64
 // Points of a whisker, root to tip (groom/Whiskers.h).
 #define FUR_WHISKER_POINTS 8
 

@@ -1,0 +1,22 @@
+// Draws drops of water (Frame::drops): one instance a drop, a disc that faces the eye and is shaded as a ball.
+// Without any nothing is kept, compiled or drawn.
+#pragma once
+
+#include "gl/Objects.h"
+#include "render/Frame.h"
+#include "render/Programs.h"
+
+namespace fur::render {
+
+class Drops {
+ public:
+  // With the frame's block bound, over a picture that is whole. Adds the bytes that it uploads.
+  Status draw(Programs& programs, std::span<const Drop> drops, std::size_t& uploadedBytes);
+  std::size_t bytes() const { return drops_.bytes(); }
+
+ private:
+  gl::Buffer drops_;
+  gl::VertexArray array_;
+};
+
+}  // namespace fur::render
