@@ -30,7 +30,7 @@ struct Droplet : Scene {
   Droplet(float rho, const char* w, const char* height) : Scene(kSide, kSide), wetness(rho) {
     EXPECT_TRUE(app.loadPrimitive("plane"));
     app.setCamera({0, 1.4f, 1});
-    set(app, {{"density", "0.25"}, {"thickness", "0.3"}, {"curl", "0.3"}, {"lengthVariation", "0"}, {"taper", "0"}, {"furLength", "0.15"},
+    set(app, {{"density", "0.12"}, {"thickness", "0.2"}, {"curl", "0.3"}, {"lengthVariation", "0"}, {"taper", "0"}, {"furLength", "0.15"},
               {"repeat", "2"}, {"layers", "64"}, {"gravity", "0"}, {"clumpShape", w}, {"view", "layer"}, {"viewLayer", height}});
     EXPECT_TRUE(app.splashPixel(Vec2(kSide / 2.0f), kRadius, wetness));
     app.settle();
@@ -63,7 +63,7 @@ struct Droplet : Scene {
     const auto hasFur = [&](const Vec3& at) {
       const Vec4 c = clip * Vec4(at, 1);
       const Vec2 pixel((0.5f + 0.5f * c.x / c.w) * kSide, (0.5f - 0.5f * c.y / c.w) * kSide);
-      const int reach = static_cast<int>(std::ceil(texel * pixelsPerUnit(f) / glm::length(f.camera.eye - at)));
+      const int reach = static_cast<int>(std::floor(texel * pixelsPerUnit(f) / glm::length(f.camera.eye - at)));
       for (int y = static_cast<int>(pixel.y) - reach; y <= static_cast<int>(pixel.y) + reach; ++y)
         for (int x = static_cast<int>(pixel.x) - reach; x <= static_cast<int>(pixel.x) + reach; ++x)
           if (x >= 0 && y >= 0 && x < kSide && y < kSide && picture.at(x, y)[0] > picture.at(x, y)[2] + 10) return true;  // skin is blue there
@@ -90,11 +90,11 @@ TEST(WetLocks, ShowEachStrandWhereClumpingItByItselfPutsIt) {
   for (const auto& [w, height] : {std::pair("0", "0.5"), std::pair("1", "0.5"), std::pair("0.6", "0.7")}) {
     Droplet droplet(0.6f, w, height);
     const Droplet::Found found = droplet.find();
-    EXPECT_GT(found.strands, 60);
+    EXPECT_GT(found.strands, 40);
     // A few lie under others that the layer rounds to their place first.
     EXPECT_GT(found.shown, 0.97f * static_cast<float>(found.strands)) << "w " << w << " at height " << height;
     // The measure can tell: elsewhere there is fur by chance only.
-    EXPECT_LT(found.shownMirrored, 0.8f * static_cast<float>(found.shown));
+    EXPECT_LT(found.shownMirrored, 0.6f * static_cast<float>(found.shown));
   }
 }
 
