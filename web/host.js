@@ -245,7 +245,7 @@ export class WetFur extends EventTarget {
     this.#typeSet = { name, bytes, revision: this.#app.coatRevision };
   }
 
-  /** The coat as .fts, the model with its fur coordinates as .fo, all but the water as .glb: Uint8Arrays. */
+  /** The coat as .fts, the model with its fur coordinates as .fo, the whole scene as .glb: Uint8Arrays. */
   saveTypeSet() { return this.#inWorkshop((app) => app.saveTypeSet()); }
   saveFo() { return this.#inWorkshop((app) => app.saveFo()); }
   save() { return this.#inWorkshop((app) => app.saveScene()); }

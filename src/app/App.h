@@ -99,7 +99,7 @@ class App {
   const geometry::Surface& surface() const;
   // The model as .fo, with its fur coordinates at the repeat of the settings, lengths and types.
   std::vector<std::uint8_t> saveFo() const;
-  // Model, picture, groom, settings and camera as .glb, which other programs show without fur. No water.
+  // Model, picture, groom, what is wet, settings and camera as .glb, which other programs show without fur.
   std::vector<std::uint8_t> saveScene() const;
 
   // --- settings, state ---

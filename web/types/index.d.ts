@@ -342,7 +342,7 @@ export interface WetFurApi {
   saveTypeSet(): Promise<Uint8Array>;
   /** The model with its fur coordinates as .fo (Sheppard 2004). */
   saveFo(): Promise<Uint8Array>;
-  /** Model, groom, settings and camera as .glb; other programs show it bare. */
+  /** Model, groom, what is wet, settings and camera as .glb; other programs show it bare. */
   save(): Promise<Uint8Array>;
   toBlob(options?: { mimeType?: string; quality?: number; width?: number; height?: number }): Promise<Blob>;
   getCameraOrbit(): CameraOrbit | null;
