@@ -52,6 +52,13 @@ if(FUR_CPU_TESTS)
   endif()
 endif()
 
+# tests/bench/water.cpp; no test, and not built with them.
+add_executable(wet-fur-water-bench EXCLUDE_FROM_ALL "${CMAKE_SOURCE_DIR}/tests/bench/water.cpp")
+target_link_libraries(wet-fur-water-bench PRIVATE fur_wet)
+if(EMSCRIPTEN)
+  fur_node_program(wet-fur-water-bench)
+endif()
+
 if(FUR_GL_TESTS AND NOT EMSCRIPTEN AND TARGET third_party_egl AND TARGET fur_app)
   # The tests draw through the context of the windowless program, and test its image reader.
   list(APPEND FUR_GL_TESTS "${CMAKE_SOURCE_DIR}/native/headless/EglContext.cpp" "${CMAKE_SOURCE_DIR}/native/ImageDecode.cpp")

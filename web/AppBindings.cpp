@@ -127,6 +127,19 @@ FUR_EXPORT int fur_splashPixel(App* app, float x, float y, float radius, float a
 }
 FUR_EXPORT void fur_setWetness(App* app, float amount) { app->setWetness(amount); }
 FUR_EXPORT void fur_dry(App* app, float seconds) { app->dry(seconds); }
+FUR_EXPORT void fur_shake(App* app) { app->shake(); }
+FUR_EXPORT void fur_stamp(App* app, const std::uint8_t* coverage, int width, int height, float x, float y, float across, float amount) {
+  app->stamp({coverage, std::size_t(width) * std::size_t(height)}, width, height, {x, y}, across, amount);
+}
+FUR_EXPORT const char* fur_recordedStrokes(App* app) { return web::text(app->recordedStrokes()); }
+FUR_EXPORT int fur_replay(App* app, const char* json) {
+  return guarded([&] { return web::report(app->replay(json)); });
+}
+// held, film, drops, dripped, evaporated, removed, painted, rained
+FUR_EXPORT const double* fur_waterAccounts(App* app) {
+  const wet::Accounts a = app->water().accounts();
+  return web::numbers({a.held, a.film, a.drops, a.dripped, a.evaporated, a.removed, a.painted, a.rained});
+}
 FUR_EXPORT double fur_wetnessAt(App* app, float u, float v) { return app->wetnessAt(u, v); }
 FUR_EXPORT double fur_meanWetness(App* app) { return app->meanWetness(); }
 FUR_EXPORT const char* fur_wetnessHash(App* app) { return web::hexadecimal(app->wetnessHash()); }
@@ -165,7 +178,7 @@ FUR_EXPORT const double* fur_pick(App* app, float x, float y) {
 // --- input (modifiers: bit 0 shift, 1 control, 2 alt) ---
 
 // phase 0 down, 1 move, 2 up, 3 cancel; kind 0 mouse, 1 touch, 2 pen
-FUR_EXPORT int fur_pointer(App* app, int phase, int kind, int id, float x, float y, int buttons, int modifiers) {
+FUR_EXPORT int fur_pointer(App* app, int phase, int kind, int id, float x, float y, int buttons, int modifiers, float pressure) {
   app::PointerEvent event{static_cast<app::PointerPhase>(phase)};
   event.kind = static_cast<app::PointerKind>(kind);
   event.id = id;
@@ -174,6 +187,7 @@ FUR_EXPORT int fur_pointer(App* app, int phase, int kind, int id, float x, float
   event.shift = modifiers & 1;
   event.control = modifiers & 2;
   event.alt = modifiers & 4;
+  event.pressure = pressure;
   return guarded([&] { return app->pointer(event) ? 1 : 0; });
 }
 FUR_EXPORT int fur_wheel(App* app, float notches, float x, float y) { return app->wheel(notches, {x, y}) ? 1 : 0; }

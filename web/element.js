@@ -15,17 +15,17 @@ const forwardedEvents = [
   'state-change', 'context-lost', 'context-restored', 'model-visibility',
 ];
 const forwardedMethods = [
-  'splash', 'dry', 'setWetness', 'wetnessAt', 'pick', 'play', 'pause', 'step', 'undo', 'redo', 'getState', 'setState',
+  'splash', 'dry', 'setWetness', 'wetnessAt', 'shake', 'stamp', 'replay', 'pick', 'play', 'pause', 'step', 'undo', 'redo', 'getState', 'setState',
   'loadTypeSet', 'saveTypeSet', 'saveFo', 'save', 'groom', 'loadLengthMap', 'loadTypeMap', 'toBlob', 'getCameraOrbit', 'resetCamera', 'openEditor', 'closeEditor',
 ];
 const forwardedGetters = [
   'loaded', 'ready', 'state', 'stats', 'settings', 'settingsTable', 'presets', 'warnings', 'modelName', 'meanWetness',
-  'wetnessHash', 'groomed', 'canUndo', 'canRedo', 'editorOpen', 'cameraOrbitText',
+  'wetnessHash', 'recordedStrokes', 'waterAccounts', 'groomed', 'canUndo', 'canRedo', 'editorOpen', 'cameraOrbitText',
 ];
 
 const kebab = (name) => name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
 const camel = (name) => name.replace(/-([a-z])/g, (_, letter) => letter.toUpperCase());
-const spaceDoes = { droplet: 'drops water', dry: 'takes water', comb: 'combs down', trim: 'trims', grow: 'lengthens the fur', whisker: 'plants a whisker' };
+const spaceDoes = { droplet: 'drops water', dry: 'takes water', towel: 'wipes water off', comb: 'combs down', trim: 'trims', grow: 'lengthens the fur', whisker: 'plants a whisker' };
 const announceAfterMilliseconds = 1200;
 const announceStep = 1;
 const isBoolean = (name) => optionDefaults[name] === false;

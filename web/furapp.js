@@ -13,6 +13,8 @@ const statNames = [
   'level', 'pixels', 'frameTime',
 ];
 
+const accountNames = ['held', 'film', 'drops', 'dripped', 'evaporated', 'removed', 'painted', 'rained'];
+
 /** Bit 0 shift, 1 control (or the command key), 2 alt. */
 export const modifiersOf = (event) =>
   (event.shiftKey ? 1 : 0) | (event.ctrlKey || event.metaKey ? 2 : 0) | (event.altKey ? 4 : 0);
@@ -99,6 +101,16 @@ export class FurApp {
   splashPixel(x, y, radius, amount) { return this.#call('fur_splashPixel', x, y, radius, amount) !== 0; }
   setWetness(amount) { this.#call('fur_setWetness', amount); }
   dry(seconds) { this.#call('fur_dry', seconds); }
+  shake() { this.#call('fur_shake'); }
+  stamp({ coverage, width, height }, x, y, across, amount) {
+    this.#call('fur_stamp', coverage, width, height, x, y, across, amount);
+  }
+  get recordedStrokes() { return this.#text('fur_recordedStrokes'); }
+  replay(json) { this.#callOrThrow('fur_replay', json); }
+  get waterAccounts() {
+    const values = this.program.numbers(this.#call('fur_waterAccounts'), accountNames.length);
+    return Object.fromEntries(accountNames.map((name, index) => [name, values[index]]));
+  }
   wetnessAt(u, v) { return this.#call('fur_wetnessAt', u, v); }
   get meanWetness() { return this.#call('fur_meanWetness'); }
   get wetnessHash() { return this.#text('fur_wetnessHash'); }
@@ -126,7 +138,7 @@ export class FurApp {
 
   pointer(phase, event, x, y) {
     return this.#call('fur_pointer', phases.indexOf(phase), Math.max(0, pointerKinds.indexOf(event.pointerType)),
-      event.pointerId, x, y, event.buttons, modifiersOf(event)) !== 0;
+      event.pointerId, x, y, event.buttons, modifiersOf(event), event.pressure ?? 1) !== 0;
   }
   wheel(notches, x, y) { return this.#call('fur_wheel', notches, x, y) !== 0; }
   key(event) { return this.#call('fur_key', event.key, modifiersOf(event)) !== 0; }

@@ -29,6 +29,19 @@ const breathe = () => new Promise((resolve) => {
   }));
 });
 
+/** The text as a picture of one byte a pixel. */
+function letters(text, size) {
+  const context = new OffscreenCanvas(1, 1).getContext('2d', { willReadFrequently: true });
+  const font = `bold ${Math.round(size)}px sans-serif`;
+  context.font = font;
+  const width = Math.min(Math.ceil(context.measureText(text).width) + 2, 4096), height = Math.ceil(1.3 * size);
+  Object.assign(context.canvas, { width, height });
+  Object.assign(context, { font, textAlign: 'center', textBaseline: 'middle' });
+  context.fillText(text, width / 2, height / 2, width);
+  const { data } = context.getImageData(0, 0, width, height);
+  return { coverage: Uint8Array.from({ length: width * height }, (_, i) => data[4 * i + 3]), width, height };
+}
+
 export class WetFur extends EventTarget {
   #canvas;
   #screen;
@@ -383,6 +396,32 @@ export class WetFur extends EventTarget {
     this.#app.setWetness(amount);
     this.#wake();
   }
+  /** The model shakes its water off. */
+  shake() {
+    if (!this.loaded) return;
+    this.#app.shake();
+    this.#wake();
+  }
+  /** Letters as locks of wet fur, round {x, y} in CSS pixels of the canvas (default: its middle), `size` high. */
+  stamp(text, { x = this.#canvas.clientWidth / 2, y = this.#canvas.clientHeight / 2, size = 96, amount = 0.8 } = {}) {
+    if (!this.loaded || !text) return;
+    const picture = letters(text, size);
+    const [left, top] = this.#cssToBuffer({ x, y });
+    const ratio = this.#screen.width / this.#canvas.clientWidth;
+    this.#app.stamp(picture, left, top, picture.width * ratio, amount);
+    this.#wake();
+  }
+  /** What was painted since the model came, as text for replay(). */
+  get recordedStrokes() { return this.#app?.recordedStrokes ?? '[]'; }
+  /** Paints it again, with the time that it took. */
+  replay(strokes) {
+    if (!this.loaded) return;
+    this.#current();
+    this.#app.replay(strokes);
+    this.#afterChange();
+  }
+  /** Where the water is and went, in square model radii of soaked fur. */
+  get waterAccounts() { return this.#app?.waterAccounts ?? null; }
   wetnessAt(u, v) { return this.#app?.wetnessAt(u, v) ?? 0; }
   /** The atlas coordinates under {x, y} in CSS pixels of the canvas, or null. */
   pick(at) { return this.loaded ? this.#app.pick(...this.#cssToBuffer(at)) : null; }

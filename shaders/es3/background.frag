@@ -18,8 +18,8 @@ void main() {
     color -= color * (vGround.w * dark);
 #ifdef WET
     // Wet ground is darker, and mirrors sky and light, more at grazing.
-    vec2 within = step(abs(spot - 0.5), vec2(0.5));
-    float wet = smoothstep(0.15, 0.75, textureLod(puddles, spot, 0.0).r) * within.x * within.y;
+    vec2 inWorld = spot + 0.5 * groundCentre.xy / groundPlane.y, within = step(abs(inWorld - 0.5), vec2(0.5));
+    float wet = smoothstep(0.15, 0.75, textureLod(puddles, inWorld, 0.0).r) * within.x * within.y;
     vec3 ray = normalize(vRay);
     float away = 1.0 + ray.y, grazing = away * away * away, glint = max(dot(reflect(ray, vec3(0.0, 1.0, 0.0)), lightWorld.xyz), 0.0);
     color *= 1.0 - 0.35 * wet;

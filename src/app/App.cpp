@@ -13,8 +13,6 @@ namespace {
 
 // Changes of one field closer together than this are one undo step, seconds.
 constexpr float kMergeTime = 0.8f;
-// Drying is so slow that fifteen steps a second look continuous.
-constexpr float kDryingStep = 1.0f / 15.0f;
 
 // The field in which the two differ, nullptr when it is none or several.
 const settings::Field* onlyDifference(const settings::Settings& a, const settings::Settings& b) {
@@ -123,8 +121,11 @@ void App::State::adopt(geometry::Mesh source, geometry::Surface built, std::stri
   mesh = std::move(source);
   modelName = std::move(name);
   mask.clear();
+  water.reset();
+  strokes.clear();
+  clock = 0;
   newGroom();
-  strokeBefore.clear();  // a stroke on the old model ends here
+  strokeBefore.reset();  // a stroke on the old model ends here
   drag = Drag::None;
   history.clear();
   motion.reset();
@@ -280,7 +281,8 @@ void App::State::applyStep(const Step& step, bool undo) {
   if (const auto* s = std::get_if<SettingsStep>(&step)) {
     applySettings(undo ? s->before : s->after);
   } else if (const auto* m = std::get_if<MaskStep>(&step)) {
-    mask.restore(withRect(mask.size(), mask.texels(), m->rect, undo ? m->before : m->after));
+    apply(*m, undo, mask);
+    if (mask.isDry()) water.clear();  // what hangs and falls came of it
     maskTouched();
   } else if (const auto* g = std::get_if<GroomStep>(&step)) {
     applyGroomStep(*g, undo);
@@ -316,7 +318,7 @@ dynamics::BendForces App::State::forces() const {
   // Two slow waves that never meet the same way twice make gusts.
   const float wave = 0.5f + 0.3f * std::sin(windClock * 1.7f) + 0.2f * std::sin(windClock * 4.3f + 1.0f);
   const float strength = wind() * (1 - settings.gust + settings.gust * wave);
-  f.wind = strength * Vec3(std::sin(settings.windYaw), 0.08f, std::cos(settings.windYaw));
+  f.wind = strength * Vec3(std::sin(settings.windYaw), 0.08f, std::cos(settings.windYaw)) + dryerWind();
   f.stiffness = settings.stiffness;
   f.inertia = settings.inertia;
   f.weight = coat.weight();
@@ -327,6 +329,7 @@ bool App::tick(float dt, float coatBudget) {
   State& s = *state_;
   dt = std::max(dt, 0.0f);
   s.sinceSettingChange += dt;
+  s.clock += dt;
   s.refreshGroom();
   s.workOnCoat(coatBudget);
   bool changed = std::exchange(s.pictureChanged, false);
@@ -335,22 +338,14 @@ bool App::tick(float dt, float coatBudget) {
   changed |= moved;
 
   if (s.wind() > 0) s.windClock += dt;
-  if (dt > 0 && (moved || s.gusty() || s.forcesChanged || !s.bends.atRest())) {
+  if (dt > 0 && (moved || s.gusty() || s.forcesChanged || s.holds(Tool::Dryer) || !s.bends.atRest())) {
     s.bends.step(dt, s.motion.worldFromModel(), s.forces(), s.wetnessOfVertices());
     if (s.renderer) s.renderer->updateBends(s.bends.bends());
     s.forcesChanged = false;
     changed = true;
   }
 
-  if (s.drying()) {
-    s.dryingDue += dt;
-    if (s.dryingDue >= kDryingStep) {
-      s.mask.dry(s.dryingDue, s.settings.dryRate);
-      s.dryingDue = 0;
-      s.maskTouched();
-      changed = true;
-    }
-  }
+  changed |= s.runWater(dt, coatBudget);
   return changed || std::exchange(s.pictureChanged, false);
 }
 
@@ -370,7 +365,7 @@ void App::settle() {
 bool App::active() const {
   const State& s = *state_;
   return s.pictureChanged || s.furChanged || s.coatWork || s.forcesChanged || s.camera.moving() || s.motion.moving() ||
-         !s.bends.atRest() || s.gusty() || s.drying();
+         !s.bends.atRest() || s.gusty() || s.holds(Tool::Hose) || s.holds(Tool::Dryer) || s.water.active(s.mask, s.climate());
 }
 
 void App::setReducedMotion(bool reduced) {
@@ -398,6 +393,8 @@ render::Frame App::State::frame(int level) const {
   f.groomed = groomed;
   f.types = shownTypes > 1;
   f.baseColorFactor = baseColorFactor;
+  f.drops = water.drops();
+  f.puddles = puddles;
   return f;
 }
 
@@ -410,7 +407,9 @@ Status App::draw(Picture picture) {
   FUR_ASSERT(s.renderer.has_value(), "App::draw()", "an attached context", "none");
   s.refreshGroom();
   if (!s.coatUploaded) s.finishCoat();
-  s.renderer->updateMask(s.mask, s.mask.takeChanged(), s.wetting->chartOfTexel());
+  for (const wet::TexelRect& part : s.mask.takeChangedParts())
+    s.renderer->updateMask(s.mask, part, s.wetting->chartOfTexel());
+  s.readPuddles();
   s.drawnLevel = s.levelFor(picture);
   const Status status = s.renderer->draw(s.frame(s.drawnLevel));
   s.uploadedBytes = s.renderer->takeUploadedBytes();

@@ -21,6 +21,7 @@
 #include "groom/Groom.h"
 #include "scene/Model.h"
 #include "settings/Settings.h"
+#include "wet/Water.h"
 #include "wet/WetnessMask.h"
 
 namespace fur::furgen {
@@ -32,10 +33,11 @@ struct Frame;
 
 namespace fur::app {
 
-// Droplet and Dry paint on the model, and so do the tools of the groom from Comb to Pluck; Grab moves the model about
-// (it springs back), None leaves every drag to the camera.
+// Droplet and Dry paint on the model, Towel takes water off it, and so do the tools of the groom from Comb to Pluck paint;
+// Rain, Hose and Dryer go on for as long as they are held on it. Grab moves the model about (it springs back), None
+// leaves every drag to the camera.
 // Of these Whisker plants one where it goes down and aims it while it is dragged, and Pluck pulls them out.
-enum class Tool { Droplet, Dry, Comb, Smooth, Raise, Trim, Grow, Type, Whisker, Pluck, Grab, None };
+enum class Tool { Droplet, Dry, Rain, Hose, Towel, Dryer, Comb, Smooth, Raise, Trim, Grow, Type, Whisker, Pluck, Grab, None };
 
 // What groomAll() does all over the model. `value` is 0..1 unless it says otherwise.
 enum class GroomEdit {
@@ -58,6 +60,7 @@ struct PointerEvent {
   Vec2 position{0};      // pixels of the drawing buffer, origin top left
   int buttons = 0;       // bit 0 left, 1 right, 2 middle (what is down after the event)
   bool shift = false, control = false, alt = false;
+  float pressure = 1;    // of a pen, 0..1: how much water there is
 };
 
 // Keys by their DOM names ("ArrowLeft", "+", "z").
@@ -156,6 +159,19 @@ class App {
   bool splashPixel(Vec2 pixel, float radius, float amount);
   void setWetness(float amount);  // the whole model: 0 dries it, more soaks it with clumps all over
   void dry(float seconds);
+  // The model shakes itself for a second, and its water flies off.
+  void shake();
+  // Wets what is opaque in a picture (one byte a texel, row by row from the top) with one lock beside the other, where
+  // it lies over the model: letters. `across`: its width in pixels of the drawing buffer.
+  void stamp(std::span<const std::uint8_t> coverage, int width, int height, Vec2 centre, float across, float amount = 0.8f);
+  // What was painted with Droplet, Dry and Towel since the model came, as JSON: [[tool, brushRadius, brushFlow, clumpSize,
+  // milliseconds, triangle, weight, weight, pressure, ...], ...]. replay() paints it again on the same model, advancing
+  // the clock by steps of 1/60 s between, each stroke as an undo step of its own.
+  std::string recordedStrokes() const;
+  Status replay(std::string_view json);
+  // Those that fall or hang, in world space; the puddles and accounts are water()'s.
+  std::span<const wet::Drop> drops() const;
+  const wet::Water& water() const;
   float wetnessAt(float u, float v) const;
   float meanWetness() const;
   std::uint64_t wetnessHash() const;

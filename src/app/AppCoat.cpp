@@ -13,13 +13,6 @@ namespace {
 // coat after coat, unless it has taken this many seconds: then the newest settings win.
 constexpr double kPatience = 0.4;
 
-// Not std::chrono: its clocks can throw, and the texts of what they throw bring all of printf to the download.
-double secondsNow() {
-  timespec now;
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 std::vector<std::uint8_t> written(const furgen::FurVolume& volume) {
   auto bytes = scene::writeTypeSet(volume);
   FUR_ASSERT(bytes, "App::saveTypeSet()", "a volume of the format's shape", bytes.error().message);
@@ -27,6 +20,13 @@ std::vector<std::uint8_t> written(const furgen::FurVolume& volume) {
 }
 
 }  // namespace
+
+// Not std::chrono: its clocks can throw, and the texts of what they throw bring all of printf to the download.
+double secondsNow() {
+  timespec now;
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
 
 // `budget` in seconds of this machine's time; what is drawn in the end does not depend on it.
 void App::State::workOnCoat(double budget) {

@@ -94,7 +94,11 @@ void App::State::refreshGroom() {
     if (renderer) uploadGroom(changed);
   }
   if (renderer && shownWhiskers != groom.whiskers) uploadWhiskers();
-  bends.setRest(upright() ? std::vector<Vec3>() : groom::restBends(groom, surface, ground().points), vertexLengths);
+  std::vector<Vec3> rests, lay;
+  if (!upright()) rests = groom::restBends(groom, surface, ground().points);
+  for (const Vec3& rest : rests) lay.push_back(rest / groom::kMaxComb);
+  water.setLay(std::move(lay));
+  bends.setRest(std::move(rests), vertexLengths);
 }
 
 void App::State::uploadGroom(const geometry::TexelRect& changed) {

@@ -1,6 +1,6 @@
 // What App holds, shared by its source files: App.cpp (scene, settings, time, drawing),
-// AppCoat.cpp (the coat), AppGroom.cpp (the groom), AppQuality.cpp (levels), Input.cpp (pointers, keys),
-// Painting.cpp (water).
+// AppCoat.cpp (the coat), AppGroom.cpp (the groom), AppQuality.cpp (levels), AppWater.cpp (water by itself),
+// Input.cpp (pointers, keys), Painting.cpp (water by hand).
 #pragma once
 
 #include <map>
@@ -18,6 +18,7 @@
 #include "groom/Groom.h"
 #include "render/Renderer.h"
 #include "wet/SurfaceWetting.h"
+#include "wet/Water.h"
 #include "wet/WetnessMask.h"
 
 namespace fur::app {
@@ -25,6 +26,9 @@ namespace fur::app {
 inline constexpr int kMaskSize = 256;
 
 inline bool grooms(Tool tool) { return tool >= Tool::Comb && tool <= Tool::Pluck; }
+
+// Of this machine's clock.
+double secondsNow();
 
 struct ModelRay {
   Vec3 origin, direction;  // model space
@@ -66,7 +70,10 @@ struct App::State {
   bool vertexWetnessStale = false;
   dynamics::BendField bends;
   float windClock = 0;
-  float dryingDue = 0;  // seconds of drying not yet done
+  wet::Water water;
+  float hoseDue = 0;  // drops
+  std::vector<std::uint8_t> puddles;  // how wet the ground is, as Frame has it
+  std::uint32_t shownPuddles = 0;     // the water's groundRevision() that they are of
   bool forcesChanged = true;
 
   // The groom. The two optionals are made when they are first needed: read them through ground().
@@ -87,7 +94,21 @@ struct App::State {
   Drag drag = Drag::None;
   Vec2 lastPosition{0};
   float lastSpan = 0;
-  std::vector<Vec4> strokeBefore;
+  float pressure = 1;  // of the pen
+  std::optional<MaskImage> strokeBefore;
+  // What was painted, to be painted again.
+  struct Spot {
+    double time;
+    geometry::SurfacePoint at;
+    float pressure;
+  };
+  struct Stroke {
+    Tool tool;
+    float radius, flow, clump;
+    std::vector<Spot> spots;
+  };
+  std::vector<Stroke> strokes;
+  double clock = 0;  // seconds since the model came
   Vec2 lastSpot{0};
   Random sprayRandom{1};
   bool cameraControls = true;
@@ -132,7 +153,6 @@ struct App::State {
   dynamics::BendForces forces() const;
   float wind() const { return reducedMotion ? 0 : settings.wind; }
   bool gusty() const { return wind() > 0 && settings.gust > 0; }
-  bool drying() const { return !mask.isDry() && settings.dryRate > 0; }
   void applySettings(const settings::Settings& next);
   void applyStep(const Step& step, bool undo);
 
@@ -164,6 +184,14 @@ struct App::State {
   // --- AppQuality.cpp ---
   int levelFor(Picture picture) const;
 
+  // --- AppWater.cpp ---
+  bool holds(Tool held) const;
+  wet::Climate climate() const;
+  Vec3 dryerWind() const;  // world space, as BendForces has it
+  bool runWater(float dt, double budget);
+  void readPuddles();
+  void runHose(float dt);
+
   // --- Painting.cpp ---
   ModelRay rayThrough(Vec2 pixel) const;
   std::optional<geometry::SurfacePoint> pick(Vec2 pixel) const;
@@ -172,6 +200,7 @@ struct App::State {
   void endStroke();
   // One spray of the tool where the pixel hits; false when it misses.
   bool sprayAt(Vec2 pixel);
+  void sprayOn(const geometry::SurfacePoint& at);
   // Sprays along the way, so that the speed of the hand changes nothing.
   void paintTo(Vec2 pixel);
   void scatter(const Vec3& centre, const Vec3& normal, float radius, float amount);

@@ -12,7 +12,8 @@ std::size_t bytesIn(const std::vector<T>& values) {
 }
 
 std::size_t bytesOf(const Step& step) {
-  if (const auto* mask = std::get_if<MaskStep>(&step)) return sizeof(Step) + bytesIn(mask->before) + bytesIn(mask->after);
+  if (const auto* mask = std::get_if<MaskStep>(&step)) return sizeof(Step) + bytesIn(mask->before.texels) + bytesIn(mask->after.texels) + bytesIn(mask->before.film) + bytesIn(mask->after.film) +
+           mask->wet.size() / 8;
   const auto* groom = std::get_if<GroomStep>(&step);
   if (!groom) return sizeof(Step);
   return sizeof(Step) + bytesIn(groom->before) + bytesIn(groom->after) + bytesIn(groom->points) +
@@ -39,10 +40,37 @@ geometry::TexelRect difference(int size, const std::vector<Texel>& before, const
 
 }  // namespace
 
-std::optional<MaskStep> maskStep(int size, const std::vector<Vec4>& before, const std::vector<Vec4>& after) {
-  const geometry::TexelRect rect = difference(size, before, after);
+std::optional<MaskStep> maskStep(const MaskImage& before, const wet::WetnessMask& after) {
+  const int size = after.size();
+  geometry::TexelRect rect = difference(size, before.texels, after.texels());
+  const std::vector<float> none(before.film.empty() && after.film().empty() ? 0 : after.texels().size());
+  const std::vector<float>& filmBefore = before.film.empty() ? none : before.film;
+  const std::vector<float>& filmAfter = after.film().empty() ? none : after.film();
+  if (!none.empty()) rect = unite(rect, difference(size, filmBefore, filmAfter));
   if (rect.empty()) return std::nullopt;
-  return MaskStep{rect, cut(size, before, rect), cut(size, after, rect)};
+  MaskStep step{rect, {cut(size, before.texels, rect), {}}, {cut(size, after.texels(), rect), {}}, std::vector<bool>(before.texels.size())};
+  for (std::size_t i = 0; i < before.texels.size(); ++i) step.wet[i] = before.texels[i].w > 0 || (!before.film.empty() && before.film[i] > 0);
+  if (none.empty()) return step;
+  step.before.film = cut(size, filmBefore, rect);
+  step.after.film = cut(size, filmAfter, rect);
+  return step;
+}
+
+void apply(const MaskStep& step, bool undo, wet::WetnessMask& mask) {
+  const MaskImage& side = undo ? step.before : step.after;
+  const int size = mask.size();
+  std::vector<float> film = mask.film();
+  if (!side.film.empty()) {
+    film.resize(mask.texels().size());
+    film = withRect(size, std::move(film), step.rect, side.film);
+  }
+  std::vector<Vec4> texels = withRect(size, mask.texels(), step.rect, side.texels);
+  for (std::size_t i = 0; undo && i < texels.size(); ++i) {
+    if (step.wet[i]) continue;
+    texels[i] = Vec4(0);
+    if (!film.empty()) film[i] = 0;
+  }
+  mask.restore(std::move(texels), std::move(film));
 }
 
 std::optional<GroomStep> groomStep(const groom::Groom& before, const groom::Groom& after) {

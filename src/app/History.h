@@ -16,10 +16,18 @@ struct SettingsStep {
   settings::Settings before, after;
 };
 
-// The changed rectangle only, row-major.
+// What a mask holds: its texels and the film on them, empty where there is none.
+struct MaskImage {
+  std::vector<Vec4> texels;
+  std::vector<float> film;
+};
+
+// The changed rectangle only, row-major. `wet`: which texels were wet before. Water runs on after a stroke: taken back,
+// nothing is wet that was not.
 struct MaskStep {
   wet::TexelRect rect;
-  std::vector<Vec4> before, after;
+  MaskImage before, after;
+  std::vector<bool> wet;
 };
 
 // The changed rectangle of the map, row-major, or all of both when its size has changed; and the points that were
@@ -36,9 +44,10 @@ struct GroomStep {
 using Step = std::variant<SettingsStep, MaskStep, GroomStep>;
 
 // The step that turns `before` into `after` (both size x size); none when they are equal.
-std::optional<MaskStep> maskStep(int size, const std::vector<Vec4>& before, const std::vector<Vec4>& after);
+std::optional<MaskStep> maskStep(const MaskImage& before, const wet::WetnessMask& after);
 std::optional<GroomStep> groomStep(const groom::Groom& before, const groom::Groom& after);
 // Puts one side of the step in place.
+void apply(const MaskStep& step, bool undo, wet::WetnessMask& mask);
 void apply(const GroomStep& step, bool undo, groom::Groom& groom);
 // `texels` with the rectangle replaced by one side of the step.
 template <class Texel>

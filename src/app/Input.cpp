@@ -37,6 +37,7 @@ Drag dragFor(const PointerEvent& event, Tool tool, bool onModel, bool cameraCont
 
 bool App::pointer(const PointerEvent& event) {
   State& s = *state_;
+  s.pressure = event.kind == PointerKind::Pen ? glm::clamp(event.pressure, 0.0f, 1.0f) : 1.0f;
   const auto centreAndSpan = [&] {
     Vec2 centre(0);
     for (const auto& [id, at] : s.pointers) centre += at;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/PortableMath.h"
+
 namespace fur::app {
 
 namespace {
@@ -11,6 +13,7 @@ constexpr float kFollow = 220.0f;  // spring towards the hand (1/s^2), criticall
 constexpr float kReturn = 60.0f;   // spring home once let go, swings a little
 constexpr float kSpinTime = 0.9f;  // seconds until a spin has lost 63 % of its speed
 constexpr float kMaxReach = 1.2f;  // model units
+constexpr float kSwing = 0.3f, kSwings = 5.0f;  // of a shake: radians, a second
 constexpr float kSubStep = 1.0f / 120.0f;
 
 }  // namespace
@@ -28,7 +31,7 @@ void ModelMotion::release() {
 
 bool ModelMotion::moving() const {
   return held_ || glm::length(position_ - goal_) > 1e-4f || glm::length(velocity_) > 1e-3f ||
-         std::abs(yawVelocity_) > 1e-3f;
+         std::abs(yawVelocity_) > 1e-3f || shakeLeft_ > 0;
 }
 
 bool ModelMotion::update(float dt) {
@@ -41,6 +44,7 @@ bool ModelMotion::update(float dt) {
   const float reach = glm::length(goal_);
   if (reach > kMaxReach) goal_ *= kMaxReach / reach;
   dt = std::min(dt, 0.1f);
+  shakeLeft_ = std::max(shakeLeft_ - dt, 0.0f);
   if (held_ && dt > 0) {
     // The speed of the hand over the last frames.
     const float blend = std::min(1.0f, dt / 0.05f);
@@ -61,7 +65,8 @@ bool ModelMotion::update(float dt) {
 }
 
 Mat4 ModelMotion::worldFromModel() const {
-  return glm::rotate(glm::translate(Mat4(1.0f), position_), yaw_, Vec3(0, 1, 0));
+  const float swing = kSwing * shaking() * portableSin(2 * kPi * kSwings * shakeLeft_);
+  return glm::rotate(glm::translate(Mat4(1.0f), position_), yaw_ + swing, Vec3(0, 1, 0));
 }
 
 }  // namespace fur::app

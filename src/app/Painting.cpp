@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/AppState.h"
+#include "geometry/Adjacency.h"
 
 namespace fur::app {
 
@@ -14,6 +15,8 @@ constexpr int kDropletsPerSpray = 3;
 constexpr float kSpacing = 0.35f;
 // A single droplet of the dry brush takes this share of the flow.
 constexpr float kDryShare = 0.35f;
+// The towel takes what stands on the fur, and this share of the flow of what it holds.
+constexpr float kTowelShare = 0.5f;
 
 }  // namespace
 
@@ -58,15 +61,18 @@ void App::State::beginStroke() {
 
 void App::State::beginWaterStroke() {
   endStroke();
-  strokeBefore = mask.texels();
+  // Each has its own chance, so that it is the same wherever it is painted again.
+  strokes.push_back({tool, settings.brushRadius, settings.brushFlow, settings.clumpSize, {}});
+  sprayRandom = Random(strokes.size());
+  strokeBefore = MaskImage{mask.texels(), mask.film()};
 }
 
 void App::State::endStroke() {
   endGroomStroke();
-  if (strokeBefore.empty()) return;
-  if (auto step = maskStep(mask.size(), strokeBefore, mask.texels())) history.push(std::move(*step));
-  strokeBefore.clear();
-  strokeBefore.shrink_to_fit();
+  if (!strokeBefore) return;
+  if (!strokes.empty() && strokes.back().spots.empty()) strokes.pop_back();
+  if (auto step = maskStep(*strokeBefore, mask)) history.push(std::move(*step));
+  strokeBefore.reset();
 }
 
 void App::State::scatter(const Vec3& centre, const Vec3& normal, float radius, float amount) {
@@ -92,13 +98,24 @@ bool App::State::sprayAt(Vec2 pixel) {
     groomAt(*hit);
     return true;
   }
-  const Vec3 centre = positionAt(surface, *hit), normal = normalAt(surface, *hit);
-  if (tool == Tool::Dry)
-    wetting->dryAt(mask, surface, query, centre, normal, settings.brushRadius, settings.brushFlow * kDryShare);
-  else
-    scatter(centre, normal, settings.brushRadius, settings.brushFlow);
-  maskTouched();
+  sprayOn(*hit);
   return true;
+}
+
+void App::State::sprayOn(const geometry::SurfacePoint& at) {
+  if (strokeBefore && !strokes.empty()) strokes.back().spots.push_back({clock, at, pressure});
+  const Vec3 centre = positionAt(surface, at), normal = normalAt(surface, at);
+  const float flow = settings.brushFlow * pressure;
+  if (tool == Tool::Dry) {
+    wetting->dryAt(mask, surface, query, centre, normal, settings.brushRadius, flow * kDryShare);
+  } else if (tool == Tool::Towel) {
+    const wet::Ground on{surface, query, *wetting};
+    water.prepare(on);
+    water.wipe(on, mask, centre, normal, settings.brushRadius, flow * kTowelShare);
+  } else if (tool == Tool::Droplet) {
+    scatter(centre, normal, settings.brushRadius, flow);
+  }
+  maskTouched();
 }
 
 void App::State::paintTo(Vec2 pixel) {
@@ -114,6 +131,7 @@ void App::State::paintTo(Vec2 pixel) {
 
 void App::State::soak(float amount) {
   mask.clear();
+  water.clear();
   if (amount <= 0) return maskTouched();
   // Droplets all over, by area, four deep, so that nearly no spot stays dry between them.
   std::vector<float> areaBelow;
@@ -193,7 +211,19 @@ std::optional<Vec2> App::pick(Vec2 pixel) const {
 }
 
 float App::wetnessAt(float u, float v) const { return state_->mask.at(u, v).w; }
-float App::meanWetness() const { return state_->mask.meanWetness(); }
+float App::meanWetness() const {
+  const wet::WetnessMask& mask = state_->mask;
+  if (mask.isDry()) return 0;
+  double sum = 0;
+  long texels = 0;
+  const auto& triangles = state_->wetting->atlas().triangleOf();
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    if (triangles[i] == geometry::kNoTriangle) continue;
+    sum += mask.texels()[i].w;
+    ++texels;
+  }
+  return static_cast<float>(sum / static_cast<double>(std::max(texels, 1l)));
+}
 std::uint64_t App::wetnessHash() const { return state_->mask.hash(); }
 const wet::WetnessMask& App::wetnessMask() const { return state_->mask; }
 

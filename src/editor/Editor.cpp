@@ -231,6 +231,10 @@ void Editor::drawWater(const EditorModel& model) {
                                 {Icon::Droplet, Icon::Dry, Icon::Move, Icon::Orbit});
   constexpr Tool kTools[] = {Tool::Droplet, Tool::Dry, Tool::Grab, Tool::None};
   if (tool >= 0) emit(command::SetTool{kTools[tool]});
+  constexpr Tool kHeld[] = {Tool::Rain, Tool::Hose, Tool::Dryer, Tool::Towel};
+  const auto chosen = [&](Tool one) { return model.tool == one; };
+  const int held = segments("held", {{"Rain", chosen(Tool::Rain)}, {"Hose", chosen(Tool::Hose)}, {"Dryer", chosen(Tool::Dryer)}, {"Towel", chosen(Tool::Towel)}});
+  if (held >= 0) emit(command::SetTool{kHeld[held]});
   const float button = px(64), gap = px(3);
   char text[32];
   std::snprintf(text, sizeof text, "%.0f %% wet", static_cast<double>(model.meanWetness) * 100);
@@ -240,6 +244,13 @@ void Editor::drawWater(const EditorModel& model) {
   if (ImGui::Button("Soak", ImVec2(button, 0))) emit(command::SetWetness{1});
   ImGui::SameLine(0, gap);
   if (ImGui::Button("Dry off", ImVec2(button, 0))) emit(command::SetWetness{0});
+  const WaterView& w = model.water;
+  if (w.came > 0) {
+    if (ImGui::Button("Shake", ImVec2(button, 0))) emit(command::Shake{});
+    ImGui::SameLine(0, gap);
+    ImGui::TextDisabled("fur %.2f  film %.2f  drops %.2f", w.held, w.film, w.drops);
+    ImGui::TextDisabled("of %.2f  dripped %.2f  dried %.2f", w.came, w.dripped, w.dried);
+  }
   ImGui::Dummy(ImVec2(0, px(2)));
 }
 

@@ -17,7 +17,7 @@
 namespace fur::editor {
 
 // In the order of app::Tool, which EditorHost checks.
-enum class Tool { Droplet, Dry, Comb, Smooth, Raise, Trim, Grow, Type, Whisker, Pluck, Grab, None };
+enum class Tool { Droplet, Dry, Rain, Hose, Towel, Dryer, Comb, Smooth, Raise, Trim, Grow, Type, Whisker, Pluck, Grab, None };
 
 // How a person can bring a file: through a dialog of the platform, or by typing its path.
 enum class FileAccess { Dialog, Path };
@@ -62,11 +62,17 @@ struct GroomView {
   ImTextureID map = nullptr;   // a picture while Editor::showsGroom(); null until it is there
 };
 
+// Where the water is and went, as wet::Accounts has it; dried: evaporated and wiped off.
+struct WaterView {
+  double came = 0, held = 0, film = 0, drops = 0, dripped = 0, dried = 0;
+};
+
 struct EditorModel {
   settings::Settings settings;
   Tool tool = Tool::Droplet;
   std::string modelName;
   float meanWetness = 0;  // 0..1
+  WaterView water;
   bool canUndo = false, canRedo = false;
   FileAccess fileAccess = FileAccess::Dialog;
   std::span<const Message> messages;  // oldest first
@@ -90,6 +96,7 @@ struct SetTool {
 struct SetWetness {
   float amount;
 };
+struct Shake {};
 struct LoadPrimitive {
   std::string name;
 };  // "sphere", "torus", "plane"
@@ -122,7 +129,7 @@ struct DismissMessage {
 }  // namespace command
 
 using Command = std::variant<command::BeginChange, command::EndChange, command::SetSettings, command::SetTool,
-                             command::SetWetness, command::LoadPrimitive, command::LoadShipped,
+                             command::SetWetness, command::Shake, command::LoadPrimitive, command::LoadShipped,
                              command::OpenDialog, command::OpenPath, command::ResetCamera, command::Undo,
                              command::Redo, command::CopyState, command::PasteState, command::ApplyPreset,
                              command::SaveTypeSet, command::SaveFo, command::SaveScene, command::GroomAll,

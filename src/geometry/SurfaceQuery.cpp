@@ -174,6 +174,42 @@ const SurfaceVertex& corner(const Surface& surface, const SurfacePoint& point, s
 
 }  // namespace
 
+// Ericson, "Real-Time Collision Detection", 5.1.5.
+Vec3 nearestWeights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
+  const float d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap);
+  if (d1 <= 0.0f && d2 <= 0.0f) return {1, 0, 0};
+  const float d3 = glm::dot(ab, bp), d4 = glm::dot(ac, bp);
+  if (d3 >= 0.0f && d4 <= d3) return {0, 1, 0};
+  const float d5 = glm::dot(ab, cp), d6 = glm::dot(ac, cp);
+  if (d6 >= 0.0f && d5 <= d6) return {0, 0, 1};
+  const float vc = d1 * d4 - d3 * d2;
+  if (vc <= 0.0f && d1 >= 0.0f && d3 <= 0.0f) return {1 - d1 / (d1 - d3), d1 / (d1 - d3), 0};
+  const float vb = d5 * d2 - d1 * d6;
+  if (vb <= 0.0f && d2 >= 0.0f && d6 <= 0.0f) return {1 - d2 / (d2 - d6), 0, d2 / (d2 - d6)};
+  const float va = d3 * d6 - d5 * d4;
+  if (va <= 0.0f && d4 >= d3 && d5 >= d6) {
+    const float way = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+    return {0, 1 - way, way};
+  }
+  const float sum = va + vb + vc;
+  return sum > 0.0f ? Vec3(va, vb, vc) / sum : Vec3(1, 0, 0);
+}
+
+std::optional<SurfacePoint> nearestPoint(const Surface& surface, const SurfaceQuery& query, const Vec3& to, float radius,
+                                         const Vec3& normal) {
+  std::optional<SurfacePoint> best;
+  for (const std::uint32_t t : query.trianglesWithin(to, radius)) {
+    SurfacePoint point{t, Vec3(1, 0, 0), 0};
+    const Vec3 a = corner(surface, point, 0).position, b = corner(surface, point, 1).position, c = corner(surface, point, 2).position;
+    if (glm::dot(glm::cross(b - a, c - a), normal) <= 0.0f) continue;
+    point.weights = nearestWeights(to, a, b, c);
+    point.distance = glm::length(positionAt(surface, point) - to);
+    if (!best || point.distance < best->distance) best = point;
+  }
+  return best;
+}
+
 Vec3 positionAt(const Surface& surface, const SurfacePoint& point) {
   return corner(surface, point, 0).position * point.weights.x + corner(surface, point, 1).position * point.weights.y +
          corner(surface, point, 2).position * point.weights.z;

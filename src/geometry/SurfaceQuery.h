@@ -35,6 +35,12 @@ class SurfaceQuery {
   std::vector<Vec3> corners_;  // 3 a triangle
 };
 
+// The point of the surface nearest to `to` within `radius`, on a triangle whose plane does not face away from `normal`.
+std::optional<SurfacePoint> nearestPoint(const Surface& surface, const SurfaceQuery& query, const Vec3& to, float radius,
+                                         const Vec3& normal);
+// Barycentric weights of the point of the triangle that is nearest to p.
+Vec3 nearestWeights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
+
 Vec3 positionAt(const Surface& surface, const SurfacePoint& point);
 Vec3 normalAt(const Surface& surface, const SurfacePoint& point);
 Vec2 atlasAt(const Surface& surface, const SurfacePoint& point);

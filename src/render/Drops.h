@@ -11,7 +11,7 @@ namespace fur::render {
 class Drops {
  public:
   // With the frame's block bound, over a picture that is whole. Adds the bytes that it uploads.
-  Status draw(Programs& programs, std::span<const Drop> drops, std::size_t& uploadedBytes);
+  Status draw(Programs& programs, std::span<const wet::Drop> drops, std::size_t& uploadedBytes);
   std::size_t bytes() const { return drops_.bytes(); }
 
  private:

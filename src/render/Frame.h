@@ -6,6 +6,7 @@
 
 #include "core/Math.h"
 #include "settings/Settings.h"
+#include "wet/Water.h"
 
 namespace fur::render {
 
@@ -13,13 +14,6 @@ struct CameraPose {
   Vec3 eye{0, 0, 3};  // world
   Vec3 target{0};
   float fovY = 0.6f;  // radians
-};
-
-// A drop of water that flies or clings.
-struct Drop {
-  Vec3 position{0};  // world
-  float radius = 0.01f;
-  Vec3 velocity{0};  // world, units a second: it is longer that way
 };
 
 struct Frame {
@@ -40,14 +34,14 @@ struct Frame {
   bool types = false;         // and more than one fur type
   Vec4 baseColorFactor{1.0f};
   // Looked at while the frame is drawn; none cost nothing.
-  std::span<const Drop> drops;
-  // How wet the ground is, 0..255: kPuddleCells squared from -z to z, each row from -x to x, over the square of half side
-  // kGroundHalfSide whose middle lies below the model's origin. Or none: it is dry.
+  std::span<const wet::Drop> drops;
+  // How wet the ground is, 0..255: wet::Water's cells, over the square of half side kGroundHalfSide round the world's
+  // origin. Or none: it is dry.
   std::span<const std::uint8_t> puddles;
 };
 
-inline constexpr int kPuddleCells = 64;
-inline constexpr float kGroundHalfSide = 3.2f;  // world
+// Of the ground that takes the model's shadow, and water; world.
+inline constexpr float kGroundHalfSide = wet::Water::kGroundReach;
 
 // In the order of the settings' "view" choice. README.md says what each shows.
 enum class View {

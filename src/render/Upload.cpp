@@ -173,6 +173,13 @@ void Renderer::setBaseColor(int width, int height, std::span<const std::uint8_t>
   uploadedBytes_ += baseColor_.bytes();
 }
 
+// What stands on wet fur adds to what the fur holds.
+static Vec4 withFilm(const wet::WetnessMask& mask, std::size_t texel) {
+  Vec4 out = mask.texels()[texel];
+  if (out.w > 0) out.w += mask.filmAt(texel);
+  return out;
+}
+
 void Renderer::updateMask(const wet::WetnessMask& mask, const wet::TexelRect& changed, std::span<const std::uint16_t> charts) {
   const int size = mask.size();
   wet::TexelRect rect = changed;
@@ -187,17 +194,17 @@ void Renderer::updateMask(const wet::WetnessMask& mask, const wet::TexelRect& ch
   for (int y = rect.y0; y < rect.y1; ++y)
     for (int x = rect.x0; x < rect.x1; ++x) {
       const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(size) + static_cast<std::size_t>(x);
-      texels.push_back(charts[i] == wet::SurfaceWetting::kNoChart ? Vec4(0, 0, 0, -1) : mask.texels()[i]);
+      texels.push_back(charts[i] == wet::SurfaceWetting::kNoChart ? Vec4(0, 0, 0, -1) : withFilm(mask, i));
     }
   mask_.update(rect.x0, rect.y0, width, height, gl::bytesOf(texels), 0);
   uploadedBytes_ += texels.size() * sizeof(Vec4);
 }
 
 void Renderer::showPuddles(std::span<const std::uint8_t> cells) {
-  FUR_ASSERT(cells.size() == kPuddleCells * kPuddleCells, "Frame::puddles", "64 x 64 cells", cells.size());
-  static_assert(kPuddleCells == FUR_PUDDLE_CELLS);
-  if (puddles_.bytes() == 0) puddles_ = gl::Texture({gl::TexelFormat::R8, kPuddleCells, kPuddleCells, 0}, {});
-  puddles_.update(0, 0, kPuddleCells, kPuddleCells, std::as_bytes(cells), 0);
+  constexpr int kCells = wet::Water::kGroundCells;
+  FUR_ASSERT(cells.size() == kCells * kCells, "Frame::puddles", "a byte for each of the water's cells", cells.size());
+  if (puddles_.bytes() == 0) puddles_ = gl::Texture({gl::TexelFormat::R8, kCells, kCells, 0}, {});
+  puddles_.update(0, 0, kCells, kCells, std::as_bytes(cells), 0);
   puddles_.bind(FUR_UNIT_PUDDLES);
   uploadedBytes_ += cells.size();
 }

@@ -17,25 +17,6 @@ namespace {
 // is; so many answers are enough.
 constexpr std::size_t kMaxSheets = 8;
 
-// Ericson, Real-Time Collision Detection, 5.1.5.
-Vec3 closestOnTriangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
-  const float d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap);
-  if (d1 <= 0.0f && d2 <= 0.0f) return a;
-  const float d3 = glm::dot(ab, bp), d4 = glm::dot(ac, bp);
-  if (d3 >= 0.0f && d4 <= d3) return b;
-  const float d5 = glm::dot(ab, cp), d6 = glm::dot(ac, cp);
-  if (d6 >= 0.0f && d5 <= d6) return c;
-  const float vc = d1 * d4 - d3 * d2;
-  if (vc <= 0.0f && d1 >= 0.0f && d3 <= 0.0f) return a + ab * (d1 / (d1 - d3));
-  const float vb = d5 * d2 - d1 * d6;
-  if (vb <= 0.0f && d2 >= 0.0f && d6 <= 0.0f) return a + ac * (d2 / (d2 - d6));
-  const float va = d3 * d6 - d5 * d4;
-  if (va <= 0.0f && d4 >= d3 && d5 >= d6) return b + (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)));
-  const float sum = va + vb + vc;
-  return sum > 0.0f ? a + ab * (vb / sum) + ac * (vc / sum) : a;
-}
-
 const geometry::SurfaceVertex& corner(const geometry::Surface& surface, std::size_t triangle, int k) {
   return surface.vertices[surface.indices[triangle * 3 + static_cast<std::size_t>(k)]];
 }
@@ -50,13 +31,12 @@ float cross2(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 }  // namespace
 
 SurfaceWetting::SurfaceWetting(const geometry::Surface& surface, int maskSize)
-    : size_(maskSize), chartOfTexel_(static_cast<std::size_t>(maskSize) * maskSize, kNoChart) {
+    : atlas_(surface, maskSize), chartOfTexel_(static_cast<std::size_t>(maskSize) * maskSize, kNoChart) {
   faces_.reserve(surface.triangleCount());
   for (std::size_t t = 0; t < surface.triangleCount(); ++t) faces_.push_back(mapFace(surface, t));
-  const geometry::AtlasTexels texels(surface, maskSize);
   for (std::size_t i = 0; i < chartOfTexel_.size(); ++i)
-    if (texels.triangleOf()[i] != geometry::kNoTriangle) chartOfTexel_[i] = chartOf(surface, texels.triangleOf()[i]);
-  for (const auto& [texel, source] : texels.gutter()) chartOfTexel_[texel] = chartOfTexel_[source];
+    if (atlas_.triangleOf()[i] != geometry::kNoTriangle) chartOfTexel_[i] = chartOf(surface, atlas_.triangleOf()[i]);
+  for (const auto& [texel, source] : atlas_.gutter()) chartOfTexel_[texel] = chartOfTexel_[source];
 }
 
 SurfaceWetting::Face SurfaceWetting::mapFace(const geometry::Surface& surface, std::size_t triangle) {
@@ -77,7 +57,20 @@ SurfaceWetting::Face SurfaceWetting::mapFace(const geometry::Surface& surface, s
   face.normal = up / length;
   face.area = 0.5f * length;
   face.scale = std::sqrt(atlasArea / length);
+  const float uu = glm::dot(face.gradU, face.gradU), uv = glm::dot(face.gradU, face.gradV), vv = glm::dot(face.gradV, face.gradV);
+  face.stretch = Vec3(vv, -uv, uu) / (uu * vv - uv * uv);
   return face;
+}
+
+// What is stretched less is taken for even, so that a flat chart gives the circles of the paper to the bit; what is
+// stretched more (a fold of a bad atlas) is no ellipse that a texel could hold.
+Vec3 SurfaceWetting::Sheet::shape() const {
+  constexpr float kEven = 0.03f, kMost = 10.0f;
+  const float squared = stretch.x * stretch.z - stretch.y * stretch.y;
+  if (!(squared > 0.0f)) return {1, 0, 1};
+  const Vec3 shape = stretch / std::sqrt(squared);
+  const bool even = std::abs(shape.x - 1) < kEven && std::abs(shape.y) < kEven && std::abs(shape.z - 1) < kEven;
+  return even || !(shape.x + shape.z < kMost) ? Vec3(1, 0, 1) : shape;
 }
 
 std::vector<SurfaceWetting::Sheet> SurfaceWetting::sheetsAt(const geometry::Surface& surface,
@@ -88,8 +81,9 @@ std::vector<SurfaceWetting::Sheet> SurfaceWetting::sheetsAt(const geometry::Surf
   std::vector<std::pair<float, std::uint32_t>> near;
   for (const std::uint32_t t : query.trianglesWithin(centre, radius)) {
     if (faces_[t].area <= 0.0f || glm::dot(faces_[t].normal, normal) <= 0.0f) continue;
-    const Vec3 way = centre - closestOnTriangle(centre, corner(surface, t, 0).position,
-                                                corner(surface, t, 1).position, corner(surface, t, 2).position);
+    const Vec3 a = corner(surface, t, 0).position, b = corner(surface, t, 1).position, c = corner(surface, t, 2).position;
+    const Vec3 weights = geometry::nearestWeights(centre, a, b, c);
+    const Vec3 way = centre - (a * weights.x + b * weights.y + c * weights.z);
     near.emplace_back(glm::dot(way, way), t);
   }
   // The nearest triangle of a sheet says where its centre is, the others only agree.
@@ -107,8 +101,9 @@ std::vector<SurfaceWetting::Sheet> SurfaceWetting::sheetsAt(const geometry::Surf
     if (same != sheets.end()) {
       same->area += face.area;
       same->scaledArea += face.area * face.scale;
+      same->stretch += face.area * face.stretch;
     } else if (sheets.size() < kMaxSheets) {
-      sheets.push_back({chart, at, face.area, face.area * face.scale});
+      sheets.push_back({chart, at, face.area, face.area * face.scale, face.area * face.stretch});
     }
   }
   return sheets;
@@ -117,16 +112,16 @@ std::vector<SurfaceWetting::Sheet> SurfaceWetting::sheetsAt(const geometry::Surf
 void SurfaceWetting::addDroplet(WetnessMask& mask, const geometry::Surface& surface,
                                 const geometry::SurfaceQuery& query, const Vec3& centre, const Vec3& normal,
                                 float radius, float wetness) const {
-  FUR_ASSERT(mask.size() == size_, "SurfaceWetting::addDroplet()", "a mask of the size it was built for", mask.size());
+  FUR_ASSERT(mask.size() == atlas_.size(), "SurfaceWetting::addDroplet()", "a mask of the size it was built for", mask.size());
   for (const Sheet& sheet : sheetsAt(surface, query, centre, normal, radius))
-    mask.addDroplet({sheet.centre, radius * sheet.scale(), wetness}, chartOfTexel_.data(), sheet.chart);
+    mask.addDroplet({sheet.centre, radius * sheet.scale(), wetness, sheet.shape()}, chartOfTexel_.data(), sheet.chart);
 }
 
 void SurfaceWetting::dryAt(WetnessMask& mask, const geometry::Surface& surface, const geometry::SurfaceQuery& query,
                            const Vec3& centre, const Vec3& normal, float radius, float amount) const {
-  FUR_ASSERT(mask.size() == size_, "SurfaceWetting::dryAt()", "a mask of the size it was built for", mask.size());
+  FUR_ASSERT(mask.size() == atlas_.size(), "SurfaceWetting::dryAt()", "a mask of the size it was built for", mask.size());
   for (const Sheet& sheet : sheetsAt(surface, query, centre, normal, radius))
-    mask.dryAt({sheet.centre, radius * sheet.scale(), amount}, chartOfTexel_.data(), sheet.chart);
+    mask.dryAt({sheet.centre, radius * sheet.scale(), amount, sheet.shape()}, chartOfTexel_.data(), sheet.chart);
 }
 
 }  // namespace fur::wet

@@ -3,7 +3,8 @@
 //
 // The triangles round the droplet are gathered into sheets: those of one chart that agree where in
 // the atlas the droplet's centre lies, each carrying it there along its own plane. A chart that meets
-// itself along a seam (a globe cut at its date line) so gives two sheets. Does not follow water
+// itself along a seam (a globe cut at its date line) so gives two sheets. A droplet is round on the skin: in an
+// atlas that stretches it is an ellipse. Does not follow water
 // round sharp bends: a droplet is a ball, and wets what it touches.
 #pragma once
 
@@ -28,6 +29,21 @@ class SurfaceWetting {
 
   static constexpr std::uint16_t kNoChart = 0xffff;
   const std::vector<std::uint16_t>& chartOfTexel() const { return chartOfTexel_; }
+  const geometry::AtlasTexels& atlas() const { return atlas_; }
+
+  // One view of a ball round a point of the surface: a chart, where the point lies in it, and how large a model unit
+  // is there.
+  struct Sheet {
+    std::uint16_t chart;
+    Vec2 centre;
+    float area, scaledArea;
+    Vec3 stretch;  // Face::stretch, times area
+    float scale() const { return scaledArea / area; }
+    // Droplet::shape of what is round on the skin.
+    Vec3 shape() const;
+  };
+  std::vector<Sheet> sheetsAt(const geometry::Surface& surface, const geometry::SurfaceQuery& query,
+                              const Vec3& centre, const Vec3& normal, float radius) const;
 
  private:
   // How a triangle maps space to the atlas: u = originU + dot(gradU, x), and v alike.
@@ -36,19 +52,10 @@ class SurfaceWetting {
     Vec2 origin;
     float area = 0;   // model units squared; 0 = degenerate, carries no water
     float scale = 0;  // atlas units per model unit
+    Vec3 stretch{1, 0, 1};  // squared model units of a step (du, dv): x du^2 + 2 y du dv + z dv^2
   };
-  struct Sheet {
-    std::uint16_t chart;
-    Vec2 centre;
-    float area, scaledArea;
-    float scale() const { return scaledArea / area; }
-  };
-
   static Face mapFace(const geometry::Surface& surface, std::size_t triangle);
-  std::vector<Sheet> sheetsAt(const geometry::Surface& surface, const geometry::SurfaceQuery& query,
-                              const Vec3& centre, const Vec3& normal, float radius) const;
-
-  int size_;
+  geometry::AtlasTexels atlas_;
   std::vector<Face> faces_;
   std::vector<std::uint16_t> chartOfTexel_;
 };

@@ -15,6 +15,7 @@ namespace {
 constexpr float kLeastReach = 0.7072f;
 
 bool usable(const Droplet& droplet) {
+  if (!(droplet.shape.x > 0.0f) || !std::isfinite(droplet.shape.y + droplet.shape.z)) return false;
   return std::isfinite(droplet.centre.x) && std::isfinite(droplet.centre.y) && std::isfinite(droplet.radius) &&
          droplet.radius > 0.0f && droplet.wetness > 0.0f;
 }
@@ -22,35 +23,36 @@ bool usable(const Droplet& droplet) {
 // Calls `change(texel)` for each texel of the chart whose centre lies within the droplet; it returns
 // whether the texel is another now. Returns the tight rectangle of those.
 template <class Change>
-TexelRect visitDisc(std::vector<Vec4>& texels, int size, const Droplet& droplet, const std::uint16_t* chartOfTexel,
+TexelRect visitDisc(int size, const Droplet& droplet, const std::uint16_t* chartOfTexel,
                     std::uint16_t chart, const Change& change) {
   TexelRect changed;
   const float scale = static_cast<float>(size);
   const float reach = std::max(droplet.radius * scale, kLeastReach);
   const Vec2 centre = droplet.centre * scale - 0.5f;  // in texels, whose centres are whole numbers here
   const auto within = [size](float x) { return static_cast<int>(glm::clamp(x, -1.0f, static_cast<float>(size))); };
-  const int y0 = std::max(within(std::ceil(centre.y - reach)), 0);
-  const int y1 = std::min(within(std::floor(centre.y + reach)), size - 1);
+  const Vec3& shape = droplet.shape;
+  const float high = reach * std::sqrt(shape.x);
+  const int y0 = std::max(within(std::ceil(centre.y - high)), 0);
+  const int y1 = std::min(within(std::floor(centre.y + high)), size - 1);
   for (int y = y0; y <= y1; ++y) {
     const float dy = static_cast<float>(y) - centre.y;
-    const float half = std::sqrt(std::max(reach * reach - dy * dy, 0.0f));
-    const int x0 = std::max(within(std::ceil(centre.x - half)), 0);
-    const int x1 = std::min(within(std::floor(centre.x + half)), size - 1);
+    const float half = std::sqrt(std::max(shape.x * reach * reach - dy * dy, 0.0f)) / shape.x;
+    const float middle = centre.x - shape.y * dy / shape.x;
+    const int x0 = std::max(within(std::ceil(middle - half)), 0);
+    const int x1 = std::min(within(std::floor(middle + half)), size - 1);
     for (int x = x0; x <= x1; ++x) {
       const std::size_t texel = static_cast<std::size_t>(y) * size + x;
       if (chartOfTexel && chartOfTexel[texel] != chart) continue;
-      if (change(texels[texel])) changed.include(x, y);
+      if (change(texel)) changed.include(x, y);
     }
   }
   return changed;
 }
 
 // Silva Algorithm 1 for one texel.
-bool blend(Vec4& texel, const Droplet& droplet, float wetness) {
-  const Vec4 before = texel;
-  const float dx = texel.x - droplet.centre.x, dy = texel.y - droplet.centre.y;
-  const bool near = dx * dx + dy * dy <= droplet.radius * droplet.radius;
-  const Vec4 drop(droplet.centre.x, droplet.centre.y, droplet.radius, wetness);
+void blend(Vec4& texel, const Droplet& droplet, float radius, float wetness) {
+  const bool near = squaredIn(droplet.shape, Vec2(texel) - droplet.centre) <= droplet.radius * droplet.radius;
+  const Vec4 drop(droplet.centre.x, droplet.centre.y, radius, wetness);
   // As printed, a dry texel is one whose stored centre (0, 0) happens to be far away, and droplets
   // near the origin never take hold: the wetness says what is dry.
   if (texel.w <= 0.0f || !near) {
@@ -61,7 +63,12 @@ bool blend(Vec4& texel, const Droplet& droplet, float wetness) {
     texel += (drop - texel) * alpha;
     texel.w = total;
   }
-  return texel != before;
+}
+
+// One bit for each tile of a row that [from, to) meets.
+std::uint16_t tileBits(int from, int to, int tile) {
+  const int first = from / tile, last = (to - 1) / tile;
+  return static_cast<std::uint16_t>((0xffffu << first) & (0xffffu >> (15 - last)));
 }
 
 }  // namespace
@@ -72,32 +79,41 @@ WetnessMask::WetnessMask(int size)
 TexelRect WetnessMask::addDroplet(const Droplet& droplet, const std::uint16_t* chartOfTexel, std::uint16_t chart) {
   if (!usable(droplet)) return {};
   const float wetness = std::min(droplet.wetness, 1.0f);
-  const TexelRect changed = visitDisc(texels_, size_, droplet, chartOfTexel, chart, [&](Vec4& texel) {
+  const bool round = droplet.shape == Vec3(1, 0, 1);
+  const TexelRect changed = visitDisc(size_, droplet, chartOfTexel, chart, [&](std::size_t at) {
+    Vec4& texel = texels_[at];
+    const Vec4 before = texel;
     wetTexels_ += texel.w <= 0.0f;
-    return blend(texel, droplet, wetness);
+    const Vec2 way = texelCentre(at) - droplet.centre;
+    const float squared = glm::dot(way, way);
+    const bool even = round || !(squared > 0.0f);
+    blend(texel, droplet, even ? droplet.radius : droplet.radius * std::sqrt(squared / squaredIn(droplet.shape, way)), wetness);
+    const float spilt = before.w + wetness - texel.w;
+    if (spilt > 0.0f) setFilm(at, filmAt(at) + spilt);
+    return texel != before || spilt > 0.0f;
   });
-  changed_ = unite(changed_, changed);
+  note(changed);
   return changed;
 }
 
 TexelRect WetnessMask::dryAt(const Droplet& brush, const std::uint16_t* chartOfTexel, std::uint16_t chart) {
   if (!usable(brush) || isDry()) return {};
-  const TexelRect changed = visitDisc(texels_, size_, brush, chartOfTexel, chart, [&](Vec4& texel) {
-    return lower(texel, brush.wetness);
-  });
-  changed_ = unite(changed_, changed);
+  const TexelRect changed = visitDisc(size_, brush, chartOfTexel, chart,
+                                      [&](std::size_t texel) { return lower(texel, brush.wetness); });
+  note(changed);
   return changed;
 }
 
-bool WetnessMask::lower(Vec4& texel, float amount) {
-  if (texel.w <= 0.0f) return false;
-  const float before = texel.w;
-  texel.w -= amount;
-  if (texel.w <= 0.0f) {
-    texel = Vec4(0);
+bool WetnessMask::lower(std::size_t at, float amount) {
+  const float film = filmAt(at), before = texels_[at].w;
+  if (film > 0.0f) setFilm(at, std::max(film - amount, 0.0f));
+  if (before <= 0.0f) return film > 0.0f;
+  texels_[at].w -= amount;
+  if (texels_[at].w <= 0.0f) {
+    texels_[at] = Vec4(0);
     --wetTexels_;
   }
-  return texel.w != before;
+  return film > 0.0f || texels_[at].w != before;
 }
 
 TexelRect WetnessMask::dry(float seconds, float rate) {
@@ -105,13 +121,13 @@ TexelRect WetnessMask::dry(float seconds, float rate) {
   if (!(amount > 0.0f) || isDry()) return {};
   TexelRect changed;
   for (int y = 0; y < size_; ++y) {
-    Vec4* row = &texels_[static_cast<std::size_t>(y) * size_];
+    const std::size_t row = static_cast<std::size_t>(y) * size_;
     int first = size_, last = -1;
     for (int x = 0; x < size_; ++x)
-      if (lower(row[x], amount)) first = std::min(first, x), last = x;
+      if (lower(row + x, amount)) first = std::min(first, x), last = x;
     if (last >= 0) changed = unite(changed, {first, y, last + 1, y + 1});
   }
-  changed_ = unite(changed_, changed);
+  note(changed);
   return changed;
 }
 
@@ -120,27 +136,47 @@ void WetnessMask::clear() {
   TexelRect changed;
   for (int y = 0; y < size_; ++y)
     for (int x = 0; x < size_; ++x) {
-      Vec4& texel = texels_[static_cast<std::size_t>(y) * size_ + x];
-      if (texel.w <= 0.0f) continue;
-      texel = Vec4(0);
+      const std::size_t at = static_cast<std::size_t>(y) * size_ + x;
+      if (texels_[at].w <= 0.0f && filmAt(at) <= 0.0f) continue;
+      texels_[at] = Vec4(0);
       changed.include(x, y);
     }
-  wetTexels_ = 0;
-  changed_ = unite(changed_, changed);
+  wetTexels_ = filmTexels_ = 0;
+  film_.clear();
+  note(changed);
 }
 
-void WetnessMask::restore(std::vector<Vec4> texels) {
-  FUR_ASSERT(texels.size() == texels_.size(), "WetnessMask::restore()", std::to_string(texels_.size()).c_str(),
-             texels.size());
+void WetnessMask::restore(std::vector<Vec4> texels, std::vector<float> film) {
+  FUR_ASSERT(texels.size() == texels_.size() && (film.empty() || film.size() == texels_.size()), "WetnessMask::restore()",
+             std::to_string(texels_.size()).c_str(), texels.size());
   texels_ = std::move(texels);
-  wetTexels_ = 0;
+  film_ = std::move(film);
+  wetTexels_ = filmTexels_ = 0;
   for (Vec4& texel : texels_) {
     const bool sound = std::isfinite(texel.x + texel.y + texel.z + texel.w) && texel.w > 0.0f && texel.z > 0.0f;
     if (!sound) texel = Vec4(0);
     texel.w = std::min(texel.w, 1.0f);
     wetTexels_ += sound;
   }
-  changed_ = {0, 0, size_, size_};
+  for (float& water : film_) {
+    if (!(water > 0.0f && water < 1e6f)) water = 0.0f;
+    filmTexels_ += water > 0.0f;
+  }
+  note({0, 0, size_, size_});
+}
+
+void WetnessMask::touch(const TexelRect& changed) {
+  if (changed.empty()) return;
+  changed_ = unite(changed_, changed);
+  const int tile = (size_ + kTiles - 1) / kTiles;
+  const std::uint16_t bits = tileBits(changed.x0, changed.x1, tile);
+  for (int row = changed.y0 / tile; row <= (changed.y1 - 1) / tile; ++row) changedTiles_[static_cast<std::size_t>(row)] |= bits;
+}
+
+void WetnessMask::note(const TexelRect& changed) {
+  if (changed.empty()) return;
+  ++revision_;
+  touch(changed);
 }
 
 float WetnessMask::meanWetness() const {
@@ -164,6 +200,38 @@ std::uint64_t WetnessMask::hash() const {
   return hash;
 }
 
-TexelRect WetnessMask::takeChanged() { return std::exchange(changed_, TexelRect{}); }
+TexelRect WetnessMask::takeChanged() {
+  changedTiles_ = {};
+  return std::exchange(changed_, TexelRect{});
+}
+
+std::vector<TexelRect> WetnessMask::takeChangedParts() {
+  const std::array<std::uint16_t, kTiles> tiles = changedTiles_;
+  const TexelRect all = takeChanged();
+  if (all.empty()) return {};
+  const int tile = (size_ + kTiles - 1) / kTiles;
+  std::vector<TexelRect> parts;
+  long area = 0;
+  for (int row = 0; row < kTiles; ++row) {
+    std::uint16_t bits = tiles[static_cast<std::size_t>(row)];
+    // Rows with the same tiles are one part.
+    int rows = 1;
+    while (bits && row + rows < kTiles && tiles[static_cast<std::size_t>(row + rows)] == bits) ++rows;
+    for (int x = 0; x < kTiles; ++x) {
+      if (!(bits >> x & 1)) continue;
+      int end = x + 1;
+      while (end < kTiles && (bits >> end & 1)) ++end;
+      parts.push_back({std::max(x * tile, all.x0), std::max(row * tile, all.y0), std::min(end * tile, all.x1),
+                       std::min((row + rows) * tile, all.y1)});
+      area += long{parts.back().x1 - parts.back().x0} * (parts.back().y1 - parts.back().y0);
+      x = end;
+    }
+    if (bits) row += rows - 1;
+  }
+  // Many calls cost more than a few texels.
+  const long whole = long{all.x1 - all.x0} * (all.y1 - all.y0);
+  if (parts.size() > 12 || 3 * area > 2 * whole) return {all};
+  return parts;
+}
 
 }  // namespace fur::wet

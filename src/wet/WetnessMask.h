@@ -2,6 +2,7 @@
 // Does not know the model: a droplet acts in the plane of the atlas. SurfaceWetting carries it over charts.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -15,7 +16,15 @@ struct Droplet {
   Vec2 centre{0.5f};
   float radius = 0.05f;
   float wetness = 0.5f;  // 0..1
+  // How the skin is stretched here: what lies within is shape.x du^2 + 2 shape.y du dv + shape.z dv^2 <= radius^2, with
+  // x z - y^2 = 1. Round in the atlas, as the paper has it, is (1, 0, 1).
+  Vec3 shape{1, 0, 1};
 };
+
+// shape.x du^2 + 2 shape.y du dv + shape.z dv^2
+inline float squaredIn(const Vec3& shape, const Vec2& way) {
+  return shape.x * way.x * way.x + 2.0f * shape.y * way.x * way.y + shape.z * way.y * way.y;
+}
 
 using geometry::TexelRect;
 
@@ -26,9 +35,15 @@ class WetnessMask {
   int size() const { return size_; }
   // Row-major; a texel is (clump centre u, v, clump radius, wetness). All 0 where dry.
   const std::vector<Vec4>& texels() const { return texels_; }
+  // Row-major: the water that stands on the fur beyond what it holds, in units of what it holds at wetness 1. Empty
+  // while there is none. What a droplet brings and Algorithm 1 drops - above 1, or of the clump that it takes the
+  // place of - goes here: no water is lost.
+  const std::vector<float>& film() const { return film_; }
+  float filmAt(std::size_t texel) const { return film_.empty() ? 0.0f : film_[texel]; }
 
   // Algorithm 1, read as: a dry texel takes the droplet; a wet one blends when the centres lie
   // within the droplet's radius, else the droplet starts a clump of its own there.
+  // Where a droplet is no circle in the atlas, each texel's radius is that of its direction from the centre.
   // A texel counts by its centre; a droplet finer than a texel still wets the texel it falls on.
   // Non-finite droplets and those of no radius or wetness do nothing. Returns what changed.
   // `chartOfTexel` (size*size, may be null) limits it to the texels of `chart`: circles must not
@@ -40,23 +55,54 @@ class WetnessMask {
   TexelRect dry(float seconds, float rate);
   void clear();
   // size * size of them; unsound ones (not finite, no radius) become dry.
-  void restore(std::vector<Vec4> texels);
+  void restore(std::vector<Vec4> texels, std::vector<float> film = {});
+  // One texel, for who follows the water over time (Water.h): touch() tells afterwards where that was.
+  void set(std::uint32_t texel, const Vec4& value, float film) {
+    wetTexels_ += static_cast<std::size_t>(value.w > 0.0f) - static_cast<std::size_t>(texels_[texel].w > 0.0f);
+    texels_[texel] = value;
+    setFilm(texel, film);
+  }
+  void touch(const TexelRect& changed);
 
-  bool isDry() const { return wetTexels_ == 0; }
+  // In atlas units.
+  Vec2 texelCentre(std::size_t texel) const {
+    const auto size = static_cast<std::size_t>(size_);
+    return (Vec2(texel % size, texel / size) + 0.5f) / static_cast<float>(size_);
+  }
+
+  bool isDry() const { return wetTexels_ == 0 && filmTexels_ == 0; }
+  // Another number whenever anything but set() has changed it.
+  std::uint32_t revision() const { return revision_; }
   float meanWetness() const;
   Vec4 at(float u, float v) const;
-  // FNV-1a over the bytes of the texels.
+  // FNV-1a over the bytes of the texels; a film is not part of it.
   std::uint64_t hash() const;
-  // What changed since the last call: what the renderer uploads.
+  // What changed since the last call: what the renderer uploads. One rectangle round all of it, or a few that are
+  // smaller together.
   TexelRect takeChanged();
+  std::vector<TexelRect> takeChangedParts();
 
  private:
-  bool lower(Vec4& texel, float amount);
+  static constexpr int kTiles = 16;  // along the mask
+
+  bool lower(std::size_t texel, float amount);
+  void setFilm(std::size_t texel, float value) {
+    if (film_.empty()) {
+      if (value == 0.0f) return;
+      film_.assign(texels_.size(), 0.0f);
+    }
+    filmTexels_ += static_cast<std::size_t>(value > 0.0f) - static_cast<std::size_t>(film_[texel] > 0.0f);
+    film_[texel] = value;
+  }
+  void note(const TexelRect& changed);
 
   int size_;
   std::vector<Vec4> texels_;
-  std::size_t wetTexels_ = 0;
+  std::vector<float> film_;
+  std::size_t wetTexels_ = 0, filmTexels_ = 0;
+  std::uint32_t revision_ = 0;
   TexelRect changed_;
+  std::array<std::uint16_t, kTiles> changedTiles_{};  // a bit for each of a row
 };
 
 }  // namespace fur::wet

@@ -16,7 +16,7 @@ struct Desk {
   ~Desk() { app.detach(false); }
 
   void settle() {
-    for (int i = 0; i < 600 && (i == 0 || app.active()); ++i) app.tick(1 / 60.0f);
+    for (int i = 0; i < 3000 && (i == 0 || app.active()); ++i) app.tick(1 / 60.0f);
   }
   void drag(Vec2 from, Vec2 to, PointerEvent event = {}) {
     event.phase = PointerPhase::Down;

@@ -14,7 +14,7 @@ namespace {
 using test::Picture;
 using test::Stage;
 
-constexpr int kSide = 240;
+constexpr int kSide = 240, kCells = wet::Water::kGroundCells;
 
 struct Scene {
   Stage stage{kSide, kSide, 4};
@@ -34,7 +34,7 @@ struct Scene {
     frame.settings.backgroundTop = 0x2040a0;
     frame.settings.backgroundBottom = 0xe0d0b0;
   }
-  Picture draw(std::vector<Drop> drops = {}) {
+  Picture draw(std::vector<wet::Drop> drops = {}) {
     stage.attachTarget();
     frame.drops = drops;
     const Status status = renderer->draw(frame);
@@ -118,7 +118,7 @@ TEST(Drops, AreHiddenBehindTheModelAndFaintBelowAPixel) {
   EXPECT_EQ(changed(none, scene.draw({{Vec3(0, 0, -2), 0.1f}})).count, 0);
   EXPECT_GT(changed(none, scene.draw({{Vec3(0, 0, 1.2f), 0.1f}})).count, 20);
   // A thousand of a tenth of a pixel cover a hundredth of a pixel each.
-  std::vector<Drop> dust;
+  std::vector<wet::Drop> dust;
   for (int i = 0; i < 1000; ++i) dust.push_back({Vec3(-1.7f + 0.0034f * static_cast<float>(i), 1.5f, 0), 0.0005f});
   EXPECT_LT(changed(none, scene.draw(dust)).count, 60);
   // And those that no eye can place: at the eye, of no size, not finite.
@@ -137,11 +137,11 @@ TEST(WetGround, IsDarkerWhereItSaysSoWithASoftEdgeAndCostsNothingWhenDry) {
   EXPECT_LE(scene.renderer->takeUploadedBytes(), bytes);
   // A round one to the right of the model.
   const Vec2 spot(1.6f, 0.4f);
-  scene.puddles.assign(kPuddleCells * kPuddleCells, 0);
-  for (int j = 0; j < kPuddleCells; ++j)
-    for (int i = 0; i < kPuddleCells; ++i) {
-      const Vec2 at = (Vec2(i, j) + 0.5f) * (2 * kGroundHalfSide / kPuddleCells) - kGroundHalfSide;
-      if (glm::length(at - spot) < 0.4f) scene.puddles[static_cast<std::size_t>(j * kPuddleCells + i)] = 255;
+  scene.puddles.assign(kCells * kCells, 0);
+  for (int j = 0; j < kCells; ++j)
+    for (int i = 0; i < kCells; ++i) {
+      const Vec2 at = (Vec2(i, j) + 0.5f) * (2 * kGroundHalfSide / kCells) - kGroundHalfSide;
+      if (glm::length(at - spot) < 0.4f) scene.puddles[static_cast<std::size_t>(j * kCells + i)] = 255;
     }
   scene.frame.puddles = scene.puddles;
   const Picture p = scene.draw();
@@ -150,7 +150,7 @@ TEST(WetGround, IsDarkerWhereItSaysSoWithASoftEdgeAndCostsNothingWhenDry) {
     const Vec2 pixel = groundPixel(at);
     return p.at(static_cast<int>(pixel.x), static_cast<int>(pixel.y))[0] - dry.at(static_cast<int>(pixel.x), static_cast<int>(pixel.y))[0];
   };
-  const int middle = change(spot), edge = change(spot + Vec2(0.39f, 0)), outside = change(spot + Vec2(0.6f, 0));
+  const int middle = change(spot), edge = change(spot + Vec2(0.405f, 0)), outside = change(spot + Vec2(0.6f, 0));
   EXPECT_LT(middle, -25);
   EXPECT_LT(edge, -4);
   EXPECT_GT(edge, middle + 6);

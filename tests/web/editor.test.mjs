@@ -40,7 +40,7 @@ test('the panel takes the pointer and the keys that are meant for it, the pictur
   const page = await site.open('?quality=low&layers=8&fins=0&src=sphere&editor=1&dryRate=0', { viewport: { width: 800, height: 400 } });
   await page.waitForFunction(() => wetFur.editorOpen, null, { timeout: 30000 });
   await untilStill(page);
-  await page.mouse.move(720, 220);
+  await page.mouse.move(720, 240);
   await page.mouse.down();
   await page.mouse.up();
   const orbit = await withFur(page, (fur) => fur.getCameraOrbit());

@@ -58,6 +58,32 @@ test('a finger that starts on an element scrolls the page and wets nothing; a ta
   assert.ok(await withFur(page, (fur) => fur.meanWetness) > 0);
 });
 
+test('letters are stamped, the model shakes them off, strokes are painted again, and all water is accounted for', async () => {
+  const page = await open({ viewport: { width: 480, height: 600 } });
+  const balance = (w) => w.painted + w.rained - (w.held + w.film + w.drops + w.dripped + w.evaporated + w.removed);
+  const seen = await withFur(page, (fur) => {
+    Object.assign(fur, { paused: true, dryRate: 0 });
+    fur.stamp('WET', { size: 60 });
+    const stamped = fur.meanWetness;
+    fur.step(1 / 60, 60);
+    const still = fur.waterAccounts;
+    fur.shake();
+    fur.step(1 / 60, 90);
+    const shaken = fur.waterAccounts;
+    fur.undo();
+    const undone = fur.meanWetness;
+    let refused = '';
+    try { fur.replay('{}'); } catch (error) { refused = error.code; }
+    return { stamped, still, shaken, undone, refused, strokes: fur.recordedStrokes };
+  });
+  assert.ok(seen.stamped > 0.01 && seen.stamped < 0.5, `${seen.stamped} of the model is wet`);
+  assert.ok(seen.shaken.held + seen.shaken.film < 0.9 * (seen.still.held + seen.still.film));
+  for (const accounts of [seen.still, seen.shaken]) assert.ok(Math.abs(balance(accounts)) < 1e-5, JSON.stringify(accounts));
+  assert.equal(seen.refused, 'bad-file');
+  assert.equal(seen.strokes, '[]');
+  assert.deepEqual(page.problems, []);
+});
+
 test('an element out of sight is not loaded before it comes near, and draws nothing once it has left', async () => {
   const page = await open({ viewport: { width: 480, height: 400 } });
   const ring = (work, argument) => page.evaluate(`(${work})(document.getElementById('ring'), ${JSON.stringify(argument) ?? 0})`);

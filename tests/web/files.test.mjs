@@ -8,7 +8,10 @@ const site = startBrowser();
 let page;
 before(async () => {
   page = await site.open(`?${light}&dryRate=0`, { keep: true });
-  await withFur(page, (fur) => fur.splash({ u: 0.5, v: 0.5 }));
+  await withFur(page, (fur) => {
+    fur.splash({ u: 0.5, v: 0.5 });
+    fur.step(1 / 60, 1800);  // until it has come to rest
+  });
 });
 after(() => page?.context().close());
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <map>
+#include <tuple>
 
 #include "geometry/Primitives.h"
 
@@ -146,6 +147,92 @@ TEST(SurfaceWetting, ClosesOverTheDateLineOfAGlobe) {
       ASSERT_GT(mask.at(at.x, at.y).w, 0.0f);
     }
   }
+}
+
+// A texel, and how its triangle lies in space and in the atlas.
+struct Spot {
+  Vec3 position, alongU, alongV;
+  Vec2 atlas;
+};
+Spot spotOf(const Surface& surface, const geometry::AtlasTexels& atlas, std::uint32_t texel) {
+  const std::uint32_t triangle = atlas.triangleOf()[texel];
+  const geometry::SurfacePoint point{triangle, atlas.weightsAt(surface, triangle, texel), 0};
+  const auto &a = surface.vertices[surface.indices[3 * triangle]], &b = surface.vertices[surface.indices[3 * triangle + 1]],
+             &c = surface.vertices[surface.indices[3 * triangle + 2]];
+  const glm::mat2 uv(b.atlas - a.atlas, c.atlas - a.atlas);
+  const glm::mat2x3 steps = glm::mat2x3(b.position - a.position, c.position - a.position) * glm::inverse(uv);
+  return {positionAt(surface, point), steps[0], steps[1], atlasAt(surface, point)};
+}
+
+TEST(SurfaceWetting, HasOneCentreInSpaceOnBothSidesOfEverySeam) {
+  geometry::Mesh torus = geometry::makeTorus();
+  torus.uv.clear();
+  for (const Surface& surface : {chartedSphere(), geometry::buildSurface(torus).value()}) {
+    const SurfaceQuery query(surface);
+    const SurfaceWetting wetting(surface, kSize);
+    // Points that several charts share.
+    std::map<std::tuple<float, float, float>, std::vector<std::uint32_t>> vertices;
+    for (std::uint32_t i = 0; i < surface.trueVertexCount; ++i) {
+      const Vec3 p = surface.vertices[i].position;
+      vertices[{p.x, p.y, p.z}].push_back(i);
+    }
+    int seams = 0;
+    for (const auto& [at, same] : vertices) {
+      bool border = false;
+      for (const std::uint32_t i : same) border |= surface.vertices[i].chart != surface.vertices[same[0]].chart;
+      if (!border || ++seams % 7) continue;
+      const Vec3 centre = surface.vertices[same[0]].position;
+      const float radius = 0.08f;
+      WetnessMask mask(kSize);
+      wetting.addDroplet(mask, surface, query, centre, surface.vertices[same[0]].normal, radius, 0.5f);
+      std::map<int, int> charts;
+      for (std::uint32_t i = 0; i < mask.texels().size(); ++i) {
+        const Vec4& texel = mask.texels()[i];
+        if (texel.w <= 0 || wetting.atlas().triangleOf()[i] == 0xffffffffu) continue;
+        const Spot spot = spotOf(surface, wetting.atlas(), i);
+        const float distance = glm::length(spot.position - centre);
+        ++charts[wetting.chartOfTexel()[i]];
+        // Farther off the texel's plane is no longer the skin at the centre.
+        if (distance > 0.5f * radius) continue;
+        const Vec2 way = Vec2(texel) - spot.atlas;
+        const float step = std::max(glm::length(spot.alongU), glm::length(spot.alongV)) / kSize;
+        ASSERT_LT(glm::length(spot.position + spot.alongU * way.x + spot.alongV * way.y - centre), step);
+      }
+      EXPECT_GE(charts.size(), 2u);
+    }
+    EXPECT_GT(seams, 20);
+  }
+}
+
+TEST(SurfaceWetting, IsRoundOnTheSkinWhereTheAtlasIsStretched) {
+  // A globe in its own uv: at a latitude of 60 degrees a degree of longitude is half as long.
+  const Surface surface = geometry::buildSurface(geometry::makeSphere()).value();
+  const SurfaceQuery query(surface);
+  const SurfaceWetting wetting(surface, kSize);
+  const float radius = 0.15f, latitude = kPi / 3;
+  const Vec3 up = Vec3(std::sin(2.0f) * std::cos(latitude), std::sin(latitude), std::cos(2.0f) * std::cos(latitude));
+  const auto hit = query.castRay(2.0f * up, -up);
+  ASSERT_TRUE(hit);
+  const Vec3 centre = positionAt(surface, *hit);
+  WetnessMask mask(kSize);
+  wetting.addDroplet(mask, surface, query, centre, up, radius, 0.5f);
+  float low = 1e9f, high = 0;
+  for (std::uint32_t i = 0; i < mask.texels().size(); ++i) {
+    if (wetting.atlas().triangleOf()[i] == 0xffffffffu) continue;
+    const Spot spot = spotOf(surface, wetting.atlas(), i);
+    const float distance = glm::length(spot.position - centre);
+    const Vec4 texel = mask.texels()[i];
+    // One stretch for all of it: the latitude changes by a seventh of a radian across.
+    if (distance < 0.85f * radius) ASSERT_GT(texel.w, 0.0f) << distance;
+    if (distance > 1.2f * radius) ASSERT_EQ(texel.w, 0.0f) << distance;
+    if (texel.w <= 0 || distance < 0.5f * radius) continue;
+    // How far it is from the centre in radii, as the shaders see it, against how far it is in space.
+    const float seen = glm::length(spot.atlas - Vec2(texel)) / texel.z;
+    low = std::min(low, seen * radius / distance);
+    high = std::max(high, seen * radius / distance);
+  }
+  EXPECT_GT(low, 0.8f);
+  EXPECT_LT(high, 1.25f);
 }
 
 TEST(SurfaceWetting, DoesNothingAwayFromTheSurface) {

@@ -169,6 +169,41 @@ TEST(WetnessMask, WetsOnlyTheChartItIsToldTo) {
   EXPECT_GT(mask.at(0.55f, 0.5f).w, 0.0f);
 }
 
+TEST(WetnessMask, KeepsWhatAlgorithm1LetsGoOf) {
+  Random random(21);
+  WetnessMask mask(64);
+  double brought = 0;
+  for (int k = 0; k < 200; ++k) {
+    const Droplet d = randomDroplet(random);
+    for (std::size_t i = 0; i < mask.texels().size(); ++i) {
+      const Vec2 way = mask.texelCentre(i) - d.centre;
+      if (glm::dot(way, way) <= d.radius * d.radius) brought += d.wetness;
+    }
+    mask.addDroplet(d);
+  }
+  double there = 0;
+  for (std::size_t i = 0; i < mask.texels().size(); ++i) there += mask.texels()[i].w + mask.filmAt(i);
+  EXPECT_NEAR(there / brought, 1, 1e-3);  // texels on rims fall either way by rounding
+}
+
+TEST(WetnessMask, TellsItsChangesInPartsThatCoverThem) {
+  WetnessMask mask(256);
+  mask.addDroplet({Vec2(0.1f, 0.1f), 0.02f, 0.5f});
+  mask.addDroplet({Vec2(0.9f, 0.8f), 0.02f, 0.5f});
+  const std::vector<Vec4> texels = mask.texels();
+  const std::vector<TexelRect> parts = mask.takeChangedParts();
+  EXPECT_GE(parts.size(), 2u);
+  long area = 0;
+  for (const TexelRect& part : parts) area += long{part.x1 - part.x0} * (part.y1 - part.y0);
+  EXPECT_LT(area, 4000);
+  for (int i = 0; i < 256 * 256; ++i) {
+    bool covered = texels[i].w <= 0;
+    for (const TexelRect& part : parts) covered |= i % 256 >= part.x0 && i % 256 < part.x1 && i / 256 >= part.y0 && i / 256 < part.y1;
+    ASSERT_TRUE(covered);
+  }
+  EXPECT_TRUE(mask.takeChangedParts().empty());
+}
+
 TEST(WetnessMask, WetsTheTexelUnderADropletFinerThanATexel) {
   WetnessMask mask(16);
   mask.addDroplet({Vec2(0.5f), 1e-4f, 0.5f});

@@ -15,7 +15,7 @@ export class FurError extends Error {
  * 'comb' to 'type' dress the fur: 'smooth', 'raise' and 'comb' lay it, 'trim' and 'grow' change its length, 'type' its kind.
  * 'whisker' plants a whisker or a tuft where it is pressed and aims it while it is dragged; 'pluck' pulls them out.
  */
-export type Tool = 'droplet' | 'dry' | 'comb' | 'smooth' | 'raise' | 'trim' | 'grow' | 'type' | 'whisker' | 'pluck' | 'grab' | 'none';
+export type Tool = 'droplet' | 'dry' | 'rain' | 'hose' | 'towel' | 'dryer' | 'comb' | 'smooth' | 'raise' | 'trim' | 'grow' | 'type' | 'whisker' | 'pluck' | 'grab' | 'none';
 export type GroomType = '1' | '2' | '3' | '4';
 export type FurType = 'bald' | 'rabbit' | 'chinchilla' | 'curlyDog' | 'thickNylon' | 'fineSparse' | 'otter' | 'shortCat' | 'persian' | 'shag' | 'velvet' | 'wool';
 /** All over the model; see WetFurApi.groom. */
@@ -122,6 +122,8 @@ export interface FurSettings {
   clumpSize: number;
   /** Wetness lost per second. */
   dryRate: number;
+  /** How hard it rains on the model. */
+  rain: number;
   /** w: 0 = straight leaning strands, 1 = strands bent in from the root (Silva Eq. 1). */
   clumpShape: number;
   /** sigma_wet: how much darker soaked fur is (Silva Eq. 5). */
@@ -254,6 +256,18 @@ export interface WetFurStats {
   frameTime: number;
 }
 
+/** Amounts of water; 1 soaks the fur on a square of the model's radius. */
+export interface WaterAccounts {
+  held: number;
+  film: number;
+  drops: number;
+  dripped: number;
+  evaporated: number;
+  removed: number;
+  painted: number;
+  rained: number;
+}
+
 export interface WetFurEventMap {
   /** `src` is null for a file that loadModel() was given. */
   load: CustomEvent<{ name: string; src: string | null }>;
@@ -306,6 +320,16 @@ export interface WetFurApi {
   /** The whole model: 0 dries it, more soaks it. */
   setWetness(amount: number): void;
   wetnessAt(u: number, v: number): number;
+  /** The model shakes itself, and its water flies off. */
+  shake(): void;
+  /** Letters as locks of wet fur, round CSS pixels of the canvas (default: its middle), `size` pixels high. */
+  stamp(text: string, options?: { x?: number; y?: number; size?: number; amount?: number }): void;
+  /** What was painted with droplet, dry and towel since the model came: for replay() on the same model. */
+  readonly recordedStrokes: string;
+  /** Paints it again, with the time that it took. Throws a FurError for what is no recording of this model. */
+  replay(strokes: string): void;
+  /** Where the water is and went: painted + rained = held + film + drops + dripped + evaporated + removed. */
+  readonly waterAccounts: WaterAccounts | null;
   /** The atlas coordinates under CSS pixels of the canvas; null beside the model. */
   pick(at: { x: number; y: number }): { u: number; v: number } | null;
   /**

@@ -137,7 +137,6 @@ FUR_BLOCK(FurBlock) {
 #define FUR_EXPLODED_SHELLS 8
 #define FUR_EXPLODED_GAP 0.035
 // Cells along the square of ground that may be wet: the one that the ground's shadow map covers.
-#define FUR_PUDDLE_CELLS 64
 // Points of a whisker, root to tip (groom/Whiskers.h).
 #define FUR_WHISKER_POINTS 8
 

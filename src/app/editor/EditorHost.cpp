@@ -240,6 +240,8 @@ editor::EditorModel EditorHost::model() {
   model.tool = static_cast<editor::Tool>(app_.tool());
   model.modelName = app_.modelName();
   model.meanWetness = app_.meanWetness();
+  const wet::Accounts water = app_.water().accounts();
+  model.water = {water.painted + water.rained, water.held, water.film, water.drops, water.dripped, water.evaporated + water.removed};
   model.canUndo = app_.canUndo();
   model.canRedo = app_.canRedo();
   model.fileAccess = fileAccess_;
@@ -384,6 +386,7 @@ void EditorHost::perform(const editor::Command& command) {
       [&](const SetSettings& c) { app_.setSettings(c.settings); },
       [&](const SetTool& c) { app_.setTool(static_cast<Tool>(c.tool)); },
       [&](const SetWetness& c) { app_.setWetness(c.amount); },
+      [&](const Shake&) { app_.shake(); },
       [&](const LoadPrimitive& c) { check(app_.loadPrimitive(c.name)); },
       [&](const LoadShipped& shipped) { request(Kind::LoadShipped, shipped.name); },
       [&](const OpenDialog&) { request(Kind::OpenDialog); },

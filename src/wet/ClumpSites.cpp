@@ -1,0 +1,104 @@
+#include "wet/ClumpSites.h"
+
+#include <cmath>
+
+namespace fur::wet {
+
+namespace {
+
+// A lock reaches past the farthest texel that is drawn to it, so that fur has no gaps until it is really wet.
+constexpr float kRadiiPerSpacing = 1.2f;
+
+int cell(float x, float spacing) { return static_cast<int>(std::floor(x / spacing)); }
+
+}  // namespace
+
+ClumpSites::ClumpSites(const SurfaceTexels& texels, float radius) : radius_(radius), spacing_(radius / kRadiiPerSpacing) {
+  const auto count = static_cast<std::uint32_t>(texels.places().size());
+  std::size_t buckets = 256;
+  while (buckets < count / 8) buckets *= 2;
+  heads_.assign(buckets, SurfaceTexels::kNone);
+  siteOf_.assign(count, SurfaceTexels::kNone);
+  // Every place becomes a site unless one is near. Steps by the golden section visit them evenly.
+  auto stride = static_cast<std::uint32_t>(0.6180339887 * count) | 1u;
+  const auto common = [](std::uint32_t a, std::uint32_t b) {
+    while (b) a %= b, std::swap(a, b);
+    return a;
+  };
+  while (count > 1 && common(stride, count) != 1) stride += 2;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const auto index = static_cast<std::uint32_t>(i * stride % count);
+    const SurfaceTexels::Place& place = texels.places()[index];
+    bool free = true;
+    forSitesNear(place.position, [&](std::uint32_t site) {
+      const SurfaceTexels::Place& other = texels.places()[sites_[site]];
+      const Vec3 way = other.position - place.position;
+      free &= glm::dot(way, way) >= spacing_ * spacing_ || glm::dot(other.normal, place.normal) <= 0.0f;
+      return free;
+    });
+    if (!free) continue;
+    std::uint32_t& head = heads_[bucketOf(cell(place.position.x, spacing_), cell(place.position.y, spacing_), cell(place.position.z, spacing_))];
+    next_.push_back(head);
+    head = static_cast<std::uint32_t>(sites_.size());
+    sites_.push_back(index);
+  }
+}
+
+std::size_t ClumpSites::bucketOf(int x, int y, int z) const {
+  const std::uint32_t hash = static_cast<std::uint32_t>(x) * 73856093u ^ static_cast<std::uint32_t>(y) * 19349663u ^
+                             static_cast<std::uint32_t>(z) * 83492791u;
+  return hash & (heads_.size() - 1);
+}
+
+// Those in the 27 cells round the position, and some that share their buckets; visit(site) says whether to go on.
+template <class Visit>
+void ClumpSites::forSitesNear(const Vec3& position, Visit visit) const {
+  const int x = cell(position.x, spacing_), y = cell(position.y, spacing_), z = cell(position.z, spacing_);
+  for (int k = 0; k < 27; ++k)
+    for (std::uint32_t site = heads_[bucketOf(x + k % 3 - 1, y + k / 3 % 3 - 1, z + k / 9 - 1)]; site != SurfaceTexels::kNone; site = next_[site])
+      if (!visit(site)) return;
+}
+
+std::uint32_t ClumpSites::siteOf(const SurfaceTexels& texels, std::uint32_t index) {
+  if (siteOf_[index] != SurfaceTexels::kNone) return siteOf_[index];
+  const SurfaceTexels::Place& place = texels.places()[index];
+  float nearest = 1e9f;
+  forSitesNear(place.position, [&](std::uint32_t site) {
+    const SurfaceTexels::Place& other = texels.places()[sites_[site]];
+    const Vec3 way = other.position - place.position;
+    const float squared = glm::dot(way, way);
+    if (glm::dot(other.normal, place.normal) <= 0.0f || squared > nearest) return true;
+    // Of two equally near the first, in whatever order buckets have them.
+    if (squared == nearest && siteOf_[index] < site) return true;
+    nearest = squared;
+    siteOf_[index] = site;
+    return true;
+  });
+  return siteOf_[index];
+}
+
+Vec3 ClumpSites::clumpOf(const SurfaceTexels& texels, const geometry::Surface& surface, const geometry::SurfaceQuery& query,
+                         const SurfaceWetting& wetting, std::uint32_t index) {
+  const SurfaceTexels::Place& place = texels.places()[index];
+  const std::uint32_t site = siteOf(texels, index);
+  if (site != last_) {
+    last_ = site;
+    const SurfaceTexels::Place& middle = texels.places()[sites_[site]];
+    sheets_ = wetting.sheetsAt(surface, query, middle.position, middle.normal, radius_);
+  }
+  const auto size = static_cast<std::uint32_t>(texels.size());
+  const Vec2 at = (Vec2(place.texel % size, place.texel / size) + 0.5f) / static_cast<float>(size);
+  // By the sheet of its chart that lies nearest; one that none reaches is a lock of its own.
+  Vec3 clump(at, radius_ * 0.1f);
+  float nearest = 1e9f;
+  for (const SurfaceWetting::Sheet& sheet : sheets_) {
+    const Vec2 way = sheet.centre - at;
+    if (sheet.chart != wetting.chartOfTexel()[place.texel] || glm::dot(way, way) >= nearest) continue;
+    nearest = glm::dot(way, way);
+    const float stretched = squaredIn(sheet.shape(), way);
+    clump = Vec3(sheet.centre, radius_ * sheet.scale() * (stretched > 0.0f ? std::sqrt(nearest / stretched) : 1.0f));
+  }
+  return clump;
+}
+
+}  // namespace fur::wet

@@ -1,0 +1,243 @@
+// The drops of Water.h, what they fall on, and the tools: all that is done once a drop or once a call.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/PortableMath.h"
+#include "wet/Water.h"
+
+namespace fur::wet {
+
+namespace {
+
+constexpr float kRate = Water::kStep;
+
+// Depth of what soaked fur holds on a square unit, which makes amounts into sizes of drops.
+constexpr float kDepth = 0.004f;
+constexpr float kFalls = 1.6e-3f;  // amount that is too heavy to hang
+constexpr float kGravity = 9.0f, kDrag = 0.9f;  // model radii a second squared; share of its speed that air takes in one
+constexpr float kLost = 8.0f;                   // farther than that a drop is gone
+
+constexpr float kRainReach = 1.15f, kRainHeight = 1.7f;
+constexpr float kRainDrops = 360.0f, kRainDrop = 3.2e-3f, kRainSpeed = 3.0f;
+constexpr float kFling = 2.6f;  // model radii a second
+
+float radiusOf(float amount) {
+  return amount > 0.0f ? portableExp(portableLog(amount * (kDepth * 0.75f / kPi)) / 3.0f) : 0.0f;
+}
+
+}  // namespace
+
+// --- drops --------------------------------------------------------------------------------------
+
+// Hanging drops drink the film round them until they are too heavy.
+void Water::feedHanging(const Ground& ground, WetnessMask& mask, const Climate& climate) {
+  if (hanging_ == 0) return;
+  const auto& places = texels_->places();
+  std::size_t kept = 0;
+  for (std::size_t d = 0; d < drops_.size(); ++d) {
+    Drop drop = drops_[d];
+    if (drop.place != SurfaceTexels::kNone) {
+      const SurfaceTexels::Place& place = places[drop.place];
+      const auto drink = [&](std::uint32_t from) {
+        if (from == SurfaceTexels::kNone || film_[from] <= kCling) return;
+        const float left = film_[from] - 0.3f * (film_[from] - kCling);
+        drop.water += (film_[from] - left) * places[from].area;
+        store(ground, mask, from, held_[from], left);
+        flags_[texels_->blockOf(from)] |= kMoving;
+      };
+      drink(drop.place);
+      for (const std::uint32_t link : texels_->links()[drop.place]) drink(link);
+      const float dries = std::min(drop.water, climate.dryRate * kRate * 2e-3f);
+      accounts_.evaporated += double{drop.water} - (drop.water - dries);
+      drop.water -= dries;
+      drop.radius = radiusOf(drop.water);
+      // At the tips, which a wet lock lets hang.
+      const Vec3 out = normalizeOr(place.normal + 0.7f * down_, place.normal);
+      const Vec3 at = Vec3(climate.worldFromModel * Vec4(place.position + 0.6f * climate.furLength * out, 1));
+      changed_ |= at != drop.position;
+      drop.position = at;
+      if (drop.water > kFalls || glm::dot(place.normal, down_) < 0.0f || climate.shaking > 0.0f) {
+        hasDrop_[drop.place] = 0;
+        --hanging_;
+        drop.place = SurfaceTexels::kNone;
+        drop.velocity = Vec3(0);
+      } else if (drop.water <= 0.0f) {
+        hasDrop_[drop.place] = 0;
+        --hanging_;
+        continue;
+      }
+    }
+    drops_[kept++] = drop;
+  }
+  drops_.resize(kept);
+}
+
+void Water::fall(const Ground& ground, const Climate& climate) {
+  if (drops_.size() == hanging_) return;
+  changed_ = true;
+  const Mat3 toWorld(climate.worldFromModel);
+  const Mat3 toModel = glm::transpose(toWorld);
+  const Vec3 middle(climate.worldFromModel[3]);
+  std::size_t kept = 0;
+  for (std::size_t d = 0; d < drops_.size(); ++d) {
+    Drop drop = drops_[d];
+    if (drop.place == SurfaceTexels::kNone) {
+      drop.velocity += (Vec3(0, -kGravity, 0) + (climate.wind - drop.velocity) * kDrag) * kRate;
+      const Vec3 way = drop.velocity * kRate;
+      const auto hit = ground.query.castRay(toModel * (drop.position - middle), toModel * way);
+      const Vec3 to = drop.position + way;
+      if (hit && hit->distance <= 1.0f) {
+        const Vec3 at = positionAt(ground.surface, *hit), normal = normalAt(ground.surface, *hit);
+        splash(at, normal, 0.6f * climate.clumpSize, drop.water, texels_->placeAt(atlasAt(ground.surface, *hit)));
+        continue;
+      }
+      if (to.y <= climate.groundHeight) {
+        wetGround(to, drop.water);
+        continue;
+      }
+      if (glm::dot(to, to) > kLost * kLost || !std::isfinite(glm::dot(to, to))) {
+        accounts_.dripped += drop.water;
+        continue;
+      }
+      drop.position = to;
+    }
+    drops_[kept++] = drop;
+  }
+  drops_.resize(kept);
+}
+
+// Lays an amount on the places within the radius, or on the nearest.
+void Water::splash(const Vec3& centre, const Vec3& normal, float radius, float amount, std::uint32_t nearest) {
+  float area = 0;
+  const auto& places = texels_->places();
+  texels_->forPlacesWithin(centre, normal, radius, [&](std::uint32_t i) { area += places[i].area; });
+  if (area > 0.0f) {
+    texels_->forPlacesWithin(centre, normal, radius, [&](std::uint32_t i) { give(i, amount * (places[i].area / area)); });
+  } else if (nearest != SurfaceTexels::kNone) {
+    give(nearest, amount);
+  } else {
+    accounts_.dripped += amount;  // on a spot that has no texel
+  }
+}
+
+void Water::wetGround(const Vec3& at, float amount) {
+  accounts_.dripped += amount;
+  const auto cell = [](float x) { return static_cast<int>(std::floor((x / kGroundReach + 1.0f) * (0.5f * kGroundCells))); };
+  const int x = cell(at.x), z = cell(at.z);
+  if (x < 0 || z < 0 || x >= kGroundCells || z >= kGroundCells) return;
+  constexpr float kCell = 2.0f * kGroundReach / kGroundCells;
+  puddles_[static_cast<std::size_t>(z) * kGroundCells + static_cast<std::size_t>(x)] += amount / (kCell * kCell);
+  ++groundRevision_;
+  groundWet_ = true;
+}
+
+void Water::rain(const Climate& climate) {
+  if (!(climate.rain > 0.0f)) return;
+  const Vec3 middle(climate.worldFromModel[3]);
+  for (rainDue_ += climate.rain * kRainDrops * kRate; rainDue_ >= 1.0f; rainDue_ -= 1.0f) {
+    const float angle = random_.uniform(0, 2 * kPi), reach = kRainReach * std::sqrt(random_.uniform());
+    const float amount = kRainDrop * random_.uniform(0.5f, 1.5f);
+    // Where it would hit in this wind.
+    const Vec3 over(reach * portableCos(angle), kRainHeight, reach * portableSin(angle));
+    if (drops_.size() >= kMostDrops) continue;
+    drops_.push_back({middle + over - climate.wind * 0.3f, radiusOf(amount), Vec3(0, -kRainSpeed, 0) + climate.wind, amount});
+    accounts_.rained += amount;
+  }
+}
+
+// Some blocks a step let go of most of their film and of what is easily shaken out.
+void Water::shake(const Ground& ground, WetnessMask& mask, const Climate& climate) {
+  if (!(climate.shaking > 0.0f)) return;
+  const auto& places = texels_->places();
+  for (std::uint32_t b = 0; b < flags_.size(); ++b) {
+    if (!(flags_[b] & kWet) || random_.uniform() >= 0.08f * climate.shaking || drops_.size() >= kMostDrops) continue;
+    const SurfaceTexels::Block& block = texels_->blocks()[b];
+    float amount = 0;
+    const std::uint32_t from = block.first + static_cast<std::uint32_t>(random_.uniform() * static_cast<float>(block.end - block.first));
+    for (std::uint32_t i = block.first; i < block.end; ++i) {
+      const float film = 0.4f * film_[i], held = held_[i] > 0.3f ? held_[i] - 0.25f * (held_[i] - 0.3f) : held_[i];
+      const float lost = (film_[i] - film) + (held_[i] - held);
+      if (lost <= kLeast) continue;
+      amount += lost * places[i].area;
+      store(ground, mask, i, held, film);
+    }
+    if (amount <= 0.0f) continue;
+    flags_[b] |= kMoving;
+    const Vec3 normal = places[from].normal;
+    const Vec3 out = normal + 0.5f * Vec3(random_.uniform(-1, 1), random_.uniform(-0.5f, 1), random_.uniform(-1, 1));
+    const Mat3 toWorld(climate.worldFromModel);
+    launch(Vec3(climate.worldFromModel * Vec4(places[from].position + climate.furLength * normal, 1)),
+           toWorld * out * (kFling * climate.shaking * random_.uniform(0.6f, 1.2f)), amount);
+    accounts_.painted -= amount;
+  }
+}
+
+// --- tools --------------------------------------------------------------------------------------
+
+void Water::pour(const Ground& ground, WetnessMask& mask, const Vec3& centre, const Vec3& normal, float radius, float amount) {
+  if (!ready_ || !(amount > 0.0f)) return;
+  notice(ground, mask);
+  const auto hit = nearestPoint(ground.surface, ground.query, centre, radius, normal);
+  if (!hit) return;
+  accounts_.painted += amount;
+  splash(centre, normal, radius, amount, texels_->placeAt(atlasAt(ground.surface, *hit)));
+  for (std::uint32_t b = 0; b < flags_.size(); ++b)
+    if (flags_[b] & kReceived) receive(ground, mask, b);
+  touch(mask);
+}
+
+void Water::launch(const Vec3& position, const Vec3& velocity, float amount) {
+  if (!(amount > 0.0f) || drops_.size() >= kMostDrops) return;
+  accounts_.painted += amount;
+  drops_.push_back({position, radiusOf(amount), velocity, amount});
+}
+
+void Water::wipe(const Ground& ground, WetnessMask& mask, const Vec3& centre, const Vec3& normal, float radius, float share) {
+  if (!ready_) return;
+  notice(ground, mask);
+  texels_->forPlacesWithin(centre, normal, radius, [&](std::uint32_t i) {
+    const float left = std::max(held_[i] - share, 0.0f);
+    if (left == held_[i] && film_[i] == 0.0f) return;
+    const SurfaceTexels::Place& place = texels_->places()[i];
+    accounts_.removed += (double{held_[i]} - left + film_[i]) * place.area;
+    store(ground, mask, i, left, 0);
+    flags_[texels_->blockOf(i)] |= kMoving;
+  });
+  touch(mask);
+}
+
+void Water::clear() {
+  for (const Drop& drop : drops_) accounts_.removed += drop.water;
+  for (float& amount : incoming_) accounts_.removed += std::exchange(amount, 0.0f);
+  drops_.clear();
+  hanging_ = 0;
+  std::fill(hasDrop_.begin(), hasDrop_.end(), std::uint8_t{0});
+  std::fill(puddles_.begin(), puddles_.end(), 0.0f);
+  groundWet_ = false;
+  ++groundRevision_;
+}
+
+Accounts Water::accounts() const {
+  Accounts sum = accounts_;
+  for (std::size_t i = 0; i < held_.size(); ++i) {
+    const double area = texels_->places()[i].area;
+    sum.held += held_[i] * area;
+    sum.film += film_[i] * area + incoming_[i];
+  }
+  for (const Drop& drop : drops_) sum.drops += drop.water;
+  return sum;
+}
+
+std::uint64_t Water::hash(const WetnessMask& mask) const {
+  std::uint64_t hash = mask.hash();
+  const auto mix = [&hash](const void* data, std::size_t bytes) {
+    for (std::size_t i = 0; i < bytes; ++i) hash = (hash ^ static_cast<const unsigned char*>(data)[i]) * 1099511628211ull;
+  };
+  mix(mask.film().data(), mask.film().size() * sizeof(float));
+  mix(drops_.data(), drops_.size() * sizeof(Drop));
+  mix(puddles_.data(), puddles_.size() * sizeof(float));
+  return hash;
+}
+
+}  // namespace fur::wet

@@ -1,0 +1,131 @@
+#include "wet/SurfaceTexels.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/Adjacency.h"
+
+namespace fur::wet {
+
+namespace {
+
+using geometry::Surface;
+
+constexpr int kSteps[4][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+
+const geometry::SurfaceVertex& corner(const Surface& surface, std::uint32_t triangle, std::size_t k) {
+  return surface.vertices[surface.indices[std::size_t{3} * triangle + k]];
+}
+
+// Steps along the surface for one unit of u and of v; both 0 where the triangle has no area in the atlas.
+std::pair<Vec3, Vec3> stepsAlong(const Surface& surface, std::uint32_t triangle) {
+  const auto &a = corner(surface, triangle, 0), &b = corner(surface, triangle, 1), &c = corner(surface, triangle, 2);
+  const Vec2 ab = b.atlas - a.atlas, ac = c.atlas - a.atlas;
+  const Vec3 up = b.position - a.position, over = c.position - a.position;
+  const float area = ab.x * ac.y - ab.y * ac.x;
+  if (!(std::abs(area) > 1e-14f)) return {Vec3(0), Vec3(0)};
+  return {(up * ac.y - over * ab.y) / area, (over * ab.x - up * ac.x) / area};
+}
+
+}  // namespace
+
+SurfaceTexels::SurfaceTexels(const Surface& surface, const geometry::AtlasTexels& atlas)
+    : size_(atlas.size()), placeOf_(atlas.triangleOf().size(), kNone) {
+  const float texel = 1.0f / static_cast<float>(size_);
+  for (int y0 = 0; y0 < size_; y0 += kBlock)
+    for (int x0 = 0; x0 < size_; x0 += kBlock) {
+      Block block{static_cast<std::uint32_t>(places_.size()), 0, {}, Vec3(0), 0};
+      constexpr int kRim = geometry::AtlasTexels::kGutter;
+      block.rect = {std::max(x0 - kRim, 0), std::max(y0 - kRim, 0), std::min(x0 + kBlock + kRim, size_), std::min(y0 + kBlock + kRim, size_)};
+      Vec3 low(1e9f), high(-1e9f);
+      for (int y = y0; y < std::min(y0 + kBlock, size_); ++y)
+        for (int x = x0; x < std::min(x0 + kBlock, size_); ++x) {
+          const auto at = static_cast<std::uint32_t>(y * size_ + x);
+          const std::uint32_t triangle = atlas.triangleOf()[at];
+          if (triangle == geometry::kNoTriangle) continue;
+          const geometry::SurfacePoint point{triangle, atlas.weightsAt(surface, triangle, at), 0};
+          const auto [alongU, alongV] = stepsAlong(surface, triangle);
+          const float area = glm::length(glm::cross(alongU, alongV)) * texel * texel;
+          // Where nothing of the surface lies on a texel it can hold no water.
+          if (!(area > 1e-12f)) continue;
+          placeOf_[at] = static_cast<std::uint32_t>(places_.size());
+          blockOf_.push_back(static_cast<std::uint32_t>(blocks_.size()));
+          places_.push_back({positionAt(surface, point), normalAt(surface, point), area, at, triangle});
+          low = glm::min(low, places_.back().position);
+          high = glm::max(high, places_.back().position);
+        }
+      block.end = static_cast<std::uint32_t>(places_.size());
+      if (block.end == block.first) continue;
+      block.centre = 0.5f * (low + high);
+      block.radius = 0.5f * glm::length(high - low);
+      blocks_.push_back(block);
+    }
+
+  links_.assign(places_.size(), {kNone, kNone, kNone, kNone});
+
+  // A triangle that is squeezed in the atlas gives its texels more than there is, one finer than a texel gets a whole one.
+  double area = 0;
+  for (std::uint32_t t = 0; t < surface.triangleCount(); ++t) {
+    const Vec3 a = corner(surface, t, 0).position, b = corner(surface, t, 1).position, c = corner(surface, t, 2).position;
+    area += 0.5 * glm::length(glm::cross(b - a, c - a));
+  }
+  const float most = static_cast<float>(8 * area / static_cast<double>(std::max<std::size_t>(places_.size(), 1)));
+  double sum = 0;
+  for (Place& place : places_) sum += place.area = std::min(place.area, most);
+  for (Place& place : places_) place.area *= static_cast<float>(area / sum);
+
+  // Gutters, by the place that they repeat.
+  mirrorStart_.assign(places_.size() + 1, 0);
+  for (const auto& [at, source] : atlas.gutter())
+    if (placeOf_[source] != kNone) ++mirrorStart_[placeOf_[source] + 1];
+  for (std::size_t i = 1; i < mirrorStart_.size(); ++i) mirrorStart_[i] += mirrorStart_[i - 1];
+  mirrors_.resize(mirrorStart_.back());
+  std::vector<std::uint32_t> next(mirrorStart_.begin(), mirrorStart_.end() - 1);
+  for (const auto& [at, source] : atlas.gutter())
+    if (placeOf_[source] != kNone) mirrors_[next[placeOf_[source]]++] = at;
+  // Only now: a gutter texel is nobody's source.
+  for (const auto& [at, source] : atlas.gutter()) placeOf_[at] = placeOf_[source];
+}
+
+std::uint32_t SurfaceTexels::placeAt(const Vec2& atlas) const {
+  const auto index = [this](float c) {
+    return static_cast<std::uint32_t>(glm::clamp(c * static_cast<float>(size_), 0.0f, static_cast<float>(size_ - 1)));
+  };
+  return placeOf_[index(atlas.y) * static_cast<std::uint32_t>(size_) + index(atlas.x)];
+}
+
+bool SurfaceTexels::link(const Surface& surface, const geometry::SurfaceQuery& query, std::uint32_t count) {
+  const auto end = static_cast<std::uint32_t>(std::min<std::size_t>(places_.size(), std::size_t{linked_} + count));
+  for (; linked_ < end; ++linked_) {
+    const Place& place = places_[linked_];
+    const int x = static_cast<int>(place.texel) % size_, y = static_cast<int>(place.texel) / size_;
+    for (int side = 0; side < 4; ++side) {
+      const int nx = x + kSteps[side][0], ny = y + kSteps[side][1];
+      const bool inside = nx >= 0 && ny >= 0 && nx < size_ && ny < size_;
+      const std::uint32_t there = inside ? placeOf_[static_cast<std::size_t>(ny) * size_ + nx] : kNone;
+      const bool neighbour = there != kNone && places_[there].texel == static_cast<std::uint32_t>(ny * size_ + nx) &&
+                             corner(surface, places_[there].triangle, 0).chart == corner(surface, place.triangle, 0).chart;
+      links_[linked_][static_cast<std::size_t>(side)] = neighbour ? there : acrossBorder(surface, query, linked_, side);
+    }
+  }
+  return linked_ == places_.size();
+}
+
+std::uint32_t SurfaceTexels::acrossBorder(const Surface& surface, const geometry::SurfaceQuery& query,
+                                          std::uint32_t index, int side) const {
+  const Place& place = places_[index];
+  const auto [alongU, alongV] = stepsAlong(surface, place.triangle);
+  Vec3 step = (alongU * static_cast<float>(kSteps[side][0]) + alongV * static_cast<float>(kSteps[side][1])) / static_cast<float>(size_);
+  // A triangle that is squeezed in the atlas must not send its water far away.
+  const float length = glm::length(step), most = 2.0f * std::sqrt(place.area);
+  if (length > most) step *= most / length;
+  // The first step may end on this very texel still.
+  for (const float reach : {1.0f, 1.7f}) {
+    const auto hit = nearestPoint(surface, query, place.position + reach * step, 0.8f * glm::length(step), place.normal);
+    const std::uint32_t there = hit ? placeAt(atlasAt(surface, *hit)) : kNone;
+    if (there != kNone && there != index) return there;
+  }
+  return kNone;
+}
+
+}  // namespace fur::wet

@@ -1,0 +1,82 @@
+// The texels of the mask that lie on the model, as places on its surface that water runs between: one owns the
+// water of its place, the texels of gutters repeat it. Ordered by blocks of kBlock x kBlock texels.
+//
+// Links lead to the four neighbours in the map, and across a chart's border to the texel that lies there in space.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "geometry/AtlasTexels.h"
+#include "geometry/Surface.h"
+#include "geometry/SurfaceQuery.h"
+
+namespace fur::wet {
+
+class SurfaceTexels {
+ public:
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+  static constexpr int kBlock = 8;
+
+  struct Place {
+    Vec3 position, normal;  // model space
+    float area;             // model units squared, > 0
+    std::uint32_t texel, triangle;
+  };
+  using Links = std::array<std::uint32_t, 4>;  // places at +u, -u, +v, -v; kNone: a rim of the surface
+  struct Block {
+    std::uint32_t first, end;  // its places
+    geometry::TexelRect rect;  // of texels, with the gutters that repeat them
+    Vec3 centre;
+    float radius;
+  };
+
+  // Links across borders are not there until link() has found them all.
+  SurfaceTexels(const geometry::Surface& surface, const geometry::AtlasTexels& atlas);
+  // Works through some of the places; true when all are linked. The same links however it is sliced.
+  bool link(const geometry::Surface& surface, const geometry::SurfaceQuery& query, std::uint32_t places);
+
+  int size() const { return size_; }
+  const std::vector<Place>& places() const { return places_; }
+  const std::vector<Links>& links() const { return links_; }
+  const std::vector<Block>& blocks() const { return blocks_; }
+  std::uint32_t blockOf(std::uint32_t place) const { return blockOf_[place]; }
+  // The place that has the water of a texel, kNone off the model.
+  std::uint32_t placeOf(std::uint32_t texel) const { return placeOf_[texel]; }
+  std::uint32_t placeAt(const Vec2& atlas) const;
+  // Calls visit(texel) for the gutter texels that repeat the place.
+  template <class Visit>
+  void forMirrors(std::uint32_t place, Visit visit) const {
+    for (std::uint32_t i = mirrorStart_[place]; i < mirrorStart_[place + 1]; ++i) visit(mirrors_[i]);
+  }
+  // Calls visit(place) for those within the ball whose normals do not face away from `normal`, in order.
+  template <class Visit>
+  void forPlacesWithin(const Vec3& centre, const Vec3& normal, float radius, Visit visit) const {
+    for (const Block& block : blocks_) {
+      const Vec3 way = block.centre - centre;
+      const float reach = block.radius + radius;
+      if (glm::dot(way, way) > reach * reach) continue;
+      for (std::uint32_t i = block.first; i < block.end; ++i) {
+        const Vec3 apart = places_[i].position - centre;
+        if (glm::dot(apart, apart) <= radius * radius && glm::dot(places_[i].normal, normal) > 0.0f) visit(i);
+      }
+    }
+  }
+
+ private:
+  std::uint32_t acrossBorder(const geometry::Surface& surface, const geometry::SurfaceQuery& query,
+                             std::uint32_t place, int side) const;
+
+  int size_;
+  std::uint32_t linked_ = 0;
+  std::vector<Place> places_;
+  std::vector<Links> links_;
+  std::vector<Block> blocks_;
+  std::vector<std::uint32_t> placeOf_;  // one a texel; gutters lead to what they repeat
+  std::vector<std::uint32_t> blockOf_;  // one a place
+  std::vector<std::uint32_t> mirrorStart_, mirrors_;
+};
+
+}  // namespace fur::wet

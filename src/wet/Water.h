@@ -1,0 +1,164 @@
+// Water in time: it dries, soaks into the fur, spreads along the combed strands, runs down what is soaked, gathers
+// below, drips, falls, and wets what it falls on. Rain, pouring, wiping, blowing and shaking are ways in and out.
+//
+// What is wet is the mask's (WetnessMask.h: wetness that fur holds, and the film on it); this follows it, and what is
+// painted meanwhile counts as painted. A place of area A holds A times its wetness, and its film A times that: the
+// unit of all amounts here is what soaks one square model unit of fur. No amount is lost (Accounts).
+//
+// Fixed steps; + - * / and square roots alone decide: the same calls give the same bits on every platform. Nothing is
+// done where nothing is wet. Vectors are in world space unless they say model space; their unit is the model's radius.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/Math.h"
+#include "core/Random.h"
+#include "wet/ClumpSites.h"
+#include "wet/SurfaceTexels.h"
+#include "wet/SurfaceWetting.h"
+#include "wet/WetnessMask.h"
+
+namespace fur::wet {
+
+// What the water is on; the same for all calls between two of reset().
+struct Ground {
+  const geometry::Surface& surface;
+  const geometry::SurfaceQuery& query;
+  const SurfaceWetting& wetting;
+};
+
+struct Climate {
+  Mat4 worldFromModel{1.0f};  // rigid
+  Vec3 wind{0};               // model radii a second
+  float dryRate = 0.02f;      // wetness lost a second where half wet, in still air
+  float furLength = 0.12f;
+  float clumpSize = 0.05f;    // radius of the locks that form by themselves
+  float groundHeight = -1;
+  float rain = 0;             // 0..1
+  float shaking = 0;          // 0..1: how hard the model throws its water off
+  // A hair dryer: what lies within the radius dries by `blow` wetness a second more. Model space.
+  Vec3 blowCentre{0};
+  float blowRadius = 0, blow = 0;
+};
+
+// A drop that falls, or hangs from the fur.
+struct Drop {
+  Vec3 position{0};
+  float radius = 0.01f;
+  Vec3 velocity{0};
+  float water = 0;  // how much of it
+  std::uint32_t place = SurfaceTexels::kNone;  // that it hangs at; none while it falls
+};
+
+// painted + rained = held + film + drops + dripped + evaporated + removed.
+struct Accounts {
+  double painted = 0, rained = 0;                // came in; undo takes back by painting less
+  double held = 0, film = 0, drops = 0;          // in the fur, on it, in the air or hanging
+  double dripped = 0, evaporated = 0, removed = 0;  // fell to the ground or away; wiped off
+};
+
+class Water {
+ public:
+  static constexpr float kStep = 1.0f / 60.0f;
+  static constexpr std::size_t kMostDrops = 1024;
+  // The ground under the model: cells over [-kGroundReach, kGroundReach] in x and z, row by row of z.
+  static constexpr int kGroundCells = 128;
+  static constexpr float kGroundReach = 3.2f;
+
+  // Forgets everything: another model or mask.
+  void reset() {
+    const std::uint32_t revision = groundRevision_ + 1;
+    *this = Water();
+    groundRevision_ = revision;
+  }
+  // Finds the ways of the water, once a model: `places` of them at most. True when all are there; before that
+  // step() and the tools do nothing.
+  bool prepare(const Ground& ground, std::uint32_t places = 0xffffffffu);
+  bool ready() const { return ready_; }
+
+  // How the fur lies, one a vertex of the surface: along the skin, 0 (upright) to 1 long. Model space.
+  void setLay(std::vector<Vec3> lay);
+  // Advances by dt seconds, at most one. Whether anything that can be seen has changed.
+  bool step(const Ground& ground, WetnessMask& mask, float dt, const Climate& climate);
+  // Whether time alone changes anything.
+  bool active(const WetnessMask& mask, const Climate& climate) const;
+
+  // Lays water on the skin round a point (model space), as `painted`.
+  void pour(const Ground& ground, WetnessMask& mask, const Vec3& centre, const Vec3& normal, float radius, float amount);
+  // A drop on its way, as `painted`; more than kMostDrops are not taken.
+  void launch(const Vec3& position, const Vec3& velocity, float amount);
+  // Takes the film and `share` of wetness off all within the radius (model space).
+  void wipe(const Ground& ground, WetnessMask& mask, const Vec3& centre, const Vec3& normal, float radius, float share);
+  // All that is on its way, and the ground; the mask is its owner's to clear.
+  void clear();
+
+  std::span<const Drop> drops() const { return drops_; }
+  // Amount of water on a square unit of each cell; another revision whenever any has changed.
+  std::span<const float> ground() const { return puddles_; }
+  std::uint32_t groundRevision() const { return groundRevision_; }
+  Accounts accounts() const;
+  // FNV-1a over drops, ground and what the mask knows.
+  std::uint64_t hash(const WetnessMask& mask) const;
+  const SurfaceTexels* texels() const { return texels_.get(); }
+
+ private:
+  // Below this fur is dry, nothing flows, and a change in a turn is not worth following.
+  static constexpr float kLeast = 1.0f / 1024;
+  static constexpr float kCling = 0.06f;  // film that no place lets go of
+  enum : std::uint8_t { kWet = 1, kMoving = 2, kReceived = 4 };
+
+  void notice(const Ground& ground, WetnessMask& mask);
+  void subStep(const Ground& ground, WetnessMask& mask, const Climate& climate);
+  void aim(const Ground& ground, std::uint32_t block);
+  void flow(std::uint32_t block);
+  void receive(const Ground& ground, WetnessMask& mask, std::uint32_t block);
+  void evaporate(const Ground& ground, WetnessMask& mask, const Climate& climate, std::uint32_t block);
+  void store(const Ground& ground, WetnessMask& mask, std::uint32_t place, float held, float film);
+  void touch(WetnessMask& mask);
+  void give(std::uint32_t place, float amount);
+  void feedHanging(const Ground& ground, WetnessMask& mask, const Climate& climate);
+  void fall(const Ground& ground, const Climate& climate);
+  void rain(const Climate& climate);
+  void shake(const Ground& ground, WetnessMask& mask, const Climate& climate);
+  void splash(const Vec3& centre, const Vec3& normal, float radius, float amount, std::uint32_t nearest);
+  void wetGround(const Vec3& at, float amount);
+
+  std::unique_ptr<SurfaceTexels> texels_;
+  ClumpSites sites_;
+  bool ready_ = false;
+  // One a place.
+  std::vector<float> held_, film_, incoming_;
+  // How water leaves by each link in a turn: the share of mobile film, and of a difference in wetness. A link that
+  // leads nowhere leads to the place itself.
+  struct Ways {
+    SurfaceTexels::Links to{};
+    std::array<float, 4> runs{}, wicks{};
+  };
+  std::vector<Ways> ways_;
+  std::vector<float> areas_;
+  std::vector<std::uint8_t> hasDrop_;
+  // One a block.
+  std::vector<std::uint8_t> flags_, stored_;
+  std::vector<std::uint32_t> aimed_;  // the number of the gravity and lay that its ways are for
+  std::uint32_t aim_ = 0;
+  Vec3 down_{0, -1, 0};  // model space
+  std::vector<Vec3> lay_;
+  float clumpSize_ = 0;
+
+  std::vector<Drop> drops_;
+  std::size_t hanging_ = 0;
+  std::vector<float> puddles_;
+  std::uint32_t groundRevision_ = 0;
+  bool groundWet_ = false;
+  Random random_{11};
+  float due_ = 0, rainDue_ = 0;
+  std::uint32_t steps_ = 0, seen_ = 0xffffffffu;
+  bool changed_ = false;
+  Accounts accounts_;  // but held, film and drops
+};
+
+}  // namespace fur::wet

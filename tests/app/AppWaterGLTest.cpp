@@ -1,0 +1,200 @@
+// Water that moves, and the tools for it.
+#include "app/History.h"
+#include "core/Random.h"
+#include "tests/render/Picture.h"
+
+namespace fur::app {
+namespace {
+
+struct Basin {
+  test::Stage stage{200, 200};
+  App app;
+  Basin() {
+    stage.attach(app);
+    app.loadPrimitive("sphere").value();
+    app.setField("dryRate", "0");
+    run(60);
+  }
+  ~Basin() { app.detach(false); }
+
+  void run(int frames) {
+    for (int i = 0; i < frames; ++i) app.tick(1 / 60.0f);
+  }
+  void settle() {
+    for (int i = 0; i < 4000 && (i == 0 || app.active()); ++i) app.tick(1 / 60.0f);
+  }
+  void pointer(PointerPhase phase, Vec2 at, float pressure = 1) {
+    app.pointer({.phase = phase, .kind = PointerKind::Pen, .position = at, .buttons = 1, .pressure = pressure});
+  }
+  void stroke(Vec2 from, Vec2 to, int steps = 8, float pressure = 1) {
+    pointer(PointerPhase::Down, from, pressure);
+    for (int i = 1; i <= steps; ++i) {
+      pointer(PointerPhase::Move, glm::mix(from, to, static_cast<float>(i) / static_cast<float>(steps)), pressure);
+      run(1);
+    }
+    pointer(PointerPhase::Up, to, pressure);
+  }
+};
+
+TEST(AppWater, RunsWithTheClockAndComesToRest) {
+  Basin basin;
+  for (int i = 0; i < 6; ++i) basin.stroke({80, 80}, {120, 80});
+  const auto wet = basin.app.wetnessHash();
+  EXPECT_TRUE(basin.app.active());
+  basin.run(30);
+  EXPECT_NE(basin.app.wetnessHash(), wet);
+  basin.settle();
+  EXPECT_FALSE(basin.app.active());
+  EXPECT_FALSE(basin.app.tick(1 / 60.0f));
+}
+
+TEST(AppWater, EveryStrokeOfEveryToolIsOneStepBack) {
+  Basin basin;
+  basin.app.setWetness(0.6f);
+  for (const Tool tool : {Tool::Droplet, Tool::Dry, Tool::Rain, Tool::Hose, Tool::Towel, Tool::Dryer}) {
+    basin.settle();
+    const auto before = basin.app.wetnessHash();
+    basin.app.setTool(tool);
+    basin.stroke({90, 100}, {120, 110}, 60);
+    const auto after = basin.app.wetnessHash();
+    EXPECT_NE(after, before) << static_cast<int>(tool);
+    EXPECT_TRUE(basin.app.undo());
+    EXPECT_EQ(basin.app.wetnessHash(), before) << static_cast<int>(tool);
+    EXPECT_TRUE(basin.app.redo());
+    EXPECT_EQ(basin.app.wetnessHash(), after) << static_cast<int>(tool);
+  }
+}
+
+TEST(AppWater, WhatHasRunOnIsTakenBackToo) {
+  Basin basin;
+  for (int i = 0; i < 3; ++i) basin.stroke({80, 80}, {120, 80});
+  basin.run(240);
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(basin.app.undo());
+  EXPECT_EQ(basin.app.meanWetness(), 0);
+  EXPECT_TRUE(basin.app.drops().empty());
+  basin.run(60);
+  EXPECT_EQ(basin.app.meanWetness(), 0);
+}
+
+TEST(AppWater, RainWetsWhatLiesUp) {
+  Basin basin;
+  basin.app.setField("rain", "1");
+  basin.run(180);
+  EXPECT_GT(basin.app.drops().size(), 20u);
+  EXPECT_GT(basin.app.meanWetness(), 0.02f);
+  basin.app.setField("rain", "0");
+  basin.run(300);
+  EXPECT_GT(basin.app.water().accounts().dripped, 0.05);  // past the model
+}
+
+TEST(AppWater, ATowelTakesAndShakingThrowsOff) {
+  Basin basin;
+  basin.app.setWetness(0.9f);
+  basin.run(2);
+  const double soaked = basin.app.water().accounts().held;
+  basin.app.setTool(Tool::Towel);
+  basin.stroke({80, 100}, {120, 100});
+  EXPECT_GT(basin.app.water().accounts().removed, 0.01);
+  basin.app.shake();
+  EXPECT_TRUE(basin.app.active());
+  basin.run(120);
+  EXPECT_LT(basin.app.water().accounts().held, 0.9 * soaked);
+  EXPECT_GT(basin.app.water().accounts().dripped, 0.05);
+}
+
+TEST(AppWater, APenBringsWaterByItsPressure) {
+  double brought[2];
+  for (int k = 0; k < 2; ++k) {
+    Basin basin;
+    basin.stroke({90, 100}, {120, 110}, 8, k ? 1.0f : 0.3f);
+    basin.run(2);
+    brought[k] = basin.app.water().accounts().painted;
+  }
+  EXPECT_NEAR(brought[0] / brought[1], 0.3, 0.05);
+}
+
+TEST(AppWater, TheSpeedOfTheHandChangesNoStroke) {
+  std::uint64_t hashes[2];
+  for (int k = 0; k < 2; ++k) {
+    Basin basin;
+    basin.pointer(PointerPhase::Down, {80, 100});
+    for (int i = 1; i <= (k ? 40 : 4); ++i) basin.pointer(PointerPhase::Move, {80 + i * (k ? 1 : 10), 100});
+    basin.pointer(PointerPhase::Up, {120, 100});
+    hashes[k] = basin.app.wetnessHash();
+  }
+  EXPECT_EQ(hashes[0], hashes[1]);
+}
+
+TEST(AppWater, LettersAreStampedWhereTheyLie) {
+  Basin basin;
+  // A bar on the left half of the picture.
+  std::vector<std::uint8_t> bar(64 * 32);
+  for (int i = 0; i < 64 * 32; ++i) bar[i] = i % 64 < 32 ? 255 : 0;
+  basin.app.stamp(bar, 64, 32, {100, 100}, 80);
+  const auto wetAt = [&](Vec2 pixel) {
+    const auto at = basin.app.pick(pixel).value();
+    return basin.app.wetnessAt(at.x, at.y);
+  };
+  EXPECT_GT(wetAt({75, 100}), 0.5f);
+  EXPECT_EQ(wetAt({125, 100}), 0.0f);
+  EXPECT_TRUE(basin.app.undo());
+  EXPECT_EQ(basin.app.meanWetness(), 0);
+}
+
+TEST(AppWater, RecordedStrokesGiveTheSameWaterAgain) {
+  Basin first, second;
+  first.stroke({80, 90}, {120, 110});
+  first.run(30);
+  first.app.setField("brushRadius", "0.1");
+  first.stroke({110, 90}, {90, 120});
+  first.app.setTool(Tool::Towel);
+  first.pointer(PointerPhase::Down, {90, 90});
+  first.pointer(PointerPhase::Move, {110, 110});
+  first.pointer(PointerPhase::Up, {110, 110});
+  const std::string strokes = first.app.recordedStrokes();
+  EXPECT_LT(strokes.size(), 4000u);
+  EXPECT_TRUE(second.app.replay(strokes));
+  EXPECT_EQ(second.app.wetnessHash(), first.app.wetnessHash());
+  EXPECT_TRUE(second.app.undo());
+  for (const char* text : {"", "{}", "[[0]]", "[[0,0.1,0.1,0.1,0,99999999,0,0,1]]", "[[0,0.1,0.1,0.1,0,1,-0.5,0,1]]"})
+    EXPECT_FALSE(second.app.replay(text)) << text;
+}
+
+TEST(History, TakesTenThousandStrokesBackAndDoesThemAgain) {
+  constexpr int kStrokes = 10000;
+  History history;
+  wet::WetnessMask mask(64);
+  Random random(9);
+  std::vector<std::uint64_t> hashes{mask.hash()};
+  const auto hash = [&mask] {
+    std::uint64_t sum = mask.hash();
+    for (const float film : mask.film())
+      if (film > 0) sum = sum * 31 + static_cast<std::uint64_t>(film * 1e6f);
+    return sum;
+  };
+  hashes[0] = hash();
+  for (int i = 0; i < kStrokes; ++i) {
+    const MaskImage before{mask.texels(), mask.film()};
+    const wet::Droplet at{Vec2(random.uniform(), random.uniform()), random.uniform(0.005f, 0.02f), random.uniform(0.1f, 1.0f)};
+    if (i % 3) mask.addDroplet(at);
+    else mask.dryAt(at);
+    if (auto step = maskStep(before, mask)) {
+      history.push(std::move(*step));
+      hashes.push_back(hash());
+    }
+  }
+  std::size_t at = hashes.size() - 1;
+  while (const Step* step = history.undo()) {
+    apply(std::get<MaskStep>(*step), true, mask);
+    ASSERT_EQ(hash(), hashes[--at]);
+  }
+  EXPECT_EQ(at, 0u);
+  while (const Step* step = history.redo()) {
+    apply(std::get<MaskStep>(*step), false, mask);
+    ASSERT_EQ(hash(), hashes[++at]);
+  }
+  EXPECT_EQ(at, hashes.size() - 1);
+}
+
+}  // namespace
+}  // namespace fur::app

@@ -1,0 +1,315 @@
+#include "wet/Water.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "geometry/Primitives.h"
+
+namespace fur::wet {
+namespace {
+
+using geometry::Surface;
+using geometry::SurfaceQuery;
+
+// A model with its water, ready to run.
+struct Pond {
+  Surface surface;
+  SurfaceQuery query;
+  SurfaceWetting wetting;
+  WetnessMask mask;
+  Water water;
+  Climate climate;
+
+  explicit Pond(const geometry::Mesh& mesh, int size = 128)
+      : surface(geometry::buildSurface(mesh).value()), query(surface), wetting(surface, size), mask(size) {
+    water.prepare(ground());
+    climate.dryRate = 0;
+  }
+  Ground ground() const { return {surface, query, wetting}; }
+  bool run(int steps) {
+    bool changed = false;
+    for (int i = 0; i < steps; ++i) changed |= water.step(ground(), mask, Water::kStep, climate);
+    return changed;
+  }
+  void droplet(const Vec3& at, float radius, float wetness) {
+    wetting.addDroplet(mask, surface, query, at, glm::normalize(at), radius, wetness);
+  }
+  // Of all water on the surface: the mean of `f` over positions.
+  template <class F>
+  double mean(F f) const {
+    double sum = 0, all = 0;
+    for (const auto& place : water.texels()->places()) {
+      const double amount = place.area * (mask.texels()[place.texel].w + mask.filmAt(place.texel));
+      sum += amount * f(place.position);
+      all += amount;
+    }
+    return all > 0 ? sum / all : 0;
+  }
+};
+
+geometry::Mesh sphere() {
+  geometry::Mesh mesh = geometry::makeSphere();
+  mesh.uv.clear();
+  return mesh;
+}
+geometry::Mesh torus() {
+  geometry::Mesh mesh = geometry::makeTorus();
+  mesh.uv.clear();
+  return mesh;
+}
+
+double imbalance(const Accounts& a) {
+  return a.painted + a.rained - (a.held + a.film + a.drops + a.dripped + a.evaporated + a.removed);
+}
+
+TEST(SurfaceTexels, CoverTheSurfaceOnce) {
+  const Pond pond(sphere());
+  double area = 0;
+  for (const auto& place : pond.water.texels()->places()) area += place.area;
+  EXPECT_NEAR(area, 4 * 3.14159, 0.05);  // a sphere of triangles is a little smaller
+}
+
+TEST(SurfaceTexels, LinkToWhatLiesBesideThemAcrossChartBorders) {
+  for (const geometry::Mesh& mesh : {sphere(), torus(), geometry::makeSphere()}) {
+    const Pond pond(mesh);
+    const auto& places = pond.water.texels()->places();
+    int missing = 0, far = 0;
+    for (std::size_t i = 0; i < places.size(); ++i)
+      for (const std::uint32_t link : pond.water.texels()->links()[i]) {
+        const auto& place = places[i];
+        if (link == SurfaceTexels::kNone) {
+          ++missing;
+          continue;
+        }
+        const float apart = glm::length(places[link].position - place.position);
+        far += apart > 6 * std::sqrt(place.area + places[link].area);
+      }
+    // Closed surfaces: water can go on everywhere but at the poles of a globe.
+    EXPECT_LE(missing, static_cast<int>(places.size()) / 50);
+    EXPECT_LE(far, static_cast<int>(places.size()) / 50);
+  }
+}
+
+TEST(SurfaceTexels, LinkTheSameWayHoweverItIsSliced) {
+  const Pond once(torus());
+  Water sliced;
+  while (!sliced.prepare(once.ground(), 97)) {
+  }
+  EXPECT_EQ(once.water.texels()->links(), sliced.texels()->links());
+}
+
+TEST(ClumpSites, LieApartAndLeaveNoSpotWithoutOne) {
+  const Pond pond(torus());
+  const SurfaceTexels& texels = *pond.water.texels();
+  ClumpSites sites(texels, 0.06f);
+  ASSERT_GT(sites.sites().size(), 100u);
+  for (std::uint32_t i = 0; i < texels.places().size(); ++i) {
+    const std::uint32_t site = sites.siteOf(texels, i);
+    ASSERT_NE(site, SurfaceTexels::kNone);
+    ASSERT_LT(glm::length(texels.places()[sites.sites()[site]].position - texels.places()[i].position), 0.06f);
+  }
+  for (std::size_t a = 0; a < sites.sites().size(); ++a)
+    for (std::size_t b = 0; b < a; ++b) {
+      const auto &pa = texels.places()[sites.sites()[a]], &pb = texels.places()[sites.sites()[b]];
+      if (glm::dot(pa.normal, pb.normal) > 0) ASSERT_GT(glm::length(pa.position - pb.position), 0.049f);
+    }
+}
+
+TEST(Water, DoesNothingWhereNothingIsWet) {
+  Pond pond(sphere());
+  EXPECT_FALSE(pond.water.active(pond.mask, pond.climate));
+  EXPECT_FALSE(pond.run(10));
+  EXPECT_TRUE(pond.mask.takeChanged().empty());
+}
+
+TEST(Water, KeepsItsAccountsOverTenThousandSteps) {
+  Pond pond(sphere(), 64);
+  pond.climate.dryRate = 0.02f;
+  Random random(3);
+  for (int i = 0; i < 10000; ++i) {
+    pond.climate.rain = i % 2000 < 400 ? 0.5f : 0.0f;
+    pond.climate.shaking = i % 2500 > 2400 ? 1.0f : 0.0f;
+    const Vec3 at = glm::normalize(Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)) + 1e-3f);
+    if (i % 50 == 0) pond.droplet(at, 0.15f, 0.5f);
+    if (i % 70 == 0) pond.water.pour(pond.ground(), pond.mask, at, at, 0.1f, 0.05f);
+    if (i % 300 == 0) pond.water.wipe(pond.ground(), pond.mask, at, at, 0.2f, 0.4f);
+    pond.run(1);
+  }
+  const Accounts a = pond.water.accounts();
+  EXPECT_GT(a.painted, 1);
+  EXPECT_GT(a.rained, 1);
+  EXPECT_GT(a.evaporated, 0.3);
+  EXPECT_GT(a.dripped, 0.1);
+  EXPECT_GT(a.removed, 0.05);
+  // Single precision, ten thousand times: every step rounds what it moves.
+  EXPECT_NEAR(imbalance(a) / (a.painted + a.rained), 0, 2e-5);
+}
+
+TEST(Water, RunsDownWhatCannotHoldMoreAndDripsFromBelow) {
+  Pond pond(sphere());
+  for (int i = 0; i < 8; ++i) pond.droplet(Vec3(0, 0, 1), 0.2f, 1.0f);
+  pond.run(1);
+  const double before = pond.mean([](const Vec3& p) { return p.y; });
+  pond.run(300);
+  EXPECT_LT(pond.mean([](const Vec3& p) { return p.y; }), before - 0.1);
+  for (int i = 0; i < 20; ++i) pond.water.pour(pond.ground(), pond.mask, Vec3(0, -1, 0), Vec3(0, -1, 0), 0.2f, 0.05f);
+  pond.run(600);
+  EXPECT_GT(pond.water.accounts().dripped, 0.1);
+  float puddle = 0;
+  for (const float water : pond.water.ground()) puddle += water;
+  EXPECT_GT(puddle, 0.0f);
+}
+
+TEST(Water, RunsTheOtherWayOnATurnedModel) {
+  Pond pond(sphere());
+  pond.climate.worldFromModel = glm::rotate(Mat4(1), kPi / 2, Vec3(0, 0, 1));  // model x is up
+  for (int i = 0; i < 8; ++i) pond.droplet(Vec3(0, 0, 1), 0.2f, 1.0f);
+  pond.run(300);
+  EXPECT_LT(pond.mean([](const Vec3& p) { return p.x; }), -0.1);
+  EXPECT_NEAR(pond.mean([](const Vec3& p) { return p.y; }), 0.0, 0.1);
+}
+
+TEST(Water, IsTurnedAsideByCombedFur) {
+  Pond pond(sphere());
+  // Combed to the right and down, in 45 degrees.
+  std::vector<Vec3> lay(pond.surface.vertices.size(), Vec3(0.7f, -0.7f, 0));
+  pond.water.setLay(lay);
+  for (int i = 0; i < 8; ++i) pond.droplet(Vec3(0, 0, 1), 0.2f, 1.0f);
+  pond.run(240);
+  EXPECT_GT(pond.mean([](const Vec3& p) { return p.x; }), 0.05);
+}
+
+TEST(Water, CreepsFartherAlongTheStrandsThanAcross) {
+  Pond pond(geometry::makePlane());
+  pond.water.setLay(std::vector<Vec3>(pond.surface.vertices.size(), Vec3(1, 0, 0)));
+  pond.wetting.addDroplet(pond.mask, pond.surface, pond.query, Vec3(0), Vec3(0, 1, 0), 0.1f, 0.9f);
+  pond.run(900);
+  const double along = pond.mean([](const Vec3& p) { return p.x * p.x; }), across = pond.mean([](const Vec3& p) { return p.z * p.z; });
+  EXPECT_GT(along, 1.3 * across);
+}
+
+TEST(Water, ComesToRestAndLeavesTheFurWet) {
+  Pond pond(torus());
+  for (int i = 0; i < 4; ++i) pond.droplet(Vec3(0.8f, 0.3f, 0), 0.15f, 0.7f);
+  pond.run(1);
+  EXPECT_TRUE(pond.water.active(pond.mask, pond.climate));
+  int steps = 0;
+  while (pond.water.active(pond.mask, pond.climate) && steps < 20000) pond.run(1), ++steps;
+  EXPECT_LT(steps, 60 * 60);
+  EXPECT_FALSE(pond.mask.isDry());
+  EXPECT_FALSE(pond.run(10));
+}
+
+TEST(Water, DriesWithoutMovingAClumpsCentre) {
+  Pond pond(sphere());
+  pond.climate.dryRate = 0.2f;
+  Random random(5);
+  for (int i = 0; i < 30; ++i)
+    pond.droplet(glm::normalize(Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)) + 1e-3f), 0.12f, 0.25f);
+  pond.run(60);
+  for (int k = 0; k < 6; ++k) {
+    const auto before = pond.mask.texels();
+    pond.run(30);
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      const Vec4 now = pond.mask.texels()[i];
+      if (before[i].w > 0 && now.w > 0) ASSERT_EQ(Vec3(now), Vec3(before[i]));
+    }
+  }
+  pond.run(1200);
+  EXPECT_TRUE(pond.mask.isDry());
+  EXPECT_FALSE(pond.water.active(pond.mask, pond.climate));
+}
+
+TEST(Water, DriesFasterInWindAndUnderADryer) {
+  double left[3];
+  for (int k = 0; k < 3; ++k) {
+    Pond pond(sphere());
+    pond.climate.dryRate = 0.05f;
+    if (k == 1) pond.climate.wind = Vec3(1, 0, 0);
+    if (k == 2) pond.climate.blowCentre = Vec3(0, 0, 1), pond.climate.blowRadius = 0.4f, pond.climate.blow = 0.5f;
+    pond.droplet(Vec3(0, 0, 1), 0.2f, 0.6f);
+    pond.run(120);
+    left[k] = pond.water.accounts().held;
+  }
+  EXPECT_LT(left[1], 0.95 * left[0]);
+  EXPECT_LT(left[2], 0.7 * left[0]);
+}
+
+TEST(Water, ThatRainsMakesLocksAtTheirSites) {
+  Pond pond(sphere());
+  pond.climate.rain = 1;
+  pond.climate.clumpSize = 0.15f;
+  pond.run(240);
+  EXPECT_FALSE(pond.mask.isDry());
+  EXPECT_GT(pond.water.drops().size(), 10u);
+  int wet = 0, below = 0;
+  for (const auto& place : pond.water.texels()->places()) {
+    const Vec4 texel = pond.mask.texels()[place.texel];
+    if (texel.w <= 0) continue;
+    ++wet;
+    below += place.normal.y < -0.5f;
+    ASSERT_GT(texel.z, 0.0f);
+    const Vec2 at((place.texel % 128 + 0.5f) / 128, (place.texel / 128 + 0.5f) / 128);
+    // A texel lies within the lock that it belongs to; the cells of rims stretch a little.
+    ASSERT_LE(glm::length(at - Vec2(texel)), 1.5f * texel.z);
+  }
+  EXPECT_GT(wet, 100);
+  EXPECT_LT(below, wet / 10);
+}
+
+TEST(Water, ShakenFliesOffAsDrops) {
+  Pond pond(sphere());
+  for (int i = 0; i < 5; ++i) pond.droplet(Vec3(0, 0.6f, 0.8f), 0.4f, 0.9f);
+  pond.run(1);
+  const double before = pond.water.accounts().held + pond.water.accounts().film;
+  pond.climate.shaking = 1;
+  pond.run(20);
+  EXPECT_GT(pond.water.drops().size(), 5u);
+  pond.run(40);
+  EXPECT_LT(pond.water.accounts().held + pond.water.accounts().film, 0.9 * before);
+  EXPECT_NEAR(imbalance(pond.water.accounts()), 0, 1e-6);
+}
+
+TEST(Water, HasTheSameBitsOnEveryPlatform) {
+  Pond pond(torus(), 64);
+  pond.climate.dryRate = 0.05f;
+  pond.climate.rain = 1;
+  pond.climate.wind = Vec3(0.3f, 0, 0.1f);
+  pond.droplet(Vec3(0.8f, 0.3f, 0), 0.2f, 1.0f);
+  pond.run(120);
+  pond.climate.shaking = 1;
+  pond.run(60);
+  pond.climate = Climate{};
+  pond.run(120);
+  EXPECT_EQ(pond.water.hash(pond.mask), 2467671242508058414ull);  // native and wasm, when it was written
+}
+
+TEST(Water, IsTheSameInSmallStepsOfTimeAndLarge) {
+  std::uint64_t hashes[2];
+  for (int k = 0; k < 2; ++k) {
+    Pond pond(sphere(), 64);
+    pond.climate.dryRate = 0.05f;
+    for (int i = 0; i < 4; ++i) pond.droplet(Vec3(0, 0.6f, 0.8f), 0.2f, 0.9f);
+    for (int i = 0; i < (k ? 30 : 120); ++i) pond.water.step(pond.ground(), pond.mask, k ? 4 * Water::kStep : Water::kStep, pond.climate);
+    hashes[k] = pond.water.hash(pond.mask);
+  }
+  EXPECT_EQ(hashes[0], hashes[1]);
+}
+
+TEST(Water, StaysFiniteWhereThereIsNoSize) {
+  Pond pond(sphere(), 16);
+  pond.climate.clumpSize = 0.01f;
+  pond.climate.dryRate = 1;
+  pond.droplet(Vec3(0, 1, 0), 1e-6f, 1.0f);
+  pond.droplet(Vec3(0, 1, 0), 3.0f, 1.0f);
+  pond.water.pour(pond.ground(), pond.mask, Vec3(0, 0, 1), Vec3(0, 0, 1), 0.0f, 1.0f);
+  pond.water.launch(Vec3(0, 3, 0), Vec3(std::nanf("")), 0.01f);
+  pond.run(120);
+  for (const Vec4& texel : pond.mask.texels()) ASSERT_TRUE(std::isfinite(texel.x + texel.y + texel.z + texel.w));
+  for (const float film : pond.mask.film()) ASSERT_TRUE(std::isfinite(film));
+  EXPECT_TRUE(std::isfinite(pond.water.accounts().held));
+}
+
+}  // namespace
+}  // namespace fur::wet
