@@ -81,6 +81,8 @@ if(EMSCRIPTEN)
   foreach(module furgen geometry wet)
     target_compile_options(fur_${module} PRIVATE "$<$<CONFIG:Release>:-Os;-finline-functions>")
   endforeach()
+  # Every vertex, every frame: four at a time (dynamics/Lanes.h).
+  target_compile_options(fur_dynamics PRIVATE -msimd128)
 endif()
 
 # The programs wait for this check, so a forbidden include fails the build of all of them.

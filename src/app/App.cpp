@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/AppState.h"
+#include "core/PortableMath.h"
 #include "geometry/Primitives.h"
 #include "scene/StateJson.h"
 
@@ -313,13 +314,14 @@ void App::addWarning(std::string text) { state_->warnings.push_back(std::move(te
 dynamics::BendForces App::State::forces() const {
   dynamics::BendForces f;
   f.gravity = Vec3(0, -settings.gravity, 0);
-  // Two slow waves that never meet the same way twice make gusts.
-  const float wave = 0.5f + 0.3f * std::sin(windClock * 1.7f) + 0.2f * std::sin(windClock * 4.3f + 1.0f);
-  const float strength = wind() * (1 - settings.gust + settings.gust * wave);
-  f.wind = strength * Vec3(std::sin(settings.windYaw), 0.08f, std::cos(settings.windYaw));
+  f.wind.force = wind() * Vec3(portableSin(settings.windYaw), 0.08f, portableCos(settings.windYaw));
+  f.wind.gust = settings.gust;
+  f.wind.turbulence = settings.turbulence;
+  f.wind.time = windClock;
   f.stiffness = settings.stiffness;
   f.inertia = settings.inertia;
   f.weight = coat.weight();
+  f.furLength = settings.furLength;
   return f;
 }
 

@@ -65,7 +65,7 @@ struct App::State {
   std::vector<float> vertexWetness;  // read it through wetnessOfVertices()
   bool vertexWetnessStale = false;
   dynamics::BendField bends;
-  float windClock = 0;
+  double windClock = 0;
   float dryingDue = 0;  // seconds of drying not yet done
   bool forcesChanged = true;
 
@@ -131,7 +131,7 @@ struct App::State {
   render::Frame frame() const { return frame(bestLevel); }
   dynamics::BendForces forces() const;
   float wind() const { return reducedMotion ? 0 : settings.wind; }
-  bool gusty() const { return wind() > 0 && settings.gust > 0; }
+  bool gusty() const { return wind() > 0 && (settings.gust > 0 || settings.turbulence > 0); }
   bool drying() const { return !mask.isDry() && settings.dryRate > 0; }
   void applySettings(const settings::Settings& next);
   void applyStep(const Step& step, bool undo);

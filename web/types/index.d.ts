@@ -160,6 +160,8 @@ export interface FurSettings {
   windYaw: number;
   /** How much the wind comes and goes. */
   gust: number;
+  /** Strength of the eddies that run along with the wind. */
+  turbulence: number;
   /** How strongly the fur answers to the model's own motion. */
   inertia: number;
   /** Upper colour of the gradient behind the model. */
