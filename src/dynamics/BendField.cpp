@@ -331,7 +331,7 @@ void BendField::advanceBlock(const Climate& climate, std::size_t number) {
       speed = pick(over, speed - outward * most(dot(speed, outward), all(0.0f)), speed);
     }
     for (const Press& press : pressed ? std::span<const Press>(presses_) : std::span<const Press>()) {
-      const LaneMask held = press.apply(bend, p, n, load(&lengths_[i]) * lastForces_.furLength, kMaxBend);
+      const LaneMask held = press.apply(bend, before, p, n, load(&lengths_[i]) * lastForces_.furLength, kMaxBend);
       if (!any(held)) continue;
       block.touched = true;
       speed = pick(held, Lanes3{}, speed);

@@ -40,7 +40,7 @@ bool Press::reaches(const Vec3& centre, float radius) const {
   return glm::dot(apart, apart) < reach * reach;
 }
 
-LaneMask Press::apply(Lanes3& bends, const Lanes3& roots, const Lanes3& normals, const Lanes& lengths,
+LaneMask Press::apply(Lanes3& bends, const Lanes3& before, const Lanes3& roots, const Lanes3& normals, const Lanes& lengths,
                       float maxBend) const {
   // Where the ball came nearest to the root.
   const Lanes share = least(most(dot(roots - all(from_), all(way_)) * perWay_, all(0.0f)), all(1.0f));
@@ -69,6 +69,7 @@ LaneMask Press::apply(Lanes3& bends, const Lanes3& roots, const Lanes3& normals,
   const Lanes3 out = directionOf(outward * all(1.0f / radius_) + bent * all(0.1f));
   const Lanes missing = turn - sqrtOf(dot(bent, bent));
   bent = pick(missing > 0.0f, directionOf(bent + out * missing) * turn, bent);
+  if (drag_ <= 0) bent = pick(dot(before, before) > turn * turn * 0.998f, before, bent);
   bends = pick(held, bent, bends);
   return held;
 }

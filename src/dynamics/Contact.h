@@ -22,8 +22,9 @@ class Press {
 
   // Whether a strand that is rooted in the ball round `centre` may be reached.
   bool reaches(const Vec3& centre, float radius) const;
-  // Bends the strands that it holds: those are the lanes of the mask. `lengths` in model units.
-  LaneMask apply(Lanes3& bends, const Lanes3& roots, const Lanes3& normals, const Lanes& lengths, float maxBend) const;
+  // Bends the strands that it holds: those are the lanes of the mask. Under a ball that rests, strands that are low enough
+  // stay as they were `before`. `lengths` in model units.
+  LaneMask apply(Lanes3& bends, const Lanes3& before, const Lanes3& roots, const Lanes3& normals, const Lanes& lengths, float maxBend) const;
   bool moves() const { return drag_ > 0; }
   bool operator==(const Press&) const = default;
 

@@ -225,6 +225,8 @@ void Editor::drawWater(const EditorModel& model) {
                                 {Icon::Droplet, Icon::Dry, Icon::Move, Icon::Orbit});
   constexpr Tool kTools[] = {Tool::Droplet, Tool::Dry, Tool::Grab, Tool::None};
   if (tool >= 0) emit(command::SetTool{kTools[tool]});
+  const int touch = segments("touch", {{"Pet", model.tool == Tool::Pet}, {"Ball", model.tool == Tool::Ball}});
+  if (touch >= 0) emit(command::SetTool{touch == 0 ? Tool::Pet : Tool::Ball});
   const float button = px(64), gap = px(3);
   char text[32];
   std::snprintf(text, sizeof text, "%.0f %% wet", static_cast<double>(model.meanWetness) * 100);

@@ -13,7 +13,7 @@ app.resize(800, 600, 1);
 const mouse = (phase, x, y, extra = {}) => app.pointer(phase, { pointerType: 'mouse', pointerId: 1, buttons: 1, ...extra }, x, y);
 
 function time(settings, { wetness = 0, each = () => {}, tool = 'none' } = {}) {
-  for (const [name, value] of Object.entries({ wind: 0, gust: 0, turbulence: 0, dryRate: 0, ...settings })) app.setSetting(name, value);
+  for (const [name, value] of Object.entries({ wind: 0, gust: 0, turbulence: 0, dryRate: 0, breath: 0, animationSpeed: 1, ...settings })) app.setSetting(name, value);
   app.tool = tool;
   app.setWetness(wetness);
   for (let i = 0; i < 300; ++i) app.tick(1 / 60);
@@ -36,15 +36,22 @@ const path = (i) => [400 + 60 * Math.sin(i / 9), y - 40 + 10 * Math.cos(i / 7)];
 const dragged = (i) => mouse(i ? 'move' : 'down', ...path(i), { buttons: 2 });
 const stroked = (i) => mouse(i ? 'move' : 'down', ...path(i));
 const storm = { wind: 0.6, gust: 0.6, turbulence: 0.5 };
-const { vertices, triangles } = app.stats;
-console.log(`${vertices} vertices, ${triangles} triangles`);
+const about = () => { const { vertices, triangles } = app.stats; return `${vertices} vertices, ${triangles} triangles`; };
+console.log(`torus142k: ${about()}`);
 console.table({
   'still': time({}),
   'gusts and eddies': time(storm),
   'dragged about': time({}, { each: dragged }),
   'dragged about in gusts and eddies': time(storm, { each: dragged }),
   'the same, soaked': time(storm, { each: dragged, wetness: 1 }),
-  'stroked': time({}, { each: stroked, tool: 'comb' }),
-  'stroked in gusts and eddies': time(storm, { each: stroked, tool: 'comb' }),
+  'stroked': time({}, { each: stroked, tool: 'pet' }),
+  'stroked in gusts and eddies': time(storm, { each: stroked, tool: 'pet' }),
+});
+app.loadModel(benchModel('tentacle20k'), 'tentacle20k.glb', new Map());
+console.log(`tentacle20k: ${about()}`);
+console.table({
+  'waves': time({ animation: 1 }),
+  'waves in gusts and eddies': time({ ...storm, animation: 1 }),
+  'held': time({ animation: 1, animationSpeed: 0 }),
 });
 process.exit(0);

@@ -83,6 +83,16 @@ TEST(Contact, FurThatTheBallLeavesComesBack) {
   EXPECT_EQ(largest(field), 0) << last;
 }
 
+TEST(Contact, ABallThatWasDraggedAndRestsLetsEverythingSleep) {
+  const Meadow meadow;
+  BendField field = meadow.field();
+  stroke(field, 0, 0.3f, 60, meadowForces(), {});
+  const Contact ball = resting(Vec3(0.15f, 0.25f, 0.6f));
+  for (int k = 0; k < 300; ++k) field.step(1 / 60.0f, kStill, meadowForces(), {}, {&ball, 1});
+  EXPECT_TRUE(field.atRest());
+  EXPECT_GT(largest(field), 1);
+}
+
 TEST(Contact, AHeldBallLetsEverythingSleep) {
   const Meadow meadow;
   BendField field = meadow.field();
