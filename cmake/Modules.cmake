@@ -83,8 +83,9 @@ if(EMSCRIPTEN)
   endforeach()
   # Every vertex, every frame: four at a time (dynamics/Lanes.h).
   target_compile_options(fur_dynamics PRIVATE -msimd128)
-  set_source_files_properties("${CMAKE_SOURCE_DIR}/src/scene/Pose.cpp" PROPERTIES COMPILE_OPTIONS "-O3;-msimd128")
-  set_source_files_properties("${CMAKE_SOURCE_DIR}/src/render/MovingSurface.cpp" PROPERTIES COMPILE_OPTIONS "-O3")
+  foreach(source scene/Pose render/MovingSurface app/AppPose)
+    set_source_files_properties("${CMAKE_SOURCE_DIR}/src/${source}.cpp" PROPERTIES COMPILE_OPTIONS "-finline-functions;-msimd128")
+  endforeach()
 endif()
 
 # The programs wait for this check, so a forbidden include fails the build of all of them.

@@ -1,6 +1,7 @@
 // The half of App that plays a model's animations.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "app/AppState.h"
 
@@ -9,9 +10,9 @@ namespace fur::app {
 namespace {
 
 // Values of the mesh's vertices as values of the surface's.
-void spread(const geometry::Surface& surface, std::span<const Vec3> from, std::vector<Vec3>& to) {
-  to.resize(surface.vertices.size());
-  for (std::size_t i = 0; i < to.size(); ++i) to[i] = from[surface.vertices[i].source];
+void spread(const std::vector<std::uint32_t>& sources, std::span<const Vec3> from, std::vector<Vec3>& to) {
+  to.resize(sources.size());
+  for (std::size_t i = 0; i < sources.size(); ++i) to[i] = from[sources[i]];
 }
 
 }  // namespace
@@ -32,9 +33,8 @@ void App::State::takeRig() {
   posedQueryStale = true;
   if (!rig.moves()) return;
   pose.emplace(rig);
-  spread(surface, pose->positions(), skin.positions);
-  spread(surface, pose->normals(), skin.normals);
-  spread(surface, pose->tangents(), skin.tangents);
+  for (const geometry::SurfaceVertex& v : surface.vertices) skin.sources.push_back(v.source);
+  takeSkin();
   // What the importer has computed in double precision.
   for (std::size_t i = 0; i < surface.vertices.size(); ++i) {
     skin.positions[i] = surface.vertices[i].position;
@@ -44,21 +44,26 @@ void App::State::takeRig() {
   firstTangents = skin.tangents;
 }
 
+void App::State::takeSkin() {
+  spread(skin.sources, pose->positions(), skin.positions);
+  spread(skin.sources, pose->normals(), skin.normals);
+  spread(skin.sources, pose->tangents(), skin.tangents);
+}
+
 bool App::State::refreshPose(float dt) {
   if (!pose) return false;
   const int wanted = animation();
   if (wanted != posedFor.first) animationTime = 0;
   if (animates()) {
-    const float duration = rig.animations[static_cast<std::size_t>(wanted)].duration;
-    animationTime = std::fmod(animationTime + static_cast<double>(dt * settings.animationSpeed), static_cast<double>(duration));
+    const double duration = rig.animations[static_cast<std::size_t>(wanted)].duration;
+    animationTime += static_cast<double>(dt * settings.animationSpeed);
+    animationTime -= duration * std::floor(animationTime / duration);
   }
   const std::pair now(wanted, animationTime);
   if (now == posedFor) return false;
   posedFor = now;
   pose->set(wanted, static_cast<float>(animationTime));
-  spread(surface, pose->positions(), skin.positions);
-  spread(surface, pose->normals(), skin.normals);
-  spread(surface, pose->tangents(), skin.tangents);
+  takeSkin();
   bends.setPose(skin.positions, skin.normals, skin.tangents);
   posedQueryStale = pictureChanged = true;
   uploadPose();

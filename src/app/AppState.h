@@ -66,6 +66,7 @@ struct App::State {
   std::optional<scene::Pose> pose;  // none for a model without animations
   struct {
     std::vector<Vec3> positions, normals, tangents;
+    std::vector<std::uint32_t> sources;  // vertices of the mesh
   } skin;
   std::vector<Vec3> firstTangents;
   std::pair<int, double> posedFor{-1, 0};  // animation and time of the pose
@@ -180,6 +181,7 @@ struct App::State {
   int animation() const;  // that the settings ask for; -1: none
   bool animates() const;
   void takeRig();
+  void takeSkin();
   bool refreshPose(float dt);  // whether the shape has changed
   void uploadPose();
   // Of the surface as it is shown.

@@ -12,7 +12,7 @@ constexpr float kHandHeight = 0.4f;
 // Share of the fur's length that the ball is pressed into it.
 constexpr float kPressed = 0.75f;
 // Where a new ball waits, clear of the fur: to the right, up and to the eye; unit.
-constexpr Vec3 kWaiting(0.67f, 0.48f, 0.566f);
+constexpr Vec3 kWaiting(0.6f, 0.45f, 0.66f);
 
 // Idle fur stirs for so long after somebody was there, then calms down and sleeps.
 constexpr float kBreathTime = 7, kCalming = 3;  // s

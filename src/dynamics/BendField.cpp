@@ -163,6 +163,7 @@ void BendField::reset(const std::vector<Vec3>& positions, const std::vector<Vec3
 }
 
 void BendField::boundBlocks() {
+  boundsStale_ = false;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     const std::size_t first = b * Columns::kBlock, last = std::min(count_, first + Columns::kBlock);
     Vec3 low(1e30f), high(-1e30f);
@@ -231,7 +232,12 @@ void BendField::setPose(std::span<const Vec3> positions, std::span<const Vec3> d
   }
   for (std::size_t i = 0; i < Columns::padded(count_); i += kLanes) {
     const Lanes3 n0 = directions_.lanes(i), t0 = tangents_.lanes(i);
-    for (std::size_t k = i; k < std::min(i + kLanes, count_); ++k) {
+    if (i + kLanes <= count_) {
+      positions_.set(i, lanesOf(&positions[i]));
+      directions_.set(i, lanesOf(&directions[i]));
+      tangents_.set(i, lanesOf(&tangents[i]));
+    }
+    for (std::size_t k = i; i + kLanes > count_ && k < count_; ++k) {
       positions_.set(k, positions[k]);
       directions_.set(k, directions[k]);
       tangents_.set(k, tangents[k]);
@@ -245,7 +251,7 @@ void BendField::setPose(std::span<const Vec3> positions, std::span<const Vec3> d
     rests_.set(i, carried(firstRests_.lanes(i), n, t, n1, t1));
     chords_.set(i, carried(firstChords_.lanes(i), n, t, n1, t1));
   }
-  boundBlocks();
+  boundsStale_ = true;
   poseFelt_ = 2;  // its motion, and that it has ended
   atRest_ = false;
 }
@@ -266,10 +272,10 @@ BendField::RigidVelocity BendField::follow(const Mat4& modelToWorld, float dt) {
 }
 
 // Swing: one step. Jump: to where the forces lead, less what touch has left.
-template <BendField::Advance kAdvance, bool kCombed>
-void BendField::advanceBlock(const Climate& climate, std::size_t number) {
+void BendField::advanceBlock(const Climate& climate, std::size_t number, Advance how) {
   Block& block = blocks_[number];
-  const bool wet = !wetness_.empty(), set = !sets_.empty(), swings = kAdvance == Advance::Swing;
+  const bool wet = !wetness_.empty(), set = !sets_.empty(), swings = how == Advance::Swing;
+  const bool combed = !rests_.empty();
   // Neighbours are as wet as each other, mostly.
   std::uint32_t levels = 0;
   WetLanes water = wetLanes(climate.wet, reinterpret_cast<const std::uint8_t*>(&levels));
@@ -283,7 +289,7 @@ void BendField::advanceBlock(const Climate& climate, std::size_t number) {
       water = wetLanes(climate.wet, &levels_[i]);
     }
     const Lanes3 p = positions_.lanes(i), n = directions_.lanes(i);
-    const Lanes3 chord = kCombed ? chords_.lanes(i) : n;
+    const Lanes3 chord = combed ? chords_.lanes(i) : n;
     Lanes3 force = gravity * water.weight + climate.wind.at(p) * (climate.wind.exposure(chord) * water.catching);
     Lanes3 kick{};
     if (swings && climate.moving) {
@@ -297,9 +303,9 @@ void BendField::advanceBlock(const Climate& climate, std::size_t number) {
         lastMoves_.set(i, move);
       }
     }
-    if (kCombed) force = uprighted(force, chord, n);
+    if (combed) force = uprighted(force, chord, n);
     Lanes3 target = capped(across(force, n) * all(climate.compliance), 1.0f) * all(kMaxBend);
-    if (kCombed) target = capped(rests_.lanes(i) + target, kMaxBend);
+    if (combed) target = capped(rests_.lanes(i) + target, kMaxBend);
     const Lanes3 untouched = target;
     Lanes remembered{};
     if (set) {
@@ -318,7 +324,7 @@ void BendField::advanceBlock(const Climate& climate, std::size_t number) {
       continue;
     }
     Lanes3 v = velocities_.lanes(i);
-    if (climate.moving) v = capped(v + across(kCombed ? uprighted(kick, chord, n) : kick, n), kMaxSpeed);
+    if (climate.moving) v = capped(v + across(combed ? uprighted(kick, chord, n) : kick, n), kMaxSpeed);
     const Lanes3 before = bends_.lanes(i), x = before - target;
     Lanes3 left = x * water.xx + v * water.xv;
     Lanes3 speed = x * water.vx + v * water.vv;
@@ -347,7 +353,7 @@ void BendField::advanceBlock(const Climate& climate, std::size_t number) {
   const bool still = largest(worstAngle) < kStillAngle * kStillAngle && largest(worstSpeed) < kStillSpeed * kStillSpeed;
   block.awake = !still || (swings && climate.moving);
   // The last hair's breadth at once; what is held stays where it is held.
-  if (swings && !block.awake && !block.touched) return advanceBlock<Advance::Jump, kCombed>(climate, number);
+  if (swings && !block.awake && !block.touched) return advanceBlock(climate, number, Advance::Jump);
   const std::size_t first = number * Columns::kBlock, last = std::min(count_, first + Columns::kBlock);
   for (std::size_t i = first; i < last; ++i) out_[i] = Vec4(bends_.at(i), lengths_[i]);
 }
@@ -356,10 +362,7 @@ void BendField::advance(const Climate& climate, Advance how) {
   atRest_ = true;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     if (!blocks_[b].awake) continue;
-    if (how == Advance::Jump)
-      rests_.empty() ? advanceBlock<Advance::Jump, false>(climate, b) : advanceBlock<Advance::Jump, true>(climate, b);
-    else
-      rests_.empty() ? advanceBlock<Advance::Swing, false>(climate, b) : advanceBlock<Advance::Swing, true>(climate, b);
+    advanceBlock(climate, b, how);
     atRest_ &= !blocks_[b].awake;
   }
 }
@@ -425,6 +428,7 @@ void BendField::step(float dt, const Mat4& given, const BendForces& forces, cons
   lastForces_ = forces;
   presses_.clear();
   for (const Contact& contact : contacts) presses_.emplace_back(contact, modelToWorld, forces.furLength);
+  if (boundsStale_ && !presses_.empty()) boundBlocks();
   if (presses_ != lastPresses_)
     for (Block& block : blocks_) block.awake |= block.touched || reached(block);
   lastPresses_ = presses_;

@@ -89,8 +89,7 @@ class BendField {
   bool reached(const Block& block) const;
   bool takeWetness(const std::vector<float>& wetness);
   void jump(const Mat4& modelToWorld, const BendForces& forces, float seconds);
-  template <Advance advance, bool kCombed>
-  void advanceBlock(const Climate& climate, std::size_t block);
+  void advanceBlock(const Climate& climate, std::size_t block, Advance how);
   void advance(const Climate& climate, Advance how);
 
   std::size_t count_ = 0;
@@ -108,6 +107,7 @@ class BendField {
   Columns tangents_, firstDirections_, firstTangents_, firstRests_, firstChords_;
   Columns lastPositions_, lastMoves_;
   bool posed_ = false;
+  bool boundsStale_ = false;  // of the blocks
   int poseFelt_ = 0;  // steps that have its motion still to feel
 
   Mat4 lastTransform_{1.0f};

@@ -10,6 +10,7 @@ namespace {
 // Of its radius: the way on which a ball of full grip has taken two thirds of the strands along.
 constexpr float kTakenAlong = 0.4f;
 constexpr float kParting = 0.5f;  // how far aside those go that are taken along
+constexpr float kSoftness = 2.5f;
 constexpr float kMaxRadius = 4.0f;  // model units: no larger ball touches more
 
 }  // namespace
@@ -58,7 +59,10 @@ LaneMask Press::apply(Lanes3& bends, const Lanes3& before, const Lanes3& roots, 
   // 1 - a^2 / 6 + a^4 / 120.
   const Lanes room = (height - sqrtOf(most(squared - aside, all(0.0f)))) / most(lengths, all(1e-4f));
   const Lanes lowered = 1.0f - least(most(room, all(0.0f)), all(1.0f));
-  const Lanes turn = least(sqrtOf(10.0f - sqrtOf(most(100.0f - 120.0f * lowered, all(0.0f)))), all(maxBend));
+  const Lanes fullTurn = least(sqrtOf(10.0f - sqrtOf(most(100.0f - 120.0f * lowered, all(0.0f)))), all(maxBend));
+  // Softer to the sides, so that the fur makes no step round it.
+  const Lanes soft = least(kSoftness * (1.0f - aside * (1.0f / squared)), all(1.0f));
+  const Lanes turn = fullTurn * most(soft, all(0.0f));
   Lanes3 bent = bends;
   if (drag_ > 0) {
     const Lanes3 along = directionOf(across(all(along_), normals) + outward * all(kParting / radius_));

@@ -8,14 +8,13 @@ namespace fur::scene {
 
 namespace {
 
-using dynamics::all;
 using dynamics::Lanes;
 
 // An affine map by its columns.
 struct LaneMatrix {
   Lanes x, y, z, w;
-  explicit LaneMatrix(const Mat4& m) : x(column(m[0])), y(column(m[1])), z(column(m[2])), w(column(m[3])) {}
-  static Lanes column(const Vec4& c) { return Lanes{c.x, c.y, c.z, 0}; }
+  explicit LaneMatrix(const Mat4& m)
+      : x(dynamics::load(&m[0].x)), y(dynamics::load(&m[1].x)), z(dynamics::load(&m[2].x)), w(dynamics::load(&m[3].x)) {}
   Vec3 direction(const Vec3& v) const { return vector(x * v.x + y * v.y + z * v.z); }
   Vec3 point(const Vec3& v) const { return vector(x * v.x + y * v.y + z * v.z + w); }
   static Vec3 vector(const Lanes& v) { return {v[0], v[1], v[2]}; }
@@ -134,7 +133,9 @@ void Pose::placePart(const Rig::Part& part) {
     const Vec3 up = normalizeOr(glm::dot(facing, m.direction(n)) < 0 ? -facing : facing, normals_[i]);
     positions_[i] = std::isfinite(position.x + position.y + position.z) ? position : positions_[i];
     normals_[i] = up;
-    tangents_[i] = normalizeOr(along - up * glm::dot(along, up), anyAcross(up));
+    const Vec3 across = along - up * glm::dot(along, up);
+    const float squared = glm::dot(across, across);
+    tangents_[i] = squared > 1e-24f && squared < 1e24f ? across * (1.0f / std::sqrt(squared)) : anyAcross(up);
   }
 }
 
