@@ -99,8 +99,8 @@ class App {
   void provideImage(int width, int height, std::vector<std::uint8_t> rgba);
   const std::string& modelName() const;
   const geometry::Surface& surface() const;
-  // Names of what the model can play, for the setting `animation`, which counts from 1.
-  std::vector<std::string> animations() const;
+  // Names of what the model can play, one a line, for the setting `animation`, which counts from 1.
+  std::string animations() const;
   // The model as .fo, with its fur coordinates at the repeat of the settings, lengths and types.
   std::vector<std::uint8_t> saveFo() const;
   // Model, picture, groom, settings and camera as .glb, which other programs show without fur. No water.

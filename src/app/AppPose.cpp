@@ -12,7 +12,9 @@ namespace {
 // Values of the mesh's vertices as values of the surface's.
 void spread(const std::vector<std::uint32_t>& sources, std::span<const Vec3> from, std::vector<Vec3>& to) {
   to.resize(sources.size());
-  for (std::size_t i = 0; i < sources.size(); ++i) to[i] = from[sources[i]];
+  const Vec3* source = from.data();
+  Vec3* out = to.data();
+  for (const std::uint32_t i : sources) *out++ = source[i];
 }
 
 }  // namespace
@@ -117,11 +119,10 @@ void App::State::carry(std::vector<groom::WhiskerHair>& hairs) const {
   }
 }
 
-std::vector<std::string> App::animations() const {
-  std::vector<std::string> names;
-  for (const scene::Rig::Animation& animation : state_->rig.animations)
-    names.push_back(animation.name.empty() ? std::to_string(names.size() + 1) : animation.name);
-  return names;
+std::string App::animations() const {
+  std::string lines;
+  for (const scene::Rig::Animation& animation : state_->rig.animations) lines += animation.name + '\n';
+  return lines;
 }
 
 }  // namespace fur::app

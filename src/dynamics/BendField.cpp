@@ -227,7 +227,7 @@ void BendField::setPose(std::span<const Vec3> positions, std::span<const Vec3> d
     firstTangents_ = tangents_;
     firstRests_ = rests_;
     firstChords_ = chords_;
-    lastPositions_.assign(std::vector<Vec3>(positions.begin(), positions.end()), Vec3(0));
+    lastPositions_.assign(positions, Vec3(0));
     lastMoves_.assign(count_, Vec3(0));
   }
   for (std::size_t i = 0; i < Columns::padded(count_); i += kLanes) {

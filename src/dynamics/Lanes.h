@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <span>
 #include <vector>
 
 #include "core/Math.h"
@@ -66,32 +67,47 @@ inline Lanes3 directionOf(const Lanes3& v) {
   return v * (squared > 1e-20f ? 1.0f / sqrtOf(most(squared, all(1e-20f))) : all(0.0f));
 }
 
-// Vectors by component, `padding` behind the last one up to a whole block.
+// Vectors by component, one component after the other, each padded up to a whole block.
 class Columns {
  public:
   static constexpr std::size_t kBlock = 64;
   static std::size_t padded(std::size_t count) { return (count + kBlock - 1) / kBlock * kBlock; }
 
   void assign(std::size_t count, const Vec3& value) {
-    for (int c = 0; c < 3; ++c) columns_[c].assign(padded(count), value[c]);
+    rows_ = padded(count);
+    numbers_.resize(3 * rows_);
+    for (std::size_t i = 0; i < rows_; ++i) set(i, value);
   }
-  void assign(const std::vector<Vec3>& values, const Vec3& padding) {
+  void assign(std::span<const Vec3> values, const Vec3& padding) {
     assign(values.size(), padding);
     for (std::size_t i = 0; i < values.size(); ++i) set(i, values[i]);
   }
-  void clear() { for (auto& column : columns_) column.clear(); }
-  bool empty() const { return columns_[0].empty(); }
-  void set(std::size_t i, const Vec3& v) { for (int c = 0; c < 3; ++c) columns_[c][i] = v[c]; }
-  Vec3 at(std::size_t i) const { return {columns_[0][i], columns_[1][i], columns_[2][i]}; }
-  Lanes3 lanes(std::size_t i) const { return {load(&columns_[0][i]), load(&columns_[1][i]), load(&columns_[2][i])}; }
+  void clear() { numbers_.clear(); }
+  bool empty() const { return numbers_.empty(); }
+  void set(std::size_t i, const Vec3& v) {
+    float* to = &numbers_[i];
+    to[0] = v.x;
+    to[rows_] = v.y;
+    to[2 * rows_] = v.z;
+  }
+  Vec3 at(std::size_t i) const {
+    const float* from = &numbers_[i];
+    return {from[0], from[rows_], from[2 * rows_]};
+  }
+  Lanes3 lanes(std::size_t i) const {
+    const float* from = &numbers_[i];
+    return {load(from), load(from + rows_), load(from + 2 * rows_)};
+  }
   void set(std::size_t i, const Lanes3& v) {
-    store(&columns_[0][i], v.x);
-    store(&columns_[1][i], v.y);
-    store(&columns_[2][i], v.z);
+    float* to = &numbers_[i];
+    store(to, v.x);
+    store(to + rows_, v.y);
+    store(to + 2 * rows_, v.z);
   }
 
  private:
-  std::vector<float> columns_[3];
+  std::vector<float> numbers_;
+  std::size_t rows_ = 0;
 };
 
 }  // namespace fur::dynamics

@@ -45,7 +45,7 @@ struct Rig {
     std::vector<float> values;      // one a time; three of Cubic: tangent in, value, tangent out
   };
   struct Animation {
-    std::string name;
+    std::string name;               // one line
     float duration = 0;             // s
     std::vector<Channel> channels;
   };

@@ -25,7 +25,7 @@ struct Pool {
 
 TEST(AppPose, ItPlaysHoldsAndStopsAsTheSettingsSay) {
   Pool pool("0");
-  EXPECT_EQ(pool.app.animations(), (std::vector<std::string>{"wave", "swell"}));
+  EXPECT_EQ(pool.app.animations(), "wave\nswell\n");
   const auto first = pool.stage.draw(pool.app);
   EXPECT_TRUE(pool.app.active());
   pool.run(0.5f);

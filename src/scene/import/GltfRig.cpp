@@ -1,5 +1,6 @@
 #include "scene/import/GltfRig.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "scene/import/GltfAccessors.h"
@@ -139,6 +140,7 @@ void GltfRig::readAnimations() {
     if (!channels || !channels->isArray()) file_.bad("%s has no channels", where.c_str());
     Rig::Animation animation;
     if (const Json* name = json.find("name")) animation.name = name->text();
+    std::replace(animation.name.begin(), animation.name.end(), '\n', ' ');
     for (const Json& channel : *channels) {
       if (!channel.isObject()) file_.bad("%s holds a channel that is not an object", where.c_str());
       readChannel(json, channel, animation, where);
