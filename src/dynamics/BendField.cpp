@@ -37,7 +37,7 @@ constexpr float kForgotten = 0.03f;  // rad
 constexpr float kStillAngle = 5e-4f;  // rad
 constexpr float kStillSpeed = 5e-3f;  // rad/s
 
-constexpr int kWetLevels = 16;
+constexpr int kWetLevels = 64;
 
 // The farthest that a point of the unit ball goes between two transforms, or a little more.
 float farthestMove(const Mat4& from, const Mat4& to) {
