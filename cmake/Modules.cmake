@@ -81,6 +81,14 @@ if(EMSCRIPTEN)
   foreach(module furgen geometry wet)
     target_compile_options(fur_${module} PRIVATE "$<$<CONFIG:Release>:-Os;-finline-functions>")
   endforeach()
+  foreach(source Json NumberText)
+    set_source_files_properties("${CMAKE_SOURCE_DIR}/src/core/${source}.cpp" PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-Os>")
+  endforeach()
+  # Every vertex, every frame: four at a time (dynamics/Lanes.h).
+  target_compile_options(fur_dynamics PRIVATE "$<$<CONFIG:Release>:-Os;-finline-functions>" -msimd128)
+  foreach(source scene/Pose render/MovingSurface)
+    set_source_files_properties("${CMAKE_SOURCE_DIR}/src/${source}.cpp" PROPERTIES COMPILE_OPTIONS "-finline-functions;-msimd128")
+  endforeach()
 endif()
 
 # The programs wait for this check, so a forbidden include fails the build of all of them.

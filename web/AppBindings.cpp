@@ -43,6 +43,8 @@ FUR_EXPORT const std::uint8_t* fur_savedBytes() { return web::savedBytes().data(
 FUR_EXPORT void fur_forgetSavedBytes() { web::keepSaved({}); }
 FUR_EXPORT double fur_coatRevision(App* app) { return double(app->coatRevision()); }
 FUR_EXPORT const char* fur_modelName(App* app) { return web::text(app->modelName()); }
+// One name a line.
+FUR_EXPORT const char* fur_animations(App* app) { return web::text(app->animations()); }
 // The encoded base colour image: type "" when there is none.
 FUR_EXPORT const char* fur_imageType(App* app) { return web::text(app->pendingImage().mimeType); }
 FUR_EXPORT const std::uint8_t* fur_imageBytes(App* app) { return app->pendingImage().bytes.data(); }

@@ -19,7 +19,7 @@ const forwardedMethods = [
   'loadTypeSet', 'saveTypeSet', 'saveFo', 'save', 'groom', 'loadLengthMap', 'loadTypeMap', 'toBlob', 'getCameraOrbit', 'resetCamera', 'openEditor', 'closeEditor',
 ];
 const forwardedGetters = [
-  'loaded', 'ready', 'state', 'stats', 'settings', 'settingsTable', 'presets', 'warnings', 'modelName', 'meanWetness',
+  'loaded', 'ready', 'state', 'stats', 'settings', 'settingsTable', 'presets', 'warnings', 'modelName', 'animations', 'meanWetness',
   'wetnessHash', 'recordedStrokes', 'waterAccounts', 'groomed', 'canUndo', 'canRedo', 'editorOpen', 'cameraOrbitText',
 ];
 

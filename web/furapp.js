@@ -67,6 +67,8 @@ export class FurApp {
     return { mimeType, width, height, bytes: this.program.array(Uint8Array, this.#call('fur_imageBytes'), byteLength) };
   }
   provideImage(width, height, rgba) { this.#callOrThrow('fur_provideImage', width, height, rgba); }
+  /** Names of what the model can play: the setting `animation` counts from 1. */
+  get animations() { return this.program.lines(this.#call('fur_animations')); }
   get modelName() { return this.#text('fur_modelName'); }
 
   /** Number, boolean, option name or "#rrggbb"; undefined for an unknown name. */

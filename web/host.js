@@ -116,6 +116,7 @@ export class WetFur extends EventTarget {
   get settingsTable() { return this.#app?.settingsTable ?? null; }
   get presets() { return this.#app?.presets ?? null; }
   get modelName() { return this.#source?.name ?? ''; }
+  get animations() { return this.#app?.animations ?? []; }
   get meanWetness() { return this.#app?.meanWetness ?? 0; }
   get wetnessHash() { return this.#app?.wetnessHash ?? ''; }
   get canUndo() { return this.#app?.canUndo ?? false; }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/AppState.h"
+#include "core/PortableMath.h"
 #include "geometry/Primitives.h"
 #include "scene/StateJson.h"
 
@@ -81,12 +82,13 @@ void App::setCovered(Vec2 shares, bool atOnce) {
 }
 
 void App::State::uploadScene() {
-  renderer->setSurface(surface);
+  renderer->setSurface(surface, pose ? std::span<const Vec3>(firstTangents) : std::span<const Vec3>());
   renderer->setBaseColor(imageWidth, imageHeight, image);
   renderer->updateMask(mask, {0, 0, mask.size(), mask.size()}, wetting->chartOfTexel());
   renderer->updateBends(bends.bends());
   uploadGroom({0, 0, groom.map.size(), groom.map.size()});
   uploadWhiskers();
+  uploadPose();
   uploadCoat();
   pictureChanged = true;
 }
@@ -105,7 +107,8 @@ void App::State::takeSurface(geometry::Surface built) {
     normals.push_back(v.normal);
     groundHeight = std::min(groundHeight, v.position.y);
   }
-  bends.reset(positions, normals);
+  takeRig();
+  bends.reset(positions, normals, firstTangents);
   points.reset();
   groomAtlas.reset();
   readGroomMap();
@@ -117,8 +120,9 @@ void App::State::takeSurface(geometry::Surface built) {
   pictureChanged = true;
 }
 
-void App::State::adopt(geometry::Mesh source, geometry::Surface built, std::string name) {
+void App::State::adopt(geometry::Mesh source, geometry::Surface built, std::string name, scene::Rig moved) {
   mesh = std::move(source);
+  rig = std::move(moved);
   modelName = std::move(name);
   mask.clear();
   water.reset();
@@ -129,6 +133,9 @@ void App::State::adopt(geometry::Mesh source, geometry::Surface built, std::stri
   drag = Drag::None;
   history.clear();
   motion.reset();
+  touch = {};
+  refreshTouch();
+  idleTime = 0;
   pendingImage = sourceImage = {};
   imageWidth = imageHeight = 0;
   image.clear();
@@ -158,7 +165,7 @@ Status App::loadModel(std::span<const std::uint8_t> bytes, const std::string& na
   auto surface = geometry::buildSurface(model->mesh, state_->mapping());
   if (!surface) return Error{surface.error().id, name + ": " + surface.error().message};
   for (const std::string& warning : model->warnings) state_->warnings.push_back(warning);
-  state_->adopt(std::move(model->mesh), std::move(*surface), model->name);
+  state_->adopt(std::move(model->mesh), std::move(*surface), model->name, std::move(model->rig));
   state_->pendingImage = std::move(model->baseColor);
   state_->baseColorFactor = model->baseColorFactor;
   state_->takeFur(model->fur);
@@ -213,6 +220,8 @@ void App::State::applySettings(const settings::Settings& next) {
   // The picture stays as it is until the other coat has grown.
   if (!otherCoat || !differOnlyInCoat(settings, next)) forcesChanged = pictureChanged = true;
   settings = next;
+  idleTime = 0;
+  refreshTouch();
   groomStale |= furTypes > 1;  // heights of the types
   if (!remapped) return;
   // Only fur coordinates change: the atlas stays, and with it what is wet.
@@ -315,13 +324,15 @@ void App::addWarning(std::string text) { state_->warnings.push_back(std::move(te
 dynamics::BendForces App::State::forces() const {
   dynamics::BendForces f;
   f.gravity = Vec3(0, -settings.gravity, 0);
-  // Two slow waves that never meet the same way twice make gusts.
-  const float wave = 0.5f + 0.3f * std::sin(windClock * 1.7f) + 0.2f * std::sin(windClock * 4.3f + 1.0f);
-  const float strength = wind() * (1 - settings.gust + settings.gust * wave);
-  f.wind = strength * Vec3(std::sin(settings.windYaw), 0.08f, std::cos(settings.windYaw)) + dryerWind();
+  const float idle = breath();
+  f.wind.force = (wind() + idle) * Vec3(portableSin(settings.windYaw), 0.08f, portableCos(settings.windYaw)) + dryerWind();
+  f.wind.gust = idle > 0 ? 1 : settings.gust;
+  f.wind.turbulence = idle > 0 ? 1 : settings.turbulence;
+  f.wind.time = windClock;
   f.stiffness = settings.stiffness;
   f.inertia = settings.inertia;
   f.weight = coat.weight();
+  f.furLength = settings.furLength;
   return f;
 }
 
@@ -330,6 +341,7 @@ bool App::tick(float dt, float coatBudget) {
   dt = std::max(dt, 0.0f);
   s.sinceSettingChange += dt;
   s.clock += dt;
+  s.idleTime += dt;
   s.refreshGroom();
   s.workOnCoat(coatBudget);
   bool changed = std::exchange(s.pictureChanged, false);
@@ -337,9 +349,11 @@ bool App::tick(float dt, float coatBudget) {
   const bool moved = s.motion.update(dt);
   changed |= moved;
 
-  if (s.wind() > 0) s.windClock += dt;
-  if (dt > 0 && (moved || s.gusty() || s.forcesChanged || s.holds(Tool::Dryer) || !s.bends.atRest())) {
-    s.bends.step(dt, s.motion.worldFromModel(), s.forces(), s.wetnessOfVertices());
+  const bool posed = dt > 0 && s.refreshPose(dt);
+  if (s.wind() > 0 || s.breath() > 0) s.windClock += dt;
+  if (dt > 0 && (moved || posed || s.gusty() || s.forcesChanged || s.touch.moving() || s.holds(Tool::Dryer) || !s.bends.atRest())) {
+    s.touch.update(dt);
+    s.bends.step(dt, s.motion.worldFromModel(), s.forces(), s.wetnessOfVertices(), s.touch.contacts());
     if (s.renderer) s.renderer->updateBends(s.bends.bends());
     s.forcesChanged = false;
     changed = true;
@@ -350,6 +364,7 @@ bool App::tick(float dt, float coatBudget) {
 }
 
 void App::State::settleBends() {
+  refreshPose(0);
   refreshGroom();
   bends.settle(motion.worldFromModel(), forces(), wetnessOfVertices());
   if (renderer) renderer->updateBends(bends.bends());
@@ -363,9 +378,10 @@ void App::settle() {
 }
 
 bool App::active() const {
-  const State& s = *state_;
+  State& s = *state_;
   return s.pictureChanged || s.furChanged || s.coatWork || s.forcesChanged || s.camera.moving() || s.motion.moving() ||
-         !s.bends.atRest() || s.gusty() || s.holds(Tool::Hose) || s.holds(Tool::Dryer) || s.water.active(s.mask, s.climate());
+         !s.bends.atRest() || s.touch.moving() || s.gusty() || s.animates() || s.holds(Tool::Hose) || s.holds(Tool::Dryer) ||
+         s.water.active(s.mask, s.climate());
 }
 
 void App::setReducedMotion(bool reduced) {
@@ -392,6 +408,7 @@ render::Frame App::State::frame(int level) const {
   f.wet = !mask.isDry();
   f.groomed = groomed;
   f.types = shownTypes > 1;
+  if (const auto ball = touch.ball()) f.ball = Vec4(ball->centre, ball->radius);
   f.baseColorFactor = baseColorFactor;
   f.drops = water.drops();
   f.puddles = puddles;

@@ -15,6 +15,7 @@
 #include <string>
 #include <string_view>
 
+#include "app/Touch.h"
 #include "core/Result.h"
 #include "furgen/TilePicture.h"
 #include "geometry/Surface.h"
@@ -36,8 +37,11 @@ namespace fur::app {
 // Droplet and Dry paint on the model, Towel takes water off it, and so do the tools of the groom from Comb to Pluck paint;
 // Rain, Hose and Dryer go on for as long as they are held on it. Grab moves the model about (it springs back), None
 // leaves every drag to the camera.
-// Of these Whisker plants one where it goes down and aims it while it is dragged, and Pluck pulls them out.
-enum class Tool { Droplet, Dry, Rain, Hose, Towel, Dryer, Comb, Smooth, Raise, Trim, Grow, Type, Whisker, Pluck, Grab, None };
+// Of these Whisker plants one where it goes down and aims it while it is dragged, and Pluck pulls them out. Pet strokes
+// the fur, Ball presses a ball into it: it forgets both after a while.
+enum class Tool {
+  Droplet, Dry, Rain, Hose, Towel, Dryer, Comb, Smooth, Raise, Trim, Grow, Type, Whisker, Pluck, Pet, Ball, Grab, None
+};
 
 // What groomAll() does all over the model. `value` is 0..1 unless it says otherwise.
 enum class GroomEdit {
@@ -100,6 +104,8 @@ class App {
   void provideImage(int width, int height, std::vector<std::uint8_t> rgba);
   const std::string& modelName() const;
   const geometry::Surface& surface() const;
+  // Names of what the model can play, one a line, for the setting `animation`, which counts from 1.
+  std::string animations() const;
   // The model as .fo, with its fur coordinates at the repeat of the settings, lengths and types.
   std::vector<std::uint8_t> saveFo() const;
   // Model, picture, groom, what is wet, settings and camera as .glb, which other programs show without fur.
@@ -181,6 +187,9 @@ class App {
   // The surface's atlas coordinates under a pixel of the drawing buffer; none off the model.
   std::optional<Vec2> pick(Vec2 pixel) const;
 
+  // The ball of the tool Ball, world space; none without that tool.
+  std::optional<Ball> ball() const;
+
   // --- groom (groom/Groom.h); belongs to the model ---
   void groomAll(GroomEdit edit, float value = 1, const Vec3& direction = Vec3(0, -1, 0));
   // An image, RGBA8 in the model's own texture coordinates.
@@ -214,9 +223,10 @@ class App {
   bool tick(float dt, float coatBudget = 1e9f);
   // The fur takes the lean that the steady forces give it at once, as after a load.
   void settle();
-  // Whether time alone changes things: keep ticking. False: wait for input.
+  // Whether time alone changes things: keep ticking. False: wait for input. Fur that breathes stops after some seconds
+  // without input.
   bool active() const;
-  // The person asked for less motion: wind counts as 0 while true; the setting stays as it is.
+  // The person asked for less motion: wind and breathing count as 0 and animations stand while true; the setting stays as it is.
   void setReducedMotion(bool reduced);
   // A shader that the driver refuses is the error.
   Status draw(Picture picture = Picture::Best);

@@ -117,7 +117,9 @@ void App::State::uploadGroom(const geometry::TexelRect& changed) {
 
 void App::State::uploadWhiskers() {
   shownWhiskers = groom.whiskers;
-  renderer->setWhiskers(groom::whiskerHairs(groom.whiskers, surface, query));
+  auto hairs = groom::whiskerHairs(groom.whiskers, surface, query);
+  carry(hairs);
+  renderer->setWhiskers(hairs);
 }
 
 void App::State::beginGroomStroke() {

@@ -1,6 +1,6 @@
 // What App holds, shared by its source files: App.cpp (scene, settings, time, drawing),
-// AppCoat.cpp (the coat), AppGroom.cpp (the groom), AppQuality.cpp (levels), AppWater.cpp (water by itself),
-// Input.cpp (pointers, keys), Painting.cpp (water by hand).
+// AppCoat.cpp (the coat), AppGroom.cpp (the groom), AppQuality.cpp (levels), AppPose.cpp (animations), AppTouch.cpp
+// (touch, breathing), AppWater.cpp (water by itself), Input.cpp (pointers, keys), Painting.cpp (water by hand).
 #pragma once
 
 #include <map>
@@ -12,11 +12,13 @@
 #include "app/ModelMotion.h"
 #include "app/OrbitCamera.h"
 #include "app/QualityGovernor.h"
+#include "app/Touch.h"
 #include "core/Random.h"
 #include "dynamics/BendField.h"
 #include "geometry/SurfaceQuery.h"
 #include "groom/Groom.h"
 #include "render/Renderer.h"
+#include "scene/Pose.h"
 #include "wet/SurfaceWetting.h"
 #include "wet/Water.h"
 #include "wet/WetnessMask.h"
@@ -35,7 +37,7 @@ struct ModelRay {
 };
 
 // What the pointers that are down do.
-enum class Drag { None, Paint, Orbit, Grab, Spin, Light, Pinch };
+enum class Drag { None, Paint, Touch, Orbit, Grab, Spin, Light, Pinch };
 
 struct App::State {
   settings::Settings settings;
@@ -63,13 +65,27 @@ struct App::State {
   int imageWidth = 0, imageHeight = 0;
   std::vector<std::uint8_t> image;
   float groundHeight = -1;
+  // What it plays. The surface stays as it was made; `skin` is where it is shown, one of each a vertex.
+  scene::Rig rig;
+  std::optional<scene::Pose> pose;  // none for a model without animations
+  struct {
+    std::vector<Vec3> positions, normals, tangents;
+    std::vector<std::uint32_t> sources;  // vertices of the mesh
+  } skin;
+  std::vector<Vec3> firstTangents;
+  std::pair<int, double> posedFor{-1, 0};  // animation and time of the pose
+  double animationTime = 0;
+  geometry::SurfaceQuery posedQuery;  // read it through shownQuery()
+  bool posedQueryStale = true;
 
   // Water and motion.
   wet::WetnessMask mask{kMaskSize};
   std::vector<float> vertexWetness;  // read it through wetnessOfVertices()
   bool vertexWetnessStale = false;
   dynamics::BendField bends;
-  float windClock = 0;
+  Touch touch;
+  double windClock = 0;
+  float idleTime = 0;  // since somebody was there
   wet::Water water;
   float hoseDue = 0;  // drops
   std::vector<std::uint8_t> puddles;  // how wet the ground is, as Frame has it
@@ -142,7 +158,7 @@ struct App::State {
   bool reducedMotion = false;
 
   // --- App.cpp ---
-  void adopt(geometry::Mesh source, geometry::Surface built, std::string name);
+  void adopt(geometry::Mesh source, geometry::Surface built, std::string name, scene::Rig moved = {});
   void leaveBroughtLook();
   void takeSurface(geometry::Surface built);
   geometry::FurMapping mapping() const { return static_cast<geometry::FurMapping>(settings.furMapping); }
@@ -152,7 +168,7 @@ struct App::State {
   render::Frame frame() const { return frame(bestLevel); }
   dynamics::BendForces forces() const;
   float wind() const { return reducedMotion ? 0 : settings.wind; }
-  bool gusty() const { return wind() > 0 && settings.gust > 0; }
+  bool gusty() const { return (wind() > 0 && (settings.gust > 0 || settings.turbulence > 0)) || breath() > 0; }
   void applySettings(const settings::Settings& next);
   void applyStep(const Step& step, bool undo);
 
@@ -181,12 +197,31 @@ struct App::State {
   void uploadWhiskers();
   void applyGroomStep(const GroomStep& step, bool undo);
 
+  // --- AppPose.cpp ---
+  int animation() const;  // that the settings ask for; -1: none
+  bool animates() const;
+  void takeRig();
+  void takeSkin();
+  bool refreshPose(float dt);  // whether the shape has changed
+  void uploadPose();
+  // Of the surface as it is shown.
+  const geometry::SurfaceQuery& shownQuery();
+  Vec3 shownPosition(const geometry::SurfacePoint& at) const;
+  Vec3 shownNormal(const geometry::SurfacePoint& at) const;
+  void carry(std::vector<groom::WhiskerHair>& hairs) const;
+
+  // --- AppTouch.cpp ---
+  float breath() const;  // wind that idle fur stirs in
+  bool onBall(const ModelRay& ray) const;
+  void touchAt(Vec2 pixel);
+  void refreshTouch();  // after another tool, ball size or model
+
   // --- AppQuality.cpp ---
   int levelFor(Picture picture) const;
 
   // --- AppWater.cpp ---
   bool holds(Tool held) const;
-  wet::Climate climate() const;
+  wet::Climate climate();
   Vec3 dryerWind() const;  // world space, as BendForces has it
   bool runWater(float dt, double budget);
   void readPuddles();
@@ -194,7 +229,7 @@ struct App::State {
 
   // --- Painting.cpp ---
   ModelRay rayThrough(Vec2 pixel) const;
-  std::optional<geometry::SurfacePoint> pick(Vec2 pixel) const;
+  std::optional<geometry::SurfacePoint> pick(Vec2 pixel);
   void beginStroke();      // with the tool
   void beginWaterStroke();
   void endStroke();

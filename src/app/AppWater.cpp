@@ -24,7 +24,7 @@ constexpr float kHose = 0.25f, kHoseDrops = 90.0f, kHoseReach = 0.5f, kHoseSpeed
 
 bool App::State::holds(Tool held) const { return drag == Drag::Paint && tool == held; }
 
-wet::Climate App::State::climate() const {
+wet::Climate App::State::climate() {
   wet::Climate c;
   c.worldFromModel = motion.worldFromModel();
   c.wind = kWindSpeed * wind() * Vec3(portableSin(settings.windYaw), 0, portableCos(settings.windYaw));
@@ -76,7 +76,7 @@ void App::State::runHose(float dt) {
   const auto hit = pick(lastPosition);
   if (!hit) return;
   const Mat4 toWorld = motion.worldFromModel();
-  const Vec3 at = Vec3(toWorld * Vec4(positionAt(surface, *hit), 1));
+  const Vec3 at = Vec3(toWorld * Vec4(shownPosition(*hit), 1));
   const Vec3 way = Mat3(toWorld) * rayThrough(lastPosition).direction;
   for (hoseDue += dt * kHoseDrops; hoseDue >= 1; hoseDue -= 1) {
     const Vec3 off = 0.25f * settings.brushRadius * Vec3(sprayRandom.uniform(-1, 1), sprayRandom.uniform(-1, 1), sprayRandom.uniform(-1, 1));

@@ -30,6 +30,7 @@ Drag dragFor(const PointerEvent& event, Tool tool, bool onModel, bool cameraCont
   if (event.kind == PointerKind::Mouse && (event.buttons & kRight)) return onModel ? Drag::Grab : elsewhere;
   if (event.kind == PointerKind::Mouse && !(event.buttons & kLeft)) return elsewhere;
   if (!onModel || tool == Tool::None) return elsewhere;
+  if (tool == Tool::Pet || tool == Tool::Ball) return Drag::Touch;
   return tool == Tool::Grab ? Drag::Grab : Drag::Paint;
 }
 
@@ -38,6 +39,7 @@ Drag dragFor(const PointerEvent& event, Tool tool, bool onModel, bool cameraCont
 bool App::pointer(const PointerEvent& event) {
   State& s = *state_;
   s.pressure = event.kind == PointerKind::Pen ? glm::clamp(event.pressure, 0.0f, 1.0f) : 1.0f;
+  if (!s.pointers.empty() || event.phase == PointerPhase::Down) s.idleTime = 0;
   const auto centreAndSpan = [&] {
     Vec2 centre(0);
     for (const auto& [id, at] : s.pointers) centre += at;
@@ -49,6 +51,7 @@ bool App::pointer(const PointerEvent& event) {
   const auto letGo = [&] {
     s.endStroke();
     s.motion.release();
+    s.touch.lift();
     s.drag = Drag::None;
   };
 
@@ -60,9 +63,11 @@ bool App::pointer(const PointerEvent& event) {
       std::tie(s.lastPosition, s.lastSpan) = centreAndSpan();
       return s.drag != Drag::None;
     }
-    s.drag = dragFor(event, s.tool, s.pick(event.position).has_value(), s.cameraControls);
+    const bool onModel = s.pick(event.position).has_value() || s.onBall(s.rayThrough(event.position));
+    s.drag = dragFor(event, s.tool, onModel, s.cameraControls);
     s.lastPosition = s.lastSpot = event.position;
     if (s.drag == Drag::Grab) s.motion.grab();
+    if (s.drag == Drag::Touch) s.touchAt(event.position);
     if (s.drag == Drag::Paint) {
       s.beginStroke();
       s.sprayAt(event.position);
@@ -88,6 +93,7 @@ bool App::pointer(const PointerEvent& event) {
   switch (s.drag) {
     case Drag::None: return false;
     case Drag::Paint: s.paintTo(event.position); break;
+    case Drag::Touch: s.touchAt(event.position); break;
     case Drag::Orbit: s.camera.orbit(-step.x / height * kOrbitPerHeight, step.y / height * kOrbitPerHeight); break;
     case Drag::Grab: s.motion.drag(inPicturePlane(s.frame(), step)); break;
     case Drag::Spin: s.motion.spin(step.x / height * kOrbitPerHeight); break;
@@ -112,12 +118,14 @@ bool App::pointer(const PointerEvent& event) {
 
 bool App::wheel(float notches, Vec2) {
   if (!state_->cameraControls) return false;
+  state_->idleTime = 0;
   state_->camera.zoom(std::pow(kWheelZoom, std::clamp(notches, -10.0f, 10.0f)));
   return true;
 }
 
 bool App::key(const KeyEvent& event) {
   State& s = *state_;
+  s.idleTime = 0;
   if (event.control) {
     if (event.key == "z" || event.key == "Z") return event.shift ? redo() : undo();
     if (event.key == "y") return redo();

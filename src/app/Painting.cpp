@@ -29,9 +29,9 @@ ModelRay App::State::rayThrough(Vec2 pixel) const {
   return {origin, normalizeOr(Vec3(farPoint) / farPoint.w - origin, Vec3(0, 0, -1))};
 }
 
-std::optional<geometry::SurfacePoint> App::State::pick(Vec2 pixel) const {
+std::optional<geometry::SurfacePoint> App::State::pick(Vec2 pixel) {
   const ModelRay ray = rayThrough(pixel);
-  return query.castRay(ray.origin, ray.direction);
+  return shownQuery().castRay(ray.origin, ray.direction);
 }
 
 void App::State::maskTouched() {
@@ -170,6 +170,8 @@ void App::State::soak(float amount) {
 void App::setTool(Tool tool) {
   state_->endStroke();
   state_->tool = tool;
+  state_->touch.lift();
+  state_->refreshTouch();
 }
 Tool App::tool() const { return state_->tool; }
 

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 #include "core/Assert.h"
+#include "core/PortableMath.h"
+#include "dynamics/RigidMotion.h"
 
 namespace fur::dynamics {
 
@@ -24,29 +27,17 @@ constexpr float kDryDamping = 0.4f;  // of critical: a quarter of overshoot, gon
 constexpr float kWetDamping = 0.9f;
 constexpr float kWaterMass = 1.5f;   // of soaked fur, in masses of dry fur
 constexpr float kWetWind = 0.5f;     // share of the wind that a soaked coat no longer catches
-constexpr float kShelter = 0.4f;     // share of the wind on the lee side
+
+// How long touched fur takes to forget: e-folding time, and the lean from which on it goes evenly, to an end.
+constexpr float kSoftMemory = 1.0f, kStiffMemory = 0.25f;  // s
+constexpr float kWetMemory = 20.0f;  // times as long again when soaked
+constexpr float kForgotten = 0.03f;  // rad
 
 // Below these nobody sees a strand of a tenth of the picture's height move.
 constexpr float kStillAngle = 5e-4f;  // rad
 constexpr float kStillSpeed = 5e-3f;  // rad/s
 
-constexpr int kWetLevels = 16;
-
-Vec3 finiteOr0(const Vec3& v) { return std::isfinite(v.x + v.y + v.z) ? v : Vec3(0); }
-float unitOr0(float x) { return x > 0.0f ? std::min(x, 1.0f) : 0.0f; }
-
-bool finite(const Mat4& m) {
-  float sum = 0;
-  for (int c = 0; c < 4; ++c)
-    for (int r = 0; r < 4; ++r) sum += m[c][r];
-  return std::isfinite(sum);
-}
-
-// The rotation of a rigid (perhaps uniformly scaled) transform.
-Mat3 rotationOf(const Mat4& m) {
-  return Mat3(normalizeOr(Vec3(m[0]), Vec3(1, 0, 0)), normalizeOr(Vec3(m[1]), Vec3(0, 1, 0)),
-              normalizeOr(Vec3(m[2]), Vec3(0, 0, 1)));
-}
+constexpr int kWetLevels = 64;
 
 // The farthest that a point of the unit ball goes between two transforms, or a little more.
 float farthestMove(const Mat4& from, const Mat4& to) {
@@ -56,125 +47,213 @@ float farthestMove(const Mat4& from, const Mat4& to) {
   return glm::length(Vec3(to[3] - from[3])) + std::sqrt(0.5f * turned);
 }
 
-// One step of x'' = -omega^2 x - 2 zeta omega x', exactly: any dt is stable, and n steps of dt
-// lead where one step of n dt does.
-struct Swing {
+float powerOf(float base, float exponent) { return portableExp(exponent * portableLog(base)); }
+
+// What wetness makes of a vertex. One step of x'' = -omega^2 x - 2 zeta omega x', exactly: any dt is stable, and n steps
+// of dt lead where one step of n dt does.
+struct WetRow {
   float xx, xv, vx, vv;
-  Swing() = default;
-  Swing(float omega, float zeta, float dt) {
-    const float turning = omega * std::sqrt(1.0f - zeta * zeta);
-    const float decay = std::exp(-zeta * omega * dt), c = std::cos(turning * dt), s = std::sin(turning * dt);
-    const float lean = zeta * omega / turning * s;
-    xx = decay * (c + lean);
-    xv = decay * s / turning;
-    vx = -decay * omega * omega / turning * s;
-    vv = decay * (c - lean);
-  }
+  float setLeft;  // of what touch has left
+  float weight, catching;  // factors of gravity and of wind
+};
+struct WetLanes {
+  Lanes xx, xv, vx, vv, setLeft, weight, catching;
 };
 
-using SwingTable = std::array<Swing, kWetLevels + 1>;
+using WetTable = std::array<WetRow, kWetLevels + 1>;
 
-SwingTable swingTable(const BendForces& forces, float dt) {
-  SwingTable table;
-  const float omega = 6.0f * std::pow(4.0f, unitOr0(forces.stiffness));  // 1 to 4 swings a second
+WetTable wetTable(const BendForces& forces, float dt) {
+  WetTable table;
+  const float stiffness = unitOr0(forces.stiffness);
+  const float omega = 6.0f * powerOf(4.0f, stiffness);  // 1 to 4 swings a second
+  const float memory = kSoftMemory * powerOf(kStiffMemory / kSoftMemory, stiffness);
   for (int level = 0; level <= kWetLevels; ++level) {
     const float wet = static_cast<float>(level) / kWetLevels;
     const float mass = (0.6f + 0.8f * unitOr0(forces.weight)) * (1.0f + kWaterMass * wet);
-    table[static_cast<std::size_t>(level)] =
-        Swing(omega / std::sqrt(mass), kDryDamping + (kWetDamping - kDryDamping) * wet, dt);
+    const float speed = omega / std::sqrt(mass), zeta = kDryDamping + (kWetDamping - kDryDamping) * wet;
+    const float turning = speed * std::sqrt(1.0f - zeta * zeta);
+    const float decay = portableExp(-std::min(zeta * speed * dt, 80.0f));
+    const float c = portableCos(turning * dt), s = portableSin(turning * dt);
+    const float lean = zeta * speed / turning * s;
+    table[static_cast<std::size_t>(level)] = {decay * (c + lean),
+                                              decay * s / turning,
+                                              -decay * speed * speed / turning * s,
+                                              decay * (c - lean),
+                                              portableExp(-std::min(dt / (memory * (1.0f + kWetMemory * wet * wet)), 80.0f)),
+                                              1.0f + kWaterMass * wet,
+                                              1.0f - kWetWind * wet};
   }
   return table;
 }
 
-Vec3 across(const Vec3& v, const Vec3& direction) { return v - direction * glm::dot(v, direction); }
-
-Vec3 capped(const Vec3& v, float limit) {
-  const float squared = glm::dot(v, v);
-  return squared > limit * limit ? v * (limit / std::sqrt(squared)) : v;
+WetLanes wetLanes(const WetTable& table, const std::uint8_t* levels) {
+  const WetRow* rows[kLanes];
+  for (std::size_t k = 0; k < kLanes; ++k) rows[k] = &table[levels[k]];
+  const auto of = [&](float WetRow::*part) {
+    return Lanes{rows[0]->*part, rows[1]->*part, rows[2]->*part, rows[3]->*part};
+  };
+  return {of(&WetRow::xx), of(&WetRow::xv), of(&WetRow::vx), of(&WetRow::vv),
+          of(&WetRow::setLeft), of(&WetRow::weight), of(&WetRow::catching)};
 }
 
 // An affine map of rest positions to model-space vectors.
 struct Flow {
   Mat3 linear{0.0f};
   Vec3 constant{0};
-  Vec3 at(const Vec3& p) const { return linear * p + constant; }
+  Lanes3 at(const Lanes3& p) const { return transformed(linear, p) + all(constant); }
 };
 
-// The forces that do not depend on the vertex, in model space.
-struct Climate {
-  Vec3 gravity, wind, windDirection;
-  Flow drag, kick;
-  float compliance;
-  bool moving = false;
-
-  Vec3 forceAt(const Vec3& position, const Vec3& direction, float wet) const {
-    const float facing = saturate(0.5f - 0.5f * glm::dot(direction, windDirection));
-    const float exposure = (kShelter + (1.0f - kShelter) * facing) * (1.0f - kWetWind * wet);
-    Vec3 force = gravity * (1.0f + kWaterMass * wet) + wind * exposure;
-    if (moving) force += drag.at(position);
-    return force;
-  }
-  // The bend in which this force is held by an upright strand.
-  Vec3 bendBy(const Vec3& force, const Vec3& direction) const {
-    return capped(across(force, direction) * compliance, 1.0f) * kMaxBend;
-  }
-};
-
-Climate climateIn(const Mat4& modelToWorld, const BendForces& forces) {
-  const Mat3 toModel = glm::transpose(rotationOf(modelToWorld));
-  Climate climate;
-  // Sheppard 5.2.1 gives every coat a floor of weight, the rest is the type's own.
-  climate.gravity = toModel * finiteOr0(forces.gravity) * (0.5f + unitOr0(forces.weight));
-  climate.wind = toModel * finiteOr0(forces.wind);
-  climate.windDirection = normalizeOr(climate.wind, Vec3(0));
-  climate.compliance = 2.5f * std::pow(0.16f, unitOr0(forces.stiffness));  // 2.5 soft, 1 at 0.5, 0.4 stiff
-  return climate;
+// The shortest rotation that takes the chord to the direction (Rodrigues); they are at most 0.7 rad apart.
+Lanes3 uprighted(const Lanes3& force, const Lanes3& chord, const Lanes3& direction) {
+  const Lanes3 axis = cross(chord, direction), once = cross(axis, force);
+  return force + once + cross(axis, once) * (1.0f / (1.0f + dot(chord, direction)));
 }
 
-float wetAt(const std::vector<float>& wetness, std::size_t i) { return wetness.empty() ? 0.0f : unitOr0(wetness[i]); }
+// v, which stands to one frame as the result stands to the other.
+Lanes3 carried(const Lanes3& v, const Lanes3& n0, const Lanes3& t0, const Lanes3& n1, const Lanes3& t1) {
+  return n1 * dot(v, n0) + t1 * dot(v, t0) + cross(n1, t1) * dot(v, cross(n0, t0));
+}
+
+float largest(const Lanes& x) { return std::max(std::max(x[0], x[1]), std::max(x[2], x[3])); }
 
 }  // namespace
 
-void BendField::reset(const std::vector<Vec3>& positions, const std::vector<Vec3>& directions) {
+// The forces that do not depend on the vertex, in model space.
+struct BendField::Climate {
+  Vec3 gravity;
+  WindField wind;
+  Flow drag, kick;
+  // Of a vertex that moves by itself: by its velocity, and by the change of that; 1 / dt.
+  float poseDrag = 0, poseKick = 0, perSecond = 0;
+  float compliance;
+  bool moving = false;
+  WetTable wet;
+
+  Climate(const Mat4& modelToWorld, const BendForces& forces, const Wind& windNow, float dt)
+      : wind(windNow, modelToWorld), wet(wetTable(forces, dt)) {
+    const Mat3 toModel = glm::transpose(rotationOf(modelToWorld));
+    // Sheppard 5.2.1 gives every coat a floor of weight, the rest is the type's own.
+    gravity = toModel * finiteOr0(forces.gravity) * (0.5f + unitOr0(forces.weight));
+    compliance = 2.5f * powerOf(0.16f, unitOr0(forces.stiffness));  // 2.5 soft, 1 at 0.5, 0.4 stiff
+  }
+};
+
+void BendField::reset(const std::vector<Vec3>& positions, const std::vector<Vec3>& directions,
+                      const std::vector<Vec3>& tangents) {
   FUR_ASSERT(positions.size() == directions.size(), "BendField::reset()", "a direction for every position",
              directions.size());
-  positions_ = positions;
-  directions_ = directions;
-  velocities_.assign(positions.size(), Vec3(0));
-  bends_.assign(positions.size(), Vec4(0, 0, 0, 1));
-  rests_.clear();
-  chords_.clear();
+  count_ = positions.size();
+  positions_.assign(positions, Vec3(0));
+  directions_.assign(directions, Vec3(0, 1, 0));
+  bends_.assign(count_, Vec3(0));
+  velocities_.assign(count_, Vec3(0));
+  lengths_.assign(Columns::padded(count_), 1.0f);
+  wetness_.clear();
+  out_.assign(count_, Vec4(0, 0, 0, 1));
+  for (Columns* columns : {&rests_, &chords_, &sets_, &tangents_, &firstRests_, &firstChords_}) columns->clear();
+  posed_ = false;
+  poseFelt_ = 0;
+  if (tangents.size() == count_) tangents_.assign(tangents, Vec3(1, 0, 0));
+  blocks_.assign(Columns::padded(count_) / Columns::kBlock, {});
+  boundBlocks();
   lastVelocity_ = {};
+  lastPresses_.clear();
   hasLast_ = false;
   atRest_ = true;
 }
 
-void BendField::setRest(std::vector<Vec3> rests, const std::vector<float>& lengths) {
-  const auto fits = [this](std::size_t count) { return count == 0 || count == positions_.size(); };
-  FUR_ASSERT(fits(rests.size()) && fits(lengths.size()), "BendField::setRest()", "one of each a vertex, or none", rests.size());
-  rests_ = std::move(rests);
-  chords_.clear();
-  chords_.reserve(rests_.size());
-  for (std::size_t i = 0; i < rests_.size(); ++i) {
-    rests_[i] = capped(across(finiteOr0(rests_[i]), directions_[i]), kMaxBend);
-    const float half = 0.5f * glm::length(rests_[i]);
-    chords_.push_back(directions_[i] * std::cos(half) + normalizeOr(rests_[i], Vec3(0)) * std::sin(half));
+void BendField::boundBlocks() {
+  boundsStale_ = false;
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    const std::size_t first = b * Columns::kBlock, last = std::min(count_, first + Columns::kBlock);
+    Vec3 low(1e30f), high(-1e30f);
+    for (std::size_t i = first; i < last; ++i) {
+      low = glm::min(low, positions_.at(i));
+      high = glm::max(high, positions_.at(i));
+    }
+    blocks_[b].centre = 0.5f * (low + high);
+    blocks_[b].radius = 0.5f * glm::length(high - low);
   }
-  for (std::size_t i = 0; i < bends_.size(); ++i) bends_[i].w = lengths.empty() ? 1.0f : unitOr0(lengths[i]);
 }
 
-// The shortest rotation that takes the chord to the direction (Rodrigues); they are at most 0.7 rad apart.
-Vec3 BendField::uprighted(const Vec3& force, std::size_t i) const {
-  if (chords_.empty()) return force;
-  const Vec3 axis = glm::cross(chords_[i], directions_[i]), once = glm::cross(axis, force);
-  return force + once + glm::cross(axis, once) / (1.0f + glm::dot(chords_[i], directions_[i]));
+void BendField::wake() {
+  for (Block& block : blocks_) block.awake = true;
 }
 
-template <class Climate>
-Vec3 BendField::targetAt(const Climate& climate, std::size_t i, float wet) const {
-  const Vec3& direction = chords_.empty() ? directions_[i] : chords_[i];
-  const Vec3 bend = climate.bendBy(uprighted(climate.forceAt(positions_[i], direction, wet), i), directions_[i]);
-  return rests_.empty() ? bend : capped(rests_[i] + bend, kMaxBend);
+void BendField::setRest(const std::vector<Vec3>& rests, const std::vector<float>& lengths) {
+  const auto fits = [this](std::size_t count) { return count == 0 || count == count_; };
+  FUR_ASSERT(fits(rests.size()) && fits(lengths.size()), "BendField::setRest()", "one of each a vertex, or none", rests.size());
+  rests_.clear();
+  chords_.clear();
+  if (!rests.empty()) {
+    rests_.assign(rests, Vec3(0));
+    chords_.assign(count_, Vec3(0, 1, 0));
+    const Columns& upright = posed_ ? firstDirections_ : directions_;
+    for (std::size_t i = 0; i < count_; ++i) {
+      const Vec3 direction = upright.at(i);
+      Vec3 rest = finiteOr0(rests[i]);
+      rest -= direction * glm::dot(rest, direction);
+      const float angle = glm::length(rest);
+      if (angle > kMaxBend) rest *= kMaxBend / angle;
+      const float half = 0.5f * std::min(angle, kMaxBend);
+      rests_.set(i, rest);
+      chords_.set(i, direction * portableCos(half) + normalizeOr(rest, Vec3(0)) * portableSin(half));
+    }
+  }
+  if (posed_) placeRests();
+  for (std::size_t i = 0; i < count_; ++i) out_[i].w = lengths_[i] = lengths.empty() ? 1.0f : unitOr0(lengths[i]);
+  wake();
+}
+
+// Rests and chords of the first shape become those of the shape now.
+void BendField::placeRests() {
+  firstRests_ = rests_;
+  firstChords_ = chords_;
+  if (rests_.empty()) return;
+  for (std::size_t i = 0; i < Columns::padded(count_); i += kLanes) {
+    const Lanes3 n0 = firstDirections_.lanes(i), t0 = firstTangents_.lanes(i);
+    const Lanes3 n1 = directions_.lanes(i), t1 = tangents_.lanes(i);
+    rests_.set(i, carried(firstRests_.lanes(i), n0, t0, n1, t1));
+    chords_.set(i, carried(firstChords_.lanes(i), n0, t0, n1, t1));
+  }
+}
+
+void BendField::setPose(std::span<const Vec3> positions, std::span<const Vec3> directions, std::span<const Vec3> tangents) {
+  FUR_ASSERT(positions.size() == count_ && directions.size() == count_ && tangents.size() == count_ && !tangents_.empty(),
+             "BendField::setPose()", "one of each a vertex, and tangents at reset()", positions.size());
+  if (!posed_) {
+    posed_ = true;
+    firstDirections_ = directions_;
+    firstTangents_ = tangents_;
+    firstRests_ = rests_;
+    firstChords_ = chords_;
+    lastPositions_.assign(positions, Vec3(0));
+    lastMoves_.assign(count_, Vec3(0));
+  }
+  for (std::size_t i = 0; i < Columns::padded(count_); i += kLanes) {
+    const Lanes3 n0 = directions_.lanes(i), t0 = tangents_.lanes(i);
+    if (i + kLanes <= count_) {
+      positions_.set(i, lanesOf(&positions[i]));
+      directions_.set(i, lanesOf(&directions[i]));
+      tangents_.set(i, lanesOf(&tangents[i]));
+    }
+    for (std::size_t k = i; i + kLanes > count_ && k < count_; ++k) {
+      positions_.set(k, positions[k]);
+      directions_.set(k, directions[k]);
+      tangents_.set(k, tangents[k]);
+    }
+    const Lanes3 n1 = directions_.lanes(i), t1 = tangents_.lanes(i);
+    bends_.set(i, carried(bends_.lanes(i), n0, t0, n1, t1));
+    velocities_.set(i, carried(velocities_.lanes(i), n0, t0, n1, t1));
+    if (!sets_.empty()) sets_.set(i, carried(sets_.lanes(i), n0, t0, n1, t1));
+    if (rests_.empty()) continue;
+    const Lanes3 n = firstDirections_.lanes(i), t = firstTangents_.lanes(i);
+    rests_.set(i, carried(firstRests_.lanes(i), n, t, n1, t1));
+    chords_.set(i, carried(firstChords_.lanes(i), n, t, n1, t1));
+  }
+  boundsStale_ = true;
+  poseFelt_ = 2;  // its motion, and that it has ended
+  atRest_ = false;
 }
 
 BendField::RigidVelocity BendField::follow(const Mat4& modelToWorld, float dt) {
@@ -192,54 +271,182 @@ BendField::RigidVelocity BendField::follow(const Mat4& modelToWorld, float dt) {
   return {lastVelocity_.linear - before.linear, lastVelocity_.constant - before.constant};
 }
 
-void BendField::step(float dt, const Mat4& given, const BendForces& forces, const std::vector<float>& wetness) {
-  if (!(dt > 0.0f)) return;
-  const Mat4 modelToWorld = finite(given) ? given : lastTransform_;
-  const std::vector<float> none;
-  const std::vector<float>& wet = wetness.size() == positions_.size() ? wetness : none;
-  if (dt > kLongestStep) return settle(modelToWorld, forces, wet);
-
-  const RigidVelocity change = follow(modelToWorld, dt);
-  const Mat3 toModel = glm::transpose(rotationOf(modelToWorld));
-  const float inertia = unitOr0(forces.inertia);
-  Climate climate = climateIn(modelToWorld, forces);
-  climate.moving = lastVelocity_.any() || change.any();
-  const Mat3 drag = toModel * (-kDrag * inertia), kick = toModel * (-kKick * inertia);
-  climate.drag = {drag * lastVelocity_.linear, drag * lastVelocity_.constant};
-  climate.kick = {kick * change.linear, kick * change.constant};
-  const SwingTable swings = swingTable(forces, dt);
-  float worstAngle = 0, worstSpeed = 0;  // squared
-  for (std::size_t i = 0; i < positions_.size(); ++i) {
-    const float water = wetAt(wet, i);
-    const Swing& swing = swings[static_cast<std::size_t>(water * kWetLevels + 0.5f)];
-    const Vec3 target = targetAt(climate, i, water);
-    Vec3 v = velocities_[i];
-    if (climate.moving) v = capped(v + across(uprighted(climate.kick.at(positions_[i]), i), directions_[i]), kMaxSpeed);
-    const Vec3 x = Vec3(bends_[i]) - target;
-    const Vec3 left = swing.xx * x + swing.xv * v, speed = swing.vx * x + swing.vv * v;
-    worstAngle = std::max(worstAngle, glm::dot(left, left));
-    worstSpeed = std::max(worstSpeed, glm::dot(speed, speed));
-    velocities_[i] = speed;
-    bends_[i] = Vec4(capped(target + left, kMaxBend), bends_[i].w);
+// Swing: one step. Jump: to where the forces lead, less what touch has left.
+void BendField::advanceBlock(const Climate& climate, std::size_t number, Advance how) {
+  Block& block = blocks_[number];
+  const bool wet = !wetness_.empty(), set = !sets_.empty(), swings = how == Advance::Swing;
+  const bool combed = !rests_.empty();
+  // Neighbours are as wet as each other, mostly.
+  std::uint32_t levels = 0;
+  WetLanes water = wetLanes(climate.wet, reinterpret_cast<const std::uint8_t*>(&levels));
+  const Lanes3 gravity = all(climate.gravity);
+  const bool pressed = swings && reached(block);
+  Lanes worstAngle = all(0.0f), worstSpeed = all(0.0f);  // squared
+  block.touched = false;
+  for (std::size_t i = number * Columns::kBlock; i < (number + 1) * Columns::kBlock; i += kLanes) {
+    if (wet && std::memcmp(&levels, &levels_[i], kLanes) != 0) {
+      std::memcpy(&levels, &levels_[i], kLanes);
+      water = wetLanes(climate.wet, &levels_[i]);
+    }
+    const Lanes3 p = positions_.lanes(i), n = directions_.lanes(i);
+    const Lanes3 chord = combed ? chords_.lanes(i) : n;
+    Lanes3 force = gravity * water.weight + climate.wind.at(p) * (climate.wind.exposure(chord) * water.catching);
+    Lanes3 kick{};
+    if (swings && climate.moving) {
+      force = force + climate.drag.at(p);
+      kick = climate.kick.at(p);
+      if (posed_) {
+        const Lanes3 move = capped((p - lastPositions_.lanes(i)) * all(climate.perSecond), kMaxSpeed);
+        force = force + move * all(climate.poseDrag);
+        kick = kick + (move - lastMoves_.lanes(i)) * all(climate.poseKick);
+        lastPositions_.set(i, p);
+        lastMoves_.set(i, move);
+      }
+    }
+    if (combed) force = uprighted(force, chord, n);
+    Lanes3 target = capped(across(force, n) * all(climate.compliance), 1.0f) * all(kMaxBend);
+    if (combed) target = capped(rests_.lanes(i) + target, kMaxBend);
+    const Lanes3 untouched = target;
+    Lanes remembered{};
+    if (set) {
+      const Lanes3 old = sets_.lanes(i);
+      const Lanes size = sqrtOf(dot(old, old));
+      Lanes left = (size + kForgotten) * water.setLeft - kForgotten;
+      left = left > kStillAngle ? left : all(0.0f);
+      const Lanes3 now = old * (left / most(size, all(1e-6f)));
+      sets_.set(i, now);
+      target = capped(target + now, kMaxBend);
+      remembered = left * left;
+    }
+    if (!swings) {
+      bends_.set(i, target);
+      velocities_.set(i, Lanes3{});
+      continue;
+    }
+    Lanes3 v = velocities_.lanes(i);
+    if (climate.moving) v = capped(v + across(combed ? uprighted(kick, chord, n) : kick, n), kMaxSpeed);
+    const Lanes3 before = bends_.lanes(i), x = before - target;
+    Lanes3 left = x * water.xx + v * water.xv;
+    Lanes3 speed = x * water.vx + v * water.vv;
+    Lanes3 bend = target + left;
+    const Lanes squared = dot(bend, bend);
+    const LaneMask over = squared > kMaxBend * kMaxBend;
+    if (any(over)) {  // it has come to the skin, without a bounce
+      const Lanes3 outward = bend * (1.0f / sqrtOf(most(squared, all(1.0f))));
+      bend = pick(over, outward * all(kMaxBend), bend);
+      speed = pick(over, speed - outward * most(dot(speed, outward), all(0.0f)), speed);
+    }
+    for (const Press& press : pressed ? std::span<const Press>(presses_) : std::span<const Press>()) {
+      const LaneMask held = press.apply(bend, before, p, n, load(&lengths_[i]) * lastForces_.furLength, kMaxBend);
+      if (!any(held)) continue;
+      block.touched = true;
+      speed = pick(held, Lanes3{}, speed);
+      left = pick(held, bend - before, left);
+      remembered = held ? all(0.0f) : remembered;
+      sets_.set(i, pick(held, bend - untouched, sets_.lanes(i)));
+    }
+    worstAngle = most(worstAngle, most(dot(left, left), remembered));
+    worstSpeed = most(worstSpeed, dot(speed, speed));
+    bends_.set(i, bend);
+    velocities_.set(i, speed);
   }
-  const bool still = worstAngle < kStillAngle * kStillAngle && worstSpeed < kStillSpeed * kStillSpeed;
-  // A moving model may balance its fur for a moment, but will not stop without swinging it.
-  atRest_ = still && !climate.moving;
-  if (atRest_) settle(modelToWorld, forces, wet);
+  const bool still = largest(worstAngle) < kStillAngle * kStillAngle && largest(worstSpeed) < kStillSpeed * kStillSpeed;
+  block.awake = !still || (swings && climate.moving);
+  // The last hair's breadth at once; what is held stays where it is held.
+  if (swings && !block.awake && !block.touched) return advanceBlock(climate, number, Advance::Jump);
+  const std::size_t first = number * Columns::kBlock, last = std::min(count_, first + Columns::kBlock);
+  for (std::size_t i = first; i < last; ++i) out_[i] = Vec4(bends_.at(i), lengths_[i]);
 }
 
-void BendField::settle(const Mat4& given, const BendForces& forces, const std::vector<float>& wetness) {
-  const Mat4 modelToWorld = finite(given) ? given : lastTransform_;
-  const Climate climate = climateIn(modelToWorld, forces);
-  const bool wet = wetness.size() == positions_.size();
-  for (std::size_t i = 0; i < positions_.size(); ++i) {
-    bends_[i] = Vec4(targetAt(climate, i, wet ? wetAt(wetness, i) : 0.0f), bends_[i].w);
-    velocities_[i] = Vec3(0);
+void BendField::advance(const Climate& climate, Advance how) {
+  atRest_ = true;
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    if (!blocks_[b].awake) continue;
+    advanceBlock(climate, b, how);
+    atRest_ &= !blocks_[b].awake;
   }
+}
+
+// None when all is dry. Returns whether it is another one.
+bool BendField::takeWetness(const std::vector<float>& wetness) {
+  const auto first = wetness.begin(), last = wetness.end();
+  const bool wet = wetness.size() == count_ && std::any_of(first, last, [](float w) { return w > 0.0f; });
+  if (!wet) return !std::exchange(wetness_, {}).empty();
+  if (wetness_ == wetness) return false;
+  wetness_ = wetness;
+  levels_.assign(Columns::padded(count_), 0);
+  std::transform(first, last, levels_.begin(), [](float w) { return static_cast<std::uint8_t>(unitOr0(w) * kWetLevels + 0.5f); });
+  return true;
+}
+
+// Seconds that passed without a motion: only what touch has left matters.
+void BendField::jump(const Mat4& given, const BendForces& forces, float seconds) {
+  const Mat4 modelToWorld = finite(given) ? given : lastTransform_;
+  lastForces_ = forces;
   lastTransform_ = modelToWorld;
   lastVelocity_ = {};
   hasLast_ = true;
-  atRest_ = true;
+  presses_.clear();
+  lastPresses_.clear();
+  if (posed_) {
+    lastPositions_ = positions_;
+    lastMoves_.assign(count_, Vec3(0));
+    poseFelt_ = 0;
+  }
+  wake();
+  advance(Climate(modelToWorld, forces, forces.wind.mean(), seconds), Advance::Jump);
+}
+
+void BendField::step(float dt, const Mat4& given, const BendForces& forces, const std::vector<float>& wetness,
+                     std::span<const Contact> contacts) {
+  if (!(dt > 0.0f)) return;
+  const bool otherWetness = takeWetness(wetness);
+  if (dt > kLongestStep) return jump(given, forces, dt);
+
+  const Mat4 modelToWorld = finite(given) ? given : lastTransform_, before = lastTransform_;
+  const RigidVelocity change = follow(modelToWorld, dt);
+  const float inertia = unitOr0(forces.inertia);
+  // What comes and goes is taken as it is in the middle of the step; the velocity changes where the step begins.
+  Wind wind = forces.wind;
+  wind.time -= 0.5 * static_cast<double>(dt);
+  const Mat4 middle = (lastVelocity_.any() ? before + modelToWorld : 2.0f * modelToWorld) * 0.5f;
+  const Mat3 toModel = glm::transpose(rotationOf(middle));
+  const Mat3 toModelBefore = lastVelocity_.any() ? glm::transpose(rotationOf(before)) : toModel;
+  Climate climate(middle, forces, wind, dt);
+  climate.moving = lastVelocity_.any() || change.any() || poseFelt_ > 0;
+  poseFelt_ = std::max(poseFelt_ - 1, 0);
+  climate.poseDrag = -kDrag * inertia;
+  climate.poseKick = -kKick * inertia;
+  climate.perSecond = 1.0f / dt;
+  const Mat3 drag = toModel * climate.poseDrag, kick = toModelBefore * climate.poseKick;
+  climate.drag = {drag * lastVelocity_.linear, drag * lastVelocity_.constant};
+  climate.kick = {kick * change.linear, kick * change.constant};
+
+  BendForces same = forces;
+  same.wind.time = lastForces_.wind.time;
+  if (climate.moving || otherWetness || modelToWorld != before || wind.varies() || !(same == lastForces_)) wake();
+  lastForces_ = forces;
+  presses_.clear();
+  for (const Contact& contact : contacts) presses_.emplace_back(contact, modelToWorld, forces.furLength);
+  if (boundsStale_ && !presses_.empty()) boundBlocks();
+  if (presses_ != lastPresses_)
+    for (Block& block : blocks_) block.awake |= block.touched || reached(block);
+  lastPresses_ = presses_;
+  if (!presses_.empty() && sets_.empty()) sets_.assign(count_, Vec3(0));
+
+  advance(climate, Advance::Swing);
+  if (atRest_ && presses_.empty()) sets_.clear();
+}
+
+bool BendField::reached(const Block& block) const {
+  return std::any_of(presses_.begin(), presses_.end(),
+                     [&](const Press& press) { return press.reaches(block.centre, block.radius); });
+}
+
+void BendField::settle(const Mat4& modelToWorld, const BendForces& forces, const std::vector<float>& wetness) {
+  takeWetness(wetness);
+  sets_.clear();
+  jump(modelToWorld, forces, 0);
 }
 
 Vec2 arcBend(float theta, float t) {

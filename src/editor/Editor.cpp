@@ -235,6 +235,8 @@ void Editor::drawWater(const EditorModel& model) {
   const auto chosen = [&](Tool one) { return model.tool == one; };
   const int held = segments("held", {{"Rain", chosen(Tool::Rain)}, {"Hose", chosen(Tool::Hose)}, {"Dryer", chosen(Tool::Dryer)}, {"Towel", chosen(Tool::Towel)}});
   if (held >= 0) emit(command::SetTool{kHeld[held]});
+  const int touch = segments("touch", {{"Pet", model.tool == Tool::Pet}, {"Ball", model.tool == Tool::Ball}});
+  if (touch >= 0) emit(command::SetTool{touch == 0 ? Tool::Pet : Tool::Ball});
   const float button = px(64), gap = px(3);
   char text[32];
   std::snprintf(text, sizeof text, "%.0f %% wet", static_cast<double>(model.meanWetness) * 100);

@@ -17,7 +17,9 @@
 namespace fur::editor {
 
 // In the order of app::Tool, which EditorHost checks.
-enum class Tool { Droplet, Dry, Rain, Hose, Towel, Dryer, Comb, Smooth, Raise, Trim, Grow, Type, Whisker, Pluck, Grab, None };
+enum class Tool {
+  Droplet, Dry, Rain, Hose, Towel, Dryer, Comb, Smooth, Raise, Trim, Grow, Type, Whisker, Pluck, Pet, Ball, Grab, None
+};
 
 // How a person can bring a file: through a dialog of the platform, or by typing its path.
 enum class FileAccess { Dialog, Path };

@@ -97,6 +97,7 @@ void splitVertices(Surface& surface, const Mesh& mesh, const Charts& fur, const 
     vertex.atlas = atlas.corners[i];
     vertex.fur = fur.corners[i];
     vertex.chart = atlas.chartOf[i / 3];
+    vertex.source = source;
     surface.vertices.push_back(vertex);
   }
   surface.chartCount = atlas.chartCount;

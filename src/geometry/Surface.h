@@ -43,6 +43,7 @@ struct SurfaceVertex {
   // Interpolated over the triangle and then clamped to 0..1; (-1, 2) is all of them.
   Vec2 strands{-1.0f, 2.0f};
   std::uint32_t chart = 0;  // of the atlas; 0-based
+  std::uint32_t source = 0;  // the vertex of the mesh that it is a copy of
 };
 
 // One edge of the surface with the two faces that meet there (found by position, across UV seams).

@@ -99,6 +99,26 @@ SurfaceQuery::SurfaceQuery(const Surface& surface) {
   }
 }
 
+void SurfaceQuery::follow(const Surface& surface, std::span<const Vec3> positions) {
+  for (std::size_t k = 0; k < order_.size(); ++k)
+    for (std::size_t c = 0; c < 3; ++c) corners_[3 * k + c] = positions[surface.indices[3 * std::size_t{order_[k]} + c]];
+  // Children stand behind their parents.
+  for (std::size_t i = nodes_.size(); i-- > 0;) {
+    Node& node = nodes_[i];
+    if (node.count == 0) {
+      node.low = glm::min(nodes_[node.first].low, nodes_[node.first + 1].low);
+      node.high = glm::max(nodes_[node.first].high, nodes_[node.first + 1].high);
+      continue;
+    }
+    node.low = Vec3(kNever);
+    node.high = Vec3(-kNever);
+    for (std::size_t k = 3 * std::size_t{node.first}; k < 3 * (std::size_t{node.first} + node.count); ++k) {
+      node.low = glm::min(node.low, corners_[k]);
+      node.high = glm::max(node.high, corners_[k]);
+    }
+  }
+}
+
 std::optional<SurfacePoint> SurfaceQuery::castRay(const Vec3& origin, const Vec3& direction) const {
   std::optional<SurfacePoint> best;
   if (nodes_.empty()) return best;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "geometry/Surface.h"
@@ -19,6 +20,9 @@ class SurfaceQuery {
  public:
   SurfaceQuery() = default;
   explicit SurfaceQuery(const Surface& surface);
+
+  // The same surface, whose vertices have moved: quicker than anew, and as good while neighbours stay neighbours.
+  void follow(const Surface& surface, std::span<const Vec3> positions);
 
   // The nearest hit with distance > 0; back faces do not count. `direction` need not be unit.
   std::optional<SurfacePoint> castRay(const Vec3& origin, const Vec3& direction) const;

@@ -24,6 +24,7 @@ const char* fragmentOf(Shader shader, unsigned variant) {
     case Shader::Enlarge: return shaders::kEnlargeFrag;
     case Shader::Whisker: return shaders::kWhiskerFrag;
     case Shader::Drop: return shaders::kDropFrag;
+    case Shader::Ball: return shaders::kBallFrag;
     case Shader::ShadowBlur: break;
   }
   return shaders::kShadowBlurFrag;
@@ -46,6 +47,7 @@ Source sourceOf(Shader shader) {
     case Shader::Whisker: return {"whisker", shaders::kWhiskerVert};
     case Shader::Drop: return {"drop", shaders::kDropVert};
     case Shader::ShadowMap: return {"shadow_map", shaders::kShadowMapVert};
+    case Shader::Ball: return {"ball", shaders::kBallVert};
     case Shader::ShadowBlur: break;
   }
   return {"shadow_blur", shaders::kScreenVert};
@@ -129,7 +131,7 @@ std::vector<std::pair<Shader, unsigned>> allVariants() {
   std::vector<std::pair<Shader, unsigned>> all = {
       {Shader::Background, kPlain}, {Shader::GroundShadow, kPlain}, {Shader::Blur, kPlain}, {Shader::ShadowBlur, kShadowDepth},
       {Shader::Skin, kViewWetness}, {Shader::Skin, kViewNormals},   {Shader::ShadowMap, kPlain},
-      {Shader::Enlarge, kPlain}, {Shader::Drop, kPlain}, {Shader::Background, kWet},
+      {Shader::Enlarge, kPlain},    {Shader::Drop, kPlain},       {Shader::Background, kWet},     {Shader::Ball, kPlain},
       {Shader::ShadowMap, kShadowLayers}, {Shader::ShadowMap, kSkinOnly},
       {Shader::Skin, kViewClumps},  {Shader::Skin, kViewDim},     {Shader::Fin, kViewEdges},
   };

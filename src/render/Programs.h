@@ -9,7 +9,7 @@
 
 namespace fur::render {
 
-enum class Shader { Background, GroundShadow, Blur, Skin, Shell, ShadowMap, ShadowBlur, Fin, Enlarge, Whisker, Drop };
+enum class Shader { Background, GroundShadow, Blur, Skin, Shell, ShadowMap, ShadowBlur, Fin, Enlarge, Whisker, Drop, Ball };
 
 // Bits of a variant; each is a #define in the shader.
 enum Variant : unsigned {

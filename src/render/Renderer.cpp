@@ -60,6 +60,7 @@ shared::FrameBlock frameBlock(const Frame& frame) {
   block.lightWorld = Vec4(lightWorld, 0);
   const bool ground = s.ground && static_cast<View>(s.view) == View::Final;
   block.groundPlane = Vec4(frame.groundHeight, kGroundHalfSide, ground ? 0.55f : 0.0f, 0);
+  block.ball = frame.ball;
   block.groundCentre = Vec4(frame.worldFromModel[3].x, frame.worldFromModel[3].z, 0, 0);
   return block;
 }
@@ -239,6 +240,12 @@ Status Renderer::drawPasses(const Frame& frame) {
     case View::Overdraw:
     case View::Steps:
     case View::Final: break;
+  }
+  if (frame.ball.w > 0 && !counts) {
+    const auto program = programs_.use(Shader::Ball, kPlain);
+    if (!program) return program.error();
+    gl::apply({});
+    gl::drawWithoutVertices(6 * FUR_BALL_AROUND * FUR_BALL_DOWN);
   }
   if (Status status = model(kPlain); !status) return status;
   if (!counts) {

@@ -14,6 +14,7 @@
 #include "render/Frame.h"
 #include "render/FurShadow.h"
 #include "render/FurTextures.h"
+#include "render/MovingSurface.h"
 #include "render/Programs.h"
 #include "render/SmallPicture.h"
 #include "render/StrandTables.h"
@@ -22,17 +23,15 @@
 
 namespace fur::render {
 
-// A fin instance, in the order of shared/Blocks.h.
-struct FinEdge {
-  Vec4 positionA, positionB, normalA, normalB, face0, face1, atlas;
-};
-
 class Renderer {
  public:
   // Needs a current context, in which the driver begins to compile what usual frames need.
   static Result<Renderer> create();
 
-  void setSurface(const geometry::Surface& surface);
+  // `tangents`, one a vertex, for a surface that will change its shape: setSkin(). What the shape was like at setSurface()
+  // stays where it matters little: curvature, the stretch of the tile.
+  void setSurface(const geometry::Surface& surface, std::span<const Vec3> tangents = {});
+  void setSkin(const Skin& skin);
   // A coat comes in pieces, while the one before stays in the picture: beginFur(), each layer and the fin
   // map with their mipmaps in any order, showFur(). beginFur() anew drops what came.
   void beginFur(int size, int layers, int finRows, int types) { fur_.begin(size, layers, finRows, types); }
@@ -101,6 +100,7 @@ class Renderer {
   bool shellsOverlap_ = false;
   // Every edge as the GPU takes it, and the eye that the uploaded selection was made for.
   std::vector<FinEdge> finEdges_;
+  std::optional<MovingSurface> moving_;
   std::vector<float> vertexLengths_;  // empty: 1 everywhere
   std::optional<Vec4> finEye_;  // w: whether with those where the surface curves evenly
   int finCount_ = 0;

@@ -10,17 +10,6 @@ namespace fur::render {
 
 namespace {
 
-// Interleaved as shared/Blocks.h lists the attributes.
-struct GpuVertex {
-  Vec4 position, normal;
-  Vec4 uvAtlas;
-  Vec4 fur;
-  Vec4 gradS;
-  Vec3 gradT;
-  Vec4 atlasFromFur;
-};
-static_assert(sizeof(GpuVertex) == 27 * sizeof(float));
-
 constexpr gl::Attribute kVertexAttributes[] = {
     {FUR_POSITION, 4, offsetof(GpuVertex, position)},   {FUR_NORMAL, 4, offsetof(GpuVertex, normal)},
     {FUR_UV_ATLAS, 4, offsetof(GpuVertex, uvAtlas)},    {FUR_FUR_COORD, 4, offsetof(GpuVertex, fur)},
@@ -75,8 +64,8 @@ std::vector<FinEdge> finEdges(const geometry::Surface& surface) {
 
 }  // namespace
 
-void Renderer::setSurface(const geometry::Surface& surface) {
-  const auto vertices = gpuVertices(surface);
+void Renderer::setSurface(const geometry::Surface& surface, std::span<const Vec3> tangents) {
+  auto vertices = gpuVertices(surface);
   finEdges_ = finEdges(surface);
   vertices_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(vertices), false);
   indices_ = gl::Buffer(gl::BufferKind::Index, gl::bytesOf(surface.indices), false);
@@ -96,6 +85,23 @@ void Renderer::setSurface(const geometry::Surface& surface) {
   vertexLengths_.clear();
   const std::vector<Vec4> rest(surface.vertices.size(), Vec4(0, 0, 0, 1));
   updateBends(rest);
+  moving_.reset();
+  if (!tangents.empty()) moving_.emplace(std::move(vertices), tangents, finEdges_);
+}
+
+void Renderer::setSkin(const Skin& skin) {
+  FUR_ASSERT(moving_.has_value(), "Renderer::setSkin()", "a surface with tangents", "one without");
+  moving_->follow(skin, finEdges_);
+  vertices_.update(std::as_bytes(moving_->vertices()));
+  uploadedBytes_ += vertices_.bytes();
+  for (geometry::FurCluster& cluster : patches_.clusters) {
+    // It may face any way now.
+    if (std::exchange(cluster.cosine, -1.0f) > 0) shellsFor_.reset();
+    cluster.centre = skin.positions[patches_.indices[cluster.first]];
+  }
+  finEye_.reset();
+  shadowKey_.reset();
+  ++furShadowScene_;
 }
 
 void Renderer::setFurry(geometry::FurPatches patches, std::span<const float> vertexLengths) {

@@ -10,6 +10,7 @@
 #include "core/Result.h"
 #include "geometry/Mesh.h"
 #include "scene/FurData.h"
+#include "scene/Rig.h"
 
 namespace fur::scene {
 
@@ -26,6 +27,7 @@ struct Model {
   Vec4 baseColorFactor{1.0f};  // linear
   bool hasTexcoords = false;   // the file had them for every mesh
   FurData fur;
+  Rig rig;                     // its vertices are the mesh's; empty when nothing moves
   geometry::Bounds bounds;     // before fitting, in the file's units
   Warnings warnings;
 };

@@ -5,68 +5,20 @@
 #include <cmath>
 #include <limits>
 
-#include "core/Random.h"
+#include "dynamics/FurBall.h"
 
 namespace fur::dynamics {
 namespace {
 
-struct Ball {
-  std::vector<Vec3> positions, directions;
-  Ball() {
-    Random random(9);
-    while (positions.size() < 300) {
-      Vec3 v;
-      v.x = random.uniform(-1, 1);
-      v.y = random.uniform(-1, 1);
-      v.z = random.uniform(-1, 1);
-      if (glm::length(v) < 0.1f) continue;
-      positions.push_back(glm::normalize(v));
-      directions.push_back(glm::normalize(v));
-    }
-  }
-  BendField field() const {
-    BendField f;
-    f.reset(positions, directions);
-    return f;
-  }
-};
-
-const Mat4 kStill(1.0f);
-
-float farthest(const BendField& a, const BendField& b) {
-  float most = 0;
-  for (std::size_t i = 0; i < a.bends().size(); ++i) most = std::max(most, glm::length(a.bends()[i] - b.bends()[i]));
-  return most;
-}
-
-float largest(const BendField& a) {
-  float most = 0;
-  for (const Vec4& bend : a.bends()) most = std::max(most, glm::length(Vec3(bend)));
-  return most;
-}
-
-BendForces windy() {
-  BendForces forces;
-  forces.gravity = Vec3(0, -0.25f, 0);
-  forces.wind = Vec3(0.4f, 0, 0.1f);
-  return forces;
-}
-
-BendForces none() {
-  BendForces forces;
-  forces.gravity = Vec3(0);
-  return forces;
-}
-
 TEST(BendField, StaysAtRestWithoutForces) {
-  BendField field = Ball().field();
-  for (int k = 0; k < 100; ++k) field.step(1 / 60.0f, kStill, none(), {});
+  BendField field = FurBall().field();
+  for (int k = 0; k < 100; ++k) field.step(1 / 60.0f, kStill, noForces(), {});
   EXPECT_EQ(largest(field), 0.0f);
   EXPECT_TRUE(field.atRest());
 }
 
 TEST(BendField, LiesAcrossTheRestDirection) {
-  const Ball ball;
+  const FurBall ball;
   BendField field = ball.field();
   field.settle(kStill, windy(), {});
   for (int k = 0; k < 50; ++k) field.step(1 / 60.0f, glm::rotate(kStill, 0.1f * k, Vec3(0, 1, 0)), windy(), {});
@@ -75,7 +27,7 @@ TEST(BendField, LiesAcrossTheRestDirection) {
 }
 
 TEST(BendField, ConvergesUnderSteadyWindToWhatSettleGives) {
-  const Ball ball;
+  const FurBall ball;
   BendField stepped = ball.field(), settled = ball.field();
   settled.settle(kStill, windy(), {});
   EXPECT_TRUE(settled.atRest());
@@ -86,7 +38,7 @@ TEST(BendField, ConvergesUnderSteadyWindToWhatSettleGives) {
 }
 
 TEST(BendField, SwingsALittlePastItsBalance) {
-  const Ball ball;
+  const FurBall ball;
   BendField stepped = ball.field(), settled = ball.field();
   settled.settle(kStill, windy(), {});
   float over = 0;
@@ -99,7 +51,7 @@ TEST(BendField, SwingsALittlePastItsBalance) {
 }
 
 // A model that is dragged to and fro and turned, watched at a frame rate.
-std::vector<BendField> watch(const Ball& ball, int rate) {
+std::vector<BendField> watch(const FurBall& ball, int rate) {
   BendField field = ball.field();
   std::vector<BendField> seen;
   for (int frame = 0; frame <= 2 * rate; ++frame) {
@@ -116,7 +68,7 @@ std::vector<BendField> watch(const Ball& ball, int rate) {
 }
 
 TEST(BendField, LooksTheSameAtEveryFrameRateUnderSteadyForces) {
-  const Ball ball;
+  const FurBall ball;
   std::vector<BendField> fields;
   for (const int rate : {30, 60, 144}) {
     BendField field = ball.field();
@@ -129,7 +81,7 @@ TEST(BendField, LooksTheSameAtEveryFrameRateUnderSteadyForces) {
 }
 
 TEST(BendField, LooksTheSameAtEveryFrameRateWhenDragged) {
-  const Ball ball;
+  const FurBall ball;
   const auto slow = watch(ball, 30), middle = watch(ball, 60), fast = watch(ball, 144);
   float most = 0, apartSlow = 0, apartFast = 0;
   for (std::size_t k = 1; k < middle.size(); ++k) {
@@ -144,10 +96,10 @@ TEST(BendField, LooksTheSameAtEveryFrameRateWhenDragged) {
 TEST(BendField, TrailsBehindAModelThatStartsToMove) {
   BendField field;
   field.reset({Vec3(0, 1, 0)}, {Vec3(0, 1, 0)});
-  field.step(1 / 60.0f, kStill, none(), {});
+  field.step(1 / 60.0f, kStill, noForces(), {});
   float least = 0;
   for (int k = 1; k < 12; ++k) {
-    field.step(1 / 60.0f, glm::translate(kStill, Vec3(0.03f * k, 0, 0)), none(), {});
+    field.step(1 / 60.0f, glm::translate(kStill, Vec3(0.03f * k, 0, 0)), noForces(), {});
     least = std::min(least, field.bends()[0].x);
   }
   EXPECT_LT(least, -0.05f);
@@ -157,7 +109,7 @@ TEST(BendField, TrailsBehindAModelThatStartsToMove) {
 TEST(BendField, FeelsForcesInTheModelsOwnFrame) {
   BendField field;
   field.reset({Vec3(1, 0, 0)}, {Vec3(1, 0, 0)});
-  BendForces forces = none();
+  BendForces forces = noForces();
   forces.gravity = Vec3(0, -0.3f, 0);
   // Turned by a quarter about x, the model's +z points down.
   field.settle(glm::rotate(kStill, glm::radians(90.0f), Vec3(1, 0, 0)), forces, {});
@@ -166,9 +118,9 @@ TEST(BendField, FeelsForcesInTheModelsOwnFrame) {
 }
 
 TEST(BendField, HangsLowerWhenWet) {
-  const Ball ball;
+  const FurBall ball;
   BendField dry = ball.field(), wet = ball.field();
-  BendForces forces = none();
+  BendForces forces = noForces();
   forces.gravity = Vec3(0, -0.25f, 0);
   dry.settle(kStill, forces, {});
   wet.settle(kStill, forces, std::vector<float>(ball.positions.size(), 1.0f));
@@ -176,11 +128,11 @@ TEST(BendField, HangsLowerWhenWet) {
 }
 
 TEST(BendField, SwingsLessWhenWet) {
-  const Ball ball;
+  const FurBall ball;
   const std::vector<float> soaked(ball.positions.size(), 1.0f);
   BendField field = ball.field(), settled = ball.field();
-  BendForces forces = none();
-  forces.wind = Vec3(0.3f, 0, 0);
+  BendForces forces = noForces();
+  forces.wind.force = Vec3(0.3f, 0, 0);
   settled.settle(kStill, forces, soaked);
   for (int k = 0; k < 120; ++k) {
     field.step(1 / 60.0f, kStill, forces, soaked);
@@ -189,7 +141,7 @@ TEST(BendField, SwingsLessWhenWet) {
 }
 
 TEST(BendField, BendsLessWhenStiff) {
-  const Ball ball;
+  const FurBall ball;
   BendField soft = ball.field(), stiff = ball.field();
   BendForces forces = windy();
   forces.stiffness = 0;
@@ -200,21 +152,21 @@ TEST(BendField, BendsLessWhenStiff) {
 }
 
 TEST(BendField, TakesATeleportForNoMotion) {
-  BendField field = Ball().field();
-  field.settle(kStill, none(), {});
-  field.step(1 / 60.0f, glm::translate(kStill, Vec3(5, 0, 0)), none(), {});
-  field.step(1 / 60.0f, glm::translate(kStill, Vec3(5, 0, 0)), none(), {});
+  BendField field = FurBall().field();
+  field.settle(kStill, noForces(), {});
+  field.step(1 / 60.0f, glm::translate(kStill, Vec3(5, 0, 0)), noForces(), {});
+  field.step(1 / 60.0f, glm::translate(kStill, Vec3(5, 0, 0)), noForces(), {});
   EXPECT_EQ(largest(field), 0.0f);
 }
 
 TEST(BendField, DoesNothingInNoTime) {
-  BendField field = Ball().field();
+  BendField field = FurBall().field();
   for (const float dt : {0.0f, -1.0f, std::nanf("")}) field.step(dt, kStill, windy(), {});
   EXPECT_EQ(largest(field), 0.0f);
 }
 
 TEST(BendField, SettlesAfterALongPause) {
-  const Ball ball;
+  const FurBall ball;
   BendField slept = ball.field(), settled = ball.field();
   slept.step(1e9f, kStill, windy(), {});
   settled.settle(kStill, windy(), {});
@@ -223,7 +175,7 @@ TEST(BendField, SettlesAfterALongPause) {
 }
 
 TEST(BendField, StaysFiniteAndBoundedWhateverHappens) {
-  const Ball ball;
+  const FurBall ball;
   BendField field = ball.field();
   Random random(77);
   std::vector<float> wetness(ball.positions.size());
@@ -239,8 +191,8 @@ TEST(BendField, StaysFiniteAndBoundedWhateverHappens) {
     BendForces forces = windy();
     forces.stiffness = random.uniform(-1, 2);
     forces.inertia = k % 19 == 0 ? odd[k % 4] : random.uniform();
-    if (k % 23 == 0) forces.wind.x = odd[k % 4];
-    field.step(random.uniform(0.0f, k % 5 == 0 ? 2.0f : 0.03f), m, forces, wetness);
+    if (k % 23 == 0) forces.wind.force.x = odd[k % 4];
+    field.step(random.uniform(0.0f, k % 5 == 0 ? 10.0f : 0.03f), m, forces, wetness);
     for (const Vec4& bend : field.bends()) {
       ASSERT_TRUE(std::isfinite(glm::dot(bend, bend))) << k;
       ASSERT_LE(glm::length(Vec3(bend)), kMaxBend * 1.0001f) << k;
@@ -249,26 +201,26 @@ TEST(BendField, StaysFiniteAndBoundedWhateverHappens) {
 }
 
 // Combed downwards, more on one side than on the other.
-std::vector<Vec3> combed(const Ball& ball) {
+std::vector<Vec3> combed(const FurBall& ball) {
   std::vector<Vec3> rests;
   for (const Vec3& n : ball.directions) rests.push_back((Vec3(0, -1, 0) + n * n.y) * (0.6f + 0.5f * n.x));
   return rests;
 }
 
 TEST(BendField, CombedFurRestsCombed) {
-  const Ball ball;
+  const FurBall ball;
   BendField field = ball.field();
   field.setRest(combed(ball), {});
-  field.settle(kStill, none(), {});
+  field.settle(kStill, noForces(), {});
   for (std::size_t i = 0; i < ball.directions.size(); ++i)
     EXPECT_LT(glm::length(Vec3(field.bends()[i]) - combed(ball)[i]), 1e-5f);
   field.setRest({}, {});
-  field.settle(kStill, none(), {});
+  field.settle(kStill, noForces(), {});
   EXPECT_EQ(largest(field), 0);
 }
 
 TEST(BendField, ARestOfNothingIsNoRest) {
-  const Ball ball;
+  const FurBall ball;
   BendField upright = ball.field(), combed = ball.field();
   combed.setRest(std::vector<Vec3>(ball.positions.size(), Vec3(0)), {});
   for (int k = 0; k < 40; ++k) {
@@ -280,7 +232,7 @@ TEST(BendField, ARestOfNothingIsNoRest) {
 }
 
 TEST(BendField, SwingsFromTheCombToTheBalanceThatSettleGives) {
-  const Ball ball;
+  const FurBall ball;
   BendField stepped = ball.field(), settled = ball.field();
   for (BendField* field : {&stepped, &settled}) field->setRest(combed(ball), {});
   settled.settle(kStill, windy(), {});
@@ -297,7 +249,7 @@ TEST(BendField, AForceAlongTheCombMovesLessThanOneAcrossIt) {
   BendField field;
   field.reset({Vec3(0, 1, 0)}, {Vec3(0, 1, 0)});
   field.setRest({Vec3(1.2f, 0, 0)}, {});
-  BendForces forces = none();
+  BendForces forces = noForces();
   const auto moved = [&](const Vec3& pull) {  // gravity, for wind has its lee
     forces.gravity = pull;
     field.settle(kStill, forces, {});
@@ -314,7 +266,7 @@ TEST(BendField, AForceAlongTheCombMovesLessThanOneAcrossIt) {
 }
 
 TEST(BendField, CarriesTheLengthsForTheShaders) {
-  const Ball ball;
+  const FurBall ball;
   BendField field = ball.field();
   EXPECT_EQ(field.bends()[7].w, 1);
   std::vector<float> lengths(ball.positions.size(), 0.25f);

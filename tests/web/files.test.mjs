@@ -133,11 +133,13 @@ test('a dropped .fts is the coat until a setting that grows another changes', as
   });
   // Until it has grown the picture keeps the coat before it.
   await page.waitForFunction(() => wetFur.stats.strands > 600);
+  await untilStill(page);
   const dense = await picture(page), again = await picture(page);
   await drop([['curls.fts', Buffer.from(coat, 'base64')]]);
   await untilCoat(true);
   // The picture keeps the dense coat until the other has grown.
   await page.waitForFunction(() => wetFur.stats.strands < 600);
+  await untilStill(page);
   const apart = difference(dense, await picture(page), 10);
   assert.ok(apart > 100 * difference(dense, again, 10) && apart > 0.01, `${apart}`);
   await withFur(page, (fur) => { fur.settings.wind = 0; fur.settings.density = 0.5; });

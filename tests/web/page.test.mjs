@@ -206,7 +206,7 @@ test('the canvas has the pixels of the screen, and follows a resize', async () =
 
 test('every control has a name and, on a phone, room for a finger', async () => {
   const page = await site.open(`?quality=low&layers=8&fins=0&src=plane`, { viewport: { width: 390, height: 600 } });
-  const controls = await page.$$eval('#bar button, #bar select', (list) => list.map((control) => {
+  const controls = await page.$$eval('#bar button, #bar select', (list) => list.filter((control) => control.offsetParent).map((control) => {
     const { width, height, left, right } = control.getBoundingClientRect();
     return { name: control.title || control.labels?.[0]?.textContent || '', width, height, inside: left >= 0 && right <= innerWidth };
   }));

@@ -26,9 +26,9 @@ function chromiumPath() {
   return found;
 }
 
-/** Small, because a software rasteriser draws; light, because most tests are not about the coat. */
+/** Small, because a software rasteriser draws; light, because most tests are not about the coat or how it breathes. */
 const viewport = { width: 480, height: 360 };
-export const light = 'quality=low&layers=8&fins=0&ui=0';
+export const light = 'quality=low&layers=8&fins=0&breath=0&ui=0';
 
 /**
  * Starts both before the tests of a file and stops them after. Gives { url, open }: `open(path, options)`

@@ -14,8 +14,9 @@ export class FurError extends Error {
 /**
  * 'comb' to 'type' dress the fur: 'smooth', 'raise' and 'comb' lay it, 'trim' and 'grow' change its length, 'type' its kind.
  * 'whisker' plants a whisker or a tuft where it is pressed and aims it while it is dragged; 'pluck' pulls them out.
+ * 'pet' strokes the fur and 'ball' presses a ball into it; it forgets both after a while.
  */
-export type Tool = 'droplet' | 'dry' | 'rain' | 'hose' | 'towel' | 'dryer' | 'comb' | 'smooth' | 'raise' | 'trim' | 'grow' | 'type' | 'whisker' | 'pluck' | 'grab' | 'none';
+export type Tool = 'droplet' | 'dry' | 'rain' | 'hose' | 'towel' | 'dryer' | 'comb' | 'smooth' | 'raise' | 'trim' | 'grow' | 'type' | 'whisker' | 'pluck' | 'pet' | 'ball' | 'grab' | 'none';
 export type GroomType = '1' | '2' | '3' | '4';
 export type FurType = 'bald' | 'rabbit' | 'chinchilla' | 'curlyDog' | 'thickNylon' | 'fineSparse' | 'otter' | 'shortCat' | 'persian' | 'shag' | 'velvet' | 'wool';
 /** All over the model; see WetFurApi.groom. */
@@ -162,6 +163,16 @@ export interface FurSettings {
   windYaw: number;
   /** How much the wind comes and goes. */
   gust: number;
+  /** Strength of the eddies that run along with the wind. */
+  turbulence: number;
+  /** How much idle fur stirs where no wind blows, for some seconds after somebody was there. */
+  breath: number;
+  /** Radius of the ball that the tool Ball presses into the fur. */
+  ballSize: number;
+  /** Which of the model's animations plays; 0: none. */
+  animation: number;
+  /** How fast it plays; 0 holds it. */
+  animationSpeed: number;
   /** How strongly the fur answers to the model's own motion. */
   inertia: number;
   /** Upper colour of the gradient behind the model. */
@@ -301,6 +312,8 @@ export interface WetFurApi {
   /** The newest hundred. */
   readonly warnings: string[];
   readonly modelName: string;
+  /** Names of what the model can play; the setting `animation` counts from 1. */
+  readonly animations: readonly string[];
   /** 0..1 over the whole model. */
   readonly meanWetness: number;
   /** Of the wetness mask: the same strokes give the same hash. */

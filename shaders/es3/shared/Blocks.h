@@ -31,6 +31,7 @@ FUR_BLOCK(FrameBlock) {
   vec4 groundPlane;       // x: its height in the world  y: half the side of its shadow map  z: darkness
   vec4 groundCentre;      // world x and z of the shadow map's centre
   mat4 lightFromModel;    // to the fur's own shadow map: xy 0..1, z depth along the light in model units
+  vec4 ball;              // centre in the world; w: radius
   vec4 volumeShadow;      // x: log2(e) k  y: bias, or distance of the layers  z: height of the first surface  w: depth that the map spans
 };
 
@@ -136,7 +137,9 @@ FUR_BLOCK(FurBlock) {
 // Shells of the exploded view, and how much further apart they are than in the coat, model units.
 #define FUR_EXPLODED_SHELLS 8
 #define FUR_EXPLODED_GAP 0.035
-// Cells along the square of ground that may be wet: the one that the ground's shadow map covers.
+// Quads of the ball round its axis and from pole to pole.
+#define FUR_BALL_AROUND 48
+#define FUR_BALL_DOWN 24
 // Points of a whisker, root to tip (groom/Whiskers.h).
 #define FUR_WHISKER_POINTS 8
 

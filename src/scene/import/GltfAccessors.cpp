@@ -146,7 +146,8 @@ void forEachElement(const GltfFile& file, const Accessor& accessor, std::size_t 
 }  // namespace
 
 std::vector<float> readFloats(const GltfFile& file, Whole index, int components) {
-  const Accessor accessor = openAccessor(file, index, components == 2 ? "VEC2" : "VEC3", kMaxVertices);
+  const char* type = components == 1 ? "SCALAR" : components == 2 ? "VEC2" : components == 3 ? "VEC3" : components == 4 ? "VEC4" : "MAT4";
+  const Accessor accessor = openAccessor(file, index, type, kMaxVertices);
   if (accessor.component == kUnsignedInt) file.bad("%s has 32-bit integers where numbers are needed", accessor.where.c_str());
   const std::size_t part = sizeOf(accessor.component), width = static_cast<std::size_t>(components);
   std::vector<float> out;

@@ -8,7 +8,7 @@
 
 namespace fur::scene {
 
-// The elements as floats, `components` each (2 for VEC2, 3 for VEC3), normalized integers as
+// The elements as floats, `components` each (1 SCALAR, 2 VEC2, 3 VEC3, 4 VEC4, 16 MAT4), normalized integers as
 // KHR_mesh_quantization has it, sparse values in place. Not checked for NaN. At most kMaxVertices elements.
 std::vector<float> readFloats(const GltfFile& file, Whole accessor, int components);
 

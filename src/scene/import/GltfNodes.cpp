@@ -64,10 +64,14 @@ std::vector<Whole> rootsOf(const GltfFile& file) {
 
 }  // namespace
 
+std::vector<Whole> childrenOf(const GltfFile& file, Whole node) {
+  return nodeList(file, file.element("nodes", node), "children", formatted("nodes[%llu]", node));
+}
+
 std::vector<PlacedMesh> placedMeshes(const GltfFile& file) {
   std::vector<PlacedMesh> placed;
   if (file.count("nodes") == 0) {
-    for (Whole mesh = 0; mesh < file.count("meshes"); ++mesh) placed.push_back({mesh, glm::dmat4(1.0)});
+    for (Whole mesh = 0; mesh < file.count("meshes"); ++mesh) placed.push_back({mesh, glm::dmat4(1.0), 0, kNoSkin});
     return placed;
   }
   struct Visit { Whole node; glm::dmat4 parent; };
@@ -92,8 +96,8 @@ std::vector<PlacedMesh> placedMeshes(const GltfFile& file) {
     const Json& node = file.element("nodes", visit.node);
     const glm::dmat4 transform = visit.parent * localTransform(file, node, where);
     if (node.find("mesh")) {
-      const bool skinned = node.find("skin");
-      placed.push_back({file.whole(node, "mesh", where), skinned ? glm::dmat4(1.0) : transform});
+      const Whole skin = file.whole(node, "skin", kNoSkin, where);
+      placed.push_back({file.whole(node, "mesh", where), skin == kNoSkin ? transform : glm::dmat4(1.0), visit.node, skin});
     }
     push(nodeList(file, node, "children", where), transform);
   }

@@ -2,12 +2,14 @@
 
 #include "geometry/AtlasUv.h"
 #include "scene/Model.h"
+#include "scene/Pose.h"
 #include "scene/import/CornerMesh.h"
 #include "scene/import/GltfAccessors.h"
 #include "scene/import/GltfFile.h"
 #include "scene/import/GltfFur.h"
 #include "scene/import/GltfMaterials.h"
 #include "scene/import/GltfNodes.h"
+#include "scene/import/GltfRig.h"
 #include "scene/import/Readers.h"
 
 namespace fur::scene {
@@ -19,11 +21,13 @@ constexpr std::size_t kMaxWarnings = 20;
 
 class Importer {
  public:
-  Importer(const GltfFile& file, Model& model) : file_(file), model_(model), materials_(file) {}
+  Importer(const GltfFile& file, Model& model) : file_(file), model_(model), materials_(file), rig_(file, model.rig) {}
 
   void run() {
     fur_ = readFur(file_, model_.fur);
+    rigged_ = rig_.begin();
     for (const PlacedMesh& placed : placedMeshes(file_)) addMesh(placed);
+    if (rigged_) placeSkins();
     if (model_.mesh.indices.empty()) file_.bad("there are no triangles in it");
     if (!anyTexcoords_) model_.mesh.uv.clear();
     model_.hasTexcoords = anyTexcoords_ && !missingTexcoords_;
@@ -31,12 +35,27 @@ class Importer {
     materials_.describe(model_);
     model_.bounds = geometry::bounds(model_.mesh);
     const geometry::Fit fit = geometry::fitToUnitSphere(model_.mesh);
+    model_.rig.centre = Vec3(fit.centre);
+    model_.rig.scale = static_cast<float>(fit.scale);
+    if (!model_.rig.moves()) model_.rig = {};
     for (groom::Whisker& whisker : model_.fur.whiskers) whisker.root = fit.of(whisker.root);
   }
 
  private:
   void warn(const std::string& text) {
     if (model_.warnings.size() < kMaxWarnings) model_.warnings.push_back(text);
+  }
+
+  // A skin stands where its joints are.
+  void placeSkins() {
+    if (model_.rig.skins.empty()) return;
+    const Pose pose(model_.rig);
+    for (const Rig::Part& part : model_.rig.parts)
+      for (std::size_t i = part.firstVertex; part.skin >= 0 && i < part.firstVertex + part.vertices; ++i) {
+        const Vec3& p = model_.mesh.positions[i] = pose.positions()[i];
+        if (!(std::abs(p.x) < 1e38f && std::abs(p.y) < 1e38f && std::abs(p.z) < 1e38f)) file_.bad("a skin puts vertex %zu out of bounds", i);
+        model_.mesh.normals[i] = pose.normals()[i];
+      }
   }
 
   void addMesh(const PlacedMesh& placed) {
@@ -47,11 +66,12 @@ class Importer {
     for (const Json& primitive : *primitives) {
       const std::string name = formatted("meshes[%llu].primitives[%zu]", placed.mesh, number++);
       if (!primitive.isObject()) file_.bad("%s is not an object", name.c_str());
-      addPrimitive(primitive, placed.transform, name);
+      addPrimitive(primitive, placed, name);
     }
   }
 
-  void addPrimitive(const Json& primitive, const glm::dmat4& transform, const std::string& where) {
+  void addPrimitive(const Json& primitive, const PlacedMesh& placed, const std::string& where) {
+    const glm::dmat4& transform = placed.transform;
     const Whole mode = file_.whole(primitive, "mode", 4, where);
     if (mode > 6) file_.bad("%s.mode %llu is unknown", where.c_str(), mode);
     const Json* attributes = primitive.find("attributes");
@@ -67,7 +87,16 @@ class Importer {
     readTexcoords(part, *attributes, material, where);
     materials_.count(material, part.triangleCount());
     readFurAttributes(*attributes, transform, part.positions.size(), where);
+    if (rigged_) rig_.addPart(placed, primitive, std::move(local_), localNormals(part.normals, transform), where);
     append(part);
+  }
+
+  // Back to the space of the node; readNormals() has taken them out of it.
+  static std::vector<Vec3> localNormals(const std::vector<Vec3>& normals, const glm::dmat4& transform) {
+    const glm::dmat3 back = glm::transpose(glm::dmat3(transform));
+    std::vector<Vec3> out;
+    for (const Vec3& n : normals) out.push_back(normalizeOr(Vec3(glm::normalize(back * glm::dvec3(n))), Vec3(0, 1, 0)));
+    return out;
   }
 
   void readPositions(geometry::Mesh& part, Whole accessor, const glm::dmat4& transform, const std::string& where) {
@@ -77,6 +106,7 @@ class Importer {
     }
     const std::vector<float> values = readFloats(file_, accessor, 3);
     part.positions.resize(values.size() / 3);
+    local_.clear();
     for (std::size_t i = 0; i < part.positions.size(); ++i) {
       const glm::dvec4 local(values[3 * i], values[3 * i + 1], values[3 * i + 2], 1.0);
       const Vec3 p = Vec3(transform * local);
@@ -85,6 +115,7 @@ class Importer {
         file_.bad("%s: position %zu is not a finite number", where.c_str(), i);
       }
       part.positions[i] = p;
+      if (rigged_) local_.emplace_back(local);
     }
   }
 
@@ -213,8 +244,10 @@ class Importer {
   const GltfFile& file_;
   Model& model_;
   GltfMaterials materials_;
+  GltfRig rig_;
+  std::vector<Vec3> local_;  // positions of the primitive that is read, in the space of its node
   GltfFur fur_;
-  bool anyTexcoords_ = false, missingTexcoords_ = false;
+  bool rigged_ = false, anyTexcoords_ = false, missingTexcoords_ = false;
 };
 
 }  // namespace

@@ -1,0 +1,128 @@
+// The half of App that plays a model's animations.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "app/AppState.h"
+
+namespace fur::app {
+
+namespace {
+
+// Values of the mesh's vertices as values of the surface's.
+void spread(const std::vector<std::uint32_t>& sources, std::span<const Vec3> from, std::vector<Vec3>& to) {
+  to.resize(sources.size());
+  const Vec3* source = from.data();
+  Vec3* out = to.data();
+  for (const std::uint32_t i : sources) *out++ = source[i];
+}
+
+}  // namespace
+
+int App::State::animation() const {
+  const int count = static_cast<int>(rig.animations.size());
+  return settings.animation <= count ? settings.animation - 1 : -1;
+}
+
+bool App::State::animates() const { return animation() >= 0 && settings.animationSpeed > 0 && !reducedMotion; }
+
+// The rig as it stands by itself; the surface is new.
+void App::State::takeRig() {
+  skin = {};
+  pose.reset();
+  firstTangents.clear();
+  posedFor = {-1, 0};
+  posedQueryStale = true;
+  if (!rig.moves()) return;
+  pose.emplace(rig);
+  for (const geometry::SurfaceVertex& v : surface.vertices) skin.sources.push_back(v.source);
+  takeSkin();
+  // What the importer has computed in double precision.
+  for (std::size_t i = 0; i < surface.vertices.size(); ++i) {
+    skin.positions[i] = surface.vertices[i].position;
+    const Vec3 n = skin.normals[i] = surface.vertices[i].normal;
+    skin.tangents[i] = normalizeOr(skin.tangents[i] - n * glm::dot(n, skin.tangents[i]), Vec3(1, 0, 0));
+  }
+  firstTangents = skin.tangents;
+}
+
+void App::State::takeSkin() {
+  spread(skin.sources, pose->positions(), skin.positions);
+  spread(skin.sources, pose->normals(), skin.normals);
+  spread(skin.sources, pose->tangents(), skin.tangents);
+}
+
+bool App::State::refreshPose(float dt) {
+  if (!pose) return false;
+  const int wanted = animation();
+  if (wanted != posedFor.first) animationTime = 0;
+  if (animates()) {
+    const double duration = rig.animations[static_cast<std::size_t>(wanted)].duration;
+    animationTime += static_cast<double>(dt * settings.animationSpeed);
+    animationTime -= duration * std::floor(animationTime / duration);
+  }
+  const std::pair now(wanted, animationTime);
+  if (now == posedFor) return false;
+  posedFor = now;
+  pose->set(wanted, static_cast<float>(animationTime));
+  takeSkin();
+  bends.setPose(skin.positions, skin.normals, skin.tangents);
+  posedQueryStale = pictureChanged = true;
+  uploadPose();
+  return true;
+}
+
+void App::State::uploadPose() {
+  if (!renderer || !pose) return;
+  renderer->setSkin({skin.positions, skin.normals, skin.tangents});
+  uploadWhiskers();
+}
+
+const geometry::SurfaceQuery& App::State::shownQuery() {
+  if (!pose) return query;
+  if (posedQueryStale) {
+    posedQuery = query;
+    posedQuery.follow(surface, skin.positions);
+    posedQueryStale = false;
+  }
+  return posedQuery;
+}
+
+Vec3 App::State::shownPosition(const geometry::SurfacePoint& at) const {
+  if (!pose) return positionAt(surface, at);
+  Vec3 sum(0);
+  for (int k = 0; k < 3; ++k) sum += skin.positions[surface.indices[3 * at.triangle + static_cast<std::size_t>(k)]] * at.weights[k];
+  return sum;
+}
+
+Vec3 App::State::shownNormal(const geometry::SurfacePoint& at) const {
+  if (!pose) return normalAt(surface, at);
+  Vec3 sum(0);
+  for (int k = 0; k < 3; ++k) sum += skin.normals[surface.indices[3 * at.triangle + static_cast<std::size_t>(k)]] * at.weights[k];
+  return normalizeOr(sum, skin.normals[surface.indices[3 * std::size_t{at.triangle}]]);
+}
+
+// Hairs stand on the surface as it was made; they go along with their triangles.
+void App::State::carry(std::vector<groom::WhiskerHair>& hairs) const {
+  if (!pose) return;
+  for (groom::WhiskerHair& hair : hairs) {
+    const auto corner = [&](int k) { return static_cast<std::size_t>(hair.vertices[k]); };
+    const std::size_t v = corner(0);
+    const auto frame = [](const Vec3& n, const Vec3& t) { return Mat3(n, t, glm::cross(n, t)); };
+    const Mat3 turn = frame(skin.normals[v], skin.tangents[v]) *
+                      glm::transpose(frame(surface.vertices[v].normal, firstTangents[v]));
+    hair.root = Vec3(0);
+    for (int k = 0; k < 3; ++k) hair.root += skin.positions[corner(k)] * hair.weights[k];
+    hair.direction = turn * hair.direction;
+    hair.curve = turn * hair.curve;
+    hair.normal = turn * hair.normal;
+  }
+}
+
+std::string App::animations() const {
+  std::string lines;
+  for (const scene::Rig::Animation& animation : state_->rig.animations) lines += animation.name + '\n';
+  return lines;
+}
+
+}  // namespace fur::app

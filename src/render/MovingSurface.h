@@ -1,0 +1,46 @@
+// What the GPU has of a surface, kept here for a model that changes its shape: its vertices and fin edges follow the skin.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "geometry/Surface.h"
+
+namespace fur::render {
+
+// Interleaved as shared/Blocks.h lists the attributes.
+struct GpuVertex {
+  Vec4 position, normal;
+  Vec4 uvAtlas;
+  Vec4 fur;
+  Vec4 gradS;
+  Vec3 gradT;
+  Vec4 atlasFromFur;
+};
+static_assert(sizeof(GpuVertex) == 27 * sizeof(float));
+
+// A fin instance, in the order of shared/Blocks.h.
+struct FinEdge {
+  Vec4 positionA, positionB, normalA, normalB, face0, face1, atlas;
+};
+
+// The skin now: one of each a vertex of the surface, normals and tangents unit and across each other.
+struct Skin {
+  std::span<const Vec3> positions, normals, tangents;
+};
+
+class MovingSurface {
+ public:
+  // `tangents`: those of the shape that vertices and edges have now.
+  MovingSurface(std::vector<GpuVertex> vertices, std::span<const Vec3> tangents, std::span<const FinEdge> edges);
+  // Takes the vertices along, and those edges. Tile coordinates turn with the skin and do not stretch.
+  void follow(const Skin& skin, std::vector<FinEdge>& edges);
+  std::span<const GpuVertex> vertices() const { return vertices_; }
+
+ private:
+  std::vector<GpuVertex> vertices_;
+  std::vector<Vec4> gradients_;    // of s and t, along the tangent and across it
+  std::vector<Vec4> faceNormals_;  // of an edge's two faces, along the normal across the edge and to its side
+};
+
+}  // namespace fur::render

@@ -1,0 +1,147 @@
+#include "scene/Pose.h"
+
+#include <algorithm>
+
+#include "dynamics/Lanes.h"
+
+namespace fur::scene {
+
+namespace {
+
+using dynamics::Lanes;
+
+// An affine map by its columns.
+struct LaneMatrix {
+  Lanes x, y, z, w;
+  explicit LaneMatrix(const Mat4& m)
+      : x(dynamics::load(&m[0].x)), y(dynamics::load(&m[1].x)), z(dynamics::load(&m[2].x)), w(dynamics::load(&m[3].x)) {}
+  Vec3 direction(const Vec3& v) const { return vector(x * v.x + y * v.y + z * v.z); }
+  Vec3 point(const Vec3& v) const { return vector(x * v.x + y * v.y + z * v.z + w); }
+  static Vec3 vector(const Lanes& v) { return {v[0], v[1], v[2]}; }
+};
+
+LaneMatrix blended(const std::vector<Mat4>& joints, const std::array<std::uint16_t, 4>& of, const Vec4& weights) {
+  LaneMatrix sum(joints[of[0]]);
+  if (weights[0] == 1.0f) return sum;
+  sum.x *= weights[0], sum.y *= weights[0], sum.z *= weights[0], sum.w *= weights[0];
+  for (int k = 1; k < 4 && weights[k] > 0; ++k) {
+    const LaneMatrix m(joints[of[static_cast<std::size_t>(k)]]);
+    const float w = weights[k];
+    sum.x += m.x * w, sum.y += m.y * w, sum.z += m.z * w, sum.w += m.w * w;
+  }
+  return sum;
+}
+
+Vec3 anyAcross(const Vec3& n) {
+  return normalizeOr(glm::cross(n, std::abs(n.y) < 0.9f ? Vec3(0, 1, 0) : Vec3(1, 0, 0)), Vec3(1, 0, 0));
+}
+
+Mat4 localOf(const Rig::Node& node) {
+  if (node.fixed) return node.matrix;
+  Mat4 out = glm::mat4_cast(node.rotation);
+  for (int c = 0; c < 3; ++c) out[c] *= node.scale[c];
+  out[3] = Vec4(node.translation, 1);
+  return out;
+}
+
+}  // namespace
+
+void sample(const Rig::Channel& channel, float seconds, float* out) {
+  const std::size_t width = channel.width, count = channel.times.size();
+  const bool cubic = channel.interpolation == Interpolation::Cubic;
+  const auto valueAt = [&](std::size_t key) { return &channel.values[(cubic ? 3 * key + 1 : key) * width]; };
+  const auto after = std::upper_bound(channel.times.begin(), channel.times.end(), seconds);
+  const auto next = static_cast<std::size_t>(after - channel.times.begin());
+  if (next == 0 || next == count || channel.interpolation == Interpolation::Step) {
+    std::copy_n(valueAt(next == 0 ? 0 : next - 1), width, out);
+  } else {
+    const float span = channel.times[next] - channel.times[next - 1];
+    const float t = span > 0 ? (seconds - channel.times[next - 1]) / span : 0;
+    const float *a = valueAt(next - 1), *b = valueAt(next);
+    if (cubic) {
+      // glTF 2.0, appendix C.
+      const float *leaving = a + width, *coming = b - width, t2 = t * t, t3 = t2 * t;
+      for (std::size_t i = 0; i < width; ++i)
+        out[i] = (2 * t3 - 3 * t2 + 1) * a[i] + span * (t3 - 2 * t2 + t) * leaving[i] + (3 * t2 - 2 * t3) * b[i] +
+                 span * (t3 - t2) * coming[i];
+    } else if (channel.path == Path::Rotation) {
+      const Quat turned = glm::slerp(Quat(a[3], a[0], a[1], a[2]), Quat(b[3], b[0], b[1], b[2]), t);
+      out[0] = turned.x, out[1] = turned.y, out[2] = turned.z, out[3] = turned.w;
+    } else {
+      for (std::size_t i = 0; i < width; ++i) out[i] = a[i] + (b[i] - a[i]) * t;
+    }
+  }
+  if (channel.path != Path::Rotation) return;
+  const float length = std::sqrt(out[0] * out[0] + out[1] * out[1] + out[2] * out[2] + out[3] * out[3]);
+  for (int i = 0; i < 4; ++i) out[i] = length > 1e-12f ? out[i] / length : i == 3 ? 1.0f : 0.0f;
+}
+
+Pose::Pose(const Rig& rig) : rig_(&rig), positions_(rig.positions), normals_(rig.normals) {
+  for (const Vec3& n : rig.normals) firstTangents_.push_back(anyAcross(n));
+  tangents_ = firstTangents_;
+  set(-1, 0);
+}
+
+void Pose::placeNodes(int animation, float seconds) {
+  std::vector<Rig::Node> nodes = rig_->nodes;
+  weights_ = rig_->restWeights;
+  if (animation >= 0 && animation < static_cast<int>(rig_->animations.size())) {
+    std::vector<float> value;
+    for (const Rig::Channel& channel : rig_->animations[static_cast<std::size_t>(animation)].channels) {
+      value.resize(std::max<std::size_t>(channel.width, 4));
+      sample(channel, seconds, value.data());
+      Rig::Node& node = nodes[channel.node];
+      const Vec3 vector(value[0], value[1], value[2]);
+      switch (channel.path) {
+        case Path::Translation: node.translation = vector; break;
+        case Path::Rotation: node.rotation = Quat(value[3], value[0], value[1], value[2]); break;
+        case Path::Scale: node.scale = vector; break;
+        case Path::Weights: std::copy_n(value.begin(), channel.width, weights_.begin() + node.firstWeight); break;
+      }
+    }
+  }
+  Mat4 fit(rig_->scale);
+  fit[3] = Vec4(-rig_->centre * rig_->scale, 1);
+  transforms_.resize(nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    transforms_[i] = (nodes[i].parent < 0 ? fit : transforms_[static_cast<std::size_t>(nodes[i].parent)]) * localOf(nodes[i]);
+}
+
+void Pose::placePart(const Rig::Part& part) {
+  const Rig& rig = *rig_;
+  if (part.skin >= 0) {
+    const Rig::Skin& skin = rig.skins[static_cast<std::size_t>(part.skin)];
+    joints_.clear();
+    for (std::size_t i = 0; i < skin.joints.size(); ++i) joints_.push_back(transforms_[skin.joints[i]] * skin.inverseBinds[i]);
+  }
+  const LaneMatrix rigid(transforms_[part.node]);
+  const float* weights = weights_.data() + rig.nodes[part.node].firstWeight;
+  for (std::size_t i = part.firstVertex; i < part.firstVertex + part.vertices; ++i) {
+    Vec3 p = rig.positions[i], n = rig.normals[i], t = firstTangents_[i];
+    for (std::uint32_t k = 0; k < part.targets; ++k) {
+      if (weights[k] == 0) continue;
+      const Vec3* delta = &rig.deltas[part.firstDelta + 2 * (std::size_t{k} * part.vertices + i - part.firstVertex)];
+      p += delta[0] * weights[k];
+      n += delta[1] * weights[k];
+    }
+    const LaneMatrix m = part.skin >= 0 ? blended(joints_, rig.joints[i], rig.weights[i]) : rigid;
+    // Two tangents span the skin wherever the map takes them: right for any scale.
+    if (part.targets) t -= n * (glm::dot(t, n) / std::max(glm::dot(n, n), 1e-12f));
+    const Vec3 along = m.direction(t), aside = m.direction(glm::cross(n, t)), position = m.point(p);
+    // A map that mirrors turns them over.
+    const Vec3 facing = glm::cross(along, aside);
+    const Vec3 up = normalizeOr(glm::dot(facing, m.direction(n)) < 0 ? -facing : facing, normals_[i]);
+    positions_[i] = std::isfinite(position.x + position.y + position.z) ? position : positions_[i];
+    normals_[i] = up;
+    const Vec3 across = along - up * glm::dot(along, up);
+    const float squared = glm::dot(across, across);
+    tangents_[i] = squared > 1e-24f && squared < 1e24f ? across * (1.0f / std::sqrt(squared)) : anyAcross(up);
+  }
+}
+
+void Pose::set(int animation, float seconds) {
+  placeNodes(animation, seconds);
+  for (const Rig::Part& part : rig_->parts) placePart(part);
+}
+
+}  // namespace fur::scene

@@ -1,0 +1,35 @@
+// Nodes, skins, morph targets and animations of a glTF file, every number of them checked.
+#pragma once
+
+#include "scene/Rig.h"
+#include "scene/import/GltfFile.h"
+#include "scene/import/GltfNodes.h"
+
+namespace fur::scene {
+
+class GltfRig {
+ public:
+  GltfRig(const GltfFile& file, Rig& rig);
+
+  // Reads nodes and animations when there is anything that moves or is skinned; else false, and nothing else is to be done.
+  bool begin();
+  // A primitive that was placed: `positions` and `normals` in the space of its node.
+  void addPart(const PlacedMesh& placed, const Json& primitive, std::vector<Vec3> positions, std::vector<Vec3> normals,
+               const std::string& where);
+
+ private:
+  void readNodes();
+  void readSkins();
+  void readAnimations();
+  void readChannel(const Json& animation, const Json& channel, Rig::Animation& out, const std::string& where);
+  void readJoints(const Json& attributes, std::size_t joints, std::size_t vertices, const std::string& where);
+  void readTargets(const Json& primitive, Rig::Part& part, const std::string& where);
+  std::vector<float> floats(Whole accessor, int components);
+
+  const GltfFile& file_;
+  Rig& rig_;
+  std::vector<std::uint32_t> nodeOf_;  // by the number in the file
+  std::size_t floats_ = 0;             // read for the rig so far
+};
+
+}  // namespace fur::scene

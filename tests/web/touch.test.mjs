@@ -1,0 +1,78 @@
+// Hands, balls, breath and animations on the page.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { tentacle } from '../bench/models.mjs';
+import { difference, light, picture, sleep, spotOnModel, startBrowser, untilStill, withFur } from './support.mjs';
+
+const site = startBrowser();
+
+async function drag(page, from, to) {
+  await page.mouse.move(...from);
+  await page.mouse.down();
+  for (let i = 1; i <= 12; ++i) {
+    await page.mouse.move(...[0, 1].map((k) => from[k] + ((to[k] - from[k]) * i) / 12));
+    await sleep(20);
+  }
+  await page.mouse.up();
+}
+
+test('petted fur lies over, comes back, and leaves nothing to undo', async () => {
+  const page = await site.open('?quality=low&layers=8&fins=0&breath=0&src=sphere&furLength=0.25&brushRadius=0.4');
+  await untilStill(page);
+  const before = await picture(page), { x, y } = await spotOnModel(page);
+  await page.click('[data-tool=pet]');
+  await page.mouse.move(x - 60, y);
+  await page.mouse.down();
+  for (let i = 0; i <= 12; ++i) await page.mouse.move(x - 60 + 10 * i, y);
+  await untilStill(page);
+  assert.ok(difference(before, await picture(page), 16) > 0.01);
+  await page.mouse.up();
+  await untilStill(page);
+  assert.ok(difference(before, await picture(page), 2) < 0.001);
+  assert.equal(await withFur(page, (fur) => fur.undo()), false);
+  assert.deepEqual(page.problems, []);
+});
+
+test('a ball can be dragged over the fur, and goes with its tool', async () => {
+  const page = await site.open('?quality=low&layers=8&fins=0&breath=0&src=sphere');
+  await untilStill(page);
+  const before = await picture(page), { x, y } = await spotOnModel(page);
+  await page.click('[data-tool=ball]');
+  await drag(page, [x - 40, y], [x + 10, y]);
+  await untilStill(page);
+  const at = ({ data, width }) => data[4 * (y * width + x + 10)] - data[4 * (y * width + x + 10) + 1];
+  assert.ok(at(await picture(page)) > at(before) + 30, 'red');
+  await page.click('[data-tool=ball]');
+  await untilStill(page);
+  assert.ok(difference(before, await picture(page), 2) < 0.001);
+  assert.deepEqual(page.problems, []);
+});
+
+test('idle fur breathes for some seconds, then nothing is drawn', async () => {
+  const page = await site.open(`?${light.replace('breath=0', 'breath=1')}&src=sphere&motion=full`);
+  const drawn = () => withFur(page, (fur) => fur.stats.framesDrawn);
+  const first = await drawn();
+  await page.waitForFunction((n) => wetFur.stats.framesDrawn > n + 5, first);
+  await untilStill(page);
+  const last = await drawn();
+  await sleep(1000);
+  assert.equal(await drawn(), last);
+  const calm = await site.open(`?${light.replace('breath=0', 'breath=1')}&src=sphere`, { reducedMotion: 'reduce' });
+  const still = await untilStill(calm);
+  await sleep(500);
+  assert.equal(await withFur(calm, (fur) => fur.stats.framesDrawn), still);
+});
+
+test('a model with an animation plays it, holds it and says its name', async () => {
+  const page = await site.open(`?${light}&src=sphere`);
+  await withFur(page, (fur, base64) => fur.loadModel(new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], 'tentacle.glb')),
+    tentacle(24, 32).toString('base64'));
+  assert.deepEqual(await withFur(page, (fur) => fur.animations), ['wave']);
+  await withFur(page, (fur) => { fur.pause(); fur.step(1 / 60, 10); });
+  const early = await picture(page);
+  await withFur(page, (fur) => fur.step(1 / 60, 30));
+  assert.ok(difference(early, await picture(page), 16) > 0.02);
+  await withFur(page, (fur) => { fur.settings.animationSpeed = 0; fur.play(); });
+  await untilStill(page);
+  assert.deepEqual(page.problems, []);
+});
