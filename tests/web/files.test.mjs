@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { badModels, hugeImage, tetrahedron } from './glb.mjs';
-import { difference, light, picture, sleep, startBrowser, withFur } from './support.mjs';
+import { difference, light, picture, sleep, startBrowser, untilStill, withFur } from './support.mjs';
 
 const site = startBrowser();
 let page;
