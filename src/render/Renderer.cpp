@@ -147,6 +147,11 @@ void Renderer::warmUp(const Frame& frame) {
   (void)draw(pixel);  // whoever draws next has the error, too
   hasFur_ = false;
   gl::flush();
+  // Drivers put off a pass that is flushed until another begins: one that paints nothing which is kept.
+  groundTarget_[1].bind();
+  gl::clear(Vec4(0));
+  gl::bindPlatformFramebuffer();
+  gl::flush();
 }
 
 Status Renderer::draw(const Frame& frame) {
