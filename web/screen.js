@@ -46,10 +46,10 @@ export class Screen {
     this.#watchVisibility(signal);
   }
 
-  /** The context as `program` knows it, with every extension on. */
+  /** The context as `program` knows it. */
   register(program) {
     const { GL } = program.emscripten;
-    this.handle = GL.registerContext(this.gl, { majorVersion: 2, minorVersion: 0, enableExtensionsByDefault: true });
+    this.handle = GL.registerContext(this.gl, { majorVersion: 2, minorVersion: 0, enableExtensionsByDefault: false });
     GL.makeContextCurrent(this.handle);
   }
   makeCurrent(program) { program.emscripten.GL.makeContextCurrent(this.handle); }

@@ -145,7 +145,8 @@ class Target {
  public:
   Target() = default;
   // One colour texture, or each of up to four layers of an array as a colour of its own; depth of 24 bits if wanted.
-  static Result<Target> toTexture(const Texture& texture, bool depth = false);
+  // Of 8 bits a channel, which every context can draw into: it is not asked, which would wait for all before.
+  static Target toTexture(const Texture& texture, bool depth = false);
   // Colour and depth renderbuffers of `samples` (0: plain), for pictures without a window.
   static Result<Target> offscreen(int width, int height, int samples);
   void bind() const;

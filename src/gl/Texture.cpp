@@ -127,14 +127,9 @@ Name makeRenderbuffer(GLenum format, int width, int height, int samples) {
   return Name(id, [](unsigned old) { glDeleteRenderbuffers(1, &old); });
 }
 
-Status checkComplete(const char* what) {
-  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return Done{};
-  return Error{ErrorId::WebglUnavailable, std::string(what) + ": the driver refuses this framebuffer"};
-}
-
 }  // namespace
 
-Result<Target> Target::toTexture(const Texture& texture, bool depth) {
+Target Target::toTexture(const Texture& texture, bool depth) {
   Target target;
   target.framebuffer_ = makeFramebuffer();
   if (depth) target.depth_ = makeRenderbuffer(GL_DEPTH_COMPONENT24, texture.shape().width, texture.shape().height, 0);
@@ -148,9 +143,7 @@ Result<Target> Target::toTexture(const Texture& texture, bool depth) {
   else
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.id(), 0);
   if (depth) glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, target.depth_.id());
-  const Status status = checkComplete("Target::toTexture()");
   bindPlatformFramebuffer();
-  if (!status) return status.error();
   return target;
 }
 
@@ -162,8 +155,8 @@ Result<Target> Target::offscreen(int width, int height, int samples) {
   target.bind();
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, target.color_.id());
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, target.depth_.id());
-  const Status status = checkComplete("Target::offscreen()");
-  if (!status) return status.error();
+  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+    return Error{ErrorId::WebglUnavailable, "Target::offscreen(): the driver refuses this framebuffer"};
   return target;
 }
 

@@ -51,22 +51,17 @@ unsigned shadowVariant(const settings::Settings& s) {
   return kPlain;
 }
 
-Status FurShadow::prepare(int size, bool layers) {
+void FurShadow::prepare(int size, bool layers) {
   const auto format = layers ? gl::TexelFormat::RGBA8 : gl::TexelFormat::RG8;
   if (first_[0].shape().width != size || first_[0].shape().format != format)
     for (int i = 0; i < 2; ++i) {
       first_[i] = gl::Texture({format, size, size, 0, gl::Filter::Nearest}, {});
-      auto target = gl::Target::toTexture(first_[i], i == 0);
-      if (!target) return target.error();
-      firstTarget_[i] = std::move(*target);
+      firstTarget_[i] = gl::Target::toTexture(first_[i], i == 0);
     }
   if (layers && !opacity_.bytes()) {
     opacity_ = gl::Texture({gl::TexelFormat::RGBA8, size, size, FUR_SHADOW_TARGETS, gl::Filter::Nearest}, {});
-    auto target = gl::Target::toTexture(opacity_);
-    if (!target) return target.error();
-    opacityTarget_ = std::move(*target);
+    opacityTarget_ = gl::Target::toTexture(opacity_);
   }
-  return Done{};
 }
 
 Status FurShadow::drawFirst(Programs& programs, bool layers, const gl::VertexArray& surface, int indexCount) {
@@ -112,7 +107,7 @@ Status FurShadow::update(Programs& programs, const Key& key, const gl::VertexArr
   const bool layers = key.shadows == Shadows::Layers;
   if (key_ != key) {
     const int size = layers ? FUR_OPACITY_SIZE : FUR_SHADOW_SIZE;
-    if (Status status = prepare(size, layers); !status) return status;
+    prepare(size, layers);
     gl::setViewport(size, size);
     Status status = drawFirst(programs, layers, surface, indexCount);
     if (status) status = layers ? drawLayers(programs, surface, indexCount) : blur(programs);

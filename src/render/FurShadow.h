@@ -43,7 +43,7 @@ class FurShadow {
   long redraws() const { return redraws_; }
 
  private:
-  Status prepare(int size, bool layers);
+  void prepare(int size, bool layers);
   Status drawFirst(Programs& programs, bool layers, const gl::VertexArray& surface, int indexCount);
   Status blur(Programs& programs);
   Status drawLayers(Programs& programs, const gl::VertexArray& surface, int indexCount);

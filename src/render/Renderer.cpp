@@ -114,9 +114,7 @@ Result<Renderer> Renderer::create() {
   r.coatBlock_ = gl::Buffer(gl::BufferKind::Uniform, gl::bytesOf(coat), true);
   for (int i = 0; i < 2; ++i) {
     r.groundShadow_[i] = gl::Texture({gl::TexelFormat::RG8, kGroundShadowSize, kGroundShadowSize, 0}, {});
-    auto target = gl::Target::toTexture(r.groundShadow_[i]);
-    if (!target) return target.error();
-    r.groundTarget_[i] = std::move(*target);
+    r.groundTarget_[i] = gl::Target::toTexture(r.groundShadow_[i]);
   }
   r.setBaseColor(0, 0, {});
   r.updateGroom(groom::GroomMap(groom::GroomMap::kLeastSize), {});

@@ -12,11 +12,10 @@ Status SmallPicture::begin(int width, int height) {
     samples_ = gl::platformSamples();
     gl::Texture texture({.format = gl::TexelFormat::RGBA8, .width = width, .height = height}, {});
     auto resolved = gl::Target::toTexture(texture);
-    if (!resolved) return resolved.error();
     auto drawn = gl::Target::offscreen(width, height, samples_);
     if (!drawn) return drawn.error();
     texture_ = std::move(texture);
-    resolved_ = std::move(*resolved);
+    resolved_ = std::move(resolved);
     drawn_ = std::move(*drawn);
     width_ = width;
     height_ = height;
