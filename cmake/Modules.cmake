@@ -70,6 +70,8 @@ if(TARGET third_party_gles)
 endif()
 
 if(EMSCRIPTEN)
+  file(GLOB importers CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/src/scene/import/*.cpp")
+  set_source_files_properties(${importers} PROPERTIES COMPILE_OPTIONS "${FUR_EXCEPTIONS}")
   # Much code that runs once a model, once a file or once a frame: the download counts more than its speed.
   foreach(module groom hair scene settings gl render app)
     if(TARGET fur_${module})

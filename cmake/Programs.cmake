@@ -28,6 +28,7 @@ function(fur_node_program target)
   if(TARGET ${target})
     set(folder "${CMAKE_BINARY_DIR}/node")
     file(WRITE "${folder}/package.json" "{ \"type\": \"commonjs\" }\n")
+    target_compile_options(${target} PRIVATE ${FUR_EXCEPTIONS})
     set_target_properties(${target} PROPERTIES SUFFIX ".js" RUNTIME_OUTPUT_DIRECTORY "${folder}")
     target_link_options(${target} PRIVATE -sENVIRONMENT=node -sWASM_ASYNC_COMPILATION=0
       -sALLOW_MEMORY_GROWTH=1 -sTOTAL_STACK=1MB -sEXIT_RUNTIME=1 ${ARGN})
@@ -42,7 +43,7 @@ function(fur_web_program target)
     return()
   endif()
   # The bindings run once a call of a person's or a page's; the download counts more.
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-Os>)
+  target_compile_options(${target} PRIVATE ${FUR_EXCEPTIONS} $<$<CONFIG:Release>:-Os>)
   set_target_properties(${target} PROPERTIES SUFFIX ".mjs" RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/web")
   target_link_options(${target} PRIVATE
     -sMODULARIZE=1 -sEXPORT_ES6=1 -sENVIRONMENT=web -sFILESYSTEM=0 -sDYNAMIC_EXECUTION=0
