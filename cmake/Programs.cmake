@@ -62,6 +62,9 @@ if(EMSCRIPTEN)
   fur_node_program(wet-fur-make-assets -sNODERAWFS=1)
   fur_web_program(wet-fur SOURCES web/*.cpp LINK fur_app)
   fur_web_program(wet-fur-editor SOURCES web/*.cpp web/editor/*.cpp LINK fur_app_editor)
+  # What a visitor of the viewer need not download, and those who draw nothing need not take with the rest.
+  fur_web_program(wet-fur-core SOURCES web/Boundary.cpp web/SettingsBindings.cpp web/core/*.cpp LINK fur_scene fur_hair)
+  target_link_options(wet-fur-core PRIVATE -sEXPORTED_RUNTIME_METHODS=HEAPU8)
 else()
   fur_program(wet-fur-render SOURCES native/*.cpp native/headless/*.cpp LINK fur_app third_party_egl)
   fur_program(wet-fur-compare SOURCES native/*.cpp native/compare/*.cpp native/headless/EglContext.cpp
