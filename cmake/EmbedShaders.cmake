@@ -2,7 +2,7 @@
 #   #include "x"           stays: render/ShaderText.h puts in that file, relative to SHADERS, when a program is linked,
 #                          so that the download carries what shaders share once
 #   #ifdef __cplusplus     blocks and #pragma once are dropped: shared/ headers are C++ as well
-#   // comments, blank lines  are dropped
+#   // comments, blank lines, blanks around signs  are dropped
 # shell.vert becomes kShellVert, ground_shadow.frag kGroundShadowFrag; kIncluded lists what can be included.
 cmake_minimum_required(VERSION 3.20)
 
@@ -53,8 +53,13 @@ macro(append_file path)
       endif()
       string(APPEND stage_text "${trimmed}\n")
     else()
-      string(REGEX REPLACE "[ \t]+$" "" line "${line}")
-      string(APPEND stage_text "${line}\n")
+      if(NOT trimmed MATCHES "^#")
+        string(REGEX REPLACE " *([*/=<>?:,(){}&|!%]|${MARK_SEMICOLON}) *" "\\1" trimmed "${trimmed}")
+        # Not between two of these: "a - -b" would become "a--b".
+        string(REGEX REPLACE "([^+-]) ([+-])" "\\1\\2" trimmed "${trimmed}")
+        string(REGEX REPLACE "([+-]) ([^+-])" "\\1\\2" trimmed "${trimmed}")
+      endif()
+      string(APPEND stage_text "${trimmed}\n")
     endif()
   endforeach()
 endmacro()

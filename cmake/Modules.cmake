@@ -70,15 +70,17 @@ if(TARGET third_party_gles)
 endif()
 
 if(EMSCRIPTEN)
+  file(GLOB importers CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/src/scene/import/*.cpp")
+  set_source_files_properties(${importers} PROPERTIES COMPILE_OPTIONS "${FUR_EXCEPTIONS}")
   # Much code that runs once a model, once a file or once a frame: the download counts more than its speed.
-  foreach(module groom hair scene settings gl render app)
+  foreach(module hair groom scene settings gl render app)
     if(TARGET fur_${module})
       target_compile_options(fur_${module} PRIVATE $<$<CONFIG:Release>:-Os>)
     endif()
   endforeach()
   # With -Os Emscripten leaves small functions where they are, which makes a surface take four times as long, and
   # water three times.
-  foreach(module furgen geometry wet)
+  foreach(module furgen geometry wet dynamics)
     target_compile_options(fur_${module} PRIVATE "$<$<CONFIG:Release>:-Os;-finline-functions>")
   endforeach()
   foreach(source Json NumberText)

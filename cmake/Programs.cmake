@@ -28,6 +28,7 @@ function(fur_node_program target)
   if(TARGET ${target})
     set(folder "${CMAKE_BINARY_DIR}/node")
     file(WRITE "${folder}/package.json" "{ \"type\": \"commonjs\" }\n")
+    target_compile_options(${target} PRIVATE ${FUR_EXCEPTIONS})
     set_target_properties(${target} PROPERTIES SUFFIX ".js" RUNTIME_OUTPUT_DIRECTORY "${folder}")
     target_link_options(${target} PRIVATE -sENVIRONMENT=node -sWASM_ASYNC_COMPILATION=0
       -sALLOW_MEMORY_GROWTH=1 -sTOTAL_STACK=1MB -sEXIT_RUNTIME=1 ${ARGN})
@@ -42,16 +43,16 @@ function(fur_web_program target)
     return()
   endif()
   # The bindings run once a call of a person's or a page's; the download counts more.
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-Os>)
+  target_compile_options(${target} PRIVATE ${FUR_EXCEPTIONS} $<$<CONFIG:Release>:-Os>)
   set_target_properties(${target} PROPERTIES SUFFIX ".mjs" RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/web")
   target_link_options(${target} PRIVATE
     -sMODULARIZE=1 -sEXPORT_ES6=1 -sENVIRONMENT=web -sFILESYSTEM=0 -sDYNAMIC_EXECUTION=0
     -sALLOW_MEMORY_GROWTH=1 -sTOTAL_STACK=1MB -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2
-    -sEXPORTED_FUNCTIONS=_malloc,_free
+    -sMALLOC=emmalloc -sEXPORTED_FUNCTIONS=_malloc,_free
     -sEXPORTED_RUNTIME_METHODS=GL,UTF8ToString,stringToUTF8,lengthBytesUTF8,HEAP8,HEAPU8,HEAP32,HEAPU32,HEAPF32
     $<$<CONFIG:Debug>:-sASSERTIONS=1>
-    # After the compiler's own -O3, wasm-opt's adds size but no speed that we could measure.
-    $<$<CONFIG:Release>:-Os>
+    # After the compiler's own -O3, wasm-opt's adds size but no speed that we could measure. A second round finds more.
+    $<$<CONFIG:Release>:-Os> $<$<CONFIG:Release>:-sBINARYEN_EXTRA_PASSES=-Oz>
     --no-entry)
 endfunction()
 
@@ -61,6 +62,9 @@ if(EMSCRIPTEN)
   fur_node_program(wet-fur-make-assets -sNODERAWFS=1)
   fur_web_program(wet-fur SOURCES web/*.cpp LINK fur_app)
   fur_web_program(wet-fur-editor SOURCES web/*.cpp web/editor/*.cpp LINK fur_app_editor)
+  # What a visitor of the viewer need not download, and those who draw nothing need not take with the rest.
+  fur_web_program(wet-fur-core SOURCES web/Boundary.cpp web/SettingsBindings.cpp web/core/*.cpp LINK fur_scene fur_hair)
+  target_link_options(wet-fur-core PRIVATE -sEXPORTED_RUNTIME_METHODS=HEAPU8)
 else()
   fur_program(wet-fur-render SOURCES native/*.cpp native/headless/*.cpp LINK fur_app third_party_egl)
   fur_program(wet-fur-compare SOURCES native/*.cpp native/compare/*.cpp native/headless/EglContext.cpp

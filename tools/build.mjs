@@ -13,7 +13,7 @@ export const models = join(root, 'build/models');
 /** Brings dist/ up to date. */
 export async function buildSite() {
   setUp({ packages: [needs.web], npm: true, imgui: true });
-  build('web-release', ['wet-fur-make-assets', 'wet-fur', 'wet-fur-editor']);
+  build('web-release', ['wet-fur-make-assets', 'wet-fur', 'wet-fur-editor', 'wet-fur-core']);
   makeAssets(join(buildFolder('web-release'), 'node/wet-fur-make-assets.js'), models);
   await assemble();
 }

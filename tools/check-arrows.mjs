@@ -33,6 +33,7 @@ export const arrows = {
   'src/app/editor': [...pure, ...importers, 'gl', 'render', 'editor', 'app', 'imgui'],
   // wet-fur/core offers the pure modules by themselves, without an app around them.
   'web': ['app', ...pure, 'emscripten'],
+  'web/core': [...pure, 'emscripten', 'web'],
   'web/editor': ['app', 'app/editor', 'core', 'imgui', 'emscripten', 'web'],
   // App speaks in scene's terms (files, encoded images) and in names of settings; the platform's context
   // and framebuffer are handed to it by gl.

@@ -8,7 +8,7 @@ import { scenes } from './scenes/scenes.mjs';
 
 export const dist = join(root, 'dist');
 
-const programs = ['wet-fur.mjs', 'wet-fur.wasm', 'wet-fur-editor.mjs', 'wet-fur-editor.wasm'];
+const programs = ['wet-fur.mjs', 'wet-fur.wasm', 'wet-fur-editor.mjs', 'wet-fur-editor.wasm', 'wet-fur-core.mjs', 'wet-fur-core.wasm'];
 const notForSite = new Set(['.cpp', '.h', '.md']);
 
 // What a bundler and Node may ask for, by the names of the public surface. Typings lie in types/.
@@ -34,6 +34,7 @@ function manifest() {
     exports: {
       ...exported,
       './wet-fur.wasm': './wet-fur.wasm',
+      './wet-fur-core.wasm': './wet-fur-core.wasm',
       './models/*': './models/*',
       './types': { types: './types/index.d.ts' },
       './package.json': './package.json',

@@ -61,7 +61,6 @@ FUR_EXPORT int fur_provideImage(App* app, int width, int height, const std::uint
 
 // --- settings, state ---
 
-FUR_EXPORT const char* fur_settingsTable() { return web::text(settings::fieldTableJson()); }
 // Text of a field; "" for an unknown name.
 FUR_EXPORT const char* fur_getSetting(App* app, const char* name) {
   const settings::Field* field = settings::findField(name);

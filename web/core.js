@@ -3,9 +3,11 @@
  * `const core = await loadCore(); core.generateFur({ density: 0.8 })`.
  */
 import { FurError } from './errors.js';
-import { instantiateProgram } from './runtime.js';
+import { instantiateProgram, setGlue } from './runtime.js';
 
 export { FurError };
+
+setGlue('core', () => import('./wet-fur-core.mjs'));
 
 /** What generateFur takes, in the order in which CoreBindings.cpp reads it. */
 const furDefaults = {
@@ -146,7 +148,7 @@ function equationsOf(program) {
 
 /** Loads the program (once a call; each has memory of its own). */
 export async function loadCore() {
-  const program = await instantiateProgram('viewer');
+  const program = await instantiateProgram('core');
   return Object.freeze({
     generateFur: (parameters) => generateFur(program, parameters),
     createWetnessMask: (size = 256) => new WetnessMask(program, size),

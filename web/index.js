@@ -32,9 +32,10 @@ export async function preload(onBytes) {
 }
 
 /** Where the files lie when they are not beside the scripts; call it before the first element loads. */
-export function configure({ wasmUrl, editorWasmUrl, modelsUrl } = {}) {
+export function configure({ wasmUrl, editorWasmUrl, coreWasmUrl, modelsUrl } = {}) {
   if (wasmUrl) setWasmUrl('viewer', wasmUrl);
   if (editorWasmUrl) setWasmUrl('editor', editorWasmUrl);
+  if (coreWasmUrl) setWasmUrl('core', coreWasmUrl);
   if (modelsUrl) setModelsUrl(modelsUrl);
 }
 

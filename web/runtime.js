@@ -5,7 +5,7 @@ import { counted, fetchOrThrow } from './fetching.js';
 const isNode = typeof process === 'object' && Boolean(process.versions?.node) && typeof document === 'undefined';
 
 /**
- * The two programs from the same sources. `glue` imports the script that the compiler wrote beside
+ * The programs from the same sources. `glue` imports the script that the compiler wrote beside
  * the .wasm; the failed import of a module stays failed, so a retry asks under another address.
  */
 const programs = {
@@ -15,6 +15,8 @@ const programs = {
     glue: () => import('./wet-fur-editor.mjs'),
     script: './wet-fur-editor.mjs',
   },
+  // Its glue is core.js's to import: pages without it need not even name it.
+  core: { wasm: new URL('./wet-fur-core.wasm', import.meta.url), script: './wet-fur-core.mjs' },
 };
 const compiled = new Map();
 const failures = new Map();
@@ -23,6 +25,11 @@ const failures = new Map();
 export function setWasmUrl(which, url) {
   programs[which].wasm = url instanceof URL || isNode ? url : new URL(url, document.baseURI);
   compiled.delete(which);
+}
+
+/** How the glue of a program is imported that this script does not name. */
+export function setGlue(which, glue) {
+  programs[which].glue = glue;
 }
 
 async function readFromDisk(url) {
@@ -61,7 +68,7 @@ async function importGlue(which) {
 
 /**
  * Fetches and compiles; the work is shared by every caller, and thrown away when it failed.
- * @param {'viewer'|'editor'} which
+ * @param {'viewer'|'editor'|'core'} which
  * @param {(loaded: number, total: number) => void} [onBytes] total is 0 when unknown
  */
 export function compileProgram(which, onBytes) {

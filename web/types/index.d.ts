@@ -407,8 +407,8 @@ export function createWetFur(canvas: HTMLCanvasElement, options?: WetFurOptions)
 /** Fetches and compiles the program before it is needed. */
 export function preload(onBytes?: (loaded: number, total: number) => void): Promise<void>;
 
-/** Where the files lie when they are not beside the scripts. */
-export function configure(places: { wasmUrl?: string | URL; editorWasmUrl?: string | URL; modelsUrl?: string | URL }): void;
+/** Where the files lie when they are not beside the scripts; `coreWasmUrl` is what wet-fur/core loads. */
+export function configure(places: { wasmUrl?: string | URL; editorWasmUrl?: string | URL; coreWasmUrl?: string | URL; modelsUrl?: string | URL }): void;
 
 /** Whether this browser can draw it; false outside a browser. */
 export function isSupported(): boolean;

@@ -1,5 +1,5 @@
 // The modules without GL as plain C functions: what wet-fur/core stands on, in browsers and Node.
-#include "Boundary.h"
+#include "web/Boundary.h"
 #include "furgen/FurVolume.h"
 #include "wet/WetnessMask.h"
 

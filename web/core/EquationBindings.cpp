@@ -1,5 +1,5 @@
 // The formula sheet with plain numbers in and out: the same functions that the program runs.
-#include "Boundary.h"
+#include "web/Boundary.h"
 #include "dynamics/BendField.h"
 #include "furgen/Coat.h"
 #include "furgen/Strand.h"
