@@ -49,7 +49,8 @@ function(fur_web_program target)
     -sMODULARIZE=1 -sEXPORT_ES6=1 -sENVIRONMENT=web -sFILESYSTEM=0 -sDYNAMIC_EXECUTION=0
     -sALLOW_MEMORY_GROWTH=1 -sTOTAL_STACK=1MB -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2
     -sMALLOC=emmalloc -sEXPORTED_FUNCTIONS=_malloc,_free
-    -sEXPORTED_RUNTIME_METHODS=GL,UTF8ToString,stringToUTF8,lengthBytesUTF8,HEAP8,HEAPU8,HEAP32,HEAPU32,HEAPF32
+    -sEXPORTED_RUNTIME_METHODS=GL -sINCOMING_MODULE_JS_API=instantiateWasm,onAbort,print,printErr
+    -sGL_SUPPORT_AUTOMATIC_ENABLE_EXTENSIONS=0 -sTEXTDECODER=2
     $<$<CONFIG:Debug>:-sASSERTIONS=1>
     # After the compiler's own -O3, wasm-opt's adds size but no speed that we could measure. A second round finds more.
     $<$<CONFIG:Release>:-Os> $<$<CONFIG:Release>:-sBINARYEN_EXTRA_PASSES=-Oz>

@@ -9,7 +9,7 @@ import { scenes } from './scenes/scenes.mjs';
 export const dist = join(root, 'dist');
 
 const programs = ['wet-fur.mjs', 'wet-fur.wasm', 'wet-fur-editor.mjs', 'wet-fur-editor.wasm', 'wet-fur-core.mjs', 'wet-fur-core.wasm'];
-const notForSite = new Set(['.cpp', '.h', '.md']);
+const notForSite = new Set(['.cpp', '.h', '.js', '.md']);
 
 // What a bundler and Node may ask for, by the names of the public surface. Typings lie in types/.
 const entries = {
@@ -39,7 +39,7 @@ function manifest() {
       './types': { types: './types/index.d.ts' },
       './package.json': './package.json',
     },
-    sideEffects: ['./element.js', './editor.js'],
+    sideEffects: ['./element.js', './editor.js', './shared-*.js'],
   };
 }
 
@@ -49,7 +49,18 @@ export function missingFiles(folder) {
   return named.filter((name) => !existsSync(join(folder, name)));
 }
 
-/** Scripts without comments and long names: half of what a visitor would download. */
+/** The scripts of web/, joined: the public ones under their names, what several need in files beside them. */
+async function joinScripts(folder) {
+  const { build } = await import('esbuild');
+  await build({
+    absWorkingDir: join(root, 'web'), outdir: folder, bundle: true, splitting: true, format: 'esm', target: 'es2022', logLevel: 'warning',
+    entryPoints: [...Object.values(entries).map(([script]) => script), 'page.js', 'embed.js'], chunkNames: 'shared-[hash]',
+    // The programs' scripts are fetched when they are needed, again if that has failed.
+    external: ['./wet-fur*.mjs', 'node:*'],
+  });
+}
+
+/** Scripts without comments and long names: half of what a visitor would download. Smaller than what joins them can. */
 async function minifyScripts(folder) {
   const { minify } = await import('terser');
   for (const name of readdirSync(folder).filter((file) => /\.m?js$/.test(file))) {
@@ -69,6 +80,7 @@ export async function assemble() {
     if (entry.isDirectory() && readdirSync(join(next, entry.name)).length === 0) rmSync(join(next, entry.name), { recursive: true });
   }
   for (const name of programs) cpSync(join(buildFolder('web-release'), 'web', name), join(next, name));
+  await joinScripts(next);
   await minifyScripts(next);
   cpSync(join(root, 'build/models'), join(next, 'models'), { recursive: true });
   for (const folder of existsSync(join(root, 'assets')) ? readdirSync(join(root, 'assets')) : []) {

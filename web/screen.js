@@ -49,7 +49,7 @@ export class Screen {
   /** The context as `program` knows it. */
   register(program) {
     const { GL } = program.emscripten;
-    this.handle = GL.registerContext(this.gl, { majorVersion: 2, minorVersion: 0, enableExtensionsByDefault: false });
+    this.handle = GL.registerContext(this.gl, { majorVersion: 2, minorVersion: 0 });
     GL.makeContextCurrent(this.handle);
   }
   makeCurrent(program) { program.emscripten.GL.makeContextCurrent(this.handle); }

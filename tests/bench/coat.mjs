@@ -1,11 +1,10 @@
 // How long the generator takes in WebAssembly, on one thread: node tests/bench/coat.mjs [--rounds 5].
 // The best of some rounds each: other programs only ever add. Growth is read off the last column, the time
 // for a million texels of all layers.
-import '../../dist/core.js';
-import { instantiateProgram } from '../../dist/runtime.js';
+import { start } from './programs.mjs';
 
 const rounds = process.argv[2] === '--rounds' ? Number(process.argv[3]) : 5;
-const program = await instantiateProgram('core');
+const program = await start('core');
 // In the order of core.js.
 const defaults = {
   size: 256, layers: 16, seed: 1,

@@ -1,12 +1,12 @@
 // What a frame of moving fur costs the processor in WebAssembly, on one thread: node tests/bench/dynamics.mjs
 // [--rounds 400]. The program's whole tick on a torus of 142 thousand triangles, without a picture: median and best of
 // the rounds, in milliseconds.
-import { instantiateProgram } from '../../dist/runtime.js';
-import { FurApp } from '../../dist/furapp.js';
+import { FurApp } from '../../web/furapp.js';
 import { benchModel } from './models.mjs';
+import { start } from './programs.mjs';
 
 const rounds = process.argv[2] === '--rounds' ? Number(process.argv[3]) : 400;
-const program = await instantiateProgram('viewer');
+const program = await start('viewer');
 const app = new FurApp(program);
 app.loadModel(benchModel('torus142k'), 'torus142k.glb', new Map());
 app.resize(800, 600, 1);

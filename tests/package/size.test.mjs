@@ -13,7 +13,7 @@ function scriptsFrom(entry, seen = new Set()) {
   if (seen.has(entry) || /editor|\.d\.ts$/.test(entry)) return seen;
   assert.ok(existsSync(join(dist, entry)), entry);
   seen.add(entry);
-  for (const [, name] of readFileSync(join(dist, entry), 'utf8').matchAll(/(?:from|import)\s*\(?\s*'(\.[^']+)'/g)) {
+  for (const [, name] of readFileSync(join(dist, entry), 'utf8').matchAll(/(?:from|import)\s*\(?\s*["'`](\.[^"'`]+)["'`]/g)) {
     scriptsFrom(normalize(join(dirname(entry), name)), seen);
   }
   return seen;

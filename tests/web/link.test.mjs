@@ -1,12 +1,10 @@
 // The demo page's address: allow-listed, clamped, and a link that restores the scene.
 import assert from 'node:assert/strict';
-import { join } from 'node:path';
 import { test } from 'node:test';
-import { pathToFileURL } from 'node:url';
-import { dist, light, startBrowser, withFur } from './support.mjs';
+import { makeLink, readLink } from '../../web/link.js';
+import { orbitText, parseOrbit } from '../../web/orbit.js';
+import { light, startBrowser, withFur } from './support.mjs';
 
-const { makeLink, readLink } = await import(pathToFileURL(join(dist, 'link.js')).href);
-const { parseOrbit, orbitText } = await import(pathToFileURL(join(dist, 'orbit.js')).href);
 const site = startBrowser();
 const page = 'https://example.org/fur/index.html';
 
