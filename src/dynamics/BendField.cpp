@@ -150,6 +150,7 @@ void BendField::reset(const std::vector<Vec3>& positions, const std::vector<Vec3
   lengths_.assign(Columns::padded(count_), 1.0f);
   wetness_.clear();
   out_.assign(count_, Vec4(0, 0, 0, 1));
+  shownForces_.clear();
   for (Columns* columns : {&rests_, &chords_, &sets_, &tangents_, &firstRests_, &firstChords_}) columns->clear();
   posed_ = false;
   poseFelt_ = 0;
@@ -178,6 +179,12 @@ void BendField::boundBlocks() {
 
 void BendField::wake() {
   for (Block& block : blocks_) block.awake = true;
+}
+
+void BendField::showForces(bool show) {
+  if (show != shownForces_.empty()) return;
+  shownForces_.assign(show ? count_ : 0, Vec4(0));
+  wake();
 }
 
 void BendField::setRest(const std::vector<Vec3>& rests, const std::vector<float>& lengths) {
@@ -303,6 +310,8 @@ void BendField::advanceBlock(const Climate& climate, std::size_t number, Advance
         lastMoves_.set(i, move);
       }
     }
+    for (std::size_t k = i; k < std::min(i + kLanes, shownForces_.size()); ++k)
+      shownForces_[k] = Vec4(force.x[k - i], force.y[k - i], force.z[k - i], lengths_[k]);
     if (combed) force = uprighted(force, chord, n);
     Lanes3 target = capped(across(force, n) * all(climate.compliance), 1.0f) * all(kMaxBend);
     if (combed) target = capped(rests_.lanes(i) + target, kMaxBend);
@@ -315,7 +324,7 @@ void BendField::advanceBlock(const Climate& climate, std::size_t number, Advance
       left = left > kStillAngle ? left : all(0.0f);
       const Lanes3 now = old * (left / most(size, all(1e-6f)));
       sets_.set(i, now);
-      target = capped(target + now, kMaxBend);
+      target = capped(target + now, kMostPressed);
       remembered = left * left;
     }
     if (!swings) {
@@ -330,14 +339,16 @@ void BendField::advanceBlock(const Climate& climate, std::size_t number, Advance
     Lanes3 speed = x * water.vx + v * water.vv;
     Lanes3 bend = target + left;
     const Lanes squared = dot(bend, bend);
-    const LaneMask over = squared > kMaxBend * kMaxBend;
+    // What was pressed flatter may only rise.
+    const Lanes limit = most(dot(before, before), all(kMaxBend * kMaxBend));
+    const LaneMask over = squared > limit;
     if (any(over)) {  // it has come to the skin, without a bounce
       const Lanes3 outward = bend * (1.0f / sqrtOf(most(squared, all(1.0f))));
-      bend = pick(over, outward * all(kMaxBend), bend);
+      bend = pick(over, outward * sqrtOf(limit), bend);
       speed = pick(over, speed - outward * most(dot(speed, outward), all(0.0f)), speed);
     }
     for (const Press& press : pressed ? std::span<const Press>(presses_) : std::span<const Press>()) {
-      const LaneMask held = press.apply(bend, before, p, n, load(&lengths_[i]) * lastForces_.furLength, kMaxBend);
+      const LaneMask held = press.apply(bend, before, p, n, load(&lengths_[i]) * lastForces_.furLength);
       if (!any(held)) continue;
       block.touched = true;
       speed = pick(held, Lanes3{}, speed);

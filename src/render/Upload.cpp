@@ -77,6 +77,8 @@ void Renderer::setSurface(const geometry::Surface& surface, std::span<const Vec3
   surface_ = gl::VertexArray(vertices_, sizeof(GpuVertex), kVertexAttributes, 0, &indices_);
   shells_ = gl::VertexArray(vertices_, sizeof(GpuVertex), kVertexAttributes, 0, &furIndices_);
   fins_ = gl::VertexArray(edges_, sizeof(FinEdge), kEdgeAttributes, 1, nullptr);
+  arrows_ = gl::VertexArray(vertices_, sizeof(GpuVertex), std::span(kVertexAttributes).first(2), 1, nullptr);
+  vertexCount_ = static_cast<int>(surface.vertices.size());
   indexCount_ = static_cast<int>(surface.indices.size());
   uploadedBytes_ += vertices_.bytes() + indices_.bytes() + furIndices_.bytes() + edges_.bytes();
   bendCapacity_ = 0;
