@@ -6,7 +6,7 @@
 namespace fur::dynamics {
 
 // Radians. Fur never lies through the skin; a ball may press it flatter than wind and comb do, where its tips turn over.
-inline constexpr float kMaxBend = 1.35f, kMostPressed = 2.4f;
+inline constexpr float kMaxBend = 1.35f, kMostPressed = 2.1f;
 
 // A ball on its way through the step. Strands under it bend until their tips are below its surface, away from where it
 // presses; and `grip` of them, 0..1, go along with it.
