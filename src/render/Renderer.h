@@ -88,7 +88,7 @@ class Renderer {
   unsigned long furShadowScene_ = 0;  // see FurShadow::Key
   SmallPicture small_;
   gl::Buffer frameBlock_, coatBlock_;
-  gl::Buffer vertices_, indices_, furIndices_, edges_;
+  gl::Buffer vertices_, furVertices_, indices_, furIndices_, edges_;
   gl::VertexArray surface_, shells_, fins_, arrows_;
   FurTextures fur_;
   gl::Texture mask_, bends_, baseColor_, groom_, puddles_;
