@@ -164,7 +164,7 @@ TEST(Forces, AreTheSameBitsOnEveryMachine) {
     std::memcpy(bytes, &bend, sizeof bytes);
     for (const unsigned char byte : bytes) hash = (hash ^ byte) * 1099511628211ull;
   }
-  EXPECT_EQ(hash, 12381834430054315057u);
+  EXPECT_EQ(hash, 17452246845714199329u);
 }
 
 TEST(Forces, WithoutThemEverySwingIsSmallerThanTheOneBefore) {
