@@ -109,9 +109,17 @@ Lanes3 uprighted(const Lanes3& force, const Lanes3& chord, const Lanes3& directi
   return force + once + cross(axis, once) * (1.0f / (1.0f + dot(chord, direction)));
 }
 
-// v, which stands to one frame as the result stands to the other.
-Lanes3 carried(const Lanes3& v, const Lanes3& n0, const Lanes3& t0, const Lanes3& n1, const Lanes3& t1) {
-  return n1 * dot(v, n0) + t1 * dot(v, t0) + cross(n1, t1) * dot(v, cross(n0, t0));
+// Directions and tangents across them.
+struct Frames {
+  const Columns &directions, &tangents;
+};
+// The first `count` of what stands to the one frame as the result stands to the other.
+void carry(Columns& vectors, std::size_t count, const Frames& from, const Frames& to) {
+  for (std::size_t i = 0; i < count; i += kLanes) {
+    const Lanes3 v = vectors.lanes(i), n0 = from.directions.lanes(i), t0 = from.tangents.lanes(i);
+    const Lanes3 n1 = to.directions.lanes(i), t1 = to.tangents.lanes(i);
+    vectors.set(i, n1 * dot(v, n0) + t1 * dot(v, t0) + cross(n1, t1) * dot(v, cross(n0, t0)));
+  }
 }
 
 float largest(const Lanes& x) { return std::max(std::max(x[0], x[1]), std::max(x[2], x[3])); }
@@ -207,22 +215,22 @@ void BendField::setRest(const std::vector<Vec3>& rests, const std::vector<float>
       chords_.set(i, direction * portableCos(half) + normalizeOr(rest, Vec3(0)) * portableSin(half));
     }
   }
-  if (posed_) placeRests();
+  if (posed_) {
+    firstRests_ = rests_;
+    firstChords_ = chords_;
+    placeRests();
+  }
   for (std::size_t i = 0; i < count_; ++i) out_[i].w = lengths_[i] = lengths.empty() ? 1.0f : unitOr0(lengths[i]);
   wake();
 }
 
 // Rests and chords of the first shape become those of the shape now.
 void BendField::placeRests() {
-  firstRests_ = rests_;
-  firstChords_ = chords_;
-  if (rests_.empty()) return;
-  for (std::size_t i = 0; i < Columns::padded(count_); i += kLanes) {
-    const Lanes3 n0 = firstDirections_.lanes(i), t0 = firstTangents_.lanes(i);
-    const Lanes3 n1 = directions_.lanes(i), t1 = tangents_.lanes(i);
-    rests_.set(i, carried(firstRests_.lanes(i), n0, t0, n1, t1));
-    chords_.set(i, carried(firstChords_.lanes(i), n0, t0, n1, t1));
-  }
+  if (firstRests_.empty()) return;
+  rests_ = firstRests_;
+  chords_ = firstChords_;
+  for (Columns* columns : {&rests_, &chords_})
+    carry(*columns, count_, {firstDirections_, firstTangents_}, {directions_, tangents_});
 }
 
 void BendField::setPose(std::span<const Vec3> positions, std::span<const Vec3> directions, std::span<const Vec3> tangents) {
@@ -237,27 +245,13 @@ void BendField::setPose(std::span<const Vec3> positions, std::span<const Vec3> d
     lastPositions_.assign(positions, Vec3(0));
     lastMoves_.assign(count_, Vec3(0));
   }
-  for (std::size_t i = 0; i < Columns::padded(count_); i += kLanes) {
-    const Lanes3 n0 = directions_.lanes(i), t0 = tangents_.lanes(i);
-    if (i + kLanes <= count_) {
-      positions_.set(i, lanesOf(&positions[i]));
-      directions_.set(i, lanesOf(&directions[i]));
-      tangents_.set(i, lanesOf(&tangents[i]));
-    }
-    for (std::size_t k = i; i + kLanes > count_ && k < count_; ++k) {
-      positions_.set(k, positions[k]);
-      directions_.set(k, directions[k]);
-      tangents_.set(k, tangents[k]);
-    }
-    const Lanes3 n1 = directions_.lanes(i), t1 = tangents_.lanes(i);
-    bends_.set(i, carried(bends_.lanes(i), n0, t0, n1, t1));
-    velocities_.set(i, carried(velocities_.lanes(i), n0, t0, n1, t1));
-    if (!sets_.empty()) sets_.set(i, carried(sets_.lanes(i), n0, t0, n1, t1));
-    if (rests_.empty()) continue;
-    const Lanes3 n = firstDirections_.lanes(i), t = firstTangents_.lanes(i);
-    rests_.set(i, carried(firstRests_.lanes(i), n, t, n1, t1));
-    chords_.set(i, carried(firstChords_.lanes(i), n, t, n1, t1));
-  }
+  const Columns directionsBefore = directions_, tangentsBefore = tangents_;
+  positions_.take(positions);
+  directions_.take(directions);
+  tangents_.take(tangents);
+  for (Columns* columns : {&bends_, &velocities_, &sets_})
+    if (!columns->empty()) carry(*columns, count_, {directionsBefore, tangentsBefore}, {directions_, tangents_});
+  placeRests();
   boundsStale_ = true;
   poseFelt_ = 2;  // its motion, and that it has ended
   atRest_ = false;

@@ -68,6 +68,11 @@ test('a model with an animation plays it, holds it and says its name', async () 
   await withFur(page, (fur, base64) => fur.loadModel(new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], 'tentacle.glb')),
     tentacle(24, 32).toString('base64'));
   assert.deepEqual(await withFur(page, (fur) => fur.animations), ['wave']);
+  const offered = await page.$$eval('#animation option', (options) => options.map(({ text, selected }) => [text, selected]));
+  assert.deepEqual(offered, [['No animation', false], ['wave', true]]);
+  await page.selectOption('#animation', '0');
+  assert.equal(await withFur(page, (fur) => fur.animation), 0);
+  await page.selectOption('#animation', '1');
   await withFur(page, (fur) => { fur.pause(); fur.step(1 / 60, 10); });
   const early = await picture(page);
   await withFur(page, (fur) => fur.step(1 / 60, 30));
