@@ -77,6 +77,21 @@ function showModelName(name) {
   modelPicker.value = modelNames.includes(name) ? name : 'own';
 }
 
+// --- animations ---
+
+const animationPicker = byId('animation');
+
+function listAnimations() {
+  const names = fur.animations;
+  animationPicker.parentElement.hidden = names.length === 0;
+  animationPicker.replaceChildren(...['No animation', ...names].map((name, i) => new Option(name || `Animation ${i}`, i)));
+  showAnimation();
+}
+
+function showAnimation() {
+  animationPicker.value = fur.animation <= fur.animations.length ? fur.animation : 0;
+}
+
 // --- models ---
 
 /** What is on screen: a src that a link can name, or null for a file of the person's own. */
@@ -171,6 +186,9 @@ function wireBar() {
     target.value = '';
   });
   modelPicker.addEventListener('change', pickModel);
+  animationPicker.addEventListener('change', () => { fur.animation = Number(animationPicker.value); });
+  fur.addEventListener('load', listAnimations);
+  fur.addEventListener('state-change', showAnimation);
   for (const type of ['state-change', 'stroke-end', 'wetness-change', 'load']) fur.addEventListener(type, showButtons);
   fur.addEventListener('error', onError);
   fur.addEventListener('load', ({ detail }) => {

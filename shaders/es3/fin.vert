@@ -85,7 +85,7 @@ void main() {
   vView = vec3(dot(axis, v), dot(across, v), dot(normal, v));
   // Sideways part of the arc's tangent: the bend turns it by theta h.
   float theta = length(bend);
-  vec3 leanNow = bend * (theta > 1e-5 ? sin(theta * h) / theta : 0.0);
+  vec3 leanNow = bend * (theta > 1e-5 ? arcTangent(theta, h).y / theta : 0.0);
   vLean = vec2(dot(axis, leanNow), dot(across, leanNow));
   vUv = vec2(face0.w, face1.w);
 #ifdef TYPES

@@ -1,11 +1,19 @@
-// The model flattened on the ground: the first instance along the light, the second straight down.
+// The model, or the ball, flattened on the ground: the first instance along the light, the second straight down.
 #include "common.glsl"
+#ifdef BALL
+#include "common_ball.glsl"
+#else
 layout(location = FUR_POSITION) in vec3 position;
 layout(location = FUR_NORMAL) in vec3 normal;
+#endif
 flat out vec2 vShadow;
 void main() {
+#ifdef BALL
+  vec3 world = ball.xyz + ballNormal(gl_VertexID) * ball.w;
+#else
   // Fur is part of what casts the shadow; its thin outer part lets light through.
   vec3 world = (worldFromModel * vec4(position + normal * (0.6 * shape.x), 1.0)).xyz;
+#endif
   vec2 spot = world.xz;
   vShadow = vec2(0.0, 1.0);
   if (gl_InstanceID == 0) {

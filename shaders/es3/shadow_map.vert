@@ -1,9 +1,13 @@
-// The coat from the light: its first surface, or the skin, or one instance a shell.
+// The coat from the light: its first surface, or the skin, or one instance a shell; or the ball.
 #include "common.glsl"
+#ifdef BALL
+#include "common_ball.glsl"
+#else
 #include "common_bend.glsl"
 layout(location = FUR_POSITION) in vec3 position;
 layout(location = FUR_NORMAL) in vec3 normal;
 layout(location = FUR_FUR_COORD) in vec2 furCoord;
+#endif
 
 #ifdef SHADOW_LAYERS
 out vec2 vTile;
@@ -11,6 +15,10 @@ flat out float vHeight;
 #endif
 
 void main() {
+#ifdef BALL
+  vec3 world = ball.xyz + ballNormal(gl_VertexID) * ball.w;
+  vec3 at = lightSpace((world - worldFromModel[3].xyz) * mat3(worldFromModel));
+#else
 #ifdef SHADOW_LAYERS
   float h = float(gl_InstanceID + 1) / float(FUR_SHADOW_SHELLS);
   vTile = furCoord * shape.y;
@@ -22,5 +30,6 @@ void main() {
 #endif
   vec4 groomed = bendOf(gl_VertexID);
   vec3 at = lightSpace(strandPoint(position, normal, groomed.xyz, h, shape.x * groomed.w));
+#endif
   gl_Position = vec4(vec3(at.xy, at.z / volumeShadow.w) * 2.0 - 1.0, 1.0);
 }

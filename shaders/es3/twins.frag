@@ -1,5 +1,8 @@
 // Evaluates one shared function at two numbers a pixel and writes the result as 24-bit fixed point
 // over [-2, 2): how the tests hold the shaders against their C++ twins. Never drawn on screen.
+#if FUNCTION >= 19
+#define POLYNOMIAL 1
+#endif
 #include "common.glsl"
 #if FUNCTION == 9
 #define MARSCHNER 1
@@ -14,9 +17,9 @@ vec3 onCircle(float angle) { return vec3(sin(angle), 0.0, cos(angle)); }
 
 void main() {
   vec2 at = (gl_FragCoord.xy - 0.5) / float(FUR_TWIN_SIZE - 1);  // 0..1, both ends included
-#if FUNCTION == 0
+#if FUNCTION == 0 || FUNCTION == 19
   float value = arcBend(at.x * 1.35, at.y).x;
-#elif FUNCTION == 1
+#elif FUNCTION == 1 || FUNCTION == 20
   float value = arcBend(at.x * 1.35, at.y).y;
 #elif FUNCTION == 2
   float value = clumpProfile(mix(1.0 / 32.0, 1.0, at.x), at.y, 32.0);

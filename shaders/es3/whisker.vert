@@ -27,7 +27,8 @@ void main() {
   vec3 bend = curveGive.xyz + curveGive.w * (coatHere.xyz - direction * dot(direction, coatHere.xyz));
   float theta = length(bend);
   vec3 p = strandPoint(rootWidth.xyz, direction, bend, t, directionLength.w);
-  vec3 tangent = direction * cos(theta * t) + bend * (theta > 1e-5 ? sin(theta * t) / theta : 0.0);
+  vec2 slope = arcTangent(theta, t);
+  vec3 tangent = direction * slope.x + bend * (theta > 1e-5 ? slope.y / theta : 0.0);
 
   vec3 toEye = eye.xyz - p;
   float pixel = length(toEye) / eye.w;

@@ -85,7 +85,7 @@ void App::State::uploadScene() {
   renderer->setSurface(surface, pose ? std::span<const Vec3>(firstTangents) : std::span<const Vec3>());
   renderer->setBaseColor(imageWidth, imageHeight, image);
   renderer->updateMask(mask, {0, 0, mask.size(), mask.size()}, wetting->chartOfTexel());
-  renderer->updateBends(bends.bends());
+  uploadBends();
   uploadGroom({0, 0, groom.map.size(), groom.map.size()});
   uploadWhiskers();
   uploadPose();
@@ -353,8 +353,9 @@ bool App::tick(float dt, float coatBudget) {
   if (s.wind() > 0 || s.breath() > 0) s.windClock += dt;
   if (dt > 0 && (moved || posed || s.gusty() || s.forcesChanged || s.touch.moving() || s.holds(Tool::Dryer) || !s.bends.atRest())) {
     s.touch.update(dt);
+    s.bends.showForces(s.showsForces());
     s.bends.step(dt, s.motion.worldFromModel(), s.forces(), s.wetnessOfVertices(), s.touch.contacts());
-    if (s.renderer) s.renderer->updateBends(s.bends.bends());
+    s.uploadBends();
     s.forcesChanged = false;
     changed = true;
   }
@@ -366,10 +367,15 @@ bool App::tick(float dt, float coatBudget) {
 void App::State::settleBends() {
   refreshPose(0);
   refreshGroom();
+  bends.showForces(showsForces());
   bends.settle(motion.worldFromModel(), forces(), wetnessOfVertices());
-  if (renderer) renderer->updateBends(bends.bends());
+  uploadBends();
   forcesChanged = false;
   pictureChanged = true;
+}
+
+void App::State::uploadBends() {
+  if (renderer) renderer->updateBends(bends.forces().empty() ? bends.bends() : bends.forces());
 }
 
 void App::settle() {

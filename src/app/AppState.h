@@ -164,6 +164,8 @@ struct App::State {
   geometry::FurMapping mapping() const { return static_cast<geometry::FurMapping>(settings.furMapping); }
   void uploadScene();
   void settleBends();
+  bool showsForces() const { return static_cast<render::View>(settings.view) == render::View::Forces; }
+  void uploadBends();  // or the forces, where those are shown
   render::Frame frame(int level) const;
   render::Frame frame() const { return frame(bestLevel); }
   dynamics::BendForces forces() const;

@@ -37,7 +37,7 @@ bool Touch::moving() const {
 bool Touch::update(float dt) {
   count_ = 0;
   if (handGoal_) {
-    contacts_[count_++] = {*hand_, *handGoal_, handRadius_, kHandGrip};
+    contacts_[count_++] = {*hand_, *handGoal_, handRadius_, kHandGrip, dynamics::kMaxBend};
     hand_ = handGoal_;
   }
   if (!ball_) return false;

@@ -109,9 +109,17 @@ Lanes3 uprighted(const Lanes3& force, const Lanes3& chord, const Lanes3& directi
   return force + once + cross(axis, once) * (1.0f / (1.0f + dot(chord, direction)));
 }
 
-// v, which stands to one frame as the result stands to the other.
-Lanes3 carried(const Lanes3& v, const Lanes3& n0, const Lanes3& t0, const Lanes3& n1, const Lanes3& t1) {
-  return n1 * dot(v, n0) + t1 * dot(v, t0) + cross(n1, t1) * dot(v, cross(n0, t0));
+// Directions and tangents across them.
+struct Frames {
+  const Columns &directions, &tangents;
+};
+// The first `count` of what stands to the one frame as the result stands to the other.
+void carry(Columns& vectors, std::size_t count, const Frames& from, const Frames& to) {
+  for (std::size_t i = 0; i < count; i += kLanes) {
+    const Lanes3 v = vectors.lanes(i), n0 = from.directions.lanes(i), t0 = from.tangents.lanes(i);
+    const Lanes3 n1 = to.directions.lanes(i), t1 = to.tangents.lanes(i);
+    vectors.set(i, n1 * dot(v, n0) + t1 * dot(v, t0) + cross(n1, t1) * dot(v, cross(n0, t0)));
+  }
 }
 
 float largest(const Lanes& x) { return std::max(std::max(x[0], x[1]), std::max(x[2], x[3])); }
@@ -150,6 +158,7 @@ void BendField::reset(const std::vector<Vec3>& positions, const std::vector<Vec3
   lengths_.assign(Columns::padded(count_), 1.0f);
   wetness_.clear();
   out_.assign(count_, Vec4(0, 0, 0, 1));
+  shownForces_.clear();
   for (Columns* columns : {&rests_, &chords_, &sets_, &tangents_, &firstRests_, &firstChords_}) columns->clear();
   posed_ = false;
   poseFelt_ = 0;
@@ -180,6 +189,12 @@ void BendField::wake() {
   for (Block& block : blocks_) block.awake = true;
 }
 
+void BendField::showForces(bool show) {
+  if (show != shownForces_.empty()) return;
+  shownForces_.assign(show ? count_ : 0, Vec4(0));
+  wake();
+}
+
 void BendField::setRest(const std::vector<Vec3>& rests, const std::vector<float>& lengths) {
   const auto fits = [this](std::size_t count) { return count == 0 || count == count_; };
   FUR_ASSERT(fits(rests.size()) && fits(lengths.size()), "BendField::setRest()", "one of each a vertex, or none", rests.size());
@@ -200,22 +215,22 @@ void BendField::setRest(const std::vector<Vec3>& rests, const std::vector<float>
       chords_.set(i, direction * portableCos(half) + normalizeOr(rest, Vec3(0)) * portableSin(half));
     }
   }
-  if (posed_) placeRests();
+  if (posed_) {
+    firstRests_ = rests_;
+    firstChords_ = chords_;
+    placeRests();
+  }
   for (std::size_t i = 0; i < count_; ++i) out_[i].w = lengths_[i] = lengths.empty() ? 1.0f : unitOr0(lengths[i]);
   wake();
 }
 
 // Rests and chords of the first shape become those of the shape now.
 void BendField::placeRests() {
-  firstRests_ = rests_;
-  firstChords_ = chords_;
-  if (rests_.empty()) return;
-  for (std::size_t i = 0; i < Columns::padded(count_); i += kLanes) {
-    const Lanes3 n0 = firstDirections_.lanes(i), t0 = firstTangents_.lanes(i);
-    const Lanes3 n1 = directions_.lanes(i), t1 = tangents_.lanes(i);
-    rests_.set(i, carried(firstRests_.lanes(i), n0, t0, n1, t1));
-    chords_.set(i, carried(firstChords_.lanes(i), n0, t0, n1, t1));
-  }
+  if (firstRests_.empty()) return;
+  rests_ = firstRests_;
+  chords_ = firstChords_;
+  for (Columns* columns : {&rests_, &chords_})
+    carry(*columns, count_, {firstDirections_, firstTangents_}, {directions_, tangents_});
 }
 
 void BendField::setPose(std::span<const Vec3> positions, std::span<const Vec3> directions, std::span<const Vec3> tangents) {
@@ -230,27 +245,13 @@ void BendField::setPose(std::span<const Vec3> positions, std::span<const Vec3> d
     lastPositions_.assign(positions, Vec3(0));
     lastMoves_.assign(count_, Vec3(0));
   }
-  for (std::size_t i = 0; i < Columns::padded(count_); i += kLanes) {
-    const Lanes3 n0 = directions_.lanes(i), t0 = tangents_.lanes(i);
-    if (i + kLanes <= count_) {
-      positions_.set(i, lanesOf(&positions[i]));
-      directions_.set(i, lanesOf(&directions[i]));
-      tangents_.set(i, lanesOf(&tangents[i]));
-    }
-    for (std::size_t k = i; i + kLanes > count_ && k < count_; ++k) {
-      positions_.set(k, positions[k]);
-      directions_.set(k, directions[k]);
-      tangents_.set(k, tangents[k]);
-    }
-    const Lanes3 n1 = directions_.lanes(i), t1 = tangents_.lanes(i);
-    bends_.set(i, carried(bends_.lanes(i), n0, t0, n1, t1));
-    velocities_.set(i, carried(velocities_.lanes(i), n0, t0, n1, t1));
-    if (!sets_.empty()) sets_.set(i, carried(sets_.lanes(i), n0, t0, n1, t1));
-    if (rests_.empty()) continue;
-    const Lanes3 n = firstDirections_.lanes(i), t = firstTangents_.lanes(i);
-    rests_.set(i, carried(firstRests_.lanes(i), n, t, n1, t1));
-    chords_.set(i, carried(firstChords_.lanes(i), n, t, n1, t1));
-  }
+  const Columns directionsBefore = directions_, tangentsBefore = tangents_;
+  positions_.take(positions);
+  directions_.take(directions);
+  tangents_.take(tangents);
+  for (Columns* columns : {&bends_, &velocities_, &sets_})
+    if (!columns->empty()) carry(*columns, count_, {directionsBefore, tangentsBefore}, {directions_, tangents_});
+  placeRests();
   boundsStale_ = true;
   poseFelt_ = 2;  // its motion, and that it has ended
   atRest_ = false;
@@ -303,6 +304,8 @@ void BendField::advanceBlock(const Climate& climate, std::size_t number, Advance
         lastMoves_.set(i, move);
       }
     }
+    for (std::size_t k = i; k < std::min(i + kLanes, shownForces_.size()); ++k)
+      shownForces_[k] = Vec4(force.x[k - i], force.y[k - i], force.z[k - i], lengths_[k]);
     if (combed) force = uprighted(force, chord, n);
     Lanes3 target = capped(across(force, n) * all(climate.compliance), 1.0f) * all(kMaxBend);
     if (combed) target = capped(rests_.lanes(i) + target, kMaxBend);
@@ -315,7 +318,7 @@ void BendField::advanceBlock(const Climate& climate, std::size_t number, Advance
       left = left > kStillAngle ? left : all(0.0f);
       const Lanes3 now = old * (left / most(size, all(1e-6f)));
       sets_.set(i, now);
-      target = capped(target + now, kMaxBend);
+      target = capped(target + now, kMostPressed);
       remembered = left * left;
     }
     if (!swings) {
@@ -330,14 +333,16 @@ void BendField::advanceBlock(const Climate& climate, std::size_t number, Advance
     Lanes3 speed = x * water.vx + v * water.vv;
     Lanes3 bend = target + left;
     const Lanes squared = dot(bend, bend);
-    const LaneMask over = squared > kMaxBend * kMaxBend;
+    // What was pressed flatter may only rise.
+    const Lanes limit = most(dot(before, before), all(kMaxBend * kMaxBend));
+    const LaneMask over = squared > limit;
     if (any(over)) {  // it has come to the skin, without a bounce
       const Lanes3 outward = bend * (1.0f / sqrtOf(most(squared, all(1.0f))));
-      bend = pick(over, outward * all(kMaxBend), bend);
+      bend = pick(over, outward * sqrtOf(limit), bend);
       speed = pick(over, speed - outward * most(dot(speed, outward), all(0.0f)), speed);
     }
     for (const Press& press : pressed ? std::span<const Press>(presses_) : std::span<const Press>()) {
-      const LaneMask held = press.apply(bend, before, p, n, load(&lengths_[i]) * lastForces_.furLength, kMaxBend);
+      const LaneMask held = press.apply(bend, before, p, n, load(&lengths_[i]) * lastForces_.furLength);
       if (!any(held)) continue;
       block.touched = true;
       speed = pick(held, Lanes3{}, speed);

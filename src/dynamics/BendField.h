@@ -23,8 +23,6 @@
 
 namespace fur::dynamics {
 
-inline constexpr float kMaxBend = 1.35f;  // radians: fur never lies through the skin
-
 struct BendForces {
   Vec3 gravity{0, -1, 0};   // world space, strength included (0..1)
   Wind wind;
@@ -62,6 +60,10 @@ class BendField {
 
   // xyz = bend (model space, radians), w = length. One a vertex.
   const std::vector<Vec4>& bends() const { return out_; }
+  // For those who ask: xyz = weight, wind and air resistance (model space, their strength in the settings), w = length;
+  // from the next step on. Empty for others.
+  void showForces(bool show);
+  const std::vector<Vec4>& forces() const { return shownForces_; }
   // True once nothing moves any more: stop stepping, drawing, uploading.
   bool atRest() const { return atRest_; }
 
@@ -102,6 +104,7 @@ class BendField {
   std::vector<float> wetness_;        // as it was given; empty: dry
   std::vector<std::uint8_t> levels_;  // of wetness, where there is any
   std::vector<Vec4> out_;
+  std::vector<Vec4> shownForces_;
 
   // A model that changes its shape: as reset() and setRest() had it, where it was at the last step and how it moved there.
   Columns tangents_, firstDirections_, firstTangents_, firstRests_, firstChords_;

@@ -28,6 +28,7 @@ Press::Press(const Contact& contact, const Mat4& modelToWorld, float furLength) 
   if (!sound) return;
   radius_ = std::min(contact.radius, kMaxRadius);
   furLength_ = std::min(furLength, kMaxRadius);
+  most_ = std::min(contact.presses, kMostPressed);
   if (!(glm::dot(way_, way_) > 1e-12f)) return;
   perWay_ = 1.0f / glm::dot(way_, way_);
   along_ = way_ * std::sqrt(perWay_);
@@ -41,8 +42,8 @@ bool Press::reaches(const Vec3& centre, float radius) const {
   return glm::dot(apart, apart) < reach * reach;
 }
 
-LaneMask Press::apply(Lanes3& bends, const Lanes3& before, const Lanes3& roots, const Lanes3& normals, const Lanes& lengths,
-                      float maxBend) const {
+LaneMask Press::apply(Lanes3& bends, const Lanes3& before, const Lanes3& roots, const Lanes3& normals,
+                      const Lanes& lengths) const {
   // Where the ball came nearest to the root.
   const Lanes share = least(most(dot(roots - all(from_), all(way_)) * perWay_, all(0.0f)), all(1.0f));
   const Lanes3 centre = all(from_) + all(way_) * share;
@@ -59,7 +60,7 @@ LaneMask Press::apply(Lanes3& bends, const Lanes3& before, const Lanes3& roots, 
   // 1 - a^2 / 6 + a^4 / 120.
   const Lanes room = (height - sqrtOf(most(squared - aside, all(0.0f)))) / most(lengths, all(1e-4f));
   const Lanes lowered = 1.0f - least(most(room, all(0.0f)), all(1.0f));
-  const Lanes fullTurn = least(sqrtOf(10.0f - sqrtOf(most(100.0f - 120.0f * lowered, all(0.0f)))), all(maxBend));
+  const Lanes fullTurn = least(sqrtOf(10.0f - sqrtOf(most(100.0f - 120.0f * lowered, all(0.0f)))), all(most_));
   // Softer to the sides, so that the fur makes no step round it.
   const Lanes soft = least(kSoftness * (1.0f - aside * (1.0f / squared)), all(1.0f));
   const Lanes turn = fullTurn * most(soft, all(0.0f));

@@ -36,10 +36,6 @@ struct Lanes3 {
   Lanes x, y, z;
 };
 inline Lanes3 all(const Vec3& v) { return {all(v.x), all(v.y), all(v.z)}; }
-// Four in a row.
-inline Lanes3 lanesOf(const Vec3* v) {
-  return {Lanes{v[0].x, v[1].x, v[2].x, v[3].x}, Lanes{v[0].y, v[1].y, v[2].y, v[3].y}, Lanes{v[0].z, v[1].z, v[2].z, v[3].z}};
-}
 inline Lanes3 operator+(const Lanes3& a, const Lanes3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 inline Lanes3 operator-(const Lanes3& a, const Lanes3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 inline Lanes3 operator*(const Lanes3& a, const Lanes& s) { return {a.x * s, a.y * s, a.z * s}; }
@@ -80,6 +76,10 @@ class Columns {
   }
   void assign(std::span<const Vec3> values, const Vec3& padding) {
     assign(values.size(), padding);
+    take(values);
+  }
+  // As many others.
+  void take(std::span<const Vec3> values) {
     for (std::size_t i = 0; i < values.size(); ++i) set(i, values[i]);
   }
   void clear() { numbers_.clear(); }

@@ -88,7 +88,7 @@ std::vector<Command> Editor::frame(const EditorModel& model, const ThemeScale& s
     settings::Settings edited = model.settings;
     for (Command& command : coat_.draw(model, edited, {.tooltips = !touch_, .roomy = roomy_})) emit(std::move(command));
     for (Command& command : groom_.draw(model, edited, !touch_)) emit(std::move(command));
-    drawSettings(edited);
+    drawSettings(edited, model.animations);
     if (edited != model.settings) {
       if (!changing_) emit(command::BeginChange{});
       changing_ = true;
@@ -256,7 +256,7 @@ void Editor::drawWater(const EditorModel& model) {
   ImGui::Dummy(ImVec2(0, px(2)));
 }
 
-void Editor::drawSettings(settings::Settings& edited) {
+void Editor::drawSettings(settings::Settings& edited, std::span<const std::string> animations) {
   const bool filtered = filter_[0] != '\0';
   ImGui::SetNextItemWidth(filtered ? -ImGui::GetFrameHeight() - px(2) : -1);
   ImGui::InputTextWithHint("##filter", "Search settings", filter_, sizeof filter_);
@@ -264,7 +264,7 @@ void Editor::drawSettings(settings::Settings& edited) {
     ImGui::SameLine(0, px(2));
     if (iconButton("##clear", Icon::Close, "")) filter_[0] = '\0';
   }
-  if (drawFields(edited, filter_, !touch_) == 0) caption("No setting has that in its name.");
+  if (drawFields(edited, filter_, !touch_, animations) == 0) caption("No setting has that in its name.");
 }
 
 void Editor::drawStats(const EditorModel& model) {

@@ -50,7 +50,7 @@ class Editor {
   void drawScene(const EditorModel& model);
   void drawShippedScenes(const EditorModel& model);
   void drawWater(const EditorModel& model);
-  void drawSettings(settings::Settings& edited);
+  void drawSettings(settings::Settings& edited, std::span<const std::string> animations);
   void drawStats(const EditorModel& model);
   void scrollByFinger();
   bool collapsed() const { return collapsed_.value_or(narrow_); }

@@ -73,6 +73,7 @@ struct EditorModel {
   settings::Settings settings;
   Tool tool = Tool::Droplet;
   std::string modelName;
+  std::vector<std::string> animations;  // names of what it can play, for the setting `animation`, which counts from 1
   float meanWetness = 0;  // 0..1
   WaterView water;
   bool canUndo = false, canRedo = false;

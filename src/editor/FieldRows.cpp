@@ -104,7 +104,31 @@ void editChoice(Settings& settings, const Field& field) {
   ImGui::EndCombo();
 }
 
-void editValue(Settings& settings, const Field& field) {
+// By its name; and a button that holds it.
+void editAnimation(Settings& settings, const Field& field, std::span<const std::string> names) {
+  const float button = px(44);
+  const auto nameOf = [&](std::size_t i) {
+    if (i > names.size()) i = 0;
+    return i == 0 ? "none" : names[i - 1].empty() ? "Animation " + std::to_string(i) : names[i - 1];
+  };
+  ImGui::SetNextItemWidth(ImGui::CalcItemWidth() - button - px(2));
+  const auto chosen = static_cast<std::size_t>(field.get(settings));
+  if (ImGui::BeginCombo("##value", nameOf(chosen).c_str())) {
+    for (std::size_t i = 0; i <= names.size(); ++i) {
+      ImGui::PushID(static_cast<int>(i));
+      if (ImGui::Selectable(nameOf(i).c_str(), i == chosen)) assign(settings, field, static_cast<double>(i));
+      ImGui::PopID();
+    }
+    ImGui::EndCombo();
+  }
+  ImGui::SameLine(0, px(2));
+  const bool held = settings.animationSpeed == 0;
+  if (ImGui::Button(held ? "Play###hold" : "Hold###hold", ImVec2(button, 0)))
+    assign(settings, *settings::findField("animationSpeed"), held ? 1 : 0);
+}
+
+void editValue(Settings& settings, const Field& field, std::span<const std::string> animations) {
+  if (!animations.empty() && std::string_view(field.name) == "animation") return editAnimation(settings, field, animations);
   switch (field.type) {
     case FieldType::Float:
       return editFloat(settings, field);
@@ -150,7 +174,7 @@ void rowMenu(Settings& settings, const Field& field) {
   ImGui::EndPopup();
 }
 
-void drawRow(Settings& settings, const Field& field, bool tooltips) {
+void drawRow(Settings& settings, const Field& field, bool tooltips, std::span<const std::string> animations) {
   ImGui::PushID(field.name);
   const float width = ImGui::GetContentRegionAvail().x, left = ImGui::GetCursorPosX();
   const float icon = px(18);
@@ -162,7 +186,7 @@ void drawRow(Settings& settings, const Field& field, bool tooltips) {
   ImGui::SameLine(left + width * kLabelShare);
   ImGui::SetNextItemWidth(width * (1 - kLabelShare) - icon - px(2));
   ImGui::BeginGroup();
-  editValue(settings, field);
+  editValue(settings, field, animations);
   ImGui::EndGroup();
   if ((onLabel || ImGui::IsItemHovered()) && ImGui::IsMouseReleased(ImGuiMouseButton_Right))
     ImGui::OpenPopup("menu");
@@ -223,7 +247,7 @@ bool matchesFilter(const Field& field, std::string_view filter) {
          contains(field.group, filter);
 }
 
-int drawFields(Settings& settings, std::string_view filter, bool tooltips) {
+int drawFields(Settings& settings, std::string_view filter, bool tooltips, std::span<const std::string> animations) {
   int shown = 0;
   for (const std::string_view group : fieldGroups()) {
     const auto rows = [&](const Field& field) {
@@ -234,7 +258,7 @@ int drawFields(Settings& settings, std::string_view filter, bool tooltips) {
     if (count == 0 || !drawHeader(settings, group, !filter.empty())) continue;
     if (group == "Light" && filter.empty()) drawLightPad(settings);
     for (const Field& field : settings::fields())
-      if (rows(field)) drawRow(settings, field, tooltips);
+      if (rows(field)) drawRow(settings, field, tooltips, animations);
     ImGui::Dummy(ImVec2(0, px(4)));
   }
   return shown;

@@ -1,7 +1,8 @@
 // The settings table as rows of widgets: a header per group, a row per field. Nothing here knows
-// a field by name except the light's direction, which can also be dragged.
+// a field by name except the light's direction, which can also be dragged, and the animation, which has names.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,7 +18,8 @@ std::vector<std::string_view> fieldGroups();
 bool matchesFilter(const settings::Field& field, std::string_view filter);
 
 // Draws every group that has a match into the current window and applies what the person does to
-// `settings`. Returns how many rows were drawn or would be in an open group.
-int drawFields(settings::Settings& settings, std::string_view filter, bool tooltips);
+// `settings`. `animations`: names of what the model can play. Returns how many rows were drawn or would be in an open group.
+int drawFields(settings::Settings& settings, std::string_view filter, bool tooltips,
+               std::span<const std::string> animations = {});
 
 }  // namespace fur::editor

@@ -70,6 +70,12 @@ VertexArray::VertexArray(const Buffer& vertices, int strideBytes, std::span<cons
                          unsigned divisor, const Buffer* indices)
     : name_(make(glGenVertexArrays), [](unsigned id) { glDeleteVertexArrays(1, &id); }) {
   glBindVertexArray(name_.id());
+  if (indices) glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices->name_.id());
+  add(vertices, strideBytes, attributes, divisor);
+}
+
+void VertexArray::add(const Buffer& vertices, int strideBytes, std::span<const Attribute> attributes, unsigned divisor) {
+  glBindVertexArray(name_.id());
   glBindBuffer(GL_ARRAY_BUFFER, vertices.name_.id());
   for (const Attribute& a : attributes) {
     glEnableVertexAttribArray(a.location);
@@ -77,7 +83,6 @@ VertexArray::VertexArray(const Buffer& vertices, int strideBytes, std::span<cons
                           reinterpret_cast<const void*>(static_cast<std::uintptr_t>(a.offsetBytes)));
     glVertexAttribDivisor(a.location, divisor);
   }
-  if (indices) glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices->name_.id());
   glBindVertexArray(0);
 }
 

@@ -97,6 +97,8 @@ class VertexArray {
   // divisor 1: one value an instance.
   VertexArray(const Buffer& vertices, int strideBytes, std::span<const Attribute> attributes, unsigned divisor,
               const Buffer* indices);
+  // Attributes of another buffer.
+  void add(const Buffer& vertices, int strideBytes, std::span<const Attribute> attributes, unsigned divisor);
   void drawIndexed(int indexCount, int instances) const;  // triangles, 32-bit indices
   void drawStrips(int vertexCount, int instances) const;
 

@@ -69,8 +69,8 @@ std::vector<WhiskerHair> whiskerHairs(std::span<const Whisker> whiskers, const g
                                       const geometry::SurfaceQuery& query);
 // How a hair is bent where the coat is so: one bend a vertex, as BendField::bends(). Radians, across its direction.
 Vec3 hairBend(const WhiskerHair& hair, std::span<const Vec4> bends);
-// Root to tip, even steps along the arc: the twin of whisker.vert. Straight lines between them are at most 0.4 % shorter
-// than the hair, which turns by 2 rad at most: its own 0.65 and BendField's kMaxBend.
+// Root to tip, even steps along the arc: the twin of whisker.vert. Straight lines between them are at most 0.8 % shorter
+// than the hair, which turns by 3 rad at most: its own 0.65 and dynamics::kMostPressed.
 std::array<Vec3, kHairPoints> hairPoints(const WhiskerHair& hair, std::span<const Vec4> bends);
 
 }  // namespace fur::groom

@@ -64,16 +64,21 @@ void FurShadow::prepare(int size, bool layers) {
   }
 }
 
-Status FurShadow::drawFirst(Programs& programs, bool layers, const gl::VertexArray& surface, int indexCount) {
+Status FurShadow::drawFirst(Programs& programs, const Key& key, bool layers, const gl::VertexArray& surface, int indexCount) {
   firstTarget_[0].bind();
   gl::clear(Vec4(1));
   for (const bool skin : {false, true}) {
     if (skin && !layers) break;
-    const auto program = programs.use(Shader::ShadowMap, skin ? kSkinOnly : kPlain);
+    auto program = programs.use(Shader::ShadowMap, key.curve | (skin ? +kSkinOnly : +kPlain));
     if (!program) return program.error();
     if (skin) gl::clearDepth();
     gl::apply({.cullBack = false, .red = !skin, .green = !skin, .blue = skin, .alpha = skin});
     surface.drawIndexed(indexCount, 1);
+    // As dark as skin: layers count strands from the coat on, whatever is above it.
+    if (key.ball.w <= 0 || skin != layers) continue;
+    program = programs.use(Shader::ShadowMap, kBall);
+    if (!program) return program.error();
+    gl::drawWithoutVertices(6 * FUR_BALL_AROUND * FUR_BALL_DOWN);
   }
   return Done{};
 }
@@ -91,8 +96,8 @@ Status FurShadow::blur(Programs& programs) {
   return Done{};
 }
 
-Status FurShadow::drawLayers(Programs& programs, const gl::VertexArray& surface, int indexCount) {
-  const auto program = programs.use(Shader::ShadowMap, kShadowLayers);
+Status FurShadow::drawLayers(Programs& programs, unsigned curve, const gl::VertexArray& surface, int indexCount) {
+  const auto program = programs.use(Shader::ShadowMap, curve | kShadowLayers);
   if (!program) return program.error();
   first_[0].bind(FUR_UNIT_SHADOW);
   opacityTarget_.bind();
@@ -109,8 +114,8 @@ Status FurShadow::update(Programs& programs, const Key& key, const gl::VertexArr
     const int size = layers ? FUR_OPACITY_SIZE : FUR_SHADOW_SIZE;
     prepare(size, layers);
     gl::setViewport(size, size);
-    Status status = drawFirst(programs, layers, surface, indexCount);
-    if (status) status = layers ? drawLayers(programs, surface, indexCount) : blur(programs);
+    Status status = drawFirst(programs, key, layers, surface, indexCount);
+    if (status) status = layers ? drawLayers(programs, key.curve, surface, indexCount) : blur(programs);
     gl::bindPlatformFramebuffer();
     if (!status) return status;
     key_ = key;

@@ -26,6 +26,8 @@ Mat4 lightFromModel(const Vec3& light, float radius);
 Vec4 volumeShadow(const settings::Settings& settings, float density);
 // The variant of a shader that receives it.
 unsigned shadowVariant(const settings::Settings& settings);
+// That of one whose strands bend.
+inline unsigned curveVariant(const settings::Settings& s) { return s.bendCurve ? +kPolynomial : +kPlain; }
 
 class FurShadow {
  public:
@@ -33,7 +35,10 @@ class FurShadow {
     Shadows shadows;
     Mat4 lightFromModel;
     Vec4 volumeShadow;
+    unsigned curve;       // curveVariant()
     unsigned long scene;  // another one whenever surface, bends or coat are others
+    Vec4 ball;            // as Frame has it
+    Mat4 worldFromModel;  // where there is one
     bool operator==(const Key&) const = default;
   };
   // Needs both uniform blocks, the bends and the tile bound; leaves the platform's framebuffer bound, and
@@ -44,9 +49,9 @@ class FurShadow {
 
  private:
   void prepare(int size, bool layers);
-  Status drawFirst(Programs& programs, bool layers, const gl::VertexArray& surface, int indexCount);
+  Status drawFirst(Programs& programs, const Key& key, bool layers, const gl::VertexArray& surface, int indexCount);
   Status blur(Programs& programs);
-  Status drawLayers(Programs& programs, const gl::VertexArray& surface, int indexCount);
+  Status drawLayers(Programs& programs, unsigned curve, const gl::VertexArray& surface, int indexCount);
 
   gl::Texture first_[2];  // depth of the first surface; [1]: half blurred
   gl::Target firstTarget_[2];

@@ -8,16 +8,15 @@
 
 namespace fur::render {
 
-// Interleaved as shared/Blocks.h lists the attributes.
-struct GpuVertex {
-  Vec4 position, normal;
-  Vec4 uvAtlas;
-  Vec4 fur;
-  Vec4 gradS;
+// What of a vertex goes along with the skin, and what stays; as shared/Blocks.h lists the attributes.
+struct SkinVertex {
+  Vec4 position, normal, gradS;
   Vec3 gradT;
-  Vec4 atlasFromFur;
 };
-static_assert(sizeof(GpuVertex) == 27 * sizeof(float));
+struct FurVertex {
+  Vec4 uvAtlas, fur, atlasFromFur;
+};
+static_assert(sizeof(SkinVertex) == 15 * sizeof(float) && sizeof(FurVertex) == 12 * sizeof(float));
 
 // A fin instance, in the order of shared/Blocks.h.
 struct FinEdge {
@@ -32,13 +31,13 @@ struct Skin {
 class MovingSurface {
  public:
   // `tangents`: those of the shape that vertices and edges have now.
-  MovingSurface(std::vector<GpuVertex> vertices, std::span<const Vec3> tangents, std::span<const FinEdge> edges);
+  MovingSurface(std::vector<SkinVertex> vertices, std::span<const Vec3> tangents, std::span<const FinEdge> edges);
   // Takes the vertices along, and those edges. Tile coordinates turn with the skin and do not stretch.
   void follow(const Skin& skin, std::vector<FinEdge>& edges);
-  std::span<const GpuVertex> vertices() const { return vertices_; }
+  std::span<const SkinVertex> vertices() const { return vertices_; }
 
  private:
-  std::vector<GpuVertex> vertices_;
+  std::vector<SkinVertex> vertices_;
   std::vector<Vec4> gradients_;    // of s and t, along the tangent and across it
   std::vector<Vec4> faceNormals_;  // of an edge's two faces, along the normal across the edge and to its side
 };

@@ -25,6 +25,7 @@ const char* fragmentOf(Shader shader, unsigned variant) {
     case Shader::Whisker: return shaders::kWhiskerFrag;
     case Shader::Drop: return shaders::kDropFrag;
     case Shader::Ball: return shaders::kBallFrag;
+    case Shader::Arrow: return shaders::kArrowFrag;
     case Shader::ShadowBlur: break;
   }
   return shaders::kShadowBlurFrag;
@@ -48,6 +49,7 @@ Source sourceOf(Shader shader) {
     case Shader::Drop: return {"drop", shaders::kDropVert};
     case Shader::ShadowMap: return {"shadow_map", shaders::kShadowMapVert};
     case Shader::Ball: return {"ball", shaders::kBallVert};
+    case Shader::Arrow: return {"arrow", shaders::kArrowVert};
     case Shader::ShadowBlur: break;
   }
   return {"shadow_blur", shaders::kScreenVert};
@@ -69,6 +71,7 @@ std::string definesOf(unsigned variant) {
       {kShadowDepth, "SHADOW_DEPTH"},
       {kShadowLayers, "SHADOW_LAYERS"},
       {kSkinOnly, "SKIN_ONLY"},
+      {kBall, "BALL"},
       {kGroomed, "GROOMED"},
       {kTypes, "TYPES"},
       {kViewLayer, "VIEW_LAYER"},
@@ -78,6 +81,8 @@ std::string definesOf(unsigned variant) {
       {kViewClumps, "VIEW_CLUMPS"},
       {kViewShadow, "VIEW_SHADOW"},
       {kViewSteps, "VIEW_STEPS"},
+      {kViewForces, "VIEW_FORCES"},
+      {kPolynomial, "POLYNOMIAL"},
   };
   std::string text;
   for (const auto& [bit, name] : kNames)
@@ -133,7 +138,11 @@ std::vector<std::pair<Shader, unsigned>> allVariants() {
       {Shader::Skin, kViewWetness}, {Shader::Skin, kViewNormals},   {Shader::ShadowMap, kPlain},
       {Shader::Enlarge, kPlain},    {Shader::Drop, kPlain},       {Shader::Background, kWet},     {Shader::Ball, kPlain},
       {Shader::ShadowMap, kShadowLayers}, {Shader::ShadowMap, kSkinOnly},
+      {Shader::ShadowMap, kBall},   {Shader::GroundShadow, kBall},
       {Shader::Skin, kViewClumps},  {Shader::Skin, kViewDim},     {Shader::Fin, kViewEdges},
+      {Shader::Arrow, kPlain},      {Shader::Arrow, kPolynomial}, {Shader::Arrow, kViewForces},
+      {Shader::ShadowMap, kPolynomial}, {Shader::ShadowMap, kPolynomial | kShadowLayers},
+      {Shader::Shell, kPolynomial}, {Shader::Fin, kPolynomial},   {Shader::Whisker, kPolynomial},
   };
   for (const Shader counted : {Shader::Shell, Shader::Fin, Shader::Skin}) all.emplace_back(counted, kViewOverdraw);
   for (const unsigned look : {+kPlain, +kWet, +kGroomed, kWet | kGroomed, kGroomed | kTypes, kWet | kGroomed | kTypes})

@@ -9,7 +9,7 @@
 
 namespace fur::render {
 
-enum class Shader { Background, GroundShadow, Blur, Skin, Shell, ShadowMap, ShadowBlur, Fin, Enlarge, Whisker, Drop, Ball };
+enum class Shader { Background, GroundShadow, Blur, Skin, Shell, ShadowMap, ShadowBlur, Fin, Enlarge, Whisker, Drop, Ball, Arrow };
 
 // Bits of a variant; each is a #define in the shader.
 enum Variant : unsigned {
@@ -39,6 +39,10 @@ enum Variant : unsigned {
   kViewShadow = 1 << 21,
   kViewOverdraw = 1 << 22,
   kViewSteps = 1 << 23,
+  kViewForces = 1 << 24,    // Arrow
+  // Not of a view again.
+  kBall = 1u << 25,         // GroundShadow, ShadowMap: the ball's in place of the model's
+  kPolynomial = 1u << 26,   // Shell, Fin, Whisker, ShadowMap: strands bend as Sheppard has it
 };
 
 class Programs {

@@ -187,7 +187,7 @@ Status Renderer::drawPasses(const Frame& frame) {
   const unsigned look = (frame.wet ? kWet : kPlain) | (hasPicture_ ? kTextured : kPlain) |
                         (frame.settings.strandModel ? kMarschner : kPlain) | shadowVariant(frame.settings) |
                         (frame.types ? kTypes : kPlain);
-  const unsigned skinLook = look & ~(kWet | kMarschner);
+  const unsigned skinLook = look & ~(kWet | kMarschner), curve = curveVariant(frame.settings);
   const bool furry = hasFur_ && frame.settings.furLength > 0 && !patches_.indices.empty();
   const auto skin = [&](unsigned variant) { return drawSkin(variant); };
   // Of the look, what a view shows, so that fewer shaders are compiled.
@@ -201,10 +201,10 @@ Status Renderer::drawPasses(const Frame& frame) {
     return (look & kept) | view;
   };
   const auto shells = [&](unsigned view) {
-    return furry ? drawShells(frame, shown(look | (frame.groomed || frame.types ? kGroomed : kPlain), view)) : Status(Done{});
+    return furry ? drawShells(frame, curve | shown(look | (frame.groomed || frame.types ? kGroomed : kPlain), view)) : Status(Done{});
   };
   const auto fins = [&](unsigned view) {
-    return furry && frame.settings.fins ? drawFins(frame, shown(look, view)) : Status(Done{});
+    return furry && frame.settings.fins ? drawFins(frame, curve | shown(look, view)) : Status(Done{});
   };
   const auto model = [&](unsigned view) {
     if (Status status = shells(view); !status) return status;
@@ -237,6 +237,8 @@ Status Renderer::drawPasses(const Frame& frame) {
     case View::Layer: return both(skin(kViewDim), [&] { return shells(kViewLayer); });
     case View::Exploded: return both(skin(kViewDim), [&] { return shells(kViewLayer | kViewExploded); });
     case View::Clumps: return both(shells(kViewClumps), [&] { return skin(kViewClumps); });
+    case View::Bends: return both(skin(kViewDim), [&] { return drawArrows(curve); });
+    case View::Forces: return both(skin(kViewDim), [&] { return drawArrows(kViewForces); });
     case View::Silhouette:
       return both(skin(kViewDim), [&] { return furry ? drawFins(frame, kViewEdges) : Status(Done{}); });
     case View::Shadow: return model(kViewShadow);
@@ -252,7 +254,7 @@ Status Renderer::drawPasses(const Frame& frame) {
   }
   if (Status status = model(kPlain); !status) return status;
   if (!counts) {
-    if (Status status = whiskers_.draw(programs_, look & ~(kTextured | kTypes)); !status) return status;
+    if (Status status = whiskers_.draw(programs_, curve | (look & ~(kTextured | kTypes))); !status) return status;
     if (Status status = background(); !status) return status;
     return drops_.draw(programs_, frame.drops, uploadedBytes_);
   }
@@ -266,7 +268,7 @@ FurShadow::Key Renderer::furShadowKey(const Frame& frame) const {
   if (patches_.indices.empty()) s.furLength = 0;
   const Vec3 light(glm::inverse(frame.worldFromModel) * Vec4(directionFrom(s.lightYaw, s.lightPitch), 0));
   return {static_cast<Shadows>(s.shadows), lightFromModel(light, shadowRadius(s.furLength)), volumeShadow(s, *std::max_element(densities_.begin(), densities_.end())),
-          furShadowScene_};
+          curveVariant(s), furShadowScene_, frame.ball, frame.ball.w > 0 ? frame.worldFromModel : Mat4(1.0f)};
 }
 
 Status Renderer::drawSkin(unsigned variant) {
@@ -300,9 +302,17 @@ Status Renderer::drawFins(const Frame& frame, unsigned variant) {
   return Done{};
 }
 
+Status Renderer::drawArrows(unsigned variant) {
+  const auto program = programs_.use(Shader::Arrow, variant);
+  if (!program) return program.error();
+  gl::apply({.cullBack = false});
+  arrows_.drawStrips(2 * FUR_ARROW_POINTS, vertexCount_);
+  return Done{};
+}
+
 Status Renderer::drawGroundShadow(const Frame& frame) {
   const settings::Settings& s = frame.settings;
-  const ShadowKey key{frame.worldFromModel, directionFrom(s.lightYaw, s.lightPitch), s.furLength, frame.groundHeight};
+  const ShadowKey key{frame.worldFromModel, directionFrom(s.lightYaw, s.lightPitch), s.furLength, frame.groundHeight, frame.ball};
   if (shadowKey_ == key) return Done{};
   gl::setViewport(kGroundShadowSize, kGroundShadowSize);
   groundTarget_[0].bind();
@@ -311,6 +321,11 @@ Status Renderer::drawGroundShadow(const Frame& frame) {
   if (!flat) return flat.error();
   gl::apply({.depthTest = false, .depthWrite = false, .cullBack = false, .blend = gl::Blend::Add});
   surface_.drawIndexed(indexCount_, 2);
+  if (frame.ball.w > 0) {
+    const auto round = programs_.use(Shader::GroundShadow, kBall);
+    if (!round) return round.error();
+    gl::drawWithoutVertices(6 * FUR_BALL_AROUND * FUR_BALL_DOWN);
+  }
   gl::apply({.depthTest = false, .depthWrite = false, .cullBack = false});
   const auto blur = programs_.use(Shader::Blur, kPlain);
   if (!blur) return blur.error();

@@ -44,7 +44,7 @@ class Renderer {
   // Uploads only `changed` (the whole mask after a change of size).
   // `charts`: of every texel (SurfaceWetting), so that rays know when they leave one.
   void updateMask(const wet::WetnessMask& mask, const wet::TexelRect& changed, std::span<const std::uint16_t> charts);
-  void updateBends(std::span<const Vec4> bends);  // w: length of the fur there, a share
+  void updateBends(std::span<const Vec4> bends);  // w: length of the fur there, a share; for View::Forces the forces
   // The same for the map of the groom.
   void updateGroom(const groom::GroomMap& map, const geometry::TexelRect& changed);
   // Which triangles shells are drawn on, in place of all of the surface, and the length at every vertex: fins
@@ -73,6 +73,7 @@ class Renderer {
   Status drawShells(const Frame& frame, unsigned variant);
   Status drawFins(const Frame& frame, unsigned variant);
   Status drawSkin(unsigned variant);
+  Status drawArrows(unsigned variant);
   void uploadBlocks(const Frame& frame);
   void showPuddles(std::span<const std::uint8_t> cells);
   FurShadow::Key furShadowKey(const Frame& frame) const;
@@ -87,13 +88,13 @@ class Renderer {
   unsigned long furShadowScene_ = 0;  // see FurShadow::Key
   SmallPicture small_;
   gl::Buffer frameBlock_, coatBlock_;
-  gl::Buffer vertices_, indices_, furIndices_, edges_;
-  gl::VertexArray surface_, shells_, fins_;
+  gl::Buffer vertices_, furVertices_, indices_, furIndices_, edges_;
+  gl::VertexArray surface_, shells_, fins_, arrows_;
   FurTextures fur_;
   gl::Texture mask_, bends_, baseColor_, groom_, puddles_;
   gl::Texture groundShadow_[2];
   gl::Target groundTarget_[2];
-  int indexCount_ = 0, shellIndexCount_ = 0;
+  int vertexCount_ = 0, indexCount_ = 0, shellIndexCount_ = 0;
   // All patches of fur, and the eye, fur length and overlap that those on the GPU were put in order for.
   geometry::FurPatches patches_;
   std::optional<Vec4> shellsFor_;
@@ -112,6 +113,7 @@ class Renderer {
     Mat4 worldFromModel;
     Vec3 light;
     float length, height;
+    Vec4 ball;
     bool operator==(const ShadowKey&) const = default;
   };
   std::optional<ShadowKey> shadowKey_;

@@ -10,11 +10,13 @@ namespace fur::render {
 
 namespace {
 
-constexpr gl::Attribute kVertexAttributes[] = {
-    {FUR_POSITION, 4, offsetof(GpuVertex, position)},   {FUR_NORMAL, 4, offsetof(GpuVertex, normal)},
-    {FUR_UV_ATLAS, 4, offsetof(GpuVertex, uvAtlas)},    {FUR_FUR_COORD, 4, offsetof(GpuVertex, fur)},
-    {FUR_GRAD_S, 4, offsetof(GpuVertex, gradS)},        {FUR_GRAD_T, 3, offsetof(GpuVertex, gradT)},
-    {FUR_ATLAS_FROM_FUR, 4, offsetof(GpuVertex, atlasFromFur)},
+constexpr gl::Attribute kSkinAttributes[] = {
+    {FUR_POSITION, 4, offsetof(SkinVertex, position)}, {FUR_NORMAL, 4, offsetof(SkinVertex, normal)},
+    {FUR_GRAD_S, 4, offsetof(SkinVertex, gradS)},      {FUR_GRAD_T, 3, offsetof(SkinVertex, gradT)},
+};
+constexpr gl::Attribute kFurAttributes[] = {
+    {FUR_UV_ATLAS, 4, offsetof(FurVertex, uvAtlas)}, {FUR_FUR_COORD, 4, offsetof(FurVertex, fur)},
+    {FUR_ATLAS_FROM_FUR, 4, offsetof(FurVertex, atlasFromFur)},
 };
 constexpr gl::Attribute kEdgeAttributes[] = {
     {FUR_FIN_POSITION_A, 4, offsetof(FinEdge, positionA)}, {FUR_FIN_POSITION_B, 4, offsetof(FinEdge, positionB)},
@@ -22,15 +24,6 @@ constexpr gl::Attribute kEdgeAttributes[] = {
     {FUR_FIN_FACE_0, 4, offsetof(FinEdge, face0)},         {FUR_FIN_FACE_1, 4, offsetof(FinEdge, face1)},
     {FUR_FIN_ATLAS, 4, offsetof(FinEdge, atlas)},
 };
-
-std::vector<GpuVertex> gpuVertices(const geometry::Surface& surface) {
-  std::vector<GpuVertex> out;
-  out.reserve(surface.vertices.size());
-  for (const auto& v : surface.vertices)
-    out.push_back({Vec4(v.position, v.strands.x), Vec4(v.normal, v.strands.y), Vec4(v.uv, v.atlas),
-                   Vec4(v.fur, v.curvature.x, v.curvature.y), Vec4(v.gradS, v.curvature.z), v.gradT, v.atlasFromFur});
-  return out;
-}
 
 // From this angle between its two faces on an edge is sharp.
 constexpr float kSharpCosine = 0.77f;
@@ -65,20 +58,33 @@ std::vector<FinEdge> finEdges(const geometry::Surface& surface) {
 }  // namespace
 
 void Renderer::setSurface(const geometry::Surface& surface, std::span<const Vec3> tangents) {
-  auto vertices = gpuVertices(surface);
+  std::vector<SkinVertex> vertices;
+  std::vector<FurVertex> furVertices;
+  for (const auto& v : surface.vertices) {
+    vertices.push_back({Vec4(v.position, v.strands.x), Vec4(v.normal, v.strands.y), Vec4(v.gradS, v.curvature.z), v.gradT});
+    furVertices.push_back({Vec4(v.uv, v.atlas), Vec4(v.fur, v.curvature.x, v.curvature.y), v.atlasFromFur});
+  }
   finEdges_ = finEdges(surface);
-  vertices_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(vertices), false);
+  vertices_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(vertices), !tangents.empty());
+  furVertices_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(furVertices), false);
   indices_ = gl::Buffer(gl::BufferKind::Index, gl::bytesOf(surface.indices), false);
   patches_ = {surface.furIndices, surface.ownFurIndices, surface.furClusters};
   furIndices_ = gl::Buffer(gl::BufferKind::Index, gl::bytesOf(patches_.indices), true);
   shellsFor_.reset();
   edges_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(finEdges_), true);
   finEye_.reset();
-  surface_ = gl::VertexArray(vertices_, sizeof(GpuVertex), kVertexAttributes, 0, &indices_);
-  shells_ = gl::VertexArray(vertices_, sizeof(GpuVertex), kVertexAttributes, 0, &furIndices_);
+  const auto drawnBy = [this](const gl::Buffer& indices) {
+    gl::VertexArray array(vertices_, sizeof(SkinVertex), kSkinAttributes, 0, &indices);
+    array.add(furVertices_, sizeof(FurVertex), kFurAttributes, 0);
+    return array;
+  };
+  surface_ = drawnBy(indices_);
+  shells_ = drawnBy(furIndices_);
   fins_ = gl::VertexArray(edges_, sizeof(FinEdge), kEdgeAttributes, 1, nullptr);
+  arrows_ = gl::VertexArray(vertices_, sizeof(SkinVertex), std::span(kSkinAttributes).first(2), 1, nullptr);
+  vertexCount_ = static_cast<int>(surface.vertices.size());
   indexCount_ = static_cast<int>(surface.indices.size());
-  uploadedBytes_ += vertices_.bytes() + indices_.bytes() + furIndices_.bytes() + edges_.bytes();
+  uploadedBytes_ += vertices_.bytes() + furVertices_.bytes() + indices_.bytes() + furIndices_.bytes() + edges_.bytes();
   bendCapacity_ = 0;
   shadowKey_.reset();
   ++furShadowScene_;
@@ -244,7 +250,7 @@ void Renderer::updateBends(std::span<const Vec4> bends) {
 }
 
 std::size_t Renderer::gpuBytes() const {
-  return vertices_.bytes() + indices_.bytes() + furIndices_.bytes() + edges_.bytes() + fur_.bytes() +
+  return vertices_.bytes() + furVertices_.bytes() + indices_.bytes() + furIndices_.bytes() + edges_.bytes() + fur_.bytes() +
          mask_.bytes() + bends_.bytes() + groom_.bytes() + baseColor_.bytes() +
          groundShadow_[0].bytes() + groundShadow_[1].bytes() + strandTables_.bytes() + whiskers_.bytes() + drops_.bytes() + puddles_.bytes() + furShadow_.bytes() + small_.bytes();
 }

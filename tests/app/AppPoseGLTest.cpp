@@ -41,6 +41,19 @@ TEST(AppPose, ItPlaysHoldsAndStopsAsTheSettingsSay) {
   EXPECT_LT(pool.stage.draw(pool.app).differingShare(first, 2), 0.002f);
 }
 
+TEST(AppPose, OnlyWhatMovesIsUploaded) {
+  Pool pool;
+  pool.run(0.2f);
+  pool.stage.draw(pool.app);
+  pool.run(1 / 60.0f);
+  pool.stage.draw(pool.app);
+  // Of a vertex place, normal and two gradients (15 numbers) and its bend; of an edge with a fin 28; and the two blocks.
+  const App::Stats stats = pool.app.stats();
+  const auto vertices = static_cast<std::size_t>(stats.vertices), edges = static_cast<std::size_t>(stats.finEdges);
+  EXPECT_GE(stats.uploadedBytes, vertices * 4 * (15 + 4));
+  EXPECT_LE(stats.uploadedBytes, vertices * 4 * (15 + 4) + edges * 4 * 28 + 2048);
+}
+
 TEST(AppPose, TheFurSwingsWithTheSkin) {
   Pool pool;
   const auto before = pool.bends();

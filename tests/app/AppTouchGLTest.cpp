@@ -108,6 +108,30 @@ TEST(AppTouch, TheBallIsInThePicture) {
   EXPECT_GT(redder(80, 80), 40);
 }
 
+TEST(AppTouch, TheBallCastsAShadowOnTheFur) {
+  Paddock paddock;
+  for (const char* shadows : {"depth", "layers"}) {
+    paddock.app.setField("shadows", shadows);
+    paddock.app.setTool(Tool::Ball);
+    paddock.drag({80, 80}, {80, 80});
+    paddock.settle();
+    const Ball ball = paddock.app.ball().value();
+    const auto with = paddock.stage.draw(paddock.app);
+    paddock.app.setTool(Tool::None);
+    paddock.settle();
+    const auto without = paddock.stage.draw(paddock.app);
+    // Beside the ball, away from the light, which comes from above on the left.
+    int darker = 0, brighter = 0;
+    for (int y = 80; y < 120; ++y)
+      for (int x = 80; x < 120; ++x) {
+        const int change = with.at(x, y)[2] - without.at(x, y)[2];
+        darker += change < -25;
+        brighter += change > 25;
+      }
+    EXPECT_GT(darker, 3 * brighter + 100) << shadows << ' ' << ball.radius;
+  }
+}
+
 TEST(AppTouch, IdleFurBreathesForAWhileAndNotForThoseWhoAskedForLessMotion) {
   Paddock paddock;
   const auto before = paddock.bends();

@@ -79,6 +79,30 @@ TEST(Editor, ACheckboxIsOneStep) {
   EXPECT_TRUE(std::holds_alternative<command::EndChange>(person.commands[2]));
 }
 
+TEST(Editor, AnAnimationIsChosenByItsNameAndHeld) {
+  PanelDriver person({1280, 4000});
+  person.model.animations = {"wave", ""};
+  person.openAllGroups();
+  const auto at = person.find(person.rowId("animation", "##value"));
+  ASSERT_TRUE(at);
+  person.click(*at);
+  ASSERT_EQ(ImGui::GetCurrentContext()->OpenPopupStack.Size, 1);
+  const ImRect names = ImGui::GetCurrentContext()->OpenPopupStack[0].Window->Rect();
+  person.click({names.GetCenter().x, names.Min.y + names.GetHeight() * 5 / 6});
+  EXPECT_EQ(person.model.settings.animation, 2);
+  // Its neighbour on the right.
+  std::optional<Vec2> button;
+  for (float x = at->x; x < at->x + 200 && !button; x += 6) {
+    person.moveTo({x, at->y});
+    if (ImGui::GetHoveredID() == person.rowId("animation", "###hold")) button = Vec2(x, at->y);
+  }
+  ASSERT_TRUE(button);
+  person.click(*button);
+  EXPECT_EQ(person.model.settings.animationSpeed, 0.0f);
+  person.click(*button);
+  EXPECT_EQ(person.model.settings.animationSpeed, 1.0f);
+}
+
 TEST(Editor, TheResetOfARowRestoresItsDefaultAlone) {
   PanelDriver person;
   EXPECT_FALSE(person.find(person.rowId("curl", "##reset"))) << "nothing to reset yet";

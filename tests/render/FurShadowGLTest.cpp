@@ -41,7 +41,7 @@ class Lit {
     coatBlock_.bindAsBlock(FUR_COAT_BINDING);
     frameBlock_.bindAsBlock(FUR_FRAME_BINDING);
     const FurShadow::Key key{static_cast<Shadows>(settings_.shadows), frame_.lightFromModel,
-                             frame_.volumeShadow, scene};
+                             frame_.volumeShadow, kPlain, scene, frame_.ball, Mat4(1)};
     const Status status = shadow_.update(programs_, key, surface_, static_cast<int>(indices_.size()));
     EXPECT_TRUE(status) << (status ? "" : status.error().message);
   }

@@ -83,6 +83,12 @@ TEST(Twins, ArcOfConstantLength) {
   EXPECT_LT(largestDifference(1, [](float u, float v) { return dynamics::arcBend(u * 1.35f, v).y; }), kGpuPrecision);
 }
 
+TEST(Twins, SheppardsPolynomial) {
+  static_assert(static_cast<float>(FUR_MAX_BEND) == dynamics::kMaxBend);
+  EXPECT_LT(largestDifference(19, [](float u, float v) { return dynamics::windBend(u, v).x; }), kGpuPrecision);
+  EXPECT_LT(largestDifference(20, [](float u, float v) { return dynamics::windBend(u, v).y; }), kGpuPrecision);
+}
+
 TEST(Twins, ClumpProfile) {
   EXPECT_LT(largestDifference(2, [](float u, float v) { return wet::clumpProfile(glm::mix(1 / 32.0f, 1.0f, u), v, 32); }),
             kGpuPrecision);

@@ -68,6 +68,15 @@ test('a model with an animation plays it, holds it and says its name', async () 
   await withFur(page, (fur, base64) => fur.loadModel(new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], 'tentacle.glb')),
     tentacle(24, 32).toString('base64'));
   assert.deepEqual(await withFur(page, (fur) => fur.animations), ['wave']);
+  const offered = await page.$$eval('#animation option', (options) => options.map(({ text, selected }) => [text, selected]));
+  assert.deepEqual(offered, [['No animation', false], ['wave', true]]);
+  const pick = (value) => page.$eval('#animation', (picker, chosen) => {
+    picker.value = chosen;
+    picker.dispatchEvent(new Event('change'));
+    return wetFur.animation;
+  }, value);
+  assert.equal(await pick('0'), 0);
+  assert.equal(await pick('1'), 1);
   await withFur(page, (fur) => { fur.pause(); fur.step(1 / 60, 10); });
   const early = await picture(page);
   await withFur(page, (fur) => fur.step(1 / 60, 30));

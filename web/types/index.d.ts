@@ -25,11 +25,13 @@ export type Quality = 'auto' | 'low' | 'medium' | 'high';
 export type Motion = 'auto' | 'full' | 'reduced';
 export type WheelManner = 'page' | 'focus' | 'zoom';
 export type View = 'final' | 'skin' | 'shells' | 'fins' | 'layer' | 'exploded' | 'silhouette' | 'coverage' | 'tangents' |
-  'normals' | 'dominance' | 'types' | 'offset' | 'wetness' | 'clumps' | 'shadow' | 'overdraw' | 'steps';
+  'normals' | 'dominance' | 'types' | 'offset' | 'wetness' | 'clumps' | 'shadow' | 'overdraw' | 'steps' |
+  'bends' | 'forces';
 /** Texels. */
 export type TileSize = '64' | '128' | '256' | '512' | '1024';
 export type FurMapping = 'charts' | 'cube';
 export type Shadows = 'none' | 'depth' | 'layers';
+export type BendCurve = 'arc' | 'polynomial';
 export type StrandModel = 'kajiya' | 'marschner';
 /** "#rrggbb", sRGB. */
 export type Color = string;
@@ -165,6 +167,8 @@ export interface FurSettings {
   gust: number;
   /** Strength of the eddies that run along with the wind. */
   turbulence: number;
+  /** How a strand is bent: an arc that keeps its length, or Sheppard's (2004) polynomial, which does not; for comparison. */
+  bendCurve: BendCurve;
   /** How much idle fur stirs where no wind blows, for some seconds after somebody was there. */
   breath: number;
   /** Radius of the ball that the tool Ball presses into the fur. */

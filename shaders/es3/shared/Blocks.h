@@ -140,6 +140,11 @@ FUR_BLOCK(FurBlock) {
 // Quads of the ball round its axis and from pole to pole.
 #define FUR_BALL_AROUND 48
 #define FUR_BALL_DOWN 24
+// Radians: where Sheppard's force is 1 (dynamics::kMaxBend).
+#define FUR_MAX_BEND 1.35
+// Points of an arrow of the views of forces and bends; rows of bends of which one vertex in each more has one.
+#define FUR_ARROW_POINTS 9
+#define FUR_ARROW_ROWS 3
 // Points of a whisker, root to tip (groom/Whiskers.h).
 #define FUR_WHISKER_POINTS 8
 

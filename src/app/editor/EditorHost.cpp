@@ -239,6 +239,11 @@ editor::EditorModel EditorHost::model() {
                 static_cast<int>(editor::Tool::None) == static_cast<int>(Tool::None));
   model.tool = static_cast<editor::Tool>(app_.tool());
   model.modelName = app_.modelName();
+  const std::string names = app_.animations();
+  for (std::size_t at = 0, end; at < names.size(); at = end + 1) {
+    end = names.find('\n', at);
+    model.animations.push_back(names.substr(at, end - at));
+  }
   model.meanWetness = app_.meanWetness();
   const wet::Accounts water = app_.water().accounts();
   model.water = {water.painted + water.rained, water.held, water.film, water.drops, water.dripped, water.evaporated + water.removed};

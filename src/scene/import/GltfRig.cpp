@@ -25,11 +25,14 @@ GltfRig::GltfRig(const GltfFile& file, Rig& rig) : file_(file), rig_(rig) {}
 
 std::vector<float> GltfRig::floats(Whole accessor, int components) {
   floats_ += elementCount(file_, accessor) * static_cast<std::size_t>(components);
-  if (floats_ > kMaxRigFloats)
-    file_.fail(ErrorId::TooLarge, "skins, morph targets and animations have over %zu numbers, which is the limit", kMaxRigFloats);
+  atMost(kMaxRigFloats, floats_, "numbers");
   std::vector<float> values = readFloats(file_, accessor, components);
   if (!isFinite(values)) file_.bad("accessors[%llu] holds something that is not a finite number", accessor);
   return values;
+}
+
+void GltfRig::atMost(std::size_t limit, std::size_t count, const char* what) const {
+  if (count > limit) file_.fail(ErrorId::TooLarge, "%zu %s of a model that moves; the limit is %zu", count, what, limit);
 }
 
 bool GltfRig::begin() {
@@ -42,7 +45,7 @@ bool GltfRig::begin() {
 
 void GltfRig::readNodes() {
   const std::size_t count = file_.count("nodes");
-  if (count > kMaxNodes) file_.fail(ErrorId::TooLarge, "there are %zu nodes; the limit of a model that moves is %zu", count, kMaxNodes);
+  atMost(kMaxNodes, count, "nodes");
   std::vector<std::vector<Whole>> children(count);
   std::vector<int> parents(count, -1);
   for (Whole i = 0; i < count; ++i) {
@@ -85,18 +88,16 @@ void GltfRig::readSkins() {
   for (Whole i = 0; i < file_.count("skins"); ++i) {
     const std::string where = formatted("skins[%llu]", i);
     const Json& json = file_.element("skins", i);
-    const Json* joints = json.find("joints");
-    if (!joints || !joints->isArray()) file_.bad("%s has no joints", where.c_str());
     Rig::Skin skin;
-    for (const Json& joint : *joints) {
-      const double value = joint.number();
-      if (!(value >= 0 && value < static_cast<double>(nodeOf_.size()) && value == std::floor(value)))
-        file_.bad("%s.joints names a node that does not exist", where.c_str());
-      skin.joints.push_back(nodeOf_[static_cast<std::size_t>(value)]);
-    }
+    if (const Json* joints = json.find("joints"); joints && joints->isArray())
+      for (const Json& joint : *joints) {
+        const double value = joint.number();
+        if (!(value >= 0 && value < static_cast<double>(nodeOf_.size()) && value == std::floor(value)))
+          file_.bad("%s.joints names a node that does not exist", where.c_str());
+        skin.joints.push_back(nodeOf_[static_cast<std::size_t>(value)]);
+      }
     if (skin.joints.empty()) file_.bad("%s has no joints", where.c_str());
-    if (skin.joints.size() > kMaxJoints)
-      file_.fail(ErrorId::TooLarge, "%s has %zu joints; the limit is %zu", where.c_str(), skin.joints.size(), kMaxJoints);
+    atMost(kMaxJoints, skin.joints.size(), "joints of a skin");
     skin.inverseBinds.assign(skin.joints.size(), Mat4(1));
     if (json.find("inverseBindMatrices")) {
       const std::vector<float> values = floats(file_.whole(json, "inverseBindMatrices", where), 16);
@@ -121,8 +122,7 @@ void GltfRig::readAnimations() {
     if (primitives && primitives->isArray() && primitives->count() > 0)
       if (const Json* list = (*primitives->begin()).find("targets"))
         targets = list->isArray() ? list->count() : 0;
-    if (targets > kMaxTargets)
-      file_.fail(ErrorId::TooLarge, "meshes[%llu] has %zu morph targets; the limit is %zu", index, targets, kMaxTargets);
+    atMost(kMaxTargets, targets, "morph targets of a mesh");
     Rig::Node& node = rig_.nodes[nodeOf_[i]];
     node.firstWeight = static_cast<std::uint32_t>(rig_.restWeights.size());
     node.weights = static_cast<std::uint32_t>(targets);
@@ -131,8 +131,7 @@ void GltfRig::readAnimations() {
       file_.numbers(mesh, "weights", rest.data(), targets, formatted("meshes[%llu]", index));
     rig_.restWeights.insert(rig_.restWeights.end(), rest.begin(), rest.end());
   }
-  if (file_.count("animations") > kMaxAnimations)
-    file_.fail(ErrorId::TooLarge, "there are %zu animations; the limit is %zu", file_.count("animations"), kMaxAnimations);
+  atMost(kMaxAnimations, file_.count("animations"), "animations");
   for (Whole i = 0; i < file_.count("animations"); ++i) {
     const std::string where = formatted("animations[%llu]", i);
     const Json& json = file_.element("animations", i);
@@ -166,11 +165,11 @@ void GltfRig::readChannel(const Json& animation, const Json& json, Rig::Animatio
   channel.node = nodeOf_[static_cast<std::size_t>(node)];
   const Json* path = target->find("path");
   const std::string name = path ? path->text() : "";
-  if (name == "translation") channel.path = Path::Translation;
-  else if (name == "rotation") channel.path = Path::Rotation;
-  else if (name == "scale") channel.path = Path::Scale;
-  else if (name == "weights") channel.path = Path::Weights;
-  else return;
+  // In the order of scene::Path.
+  static constexpr const char* kPaths[] = {"translation", "rotation", "scale", "weights"};
+  const auto found = std::find(std::begin(kPaths), std::end(kPaths), name);
+  if (found == std::end(kPaths)) return;
+  channel.path = static_cast<Path>(found - std::begin(kPaths));
   const bool weights = channel.path == Path::Weights;
   channel.width = weights ? rig_.nodes[channel.node].weights : channel.path == Path::Rotation ? 4 : 3;
   if (channel.width == 0) return;
@@ -226,22 +225,20 @@ void GltfRig::readTargets(const Json& primitive, Rig::Part& part, const std::str
   if (!targets->isArray() || targets->count() != known) file_.bad("%s: its mesh has another number of morph targets", where.c_str());
   part.targets = known;
   part.firstDelta = rig_.deltas.size();
-  const auto read = [&](const Json& target, const char* name) {
-    std::vector<float> values;
-    if (target.find(name)) {
-      values = floats(file_.whole(target, name, where), 3);
-      if (values.size() != 3 * std::size_t{part.vertices}) file_.bad("%s: a morph target has not one %s a vertex", where.c_str(), name);
-    }
-    return values;
-  };
   for (const Json& target : *targets) {
     if (!target.isObject()) file_.bad("%s: a morph target is not an object", where.c_str());
-    const std::vector<float> positions = read(target, "POSITION"), normals = read(target, "NORMAL");
     floats_ += 6 * std::size_t{part.vertices};
-    if (floats_ > kMaxRigFloats) file_.fail(ErrorId::TooLarge, "%s: its morph targets have over %zu numbers", where.c_str(), kMaxRigFloats);
-    for (std::size_t i = 0; i < part.vertices; ++i)
-      for (const std::vector<float>* values : {&positions, &normals})
-        rig_.deltas.push_back(values->empty() ? Vec3(0) : Vec3((*values)[3 * i], (*values)[3 * i + 1], (*values)[3 * i + 2]));
+    atMost(kMaxRigFloats, floats_, "numbers");
+    const std::size_t first = rig_.deltas.size();
+    rig_.deltas.resize(first + 2 * std::size_t{part.vertices}, Vec3(0));
+    for (const bool normals : {false, true}) {
+      const char* name = normals ? "NORMAL" : "POSITION";
+      if (!target.find(name)) continue;
+      const std::vector<float> values = floats(file_.whole(target, name, where), 3);
+      if (values.size() != 3 * std::size_t{part.vertices}) file_.bad("%s: a morph target has not one %s a vertex", where.c_str(), name);
+      for (std::size_t k = 0; k < values.size(); ++k)
+        rig_.deltas[first + k / 3 * 2 + normals][static_cast<int>(k % 3)] = values[k];
+    }
   }
 }
 

@@ -25,6 +25,7 @@ class GltfRig {
   void readJoints(const Json& attributes, std::size_t joints, std::size_t vertices, const std::string& where);
   void readTargets(const Json& primitive, Rig::Part& part, const std::string& where);
   std::vector<float> floats(Whole accessor, int components);
+  void atMost(std::size_t limit, std::size_t count, const char* what) const;
 
   const GltfFile& file_;
   Rig& rig_;
