@@ -35,6 +35,7 @@ constexpr const char* kUsage = R"(usage: wet-fur-render [model] -o out.png [opti
   --wetness R           soaks the whole model, 0 to 1
   --splash X,Y          one droplet at a pixel (several allowed)
   --whisker X,Y[,X2,Y2]  plants one at a pixel, dragged to another (several allowed)
+  --hold TOOL,SECONDS[,X,Y]  a tool of water at a pixel (default: the middle), or shake (several allowed, in order)
   --camera YAW,PITCH,DISTANCE[,X,Y,Z]  radians, radians, bounding radii; where it looks
   --state FILE          a state as JSON
   --preset NAME         a coat by its name, such as rabbit
@@ -48,12 +49,19 @@ struct GroomStep {
   Vec3 direction{0, -1, 0};
 };
 
+struct Hold {
+  std::string tool;
+  float seconds = 0;
+  std::vector<float> at;
+};
+
 struct Options {
   std::string model = "bunny", output, stateFile, preset, typeSet, savedTypeSet, savedFo, savedScene, lengthMap, typeMap;
   int width = 1280, height = 720, samples = 4;
   float time = 0, wetness = -1;
   std::vector<Vec2> splashes;
   std::vector<std::pair<Vec2, Vec2>> whiskers;
+  std::vector<Hold> holds;
   std::vector<float> camera;
   std::vector<GroomStep> grooms;
   std::vector<std::pair<std::string, std::string>> fields;
@@ -84,6 +92,19 @@ bool readGroom(const std::string& text, std::vector<GroomStep>& out) {
   if (n.size() == 4) step.direction = {n[1], n[2], n[3]};
   out.push_back(step);
   return n.size() < 2 || n.size() == 4;
+}
+
+// In the order of app::Tool.
+constexpr const char* kWaterTools[] = {"droplet", "dry", "rain", "hose", "towel", "dryer"};
+
+bool readHold(const std::string& text, std::vector<Hold>& out) {
+  const std::size_t comma = std::min(text.find(','), text.size() - 1);
+  Hold hold{text.substr(0, comma), 0, {}};
+  if (!readNumbers(text.substr(comma + 1), ',', hold.at) || (hold.at.size() != 1 && hold.at.size() != 3)) return false;
+  hold.seconds = glm::clamp(hold.at[0], 0.0f, 600.0f);
+  hold.at.erase(hold.at.begin());
+  out.push_back(hold);
+  return hold.tool == "shake" || std::find(std::begin(kWaterTools), std::end(kWaterTools), hold.tool) != std::end(kWaterTools);
 }
 
 // One option with its value; "" or what is wrong with it.
@@ -117,6 +138,8 @@ std::string readOption(const std::string& name, const std::string& value, Option
   } else if (name == "--camera") {
     if (!readNumbers(value, ',', o.camera) || (o.camera.size() != 3 && o.camera.size() != 6))
       return "--camera " + value + ": expected YAW,PITCH,DISTANCE or YAW,PITCH,DISTANCE,X,Y,Z";
+  } else if (name == "--hold") {
+    if (!readHold(value, o.holds)) return "--hold " + value + ": expected TOOL,SECONDS or TOOL,SECONDS,X,Y";
   } else if (name == "--groom") {
     if (!readGroom(value, o.grooms)) return "--groom " + value + ": expected EDIT, EDIT,VALUE or EDIT,VALUE,X,Y,Z";
   } else if (name.rfind("--", 0) == 0 && settings::findField(name.substr(2))) {
@@ -170,6 +193,26 @@ void plant(app::App& app, const Vec2& at, const Vec2& to) {
   app.pointer(event);
 }
 
+void run(app::App& app, float seconds) {
+  for (int i = 0; i < static_cast<int>(std::lround(seconds * 60)); ++i) app.tick(1.0f / 60);
+}
+
+void hold(app::App& app, const Hold& hold, Vec2 middle) {
+  if (hold.tool == "shake") {
+    app.shake();
+    return run(app, hold.seconds);
+  }
+  const auto known = std::find(std::begin(kWaterTools), std::end(kWaterTools), hold.tool);
+  app.setTool(static_cast<app::Tool>(known - std::begin(kWaterTools)));
+  app::PointerEvent event{app::PointerPhase::Down};
+  event.position = hold.at.empty() ? middle : Vec2(hold.at[0], hold.at[1]);
+  event.buttons = 1;
+  app.pointer(event);
+  run(app, hold.seconds);
+  event.phase = app::PointerPhase::Up;
+  app.pointer(event);
+}
+
 Status save(const app::App& app, const Options& o) {
   if (!o.savedTypeSet.empty())
     if (Status status = native::writeFile(o.savedTypeSet, app.saveTypeSet()); !status) return status;
@@ -208,7 +251,8 @@ Status drawPicture(const Options& o, const char* program) {
       app.addWarning("--splash " + std::to_string(at.x) + "," + std::to_string(at.y) + " misses the model");
   for (const auto& [at, to] : o.whiskers) plant(app, at, to);
   app.settle();
-  for (int i = 0; i < static_cast<int>(std::lround(o.time * 60)); ++i) app.tick(1.0f / 60);
+  for (const Hold& one : o.holds) hold(app, one, 0.5f * Vec2(o.width, o.height));
+  run(app, o.time);
   if (Status status = app.draw(); !status) return status;
   resolved->resolve(*target, o.width, o.height);
   const auto pixels = gl::readPixels(o.width, o.height);

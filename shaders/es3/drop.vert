@@ -18,7 +18,7 @@ void main() {
   along = slant > 1e-3 ? along / slant : normalize(cross(toEye, vec3(0.31, 0.2, 0.93)));
   vec3 across = cross(along, toEye);
   // It keeps its volume.
-  float stretch = 1.0 + min(0.3 * speed, 2.0) * slant, pixels = eye.w / distance;
+  float stretch = 1.0 + min(0.8 * speed, 3.0) * slant, pixels = eye.w / distance;
   vec2 size = place.w * vec2(inversesqrt(stretch), stretch), drawn = max(size, 0.5 / pixels);
   vec2 corner = 2.0 * vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1)) - 1.0;
   vDisc = corner * (1.0 + 1.0 / (drawn * pixels));

@@ -17,13 +17,29 @@ constexpr float kDepth = 0.004f;
 constexpr float kFalls = 1.6e-3f;  // amount that is too heavy to hang
 constexpr float kGravity = 9.0f, kDrag = 0.9f;  // model radii a second squared; share of its speed that air takes in one
 constexpr float kLost = 8.0f;                   // farther than that a drop is gone
+constexpr float kTakes = 1.0f;                  // amount that a square unit of ground takes up
 
-constexpr float kRainReach = 1.15f, kRainHeight = 1.7f;
-constexpr float kRainDrops = 360.0f, kRainDrop = 3.2e-3f, kRainSpeed = 3.0f;
+// Rain is densest over the model and thins out over the ground round it.
+constexpr float kRainReach = 1.3f, kRainHeight = 1.7f;
+constexpr float kRainDrops = 720.0f, kRainDrop = 1.6e-3f, kRainSpeed = 3.0f;
 constexpr float kFling = 2.6f;  // model radii a second
 
 float radiusOf(float amount) {
   return amount > 0.0f ? portableExp(portableLog(amount * (kDepth * 0.75f / kPi)) / 3.0f) : 0.0f;
+}
+
+// Where a place of the skin is shown, and which way it faces there; model space.
+std::pair<Vec3, Vec3> shownAt(const Ground& ground, const SurfaceTexels::Place& place) {
+  if (ground.positions.empty()) return {place.position, place.normal};
+  const std::uint32_t* corners = &ground.surface.indices[std::size_t{3} * place.triangle];
+  const auto corner = [&](int k) { return ground.surface.vertices[corners[k]].position; };
+  const Vec3 b = corner(1) - corner(0), c = corner(2) - corner(0), at = place.position - corner(0), n = glm::cross(b, c);
+  const float squared = std::max(glm::dot(n, n), 1e-20f);
+  const float second = glm::dot(glm::cross(at, c), n) / squared, third = glm::dot(glm::cross(b, at), n) / squared;
+  const auto mix = [&](std::span<const Vec3> of) {
+    return of[corners[0]] * (1.0f - second - third) + of[corners[1]] * second + of[corners[2]] * third;
+  };
+  return {mix(ground.positions), normalizeOr(mix(ground.normals), place.normal)};
 }
 
 }  // namespace
@@ -53,11 +69,12 @@ void Water::feedHanging(const Ground& ground, WetnessMask& mask, const Climate& 
       drop.water -= dries;
       drop.radius = radiusOf(drop.water);
       // At the tips, which a wet lock lets hang.
-      const Vec3 out = normalizeOr(place.normal + 0.7f * down_, place.normal);
-      const Vec3 at = Vec3(climate.worldFromModel * Vec4(place.position + 0.6f * climate.furLength * out, 1));
+      const auto [skin, normal] = shownAt(ground, place);
+      const Vec3 out = normalizeOr(normal + 0.7f * down_, normal);
+      const Vec3 at = Vec3(climate.worldFromModel * Vec4(skin + 0.6f * climate.furLength * out, 1));
       changed_ |= at != drop.position;
       drop.position = at;
-      if (drop.water > kFalls || glm::dot(place.normal, down_) < 0.0f || climate.shaking > 0.0f) {
+      if (drop.water > kFalls || glm::dot(normal, down_) < 0.0f || climate.shaking > 0.0f) {
         hasDrop_[drop.place] = 0;
         --hanging_;
         drop.place = SurfaceTexels::kNone;
@@ -79,17 +96,18 @@ void Water::fall(const Ground& ground, const Climate& climate) {
   const Mat3 toWorld(climate.worldFromModel);
   const Mat3 toModel = glm::transpose(toWorld);
   const Vec3 middle(climate.worldFromModel[3]);
+  const geometry::SurfaceQuery& shown = ground.shown ? *ground.shown : ground.query;
   std::size_t kept = 0;
   for (std::size_t d = 0; d < drops_.size(); ++d) {
     Drop drop = drops_[d];
     if (drop.place == SurfaceTexels::kNone) {
       drop.velocity += (Vec3(0, -kGravity, 0) + (climate.wind - drop.velocity) * kDrag) * kRate;
       const Vec3 way = drop.velocity * kRate;
-      const auto hit = ground.query.castRay(toModel * (drop.position - middle), toModel * way);
+      const auto hit = shown.castRay(toModel * (drop.position - middle), toModel * way);
       const Vec3 to = drop.position + way;
       if (hit && hit->distance <= 1.0f) {
         const Vec3 at = positionAt(ground.surface, *hit), normal = normalAt(ground.surface, *hit);
-        splash(at, normal, 0.6f * climate.clumpSize, drop.water, texels_->placeAt(atlasAt(ground.surface, *hit)));
+        splash(at, normal, climate.clumpSize, drop.water, texels_->placeAt(atlasAt(ground.surface, *hit)));
         continue;
       }
       if (to.y <= climate.groundHeight) {
@@ -123,20 +141,41 @@ void Water::splash(const Vec3& centre, const Vec3& normal, float radius, float a
 
 void Water::wetGround(const Vec3& at, float amount) {
   accounts_.dripped += amount;
-  const auto cell = [](float x) { return static_cast<int>(std::floor((x / kGroundReach + 1.0f) * (0.5f * kGroundCells))); };
-  const int x = cell(at.x), z = cell(at.z);
-  if (x < 0 || z < 0 || x >= kGroundCells || z >= kGroundCells) return;
+  // On the four cells round it, by how near they are.
   constexpr float kCell = 2.0f * kGroundReach / kGroundCells;
-  puddles_[static_cast<std::size_t>(z) * kGroundCells + static_cast<std::size_t>(x)] += amount / (kCell * kCell);
+  const Vec2 in = Vec2(at.x, at.z) / kCell + (0.5f * kGroundCells - 0.5f), low = glm::floor(in), share = in - low;
+  if (!(low.x >= 0 && low.y >= 0 && low.x < kGroundCells - 1 && low.y < kGroundCells - 1)) return;
+  float* cell = &puddles_[static_cast<std::size_t>(low.y) * kGroundCells + static_cast<std::size_t>(low.x)];
+  amount /= kCell * kCell;
+  for (int k = 0; k < 4; ++k)
+    cell[(k >> 1) * kGroundCells + (k & 1)] += amount * (k & 1 ? share.x : 1 - share.x) * (k >> 1 ? share.y : 1 - share.y);
   ++groundRevision_;
   groundWet_ = true;
+}
+
+// What the ground does not take up spreads over it, and all of it dries.
+void Water::seepGround(float dryRate) {
+  groundWet_ = false;
+  const float dries = 0.5f * dryRate * kRate * kDryingTurns;
+  constexpr std::size_t kRow = kGroundCells, kLast = kRow * (kRow - 1) - 1;
+  for (std::size_t i = kRow + 1; i < kLast; ++i) {
+    const float much = 0.1f * std::max(puddles_[i] - kTakes, 0.0f);
+    if (much == 0.0f) continue;
+    puddles_[i] -= 4 * much;
+    for (const std::size_t there : {i - 1, i + 1, i - kRow, i + kRow}) puddles_[there] += much;
+  }
+  for (float& water : puddles_) {
+    water = std::max(water - dries, 0.0f);
+    groundWet_ |= water > 0.0f;
+  }
+  ++groundRevision_;
 }
 
 void Water::rain(const Climate& climate) {
   if (!(climate.rain > 0.0f)) return;
   const Vec3 middle(climate.worldFromModel[3]);
   for (rainDue_ += climate.rain * kRainDrops * kRate; rainDue_ >= 1.0f; rainDue_ -= 1.0f) {
-    const float angle = random_.uniform(0, 2 * kPi), reach = kRainReach * std::sqrt(random_.uniform());
+    const float angle = random_.uniform(0, 2 * kPi), reach = kRainReach * std::sqrt(-portableLog(1.0f - random_.uniform()));
     const float amount = kRainDrop * random_.uniform(0.5f, 1.5f);
     // Where it would hit in this wind.
     const Vec3 over(reach * portableCos(angle), kRainHeight, reach * portableSin(angle));
@@ -164,10 +203,10 @@ void Water::shake(const Ground& ground, WetnessMask& mask, const Climate& climat
     }
     if (amount <= 0.0f) continue;
     flags_[b] |= kMoving;
-    const Vec3 normal = places[from].normal;
-    const Vec3 out = normal + 0.5f * Vec3(random_.uniform(-1, 1), random_.uniform(-0.5f, 1), random_.uniform(-1, 1));
+    const auto [skin, normal] = shownAt(ground, places[from]);
+    const Vec3 out = normal + 0.5f * Vec3{random_.uniform(-1, 1), random_.uniform(-0.5f, 1), random_.uniform(-1, 1)};
     const Mat3 toWorld(climate.worldFromModel);
-    launch(Vec3(climate.worldFromModel * Vec4(places[from].position + climate.furLength * normal, 1)),
+    launch(Vec3(climate.worldFromModel * Vec4(skin + climate.furLength * normal, 1)),
            toWorld * out * (kFling * climate.shaking * random_.uniform(0.6f, 1.2f)), amount);
     accounts_.painted -= amount;
   }

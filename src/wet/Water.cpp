@@ -12,8 +12,8 @@ namespace {
 
 constexpr float kRate = Water::kStep;
 // Blocks run by turns, a half of them in each step: water in fur is slow. All dry in every fourth, which looks
-// continuous, and between which nothing has changed where water only dries.
-constexpr std::uint32_t kTurns = 2, kDryingTurns = 4;
+// continuous, and between which nothing has changed where water only dries: kDryingTurns.
+constexpr std::uint32_t kTurns = 2;
 constexpr float kTurnTime = kRate * kTurns;
 
 // The film: kCling of it clings, thicker films run faster, and where it is deeper than kPool it also levels out.
@@ -280,13 +280,7 @@ void Water::subStep(const Ground& ground, WetnessMask& mask, const Climate& clim
   if (steps_ % kDryingTurns) return;
   for (std::uint32_t b = 0; b < flags_.size(); ++b)
     if (flags_[b] & kWet) evaporate(ground, mask, climate, b);
-  if (!groundWet_ || !(climate.dryRate > 0.0f)) return;
-  groundWet_ = false;
-  for (float& water : puddles_) {
-    water = std::max(water - 0.5f * climate.dryRate * kRate * kDryingTurns, 0.0f);
-    groundWet_ |= water > 0.0f;
-  }
-  ++groundRevision_;
+  if (groundWet_) seepGround(climate.dryRate);
 }
 
 bool Water::step(const Ground& ground, WetnessMask& mask, float dt, const Climate& climate) {
@@ -312,7 +306,7 @@ bool Water::step(const Ground& ground, WetnessMask& mask, float dt, const Climat
 
 bool Water::active(const WetnessMask& mask, const Climate& climate) const {
   if (climate.rain > 0.0f) return true;
-  if (!ready_) return !mask.isDry();
+  if (!ready_) return !mask.isDry() || !drops_.empty();
   if (mask.revision() != seen_) return !mask.isDry() || accounts_.painted > 0;
   if (climate.dryRate > 0.0f && (groundWet_ || !mask.isDry() || hanging_ > 0)) return true;
   if (drops_.size() > hanging_ || climate.blow > 0.0f || climate.shaking > 0.0f) return !mask.isDry() || drops_.size() > hanging_;

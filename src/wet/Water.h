@@ -29,6 +29,9 @@ struct Ground {
   const geometry::Surface& surface;
   const geometry::SurfaceQuery& query;
   const SurfaceWetting& wetting;
+  // Of a model that is posed: where its vertices are shown, and what finds a way to them. None: as the surface was made.
+  std::span<const Vec3> positions{}, normals{};
+  const geometry::SurfaceQuery* shown = nullptr;
 };
 
 struct Climate {
@@ -109,6 +112,7 @@ class Water {
   // Below this fur is dry, nothing flows, and a change in a turn is not worth following.
   static constexpr float kLeast = 1.0f / 1024;
   static constexpr float kCling = 0.06f;  // film that no place lets go of
+  static constexpr std::uint32_t kDryingTurns = 4;  // steps
   enum : std::uint8_t { kWet = 1, kMoving = 2, kReceived = 4 };
 
   void notice(const Ground& ground, WetnessMask& mask);
@@ -126,6 +130,7 @@ class Water {
   void shake(const Ground& ground, WetnessMask& mask, const Climate& climate);
   void splash(const Vec3& centre, const Vec3& normal, float radius, float amount, std::uint32_t nearest);
   void wetGround(const Vec3& at, float amount);
+  void seepGround(float dryRate);
 
   std::unique_ptr<SurfaceTexels> texels_;
   ClumpSites sites_;
@@ -147,7 +152,7 @@ class Water {
   std::uint32_t aim_ = 0;
   Vec3 down_{0, -1, 0};  // model space
   std::vector<Vec3> lay_;
-  float clumpSize_ = 0;
+  float clumpSize_ = Climate{}.clumpSize;  // as the last step had it
 
   std::vector<Drop> drops_;
   std::size_t hanging_ = 0;

@@ -150,7 +150,7 @@ TEST(WetGround, IsDarkerWhereItSaysSoWithASoftEdgeAndCostsNothingWhenDry) {
     const Vec2 pixel = groundPixel(at);
     return p.at(static_cast<int>(pixel.x), static_cast<int>(pixel.y))[0] - dry.at(static_cast<int>(pixel.x), static_cast<int>(pixel.y))[0];
   };
-  const int middle = change(spot), edge = change(spot + Vec2(0.405f, 0)), outside = change(spot + Vec2(0.6f, 0));
+  const int middle = change(spot), edge = change(spot + Vec2(0.46f, 0)), outside = change(spot + Vec2(0.6f, 0));
   EXPECT_LT(middle, -25);
   EXPECT_LT(edge, -4);
   EXPECT_GT(edge, middle + 6);
