@@ -147,13 +147,16 @@ FUR_EXPORT const char* fur_wetnessHash(App* app) { return web::hexadecimal(app->
 FUR_EXPORT int fur_wetnessSize(App* app) { return app->wetnessMask().size(); }
 // size * size * 4 floats
 FUR_EXPORT const float* fur_wetnessTexels(App* app) { return &app->wetnessMask().texels().data()->x; }
-FUR_EXPORT int fur_restoreWetness(App* app, const float* texels, int size) {
+// size * size floats, or null where nothing stands on the fur
+FUR_EXPORT const float* fur_wetnessFilm(App* app) { return app->wetnessMask().film().empty() ? nullptr : app->wetnessMask().film().data(); }
+FUR_EXPORT int fur_restoreWetness(App* app, const float* texels, const float* film, int size) {
   return guarded([&] {
     if (size != app->wetnessMask().size())
       return web::fail({ErrorId::BadFile, "a wetness mask of " + std::to_string(size) + " texels a side does not fit " +
                                               std::to_string(app->wetnessMask().size())});
     const Vec4* first = reinterpret_cast<const Vec4*>(texels);
-    app->restoreWetness({first, first + std::size_t(size) * std::size_t(size)});
+    const std::size_t count = std::size_t(size) * std::size_t(size);
+    app->restoreWetness({first, first + count}, {film, film ? film + count : film});
     return 1;
   });
 }
@@ -175,6 +178,14 @@ FUR_EXPORT const double* fur_pick(App* app, float x, float y) {
   const std::optional<Vec2> hit = app->pick({x, y});
   return hit ? web::numbers({hit->x, hit->y}) : nullptr;
 }
+
+// 24 points (x, y), or null
+FUR_EXPORT const float* fur_brushRing(App* app, float x, float y) {
+  static std::vector<Vec2> ring;
+  ring = app->brushRing({x, y});
+  return ring.empty() ? nullptr : &ring[0].x;
+}
+FUR_EXPORT const double* fur_cursor(App* app) { return web::numbers({app->cursor().x, app->cursor().y}); }
 
 // --- input (modifiers: bit 0 shift, 1 control, 2 alt) ---
 

@@ -8,6 +8,8 @@ const css = `
 canvas { display: block; width: 100%; height: 100%; outline: none; user-select: none; -webkit-user-select: none;
   -webkit-tap-highlight-color: transparent; }
 canvas:focus-visible:not([data-pointer-focus]) { outline: 3px solid var(--wet-fur-focus-ring, #3b82f6); outline-offset: -3px; }
+.ring { position: absolute; inset: 0; width: 100%; height: 100%; pointer-events: none; }
+.ring polygon { fill: none; stroke: #fffc; stroke-width: 1.5px; vector-effect: non-scaling-stroke; filter: drop-shadow(0 0 1px #000); }
 .cover { position: absolute; inset: 0; display: grid; place-items: center; pointer-events: none; }
 .cover[hidden] { display: none; }
 .poster { pointer-events: auto; overflow: hidden; }
@@ -84,9 +86,12 @@ export function buildShadow(root) {
   const reload = make('button', { part: 'reload-button', type: 'button' }, 'Try again');
   const notice = make('div', { class: 'cover', hidden: '' }, make('div', { class: 'message', role: 'alert' }, fallback, message, reload));
   const status = make('div', { class: 'status', role: 'status', 'aria-live': 'polite' });
-  root.append(canvas, growing, poster, progress, notice, status);
+  const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
+  const ring = svg.appendChild(document.createElementNS(svg.namespaceURI, 'polygon'));
+  for (const [name, value] of [['class', 'ring'], ['aria-hidden', 'true'], ['preserveAspectRatio', 'none']]) svg.setAttribute(name, value);
+  root.append(canvas, svg, growing, poster, progress, notice, status);
 
-  const parts = { canvas, poster, reload, status };
+  const parts = { canvas, ring, poster, reload, status };
   parts.showPoster = (url) => {
     image.toggleAttribute('hidden', !url);
     if (url) image.src = url;

@@ -11,7 +11,7 @@ const settingAttributes = ['wind', 'dryRate', 'brushRadius', 'brushFlow', 'expos
 const ownAttributes = ['src', 'alt', 'poster', 'loading', 'reveal'];
 const hostOptions = Object.keys(optionDefaults);
 const forwardedEvents = [
-  'load', 'progress', 'error', 'warning', 'camera-change', 'wetness-change', 'stroke-start', 'stroke-end',
+  'load', 'progress', 'error', 'warning', 'camera-change', 'wetness-change', 'cursor-move', 'stroke-start', 'stroke-end',
   'state-change', 'context-lost', 'context-restored', 'model-visibility',
 ];
 const forwardedMethods = [
@@ -25,7 +25,7 @@ const forwardedGetters = [
 
 const kebab = (name) => name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
 const camel = (name) => name.replace(/-([a-z])/g, (_, letter) => letter.toUpperCase());
-const spaceDoes = { droplet: 'drops water', dry: 'takes water', towel: 'wipes water off', comb: 'combs down', trim: 'trims', grow: 'lengthens the fur', whisker: 'plants a whisker' };
+const spaceDoes = { droplet: 'drops water', dry: 'takes water', towel: 'wipes water off', rain: 'lets it rain for a moment', hose: 'turns the hose on for a moment', dryer: 'blows for a moment', comb: 'combs down', trim: 'trims', grow: 'lengthens the fur', whisker: 'plants a whisker' };
 const announceAfterMilliseconds = 1200;
 const announceStep = 1;
 const isBoolean = (name) => optionDefaults[name] === false;
@@ -106,6 +106,7 @@ export class WetFurElement extends Base {
 
   #newHost() {
     const host = new WetFur(this.#parts.canvas);
+    host.ring = this.#parts.ring;
     for (const type of forwardedEvents) host.addEventListener(type, (event) => this.#onHostEvent(type, event.detail));
     return host;
   }
@@ -164,7 +165,7 @@ export class WetFurElement extends Base {
     if (type === 'load') this.#onLoad();
     if (type === 'error') this.#lastError = detail;
     if (type === 'error' || type === 'state-change') this.#showState();
-    if (type === 'wetness-change') this.#announceSoon();
+    if (type === 'wetness-change' || type === 'cursor-move') this.#announceSoon();
     this.dispatchEvent(new CustomEvent(type, { detail }));
   }
   #lastError = null;
@@ -196,7 +197,8 @@ export class WetFurElement extends Base {
     if (interactive) {
       const keys = [];
       if (this.cameraControls) keys.push('Arrow keys turn the view, plus and minus zoom, Home resets it.');
-      if (spaceDoes[this.tool]) keys.push(`Space ${spaceDoes[this.tool]} in the middle of the picture.`);
+      if (spaceDoes[this.tool])
+        keys.push(`${this.cameraControls ? 'Shift with arrow keys moves' : 'Arrow keys move'} the tool over the model, from the middle of the picture. Space ${spaceDoes[this.tool]} there.`);
       canvas.setAttribute('aria-description', keys.join(' '));
     }
   }
@@ -207,9 +209,11 @@ export class WetFurElement extends Base {
     this.#announceTimer = setTimeout(() => {
       this.#announceTimer = 0;
       const percent = this.meanWetness * 100;
-      if (percent > 0 && Math.abs(percent - this.#announced) < announceStep) return;
+      const spot = this.#host.spotWetness;
+      if (spot === undefined && percent > 0 && Math.abs(percent - this.#announced) < announceStep) return;
       this.#announced = percent;
-      this.#parts.status.textContent = percent > 0 ? `Wetness ${Math.ceil(percent)} percent` : 'Dry';
+      const here = spot === undefined ? '' : spot === null ? 'Beside the model. ' : `Here ${Math.ceil(spot * 100)} percent. `;
+      this.#parts.status.textContent = here + (percent > 0 ? `Wetness ${Math.ceil(percent)} percent` : 'Dry');
     }, announceAfterMilliseconds);
   }
   #announced = 0;

@@ -118,9 +118,14 @@ export class FurApp {
   get wetnessHash() { return this.#text('fur_wetnessHash'); }
   get wetnessTexels() {
     const size = this.#call('fur_wetnessSize');
-    return { size, texels: this.program.array(Float32Array, this.#call('fur_wetnessTexels'), size * size * 4) };
+    const film = this.#call('fur_wetnessFilm');
+    return {
+      size,
+      texels: this.program.array(Float32Array, this.#call('fur_wetnessTexels'), size * size * 4),
+      film: film && this.program.array(Float32Array, film, size * size),
+    };
   }
-  set wetnessTexels({ size, texels }) { this.#callOrThrow('fur_restoreWetness', texels, size); }
+  set wetnessTexels({ size, texels, film }) { this.#callOrThrow('fur_restoreWetness', texels, film, size); }
   /** As bytes, for another program with the same model. */
   get groom() { return this.#saved('fur_saveGroom'); }
   restoreGroom(bytes, undoable) { this.#callOrThrow('fur_restoreGroom', bytes, bytes.byteLength, undoable ? 1 : 0); }
@@ -136,6 +141,14 @@ export class FurApp {
   pick(x, y) {
     const hit = this.program.numbers(this.#call('fur_pick', x, y), 2);
     return hit && { u: hit[0], v: hit[1] };
+  }
+
+  /** Where keys put the tool to work. */
+  get cursor() { return this.program.numbers(this.#call('fur_cursor'), 2); }
+  /** x, y, x, y, ... round what the tool would reach from there, or null. */
+  brushRing(x, y) {
+    const points = this.#call('fur_brushRing', x, y);
+    return points ? this.program.array(Float32Array, points, 48) : null;
   }
 
   pointer(phase, event, x, y) {

@@ -74,6 +74,12 @@ export class WetFur extends EventTarget {
   #reducedMotion = matchMedia('(prefers-reduced-motion: reduce)');
   #stop = new AbortController();
 
+  #hover = null;  // where the brush is, in pixels of the drawing buffer
+  #byKey = false;
+  #ringTask = 0;
+  /** @internal an SVG polygon over the canvas: the brush's footprint */
+  ring = null;
+
   /** The newest warnings, oldest first. */
   warnings = [];
 
@@ -94,6 +100,8 @@ export class WetFur extends EventTarget {
       toBuffer: (event) => this.#screen.toBuffer(event),
       wake: () => this.#wake(),
       stroke: (phase, detail) => this.#emit(`stroke-${phase}`, detail),
+      get turns() { return host.#options.cameraControls; },
+      hover: (at, byKey = false) => this.#onHover(at, byKey),
     });
     this.settings = settingsObject({
       names: () => this.settingsTable?.map((field) => field.name) ?? [...this.#wantedSettings.keys()],
@@ -161,7 +169,10 @@ export class WetFur extends EventTarget {
       for (const field of ['backgroundTop', 'backgroundBottom']) this.#setSetting(field, value);
     if (!this.#app) return;
     if (name === 'paused' && value) this.#pauseNow();
-    if (name === 'tool') this.#app.tool = value;
+    if (name === 'tool') {
+      this.#app.tool = value;
+      if (this.#hover) this.#showRing();
+    }
     if (name === 'preset' && value) {
       this.#applyPreset(this.#app);
       this.#afterChange();
@@ -427,6 +438,29 @@ export class WetFur extends EventTarget {
   /** The atlas coordinates under {x, y} in CSS pixels of the canvas, or null. */
   pick(at) { return this.loaded ? this.#app.pick(...this.#cssToBuffer(at)) : null; }
 
+  /** Where the keys' cursor is: null beside the model, undefined while nobody uses it. */
+  get spotWetness() {
+    if (!this.#byKey || !this.loaded) return undefined;
+    const hit = this.#app.pick(...this.#app.cursor);
+    return hit && this.#app.wetnessAt(hit.u, hit.v);
+  }
+
+  #onHover(at, byKey) {
+    this.#hover = at;
+    this.#byKey = byKey;
+    if (byKey) this.#emit('cursor-move', { wetness: this.spotWetness });
+    // A fast mouse tells more often than pictures are shown.
+    this.#ringTask ||= requestAnimationFrame(() => this.#showRing());
+  }
+
+  #showRing() {
+    this.#ringTask = 0;
+    if (!this.ring) return;
+    const ring = this.#hover && this.loaded && this.interactive && !this.#panel ? this.#app.brushRing(...this.#hover) : null;
+    this.ring.setAttribute('points', ring?.join(' ') ?? '');
+    if (ring) this.ring.ownerSVGElement.setAttribute('viewBox', `0 0 ${this.#screen.width} ${this.#screen.height}`);
+  }
+
   // --- groom ---
 
   /** Whether any fur is shorter, of another type or combed. */
@@ -569,6 +603,7 @@ export class WetFur extends EventTarget {
     this.#app.draw(picture);
     this.#timer.end();
     this.#panel?.draw();
+    if (this.#hover) this.#showRing();
   }
 
   /** The picture of this moment, in this task. */
@@ -802,6 +837,7 @@ export class WetFur extends EventTarget {
     this.#abort?.abort();
     this.#stop.abort();
     cancelAnimationFrame(this.#frame);
+    cancelAnimationFrame(this.#ringTask);
     clearTimeout(this.#stillTimer);
     this.#input.dispose();
     if (this.#app) {

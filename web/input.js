@@ -12,6 +12,7 @@ const tapPixels = 12;
  * @property {(event: {clientX: number, clientY: number}) => [number, number]} toBuffer
  * @property {() => void} wake something may have changed: draw soon
  * @property {(phase: 'start' | 'end', detail: object) => void} stroke
+ * @property {(at: [number, number] | null, byKey?: boolean) => void} hover the brush is over that pixel
  */
 export class Input {
   #canvas;
@@ -35,6 +36,7 @@ export class Input {
     on('pointermove', (event) => this.#onMove(event));
     on('pointerup', (event) => this.#onUp(event, 'up'));
     on('pointercancel', (event) => this.#onUp(event, 'cancel'));
+    on('pointerleave', () => target.hover(null));
     on('wheel', (event) => this.#onWheel(event), { passive: false });
     on('keydown', (event) => this.#onKey(event, true));
     on('keyup', (event) => this.#onKey(event, false));
@@ -97,6 +99,7 @@ export class Input {
 
   #onMove(event) {
     if (!this.#target.app) return;
+    this.#target.hover(event.pointerType === 'touch' ? null : this.#target.toBuffer(event));
     if (!this.#down.has(event.pointerId) && event.pointerType !== 'mouse' && !this.#target.panel) return;
     // Between two frames a fast hand makes several: a stroke without corners needs them all.
     const between = this.#down.has(event.pointerId) ? event.getCoalescedEvents?.() ?? [] : [];
@@ -157,7 +160,11 @@ export class Input {
   }
 
   #onAppKey(app, event) {
-    if (app.key(event)) return true;
+    if (app.key(event)) {
+      if (event.key === ' ' || event.key === 'Enter' || (event.key.startsWith('Arrow') && (event.shiftKey || !this.#target.turns)))
+        this.#target.hover(app.cursor, true);
+      return true;
+    }
     if (event.key !== 'Home') return false;
     app.resetCamera();
     return true;

@@ -11,7 +11,8 @@ const bar = byId('bar');
 const modelPicker = byId('model');
 const messages = new Messages(byId('messages'));
 const coats = new Coats(byId('coat'), byId('coats'), fur);
-const toolButtons = [...bar.querySelectorAll('[data-tool]')];
+const toolButtons = [...document.querySelectorAll('[data-tool]')];
+const waters = byId('waters');
 
 const pressedWind = 0.6;
 
@@ -57,6 +58,7 @@ function setTool(tool) {
 
 function showButtons() {
   for (const button of toolButtons) button.setAttribute('aria-pressed', String(button.dataset.tool === fur.tool));
+  byId('water').setAttribute('aria-pressed', String(Boolean(waters.querySelector('[aria-pressed=true]'))));
   coats.showChosen();
   byId('undo').disabled = !fur.canUndo;
   byId('redo').disabled = !fur.canRedo;
@@ -127,6 +129,20 @@ function reset() {
   fur.resetCamera();
 }
 
+function stamp(event) {
+  event.preventDefault();
+  const text = byId('letters').firstElementChild.value;
+  // As wide as most of the model.
+  fur.stamp(text, { size: Math.min(120, (0.75 * Math.min(innerWidth, innerHeight)) / text.length) });
+  waters.hidePopover?.();
+}
+
+function placeWaters() {
+  const { left, right, top } = bar.getBoundingClientRect();
+  waters.style.bottom = `${innerHeight - top + 8}px`;
+  waters.style.left = `${(left + right) / 2}px`;
+}
+
 async function copyLink() {
   const link = makeLink(location.href, { src: shownSrc, state: fur.getState(), tool: fur.tool });
   try {
@@ -158,6 +174,10 @@ function wireBar() {
   for (const button of toolButtons)
     button.addEventListener('click', () => setTool(fur.tool === button.dataset.tool ? 'none' : button.dataset.tool));
   onClick('wind', toggleWind);
+  waters.addEventListener('beforetoggle', placeWaters);
+  onClick('shake', () => fur.shake());
+  onClick('clear', () => fur.setWetness(0));
+  byId('letters').addEventListener('submit', stamp);
   onClick('undo', () => fur.undo());
   onClick('redo', () => fur.redo());
   onClick('reset', reset);

@@ -127,7 +127,10 @@ void App::State::adopt(geometry::Mesh source, geometry::Surface built, std::stri
   mask.clear();
   water.reset();
   strokes.clear();
-  clock = 0;
+  waterDue = 0;
+  waterSteps = 0;
+  cursor = Vec2(0);
+  held = {};
   newGroom();
   strokeBefore.reset();  // a stroke on the old model ends here
   drag = Drag::None;
@@ -302,12 +305,14 @@ bool App::undo() {
   state_->endStroke();
   endChange();
   const Step* step = state_->history.undo();
+  if (step && std::holds_alternative<MaskStep>(*step)) state_->note(State::kUndo);
   if (step) state_->applyStep(*step, true);
   return step != nullptr;
 }
 
 bool App::redo() {
   const Step* step = state_->history.redo();
+  if (step && std::holds_alternative<MaskStep>(*step)) state_->note(State::kRedo);
   if (step) state_->applyStep(*step, false);
   return step != nullptr;
 }
@@ -340,7 +345,6 @@ bool App::tick(float dt, float coatBudget) {
   State& s = *state_;
   dt = std::max(dt, 0.0f);
   s.sinceSettingChange += dt;
-  s.clock += dt;
   s.idleTime += dt;
   s.refreshGroom();
   s.workOnCoat(coatBudget);

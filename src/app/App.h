@@ -3,7 +3,8 @@
 //
 // Drags: on the model the tool's; elsewhere the camera's. Right button: grab; shift: spin the model;
 // control: move the light; two fingers: pinch and pan. Keys: arrows orbit, + and - zoom, Home resets
-// the view, space drops water in the middle of the view, Ctrl+Z and Ctrl+Y.
+// the view; with shift, or where the view is not theirs, arrows move the tool's cursor over the model, and space puts the
+// tool to work there (Rain, Hose and Dryer for a moment); Ctrl+Z and Ctrl+Y.
 //
 // Knows no window, file or browser; `web/` and `native/` bring those. Needs a current GL context
 // only in attach(), draw() and detach().
@@ -170,9 +171,9 @@ class App {
   // Wets what is opaque in a picture (one byte a texel, row by row from the top) with one lock beside the other, where
   // it lies over the model: letters. `across`: its width in pixels of the drawing buffer.
   void stamp(std::span<const std::uint8_t> coverage, int width, int height, Vec2 centre, float across, float amount = 0.8f);
-  // What was painted with Droplet, Dry and Towel since the model came, as JSON: [[tool, brushRadius, brushFlow, clumpSize,
-  // milliseconds, triangle, weight, weight, pressure, ...], ...]. replay() paints it again on the same model, advancing
-  // the clock by steps of 1/60 s between, each stroke as an undo step of its own.
+  // All that was done with water since the model came, as JSON: [[tool or deed, brushRadius, brushFlow, clumpSize, eye x, y,
+  // z, step, triangle, weight, weight, pressure, ...], ...]. replay() does it again on the same model, advancing the clock
+  // by steps of 1/60 s between, each stroke as an undo step of its own.
   std::string recordedStrokes() const;
   Status replay(std::string_view json);
   // Those that fall or hang, in world space; the puddles and accounts are water()'s.
@@ -183,9 +184,13 @@ class App {
   std::uint64_t wetnessHash() const;
   // The whole mask, and its way back (size * size texels): what moves over when another program takes over.
   const wet::WetnessMask& wetnessMask() const;
-  void restoreWetness(std::vector<Vec4> texels);
+  void restoreWetness(std::vector<Vec4> texels, std::vector<float> film = {});
   // The surface's atlas coordinates under a pixel of the drawing buffer; none off the model.
   std::optional<Vec2> pick(Vec2 pixel) const;
+  // The footprint that the tool would have there: a ring on the skin, in pixels; empty off the model, or of no brush.
+  std::vector<Vec2> brushRing(Vec2 pixel) const;
+  // The pixel where keys put the tool to work.
+  Vec2 cursor() const;
 
   // The ball of the tool Ball, world space; none without that tool.
   std::optional<Ball> ball() const;

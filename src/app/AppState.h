@@ -26,7 +26,11 @@
 namespace fur::app {
 
 inline constexpr int kMaskSize = 256;
+// What the dryer and the hose reach round the spot, in brush radii.
+inline constexpr float kDryerReach = 1.5f, kHoseReach = 0.5f;
 
+// As long as it is held.
+inline bool goesOn(Tool tool) { return tool == Tool::Rain || tool == Tool::Hose || tool == Tool::Dryer; }
 inline bool grooms(Tool tool) { return tool >= Tool::Comb && tool <= Tool::Pluck; }
 
 // Of this machine's clock.
@@ -87,6 +91,9 @@ struct App::State {
   double windClock = 0;
   float idleTime = 0;  // since somebody was there
   wet::Water water;
+  // The water's own clock: strokes remember its steps. Seconds that are due; steps since the model came.
+  float waterDue = 0;
+  std::uint32_t waterSteps = 0;
   float hoseDue = 0;  // drops
   std::vector<std::uint8_t> puddles;  // how wet the ground is, as Frame has it
   std::uint32_t shownPuddles = 0;     // the water's groundRevision() that they are of
@@ -112,19 +119,25 @@ struct App::State {
   float lastSpan = 0;
   float pressure = 1;  // of the pen
   std::optional<MaskImage> strokeBefore;
-  // What was painted, to be painted again.
+  // What was done with water, to be done again: `what` is a Tool or a Deed. Rain, Hose and Dryer are where their newest
+  // spot says, up to the last one, where they end.
+  enum Deed { kSplash = 100, kSplashAtlas, kSoak, kDryOff, kShake, kUndo, kRedo };
   struct Spot {
-    double time;
+    std::uint32_t step;
     geometry::SurfacePoint at;
     float pressure;
   };
   struct Stroke {
-    Tool tool;
+    int what;
     float radius, flow, clump;
+    Vec3 eye;  // where it was done from; model space
     std::vector<Spot> spots;
   };
   std::vector<Stroke> strokes;
-  double clock = 0;  // seconds since the model came
+  Spot held{};             // where a tool that goes on is at work
+  float keyHold = 0;       // seconds that a key holds it there
+  bool replaying = false;  // a recorded stroke does
+  Vec2 cursor{0};          // that keys move: from the middle of the picture, in its heights
   Vec2 lastSpot{0};
   Random sprayRandom{1};
   bool cameraControls = true;
@@ -220,18 +233,26 @@ struct App::State {
   int levelFor(Picture picture) const;
 
   // --- AppWater.cpp ---
-  bool holds(Tool held) const;
+  bool holds(Tool one) const;
+  Vec2 cursorPixel() const { return Vec2(width, height) * 0.5f + cursor * static_cast<float>(height); }
+  Vec2 cursorReach() const { return Vec2(width, height) * (0.5f / static_cast<float>(height)); }
+  Vec2 heldPixel() const { return keyHold > 0 ? cursorPixel() : lastPosition; }
+  // Has a tool that goes on work at the cursor for a moment.
+  void holdByKey();
   wet::Climate climate();
   Vec3 dryerWind() const;  // world space, as BendForces has it
   bool runWater(float dt, double budget);
   void readPuddles();
-  void runHose(float dt);
+  void workOnWith();
+  void runHose();
 
   // --- Painting.cpp ---
   ModelRay rayThrough(Vec2 pixel) const;
   std::optional<geometry::SurfacePoint> pick(Vec2 pixel);
   void beginStroke();      // with the tool
-  void beginWaterStroke();
+  void beginWaterStroke(int what, float radius, float flow);
+  void lay(const geometry::SurfacePoint& at);  // a droplet of kSplash
+  void note(int deed, float radius = 0, float flow = 0);  // one that is no stroke
   void endStroke();
   // One spray of the tool where the pixel hits; false when it misses.
   bool sprayAt(Vec2 pixel);
@@ -240,6 +261,7 @@ struct App::State {
   void paintTo(Vec2 pixel);
   void scatter(const Vec3& centre, const Vec3& normal, float radius, float amount);
   void soak(float amount);
+  void dryOff(float seconds, float rate);
   void maskTouched();
   // Brought up to date when it is read: a stroke sprays many times between two steps of the fur.
   const std::vector<float>& wetnessOfVertices();

@@ -18,11 +18,18 @@ constexpr float kWindSpeed = 1.5f;
 // Wetness a second under the middle of a dryer, and how hard it blows the fur about.
 constexpr float kBlow = 1.6f, kBlowWind = 0.7f;
 // Of the hose: amount a second, drops a second, how far off they start and how fast they come.
-constexpr float kHose = 0.25f, kHoseDrops = 90.0f, kHoseReach = 0.5f, kHoseSpeed = 3.5f;
+constexpr float kHose = 0.25f, kHoseDrops = 90.0f, kHoseLength = 0.5f, kHoseSpeed = 3.5f;
+// For so long a key holds a tool, s.
+constexpr float kKeyHold = 0.5f;
 
 }  // namespace
 
-bool App::State::holds(Tool held) const { return drag == Drag::Paint && tool == held; }
+bool App::State::holds(Tool one) const { return tool == one && (drag == Drag::Paint || keyHold > 0 || replaying); }
+
+void App::State::holdByKey() {
+  if (keyHold <= 0) beginStroke();
+  keyHold = kKeyHold;
+}
 
 wet::Climate App::State::climate() {
   wet::Climate c;
@@ -35,29 +42,44 @@ wet::Climate App::State::climate() {
   c.rain = holds(Tool::Rain) ? std::max(settings.rain, settings.brushFlow) : settings.rain;
   c.shaking = motion.shaking();
   if (!holds(Tool::Dryer)) return c;
-  if (const auto hit = pick(lastPosition)) {
-    c.blowCentre = positionAt(surface, *hit);
-    c.blowRadius = 1.5f * settings.brushRadius;
-    c.blow = kBlow * settings.brushFlow * pressure;
-  }
+  c.blowCentre = positionAt(surface, held.at);
+  c.blowRadius = kDryerReach * settings.brushRadius;
+  c.blow = kBlow * settings.brushFlow * held.pressure;
   return c;
 }
 
 Vec3 App::State::dryerWind() const {
   if (!holds(Tool::Dryer)) return Vec3(0);
-  return Mat3(motion.worldFromModel()) * rayThrough(lastPosition).direction * (kBlowWind * pressure);
+  return Mat3(motion.worldFromModel()) * rayThrough(heldPixel()).direction * (kBlowWind * pressure);
 }
 
 bool App::State::runWater(float dt, double budget) {
-  if (holds(Tool::Hose)) runHose(dt);
-  const wet::Climate now = climate();
-  if (!water.active(mask, now)) return false;
-  const wet::Ground on{surface, query, *wetting};
-  for (const double begun = secondsNow(); !water.prepare(on, kPlacesAtOnce);)
-    if (secondsNow() - begun >= budget) return false;
-  if (!water.step(on, mask, dt, now)) return false;
-  maskTouched();
-  return true;
+  const bool atWork = strokeBefore && goesOn(tool) && holds(tool);
+  if (atWork && !replaying) {
+    const auto hit = pick(heldPixel());
+    held = {0, hit.value_or(held.at), hit ? pressure : 0};
+  }
+  wet::Ground on{surface, query, *wetting};
+  if (pose) on.positions = skin.positions, on.normals = skin.normals;
+  bool changed = false;
+  // A hair early rather than a step late, as Water::step().
+  for (waterDue = std::min(waterDue + dt, 1.0f); waterDue > wet::Water::kStep * 0.999f; waterDue -= wet::Water::kStep) {
+    if (!atWork && !water.active(mask, climate())) continue;
+    for (const double begun = secondsNow(); !water.prepare(on, kPlacesAtOnce);)
+      if (secondsNow() - begun >= budget) {
+        waterDue = 0;
+        return changed;
+      }
+    if (atWork) workOnWith();
+    const wet::Climate now = climate();
+    if (!water.active(mask, now)) continue;
+    if (pose && !water.drops().empty()) on.shown = &shownQuery();
+    changed |= water.step(on, mask, wet::Water::kStep, now);
+    ++waterSteps;
+  }
+  if (keyHold > 0 && (keyHold -= dt) <= 0) endStroke();
+  if (changed) maskTouched();
+  return changed;
 }
 
 void App::State::readPuddles() {
@@ -66,29 +88,42 @@ void App::State::readPuddles() {
   bool wet = false;
   for (const float amount : water.ground()) {
     wet |= amount > 0;
-    puddles.push_back(static_cast<std::uint8_t>(255.0f * std::min(amount, 1.0f)));
+    puddles.push_back(static_cast<std::uint8_t>(255.0f * std::min(0.5f * amount, 1.0f)));
   }
   if (!wet) puddles.clear();
 }
 
+// A step of a tool that goes on.
+void App::State::workOnWith() {
+  auto& spots = strokes.back().spots;
+  if (!spots.empty() && spots.back().step == waterSteps) spots.pop_back();
+  if (spots.empty() || spots.back().at.triangle != held.at.triangle || spots.back().at.weights != held.at.weights ||
+      spots.back().pressure != held.pressure)
+    spots.push_back({waterSteps, held.at, held.pressure});
+  if (tool == Tool::Hose) runHose();
+}
+
 // A jet from the eye's side onto what the pointer is at.
-void App::State::runHose(float dt) {
-  const auto hit = pick(lastPosition);
-  if (!hit) return;
+void App::State::runHose() {
   const Mat4 toWorld = motion.worldFromModel();
-  const Vec3 at = Vec3(toWorld * Vec4(shownPosition(*hit), 1));
-  const Vec3 way = Mat3(toWorld) * rayThrough(lastPosition).direction;
-  for (hoseDue += dt * kHoseDrops; hoseDue >= 1; hoseDue -= 1) {
-    const Vec3 off = 0.25f * settings.brushRadius * Vec3(sprayRandom.uniform(-1, 1), sprayRandom.uniform(-1, 1), sprayRandom.uniform(-1, 1));
+  const Vec3 skin = shownPosition(held.at), at(toWorld * Vec4(skin, 1));
+  const Vec3 way = Mat3(toWorld) * normalizeOr(skin - strokes.back().eye, Vec3(0, -1, 0));
+  for (hoseDue += wet::Water::kStep * kHoseDrops; hoseDue >= 1; hoseDue -= 1) {
+    // In braces: their order is the same with every compiler.
+    const Vec3 off = 0.25f * settings.brushRadius * Vec3{sprayRandom.uniform(-1, 1), sprayRandom.uniform(-1, 1), sprayRandom.uniform(-1, 1)};
     const float size = sprayRandom.uniform(0.5f, 1.5f);
-    water.launch(at - kHoseReach * sprayRandom.uniform(0.6f, 1.0f) * way + off, kHoseSpeed * way,
-                 size * settings.brushFlow * pressure * (kHose / kHoseDrops / 0.35f));
+    water.launch(at - kHoseLength * sprayRandom.uniform(0.6f, 1.0f) * way + off, kHoseSpeed * way,
+                 size * settings.brushFlow * held.pressure * (kHose / kHoseDrops / 0.35f));
   }
 }
 
 // --- App's side --------------------------------------------------------------------------------
 
-void App::shake() { state_->motion.shake(); }
+void App::shake() {
+  state_->endStroke();
+  state_->note(State::kShake);
+  state_->motion.shake();
+}
 
 void App::stamp(std::span<const std::uint8_t> coverage, int width, int height, Vec2 centre, float across, float amount) {
   FUR_ASSERT(width > 0 && height > 0 && coverage.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height),
@@ -100,14 +135,13 @@ void App::stamp(std::span<const std::uint8_t> coverage, int width, int height, V
   const float step = std::max({static_cast<float>(height) / 18, static_cast<float>(width) / 120, 2 / perTexel});
   const float distance = std::max(0.2f, glm::length(f.camera.eye - f.camera.target));
   const float radius = 0.8f * step * perTexel * distance / render::pixelsPerUnit(f);
-  s.beginWaterStroke();
+  s.beginWaterStroke(State::kSplash, radius, amount);
   for (float y = 0.5f * step; y < static_cast<float>(height); y += step)
     for (float x = 0.5f * step; x < static_cast<float>(width); x += step) {
       if (coverage[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)] < 128) continue;
       const auto hit = s.pick(centre + perTexel * (Vec2(x, y) - 0.5f * Vec2(width, height)));
-      if (hit) s.wetting->addDroplet(s.mask, s.surface, s.query, positionAt(s.surface, *hit), normalAt(s.surface, *hit), radius, amount);
+      if (hit) s.lay(*hit);
     }
-  s.maskTouched();
   s.endStroke();
 }
 
@@ -116,10 +150,10 @@ std::string App::recordedStrokes() const {
   for (const State::Stroke& stroke : state_->strokes) {
     if (out.size() > 1) out += ',';
     const auto add = [&out](double value) { out.append(1, ',').append(shortDecimal(value)); };
-    out.append(1, '[').append(shortDecimal(static_cast<int>(stroke.tool)));
-    for (const float value : {stroke.radius, stroke.flow, stroke.clump}) add(value);
+    out.append(1, '[').append(shortDecimal(stroke.what));
+    for (const float value : {stroke.radius, stroke.flow, stroke.clump, stroke.eye.x, stroke.eye.y, stroke.eye.z}) add(value);
     for (const State::Spot& spot : stroke.spots) {
-      add(std::round(spot.time * 1000));
+      add(spot.step);
       add(spot.at.triangle);
       for (const float value : {spot.at.weights.y, spot.at.weights.z, spot.pressure}) add(value);
     }
@@ -130,53 +164,77 @@ std::string App::recordedStrokes() const {
 
 Status App::replay(std::string_view json) {
   State& s = *state_;
+  constexpr std::size_t kHead = 7, kSpot = 5;
   const Error unsound{ErrorId::BadFile, "these are no strokes on this model"};
   const std::vector<Json> nodes = parseJson(json);
   if (nodes.empty() || !nodes[0].isArray()) return unsound;
-  // Nothing is painted of a text that is not sound all through.
-  double first = -1;
-  for (const Json& stroke : nodes[0]) {
-    const std::size_t count = stroke.count();
-    if (!stroke.isArray() || count < 4 || (count - 4) % 5 != 0) return unsound;
-    std::size_t i = 0;
-    for (const Json& value : stroke) {
-      const double number = value.number();
-      const bool isTriangle = i >= 4 && i % 5 == 0;
+  // Nothing is done of a text that is not sound all through.
+  std::vector<State::Stroke> strokes;
+  for (const Json& read : nodes[0]) {
+    const std::size_t count = read.count();
+    if (!read.isArray() || count <= kHead || (count - kHead) % kSpot != 0) return unsound;
+    std::vector<double> n;
+    for (const Json& value : read) {
+      const std::size_t i = n.size();
+      const bool isEye = i >= 4 && i < kHead, isTriangle = i >= kHead && (i - kHead) % kSpot == 1;
+      n.push_back(value.number());
       // Weights may lie a hair outside their triangle.
-      if (!(number >= -1e-3 && number < (isTriangle ? static_cast<double>(s.surface.triangleCount()) : 4e9))) return unsound;
-      // The first begins now.
-      if (i == 4 && first < 0) first = number / 1000;
-      ++i;
+      if (!(n[i] >= (isEye ? -1e4 : -1e-3) && n[i] < (isTriangle ? static_cast<double>(s.surface.triangleCount()) : 4e9))) return unsound;
+    }
+    const auto at = [&n](std::size_t i, float low, float high) { return glm::clamp(static_cast<float>(n[i]), low, high); };
+    State::Stroke& stroke = strokes.emplace_back(State::Stroke{
+        static_cast<int>(std::min(n[0], 999.0)), at(1, 0, 10), at(2, 0, 3600), at(3, 0.01f, 0.3f), {at(4, -1e4f, 1e4f), at(5, -1e4f, 1e4f), at(6, -1e4f, 1e4f)}, {}});
+    for (std::size_t i = kHead; i < count; i += kSpot) {
+      const float y = at(i + 2, -1e-3f, 1), z = at(i + 3, -1e-3f, 1.001f);
+      stroke.spots.push_back({static_cast<std::uint32_t>(std::max(n[i], 0.0)),
+                              {static_cast<std::uint32_t>(std::max(n[i + 1], 0.0)), Vec3(1 - y - z, y, z), 0}, at(i + 4, 0, 1)});
     }
   }
   s.endStroke();
-  const Tool tool = std::exchange(s.tool, Tool::Droplet);
+  if (strokes.empty()) return Done{};
+  const Tool tool = s.tool;
   const settings::Settings settings = s.settings;
-  const double begun = s.clock;
-  for (const Json& stroke : nodes[0]) {
-    auto value = stroke.begin();
-    const auto next = [&value] {
-      const auto number = (*value).number();
-      ++value;
-      return number;
-    };
-    s.tool = static_cast<Tool>(static_cast<int>(glm::clamp(next(), 0.0, 99.0)));
-    s.settings.brushRadius = glm::clamp(static_cast<float>(next()), 0.01f, 0.5f);
-    s.settings.brushFlow = glm::clamp(static_cast<float>(next()), 0.0f, 1.0f);
-    s.settings.clumpSize = glm::clamp(static_cast<float>(next()), 0.01f, 0.3f);
-    if (s.tool != Tool::Droplet && s.tool != Tool::Dry && s.tool != Tool::Towel) continue;
-    for (bool started = false; value != stroke.end();) {
-      // Ten minutes at most: a broken text must not hold the program up.
-      const double until = begun + std::min(next() / 1000 - first, 600.0) - 0.5 * wet::Water::kStep;
-      while (s.clock < until) tick(wet::Water::kStep);
-      if (!std::exchange(started, true)) s.beginStroke();
-      geometry::SurfacePoint at{static_cast<std::uint32_t>(std::max(next(), 0.0)), Vec3(0), 0};
-      at.weights.y = std::min(static_cast<float>(next()), 1.0f);
-      at.weights.z = std::min(static_cast<float>(next()), 1.001f - at.weights.y);
-      at.weights.x = 1.0f - at.weights.y - at.weights.z;
-      s.pressure = std::min(static_cast<float>(next()), 1.0f);
-      s.sprayOn(at);
+  // The first begins now.
+  const double begun = s.waterSteps, first = strokes[0].spots[0].step;
+  s.waterDue = 0;
+  for (const State::Stroke& stroke : strokes) {
+    s.tool = static_cast<Tool>(std::min(stroke.what, static_cast<int>(Tool::None)));
+    s.settings.brushRadius = stroke.radius;
+    s.settings.brushFlow = stroke.flow;
+    s.settings.clumpSize = stroke.clump;
+    for (std::size_t i = 0; i < stroke.spots.size(); ++i) {
+      // Ten minutes at most, and not where the water rests: a broken text must not hold the program up.
+      const double until = begun + std::min(stroke.spots[i].step - first, 36000.0);
+      for (double before = -1; s.waterSteps < until && s.waterSteps != before;) {
+        before = s.waterSteps;
+        tick(wet::Water::kStep);
+      }
+      const State::Spot& spot = stroke.spots[i];
+      s.pressure = spot.pressure;
+      switch (stroke.what) {
+        case State::kSplashAtlas: splashAt(spot.at.weights.y, spot.at.weights.z, stroke.radius, stroke.flow); break;
+        case State::kSoak: setWetness(stroke.flow); break;
+        case State::kDryOff: s.dryOff(stroke.flow, stroke.radius); break;
+        case State::kShake: shake(); break;
+        case State::kUndo: undo(); break;
+        case State::kRedo: redo(); break;
+        default:
+          if (stroke.what != State::kSplash && (stroke.what > State::kSplash || s.tool > Tool::Dryer)) break;
+          if (i == 0) {
+            s.beginWaterStroke(stroke.what, stroke.radius, stroke.flow);
+            s.strokes.back().eye = stroke.eye;
+          }
+          if (stroke.what == State::kSplash) {
+            s.lay(spot.at);
+          } else if (goesOn(s.tool)) {
+            s.held = spot;
+            s.replaying = true;
+          } else {
+            s.sprayOn(spot.at);
+          }
+      }
     }
+    s.replaying = false;
     s.endStroke();
   }
   s.pressure = 1;

@@ -9,6 +9,7 @@ namespace {
 
 constexpr float kOrbitPerHeight = 3.6f;  // radians for a drag across the whole height
 constexpr float kKeyOrbit = 0.12f, kKeyZoom = 1.12f, kWheelZoom = 1.12f;
+constexpr float kCursorStep = 0.03f;  // of the picture's height
 constexpr int kLeft = 1, kRight = 2;
 
 // Model units that one pixel covers at the camera's target.
@@ -132,14 +133,29 @@ bool App::key(const KeyEvent& event) {
     return false;
   }
   if (event.alt) return false;
+  const float step = kCursorStep * static_cast<float>(s.height);
   if (event.key == " " || event.key == "Enter") {
+    const Vec2 at = s.cursorPixel();
+    if (goesOn(s.tool)) {
+      if (!s.pick(at)) return false;
+      s.holdByKey();
+      return true;
+    }
     s.beginStroke();
-    const Vec2 middle = Vec2(s.width, s.height) * 0.5f;
     // A comb needs a way to go: down the picture.
-    if (s.tool == Tool::Comb) s.sprayAt(middle - Vec2(0, 0.03f * static_cast<float>(s.height)));
-    const bool hit = s.sprayAt(middle);
+    if (s.tool == Tool::Comb) s.sprayAt(at - Vec2(0, step));
+    const bool hit = s.sprayAt(at);
     s.endStroke();
     return hit;
+  }
+  if (s.tool < Tool::Pet && (event.shift || !s.cameraControls)) {
+    const Vec2 way(event.key == "ArrowRight" ? 1 : event.key == "ArrowLeft" ? -1 : 0,
+                   event.key == "ArrowDown" ? 1 : event.key == "ArrowUp" ? -1 : 0);
+    if (way != Vec2(0)) {
+      if (s.pick(s.cursorPixel() + step * way) || !s.pick(s.cursorPixel())) s.cursor += kCursorStep * way;
+      s.cursor = glm::clamp(s.cursor, -s.cursorReach(), s.cursorReach());
+      return true;
+    }
   }
   if (!s.cameraControls) return false;
   if (event.key == "ArrowLeft") s.camera.orbit(-kKeyOrbit, 0);
@@ -152,6 +168,8 @@ bool App::key(const KeyEvent& event) {
   else return false;
   return true;
 }
+
+Vec2 App::cursor() const { return state_->cursorPixel(); }
 
 void App::setCameraControls(bool enabled) { state_->cameraControls = enabled; }
 

@@ -52,7 +52,7 @@ bool ModelMotion::update(float dt) {
     turned_ = 0;
   } else {
     yaw_ += yawVelocity_ * dt;
-    yawVelocity_ *= std::exp(-dt / kSpinTime);
+    yawVelocity_ *= portableExp(-dt / kSpinTime);
   }
   const float stiffness = held_ ? kFollow : kReturn;
   const float damping = (held_ ? 2.0f : 1.1f) * std::sqrt(stiffness);
@@ -66,7 +66,9 @@ bool ModelMotion::update(float dt) {
 
 Mat4 ModelMotion::worldFromModel() const {
   const float swing = kSwing * shaking() * portableSin(2 * kPi * kSwings * shakeLeft_);
-  return glm::rotate(glm::translate(Mat4(1.0f), position_), yaw_ + swing, Vec3(0, 1, 0));
+  // The same bits everywhere: water goes by it.
+  const float c = portableCos(yaw_ + swing), s = portableSin(yaw_ + swing);
+  return {Vec4(c, 0, -s, 0), Vec4(0, 1, 0, 0), Vec4(s, 0, c, 0), Vec4(position_, 1)};
 }
 
 }  // namespace fur::app

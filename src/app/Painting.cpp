@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/AppState.h"
+#include "core/PortableMath.h"
 #include "geometry/Adjacency.h"
 
 namespace fur::app {
@@ -17,6 +18,12 @@ constexpr float kSpacing = 0.35f;
 constexpr float kDryShare = 0.35f;
 // The towel takes what stands on the fur, and this share of the flow of what it holds.
 constexpr float kTowelShare = 0.5f;
+
+// Two directions along the skin, square to each other.
+std::pair<Vec3, Vec3> axesOn(const Vec3& normal) {
+  const Vec3 side = normalizeOr(glm::cross(normal, std::abs(normal.y) < 0.9f ? Vec3(0, 1, 0) : Vec3(1, 0, 0)), Vec3(1, 0, 0));
+  return {side, glm::cross(normal, side)};
+}
 
 }  // namespace
 
@@ -56,33 +63,41 @@ const std::vector<float>& App::State::wetnessOfVertices() {
 
 void App::State::beginStroke() {
   if (grooms(tool)) return beginGroomStroke();
-  beginWaterStroke();
+  beginWaterStroke(static_cast<int>(tool), settings.brushRadius, settings.brushFlow);
 }
 
-void App::State::beginWaterStroke() {
+void App::State::note(int deed, float radius, float flow) { strokes.push_back({deed, radius, flow, settings.clumpSize, Vec3(0), {{waterSteps, {}, 1}}}); }
+
+void App::State::beginWaterStroke(int what, float radius, float flow) {
   endStroke();
+  const Vec3 eye(glm::inverse(motion.worldFromModel()) * Vec4(frame().camera.eye, 1));
   // Each has its own chance, so that it is the same wherever it is painted again.
-  strokes.push_back({tool, settings.brushRadius, settings.brushFlow, settings.clumpSize, {}});
+  strokes.push_back({what, radius, flow, settings.clumpSize, eye, {}});
   sprayRandom = Random(strokes.size());
+  hoseDue = 0;
   strokeBefore = MaskImage{mask.texels(), mask.film()};
 }
 
 void App::State::endStroke() {
   endGroomStroke();
+  keyHold = 0;
   if (!strokeBefore) return;
-  if (!strokes.empty() && strokes.back().spots.empty()) strokes.pop_back();
+  if (!strokes.empty()) {
+    Stroke& stroke = strokes.back();
+    if (stroke.spots.empty()) strokes.pop_back();
+    else if (goesOn(static_cast<Tool>(stroke.what))) stroke.spots.push_back({waterSteps, stroke.spots.back().at, 0});
+  }
   if (auto step = maskStep(*strokeBefore, mask)) history.push(std::move(*step));
   strokeBefore.reset();
 }
 
 void App::State::scatter(const Vec3& centre, const Vec3& normal, float radius, float amount) {
-  const Vec3 side = normalizeOr(glm::cross(normal, std::abs(normal.y) < 0.9f ? Vec3(0, 1, 0) : Vec3(1, 0, 0)), Vec3(1, 0, 0));
-  const Vec3 up = glm::cross(normal, side);
+  const auto [side, up] = axesOn(normal);
   const float droplet = std::min(settings.clumpSize, radius);
   for (int i = 0; i < kDropletsPerSpray; ++i) {
     const float angle = sprayRandom.uniform(0, 2 * kPi);
     const float reach = (radius - droplet) * std::sqrt(sprayRandom.uniform());
-    const Vec3 above = centre + reach * (std::cos(angle) * side + std::sin(angle) * up) + 0.3f * radius * normal;
+    const Vec3 above = centre + reach * (portableCos(angle) * side + portableSin(angle) * up) + 0.3f * radius * normal;
     // Droplets fall onto the surface; one that falls past an edge is lost.
     const auto hit = query.castRay(above + 0.5f * radius * normal, -normal);
     if (!hit || hit->distance > 2.5f * radius) continue;
@@ -103,7 +118,8 @@ bool App::State::sprayAt(Vec2 pixel) {
 }
 
 void App::State::sprayOn(const geometry::SurfacePoint& at) {
-  if (strokeBefore && !strokes.empty()) strokes.back().spots.push_back({clock, at, pressure});
+  if (goesOn(tool)) return;
+  if (strokeBefore && !strokes.empty()) strokes.back().spots.push_back({waterSteps, at, pressure});
   const Vec3 centre = positionAt(surface, at), normal = normalAt(surface, at);
   const float flow = settings.brushFlow * pressure;
   if (tool == Tool::Dry) {
@@ -129,6 +145,21 @@ void App::State::paintTo(Vec2 pixel) {
   }
 }
 
+void App::State::dryOff(float seconds, float rate) {
+  beginWaterStroke(kDryOff, rate, seconds);
+  strokes.back().spots.push_back({waterSteps, {}, 1});
+  mask.dry(seconds, rate);
+  maskTouched();
+  endStroke();
+}
+
+void App::State::lay(const geometry::SurfacePoint& at) {
+  Stroke& stroke = strokes.back();
+  stroke.spots.push_back({waterSteps, at, 1});
+  wetting->addDroplet(mask, surface, query, positionAt(surface, at), normalAt(surface, at), stroke.radius, stroke.flow);
+  maskTouched();
+}
+
 void App::State::soak(float amount) {
   mask.clear();
   water.clear();
@@ -148,14 +179,15 @@ void App::State::soak(float amount) {
     float u = random.uniform(), v = random.uniform();
     if (u + v > 1) u = 1 - u, v = 1 - v;
     const geometry::SurfacePoint point{static_cast<std::uint32_t>(triangle), Vec3(1 - u - v, u, v), 0};
-    wetting->addDroplet(mask, surface, query, positionAt(surface, point), normalAt(surface, point), droplet, amount);
+    wetting->addDroplet(mask, surface, query, positionAt(surface, point), normalAt(surface, point),
+                        droplet * random.uniform(0.75f, 1.25f), amount);
   }
   // What chance has missed.
-  for (std::uint32_t t = 0; t < surface.triangleCount(); ++t) {
-    const geometry::SurfacePoint middle{t, Vec3(1.0f / 3), 0};
-    const Vec2 at = atlasAt(surface, middle);
-    if (mask.at(at.x, at.y).w == 0)
-      wetting->addDroplet(mask, surface, query, positionAt(surface, middle), normalAt(surface, middle), droplet, amount);
+  const auto& triangles = wetting->atlas().triangleOf();
+  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+    if (triangles[i] == geometry::kNoTriangle || mask.texels()[i].w > 0) continue;
+    const geometry::SurfacePoint point{triangles[i], wetting->atlas().weightsAt(surface, triangles[i], i), 0};
+    wetting->addDroplet(mask, surface, query, positionAt(surface, point), normalAt(surface, point), droplet, amount);
   }
   // Overlaps have added up: one wetness all over.
   std::vector<Vec4> even = mask.texels();
@@ -176,7 +208,8 @@ void App::setTool(Tool tool) {
 Tool App::tool() const { return state_->tool; }
 
 void App::splashAt(float u, float v, float radius, float amount) {
-  state_->beginWaterStroke();
+  state_->beginWaterStroke(State::kSplashAtlas, radius, amount);
+  state_->strokes.back().spots.push_back({state_->waterSteps, {0, Vec3(0, u, v), 0}, 1});
   state_->mask.addDroplet({Vec2(u, v), radius, amount});
   state_->maskTouched();
   state_->endStroke();
@@ -186,30 +219,51 @@ bool App::splashPixel(Vec2 pixel, float radius, float amount) {
   State& s = *state_;
   const auto hit = s.pick(pixel);
   if (!hit) return false;
-  s.beginWaterStroke();
-  s.wetting->addDroplet(s.mask, s.surface, s.query, positionAt(s.surface, *hit), normalAt(s.surface, *hit), radius, amount);
-  s.maskTouched();
+  s.beginWaterStroke(State::kSplash, radius, amount);
+  s.lay(*hit);
   s.endStroke();
   return true;
 }
 
 void App::setWetness(float amount) {
-  state_->beginWaterStroke();
+  state_->beginWaterStroke(State::kSoak, 0, amount);
+  state_->strokes.back().spots.push_back({state_->waterSteps, {}, 1});
   state_->soak(amount);
   state_->endStroke();
 }
 
 void App::dry(float seconds) {
-  state_->beginWaterStroke();
-  state_->mask.dry(seconds, std::max(state_->settings.dryRate, 0.01f));
-  state_->maskTouched();
-  state_->endStroke();
+  state_->dryOff(seconds, std::max(state_->settings.dryRate, 0.01f));
 }
 
 std::optional<Vec2> App::pick(Vec2 pixel) const {
   const auto hit = state_->pick(pixel);
   if (!hit) return std::nullopt;
   return atlasAt(state_->surface, *hit);
+}
+
+std::vector<Vec2> App::brushRing(Vec2 pixel) const {
+  constexpr int kCorners = 24;
+  State& s = *state_;
+  const Tool tool = s.tool;
+  std::vector<Vec2> ring;
+  if (tool == Tool::Rain || tool == Tool::Whisker || tool > Tool::Pet) return ring;
+  const auto hit = s.pick(pixel);
+  if (!hit) return ring;
+  const float radius = s.settings.brushRadius * (tool == Tool::Dryer ? kDryerReach : tool == Tool::Hose ? kHoseReach : 1);
+  const Vec3 centre = s.shownPosition(*hit), normal = s.shownNormal(*hit);
+  const auto [side, up] = axesOn(normal);
+  const render::Frame f = s.frame();
+  const Mat4 toClip = render::clipFromWorld(f) * f.worldFromModel;
+  for (int k = 0; k < kCorners; ++k) {
+    const float angle = 2 * kPi * static_cast<float>(k) / kCorners;
+    Vec3 at = centre + radius * (portableCos(angle) * side + portableSin(angle) * up);
+    if (const auto skin = s.shownQuery().castRay(at + radius * normal, -normal); skin && skin->distance < 2 * radius)
+      at = s.shownPosition(*skin);
+    const Vec4 clip = toClip * Vec4(at, 1);
+    ring.push_back((Vec2(clip.x, -clip.y) / clip.w * 0.5f + 0.5f) * Vec2(s.width, s.height));
+  }
+  return ring;
 }
 
 float App::wetnessAt(float u, float v) const { return state_->mask.at(u, v).w; }
@@ -229,8 +283,8 @@ float App::meanWetness() const {
 std::uint64_t App::wetnessHash() const { return state_->mask.hash(); }
 const wet::WetnessMask& App::wetnessMask() const { return state_->mask; }
 
-void App::restoreWetness(std::vector<Vec4> texels) {
-  state_->mask.restore(std::move(texels));
+void App::restoreWetness(std::vector<Vec4> texels, std::vector<float> film) {
+  state_->mask.restore(std::move(texels), std::move(film));
   state_->maskTouched();
 }
 

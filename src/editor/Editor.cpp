@@ -247,9 +247,13 @@ void Editor::drawWater(const EditorModel& model) {
   ImGui::SameLine(0, gap);
   if (ImGui::Button("Dry off", ImVec2(button, 0))) emit(command::SetWetness{0});
   const WaterView& w = model.water;
+  if (ImGui::Button("Shake", ImVec2(button, 0))) emit(command::Shake{});
+  ImGui::SameLine(0, gap);
+  ImGui::SetNextItemWidth(-button - gap);
+  const bool entered = ImGui::InputTextWithHint("##letters", "Letters", letters_, sizeof letters_, ImGuiInputTextFlags_EnterReturnsTrue);
+  ImGui::SameLine(0, gap);
+  if ((ImGui::Button("Stamp", ImVec2(button, 0)) || entered) && letters_[0]) emit(command::Stamp{letters_});
   if (w.came > 0) {
-    if (ImGui::Button("Shake", ImVec2(button, 0))) emit(command::Shake{});
-    ImGui::SameLine(0, gap);
     ImGui::TextDisabled("fur %.2f  film %.2f  drops %.2f", w.held, w.film, w.drops);
     ImGui::TextDisabled("of %.2f  dripped %.2f  dried %.2f", w.came, w.dripped, w.dried);
   }

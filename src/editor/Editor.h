@@ -61,6 +61,7 @@ class Editor {
   std::vector<Command> commands_;
   char filter_[64] = "";
   char path_[1024] = "";
+  char letters_[32] = "";
   Vec2 covered_{0};
   std::optional<bool> collapsed_;
   bool narrow_ = false, roomy_ = false;

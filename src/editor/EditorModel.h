@@ -99,6 +99,9 @@ struct SetWetness {
   float amount;
 };
 struct Shake {};
+struct Stamp {
+  std::string text;
+};
 struct LoadPrimitive {
   std::string name;
 };  // "sphere", "torus", "plane"
@@ -131,7 +134,7 @@ struct DismissMessage {
 }  // namespace command
 
 using Command = std::variant<command::BeginChange, command::EndChange, command::SetSettings, command::SetTool,
-                             command::SetWetness, command::Shake, command::LoadPrimitive, command::LoadShipped,
+                             command::SetWetness, command::Shake, command::Stamp, command::LoadPrimitive, command::LoadShipped,
                              command::OpenDialog, command::OpenPath, command::ResetCamera, command::Undo,
                              command::Redo, command::CopyState, command::PasteState, command::ApplyPreset,
                              command::SaveTypeSet, command::SaveFo, command::SaveScene, command::GroomAll,

@@ -76,6 +76,15 @@ TEST(AppWater, WhatHasRunOnIsTakenBackToo) {
   EXPECT_EQ(basin.app.meanWetness(), 0);
 }
 
+TEST(AppWater, AHoseWetsDryFur) {
+  Basin basin;
+  basin.app.setTool(Tool::Hose);
+  basin.stroke({95, 100}, {105, 100}, 60);
+  basin.run(30);
+  EXPECT_GT(basin.app.meanWetness(), 0.001f);
+  EXPECT_GT(basin.app.water().accounts().film, 0);
+}
+
 TEST(AppWater, RainWetsWhatLiesUp) {
   Basin basin;
   basin.app.setField("rain", "1");
@@ -158,6 +167,144 @@ TEST(AppWater, RecordedStrokesGiveTheSameWaterAgain) {
   EXPECT_TRUE(second.app.undo());
   for (const char* text : {"", "{}", "[[0]]", "[[0,0.1,0.1,0.1,0,99999999,0,0,1]]", "[[0,0.1,0.1,0.1,0,1,-0.5,0,1]]"})
     EXPECT_FALSE(second.app.replay(text)) << text;
+}
+
+TEST(AppWater, ASessionOfAllToolsIsReplayedToTheSameWater) {
+  Basin first, second;
+  App& app = first.app;
+  app.setField("dryRate", "0.05");
+  second.app.setField("dryRate", "0.05");
+  std::vector<std::uint8_t> bar(32 * 16, 255);
+  app.stamp(bar, 32, 16, {100, 100}, 40);
+  for (const Tool tool : {Tool::Hose, Tool::Droplet, Tool::Rain, Tool::Dryer, Tool::Towel}) {
+    app.setTool(tool);
+    first.stroke({85, 95}, {120, 110}, 20, 0.8f);
+    first.run(7);
+  }
+  app.shake();
+  first.run(40);
+  EXPECT_TRUE(app.undo());
+  app.setTool(Tool::Hose);
+  EXPECT_TRUE(app.key({" "}));
+  first.run(60);
+  app.splashAt(0.4f, 0.3f, 0.05f, 0.9f);
+  first.run(5);
+  app.setWetness(0.7f);
+  app.dry(2);
+  const std::string strokes = app.recordedStrokes();
+  EXPECT_LT(strokes.size(), 20000u);
+  EXPECT_TRUE(second.app.replay(strokes));
+  EXPECT_EQ(second.app.wetnessHash(), app.wetnessHash());
+  EXPECT_EQ(second.app.water().hash(second.app.wetnessMask()), app.water().hash(app.wetnessMask()));
+  EXPECT_EQ(second.app.recordedStrokes(), strokes);
+}
+
+// As tests/web/page.test.mjs replays it.
+TEST(AppWater, ARecordedSessionHasTheSameHashOnEveryPlatform) {
+  App app;
+  app.loadPrimitive("sphere").value();
+  EXPECT_TRUE(app.replay(
+      "[[0,0.2,0.6,0.05,0,0,3,0,100,0.3,0.3,1],[3,0.2,0.8,0.05,0,1,3,5,300,0.3,0.3,1,40,310,0.3,0.3,1,60,310,0.3,0.3,0],"
+      "[2,0.2,0.8,0.05,0,0,3,70,300,0.3,0.3,1,110,300,0.3,0.3,0],[100,0.05,0.8,0.05,0,0,3,120,200,0.3,0.3,1,120,220,0.3,0.3,1],"
+      "[4,0.2,0.5,0.05,0,0,3,130,310,0.3,0.3,1],[104,0,0,0.05,0,0,0,135,0,0,0,1],[5,0.2,0.8,0.05,0,0,3,150,300,0.2,0.2,1,170,300,0.2,0.2,0],"
+      "[105,0,0,0.05,0,0,0,171,0,0,0,1],[0,0.1,0.6,0.05,0,0,3,200,120,0.3,0.3,1]]"));
+  EXPECT_EQ(app.wetnessHash(), 0x43b96c74ce47939au);
+  EXPECT_GT(app.meanWetness(), 0.01f);
+}
+
+TEST(AppWater, KeysMoveTheCursorOverTheModelAndSpaceWetsThere) {
+  Basin basin;
+  App& app = basin.app;
+  const Vec2 middle = app.cursor();
+  const float yaw = app.camera().yaw;
+  for (int i = 0; i < 4; ++i) EXPECT_TRUE(app.key({"ArrowRight", true}));
+  EXPECT_GT(app.cursor().x, middle.x + 10);
+  EXPECT_EQ(app.camera().yaw, yaw);
+  EXPECT_TRUE(app.key({"ArrowRight"}));  // without shift the view turns
+  EXPECT_NE(app.camera().yaw, yaw);
+  app.resetCamera();
+  basin.run(120);
+  EXPECT_TRUE(app.key({" "}));
+  const auto wetAt = [&](Vec2 pixel) {
+    const auto at = app.pick(pixel).value();
+    return app.wetnessAt(at.x, at.y);
+  };
+  EXPECT_GT(app.meanWetness(), 0);
+  EXPECT_EQ(wetAt(middle - Vec2(30, 0)), 0);
+  for (int i = 0; i < 60; ++i) app.key({"ArrowRight", true});
+  EXPECT_TRUE(app.pick(app.cursor()));  // it stays on the model
+  app.setCameraControls(false);
+  const Vec2 edge = app.cursor();
+  EXPECT_TRUE(app.key({"ArrowLeft"}));  // nobody else wants it
+  EXPECT_LT(app.cursor().x, edge.x);
+}
+
+TEST(AppWater, SpaceHoldsRainHoseAndDryerForAMoment) {
+  Basin basin;
+  basin.app.setWetness(0.6f);
+  basin.settle();
+  for (const Tool tool : {Tool::Rain, Tool::Hose, Tool::Dryer}) {
+    const auto before = basin.app.wetnessHash();
+    basin.app.setTool(tool);
+    EXPECT_TRUE(basin.app.key({" "}));
+    EXPECT_TRUE(basin.app.active());
+    basin.run(60);
+    const auto after = basin.app.wetnessHash();
+    EXPECT_NE(after, before) << static_cast<int>(tool);
+    basin.run(240);
+    basin.settle();
+    EXPECT_TRUE(basin.app.undo()) << static_cast<int>(tool);
+    basin.settle();
+  }
+}
+
+TEST(AppWater, TheBrushShowsItsFootprintOnTheSkin) {
+  Basin basin;
+  App& app = basin.app;
+  const Vec2 middle(100, 100);
+  const auto sizeOf = [&](Vec2 at) {
+    Vec2 low(1e9f), high(-1e9f);
+    for (const Vec2& point : app.brushRing(at)) low = glm::min(low, point), high = glm::max(high, point);
+    return high - low;
+  };
+  app.setField("brushRadius", "0.1");
+  const Vec2 small = sizeOf(middle);
+  app.setField("brushRadius", "0.2");
+  const Vec2 large = sizeOf(middle);
+  EXPECT_NEAR(large.x / small.x, 2, 0.15);  // of a ball: nearer rims look larger
+  EXPECT_NEAR(small.x, small.y, 0.1f * small.x);
+  // Seen at a slant it is narrow.
+  float rim = 100;
+  while (app.pick({rim + 1, 100})) rim += 1;
+  EXPECT_LT(sizeOf({rim - 8, 100}).x, 0.8f * sizeOf({rim - 8, 100}).y);
+  EXPECT_TRUE(app.brushRing({2, 2}).empty());
+  app.setTool(Tool::Grab);
+  EXPECT_TRUE(app.brushRing(middle).empty());
+}
+
+TEST(AppWater, AnotherProgramTakesTheFilmOver) {
+  Basin basin, other;
+  for (int i = 0; i < 8; ++i) basin.stroke({95, 100}, {105, 100});
+  const auto& mask = basin.app.wetnessMask();
+  ASSERT_FALSE(mask.film().empty());
+  other.app.restoreWetness(mask.texels(), mask.film());
+  EXPECT_EQ(other.app.wetnessMask().film(), mask.film());
+  EXPECT_EQ(other.app.wetnessHash(), basin.app.wetnessHash());
+}
+
+TEST(AppWater, SoakedFurHasNoDrySpotAndLocksOfSeveralSizes) {
+  Basin basin;
+  basin.app.setWetness(0.8f);
+  basin.run(2);
+  float least = 1, smallest = 1, largest = 0;
+  for (const auto& place : basin.app.water().texels()->places()) {
+    const Vec4& texel = basin.app.wetnessMask().texels()[place.texel];
+    least = std::min(least, texel.w);
+    smallest = std::min(smallest, texel.z);
+    largest = std::max(largest, texel.z);
+  }
+  EXPECT_GT(least, 0.7f);
+  EXPECT_GT(largest, 1.4f * smallest);
 }
 
 TEST(History, TakesTenThousandStrokesBackAndDoesThemAgain) {

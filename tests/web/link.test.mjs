@@ -58,6 +58,7 @@ test('the copied link restores settings, camera, model and tool', async () => {
     fur.settings.tipColor = '#112233';
     fur.cameraOrbit = '0.7 0.2 4.5';
   });
+  await first.click('#water');
   await first.click('[data-tool=dry]');
   await first.click('#link');
   await first.waitForSelector('#messages .message');

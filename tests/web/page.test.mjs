@@ -161,6 +161,79 @@ test('keys turn, zoom, wet, undo and reset once the canvas has the focus', async
   assert.equal(await withFur(page, (fur) => fur.meanWetness), 0);
 });
 
+test('keys move the tool over the model, and what they wet is told', async () => {
+  const page = await site.open(`?${light}&src=sphere`);
+  await withFur(page, (fur) => {
+    fur.shadowRoot.querySelector('canvas').focus();
+    fur.addEventListener('cursor-move', ({ detail }) => { window.spot = detail.wetness; });
+  });
+  const yaw = () => withFur(page, (fur) => fur.getCameraOrbit().yaw);
+  const before = await yaw();
+  for (let i = 0; i < 3; i++) await page.keyboard.press('Shift+ArrowRight');
+  assert.equal(await page.evaluate(() => window.spot), 0);
+  assert.equal(await yaw(), before);
+  for (let i = 0; i < 3; i++) await page.keyboard.press('Space');
+  assert.ok(await page.evaluate(() => window.spot) > 0.2);
+  await page.waitForFunction(() => wetFur.shadowRoot.querySelector('polygon').points.numberOfItems === 24);
+  await page.waitForFunction(() => /^Here \d+ percent\. Wetness \d+ percent$/.test(wetFur.shadowRoot.querySelector('[role=status]').textContent));
+  assert.match(await withFur(page, (fur) => fur.shadowRoot.querySelector('canvas').getAttribute('aria-description')), /Shift with arrow keys/);
+  assert.deepEqual(page.problems, []);
+});
+
+test('the brush shows its footprint under the mouse, and none beside the model', async () => {
+  const page = await site.open(`?${light}&src=sphere`);
+  const spot = await spotOnModel(page);
+  await page.mouse.move(spot.x, spot.y);
+  await page.waitForFunction(() => wetFur.shadowRoot.querySelector('polygon').getAttribute('points'));
+  const ring = (await withFur(page, (fur) => fur.shadowRoot.querySelector('polygon').getAttribute('points'))).split(' ').map(Number);
+  const mean = (axis) => ring.reduce((sum, v, i) => sum + (i % 2 === axis ? v : 0), 0) / 24;
+  assert.ok(Math.hypot(mean(0) - spot.x, mean(1) - spot.y) < 12, `round ${mean(0)}, ${mean(1)}, not ${spot.x}, ${spot.y}`);
+  await page.mouse.move(4, 4);
+  await page.waitForFunction(() => !wetFur.shadowRoot.querySelector('polygon').getAttribute('points'));
+});
+
+test('the tools of water are behind one button: rain, hose, shaking, letters and all of it off again', async () => {
+  const page = await site.open('?quality=low&layers=8&fins=0&dryRate=0&src=sphere', { viewport: { width: 390, height: 700 } });
+  const tool = () => withFur(page, (fur) => fur.tool);
+  assert.equal(await page.isVisible('#waters'), false);
+  for (const name of ['rain', 'hose', 'towel', 'dryer', 'dry']) {
+    await page.focus('#water');
+    await page.keyboard.press('Enter');
+    await page.click(`[data-tool=${name}]`);
+    assert.equal(await tool(), name);
+    assert.equal(await page.getAttribute('#water', 'aria-pressed'), 'true');
+    await page.keyboard.press('Escape');
+    assert.equal(await page.isVisible('#waters'), false);
+  }
+  await page.click('#water');
+  const box = await (await page.$('#waters')).boundingBox();
+  assert.ok(box.x >= 0 && box.x + box.width <= 390 && box.y + box.height <= 700, JSON.stringify(box));
+  await page.fill('#letters input', 'WET');
+  await page.keyboard.press('Enter');
+  const stamped = await withFur(page, (fur) => fur.meanWetness);
+  assert.ok(stamped > 0.005, `${stamped} of it is wet`);
+  await page.click('#water');
+  await page.click('#shake');
+  await page.waitForFunction(() => wetFur.waterAccounts.drops > 0);
+  await page.click('#clear');
+  assert.equal(await withFur(page, (fur) => fur.meanWetness), 0);
+  assert.deepEqual(page.problems, []);
+});
+
+test('a recorded session is replayed to the same water as in the native program', async () => {
+  const page = await site.open(`?${light}&src=sphere`);
+  const hash = await withFur(page, (fur) => {
+    fur.pause();
+    // As tests/app/AppWaterGLTest.cpp replays it.
+    fur.replay('[[0,0.2,0.6,0.05,0,0,3,0,100,0.3,0.3,1],[3,0.2,0.8,0.05,0,1,3,5,300,0.3,0.3,1,40,310,0.3,0.3,1,60,310,0.3,0.3,0],'
+      + '[2,0.2,0.8,0.05,0,0,3,70,300,0.3,0.3,1,110,300,0.3,0.3,0],[100,0.05,0.8,0.05,0,0,3,120,200,0.3,0.3,1,120,220,0.3,0.3,1],'
+      + '[4,0.2,0.5,0.05,0,0,3,130,310,0.3,0.3,1],[104,0,0,0.05,0,0,0,135,0,0,0,1],[5,0.2,0.8,0.05,0,0,3,150,300,0.2,0.2,1,170,300,0.2,0.2,0],'
+      + '[105,0,0,0.05,0,0,0,171,0,0,0,1],[0,0.1,0.6,0.05,0,0,3,200,120,0.3,0.3,1]]');
+    return fur.wetnessHash;
+  });
+  assert.equal(hash, '43b96c74ce47939a');
+});
+
 test('mouse, wheel and two fingers move the camera; a double click beside the model resets it', async () => {
   const page = await site.open(`?${light}`, { hasTouch: true });
   const orbit = () => withFur(page, (fur) => fur.getCameraOrbit());

@@ -288,6 +288,8 @@ export interface WetFurEventMap {
   warning: CustomEvent<{ message: string }>;
   'camera-change': CustomEvent<{ orbit: CameraOrbit }>;
   'wetness-change': CustomEvent<{ wetness: number }>;
+  /** Keys have moved the tool's cursor, or put the tool to work there; null: it is beside the model. */
+  'cursor-move': CustomEvent<{ wetness: number | null }>;
   'stroke-start': CustomEvent<{ tool: Tool; u: number; v: number }>;
   'stroke-end': CustomEvent<{ tool: Tool }>;
   'state-change': CustomEvent<{ state: WetFurState; reason: 'loading' | 'settings' | 'editor' }>;
@@ -337,9 +339,9 @@ export interface WetFurApi {
   shake(): void;
   /** Letters as locks of wet fur, round CSS pixels of the canvas (default: its middle), `size` pixels high. */
   stamp(text: string, options?: { x?: number; y?: number; size?: number; amount?: number }): void;
-  /** What was painted with droplet, dry and towel since the model came: for replay() on the same model. */
+  /** What was done with water since the model came, by every tool: for replay() on the same model. */
   readonly recordedStrokes: string;
-  /** Paints it again, with the time that it took. Throws a FurError for what is no recording of this model. */
+  /** Does it again, with the time that it took; exact where that went by in steps of 1/60 s. Throws a FurError for what is no recording of this model. */
   replay(strokes: string): void;
   /** Where the water is and went: painted + rained = held + film + drops + dripped + evaporated + removed. */
   readonly waterAccounts: WaterAccounts | null;

@@ -1,6 +1,7 @@
 #include "app/editor/EditorHost.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <variant>
 
@@ -336,6 +337,7 @@ bool EditorHost::update(float dt) {
   const std::optional<editor::TileView> pictured = editor_.shownTile();
   ImGui::NewFrame();
   const std::vector<editor::Command> commands = editor_.frame(model(), scale_);
+  drawRing();
   ImGui::Render();
   if (editor_.shownTile() != pictured || editor_.showsGroom() != groomShown) wake();
   for (const editor::Command& command : commands) perform(command);
@@ -373,6 +375,44 @@ std::uint64_t EditorHost::pictureHash() const {
   return hash;
 }
 
+// Where the tool would reach from the pointer.
+void EditorHost::drawRing() {
+  const ImVec2 at = ImGui::GetIO().MousePos;
+  if (scale_.touch || !ImGui::IsMousePosValid() || covers({at.x, at.y})) return;
+  std::vector<ImVec2> ring;
+  for (const Vec2& point : app_.brushRing({at.x, at.y})) ring.emplace_back(point.x, point.y);
+  if (ring.empty()) return;
+  ImGui::GetBackgroundDrawList()->AddPolyline(ring.data(), static_cast<int>(ring.size()), IM_COL32(255, 255, 255, 204),
+                                              ImDrawFlags_Closed, 1.5f * scale_.pixelRatio);
+}
+
+// Letters as the panel's font has them, across the middle of what the panel leaves free.
+void EditorHost::stamp(const std::string& text) {
+  unsigned char* pixels = nullptr;
+  int across = 0, down = 0;
+  ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&pixels, &across, &down);
+  const ImFont& font = *ImGui::GetFont();
+  const int width = static_cast<int>(font.CalcTextSizeA(font.FontSize, 1e9f, 0, text.c_str()).x) + 2;
+  const int height = static_cast<int>(font.FontSize) + 2;
+  std::vector<std::uint8_t> coverage(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  float pen = 0;
+  for (const char* at = text.c_str(); *at;) {
+    unsigned int character = 0;
+    at += ImTextCharFromUtf8(&character, at, nullptr);
+    const ImFontGlyph& glyph = *font.FindGlyph(static_cast<ImWchar>(character));
+    const int left = static_cast<int>(pen + glyph.X0), top = static_cast<int>(glyph.Y0);
+    const int fromX = static_cast<int>(std::lround(glyph.U0 * static_cast<float>(across)));
+    const int fromY = static_cast<int>(std::lround(glyph.V0 * static_cast<float>(down)));
+    for (int y = 0; y < static_cast<int>(glyph.Y1 - glyph.Y0) && glyph.Visible; ++y)
+      for (int x = 0; x < static_cast<int>(glyph.X1 - glyph.X0); ++x)
+        if (left + x >= 0 && left + x < width && top + y >= 0 && top + y < height)
+          coverage[static_cast<std::size_t>((top + y) * width + left + x)] = pixels[(fromY + y) * across + fromX + x];
+    pen += glyph.AdvanceX;
+  }
+  const Vec2 free = size_ * (Vec2(1) - editor_.covered());
+  app_.stamp(coverage, width, height, 0.5f * free, std::min(0.5f * free.x, 0.12f * free.y * pen / font.FontSize));
+}
+
 void EditorHost::check(const Status& status) {
   if (!status) message(status.error().message, true);
 }
@@ -387,6 +427,7 @@ void EditorHost::perform(const editor::Command& command) {
       [&](const SetTool& c) { app_.setTool(static_cast<Tool>(c.tool)); },
       [&](const SetWetness& c) { app_.setWetness(c.amount); },
       [&](const Shake&) { app_.shake(); },
+      [&](const Stamp& c) { stamp(c.text); },
       [&](const LoadPrimitive& c) { check(app_.loadPrimitive(c.name)); },
       [&](const LoadShipped& shipped) { request(Kind::LoadShipped, shipped.name); },
       [&](const OpenDialog&) { request(Kind::OpenDialog); },

@@ -102,6 +102,8 @@ class EditorHost {
   void request(PlatformCommand::Kind kind, std::string text = {}) {
     platform_.push_back({kind, std::move(text)});
   }
+  void drawRing();
+  void stamp(const std::string& text);
   void check(const Status& status);
   std::uint64_t pictureHash() const;
 
