@@ -164,6 +164,7 @@ void Water::flow(std::uint32_t index) {
     }
     // So that water comes to rest, and is at rest wherever it is taken to.
     if (outFilm + outHeld < kLeast) continue;
+    flags_[index] |= kFlows;
     for (std::size_t k = 0; k < 4; ++k) {
       const std::uint32_t there = ways.to[k];
       incoming_[there] += out[k] * area;
@@ -204,7 +205,7 @@ void Water::touch(WetnessMask& mask) {
 void Water::receive(const Ground& ground, WetnessMask& mask, std::uint32_t index) {
   const auto& places = texels_->places();
   const SurfaceTexels::Block& block = texels_->blocks()[index];
-  bool wet = false, moves = false;
+  bool wet = false, moves = flags_[index] & kFlows;
   for (std::uint32_t i = block.first; i < block.end; ++i) {
     const std::uint32_t at = places[i].texel;
     // Of a film that has all run off a rounding may be left on either side of nothing.
@@ -212,6 +213,7 @@ void Water::receive(const Ground& ground, WetnessMask& mask, std::uint32_t index
     incoming_[i] = 0.0f;
     if (film > 0.0f && held < 1.0f) {
       const float taken = std::min(film > 4 * kLeast ? film * (kAbsorb * kTurnTime) : film, 1.0f - held);
+      moves = true;
       held = std::min(held + taken, 1.0f);
       film -= taken;
     }

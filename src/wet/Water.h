@@ -113,7 +113,7 @@ class Water {
   static constexpr float kLeast = 1.0f / 1024;
   static constexpr float kCling = 0.06f;  // film that no place lets go of
   static constexpr std::uint32_t kDryingTurns = 4;  // steps
-  enum : std::uint8_t { kWet = 1, kMoving = 2, kReceived = 4 };
+  enum : std::uint8_t { kWet = 1, kMoving = 2, kReceived = 4, kFlows = 8 };
 
   void notice(const Ground& ground, WetnessMask& mask);
   void subStep(const Ground& ground, WetnessMask& mask, const Climate& climate);

@@ -40,7 +40,7 @@ test('the panel takes the pointer and the keys that are meant for it, the pictur
   const page = await site.open('?quality=low&layers=8&fins=0&src=sphere&editor=1&dryRate=0', { viewport: { width: 800, height: 400 } });
   await page.waitForFunction(() => wetFur.editorOpen, null, { timeout: 30000 });
   await untilStill(page);
-  await page.mouse.move(720, 240);
+  await page.mouse.move(600, 59);  // a label
   await page.mouse.down();
   await page.mouse.up();
   const orbit = await withFur(page, (fur) => fur.getCameraOrbit());
@@ -80,6 +80,9 @@ test('the panel saves the coat as a file that gives the same coat again', async 
   await untilStill(page);
   let download;
   page.on('download', (event) => { download = event; });
+  await page.mouse.move(450, 640);
+  await page.mouse.wheel(0, 100);
+  await untilStill(page);
   // Nobody but the panel knows where its buttons are: down the left half of it, below the plot of coverage.
   for (let y = 860; y < 1030 && !download; y += 11) {
     await page.mouse.click(370, y);
