@@ -75,14 +75,15 @@ if(EMSCRIPTEN)
   # Much code that runs once a model, once a file or once a frame: the download counts more than its speed.
   foreach(module hair groom scene settings gl render app)
     if(TARGET fur_${module})
-      target_compile_options(fur_${module} PRIVATE $<$<CONFIG:Release>:-Os>)
+      target_compile_options(fur_${module} PRIVATE "$<$<CONFIG:Release>:-Oz;-finline-functions>")
     endif()
   endforeach()
-  # With -Os Emscripten leaves small functions where they are, which makes a surface take four times as long, and
-  # water three times.
-  foreach(module furgen geometry wet dynamics)
-    target_compile_options(fur_${module} PRIVATE "$<$<CONFIG:Release>:-Os;-finline-functions>")
+  # With -Os or -Oz alone Emscripten leaves small functions where they are, which makes a surface take four times as
+  # long, and water three times. What runs for every texel of a coat gets a little more room.
+  foreach(module geometry wet)
+    target_compile_options(fur_${module} PRIVATE "$<$<CONFIG:Release>:-Oz;-finline-functions>")
   endforeach()
+  target_compile_options(fur_furgen PRIVATE "$<$<CONFIG:Release>:-Os;-finline-functions>")
   foreach(source Json NumberText)
     set_source_files_properties("${CMAKE_SOURCE_DIR}/src/core/${source}.cpp" PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-Os>")
   endforeach()
