@@ -17,17 +17,24 @@ export const size = { width: 224, height: 168 };
 /** Every scene: what its JSON holds, its name, where its picture lies. */
 export const scenes = readdirSync(folder).filter((file) => file.endsWith('.json')).sort().map((file) => {
   const name = basename(file, '.json');
-  return { name, picture: join(folder, `${name}.png`), ...JSON.parse(readFileSync(join(folder, file), 'utf8')) };
+  const scene = JSON.parse(readFileSync(join(folder, file), 'utf8'));
+  return { name, picture: join(folder, `${name}.png`), ...scene, settings: { breath: 0, ...scene.settings } };
 });
 export const mapFile = (scene) => scene.lengthMap && join(folder, scene.lengthMap);
 
+// Seconds: over half a second the fur settles at once.
+export const settling = 0.6;
+// Water runs meanwhile; and for so long after that, until the fur has followed it.
+export const running = ({ model, wetness, splashes = [] }) => (wetness || splashes.length || /wet/.test(model) ? 1 : 0);
+
 function argumentsFor({ model, preset, settings = {}, camera, samples = 0, groom = [], wetness, splashes = [], seconds, ...scene }, output) {
+  const runs = running({ model, wetness, splashes });
   const option = (name, value) => (value === undefined ? [] : [`--${name}`, String(value)]);
   return [
     model, '-o', output, '--size', `${size.width}x${size.height}`, '--samples', String(samples),
     ...option('preset', preset), ...option('camera', camera), ...option('length-map', mapFile(scene)), ...option('wetness', wetness),
     ...groom.flatMap((step) => option('groom', step.join())), ...splashes.flatMap((at) => option('splash', at.join())),
-    ...option('time', seconds), ...Object.entries(settings).flatMap(([name, value]) => option(name, value)),
+    ...option('time', (runs ? settling + runs : 0) + (seconds ?? 0)), ...Object.entries(settings).flatMap(([name, value]) => option(name, value)),
   ];
 }
 

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { judge, mapFile, scenes, size } from '../golden/golden.mjs';
+import { judge, mapFile, running, scenes, settling, size } from '../golden/golden.mjs';
 import { picture, startBrowser, withFur } from './support.mjs';
 
 const site = startBrowser();
@@ -15,7 +15,7 @@ const pageFor = ({ samples = 0 }) => {
 };
 
 // In the order in which the program takes its options.
-const show = (page, scene) => withFur(page, async (fur, { model, preset, settings = {}, camera, groom = [], wetness, splashes = [], seconds, map }) => {
+const show = (page, scene) => withFur(page, async (fur, { model, preset, settings = {}, camera, groom = [], wetness, splashes = [], seconds, map, settling, runs }) => {
   fur.setState('{"version":1}');
   fur.resetCamera();
   const loaded = new Promise((resolve, reject) => {
@@ -26,18 +26,16 @@ const show = (page, scene) => withFur(page, async (fur, { model, preset, setting
   else fur.src = model;
   await loaded;
   if (preset) fur.preset = preset;
-  // Drying waits until the fur hangs still.
-  for (const [name, value] of Object.entries({ ...settings, dryRate: 0 })) fur.settings[name] = value;
+  for (const [name, value] of Object.entries(settings)) fur.settings[name] = value;
   if (camera) fur.cameraOrbit = camera;
   if (map) await fur.loadLengthMap(Uint8Array.from(map));
   for (const [edit, value, ...direction] of groom) await fur.groom(edit, value, direction.length ? direction : undefined);
   if (wetness !== undefined) fur.setWetness(wetness);
   for (const [x, y] of splashes) fur.splash({ x, y });
-  fur.step(0.6, 2);  // over half a second the fur settles at once
-  if (settings.dryRate !== undefined) fur.settings.dryRate = settings.dryRate;
-  if (seconds) fur.step(1 / 60, Math.round(60 * seconds));
+  fur.step(settling, runs ? 1 : 2);
+  fur.step(1 / 60, Math.round(60 * (runs + (seconds ?? 0))));
   return fur.warnings.splice(0);
-}, { ...scene, map: mapFile(scene) && [...readFileSync(mapFile(scene))] });
+}, { ...scene, settling, runs: running(scene), map: mapFile(scene) && [...readFileSync(mapFile(scene))] });
 
 for (const scene of scenes) {
   test(`${scene.name} looks on the page as its picture does`, { timeout: 120000 }, async (t) => {
