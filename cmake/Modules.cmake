@@ -72,17 +72,15 @@ endif()
 if(EMSCRIPTEN)
   file(GLOB importers CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/src/scene/import/*.cpp")
   set_source_files_properties(${importers} PROPERTIES COMPILE_OPTIONS "${FUR_EXCEPTIONS}")
-  # Much code that runs once a model, once a file or once a frame: the download counts more than its speed.
-  foreach(module hair groom scene settings gl render app)
+  # Much code that runs once a model, once a file or once a frame: the download counts more than its speed. Without
+  # -finline-functions Emscripten leaves small functions where they are, which makes a surface take four times as long,
+  # and water three times.
+  foreach(module hair groom scene settings gl render app geometry wet)
     if(TARGET fur_${module})
       target_compile_options(fur_${module} PRIVATE "$<$<CONFIG:Release>:-Oz;-finline-functions>")
     endif()
   endforeach()
-  # With -Os or -Oz alone Emscripten leaves small functions where they are, which makes a surface take four times as
-  # long, and water three times. What runs for every texel of a coat gets a little more room.
-  foreach(module geometry wet)
-    target_compile_options(fur_${module} PRIVATE "$<$<CONFIG:Release>:-Oz;-finline-functions>")
-  endforeach()
+  # What runs for every texel of a coat gets a little more room.
   target_compile_options(fur_furgen PRIVATE "$<$<CONFIG:Release>:-Os;-finline-functions>")
   foreach(source Json NumberText)
     set_source_files_properties("${CMAKE_SOURCE_DIR}/src/core/${source}.cpp" PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-Os>")

@@ -89,17 +89,12 @@ const geometry::SurfaceQuery& App::State::shownQuery() {
 }
 
 Vec3 App::State::shownPosition(const geometry::SurfacePoint& at) const {
-  if (!pose) return positionAt(surface, at);
-  Vec3 sum(0);
-  for (int k = 0; k < 3; ++k) sum += skin.positions[surface.indices[3 * at.triangle + static_cast<std::size_t>(k)]] * at.weights[k];
-  return sum;
+  return pose ? valueAt(surface, at, skin.positions) : positionAt(surface, at);
 }
 
 Vec3 App::State::shownNormal(const geometry::SurfacePoint& at) const {
   if (!pose) return normalAt(surface, at);
-  Vec3 sum(0);
-  for (int k = 0; k < 3; ++k) sum += skin.normals[surface.indices[3 * at.triangle + static_cast<std::size_t>(k)]] * at.weights[k];
-  return normalizeOr(sum, skin.normals[surface.indices[3 * std::size_t{at.triangle}]]);
+  return normalizeOr(valueAt(surface, at, skin.normals), skin.normals[surface.indices[3 * std::size_t{at.triangle}]]);
 }
 
 // Hairs stand on the surface as it was made; they go along with their triangles.

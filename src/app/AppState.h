@@ -254,7 +254,8 @@ struct App::State {
   void beginStroke();      // with the tool
   void beginWaterStroke(int what, float radius, float flow);
   void lay(const geometry::SurfacePoint& at);  // a droplet of kSplash
-  void note(int deed, float radius = 0, float flow = 0);  // one that is no stroke
+  void note(int deed);  // one that is no stroke
+  void mark(const geometry::SurfacePoint& at = {}, float pressed = 1);  // in the stroke: it was there, now
   void endStroke();
   // One spray of the tool where the pixel hits; false when it misses.
   bool sprayAt(Vec2 pixel);

@@ -99,7 +99,7 @@ void App::State::workOnWith() {
   if (!spots.empty() && spots.back().step == waterSteps) spots.pop_back();
   if (spots.empty() || spots.back().at.triangle != held.at.triangle || spots.back().at.weights != held.at.weights ||
       spots.back().pressure != held.pressure)
-    spots.push_back({waterSteps, held.at, held.pressure});
+    mark(held.at, held.pressure);
   if (tool == Tool::Hose) runHose();
 }
 

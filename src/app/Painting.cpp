@@ -66,7 +66,12 @@ void App::State::beginStroke() {
   beginWaterStroke(static_cast<int>(tool), settings.brushRadius, settings.brushFlow);
 }
 
-void App::State::note(int deed, float radius, float flow) { strokes.push_back({deed, radius, flow, settings.clumpSize, Vec3(0), {{waterSteps, {}, 1}}}); }
+void App::State::note(int deed) {
+  strokes.push_back({deed, 0, 0, settings.clumpSize, Vec3(0), {}});
+  mark();
+}
+
+void App::State::mark(const geometry::SurfacePoint& at, float pressed) { strokes.back().spots.push_back({waterSteps, at, pressed}); }
 
 void App::State::beginWaterStroke(int what, float radius, float flow) {
   endStroke();
@@ -85,7 +90,7 @@ void App::State::endStroke() {
   if (!strokes.empty()) {
     Stroke& stroke = strokes.back();
     if (stroke.spots.empty()) strokes.pop_back();
-    else if (goesOn(static_cast<Tool>(stroke.what))) stroke.spots.push_back({waterSteps, stroke.spots.back().at, 0});
+    else if (goesOn(static_cast<Tool>(stroke.what))) mark(stroke.spots.back().at, 0);
   }
   if (auto step = maskStep(*strokeBefore, mask)) history.push(std::move(*step));
   strokeBefore.reset();
@@ -119,7 +124,7 @@ bool App::State::sprayAt(Vec2 pixel) {
 
 void App::State::sprayOn(const geometry::SurfacePoint& at) {
   if (goesOn(tool)) return;
-  if (strokeBefore && !strokes.empty()) strokes.back().spots.push_back({waterSteps, at, pressure});
+  if (strokeBefore && !strokes.empty()) mark(at, pressure);
   const Vec3 centre = positionAt(surface, at), normal = normalAt(surface, at);
   const float flow = settings.brushFlow * pressure;
   if (tool == Tool::Dry) {
@@ -147,15 +152,15 @@ void App::State::paintTo(Vec2 pixel) {
 
 void App::State::dryOff(float seconds, float rate) {
   beginWaterStroke(kDryOff, rate, seconds);
-  strokes.back().spots.push_back({waterSteps, {}, 1});
+  mark();
   mask.dry(seconds, rate);
   maskTouched();
   endStroke();
 }
 
 void App::State::lay(const geometry::SurfacePoint& at) {
-  Stroke& stroke = strokes.back();
-  stroke.spots.push_back({waterSteps, at, 1});
+  mark(at);
+  const Stroke& stroke = strokes.back();
   wetting->addDroplet(mask, surface, query, positionAt(surface, at), normalAt(surface, at), stroke.radius, stroke.flow);
   maskTouched();
 }
@@ -209,7 +214,7 @@ Tool App::tool() const { return state_->tool; }
 
 void App::splashAt(float u, float v, float radius, float amount) {
   state_->beginWaterStroke(State::kSplashAtlas, radius, amount);
-  state_->strokes.back().spots.push_back({state_->waterSteps, {0, Vec3(0, u, v), 0}, 1});
+  state_->mark({0, Vec3(0, u, v), 0});
   state_->mask.addDroplet({Vec2(u, v), radius, amount});
   state_->maskTouched();
   state_->endStroke();
@@ -227,7 +232,7 @@ bool App::splashPixel(Vec2 pixel, float radius, float amount) {
 
 void App::setWetness(float amount) {
   state_->beginWaterStroke(State::kSoak, 0, amount);
-  state_->strokes.back().spots.push_back({state_->waterSteps, {}, 1});
+  state_->mark();
   state_->soak(amount);
   state_->endStroke();
 }

@@ -246,4 +246,9 @@ Vec2 atlasAt(const Surface& surface, const SurfacePoint& point) {
          corner(surface, point, 2).atlas * point.weights.z;
 }
 
+Vec3 valueAt(const Surface& surface, const SurfacePoint& point, std::span<const Vec3> values) {
+  const std::uint32_t* corners = &surface.indices[std::size_t{3} * point.triangle];
+  return values[corners[0]] * point.weights.x + values[corners[1]] * point.weights.y + values[corners[2]] * point.weights.z;
+}
+
 }  // namespace fur::geometry

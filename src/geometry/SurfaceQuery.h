@@ -48,5 +48,7 @@ Vec3 nearestWeights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
 Vec3 positionAt(const Surface& surface, const SurfacePoint& point);
 Vec3 normalAt(const Surface& surface, const SurfacePoint& point);
 Vec2 atlasAt(const Surface& surface, const SurfacePoint& point);
+// Of values that the vertices have, one each.
+Vec3 valueAt(const Surface& surface, const SurfacePoint& point, std::span<const Vec3> values);
 
 }  // namespace fur::geometry

@@ -31,15 +31,8 @@ float radiusOf(float amount) {
 // Where a place of the skin is shown, and which way it faces there; model space.
 std::pair<Vec3, Vec3> shownAt(const Ground& ground, const SurfaceTexels::Place& place) {
   if (ground.positions.empty()) return {place.position, place.normal};
-  const std::uint32_t* corners = &ground.surface.indices[std::size_t{3} * place.triangle];
-  const auto corner = [&](int k) { return ground.surface.vertices[corners[k]].position; };
-  const Vec3 b = corner(1) - corner(0), c = corner(2) - corner(0), at = place.position - corner(0), n = glm::cross(b, c);
-  const float squared = std::max(glm::dot(n, n), 1e-20f);
-  const float second = glm::dot(glm::cross(at, c), n) / squared, third = glm::dot(glm::cross(b, at), n) / squared;
-  const auto mix = [&](std::span<const Vec3> of) {
-    return of[corners[0]] * (1.0f - second - third) + of[corners[1]] * second + of[corners[2]] * third;
-  };
-  return {mix(ground.positions), normalizeOr(mix(ground.normals), place.normal)};
+  const geometry::SurfacePoint at{place.triangle, ground.wetting.atlas().weightsAt(ground.surface, place.triangle, place.texel), 0};
+  return {valueAt(ground.surface, at, ground.positions), normalizeOr(valueAt(ground.surface, at, ground.normals), place.normal)};
 }
 
 }  // namespace

@@ -8,16 +8,8 @@ namespace {
 
 constexpr float kSlice = 1e-6f;  // seconds: one piece of work a tick
 
-struct Desk {
-  test::Stage stage{120, 120};
-  App app;
-  Desk() {
-    stage.attach(app);
-    app.setField("layers", "8");
-    app.settle();
-    app.tick(0);
-  }
-  ~Desk() { app.detach(false); }
+struct Desk : test::Room {
+  Desk() : Room(120, {{"layers", "8"}}) {}
 
   // Ticks in slices until the coat is whole; returns how many it took.
   int growInSlices() {

@@ -4,17 +4,8 @@
 namespace fur::app {
 namespace {
 
-struct Salon {
-  test::Stage stage{160, 160};
-  App app;
-  Salon() {
-    stage.attach(app);
-    for (const auto& [name, value] : {std::pair("layers", "8"), std::pair("tileSize", "64"), std::pair("dryRate", "0")})
-      app.setField(name, value);
-    app.settle();
-    app.tick(0);
-  }
-  ~Salon() { app.detach(false); }
+struct Salon : test::Room {
+  Salon() : Room(160, {{"layers", "8"}, {"tileSize", "64"}, {"dryRate", "0"}}) {}
 
   void stroke(Tool tool, Vec2 from, Vec2 to) {
     app.setTool(tool);

@@ -4,17 +4,8 @@
 namespace fur::app {
 namespace {
 
-struct Paddock {
-  test::Stage stage{160, 160};
-  App app;
-  Paddock() {
-    stage.attach(app);
-    for (const auto& [name, value] : {std::pair("layers", "8"), std::pair("tileSize", "64"), std::pair("breath", "0")})
-      app.setField(name, value);
-    app.settle();
-    app.tick(0);
-  }
-  ~Paddock() { app.detach(false); }
+struct Paddock : test::Room {
+  Paddock() : Room(160, {{"layers", "8"}, {"tileSize", "64"}, {"breath", "0"}}) {}
 
   void pointer(PointerPhase phase, Vec2 at) {
     app.pointer({.phase = phase, .position = at, .buttons = phase == PointerPhase::Up ? 0 : 1});

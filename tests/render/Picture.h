@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <initializer_list>
 #include <optional>
+#include <utility>
 
 #include "app/App.h"
 #include "gl/Objects.h"
@@ -78,6 +80,20 @@ class Stage {
  private:
   int width_, height_;
   gl::Target target_, resolved_;
+};
+
+// The app with a sphere, these settings and its fur at rest, in a small square picture.
+struct Room {
+  Stage stage;
+  app::App app;
+
+  Room(int side, std::initializer_list<std::pair<const char*, const char*>> settings) : stage(side, side) {
+    stage.attach(app);
+    for (const auto& [name, value] : settings) app.setField(name, value);
+    app.settle();
+    app.tick(0);
+  }
+  ~Room() { app.detach(false); }
 };
 
 // The app with a sphere and water that stays.
