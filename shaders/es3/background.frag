@@ -6,19 +6,23 @@ uniform sampler2D shadowMap;
 uniform sampler2D puddles;
 #endif
 in vec3 vColor;
+in vec2 vSpot;
+#ifdef WET
 in vec3 vRay;
-flat in vec4 vGround;
+#endif
+flat in float vDark;
 out vec4 fragColor;
 void main() {
   vec3 color = vColor;
-  if (vRay.y < 0.0 && vGround.w > 0.0) {
-    vec2 spot = vGround.xy + vRay.xz * (vGround.z / vRay.y);
+  // Once or not at all: a software rasteriser jumps over loops, and works out both sides of an if.
+  for (float once = vDark; once > 0.0; once = 0.0) {
+    color = mix(backgroundBottom.rgb, backgroundTop.rgb, smoothstep(0.0, lightWorld.w, gl_FragCoord.y));
     // Nothing where the map ends.
-    float dark = textureLod(shadowMap, spot, 0.0).r;
-    color -= color * (vGround.w * dark);
+    float dark = textureLod(shadowMap, vSpot, 0.0).r;
+    color -= color * (vDark * dark);
 #ifdef WET
     // Damp ground is darker; what it cannot take up mirrors sky and light, more at grazing.
-    vec2 inWorld = spot + 0.5 * groundCentre.xy / groundPlane.y, within = step(abs(inWorld - 0.5), vec2(0.5));
+    vec2 inWorld = vSpot + 0.5 * groundCentre.xy / groundPlane.y, within = step(abs(inWorld - 0.5), vec2(0.5));
     float water = 0.0;
     for (int i = 0; i < 4; ++i) water += 0.25 * textureLod(puddles, inWorld + (vec2(i & 1, i >> 1) - 0.5) / 64.0, 0.0).r;
     water *= within.x * within.y;

@@ -31,12 +31,8 @@ float shadowTexel(ivec2 at, float depth) {
   // A body is dark half a fur length deep.
   return exp2(-volumeShadow.x * (sigma + 0.4 * max(inSkin, 0.0)));
 }
-#else
-// The first surface itself, 0..1: its mean is what shadow_blur.frag prepared.
-float shadowTexel(ivec2 at, float depth) { return unpack(packedDepths(at).rg); }
-#endif
 
-// Between four texels by hand: packed bytes cannot be filtered, and layers begin elsewhere in each texel.
+// Between four texels by hand: layers begin elsewhere in each.
 float betweenTexels(vec3 at) {
   vec2 texel = clamp(at.xy * float(kShadowSize) - 0.5, 0.0, float(kShadowSize) - 1.01);
   ivec2 i = ivec2(texel);
@@ -47,13 +43,16 @@ float betweenTexels(vec3 at) {
   return mix(between.x, between.y, part.y);
 }
 #endif
+#endif
 
 // at: lightSpace() of the point (common.glsl).
 float furShadowAt(vec3 at) {
 #if defined(SHADOW_LAYERS)
   return betweenTexels(at);
 #elif defined(SHADOW_DEPTH)
-  return exp2(-volumeShadow.x * max(at.z - betweenTexels(at) * volumeShadow.w - volumeShadow.y, 0.0));
+  // The mean that shadow_blur.frag prepared. What is packed so is a sum, which filters as its parts do.
+  float first = unpack(textureLod(firstSurfaces, at.xy, 0.0).rg);
+  return exp2(-volumeShadow.x * max(at.z - first * volumeShadow.w - volumeShadow.y, 0.0));
 #else
   return 1.0;
 #endif

@@ -18,7 +18,7 @@ vec3 toneMap(vec3 linear) {
 // Sheppard 2004 Eq. 3.3-3.4: F = 1 - N.L, S = clamp((4 h / d - 3 F) / F). F = 0 casts no shadow.
 float furShadow(float h, float density, float nDotL) {
   float f = 1.0 - clamp(nDotL, 0.0, 1.0);
-  return f < 1e-6 || density <= 0.0 ? 1.0 : clamp((4.0 * h / density - 3.0 * f) / f, 0.0, 1.0);
+  return f < 1e-6 || density <= 0.0 ? 1.0 : clamp(4.0 * h / (density * f) - 3.0, 0.0, 1.0);
 }
 
 vec3 skyLight(float upness) { return mix(floorLight.rgb, sky.rgb, 0.5 + 0.5 * upness); }

@@ -70,29 +70,32 @@ void main() {
   float alpha = clamp((textureLod(finCoverage, spot, level).r - 0.5) * sharp + 0.5, 0.0, 1.0) * vFin.z * open;
   // Slabs show the coat up to its outline; only the tips that stand out over it are missing.
   alpha *= smoothstep(FUR_FIN_FOOT, 0.9, h) * (1.0 - smoothstep(0.94, 1.0, h));
-  if (alpha < 0.02) discard;
-  vec4 strand = textureLod(finStrand, spot, level);
-  vec2 tilt = strand.xy * 2.0 - 1.0;
-  vec3 tangent = normalize(vec3(tilt + vLean + clumpLean, sqrt(max(0.05, 1.0 - dot(tilt, tilt)))));
-  vec3 albedo = strandColor(rootColors[type].rgb, tipColors[type], h, strand.z, modelColor(baseColor, vUv));
-  // Nothing stands before an outline: light reaches it from the side, further down than inside the coat.
-  float exposed = mix(h, 1.0, 0.4);
-  vec3 L = normalize(vLight.xyz), V = normalize(vView);
-  float lit = 0.75 * furShadowAt(vLightSpace);
-#ifdef WET
-  albedo = wetAlbedo(albedo, rho);
-#endif
-  vec3 color = shadeStrand(albedo, tangent, L, V, exposed, rho, lit, vLight.w, strand.z);
-#ifdef WET
-  color = lockLight(color, tangent, lockNormal(outward, sheet), L, V, h, held, sheet, lit, vLight.w, strand.z);
-#endif
   // Samples by chance, as in shell.frag.
   alpha += (pixelNoise() - 0.5) / sky.w;
-  if (alpha < 0.5 / sky.w) discard;
-#ifdef VIEW_SHADOW
-  color = vec3(lightShare(lit, exposed, L.z));
-  fragColor = vec4(color, alpha);
-#else
-  fragColor = vec4(encodeSrgb(toneMap(color)), alpha);
+  vec3 model = modelColor(baseColor, vUv), color = vec3(0.0);
+  // Once or not at all, as in background.frag: most of a fin is gaps.
+  for (bool once = alpha >= 0.5 / sky.w; once; once = false) {
+    vec4 strand = textureLod(finStrand, spot, level);
+    vec2 tilt = strand.xy * 2.0 - 1.0;
+    vec3 tangent = normalize(vec3(tilt + vLean + clumpLean, sqrt(max(0.05, 1.0 - dot(tilt, tilt)))));
+    vec3 albedo = strandColor(rootColors[type].rgb, tipColors[type], h, strand.z, model);
+    // Nothing stands before an outline: light reaches it from the side, further down than inside the coat.
+    float exposed = mix(h, 1.0, 0.4);
+    vec3 L = normalize(vLight.xyz), V = normalize(vView);
+    float lit = 0.75 * furShadowAt(vLightSpace);
+#ifdef WET
+    albedo = wetAlbedo(albedo, rho);
 #endif
+    color = shadeStrand(albedo, tangent, L, V, exposed, rho, lit, vLight.w, strand.z);
+#ifdef WET
+    color = lockLight(color, tangent, lockNormal(outward, sheet), L, V, h, held, sheet, lit, vLight.w, strand.z);
+#endif
+#ifdef VIEW_SHADOW
+    color = vec3(lightShare(lit, exposed, L.z));
+#else
+    color = encodeSrgb(toneMap(color));
+#endif
+  }
+  if (alpha < 0.5 / sky.w) discard;
+  fragColor = vec4(color, alpha);
 }

@@ -48,12 +48,12 @@ out vec4 fragColor;
 const float kReferenceSteps = 24.0;
 // A step in texels of the mip level, times volume.w, and how many there are of a fur length at least, however small the
 // picture.
-const float kTexelsAStep = 1.6;
-const float kFewestSteps = 8.0;
+const float kTexelsAStep = 2.0;
+const float kFewestSteps = 6.0;
 const float kMostSteps = 128.0;
 // Strands that hide this much hide all. Smaller steps and more strands are further from the reference: what lies deep
 // makes fur too dark.
-const float kClosed = 0.75;
+const float kClosed = 0.65;
 
 // `between`: added before rounding down; which arrays do, by themselves, to the nearest.
 float storedLayer(float h, float between) { return h * volume.y + between - 0.5; }
@@ -124,12 +124,15 @@ float chartShare() {
 }
 
 // A direction in the surface's frame where the ray is, whose normal has turned on the way.
-vec3 inTurnedFrame(vec3 v, vec2 turned) { return normalize(v + vec3(-turned * v.z, dot(turned, v.xy))); }
+vec3 inTurnedFrame(vec3 v, vec2 turned) {
+  v += vec3(-turned * v.z, dot(turned, v.xy));
+  return v * (1.5 - 0.5 * dot(v, v));  // nearly a unit: one step of Newton's makes it one
+}
 
 // Magnified strands get edges one pixel wide; minified ones keep their fractional coverage.
 float edged(float cover, float sharp) { return clamp((cover - 0.5) * sharp + 0.5, 0.0, 1.0); }
 // Stands in for 1 - (1 - c)^softness.
-float stepCover(float cover, float softness) { return cover * softness / (1.0 - cover * (1.0 - softness)); }
+float stepCover(float cover, float softness) { return min(cover * mix(softness, 1.0, cover), 1.0); }
 
 #ifdef TEXTURED
 // The model's own colour at the root of the strand that was met, so that a curl has it up to its tip: the model's uv
@@ -151,12 +154,12 @@ void main() {
   // Fur is read from one mip level, picked by chance between the two that trilinear filtering would
   // blend, and half a level sharper than a pixel's footprint: fur hides the grain, blur would make felt of it.
   float lod = floor(max(vLight.w - 0.5, 0.0) + quadNoise());
-  float sharp = exp2(max(-vLight.w, 0.0));
   float share = chartShare();
   bool reachesSkin;
   float end = rayTo(vTop, reachesSkin);
   if (share <= 0.0) end = 0.0;
-  float texels = length(vTile.zw) * volume.x * exp2(-max(vLight.w, 0.0));
+  float pixels = exp2(-vLight.w), sharp = max(pixels, 1.0);  // a texel covers
+  float texels = length(vTile.zw) * volume.x * min(pixels, 1.0);
   float stepSize = volume.w * min(kTexelsAStep / max(texels, 1e-3), 1.0 / (kFewestSteps * max(-vPath.x, 1.0 / kFewestSteps)));
   // Where the first step falls, which layer stands for a height between two, which samples are covered: each by
   // chance, so that nothing forms rings.
@@ -363,7 +366,7 @@ void main() {
 #ifdef WET
   color = lockLight(color, tangent, lockNormal(outward, sheet), light3, view3, h, lock.clump.a, sheet, lit, vView.w, met.z);
 #endif
-  if (reachesSkin && closed < 1.0) {
+  for (bool once = reachesSkin && closed < 1.0; once; once = false) {
     vec3 skin = shadeSkin(skinColor.rgb * model * 0.5, vLight.z, vView.w, 0.0, skinWetness, lit);
     // Pores: the lowest layer says where strands root (Sheppard 5.2).
     skin *= 1.0 - 0.4 * furry * textureLod(coverage, vec3(foot, firstLayer), lod).r;

@@ -55,7 +55,7 @@ void FurShadow::prepare(int size, bool layers) {
   const auto format = layers ? gl::TexelFormat::RGBA8 : gl::TexelFormat::RG8;
   if (first_[0].shape().width != size || first_[0].shape().format != format)
     for (int i = 0; i < 2; ++i) {
-      first_[i] = gl::Texture({format, size, size, 0, gl::Filter::Nearest}, {});
+      first_[i] = gl::Texture({format, size, size, 0, layers ? gl::Filter::Nearest : gl::Filter::Linear}, {});
       firstTarget_[i] = gl::Target::toTexture(first_[i], i == 0);
     }
   if (layers && !opacity_.bytes()) {

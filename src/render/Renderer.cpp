@@ -57,7 +57,7 @@ shared::FrameBlock frameBlock(const Frame& frame) {
   block.floorLight = Vec4(s.ambient * 0.55f * glm::mix(Vec3(0.6f), bottom, 0.5f), s.viewLayer);
   block.backgroundTop = shownColor(s.backgroundTop);
   block.backgroundBottom = shownColor(s.backgroundBottom);
-  block.lightWorld = Vec4(lightWorld, 0);
+  block.lightWorld = Vec4(lightWorld, frame.height);
   const bool ground = s.ground && static_cast<View>(s.view) == View::Final;
   block.groundPlane = Vec4(frame.groundHeight, kGroundHalfSide, ground ? 0.55f : 0.0f, 0);
   block.ball = frame.ball;
@@ -215,8 +215,8 @@ Status Renderer::drawPasses(const Frame& frame) {
   const auto background = [&]() -> Status {
     const auto program = programs_.use(Shader::Background, frame.puddles.empty() ? kPlain : kWet);
     if (!program) return program.error();
-    gl::apply({.depthWrite = false, .cullBack = false});
-    gl::drawWithoutVertices(6 * FUR_BACKGROUND_STRIPS);
+    gl::apply({.cullBack = false});
+    gl::drawWithoutVertices(6 * (FUR_GROUND_CELLS * FUR_GROUND_CELLS + FUR_BACKGROUND_STRIPS));
     return Done{};
   };
   const auto both = [](Status first, auto&& second) { return first ? second() : first; };

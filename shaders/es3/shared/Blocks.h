@@ -27,7 +27,7 @@ FUR_BLOCK(FrameBlock) {
   vec4 floorLight;        // linear light from below; w: height of the layer that a view shows, 0..1
   vec4 backgroundTop;     // sRGB as it is shown
   vec4 backgroundBottom;  // sRGB as it is shown
-  vec4 lightWorld;        // world space, unit; w: unused
+  vec4 lightWorld;        // world space, unit; w: rows of pixels in the picture
   vec4 groundPlane;       // x: its height in the world  y: half the side of its shadow map  z: darkness
   vec4 groundCentre;      // world x and z of the shadow map's centre
   mat4 lightFromModel;    // to the fur's own shadow map: xy 0..1, z depth along the light in model units
@@ -96,7 +96,8 @@ FUR_BLOCK(FurBlock) {
 #define FUR_UNIT_FIN_STRAND 13
 #define FUR_UNIT_PUDDLES 14
 
-// Of the background's gradient.
+// Of the background: cells along the ground's square, and strips of the gradient.
+#define FUR_GROUND_CELLS 16
 #define FUR_BACKGROUND_STRIPS 16
 
 // Texels along the fur's own shadow map and along its opacity layers (a texel is their penumbra), their targets of
