@@ -104,6 +104,7 @@ FUR_EXPORT int fur_redo(App* app) {
 }
 FUR_EXPORT int fur_canUndo(App* app) { return app->canUndo() ? 1 : 0; }
 FUR_EXPORT int fur_canRedo(App* app) { return app->canRedo() ? 1 : 0; }
+FUR_EXPORT unsigned fur_changes(App* app) { return app->changes(); }
 // One warning a line.
 FUR_EXPORT const char* fur_takeWarnings(App* app) {
   std::string lines;

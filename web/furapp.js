@@ -94,6 +94,8 @@ export class FurApp {
   undo() { return this.#call('fur_undo') !== 0; }
   redo() { return this.#call('fur_redo') !== 0; }
   get canUndo() { return this.#call('fur_canUndo') !== 0; }
+  /** Another number whenever the settings, the tool or what can be undone have changed. */
+  get changes() { return this.#call('fur_changes'); }
   get canRedo() { return this.#call('fur_canRedo') !== 0; }
   takeWarnings() { return this.program.lines(this.#call('fur_takeWarnings')); }
 

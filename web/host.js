@@ -68,6 +68,7 @@ export class WetFur extends EventTarget {
   #run = 0;  // frames that were painted one after another
   #timer = null;
   #stillTimer = 0;
+  #toldChanges = 0;
   #lastCamera = '';
   #lastWetness = 0;
   #lastWetnessCheck = 0;
@@ -803,8 +804,13 @@ export class WetFur extends EventTarget {
 
   #afterChange() {
     this.#flushWarnings();
-    this.#emit('state-change', { state: this.state, reason: 'settings' });
+    this.#tellSettings();
     this.#wake();
+  }
+
+  #tellSettings() {
+    this.#toldChanges = this.#app?.changes;
+    this.#emit('state-change', { state: this.state, reason: 'settings' });
   }
 
   #warn(message) {
@@ -817,6 +823,8 @@ export class WetFur extends EventTarget {
   #flushWarnings() { this.#app?.takeWarnings().forEach((message) => this.#warn(message)); }
 
   #tellChanges(last) {
+    // What a person changed on the canvas or in the panel.
+    if (this.#app.changes !== this.#toldChanges) this.#tellSettings();
     const camera = JSON.stringify(this.#app.camera);
     if (camera !== this.#lastCamera) {
       this.#lastCamera = camera;

@@ -83,15 +83,42 @@ function showModelName(name) {
 
 const animationPicker = byId('animation');
 
+const hold = byId('hold');
+const speed = byId('speed');
+const lessMotion = matchMedia('(prefers-reduced-motion: reduce)');
+const icons = { Hold: 'M8.5 5.5v13M15.5 5.5v13', Play: 'M8 5.2v13.6l11-6.8z' };
+let playedSpeed = 1;
+
 function listAnimations() {
   const names = fur.animations;
-  animationPicker.parentElement.hidden = names.length === 0;
+  byId('player').hidden = names.length === 0;
+  playedSpeed = 1;
   animationPicker.replaceChildren(...['No animation', ...names].map((name, i) => new Option(name || `Animation ${i}`, i)));
   showAnimation();
 }
 
 function showAnimation() {
-  animationPicker.value = fur.animation <= fur.animations.length ? fur.animation : 0;
+  if (byId('player').hidden) return;
+  const chosen = fur.animation <= fur.animations.length ? fur.animation : 0;
+  animationPicker.value = chosen;
+  hold.disabled = speed.disabled = chosen === 0;
+  const now = fur.animationSpeed;
+  if (now > 0) playedSpeed = now;
+  const offer = isHeld() ? 'Play' : 'Hold';
+  hold.querySelector('path').setAttribute('d', icons[offer]);
+  hold.lastElementChild.textContent = offer;
+  speed.value = now;
+  speed.ariaValueText = `${Number(now.toFixed(2))} x`;
+  speed.nextElementSibling.textContent = `Speed ${speed.ariaValueText}`;
+}
+
+function isHeld() {
+  return fur.animationSpeed === 0 || fur.motion === 'reduced' || (fur.motion === 'auto' && lessMotion.matches);
+}
+
+function playAt(value) {
+  if (value > 0) fur.motion = 'full';  // using the control asks for it, whatever the system's setting
+  fur.animationSpeed = value;
 }
 
 // --- models ---
@@ -207,6 +234,8 @@ function wireBar() {
   });
   modelPicker.addEventListener('change', pickModel);
   animationPicker.addEventListener('change', () => { fur.animation = Number(animationPicker.value); });
+  onClick('hold', () => playAt(isHeld() ? playedSpeed : 0));
+  speed.addEventListener('input', () => playAt(Number(speed.value)));
   fur.addEventListener('load', listAnimations);
   fur.addEventListener('state-change', showAnimation);
   for (const type of ['state-change', 'stroke-end', 'wetness-change', 'load']) fur.addEventListener(type, showButtons);

@@ -201,7 +201,8 @@ class Comparison {
     const auto begun = std::chrono::steady_clock::now();
     const render::Frame frame = app_.frame();
     truth::Scene scene{app_.surface(), *coat, app_.bends(), render::frameBlock(frame),
-                       render::furBlock(frame, coat->parameters.size, frame.settings.layers, {truth::densestSection(*coat)}, 1)};
+                       render::furBlock(frame, coat->parameters.size, frame.settings.layers, {truth::densestSection(*coat)}, 1),
+                       static_cast<dynamics::BendCurve>(frame.settings.bendCurve)};
     const truth::Picture reference = truth::render(scene, o_.width, o_.height, o_.truth);
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begun;
     if (Status status = save(reference, std::string(view.name) + "-truth"); !status) return status;

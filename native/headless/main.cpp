@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstring>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/App.h"
@@ -35,7 +36,8 @@ constexpr const char* kUsage = R"(usage: wet-fur-render [model] -o out.png [opti
   --wetness R           soaks the whole model, 0 to 1
   --splash X,Y          one droplet at a pixel (several allowed)
   --whisker X,Y[,X2,Y2]  plants one at a pixel, dragged to another (several allowed)
-  --hold TOOL,SECONDS[,X,Y]  a tool of water at a pixel (default: the middle), or shake (several allowed, in order)
+  --hold TOOL,SECONDS[,X,Y]  a tool of water, pet or ball at a pixel (default: the middle), or shake (several allowed,
+                        in order)
   --camera YAW,PITCH,DISTANCE[,X,Y,Z]  radians, radians, bounding radii; where it looks
   --state FILE          a state as JSON
   --preset NAME         a coat by its name, such as rabbit
@@ -95,7 +97,13 @@ bool readGroom(const std::string& text, std::vector<GroomStep>& out) {
 }
 
 // In the order of app::Tool.
-constexpr const char* kWaterTools[] = {"droplet", "dry", "rain", "hose", "towel", "dryer"};
+constexpr std::pair<const char*, app::Tool> kHeldTools[] = {
+    {"droplet", app::Tool::Droplet}, {"dry", app::Tool::Dry},     {"rain", app::Tool::Rain}, {"hose", app::Tool::Hose},
+    {"towel", app::Tool::Towel},     {"dryer", app::Tool::Dryer}, {"pet", app::Tool::Pet},   {"ball", app::Tool::Ball}};
+
+const std::pair<const char*, app::Tool>* heldTool(const std::string& name) {
+  return std::find_if(std::begin(kHeldTools), std::end(kHeldTools), [&](const auto& one) { return name == one.first; });
+}
 
 bool readHold(const std::string& text, std::vector<Hold>& out) {
   const std::size_t comma = std::min(text.find(','), text.size() - 1);
@@ -104,7 +112,7 @@ bool readHold(const std::string& text, std::vector<Hold>& out) {
   hold.seconds = glm::clamp(hold.at[0], 0.0f, 600.0f);
   hold.at.erase(hold.at.begin());
   out.push_back(hold);
-  return hold.tool == "shake" || std::find(std::begin(kWaterTools), std::end(kWaterTools), hold.tool) != std::end(kWaterTools);
+  return hold.tool == "shake" || heldTool(hold.tool) != std::end(kHeldTools);
 }
 
 // One option with its value; "" or what is wrong with it.
@@ -202,8 +210,7 @@ void hold(app::App& app, const Hold& hold, Vec2 middle) {
     app.shake();
     return run(app, hold.seconds);
   }
-  const auto known = std::find(std::begin(kWaterTools), std::end(kWaterTools), hold.tool);
-  app.setTool(static_cast<app::Tool>(known - std::begin(kWaterTools)));
+  app.setTool(heldTool(hold.tool)->second);
   app::PointerEvent event{app::PointerPhase::Down};
   event.position = hold.at.empty() ? middle : Vec2(hold.at[0], hold.at[1]);
   event.buttons = 1;

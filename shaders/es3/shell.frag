@@ -159,7 +159,11 @@ void main() {
   float end = rayTo(vTop, reachesSkin);
   if (share <= 0.0) end = 0.0;
   float pixels = exp2(-vLight.w), sharp = max(pixels, 1.0);  // a texel covers
-  float texels = length(vTile.zw) * volume.x * min(pixels, 1.0);
+  // Of the ray's way over the skin; or past strands that lie rather than stand, whichever is more: from above it comes past
+  // many of them.
+  float lying = clamp(3.0 * length(vLean.xy) - 2.4, 0.0, 1.0);  // none below a turn of 0.85, all from 1.3 on
+  vec2 past = vTile.zw - 2.0 * lying * vTop * vPath.x * vTurn.zw;
+  float texels = sqrt(max(dot(vTile.zw, vTile.zw), dot(past, past))) * volume.x * min(pixels, 1.0);
   float stepSize = volume.w * min(kTexelsAStep / max(texels, 1e-3), 1.0 / (kFewestSteps * max(-vPath.x, 1.0 / kFewestSteps)));
   // Where the first step falls, which layer stands for a height between two, which samples are covered: each by
   // chance, so that nothing forms rings.

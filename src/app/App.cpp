@@ -26,17 +26,10 @@ const settings::Field* onlyDifference(const settings::Settings& a, const setting
   return only;
 }
 
-CameraOrbit startView() {
-  CameraOrbit orbit;
-  // The fitted sphere and its fur fill 80 % of the height.
-  orbit.distance = 1.06f / std::sin(std::atan(0.8f * std::tan(OrbitCamera::kFovY / 2)));
-  return orbit;
-}
-
 }  // namespace
 
 App::App() : state_(std::make_unique<State>()) {
-  state_->camera.jump(startView());
+  state_->camera.jump(state_->startView());
   geometry::Mesh square = geometry::makePlane(1);
   auto surface = geometry::buildSurface(square, state_->mapping());
   FUR_ASSERT(surface, "App::App()", "a square", "an error");
@@ -101,13 +94,12 @@ void App::State::takeSurface(geometry::Surface built) {
   query = geometry::SurfaceQuery(surface);
   wetting.emplace(surface, mask.size());
   std::vector<Vec3> positions, normals;
-  groundHeight = 0;
   for (const auto& v : surface.vertices) {
     positions.push_back(v.position);
     normals.push_back(v.normal);
-    groundHeight = std::min(groundHeight, v.position.y);
   }
   takeRig();
+  measure(true);
   bends.reset(positions, normals, firstTangents);
   points.reset();
   groomAtlas.reset();
@@ -223,6 +215,7 @@ void App::State::applySettings(const settings::Settings& next) {
   // The picture stays as it is until the other coat has grown.
   if (!otherCoat || !differOnlyInCoat(settings, next)) forcesChanged = pictureChanged = true;
   settings = next;
+  ++otherChanges;
   idleTime = 0;
   refreshTouch();
   groomStale |= furTypes > 1;  // heights of the types
@@ -268,7 +261,7 @@ bool App::setField(std::string_view name, std::string_view text) {
 
 CameraOrbit App::camera() const { return state_->camera.goal(); }
 void App::setCamera(const CameraOrbit& orbit) { state_->camera.jump(orbit), state_->pictureChanged = true; }
-void App::resetCamera() { state_->camera.setGoal(startView()); }
+void App::resetCamera() { state_->camera.setGoal(state_->startView()); }
 
 std::string App::state() const {
   const CameraOrbit& c = state_->camera.goal();
@@ -319,6 +312,8 @@ bool App::redo() {
 
 bool App::canUndo() const { return state_->history.canUndo(); }
 bool App::canRedo() const { return state_->history.canRedo(); }
+
+unsigned App::changes() const { return state_->otherChanges + state_->history.revision(); }
 
 Warnings App::takeWarnings() { return std::exchange(state_->warnings, {}); }
 
@@ -415,6 +410,7 @@ render::Frame App::State::frame(int level) const {
   f.width = width;
   f.height = height;
   f.groundHeight = groundHeight;
+  f.reach = glm::length(extent.centre) + extent.radius;
   f.wet = !mask.isDry();
   f.groomed = groomed;
   f.types = shownTypes > 1;

@@ -131,6 +131,8 @@ class App {
   bool redo();
   bool canUndo() const;
   bool canRedo() const;
+  // Another number whenever the settings, the tool or what can be undone have changed.
+  unsigned changes() const;
   // Warnings gathered since the last call.
   Warnings takeWarnings();
   void addWarning(std::string text);

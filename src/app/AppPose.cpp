@@ -17,6 +17,10 @@ void spread(const std::vector<std::uint32_t>& sources, std::span<const Vec3> fro
   for (const std::uint32_t i : sources) *out++ = source[i];
 }
 
+// Poses of an animation that are looked at for where it goes.
+constexpr int kMeasuredPoses = 12;
+constexpr float kSameView = 1e-3f;  // model units
+
 }  // namespace
 
 int App::State::animation() const {
@@ -52,9 +56,43 @@ void App::State::takeSkin() {
   spread(skin.sources, pose->tangents(), skin.tangents);
 }
 
+void App::State::measure(bool atOnce) {
+  const CameraOrbit before = startView();
+  extent = {};
+  groundHeight = 0;
+  for (const geometry::SurfaceVertex& v : surface.vertices) groundHeight = std::min(groundHeight, v.position.y);
+  measuredFor = animation();
+  if (pose && measuredFor >= 0) {
+    const float duration = rig.animations[static_cast<std::size_t>(measuredFor)].duration;
+    for (int k = 0; k < kMeasuredPoses; ++k) {
+      pose->set(measuredFor, duration * static_cast<float>(k) / kMeasuredPoses);
+      for (const Vec3& p : pose->positions()) {
+        groundHeight = std::min(groundHeight, p.y);
+        const Vec3 away = p - extent.centre;
+        const float distance = glm::length(away);
+        if (distance <= extent.radius) continue;
+        // The smallest sphere that holds it and the one before.
+        const float further = 0.5f * (distance - extent.radius);
+        extent.centre += away * (further / distance);
+        extent.radius += further;
+      }
+    }
+    pose->set(posedFor.first, static_cast<float>(posedFor.second));
+  }
+  CameraOrbit goal = camera.goal();
+  const CameraOrbit now = startView();
+  // To what a state in text keeps of it.
+  if (std::abs(goal.distance - before.distance) > kSameView || glm::distance(goal.target, before.target) > kSameView) return;
+  goal.distance = now.distance;
+  goal.target = now.target;
+  if (atOnce) camera.jump(goal);
+  else camera.setGoal(goal);
+}
+
 bool App::State::refreshPose(float dt) {
   if (!pose) return false;
   const int wanted = animation();
+  if (wanted != measuredFor) measure(false);
   if (wanted != posedFor.first) animationTime = 0;
   if (animates()) {
     const double duration = rig.animations[static_cast<std::size_t>(wanted)].duration;

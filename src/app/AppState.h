@@ -55,6 +55,7 @@ struct App::State {
   settings::Settings broughtSettings;
   ModelMotion motion;
   History history;
+  unsigned otherChanges = 0;  // for App::changes(): of settings and tool
   Warnings warnings;
   Tool tool = Tool::Droplet;
 
@@ -69,6 +70,12 @@ struct App::State {
   int imageWidth = 0, imageHeight = 0;
   std::vector<std::uint8_t> image;
   float groundHeight = -1;
+  // A sphere that holds the skin, whatever the animation does with it.
+  struct Extent {
+    Vec3 centre{0};
+    float radius = 1;
+  } extent;
+  int measuredFor = -1;  // animation that it and the ground are for
   // What it plays. The surface stays as it was made; `skin` is where it is shown, one of each a vertex.
   scene::Rig rig;
   std::optional<scene::Pose> pose;  // none for a model without animations
@@ -171,6 +178,7 @@ struct App::State {
   bool reducedMotion = false;
 
   // --- App.cpp ---
+  CameraOrbit startView() const { return OrbitCamera::fitting(extent.centre, extent.radius); }
   void adopt(geometry::Mesh source, geometry::Surface built, std::string name, scene::Rig moved = {});
   void leaveBroughtLook();
   void takeSurface(geometry::Surface built);
@@ -217,6 +225,7 @@ struct App::State {
   bool animates() const;
   void takeRig();
   void takeSkin();
+  void measure(bool atOnce);   // how far the animation goes; a view that showed all still does, glides or is there at once
   bool refreshPose(float dt);  // whether the shape has changed
   void uploadPose();
   // Of the surface as it is shown.

@@ -68,7 +68,7 @@ void App::State::refreshTouch() {
   const Vec3 back = glm::normalize(f.camera.eye - f.camera.target);
   const Vec3 right = normalizeOr(glm::cross(Vec3(0, 1, 0), back), Vec3(1, 0, 0));
   const Vec3 way = right * kWaiting.x + glm::cross(back, right) * kWaiting.y + back * kWaiting.z;
-  touch.pull(way * (1.05f + settings.furLength + settings.ballSize));
+  touch.pull(extent.centre + way * (0.05f + extent.radius + settings.furLength + settings.ballSize));
   pictureChanged = true;
 }
 

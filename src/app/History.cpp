@@ -114,6 +114,7 @@ void apply(const GroomStep& step, bool undo, groom::Groom& groom) {
 }
 
 void History::push(Step step, bool mergeable) {
+  ++revision_;
   steps_.resize(done_);
   auto* last = steps_.empty() ? nullptr : std::get_if<SettingsStep>(&steps_.back());
   auto* now = std::get_if<SettingsStep>(&step);
@@ -129,11 +130,18 @@ void History::push(Step step, bool mergeable) {
   done_ = steps_.size();
 }
 
-const Step* History::undo() { return canUndo() ? &steps_[--done_] : nullptr; }
+const Step* History::undo() {
+  ++revision_;
+  return canUndo() ? &steps_[--done_] : nullptr;
+}
 
-const Step* History::redo() { return canRedo() ? &steps_[done_++] : nullptr; }
+const Step* History::redo() {
+  ++revision_;
+  return canRedo() ? &steps_[done_++] : nullptr;
+}
 
 void History::clear() {
+  ++revision_;
   steps_.clear();
   done_ = 0;
 }

@@ -71,8 +71,10 @@ class History {
   bool canUndo() const { return done_ > 0; }
   bool canRedo() const { return done_ < steps_.size(); }
   void clear();
+  unsigned revision() const { return revision_; }  // another one after each of these
 
  private:
+  unsigned revision_ = 0;
   std::vector<Step> steps_;  // [0, done_) are in effect
   std::size_t done_ = 0;
 };

@@ -9,7 +9,7 @@ namespace {
 
 // Below the horizon the ground would be seen from underneath.
 constexpr float kLowestPitch = -0.12f, kHighestPitch = 1.52f;
-constexpr float kNearest = 1.25f, kFarthest = 14.0f, kMaxPan = 1.5f;
+constexpr float kNearest = 1.25f, kFarthest = 14.0f, kMaxPan = 2.2f;
 // Time constant of the glide, seconds.
 constexpr float kGlide = 0.07f;
 // However large a panel is, the model keeps this share.
@@ -32,6 +32,14 @@ Vec3 backward(const CameraOrbit& o) {
 }
 
 }  // namespace
+
+CameraOrbit OrbitCamera::fitting(const Vec3& centre, float radius) {
+  CameraOrbit orbit;
+  // The sphere and its fur fill 80 % of the height.
+  orbit.distance = (radius + 0.06f) / std::sin(std::atan(0.8f * std::tan(kFovY / 2)));
+  orbit.target = centre;
+  return limited(orbit);
+}
 
 void OrbitCamera::setGoal(const CameraOrbit& orbit) { goal_ = limited(orbit); }
 

@@ -10,6 +10,9 @@ class OrbitCamera {
  public:
   static constexpr float kFovY = 0.6f;
 
+  // That shows a sphere.
+  static CameraOrbit fitting(const Vec3& centre, float radius);
+
   const CameraOrbit& goal() const { return goal_; }
   void setGoal(const CameraOrbit& orbit);
   void jump(const CameraOrbit& orbit);  // without gliding

@@ -206,6 +206,7 @@ void App::State::soak(float amount) {
 
 void App::setTool(Tool tool) {
   state_->endStroke();
+  state_->otherChanges += state_->tool != tool;
   state_->tool = tool;
   state_->touch.lift();
   state_->refreshTouch();

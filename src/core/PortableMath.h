@@ -12,5 +12,7 @@ float portableCos(float x);
 float portableLog(float x);
 // e^x for |x| <= 80, relative error below 1e-6.
 float portableExp(float x);
+// arctan(x) for finite x, relative error below 1e-6.
+float portableAtan(float x);
 
 }  // namespace fur

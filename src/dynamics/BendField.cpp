@@ -49,6 +49,9 @@ float farthestMove(const Mat4& from, const Mat4& to) {
 
 float powerOf(float base, float exponent) { return portableExp(exponent * portableLog(base)); }
 
+float swingOf(float stiffness) { return 6.0f * powerOf(4.0f, stiffness); }  // rad/s: 1 to 4 swings a second
+float massOf(float weight) { return 0.6f + 0.8f * unitOr0(weight); }         // of dry fur
+
 // What wetness makes of a vertex. One step of x'' = -omega^2 x - 2 zeta omega x', exactly: any dt is stable, and n steps
 // of dt lead where one step of n dt does.
 struct WetRow {
@@ -65,11 +68,11 @@ using WetTable = std::array<WetRow, kWetLevels + 1>;
 WetTable wetTable(const BendForces& forces, float dt) {
   WetTable table;
   const float stiffness = unitOr0(forces.stiffness);
-  const float omega = 6.0f * powerOf(4.0f, stiffness);  // 1 to 4 swings a second
+  const float omega = swingOf(stiffness);
   const float memory = kSoftMemory * powerOf(kStiffMemory / kSoftMemory, stiffness);
   for (int level = 0; level <= kWetLevels; ++level) {
     const float wet = static_cast<float>(level) / kWetLevels;
-    const float mass = (0.6f + 0.8f * unitOr0(forces.weight)) * (1.0f + kWaterMass * wet);
+    const float mass = massOf(forces.weight) * (1.0f + kWaterMass * wet);
     const float speed = omega / std::sqrt(mass), zeta = kDryDamping + (kWetDamping - kDryDamping) * wet;
     const float turning = speed * std::sqrt(1.0f - zeta * zeta);
     const float decay = portableExp(-std::min(zeta * speed * dt, 80.0f));
@@ -134,6 +137,7 @@ struct BendField::Climate {
   // Of a vertex that moves by itself: by its velocity, and by the change of that; 1 / dt.
   float poseDrag = 0, poseKick = 0, perSecond = 0;
   float compliance;
+  float forceOfKick = 0;  // that bends dry fur as fast within the step, for those who look at forces
   bool moving = false;
   WetTable wet;
 
@@ -142,7 +146,9 @@ struct BendField::Climate {
     const Mat3 toModel = glm::transpose(rotationOf(modelToWorld));
     // Sheppard 5.2.1 gives every coat a floor of weight, the rest is the type's own.
     gravity = toModel * finiteOr0(forces.gravity) * (0.5f + unitOr0(forces.weight));
-    compliance = 2.5f * powerOf(0.16f, unitOr0(forces.stiffness));  // 2.5 soft, 1 at 0.5, 0.4 stiff
+    const float stiffness = unitOr0(forces.stiffness), omega = swingOf(stiffness);
+    compliance = 2.5f * powerOf(0.16f, stiffness);  // 2.5 soft, 1 at 0.5, 0.4 stiff
+    forceOfKick = massOf(forces.weight) / (omega * omega * compliance * kMaxBend * std::max(dt, 1e-6f));
   }
 };
 
@@ -304,8 +310,11 @@ void BendField::advanceBlock(const Climate& climate, std::size_t number, Advance
         lastMoves_.set(i, move);
       }
     }
-    for (std::size_t k = i; k < std::min(i + kLanes, shownForces_.size()); ++k)
-      shownForces_[k] = Vec4(force.x[k - i], force.y[k - i], force.z[k - i], lengths_[k]);
+    if (!shownForces_.empty()) {
+      const Lanes3 shown = force + kick * (water.weight * all(climate.forceOfKick));
+      for (std::size_t k = i; k < std::min(i + kLanes, count_); ++k)
+        shownForces_[k] = Vec4(shown.x[k - i], shown.y[k - i], shown.z[k - i], lengths_[k]);
+    }
     if (combed) force = uprighted(force, chord, n);
     Lanes3 target = capped(across(force, n) * all(climate.compliance), 1.0f) * all(kMaxBend);
     if (combed) target = capped(rests_.lanes(i) + target, kMaxBend);
@@ -461,10 +470,10 @@ Vec2 arcBend(float theta, float t) {
   return {std::sin(turn) / theta, (1.0f - std::cos(turn)) / theta};
 }
 
-Vec3 strandPoint(const Vec3& root, const Vec3& normal, const Vec3& bend, float length, float h) {
+Vec3 strandPoint(const Vec3& root, const Vec3& normal, const Vec3& bend, float length, float h, BendCurve curve) {
   const float theta = glm::length(bend);
-  const Vec2 arc = arcBend(theta, h) * length;
-  return root + normal * arc.x + (theta > 1e-5f ? bend * (arc.y / theta) : Vec3(0));
+  const Vec2 at = length * (curve == BendCurve::Arc ? arcBend(theta, h) : windBend(theta / kMaxBend, h));
+  return root + normal * at.x + (theta > 1e-5f ? bend * (at.y / theta) : Vec3(0));
 }
 
 Vec2 windBend(float force, float t) {

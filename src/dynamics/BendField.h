@@ -60,8 +60,8 @@ class BendField {
 
   // xyz = bend (model space, radians), w = length. One a vertex.
   const std::vector<Vec4>& bends() const { return out_; }
-  // For those who ask: xyz = weight, wind and air resistance (model space, their strength in the settings), w = length;
-  // from the next step on. Empty for others.
+  // For those who ask: xyz = weight, wind, air resistance and momentum (model space, their strength in the settings),
+  // w = length; from the next step on. Empty for others.
   void showForces(bool show);
   const std::vector<Vec4>& forces() const { return shownForces_; }
   // True once nothing moves any more: stop stepping, drawing, uploading.
@@ -121,10 +121,13 @@ class BendField {
   bool hasLast_ = false;
 };
 
+// In the order of the setting `bendCurve`.
+enum class BendCurve { Arc, Polynomial };
+
 // (along, across) of a strand of length 1 at t in [0, 1], theta = the tip's turn. Both are exact limits at theta = 0.
 Vec2 arcBend(float theta, float t);
 // strandPoint() of the shaders: where a strand rooted at `root` is at height h.
-Vec3 strandPoint(const Vec3& root, const Vec3& normal, const Vec3& bend, float length, float h);
+Vec3 strandPoint(const Vec3& root, const Vec3& normal, const Vec3& bend, float length, float h, BendCurve curve = BendCurve::Arc);
 // Sheppard's polynomial stand-in (Eq. 3.14-3.16), force in 0..1: kept for comparison.
 Vec2 windBend(float force, float t);
 

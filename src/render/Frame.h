@@ -22,6 +22,7 @@ struct Frame {
   CameraPose camera;
   int width = 1, height = 1;  // pixels of the drawing buffer
   float groundHeight = -1;    // world y
+  float reach = 1;            // of the skin from the model's origin, whatever it plays
   Vec4 ball{0};               // its centre in the world; w: radius, 0: none
   // Times that the coat is entered: once at its outside, then again further in, for rays that left the coat of one
   // part of the body and go on deep in that of another. Only rays that found nothing yet pay for it.

@@ -13,7 +13,7 @@ constexpr float kLog2E = 1.442695f;
 
 }  // namespace
 
-float shadowRadius(float furLength) { return 1.02f + furLength; }
+float shadowRadius(float furLength, float reach) { return 0.02f + reach + furLength; }
 
 Mat4 lightFromModel(const Vec3& light, float radius) {
   const Vec3 up = std::abs(light.y) < 0.99f ? Vec3(0, 1, 0) : Vec3(1, 0, 0);
@@ -24,8 +24,8 @@ Mat4 lightFromModel(const Vec3& light, float radius) {
   return matrix;
 }
 
-Vec4 volumeShadow(const settings::Settings& s, float density) {
-  const float range = 2 * shadowRadius(s.furLength);
+Vec4 volumeShadow(const settings::Settings& s, float density, float reach) {
+  const float range = 2 * shadowRadius(s.furLength, reach);
   // Bare skin takes a map as coarse as ours for fur of this length.
   const float length = std::max(s.furLength, 0.06f);
   if (static_cast<Shadows>(s.shadows) == Shadows::Layers) {

@@ -17,13 +17,13 @@ namespace fur::render {
 
 enum class Shadows { None, Depth, Layers };  // the setting `shadows`
 
-// An orthographic camera round the unit sphere that models are fitted to, with fur of that length round it.
-float shadowRadius(float furLength);
+// Of an orthographic camera round a model that reaches so far from its origin, with fur of that length.
+float shadowRadius(float furLength, float reach = 1);
 // Model space to the map: xy 0..1, z depth along the light in model units from the sphere's top. `light`:
 // unit, towards the light.
 Mat4 lightFromModel(const Vec3& light, float radius);
 // FrameBlock::volumeShadow for a coat of that density (share of the densest layer that strands cover).
-Vec4 volumeShadow(const settings::Settings& settings, float density);
+Vec4 volumeShadow(const settings::Settings& settings, float density, float reach = 1);
 // The variant of a shader that receives it.
 unsigned shadowVariant(const settings::Settings& settings);
 // That of one whose strands bend.

@@ -94,7 +94,7 @@ float pixelsPerUnit(const Frame& frame) {
 Mat4 clipFromWorld(const Frame& frame) {
   const float aspect = static_cast<float>(frame.width) / static_cast<float>(std::max(frame.height, 1));
   const float distance = glm::length(frame.camera.eye - frame.camera.target);
-  const Mat4 projection = glm::perspective(frame.camera.fovY, aspect, std::max(0.02f, distance - 4.0f), distance + 8.0f);
+  const Mat4 projection = glm::perspective(frame.camera.fovY, aspect, std::max(0.02f, distance - 3.0f - frame.reach), distance + 7.0f + frame.reach);
   return projection * glm::lookAt(frame.camera.eye, frame.camera.target, Vec3(0, 1, 0));
 }
 
@@ -267,7 +267,8 @@ FurShadow::Key Renderer::furShadowKey(const Frame& frame) const {
   settings::Settings s = frame.settings;
   if (patches_.indices.empty()) s.furLength = 0;
   const Vec3 light(glm::inverse(frame.worldFromModel) * Vec4(directionFrom(s.lightYaw, s.lightPitch), 0));
-  return {static_cast<Shadows>(s.shadows), lightFromModel(light, shadowRadius(s.furLength)), volumeShadow(s, *std::max_element(densities_.begin(), densities_.end())),
+  return {static_cast<Shadows>(s.shadows), lightFromModel(light, shadowRadius(s.furLength, frame.reach)),
+          volumeShadow(s, *std::max_element(densities_.begin(), densities_.end()), frame.reach),
           curveVariant(s), furShadowScene_, frame.ball, frame.ball.w > 0 ? frame.worldFromModel : Mat4(1.0f)};
 }
 

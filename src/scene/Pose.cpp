@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/PortableMath.h"
 #include "dynamics/Lanes.h"
 
 namespace fur::scene {
@@ -36,6 +37,16 @@ Vec3 anyAcross(const Vec3& n) {
   return normalizeOr(glm::cross(n, std::abs(n.y) < 0.9f ? Vec3(0, 1, 0) : Vec3(1, 0, 0)), Vec3(1, 0, 0));
 }
 
+// From the rotation a on the shorter way to b, as glTF 2.0, appendix C.5 has it: the same bits everywhere.
+Vec4 slerped(const Vec4& a, Vec4 b, float t) {
+  if (glm::dot(a, b) < 0) b = -b;
+  const float sum = glm::length(a + b);
+  const float angle = sum > 0 ? 2 * portableAtan(glm::length(a - b) / sum) : 0;
+  // Nearer to each other the chord is the arc to rounding.
+  if (angle < 1e-3f) return a + (b - a) * t;
+  return a * portableSin((1 - t) * angle) + b * portableSin(t * angle);  // of length sin(angle)
+}
+
 Mat4 localOf(const Rig::Node& node) {
   if (node.fixed) return node.matrix;
   Mat4 out = glm::mat4_cast(node.rotation);
@@ -65,8 +76,8 @@ void sample(const Rig::Channel& channel, float seconds, float* out) {
         out[i] = (2 * t3 - 3 * t2 + 1) * a[i] + span * (t3 - 2 * t2 + t) * leaving[i] + (3 * t2 - 2 * t3) * b[i] +
                  span * (t3 - t2) * coming[i];
     } else if (channel.path == Path::Rotation) {
-      const Quat turned = glm::slerp(Quat(a[3], a[0], a[1], a[2]), Quat(b[3], b[0], b[1], b[2]), t);
-      out[0] = turned.x, out[1] = turned.y, out[2] = turned.z, out[3] = turned.w;
+      const Vec4 turned = slerped(Vec4(a[0], a[1], a[2], a[3]), Vec4(b[0], b[1], b[2], b[3]), t);
+      for (int i = 0; i < 4; ++i) out[i] = turned[i];
     } else {
       for (std::size_t i = 0; i < width; ++i) out[i] = a[i] + (b[i] - a[i]) * t;
     }

@@ -4,8 +4,6 @@
 #include <numeric>
 #include <tuple>
 
-#include "dynamics/BendField.h"
-
 namespace fur::truth {
 
 namespace {
@@ -20,8 +18,9 @@ double crossOf(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.
 
 }  // namespace
 
-FurMap::FurMap(const geometry::Surface& surface, std::span<const Vec4> bends, float length, float tiles)
-    : surface_(surface), bends_(bends), length_(length), tiles_(tiles) {
+FurMap::FurMap(const geometry::Surface& surface, std::span<const Vec4> bends, float length, float tiles,
+               dynamics::BendCurve curve)
+    : surface_(surface), bends_(bends), length_(length), tiles_(tiles), curve_(curve) {
   FUR_ASSERT(bends.size() == surface.vertices.size(), "FurMap::FurMap()", "a bend for every vertex", bends.size());
   joinNeighbours();
 }
@@ -94,7 +93,7 @@ Spot FurMap::find(std::uint32_t from, const glm::dvec2& tile) const {
 Vec3 FurMap::raised(std::uint32_t triangle, int k, float h) const {
   const geometry::SurfaceVertex& v = corner(triangle, k);
   const std::uint32_t index = surface_.furIndices[3 * triangle + static_cast<std::uint32_t>(k)];
-  return dynamics::strandPoint(v.position, v.normal, Vec3(bends_[index]), length_, h);
+  return dynamics::strandPoint(v.position, v.normal, Vec3(bends_[index]), length_, h, curve_);
 }
 
 Vec3 FurMap::point(const Spot& spot, float h) const {

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "dynamics/BendField.h"
 #include "geometry/Surface.h"
 
 namespace fur::truth {
@@ -25,7 +26,8 @@ class FurMap {
  public:
   // `length`: of the fur, model units; `tiles`: tiles per unit of the fur coordinates. Surface and bends are looked
   // at as long as the map lives.
-  FurMap(const geometry::Surface& surface, std::span<const Vec4> bends, float length, float tiles);
+  FurMap(const geometry::Surface& surface, std::span<const Vec4> bends, float length, float tiles,
+         dynamics::BendCurve curve = dynamics::BendCurve::Arc);
 
   std::uint32_t triangleCount() const { return static_cast<std::uint32_t>(surface_.furIndices.size() / 3); }
   // Tile coordinates of the triangle's corners.
@@ -51,6 +53,7 @@ class FurMap {
   const geometry::Surface& surface_;
   std::span<const Vec4> bends_;
   float length_, tiles_;
+  dynamics::BendCurve curve_;
   std::vector<std::uint32_t> across_;  // 3 a triangle: the neighbour opposite that corner, or kNone
 };
 

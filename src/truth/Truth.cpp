@@ -12,7 +12,8 @@ Picture render(const Scene& scene, int width, int height, const Options& options
   const float tolerance = 0.1f * distance / scene.frame.eye.w;  // a tenth of a pixel
   Tubes tubes;
   if (scene.coat.shape.x > 0)
-    tubes = placeStrands(FurMap(scene.surface, scene.bends, scene.coat.shape.x, scene.coat.shape.y), scene.strands, tolerance);
+    tubes = placeStrands(FurMap(scene.surface, scene.bends, scene.coat.shape.x, scene.coat.shape.y, scene.curve), scene.strands,
+                         tolerance);
   const DeepShadow shadow(scene.surface, tubes, Vec3(scene.frame.light), options.shadowTexels);
   return drawPicture(scene, tubes, shadeNodes(scene, tubes, shadow, options.light), shadow, width, height, options);
 }

@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "core/Math.h"
+#include "dynamics/BendField.h"
 #include "furgen/Coat.h"
 #include "geometry/Surface.h"
 #include "shared/Blocks.h"
@@ -38,6 +39,7 @@ struct Scene {
   std::span<const Vec4> bends;  // one a vertex: model space, radians, across the normal (dynamics/BendField.h)
   render::shared::FrameBlock frame;
   render::shared::FurBlock coat;
+  dynamics::BendCurve curve = dynamics::BendCurve::Arc;
 };
 
 enum class Light {

@@ -1,4 +1,5 @@
 // A model that moves by itself, with fur on it.
+#include "render/Frame.h"
 #include "scene/Tentacle.h"
 #include "tests/render/Picture.h"
 
@@ -8,11 +9,11 @@ namespace {
 struct Pool {
   test::Stage stage{160, 160};
   App app;
-  explicit Pool(const char* furLength = "0.12") {
+  explicit Pool(const char* furLength = "0.12", const scene::Tentacle& tentacle = {}) {
     stage.attach(app);
     for (const auto& [name, value] : {std::pair("layers", "8"), std::pair("tileSize", "64"), std::pair("breath", "0"), std::pair("furLength", furLength)})
       app.setField(name, value);
-    EXPECT_TRUE(app.loadModel(scene::Tentacle().build(), "tentacle.glb"));
+    EXPECT_TRUE(app.loadModel(tentacle.build(), "tentacle.glb"));
     app.settle();
     app.tick(0);
   }
@@ -26,6 +27,7 @@ struct Pool {
 TEST(AppPose, ItPlaysHoldsAndStopsAsTheSettingsSay) {
   Pool pool("0");
   EXPECT_EQ(pool.app.animations(), "wave\nswell\n");
+  pool.app.setCamera({0.35f, 0.28f, 5});  // chosen: no other animation changes it
   const auto first = pool.stage.draw(pool.app);
   EXPECT_TRUE(pool.app.active());
   pool.run(0.5f);
@@ -77,6 +79,43 @@ TEST(AppPose, LessMotionHoldsIt) {
   pool.app.setReducedMotion(true);
   pool.run(3);
   EXPECT_FALSE(pool.app.active());
+}
+
+TEST(AppPose, ItStaysInThePictureAndAboveTheGroundWhateverItPlays) {
+  // It swings by its root, all round; and as it is.
+  scene::Tentacle swung;
+  swung.animations = R"({"samplers":[{"input":6,"output":7}],"channels":[)"
+                     R"({"sampler":0,"target":{"path":"rotation","node":1}},{"sampler":0,"target":{"path":"rotation","node":2}},)"
+                     R"({"sampler":0,"target":{"path":"rotation","node":3}},{"sampler":0,"target":{"path":"rotation","node":4}}]})";
+  Pool pool("0.12", swung);
+  for (const auto& [name, value] : {std::pair("ground", "0"), std::pair("view", "skin"), std::pair("skinColor", "#ff0000")})
+    pool.app.setField(name, value);
+  const float playing = pool.app.frame().groundHeight;
+  const CameraOrbit fitted = pool.app.camera();
+  int shown = 0;
+  for (int k = 0; k < 20; ++k) {
+    pool.run(0.1f);
+    const auto picture = pool.stage.draw(pool.app);
+    const auto isRed = [&](int x, int y) { return picture.at(x, y)[0] > picture.at(x, y)[2] + 40; };
+    for (int i = 0; i < 160; ++i) {
+      ASSERT_FALSE(isRed(i, 8) || isRed(i, 151) || isRed(8, i) || isRed(151, i)) << k << ' ' << i;
+      shown += isRed(i, 80);
+    }
+  }
+  EXPECT_GT(shown, 20);
+  // Home comes back to it; without the animation the view is that of the model as it stands.
+  pool.app.setCamera({0, 0, 3});
+  pool.app.resetCamera();
+  EXPECT_EQ(pool.app.camera().distance, fitted.distance);
+  pool.app.setField("animation", "0");
+  pool.run(3);
+  EXPECT_LT(pool.app.camera().distance, 0.95f * fitted.distance);
+  EXPECT_GT(pool.app.frame().groundHeight, playing + 0.03f);
+  // A view that a person has chosen stays.
+  pool.app.setCamera({0, 0, 3});
+  pool.app.setField("animation", "1");
+  pool.run(1);
+  EXPECT_EQ(pool.app.camera().distance, 3);
 }
 
 TEST(AppPose, APixelIsOnTheModelWhereItIsShown) {

@@ -47,6 +47,40 @@ TEST(AppTouch, AHandLaysTheFurOverAndItComesBackWithoutAnUndoStep) {
   EXPECT_EQ(paddock.app.groomHash(), combed);
 }
 
+TEST(AppTouch, AModelThatIsThrownOrSpunLeavesItsFurBehind) {
+  Paddock paddock;
+  paddock.settle();
+  const auto before = paddock.bends();
+  paddock.app.setTool(Tool::Grab);
+  paddock.drag({80, 80}, {120, 80});
+  EXPECT_GT(paddock.apartFrom(before), 0.2f);
+  paddock.pointer(PointerPhase::Up, {120, 80});
+  // Swings on when it is let go, and comes to rest.
+  EXPECT_TRUE(paddock.app.active());
+  paddock.settle();
+  EXPECT_EQ(paddock.apartFrom(before), 0);
+  paddock.app.pointer({.phase = PointerPhase::Down, .position = {80, 80}, .buttons = 1, .shift = true});
+  for (int i = 1; i <= 20; ++i) {
+    paddock.app.pointer({.phase = PointerPhase::Move, .position = {80 + 3.0f * static_cast<float>(i), 80}, .buttons = 1, .shift = true});
+    paddock.app.tick(1 / 60.0f);
+  }
+  EXPECT_GT(paddock.apartFrom(before), 0.2f);
+}
+
+TEST(AppTouch, TheBendOfThePolynomialIsAnotherPictureOfTheSameFur) {
+  Paddock paddock;
+  paddock.app.setField("wind", "1");
+  paddock.app.setField("gust", "0");
+  paddock.app.setField("turbulence", "0");
+  paddock.app.settle();
+  const auto bends = paddock.bends();
+  const auto arc = paddock.stage.draw(paddock.app);
+  paddock.app.setField("bendCurve", "polynomial");
+  paddock.app.settle();
+  EXPECT_EQ(paddock.apartFrom(bends), 0);
+  EXPECT_GT(paddock.stage.draw(paddock.app).differingShare(arc, 16), 0.01f);
+}
+
 TEST(AppTouch, SoakedFurStaysCombedForLonger) {
   Paddock dry, soaked;
   soaked.app.setField("dryRate", "0");

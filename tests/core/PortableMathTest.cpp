@@ -33,6 +33,15 @@ TEST(PortableMath, AgreesWithTheCLibraryOnLogarithmAndExponential) {
   }
 }
 
+TEST(PortableMath, AgreesWithTheCLibraryOnTheArcTangent) {
+  Random random(3);
+  for (int k = 0; k < 100000; ++k) {
+    const float x = k % 3 ? random.uniform(-2, 2) : random.uniform(-1, 1) * portableExp(random.uniform(-80, 80));
+    const double angle = std::atan(static_cast<double>(x));
+    ASSERT_NEAR(portableAtan(x), angle, 1e-6 * std::abs(angle)) << x;
+  }
+}
+
 TEST(PortableMath, IsExactWhereItMatters) {
   EXPECT_EQ(portableSin(0.0f), 0.0f);
   EXPECT_EQ(portableExp(0.0f), 1.0f);

@@ -278,7 +278,7 @@ TEST(BendField, CarriesTheLengthsForTheShaders) {
 }
 
 TEST(ArcBend, KeepsTheStrandsLength) {
-  for (const float theta : {0.0f, 1e-4f, 0.01f, 0.3f, 1.0f, kMaxBend}) {
+  for (const float theta : {0.0f, 1e-4f, 0.01f, 0.3f, 1.0f, kMaxBend, kMostPressed}) {
     float length = 0;
     Vec2 last = arcBend(theta, 0);
     for (int i = 1; i <= 100; ++i) {

@@ -27,6 +27,33 @@ TEST(Forces, SteadyWindBendsByItsStrengthTheSideAndTheStiffness) {
   }
 }
 
+TEST(Forces, GravityBendsByTheWeightOfTheCoat) {
+  BendForces forces = noForces();
+  forces.gravity = Vec3(0, -0.3f, 0);
+  for (const float weight : {0.0f, 0.5f, 1.0f}) {
+    BendField field = strandAt(Vec3(1, 0, 0), Vec3(1, 0, 0));
+    forces.weight = weight;
+    field.settle(kStill, forces, {});
+    EXPECT_NEAR(field.bends()[0].y, -kMaxBend * 0.3f * (0.5f + weight), 1e-5f);
+  }
+}
+
+TEST(Forces, HeavyAndSoakedFurIsSlower) {
+  // Steps until it has come half of its way.
+  const auto steps = [](float weight, float wetness) {
+    BendField field = strandAt(Vec3(0, 1, 0), Vec3(0, 1, 0)), there = field;
+    BendForces forces = noForces();
+    forces.wind.force = Vec3(0.4f, 0, 0);
+    forces.weight = weight;
+    there.settle(kStill, forces, {wetness});
+    int k = 0;
+    for (; k < 1000 && field.bends()[0].x < 0.5f * there.bends()[0].x; ++k) field.step(1e-3f, kStill, forces, {wetness});
+    return k;
+  };
+  EXPECT_GT(steps(1, 0), 1.3 * steps(0, 0));
+  EXPECT_GT(steps(0.5f, 1), 1.5 * steps(0.5f, 0));
+}
+
 TEST(Forces, TheLeeSideIsCalmer) {
   BendForces forces = noForces();
   forces.wind.force = Vec3(0, 0, 0.4f);
@@ -196,6 +223,28 @@ TEST(Forces, WithoutThemEverySwingIsSmallerThanTheOneBefore) {
     }
     EXPECT_TRUE(field.atRest());
     EXPECT_EQ(largest(field), 0);
+  }
+}
+
+TEST(Forces, ThatAreShownAreThoseThatMoveTheFur) {
+  // Thrown: it is faster and faster. Another that stands still is pulled by what is shown of the first.
+  BendField thrown = strandAt(Vec3(0, 1, 0), Vec3(0, 1, 0)), pulled = thrown;
+  thrown.showForces(true);
+  BendForces forces = noForces(), pulling = noForces();
+  constexpr float kStep = 1 / 240.0f;
+  for (const float wet : {0.0f, 1.0f}) {
+    const std::vector<float> wetness{wet};
+    for (BendField* field : {&thrown, &pulled}) field->settle(kStill, noForces(), wetness);
+    for (int k = 1; k <= 40; ++k) {
+      const float t = kStep * static_cast<float>(k);
+      thrown.step(kStep, glm::translate(kStill, Vec3(3 * t * t, 0, 0)), forces, wetness);
+      // Gravity pulls a coat of this weight by just what it is, and a soaked one more.
+      pulling.gravity = Vec3(thrown.forces()[0]) / (1 + 1.5f * wet);
+      pulled.step(kStep, kStill, pulling, wetness);
+    }
+    ASSERT_LT(thrown.bends()[0].x, -0.1f);
+    // A push at a step's start is half a step ahead of a pull all through it.
+    EXPECT_NEAR(thrown.bends()[0].x, pulled.bends()[0].x, 0.06f * largest(thrown)) << wet;
   }
 }
 

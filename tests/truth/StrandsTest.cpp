@@ -157,6 +157,18 @@ TEST(Strands, LeavingNodesOutMovesNoneFartherThanAsked) {
     }
 }
 
+TEST(FurMap, BendsAsSheppardHasItWhereThatIsAskedFor) {
+  const geometry::Surface surface = test::square(0.5f);
+  const std::vector<Vec4> bends(4, Vec4(0.5f * dynamics::kMaxBend, 0, 0, 1));
+  const auto raised = [&](dynamics::BendCurve curve) {
+    const FurMap map(surface, bends, 0.1f, 1, curve);
+    return (map.point({}, 1) - map.point({}, 0)) / 0.1f;
+  };
+  const Vec2 arc = dynamics::arcBend(0.5f * dynamics::kMaxBend, 1), polynomial = dynamics::windBend(0.5f, 1);
+  EXPECT_LT(glm::distance(raised(dynamics::BendCurve::Arc), Vec3(arc.y, arc.x, 0)), kRounding);
+  EXPECT_LT(glm::distance(raised(dynamics::BendCurve::Polynomial), Vec3(polynomial.y, polynomial.x, 0)), kRounding);
+}
+
 TEST(FurMap, FindsASpotAcrossTrianglesAndGoesOnStraightBeyondTheChart) {
   geometry::Mesh plane = geometry::makePlane(8);
   plane.uv.clear();

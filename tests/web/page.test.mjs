@@ -80,6 +80,15 @@ test('nothing is drawn while it is dry, still and untouched', async () => {
   await page.mouse.move(200, 200);  // a pointer that passes over is no reason either
   await sleep(300);
   assert.equal(await withFur(page, (fur) => fur.stats.framesDrawn), drawn);
+  // Nor is a step taken: nobody asks for a frame in which it could be.
+  assert.equal(await page.evaluate(async () => {
+    const ask = window.requestAnimationFrame;
+    let asked = 0;
+    window.requestAnimationFrame = (work) => { asked += 1; return ask.call(window, work); };
+    await new Promise((resolve) => setTimeout(resolve, 500));
+    window.requestAnimationFrame = ask;
+    return asked;
+  }), 0);
 });
 
 test('wind moves the fur until it is switched off', async () => {
@@ -137,6 +146,21 @@ test('step() gives the same water and the same pixels at every run', async () =>
   const [first, second] = [await run(), await run()];
   assert.equal(first[0], second[0]);
   assert.equal(difference(first[1], second[1]), 0);
+});
+
+test('the bar knows at once what was changed on the canvas', async () => {
+  const page = await site.open(`?${light.replace('&ui=0', '')}&src=sphere`);
+  await untilStill(page);
+  assert.ok(await page.isDisabled('#undo'));
+  const { x, y } = await spotOnModel(page);
+  await page.mouse.move(x, y);
+  await page.keyboard.down('Control');
+  await page.mouse.down();
+  await page.mouse.move(x + 30, y);  // the light; it is still held
+  await page.waitForFunction(() => !document.getElementById('undo').disabled, null, { timeout: 2000 });
+  await page.mouse.up();
+  await page.keyboard.up('Control');
+  assert.deepEqual(page.problems, []);
 });
 
 test('keys turn, zoom, wet, undo and reset once the canvas has the focus', async () => {

@@ -63,10 +63,13 @@ test('idle fur breathes for some seconds, then nothing is drawn', async () => {
   assert.equal(await withFur(calm, (fur) => fur.stats.framesDrawn), still);
 });
 
+const openTentacle = (page) =>
+  withFur(page, (fur, base64) => fur.loadModel(new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], 'tentacle.glb')),
+    tentacle(24, 32).toString('base64'));
+
 test('a model with an animation plays it, holds it and says its name', async () => {
   const page = await site.open(`?${light}&src=sphere`);
-  await withFur(page, (fur, base64) => fur.loadModel(new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], 'tentacle.glb')),
-    tentacle(24, 32).toString('base64'));
+  await openTentacle(page);
   assert.deepEqual(await withFur(page, (fur) => fur.animations), ['wave']);
   const offered = await page.$$eval('#animation option', (options) => options.map(({ text, selected }) => [text, selected]));
   assert.deepEqual(offered, [['No animation', false], ['wave', true]]);
@@ -83,5 +86,41 @@ test('a model with an animation plays it, holds it and says its name', async () 
   assert.ok(difference(early, await picture(page), 16) > 0.02);
   await withFur(page, (fur) => { fur.settings.animationSpeed = 0; fur.play(); });
   await untilStill(page);
+  assert.deepEqual(page.problems, []);
+});
+
+test('the bar holds an animation, plays it on and sets its speed, by finger and by keys, on a phone', async () => {
+  const page = await site.open(`?${light.replace('&ui=0', '')}&src=sphere`, { viewport: { width: 390, height: 760 }, hasTouch: true });
+  assert.equal(await page.isVisible('#player'), false, 'nothing to play');
+  await openTentacle(page);
+  const speed = () => withFur(page, (fur) => fur.animationSpeed);
+  const told = () => page.$eval('#speed', (slider) => [slider.ariaValueText, slider.nextElementSibling.textContent]);
+  await page.focus('#speed');
+  await page.keyboard.press('ArrowRight');
+  assert.equal(await speed(), 1.05);
+  assert.deepEqual(await told(), ['1.05 x', 'Speed 1.05 x']);
+  assert.equal((await page.textContent('#hold')).trim(), 'Hold');
+  await page.tap('#hold');
+  assert.equal(await speed(), 0);
+  assert.equal((await page.textContent('#hold')).trim(), 'Play');
+  await untilStill(page);
+  await page.tap('#hold');
+  assert.equal(await speed(), 1.05, 'as fast as before');
+  assert.equal((await page.textContent('#hold')).trim(), 'Hold');
+  await page.selectOption('#animation', '0');
+  assert.ok(await page.isDisabled('#hold') && await page.isDisabled('#speed'));
+  for (const box of await page.$$eval('#player :is(select, button, input)', (controls) => controls.map((one) => one.getBoundingClientRect().toJSON())))
+    assert.ok(box.height >= 44 && box.left >= 0 && box.right <= 390, JSON.stringify(box));
+  assert.deepEqual(page.problems, []);
+});
+
+test('someone who asked for less motion presses Play to see an animation', async () => {
+  const page = await site.open(`?${light.replace('&ui=0', '')}&src=sphere`, { reducedMotion: 'reduce' });
+  await openTentacle(page);
+  const still = await untilStill(page);
+  assert.equal((await page.textContent('#hold')).trim(), 'Play');
+  await page.click('#hold');
+  await page.waitForFunction((n) => wetFur.stats.framesDrawn > n + 5, still);
+  assert.equal((await page.textContent('#hold')).trim(), 'Hold');
   assert.deepEqual(page.problems, []);
 });

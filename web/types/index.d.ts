@@ -296,6 +296,7 @@ export interface WetFurEventMap {
   'cursor-move': CustomEvent<{ wetness: number | null }>;
   'stroke-start': CustomEvent<{ tool: Tool; u: number; v: number }>;
   'stroke-end': CustomEvent<{ tool: Tool }>;
+  /** `settings`: or the tool, or what can be undone, whoever changed it. */
   'state-change': CustomEvent<{ state: WetFurState; reason: 'loading' | 'settings' | 'editor' }>;
   'context-lost': CustomEvent<Record<string, never>>;
   'context-restored': CustomEvent<Record<string, never>>;
