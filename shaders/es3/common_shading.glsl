@@ -108,14 +108,14 @@ vec3 lockNormal(vec2 outward, float sheet) {
 vec2 waterGloss(vec3 T, vec3 n, vec3 L, vec3 V, float held, float sheet, float strand) {
   vec3 H = normalize(L + V);
   float away = 1.0 - clamp(dot(n, V), 0.0, 1.0), faces = max(dot(n, H), 0.0), slope = dot(T, H);
-  float fresnel = away * away;
+  float fresnel = away * away, film = min(held, 1.25);
   fresnel = 0.04 + 0.6 * fresnel * fresnel * away;
   // From strand to strand it lies elsewhere and is as strong as chance has it: fine lines instead of a band.
   float shifted = slope + 0.5 * (1.0 - sheet) * (strand - 0.5), own = strand * strand;
   own *= mix(1.0, own, sheet);
   float glint = kajiyaLobe(faces, 1.3 * shading.z) * (1.0 - 0.7 * slope * slope) * (mix(0.3, 0.1, sheet) + 3.0 * own) +
                 kajiyaLobe(sqrt(max(1.0 - shifted * shifted, 0.0)), 5.0 * shading.z) * faces * faces * (0.1 + 1.2 * own);
-  return held * held * water.z * vec2(glossShare(L.z) * glint * mix(1.6, 0.5, sheet), fresnel * mix(0.5, 1.5, sheet));
+  return film * film * water.z * vec2(glossShare(L.z) * glint * mix(1.6, 0.5, sheet), fresnel * mix(0.5, 1.5, sheet));
 }
 
 // A strand's light `color` as that of one in a lock: locks are round and stand close, so their far sides and feet get
@@ -123,7 +123,7 @@ vec2 waterGloss(vec3 T, vec3 n, vec3 L, vec3 V, float held, float sheet, float s
 vec3 lockLight(vec3 color, vec3 T, vec3 n, vec3 L, vec3 V, float h, float held, float sheet, float lit, float upness, float strand) {
   float locks = min(held, 1.0) * (1.0 - 0.75 * sheet);
   float turnedTo = clamp(0.6 + 0.8 * dot(n, L), 0.15, 1.4);
-  color *= mix(1.0, turnedTo, 0.7 * locks) * mix(1.0, smoothstep(-0.1, 0.8, h), 0.75 * locks) * (1.0 - 0.58 * sheet);
+  color *= mix(1.0, turnedTo, 0.7 * locks) * mix(1.0, smoothstep(-0.1, 0.8, h), 0.75 * locks) * (1.0 - 0.35 * min(held, 1.0)) * (1.0 - 0.38 * sheet);
   vec2 mirrored = waterGloss(T, n, L, V, held, sheet, strand) * (lit * mix(1.0, h, locks));
   return color + mirrored.x * light.w + mirrored.y * skyLight(upness);
 }

@@ -108,13 +108,14 @@ WetStrand wetStrandAt(vec2 at, vec2 a, float h, inout vec2 inside) {
   vec2 aside = strand.from * strand.pull;
   strand.root = at + aside;
   strand.along = alongStrand(strand.along, aside * furLengths);
+  if (clumped) strand.along *= pointsOf(strand.clump.a, sheet, dot(from, from) / (strand.clump.z * strand.clump.z + 1e-12));
   // A sheet nearly closes the gaps.
   float own = mix(ownStrand(mask, strand.clump, from), 1.0, 0.7 * sheet) * (1.0 + 2.0 * strand.pull + sheet);
   strand.open = (clumped ? own : 1.0) * float(strand.along <= 1.0);
   return strand;
 }
 // Drawn together, strands are that much thinner than a pixel. Not all of it: locks keep their lines.
-float wetLevel(float lod, float pull) { return lod + step(0.63, pull); }
+float wetLevel(float lod, float pull) { return lod + step(0.3, pull) + step(0.63, pull); }
 #endif
 
 // The chart's share where charts overlap, see geometry/FurClusters.h: blended in order.
@@ -197,9 +198,9 @@ void main() {
 #ifdef GROOMED
   furLengths /= max(vLength, 0.02);
 #endif
-  entryHeld = max(clumpAt(mask, vAtlas).a, 0.0);
+  entryHeld = heldAround(mask, vAtlas);
   sheet = sheetOf(entryHeld);
-  coatTop = upright(sheet);
+  coatTop = upright(entryHeld, sheet);
   lie = lieOf(vTurn.zw * furLengths, entryHeld, sheet) / furLengths;
   // Locks are denser than dry fur: they close sooner, and longer steps find them.
   stepSize *= 1.0 + 0.7 * min(entryHeld, 1.0);
@@ -207,7 +208,7 @@ void main() {
   if (vTop > coatTop) {
     bool comesDown;
     enters = rayTo(vTop - coatTop, comesDown);
-    x += enters;
+    x += enters, mostX = enters;
     if (!comesDown) end = 0.0;
   }
   vec2 inside = vAtlas;
@@ -306,7 +307,7 @@ void main() {
 
   float perStrand = 1.0 / max(alpha, 1e-3), toStrand = alpha > 0.0 ? xSum * perStrand : end;
 #ifdef WET
-  float joined = 1.0 - (1.0 - sheet) * (1.0 - sheet) * (1.0 - sheet);
+  float joined = sheet * (2.0 - sheet);
   toStrand = mix(toStrand, enters, joined);
   float metHeight = heightAt(mostX);
   vec2 metTile = tileAt(mostX, metHeight) - lie * (metHeight / coatTop);
@@ -320,11 +321,11 @@ void main() {
   vec2 foot = tileAt(end, 0.0);  // where the ray meets the skin
   if (most <= 0.0) spot.xyz = vec3(foot, 0.0);
   float h = hSum * perStrand;
-  vec4 met = textureLod(strand, spot.xyz, spot.w);
 #ifdef WET
   // Strands that water joins are one as far as light is concerned: as many as a pixel has, and in a sheet those that lie in
   // line where the ray comes to it. Chance of the march would be grain there.
-  float wisp = textureLod(strand, spot.xyz, spot.w + 1.5).z;
+  vec4 met = textureLod(strand, spot.xyz, spot.w + 1.5 * min(lock.clump.a, 1.0));
+  float wisp = met.z;
   if (sheet > 0.0) {
     float top = min(vTop, coatTop), level = max(vLight.w + 1.5, 2.0);
     vec2 line = lie * (max(6.0, 1.5 * exp2(level)) / (volume.x * max(length(lie), 1e-6)));
@@ -334,9 +335,11 @@ void main() {
     inLine /= 9.0;
     met = mix(met, inLine, joined);
     wisp = mix(wisp, clamp(0.5 + 3.0 * (inLine.z - 0.5), 0.0, 1.0), joined);
-    h = mix(h, 0.4 + 0.25 * wisp, joined);
+    h = mix(max(h, 0.5 * joined), 0.3 + 0.4 * wisp, joined);
     if (reachesSkin) closed = mix(closed, 1.0, joined);
   }
+#else
+  vec4 met = textureLod(strand, spot.xyz, spot.w);
 #endif
   vec2 turned = vPath.zw * toStrand;
   vec3 light3 = inTurnedFrame(vLight.xyz, turned), view3 = inTurnedFrame(vView.xyz, turned);
@@ -348,7 +351,7 @@ void main() {
   float rises = clumpPull(metAlong - 1.0 / shape.z, drawn, sheet) - clumpPull(metAlong, drawn, sheet);
   tangent.xy += (lock.from * (rises * shape.z * (1.0 - joined)) + lie / coatTop) * furLengths;
   vec2 outward = (1.0 - joined) * lock.from / max(lock.clump.z * atlasLength, 1e-6);
-  float rho = min(lock.clump.a, 1.0), skinWetness = rho;
+  float held = mix(lock.clump.a, entryHeld, joined), rho = min(held, 1.0), skinWetness = rho;
   float strandShade = 0.65 * (1.0 - joined);
 #else
   const float rho = 0.0, skinWetness = 0.0, strandShade = 0.65;
@@ -389,7 +392,7 @@ void main() {
   vec3 color = shadeStrand(albedo, tangent, light3, view3, exposed, rho, lit, vView.w, met.z);
 #ifdef WET
   vec3 n = normalize(lockNormal(outward, sheet) + vec3(0.8 * joined * tilt, 0.0));
-  color = lockLight(color, tangent, n, light3, view3, h, lock.clump.a, sheet, lit, vView.w, wisp);
+  color = lockLight(color, tangent, n, light3, view3, h, held, sheet, lit, vView.w, wisp);
 #endif
   for (bool once = reachesSkin && closed < 1.0; once; once = false) {
     vec3 skin = shadeSkin(skinColor.rgb * model * 0.5, vLight.z, vView.w, 0.0, skinWetness, lit);

@@ -59,7 +59,8 @@ struct Droplet : Scene {
     const truth::Tubes tubes = truth::placeStrands(map, *app.grownCoat(), 1e-5f);
     const float texel = 1 / (block.shape.y * block.volume.x), ground = app.surface().vertices[0].position.y;
     const Mat4 clip = clipFromWorld(f) * f.worldFromModel;
-    const float pull = wet::clumpPull(s.viewLayer, s.clumpShape, static_cast<float>(s.layers), wet::drawnBy(wetness, kRadius / s.furLength));
+    const float stands = s.viewLayer / wet::upright(wetness);
+    const float pull = wet::clumpPull(stands, s.clumpShape, static_cast<float>(s.layers), wet::drawnBy(wetness, kRadius / s.furLength));
     const auto hasFur = [&](const Vec3& at) {
       const Vec4 c = clip * Vec4(at, 1);
       const Vec2 pixel((0.5f + 0.5f * c.x / c.w) * kSide, (0.5f - 0.5f * c.y / c.w) * kSide);
@@ -71,10 +72,11 @@ struct Droplet : Scene {
     };
     Found found;
     for (const truth::Tube& tube : tubes.tubes) {
-      float along = s.viewLayer;
+      float along = stands;
       std::optional<Vec3> q;
       for (int k = 0; k < 8 && (q = pointAt(tubes, tube, along)); ++k)
-        along = wet::alongStrand(s.viewLayer, pull * glm::length(Vec2(q->x, q->z)) / s.furLength);
+        along = wet::alongStrand(stands, pull * glm::length(Vec2(q->x, q->z)) / s.furLength) *
+                wet::pointsOf(wetness, wet::sheetOf(wetness), glm::dot(Vec2(q->x, q->z), Vec2(q->x, q->z)) / (kRadius * kRadius));
       if (!q || along > 0.95f || glm::length(Vec2(q->x, q->z)) > 0.85f * kRadius) continue;
       const Vec2 at = wet::clumpForward(Vec2(q->x, q->z), Vec2(0), pull);
       const float height = ground + s.viewLayer * s.furLength;
@@ -87,7 +89,7 @@ struct Droplet : Scene {
 };
 
 TEST(WetLocks, ShowEachStrandWhereClumpingItByItselfPutsIt) {
-  for (const auto& [w, height] : {std::pair("0", "0.5"), std::pair("1", "0.5"), std::pair("0.6", "0.7")}) {
+  for (const auto& [w, height] : {std::pair("0", "0.4"), std::pair("1", "0.4"), std::pair("0.6", "0.5")}) {
     Droplet droplet(0.6f, w, height);
     const Droplet::Found found = droplet.find();
     EXPECT_GT(found.strands, 40);
