@@ -89,7 +89,7 @@ vec3 shadeStrand(vec3 albedo, vec3 T, vec3 L, vec3 V, float h, float rho, float 
   float strength = shading.y * sqrt(exponent / shading.z) * glossShare(L.z);
   vec4 cosines = vec4(across.x * across.y, along.x * along.y, along * across.yx);
   vec2 shifts = lobeShifts(strand);
-  vec3 gloss = (strength * key) * ((0.7 + 0.3 * rho) * kajiyaLobe(shiftedCosine(cosines, shifts.x), exponent) +
+  vec3 gloss = (strength * key) * ((0.7 - 0.35 * rho) * kajiyaLobe(shiftedCosine(cosines, shifts.x), exponent) +
                                    albedo * kajiyaLobe(shiftedCosine(cosines, shifts.y), 0.5 * exponent));
   gloss += albedo * (1.6 * light.w * lit * rimLight(dot(L, V), V.z, h));
 #endif

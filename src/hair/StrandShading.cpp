@@ -61,7 +61,7 @@ Vec3 shadeStrand(const StrandLook& look, const Vec3& albedo, const Vec3& tangent
   const float strength = look.gloss * std::sqrt(exponent / look.exponent) * glossShare(nDotL);
   const Vec2 shifts = lobeShifts(strand);
   const auto lobe = [&](float shift, float p) { return kajiyaLobe(shiftedCosine(tangent, light, view, shift), p); };
-  const Vec3 gloss = strength * key * ((0.7f + 0.3f * wetness) * lobe(shifts.x, exponent) + albedo * lobe(shifts.y, 0.5f * exponent));
+  const Vec3 gloss = strength * key * ((0.7f - 0.35f * wetness) * lobe(shifts.x, exponent) + albedo * lobe(shifts.y, 0.5f * exponent));
   const float diffuse = glm::mix(kajiyaDiffuse(tangent, light), std::max(nDotL, 0.0f), look.lambert);
   const Vec3 color = albedo * (key * diffuse + 1.6f * rim + sky) + gloss;
   return color * (1.0f + look.occlusion * (height - 1.0f)) * (1.0f - look.wetDarkening * wetness);
