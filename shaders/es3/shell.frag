@@ -335,7 +335,7 @@ void main() {
     inLine /= 9.0;
     met = mix(met, inLine, joined);
     wisp = mix(wisp, clamp(0.5 + 3.0 * (inLine.z - 0.5), 0.0, 1.0), joined);
-    h = mix(max(h, 0.5 * joined), 0.3 + 0.4 * wisp, joined);
+    h = mix(mix(h, 0.7, joined * (1.0 - closed)), 0.3 + 0.4 * wisp, joined);
     if (reachesSkin) closed = mix(closed, 1.0, joined);
   }
 #else

@@ -261,7 +261,7 @@ void Renderer::updateMask(const wet::WetnessMask& mask, const wet::TexelRect& ch
       const int reach = static_cast<int>(
           std::clamp((0.6f + 1.2f * wet::sheetOf(held)) * texel.z * static_cast<float>(size), 1.0f, float{kMostSoftened}));
       texel.w += mask.filmAt(i);
-      const float inside = std::clamp(2 * water.mean(x, y, reach) / held - 0.9f, 0.05f, 1.0f);
+      const float inside = std::clamp(2.4f * water.mean(x, y, reach) / held - 1.1f, 0.05f, 1.0f);
       texel.w *= inside * (2 - inside);
     }
   mask_.update(rect.x0, rect.y0, width, height, gl::bytesOf(texels), 0);
