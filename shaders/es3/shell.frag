@@ -336,7 +336,8 @@ void main() {
     met = mix(met, inLine, joined);
     wisp = mix(wisp, clamp(0.5 + 3.0 * (inLine.z - 0.5), 0.0, 1.0), joined);
     h = mix(mix(h, 0.7, joined * (1.0 - closed)), 0.3 + 0.4 * wisp, joined);
-    if (reachesSkin) closed = mix(closed, 1.0, joined);
+    // Of a sparse coat skin shows all the same.
+    if (reachesSkin) closed = mix(closed, 1.0, joined * min(3.0 * volume.z, 1.0));
   }
 #else
   vec4 met = textureLod(strand, spot.xyz, spot.w);
