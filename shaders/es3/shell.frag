@@ -330,14 +330,17 @@ void main() {
     float top = min(vTop, coatTop), level = max(vLight.w + 1.5, 2.0);
     vec2 line = lie * (max(6.0, 1.5 * exp2(level)) / (volume.x * max(length(lie), 1e-6)));
     vec3 middle = vec3(2.0 * (tileAt(enters, top) - lie * (top / coatTop)), storedLayer(0.5, 0.0));
+#ifdef TYPES
+    middle.z += floor(spot.z / volume.y) * volume.y;
+#endif
     vec4 inLine = vec4(0.0);
     for (float k = -4.0; k < 4.5; ++k) inLine += textureLod(strand, middle + vec3(k * line, 0.0), level);
     inLine /= 9.0;
     met = mix(met, inLine, joined);
     wisp = mix(wisp, clamp(0.5 + 3.0 * (inLine.z - 0.5), 0.0, 1.0), joined);
     h = mix(mix(h, 0.7, joined * (1.0 - closed)), 0.3 + 0.4 * wisp, joined);
-    // Of a sparse coat skin shows all the same.
-    if (reachesSkin) closed = mix(closed, 1.0, joined * min(3.0 * volume.z, 1.0));
+    // Through a sparse coat skin shows all the same.
+    if (reachesSkin) closed = mix(closed, 1.0, joined * furry * min(3.0 * volume.z, 1.0));
   }
 #else
   vec4 met = textureLod(strand, spot.xyz, spot.w);
@@ -402,7 +405,7 @@ void main() {
 #ifdef GROOMED
     skin = mix(bareSkin(skinColor.rgb * model, vLight.z, vView.w, skinWetness, lit), skin, furry);
 #endif
-    color = alpha > 0.0 ? mix(skin, color, closed) : skin;
+    color = closed > 0.0 ? mix(skin, color, closed) : skin;
   }
 #if defined(VIEW_EXPLODED)
   // From blue at the skin to yellow at the tips.
