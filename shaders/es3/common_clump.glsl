@@ -30,12 +30,20 @@ float drawnBy(float held, float radius) { return min(held, FUR_MOST_ASIDE / max(
 // outer strands of a lock end lower, which is what points it.
 float alongStrand(float h, vec2 aside) { return length(vec3(aside, h)); }
 
-// Wet strands lie down the way they lean: so far aside at their tips, and a sheet stands no higher than upright().
+// How much shorter a strand of a lock looks; `outward`: squared, 1 at the rim. Water holds the outer ones to the middle by
+// their sides, their tips further down: that, too, points it.
+float pointsOf(float held, float sheet, float outward) {
+  return 1.0 + FUR_POINTS * min(held, 1.0) * (1.0 - sheet) * min(outward, 1.0);
+}
+
+// Wet strands lie down the way they lean: so far aside at their tips, and no higher than upright().
 vec2 lieOf(vec2 lean, float held, float sheet) {
   float much = length(lean);
-  return lean * ((0.45 * min(held, 1.0) + 0.4 * sheet) * smoothstep(0.0, 0.12, much) / max(much, 1e-6));
+  return lean * ((0.75 * min(held, 1.0) + 0.1 * sheet) * smoothstep(0.0, 0.12, much) / max(much, 1e-6));
 }
-float upright(float sheet) { return 1.0 - FUR_SHEET_SINKS * sheet; }
+float upright(float held, float sheet) {
+  return 1.0 - mix(FUR_LOCKS_SINK * min(held, 1.0), FUR_SHEET_SINKS, sheet);
+}
 
 // A clump's own colour; grey where it is dry. Views only.
 vec3 clumpColor(vec4 clump) {
@@ -48,6 +56,16 @@ vec3 clumpColor(vec4 clump) {
 // Unfiltered: centres do not mix.
 vec4 clumpAt(sampler2D mask, vec2 a) {
   return texelFetch(mask, clamp(ivec2(a * water.w), ivec2(0), ivec2(int(water.w) - 1)), 0);
+}
+
+// The water held there, between four texels; none beside the charts.
+float heldAround(sampler2D mask, vec2 a) {
+  vec2 texel = a * water.w - 0.5, corner = floor(texel), part = texel - corner;
+  ivec2 most = ivec2(int(water.w) - 1), low = clamp(ivec2(corner), ivec2(0), most), high = min(low + 1, most);
+  vec4 held = vec4(texelFetch(mask, low, 0).a, texelFetch(mask, ivec2(high.x, low.y), 0).a,
+                   texelFetch(mask, ivec2(low.x, high.y), 0).a, texelFetch(mask, high, 0).a);
+  vec4 inChart = step(0.0, held) * vec4(1.0 - part.x, part.x, 1.0 - part.x, part.x) * vec4(vec2(1.0 - part.y), vec2(part.y));
+  return dot(held, inChart) / max(dot(inChart, vec4(1.0)), 1e-6);
 }
 
 // Whether the strand rooted `from` the centre of the clump is one of its own, 0..1. Algorithm 2: a root outside the clump, in a

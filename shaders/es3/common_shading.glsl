@@ -89,7 +89,7 @@ vec3 shadeStrand(vec3 albedo, vec3 T, vec3 L, vec3 V, float h, float rho, float 
   float strength = shading.y * sqrt(exponent / shading.z) * glossShare(L.z);
   vec4 cosines = vec4(across.x * across.y, along.x * along.y, along * across.yx);
   vec2 shifts = lobeShifts(strand);
-  vec3 gloss = (strength * key) * ((0.7 + 0.3 * rho) * kajiyaLobe(shiftedCosine(cosines, shifts.x), exponent) +
+  vec3 gloss = (strength * key) * ((0.7 - 0.35 * rho) * kajiyaLobe(shiftedCosine(cosines, shifts.x), exponent) +
                                    albedo * kajiyaLobe(shiftedCosine(cosines, shifts.y), 0.5 * exponent));
   gloss += albedo * (1.6 * light.w * lit * rimLight(dot(L, V), V.z, h));
 #endif
@@ -98,7 +98,7 @@ vec3 shadeStrand(vec3 albedo, vec3 T, vec3 L, vec3 V, float h, float rho, float 
 }
 
 // Wet strands: C++ twins in hair/StrandShading.h, which says more.
-vec3 wetAlbedo(vec3 albedo, float rho) { return mix(albedo, albedo / mix(vec3(1.77), vec3(1.0), albedo), rho); }
+vec3 wetAlbedo(vec3 albedo, float rho) { return mix(albedo, albedo / mix(vec3(1.77), vec3(1.0), albedo), rho * (2.0 - rho)); }
 
 vec3 lockNormal(vec2 outward, float sheet) {
   return normalize(vec3(outward * (1.0 - 0.85 * sheet), mix(sqrt(max(1.0 - dot(outward, outward), 0.0)), 1.0, sheet) + 0.25));
@@ -108,13 +108,14 @@ vec3 lockNormal(vec2 outward, float sheet) {
 vec2 waterGloss(vec3 T, vec3 n, vec3 L, vec3 V, float held, float sheet, float strand) {
   vec3 H = normalize(L + V);
   float away = 1.0 - clamp(dot(n, V), 0.0, 1.0), faces = max(dot(n, H), 0.0), slope = dot(T, H);
-  float fresnel = away * away;
+  float fresnel = away * away, film = min(held, 1.25);
   fresnel = 0.04 + 0.6 * fresnel * fresnel * away;
   // From strand to strand it lies elsewhere and is as strong as chance has it: fine lines instead of a band.
-  float shifted = slope + 0.5 * (strand - 0.5), own = strand * strand;
-  float glint = kajiyaLobe(faces, 1.3 * shading.z) * (1.0 - 0.7 * slope * slope) * (0.3 + 3.0 * own) +
+  float shifted = slope + 0.5 * (1.0 - sheet) * (strand - 0.5), own = strand * strand;
+  own *= mix(1.0, own, sheet);
+  float glint = kajiyaLobe(faces, 1.3 * shading.z) * (1.0 - 0.7 * slope * slope) * (mix(0.3, 0.1, sheet) + 3.0 * own) +
                 kajiyaLobe(sqrt(max(1.0 - shifted * shifted, 0.0)), 5.0 * shading.z) * faces * faces * (0.1 + 1.2 * own);
-  return held * held * water.z * vec2(glossShare(L.z) * glint * mix(1.6, 0.6, sheet), fresnel * mix(0.5, 1.5, sheet));
+  return film * film * water.z * vec2(glossShare(L.z) * glint * mix(1.6, 0.5, sheet), fresnel * mix(0.5, 1.5, sheet));
 }
 
 // A strand's light `color` as that of one in a lock: locks are round and stand close, so their far sides and feet get
@@ -122,7 +123,7 @@ vec2 waterGloss(vec3 T, vec3 n, vec3 L, vec3 V, float held, float sheet, float s
 vec3 lockLight(vec3 color, vec3 T, vec3 n, vec3 L, vec3 V, float h, float held, float sheet, float lit, float upness, float strand) {
   float locks = min(held, 1.0) * (1.0 - 0.75 * sheet);
   float turnedTo = clamp(0.6 + 0.8 * dot(n, L), 0.15, 1.4);
-  color *= mix(1.0, turnedTo, 0.7 * locks) * mix(1.0, smoothstep(-0.1, 0.8, h), 0.75 * locks) * (1.0 - 0.45 * sheet);
+  color *= mix(1.0, turnedTo, 0.7 * locks) * mix(1.0, smoothstep(-0.1, 0.8, h), 0.75 * locks) * (1.0 - 0.35 * min(held, 1.0)) * (1.0 - 0.38 * sheet);
   vec2 mirrored = waterGloss(T, n, L, V, held, sheet, strand) * (lit * mix(1.0, h, locks));
   return color + mirrored.x * light.w + mirrored.y * skyLight(upness);
 }

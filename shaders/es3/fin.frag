@@ -40,7 +40,7 @@ void main() {
   float held = max(clump.a, 0.0), sheet = sheetOf(held), furLengths = 1.0 / max(shape.x * shape.y, 1e-6);
   vec2 outward = vec2(0.0);
   rho = min(held, 1.0);
-  h /= upright(sheet);
+  h /= upright(held, sheet);
   if (held > 0.0) {
     float drawn = drawnBy(held, clump.z * furLengths / max(length(vAtlasAlong), 1e-6));
     float s = clumpPull(h, drawn, sheet), below = clumpPull(h - 1.0 / shape.z, drawn, sheet);
@@ -49,7 +49,7 @@ void main() {
     // In turns of the fin map along the edge and across it; only the first moves the look-up, both tilt the strand.
     vec2 turns = vec2(dot(fromCentre, vAtlasAlong), dot(fromCentre, across)) / max(dot(vAtlasAlong, vAtlasAlong), 1e-12);
     u += turns.x * s;
-    h = alongStrand(h, turns * (s * furLengths));
+    h = alongStrand(h, turns * (s * furLengths)) * pointsOf(held, sheet, dot(fromCentre, fromCentre) / (clump.z * clump.z + 1e-12));
     clumpLean = turns * ((below - s) * shape.z * furLengths);
     outward = turns * length(vAtlasAlong) / max(clump.z, 1e-6);
   }

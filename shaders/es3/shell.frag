@@ -108,13 +108,14 @@ WetStrand wetStrandAt(vec2 at, vec2 a, float h, inout vec2 inside) {
   vec2 aside = strand.from * strand.pull;
   strand.root = at + aside;
   strand.along = alongStrand(strand.along, aside * furLengths);
+  if (clumped) strand.along *= pointsOf(strand.clump.a, sheet, dot(from, from) / (strand.clump.z * strand.clump.z + 1e-12));
   // A sheet nearly closes the gaps.
   float own = mix(ownStrand(mask, strand.clump, from), 1.0, 0.7 * sheet) * (1.0 + 2.0 * strand.pull + sheet);
   strand.open = (clumped ? own : 1.0) * float(strand.along <= 1.0);
   return strand;
 }
 // Drawn together, strands are that much thinner than a pixel. Not all of it: locks keep their lines.
-float wetLevel(float lod, float pull) { return lod + step(0.63, pull); }
+float wetLevel(float lod, float pull) { return lod + step(0.3, pull) + step(0.63, pull); }
 #endif
 
 // The chart's share where charts overlap, see geometry/FurClusters.h: blended in order.
@@ -201,24 +202,28 @@ void main() {
 #ifdef GROOMED
   furLengths /= max(vLength, 0.02);
 #endif
-  entryHeld = max(clumpAt(mask, vAtlas).a, 0.0);
+  entryHeld = heldAround(mask, vAtlas);
   sheet = sheetOf(entryHeld);
-  coatTop = upright(sheet);
+  coatTop = upright(entryHeld, sheet);
   lie = lieOf(vTurn.zw * furLengths, entryHeld, sheet) / furLengths;
   // Locks are denser than dry fur: they close sooner, and longer steps find them.
   stepSize *= 1.0 + 0.7 * min(entryHeld, 1.0);
+  float enters = 0.0, closes = kClosed * (1.0 - 0.6 * sheet);
   if (vTop > coatTop) {
     bool comesDown;
-    x += rayTo(vTop - coatTop, comesDown);
+    enters = rayTo(vTop - coatTop, comesDown);
+    x += enters, mostX = enters;
     if (!comesDown) end = 0.0;
   }
   vec2 inside = vAtlas;
+#else
+  const float closes = kClosed;
 #endif
   float softness = kReferenceSteps * stepSize;
   float furry = 1.0;  // how much of a coat there is where the ray is
   // Few variables and one way out: on a software rasteriser the loop itself costs as much as its look-ups.
   float last = min(end, x + kMostSteps * stepSize);
-  while (x < last && alpha <= kClosed) {
+  while (x < last && alpha <= closes) {
     float h = heightAt(x);
     vec2 at = tileAt(x, h);
 #ifdef WET
@@ -294,7 +299,7 @@ void main() {
 #ifdef VIEW_CLUMPS
   reachesSkin = false;  // its own pass has the colours
 #endif
-  float closed = min(alpha / kClosed, 1.0), levels = sky.w;
+  float closed = min(alpha / closes, 1.0), levels = sky.w;
   float shown = (reachesSkin ? 1.0 : closed) * share + (fract(noise * 13.0) - 0.5) / levels;
 #ifdef VIEW_EXPLODED
   // A line along the shell's end and its outline. So far out a hollow is turned inside out: it is left out.
@@ -304,7 +309,10 @@ void main() {
 #endif
   if (shown < 0.5 / levels) discard;
 
+  float perStrand = 1.0 / max(alpha, 1e-3), toStrand = alpha > 0.0 ? xSum * perStrand : end;
 #ifdef WET
+  float joined = sheet * (2.0 - sheet);
+  toStrand = mix(toStrand, enters, joined);
   float metHeight = heightAt(mostX);
   vec2 metTile = tileAt(mostX, metHeight) - lie * (metHeight / coatTop);
   WetStrand lock = wetStrandAt(metTile, vAtlas + atlasFromTile * (metTile - vTile.xy), metHeight, inside);
@@ -316,10 +324,32 @@ void main() {
 #endif
   vec2 foot = tileAt(end, 0.0);  // where the ray meets the skin
   if (most <= 0.0) spot.xyz = vec3(foot, 0.0);
-  float perStrand = 1.0 / max(alpha, 1e-3);
   float h = hSum * perStrand;
+#ifdef WET
+  // Strands that water joins are one as far as light is concerned: as many as a pixel has, and in a sheet those that lie in
+  // line where the ray comes to it. Chance of the march would be grain there.
+  vec4 met = textureLod(strand, spot.xyz, spot.w + 1.5 * min(lock.clump.a, 1.0));
+  float wisp = met.z;
+  if (sheet > 0.0) {
+    float top = min(vTop, coatTop), level = max(vLight.w + 1.5, 2.0);
+    vec2 line = lie * (max(6.0, 1.5 * exp2(level)) / (volume.x * max(length(lie), 1e-6)));
+    vec3 middle = vec3(2.0 * (tileAt(enters, top) - lie * (top / coatTop)), storedLayer(0.5, 0.0));
+#ifdef TYPES
+    middle.z += floor(spot.z / volume.y) * volume.y;
+#endif
+    vec4 inLine = vec4(0.0);
+    for (float k = -4.0; k < 4.5; ++k) inLine += textureLod(strand, middle + vec3(k * line, 0.0), level);
+    inLine /= 9.0;
+    met = mix(met, inLine, joined);
+    wisp = mix(wisp, clamp(0.5 + 3.0 * (inLine.z - 0.5), 0.0, 1.0), joined);
+    h = mix(mix(h, 0.7, joined * (1.0 - closed)), 0.3 + 0.4 * wisp, joined);
+    // Through a sparse coat skin shows all the same.
+    if (reachesSkin) closed = mix(closed, 1.0, joined * furry * min(3.0 * volume.z, 1.0));
+  }
+#else
   vec4 met = textureLod(strand, spot.xyz, spot.w);
-  vec2 turned = vPath.zw * (xSum * perStrand);
+#endif
+  vec2 turned = vPath.zw * toStrand;
   vec3 light3 = inTurnedFrame(vLight.xyz, turned), view3 = inTurnedFrame(vView.xyz, turned);
   vec2 tilt = met.xy * 2.0 - 1.0;
   vec3 tangent = vec3(tilt + vLean.xy * h, sqrt(max(0.05, 1.0 - dot(tilt, tilt))));
@@ -327,11 +357,12 @@ void main() {
   // Eq. 4: the strand moves by -d, in fur lengths.
   float metAlong = metHeight / coatTop, drawn = drawnBy(lock.clump.a, lock.clump.z * atlasLength * furLengths);
   float rises = clumpPull(metAlong - 1.0 / shape.z, drawn, sheet) - clumpPull(metAlong, drawn, sheet);
-  tangent.xy += (lock.from * (rises * shape.z) + lie / coatTop) * furLengths;
-  vec2 outward = lock.from / max(lock.clump.z * atlasLength, 1e-6);
-  float rho = min(lock.clump.a, 1.0), skinWetness = rho;
+  tangent.xy += (lock.from * (rises * shape.z * (1.0 - joined)) + lie / coatTop) * furLengths;
+  vec2 outward = (1.0 - joined) * lock.from / max(lock.clump.z * atlasLength, 1e-6);
+  float held = mix(lock.clump.a, entryHeld, joined), rho = min(held, 1.0), skinWetness = rho;
+  float strandShade = 0.65 * (1.0 - joined);
 #else
-  const float rho = 0.0, skinWetness = 0.0;
+  const float rho = 0.0, skinWetness = 0.0, strandShade = 0.65;
 #endif
   tangent = normalize(tangent);
 
@@ -343,10 +374,10 @@ void main() {
   const float kRise = 0.1;
   float lit = 1.0;
   if (h + kRise < 1.0)
-    lit -= 0.65 * shading.w * furry * textureLod(coverage, vec3(spot.xy + vLightStep * kRise, layerOf(storedLayer(h + kRise, 0.0)) + firstLayer), lod + 1.0).r;
+    lit -= strandShade * shading.w * furry * textureLod(coverage, vec3(spot.xy + vLightStep * kRise, layerOf(storedLayer(h + kRise, 0.0)) + firstLayer), lod + 1.0).r;
 
   // How far the ray went, to the strands or to the skin.
-  lit *= furShadowAt(vLightSpace + vLightRay * (alpha > 0.0 ? xSum * perStrand : end));
+  lit *= furShadowAt(vLightSpace + vLightRay * toStrand);
   vec3 model = colorAtRoot(spot);
   float exposed = h;
 #ifdef VIEW_LAYER
@@ -368,7 +399,8 @@ void main() {
 #endif
   vec3 color = shadeStrand(albedo, tangent, light3, view3, exposed, rho, lit, vView.w, met.z);
 #ifdef WET
-  color = lockLight(color, tangent, lockNormal(outward, sheet), light3, view3, h, lock.clump.a, sheet, lit, vView.w, met.z);
+  vec3 n = normalize(lockNormal(outward, sheet) + vec3(0.8 * joined * tilt, 0.0));
+  color = lockLight(color, tangent, n, light3, view3, h, held, sheet, lit, vView.w, wisp);
 #endif
   for (bool once = reachesSkin && closed < 1.0; once; once = false) {
     vec3 skin = shadeSkin(skinColor.rgb * model * 0.5, vLight.z, vView.w, 0.0, skinWetness, lit);
@@ -377,7 +409,7 @@ void main() {
 #ifdef GROOMED
     skin = mix(bareSkin(skinColor.rgb * model, vLight.z, vView.w, skinWetness, lit), skin, furry);
 #endif
-    color = alpha > 0.0 ? mix(skin, color, closed) : skin;
+    color = closed > 0.0 ? mix(skin, color, closed) : skin;
   }
 #if defined(VIEW_EXPLODED)
   // From blue at the skin to yellow at the tips.

@@ -1,6 +1,6 @@
 // Evaluates one shared function at two numbers a pixel and writes the result as 24-bit fixed point
 // over [-2, 2): how the tests hold the shaders against their C++ twins. Never drawn on screen.
-#if FUNCTION >= 19
+#if FUNCTION == 19 || FUNCTION == 20
 #define POLYNOMIAL 1
 #endif
 #include "common.glsl"
@@ -45,6 +45,10 @@ void main() {
   float value = clumpPull(mix(1.0 / shape.z, 1.0, at.x), at.y, sheetOf(at.y));
 #elif FUNCTION == 18
   float value = drawnBy(at.x, 3.0 * at.y);
+#elif FUNCTION == 21
+  float value = upright(at.x, sheetOf(at.x));
+#elif FUNCTION == 22
+  float value = pointsOf(at.x, sheetOf(at.x), 1.5 * at.y);
 #elif FUNCTION == 14
   float value = alongStrand(at.x, vec2(at.y, 0.0));
 #elif FUNCTION == 15

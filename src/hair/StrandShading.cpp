@@ -61,14 +61,14 @@ Vec3 shadeStrand(const StrandLook& look, const Vec3& albedo, const Vec3& tangent
   const float strength = look.gloss * std::sqrt(exponent / look.exponent) * glossShare(nDotL);
   const Vec2 shifts = lobeShifts(strand);
   const auto lobe = [&](float shift, float p) { return kajiyaLobe(shiftedCosine(tangent, light, view, shift), p); };
-  const Vec3 gloss = strength * key * ((0.7f + 0.3f * wetness) * lobe(shifts.x, exponent) + albedo * lobe(shifts.y, 0.5f * exponent));
+  const Vec3 gloss = strength * key * ((0.7f - 0.35f * wetness) * lobe(shifts.x, exponent) + albedo * lobe(shifts.y, 0.5f * exponent));
   const float diffuse = glm::mix(kajiyaDiffuse(tangent, light), std::max(nDotL, 0.0f), look.lambert);
   const Vec3 color = albedo * (key * diffuse + 1.6f * rim + sky) + gloss;
   return color * (1.0f + look.occlusion * (height - 1.0f)) * (1.0f - look.wetDarkening * wetness);
 }
 
 Vec3 wetAlbedo(const Vec3& albedo, float wetness) {
-  return glm::mix(albedo, albedo / glm::mix(Vec3(1.77f), Vec3(1.0f), albedo), wetness);
+  return glm::mix(albedo, albedo / glm::mix(Vec3(1.77f), Vec3(1.0f), albedo), wetness * (2 - wetness));
 }
 
 Vec3 lockNormal(const Vec2& outward, float sheet) {
@@ -81,11 +81,11 @@ Vec2 waterGloss(const Vec3& tangent, const Vec3& n, const Vec3& light, const Vec
   const Vec3 half = glm::normalize(light + view);
   const float away = 1 - saturate(glm::dot(n, view)), faces = std::max(glm::dot(n, half), 0.0f), slope = glm::dot(tangent, half);
   const float fresnel = 0.04f + 0.6f * away * away * away * away * away;
-  const float shifted = slope + 0.5f * (strand - 0.5f), own = strand * strand;
-  const float glint = kajiyaLobe(faces, 1.3f * exponent) * (1 - 0.7f * slope * slope) * (0.3f + 3 * own) +
+  const float shifted = slope + 0.5f * (1 - sheet) * (strand - 0.5f), own = strand * strand * glm::mix(1.0f, strand * strand, sheet);
+  const float glint = kajiyaLobe(faces, 1.3f * exponent) * (1 - 0.7f * slope * slope) * (glm::mix(0.3f, 0.1f, sheet) + 3 * own) +
                       kajiyaLobe(sineOf(shifted), 5 * exponent) * faces * faces * (0.1f + 1.2f * own);
-  const float wet = wetness * wetness * wetGloss;
-  return wet * Vec2(glossShare(light.z) * glint * glm::mix(1.6f, 0.6f, sheet), fresnel * glm::mix(0.5f, 1.5f, sheet));
+  const float film = std::min(wetness, 1.25f), wet = film * film * wetGloss;
+  return wet * Vec2(glossShare(light.z) * glint * glm::mix(1.6f, 0.5f, sheet), fresnel * glm::mix(0.5f, 1.5f, sheet));
 }
 
 Vec3 strandColor(const Vec3& root, const Vec3& tip, float height, float variance, float spread) {

@@ -47,7 +47,8 @@ float glossShare(float nDotL);
 Vec3 shadeStrand(const StrandLook& look, const Vec3& albedo, const Vec3& tangent, const Vec3& light, const Vec3& view,
                  float nDotL, float height, float wetness, float key, float rim, const Vec3& sky, float strand);
 // Wet strands. Water lies between them with nearly their own refractive index: light goes further in before it comes
-// out again, so that a wet coat is darker and its colour richer (Lekner and Dorf 1988, mirrors left out).
+// out again, so that a wet coat is darker and its colour richer (Lekner and Dorf 1988, mirrors left out). The
+// first water does most of it.
 Vec3 wetAlbedo(const Vec3& albedo, float wetness);
 // The normal of a lock in the surface's frame; `outward`: from its middle, 1 at its rim. `sheet`: wet::sheetOf().
 Vec3 lockNormal(const Vec2& outward, float sheet);

@@ -5,6 +5,7 @@
 #include "geometry/Curvature.h"
 #include "render/Renderer.h"
 #include "shared/Blocks.h"
+#include "wet/Clump.h"
 
 namespace fur::render {
 
@@ -185,12 +186,54 @@ void Renderer::setBaseColor(int width, int height, std::span<const std::uint8_t>
   uploadedBytes_ += baseColor_.bytes();
 }
 
-// What stands on wet fur adds to what the fur holds.
-static Vec4 withFilm(const wet::WetnessMask& mask, std::size_t texel) {
-  Vec4 out = mask.texels()[texel];
-  if (out.w > 0) out.w += mask.filmAt(texel);
-  return out;
+namespace {
+
+// How many texels about a texel say how wet it is shown, at most.
+constexpr int kMostSoftened = 12;
+
+// How much water stands in the charts of a rectangle, summed up from its corner, so that the mean of any part of it is
+// four look-ups.
+class WaterSums {
+ public:
+  WaterSums(const wet::WetnessMask& mask, const wet::TexelRect& rect, std::span<const std::uint16_t> charts)
+      : rect_(rect), width_(rect.x1 - rect.x0 + 1), sums_(static_cast<std::size_t>(width_ * (rect.y1 - rect.y0 + 1))) {
+    for (int y = rect.y0; y < rect.y1; ++y) {
+      Sum row;
+      for (int x = rect.x0; x < rect.x1; ++x) {
+        const auto i = static_cast<std::size_t>(y * mask.size() + x);
+        if (charts[i] != wet::SurfaceWetting::kNoChart) {
+          ++row.texels;
+          row.water += static_cast<std::uint32_t>(255 * std::min(mask.texels()[i].w + mask.filmAt(i), 1.0f));
+        }
+        const Sum& above = at(x + 1, y);
+        at(x + 1, y + 1) = {above.texels + row.texels, above.water + row.water};
+      }
+    }
+  }
+  // 0..1 of the square that reaches so far round the texel, as far as it lies in the rectangle.
+  float mean(int x, int y, int reach) {
+    const int x0 = std::max(x - reach, rect_.x0), x1 = std::min(x + reach + 1, rect_.x1);
+    const int y0 = std::max(y - reach, rect_.y0), y1 = std::min(y + reach + 1, rect_.y1);
+    const Sum &a = at(x0, y0), &b = at(x1, y0), &c = at(x0, y1), &d = at(x1, y1);
+    return static_cast<float>(d.water - b.water - c.water + a.water) / (255.0f * static_cast<float>(d.texels - b.texels - c.texels + a.texels));
+  }
+
+ private:
+  struct Sum {
+    std::uint32_t texels = 0, water = 0;
+  };
+  Sum& at(int x, int y) { return sums_[static_cast<std::size_t>((y - rect_.y0) * width_ + x - rect_.x0)]; }
+
+  wet::TexelRect rect_;
+  int width_;
+  std::vector<Sum> sums_;
+};
+
+wet::TexelRect widened(const wet::TexelRect& rect, int by, int size) {
+  return {std::max(rect.x0 - by, 0), std::max(rect.y0 - by, 0), std::min(rect.x1 + by, size), std::min(rect.y1 + by, size)};
 }
+
+}  // namespace
 
 void Renderer::updateMask(const wet::WetnessMask& mask, const wet::TexelRect& changed, std::span<const std::uint16_t> charts) {
   const int size = mask.size();
@@ -200,13 +243,26 @@ void Renderer::updateMask(const wet::WetnessMask& mask, const wet::TexelRect& ch
     rect = {0, 0, size, size};
   }
   if (rect.empty()) return;
+  rect = widened(rect, kMostSoftened, size);
+  WaterSums water(mask, widened(rect, kMostSoftened, size), charts);
   const int width = rect.x1 - rect.x0, height = rect.y1 - rect.y0;
   std::vector<Vec4> texels;
   texels.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   for (int y = rect.y0; y < rect.y1; ++y)
     for (int x = rect.x0; x < rect.x1; ++x) {
       const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(size) + static_cast<std::size_t>(x);
-      texels.push_back(charts[i] == wet::SurfaceWetting::kNoChart ? Vec4(0, 0, 0, -1) : withFilm(mask, i));
+      Vec4& texel = texels.emplace_back(0, 0, 0, -1);
+      if (charts[i] == wet::SurfaceWetting::kNoChart) continue;
+      texel = mask.texels()[i];
+      if (texel.w <= 0) continue;
+      // What stands on wet fur adds to what the fur holds. Towards dry fur water runs out over most of a lock: strands of
+      // both sides touch.
+      const float held = std::min(texel.w + mask.filmAt(i), 1.0f);
+      const int reach = static_cast<int>(
+          std::clamp((0.6f + 1.2f * wet::sheetOf(held)) * texel.z * static_cast<float>(size), 1.0f, float{kMostSoftened}));
+      texel.w += mask.filmAt(i);
+      const float inside = std::clamp(2.4f * water.mean(x, y, reach) / held - 1.1f, 0.05f, 1.0f);
+      texel.w *= inside * (2 - inside);
     }
   mask_.update(rect.x0, rect.y0, width, height, gl::bytesOf(texels), 0);
   uploadedBytes_ += texels.size() * sizeof(Vec4);

@@ -12,9 +12,9 @@
 
 namespace fur::wet {
 
-// Soaked clumps close into a sheet: from this wetness on, strands are drawn together by so much less and stand so much
-// lower.
-inline constexpr float kSheetFrom = 0.85f, kSheetOpens = 0.85f, kSheetSinks = 0.5f;
+// Soaked clumps close into a sheet: from this wetness on, strands are drawn together by so much less. Sheets and
+// saturated locks stand by so much lower.
+inline constexpr float kSheetFrom = 0.85f, kSheetOpens = 0.85f, kSheetSinks = 0.5f, kLocksSink = 0.3f;
 
 // No strand is pulled nearer to its clump's centre than this share of its way: at 1 every root of
 // the clump would stand on one point, and the way back from that point is lost (s / (1 - s)).
@@ -46,9 +46,21 @@ inline float drawnBy(float rho, float radius) { return std::min(rho, kMostAside 
 // the outer strands of a lock end lower, which is what points it.
 inline float alongStrand(float h, float aside) { return std::sqrt(h * h + aside * aside); }
 
+// How much shorter a strand of a lock looks; `outward`: of its root from the middle, 1 at the rim, squared. Water holds
+// the outer ones to the middle by their sides, their tips further down: that, too, points it.
+inline constexpr float kPoints = 0.7f;
+inline float pointsOf(float rho, float sheet, float outward) {
+  return 1.0f + kPoints * std::min(rho, 1.0f) * (1.0f - sheet) * std::min(outward, 1.0f);
+}
+
 // How far aside its tip lies (fur lengths) for a coat that leans by `lean` there: wet strands lie down the way they lean.
 inline float lieOf(float lean, float rho) {
-  return (0.45f * rho + 0.4f * sheetOf(rho)) * glm::smoothstep(0.0f, 0.12f, lean);
+  return (0.75f * rho + 0.1f * sheetOf(rho)) * glm::smoothstep(0.0f, 0.12f, lean);
+}
+
+// How high wet fur stands, as a share of dry fur's height.
+inline float upright(float rho) {
+  return 1.0f - glm::mix(kLocksSink * std::min(rho, 1.0f), kSheetSinks, sheetOf(rho));
 }
 
 // s / (1 - s): times (p - c) it leads from the texel p to the root of the strand that stands there.

@@ -87,9 +87,9 @@ TEST(Renderer, UploadsOnlyTheChangedRectangleOfTheMask) {
   scene.app.splashAt(0.5f, 0.5f, 0.02f, 0.5f);
   scene.draw();
   const std::size_t painting = scene.app.stats().uploadedBytes - still;
-  // A droplet of 0.02 of 256 texels spans 12 texels at most; 16 bytes each.
+  // A droplet of 0.02 of 256 texels spans 12 texels at most, and 12 more about it may look drier or wetter; 16 bytes each.
   EXPECT_GT(painting, 0u);
-  EXPECT_LE(painting, 12u * 12u * 16u);
+  EXPECT_LE(painting, 36u * 36u * 16u);
   EXPECT_LT(still, 4096u) << "a still frame uploads its uniforms only";
 }
 

@@ -59,7 +59,8 @@ struct Droplet : Scene {
     const truth::Tubes tubes = truth::placeStrands(map, *app.grownCoat(), 1e-5f);
     const float texel = 1 / (block.shape.y * block.volume.x), ground = app.surface().vertices[0].position.y;
     const Mat4 clip = clipFromWorld(f) * f.worldFromModel;
-    const float pull = wet::clumpPull(s.viewLayer, s.clumpShape, static_cast<float>(s.layers), wet::drawnBy(wetness, kRadius / s.furLength));
+    const float stands = s.viewLayer / wet::upright(wetness);
+    const float pull = wet::clumpPull(stands, s.clumpShape, static_cast<float>(s.layers), wet::drawnBy(wetness, kRadius / s.furLength));
     const auto hasFur = [&](const Vec3& at) {
       const Vec4 c = clip * Vec4(at, 1);
       const Vec2 pixel((0.5f + 0.5f * c.x / c.w) * kSide, (0.5f - 0.5f * c.y / c.w) * kSide);
@@ -71,10 +72,11 @@ struct Droplet : Scene {
     };
     Found found;
     for (const truth::Tube& tube : tubes.tubes) {
-      float along = s.viewLayer;
+      float along = stands;
       std::optional<Vec3> q;
       for (int k = 0; k < 8 && (q = pointAt(tubes, tube, along)); ++k)
-        along = wet::alongStrand(s.viewLayer, pull * glm::length(Vec2(q->x, q->z)) / s.furLength);
+        along = wet::alongStrand(stands, pull * glm::length(Vec2(q->x, q->z)) / s.furLength) *
+                wet::pointsOf(wetness, wet::sheetOf(wetness), glm::dot(Vec2(q->x, q->z), Vec2(q->x, q->z)) / (kRadius * kRadius));
       if (!q || along > 0.95f || glm::length(Vec2(q->x, q->z)) > 0.85f * kRadius) continue;
       const Vec2 at = wet::clumpForward(Vec2(q->x, q->z), Vec2(0), pull);
       const float height = ground + s.viewLayer * s.furLength;
@@ -87,7 +89,7 @@ struct Droplet : Scene {
 };
 
 TEST(WetLocks, ShowEachStrandWhereClumpingItByItselfPutsIt) {
-  for (const auto& [w, height] : {std::pair("0", "0.5"), std::pair("1", "0.5"), std::pair("0.6", "0.7")}) {
+  for (const auto& [w, height] : {std::pair("0", "0.4"), std::pair("1", "0.4"), std::pair("0.6", "0.5")}) {
     Droplet droplet(0.6f, w, height);
     const Droplet::Found found = droplet.find();
     EXPECT_GT(found.strands, 40);
@@ -160,6 +162,48 @@ TEST(WetLocks, OfASoakedCoatLieLowerAndAreDarker) {
   EXPECT_LT(locks.y, 0.8f * dry.y);
   EXPECT_LT(sheet.x, 0.97f * dry.x);
   EXPECT_LT(sheet.y, 0.8f * dry.y);
+}
+
+TEST(WetLocks, OfASoakedCoatHaveNoGrain) {
+  Ball ball;
+  // How much pixels differ from the mean of those beside, above and below them, for their brightness.
+  const auto grain = [](const Picture& p) {
+    double apart = 0, sum = 0;
+    for (int y = 60; y < 140; ++y)
+      for (int x = 60; x < 140; ++x) {
+        apart += std::abs(p.at(x, y)[0] - (p.at(x - 1, y)[0] + p.at(x + 1, y)[0] + p.at(x, y - 1)[0] + p.at(x, y + 1)[0]) / 4.0);
+        sum += p.at(x, y)[0];
+      }
+    return apart / sum;
+  };
+  const double dry = grain(ball.draw()), sheet = grain(ball.wet(1));
+  EXPECT_GT(dry, 0.05);
+  // What is left is streaks; where strands are met by chance it is four times that of dry fur.
+  EXPECT_LT(sheet, 0.7 * dry);
+}
+
+TEST(WetLocks, HoldLessWaterTowardsDryFur) {
+  Droplet droplet(0.7f, "0.6", "0.5");
+  set(droplet.app, {{"view", "wetness"}});
+  const Picture p = droplet.draw();
+  // On the way from the middle of the droplet to the right, as shares of its radius: how far the colour is from that of dry skin.
+  const render::Frame f = droplet.app.frame();
+  const Mat4 clip = clipFromWorld(f) * f.worldFromModel;
+  const float ground = droplet.app.surface().vertices[0].position.y;
+  const auto at = [&](float share) {
+    const Vec4 c = clip * Vec4(share * Droplet::kRadius, ground, 0, 1);
+    return p.at(static_cast<int>((0.5f + 0.5f * c.x / c.w) * kSide), static_cast<int>((0.5f - 0.5f * c.y / c.w) * kSide));
+  };
+  const auto wet = [&](float share) {
+    float sum = 0;
+    for (int k = 0; k < 3; ++k) sum += static_cast<float>(std::abs(at(share)[k] - at(1.3f)[k]));
+    return sum;
+  };
+  EXPECT_GT(wet(0), 60);
+  EXPECT_NEAR(wet(0.4f), wet(0), 6);
+  EXPECT_LT(wet(0.85f), 0.9f * wet(0));
+  EXPECT_LT(wet(0.96f), 0.6f * wet(0));
+  EXPECT_GT(wet(0.96f), 0);
 }
 
 TEST(WetLocks, StandWetAlongTheOutlineToo) {

@@ -116,12 +116,15 @@ FUR_BLOCK(FurBlock) {
 #define FUR_BEND_ROW 1024
 // s stays below this: at s = 1 every strand would end in one point (Clump.h has the same).
 #define FUR_MAX_SHIFT 0.92
-// Soaked clumps close into a sheet from this water on; then strands are drawn together by so much less, and stand by
-// so much lower (Clump.h has the same).
+// Soaked clumps close into a sheet from this water on; then strands are drawn together by so much less. Sheets and
+// saturated locks stand by so much lower (Clump.h has the same).
 #define FUR_SHEET_FROM 0.85
 #define FUR_SHEET_OPENS 0.85
 #define FUR_SHEET_SINKS 0.5
+#define FUR_LOCKS_SINK 0.3
 #define FUR_MOST_ASIDE 0.7
+// The strands at the rim of a lock seem so much shorter (Clump.h has the same).
+#define FUR_POINTS 0.7
 // Pixels along the square that the twin tests evaluate.
 #define FUR_TWIN_SIZE 33
 // A fin shows where (n1.v)(n2.v) is below the first (opacity rises from there to 1 edge-on), and where
