@@ -19,7 +19,7 @@ class ByteWriter {
   std::vector<std::uint8_t> bytes;
 
  private:
-  void append(const void* from, std::size_t count) {
+  [[gnu::noinline]] void append(const void* from, std::size_t count) {
     const auto* first = static_cast<const std::uint8_t*>(from);
     bytes.insert(bytes.end(), first, first + count);
   }
@@ -49,7 +49,7 @@ class ByteReader {
   bool atEnd() const { return bytes_.empty(); }
 
  private:
-  void copy(void* to, std::size_t count) {
+  [[gnu::noinline]] void copy(void* to, std::size_t count) {
     sound_ &= count <= bytes_.size();
     if (!sound_ || count == 0) return;
     std::memcpy(to, bytes_.data(), count);
