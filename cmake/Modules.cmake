@@ -85,6 +85,8 @@ if(EMSCRIPTEN)
   foreach(source Json NumberText)
     set_source_files_properties("${CMAKE_SOURCE_DIR}/src/core/${source}.cpp" PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-Os>")
   endforeach()
+  # Every wet place, every other step: four at a time.
+  set_source_files_properties("${CMAKE_SOURCE_DIR}/src/wet/Flow.cpp" PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-Os;-finline-functions>;-msimd128")
   # Every vertex, every frame: four at a time (dynamics/Lanes.h).
   target_compile_options(fur_dynamics PRIVATE "$<$<CONFIG:Release>:-Os;-finline-functions>" -msimd128)
   foreach(source scene/Pose render/MovingSurface)

@@ -145,21 +145,11 @@ FUR_EXPORT const double* fur_waterAccounts(App* app) {
 FUR_EXPORT double fur_wetnessAt(App* app, float u, float v) { return app->wetnessAt(u, v); }
 FUR_EXPORT double fur_meanWetness(App* app) { return app->meanWetness(); }
 FUR_EXPORT const char* fur_wetnessHash(App* app) { return web::hexadecimal(app->wetnessHash()); }
-FUR_EXPORT int fur_wetnessSize(App* app) { return app->wetnessMask().size(); }
-// size * size * 4 floats
-FUR_EXPORT const float* fur_wetnessTexels(App* app) { return &app->wetnessMask().texels().data()->x; }
-// size * size floats, or null where nothing stands on the fur
-FUR_EXPORT const float* fur_wetnessFilm(App* app) { return app->wetnessMask().film().empty() ? nullptr : app->wetnessMask().film().data(); }
-FUR_EXPORT int fur_restoreWetness(App* app, const float* texels, const float* film, int size) {
-  return guarded([&] {
-    if (size != app->wetnessMask().size())
-      return web::fail({ErrorId::BadFile, "a wetness mask of " + std::to_string(size) + " texels a side does not fit " +
-                                              std::to_string(app->wetnessMask().size())});
-    const Vec4* first = reinterpret_cast<const Vec4*>(texels);
-    const std::size_t count = std::size_t(size) * std::size_t(size);
-    app->restoreWetness({first, first + count}, {film, film ? film + count : film});
-    return 1;
-  });
+FUR_EXPORT std::uint32_t fur_saveWater(App* app) {
+  return guarded([&] { return web::keepSaved(app->saveWater()); });
+}
+FUR_EXPORT int fur_restoreWater(App* app, const std::uint8_t* bytes, std::uint32_t size) {
+  return guarded([&] { return web::report(app->restoreWater({bytes, size})); });
 }
 // --- groom ---
 

@@ -118,16 +118,9 @@ export class FurApp {
   wetnessAt(u, v) { return this.#call('fur_wetnessAt', u, v); }
   get meanWetness() { return this.#call('fur_meanWetness'); }
   get wetnessHash() { return this.#text('fur_wetnessHash'); }
-  get wetnessTexels() {
-    const size = this.#call('fur_wetnessSize');
-    const film = this.#call('fur_wetnessFilm');
-    return {
-      size,
-      texels: this.program.array(Float32Array, this.#call('fur_wetnessTexels'), size * size * 4),
-      film: film && this.program.array(Float32Array, film, size * size),
-    };
-  }
-  set wetnessTexels({ size, texels, film }) { this.#callOrThrow('fur_restoreWetness', texels, film, size); }
+  /** All of it, and what was done with it, as bytes for another program with the same model. */
+  get water() { return this.#saved('fur_saveWater'); }
+  set water(bytes) { this.#callOrThrow('fur_restoreWater', bytes, bytes.byteLength); }
   /** As bytes, for another program with the same model. */
   get groom() { return this.#saved('fur_saveGroom'); }
   restoreGroom(bytes, undoable) { this.#callOrThrow('fur_restoreGroom', bytes, bytes.byteLength, undoable ? 1 : 0); }

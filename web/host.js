@@ -694,7 +694,7 @@ export class WetFur extends EventTarget {
     const { EditorPanel } = which === 'editor' ? await import('./editor.js') : {};
     if (!this.#app || this.#state === 'lost') return;
     const old = this.#app;
-    const { state, tool, wetnessTexels, groom } = old;
+    const { state, tool, water, groom } = old;
     const typeSet = this.#typeSet?.revision === old.coatRevision ? this.#typeSet : null;
     this.#current();
     this.#panel?.dispose();
@@ -708,7 +708,7 @@ export class WetFur extends EventTarget {
     loadInto(app, this.#source, true);
     app.restoreGroom(groom, false);
     if (typeSet) this.#showTypeSet(typeSet);
-    app.wetnessTexels = wetnessTexels;
+    app.water = water;
     app.tool = tool;
     old.destroy();
     this.#program = which;

@@ -418,6 +418,7 @@ render::Frame App::State::frame(int level) const {
   f.baseColorFactor = baseColorFactor;
   f.drops = water.drops();
   f.puddles = puddles;
+  f.puddlesRevision = puddlesRevision;
   return f;
 }
 

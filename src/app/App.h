@@ -187,6 +187,9 @@ class App {
   // The whole mask, and its way back (size * size texels): what moves over when another program takes over.
   const wet::WetnessMask& wetnessMask() const;
   void restoreWetness(std::vector<Vec4> texels, std::vector<float> film = {});
+  // All water and what was done with it, to go on in another App with the same model. Bytes of this build, no file.
+  std::vector<std::uint8_t> saveWater() const;
+  Status restoreWater(std::span<const std::uint8_t> bytes);
   // The surface's atlas coordinates under a pixel of the drawing buffer; none off the model.
   std::optional<Vec2> pick(Vec2 pixel) const;
   // The footprint that the tool would have there: a ring on the skin, in pixels; empty off the model, or of no brush.

@@ -104,6 +104,7 @@ struct App::State {
   float hoseDue = 0;  // drops
   std::vector<std::uint8_t> puddles;  // how wet the ground is, as Frame has it
   std::uint32_t shownPuddles = 0;     // the water's groundRevision() that they are of
+  std::uint32_t puddlesRevision = 0;  // of them
   bool forcesChanged = true;
 
   // The groom. The two optionals are made when they are first needed: read them through ground().

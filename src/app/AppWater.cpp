@@ -74,7 +74,7 @@ bool App::State::runWater(float dt, double budget) {
     const wet::Climate now = climate();
     if (!water.active(mask, now)) continue;
     if (pose && !water.drops().empty()) on.shown = &shownQuery();
-    changed |= water.step(on, mask, wet::Water::kStep, now);
+    changed |= water.step(on, mask, now);
     ++waterSteps;
   }
   if (keyHold > 0 && (keyHold -= dt) <= 0) endStroke();
@@ -84,13 +84,19 @@ bool App::State::runWater(float dt, double budget) {
 
 void App::State::readPuddles() {
   if (std::exchange(shownPuddles, water.groundRevision()) == water.groundRevision()) return;
-  puddles.clear();
-  bool wet = false;
+  std::vector<std::uint8_t> now;
+  bool wet = false, seen = false;
   for (const float amount : water.ground()) {
     wet |= amount > 0;
-    puddles.push_back(static_cast<std::uint8_t>(255.0f * std::min(0.5f * amount, 1.0f)));
+    now.push_back(static_cast<std::uint8_t>(255.0f * std::min(0.5f * amount, 1.0f)));
+    // Nobody sees a ground that is drier by a step of a byte.
+    const int was = puddles.empty() ? 0 : puddles[now.size() - 1];
+    seen |= std::abs(now.back() - was) > 1;
   }
-  if (!wet) puddles.clear();
+  if (!wet) now.clear();
+  if (!seen && wet != puddles.empty()) return;
+  puddles = std::move(now);
+  ++puddlesRevision;
 }
 
 // A step of a tool that goes on.
@@ -160,6 +166,43 @@ std::string App::recordedStrokes() const {
     out += ']';
   }
   return out + ']';
+}
+
+std::vector<std::uint8_t> App::saveWater() const {
+  const State& s = *state_;
+  ByteWriter to;
+  to(s.mask.texels(), s.mask.film());
+  s.water.save(to);
+  to(s.waterSteps, static_cast<std::uint32_t>(s.strokes.size()));
+  for (const State::Stroke& one : s.strokes) to(one.what, one.radius, one.flow, one.clump, one.eye, one.spots);
+  return std::move(to.bytes);
+}
+
+Status App::restoreWater(std::span<const std::uint8_t> bytes) {
+  State& s = *state_;
+  s.endStroke();
+  ByteReader from(bytes);
+  std::vector<Vec4> texels;
+  std::vector<float> film;
+  wet::Water water;
+  std::vector<State::Stroke> strokes;
+  std::uint32_t steps = 0, count = 0;
+  from(texels, film);
+  water.restore(from);
+  from(steps, count);
+  for (; count > 0 && from.sound(); --count) {
+    State::Stroke& one = strokes.emplace_back();
+    from(one.what, one.radius, one.flow, one.clump, one.eye, one.spots);
+  }
+  const std::size_t all = s.mask.texels().size();
+  if (!from.sound() || !from.atEnd() || texels.size() != all || (!film.empty() && film.size() != all))
+    return Error{ErrorId::BadFile, "water of " + std::to_string(bytes.size()) + " bytes is not of this model"};
+  s.water = std::move(water);
+  s.shownPuddles = s.water.groundRevision() - 1;
+  s.waterSteps = steps;
+  s.strokes = std::move(strokes);
+  restoreWetness(std::move(texels), std::move(film));
+  return Done{};
 }
 
 Status App::replay(std::string_view json) {

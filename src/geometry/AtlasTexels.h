@@ -17,6 +17,7 @@ namespace fur::geometry {
 struct TexelRect {
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
   bool empty() const { return x0 >= x1 || y0 >= y1; }
+  bool meets(const TexelRect& other) const { return x0 < other.x1 && other.x0 < x1 && y0 < other.y1 && other.y0 < y1; }
   void include(int x, int y);
   bool operator==(const TexelRect&) const = default;
 };

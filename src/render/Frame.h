@@ -40,6 +40,7 @@ struct Frame {
   // How wet the ground is, 0..255: wet::Water's cells, over the square of half side kGroundHalfSide round the world's
   // origin. Or none: it is dry.
   std::span<const std::uint8_t> puddles;
+  std::uint32_t puddlesRevision = 0;  // another number when they are others; 0: none yet
 };
 
 // Of the ground that takes the model's shadow, and water; world.

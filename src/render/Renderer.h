@@ -75,7 +75,7 @@ class Renderer {
   Status drawSkin(unsigned variant);
   Status drawArrows(unsigned variant);
   void uploadBlocks(const Frame& frame);
-  void showPuddles(std::span<const std::uint8_t> cells);
+  void showPuddles(std::span<const std::uint8_t> cells, std::uint32_t revision);
   FurShadow::Key furShadowKey(const Frame& frame) const;
   void selectFins(const Vec3& eyeModel, bool evenOnes);
   void orderShells(const Vec3& eyeModel, float reach, bool overlapping);
@@ -118,6 +118,7 @@ class Renderer {
   };
   std::optional<ShadowKey> shadowKey_;
   std::size_t uploadedBytes_ = 0;
+  std::uint32_t puddlesRevision_ = 0;  // of those that the texture has
   long drawnPixels_ = 0;
 };
 

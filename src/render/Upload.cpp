@@ -1,5 +1,6 @@
 // The renderer's half that turns CPU data into GL objects.
 #include <algorithm>
+#include <utility>
 
 #include "core/Assert.h"
 #include "geometry/Curvature.h"
@@ -268,12 +269,13 @@ void Renderer::updateMask(const wet::WetnessMask& mask, const wet::TexelRect& ch
   uploadedBytes_ += texels.size() * sizeof(Vec4);
 }
 
-void Renderer::showPuddles(std::span<const std::uint8_t> cells) {
+void Renderer::showPuddles(std::span<const std::uint8_t> cells, std::uint32_t revision) {
   constexpr int kCells = wet::Water::kGroundCells;
   FUR_ASSERT(cells.size() == kCells * kCells, "Frame::puddles", "a byte for each of the water's cells", cells.size());
   if (puddles_.bytes() == 0) puddles_ = gl::Texture({gl::TexelFormat::R8, kCells, kCells, 0}, {});
-  puddles_.update(0, 0, kCells, kCells, std::as_bytes(cells), 0);
   puddles_.bind(FUR_UNIT_PUDDLES);
+  if (std::exchange(puddlesRevision_, revision) == revision) return;
+  puddles_.update(0, 0, kCells, kCells, std::as_bytes(cells), 0);
   uploadedBytes_ += cells.size();
 }
 

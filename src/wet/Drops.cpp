@@ -49,7 +49,7 @@ void Water::feedHanging(const Ground& ground, WetnessMask& mask, const Climate& 
     if (drop.place != SurfaceTexels::kNone) {
       const SurfaceTexels::Place& place = places[drop.place];
       const auto drink = [&](std::uint32_t from) {
-        if (from == SurfaceTexels::kNone || film_[from] <= kCling) return;
+        if (from == SurfaceTexels::kNone || film_[from] <= kCling + kLeast) return;
         const float left = film_[from] - 0.3f * (film_[from] - kCling);
         drop.water += (film_[from] - left) * places[from].area;
         store(ground, mask, from, held_[from], left);
@@ -143,17 +143,18 @@ void Water::wetGround(const Vec3& at, float amount) {
   for (int k = 0; k < 4; ++k)
     cell[(k >> 1) * kGroundCells + (k & 1)] += amount * (k & 1 ? share.x : 1 - share.x) * (k >> 1 ? share.y : 1 - share.y);
   ++groundRevision_;
-  groundWet_ = true;
+  groundWet_ = groundMoves_ = true;
 }
 
 // What the ground does not take up spreads over it, and all of it dries.
 void Water::seepGround(float dryRate) {
-  groundWet_ = false;
+  groundWet_ = groundMoves_ = false;
   const float dries = 0.5f * dryRate * kRate * kDryingTurns;
   constexpr std::size_t kRow = kGroundCells, kLast = kRow * (kRow - 1) - 1;
   for (std::size_t i = kRow + 1; i < kLast; ++i) {
     const float much = 0.1f * std::max(puddles_[i] - kTakes, 0.0f);
-    if (much == 0.0f) continue;
+    if (much < 4 * kLeast) continue;
+    groundMoves_ = true;
     puddles_[i] -= 4 * much;
     for (const std::size_t there : {i - 1, i + 1, i - kRow, i + kRow}) puddles_[there] += much;
   }
@@ -215,7 +216,7 @@ void Water::pour(const Ground& ground, WetnessMask& mask, const Vec3& centre, co
   accounts_.painted += amount;
   splash(centre, normal, radius, amount, texels_->placeAt(atlasAt(ground.surface, *hit)));
   for (std::uint32_t b = 0; b < flags_.size(); ++b)
-    if (flags_[b] & kReceived) receive(ground, mask, b);
+    if (flags_[b] & kReceived) receive(ground, mask, nullptr, b);
   touch(mask);
 }
 
@@ -246,7 +247,7 @@ void Water::clear() {
   hanging_ = 0;
   std::fill(hasDrop_.begin(), hasDrop_.end(), std::uint8_t{0});
   std::fill(puddles_.begin(), puddles_.end(), 0.0f);
-  groundWet_ = false;
+  groundWet_ = groundMoves_ = false;
   ++groundRevision_;
 }
 
@@ -259,6 +260,21 @@ Accounts Water::accounts() const {
   }
   for (const Drop& drop : drops_) sum.drops += drop.water;
   return sum;
+}
+
+void Water::save(ByteWriter& to) const {
+  // What is in the mask counts as painted where it is noticed.
+  Accounts without = accounts_;
+  const Accounts all = accounts();
+  without.painted -= all.held + all.film;
+  for (const float amount : incoming_) without.painted += amount;
+  to(drops_, puddles_, incoming_, groundWet_, groundMoves_, random_, rainDue_, steps_, without);
+}
+
+void Water::restore(ByteReader& from) {
+  reset();
+  from(drops_, puddles_, incoming_, groundWet_, groundMoves_, random_, rainDue_, steps_, accounts_);
+  drops_.resize(std::min(drops_.size(), kMostDrops));
 }
 
 std::uint64_t Water::hash(const WetnessMask& mask) const {

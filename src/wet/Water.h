@@ -15,6 +15,7 @@
 #include <span>
 #include <vector>
 
+#include "core/Bytes.h"
 #include "core/Math.h"
 #include "core/Random.h"
 #include "wet/ClumpSites.h"
@@ -67,6 +68,9 @@ struct Accounts {
 class Water {
  public:
   static constexpr float kStep = 1.0f / 60.0f;
+  // Blocks run by turns, a half of them in each step: water in fur is slow. All dry in every fourth, which looks
+  // continuous, and between which nothing has changed where water only dries: kDryingTurns.
+  static constexpr std::uint32_t kTurns = 2;
   static constexpr std::size_t kMostDrops = 1024;
   // The ground under the model: cells over [-kGroundReach, kGroundReach] in x and z, row by row of z.
   static constexpr int kGroundCells = 128;
@@ -82,11 +86,14 @@ class Water {
   // step() and the tools do nothing.
   bool prepare(const Ground& ground, std::uint32_t places = 0xffffffffu);
   bool ready() const { return ready_; }
+  // All that is here beside the mask: for one that is not prepared yet, on the same model, with the same mask.
+  void save(ByteWriter& to) const;
+  void restore(ByteReader& from);
 
   // How the fur lies, one a vertex of the surface: along the skin, 0 (upright) to 1 long. Model space.
   void setLay(std::vector<Vec3> lay);
-  // Advances by dt seconds, at most one. Whether anything that can be seen has changed.
-  bool step(const Ground& ground, WetnessMask& mask, float dt, const Climate& climate);
+  // Advances by kStep seconds. Whether anything that can be seen has changed.
+  bool step(const Ground& ground, WetnessMask& mask, const Climate& climate);
   // Whether time alone changes anything.
   bool active(const WetnessMask& mask, const Climate& climate) const;
 
@@ -115,13 +122,22 @@ class Water {
   static constexpr std::uint32_t kDryingTurns = 4;  // steps
   enum : std::uint8_t { kWet = 1, kMoving = 2, kReceived = 4, kFlows = 8 };
 
+  // Of the places of a block.
+  static constexpr std::size_t kPlaces = SurfaceTexels::kBlock * SurfaceTexels::kBlock;  // at most
+  struct Amounts {
+    float held[kPlaces], film[kPlaces];
+  };
+
   void notice(const Ground& ground, WetnessMask& mask);
-  void subStep(const Ground& ground, WetnessMask& mask, const Climate& climate);
   void aim(const Ground& ground, std::uint32_t block);
   void flow(std::uint32_t block);
-  void receive(const Ground& ground, WetnessMask& mask, std::uint32_t block);
+  void receive(const Ground& ground, WetnessMask& mask, const Climate* climate, std::uint32_t block);
   void evaporate(const Ground& ground, WetnessMask& mask, const Climate& climate, std::uint32_t block);
   void store(const Ground& ground, WetnessMask& mask, std::uint32_t place, float held, float film);
+  bool soak(std::uint32_t block, Amounts& now);
+  bool dry(const Climate& climate, std::uint32_t block, Amounts& now);
+  float rest(std::uint32_t block, const Amounts& now, bool moves);
+  bool storeBlock(const Ground& ground, WetnessMask& mask, std::uint32_t block, const Amounts& now);
   void touch(WetnessMask& mask);
   void give(std::uint32_t place, float amount);
   void feedHanging(const Ground& ground, WetnessMask& mask, const Climate& climate);
@@ -145,9 +161,11 @@ class Water {
   };
   std::vector<Ways> ways_;
   std::vector<float> areas_;
+  std::vector<std::uint32_t> texelOf_;
   std::vector<std::uint8_t> hasDrop_;
   // One a block.
   std::vector<std::uint8_t> flags_, stored_;
+  std::vector<std::uint32_t> dried_;  // the step in which it has last dried
   std::vector<std::uint32_t> aimed_;  // the number of the gravity and lay that its ways are for
   std::uint32_t aim_ = 0;
   Vec3 down_{0, -1, 0};  // model space
@@ -158,9 +176,9 @@ class Water {
   std::size_t hanging_ = 0;
   std::vector<float> puddles_;
   std::uint32_t groundRevision_ = 0;
-  bool groundWet_ = false;
+  bool groundWet_ = false, groundMoves_ = false;
   Random random_{11};
-  float due_ = 0, rainDue_ = 0;
+  float rainDue_ = 0;
   std::uint32_t steps_ = 0, seen_ = 0xffffffffu;
   bool changed_ = false;
   Accounts accounts_;  // but held, film and drops

@@ -176,6 +176,7 @@ void WetnessMask::touch(const TexelRect& changed) {
 void WetnessMask::note(const TexelRect& changed) {
   if (changed.empty()) return;
   ++revision_;
+  painted_ = unite(painted_, changed);
   touch(changed);
 }
 

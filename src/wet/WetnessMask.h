@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "core/Math.h"
@@ -62,6 +63,14 @@ class WetnessMask {
     texels_[texel] = value;
     setFilm(texel, film);
   }
+  // Likewise where the fur is wet and stays so: its clump stays. `before`: its filmAt().
+  void setWater(std::uint32_t texel, float wetness, float film, float before) {
+    texels_[texel].w = wetness;
+    if (film == before) return;
+    if (film_.empty()) film_.assign(texels_.size(), 0.0f);
+    filmTexels_ += static_cast<std::size_t>(film > 0.0f) - static_cast<std::size_t>(before > 0.0f);
+    film_[texel] = film;
+  }
   void touch(const TexelRect& changed);
 
   // In atlas units.
@@ -71,8 +80,9 @@ class WetnessMask {
   }
 
   bool isDry() const { return wetTexels_ == 0 && filmTexels_ == 0; }
-  // Another number whenever anything but set() has changed it.
+  // Another number whenever anything but set() has changed it; and where that was since the last call.
   std::uint32_t revision() const { return revision_; }
+  TexelRect takePainted() { return std::exchange(painted_, TexelRect{}); }
   float meanWetness() const;
   Vec4 at(float u, float v) const;
   // FNV-1a over the bytes of the texels; a film is not part of it.
@@ -101,7 +111,7 @@ class WetnessMask {
   std::vector<float> film_;
   std::size_t wetTexels_ = 0, filmTexels_ = 0;
   std::uint32_t revision_ = 0;
-  TexelRect changed_;
+  TexelRect changed_, painted_;
   std::array<std::uint16_t, kTiles> changedTiles_{};  // a bit for each of a row
 };
 

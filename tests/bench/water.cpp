@@ -51,7 +51,7 @@ int main() {
   wet::Water water;
   show("ways of the water, once a model", best(1, [&](int) { water.prepare(ground); }));
   wet::Climate climate;
-  const auto step = [&](int) { water.step(ground, mask, wet::Water::kStep, climate); };
+  const auto step = [&](int) { water.step(ground, mask, climate); };
   show("step, dry", best(50, step));
   const auto& places = water.texels()->places();
   std::printf("%zu places\n", places.size());
@@ -69,6 +69,10 @@ int main() {
   }
   show("step, flooded: mean of a second", sum);
   show("step, flooded: worst of a second", worst);
+  show("step, flooded, that a stroke goes on in", best(20, [&](int) {
+    wetting.addDroplet(mask, surface, query, places[9].position, places[9].normal, 0.05f, 0.35f);
+    step(0);
+  }));
   for (int i = 0; i < 1200; ++i) step(0);
   sum = 0;
   for (int i = 0; i < 60; ++i) sum += best(1, step) / 60;

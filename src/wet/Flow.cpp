@@ -1,0 +1,246 @@
+// How the water of Water.h runs, creeps, soaks in and dries: all that is done for each wet place in each turn. A block
+// of places at a time, in loops that compilers make into four places at a time.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+#include "wet/Water.h"
+
+namespace fur::wet {
+
+namespace {
+
+constexpr float kTurnTime = Water::kStep * Water::kTurns;
+
+// The film: kCling of it clings, thicker films run faster, and where it is deeper than kPool it also levels out.
+constexpr float kPool = 1.2f, kFastest = 1.5f;
+constexpr float kSpeed = 1.1f;        // model radii a second down a wall, of a film of 1
+constexpr float kMostLeaves = 0.5f;   // share of a place's film that leaves in a turn, times kFastest
+constexpr float kAbsorb = 5.0f;       // share of the film that fur takes up in a second
+// Fur wetter than kField lets go of what is above, this much slower than a film runs.
+constexpr float kField = 0.75f, kSeep = 0.4f;
+// Fur so wet draws no more from its neighbours: what it let go of would only come back.
+constexpr float kFull = kField - 0.05f;
+// Along strands water creeps: from wetter to drier fur, down to a difference of kWickRest, and not out of fur that is
+// only damp.
+constexpr float kWick = 1.5e-4f, kWickRest = 0.02f, kDamp = 0.3f, kMostWicks = 0.1f;
+// How far combed fur turns what runs, and how much better water creeps along it than across.
+constexpr float kTurn = 0.7f, kAlong = 3.0f;
+
+constexpr float kHangs = 0.4f;  // film that a drop hangs from
+constexpr std::size_t kMostHanging = 256;
+
+// One number for each link of a place.
+using Four [[gnu::vector_size(16)]] = float;
+float sum(const Four& x) { return ((x[0] + x[1]) + x[2]) + x[3]; }
+
+// 0..1, of two numbers.
+float chanceOf(std::uint32_t a, std::uint32_t b) {
+  std::uint32_t x = a * 0x9e3779b1u ^ b * 0x85ebca77u;
+  x = (x ^ x >> 15) * 0x2c1b3c6du;
+  x = (x ^ x >> 12) * 0x297a2d39u;
+  return static_cast<float>((x ^ x >> 15) >> 8) * (1.0f / 16777216.0f);
+}
+
+}  // namespace
+
+// How the water of a block runs and creeps: by gravity, the fur and the shape of the skin.
+void Water::aim(const Ground& ground, std::uint32_t index) {
+  aimed_[index] = aim_;
+  const auto& places = texels_->places();
+  const SurfaceTexels::Block& block = texels_->blocks()[index];
+  for (std::uint32_t i = block.first; i < block.end; ++i) {
+    const SurfaceTexels::Place& place = places[i];
+    Vec3 lay(0);
+    if (!lay_.empty())
+      for (std::size_t k = 0; k < 3; ++k) lay += lay_[ground.surface.indices[std::size_t{3} * place.triangle + k]] / 3.0f;
+    lay -= place.normal * glm::dot(lay, place.normal);
+    // Down along the skin, turned towards the line in which the strands lie.
+    Vec3 down = down_ - place.normal * glm::dot(down_, place.normal);
+    const float laid = glm::dot(lay, lay);
+    if (laid > 1e-6f) down += kTurn * (lay * (glm::dot(lay, down) / std::sqrt(laid)) - down * std::sqrt(laid));
+    Ways& ways = ways_[i];
+    ways = {{i, i, i, i}, {}, {}};
+    float sum = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::uint32_t there = texels_->links()[i][k];
+      if (there == SurfaceTexels::kNone) continue;
+      ways.to[k] = there;
+      const Vec3 way = places[there].position - place.position;
+      const float squared = glm::dot(way, way);
+      if (!(squared > 1e-12f)) continue;
+      // Water finds its way between the locks, not straight down; but never up, so that it rests where it is lowest.
+      const float chance = 0.3f + 1.4f * chanceOf(place.texel, static_cast<std::uint32_t>(k));
+      if (glm::dot(down_, way) > 0.0f) ways.runs[k] = kSpeed * kTurnTime * chance * std::max(glm::dot(down, way), 0.0f) / squared;
+      sum += ways.runs[k];
+      const float along = glm::dot(lay, way);
+      ways.wicks[k] = std::min(kWick * kTurnTime * (1.0f + kAlong * along * along / squared) / squared, kMostWicks);
+    }
+    if (sum > kMostLeaves)
+      for (float& share : ways.runs) share *= kMostLeaves / sum;
+  }
+}
+
+void Water::flow(std::uint32_t index) {
+  const std::uint32_t first = texels_->blocks()[index].first, end = texels_->blocks()[index].end;
+  float* const incoming = incoming_.data();
+  float* const heldOf = held_.data();
+  const float *const filmOf = film_.data(), *const areas = areas_.data();
+  const Ways* const waysOf = ways_.data();
+  bool flows = false;
+  for (std::uint32_t i = first; i < end; ++i) {
+    const float film = filmOf[i], held = heldOf[i];
+    const float mobile = film > kCling + kLeast ? film - kCling : 0.0f;
+    if (mobile == 0.0f && held <= kDamp) continue;
+    const Ways& ways = waysOf[i];
+    const std::uint32_t* const to = ways.to.data();
+    Four share;
+    std::memcpy(&share, ways.runs.data(), sizeof share);
+    Four fromFilm = share * (mobile * std::min(0.25f + mobile, kFastest));
+    Four fromHeld = share * (held > kField + kLeast ? kSeep * (held - kField) : 0.0f);
+    if (held > kDamp) {
+      Four wicks;
+      std::memcpy(&wicks, ways.wicks.data(), sizeof wicks);
+      const Four there{heldOf[to[0]], heldOf[to[1]], heldOf[to[2]], heldOf[to[3]]};
+      const Four drier = held - there - kWickRest;
+      fromHeld += ((drier > kLeast) & (there < kFull)) ? drier * wicks : Four{};
+    }
+    if (film > kPool) {
+      const Four higher = film - Four{filmOf[to[0]], filmOf[to[1]], filmOf[to[2]], filmOf[to[3]]};
+      fromFilm += higher > 0.0f ? higher * 0.05f : Four{};
+    }
+    const float outFilm = sum(fromFilm), outHeld = sum(fromHeld), area = areas[i];
+    // So that water comes to rest, and is at rest wherever it is taken to.
+    if (outFilm + outHeld < kLeast) continue;
+    flows = true;
+    const Four out = (fromFilm + fromHeld) * area;
+    for (std::size_t k = 0; k < 4; ++k) {
+      incoming[to[k]] += out[k];
+      if (to[k] - first >= end - first) flags_[texels_->blockOf(to[k])] |= kReceived;
+    }
+    // A film changes at the end of the step, so that it does not run on through all the places behind.
+    incoming[i] -= outFilm * area;
+    heldOf[i] -= outHeld;
+  }
+  if (flows) flags_[index] |= kFlows;
+}
+
+// Puts the water of a block in the mask; whether any has changed by as much as is worth following.
+bool Water::storeBlock(const Ground& ground, WetnessMask& mask, std::uint32_t index, const Amounts& now) {
+  const SurfaceTexels::Block& block = texels_->blocks()[index];
+  const std::uint32_t* const texelOf = &texelOf_[block.first];
+  const std::size_t count = block.end - block.first;
+  float heldBefore[kPlaces] = {};
+  for (std::size_t i = 0; i < count; ++i) heldBefore[i] = mask.texels()[texelOf[i]].w;
+  float *const heldOf = &held_[block.first], *const filmOf = &film_[block.first];
+  bool moves = false, stored = false;
+  for (std::size_t i = 0; i < count; ++i) {
+    const float held = now.held[i], film = now.film[i], filmBefore = filmOf[i];
+    heldOf[i] = held;
+    if (held == heldBefore[i] && film == filmBefore) continue;
+    moves |= std::abs(held - heldBefore[i]) > kLeast || std::abs(film - filmBefore) > kLeast;
+    const auto place = static_cast<std::uint32_t>(block.first + i);
+    if (!(heldBefore[i] > 0.0f && held > 0.0f)) {
+      store(ground, mask, place, held, film);
+      continue;
+    }
+    // Its lock stays.
+    filmOf[i] = film;
+    stored = true;
+    mask.setWater(texelOf[i], held, film, filmBefore);
+    texels_->forMirrors(place, [&](std::uint32_t mirror) { mask.set(mirror, mask.texels()[texelOf[i]], film); });
+  }
+  stored_[index] |= stored;
+  return moves;
+}
+
+// What a block holds when all that has come to it has arrived, and the film has soaked in; whether any has.
+bool Water::soak(std::uint32_t index, Amounts& now) {
+  const SurfaceTexels::Block& block = texels_->blocks()[index];
+  const float *const heldOf = &held_[block.first], *const filmOf = &film_[block.first], *const areas = &areas_[block.first];
+  float* const incoming = &incoming_[block.first];
+  int soaks = 0;
+  for (std::size_t i = 0; i < block.end - block.first; ++i) {
+    // Of a film that has all run off a rounding may be left on either side of nothing.
+    const float standing = std::max(filmOf[i] + incoming[i] / areas[i], 0.0f), room = 1.0f - heldOf[i];
+    incoming[i] = 0.0f;
+    const float taken = std::min(standing > 4 * kLeast ? standing * (kAbsorb * kTurnTime) : standing, room);
+    soaks |= (standing > 0.0f) & (room > 0.0f);
+    now.held[i] = std::min(heldOf[i] + taken, 1.0f);
+    now.film[i] = standing - taken;
+  }
+  return soaks;
+}
+
+// Takes from a block what goes since it has last dried; whether any film is left.
+bool Water::dry(const Climate& climate, std::uint32_t index, Amounts& now) {
+  const SurfaceTexels::Block& block = texels_->blocks()[index];
+  const std::size_t count = block.end - block.first;
+  const float time = kStep * static_cast<float>(std::min(steps_ - std::exchange(dried_[index], steps_), 2 * kDryingTurns));
+  const float still = climate.dryRate * (1.0f + 1.5f * std::sqrt(glm::dot(climate.wind, climate.wind)));
+  const Vec3 toBlock = block.centre - climate.blowCentre;
+  const float reach = block.radius + climate.blowRadius;
+  const bool blown = climate.blow > 0.0f && glm::dot(toBlock, toBlock) <= reach * reach;
+  if (!blown && !(still > 0.0f)) return false;
+  float rates[kPlaces] = {};
+  for (std::size_t i = 0; i < count; ++i) rates[i] = still * time;
+  for (std::size_t i = 0; blown && i < count; ++i) {
+    const Vec3 apart = texels_->places()[block.first + i].position - climate.blowCentre;
+    const float share = glm::dot(apart, apart) / (climate.blowRadius * climate.blowRadius);
+    if (share < 1.0f) rates[i] += climate.blow * (1.0f - share) * time;
+  }
+  const float* const areas = &areas_[block.first];
+  float lost[kPlaces] = {};
+  int film = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const float held = now.held[i];
+    // Damp fur is dry at the tips, where air takes the most.
+    const float loss = rates[i] * (1.4f - 0.8f * held);
+    const float heldLeft = std::max(held - loss, 0.0f), filmLeft = std::max(now.film[i] - loss, 0.0f);
+    now.held[i] = ((heldLeft < kLeast) & (filmLeft == 0.0f)) ? 0.0f : heldLeft;
+    lost[i] = ((held - now.held[i]) + (now.film[i] - filmLeft)) * areas[i];
+    now.film[i] = filmLeft;
+    film |= filmLeft > 0.0f;
+  }
+  double all = 0;
+  for (std::size_t i = 0; i < count; ++i) all += lost[i];
+  accounts_.evaporated += all;
+  return film;
+}
+
+// Notes of a block whether it is wet and moves; the deepest film on it.
+float Water::rest(std::uint32_t index, const Amounts& now, bool moves) {
+  float most = 0, deepest = 0;
+  for (std::size_t i = 0; i < kPlaces; ++i) most = std::max(most, now.held[i]), deepest = std::max(deepest, now.film[i]);
+  flags_[index] = static_cast<std::uint8_t>((std::max(most, deepest) > 0.0f ? kWet : 0) | (moves ? kMoving : 0));
+  return deepest;
+}
+
+void Water::evaporate(const Ground& ground, WetnessMask& mask, const Climate& climate, std::uint32_t index) {
+  const SurfaceTexels::Block& block = texels_->blocks()[index];
+  Amounts now{};
+  std::copy(&held_[block.first], &held_[block.first] + (block.end - block.first), now.held);
+  std::copy(&film_[block.first], &film_[block.first] + (block.end - block.first), now.film);
+  const bool moves = dry(climate, index, now) || flags_[index] & kMoving;
+  storeBlock(ground, mask, index, now);
+  rest(index, now, moves);
+}
+
+void Water::receive(const Ground& ground, WetnessMask& mask, const Climate* climate, std::uint32_t index) {
+  Amounts now{};
+  bool moves = soak(index, now) || flags_[index] & kFlows;
+  if (!(flags_[index] & kWet)) dried_[index] = steps_;
+  if (climate && steps_ - dried_[index] >= kDryingTurns) moves |= dry(*climate, index, now);
+  moves |= storeBlock(ground, mask, index, now);
+  if (rest(index, now, moves) <= kHangs) return;
+  const SurfaceTexels::Block& block = texels_->blocks()[index];
+  for (std::uint32_t i = block.first; i < block.end && hanging_ < kMostHanging && drops_.size() < kMostDrops; ++i)
+    if (film_[i] > kHangs && !hasDrop_[i] && glm::dot(texels_->places()[i].normal, down_) > 0.25f) {
+      drops_.push_back({Vec3(0), 0, Vec3(0), 0, i});
+      hasDrop_[i] = 1;
+      ++hanging_;
+    }
+}
+
+}  // namespace fur::wet
