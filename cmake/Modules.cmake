@@ -1,6 +1,8 @@
 # One library per folder of src/, linked along the allowed arrows (tools/check-arrows.mjs holds the
 # includes to the same table).
 
+find_program(FUR_NODE node NO_CMAKE_FIND_ROOT_PATH)
+
 add_library(fur_options INTERFACE)
 target_include_directories(fur_options INTERFACE "${CMAKE_SOURCE_DIR}/src")
 target_compile_options(fur_options INTERFACE -Wall -Wextra -Wpedantic -Werror)
@@ -48,10 +50,17 @@ if(TARGET third_party_gles)
     "${CMAKE_SOURCE_DIR}/shaders/es3/*.vert" "${CMAKE_SOURCE_DIR}/shaders/es3/*.frag"
     "${CMAKE_SOURCE_DIR}/shaders/es3/*.glsl" "${CMAKE_SOURCE_DIR}/shaders/es3/*.h")
   set(shader_header "${CMAKE_BINARY_DIR}/generated/render/ShaderSources.h")
+  # What the browser downloads; debug builds and programs keep names that can be read.
+  set(short_names "${CMAKE_SOURCE_DIR}/tools/short-names.mjs")
+  set(shorten)
+  if(EMSCRIPTEN AND NOT CMAKE_BUILD_TYPE STREQUAL "Debug")
+    set(shorten COMMAND "${FUR_NODE}" "${short_names}" "${shader_header}")
+  endif()
   add_custom_command(OUTPUT "${shader_header}"
     COMMAND "${CMAKE_COMMAND}" "-DSHADERS=${CMAKE_SOURCE_DIR}/shaders/es3" "-DOUTPUT=${shader_header}"
       -P "${CMAKE_SOURCE_DIR}/cmake/EmbedShaders.cmake"
-    DEPENDS ${FUR_SHADERS} "${CMAKE_SOURCE_DIR}/cmake/EmbedShaders.cmake"
+    ${shorten}
+    DEPENDS ${FUR_SHADERS} "${CMAKE_SOURCE_DIR}/cmake/EmbedShaders.cmake" "${short_names}"
     COMMENT "Embedding the shaders" VERBATIM)
   add_custom_target(fur_shaders DEPENDS "${shader_header}")
   add_library(fur_shader_sources INTERFACE)
@@ -95,7 +104,6 @@ if(EMSCRIPTEN)
 endif()
 
 # The programs wait for this check, so a forbidden include fails the build of all of them.
-find_program(FUR_NODE node NO_CMAKE_FIND_ROOT_PATH)
 if(FUR_NODE)
   file(GLOB_RECURSE checked CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/src/*" "${CMAKE_SOURCE_DIR}/web/*.cpp"
     "${CMAKE_SOURCE_DIR}/web/*.h" "${CMAKE_SOURCE_DIR}/native/*")

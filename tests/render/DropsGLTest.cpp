@@ -144,6 +144,7 @@ TEST(WetGround, IsDarkerWhereItSaysSoWithASoftEdgeAndCostsNothingWhenDry) {
       if (glm::length(at - spot) < 0.4f) scene.puddles[static_cast<std::size_t>(j * kCells + i)] = 255;
     }
   scene.frame.puddles = scene.puddles;
+  scene.frame.puddlesRevision = 1;
   const Picture p = scene.draw();
   const auto groundPixel = [&](const Vec2& at) { return scene.pixelOf({at.x, scene.frame.groundHeight, at.y}); };
   const auto change = [&](const Vec2& at) {

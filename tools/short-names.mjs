@@ -1,0 +1,86 @@
+// Gives the shaders of a web build short names, which the download feels: node tools/short-names.mjs ShaderSources.h
+// rewrites what cmake/EmbedShaders.cmake wrote. Global names are renamed alike in all files, so that stages, blocks and
+// includes still fit; names inside a function begin anew in each. What C++ asks for by name stays: samplers, blocks, and
+// what variants define. So does what is somewhere a member or a swizzle.
+import { readFileSync, writeFileSync } from 'node:fs';
+
+const types = '(?:float|int|bool|void|vec[234]|mat[234]|ivec[234])';
+const word = /(?<![\w.#"])[A-Za-z_]\w*/g;
+const letters = [...'abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ'];
+
+const file = process.argv[2], header = readFileSync(file, 'utf8');
+const stages = [...header.matchAll(/R"glsl\(([\s\S]*?)\)glsl"/g)].map((found) => found[1]);
+const all = stages.join('\n');
+const matches = (text, pattern) => new Set([...text.matchAll(pattern)].map((found) => found[1]));
+
+const kept = new Set([...matches(all, /\.([A-Za-z_]\w*)/g), ...matches(all, /sampler\w+ (\w+)/g), ...matches(all, /FUR_BLOCK\((\w+)\)/g),
+  ...matches(all, /(?:#ifdef|#ifndef) (\w+)/g), ...matches(all, /defined\((\w+)\)/g), ...matches(all, /struct (\w+)/g), 'main', 'FUR_BLOCK']);
+
+const another = new RegExp(`^(?:${[...matches(all, /struct (\w+)/g), types].join('|')}|in|out|inout|const|flat)$`);
+
+/** What a text declares, also after commas: "float a=f(b,c),d". */
+function declared(text) {
+  const names = new Set();
+  for (const { index } of text.matchAll(new RegExp(`(?<!\\w)(?:${[...matches(all, /struct (\w+)/g), types].join('|')}) (?=[A-Za-z_])`, 'g'))) {
+    let depth = 0, expects = true;
+    const from = text.indexOf(' ', index) + 1;
+    for (const [token] of text.slice(from).matchAll(/[A-Za-z_]\w*|[^\s]/g)) {
+      if (expects && another.test(token)) break;  // of a function's parameters the next
+      if (expects && /^[A-Za-z_]/.test(token)) names.add(token), (expects = false);
+      else if ('([{'.includes(token)) depth++;
+      else if (')]}'.includes(token) && --depth < 0) break;
+      else if (token === ';') break;
+      else if (token === ',' && depth === 0) expects = true;
+    }
+  }
+  return names;
+}
+
+/** Functions, from their names to the ends of their bodies; all else is outside. */
+function functionsOf(text) {
+  const spans = [];
+  for (const found of text.matchAll(new RegExp(`^(?:${types}|WetStrand) \\w+(?=\\([^;]*?\\)\\{)`, 'gm'))) {
+    let depth = 0, end = text.indexOf('{', found.index);
+    for (; end < text.length; end++) if (text[end] === '{') depth++; else if (text[end] === '}' && --depth === 0) break;
+    spans.push([found.index + found[0].length, end + 1]);
+  }
+  return spans;
+}
+
+let outside = '';
+for (const text of stages) {
+  let at = 0;
+  for (const [from, to] of functionsOf(text)) (outside += `${text.slice(at, from)};`), (at = to);
+  outside += `${text.slice(at)}\n`;
+}
+const globals = [...declared(outside), ...matches(all, /#define (FUR_\w+)/g)].filter((name) => !kept.has(name));
+const written = new Set(all.match(word)), taken = new Set([...written, ...kept]);
+const count = (name) => all.split(new RegExp(`(?<![\\w.#"])${name}(?!\\w)`)).length;
+const short = [...letters.slice(26), ...letters.flatMap((a) => [...letters, ...'0123456789'].map((b) => a + b))].filter((name) => !taken.has(name) && !/^(if|do|in)$/.test(name));
+const global = new Map([...new Set(globals)].sort((a, b) => count(b) - count(a)).map((name, i) => [name, short[i]]));
+
+function shorten(text) {
+  let result = '', at = 0;
+  const rename = (part, local = new Map()) => part.replace(word, (name) => local.get(name) ?? global.get(name) ?? name);
+  for (const [from, to] of functionsOf(text)) {
+    const body = text.slice(from, to);
+    const own = [...declared(body)].filter((name) => !kept.has(name) && !global.has(name));
+    const seen = new Set(body.match(word)), foreign = new Set([...seen].map((name) => global.get(name)));
+    const free = letters.filter((letter) => (!seen.has(letter) || own.includes(letter)) && !foreign.has(letter));
+    const local = new Map(own.map((name, i) => [name, free[i] ?? name]));
+    result += rename(text.slice(at, from)) + rename(body, local);
+    at = to;
+  }
+  return result + rename(text.slice(at));
+}
+
+/** Numbers without the zeros that they do not need, and no line ends but round what the preprocessor reads. */
+const squeeze = (text) => text.replace(/(?<![\w.])(\d+)\.0(?![\w.])/g, '$1.').replace(/(?<![\w.])0(\.\d)/g, '$1')
+  .replace(/([;{},])\n(?!#|$)/g, '$1');
+
+/** Without the macros that only C++ asks for. */
+const used = (text) => text.replace(/^#define (FUR_\w+) .*\n/gm, (line, name) => (count(name) > 2 ? line : ''));
+
+const included = [...matches(header, /#include "(.*?)"/g)];
+writeFileSync(file, header.replace(/(R"glsl\()([\s\S]*?)(\)glsl")/g, (_, open, text, close) => open + squeeze(shorten(used(text))) + close)
+  .replace(/"([\w/]+\.(?:glsl|h))"/g, (quoted, name) => (included.includes(name) ? `"${letters[included.indexOf(name)]}"` : quoted)));
