@@ -53,10 +53,12 @@ for (const text of stages) {
   for (const [from, to] of functionsOf(text)) (outside += `${text.slice(at, from)};`), (at = to);
   outside += `${text.slice(at)}\n`;
 }
-const globals = [...declared(outside), ...matches(all, /#define (FUR_\w+)/g)].filter((name) => !kept.has(name));
-const written = new Set(all.match(word)), taken = new Set([...written, ...kept]);
+const macros = matches(all, /#define (FUR_\w+)/g);
+const globals = [...declared(outside), ...macros].filter((name) => !kept.has(name));
+const taken = new Set([...all.match(word), ...kept]);
 const count = (name) => all.split(new RegExp(`(?<![\\w.#"])${name}(?!\\w)`)).length;
-const short = [...letters.slice(26), ...letters.flatMap((a) => [...letters, ...'0123456789'].map((b) => a + b))].filter((name) => !taken.has(name) && !/^(if|do|in)$/.test(name));
+const pairs = letters.flatMap((a) => [...letters, ...'0123456789'].map((b) => a + b)).filter((name) => !/^(if|do|in)$/.test(name));
+const short = [...letters.slice(26), ...pairs].filter((name) => !taken.has(name));
 const global = new Map([...new Set(globals)].sort((a, b) => count(b) - count(a)).map((name, i) => [name, short[i]]));
 
 function shorten(text) {
@@ -65,9 +67,10 @@ function shorten(text) {
   for (const [from, to] of functionsOf(text)) {
     const body = text.slice(from, to);
     const own = [...declared(body)].filter((name) => !kept.has(name) && !global.has(name));
-    const seen = new Set(body.match(word)), foreign = new Set([...seen].map((name) => global.get(name)));
-    const free = letters.filter((letter) => (!seen.has(letter) || own.includes(letter)) && !foreign.has(letter));
-    const local = new Map(own.map((name, i) => [name, free[i] ?? name]));
+    // No local hides a macro.
+    const seen = new Set(body.match(word)), foreign = new Set([...seen, ...macros].map((name) => global.get(name)));
+    const free = [...letters, ...pairs].filter((letter) => (!seen.has(letter) || own.includes(letter)) && !foreign.has(letter));
+    const local = new Map(own.map((name, i) => [name, free[i]]));
     result += rename(text.slice(at, from)) + rename(body, local);
     at = to;
   }
