@@ -256,14 +256,14 @@ void Renderer::updateMask(const wet::WetnessMask& mask, const wet::TexelRect& ch
       if (charts[i] == wet::SurfaceWetting::kNoChart) continue;
       texel = mask.texels()[i];
       if (texel.w <= 0) continue;
-      // What stands on wet fur adds to what the fur holds. Towards dry fur water runs out over most of a lock: strands of
-      // both sides touch.
-      const float held = std::min(texel.w + mask.filmAt(i), 1.0f);
+      // What stands on wet fur adds to what the fur holds. Towards dry fur water runs out over most of a lock, as strands of
+      // both sides touch; and over more of them a sheet parts into locks again, the water above it first.
+      const float all = texel.w + mask.filmAt(i), held = std::min(all, 1.0f);
       const int reach = static_cast<int>(
-          std::clamp((0.6f + 1.2f * wet::sheetOf(held)) * texel.z * static_cast<float>(size), 1.0f, float{kMostSoftened}));
-      texel.w += mask.filmAt(i);
+          std::clamp((0.6f + 6.0f * wet::sheetOf(held)) * texel.z * static_cast<float>(size), 1.0f, float{kMostSoftened}));
       const float inside = std::clamp(2.4f * water.mean(x, y, reach) / held - 1.1f, 0.05f, 1.0f);
-      texel.w *= inside * (2 - inside);
+      const float share = inside * (2 - inside), above = share * share;
+      texel.w = share * held + above * above * (all - held);
     }
   mask_.update(rect.x0, rect.y0, width, height, gl::bytesOf(texels), 0);
   uploadedBytes_ += texels.size() * sizeof(Vec4);
