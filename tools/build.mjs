@@ -10,6 +10,14 @@ import { assemble, dist } from './site.mjs';
 /** Where the programs, native and web, look for the models that are shipped. */
 export const models = join(root, 'build/models');
 
+/** Builds native programs, and the models that they look for. Returns the path of the first. */
+export function buildNative(...programs) {
+  const folder = buildFolder('native-release');
+  build('native-release', ['wet-fur-make-assets', ...programs]);
+  makeAssets(join(folder, 'wet-fur-make-assets'), models);
+  return join(folder, programs[0]);
+}
+
 /** Brings dist/ up to date. */
 export async function buildSite() {
   setUp({ packages: [needs.web], npm: true, imgui: true });

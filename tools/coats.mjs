@@ -1,9 +1,7 @@
 // npm run coats: docs/coats.jpg, a contact sheet of the presets on the bunny, each near and at a distance.
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { models } from './build.mjs';
-import { build, buildFolder } from './cmake.mjs';
-import { makeAssets } from './makeAssets.mjs';
+import { buildNative } from './build.mjs';
 import { inline, photograph } from './photograph.mjs';
 import { command, root, run } from './process.mjs';
 import { needs, setUp } from './setup.mjs';
@@ -34,9 +32,7 @@ const page = (figures) => `<!doctype html><style>
 
 await command(async () => {
   setUp({ packages: [needs.headless, needs.browser], npm: true });
-  build('native-release', ['wet-fur-make-assets', 'wet-fur-render']);
-  makeAssets(join(buildFolder('native-release'), 'wet-fur-make-assets'), models);
-  const program = join(buildFolder('native-release'), 'wet-fur-render'), folder = join(root, 'build/coats');
+  const program = buildNative('wet-fur-render'), folder = join(root, 'build/coats');
   mkdirSync(folder, { recursive: true });
   mkdirSync(join(root, 'docs'), { recursive: true });
   const figures = presets(program).map((preset) => ({ ...preset, images: pictures(program, preset, folder) }));

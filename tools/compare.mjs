@@ -1,16 +1,11 @@
 // npm run compare -- [model] [--views near,far] [--layers 16,32] [--variant name=value,...] [--out folder] [...]:
 // how far the real-time picture looks from the reference that draws every strand. The arguments are those of
 // the program wet-fur-compare; paths are relative to where npm was called.
-import { join } from 'node:path';
-import { models } from './build.mjs';
-import { build, buildFolder } from './cmake.mjs';
-import { makeAssets } from './makeAssets.mjs';
+import { buildNative } from './build.mjs';
 import { command, run } from './process.mjs';
 import { needs, setUp } from './setup.mjs';
 
 await command(() => {
   setUp({ packages: [needs.headless], npm: true });
-  build('native-release', ['wet-fur-make-assets', 'wet-fur-compare']);
-  makeAssets(join(buildFolder('native-release'), 'wet-fur-make-assets'), models);
-  run(join(buildFolder('native-release'), 'wet-fur-compare'), process.argv.slice(2), { cwd: process.env.INIT_CWD ?? process.cwd() });
+  run(buildNative('wet-fur-compare'), process.argv.slice(2), { cwd: process.env.INIT_CWD ?? process.cwd() });
 });

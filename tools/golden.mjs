@@ -5,9 +5,7 @@
 import { existsSync, mkdirSync, mkdtempSync, rmSync } from 'node:fs';
 import { availableParallelism, tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { models } from './build.mjs';
-import { build, buildFolder } from './cmake.mjs';
-import { makeAssets } from './makeAssets.mjs';
+import { buildNative } from './build.mjs';
 import { inline, photograph } from './photograph.mjs';
 import { command, root, say, Stop } from './process.mjs';
 import { needs, setUp } from './setup.mjs';
@@ -49,8 +47,7 @@ await command(async () => {
     return;
   }
   setUp({ packages: [needs.headless, needs.browser], npm: true });
-  build('native-release', ['wet-fur-make-assets', 'wet-fur-render']);
-  makeAssets(join(buildFolder('native-release'), 'wet-fur-make-assets'), models);
+  buildNative('wet-fur-render');
   const golden = await import('../tests/golden/golden.mjs');  // after npm
   const names = process.argv.slice(2), unknown = names.find((name) => !golden.scenes.some((scene) => scene.name === name));
   if (unknown) throw new Stop(`there is no golden scene ${unknown}`);

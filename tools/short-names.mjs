@@ -4,7 +4,6 @@
 // what variants define. So does what is somewhere a member or a swizzle.
 import { readFileSync, writeFileSync } from 'node:fs';
 
-const types = '(?:float|int|bool|void|vec[234]|mat[234]|ivec[234])';
 const word = /(?<![\w.#"])[A-Za-z_]\w*/g;
 const letters = [...'abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ'];
 
@@ -13,15 +12,17 @@ const stages = [...header.matchAll(/R"glsl\(([\s\S]*?)\)glsl"/g)].map((found) =>
 const all = stages.join('\n');
 const matches = (text, pattern) => new Set([...text.matchAll(pattern)].map((found) => found[1]));
 
-const kept = new Set([...matches(all, /\.([A-Za-z_]\w*)/g), ...matches(all, /sampler\w+ (\w+)/g), ...matches(all, /FUR_BLOCK\((\w+)\)/g),
-  ...matches(all, /(?:#ifdef|#ifndef) (\w+)/g), ...matches(all, /defined\((\w+)\)/g), ...matches(all, /struct (\w+)/g), 'main', 'FUR_BLOCK']);
+const structs = matches(all, /struct (\w+)/g);
+const types = [...structs, 'float|int|bool|void|vec[234]|mat[234]|ivec[234]'].join('|');
+const another = new RegExp(`^(?:${types}|in|out|inout|const|flat)$`);
 
-const another = new RegExp(`^(?:${[...matches(all, /struct (\w+)/g), types].join('|')}|in|out|inout|const|flat)$`);
+const kept = new Set([...matches(all, /\.([A-Za-z_]\w*)/g), ...matches(all, /sampler\w+ (\w+)/g), ...matches(all, /FUR_BLOCK\((\w+)\)/g),
+  ...matches(all, /(?:#ifdef|#ifndef) (\w+)/g), ...matches(all, /defined\((\w+)\)/g), ...structs, 'main', 'FUR_BLOCK']);
 
 /** What a text declares, also after commas: "float a=f(b,c),d". */
 function declared(text) {
   const names = new Set();
-  for (const { index } of text.matchAll(new RegExp(`(?<!\\w)(?:${[...matches(all, /struct (\w+)/g), types].join('|')}) (?=[A-Za-z_])`, 'g'))) {
+  for (const { index } of text.matchAll(new RegExp(`(?<!\\w)(?:${types}) (?=[A-Za-z_])`, 'g'))) {
     let depth = 0, expects = true;
     const from = text.indexOf(' ', index) + 1;
     for (const [token] of text.slice(from).matchAll(/[A-Za-z_]\w*|[^\s]/g)) {
@@ -39,7 +40,7 @@ function declared(text) {
 /** Functions, from their names to the ends of their bodies; all else is outside. */
 function functionsOf(text) {
   const spans = [];
-  for (const found of text.matchAll(new RegExp(`^(?:${types}|WetStrand) \\w+(?=\\([^;]*?\\)\\{)`, 'gm'))) {
+  for (const found of text.matchAll(new RegExp(`^(?:${types}) \\w+(?=\\([^;]*?\\)\\{)`, 'gm'))) {
     let depth = 0, end = text.indexOf('{', found.index);
     for (; end < text.length; end++) if (text[end] === '{') depth++; else if (text[end] === '}' && --depth === 0) break;
     spans.push([found.index + found[0].length, end + 1]);

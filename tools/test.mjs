@@ -3,9 +3,8 @@
 // stage passed.
 import { readdirSync } from 'node:fs';
 import { join, relative } from 'node:path';
-import { buildSite, models } from './build.mjs';
+import { buildNative, buildSite } from './build.mjs';
 import { build, buildFolder } from './cmake.mjs';
-import { makeAssets } from './makeAssets.mjs';
 import { command, root, runGathering, say } from './process.mjs';
 import { chromiumPath, needs, setUp } from './setup.mjs';
 
@@ -73,10 +72,7 @@ async function main() {
   await stage('arrows between modules', () => runGathering(process.execPath, [join(root, 'tools/check-arrows.mjs')]));
   await stage('the commands\' own tests', () => nodeTests(of('tools')));
 
-  await stage('native build', () => {
-    build('native-release', ['all', 'wet-fur-tests', 'wet-fur-gl-tests']);
-    makeAssets(join(buildFolder('native-release'), 'wet-fur-make-assets'), models);
-  });
+  await stage('native build', () => buildNative('all', 'wet-fur-tests', 'wet-fur-gl-tests'));
   await stage('CPU tests, native', () => program('native-release', 'wet-fur-tests'));
   await stage('GL tests, native', () => program('native-release', 'wet-fur-gl-tests'));
   await stage('golden pictures, native', () => nodeTests(of('golden')));

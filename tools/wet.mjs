@@ -1,9 +1,7 @@
 // npm run wet: docs/wet-*.jpg, the bunny from dry to soaked and drying again.
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { models } from './build.mjs';
-import { build, buildFolder } from './cmake.mjs';
-import { makeAssets } from './makeAssets.mjs';
+import { buildNative } from './build.mjs';
 import { inline, photograph } from './photograph.mjs';
 import { command, root, run } from './process.mjs';
 import { needs, setUp } from './setup.mjs';
@@ -20,9 +18,7 @@ const states = {
 
 await command(async () => {
   setUp({ packages: [needs.headless, needs.browser], npm: true });
-  build('native-release', ['wet-fur-make-assets', 'wet-fur-render']);
-  makeAssets(join(buildFolder('native-release'), 'wet-fur-make-assets'), models);
-  const program = join(buildFolder('native-release'), 'wet-fur-render'), folder = join(root, 'build/wet');
+  const program = buildNative('wet-fur-render'), folder = join(root, 'build/wet');
   mkdirSync(folder, { recursive: true });
   for (const [name, options] of Object.entries(states)) {
     const file = join(folder, `${name}.png`);

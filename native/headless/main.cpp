@@ -96,7 +96,6 @@ bool readGroom(const std::string& text, std::vector<GroomStep>& out) {
   return n.size() < 2 || n.size() == 4;
 }
 
-// In the order of app::Tool.
 constexpr std::pair<const char*, app::Tool> kHeldTools[] = {
     {"droplet", app::Tool::Droplet}, {"dry", app::Tool::Dry},     {"rain", app::Tool::Rain}, {"hose", app::Tool::Hose},
     {"towel", app::Tool::Towel},     {"dryer", app::Tool::Dryer}, {"pet", app::Tool::Pet},   {"ball", app::Tool::Ball}};

@@ -184,7 +184,7 @@ class App {
   float wetnessAt(float u, float v) const;
   float meanWetness() const;
   std::uint64_t wetnessHash() const;
-  // The whole mask, and its way back (size * size texels): what moves over when another program takes over.
+  // The whole mask, and its way back: size * size texels.
   const wet::WetnessMask& wetnessMask() const;
   void restoreWetness(std::vector<Vec4> texels, std::vector<float> film = {});
   // All water and what was done with it, to go on in another App with the same model. Bytes of this build, no file.
