@@ -21,7 +21,7 @@ export function countsIn(output) {
   };
 }
 
-// One stage: set-up and builds throw, a test program gives { status, output }.
+// One stage: set-up and builds throw and give nothing, a test program gives { status, output }.
 async function stage(name, work) {
   console.log(`\n=== ${name}`);
   const begun = Date.now();
@@ -72,7 +72,7 @@ async function main() {
   await stage('arrows between modules', () => runGathering(process.execPath, [join(root, 'tools/check-arrows.mjs')]));
   await stage('the commands\' own tests', () => nodeTests(of('tools')));
 
-  await stage('native build', () => buildNative('all', 'wet-fur-tests', 'wet-fur-gl-tests'));
+  await stage('native build', () => { buildNative('all', 'wet-fur-tests', 'wet-fur-gl-tests'); });
   await stage('CPU tests, native', () => program('native-release', 'wet-fur-tests'));
   await stage('GL tests, native', () => program('native-release', 'wet-fur-gl-tests'));
   await stage('golden pictures, native', () => nodeTests(of('golden')));
