@@ -115,7 +115,7 @@ vec2 waterGloss(vec3 T, vec3 n, vec3 L, vec3 V, float held, float sheet, float s
   own *= mix(1.0, own, sheet);
   float glint = kajiyaLobe(faces, 1.3 * shading.z) * (1.0 - 0.7 * slope * slope) * (mix(0.3, 0.1, sheet) + 3.0 * own) +
                 kajiyaLobe(sqrt(max(1.0 - shifted * shifted, 0.0)), 5.0 * shading.z) * faces * faces * (0.1 + 1.2 * own);
-  return film * film * water.z * vec2(glossShare(L.z) * glint * mix(1.6, 0.5, sheet), fresnel * mix(0.5, 1.5, sheet));
+  return film * film * water.z * vec2(glossShare(L.z) * glint * mix(1.6, 0.5, sheet), fresnel * mix(0.5, 0.2 + 2.4 * strand, sheet));
 }
 
 // A strand's light `color` as that of one in a lock: locks are round and stand close, so their far sides and feet get
@@ -124,8 +124,8 @@ vec3 lockLight(vec3 color, vec3 T, vec3 n, vec3 L, vec3 V, float h, float held, 
   float locks = min(held, 1.0) * (1.0 - 0.75 * sheet);
   float turnedTo = clamp(0.6 + 0.8 * dot(n, L), 0.15, 1.4);
   color *= mix(1.0, turnedTo, 0.7 * locks) * mix(1.0, smoothstep(-0.1, 0.8, h), 0.75 * locks) * (1.0 - 0.35 * min(held, 1.0)) * (1.0 - 0.38 * sheet);
-  vec2 mirrored = waterGloss(T, n, L, V, held, sheet, strand) * (lit * mix(1.0, h, locks));
-  return color + mirrored.x * light.w + mirrored.y * skyLight(upness);
+  vec2 mirrored = waterGloss(T, n, L, V, held, sheet, strand) * mix(1.0, h, locks);
+  return color + mirrored.x * lit * light.w + mirrored.y * mix(0.6, 1.0, lit) * skyLight(upness);
 }
 
 // Skin without fur, darker where it is wet; `lit` is the share of the light that reaches it.

@@ -70,6 +70,9 @@ void main() {
   float alpha = clamp((textureLod(finCoverage, spot, level).r - 0.5) * sharp + 0.5, 0.0, 1.0) * vFin.z * open;
   // Slabs show the coat up to its outline; only the tips that stand out over it are missing.
   alpha *= smoothstep(FUR_FIN_FOOT, 0.9, h) * (1.0 - smoothstep(0.94, 1.0, h));
+#ifdef WET
+  alpha *= 1.0 - sheet;
+#endif
   // Samples by chance, as in shell.frag.
   alpha += (pixelNoise() - 0.5) / sky.w;
   vec3 model = modelColor(baseColor, vUv), color = vec3(0.0);

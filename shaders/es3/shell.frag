@@ -15,9 +15,6 @@ uniform sampler2D baseColor;
 #if defined(TEXTURED) || defined(VIEW_OFFSET)
 uniform sampler2DArray offset;  // 0.5 + the way back to the strand's root, in tiles
 #endif
-#ifdef WET
-uniform sampler2D mask;
-#endif
 #ifdef GROOMED
 #include "common_types.glsl"
 #endif
@@ -29,7 +26,11 @@ in vec4 vLight;
 in vec4 vView;
 in vec4 vLean;
 in vec2 vLightStep;
+#ifdef WET
+in float vTop;
+#else
 flat in float vTop;
+#endif
 in vec2 vStrands;
 #if defined(WET) || defined(GROOMED)
 #define DRESSED  // strands stand elsewhere than in the tile, or not all of them
@@ -71,51 +72,7 @@ float rayTo(float depth, out bool comesThere) {
 }
 
 #ifdef WET
-// Of the whole ray, by where it enters: the water there, how much of a sheet the coat is, how high it stands, where its tips lie
-// from their roots (tiles); how many fur lengths a tile is, how many tiles the atlas.
-float entryHeld, sheet, coatTop, furLengths, atlasLength;
-vec2 lie;
-mat2 tileFromAtlas;
-
-// The strand that the ray meets at height h over the tile point `at`.
-struct WetStrand {
-  vec2 root;   // tile
-  float along; // itself, 0..1
-  float open;  // 0: none; more than 1 where many are drawn together
-  float pull;  // s
-  vec4 clump;  // w: the water it holds
-  vec2 from;   // of its root from the clump's middle, tiles
-};
-// `a`: the atlas point; `inside`: the last one that lay in the chart.
-WetStrand wetStrandAt(vec2 at, vec2 a, float h, inout vec2 inside) {
-  WetStrand strand;
-  strand.clump = clumpAt(mask, a);
-  float side = 1.0;
-  if (strand.clump.a < 0.0) {
-    // Beside the chart, where a ray along the outline soon is: locks as inside it, mirrored where it left.
-    a = 2.0 * inside - a;
-    side = -1.0;
-    strand.clump = clumpAt(mask, a);
-  } else {
-    inside = a;
-  }
-  bool clumped = strand.clump.a > 0.0;
-  if (strand.clump.a < 0.0) strand.clump.a = entryHeld;
-  strand.along = h / coatTop;
-  strand.pull = clumped ? clumpPull(strand.along, drawnBy(strand.clump.a, strand.clump.z * atlasLength * furLengths), sheet) : 0.0;
-  vec2 from = (a - strand.clump.xy) / (1.0 - strand.pull);
-  strand.from = tileFromAtlas * from * side;
-  vec2 aside = strand.from * strand.pull;
-  strand.root = at + aside;
-  strand.along = alongStrand(strand.along, aside * furLengths);
-  if (clumped) strand.along *= pointsOf(strand.clump.a, sheet, dot(from, from) / (strand.clump.z * strand.clump.z + 1e-12));
-  // A sheet nearly closes the gaps.
-  float own = mix(ownStrand(mask, strand.clump, from), 1.0, 0.7 * sheet) * (1.0 + 2.0 * strand.pull + sheet);
-  strand.open = (clumped ? own : 1.0) * float(strand.along <= 1.0);
-  return strand;
-}
-// Drawn together, strands are that much thinner than a pixel. Not all of it: locks keep their lines.
-float wetLevel(float lod, float pull) { return lod + step(0.3, pull) + step(0.63, pull); }
+#include "shell_wet.glsl"
 #endif
 
 // The chart's share where charts overlap, see geometry/FurClusters.h: blended in order.
@@ -204,6 +161,7 @@ void main() {
 #endif
   entryHeld = heldAround(mask, vAtlas);
   sheet = sheetOf(entryHeld);
+  float joined = sheet * (2.0 - sheet);
   coatTop = upright(entryHeld, sheet);
   lie = lieOf(vTurn.zw * furLengths, entryHeld, sheet) / furLengths;
   // Locks are denser than dry fur: they close sooner, and longer steps find them.
@@ -222,7 +180,11 @@ void main() {
   float softness = kReferenceSteps * stepSize;
   float furry = 1.0;  // how much of a coat there is where the ray is
   // Few variables and one way out: on a software rasteriser the loop itself costs as much as its look-ups.
-  float last = min(end, x + kMostSteps * stepSize);
+  float mostSteps = kMostSteps;
+#ifdef WET
+  if (reachesSkin && joined > kWholeSheet) mostSteps = kSheetSteps;
+#endif
+  float last = min(end, x + mostSteps * stepSize);
   while (x < last && alpha <= closes) {
     float h = heightAt(x);
     vec2 at = tileAt(x, h);
@@ -261,7 +223,7 @@ void main() {
       float add = stepCover(cover, softness) * (1.0 - alpha - closedHere);
       closedHere += add;
       hSum += add * up;
-      types[type] += add;
+      types[type] += add + 1e-3 * grows[type];
       if (add > most) most = add, mostX = x, spot = there;
     }
     float add = closedHere;
@@ -311,7 +273,6 @@ void main() {
 
   float perStrand = 1.0 / max(alpha, 1e-3), toStrand = alpha > 0.0 ? xSum * perStrand : end;
 #ifdef WET
-  float joined = sheet * (2.0 - sheet);
   toStrand = mix(toStrand, enters, joined);
   float metHeight = heightAt(mostX);
   vec2 metTile = tileAt(mostX, metHeight) - lie * (metHeight / coatTop);
@@ -331,15 +292,7 @@ void main() {
   vec4 met = textureLod(strand, spot.xyz, spot.w + 1.5 * min(lock.clump.a, 1.0));
   float wisp = met.z;
   if (sheet > 0.0) {
-    float top = min(vTop, coatTop), level = max(vLight.w + 1.5, 2.0);
-    vec2 line = lie * (max(6.0, 1.5 * exp2(level)) / (volume.x * max(length(lie), 1e-6)));
-    vec3 middle = vec3(2.0 * (tileAt(enters, top) - lie * (top / coatTop)), storedLayer(0.5, 0.0));
-#ifdef TYPES
-    middle.z += floor(spot.z / volume.y) * volume.y;
-#endif
-    vec4 inLine = vec4(0.0);
-    for (float k = -4.0; k < 4.5; ++k) inLine += textureLod(strand, middle + vec3(k * line, 0.0), level);
-    inLine /= 9.0;
+    vec4 inLine = strandsInLine(enters, spot.z);
     met = mix(met, inLine, joined);
     wisp = mix(wisp, clamp(0.5 + 3.0 * (inLine.z - 0.5), 0.0, 1.0), joined);
     h = mix(mix(h, 0.7, joined * (1.0 - closed)), 0.3 + 0.4 * wisp, joined);
@@ -386,7 +339,7 @@ void main() {
   vec4 tip = tipColors[0];
   vec3 rootTint = rootColors[0].rgb;
 #ifdef TYPES
-  types *= perStrand;
+  types /= max(dot(types, vec4(1.0)), 1e-6);
   tip *= types.x, rootTint *= types.x;
   for (int type = 1; type < FUR_TYPES; ++type) {
     tip += types[type] * tipColors[type];

@@ -22,7 +22,14 @@ out vec4 vLight;      // xyz: light in the surface's frame  w: mip level
 out vec4 vView;       // xyz: eye in the surface's frame  w: N.up
 out vec4 vLean;       // xy: sideways part of the tip's tangent for h = 1  zw: model uv
 out vec2 vLightStep;  // tile step towards the light for one fur length of height
+#ifdef WET
+layout(location = FUR_AROUND) in vec3 around;
+#include "common_clump.glsl"
+uniform sampler2D mask;
+out float vTop;
+#else
 flat out float vTop;  // the slab's top, 0..1
+#endif
 out vec2 vStrands;    // the strands shown: from, to; not clamped
 #if defined(WET) || defined(GROOMED)
 out vec2 vAtlas;
@@ -45,6 +52,16 @@ void main() {
   float top = floorLight.w;
 #else
   float top = 1.0 - float(gl_InstanceID) / shape.w;
+#endif
+#ifdef WET
+  // As far down as all fur stands from here to the next vertices: rays that came to a sheet from higher up would come
+  // past where the body turns away, and hang there.
+  float least = 9.0;
+  for (int i = 0; i < 9; ++i) {
+    float held = clumpAt(mask, around.xy + around.z * vec2(i % 3 - 1, i / 3 - 1)).a;
+    if (held >= 0.0) least = min(least, held);
+  }
+  if (least < 9.0) top *= 1.0 - FUR_SHEET_SINKS * sheetOf(least);
 #endif
   // In a crease the coat ends before its strands would cross those of the other side.
   mat2 S = mat2(furCurvature.z, furCurvature.w, furCurvature.w, gradSCurvature.w);

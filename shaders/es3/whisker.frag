@@ -38,8 +38,8 @@ void main() {
   vec3 color = shadeStrand(albedo, frame * T, frame * L, frame * V, h, vBand.w, lit, dot(z, up.xyz), vTangent.w);
 #ifdef WET
   // Round: where its normal lies between those to the eye and to the light it shines, all along.
-  vec2 mirrored = lit * waterGloss(frame * T, normalize(frame * (V - T * dot(T, V)) + vec3(0.0, rim, 0.0)), frame * L, frame * V, vBand.w, 0.0, vTangent.w);
-  color += mirrored.x * light.w + mirrored.y * skyLight(dot(z, up.xyz));
+  vec2 mirrored = waterGloss(frame * T, normalize(frame * (V - T * dot(T, V)) + vec3(0.0, rim, 0.0)), frame * L, frame * V, vBand.w, 0.0, vTangent.w);
+  color += mirrored.x * lit * light.w + mirrored.y * skyLight(dot(z, up.xyz));
 #endif
   fragColor = vec4(encodeSrgb(toneMap(color)), alpha);
 }

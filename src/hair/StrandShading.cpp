@@ -85,7 +85,7 @@ Vec2 waterGloss(const Vec3& tangent, const Vec3& n, const Vec3& light, const Vec
   const float glint = kajiyaLobe(faces, 1.3f * exponent) * (1 - 0.7f * slope * slope) * (glm::mix(0.3f, 0.1f, sheet) + 3 * own) +
                       kajiyaLobe(sineOf(shifted), 5 * exponent) * faces * faces * (0.1f + 1.2f * own);
   const float film = std::min(wetness, 1.25f), wet = film * film * wetGloss;
-  return wet * Vec2(glossShare(light.z) * glint * glm::mix(1.6f, 0.5f, sheet), fresnel * glm::mix(0.5f, 1.5f, sheet));
+  return wet * Vec2(glossShare(light.z) * glint * glm::mix(1.6f, 0.5f, sheet), fresnel * glm::mix(0.5f, 0.2f + 2.4f * strand, sheet));
 }
 
 Vec3 strandColor(const Vec3& root, const Vec3& tip, float height, float variance, float spread) {

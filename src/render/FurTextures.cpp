@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "furgen/Streaks.h"
 #include "shared/Blocks.h"
 
 namespace fur::render {
@@ -9,6 +10,9 @@ namespace fur::render {
 namespace {
 
 using gl::TexelFormat;
+
+// Streaks begin at this level of the strands' mipmaps: finer ones would be blurred out again.
+constexpr int kStreaked = 2;
 
 // Repeats; the height of a fin is clamped by its look-up.
 gl::Texture mapOf(TexelFormat format, int width, int height, int layers) {
@@ -35,6 +39,7 @@ void FurTextures::setLayer(int type, int layer, std::span<const furgen::PackedLe
     next_.coverage.updateLevel(level, at, gl::bytesOf(levels[i].coverage));
     next_.strand.updateLevel(level, at, gl::bytesOf(levels[i].strand));
     next_.offset.updateLevel(level, at, gl::bytesOf(levels[i].offset));
+    if (layer == nextLayers_ / 2 && level >= kStreaked) next_.streaked.push_back(levels[i]);
   }
 }
 
@@ -48,9 +53,27 @@ void FurTextures::setFin(int type, std::span<const furgen::PackedLevel> levels) 
 void FurTextures::show() {
   shown_ = std::exchange(next_, {});
   layers_ = nextLayers_;
+  streaks_ = {};
 }
 
-void FurTextures::bind() const {
+void FurTextures::makeStreaks() {
+  if (shown_.streaked.empty()) return;
+  constexpr int kTurns = static_cast<int>(FUR_STREAK_TURNS);
+  const int size = shown_.streaked.front().width;
+  streaks_ = mapOf(TexelFormat::RGBA8, size, size, kTurns * shown_.finStrand.shape().layers);
+  int level = 0, type = -1;
+  for (const furgen::PackedLevel& packed : shown_.streaked) {
+    level = packed.width == size ? 0 : level + 1;
+    type += level == 0;
+    for (int turn = 0; turn < kTurns; ++turn)
+      streaks_.updateLevel(level, type * kTurns + turn,
+                           gl::bytesOf(furgen::streaks(packed.strand, packed.width, static_cast<float>(turn) / kTurns)));
+  }
+}
+
+void FurTextures::bind(bool wet) {
+  if (wet && streaks_.bytes() == 0) makeStreaks();
+  streaks_.bind(FUR_UNIT_STREAKS);
   shown_.coverage.bind(FUR_UNIT_COVERAGE);
   shown_.strand.bind(FUR_UNIT_STRAND);
   shown_.offset.bind(FUR_UNIT_OFFSET);

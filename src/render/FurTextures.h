@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "furgen/Packing.h"
 #include "gl/Objects.h"
@@ -15,19 +16,23 @@ class FurTextures {
   void setLayer(int type, int layer, std::span<const furgen::PackedLevel> levels);
   void setFin(int type, std::span<const furgen::PackedLevel> levels);
   void show();
-  void bind() const;
+  // `wet`: with the streaks, which are made the first time.
+  void bind(bool wet);
 
   int size() const { return shown_.coverage.shape().width; }
   int layers() const { return layers_; }  // of one type
-  std::size_t bytes() const { return shown_.bytes() + next_.bytes(); }
+  std::size_t bytes() const { return shown_.bytes() + next_.bytes() + streaks_.bytes(); }
 
  private:
   // Layers of type after type; of the fin maps one a type.
   struct Set {
     gl::Texture coverage, strand, offset, finCoverage, finStrand;
+    std::vector<furgen::PackedLevel> streaked = {};  // what streaks are made of: small levels of half-way layers, type after type
     std::size_t bytes() const;
   };
+  void makeStreaks();
   Set shown_, next_;
+  gl::Texture streaks_;
   int layers_ = 1, nextLayers_ = 1;
 };
 

@@ -121,6 +121,7 @@ Result<const gl::Program*> Programs::use(Shader shader, unsigned variant) {
     program.bindSampler("baseColor", FUR_UNIT_BASE_COLOR);
     program.bindSampler("shadowMap", FUR_UNIT_GROUND);
     program.bindSampler("puddles", FUR_UNIT_PUDDLES);
+    program.bindSampler("streaks", FUR_UNIT_STREAKS);
     program.bindSampler("source", FUR_UNIT_GROUND);
     program.bindSampler("strandM", FUR_UNIT_STRAND_M);
     program.bindSampler("strandN", FUR_UNIT_STRAND_N);

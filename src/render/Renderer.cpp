@@ -165,7 +165,7 @@ Status Renderer::draw(const Frame& frame) {
   uploadBlocks(drawn);
   if (drawn.settings.ground)
     if (Status status = drawGroundShadow(drawn); !status) return status;
-  fur_.bind();
+  fur_.bind(frame.wet);
   mask_.bind(FUR_UNIT_MASK);
   bends_.bind(FUR_UNIT_BEND);
   groom_.bind(FUR_UNIT_GROOM);

@@ -1,9 +1,11 @@
 // The renderer's half that turns CPU data into GL objects.
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/Assert.h"
 #include "geometry/Curvature.h"
+#include "geometry/Weld.h"
 #include "render/Renderer.h"
 #include "shared/Blocks.h"
 #include "wet/Clump.h"
@@ -18,7 +20,7 @@ constexpr gl::Attribute kSkinAttributes[] = {
 };
 constexpr gl::Attribute kFurAttributes[] = {
     {FUR_UV_ATLAS, 4, offsetof(FurVertex, uvAtlas)}, {FUR_FUR_COORD, 4, offsetof(FurVertex, fur)},
-    {FUR_ATLAS_FROM_FUR, 4, offsetof(FurVertex, atlasFromFur)},
+    {FUR_ATLAS_FROM_FUR, 4, offsetof(FurVertex, atlasFromFur)}, {FUR_AROUND, 3, offsetof(FurVertex, around)},
 };
 constexpr gl::Attribute kEdgeAttributes[] = {
     {FUR_FIN_POSITION_A, 4, offsetof(FinEdge, positionA)}, {FUR_FIN_POSITION_B, 4, offsetof(FinEdge, positionB)},
@@ -57,6 +59,24 @@ std::vector<FinEdge> finEdges(const geometry::Surface& surface) {
   return out;
 }
 
+// FUR_AROUND: the middle of the largest triangle at that place, which is in its chart where the place may lie on a border.
+void findSurroundings(const geometry::Surface& surface, std::vector<FurVertex>& vertices) {
+  std::vector<Vec3> positions;
+  for (const auto& v : surface.vertices) positions.push_back(v.position);
+  const geometry::Weld weld = geometry::weldPositions(positions);
+  std::vector<Vec3> found(weld.count, Vec3(0));
+  for (std::size_t i = 0; i < surface.indices.size(); i += 3) {
+    const auto atlas = [&](std::size_t k) { return surface.vertices[surface.indices[i + k]].atlas; };
+    const Vec2 a = atlas(0), b = atlas(1) - a, c = atlas(2) - a;
+    const float edge = std::sqrt(std::abs(b.x * c.y - b.y * c.x));
+    for (std::size_t k = 0; k < 3; ++k) {
+      Vec3& at = found[weld.idOf[surface.indices[i + k]]];
+      if (edge > at.z) at = Vec3(a + (b + c) / 3.0f, edge);
+    }
+  }
+  for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i].around = found[weld.idOf[i]];
+}
+
 }  // namespace
 
 void Renderer::setSurface(const geometry::Surface& surface, std::span<const Vec3> tangents) {
@@ -64,8 +84,9 @@ void Renderer::setSurface(const geometry::Surface& surface, std::span<const Vec3
   std::vector<FurVertex> furVertices;
   for (const auto& v : surface.vertices) {
     vertices.push_back({Vec4(v.position, v.strands.x), Vec4(v.normal, v.strands.y), Vec4(v.gradS, v.curvature.z), v.gradT});
-    furVertices.push_back({Vec4(v.uv, v.atlas), Vec4(v.fur, v.curvature.x, v.curvature.y), v.atlasFromFur});
+    furVertices.push_back({Vec4(v.uv, v.atlas), Vec4(v.fur, v.curvature.x, v.curvature.y), v.atlasFromFur, {}});
   }
+  findSurroundings(surface, furVertices);
   finEdges_ = finEdges(surface);
   vertices_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(vertices), !tangents.empty());
   furVertices_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(furVertices), false);

@@ -59,6 +59,7 @@ FUR_BLOCK(FurBlock) {
 #define FUR_GRAD_S 4          // w: curvature S_tt
 #define FUR_GRAD_T 5
 #define FUR_ATLAS_FROM_FUR 6  // 2x2 by columns
+#define FUR_AROUND 7          // xy: atlas  z: how far from there its triangles reach; of all vertices of one place the same
 
 // Fin instances: one an edge.
 #define FUR_FIN_POSITION_A 0  // w: vertex index, for its bend
@@ -95,6 +96,10 @@ FUR_BLOCK(FurBlock) {
 #define FUR_UNIT_FIN_COVERAGE 12
 #define FUR_UNIT_FIN_STRAND 13
 #define FUR_UNIT_PUDDLES 14
+#define FUR_UNIT_STREAKS 15
+
+// Directions over a half turn in which strands are averaged into streaks (furgen/Streaks.h).
+#define FUR_STREAK_TURNS 32.0
 
 // Of the background: cells along the ground's square, and strips of the gradient.
 #define FUR_GROUND_CELLS 16
