@@ -58,14 +58,15 @@ vec4 clumpAt(sampler2D mask, vec2 a) {
   return texelFetch(mask, clamp(ivec2(a * water.w), ivec2(0), ivec2(int(water.w) - 1)), 0);
 }
 
-// The water held there, between four texels; none beside the charts.
+// The water held there, between four texels. Those beside the charts have -1 less than the water next to them.
 float heldAround(sampler2D mask, vec2 a) {
   vec2 texel = a * water.w - 0.5, corner = floor(texel), part = texel - corner;
   ivec2 most = ivec2(int(water.w) - 1), low = clamp(ivec2(corner), ivec2(0), most), high = min(low + 1, most);
   vec4 held = vec4(texelFetch(mask, low, 0).a, texelFetch(mask, ivec2(high.x, low.y), 0).a,
                    texelFetch(mask, ivec2(low.x, high.y), 0).a, texelFetch(mask, high, 0).a);
-  vec4 inChart = step(0.0, held) * vec4(1.0 - part.x, part.x, 1.0 - part.x, part.x) * vec4(vec2(1.0 - part.y), vec2(part.y));
-  return dot(held, inChart) / max(dot(inChart, vec4(1.0)), 1e-6);
+  held = mix(held, -1.0 - held, step(held, vec4(-1.0)));
+  vec2 across = mix(held.xz, held.yw, part.x);
+  return mix(across.x, across.y, part.y);
 }
 
 // Whether the strand rooted `from` the centre of the clump is one of its own, 0..1. Algorithm 2: a root outside the clump, in a

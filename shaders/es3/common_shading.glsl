@@ -123,7 +123,7 @@ vec2 waterGloss(vec3 T, vec3 n, vec3 L, vec3 V, float held, float sheet, float s
 vec3 lockLight(vec3 color, vec3 T, vec3 n, vec3 L, vec3 V, float h, float held, float sheet, float lit, float upness, float strand) {
   float locks = min(held, 1.0) * (1.0 - 0.75 * sheet);
   float turnedTo = clamp(0.6 + 0.8 * dot(n, L), 0.15, 1.4);
-  color *= mix(1.0, turnedTo, 0.7 * locks) * mix(1.0, smoothstep(-0.1, 0.8, h), 0.75 * locks) * (1.0 - 0.35 * min(held, 1.0)) * (1.0 - 0.38 * sheet);
+  color *= mix(1.0, turnedTo, 0.7 * locks) * mix(1.0, smoothstep(-0.1, 0.8, h), 0.55 * locks) * (1.0 - 0.35 * min(held, 1.0)) * (1.0 - 0.38 * sheet);
   vec2 mirrored = waterGloss(T, n, L, V, held, sheet, strand) * mix(1.0, h, locks);
   return color + mirrored.x * lit * light.w + mirrored.y * mix(0.6, 1.0, lit) * skyLight(upness);
 }

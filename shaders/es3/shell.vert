@@ -54,14 +54,14 @@ void main() {
   float top = 1.0 - float(gl_InstanceID) / shape.w;
 #endif
 #ifdef WET
-  // As far down as all fur stands from here to the next vertices: rays that came to a sheet from higher up would come
-  // past where the body turns away, and hang there.
-  float least = 9.0;
+  // As far down as fur stands from here to the next vertices: rays that came to a sheet from higher up would come past where
+  // the body turns away, and hang there.
+  vec2 sheets = vec2(0.0, 1e-6);
   for (int i = 0; i < 9; ++i) {
     float held = clumpAt(mask, around.xy + around.z * vec2(i % 3 - 1, i / 3 - 1)).a;
-    if (held >= 0.0) least = min(least, held);
+    if (held >= 0.0) sheets += vec2(sheetOf(held), 1.0);
   }
-  if (least < 9.0) top *= 1.0 - FUR_SHEET_SINKS * sheetOf(least);
+  top *= 1.0 - FUR_SHEET_SINKS * sheets.x / sheets.y;
 #endif
   // In a crease the coat ends before its strands would cross those of the other side.
   mat2 S = mat2(furCurvature.z, furCurvature.w, furCurvature.w, gradSCurvature.w);

@@ -15,6 +15,7 @@ const char* fragmentOf(Shader shader, unsigned variant) {
   if (shader == Shader::Fin && variant & kViewEdges) return shaders::kViewEdgeFrag;
   switch (shader) {
     case Shader::Background: return shaders::kBackgroundFrag;
+    case Shader::Ground: return shaders::kGroundFrag;
     case Shader::GroundShadow: return shaders::kGroundShadowFrag;
     case Shader::Blur: return shaders::kBlurFrag;
     case Shader::Skin: return shaders::kSkinFrag;
@@ -39,6 +40,7 @@ struct Source {
 Source sourceOf(Shader shader) {
   switch (shader) {
     case Shader::Background: return {"background", shaders::kBackgroundVert};
+    case Shader::Ground: return {"ground", shaders::kGroundVert};
     case Shader::GroundShadow: return {"ground_shadow", shaders::kGroundShadowVert};
     case Shader::Blur: return {"blur", shaders::kScreenVert};
     case Shader::Skin: return {"skin", shaders::kSkinVert};
@@ -137,7 +139,7 @@ std::vector<std::pair<Shader, unsigned>> allVariants() {
   std::vector<std::pair<Shader, unsigned>> all = {
       {Shader::Background, kPlain}, {Shader::GroundShadow, kPlain}, {Shader::Blur, kPlain}, {Shader::ShadowBlur, kShadowDepth},
       {Shader::Skin, kViewWetness}, {Shader::Skin, kViewNormals},   {Shader::ShadowMap, kPlain},
-      {Shader::Enlarge, kPlain},    {Shader::Drop, kPlain},       {Shader::Background, kWet},     {Shader::Ball, kPlain},
+      {Shader::Enlarge, kPlain},    {Shader::Drop, kPlain},       {Shader::Ground, kPlain},      {Shader::Ground, kWet},     {Shader::Ball, kPlain},
       {Shader::ShadowMap, kShadowLayers}, {Shader::ShadowMap, kSkinOnly},
       {Shader::ShadowMap, kBall},   {Shader::GroundShadow, kBall},
       {Shader::Skin, kViewClumps},  {Shader::Skin, kViewDim},     {Shader::Fin, kViewEdges},

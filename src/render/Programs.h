@@ -9,12 +9,12 @@
 
 namespace fur::render {
 
-enum class Shader { Background, GroundShadow, Blur, Skin, Shell, ShadowMap, ShadowBlur, Fin, Enlarge, Whisker, Drop, Ball, Arrow };
+enum class Shader { Background, Ground, GroundShadow, Blur, Skin, Shell, ShadowMap, ShadowBlur, Fin, Enlarge, Whisker, Drop, Ball, Arrow };
 
 // Bits of a variant; each is a #define in the shader.
 enum Variant : unsigned {
   kPlain = 0,
-  kWet = 1 << 0,           // Shell, Fin, Whisker, Skin under fur; Background: the ground is wet somewhere
+  kWet = 1 << 0,           // Shell, Fin, Whisker, Skin under fur; Ground: it is wet somewhere
   kTextured = 1 << 1,      // the model has a picture of its own
   kGroomed = 1 << 2,       // Shell: the groom's map says more than full length
   kTypes = 1 << 3,         // Shell, Fin, Skin: several fur types; shells then are groomed

@@ -106,7 +106,7 @@ Result<Renderer> Renderer::create() {
   for (const auto& [shader, variant] :
        {std::pair(Shader::Shell, usual), std::pair(Shader::Fin, usual), std::pair(Shader::Skin, usual | kUnderFur),
         std::pair(Shader::ShadowMap, +kPlain), std::pair(Shader::ShadowBlur, +kShadowDepth),
-        std::pair(Shader::GroundShadow, +kPlain), std::pair(Shader::Blur, +kPlain), std::pair(Shader::Background, +kPlain)})
+        std::pair(Shader::Ground, +kPlain), std::pair(Shader::GroundShadow, +kPlain), std::pair(Shader::Blur, +kPlain), std::pair(Shader::Background, +kPlain)})
     r.programs_.begin(shader, variant);
   const shared::FrameBlock frame{};
   const shared::FurBlock coat{};
@@ -213,11 +213,17 @@ Status Renderer::drawPasses(const Frame& frame) {
     return skin(shown(furry ? skinLook | under : skinLook & ~kTypes, view));
   };
   const auto background = [&]() -> Status {
-    const auto program = programs_.use(Shader::Background, frame.puddles.empty() ? kPlain : kWet);
-    if (!program) return program.error();
     gl::apply({.cullBack = false});
-    gl::drawWithoutVertices(6 * (FUR_GROUND_CELLS * FUR_GROUND_CELLS + FUR_BACKGROUND_STRIPS));
-    return Done{};
+    const auto drawn = [&](Shader shader, unsigned variant, int squares) -> Status {
+      const auto program = programs_.use(shader, variant);
+      if (!program) return program.error();
+      gl::drawWithoutVertices(6 * squares);
+      return Done{};
+    };
+    if (frame.settings.ground && view == View::Final)
+      if (Status status = drawn(Shader::Ground, frame.puddles.empty() ? kPlain : kWet, FUR_GROUND_CELLS * FUR_GROUND_CELLS); !status)
+        return status;
+    return drawn(Shader::Background, kPlain, FUR_BACKGROUND_STRIPS);
   };
   const auto both = [](Status first, auto&& second) { return first ? second() : first; };
   const bool counts = view == View::Overdraw || view == View::Steps;

@@ -212,6 +212,8 @@ namespace {
 
 // How many texels about a texel say how wet it is shown, at most.
 constexpr int kMostSoftened = 12;
+// So far from the charts texels still know of their water, for what is looked up between texels.
+constexpr int kBesideCharts = 3;
 
 // How much water stands in the charts of a rectangle, summed up from its corner, so that the mean of any part of it is
 // four look-ups.
@@ -232,12 +234,13 @@ class WaterSums {
       }
     }
   }
-  // 0..1 of the square that reaches so far round the texel, as far as it lies in the rectangle.
+  // 0..1 of the square that reaches so far round the texel, as far as it lies in the rectangle; 0 where no chart does.
   float mean(int x, int y, int reach) {
     const int x0 = std::max(x - reach, rect_.x0), x1 = std::min(x + reach + 1, rect_.x1);
     const int y0 = std::max(y - reach, rect_.y0), y1 = std::min(y + reach + 1, rect_.y1);
     const Sum &a = at(x0, y0), &b = at(x1, y0), &c = at(x0, y1), &d = at(x1, y1);
-    return static_cast<float>(d.water - b.water - c.water + a.water) / (255.0f * static_cast<float>(d.texels - b.texels - c.texels + a.texels));
+    const std::uint32_t texels = d.texels - b.texels - c.texels + a.texels;
+    return static_cast<float>(d.water - b.water - c.water + a.water) / (255.0f * static_cast<float>(std::max(texels, 1u)));
   }
 
  private:
@@ -273,18 +276,19 @@ void Renderer::updateMask(const wet::WetnessMask& mask, const wet::TexelRect& ch
   for (int y = rect.y0; y < rect.y1; ++y)
     for (int x = rect.x0; x < rect.x1; ++x) {
       const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(size) + static_cast<std::size_t>(x);
-      Vec4& texel = texels.emplace_back(0, 0, 0, -1);
+      Vec4& texel = texels.emplace_back(0, 0, 0, -1 - water.mean(x, y, kBesideCharts));
       if (charts[i] == wet::SurfaceWetting::kNoChart) continue;
       texel = mask.texels()[i];
       if (texel.w <= 0) continue;
       // What stands on wet fur adds to what the fur holds. Towards dry fur water runs out over most of a lock, as strands of
-      // both sides touch; and over more of them a sheet parts into locks again, the water above it first.
+      // both sides touch; and over many more a sheet parts into locks again, the water above it first. A streak is no sheet.
       const float all = texel.w + mask.filmAt(i), held = std::min(all, 1.0f);
-      const int reach = static_cast<int>(
-          std::clamp((0.6f + 6.0f * wet::sheetOf(held)) * texel.z * static_cast<float>(size), 1.0f, float{kMostSoftened}));
+      const int reach = static_cast<int>(std::clamp(0.6f * texel.z * static_cast<float>(size), 1.0f, float{kMostSoftened}));
       const float inside = std::clamp(2.4f * water.mean(x, y, reach) / held - 1.1f, 0.05f, 1.0f);
-      const float share = inside * (2 - inside), above = share * share;
-      texel.w = share * held + above * above * (all - held);
+      texel.w = inside * (2 - inside) * held;
+      if (texel.w <= FUR_SHEET_FROM) continue;
+      const float wide = saturate(2.2f * water.mean(x, y, kMostSoftened) / held - 1.1f);
+      texel.w = glm::mix(static_cast<float>(FUR_SHEET_FROM), texel.w, wide) + wide * wide * (all - held);
     }
   mask_.update(rect.x0, rect.y0, width, height, gl::bytesOf(texels), 0);
   uploadedBytes_ += texels.size() * sizeof(Vec4);
