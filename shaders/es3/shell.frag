@@ -128,7 +128,10 @@ void main() {
   float noise = otherPixelNoise();
   float between = fract(noise * 7.0) - 0.5;
   float x = stepSize * noise, alpha = 0.0, xSum = 0.0;
-  float hSum = 0.0, most = 0.0, mostX = 0.0;  // height, weighted by what each step adds; the most that one added, and where
+  float metX = 0.0;  // where the strand was met that is shown: the last one that hid more than all before it
+#ifdef DRESSED
+  float hSum = 0.0;  // height along the strands, weighted as x is
+#endif
   vec4 spot = vec4(vTile.xy, 0.0, lod);       // its tile, layer, mip level
 #ifdef TYPES
   vec4 types = vec4(0.0);  // what each adds
@@ -170,7 +173,7 @@ void main() {
   if (vTop > coatTop) {
     bool comesDown;
     enters = rayTo(vTop - coatTop, comesDown);
-    x += enters, mostX = enters;
+    x += enters, metX = enters;
     if (!comesDown) end = 0.0;
   }
   vec2 inside = vAtlas;
@@ -224,7 +227,7 @@ void main() {
       closedHere += add;
       hSum += add * up;
       types[type] += add + 1e-3 * grows[type];
-      if (add > most) most = add, mostX = x, spot = there;
+      if (add > alpha) metX = x, spot = there;
     }
     float add = closedHere;
 #else
@@ -233,11 +236,13 @@ void main() {
 #endif
     vec4 there = vec4(root, storedLayer(along, between), level);
     float add = stepCover(min(edged(textureLod(coverage, there.xyz, level).r, sharp) * open, 1.0), softness) * (1.0 - alpha);
+#ifdef DRESSED
     hSum += add * along;
-#ifdef GROOMED
-    if (add > most) spot = there;
 #endif
-    if (add > most) most = add, mostX = x;
+#ifdef GROOMED
+    if (add > alpha) spot = there;
+#endif
+    if (add > alpha) metX = x;
 #endif
     xSum += add * x;
 #ifdef VIEW_CLUMPS
@@ -274,18 +279,22 @@ void main() {
   float perStrand = 1.0 / max(alpha, 1e-3), toStrand = alpha > 0.0 ? xSum * perStrand : end;
 #ifdef WET
   toStrand = mix(toStrand, enters, joined);
-  float metHeight = heightAt(mostX);
-  vec2 metTile = tileAt(mostX, metHeight) - lie * (metHeight / coatTop);
+  float metHeight = heightAt(metX);
+  vec2 metTile = tileAt(metX, metHeight) - lie * (metHeight / coatTop);
   WetStrand lock = wetStrandAt(metTile, vAtlas + atlasFromTile * (metTile - vTile.xy), metHeight, inside);
 #ifndef GROOMED
   spot = vec4(lock.root, storedLayer(lock.along, between), wetLevel(lod, lock.pull));
 #endif
 #elif !defined(GROOMED)
-  spot.xyz = vec3(tileAt(mostX, heightAt(mostX)), storedLayer(heightAt(mostX), between));
+  spot.xyz = vec3(tileAt(metX, heightAt(metX)), storedLayer(heightAt(metX), between));
 #endif
   vec2 foot = tileAt(end, 0.0);  // where the ray meets the skin
-  if (most <= 0.0) spot.xyz = vec3(foot, 0.0);
+  if (alpha <= 0.0) spot.xyz = vec3(foot, 0.0);
+#ifdef DRESSED
   float h = hSum * perStrand;
+#else
+  float h = heightAt(toStrand);
+#endif
 #ifdef WET
   // Strands that water joins are one as far as light is concerned: as many as a pixel has, and in a sheet those that lie in
   // line where the ray comes to it. Chance of the march would be grain there.
