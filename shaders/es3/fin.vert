@@ -28,7 +28,8 @@ flat out vec2 vAtlasAlong;  // atlas step along the edge for one turn of the fin
 
 void main() {
   vec3 middle = 0.5 * (positionA.xyz + positionB.xyz);
-  vec3 toEye = normalize(eye.xyz - middle);
+  float away = length(eye.xyz - middle);
+  vec3 toEye = (eye.xyz - middle) / away;
   // Silhouette (Sheppard 2.1.3): (n1.v)(n2.v) below a threshold; opacity 0 there, 1 edge-on, so that
   // nothing pops. Sheppard's 0.3 (57 degrees off) covers a third of the model with fins that the
   // slabs show better; 0.06 (76 degrees) is where slabs begin to thin out.
@@ -42,7 +43,7 @@ void main() {
 #ifdef VIEW_EDGES
   // The edge as a line on the skin: a quad of the strip, the others end where it does. Of one width in any picture.
   vec3 end = gl_VertexID < 2 ? positionA.xyz : positionB.xyz;
-  float width = 0.0022 * length(eye.xyz - middle);
+  float width = 0.0022 * away;
   vec3 along = normalize(positionB.xyz - positionA.xyz), beside = normalize(cross(along, toEye));
   end += beside * (gl_VertexID % 2 == 0 ? width : -width) + along * (gl_VertexID < 2 ? -width : width);
   vFin = vec4(opacity, standsIn, 0.0, 0.0);
@@ -52,7 +53,7 @@ void main() {
   if (opacity > 0.0) gl_Position.z = near.z / near.w * gl_Position.w;
   return;
 #endif
-  opacity *= standsIn;
+  opacity *= standsIn * smoothstep(FUR_FIN_PIXELS, 2.0 * FUR_FIN_PIXELS, shape.x * eye.w / away);
   if (opacity <= 0.0) {
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
     return;

@@ -300,7 +300,7 @@ Status Renderer::drawShells(const Frame& frame, unsigned variant) {
 
 Status Renderer::drawFins(const Frame& frame, unsigned variant) {
   const bool lines = variant & kViewEdges;
-  selectFins(eyeInModel(frame), lines);
+  selectFins(eyeInModel(frame), lines ? 0 : frame.settings.furLength * pixelsPerUnit(frame));
   if (finCount_ == 0) return Done{};
   const auto program = programs_.use(Shader::Fin, variant);
   if (!program) return program.error();

@@ -77,7 +77,7 @@ class Renderer {
   void uploadBlocks(const Frame& frame);
   void showPuddles(std::span<const std::uint8_t> cells, std::uint32_t revision);
   FurShadow::Key furShadowKey(const Frame& frame) const;
-  void selectFins(const Vec3& eyeModel, bool evenOnes);
+  void selectFins(const Vec3& eyeModel, float pixels);
   void orderShells(const Vec3& eyeModel, float reach, bool overlapping);
 
   Programs programs_;
@@ -103,7 +103,7 @@ class Renderer {
   std::vector<FinEdge> finEdges_;
   std::optional<MovingSurface> moving_;
   std::vector<float> vertexLengths_;  // empty: 1 everywhere
-  std::optional<Vec4> finEye_;  // w: whether with those where the surface curves evenly
+  std::optional<Vec4> finEye_;  // w: pixels, see selectFins()
   int finCount_ = 0;
   int bendCapacity_ = 0;
   FurDensities densities_{};

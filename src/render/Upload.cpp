@@ -140,19 +140,22 @@ void Renderer::setFurry(geometry::FurPatches patches, std::span<const float> ver
   shellsFor_.reset();
 }
 
-// Those that fin.vert would not collapse: its test, with a margin for its rounding. `evenOnes`: and those where rays show
-// the outline.
-void Renderer::selectFins(const Vec3& eyeModel, bool evenOnes) {
-  if (finEye_ == Vec4(eyeModel, evenOnes)) return;
-  finEye_ = Vec4(eyeModel, evenOnes);
+// Those that fin.vert would not collapse: its test, with a margin for its rounding. `pixels` that they are high at distance 1;
+// 0: all edges on the outline, also those where rays show it.
+void Renderer::selectFins(const Vec3& eyeModel, float pixels) {
+  if (finEye_ == Vec4(eyeModel, pixels)) return;
+  finEye_ = Vec4(eyeModel, pixels);
   std::vector<FinEdge> seen;
   const auto bald = [this](float vertex) {
     return !vertexLengths_.empty() && vertexLengths_[static_cast<std::size_t>(vertex)] <= 0;
   };
   for (const FinEdge& e : finEdges_) {
-    if (e.normalB.w >= FUR_FIN_ROUND && !evenOnes) continue;
+    if (e.normalB.w >= FUR_FIN_ROUND && pixels > 0) continue;
     if (bald(e.positionA.w) && bald(e.positionB.w)) continue;
-    const Vec3 toEye = glm::normalize(eyeModel - 0.5f * (Vec3(e.positionA) + Vec3(e.positionB)));
+    const Vec3 way = eyeModel - 0.5f * (Vec3(e.positionA) + Vec3(e.positionB));
+    const float away = glm::length(way);
+    if (pixels > 0 && pixels * 1.001f < away * static_cast<float>(FUR_FIN_PIXELS)) continue;
+    const Vec3 toEye = way / away;
     const float facing0 = glm::dot(Vec3(e.face0), toEye), facing1 = glm::dot(Vec3(e.face1), toEye);
     if (facing0 * facing1 < FUR_SILHOUETTE + 1e-3f && std::max(facing0, facing1) > FUR_HORIZON - 1e-3f) seen.push_back(e);
   }

@@ -1,6 +1,7 @@
 // What each view shows beside the picture: on the sphere, whose outline and layers are known.
 #include <cmath>
 
+#include "render/Blocks.h"
 #include "tests/render/Picture.h"
 
 namespace fur::render {
@@ -205,6 +206,20 @@ TEST(Views, OverdrawCountsFinsOverShells) {
   const Picture with = scene.view("overdraw"), without = scene.with("fins", "false");
   EXPECT_GT(with.brightness(), 1.03f * without.brightness());
   EXPECT_EQ(with.at(100, 100)[0], without.at(100, 100)[0]) << "but not where none stands";
+}
+
+TEST(Views, FinsFadeWhereTheCoatIsAFewPixelsHighAndAreGoneWhereItIsLess) {
+  Study scene;
+  ASSERT_TRUE(scene.app.loadPrimitive("plane"));
+  const auto shown = [&](float pixels) {
+    // The plane's rim is 3 or more away; half of the picture's 200 pixels are tan(0.3) high there.
+    scene.app.setCamera({0.4f, 0.7f, 3.0f});
+    scene.app.setField("furLength", std::to_string(pixels * 3 * std::tan(0.3f) / 100));
+    scene.app.settle();
+    return scene.view("fins").differingShare(scene.with("fins", "false"), 8);
+  };
+  EXPECT_GT(shown(12), 0.002f);
+  EXPECT_EQ(shown(0.6f * static_cast<float>(FUR_FIN_PIXELS)), 0);
 }
 
 TEST(Views, RaysThatGrazeTheCoatTakeMoreStepsAndBaldSkinTakesNone) {

@@ -164,6 +164,25 @@ TEST(WetLocks, OfASoakedCoatLieLowerAndAreDarker) {
   EXPECT_LT(sheet.y, 0.8f * dry.y);
 }
 
+TEST(WetLocks, OfASoakedCoatEndWhereTheSheetDoes) {
+  Ball ball;
+  set(ball.app, {{"furLength", "0.2"}, {"gravity", "0"}});
+  ball.app.setCamera({0.3f, 0.0f, 4.0f});
+  // Pixels from the middle of the picture to the outermost red one: a ball of that radius, from 4 away.
+  const auto radius = [](const Picture& p) {
+    float most = 0;
+    for (int y = 0; y < 200; ++y)
+      for (int x = 0; x < 200; ++x)
+        if (p.at(x, y)[0] > 0) most = std::max(most, std::hypot(static_cast<float>(x) - 99.5f, static_cast<float>(y) - 99.5f));
+    return most;
+  };
+  const auto pixels = [](float r) { return std::tan(std::asin(r / 4)) / std::tan(0.3f) * 100; };
+  const float dry = radius(ball.draw()), sheet = radius(ball.wet(1));
+  EXPECT_GT(dry, pixels(1.15f));
+  EXPECT_LT(sheet, pixels(1 + 0.2f * (1 - wet::kSheetSinks)) + 1.5f) << "nothing hangs over it";
+  EXPECT_GT(sheet, pixels(1.03f));
+}
+
 TEST(WetLocks, OfASoakedCoatHaveNoGrain) {
   Ball ball;
   // How much pixels differ from the mean of those beside, above and below them, for their brightness.

@@ -139,6 +139,8 @@ FUR_BLOCK(FurBlock) {
 // Curvature across a fin's edge: fins up to the first and none from the second on.
 #define FUR_FIN_FLAT (-0.2)
 #define FUR_FIN_ROUND 0.1
+// Fins show the coat where it is twice so many pixels high, and are gone from there down: rays then show all there is.
+#define FUR_FIN_PIXELS 3.0
 // Where a fin begins: below it the slabs show the coat, and better.
 #define FUR_FIN_FOOT 0.3
 // Quads of a fin along its height.
