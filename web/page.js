@@ -175,7 +175,7 @@ function stamp(event) {
   event.preventDefault();
   const text = byId('letters').firstElementChild.value;
   // As wide as most of the model.
-  fur.stamp(text, { size: Math.min(120, (0.75 * Math.min(innerWidth, innerHeight)) / text.length) });
+  fur.stamp(text, { size: Math.min(0.25 * innerHeight, (0.75 * Math.min(innerWidth, innerHeight)) / text.length) });
   waters.hidePopover?.();
 }
 

@@ -56,12 +56,13 @@ void main() {
 #ifdef WET
   // As far down as fur stands from here to the next vertices: rays that came to a sheet from higher up would come past where
   // the body turns away, and hang there.
-  vec2 sheets = vec2(0.0, 1e-6);
+  float sheets = 0.0, inCharts = 1e-6;
   for (int i = 0; i < 9; ++i) {
     float held = clumpAt(mask, around.xy + around.z * vec2(i % 3 - 1, i / 3 - 1)).a;
-    if (held >= 0.0) sheets += vec2(sheetOf(held), 1.0);
+    sheets += sheetOf(held);
+    inCharts += step(0.0, held);
   }
-  top *= 1.0 - FUR_SHEET_SINKS * sheets.x / sheets.y;
+  top *= 1.0 - FUR_SHEET_SINKS * sheets / inCharts;
 #endif
   // In a crease the coat ends before its strands would cross those of the other side.
   mat2 S = mat2(furCurvature.z, furCurvature.w, furCurvature.w, gradSCurvature.w);

@@ -59,9 +59,8 @@ float wetLevel(float lod, float pull) { return lod + step(0.3, pull) + step(0.63
 // In a sheet light knows strands by those that lie in line where the ray comes to it, `enters` fur lengths on; `stored`: of
 // the type that was met.
 vec4 strandsInLine(float enters, float stored) {
-  float top = min(vTop, coatTop), turn = atan(lie.y, lie.x + 1e-9) / 3.14159265;
-  vec3 place = vec3(2.0 * (tileAt(enters, top) - lie * (top / coatTop)), floor(fract(turn) * FUR_STREAK_TURNS + 0.5));
-  place.z -= place.z < FUR_STREAK_TURNS ? 0.0 : FUR_STREAK_TURNS;
+  float top = min(vTop, coatTop), turn = floor(atan(lie.y, lie.x + 1e-9) * (FUR_STREAK_TURNS / 3.14159265) + 0.5);
+  vec3 place = vec3(2.0 * (tileAt(enters, top) - lie * (top / coatTop)), mod(turn, FUR_STREAK_TURNS));
 #ifdef TYPES
   place.z += floor(stored / volume.y) * FUR_STREAK_TURNS;
 #endif

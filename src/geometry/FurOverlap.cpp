@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <queue>
-#include <unordered_map>
 
+#include "core/Numbering.h"
 #include "geometry/Adjacency.h"
 
 namespace fur::geometry {
@@ -285,16 +285,16 @@ class Lapper {
   void emitCopies(std::uint32_t chart, std::vector<std::uint32_t>& chartOfVertex, std::vector<std::uint32_t>& copied,
                   std::vector<std::uint32_t>& copiedFrom) {
     const std::vector<FlatCorner>& corners = laps_[chart].corners;
-    std::unordered_map<std::uint64_t, std::uint32_t> vertexOf;  // looked up only: its order never shows
+    const auto first = static_cast<std::uint32_t>(surface_.vertices.size());
+    Numbering vertices;
     for (const Copy& copy : laps_[chart].copies) {
       if (hard_[chartOf_[copy.triangle]] || !hasStrands(corners, copy)) continue;
       copiedFrom.push_back(copy.triangle);
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t source = surface_.indices[3 * copy.triangle + k];
         const std::uint64_t key = std::uint64_t{copy.corners[k]} << 32 | source;
-        const auto [slot, isNew] = vertexOf.try_emplace(key, static_cast<std::uint32_t>(surface_.vertices.size()));
-        copied.push_back(slot->second);
-        if (!isNew) continue;
+        copied.push_back(first + vertices.of(key));
+        if (copied.back() < surface_.vertices.size()) continue;
         const FlatCorner& corner = corners[copy.corners[k]];
         SurfaceVertex vertex = surface_.vertices[source];
         vertex.fur = corner.fur;

@@ -1,8 +1,8 @@
 #include "geometry/Surface.h"
 
 #include <cmath>
-#include <unordered_map>
 
+#include "core/Numbering.h"
 #include "geometry/Adjacency.h"
 #include "geometry/AtlasUv.h"
 #include "geometry/ChartPacking.h"
@@ -80,16 +80,14 @@ AtlasLayout packedLayout(const Charts& charts) {
 
 // Copies every vertex once for each pair of fur chart and atlas chart that uses it.
 void splitVertices(Surface& surface, const Mesh& mesh, const Charts& fur, const AtlasLayout& atlas) {
-  std::unordered_map<std::uint64_t, std::uint32_t> pairs, copies;  // looked up only: their order never shows
-  copies.reserve(mesh.positions.size() * 2);
+  Numbering pairs, copies;
   surface.indices.reserve(mesh.indices.size());
   for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
     const std::uint64_t charts = std::uint64_t{fur.chartOf[i / 3]} << 32 | atlas.chartOf[i / 3];
-    const std::uint64_t pair = pairs.try_emplace(charts, static_cast<std::uint32_t>(pairs.size())).first->second;
+    const std::uint64_t pair = pairs.of(charts);
     const std::uint32_t source = mesh.indices[i];
-    const auto [slot, isNew] = copies.try_emplace(pair << 32 | source, static_cast<std::uint32_t>(surface.vertices.size()));
-    surface.indices.push_back(slot->second);
-    if (!isNew) continue;
+    surface.indices.push_back(copies.of(pair << 32 | source));
+    if (surface.indices.back() < surface.vertices.size()) continue;
     SurfaceVertex vertex{};
     vertex.position = mesh.positions[source];
     vertex.normal = mesh.normals[source];

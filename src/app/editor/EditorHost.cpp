@@ -415,7 +415,7 @@ void EditorHost::stamp(const std::string& text) {
     pen += glyph.AdvanceX;
   }
   const Vec2 free = size_ * (Vec2(1) - editor_.covered());
-  app_.stamp(coverage, width, height, 0.5f * free, std::min(0.5f * free.x, 0.12f * free.y * pen / font.FontSize));
+  app_.stamp(coverage, width, height, 0.5f * free, std::min(0.5f * free.x, 0.28f * free.y * pen / font.FontSize));
 }
 
 void EditorHost::check(const Status& status) {
