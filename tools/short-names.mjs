@@ -68,6 +68,8 @@ function shorten(text) {
   for (const [from, to] of functionsOf(text)) {
     const body = text.slice(from, to);
     const own = [...declared(body)].filter((name) => !kept.has(name) && !global.has(name));
+    const both = own.find((name) => new RegExp(`(?<![\\w.])${name}\\(`).test(body));
+    if (both) throw new Error(`${both} is a variable and a function in: ${body.slice(0, 80)}`);
     // No local hides a macro.
     const seen = new Set(body.match(word)), foreign = new Set([...seen, ...macros].map((name) => global.get(name)));
     const free = [...letters, ...pairs].filter((letter) => (!seen.has(letter) || own.includes(letter)) && !foreign.has(letter));

@@ -103,8 +103,8 @@ void main() {
   // Height of the ray: falls with the slope, rises with the curvature; foot of the ray: see
   // render/README.md.
   vPath = vec4(vec2(down, 0.5 * len * dot(along, turning)) / arc.x, turning * len);
-  vec2 step = tileFromAxes * (len * foot), turn = tileFromAxes * (A * turning * (-down * len * len));
-  vTile = vec4(furCurvature.xy * shape.y, step);
+  vec2 stride = tileFromAxes * (len * foot), turn = tileFromAxes * (A * turning * (-down * len * len));
+  vTile = vec4(furCurvature.xy * shape.y, stride);
   vTurn = vec4(turn, tileFromAxes * (A * aside * len));
 
   float texelsPerPixel = distance / eye.w * shape.y * length(gradS) * volume.x;
