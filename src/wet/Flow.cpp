@@ -187,8 +187,8 @@ bool Water::dry(const Climate& climate, std::uint32_t index, Amounts& now) {
   for (std::size_t i = 0; i < count; ++i) rates[i] = still * time;
   for (std::size_t i = 0; blown && i < count; ++i) {
     const Vec3 apart = texels_->places()[block.first + i].position - climate.blowCentre;
-    const float share = glm::dot(apart, apart) / (climate.blowRadius * climate.blowRadius);
-    if (share < 1.0f) rates[i] += climate.blow * (1.0f - share) * time;
+    const float left = std::max(1.0f - glm::dot(apart, apart) / (climate.blowRadius * climate.blowRadius), 0.0f);
+    rates[i] += climate.blow * left * left * time;
   }
   const float* const areas = &areas_[block.first];
   float lost[kPlaces] = {};

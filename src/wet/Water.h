@@ -44,7 +44,7 @@ struct Climate {
   float groundHeight = -1;
   float rain = 0;             // 0..1
   float shaking = 0;          // 0..1: how hard the model throws its water off
-  // A hair dryer: what lies within the radius dries by `blow` wetness a second more. Model space.
+  // A hair dryer: what lies within the radius dries by `blow` wetness a second more, less towards its rim. Model space.
   Vec3 blowCentre{0};
   float blowRadius = 0, blow = 0;
 };
