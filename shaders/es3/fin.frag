@@ -76,7 +76,7 @@ void main() {
   // Samples by chance, as in shell.frag.
   alpha += (pixelNoise() - 0.5) / sky.w;
   vec3 model = modelColor(baseColor, vUv), color = vec3(0.0);
-  // Once or not at all, as in background.frag: most of a fin is gaps.
+  // Once or not at all: most of a fin is gaps, and a software rasteriser jumps over loops but not over an if.
   for (bool once = alpha >= 0.5 / sky.w; once; once = false) {
     vec4 strand = textureLod(finStrand, spot, level);
     vec2 tilt = strand.xy * 2.0 - 1.0;

@@ -58,8 +58,7 @@ shared::FrameBlock frameBlock(const Frame& frame) {
   block.backgroundTop = shownColor(s.backgroundTop);
   block.backgroundBottom = shownColor(s.backgroundBottom);
   block.lightWorld = Vec4(lightWorld, frame.height);
-  const bool ground = s.ground && static_cast<View>(s.view) == View::Final;
-  block.groundPlane = Vec4(frame.groundHeight, kGroundHalfSide, ground ? 0.55f : 0.0f, 0);
+  block.groundPlane = Vec4(frame.groundHeight, kGroundHalfSide, 0.55f, 0);
   block.ball = frame.ball;
   block.groundCentre = Vec4(frame.worldFromModel[3].x, frame.worldFromModel[3].z, 0, 0);
   return block;
