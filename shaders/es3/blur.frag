@@ -9,8 +9,8 @@ void main() {
   vec2 stepUv = (vSecond == 0 ? vec2(1.0, 0.0) : vec2(0.0, 1.0)) / vec2(textureSize(source, 0));
   vec2 sum = vec2(0.0);
   float total = 0.0;
-  for (float i = -5.0; i <= 5.0; i += 1.0) {
-    float weight = exp2(-0.18 * i * i);
+  for (int k = -5; k <= 5; ++k) {
+    float i = float(k), weight = exp2(-0.18 * i * i);
     sum += weight * vec2(texture(source, vScreen + i * stepUv).r, texture(source, vScreen + 1.8 * i * stepUv).g);
     total += weight;
   }

@@ -60,7 +60,7 @@ void main() {
   // A fin shows one type a pixel, by chance.
   vec4 dressed = textureLod(groom, vAtlas, 0.0), grows = presences(dressed.gba);
   float chance = otherPixelNoise();
-  for (; type < FUR_TYPES - 1 && chance >= grows[type]; ++type) chance -= grows[type];
+  for (int i = 0; i < FUR_TYPES - 1 && chance >= grows[i]; ++i) chance -= grows[i], type = i + 1;
   h *= vLength * typeRise[type] / max(dressed.r, 1e-3);
   if (h > 1.0 || rootColors[type].w <= 0.0) discard;
 #endif
@@ -77,7 +77,7 @@ void main() {
   alpha += (pixelNoise() - 0.5) / sky.w;
   vec3 model = modelColor(baseColor, vUv), color = vec3(0.0);
   // Once or not at all: most of a fin is gaps, and a software rasteriser jumps over loops but not over an if.
-  for (bool once = alpha >= 0.5 / sky.w; once; once = false) {
+  for (int i = 0, once = int(alpha >= 0.5 / sky.w); i < once; ++i) {
     vec4 strand = textureLod(finStrand, spot, level);
     vec2 tilt = strand.xy * 2.0 - 1.0;
     vec3 tangent = normalize(vec3(tilt + vLean + clumpLean, sqrt(max(0.05, 1.0 - dot(tilt, tilt)))));

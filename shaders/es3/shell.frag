@@ -51,7 +51,8 @@ const float kReferenceSteps = 24.0;
 // picture.
 const float kTexelsAStep = 2.0;
 const float kFewestSteps = 6.0;
-const float kMostSteps = 128.0;
+// What a fragment may cost at most, whatever the numbers are: FUR_MOST_STEPS steps, of so many look-ups each: coverage 1;
+// GROOMED 1 more; TYPES 2 a type instead of coverage; WET 2 more, beside a chart 3.
 // Strands that hide this much hide all. Smaller steps and more strands are further from the reference: what lies deep
 // makes fur too dark.
 const float kClosed = 0.65;
@@ -69,6 +70,12 @@ float rayTo(float depth, out bool comesThere) {
   comesThere = slope > 0.0 && inside > 0.0;
   if (slope <= 0.0) return 0.0;
   return min(comesThere ? 2.0 * depth / (slope + sqrt(inside)) : slope / vPath.y, 6.0);
+}
+
+// How many steps there are from x to `end`. The march counts them: a step that is tiny beside x would not change it, and a loop
+// that waits for x to arrive would never end. Rounded as a number that is none, too, it is `most` at most.
+int stepsTo(float end, float x, float stepSize, int most) {
+  return end > x ? clamp(int(min(ceil((end - x) / stepSize), float(most))), 0, most) : 0;
 }
 
 #ifdef WET
@@ -147,7 +154,7 @@ void main() {
   end = 0.5 * stepSize;
 #endif
 #ifdef VIEW_STEPS
-  float steps = 0.0;
+  float taken = 0.0;
 #endif
 #ifdef VIEW_CLUMPS
   vec3 clumpSum = vec3(0.0);
@@ -183,12 +190,12 @@ void main() {
   float softness = kReferenceSteps * stepSize;
   float furry = 1.0;  // how much of a coat there is where the ray is
   // Few variables and one way out: on a software rasteriser the loop itself costs as much as its look-ups.
-  float mostSteps = kMostSteps;
+  int mostSteps = FUR_MOST_STEPS;
 #ifdef WET
   if (reachesSkin && joined > kWholeSheet) mostSteps = kSheetSteps;
 #endif
-  float last = min(end, x + mostSteps * stepSize);
-  while (x < last && alpha <= closes) {
+  int steps = stepsTo(end, x, stepSize, mostSteps);
+  for (int i = 0; i < steps && alpha <= closes; ++i) {
     float h = heightAt(x);
     vec2 at = tileAt(x, h);
 #ifdef WET
@@ -254,13 +261,13 @@ void main() {
     clumpSum += add * clumpColor(clump);
 #endif
 #ifdef VIEW_STEPS
-    steps += 1.0;
+    taken += 1.0;
 #endif
     alpha += add;
     x += stepSize;
   }
 #ifdef VIEW_STEPS
-  fragColor = heat(0.2 * steps);
+  fragColor = heat(0.2 * taken);
   return;
 #endif
 #ifdef VIEW_CLUMPS
@@ -364,7 +371,7 @@ void main() {
   vec3 n = normalize(lockNormal(outward, sheet) + vec3(0.8 * joined * tilt, 0.0));
   color = lockLight(color, tangent, n, light3, view3, h, held, sheet, lit, vView.w, wisp);
 #endif
-  for (bool once = reachesSkin && closed < 1.0; once; once = false) {
+  for (int i = 0, once = int(reachesSkin && closed < 1.0); i < once; ++i) {
     vec3 skin = shadeSkin(skinColor.rgb * model * 0.5, vLight.z, vView.w, 0.0, skinWetness, lit);
     // Pores: the lowest layer says where strands root (Sheppard 5.2).
     skin *= 1.0 - 0.4 * furry * textureLod(coverage, vec3(foot, firstLayer), lod).r;

@@ -5,9 +5,9 @@ uniform sampler2DArray streaks;  // strand, the mean of those in line: layers tu
 // From here on what the march finds of a sheet does not show (what it finds is weighted by 1 - joined): that many steps.
 const float kWholeSheet = 0.98;
 #ifdef GROOMED
-const float kSheetSteps = 0.5;  // one: which fur there is
+const int kSheetSteps = 1;  // which fur there is
 #else
-const float kSheetSteps = 0.0;
+const int kSheetSteps = 0;
 #endif
 
 // Of the whole ray, by where it enters: the water there, how much of a sheet the coat is, how high it stands, where its tips lie

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "render/Blocks.h"
+#include "settings/Presets.h"
 #include "tests/render/Picture.h"
 
 namespace fur::render {
@@ -228,6 +229,30 @@ TEST(Views, RaysThatGrazeTheCoatTakeMoreStepsAndBaldSkinTakesNone) {
   const Picture steps = scene.view("steps");
   EXPECT_GT(ringMean(steps, 0.9f, 1.0f, 1), 1.3f * ringMean(steps, 0, 0.5f, 1));
   EXPECT_EQ(scene.with("density", "0").brightness(), 0);
+}
+
+// What the march costs at most, over all coats: the heat of `steps` shows 135 before it saturates.
+TEST(Views, NoPixelOfAnyCoatTakesMoreStepsThanOneFragmentMay) {
+  Scene scene(120, 90, 0);
+  for (const auto& [name, value] : {std::pair("view", "steps"), std::pair("ground", "false"), std::pair("dryRate", "0"),
+                                    std::pair("backgroundTop", "#000000"), std::pair("backgroundBottom", "#000000")})
+    scene.app.setField(name, value);
+  for (const settings::Preset& preset : settings::presets()) {
+    ASSERT_TRUE(scene.app.applyPreset(preset.name));
+    for (const float wetness : {0.0f, 0.6f, 1.0f}) {
+      scene.app.setWetness(wetness);
+      scene.app.settle();
+      for (const float distance : {1.05f, 1.6f, 4.0f, 12.0f}) {
+        scene.app.setCamera({0.6f, 0.2f, distance});
+        const Picture steps = scene.draw();
+        int most = 0;
+        for (std::size_t i = 2; i < steps.rgba.size(); i += 4) most = std::max<int>(most, steps.rgba[i]);
+        if (wetness == 0) EXPECT_GT(most, 0) << preset.name;  // under a whole sheet nothing is marched for
+        EXPECT_LE(static_cast<float>(most) * 135.0f / 255.0f, FUR_MOST_STEPS)
+            << preset.name << ", wetness " << wetness << ", from " << distance;
+      }
+    }
+  }
 }
 
 TEST(Views, AClumpHasOneColourAndItsNeighbourAnother) {

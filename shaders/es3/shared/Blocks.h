@@ -117,6 +117,8 @@ FUR_BLOCK(FurBlock) {
 #define FUR_STRAND_N_X 128.0
 #define FUR_STRAND_N_Y 32.0
 
+// Steps of a march at most, whatever the numbers are.
+#define FUR_MOST_STEPS 128
 // Bends are stored this many to a row.
 #define FUR_BEND_ROW 1024
 // s stays below this: at s = 1 every strand would end in one point (Clump.h has the same).
