@@ -247,7 +247,8 @@ TEST(Views, NoPixelOfAnyCoatTakesMoreStepsThanOneFragmentMay) {
         const Picture steps = scene.draw();
         int most = 0;
         for (std::size_t i = 2; i < steps.rgba.size(); i += 4) most = std::max<int>(most, steps.rgba[i]);
-        if (wetness == 0) EXPECT_GT(most, 0) << preset.name;  // under a whole sheet nothing is marched for
+        // Under a whole sheet nothing is marched for, and from inside the coat its outside is not seen.
+        if (wetness == 0 && distance > 1.5f) EXPECT_GT(most, 0) << preset.name;
         EXPECT_LE(static_cast<float>(most) * 135.0f / 255.0f, FUR_MOST_STEPS)
             << preset.name << ", wetness " << wetness << ", from " << distance;
       }
