@@ -52,10 +52,18 @@ vec3 clumpColor(vec4 clump) {
   return clump.a > 0.0 ? mix(hue, vec3(0.95), 0.6 * chance.y) : vec3(0.45);
 }
 
-// The clump that the atlas point `a` lies in: centre u, v, radius, water held; that is below 0 beside the charts.
-// Unfiltered: centres do not mix.
-vec4 clumpAt(sampler2D mask, vec2 a) {
+// The mask's texel under the atlas point `a`: a clump's centre u (with the chart, chartOf()), v, radius, water held; that is
+// below 0 beside the charts. Unfiltered: centres do not mix.
+vec4 maskAt(sampler2D mask, vec2 a) {
   return texelFetch(mask, clamp(ivec2(a * water.w), ivec2(0), ivec2(int(water.w) - 1)), 0);
+}
+// What a texel's u is stored with: of each chart another, in multiples of FUR_CHART_STEP.
+float chartOf(vec4 texel) { return FUR_CHART_STEP * floor(texel.x / FUR_CHART_STEP) + 0.5 * FUR_CHART_STEP; }
+// The clump that the atlas point `a` lies in: centre u, v, radius, water held.
+vec4 clumpAt(sampler2D mask, vec2 a) {
+  vec4 texel = maskAt(mask, a);
+  texel.x -= chartOf(texel);
+  return texel;
 }
 
 // The water held there, between four texels. Those beside the charts have -1 less than the water next to them.
@@ -70,11 +78,12 @@ float heldAround(sampler2D mask, vec2 a) {
 }
 
 // Whether the strand rooted `from` the centre of the clump is one of its own, 0..1. Algorithm 2: a root outside the clump, in a
-// dry texel or in another clump is no strand here. The rim fades over a twelfth of the radius, so that locks have
-// soft edges.
-float ownStrand(sampler2D mask, vec4 clump, vec2 from) {
-  vec4 home = clumpAt(mask, clump.xy + from);
-  vec2 apart = home.xy - clump.xy;
+// dry texel or in another clump is no strand here. A root beyond the chart's border stands on the next chart, which draws the
+// other half of the clump: it is one of its own. The rim fades over a twelfth of the radius, so that locks have soft edges.
+float ownStrand(sampler2D mask, vec4 clump, float chart, vec2 from) {
+  vec4 home = maskAt(mask, clump.xy + from);
+  vec2 apart = home.xy - clump.xy - vec2(chart, 0.0);
   float squared = clump.z * clump.z;
-  return clamp(6.0 - 6.0 * dot(from, from) / max(squared, 1e-12), 0.0, 1.0) * float(home.a > 0.0 && dot(apart, apart) <= 0.25 * squared);
+  bool beyond = home.a < 0.0 || chartOf(home) != chart, same = home.a > 0.0 && dot(apart, apart) <= 0.25 * squared;
+  return clamp(6.0 - 6.0 * dot(from, from) / max(squared, 1e-12), 0.0, 1.0) * float(beyond || same);
 }

@@ -36,7 +36,9 @@ void main() {
   float u = vFin.x, h = vFin.y, rho = 0.0, open = 1.0;
   vec2 clumpLean = vec2(0.0);
 #ifdef WET
-  vec4 clump = clumpAt(mask, vAtlas);
+  vec4 clump = maskAt(mask, vAtlas);
+  float chart = chartOf(clump);
+  clump.x -= chart;
   float held = max(clump.a, 0.0), sheet = sheetOf(held), furLengths = 1.0 / max(shape.x * shape.y, 1e-6);
   vec2 outward = vec2(0.0);
   rho = min(held, 1.0);
@@ -45,7 +47,7 @@ void main() {
     float drawn = drawnBy(held, clump.z * furLengths / max(length(vAtlasAlong), 1e-6));
     float s = clumpPull(h, drawn, sheet), below = clumpPull(h - 1.0 / shape.z, drawn, sheet);
     vec2 fromCentre = (vAtlas - clump.xy) / (1.0 - s), across = vec2(-vAtlasAlong.y, vAtlasAlong.x);
-    open = mix(ownStrand(mask, clump, fromCentre), 1.0, 0.7 * sheet);
+    open = mix(ownStrand(mask, clump, chart, fromCentre), 1.0, 0.7 * sheet);
     // In turns of the fin map along the edge and across it; only the first moves the look-up, both tilt the strand.
     vec2 turns = vec2(dot(fromCentre, vAtlasAlong), dot(fromCentre, across)) / max(dot(vAtlasAlong, vAtlasAlong), 1e-12);
     u += turns.x * s;

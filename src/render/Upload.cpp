@@ -215,6 +215,8 @@ namespace {
 
 // How many texels about a texel say how wet it is shown, at most.
 constexpr int kMostSoftened = 12;
+// So far round a texel water evens out.
+constexpr int kEvened = 4;
 // So far from the charts texels still know of their water, for what is looked up between texels.
 constexpr int kBesideCharts = 3;
 
@@ -282,10 +284,12 @@ void Renderer::updateMask(const wet::WetnessMask& mask, const wet::TexelRect& ch
       Vec4& texel = texels.emplace_back(0, 0, 0, -1 - water.mean(x, y, kBesideCharts));
       if (charts[i] == wet::SurfaceWetting::kNoChart) continue;
       texel = mask.texels()[i];
+      texel.x += static_cast<float>(FUR_CHART_STEP) * (static_cast<float>(charts[i] % FUR_CHART_NUMBERS) + 0.5f);
       if (texel.w <= 0) continue;
-      // What stands on wet fur adds to what the fur holds. Towards dry fur water runs out over most of a lock, as strands of
+      // What stands on wet fur adds to what the fur holds. Rows of texels that the flow has missed are as wet as those round
+      // them: a step from texel to texel would be a crack in the sheet. Towards dry fur water runs out over most of a lock, as strands of
       // both sides touch; and over many more a sheet parts into locks again, the water above it first. A streak is no sheet.
-      const float all = texel.w + mask.filmAt(i), held = std::min(all, 1.0f);
+      const float all = std::max(texel.w + mask.filmAt(i), water.mean(x, y, kEvened)), held = std::min(all, 1.0f);
       const int reach = static_cast<int>(std::clamp(0.6f * texel.z * static_cast<float>(size), 1.0f, float{kMostSoftened}));
       const float inside = std::clamp(2.4f * water.mean(x, y, reach) / held - 1.1f, 0.05f, 1.0f);
       texel.w = inside * (2 - inside) * held;

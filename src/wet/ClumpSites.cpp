@@ -9,6 +9,9 @@ namespace {
 // A lock reaches past the farthest texel that is drawn to it, so that fur has no gaps until it is really wet.
 constexpr float kRadiiPerSpacing = 1.2f;
 
+// So far out, in radii, a place may lie in its lock: all sites are nearer than 1 / kRadiiPerSpacing.
+constexpr float kHeld = 0.9f;
+
 int cell(float x, float spacing) { return static_cast<int>(std::floor(x / spacing)); }
 
 }  // namespace
@@ -88,17 +91,26 @@ Vec3 ClumpSites::clumpOf(const SurfaceTexels& texels, const geometry::Surface& s
   }
   const auto size = static_cast<std::uint32_t>(texels.size());
   const Vec2 at = (Vec2(place.texel % size, place.texel / size) + 0.5f) / static_cast<float>(size);
-  // By the sheet of its chart that lies nearest; one that none reaches is a lock of its own.
-  Vec3 clump(at, radius_ * 0.1f);
+  // By the sheet of its chart that lies nearest, and by the place's own triangle where that is too far off to hold the place or
+  // there is none, as along the borders of charts: a place outside its own lock would be a hole in the coat.
+  const auto seenBy = [&](const SurfaceWetting::Sheet& sheet) {
+    const Vec2 way = sheet.centre - at;
+    const float squared = glm::dot(way, way), stretched = squaredIn(sheet.shape(), way);
+    return Vec3(sheet.centre, radius_ * sheet.scale() * (stretched > 0.0f ? std::sqrt(squared / stretched) : 1.0f));
+  };
+  Vec3 clump(0);
   float nearest = 1e9f;
   for (const SurfaceWetting::Sheet& sheet : sheets_) {
     const Vec2 way = sheet.centre - at;
     if (sheet.chart != wetting.chartOfTexel()[place.texel] || glm::dot(way, way) >= nearest) continue;
     nearest = glm::dot(way, way);
-    const float stretched = squaredIn(sheet.shape(), way);
-    clump = Vec3(sheet.centre, radius_ * sheet.scale() * (stretched > 0.0f ? std::sqrt(nearest / stretched) : 1.0f));
+    clump = seenBy(sheet);
   }
-  return clump;
+  if (nearest <= kHeld * kHeld * clump.z * clump.z) return clump;
+  clump = seenBy(wetting.sheetOf(surface, place.triangle, texels.places()[sites_[site]].position));
+  const Vec2 way = Vec2(clump) - at;
+  // Where the atlas is stretched past what shape() tells the radius is what holds the place.
+  return Vec3(Vec2(clump), std::max(clump.z, glm::length(way) / kHeld));
 }
 
 }  // namespace fur::wet

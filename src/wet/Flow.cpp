@@ -149,7 +149,7 @@ bool Water::storeBlock(const Ground& ground, WetnessMask& mask, std::uint32_t in
     filmOf[i] = film;
     stored = true;
     mask.setWater(texelOf[i], held, film, filmBefore);
-    texels_->forMirrors(place, [&](std::uint32_t mirror) { mask.set(mirror, mask.texels()[texelOf[i]], film); });
+    texels_->forMirrors(place, [&](std::uint32_t mirror) { carryOn(mask, mirror, mask.texels()[texelOf[i]], film); });
   }
   stored_[index] |= stored;
   return moves;

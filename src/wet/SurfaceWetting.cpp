@@ -73,6 +73,12 @@ Vec3 SurfaceWetting::Sheet::shape() const {
   return even || !(shape.x + shape.z < kMost) ? Vec3(1, 0, 1) : shape;
 }
 
+SurfaceWetting::Sheet SurfaceWetting::sheetOf(const geometry::Surface& surface, std::uint32_t triangle, const Vec3& centre) const {
+  const Face& face = faces_[triangle];
+  return {chartOf(surface, triangle), face.origin + Vec2(glm::dot(face.gradU, centre), glm::dot(face.gradV, centre)), face.area,
+          face.area * face.scale, face.area * face.stretch};
+}
+
 std::vector<SurfaceWetting::Sheet> SurfaceWetting::sheetsAt(const geometry::Surface& surface,
                                                             const geometry::SurfaceQuery& query, const Vec3& centre,
                                                             const Vec3& normal, float radius) const {
@@ -90,20 +96,18 @@ std::vector<SurfaceWetting::Sheet> SurfaceWetting::sheetsAt(const geometry::Surf
   sortStably(near.begin(), near.end());
   std::vector<Sheet> sheets;
   for (const auto& [distance, t] : near) {
-    const Face& face = faces_[t];
-    const std::uint16_t chart = chartOf(surface, t);
-    const Vec2 at = face.origin + Vec2(glm::dot(face.gradU, centre), glm::dot(face.gradV, centre));
+    const Sheet alone = sheetOf(surface, t, centre);
     const auto same = std::find_if(sheets.begin(), sheets.end(), [&](const Sheet& sheet) {
-      const Vec2 apart = at - sheet.centre;
+      const Vec2 apart = alone.centre - sheet.centre;
       const float reach = radius * sheet.scale();
-      return sheet.chart == chart && glm::dot(apart, apart) <= reach * reach;
+      return sheet.chart == alone.chart && glm::dot(apart, apart) <= reach * reach;
     });
     if (same != sheets.end()) {
-      same->area += face.area;
-      same->scaledArea += face.area * face.scale;
-      same->stretch += face.area * face.stretch;
+      same->area += alone.area;
+      same->scaledArea += alone.scaledArea;
+      same->stretch += alone.stretch;
     } else if (sheets.size() < kMaxSheets) {
-      sheets.push_back({chart, at, face.area, face.area * face.scale, face.area * face.stretch});
+      sheets.push_back(alone);
     }
   }
   return sheets;

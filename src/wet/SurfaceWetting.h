@@ -44,6 +44,8 @@ class SurfaceWetting {
   };
   std::vector<Sheet> sheetsAt(const geometry::Surface& surface, const geometry::SurfaceQuery& query,
                               const Vec3& centre, const Vec3& normal, float radius) const;
+  // As one triangle alone sees it, carried on along its plane. Not of a triangle without area.
+  Sheet sheetOf(const geometry::Surface& surface, std::uint32_t triangle, const Vec3& centre) const;
 
  private:
   // How a triangle maps space to the atlas: u = originU + dot(gradU, x), and v alike.

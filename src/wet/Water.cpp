@@ -66,7 +66,7 @@ void Water::notice(const Ground& ground, WetnessMask& mask) {
     // Paint meets gutters where it may, which is not always where it meets what they repeat.
     for (std::uint32_t i = block.first; i < block.end; ++i)
       texels_->forMirrors(i, [&](std::uint32_t mirror) {
-        if (texels[mirror] != texels[texelOf_[i]]) store(ground, mask, i, held_[i], film_[i]);
+        if (texels[mirror].w != held_[i] || mask.filmAt(mirror) != film_[i]) carryOn(mask, mirror, texels[texelOf_[i]], film_[i]);
       });
   }
   for (int y = painted.y0; y < painted.y1; ++y)
@@ -96,7 +96,17 @@ void Water::store(const Ground& ground, WetnessMask& mask, std::uint32_t index, 
   film_[index] = film;
   mask.set(at, texel, film);
   stored_[texels_->blockOf(index)] = 1;
-  texels_->forMirrors(index, [&](std::uint32_t mirror) { mask.set(mirror, texel, film); });
+  texels_->forMirrors(index, [&](std::uint32_t mirror) { carryOn(mask, mirror, texel, film); });
+}
+
+// A gutter has the water of the texel that it repeats, but the lock that lies there: one that paint has left, else the same,
+// grown until it holds the gutter too. Outside its own lock no strand stands, and beside the border there would be a hole.
+void Water::carryOn(WetnessMask& mask, std::uint32_t mirror, const Vec4& texel, float film) {
+  constexpr float kReachesPast = 1.5f;
+  Vec4 there = texel;
+  if (const Vec4& before = mask.texels()[mirror]; before.w > 0.0f && texel.w > 0.0f) there = Vec4(Vec3(before), texel.w);
+  else if (texel.w > 0.0f) there.z = std::max(there.z, kReachesPast * glm::length(mask.texelCentre(mirror) - Vec2(texel)));
+  mask.set(mirror, there, film);
 }
 
 // Tells the mask where store() has been.

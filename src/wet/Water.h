@@ -134,6 +134,7 @@ class Water {
   void receive(const Ground& ground, WetnessMask& mask, const Climate* climate, std::uint32_t block);
   void evaporate(const Ground& ground, WetnessMask& mask, const Climate& climate, std::uint32_t block);
   void store(const Ground& ground, WetnessMask& mask, std::uint32_t place, float held, float film);
+  static void carryOn(WetnessMask& mask, std::uint32_t mirror, const Vec4& texel, float film);
   bool soak(std::uint32_t block, Amounts& now);
   bool dry(const Climate& climate, std::uint32_t block, Amounts& now);
   float rest(std::uint32_t block, const Amounts& now, bool moves);

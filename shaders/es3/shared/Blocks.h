@@ -132,6 +132,10 @@ FUR_BLOCK(FurBlock) {
 #define FUR_MOST_ASIDE 0.7
 // The strands at the rim of a lock seem so much shorter (Clump.h has the same).
 #define FUR_POINTS 0.7
+// The mask's texels tell their chart beside their clump's centre: u is stored with FUR_CHART_STEP times the chart's number,
+// and as much more as keeps it positive where the centre lies beside the atlas. Numbers go round after FUR_CHART_NUMBERS.
+#define FUR_CHART_STEP 4.0
+#define FUR_CHART_NUMBERS 64
 // Pixels along the square that the twin tests evaluate.
 #define FUR_TWIN_SIZE 33
 // A fin shows where (n1.v)(n2.v) is below the first (opacity rises from there to 1 edge-on), and where
