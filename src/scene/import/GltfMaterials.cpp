@@ -20,7 +20,13 @@ const Json* GltfMaterials::part(Whole material, const char* key) const {
   return child(child(&file_.element("materials", material), "pbrMetallicRoughness"), key);
 }
 
-TexcoordUse GltfMaterials::texcoordUse(Whole material) const {
+const TexcoordUse& GltfMaterials::texcoordUse(Whole material) {
+  const auto [at, isNew] = uses_.try_emplace(material);
+  if (isNew) at->second = readTexcoordUse(material);
+  return at->second;
+}
+
+TexcoordUse GltfMaterials::readTexcoordUse(Whole material) const {
   TexcoordUse use;
   const Json* texture = part(material, "baseColorTexture");
   if (!texture || !texture->isObject()) return use;
