@@ -1,7 +1,7 @@
 // Files that people bring, good and bad: a typed error, and the old scene as it was.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { badModels, hugeImage, tetrahedron } from './glb.mjs';
+import { badModels, furnished, hugeImage, tetrahedron } from './glb.mjs';
 import { difference, light, picture, sleep, startBrowser, untilStill, withFur } from './support.mjs';
 
 const site = startBrowser();
@@ -100,6 +100,39 @@ test('a spoilt .obj is refused by name, line and reason, and the old scene stays
   });
   assert.deepEqual(await scene(), before);
   await page.keyboard.press('Escape');
+});
+
+test('save() says what it leaves out, and can be asked before', async () => {
+  assert.equal(await load('furnished.glb', furnished), null);
+  const seen = await withFur(page, async (fur) => {
+    const told = [], before = fur.warnings.length;
+    fur.addEventListener('warning', ({ detail }) => told.push(detail.message));
+    const lost = await fur.lostBySaving();
+    const asking = [...told];
+    const bytes = await fur.save();
+    const saved = fur.warnings.slice(before);
+    await fur.loadModel(bytes, { name: 'saved.glb' });
+    return { lost, asking, told, saved, again: await fur.lostBySaving() };
+  });
+  assert.deepEqual(seen.lost, [
+    'the tree of 2 nodes', '1 of 2 materials', '1 skin', 'the animation "walk"', 'the camera "front"', '1 light',
+    'extras of one object', 'the extension "KHR_materials_clearcoat"',
+  ]);
+  assert.deepEqual(seen.asking, []);
+  assert.deepEqual(seen.told, seen.lost.map((what) => `save() leaves out ${what}`));
+  assert.deepEqual(seen.saved, seen.told);
+  assert.deepEqual(seen.again, []);
+});
+
+test('a scene that is saved while it is wet is wet when it opens', async () => {
+  const [before, after] = await withFur(page, async (fur) => {
+    fur.setWetness(0.5);
+    const wet = fur.meanWetness;
+    await fur.loadModel(await fur.save(), { name: 'wet.glb' });
+    return [wet, fur.meanWetness];
+  });
+  assert.ok(before > 0.1);
+  assert.ok(Math.abs(after - before) < 0.02, `${after} of ${before}`);
 });
 
 test('a saved .fo opens again with the same triangles', async () => {
