@@ -44,7 +44,7 @@ target_compile_options(fur_test_options INTERFACE -Wno-dangling-else)
 target_link_libraries(fur_test_options INTERFACE fur_options fur_gtest)
 
 if(FUR_CPU_TESTS)
-  add_executable(wet-fur-tests EXCLUDE_FROM_ALL ${FUR_CPU_TESTS})
+  add_executable(wet-fur-tests EXCLUDE_FROM_ALL ${FUR_CPU_TESTS} "${CMAKE_SOURCE_DIR}/tests/AllocatedBytes.cpp")
   target_include_directories(wet-fur-tests PRIVATE "${CMAKE_SOURCE_DIR}" "${CMAKE_SOURCE_DIR}/tests")
   target_link_libraries(wet-fur-tests PRIVATE ${FUR_PURE_MODULES} fur_test_options)
   if(EMSCRIPTEN)

@@ -16,7 +16,7 @@ const forwardedEvents = [
 ];
 const forwardedMethods = [
   'splash', 'dry', 'setWetness', 'wetnessAt', 'shake', 'stamp', 'replay', 'pick', 'play', 'pause', 'step', 'undo', 'redo', 'getState', 'setState',
-  'loadTypeSet', 'saveTypeSet', 'saveFo', 'save', 'groom', 'loadLengthMap', 'loadTypeMap', 'toBlob', 'getCameraOrbit', 'resetCamera', 'openEditor', 'closeEditor',
+  'loadTypeSet', 'saveTypeSet', 'saveFo', 'save', 'lostBySaving', 'groom', 'loadLengthMap', 'loadTypeMap', 'toBlob', 'getCameraOrbit', 'resetCamera', 'openEditor', 'closeEditor',
 ];
 const forwardedGetters = [
   'loaded', 'ready', 'state', 'stats', 'settings', 'settingsTable', 'presets', 'warnings', 'modelName', 'animations', 'meanWetness',

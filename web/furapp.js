@@ -129,6 +129,7 @@ export class FurApp {
   // These are in the editor's program only.
   saveTypeSet() { return this.#saved('fur_saveTypeSet'); }
   saveFo() { return this.#saved('fur_saveFo'); }
+  get lostBySaving() { return this.program.lines(this.#call('fur_lostBySaving')); }
   saveScene() { return this.#saved('fur_saveScene'); }
   groomAll(edit, value, [x, y, z]) { this.#call('fur_groomAll', groomEdits.indexOf(edit), value, x, y, z); }
   groomFromImage(what, width, height, rgba) { this.#callOrThrow('fur_groomFromImage', what, width, height, rgba); }

@@ -274,7 +274,13 @@ export class WetFur extends EventTarget {
   /** The coat as .fts, the model with its fur coordinates as .fo, the whole scene as .glb: Uint8Arrays. */
   saveTypeSet() { return this.#inWorkshop((app) => app.saveTypeSet()); }
   saveFo() { return this.#inWorkshop((app) => app.saveFo()); }
-  save() { return this.#inWorkshop((app) => app.saveScene()); }
+  save() {
+    return this.#inWorkshop((app) => {
+      for (const what of app.lostBySaving) this.#warn(`save() leaves out ${what}`);
+      return app.saveScene();
+    });
+  }
+  lostBySaving() { return this.#inWorkshop((app) => app.lostBySaving); }
 
   #loadSrc() {
     const src = this.#src;
@@ -502,6 +508,7 @@ export class WetFur extends EventTarget {
       app.state = this.#app.state;
       app.restoreGroom(this.#app.groom, false);
       if (this.#typeSet?.revision === this.#app.coatRevision) app.loadTypeSet(this.#typeSet.bytes, this.#typeSet.name);
+      app.water = this.#app.water;
       return work(app);
     } finally {
       app.destroy();

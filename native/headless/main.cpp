@@ -225,6 +225,7 @@ Status save(const app::App& app, const Options& o) {
   if (!o.savedFo.empty())
     if (Status status = native::writeFile(o.savedFo, app.saveFo()); !status) return status;
   if (o.savedScene.empty()) return Done{};
+  for (const std::string& lost : app.lostBySaving()) std::fprintf(stderr, "warning: %s will be without %s\n", o.savedScene.c_str(), lost.c_str());
   return native::writeFile(o.savedScene, app.saveScene());
 }
 
@@ -281,6 +282,7 @@ int main(int count, char** values) {
     std::fprintf(stderr, "%s\n%s", wrong.c_str(), kUsage);
     return 2;
   }
+  app::App::findLossesWith(scene::lostBySaving);
   const bool picture = !options.output.empty();
   if (const Status status = picture ? drawPicture(options, values[0]) : saveOnly(options, values[0]); !status) {
     std::fprintf(stderr, "%s: %s\n", errorCode(status.error().id), status.error().message.c_str());

@@ -233,6 +233,7 @@ int main(int count, char** values) {
     std::fprintf(stderr, "%s\n%s", wrong.c_str(), kUsage);
     return 2;
   }
+  app::App::findLossesWith(scene::lostBySaving);
   auto window = native::Window::open("wet-fur", options.width, options.height);
   if (!window) return fail(window.error());
   Session session(**window, options, values[0]);

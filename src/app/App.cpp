@@ -132,6 +132,7 @@ void App::State::adopt(geometry::Mesh source, geometry::Surface built, std::stri
   refreshTouch();
   idleTime = 0;
   pendingImage = sourceImage = {};
+  lostOfFile.clear();
   imageWidth = imageHeight = 0;
   image.clear();
   baseColorFactor = Vec4(1);
@@ -153,6 +154,11 @@ Status App::loadPrimitive(std::string_view name) {
   return Done{};
 }
 
+namespace {
+scene::FindLosses* findLosses = nullptr;
+}
+void App::findLossesWith(scene::FindLosses* find) { findLosses = find; }
+
 Status App::loadModel(std::span<const std::uint8_t> bytes, const std::string& name, const scene::FileSet& others,
                       bool keepState) {
   auto model = scene::importModel(bytes, name, others);
@@ -160,7 +166,9 @@ Status App::loadModel(std::span<const std::uint8_t> bytes, const std::string& na
   auto surface = geometry::buildSurface(model->mesh, state_->mapping());
   if (!surface) return Error{surface.error().id, name + ": " + surface.error().message};
   for (const std::string& warning : model->warnings) state_->warnings.push_back(warning);
+  Warnings lost = findLosses ? findLosses(*model, bytes, others) : Warnings();
   state_->adopt(std::move(model->mesh), std::move(*surface), model->name, std::move(model->rig));
+  state_->lostOfFile = std::move(lost);
   state_->pendingImage = std::move(model->baseColor);
   state_->baseColorFactor = model->baseColorFactor;
   state_->takeFur(model->fur);

@@ -111,6 +111,10 @@ class App {
   std::vector<std::uint8_t> saveFo() const;
   // Model, picture, groom, what is wet, settings and camera as .glb, which other programs show without fur.
   std::vector<std::uint8_t> saveScene() const;
+  // What that leaves out of the scene and of the file that the model came from, each in some words. Programs that save
+  // say so before, with scene::lostBySaving(); without, the viewer's download is spared it.
+  Warnings lostBySaving() const;
+  static void findLossesWith(scene::FindLosses* find);
 
   // --- settings, state ---
   const settings::Settings& settings() const;

@@ -292,6 +292,16 @@ std::vector<std::uint8_t> App::saveFo() const {
   return scene::writeFo(scene::foFromSurface(s.surface, s.settings.repeat, lengths, types));
 }
 
+Warnings App::lostBySaving() const {
+  const State& s = *state_;
+  Warnings lost = s.lostOfFile;
+  if (s.given) lost.push_back("the coat that was read from a .fts file");
+  const wet::Accounts water = s.water.accounts();
+  if (water.film > 0) lost.push_back("the film of water on the fur");
+  if (water.drops > 0) lost.push_back("drops that hang or fall");
+  return lost;
+}
+
 std::vector<std::uint8_t> App::saveScene() const {
   State& s = *state_;
   s.refreshGroom();

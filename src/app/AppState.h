@@ -66,6 +66,7 @@ struct App::State {
   geometry::SurfaceQuery query;
   std::optional<wet::SurfaceWetting> wetting;
   scene::EncodedImage pendingImage, sourceImage;  // to be decoded; decoded, kept for saving
+  Warnings lostOfFile;  // by saving
   Vec4 baseColorFactor{1.0f};
   int imageWidth = 0, imageHeight = 0;
   std::vector<std::uint8_t> image;

@@ -271,9 +271,29 @@ void Editor::drawSettings(settings::Settings& edited, std::span<const std::strin
   if (drawFields(edited, filter_, !touch_, animations) == 0) caption("No setting has that in its name.");
 }
 
+// What would be left out is said before anything is written.
+void Editor::drawSaving(const EditorModel& model) {
+  if (model.lostBySaving.empty()) asksToSave_ = false;
+  if (!asksToSave_) {
+    if (!ImGui::Button("Save scene (.glb)", ImVec2(-1, 0))) return;
+    asksToSave_ = !model.lostBySaving.empty();
+    if (!asksToSave_) emit(command::SaveScene{});
+    return;
+  }
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted("A saved scene will be without");
+  for (const std::string& what : model.lostBySaving) ImGui::BulletText("%s", what.c_str());
+  ImGui::PopTextWrapPos();
+  const float half = (ImGui::GetContentRegionAvail().x - px(3)) * 0.5f;
+  const bool saves = ImGui::Button("Save anyway", ImVec2(half, 0));
+  ImGui::SameLine(0, px(3));
+  if (ImGui::Button("Cancel", ImVec2(-1, 0)) || saves) asksToSave_ = false;
+  if (saves) emit(command::SaveScene{});
+}
+
 void Editor::drawStats(const EditorModel& model) {
   if (!groupHeader("Share and statistics")) return;
-  if (ImGui::Button("Save scene (.glb)", ImVec2(-1, 0))) emit(command::SaveScene{});
+  drawSaving(model);
   const float half = (ImGui::GetContentRegionAvail().x - px(3)) * 0.5f;
   if (ImGui::Button("Copy settings", ImVec2(half, 0))) emit(command::CopyState{});
   ImGui::SameLine(0, px(3));

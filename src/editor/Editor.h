@@ -52,6 +52,7 @@ class Editor {
   void drawWater(const EditorModel& model);
   void drawSettings(settings::Settings& edited, std::span<const std::string> animations);
   void drawStats(const EditorModel& model);
+  void drawSaving(const EditorModel& model);
   void scrollByFinger();
   bool collapsed() const { return collapsed_.value_or(narrow_); }
   void emit(Command command) { commands_.push_back(std::move(command)); }
@@ -66,6 +67,7 @@ class Editor {
   std::optional<bool> collapsed_;
   bool narrow_ = false, roomy_ = false;
   bool changing_ = false;
+  bool asksToSave_ = false;  // what saving would leave out is shown
   bool touch_ = false;
   // Heights of the scrolled part and of the messages above it, as of the last frame.
   float contentHeight_ = 0, messagesHeight_ = 0;

@@ -79,6 +79,7 @@ struct EditorModel {
   bool canUndo = false, canRedo = false;
   FileAccess fileAccess = FileAccess::Dialog;
   std::span<const Message> messages;  // oldest first
+  std::vector<std::string> lostBySaving;  // what SaveScene would leave out
   int vertices = 0, triangles = 0, strands = 0, layers = 0, finEdges = 0;
   std::size_t cpuBytes = 0, gpuBytes = 0;
   std::span<const float> frameSeconds;  // the last frames, oldest first

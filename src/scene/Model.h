@@ -25,6 +25,7 @@ struct Model {
   geometry::Mesh mesh;         // every mesh of the default scene, node transforms applied, fitted to the unit sphere
   EncodedImage baseColor;
   Vec4 baseColorFactor{1.0f};  // linear
+  bool isGltf = false;
   bool hasTexcoords = false;   // the file had them for every mesh
   FurData fur;
   Rig rig;                     // its vertices are the mesh's; empty when nothing moves
@@ -60,6 +61,12 @@ Result<Model> importObj(std::span<const std::uint8_t> bytes, const std::string& 
 // Sheppard's .fo, see FoModel.h. Its types become 1, 2, .. in ascending order; one warning when they are more than
 // groom::kTypes, whose last one then stands for all the others.
 Result<Model> importFo(std::span<const std::uint8_t> bytes, const std::string& name);
+
+// What the file of a model has and exportScene() does not write, each in some words with counts and names, as
+// "2 of 3 materials"; `bytes` and `others` are what the model was read from. Of glTF alone: what other formats have
+// beside their mesh is left out when they are read. At most some dozens of bytes for each name in the file.
+using FindLosses = Warnings(const Model& model, std::span<const std::uint8_t> bytes, const FileSet& others);
+FindLosses lostBySaving;
 
 // A bare .glb (positions, normals, uv, indices), as any glTF viewer shows it.
 std::vector<std::uint8_t> exportGlb(const geometry::Mesh& mesh, const std::string& name);

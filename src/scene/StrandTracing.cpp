@@ -14,6 +14,8 @@ namespace {
 constexpr int kBridge = 2;
 // A strand finer than a texel may be missing from a layer; not from two.
 constexpr int kMaxStep = 2;
+// Tips are searched by strips of so many columns: about the reach, so that two or three strips hold all that count.
+constexpr int kStrip = 32;
 constexpr std::uint32_t kNone = 0xffffffffu;
 
 struct Link {
@@ -25,6 +27,21 @@ struct Link {
   std::uint32_t child = kNone;
   Vec2 above{0.0f};
   int stepAbove = 0;             // layers; 0: there is none
+};
+
+// A cut that the next layer may go on from, by where it is looked for.
+struct Tip {
+  int values, strip, row;
+  std::uint32_t cut;
+  bool operator<(const Tip& other) const {
+    return values != other.values ? values < other.values : strip != other.strip ? strip < other.strip : row < other.row;
+  }
+};
+
+struct Nearest {
+  float within;  // texels: what is farther away is none
+  float cost = std::numeric_limits<float>::max();
+  std::uint32_t parent = kNone;
 };
 
 class Tracer {
@@ -89,7 +106,10 @@ class Tracer {
     links_.push_back({layer, values});
   }
 
-  int rowOf(std::uint32_t cut) const { return static_cast<int>(trace_.cuts[cut].axis.y); }
+  Tip keyOf(std::uint32_t cut) const {
+    const Vec2 axis = trace_.cuts[cut].axis;
+    return {links_[cut].values, static_cast<int>(axis.x) / kStrip, static_cast<int>(axis.y), cut};
+  }
   Vec2 way(const StrandCut& from, const StrandCut& to) const {
     return {furgen::torusDelta(to.axis.x, from.axis.x, static_cast<float>(maps_.width)),
             furgen::torusDelta(to.axis.y, from.axis.y, static_cast<float>(maps_.height))};
@@ -97,29 +117,48 @@ class Tracer {
 
   // Finds the cut that this one goes on from, among the tips of the layers below.
   void link(std::uint32_t cut) {
-    const Link& self = links_[cut];
-    const float x = trace_.cuts[cut].axis.x;
-    const int row = rowOf(cut), window = static_cast<int>(maps_.reach * kMaxStep) + 1;
-    float nearest = std::numeric_limits<float>::max();
-    std::uint32_t parent = kNone;
-    for (int turn = -1; turn <= 1; ++turn) {
-      const int low = row - window + turn * maps_.height;
-      const auto before = [&](std::uint32_t tip, int bound) {
-        return links_[tip].values != self.values ? links_[tip].values < self.values : rowOf(tip) < bound;
-      };
-      auto tip = std::lower_bound(tips_.begin(), tips_.end(), low, before);
-      for (; tip != tips_.end() && links_[*tip].values == self.values && rowOf(*tip) <= low + 2 * window; ++tip) {
-        const int step = self.layer - links_[*tip].layer;
-        const float reach = maps_.reach * static_cast<float>(step);
-        const float across = std::abs(trace_.cuts[*tip].axis.x - x);
-        if (std::min(across, static_cast<float>(maps_.width) - across) > reach) continue;
-        const float distance = glm::length(way(trace_.cuts[*tip], trace_.cuts[cut]));
-        if (distance > reach) continue;
-        const float cost = distance + maps_.reach * static_cast<float>(step - 1);
-        if (cost < nearest) nearest = cost, parent = *tip;
-      }
+    const Tip key = keyOf(cut);
+    const auto at = [&](int values) { return std::lower_bound(tips_.begin(), tips_.end(), Tip{values, 0, 0, 0}) - tips_.begin(); };
+    const std::ptrdiff_t first = at(key.values), last = at(key.values + 1);
+    const std::span<const Tip> same(tips_.data() + first, static_cast<std::size_t>(last - first));
+    Nearest nearest{maps_.reach * kMaxStep};
+    const int strips = same.empty() ? 0 : std::max(1, maps_.width / kStrip);
+    // Its own strip, then those on either side of it.
+    for (int k = 0; k < strips; ++k) {
+      const int strip = (key.strip + (k % 2 ? k / 2 + 1 : strips - k / 2)) % strips;
+      const float middle = (static_cast<float>(strip) + 0.5f) * kStrip, x = trace_.cuts[cut].axis.x;
+      const float across = std::abs(furgen::torusDelta(middle, x, static_cast<float>(maps_.width))) - 0.5f * kStrip;
+      if (strips == 1 || across <= nearest.within) searchStrip(same, strip, cut, nearest);
     }
-    join(cut, parent);
+    join(cut, nearest.parent);
+  }
+
+  // From the cut's own row up and down at once, so that it ends at the rows beyond which no tip is nearer.
+  void searchStrip(std::span<const Tip> same, int strip, std::uint32_t cut, Nearest& nearest) {
+    const Tip key = keyOf(cut);
+    const auto from = [&](int inStrip, int row) {
+      return static_cast<std::size_t>(std::lower_bound(same.begin(), same.end(), Tip{key.values, inStrip, row, 0}) - same.begin());
+    };
+    const std::size_t first = from(strip, 0), last = from(strip + 1, 0);
+    std::size_t up = from(strip, key.row), down = up;
+    for (std::size_t left = last - first; left > 0; --left) {
+      const std::size_t above = up == last ? first : up, below = (down == first ? last : down) - 1;
+      const int rise = (same[above].row - key.row) & (maps_.height - 1), fall = (key.row - same[below].row) & (maps_.height - 1);
+      if (static_cast<float>(std::min(rise, fall) - 1) > nearest.within) return;
+      weigh(cut, same[rise < fall ? above : below].cut, nearest);
+      if (rise < fall) up = above + 1;
+      else down = below;
+    }
+  }
+
+  void weigh(std::uint32_t cut, std::uint32_t tip, Nearest& nearest) {
+    ++trace_.tipsWeighed;
+    const auto steps = static_cast<float>(links_[cut].layer - links_[tip].layer);
+    const float distance = glm::length(way(trace_.cuts[tip], trace_.cuts[cut]));
+    if (distance > maps_.reach * steps) return;
+    const float cost = distance + maps_.reach * (steps - 1.0f);
+    if (cost > nearest.cost || (cost == nearest.cost && tip > nearest.parent)) return;
+    nearest = {std::min(nearest.within, cost), cost, tip};
   }
 
   void join(std::uint32_t cut, std::uint32_t parent) {
@@ -146,15 +185,16 @@ class Tracer {
   void takeTips(int layer) {
     std::size_t first = trace_.cuts.size();
     while (first > 0 && links_[first - 1].layer > layer - kMaxStep) --first;
-    tips_.clear();
-    for (std::size_t cut = first; cut < trace_.cuts.size(); ++cut)
-      if (links_[cut].stepAbove == 0) tips_.push_back(static_cast<std::uint32_t>(cut));
+    std::vector<Tip> found;
     std::vector<Corner> keys;
-    for (const std::uint32_t cut : tips_)
-      keys.push_back({static_cast<std::uint32_t>(rowOf(cut)), static_cast<std::uint32_t>(links_[cut].values), 0});
-    const std::vector<std::uint32_t> found = tips_;
-    const std::vector<std::uint32_t> order = sortedCorners(keys, {static_cast<std::uint32_t>(maps_.height), 0xffff, 0});
-    for (std::size_t i = 0; i < order.size(); ++i) tips_[i] = found[order[i]];
+    for (std::size_t cut = first; cut < trace_.cuts.size(); ++cut) {
+      if (links_[cut].stepAbove != 0) continue;
+      const Tip tip = found.emplace_back(keyOf(static_cast<std::uint32_t>(cut)));
+      keys.push_back({static_cast<std::uint32_t>(tip.row), static_cast<std::uint32_t>(tip.strip), static_cast<std::uint32_t>(tip.values)});
+    }
+    const auto limit = [](int side) { return static_cast<std::uint32_t>(side); };
+    tips_.clear();
+    for (const std::uint32_t i : sortedCorners(keys, {limit(maps_.height), limit(maps_.width), 0xffff})) tips_.push_back(found[i]);
   }
 
   void finish() {
@@ -189,7 +229,8 @@ class Tracer {
   const MapStack& maps_;
   StrandTrace trace_;
   std::vector<Link> links_;  // one a cut
-  std::vector<std::uint32_t> tips_, firstCuts_;
+  std::vector<Tip> tips_;    // sorted
+  std::vector<std::uint32_t> firstCuts_;
   std::vector<IVec2> flood_;
 };
 

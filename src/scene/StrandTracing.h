@@ -34,6 +34,7 @@ struct StrandTrace {
   std::vector<std::uint32_t> cutOf;  // one a texel: 1 + index of its cut; 0 where nothing is covered
   std::vector<StrandCut> cuts;       // in order of layers
   int strandCount = 0;
+  std::size_t tipsWeighed = 0;  // how often one was looked at as what a cut goes on from
 };
 
 // The root lies at height 0 on the parabola through the first three cuts; a strand that shows

@@ -213,6 +213,33 @@ TEST(Editor, OnANarrowScreenItLeavesTheModelInSight) {
   }
 }
 
+TEST(Editor, SavesAtOnceWhatIsSavedWhole) {
+  PanelDriver person;
+  person.openGroup("Share and statistics");
+  person.press("Save scene (.glb)");
+  EXPECT_EQ(person.count<command::SaveScene>(), 1);
+}
+
+TEST(Editor, AsksBeforeItSavesWithoutSomething) {
+  PanelDriver person;
+  person.model.lostBySaving = {"1 skin", "the animation \"walk 100 %s\""};
+  person.openGroup("Share and statistics");
+  person.press("Save scene (.glb)");
+  EXPECT_EQ(person.count<command::SaveScene>(), 0);
+  EXPECT_FALSE(person.find(person.id("Save scene (.glb)"))) << "it asks";
+  person.press("Cancel");
+  EXPECT_EQ(person.count<command::SaveScene>(), 0);
+  person.press("Save scene (.glb)");
+  person.press("Save anyway");
+  EXPECT_EQ(person.count<command::SaveScene>(), 1);
+  person.press("Save scene (.glb)");
+  EXPECT_EQ(person.count<command::SaveScene>(), 1) << "it asks each time";
+  person.model.lostBySaving.clear();  // another model
+  person.frames(2);
+  person.press("Save scene (.glb)");
+  EXPECT_EQ(person.count<command::SaveScene>(), 2);
+}
+
 TEST(Editor, CollapsedItIsATitleOnly) {
   PanelDriver person({1280, 800});
   const float open = person.panel()->Size.y;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <gtest/gtest.h>
 #include <imgui.h>
 #include <imgui_internal.h>
 
@@ -108,6 +109,16 @@ class PanelDriver {
         if (const ImGuiID hovered = ImGui::GetHoveredID()) seen.emplace_back(at, hovered);
       }
     return seen;
+  }
+
+  void openGroup(const char* name) {
+    content()->StateStorage.SetInt(content()->GetID(name), 1);
+    frames(3);
+  }
+  void press(const char* item) {
+    const auto at = find(id(item));
+    ASSERT_TRUE(at) << item;
+    click(*at);
   }
 
   template <class C>

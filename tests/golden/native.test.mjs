@@ -5,7 +5,7 @@ import { test } from 'node:test';
 import { drawNatively, judge, scenes } from './golden.mjs';
 
 test('the program without a window', { concurrency: availableParallelism() }, async (suite) => {
-  await Promise.all(scenes.map((scene) => suite.test(`draws ${scene.name} as its picture does`, { timeout: 60000 }, async (t) => {
+  await Promise.all(scenes.map((scene) => suite.test(`draws ${scene.name} as its picture does`, { timeout: 600000 }, async (t) => {
     const { text, wrong } = judge(scene, await drawNatively(scene), 'native');
     t.diagnostic(text);
     assert.equal(wrong, '');

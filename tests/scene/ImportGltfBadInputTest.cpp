@@ -1,27 +1,31 @@
-// What the world may send: each a typed error that names the file and the thing, soon, and no crash.
+// What the world may send: each a typed error that names the file and the thing, in memory by the file's size, and no crash.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdlib>
 
+#include "AllocatedBytes.h"
 #include "core/Random.h"
 #include "geometry/Primitives.h"
 #include "geometry/Surface.h"
-#include "scene/CpuSeconds.h"
 #include "scene/GltfBuilder.h"
 #include "scene/Model.h"
 
 namespace fur::scene {
 namespace {
 
-void expectError(const FileBytes& bytes, ErrorId id, const std::string& named, const FileSet& others = {}) {
-  const CpuSeconds took;
+// A value of the JSON takes some dozens of bytes where it may take two in the file.
+constexpr std::size_t kAlways = 1 << 20, kAByte = 100;
+
+void expectError(const FileBytes& bytes, ErrorId id, const std::string& named, const FileSet& others = {},
+                 std::size_t most = kAlways) {
+  const std::size_t before = allocatedBytes();
   const auto model = importGltf(bytes, "wolf.glb", others);
   ASSERT_FALSE(model) << "imported; expected an error about " << named;
   EXPECT_EQ(model.error().id, id) << model.error().message;
   EXPECT_EQ(model.error().message.rfind("wolf.glb: ", 0), 0u) << model.error().message;
   EXPECT_NE(model.error().message.find(named), std::string::npos) << model.error().message;
-  EXPECT_LT(took.count(), kSoon);
+  EXPECT_LT(allocatedBytes() - before, most + kAByte * bytes.size());
 }
 
 void expectBad(const TriangleFile& file, const std::string& named) { expectError(file.build(), ErrorId::BadFile, named); }
@@ -236,13 +240,55 @@ TEST(ImportGltf, RefusesMoreVerticesThanTheLimitBeforeReadingThem) {
   file.scene = R"("scenes":[{"nodes":[0,1]}],)";
   file.nodes = R"([{"mesh":0},{"mesh":0}])";
   file.primitive = R"({"attributes":{"POSITION":0},"mode":4,"indices":1})";
-  expectError(file.build(), ErrorId::TooLarge, "4000000");
+  // The first three millions are within the limit; each is a position, its normal and what they are read from.
+  expectError(file.build(), ErrorId::TooLarge, "4000000", {}, 3'000'000 * 100);
 }
 
 TEST(ImportGltf, RefusesJsonOfTooManyValues) {
   std::string json = R"({"asset":{"version":"2.0"},"extras":[)";
   for (int i = 0; i < 1'100'000; ++i) json += "1,";
   expectError(textBytes(json + "1]}"), ErrorId::TooLarge, "1000000");
+}
+
+TEST(ImportGltf, RefusesAMeshThatIsPlacedTooOften) {
+  TriangleFile file;
+  file.nodes = "[";
+  file.scene.clear();
+  for (int i = 0; i < 400; ++i) file.nodes += R"({"mesh":0},)";
+  file.nodes += R"({"mesh":0}])";
+  for (int i = 1; i < 400; ++i) file.primitive += R"(,{"attributes":{},"mode":0})";
+  // What each is called.
+  expectError(file.build(), ErrorId::TooLarge, "100000 primitives", {}, 100'000 * 400);
+}
+
+TEST(ImportGltf, RefusesObjectsOfTooManyKeysWhereManyRefer) {
+  std::string keys;
+  for (int i = 0; i < 300; ++i) keys += ",\"k" + std::to_string(i) + "\":0";
+  const auto with = [&](std::string json) { return json.insert(json.rfind('}'), keys); };
+  TriangleFile file;
+  file.position = with(file.position);
+  expectError(file.build(), ErrorId::TooLarge, "accessors: an object has 304 keys; the limit is 256");
+  file = {};
+  file.primitive = with(file.primitive);
+  expectError(file.build(), ErrorId::TooLarge, "meshes[0].primitives[0]");
+  file = {};
+  file.primitive = R"({"attributes":{"POSITION":0)" + keys + R"(},"indices":1})";
+  expectError(file.build(), ErrorId::TooLarge, "attributes: an object has 301 keys");
+  file = {};
+  file.nodes = R"([{"mesh":0,"extras":{"a":0)" + keys + "}}]";  // nobody looks into those
+  EXPECT_TRUE(importGltf(file.build(), "wolf.glb"));
+}
+
+TEST(ImportGltf, DoesNotReadAttributesThatCannotBelongToTheirPrimitive) {
+  TriangleFile file;
+  file.moreAccessors = R"(,{"componentType":5126,"count":3999999,"type":"VEC3"},{"componentType":5126,"count":3999999,"type":"VEC2"})";
+  file.primitive = R"({"attributes":{"POSITION":0,"NORMAL":2,"TEXCOORD_0":3},"indices":1})";
+  const std::string one = file.primitive;
+  for (int i = 0; i < 1000; ++i) file.primitive += "," + one;
+  const FileBytes bytes = file.build();
+  const std::size_t before = allocatedBytes();
+  EXPECT_TRUE(importGltf(bytes, "wolf.glb"));
+  EXPECT_LT(allocatedBytes() - before, kAlways + kAByte * bytes.size());
 }
 
 TEST(ImportGltf, SurvivesDeepNesting) {

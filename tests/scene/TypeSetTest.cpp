@@ -1,4 +1,3 @@
-#include "scene/CpuSeconds.h"
 #include "scene/TypeSet.h"
 
 #include <gtest/gtest.h>
@@ -185,28 +184,26 @@ TEST(TypeSet, OfAnotherShapeIsNotWritten) {
   EXPECT_FALSE(writeTypeSet(furgen::generateFur(p)));
 }
 
-TEST(TypeSet, IsReadSoonWhateverItHolds) {
+TEST(TypeSet, IsReadWhateverItHolds) {
   Bytes bytes(kTypeSetBytes, 0);  // the two floats stay 0
-  const auto readWithin = [&](const char* what) {
-    const CpuSeconds took;
+  const auto expectRead = [&](const char* what) {
     const FurVolume v = read(bytes);
-    EXPECT_LT(took.count(), kSoon) << what;
     EXPECT_EQ(written(v), bytes) << what;
     for (std::size_t i = 2; i < v.tangent.size(); i += 3) ASSERT_GE(v.tangent[i], 1) << what;
     for (const std::uint32_t id : v.strandId) ASSERT_LE(id, static_cast<std::uint32_t>(v.strandCount)) << what;
   };
-  readWithin("nothing");
+  expectRead("nothing");
   std::fill(bytes.begin(), bytes.begin() + kDensityAt, 255);
-  readWithin("one strand everywhere");
+  expectRead("one strand everywhere");
   Random random(1);
   std::generate(bytes.begin(), bytes.begin() + kDensityAt, [&] { return static_cast<std::uint8_t>(random.next()); });
-  readWithin("noise");
+  expectRead("noise");
   // As many separate texels with the same values as there can be, never above one another.
   std::fill(bytes.begin(), bytes.end(), 0);
   for (std::size_t layer = 0; layer < 16; ++layer)
     for (std::size_t y = layer % 3; y < 255; y += 3)
       for (std::size_t x = layer % 2; x < 255; x += 3) bytes[3 * ((layer * 256 + y) * 256 + x) + 2] = 255;
-  readWithin("dots");
+  expectRead("dots");
 }
 
 }  // namespace

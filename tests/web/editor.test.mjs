@@ -21,7 +21,7 @@ test('the editor takes over water, settings, camera and model, and gives them ba
   const plain = await picture(page);
 
   await page.click('#editor');
-  await page.waitForFunction(() => wetFur.editorOpen, null, { timeout: 30000 });
+  await page.waitForFunction(() => wetFur.editorOpen);
   await untilStill(page);
   assert.deepEqual(await scene(), before);
   assert.equal(await withFur(page, (fur) => fur.canUndo), false, 'the history begins anew');
@@ -38,7 +38,7 @@ test('the editor takes over water, settings, camera and model, and gives them ba
 
 test('the panel takes the pointer and the keys that are meant for it, the picture takes the others', async () => {
   const page = await site.open('?quality=low&layers=8&fins=0&src=sphere&editor=1&dryRate=0', { viewport: { width: 800, height: 400 } });
-  await page.waitForFunction(() => wetFur.editorOpen, null, { timeout: 30000 });
+  await page.waitForFunction(() => wetFur.editorOpen);
   await untilStill(page);
   await page.mouse.move(600, 59);  // a label
   await page.mouse.down();
@@ -58,7 +58,7 @@ test('the panel takes the pointer and the keys that are meant for it, the pictur
 
 test('on a tall window the panel shows the tile of the coat that is drawn', async () => {
   const page = await site.open('?quality=low&layers=8&fins=0&src=plane&editor=1&dryRate=0', { viewport: { width: 640, height: 1060 } });
-  await page.waitForFunction(() => wetFur.editorOpen, null, { timeout: 30000 });
+  await page.waitForFunction(() => wetFur.editorOpen);
   const strands = async () => {
     await untilStill(page);
     const { data } = PNG.sync.read(await page.screenshot({ clip: { x: 300, y: 0, width: 328, height: 1060 } }));
@@ -76,7 +76,7 @@ test('on a tall window the panel shows the tile of the coat that is drawn', asyn
 
 test('the panel saves the coat as a file that gives the same coat again', async () => {
   const page = await site.open('?quality=low&layers=8&fins=0&src=plane&editor=1&preset=wool', { viewport: { width: 640, height: 1060 } });
-  await page.waitForFunction(() => wetFur.editorOpen, null, { timeout: 30000 });
+  await page.waitForFunction(() => wetFur.editorOpen);
   await untilStill(page);
   let download;
   page.on('download', (event) => { download = event; });

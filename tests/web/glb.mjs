@@ -44,6 +44,20 @@ export function tetrahedron({ change = () => {}, positions, indices, uri } = {})
   return { json, binary, glb: () => glb(json, binary) };
 }
 
+/** A model with much that a saved scene is without. */
+export const furnished = tetrahedron({
+  change: (json) => {
+    json.materials = [{}, { extensions: { KHR_materials_clearcoat: {} } }];
+    json.meshes[0].primitives[0].material = 0;
+    json.nodes.push({ camera: 0 });
+    json.cameras = [{ type: 'perspective', name: 'front', perspective: { yfov: 1, znear: 1 } }];
+    json.skins = [{ joints: [1] }];
+    json.animations = [{ name: 'walk', channels: [], samplers: [] }];
+    json.extensions = { KHR_lights_punctual: { lights: [{ type: 'point' }] } };
+    json.extras = { by: 'somebody' };
+  },
+}).glb();
+
 /** A PNG that says it is `side` pixels a side and ends after its header. */
 export function pngHeader(side) {
   const bytes = Buffer.alloc(33);

@@ -38,7 +38,7 @@ const show = (page, scene) => withFur(page, async (fur, { model, preset, setting
 }, { ...scene, settling, runs: running(scene), map: mapFile(scene) && [...readFileSync(mapFile(scene))] });
 
 for (const scene of scenes) {
-  test(`${scene.name} looks on the page as its picture does`, { timeout: 120000 }, async (t) => {
+  test(`${scene.name} looks on the page as its picture does`, { timeout: 600000 }, async (t) => {
     const page = await pageFor(scene);
     assert.deepEqual(await show(page, scene), []);
     const { text, wrong } = judge(scene, await picture(page), 'web');

@@ -62,7 +62,7 @@ test('the editor takes the groom over and gives it back', async () => {
   await stroke(page, 'whisker');
   const before = await saved(page);
   await page.click('#editor');
-  await page.waitForFunction(() => wetFur.editorOpen, null, { timeout: 30000 });
+  await page.waitForFunction(() => wetFur.editorOpen);
   assert.equal(await saved(page), before);
   await page.click('#editor');
   await page.waitForFunction(() => !wetFur.editorOpen);

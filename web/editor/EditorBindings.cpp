@@ -26,6 +26,15 @@ namespace {
 std::map<App*, std::unique_ptr<EditorHost>> hosts;  // the handle is the App's, so this finds its panel
 std::string commandText;
 
+// This program saves, so its models are asked.
+const bool asksForLosses = (App::findLossesWith(scene::lostBySaving), true);
+
+std::string lines(const Warnings& list) {
+  std::string out;
+  for (const std::string& line : list) out += line + '\n';
+  return out;
+}
+
 EditorHost* hostOf(App* app) {
   const auto found = hosts.find(app);
   return found == hosts.end() ? nullptr : found->second.get();
@@ -147,6 +156,10 @@ FUR_EXPORT std::uint32_t fur_saveTypeSet(App* app) {
 }
 FUR_EXPORT std::uint32_t fur_saveFo(App* app) {
   return guarded([&] { return web::keepSaved(app->saveFo()); });
+}
+// What fur_saveScene() leaves out, one a line.
+FUR_EXPORT const char* fur_lostBySaving(App* app) {
+  return guarded([&] { return web::text(lines(app->lostBySaving())); });
 }
 FUR_EXPORT std::uint32_t fur_saveScene(App* app) {
   return guarded([&] { return web::keepSaved(app->saveScene()); });

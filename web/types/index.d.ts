@@ -386,8 +386,13 @@ export interface WetFurApi {
   saveTypeSet(): Promise<Uint8Array>;
   /** The model with its fur coordinates as .fo (Sheppard 2004). */
   saveFo(): Promise<Uint8Array>;
-  /** Model, groom, what is wet, settings and camera as .glb; other programs show it bare. */
+  /**
+   * Model, groom, what is wet, settings and camera as .glb; other programs show it bare. What that leaves out of the
+   * scene or of the model's file is told by an event `warning` each.
+   */
   save(): Promise<Uint8Array>;
+  /** What save() would leave out, each in some words, as "2 of 3 materials"; none when the saved scene has it all. */
+  lostBySaving(): Promise<string[]>;
   toBlob(options?: { mimeType?: string; quality?: number; width?: number; height?: number }): Promise<Blob>;
   getCameraOrbit(): CameraOrbit | null;
   resetCamera(): void;

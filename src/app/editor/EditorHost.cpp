@@ -252,6 +252,7 @@ editor::EditorModel EditorHost::model() {
   model.canRedo = app_.canRedo();
   model.fileAccess = fileAccess_;
   model.messages = messages_;
+  model.lostBySaving = app_.lostBySaving();
   model.vertices = stats.vertices;
   model.triangles = stats.triangles;
   model.strands = stats.strands;

@@ -119,6 +119,7 @@ Sparse openSparse(const GltfFile& file, const Accessor& accessor, std::size_t si
   if (!indices || !indices->isObject() || !values || !values->isObject()) {
     file.bad("%s has no indices or no values", where.c_str());
   }
+  for (const Json* part : {json, indices, values}) file.expectFewKeys(*part, where);
   sparse.indexComponent = file.whole(*indices, "componentType", where);
   if (!isIndexComponent(sparse.indexComponent)) file.bad("%s.indices are no unsigned integers", where.c_str());
   sparse.indices = elementsIn(file, file.whole(*indices, "bufferView", where), file.whole(*indices, "byteOffset", 0, where),

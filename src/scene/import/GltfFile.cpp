@@ -14,6 +14,7 @@ namespace {
 constexpr std::size_t kMaxJsonValues = 1'000'000;
 // Each vector moves when the list grows, its bytes stay; views keep pointing at them.
 constexpr std::size_t kMaxDecodedBuffers = 1024;
+constexpr std::size_t kMaxKeys = 256;
 
 std::uint32_t word(Bytes bytes, std::size_t at) {
   return static_cast<std::uint32_t>(bytes[at]) | static_cast<std::uint32_t>(bytes[at + 1]) << 8 |
@@ -162,8 +163,16 @@ const std::vector<const Json*>& GltfFile::list(const char* key) const {
   const Json* array = isNew ? json().find(key) : nullptr;
   if (!array) return at->second;
   if (!array->isArray()) bad("%s is not an array", key);
-  for (const Json& one : *array) at->second.push_back(&one);
+  for (const Json& one : *array) {
+    if (one.isObject()) expectFewKeys(one, key);
+    at->second.push_back(&one);
+  }
   return at->second;
+}
+
+void GltfFile::expectFewKeys(const Json& object, const std::string& where) const {
+  const std::size_t keys = object.count();
+  if (keys > kMaxKeys) fail(ErrorId::TooLarge, "%s: an object has %zu keys; the limit is %zu", where.c_str(), keys, kMaxKeys);
 }
 
 std::size_t GltfFile::count(const char* key) const { return list(key).size(); }

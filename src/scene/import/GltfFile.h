@@ -31,6 +31,10 @@ class GltfFile {
   // How many elements a top-level array has; 0 when it is absent.
   std::size_t count(const char* key) const;
 
+  // Too-large when it has more keys than anything here needs: each look-up walks along them all, and what many others
+  // refer to is looked up as often.
+  void expectFewKeys(const Json& object, const std::string& where) const;
+
   // A non-negative whole number. `where` names the object in the error's text.
   Whole whole(const Json& object, const char* key, const std::string& where) const;
   Whole whole(const Json& object, const char* key, Whole absent, const std::string& where) const;

@@ -14,13 +14,18 @@ const Json* child(const Json* object, const char* key) {
 
 }  // namespace
 
-// pbrMetallicRoughness.key of a material, or null.
 const Json* GltfMaterials::part(Whole material, const char* key) const {
   if (material == kNoMaterial) return nullptr;
   return child(child(&file_.element("materials", material), "pbrMetallicRoughness"), key);
 }
 
-TexcoordUse GltfMaterials::texcoordUse(Whole material) const {
+const TexcoordUse& GltfMaterials::texcoordUse(Whole material) {
+  const auto [at, isNew] = uses_.try_emplace(material);
+  if (isNew) at->second = readTexcoordUse(material);
+  return at->second;
+}
+
+TexcoordUse GltfMaterials::readTexcoordUse(Whole material) const {
   TexcoordUse use;
   const Json* texture = part(material, "baseColorTexture");
   if (!texture || !texture->isObject()) return use;
@@ -41,19 +46,25 @@ TexcoordUse GltfMaterials::texcoordUse(Whole material) const {
   return use;
 }
 
-void GltfMaterials::describe(Model& model) const {
+Whole GltfMaterials::chosen() const {
   Whole chosen = kNoMaterial;
-  std::size_t most = 0, textured = 0;
+  std::size_t most = 0;
   bool chosenTextured = false;
   for (const auto& [material, triangles] : triangles_) {
     const bool hasTexture = part(material, "baseColorTexture") != nullptr;
-    textured += hasTexture;
     if (hasTexture < chosenTextured || (hasTexture == chosenTextured && triangles <= most)) continue;
     chosen = material;
     most = triangles;
     chosenTextured = hasTexture;
   }
+  return chosen;
+}
+
+void GltfMaterials::describe(Model& model) const {
+  const Whole chosen = this->chosen();
   if (chosen == kNoMaterial) return;
+  std::size_t textured = 0;
+  for (const auto& counted : triangles_) textured += part(counted.first, "baseColorTexture") != nullptr;
   if (textured > 1) model.warnings.push_back(formatted("of %zu textured materials the largest is used", textured));
   const std::string where = formatted("materials[%llu]", chosen);
   const Json* look = child(&file_.element("materials", chosen), "pbrMetallicRoughness");

@@ -20,18 +20,23 @@ class GltfMaterials {
   explicit GltfMaterials(const GltfFile& file) : file_(file) {}
 
   // Which texture coordinates the material's base colour reads (set 0 without a texture).
-  TexcoordUse texcoordUse(Whole material) const;
+  const TexcoordUse& texcoordUse(Whole material);
   void count(Whole material, std::size_t triangles) { triangles_[material] += triangles; }
+  // Of those that were counted the one whose base colour is the model's, or kNoMaterial.
+  Whole chosen() const;
+  // pbrMetallicRoughness.key of a material, or null.
+  const Json* part(Whole material, const char* key) const;
   // Base colour factor and image of the chosen material. An image over kMaxImageSide is too-large; one
   // that is missing or unreadable is a warning, and the factor alone remains.
   void describe(Model& model) const;
 
  private:
-  const Json* part(Whole material, const char* key) const;
+  TexcoordUse readTexcoordUse(Whole material) const;
   void readImage(Model& model, const Json& texture) const;
 
   const GltfFile& file_;
   std::map<Whole, std::size_t> triangles_;
+  std::map<Whole, TexcoordUse> uses_;
 };
 
 }  // namespace fur::scene

@@ -119,7 +119,7 @@ void GltfRig::readAnimations() {
     const Json& mesh = file_.element("meshes", index);
     const Json* primitives = mesh.find("primitives");
     std::size_t targets = 0;
-    if (primitives && primitives->isArray() && primitives->count() > 0)
+    if (primitives && primitives->isArray() && primitives->begin() != primitives->end())
       if (const Json* list = (*primitives->begin()).find("targets"))
         targets = list->isArray() ? list->count() : 0;
     atMost(kMaxTargets, targets, "morph targets of a mesh");
@@ -137,29 +137,29 @@ void GltfRig::readAnimations() {
     const Json& json = file_.element("animations", i);
     const Json* channels = json.find("channels");
     if (!channels || !channels->isArray()) file_.bad("%s has no channels", where.c_str());
+    std::vector<const Json*> samplers;
+    if (const Json* list = json.find("samplers"); list && list->isArray())
+      for (const Json& one : *list) samplers.push_back(&one);
     Rig::Animation animation;
     if (const Json* name = json.find("name")) animation.name = name->text();
     std::replace(animation.name.begin(), animation.name.end(), '\n', ' ');
     for (const Json& channel : *channels) {
       if (!channel.isObject()) file_.bad("%s holds a channel that is not an object", where.c_str());
-      readChannel(json, channel, animation, where);
+      readChannel(samplers, channel, animation, where);
     }
     if (animation.duration > 0) rig_.animations.push_back(std::move(animation));
   }
 }
 
-void GltfRig::readChannel(const Json& animation, const Json& json, Rig::Animation& out, const std::string& where) {
-  const Json *target = json.find("target"), *samplers = animation.find("samplers");
+void GltfRig::readChannel(const std::vector<const Json*>& samplers, const Json& json, Rig::Animation& out, const std::string& where) {
+  const Json* target = json.find("target");
   if (!target || !target->isObject()) file_.bad("%s has a channel without a target", where.c_str());
-  if (!samplers || !samplers->isArray()) file_.bad("%s has no samplers", where.c_str());
   if (!target->find("node")) return;  // of an extension that we do not read
   const Whole node = file_.whole(*target, "node", where), wanted = file_.whole(json, "sampler", where);
   if (node >= nodeOf_.size()) file_.bad("%s moves a node that does not exist", where.c_str());
-  const Json* sampler = nullptr;
-  Whole number = 0;
-  for (const Json& one : *samplers)
-    if (number++ == wanted) sampler = &one;
-  if (!sampler || !sampler->isObject()) file_.bad("%s uses a sampler that does not exist", where.c_str());
+  if (wanted >= samplers.size() || !samplers[wanted]->isObject()) file_.bad("%s uses a sampler that does not exist", where.c_str());
+  const Json* sampler = samplers[static_cast<std::size_t>(wanted)];
+  file_.expectFewKeys(*sampler, where + ".samplers");
 
   Rig::Channel channel;
   channel.node = nodeOf_[static_cast<std::size_t>(node)];

@@ -21,7 +21,7 @@ class GltfRig {
   void readNodes();
   void readSkins();
   void readAnimations();
-  void readChannel(const Json& animation, const Json& channel, Rig::Animation& out, const std::string& where);
+  void readChannel(const std::vector<const Json*>& samplers, const Json& channel, Rig::Animation& out, const std::string& where);
   void readJoints(const Json& attributes, std::size_t joints, std::size_t vertices, const std::string& where);
   void readTargets(const Json& primitive, Rig::Part& part, const std::string& where);
   std::vector<float> floats(Whole accessor, int components);

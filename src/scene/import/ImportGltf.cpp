@@ -18,6 +18,8 @@ namespace {
 
 // Warnings of which a file could cause millions.
 constexpr std::size_t kMaxWarnings = 20;
+// A mesh may be placed by as many nodes as there are, and its primitives with it each time.
+constexpr std::size_t kMaxPrimitives = 100'000;
 
 class Importer {
  public:
@@ -66,6 +68,9 @@ class Importer {
     for (const Json& primitive : *primitives) {
       const std::string name = formatted("meshes[%llu].primitives[%zu]", placed.mesh, number++);
       if (!primitive.isObject()) file_.bad("%s is not an object", name.c_str());
+      if (++primitives_ > kMaxPrimitives)
+        file_.fail(ErrorId::TooLarge, "its nodes place over %zu primitives, which is the limit", kMaxPrimitives);
+      file_.expectFewKeys(primitive, name);
       addPrimitive(primitive, placed, name);
     }
   }
@@ -76,6 +81,7 @@ class Importer {
     if (mode > 6) file_.bad("%s.mode %llu is unknown", where.c_str(), mode);
     const Json* attributes = primitive.find("attributes");
     if (!attributes || !attributes->isObject()) file_.bad("%s has no attributes", where.c_str());
+    file_.expectFewKeys(*attributes, where + ".attributes");
     if (mode < 4) return warn(where + " has points or lines; they are left out");
     if (!attributes->find("POSITION")) return warn(where + " has no positions; it is left out");
 
@@ -153,8 +159,10 @@ class Importer {
   void readNormals(geometry::Mesh& part, const Json& attributes, const glm::dmat4& transform, const std::string& where) {
     geometry::computeNormals(part);
     if (!attributes.find("NORMAL")) return;
-    const std::vector<float> values = readFloats(file_, file_.whole(attributes, "NORMAL", where), 3);
-    if (values.size() != part.positions.size() * 3) return warn(where + ": not one normal a vertex; they are computed");
+    const Whole accessor = file_.whole(attributes, "NORMAL", where);
+    // Before they are read: few bytes of a file may ask for millions, at each of its primitives.
+    if (elementCount(file_, accessor) != part.positions.size()) return warn(where + ": not one normal a vertex; they are computed");
+    const std::vector<float> values = readFloats(file_, accessor, 3);
     // Cofactors: the inverse transpose but for a factor, and defined for flat transforms too.
     const glm::dmat3 m(transform);
     const double turn = glm::determinant(m) < 0.0 ? -1.0 : 1.0;
@@ -174,11 +182,12 @@ class Importer {
       missingTexcoords_ = true;
       return;
     }
-    const std::vector<float> values = readFloats(file_, file_.whole(attributes, key.c_str(), where), 2);
-    if (values.size() != part.positions.size() * 2) {
+    const Whole accessor = file_.whole(attributes, key.c_str(), where);
+    if (elementCount(file_, accessor) != part.positions.size()) {
       missingTexcoords_ = true;
       return warn(where + ": not one texture coordinate a vertex; they are left out");
     }
+    const std::vector<float> values = readFloats(file_, accessor, 2);
     for (std::size_t i = 0; i < part.uv.size(); ++i) {
       part.uv[i] = usableTexcoord(Vec2(use.transform * Vec3(values[2 * i], values[2 * i + 1], 1.0f)));
     }
@@ -189,9 +198,9 @@ class Importer {
   std::vector<float> ownValues(const Json& attributes, const std::string& name, int components, std::size_t vertices,
                                const std::string& where) {
     if (!attributes.find(name)) return {};
-    std::vector<float> values = readFloats(file_, file_.whole(attributes, name.c_str(), where), components);
-    if (values.size() != vertices * static_cast<std::size_t>(components)) file_.bad("%s: not one %s a vertex", where.c_str(), name.c_str());
-    return values;
+    const Whole accessor = file_.whole(attributes, name.c_str(), where);
+    if (elementCount(file_, accessor) != vertices) file_.bad("%s: not one %s a vertex", where.c_str(), name.c_str());
+    return readFloats(file_, accessor, components);
   }
 
   // Zero where a primitive has none; nothing is added for a file without.
@@ -247,6 +256,7 @@ class Importer {
   GltfRig rig_;
   std::vector<Vec3> local_;  // positions of the primitive that is read, in the space of its node
   GltfFur fur_;
+  std::size_t primitives_ = 0;
   bool rigged_ = false, anyTexcoords_ = false, missingTexcoords_ = false;
 };
 

@@ -49,7 +49,7 @@ Result<Model> importAs(Format format, Bytes bytes, const std::string& name, cons
     Model model;
     model.name = name;
     switch (format == Format::Unknown ? formatOf(bytes, name) : format) {
-      case Format::Gltf: readGltf(bytes, others, model); break;
+      case Format::Gltf: readGltf(bytes, others, model), model.isGltf = true; break;
       case Format::Obj: readObj(bytes, model); break;
       case Format::Fo: readFo(bytes, model); break;
       case Format::Unknown:
