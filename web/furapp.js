@@ -57,6 +57,8 @@ export class FurApp {
     this.program.call('fur_forgetSavedBytes');
     return bytes;
   }
+  /** Whether it comes from a type set, until a setting changes that grows another. */
+  get coatGiven() { return this.#call('fur_coatGiven') !== 0; }
   /** Another number whenever another coat is drawn. */
   get coatRevision() { return this.#call('fur_coatRevision'); }
   /** The model's own picture, encoded, or null. */
