@@ -63,6 +63,17 @@ const shown = async (page, i) => PNG.sync.read(await page.locator(`#fur${i}`).sc
 const alive = (page) => page.evaluate(() => contextsAlive());
 /** Two pictures of one scene. The fur's bend settles anew; a few strands may end a pixel further. */
 const same = (a, b) => difference(a, b, 24) < 0.02;
+/** What its canvas holds, whoever composes the page; it is there whether or not a context is. */
+const holds = async (page, i) => {
+  const { width, height, data } = await page.evaluate((at) => {
+    const canvas = furAt(at).shadowRoot.querySelector('canvas');
+    const context = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d');
+    context.drawImage(canvas, 0, 0);
+    const { width, height, data } = context.getImageData(0, 0, canvas.width, canvas.height);
+    return { width, height, data: Array.from(data) };
+  }, i);
+  return { width, height, data };
+};
 const isBlank = ({ data }) => data.every((value, at) => value === data[at % 4]);
 
 test('twenty-four elements, scrolled to the end and back, show their own pictures with few contexts', async () => {
@@ -79,6 +90,7 @@ test('twenty-four elements, scrolled to the end and back, show their own picture
     assert.ok(await alive(page) <= limit, `${await alive(page)} contexts at element ${i}`);
   }
   assert.equal(await page.evaluate(() => furAt(0).state), 'suspended');
+  for (const i of [0, 9]) assert.ok(same(before[i].picture, await holds(page, i)), `what element ${i} holds out of view`);
   assert.equal(new Set(before.map(({ scene }) => scene.state)).size, 24);
   for (let i = 23; i >= 0; i--) {
     // At once, before it can have a context: what it showed last.
@@ -127,6 +139,7 @@ test('a context that the browser takes for others comes back when its element is
       const fur = await see(at);
       fur.splash({ u: 0.5, v: 0.5 }, { radius: 0.3, amount: 0.4 });
       await still(fur);
+      fur.paused = at === 1;
     }, i);
     before.push({ scene: await page.evaluate((at) => scene(at), i), picture: await shown(page, i) });
   }
@@ -137,7 +150,7 @@ test('a context that the browser takes for others comes back when its element is
     window.others = Array.from({ length: 20 }, () => new OffscreenCanvas(1, 1).getContext('webgl2'));
     await until(() => told.length === 3);
     await still(furAt(2));
-    return { told, states: [furAt(0).state, furAt(2).state], messages: messages() };
+    return { told: told.sort(), states: [furAt(0).state, furAt(2).state], messages: messages() };
   });
   assert.deepEqual(taken, {
     told: ['context-lost 0', 'context-lost 2', 'context-restored 2'], states: ['suspended', 'ready'], messages: 0,
