@@ -87,7 +87,7 @@ export class Attachment {
   onRelease() {
     if (!this.#screen.handle) return;
     this.#host.panel?.detach(true);
-    this.#host.app?.detach(false);  // deleting from a context that was lost is allowed, and lets go of it
+    this.#host.app?.detach();
     this.#screen.unregister();
   }
 

@@ -6,8 +6,10 @@ const limit = 8;
 const holders = new Set();
 
 /** A WebGL2 context on a surface of its own, `gl.canvas`; null where there is none to have. */
-export const newContext = (width, height, options) =>
-  (globalThis.OffscreenCanvas ? new OffscreenCanvas(width, height).getContext('webgl2', options) : null);
+export function newContext(width, height, options) {
+  makeRoom(1);
+  return globalThis.OffscreenCanvas ? new OffscreenCanvas(width, height).getContext('webgl2', options) : null;
+}
 
 export function hold(screen) {
   holders.delete(screen);

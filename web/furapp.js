@@ -32,7 +32,8 @@ export class FurApp {
   #text(name, ...args) { return this.program.text(this.#call(name, ...args)); }
 
   attach() { this.#callOrThrow('fur_attach'); }
-  detach(lost) { this.#call('fur_detach', lost ? 1 : 0); }
+  /** Deletes what it made in the context, which may have been lost. */
+  detach() { this.#call('fur_detach', 0); }
   destroy() {
     this.#call('fur_destroy');
     this.handle = 0;

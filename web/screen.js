@@ -44,7 +44,6 @@ export class Screen {
   open({ antialias = true } = {}) {
     if (!this.live) this.#lose();
     if (this.live) return false;  // whoever was told has opened it
-    makeRoom(1);
     this.#page ??= this.canvas.getContext('bitmaprenderer');
     const gl = this.#page && newContext(this.width || 1, this.height || 1, {
       alpha: false, antialias, depth: true, stencil: false, powerPreference: 'high-performance',
