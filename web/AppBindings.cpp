@@ -41,6 +41,7 @@ FUR_EXPORT std::uint32_t fur_saveGroom(App* app) {
 }
 FUR_EXPORT const std::uint8_t* fur_savedBytes() { return web::savedBytes().data(); }
 FUR_EXPORT void fur_forgetSavedBytes() { web::keepSaved({}); }
+FUR_EXPORT int fur_coatGiven(App* app) { return app->coatGiven() ? 1 : 0; }
 FUR_EXPORT double fur_coatRevision(App* app) { return double(app->coatRevision()); }
 FUR_EXPORT const char* fur_modelName(App* app) { return web::text(app->modelName()); }
 // One name a line.

@@ -114,7 +114,7 @@ export function buildShadow(root) {
     caption.textContent = stageText[said.stage](said);
   };
   parts.showState = ({ waiting, loading, message: text, unsupported, retry }) => {
-    // A context that has not drawn yet is black.
+    // There is nothing to turn to yet.
     parts.canvas.style.visibility = waiting ? 'hidden' : '';
     poster.hidden = !waiting;
     progress.hidden = !loading;

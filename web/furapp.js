@@ -32,7 +32,8 @@ export class FurApp {
   #text(name, ...args) { return this.program.text(this.#call(name, ...args)); }
 
   attach() { this.#callOrThrow('fur_attach'); }
-  detach(lost) { this.#call('fur_detach', lost ? 1 : 0); }
+  /** Deletes what it made in the context, which may have been lost. */
+  detach() { this.#call('fur_detach', 0); }
   destroy() {
     this.#call('fur_destroy');
     this.handle = 0;
@@ -57,6 +58,8 @@ export class FurApp {
     this.program.call('fur_forgetSavedBytes');
     return bytes;
   }
+  /** Whether it comes from a type set, until a setting changes that grows another. */
+  get coatGiven() { return this.#call('fur_coatGiven') !== 0; }
   /** Another number whenever another coat is drawn. */
   get coatRevision() { return this.#call('fur_coatRevision'); }
   /** The model's own picture, encoded, or null. */

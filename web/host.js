@@ -1,8 +1,8 @@
 // One furry model on one canvas: what createWetFur() returns and <wet-fur> stands on.
-// Longer than most files here: it is the one place where loading, frames, a lost context and the
+// Longer than most files here: it is the one place where loading, frames, contexts that come and go and the
 // change of programs meet, and each must know what the others have left undone.
+import { Attachment } from './attachment.js';
 import { asFurError, FurError } from './errors.js';
-import { FrameTimer } from './frametimer.js';
 import { FurApp, pictures } from './furapp.js';
 import { Input } from './input.js';
 import { acceptedFiles, decodeImage, fetchModel, loadInto, provideModelImage, readGiven, readModel, sortFiles } from './models.js';
@@ -10,7 +10,7 @@ import { clampDt, choices, optionDefaults, optionValue, qualities, settingsObjec
 import { orbitText, parseOrbit } from './orbit.js';
 import { Progress } from './progress.js';
 import { compileProgram, instantiateProgram } from './runtime.js';
-import { resetContext, Screen } from './screen.js';
+import { Screen } from './screen.js';
 
 /** After so long without a change a picture is drawn better than moving ones are. */
 const stillMilliseconds = 300;
@@ -45,6 +45,7 @@ function letters(text, size) {
 export class WetFur extends EventTarget {
   #canvas;
   #screen;
+  #context;
   #input;
   #app = null;
   #panel = null;
@@ -66,7 +67,6 @@ export class WetFur extends EventTarget {
   #frame = 0;
   #lastTime = null;
   #run = 0;  // frames that were painted one after another
-  #timer = null;
   #stillTimer = 0;
   #toldChanges = 0;
   #lastCamera = '';
@@ -91,10 +91,19 @@ export class WetFur extends EventTarget {
     this.#screen = new Screen(canvas, {
       onResize: (width, height, ratio) => this.#onResize(width, height, ratio),
       onVisible: (visible) => this.#onVisible(visible),
-      onLost: () => this.#onLost(),
-      onRestored: () => this.#onRestored(),
+      onRelease: () => this.#context.onRelease(),
+      onLost: () => this.#context.onLost(),
     });
     const host = this;
+    this.#context = new Attachment(this.#screen, {
+      get app() { return host.#app; },
+      get panel() { return host.#panel; },
+      get antialias() { return qualities[host.#options.quality].antialias; },
+      comeBack: (atOnce) => this.#comeBack(atOnce),
+      emit: (type, detail) => this.#emit(type, detail),
+      stateChanged: () => this.#emit('state-change', { state: this.state, reason: 'loading' }),
+      warn: (message) => this.#warn(message),
+    });
     this.#input = new Input(canvas, {
       get app() { return host.#state === 'ready' && host.interactive ? host.#app : null; },
       get panel() { return host.#panel; },
@@ -120,7 +129,11 @@ export class WetFur extends EventTarget {
   get canvas() { return this.#canvas; }
   get loaded() { return this.#source !== null; }
   get ready() { return this.#ready.promise; }
-  get state() { return this.#state === 'ready' && !this.#screen.visible ? 'suspended' : this.#state; }
+  get state() {
+    if (this.#state !== 'ready') return this.#state;
+    if (!this.#screen.visible) return 'suspended';
+    return this.#context.mending ? 'lost' : this.#screen.live ? 'ready' : 'suspended';
+  }
   get stats() { return this.#app?.stats ?? null; }
   get settingsTable() { return this.#app?.settingsTable ?? null; }
   get presets() { return this.#app?.presets ?? null; }
@@ -257,7 +270,6 @@ export class WetFur extends EventTarget {
     try {
       const typeSet = await readGiven(given, name ?? given?.name ?? 'coat.fts');
       if (!this.#app) return;  // disposed of meanwhile
-      this.#current();
       this.#showTypeSet(typeSet);
       this.#afterChange();
     } catch (error) {
@@ -265,10 +277,9 @@ export class WetFur extends EventTarget {
     }
   }
 
-  /** The revision tells later whether it is still the coat that is drawn. */
   #showTypeSet({ name, bytes }) {
     this.#app.loadTypeSet(bytes, name);
-    this.#typeSet = { name, bytes, revision: this.#app.coatRevision };
+    this.#typeSet = { name, bytes };
   }
 
   /** The coat as .fts, the model with its fur coordinates as .fo, the whole scene as .glb: Uint8Arrays. */
@@ -317,7 +328,7 @@ export class WetFur extends EventTarget {
   async #start() {
     // A context takes long to come: the program is on its way meanwhile.
     compileProgram('viewer').catch(() => {});
-    this.#screen.open({ antialias: qualities[this.#options.quality].antialias });
+    if (!this.#app) this.#context.open();
     this.#starting ??= instantiateProgram('viewer', (loaded, total) => this.#progress('program', loaded, total))
       .then((program) => this.#adopt(new FurApp(program)))
       .finally(() => { this.#starting = this.#app ? this.#starting : null; });
@@ -326,13 +337,11 @@ export class WetFur extends EventTarget {
 
   #adopt(app) {
     if (this.#state === 'disposed') throw new FurError('wasm-load', 'disposed of while loading');
-    this.#screen.register(app.program);
-    app.attach();
+    this.#context.open();
+    this.#context.attach(app);
     this.#app = app;
-    this.#timer = new FrameTimer(this.#screen.gl);
     app.governed = qualities[this.#options.quality].governed;
     app.frameBudget = this.#options.frameBudget;
-    app.resize(this.#screen.width, this.#screen.height, this.#screen.pixelRatio);
     this.#hasOwnLook ||= Boolean(this.#wantedState || this.#options.preset);
     if (this.#wantedState) this.#takeWantedState(app);
     this.#applyPreset(app);
@@ -352,7 +361,6 @@ export class WetFur extends EventTarget {
   }
 
   async #show(source) {
-    this.#current();
     const first = !this.loaded;
     loadInto(this.#app, source, first && this.#hasOwnLook);
     if (first) for (const [name, value] of this.#wantedSettings) this.#app.setSetting(name, value);
@@ -362,7 +370,7 @@ export class WetFur extends EventTarget {
     if (!this.#app) return;  // disposed of meanwhile
     if (first && this.#options.cameraOrbit) this.#applyOrbit(this.#options.cameraOrbit);
     this.#flushWarnings();
-    if (this.#state !== 'lost') this.#setState('ready');
+    this.#setState('ready');
     this.#drawNow();
     this.#progress('fur', 1, 1);
     this.#ready.resolve();
@@ -435,7 +443,6 @@ export class WetFur extends EventTarget {
   /** Paints it again, with the time that it took. */
   replay(strokes) {
     if (!this.loaded) return;
-    this.#current();
     this.#app.replay(strokes);
     this.#afterChange();
   }
@@ -507,7 +514,7 @@ export class WetFur extends EventTarget {
       loadInto(app, this.#source, true);
       app.state = this.#app.state;
       app.restoreGroom(this.#app.groom, false);
-      if (this.#typeSet?.revision === this.#app.coatRevision) app.loadTypeSet(this.#typeSet.bytes, this.#typeSet.name);
+      if (this.#app.coatGiven) app.loadTypeSet(this.#typeSet.bytes, this.#typeSet.name);
       app.water = this.#app.water;
       return work(app);
     } finally {
@@ -527,8 +534,7 @@ export class WetFur extends EventTarget {
 
   /** n steps of dt seconds and one frame, at once, whatever the page's own clock does. */
   step(dt, n = 1) {
-    if (!this.loaded || this.#state === 'lost') return;
-    this.#current();
+    if (!this.loaded) return;
     for (let i = 0; i < n; ++i) this.#app.tick(clampDt(dt));
     this.#drawNow();
     this.#tellChanges(true);
@@ -542,24 +548,32 @@ export class WetFur extends EventTarget {
 
   #onFrame(time) {
     this.#frame = 0;
-    if (!this.#canRun()) {
+    if (!this.#canRun() || !this.#context.draws()) {
       this.#endRun();
       return;
     }
-    this.#current();
+    // Until the coat has grown again no time goes by.
+    if (this.#context.returning) {
+      this.#app.tick(0, coatSeconds);
+      if (this.#app.coatProgress < 1) return this.#wake();
+      this.#app.invalidate();
+    }
     clearTimeout(this.#stillTimer);
     const since = this.#lastTime === null ? 1 / 60 : (time - this.#lastTime) / 1000;
     // Only where drawing is all that the time went by with.
     if (this.#run > 1 && !this.#options.fixedDt) {
-      this.#timer.update();
-      this.#app.frameShown(since * 1000, this.#timer.milliseconds);
+      this.#context.timer.update();
+      this.#app.frameShown(since * 1000, this.#context.timer.milliseconds);
     }
     this.#lastTime = time;
     const dt = this.#options.fixedDt || Math.min(since, maxFrameSeconds);
     const changed = [this.#app.tick(dt, this.#options.fixedDt ? undefined : coatSeconds), this.#panel?.update(dt)];
     const paints = changed.some(Boolean);
     // Steps of a given length are for pictures that come out the same everywhere.
-    if (paints) this.#paint(this.#options.fixedDt ? pictures.best : pictures.moving);
+    if (paints) {
+      this.#paint(this.#options.fixedDt ? pictures.best : pictures.moving);
+      this.#screen.show();
+    }
     this.#run = paints ? this.#run + 1 : 0;
     this.#panel?.afterFrame();
     this.#tellCoat(time);
@@ -586,9 +600,9 @@ export class WetFur extends EventTarget {
   }
 
   #improve() {
-    if (this.#frame || this.#state !== 'ready' || !this.#screen.visible || !this.#app.improvable) return;
-    this.#current();
+    if (this.#frame || this.state !== 'ready' || !this.#app.improvable) return;
     this.#paint(pictures.still);
+    this.#screen.show();
   }
 
   // Only of a coat that takes longer than a person would notice.
@@ -607,24 +621,28 @@ export class WetFur extends EventTarget {
   }
 
   #paint(picture) {
-    if (picture === pictures.moving) this.#timer.begin();
+    this.#context.returning = false;
+    if (picture === pictures.moving) this.#context.timer.begin();
     this.#app.draw(picture);
-    this.#timer.end();
+    this.#context.timer.end();
     this.#panel?.draw();
     if (this.#hover) this.#showRing();
   }
 
   /** The picture of this moment, in this task. */
   #drawNow() {
-    if (!this.#app || this.#state === 'lost' || !this.loaded) return;
-    this.#current();
+    if (!this.#drawMoment()) return;
+    this.#screen.show();
+  }
+  /** The same for nobody to see; false: there is nothing to draw with. */
+  #drawMoment() {
+    if (!this.loaded || !this.#context.draws()) return false;
     this.#app.invalidate();
     this.#app.tick(0);
     this.#panel?.update(0);
     this.#paint(pictures.best);
+    return true;
   }
-
-  #current() { this.#screen.makeCurrent(this.#app.program); }
 
   // --- history, state, view ---
 
@@ -645,7 +663,6 @@ export class WetFur extends EventTarget {
       this.#wantedState = json;
       return;
     }
-    this.#current();
     this.#app.state = json;
     this.#afterChange();
   }
@@ -660,22 +677,25 @@ export class WetFur extends EventTarget {
 
   /** A picture of its own size (default: as shown). */
   async toBlob({ mimeType = 'image/png', quality, width, height } = {}) {
-    if (!this.loaded || this.#state === 'lost') throw new FurError('webgl-unavailable', 'there is no picture to take yet');
+    if (!this.loaded || !this.#context.draws()) throw new FurError('webgl-unavailable', 'there is no picture to take yet');
     const shown = [this.#screen.width, this.#screen.height, this.#screen.pixelRatio];
     const size = [width ?? shown[0], height ?? shown[1]].map((side) => Math.max(1, Math.min(4096, Math.round(side))));
-    const resized = size[0] !== shown[0] || size[1] !== shown[1];
     const panel = this.#panel;
     this.#panel = null;  // not in the picture, nor what it pushes aside
     this.#app.ignoreCovered = true;
-    if (resized) this.#screen.resize(...size, shown[2] * (size[1] / shown[1]));
-    else this.#drawNow();
-    // The browser copies the drawing buffer now; only the encoding comes later.
-    const blob = new Promise((resolve) => this.#canvas.toBlob(resolve, mimeType, quality));
-    this.#panel = panel;
-    this.#app.ignoreCovered = false;
-    if (resized) this.#screen.resize(...shown);
-    else if (panel) this.#drawNow();
-    return (await blob) ?? Promise.reject(new FurError('out-of-memory', `no memory for a picture of ${size.join(' x ')}`));
+    let blob;
+    try {
+      this.#context.resize(...size, shown[2] * (size[1] / shown[1]));
+      this.#drawMoment();
+      // The browser copies the surface now; only the encoding comes later.
+      blob = this.#screen.gl.canvas.convertToBlob({ type: mimeType, quality });
+    } finally {
+      this.#panel = panel;
+      this.#app.ignoreCovered = false;
+      this.#context.resize(...shown);
+      this.#wake();
+    }
+    return blob.catch(() => { throw new FurError('out-of-memory', `no memory for a picture of ${size.join(' x ')}`); });
   }
 
   // --- the editor ---
@@ -699,16 +719,13 @@ export class WetFur extends EventTarget {
     if (which === this.#program || !this.loaded) return;
     const program = await instantiateProgram(which, (loaded, total) => this.#progress('editor', loaded, total));
     const { EditorPanel } = which === 'editor' ? await import('./editor.js') : {};
-    if (!this.#app || this.#state === 'lost') return;
+    if (!this.#app) return;
     const old = this.#app;
     const { state, tool, water, groom } = old;
-    const typeSet = this.#typeSet?.revision === old.coatRevision ? this.#typeSet : null;
-    this.#current();
+    const typeSet = old.coatGiven ? this.#typeSet : null;
     this.#panel?.dispose();
     this.#panel = null;
-    old.detach(false);
-    this.#screen.unregister(old.program);
-    resetContext(this.#screen.gl);
+    this.#screen.giveBack();
     const app = new FurApp(program);
     this.#adopt(app);
     app.state = state;  // before the model, so that undo does not lead behind it
@@ -755,12 +772,10 @@ export class WetFur extends EventTarget {
   // --- what the screen does ---
 
   #onResize(width, height, ratio) {
-    if (!this.#app || this.#state === 'lost') return;
-    this.#current();
-    this.#app.resize(width, height, ratio);
-    this.#panel?.resize(width, height, ratio);
-    if (this.#screen.visible) this.#drawNow();  // the browser cleared the canvas: no flash
-    else this.#app.invalidate();
+    if (!this.#app) return;
+    this.#context.resize(width, height, ratio);
+    const draws = this.#screen.live || this.#options.paused;
+    if (this.#screen.visible && draws) this.#drawNow();  // until then the old picture is stretched
     this.#wake();
   }
 
@@ -768,34 +783,14 @@ export class WetFur extends EventTarget {
     if (!this.loaded) return;
     this.#endRun();
     this.#emit('model-visibility', { visible });
-    if (visible) this.#wake();
+    if (!visible) return;
+    if (this.#screen.live) this.#wake();
+    else this.#context.seen();
   }
 
-  #onLost() {
-    if (!this.#app) return;
-    this.#panel?.detach(true);
-    this.#app.detach(true);
-    this.#screen.unregister(this.#app.program);
-    this.#setState('lost');
-    this.#emit('context-lost', {});
-  }
-
-  #onRestored() {
-    if (!this.#app) return;
-    try {
-      this.#screen.register(this.#app.program);
-      this.#app.attach();
-      this.#timer = new FrameTimer(this.#screen.gl);
-      this.#panel?.attach();
-    } catch (error) {
-      this.#emit('error', { code: error.code, message: error.message });
-      return;
-    }
-    this.#app.resize(this.#screen.width, this.#screen.height, this.#screen.pixelRatio);
-    this.#panel?.resize(this.#screen.width, this.#screen.height, this.#screen.pixelRatio);
-    this.#setState(this.loaded ? 'ready' : 'loading');
-    this.#drawNow();
-    this.#emit('context-restored', {});
+  #comeBack(atOnce) {
+    if (atOnce || this.#options.paused) this.#drawNow();
+    else if (this.loaded) this.#context.draws();
     this.#wake();
   }
 
@@ -854,15 +849,12 @@ export class WetFur extends EventTarget {
     cancelAnimationFrame(this.#frame);
     cancelAnimationFrame(this.#ringTask);
     clearTimeout(this.#stillTimer);
+    this.#context.dispose();
     this.#input.dispose();
-    if (this.#app) {
-      if (this.#state !== 'lost') this.#current();
-      this.#panel?.dispose();
-      this.#app.detach(this.#state === 'lost');
-      this.#screen.unregister(this.#app.program);
-      this.#app.destroy();
-    }
+    this.#panel?.dispose();
+    this.#panel = null;
     this.#screen.close();
+    this.#app?.destroy();
     this.#app = this.#panel = this.#source = null;
     this.#state = 'disposed';
   }

@@ -2,6 +2,7 @@
  * wet-fur: fur, dry and wet, on a canvas. `const fur = await createWetFur(canvas, { src: 'otter.glb' })`.
  * The tag <wet-fur> is in wet-fur/element, the parts without a picture in wet-fur/core.
  */
+import { newContext } from './contexts.js';
 import { FurError } from './errors.js';
 import { setModelsUrl } from './models.js';
 import { compileProgram, setWasmUrl } from './runtime.js';
@@ -42,7 +43,7 @@ export function configure({ wasmUrl, editorWasmUrl, coreWasmUrl, modelsUrl } = {
 /** Whether this browser can draw it: WebAssembly and WebGL2. False outside a browser. */
 export function isSupported() {
   if (typeof document === 'undefined' || typeof WebAssembly !== 'object') return false;
-  const gl = document.createElement('canvas').getContext('webgl2');
+  const gl = newContext(1, 1);
   gl?.getExtension('WEBGL_lose_context')?.loseContext();
   return gl !== null;
 }

@@ -1,14 +1,18 @@
-// A canvas as the program sees it: its WebGL2 context, its size in device pixels, whether anyone can see it.
+// A canvas as the program sees it: a WebGL2 context, its size in device pixels, whether anyone can see it.
+// The context draws on a surface of its own; the canvas is given each picture, and has it still when the context is gone.
+import { hold, letGo, makeRoom, newContext } from './contexts.js';
 import { FurError } from './errors.js';
 
 const maxSide = 4096;
+/** A picture that is shown for longer is made the canvas's own. */
+const keepMilliseconds = 300;
 
 /**
  * @typedef {object} ScreenEvents
  * @property {(width: number, height: number, pixelRatio: number) => void} onResize drawing-buffer pixels
  * @property {(visible: boolean) => void} onVisible
- * @property {() => void} onLost
- * @property {() => void} onRestored
+ * @property {() => void} onRelease the context goes: what was made in it is to be deleted
+ * @property {() => void} onLost the browser took it
  */
 export class Screen {
   #events;
@@ -18,44 +22,95 @@ export class Screen {
   #wasVisible = null;
   #maxRatio = 2;
   #deviceSize = null;
+  #page = null;
+  #program = null;
+  #kept = true;
+  #keepTimer = 0;
 
   /** @param {HTMLCanvasElement} canvas @param {ScreenEvents} events */
   constructor(canvas, events) {
     this.canvas = canvas;
     this.#events = events;
     this.gl = null;
+    this.handle = 0;
     this.width = this.height = 0;
     this.pixelRatio = 1;
   }
 
-  /** Throws webgl-unavailable. */
+  /** Whether there is a context that can draw: one that was taken is told of later. */
+  get live() { return this.gl !== null && !this.gl.isContextLost(); }
+
+  /** Makes it live. True: the context is a new one. Throws webgl-unavailable. */
   open({ antialias = true } = {}) {
-    if (this.gl) return;
-    this.gl = this.canvas.getContext('webgl2', {
+    if (!this.live) this.#lose();
+    if (this.live) return false;  // whoever was told has opened it
+    this.#page ??= this.canvas.getContext('bitmaprenderer');
+    const gl = this.#page && newContext(this.width || 1, this.height || 1, {
       alpha: false, antialias, depth: true, stencil: false, powerPreference: 'high-performance',
     });
-    if (!this.gl)
+    if (!gl)
       throw new FurError('webgl-unavailable', 'This browser or its graphics driver offers no WebGL2, which drawing fur needs.');
-    const { signal } = this.#stop;
-    this.canvas.addEventListener('webglcontextlost', (event) => {
-      event.preventDefault();
-      this.#events.onLost();
-    }, { signal });
-    this.canvas.addEventListener('webglcontextrestored', () => this.#events.onRestored(), { signal });
+    gl.canvas.addEventListener('webglcontextlost', () => { if (this.gl === gl) this.#lose(); });
+    this.gl = gl;
+    hold(this);
+    if (this.#observers.length > 0) return true;
     this.#watchSize();
-    this.#watchVisibility(signal);
+    this.#watchVisibility(this.#stop.signal);
+    return true;
+  }
+
+  #lose() {
+    if (!this.gl) return;
+    this.#release();
+    this.#events.onLost();
+  }
+
+  /** Until it is opened again the canvas shows what it was given last. */
+  giveBack() {
+    if (!this.gl) return;
+    const { gl } = this;
+    this.keep();
+    this.#release();
+    gl.getExtension('WEBGL_lose_context')?.loseContext();
+  }
+
+  #release() {
+    this.#events.onRelease();
+    this.#kept = true;
+    this.gl = null;
+    letGo(this);
+  }
+
+  /** What was drawn goes to the canvas, unless the context went meanwhile. */
+  show() {
+    if (!this.live) return;
+    const { canvas, width, height } = this;
+    if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
+    this.#page.transferFromImageBitmap(this.gl.canvas.transferToImageBitmap());
+    this.#kept = false;
+    clearTimeout(this.#keepTimer);
+    this.#keepTimer = setTimeout(() => this.keep(), keepMilliseconds);
+  }
+
+  /** A picture that was shown is the context's still, and goes with it: the canvas takes a copy. */
+  keep() {
+    clearTimeout(this.#keepTimer);
+    if (this.#kept || !this.live) return;
+    this.#kept = true;
+    const copy = new OffscreenCanvas(this.canvas.width, this.canvas.height);
+    copy.getContext('2d', { alpha: false }).drawImage(this.canvas, 0, 0);
+    this.#page.transferFromImageBitmap(copy.transferToImageBitmap());
   }
 
   /** The context as `program` knows it. */
   register(program) {
     const { GL } = program.emscripten;
+    this.#program = program;
     this.handle = GL.registerContext(this.gl, { majorVersion: 2, minorVersion: 0 });
     GL.makeContextCurrent(this.handle);
   }
-  makeCurrent(program) { program.emscripten.GL.makeContextCurrent(this.handle); }
-  unregister(program) {
-    if (!this.handle) return;
-    program.emscripten.GL.deleteContext(this.handle);
+  unregister() {
+    this.#program.emscripten.GL.deleteContext(this.handle);
     this.handle = 0;
   }
 
@@ -64,7 +119,7 @@ export class Screen {
   /** At most this many drawing-buffer pixels to a CSS pixel. */
   set maxPixelRatio(ratio) {
     this.#maxRatio = ratio;
-    if (this.gl) this.measure();
+    if (this.#observers.length > 0) this.measure();
   }
 
   /** The position of a pointer event, in drawing-buffer pixels. */
@@ -90,16 +145,14 @@ export class Screen {
 
   resize(width, height, pixelRatio) {
     Object.assign(this, { width, height, pixelRatio });
-    this.canvas.width = width;
-    this.canvas.height = height;
     this.#events.onResize(width, height, pixelRatio);
   }
 
   close() {
     this.#stop.abort();
     this.#observers.forEach((observer) => observer.disconnect());
-    this.gl?.getExtension('WEBGL_lose_context')?.loseContext();
-    this.gl = null;
+    this.giveBack();
+    clearTimeout(this.#keepTimer);
   }
 
   #watchSize() {
@@ -122,39 +175,19 @@ export class Screen {
     const tell = () => {
       if (this.visible === this.#wasVisible) return;
       this.#wasVisible = this.visible;
+      if (!this.visible && this.live) {
+        this.keep();
+        hold(this);
+        makeRoom(0);
+      }
       this.#events.onVisible(this.visible);
     };
-    const observer = new IntersectionObserver(([entry]) => {
-      this.#inView = entry.isIntersecting;
+    const observer = new IntersectionObserver((entries) => {
+      this.#inView = entries.at(-1).isIntersecting;
       tell();
     });
     observer.observe(this.canvas);
     this.#observers.push(observer);
     document.addEventListener('visibilitychange', tell, { signal });
   }
-}
-
-/** The state that a fresh context has, for a program that takes a context over from another. */
-export function resetContext(gl) {
-  gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-  gl.bindVertexArray(null);
-  gl.useProgram(null);
-  gl.bindBuffer(gl.ARRAY_BUFFER, null);
-  gl.bindBuffer(gl.PIXEL_UNPACK_BUFFER, null);
-  gl.bindBuffer(gl.UNIFORM_BUFFER, null);
-  for (const unit of Array(16).keys()) {
-    gl.activeTexture(gl.TEXTURE0 + unit);
-    gl.bindTexture(gl.TEXTURE_2D, null);
-    gl.bindTexture(gl.TEXTURE_2D_ARRAY, null);
-    gl.bindSampler(unit, null);
-  }
-  gl.activeTexture(gl.TEXTURE0);
-  gl.pixelStorei(gl.UNPACK_ALIGNMENT, 4);
-  for (const name of ['UNPACK_ROW_LENGTH', 'UNPACK_SKIP_ROWS', 'UNPACK_SKIP_PIXELS', 'UNPACK_IMAGE_HEIGHT', 'UNPACK_SKIP_IMAGES'])
-    gl.pixelStorei(gl[name], 0);
-  for (const name of ['BLEND', 'CULL_FACE', 'DEPTH_TEST', 'POLYGON_OFFSET_FILL', 'SAMPLE_ALPHA_TO_COVERAGE', 'SCISSOR_TEST', 'STENCIL_TEST'])
-    gl.disable(gl[name]);
-  gl.colorMask(true, true, true, true);
-  gl.depthMask(true);
-  gl.depthFunc(gl.LESS);
 }

@@ -158,6 +158,7 @@ class App {
   // A type set (.fts) takes the place of the grown coat until a generator setting changes. A failure
   // leaves the coat as it was.
   Status loadTypeSet(std::span<const std::uint8_t> bytes, const std::string& name);
+  bool coatGiven() const;  // it came from one
   // The coat as .fts: 256 x 256 texels and 16 layers whatever the settings, as the format has it.
   std::vector<std::uint8_t> saveTypeSet() const;
   // The settings of a preset (settings/Presets.h), as one undo step. False, and a warning

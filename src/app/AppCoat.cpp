@@ -78,6 +78,7 @@ float App::coatProgress() const {
   return s.coatWork ? s.coatWork->progress() : s.furChanged ? 0.0f : 1.0f;
 }
 
+bool App::coatGiven() const { return state_->given != nullptr; }
 std::uint64_t App::coatRevision() const { return state_->coatRevision; }
 int App::coatLayers() const { return state_->coat.layers(); }
 std::span<const float> App::coverageByHeight() const { return state_->coat.coverage(); }

@@ -2,6 +2,15 @@
 import { createWetFur } from '/index.js';
 import { install, makeCanvas, setting, view } from './shared.js';
 
+// What it draws in is not the canvas's own: it is noted as it is made.
+let gl = null;
+const { getContext } = OffscreenCanvas.prototype;
+OffscreenCanvas.prototype.getContext = function noted(type, ...rest) {
+  const context = getContext.call(this, type, ...rest);
+  if (type === 'webgl2') gl = context;
+  return context;
+};
+
 const canvas = makeCanvas();
 const query = new URLSearchParams(location.search), pageSettings = ['page', 'shells', 'width', 'height', 'mesh', 'length', 'aa', 'wetness'];
 const fur = await createWetFur(canvas, {
@@ -10,7 +19,6 @@ const fur = await createWetFur(canvas, {
   ...Object.fromEntries([...query].filter(([name]) => !pageSettings.includes(name))), layers: setting.layers, furLength: setting.furLength,
 });
 for (const warning of fur.warnings) console.warn(warning);
-const gl = canvas.getContext('webgl2');
 if (gl.drawingBufferWidth !== setting.width) throw new Error(`the buffer is ${gl.drawingBufferWidth} wide`);
 if (query.has('wetness')) fur.setWetness(Number(query.get('wetness')));
 install(gl, () => fur.step(0, 1), fur.stats, !query.has('wetness'));

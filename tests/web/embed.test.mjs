@@ -1,7 +1,7 @@
 // <wet-fur> among other things on a page, from a sub-folder of its host.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { sleep, startBrowser, untilStill, withFur } from './support.mjs';
+import { recordContexts, sleep, startBrowser, untilStill, withFur } from './support.mjs';
 
 const site = startBrowser({ subfolder: true });
 const centreOf = (page, index) => page.evaluate((i) => {
@@ -105,7 +105,10 @@ test('two elements share the program and nothing else; one that is removed gives
   let fetches = 0;
   const page = await open({
     viewport: { width: 480, height: 600 },
-    prepare: (tab) => tab.on('request', (request) => { if (request.url().endsWith('.wasm')) fetches++; }),
+    prepare: async (tab) => {
+      await tab.addInitScript(recordContexts);
+      tab.on('request', (request) => { if (request.url().endsWith('.wasm')) fetches++; });
+    },
   });
   await page.evaluate(() => document.getElementById('ring').scrollIntoView({ block: 'center' }));
   await page.waitForFunction(() => document.getElementById('ring').loaded);
@@ -119,13 +122,12 @@ test('two elements share the program and nothing else; one that is removed gives
   assert.ok(seen.bunny[0] > 0.3 && seen.ring[0] === 0);
   assert.notEqual(seen.bunny[1], seen.ring[1]);
   assert.equal(seen.coat, '#7b6f80');
-  await page.evaluate(() => {
-    const bunny = document.querySelector('wet-fur');
-    const gl = bunny.shadowRoot.querySelector('canvas').getContext('webgl2');
-    bunny.remove();
-    window.left = gl;
+  const before = await page.evaluate(() => {
+    const alive = contextsAlive();
+    document.querySelector('wet-fur').remove();
+    return alive;
   });
-  await page.waitForFunction(() => window.left.isContextLost());
+  await page.waitForFunction((alive) => contextsAlive() === alive - 1, before);
   await page.evaluate(() => document.getElementById('ring').step(1 / 60, 2));
   assert.deepEqual(page.problems, []);
 });

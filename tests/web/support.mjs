@@ -81,6 +81,46 @@ export function startBrowser({ headers = {}, subfolder = false } = {}) {
   return site;
 }
 
+/**
+ * For addInitScript(): notes every context that elements make, and what is in it. `contextsAlive()` and `contextsOf()` count
+ * those that are left and all; `contextsHeld()` what they and their JavaScript objects hold; `programMemory()` the bytes of
+ * the programs; `newestContext()` is the last that was made.
+ */
+export function recordContexts() {
+  const made = [];
+  const memories = [];
+  const kinds = ['Texture', 'Buffer', 'Framebuffer', 'Renderbuffer', 'VertexArray', 'Program', 'Shader', 'Sampler'];
+  const original = OffscreenCanvas.prototype.getContext;
+  OffscreenCanvas.prototype.getContext = function getContext(type, ...rest) {
+    const gl = original.call(this, type, ...rest);
+    if (type !== 'webgl2' || !gl || rest.length === 0) return gl;
+    const entry = { gl: new WeakRef(gl), objects: 0 };
+    made.push(entry);
+    for (const kind of kinds) {
+      const [create, remove] = [gl[`create${kind}`], gl[`delete${kind}`]];
+      gl[`create${kind}`] = (...given) => { entry.objects++; return create.apply(gl, given); };
+      gl[`delete${kind}`] = (object) => { if (object) entry.objects--; remove.call(gl, object); };
+    }
+    return gl;
+  };
+  const instantiate = WebAssembly.instantiate;
+  WebAssembly.instantiate = async (...given) => {
+    const instance = await instantiate(...given);
+    memories.push(Object.values(instance.exports ?? {}).find((one) => one instanceof WebAssembly.Memory));
+    return instance;
+  };
+  const living = () => made.filter(({ gl }) => gl.deref()?.isContextLost() === false);
+  window.contextsOf = () => made.length;
+  window.contextsAlive = () => living().length;
+  window.newestContext = () => made.at(-1).gl.deref();
+  window.programMemory = () => memories.reduce((sum, memory) => sum + (memory?.buffer.byteLength ?? 0), 0);
+  window.contextsHeld = () => ({
+    made: made.length, alive: living().length, reachable: made.filter(({ gl }) => gl.deref()).length,
+    objects: living().reduce((sum, { objects }) => sum + objects, 0),
+    leftInDead: made.filter((entry) => !living().includes(entry)).reduce((sum, { objects }) => sum + objects, 0),
+  });
+}
+
 /** Evaluates in the page with its <wet-fur> as `fur`. */
 export const withFur = (page, work, argument) =>
   page.evaluate(`(${work})(document.querySelector('wet-fur'), ${JSON.stringify(argument) ?? 'undefined'})`);

@@ -1,7 +1,7 @@
 // What goes wrong around the page: no WebGL2, WebAssembly blocked, files that do not come, a lost context.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { difference, light, picture, startBrowser, untilStill, withFur } from './support.mjs';
+import { difference, light, picture, recordContexts, startBrowser, untilStill, withFur } from './support.mjs';
 
 const site = startBrowser();
 
@@ -15,8 +15,8 @@ test('without WebGL2 the page says so', async () => {
   const page = await site.open('?ui=0', {
     wait: false,
     prepare: (tab) => tab.addInitScript(() => {
-      const original = HTMLCanvasElement.prototype.getContext;
-      HTMLCanvasElement.prototype.getContext = function getContext(type, ...rest) {
+      const original = OffscreenCanvas.prototype.getContext;
+      OffscreenCanvas.prototype.getContext = function getContext(type, ...rest) {
         return type === 'webgl2' ? null : original.call(this, type, ...rest);
       };
     }),
@@ -84,26 +84,63 @@ test('progress counts the bytes and only ever rises', async () => {
 });
 
 test('a lost context comes back with water, settings and camera as they were', async () => {
-  const page = await site.open(`?${light}&dryRate=0&furLength=0.2`);
+  const page = await site.open(`?${light}&dryRate=0&furLength=0.2`, { prepare: (tab) => tab.addInitScript(recordContexts) });
   await withFur(page, (fur) => { fur.splash({ x: 240, y: 200 }); fur.cameraOrbit = '1 0.3 3'; });
   await untilStill(page);
   const before = await picture(page);
   const state = await withFur(page, (fur) => [fur.wetnessHash, fur.getState()]);
-  await withFur(page, async (fur) => {
-    const lost = new Promise((resolve) => fur.addEventListener('context-lost', resolve, { once: true }));
-    window.loss = fur.shadowRoot.querySelector('canvas').getContext('webgl2').getExtension('WEBGL_lose_context');
-    window.loss.loseContext();
-    await lost;
-  });
-  assert.equal(await withFur(page, (fur) => fur.state), 'lost');
-  await withFur(page, async (fur) => {
-    const restored = new Promise((resolve) => fur.addEventListener('context-restored', resolve, { once: true }));
-    window.loss.restoreContext();
-    await restored;
-  });
+  const told = await withFur(page, (fur) => new Promise((resolve) => {
+    const states = [];
+    fur.addEventListener('context-lost', () => states.push(fur.state));
+    fur.addEventListener('context-restored', () => resolve([...states, fur.state]));
+    newestContext().getExtension('WEBGL_lose_context').loseContext();
+  }));
+  assert.deepEqual(told, ['lost', 'ready']);
   await untilStill(page);
   assert.deepEqual(await withFur(page, (fur) => [fur.wetnessHash, fur.getState()]), state);
   // The fur's bend settles anew; a few strands may end a pixel further.
   assert.ok(difference(before, await picture(page), 16) < 0.02);
   assert.deepEqual(page.problems, []);
+});
+
+test('while the browser has no context to give the page says so, and it comes back by itself', async () => {
+  const page = await site.open(`?${light}`, { prepare: (tab) => tab.addInitScript(recordContexts) });
+  await withFur(page, (fur) => {
+    fur.setWetness(0.4);
+    const original = OffscreenCanvas.prototype.getContext;
+    OffscreenCanvas.prototype.getContext = function getContext(type, ...rest) {
+      return type === 'webgl2' && window.refuses ? null : original.call(this, type, ...rest);
+    };
+    window.refuses = true;
+    newestContext().getExtension('WEBGL_lose_context').loseContext();
+  });
+  assert.match(await visibleMessage(page), /back in a moment/);
+  const during = await withFur(page, async (fur) => {
+    fur.step(1 / 60);
+    return { state: fur.state, wet: fur.meanWetness > 0.2, refused: await fur.toBlob().catch((error) => error.code) };
+  });
+  assert.deepEqual(during, { state: 'lost', wet: true, refused: 'webgl-unavailable' });
+  await withFur(page, () => { window.refuses = false; });
+  await page.waitForFunction(() => document.querySelector('wet-fur').state === 'ready');
+  assert.equal(await page.locator('wet-fur .message').isVisible(), false);
+  assert.deepEqual(page.problems, []);
+});
+
+test('a type set is still the coat after its context was lost', async () => {
+  const page = await site.open(`?${light}&src=torus`, { prepare: (tab) => tab.addInitScript(recordContexts) });
+  const seen = await withFur(page, async (fur) => {
+    const given = await fur.saveTypeSet();
+    await fur.loadTypeSet(given);
+    fur.settings.seed = 7;
+    const grown = await fur.saveTypeSet();
+    await fur.loadTypeSet(given);
+    const back = new Promise((resolve) => fur.addEventListener('context-restored', resolve, { once: true }));
+    newestContext().getExtension('WEBGL_lose_context').loseContext();
+    await back;
+    fur.step(1 / 60);
+    const after = await fur.saveTypeSet();
+    const same = (a, b) => a.length === b.length && a.every((byte, i) => byte === b[i]);
+    return { differed: !same(given, grown), kept: same(given, after) };
+  });
+  assert.deepEqual(seen, { differed: true, kept: true });
 });

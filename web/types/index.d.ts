@@ -250,6 +250,11 @@ export interface WetFurOptions extends Partial<FurSettings> {
   editor?: boolean;
 }
 
+/**
+ * 'suspended': nobody sees it, or the browser has no graphics context for it while others are in view. It draws nothing,
+ * shows what it drew last, and does all it is told; it draws again when it is seen, or told something. 'lost': the browser
+ * took its context and has not given another yet.
+ */
 export type WetFurState = 'idle' | 'loading' | 'ready' | 'suspended' | 'lost' | 'error' | 'unsupported' | 'disposed';
 
 export interface WetFurStats {
@@ -298,6 +303,7 @@ export interface WetFurEventMap {
   'stroke-end': CustomEvent<{ tool: Tool }>;
   /** `settings`: or the tool, or what can be undone, whoever changed it. */
   'state-change': CustomEvent<{ state: WetFurState; reason: 'loading' | 'settings' | 'editor' }>;
+  /** The browser took its context. That it gave one back while nobody saw it is not told. */
   'context-lost': CustomEvent<Record<string, never>>;
   'context-restored': CustomEvent<Record<string, never>>;
   'model-visibility': CustomEvent<{ visible: boolean }>;
@@ -364,7 +370,7 @@ export interface WetFurApi {
   loadTypeMap(image: ModelBytes): Promise<void>;
   play(): void;
   pause(): void;
-  /** n steps of dt seconds and one frame, at once, whatever the page's own clock does. */
+  /** n steps of dt seconds and one frame, at once, whatever the page's own clock does and whether anybody sees it. */
   step(dt: number, n?: number): void;
   undo(): boolean;
   redo(): boolean;
