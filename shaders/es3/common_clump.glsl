@@ -59,6 +59,8 @@ vec4 maskAt(sampler2D mask, vec2 a) {
 }
 // What a texel's u is stored with: of each chart another, in multiples of FUR_CHART_STEP.
 float chartOf(vec4 texel) { return FUR_CHART_STEP * floor(texel.x / FUR_CHART_STEP) + 0.5 * FUR_CHART_STEP; }
+// Whether a texel less a chart's number is beside that chart: another's, or none's.
+bool isBeside(vec4 texel) { return texel.a < 0.0 || abs(texel.x) > 0.5 * FUR_CHART_STEP; }
 // The clump that the atlas point `a` lies in: centre u, v, radius, water held.
 vec4 clumpAt(sampler2D mask, vec2 a) {
   vec4 texel = maskAt(mask, a);
@@ -82,8 +84,9 @@ float heldAround(sampler2D mask, vec2 a) {
 // other half of the clump: it is one of its own. The rim fades over a twelfth of the radius, so that locks have soft edges.
 float ownStrand(sampler2D mask, vec4 clump, float chart, vec2 from) {
   vec4 home = maskAt(mask, clump.xy + from);
-  vec2 apart = home.xy - clump.xy - vec2(chart, 0.0);
+  home.x -= chart;
+  vec2 apart = home.xy - clump.xy;
   float squared = clump.z * clump.z;
-  bool beyond = home.a < 0.0 || chartOf(home) != chart, same = home.a > 0.0 && dot(apart, apart) <= 0.25 * squared;
+  bool beyond = isBeside(home), same = home.a > 0.0 && dot(apart, apart) <= 0.25 * squared;
   return clamp(6.0 - 6.0 * dot(from, from) / max(squared, 1e-12), 0.0, 1.0) * float(beyond || same);
 }

@@ -170,8 +170,7 @@ void main() {
   furLengths /= max(vLength, 0.02);
 #endif
   entryHeld = heldAround(mask, vAtlas);
-  vec4 entry = maskAt(mask, vAtlas);
-  entryChart = entry.a < 0.0 ? -1.0 : chartOf(entry);
+  entryChart = chartOf(maskAt(mask, vAtlas));
   sheet = sheetOf(entryHeld);
   float joined = sheet * (2.0 - sheet);
   coatTop = upright(entryHeld, sheet);

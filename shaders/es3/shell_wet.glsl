@@ -13,7 +13,7 @@ const int kSheetSteps = 0;
 // Of the whole ray, by where it enters: the water there, how much of a sheet the coat is, how high it stands, where its tips lie
 // from their roots (tiles); how many fur lengths a tile is, how many tiles the atlas.
 float entryHeld, sheet, coatTop, furLengths, atlasLength;
-float entryChart;  // chartOf() where it enters; -1 where that is beside the charts
+float entryChart;  // chartOf() where it enters
 vec2 lie;
 mat2 tileFromAtlas;
 
@@ -30,18 +30,18 @@ struct WetStrand {
 WetStrand wetStrandAt(vec2 at, vec2 a, float h, inout vec2 inside) {
   WetStrand strand;
   strand.clump = maskAt(mask, a);
-  float side = 1.0, chart = chartOf(strand.clump);
-  if (strand.clump.a < 0.0 || (entryChart >= 0.0 && chart != entryChart)) {
-    // Beside the chart, where a ray along the outline soon is: locks as inside it, mirrored where it left.
+  strand.clump.x -= entryChart;
+  float side = 1.0;
+  if (isBeside(strand.clump)) {
+    // Where a ray along the outline soon is: locks as inside the chart, mirrored where it left.
     a = 2.0 * inside - a;
     side = -1.0;
     strand.clump = maskAt(mask, a);
-    chart = chartOf(strand.clump);
-    if (entryChart >= 0.0 && chart != entryChart) strand.clump.a = -1.0;
+    strand.clump.x -= entryChart;
+    if (isBeside(strand.clump)) strand.clump.a = -1.0;
   } else {
     inside = a;
   }
-  strand.clump.x -= chart;
   bool clumped = strand.clump.a > 0.0;
   if (strand.clump.a < 0.0) strand.clump.a = entryHeld;
   strand.along = h / coatTop;
@@ -53,7 +53,7 @@ WetStrand wetStrandAt(vec2 at, vec2 a, float h, inout vec2 inside) {
   strand.along = alongStrand(strand.along, aside * furLengths);
   if (clumped) strand.along *= pointsOf(strand.clump.a, sheet, dot(from, from) / (strand.clump.z * strand.clump.z + 1e-12));
   // A sheet nearly closes the gaps.
-  float own = mix(ownStrand(mask, strand.clump, chart, from), 1.0, 0.7 * sheet) * (1.0 + 2.0 * strand.pull + sheet);
+  float own = mix(ownStrand(mask, strand.clump, entryChart, from), 1.0, 0.7 * sheet) * (1.0 + 2.0 * strand.pull + sheet);
   strand.open = (clumped ? own : 1.0) * float(strand.along <= 1.0);
   return strand;
 }
