@@ -84,9 +84,15 @@ if(EMSCRIPTEN)
   # Much code that runs once a model, once a file or once a frame: the download counts more than its speed. Without
   # -finline-functions Emscripten leaves small functions where they are, which makes a surface take four times as long,
   # and water three times.
-  foreach(module hair groom scene settings gl render app geometry wet)
+  foreach(module hair groom scene render geometry wet)
     if(TARGET fur_${module})
       target_compile_options(fur_${module} PRIVATE "$<$<CONFIG:Release>:-Oz;-finline-functions>")
+    endif()
+  endforeach()
+  # These have no loops over vertices or texels.
+  foreach(module settings gl app)
+    if(TARGET fur_${module})
+      target_compile_options(fur_${module} PRIVATE "$<$<CONFIG:Release>:-Oz>")
     endif()
   endforeach()
   # What runs for every texel of a coat gets a little more room.
