@@ -65,6 +65,9 @@ void main() {
     locks += clamp(held, 0.0, 1.0) * (1.0 - sheet);
     inCharts += step(0.0, held);
   }
+#ifdef VIEW_LAYER
+  locks = 0.0;  // a layer is where it is said to be
+#endif
   top *= 1.0 - (FUR_SHEET_SINKS * sheets + around.w * FUR_LOCKS_SINK * locks) / inCharts;
 #endif
   // In a crease the coat ends before its strands would cross those of the other side.

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "core/Numbering.h"
+#include "core/PortableMath.h"
+#include "core/Sort.h"
 #include "geometry/Adjacency.h"
 #include "geometry/Weld.h"
 
@@ -19,13 +21,15 @@ constexpr float kHardCosine = 0.978f;
 // it is shorter than two of the least steps, or they turn by less than 25, as sides are where fur leans.
 constexpr float kFarCosine = 0.643f, kTurnCosine = 0.906f;
 constexpr float kLeastStep = 0.3f * kEdgeReach;
+// Fur on the rim of a sheet leans out as far as the sheet lies: its coat is closed down to the skin.
+constexpr double kLeastSheet = 16.0 * kEdgeReach * kEdgeReach;  // smaller ones are parts of something: scales, feathers, facets
 constexpr int kMostRounds = 10;  // of each rule: a side is halved a thousandfold by then
 constexpr int kSweeps = 40;      // of relaxing: changes are below a degree after half of them
 
 struct Side {
   std::uint32_t low, high;    // welded
   std::size_t first, count;   // in the sorted sides
-  bool hard;
+  bool hard, rim;
 };
 
 class Rounding {
@@ -43,6 +47,8 @@ class Rounding {
 
   RoundedMesh run() {
     look();
+    findRims();
+    if (std::find(rim_.begin(), rim_.end(), true) != rim_.end()) look();
     const auto repeat = [this](auto rule) {
       for (int round = 0; round < kMostRounds && cut(rule); ++round) look();
     };
@@ -57,6 +63,7 @@ class Rounding {
       look();
       relax();
     }
+    out_.given = std::move(given_);
     return std::move(out_);
   }
 
@@ -78,14 +85,76 @@ class Rounding {
     across_ = neighboursAcrossSides(sorted_, indices().size() / 3);
     sides_.clear();
     for (std::size_t i = 0, end = 0; i < sorted_.size(); i = end) {
-      Side side{sorted_[i].low, sorted_[i].high, i, 0, false};
+      Side side{sorted_[i].low, sorted_[i].high, i, 0, false, false};
       for (end = i; end < sorted_.size() && sorted_[end].low == side.low && sorted_[end].high == side.high; ++end)
         side.hard = side.hard || glm::dot(given_[atLow(sorted_[end])], given_[atLow(side)]) < kHardCosine ||
                     glm::dot(given_[atHigh(sorted_[end])], given_[atHigh(side)]) < kHardCosine;
       side.count = end - i;
+      side.rim = side.count == 1 && !rim_.empty() && rim_[atLow(side)] && rim_[atHigh(side)];
+      side.hard = side.hard || side.rim;
       sides_.push_back(side);
     }
     findHardEnds();
+  }
+
+  // The rims of sheets: loops of sides with one triangle, along which the surface ends as round a disc. Round the hole of
+  // a body it ends the other way round, and fur would lean over what looks out there, such as an eye.
+  void findRims() {
+    rim_.assign(given_.size(), false);
+    std::vector<std::uint32_t> loop(weld_.count);
+    for (std::uint32_t point = 0; point < weld_.count; ++point) loop[point] = point;
+    const auto rootOf = [&loop](std::uint32_t point) {
+      while (loop[point] != point) point = loop[point] = loop[loop[point]];
+      return point;
+    };
+    std::vector<float> turns(weld_.count, 0.0f);  // of a loop, at its root; until then of its points
+    for (const Side& side : sides_)
+      if (side.count == 1) loop[rootOf(side.low)] = rootOf(side.high), turns[side.low] = turns[side.high] = kPi;
+    for (std::size_t i = 0; i < indices().size(); ++i)
+      if (float& turn = turns[weld_.idOf[indices()[i]]]; turn != 0.0f) turn -= angleAt(i);
+    std::vector<float> sums(weld_.count, 0.0f);
+    for (std::uint32_t point = 0; point < weld_.count; ++point) sums[rootOf(point)] += turns[point];
+    const std::vector<double> areas = areasOfPieces();
+    for (std::size_t i = 0; i < indices().size(); ++i)
+      rim_[indices()[i]] = sums[rootOf(weld_.idOf[indices()[i]])] > kPi && areas[i / 3] > kLeastSheet;
+  }
+
+  // Of the piece that each triangle is part of.
+  std::vector<double> areasOfPieces() const {
+    std::uint32_t count = 0;
+    std::vector<std::uint32_t> pieceOf = connectedPieces(across_, [](auto...) { return true; }, count);
+    std::vector<double> areas(count, 0.0), out;
+    for (std::size_t t = 0; t < pieceOf.size(); ++t) {
+      const Vec3& a = position(indices()[3 * t]);
+      areas[pieceOf[t]] += 0.5 * glm::length(glm::cross(position(indices()[3 * t + 1]) - a, position(indices()[3 * t + 2]) - a));
+    }
+    for (const std::uint32_t piece : pieceOf) out.push_back(areas[piece]);
+    return out;
+  }
+
+  float angleAt(std::size_t corner) const {
+    const Vec3& at = position(indices()[corner]);
+    const Vec3 e1 = normalizeOr(position(indices()[corner / 3 * 3 + (corner + 1) % 3]) - at, Vec3(0));
+    const Vec3 e2 = normalizeOr(position(indices()[corner / 3 * 3 + (corner + 2) % 3]) - at, Vec3(0));
+    return 2.0f * portableAtan(glm::length(e1 - e2) / std::max(glm::length(e1 + e2), 1e-6f));
+  }
+
+  // Fur on rims, which keeps that way.
+  void leanOut() {
+    outwards_.assign(parent_.size(), Vec3(0));
+    for (const Side& side : sides_) {
+      if (!side.rim) continue;
+      const TriangleSide& s = sorted_[side.first];
+      const Vec3 &a = position(corner(s, 0)), &b = position(corner(s, 1)), &c = position(corner(s, 2));
+      const Vec3 out = normalizeOr(glm::cross(b - a, glm::cross(b - a, c - a)), Vec3(0));
+      for (const std::uint32_t v : {corner(s, 0), corner(s, 1)}) outwards_[parent_[v]] += out;
+    }
+    for (std::uint32_t fan = 0; fan < parent_.size(); ++fan) {
+      if (outwards_[fan] == Vec3(0)) continue;
+      const Vec3& n = given_[fan];
+      out_.mesh.normals[fan] = normalizeOr(outwards_[fan] - n * glm::dot(n, outwards_[fan]), n);
+      out_.changed = out_.sheets = true;
+    }
   }
 
   void findHardEnds() {
@@ -235,6 +304,7 @@ class Rounding {
     out_.mesh.positions.push_back(v.of(out_.mesh.positions));
     if (!out_.mesh.uv.empty()) out_.mesh.uv.push_back(v.of(out_.mesh.uv));
     given_.push_back(normalizeOr(v.of(given_), given_[v.a]));
+    rim_.push_back(rim_[v.a] && rim_[v.b]);
     // Halfway a turn is a half whatever it is.
     out_.mesh.normals.push_back(normalizeOr(v.of(out_.mesh.normals), given_.back()));
     out_.changed = true;
@@ -268,9 +338,9 @@ class Rounding {
     std::vector<bool> several(parent_.size(), false);
     for (std::size_t i = 0; i < indices().size(); ++i) {
       const std::uint32_t v = indices()[i], fan = parent_[v];
+      const float angle = angleAt(i);
       const Vec3 e1 = normalizeOr(position(indices()[i / 3 * 3 + (i + 1) % 3]) - position(v), Vec3(0));
       const Vec3 e2 = normalizeOr(position(indices()[i / 3 * 3 + (i + 2) % 3]) - position(v), Vec3(0));
-      const float angle = std::acos(glm::clamp(glm::dot(e1, e2), -1.0f, 1.0f));
       sums[fan] += given_[v] * angle;
       inwards[fan] += normalizeOr(e1 + e2, Vec3(0)) * angle;
       several[fan] = several[fan] || given_[v] != given_[fan];
@@ -294,6 +364,7 @@ class Rounding {
   void relax() {
     if (!anyHard_) return;
     findFans();
+    leanOut();
     std::vector<Link> links;
     for (const TriangleSide& s : sorted_) {
       const std::uint32_t a = parent_[corner(s, 0)], b = parent_[corner(s, 1)];
@@ -301,7 +372,7 @@ class Rounding {
       links.push_back({a, b, length});
       links.push_back({b, a, length});
     }
-    std::sort(links.begin(), links.end(), [](const Link& x, const Link& y) { return x.from != y.from ? x.from < y.from : x.to < y.to; });
+    sortStably(links.begin(), links.end(), [](const Link& x, const Link& y) { return x.from != y.from ? x.from < y.from : x.to < y.to; });
     std::vector<std::size_t> first(parent_.size() + 1, 0);
     for (const Link& link : links) ++first[link.from + 1];
     for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
@@ -314,7 +385,7 @@ class Rounding {
     std::vector<Vec3>& normals = out_.mesh.normals;
     for (int sweep = 0; sweep < kSweeps; ++sweep)
       for (std::uint32_t fan = 0; fan < parent_.size(); ++fan) {
-        if (parent_[fan] != fan || !reached(fromHard[fan]) || fromFaces[fan] > 2.0f * kEdgeReach) continue;
+        if (parent_[fan] != fan || outwards_[fan] != Vec3(0) || !reached(fromHard[fan]) || fromFaces[fan] > 2.0f * kEdgeReach) continue;
         Vec3 sum(0);
         for (std::size_t i = first[fan]; i < first[fan + 1]; ++i) sum += normals[links[i].to] / links[i].length;
         if (const std::uint32_t point = weld_.idOf[fan]; onHard(point) && !reached(fromCorners[fan]))
@@ -346,6 +417,8 @@ class Rounding {
 
   RoundedMesh out_;
   std::vector<Vec3> given_;  // one a vertex: of its face
+  std::vector<bool> rim_;    // one a vertex: on a side that ends a sheet, if that has one triangle
+  std::vector<Vec3> outwards_;
   Weld weld_;
   std::vector<TriangleSide> sorted_;
   std::vector<std::uint32_t> across_, firstWay_, parent_;

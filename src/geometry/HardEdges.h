@@ -18,7 +18,7 @@ namespace fur::geometry {
 // How far from a hard edge fur leans, model units: the default fur's length. Rims narrower than twice that lean all over.
 inline constexpr float kEdgeReach = 0.12f;
 // More vertices are not inserted: what is left lies in larger steps.
-inline constexpr std::size_t kMostInserted = 60'000;
+inline constexpr std::size_t kMostInserted = 20'000;
 
 // A vertex between two others of lower number: a value there is a + (b - a) t of theirs.
 struct InsertedVertex {
@@ -32,8 +32,10 @@ struct InsertedVertex {
 
 struct RoundedMesh {
   Mesh mesh;  // positions, uv and indices; normals are those of the fur. Vertices inserted come last
+  std::vector<Vec3> given;  // one a vertex: the normals of its faces
   std::vector<InsertedVertex> inserted;
   bool changed = false;  // else it is the mesh as it was, and the rest is empty
+  bool sheets = false;   // it has the rim of a sheet
   // One a triangle: that of the given mesh on which it lies; and three: where its corners are in that.
   std::vector<std::uint32_t> triangleOf;
   std::vector<Vec3> weights;

@@ -120,6 +120,14 @@ std::vector<std::uint32_t> ownCorners(const RoundedMesh& rounded, const std::vec
   return own;
 }
 
+void findFacets(Surface& surface, const std::vector<Vec3>& given) {
+  constexpr float kFlat = 0.999f, kTurned = 0.978f;
+  for (SurfaceEdge& edge : surface.edges)
+    edge.betweenFacets = glm::dot(edge.faceNormal0, edge.faceNormal1) < kTurned &&
+                         glm::dot(given[surface.vertices[edge.a].source], edge.faceNormal0) > kFlat &&
+                         glm::dot(given[surface.vertices[edge.b].source], edge.faceNormal0) > kFlat;
+}
+
 Weld weldVertices(const Surface& surface) {
   std::vector<Vec3> positions(surface.vertices.size());
   for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = surface.vertices[i].position;
@@ -145,6 +153,7 @@ Result<Surface> buildSurface(const Mesh& mesh, FurMapping mapping) {
   Surface surface;
   RoundedMesh rounded = roundHardEdges(whole);
   surface.turned = rounded.changed;
+  surface.sheets = rounded.sheets;
   if (surface.turned) {
     follow(rounded, fur.chartOf, fur.corners);
     follow(rounded, atlas.chartOf, atlas.corners);
@@ -156,6 +165,7 @@ Result<Surface> buildSurface(const Mesh& mesh, FurMapping mapping) {
   }
   const Weld trueWeld = weldVertices(surface);
   surface.edges = findEdges(surface.vertices, surface.indices, trueWeld);
+  if (surface.turned) findFacets(surface, rounded.given);
   const FurOverlap overlap = overlapFurCharts(surface, fur.chartOf, fur.count, trueWeld);
   std::vector<std::uint32_t> triangles = surface.indices;
   triangles.insert(triangles.end(), surface.furIndices.begin() + static_cast<std::ptrdiff_t>(overlap.firstCopy),

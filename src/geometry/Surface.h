@@ -53,6 +53,7 @@ struct SurfaceEdge {
   Vec3 faceNormal0;          // unit
   Vec3 faceNormal1;          // unit; on a boundary edge -faceNormal0, which makes it a silhouette from everywhere
   float finStart;            // where this edge starts in the fin map, [0, 1), pseudo-random
+  bool betweenFacets = false;  // hard, and the first of them is flat: its normals are the face's
 };
 
 struct Surface {
@@ -67,6 +68,7 @@ struct Surface {
   std::vector<SurfaceEdge> edges;
   std::uint32_t chartCount = 0;
   bool turned = false;                    // somewhere fur leans over a hard edge
+  bool sheets = false;                    // somewhere it ends as a sheet does, whose other side is bare skin
   std::vector<InsertedVertex> inserted;   // between vertices of the mesh and each other
   std::vector<std::uint32_t> meshIndices; // the mesh's own triangles, where vertices were inserted; else those of indices
 

@@ -37,6 +37,7 @@ float curvatureAcross(const geometry::SurfaceEdge& e, const geometry::SurfaceVer
   // Where fur leans over the edge it curves as much as the fur does, however sharp the skin is.
   const bool leans = turned && glm::dot(e.faceNormal0, a.normal) < kLeaningCosine;
   if (glm::dot(e.faceNormal0, e.faceNormal1) < kSharpCosine && !leans) return -1.0f;
+  if (e.betweenFacets && !leans) return 0.0f;
   float sum = 0.0f;
   for (const auto* v : {&a, &b}) {
     Vec3 s, t;
@@ -90,6 +91,7 @@ void Renderer::setSurface(const geometry::Surface& surface, std::span<const Vec3
     furVertices.push_back({Vec4(v.uv, v.atlas), Vec4(v.fur, v.curvature.x, v.curvature.y), v.atlasFromFur, {}});
   }
   findSurroundings(surface, furVertices);
+  sheets_ = surface.sheets;
   finEdges_ = finEdges(surface);
   vertices_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(vertices), !tangents.empty());
   furVertices_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(furVertices), false);
