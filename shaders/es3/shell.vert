@@ -23,7 +23,7 @@ out vec4 vView;       // xyz: eye in the surface's frame  w: N.up
 out vec4 vLean;       // xy: sideways part of the tip's tangent for h = 1  zw: model uv
 out vec2 vLightStep;  // tile step towards the light for one fur length of height
 #ifdef WET
-layout(location = FUR_AROUND) in vec3 around;
+layout(location = FUR_AROUND) in vec4 around;
 #include "common_clump.glsl"
 uniform sampler2D mask;
 out float vTop;
@@ -56,13 +56,19 @@ void main() {
 #ifdef WET
   // As far down as fur stands from here to the next vertices: rays that came to a sheet from higher up would come past where
   // the body turns away, and hang there.
-  float sheets = 0.0, inCharts = 1e-6;
+  // So would those that came to locks near a hard edge, where it all turns away (around.w).
+  float sheets = 0.0, locks = 0.0, inCharts = 1e-6;
   for (int i = 0; i < 9; ++i) {
     float held = clumpAt(mask, around.xy + around.z * vec2(i % 3 - 1, i / 3 - 1)).a;
-    sheets += sheetOf(held);
+    float sheet = sheetOf(held);
+    sheets += sheet;
+    locks += clamp(held, 0.0, 1.0) * (1.0 - sheet);
     inCharts += step(0.0, held);
   }
-  top *= 1.0 - FUR_SHEET_SINKS * sheets / inCharts;
+#ifdef VIEW_LAYER
+  locks = 0.0;  // a layer is where it is said to be
+#endif
+  top *= 1.0 - (FUR_SHEET_SINKS * sheets + around.w * FUR_LOCKS_SINK * locks) / inCharts;
 #endif
   // In a crease the coat ends before its strands would cross those of the other side.
   mat2 S = mat2(furCurvature.z, furCurvature.w, furCurvature.w, gradSCurvature.w);

@@ -42,6 +42,14 @@ std::vector<T> perVertex(const std::vector<T>& ofPoints, const groom::Ground& gr
   return out;
 }
 
+// Those of some vertices; none stay none.
+template <class T>
+std::vector<T> ofVertices(const std::vector<T>& values, const std::vector<std::uint32_t>& vertices) {
+  std::vector<T> out;
+  for (std::size_t i = 0; !values.empty() && i < vertices.size(); ++i) out.push_back(values[vertices[i]]);
+  return out;
+}
+
 groom::TypeHeights heightsOf(const settings::Settings& settings) {
   groom::TypeHeights heights;
   for (std::size_t i = 0; i < heights.size(); ++i) heights[i] = settings::typeHeight(settings, static_cast<int>(i));
@@ -198,15 +206,25 @@ void App::State::takeFur(const scene::FurData& fur) {
     groom.map.restore(fur.map);
   }
   const groom::Ground at = ground();
-  const std::vector<std::uint32_t> pointOfMesh = at.points.at(mesh.positions);
+  // Vertices that were inserted have what lies between their ends.
+  std::vector<Vec3> places = mesh.positions, combs = fur.comb;
+  std::vector<float> meshLengths = fur.lengths;
+  std::vector<int> meshTypes = fur.types;
+  for (const geometry::InsertedVertex& vertex : surface.inserted) {
+    places.push_back(vertex.of(places));
+    if (!combs.empty()) combs.push_back(vertex.of(combs));
+    if (!meshLengths.empty()) meshLengths.push_back(vertex.of(meshLengths));
+    if (!meshTypes.empty()) meshTypes.push_back(meshTypes[vertex.t < 0.5f ? vertex.a : vertex.b]);
+  }
+  const std::vector<std::uint32_t> pointOfMesh = at.points.at(places);
   std::vector<float> lengths(fur.lengths.empty() ? 0 : at.points.count());
   std::vector<int> types(fur.types.empty() ? 0 : at.points.count());
   for (std::size_t i = 0; i < pointOfMesh.size(); ++i) {
     const std::uint32_t point = pointOfMesh[i];
     if (point == groom::SurfacePoints::kNoPoint) continue;
-    if (!fur.comb.empty()) groom.comb[point] = fur.comb[i];
-    if (!lengths.empty()) lengths[point] = fur.lengths[i];
-    if (!types.empty()) types[point] = fur.types[i];
+    if (!combs.empty()) groom.comb[point] = combs[i];
+    if (!lengths.empty()) lengths[point] = meshLengths[i];
+    if (!types.empty()) types[point] = meshTypes[i];
   }
   groom.comb = groom::soundComb(std::move(groom.comb), at.points);
   groom::paintFromVertices(groom, at, perVertex(lengths, at), perVertex(types, at));
@@ -289,7 +307,9 @@ std::vector<std::uint8_t> App::saveFo() const {
   if (s.groomed) lengths = groom::vertexLengths(s.groom.map, s.surface, s.ground().points);
   if (s.groomed)
     for (const auto& vertex : s.surface.vertices) types.push_back(s.groom.map.typeAt(vertex.atlas) - 1);
-  return scene::writeFo(scene::foFromSurface(s.surface, s.settings.repeat, lengths, types));
+  if (!s.surface.turned) return scene::writeFo(scene::foFromSurface(s.surface, s.settings.repeat, lengths, types));
+  const geometry::OwnSurface own = geometry::ownSurface(s.surface, s.mesh);
+  return scene::writeFo(scene::foFromSurface(own.surface, s.settings.repeat, ofVertices(lengths, own.vertexOf), ofVertices(types, own.vertexOf)));
 }
 
 Warnings App::lostBySaving() const {
@@ -305,10 +325,10 @@ Warnings App::lostBySaving() const {
 std::vector<std::uint8_t> App::saveScene() const {
   State& s = *state_;
   s.refreshGroom();
+  const geometry::OwnSurface own = geometry::ownSurface(s.surface, s.mesh);
   geometry::Mesh mesh;
-  mesh.indices = s.surface.indices;
-  for (std::size_t i = 0; i < s.surface.trueVertexCount; ++i) {
-    const geometry::SurfaceVertex& v = s.surface.vertices[i];
+  mesh.indices = own.surface.indices;
+  for (const geometry::SurfaceVertex& v : own.surface.vertices) {
     mesh.positions.push_back(v.position);
     mesh.normals.push_back(v.normal);
     if (!s.mesh.uv.empty()) mesh.uv.push_back(v.uv);
@@ -320,8 +340,7 @@ std::vector<std::uint8_t> App::saveScene() const {
   fur.mapSize = s.groom.map.size();
   if (!s.groom.map.isPlain()) fur.map = s.groom.map.texels();
   if (!s.upright()) {
-    fur.comb = groom::restBends(s.groom, s.surface, s.ground().points);
-    fur.comb.resize(s.surface.trueVertexCount);
+    fur.comb = ofVertices(groom::restBends(s.groom, s.surface, s.ground().points), own.vertexOf);
   }
   fur.whiskers = s.groom.whiskers;
   fur.wetnessSize = s.mask.size();

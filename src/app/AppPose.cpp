@@ -4,17 +4,40 @@
 #include <cstdint>
 
 #include "app/AppState.h"
+#include "core/Numbering.h"
+#include "geometry/Weld.h"
 
 namespace fur::app {
 
 namespace {
 
 // Values of the mesh's vertices as values of the surface's.
-void spread(const std::vector<std::uint32_t>& sources, std::span<const Vec3> from, std::vector<Vec3>& to) {
+void spread(const std::vector<std::uint32_t>& sources, const Vec3* source, std::vector<Vec3>& to) {
   to.resize(sources.size());
-  const Vec3* source = from.data();
   Vec3* out = to.data();
   for (const std::uint32_t i : sources) *out++ = source[i];
+}
+
+// The same with those of the vertices between them.
+void spread(const geometry::Surface& surface, const std::vector<std::uint32_t>& sources, std::span<const Vec3> from,
+            std::vector<Vec3>& to) {
+  if (surface.inserted.empty()) return spread(sources, from.data(), to);
+  std::vector<Vec3> all(from.begin(), from.end());
+  for (const geometry::InsertedVertex& vertex : surface.inserted) all.push_back(vertex.of(all));
+  spread(sources, all.data(), to);
+}
+
+// The part of a tangent that is across a normal.
+Vec3 acrossOf(const Vec3& n, const Vec3& tangent) {
+  const Vec3 other = std::abs(n.x) < 0.6f ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
+  return normalizeOr(tangent - n * glm::dot(n, tangent), normalizeOr(other - n * glm::dot(n, other), other));
+}
+
+// Square, also where it comes of normals and tangents between two vertices.
+Mat3 frameOf(Vec3 normal, Vec3 tangent) {
+  normal = normalizeOr(normal, Vec3(0, 1, 0));
+  tangent = acrossOf(normal, tangent);
+  return Mat3(normal, tangent, glm::cross(normal, tangent));
 }
 
 // Poses of an animation that are looked at for where it goes.
@@ -41,19 +64,41 @@ void App::State::takeRig() {
   pose.emplace(rig);
   for (const geometry::SurfaceVertex& v : surface.vertices) skin.sources.push_back(v.source);
   takeSkin();
+  std::vector<Vec3> positions, normals;
+  for (const geometry::SurfaceVertex& v : surface.vertices) positions.push_back(v.position), normals.push_back(v.normal);
+  const geometry::Weld places = geometry::weldPositions(positions), ways = geometry::weldPositions(normals);
+  Numbering points;
   // What the importer has computed in double precision.
   for (std::size_t i = 0; i < surface.vertices.size(); ++i) {
-    skin.positions[i] = surface.vertices[i].position;
-    const Vec3 n = skin.normals[i] = surface.vertices[i].normal;
+    const Mat3 frame = frameOf(skin.normals[i], skin.tangents[i]);
+    skin.positions[i] = positions[i];
+    const Vec3 n = skin.normals[i] = normals[i];
     skin.tangents[i] = normalizeOr(skin.tangents[i] - n * glm::dot(n, skin.tangents[i]), Vec3(1, 0, 0));
+    if (surface.turned)
+      skin.leans.push_back({n * frame, skin.tangents[i] * frame, points.of(std::uint64_t{places.idOf[i]} << 32 | ways.idOf[i])});
   }
   firstTangents = skin.tangents;
 }
 
 void App::State::takeSkin() {
-  spread(skin.sources, pose->positions(), skin.positions);
-  spread(skin.sources, pose->normals(), skin.normals);
-  spread(skin.sources, pose->tangents(), skin.tangents);
+  spread(surface, skin.sources, pose->positions(), skin.positions);
+  spread(surface, skin.sources, pose->normals(), skin.normals);
+  spread(surface, skin.sources, pose->tangents(), skin.tangents);
+  if (!skin.leans.empty()) leanAsMade();
+}
+
+// Fur that leans over hard edges does so from its faces as when the surface was made; where they bend apart, between them.
+void App::State::leanAsMade() {
+  std::vector<Vec3> sums(skin.leans.size(), Vec3(0));
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    const Mat3 frame = frameOf(skin.normals[i], skin.tangents[i]);
+    skin.tangents[i] = frame * skin.leans[i].tangent;
+    sums[skin.leans[i].point] += skin.normals[i] = frame * skin.leans[i].normal;
+  }
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    const Vec3 n = skin.normals[i] = normalizeOr(sums[skin.leans[i].point], skin.normals[i]);
+    skin.tangents[i] = acrossOf(n, skin.tangents[i]);
+  }
 }
 
 void App::State::measure(bool atOnce) {

@@ -82,7 +82,14 @@ struct App::State {
   std::optional<scene::Pose> pose;  // none for a model without animations
   struct {
     std::vector<Vec3> positions, normals, tangents;
-    std::vector<std::uint32_t> sources;  // vertices of the mesh
+    std::vector<std::uint32_t> sources;  // vertices of the mesh, and those inserted between them
+    // Of a surface with hard edges: the way its fur grows and a tangent in the frame of the pose without it, and which
+    // vertices share them.
+    struct Lean {
+      Vec3 normal, tangent;
+      std::uint32_t point;
+    };
+    std::vector<Lean> leans;
   } skin;
   std::vector<Vec3> firstTangents;
   std::pair<int, double> posedFor{-1, 0};  // animation and time of the pose
@@ -227,6 +234,7 @@ struct App::State {
   bool animates() const;
   void takeRig();
   void takeSkin();
+  void leanAsMade();
   void measure(bool atOnce);   // how far the animation goes; a view that showed all still does, glides or is there at once
   bool refreshPose(float dt);  // whether the shape has changed
   void uploadPose();

@@ -23,6 +23,9 @@ constexpr float kFlatLimit = 0.26f;
 constexpr float kScrapFlatLimit = 0.05f;
 // A region below this part of the surface's area is a scrap.
 constexpr float kScrapArea = 0.002f;
+// cos 50 degrees: no chart goes over an edge as sharp as that which bounds a face, if the faces are no scraps. Laid flat
+// across it both would be stretched.
+constexpr float kSharp = 0.643f;
 constexpr int kRelaxations = 4;
 
 // Pairs of triangles that may be compared, for each triangle. A few dozen is usual; a fan of many
@@ -88,6 +91,7 @@ class ChartMaker {
       normals_[t] = length > 0.0 ? Vec3(cross / length) : Vec3(0, 1, 0);
       totalArea_ += areas_[t];
     }
+    partFaces();
     // Two rounds over the neighbours: scans are noisy, and a region should not stop at each bump.
     smooth_ = normals_;
     for (int round = 0; round < 2; ++round) {
@@ -101,6 +105,22 @@ class ChartMaker {
         next[t] = normalizeOr(sum, normals_[t]);
       }
       smooth_.swap(next);
+    }
+  }
+
+  // Parts what lies smooth in itself from what meets it at sharp edges.
+  void partFaces() {
+    const auto smooth = [this](std::uint32_t t, std::size_t, std::uint32_t other) {
+      return glm::dot(normals_[t], normals_[other]) > kSharp;
+    };
+    std::uint32_t count = 0;
+    const std::vector<std::uint32_t> faceOf = connectedPieces(across_, smooth, count);
+    std::vector<double> areas(count, 0.0);
+    for (std::size_t t = 0; t < areas_.size(); ++t) areas[faceOf[t]] += areas_[t];
+    for (std::size_t i = 0; i < across_.size(); ++i) {
+      if (across_[i] == kNoTriangle) continue;
+      const std::uint32_t a = faceOf[i / 3], b = faceOf[across_[i]];
+      if (a != b && std::min(areas[a], areas[b]) >= kScrapArea * totalArea_) across_[i] = kNoTriangle;
     }
   }
 

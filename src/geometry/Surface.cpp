@@ -102,6 +102,32 @@ void splitVertices(Surface& surface, const Mesh& mesh, const Charts& fur, const 
   surface.trueVertexCount = surface.vertices.size();
 }
 
+// The layouts as those of the rounded mesh's triangles.
+void follow(const RoundedMesh& rounded, std::vector<std::uint32_t>& chartOf, std::vector<Vec2>& corners) {
+  corners = ofRoundedCorners(rounded, corners);
+  std::vector<std::uint32_t> charts;
+  charts.reserve(rounded.triangleOf.size());
+  for (const std::uint32_t t : rounded.triangleOf) charts.push_back(chartOf[t]);
+  chartOf = std::move(charts);
+}
+
+// The corners of the mesh's own triangles among those of the rounded one.
+std::vector<std::uint32_t> ownCorners(const RoundedMesh& rounded, const std::vector<std::uint32_t>& indices, std::size_t count) {
+  std::vector<std::uint32_t> own(count);
+  for (std::size_t i = 0; i < indices.size(); ++i)
+    for (int k = 0; k < 3; ++k)
+      if (rounded.weights[i][k] == 1.0f) own[3 * std::size_t{rounded.triangleOf[i / 3]} + static_cast<std::size_t>(k)] = indices[i];
+  return own;
+}
+
+void findFacets(Surface& surface, const std::vector<Vec3>& given) {
+  constexpr float kFlat = 0.999f, kTurned = 0.978f;
+  for (SurfaceEdge& edge : surface.edges)
+    edge.betweenFacets = glm::dot(edge.faceNormal0, edge.faceNormal1) < kTurned &&
+                         glm::dot(given[surface.vertices[edge.a].source], edge.faceNormal0) > kFlat &&
+                         glm::dot(given[surface.vertices[edge.b].source], edge.faceNormal0) > kFlat;
+}
+
 Weld weldVertices(const Surface& surface) {
   std::vector<Vec3> positions(surface.vertices.size());
   for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = surface.vertices[i].position;
@@ -117,7 +143,7 @@ Result<Surface> buildSurface(const Mesh& mesh, FurMapping mapping) {
   whole.normals = unitNormals(whole);
 
   const Weld weld = weldPositions(whole.positions);
-  const Charts fur = furCharts(whole, weld, mapping);
+  Charts fur = furCharts(whole, weld, mapping);
   AtlasLayout atlas;
   if (whole.atlas.size() == whole.positions.size()) atlas = ownLayout(whole, whole.atlas, weld);
   else if (isUniqueAtlas(whole, whole.indices)) atlas = ownLayout(whole, whole.uv, weld);
@@ -125,20 +151,48 @@ Result<Surface> buildSurface(const Mesh& mesh, FurMapping mapping) {
   else atlas = packedLayout(makeCharts(whole.positions, whole.indices, weld));
 
   Surface surface;
-  splitVertices(surface, whole, fur, atlas);
+  RoundedMesh rounded = roundHardEdges(whole);
+  surface.turned = rounded.changed;
+  surface.sheets = rounded.sheets;
+  if (surface.turned) {
+    follow(rounded, fur.chartOf, fur.corners);
+    follow(rounded, atlas.chartOf, atlas.corners);
+    splitVertices(surface, rounded.mesh, fur, atlas);
+    if (!rounded.inserted.empty()) surface.meshIndices = ownCorners(rounded, surface.indices, whole.indices.size());
+    surface.inserted = std::move(rounded.inserted);
+  } else {
+    splitVertices(surface, whole, fur, atlas);
+  }
   const Weld trueWeld = weldVertices(surface);
   surface.edges = findEdges(surface.vertices, surface.indices, trueWeld);
+  if (surface.turned) findFacets(surface, rounded.given);
   const FurOverlap overlap = overlapFurCharts(surface, fur.chartOf, fur.count, trueWeld);
   std::vector<std::uint32_t> triangles = surface.indices;
   triangles.insert(triangles.end(), surface.furIndices.begin() + static_cast<std::ptrdiff_t>(overlap.firstCopy),
                    surface.furIndices.end());
   const Weld weldAll = weldVertices(surface);
-  computeSteps(surface, triangles, overlap.chartOfVertex, weldAll);
-  computeCurvature(surface, surface.indices, weldAll);
+  computeSteps(surface, triangles, overlap.chartOfVertex, weldAll, surface.turned);
+  computeCurvature(surface, surface.indices, weldAll, surface.turned);
   std::vector<std::uint32_t> furChartOf(overlap.triangleOf.size());
   for (std::size_t t = 0; t < furChartOf.size(); ++t) furChartOf[t] = overlap.chartOfVertex[surface.furIndices[3 * t]];
   surface.furClusters = makeFurClusters(surface, overlap.triangleOf, furChartOf);
   return surface;
+}
+
+OwnSurface ownSurface(const Surface& surface, const Mesh& mesh) {
+  OwnSurface own;
+  const std::vector<std::uint32_t>& indices = surface.inserted.empty() ? surface.indices : surface.meshIndices;
+  Numbering kept;
+  for (const std::uint32_t vertex : indices) {
+    own.surface.indices.push_back(kept.of(vertex));
+    if (own.surface.indices.back() < own.vertexOf.size()) continue;
+    own.vertexOf.push_back(vertex);
+    SurfaceVertex& v = own.surface.vertices.emplace_back(surface.vertices[vertex]);
+    if (surface.turned && mesh.normals.size() == mesh.positions.size()) v.normal = normalizeOr(mesh.normals[v.source], v.normal);
+  }
+  own.surface.trueVertexCount = own.vertexOf.size();
+  own.surface.chartCount = surface.chartCount;
+  return own;
 }
 
 }  // namespace fur::geometry

@@ -16,6 +16,7 @@
 #include "core/Math.h"
 #include "core/Result.h"
 #include "geometry/FurClusters.h"
+#include "geometry/HardEdges.h"
 #include "geometry/Mesh.h"
 
 namespace fur::geometry {
@@ -26,7 +27,7 @@ enum class FurMapping { Charts, Cube };
 
 struct SurfaceVertex {
   Vec3 position;
-  Vec3 normal;
+  Vec3 normal;  // the way the fur grows: near hard edges between those of their faces (HardEdges.h)
   Vec2 uv;
   Vec2 atlas;
   Vec2 fur;
@@ -43,7 +44,7 @@ struct SurfaceVertex {
   // Interpolated over the triangle and then clamped to 0..1; (-1, 2) is all of them.
   Vec2 strands{-1.0f, 2.0f};
   std::uint32_t chart = 0;  // of the atlas; 0-based
-  std::uint32_t source = 0;  // the vertex of the mesh that it is a copy of
+  std::uint32_t source = 0;  // the vertex of the mesh that it is a copy of, and after those of Surface::inserted
 };
 
 // One edge of the surface with the two faces that meet there (found by position, across UV seams).
@@ -52,6 +53,7 @@ struct SurfaceEdge {
   Vec3 faceNormal0;          // unit
   Vec3 faceNormal1;          // unit; on a boundary edge -faceNormal0, which makes it a silhouette from everywhere
   float finStart;            // where this edge starts in the fin map, [0, 1), pseudo-random
+  bool betweenFacets = false;  // hard, and the first of them is flat: its normals are the face's
 };
 
 struct Surface {
@@ -65,6 +67,10 @@ struct Surface {
   std::vector<FurCluster> furClusters;       // parts of the two
   std::vector<SurfaceEdge> edges;
   std::uint32_t chartCount = 0;
+  bool turned = false;                    // somewhere fur leans over a hard edge
+  bool sheets = false;                    // somewhere it ends as a sheet does, whose other side is bare skin
+  std::vector<InsertedVertex> inserted;   // between vertices of the mesh and each other
+  std::vector<std::uint32_t> meshIndices; // the mesh's own triangles, where vertices were inserted; else those of indices
 
   std::size_t triangleCount() const { return indices.size() / 3; }
 };
@@ -73,5 +79,13 @@ struct Surface {
 // charted. Degenerate triangles are dropped. Fails (bad-file) when no triangle is left. `mapping` does
 // not matter for a mesh with furUv.
 Result<Surface> buildSurface(const Mesh& mesh, FurMapping mapping = FurMapping::Charts);
+
+// The surface without what was inserted into the mesh and without copies, as a file is to have it: vertices, with the
+// normals that `mesh` gives them, and indices. `vertexOf`: of each, its vertex of `surface`.
+struct OwnSurface {
+  Surface surface;
+  std::vector<std::uint32_t> vertexOf;
+};
+OwnSurface ownSurface(const Surface& surface, const Mesh& mesh);
 
 }  // namespace fur::geometry

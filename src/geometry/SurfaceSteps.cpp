@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "core/Sort.h"
+#include "geometry/Curvature.h"
 
 namespace fur::geometry {
 
@@ -39,7 +40,7 @@ struct Step {
   double area = 0.0;
 };
 
-void addTriangle(const SurfaceVertex* const v[3], Gradients* const gradients[3], Step* const steps[3]) {
+void addTriangle(const SurfaceVertex* const v[3], Gradients* const gradients[3], Step* const steps[3], bool turned) {
   const glm::dvec3 e1 = glm::dvec3(v[1]->position) - glm::dvec3(v[0]->position);
   const glm::dvec3 e2 = glm::dvec3(v[2]->position) - glm::dvec3(v[0]->position);
   const glm::dvec3 normal = glm::cross(e1, e2);
@@ -49,8 +50,9 @@ void addTriangle(const SurfaceVertex* const v[3], Gradients* const gradients[3],
   const glm::dvec2 f1 = glm::dvec2(v[1]->fur) - glm::dvec2(v[0]->fur), f2 = glm::dvec2(v[2]->fur) - glm::dvec2(v[0]->fur);
   const glm::dvec2 a1 = glm::dvec2(v[1]->atlas) - glm::dvec2(v[0]->atlas), a2 = glm::dvec2(v[2]->atlas) - glm::dvec2(v[0]->atlas);
   for (int k = 0; k < 3; ++k) {
-    gradients[k]->s += (d1 * f1.x + d2 * f2.x) * area;
-    gradients[k]->t += (d1 * f1.y + d2 * f2.y) * area;
+    const glm::dmat3 turn = turned ? turnBetween(normal / std::sqrt(squared), glm::dvec3(v[k]->normal)) : glm::dmat3(1.0);
+    gradients[k]->s += turn * (d1 * f1.x + d2 * f2.x) * area;
+    gradients[k]->t += turn * (d1 * f1.y + d2 * f2.y) * area;
     gradients[k]->area += area;
   }
   const double det = f1.x * f2.y - f1.y * f2.x;
@@ -79,7 +81,7 @@ double evenStep(const Surface& surface) {
 }  // namespace
 
 void computeSteps(Surface& surface, const std::vector<std::uint32_t>& triangles,
-                  const std::vector<std::uint32_t>& furChartOf, const Weld& weld) {
+                  const std::vector<std::uint32_t>& furChartOf, const Weld& weld, bool turned) {
   const std::vector<std::uint32_t> points = furPoints(surface.vertices, furChartOf, weld);
   std::vector<Gradients> gradients(surface.vertices.size());
   std::vector<Step> steps(surface.vertices.size());
@@ -92,7 +94,7 @@ void computeSteps(Surface& surface, const std::vector<std::uint32_t>& triangles,
       gradient[k] = &gradients[points[triangles[i + k]]];
       step[k] = &steps[triangles[i + k]];
     }
-    addTriangle(v, gradient, step);
+    addTriangle(v, gradient, step, turned);
   }
   const double even = evenStep(surface);
   for (std::size_t i = 0; i < surface.vertices.size(); ++i) {

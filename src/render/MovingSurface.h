@@ -15,9 +15,9 @@ struct SkinVertex {
 };
 struct FurVertex {
   Vec4 uvAtlas, fur, atlasFromFur;
-  Vec3 around;
+  Vec4 around;
 };
-static_assert(sizeof(SkinVertex) == 15 * sizeof(float) && sizeof(FurVertex) == 15 * sizeof(float));
+static_assert(sizeof(SkinVertex) == 15 * sizeof(float) && sizeof(FurVertex) == 16 * sizeof(float));
 
 // A fin instance, in the order of shared/Blocks.h.
 struct FinEdge {

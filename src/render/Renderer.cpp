@@ -280,7 +280,7 @@ FurShadow::Key Renderer::furShadowKey(const Frame& frame) const {
 Status Renderer::drawSkin(unsigned variant) {
   const auto program = programs_.use(Shader::Skin, variant);
   if (!program) return program.error();
-  gl::apply(stateOf(variant, {}));
+  gl::apply(stateOf(variant, {.cullBack = !sheets_}));
   surface_.drawIndexed(indexCount_, 1);
   return Done{};
 }

@@ -95,6 +95,7 @@ class Renderer {
   gl::Texture groundShadow_[2];
   gl::Target groundTarget_[2];
   int vertexCount_ = 0, indexCount_ = 0, shellIndexCount_ = 0;
+  bool sheets_ = false;  // the skin is seen from both sides
   // All patches of fur, and the eye, fur length and overlap that those on the GPU were put in order for.
   geometry::FurPatches patches_;
   std::optional<Vec4> shellsFor_;

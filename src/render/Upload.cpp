@@ -20,7 +20,7 @@ constexpr gl::Attribute kSkinAttributes[] = {
 };
 constexpr gl::Attribute kFurAttributes[] = {
     {FUR_UV_ATLAS, 4, offsetof(FurVertex, uvAtlas)}, {FUR_FUR_COORD, 4, offsetof(FurVertex, fur)},
-    {FUR_ATLAS_FROM_FUR, 4, offsetof(FurVertex, atlasFromFur)}, {FUR_AROUND, 3, offsetof(FurVertex, around)},
+    {FUR_ATLAS_FROM_FUR, 4, offsetof(FurVertex, atlasFromFur)}, {FUR_AROUND, 4, offsetof(FurVertex, around)},
 };
 constexpr gl::Attribute kEdgeAttributes[] = {
     {FUR_FIN_POSITION_A, 4, offsetof(FinEdge, positionA)}, {FUR_FIN_POSITION_B, 4, offsetof(FinEdge, positionB)},
@@ -31,9 +31,13 @@ constexpr gl::Attribute kEdgeAttributes[] = {
 
 // From this angle between its two faces on an edge is sharp.
 constexpr float kSharpCosine = 0.77f;
+constexpr float kLeaningCosine = 0.9f;
 
-float curvatureAcross(const geometry::SurfaceEdge& e, const geometry::SurfaceVertex& a, const geometry::SurfaceVertex& b) {
-  if (glm::dot(e.faceNormal0, e.faceNormal1) < kSharpCosine) return -1.0f;
+float curvatureAcross(const geometry::SurfaceEdge& e, const geometry::SurfaceVertex& a, const geometry::SurfaceVertex& b, bool turned) {
+  // Where fur leans over the edge it curves as much as the fur does, however sharp the skin is.
+  const bool leans = turned && glm::dot(e.faceNormal0, a.normal) < kLeaningCosine;
+  if (glm::dot(e.faceNormal0, e.faceNormal1) < kSharpCosine && !leans) return -1.0f;
+  if (e.betweenFacets && !leans) return 0.0f;
   float sum = 0.0f;
   for (const auto* v : {&a, &b}) {
     Vec3 s, t;
@@ -53,7 +57,7 @@ std::vector<FinEdge> finEdges(const geometry::Surface& surface) {
     const auto& b = surface.vertices[e.b];
     const Vec2 uv = 0.5f * (a.uv + b.uv);
     out.push_back({Vec4(a.position, static_cast<float>(e.a)), Vec4(b.position, static_cast<float>(e.b)),
-                   Vec4(a.normal, e.finStart), Vec4(b.normal, curvatureAcross(e, a, b)), Vec4(e.faceNormal0, uv.x), Vec4(e.faceNormal1, uv.y),
+                   Vec4(a.normal, e.finStart), Vec4(b.normal, curvatureAcross(e, a, b, surface.turned)), Vec4(e.faceNormal0, uv.x), Vec4(e.faceNormal1, uv.y),
                    Vec4(a.atlas, b.atlas)});
   }
   return out;
@@ -74,7 +78,7 @@ void findSurroundings(const geometry::Surface& surface, std::vector<FurVertex>& 
       if (edge > at.z) at = Vec3(a + (b + c) / 3.0f, edge);
     }
   }
-  for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i].around = found[weld.idOf[i]];
+  for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i].around = Vec4(found[weld.idOf[i]], surface.turned ? 1.0f : 0.0f);
 }
 
 }  // namespace
@@ -87,6 +91,7 @@ void Renderer::setSurface(const geometry::Surface& surface, std::span<const Vec3
     furVertices.push_back({Vec4(v.uv, v.atlas), Vec4(v.fur, v.curvature.x, v.curvature.y), v.atlasFromFur, {}});
   }
   findSurroundings(surface, furVertices);
+  sheets_ = surface.sheets;
   finEdges_ = finEdges(surface);
   vertices_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(vertices), !tangents.empty());
   furVertices_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(furVertices), false);

@@ -19,7 +19,8 @@ TEST(Surface, KeepsEveryTriangleInOrder) {
 
 TEST(Surface, DropsTrianglesWithoutAreaAndFailsWhenNoneIsLeft) {
   Mesh mesh;
-  mesh.positions = {Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0.5f, 0, 0)};
+  // Smaller than what is cut for the sake of fur.
+  mesh.positions = {Vec3(0), Vec3(0.05f, 0, 0), Vec3(0, 0.05f, 0), Vec3(0.025f, 0, 0)};
   mesh.indices = {0, 1, 2, 0, 1, 3, 2, 2, 1};
   EXPECT_EQ(built(mesh).triangleCount(), 1u);
   mesh.indices = {0, 1, 3, 2, 2, 1};
@@ -107,11 +108,12 @@ TEST(Surface, HasTwoFacesAtEveryEdgeWhenClosed) {
 }
 
 TEST(Surface, MakesBoundaryEdgesSilhouettes) {
-  const Surface surface = built(makePlane(8));
-  int boundary = 0;
+  constexpr std::size_t kCells = 40;  // smaller than what is cut for the sake of fur
+  const Surface surface = built(makePlane(kCells));
+  std::size_t boundary = 0;
   for (const SurfaceEdge& edge : surface.edges) boundary += edge.faceNormal1 == -edge.faceNormal0;
-  EXPECT_EQ(boundary, 4 * 8);
-  EXPECT_EQ(surface.edges.size(), 3u * 8 * 8 + 2 * 8);
+  EXPECT_EQ(boundary, 4 * kCells);
+  EXPECT_EQ(surface.edges.size(), 3 * kCells * kCells + 2 * kCells);
 }
 
 TEST(Surface, StartsFinsAtManyPlaces) {
@@ -126,7 +128,8 @@ TEST(Surface, StartsFinsAtManyPlaces) {
 
 TEST(Surface, TakesMeshesWithMoreThanTwoFacesAtAnEdge) {
   Mesh mesh;
-  mesh.positions = {Vec3(0), Vec3(0, 1, 0), Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1)};
+  // Smaller than what is cut for the sake of fur.
+  mesh.positions = {Vec3(0), Vec3(0, 0.05f, 0), Vec3(0.05f, 0, 0), Vec3(-0.05f, 0, 0), Vec3(0, 0, 0.05f)};
   mesh.indices = {0, 1, 2, 1, 0, 3, 0, 1, 4};
   const Surface surface = built(mesh);
   EXPECT_EQ(surface.edges.size(), 8u);  // six of their own, the shared one twice: a pair and an odd one

@@ -9,8 +9,10 @@
 #include <utility>
 
 #include "app/App.h"
+#include "geometry/Primitives.h"
 #include "gl/Objects.h"
 #include "native/headless/EglContext.h"
+#include "scene/Model.h"
 
 namespace fur::test {
 
@@ -81,6 +83,22 @@ class Stage {
   int width_, height_;
   gl::Target target_, resolved_;
 };
+
+// A plane in nine parts, each too small for a sheet: fur ends at their borders, and fins stand there.
+inline std::vector<std::uint8_t> planeInParts() {
+  const geometry::Mesh plane = geometry::makePlane(3);
+  geometry::Mesh parts;
+  for (std::size_t i = 0; i < plane.indices.size(); i += 6) {
+    Vec3 middle(0);
+    for (std::size_t k = 0; k < 6; ++k) middle += plane.positions[plane.indices[i + k]] / 6.0f;
+    for (std::size_t k = 0; k < 6; ++k) {
+      parts.indices.push_back(static_cast<std::uint32_t>(parts.positions.size()));
+      parts.positions.push_back(middle + 0.98f * (plane.positions[plane.indices[i + k]] - middle));
+      parts.normals.push_back(Vec3(0, 1, 0));
+    }
+  }
+  return scene::exportGlb(parts, "parts");
+}
 
 // The app with a sphere, these settings and its fur at rest, in a small square picture.
 struct Room {

@@ -69,8 +69,8 @@ TEST(Renderer, TheLayerCountDoesNotChangeTheLook) {
 
 TEST(Renderer, WindMovesShellsAndFins) {
   Scene scene;
-  // Its rim has fins all round; on the bunny the shells show most of the outline.
-  ASSERT_TRUE(scene.app.loadPrimitive("plane"));
+  // Their rims have fins all round; on the bunny the shells show most of the outline.
+  ASSERT_TRUE(scene.app.loadModel(test::planeInParts(), "parts.glb"));
   const Picture shells = scene.with("view", "shells");
   const Picture fins = scene.with("view", "fins");
   scene.app.setField("gust", "0");

@@ -202,7 +202,7 @@ TEST(Views, OverdrawCountsTheSkinOfABaldModelOnce) {
 
 TEST(Views, OverdrawCountsFinsOverShells) {
   Study scene;
-  ASSERT_TRUE(scene.app.loadPrimitive("plane"));
+  ASSERT_TRUE(scene.app.loadModel(test::planeInParts(), "parts.glb"));
   scene.app.setCamera({0.4f, 0.7f, 3.0f});
   const Picture with = scene.view("overdraw"), without = scene.with("fins", "false");
   EXPECT_GT(with.brightness(), 1.03f * without.brightness());
@@ -211,7 +211,7 @@ TEST(Views, OverdrawCountsFinsOverShells) {
 
 TEST(Views, FinsFadeWhereTheCoatIsAFewPixelsHighAndAreGoneWhereItIsLess) {
   Study scene;
-  ASSERT_TRUE(scene.app.loadPrimitive("plane"));
+  ASSERT_TRUE(scene.app.loadModel(test::planeInParts(), "parts.glb"));
   const auto shown = [&](float pixels) {
     // The plane's rim is 3 or more away; half of the picture's 200 pixels are tan(0.3) high there.
     scene.app.setCamera({0.4f, 0.7f, 3.0f});
