@@ -12,6 +12,7 @@ layout(location = FUR_FUR_COORD) in vec4 furCurvature;
 layout(location = FUR_GRAD_S) in vec4 gradSCurvature;
 layout(location = FUR_GRAD_T) in vec3 gradT;
 layout(location = FUR_ATLAS_FROM_FUR) in vec4 atlasFromFur;
+layout(location = FUR_LEAN) in vec2 leaning;
 
 // A point x fur lengths down the ray is at the height h = top + x (path.x + x path.y), over the tile
 // coordinates tile + x (step + x turn) + lean (top^2 - h^2).
@@ -106,9 +107,14 @@ void main() {
   float down = dot(ray, normal);
   vec2 along = vec2(dot(axisS, ray), dot(axisT, ray));
   vec2 foot = A * along, turning = S * foot;
-  // Height of the ray: falls with the slope, rises with the curvature; foot of the ray: see
-  // render/README.md.
-  vPath = vec4(vec2(down, 0.5 * len * dot(along, turning)) / arc.x, turning * len);
+  // Height of the ray: falls with the slope, rises with the curvature, and falls with the skin where fur leans over it;
+  // foot of the ray: see render/README.md.
+  vec2 path = vec2(down + dot(leaning, foot), 0.5 * len * dot(along, turning));
+  // Away from a hard edge normals turn no further than to the face's: there the ray goes on down.
+  float inwards = dot(leaning, along), more = inwards + down * sqrt(max(1.0 - dot(leaning, leaning), 0.0)) - path.x;
+  float sinks = -path.x - 0.5 * more;
+  if (inwards > 0.0 && sinks > 0.0) path.y = min(path.y, 0.5 * max(more, 0.0) * sinks);
+  vPath = vec4(path / arc.x, turning * len);
   vec2 stride = tileFromAxes * (len * foot), turn = tileFromAxes * (A * turning * (-down * len * len));
   vTile = vec4(furCurvature.xy * shape.y, stride);
   vTurn = vec4(turn, tileFromAxes * (A * aside * len));

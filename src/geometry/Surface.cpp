@@ -128,6 +128,15 @@ void findFacets(Surface& surface, const std::vector<Vec3>& given) {
                          glm::dot(given[surface.vertices[edge.b].source], edge.faceNormal0) > kFlat;
 }
 
+void measureLean(Surface& surface, const std::vector<Vec3>& given) {
+  for (SurfaceVertex& v : surface.vertices) {
+    Vec3 s, t;
+    tangentAxes(v, s, t);
+    const Vec3& face = given[v.source];
+    if (face != v.normal) v.lean = Vec2(glm::dot(face, s), glm::dot(face, t));
+  }
+}
+
 Weld weldVertices(const Surface& surface) {
   std::vector<Vec3> positions(surface.vertices.size());
   for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = surface.vertices[i].position;
@@ -173,6 +182,7 @@ Result<Surface> buildSurface(const Mesh& mesh, FurMapping mapping) {
   const Weld weldAll = weldVertices(surface);
   computeSteps(surface, triangles, overlap.chartOfVertex, weldAll, surface.turned);
   computeCurvature(surface, surface.indices, weldAll, surface.turned);
+  if (surface.turned) measureLean(surface, rounded.given);
   std::vector<std::uint32_t> furChartOf(overlap.triangleOf.size());
   for (std::size_t t = 0; t < furChartOf.size(); ++t) furChartOf[t] = overlap.chartOfVertex[surface.furIndices[3 * t]];
   surface.furClusters = makeFurClusters(surface, overlap.triangleOf, furChartOf);

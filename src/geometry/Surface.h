@@ -38,6 +38,8 @@ struct SurfaceVertex {
   // The shape operator, how the normal turns along the surface: (S_ss, S_st, S_tt) in the axes of
   // Curvature.h, per model unit; positive where the surface is convex.
   Vec3 curvature{0.0f};
+  // Where fur leans: the normal of its face along those axes.
+  Vec2 lean{0.0f};
   // d(atlas)/d(fur), a 2x2 matrix by columns: (du/ds, dv/ds, du/dt, dv/dt). Invertible.
   Vec4 atlasFromFur;
   // The strands that are drawn here: those whose own number, evenly spread over 0..1, lies in [x, y).

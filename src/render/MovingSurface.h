@@ -16,8 +16,9 @@ struct SkinVertex {
 struct FurVertex {
   Vec4 uvAtlas, fur, atlasFromFur;
   Vec4 around;
+  Vec2 lean;
 };
-static_assert(sizeof(SkinVertex) == 15 * sizeof(float) && sizeof(FurVertex) == 16 * sizeof(float));
+static_assert(sizeof(SkinVertex) == 15 * sizeof(float) && sizeof(FurVertex) == 18 * sizeof(float));
 
 // A fin instance, in the order of shared/Blocks.h.
 struct FinEdge {

@@ -21,6 +21,7 @@ constexpr gl::Attribute kSkinAttributes[] = {
 constexpr gl::Attribute kFurAttributes[] = {
     {FUR_UV_ATLAS, 4, offsetof(FurVertex, uvAtlas)}, {FUR_FUR_COORD, 4, offsetof(FurVertex, fur)},
     {FUR_ATLAS_FROM_FUR, 4, offsetof(FurVertex, atlasFromFur)}, {FUR_AROUND, 4, offsetof(FurVertex, around)},
+    {FUR_LEAN, 2, offsetof(FurVertex, lean)},
 };
 constexpr gl::Attribute kEdgeAttributes[] = {
     {FUR_FIN_POSITION_A, 4, offsetof(FinEdge, positionA)}, {FUR_FIN_POSITION_B, 4, offsetof(FinEdge, positionB)},
@@ -88,7 +89,7 @@ void Renderer::setSurface(const geometry::Surface& surface, std::span<const Vec3
   std::vector<FurVertex> furVertices;
   for (const auto& v : surface.vertices) {
     vertices.push_back({Vec4(v.position, v.strands.x), Vec4(v.normal, v.strands.y), Vec4(v.gradS, v.curvature.z), v.gradT});
-    furVertices.push_back({Vec4(v.uv, v.atlas), Vec4(v.fur, v.curvature.x, v.curvature.y), v.atlasFromFur, {}});
+    furVertices.push_back({Vec4(v.uv, v.atlas), Vec4(v.fur, v.curvature.x, v.curvature.y), v.atlasFromFur, {}, v.lean});
   }
   findSurroundings(surface, furVertices);
   sheets_ = surface.sheets;

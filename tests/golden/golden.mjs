@@ -5,6 +5,7 @@ import { tmpdir } from 'node:os';
 import { basename, dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { PNG } from 'pngjs';
+import { solid } from './solids.mjs';
 
 const folder = dirname(fileURLToPath(import.meta.url));
 const root = join(folder, '../..');
@@ -20,12 +21,14 @@ export const scenes = readdirSync(folder).filter((file) => file.endsWith('.json'
   const scene = JSON.parse(readFileSync(join(folder, file), 'utf8'));
   return { name, picture: join(folder, `${name}.png`), ...scene, settings: { breath: 0, ...scene.settings } };
 });
+/** What the scene's model is, when this folder makes it: the text of an .obj file. */
+export const solidOf = (scene) => scene.solid && solid(scene.solid);
 export const mapFile = (scene) => scene.lengthMap && join(folder, scene.lengthMap);
 
 // Seconds: over half a second the fur settles at once.
 export const settling = 0.6;
 // Water runs meanwhile; and for so long after that, until the fur has followed it.
-export const running = ({ model, wetness, splashes = [] }) => (wetness || splashes.length || /wet/.test(model) ? 1 : 0);
+export const running = ({ model = '', wetness, splashes = [] }) => (wetness || splashes.length || /wet/.test(model) ? 1 : 0);
 
 function argumentsFor({ model, preset, settings = {}, camera, samples = 0, groom = [], wetness, splashes = [], seconds, ...scene }, output) {
   const runs = running({ model, wetness, splashes });
@@ -43,7 +46,9 @@ export async function drawNatively(scene) {
   const scratch = mkdtempSync(join(tmpdir(), 'wet-fur-'));
   try {
     const output = join(scratch, 'picture.png');
-    const child = spawn(program, argumentsFor(scene, output), { stdio: ['ignore', 'ignore', 'pipe'] });
+    const model = scene.solid ? join(scratch, `${scene.solid}.obj`) : scene.model;
+    if (scene.solid) writeFileSync(model, solidOf(scene));
+    const child = spawn(program, argumentsFor({ ...scene, model }, output), { stdio: ['ignore', 'ignore', 'pipe'] });
     let complaints = '';
     child.stderr.on('data', (text) => { complaints += text; });
     const status = await new Promise((resolve, reject) => child.on('error', reject).on('close', resolve));

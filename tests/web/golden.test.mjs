@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { judge, mapFile, running, scenes, settling, size } from '../golden/golden.mjs';
+import { judge, mapFile, running, scenes, settling, size, solidOf } from '../golden/golden.mjs';
 import { picture, startBrowser, withFur } from './support.mjs';
 
 const site = startBrowser();
@@ -15,14 +15,15 @@ const pageFor = ({ samples = 0 }) => {
 };
 
 // In the order in which the program takes its options.
-const show = (page, scene) => withFur(page, async (fur, { model, preset, settings = {}, camera, groom = [], wetness, splashes = [], seconds, map, settling, runs }) => {
+const show = (page, scene) => withFur(page, async (fur, { model, preset, settings = {}, camera, groom = [], wetness, splashes = [], seconds, map, solid, settling, runs }) => {
   fur.setState('{"version":1}');
   fur.resetCamera();
   const loaded = new Promise((resolve, reject) => {
     fur.addEventListener('load', resolve, { once: true });
     fur.addEventListener('error', ({ detail }) => reject(new Error(detail.message)), { once: true });
   });
-  if (fur.src === model) fur.reload();
+  if (solid) fur.loadModel(new File([solid], 'solid.obj'));
+  else if (fur.src === model) fur.reload();
   else fur.src = model;
   await loaded;
   if (preset) fur.preset = preset;
@@ -35,7 +36,7 @@ const show = (page, scene) => withFur(page, async (fur, { model, preset, setting
   fur.step(settling, runs ? 1 : 2);
   fur.step(1 / 60, Math.round(60 * (runs + (seconds ?? 0))));
   return fur.warnings.splice(0);
-}, { ...scene, settling, runs: running(scene), map: mapFile(scene) && [...readFileSync(mapFile(scene))] });
+}, { ...scene, solid: solidOf(scene), settling, runs: running(scene), map: mapFile(scene) && [...readFileSync(mapFile(scene))] });
 
 for (const scene of scenes) {
   test(`${scene.name} looks on the page as its picture does`, { timeout: 600000 }, async (t) => {
