@@ -112,5 +112,31 @@ TEST(ImportModel, GivesASurfaceThatCanCarryFur) {
   EXPECT_TRUE(geometry::buildSurface(model.mesh));
 }
 
+std::string box(float height) {
+  std::string text;
+  for (int i = 0; i < 8; ++i)
+    text += "v " + std::to_string(i & 1) + " " + std::to_string(height * static_cast<float>(i >> 1 & 1)) + " " + std::to_string(i >> 2) + "\n";
+  for (const char* face : {"1 3 4 2", "5 6 8 7", "1 2 6 5", "3 7 8 4", "1 5 7 3", "2 4 8 6"}) text += std::string("f ") + face + "\n";
+  return text;
+}
+
+TEST(ImportObj, WithoutNormalsABoxHasThoseOfItsFacesAndNoOthers) {
+  const Model model = read(box(1));
+  EXPECT_EQ(model.mesh.positions.size(), 24u);
+  for (std::size_t i = 0; i < model.mesh.indices.size(); i += 3) {
+    const auto corner = [&](std::size_t k) { return model.mesh.positions[model.mesh.indices[i + k]]; };
+    const Vec3 face = glm::normalize(glm::cross(corner(1) - corner(0), corner(2) - corner(0)));
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_GT(glm::dot(model.mesh.normals[model.mesh.indices[i + k]], face), 0.9999f);
+  }
+}
+
+TEST(ImportObj, WithoutNormalsWhatIsRoundStaysSmoothAndAPlaneAppearsOnce) {
+  // A roof of 50 degrees between its sides is round.
+  const Model roof = read("v -1 0 0\nv -1 0 1\nv 0 0.4663 0\nv 0 0.4663 1\nv 1 0 0\nv 1 0 1\nf 1 2 4 3\nf 3 4 6 5\n");
+  EXPECT_EQ(roof.mesh.positions.size(), 6u);
+  const Model steep = read("v -1 0 0\nv -1 0 1\nv 0 0.7 0\nv 0 0.7 1\nv 1 0 0\nv 1 0 1\nf 1 2 4 3\nf 3 4 6 5\n");
+  EXPECT_EQ(steep.mesh.positions.size(), 8u);
+}
+
 }  // namespace
 }  // namespace fur::scene

@@ -35,7 +35,8 @@ CornerWeld weldCorners(const std::vector<Corner>& corners, const Corner& limits)
 // (0, 0) in place of coordinates so large that a float no longer tells neighbouring texels apart.
 Vec2 usableTexcoord(const Vec2& uv);
 
-// Fills the mesh, fitted to the unit sphere, hasTexcoords and bounds. Throws ImportError (too-large).
-CornerWeld buildMesh(const CornerLists& lists, Model& model);
+// Fills the mesh, fitted to the unit sphere, hasTexcoords and bounds. Without any normals it is smooth but where faces meet at
+// more than 60 degrees. Throws ImportError (too-large).
+CornerWeld buildMesh(CornerLists lists, Model& model);
 
 }  // namespace fur::scene

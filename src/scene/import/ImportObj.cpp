@@ -16,7 +16,7 @@ class ObjReader {
   void run() {
     while (reader_.next()) readStatement();
     if (lists_.corners.empty()) reader_.bad("the file ends without a face");
-    buildMesh(lists_, model_);
+    buildMesh(std::move(lists_), model_);
   }
 
  private:
