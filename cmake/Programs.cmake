@@ -53,7 +53,7 @@ function(fur_web_program target)
     -sGL_SUPPORT_AUTOMATIC_ENABLE_EXTENSIONS=0 -sTEXTDECODER=2
     $<$<CONFIG:Debug>:-sASSERTIONS=1>
     # After the compiler's own -O3, wasm-opt's adds size but no speed that we could measure. A second round finds more.
-    $<$<CONFIG:Release>:-Os> $<$<CONFIG:Release>:-sBINARYEN_EXTRA_PASSES=-Oz,--converge>
+    $<$<CONFIG:Release>:-Oz> $<$<CONFIG:Release>:-sBINARYEN_EXTRA_PASSES=-Oz,--converge>
     --no-entry)
 endfunction()
 
