@@ -53,8 +53,8 @@ bool isColoured(const std::uint8_t* pixel) {
 
 TEST(Views, EachDrawsSomethingOfItsOwn) {
   Study scene;
-  // Its rim has fins; the sphere has none.
-  ASSERT_TRUE(scene.app.loadPrimitive("plane"));
+  // Its parts' rims have fins; the sphere has none.
+  ASSERT_TRUE(scene.app.loadModel(test::planeInParts(), "parts.glb"));
   scene.app.setCamera({0.4f, 0.7f, 3.0f});
   scene.app.setWetness(0.5f);
   std::vector<Picture> pictures;
