@@ -454,7 +454,7 @@ App::Stats App::stats() const {
   const State& s = *state_;
   Stats out{};
   out.vertices = static_cast<int>(s.surface.trueVertexCount);
-  out.triangles = static_cast<int>(s.surface.triangleCount());
+  out.triangles = static_cast<int>(s.mesh.triangleCount());
   out.strands = s.coat.strandCount();
   out.layers = s.settings.layers;
   out.finEdges = static_cast<int>(s.surface.edges.size());

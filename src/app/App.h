@@ -264,6 +264,7 @@ class App {
   bool improvable() const;
 
   struct Stats {
+    // triangles: of the model; vertices: with those that its surface has at seams and near hard edges.
     int vertices, triangles, strands, layers, finEdges;
     std::size_t cpuBytes, gpuBytes, uploadedBytes;  // cpu: the model's own data; uploaded: by the last frame
     long framesDrawn;
