@@ -221,6 +221,13 @@ FUR_EXPORT void fur_invalidate(App* app) { app->invalidate(); }
 FUR_EXPORT void fur_setQuality(App* app, int best, int governed) { app->setQuality(best, governed != 0); }
 FUR_EXPORT void fur_setFrameBudget(App* app, float milliseconds) { app->setFrameBudget(milliseconds); }
 FUR_EXPORT void fur_frameShown(App* app, float milliseconds, float drawing) { app->frameShown(milliseconds, drawing); }
+// 1: the framebuffer has another picture; 2: not yet.
+FUR_EXPORT int fur_improve(App* app) {
+  return guarded([&] {
+    const Result<bool> shown = app->improve();
+    return shown ? 2 - shown.value() : web::report(shown.error());
+  });
+}
 FUR_EXPORT int fur_improvable(App* app) { return app->improvable() ? 1 : 0; }
 // vertices, triangles, strands, layers, finEdges, cpuBytes, gpuBytes, uploadedBytes, framesDrawn, level, pixels,
 // frameTime

@@ -170,6 +170,8 @@ export class FurApp {
   set governed(governed) { this.#call('fur_setQuality', 0, governed ? 1 : 0); }
   set frameBudget(milliseconds) { this.#call('fur_setFrameBudget', milliseconds); }
   frameShown(milliseconds, drawing) { this.#call('fur_frameShown', milliseconds, drawing); }
+  /** A step towards the best picture; whether there is another one to show. */
+  improve() { return this.#callOrThrow('fur_improve') === 1; }
   get improvable() { return this.#call('fur_improvable') !== 0; }
   invalidate() { this.#call('fur_invalidate'); }
   get stats() {

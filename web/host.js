@@ -13,7 +13,7 @@ import { compileProgram, instantiateProgram } from './runtime.js';
 import { Screen } from './screen.js';
 
 /** After so long without a change a picture is drawn better than moving ones are. */
-const stillMilliseconds = 300;
+const stillMilliseconds = 300, busyMilliseconds = 8;
 /** What a frame may spend on a coat that grows: the page answers while it does. */
 const coatSeconds = 0.014;
 const maxFrameSeconds = 0.1;
@@ -583,7 +583,7 @@ export class WetFur extends EventTarget {
     if (goesOn && !this.#frame) this.#frame = requestAnimationFrame((next) => this.#onFrame(next));
     if (goesOn) return;
     this.#endRun();
-    if (this.#app.improvable) this.#stillTimer = setTimeout(() => this.#improve(), stillMilliseconds);
+    this.#improveIn(stillMilliseconds);
   }
 
   /** What was drawn in a hurry is not left standing. */
@@ -600,9 +600,20 @@ export class WetFur extends EventTarget {
   }
 
   #improve() {
+    clearTimeout(this.#stillTimer);
     if (this.#frame || this.state !== 'ready' || !this.#app.improvable) return;
-    this.#paint(pictures.still);
-    this.#screen.show();
+    // What waits for the graphics processor would wait in front of the next touch.
+    if (this.#screen.busy) return this.#improveIn(busyMilliseconds);
+    if (this.#app.improve()) {
+      this.#afterDrawing();
+      this.#screen.show();
+    }
+    this.#screen.setFence();
+    this.#improveIn(0);
+  }
+  #improveIn(milliseconds) {
+    clearTimeout(this.#stillTimer);
+    if (this.#app.improvable) this.#stillTimer = setTimeout(() => this.#improve(), milliseconds);
   }
 
   // Only of a coat that takes longer than a person would notice.
@@ -625,6 +636,9 @@ export class WetFur extends EventTarget {
     if (picture === pictures.moving) this.#context.timer.begin();
     this.#app.draw(picture);
     this.#context.timer.end();
+    this.#afterDrawing();
+  }
+  #afterDrawing() {
     this.#panel?.draw();
     if (this.#hover) this.#showRing();
   }

@@ -26,6 +26,7 @@ export class Screen {
   #program = null;
   #kept = true;
   #keepTimer = 0;
+  #fence = null;
 
   /** @param {HTMLCanvasElement} canvas @param {ScreenEvents} events */
   constructor(canvas, events) {
@@ -77,7 +78,7 @@ export class Screen {
   #release() {
     this.#events.onRelease();
     this.#kept = true;
-    this.gl = null;
+    this.gl = this.#fence = null;
     letGo(this);
   }
 
@@ -112,6 +113,19 @@ export class Screen {
   unregister() {
     this.#program.emscripten.GL.deleteContext(this.handle);
     this.handle = 0;
+  }
+
+  /** `busy` until all that was asked of the graphics processor so far is done. */
+  setFence() {
+    this.#fence = this.gl.fenceSync(this.gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    this.gl.flush();
+  }
+  get busy() {
+    if (!this.#fence || !this.live) return false;
+    if (this.gl.clientWaitSync(this.#fence, 0, 0) === this.gl.TIMEOUT_EXPIRED) return true;
+    this.gl.deleteSync(this.#fence);
+    this.#fence = null;
+    return false;
   }
 
   get visible() { return this.#inView && document.visibilityState === 'visible'; }

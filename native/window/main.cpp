@@ -170,10 +170,17 @@ class Session {
 
   // What was drawn in a hurry is not left standing when nothing changes for a while.
   Status improve() {
-    window_.poll(kStillAfter);
-    if (busy()) return Done{};
-    if (const auto drawn = frame(0, app::Picture::Still, true); !drawn) return drawn.error();
-    window_.present();
+    for (double wait = kStillAfter; app_.improvable(); wait = 0) {
+      window_.poll(wait);
+      serveEditor();
+      if (busy() || window_.closing()) return Done{};
+      const auto shown = app_.improve();
+      if (!shown) return shown.error();
+      gl::finish();  // else all of it would stand in front of what the person does next
+      if (!shown.value()) continue;
+      host_.draw();
+      window_.present();
+    }
     return Done{};
   }
 

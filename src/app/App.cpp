@@ -436,17 +436,25 @@ std::span<const Vec4> App::bends() const { return state_->bends.bends(); }
 
 Status App::draw(Picture picture) {
   State& s = *state_;
-  FUR_ASSERT(s.renderer.has_value(), "App::draw()", "an attached context", "none");
-  s.refreshGroom();
-  if (!s.coatUploaded) s.finishCoat();
-  for (const wet::TexelRect& part : s.mask.takeChangedParts())
-    s.renderer->updateMask(s.mask, part, s.wetting->chartOfTexel());
-  s.readPuddles();
   s.drawnLevel = s.levelFor(picture);
-  const Status status = s.renderer->draw(s.frame(s.drawnLevel));
-  s.uploadedBytes = s.renderer->takeUploadedBytes();
-  s.pictureChanged = false;
-  ++s.framesDrawn;
+  return s.drawBand(s.drawnLevel, 0, 1);
+}
+
+Status App::State::drawBand(int level, int band, int bands) {
+  FUR_ASSERT(renderer.has_value(), "App::draw()", "an attached context", "none");
+  refreshGroom();
+  if (!coatUploaded) finishCoat();
+  for (const wet::TexelRect& part : mask.takeChangedParts()) renderer->updateMask(mask, part, wetting->chartOfTexel());
+  readPuddles();
+  render::Frame f = frame(level);
+  f.band = band;
+  f.bands = bands;
+  const Status status = renderer->draw(f);
+  uploadedBytes = renderer->takeUploadedBytes();
+  pictureChanged = false;
+  const bool shown = band + 1 == bands;
+  bandsDrawn = shown ? 0 : band + 1;
+  framesDrawn += shown;
   return status;
 }
 

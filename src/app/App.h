@@ -260,8 +260,11 @@ class App {
   // After each of several moving pictures that were drawn one right after another: milliseconds since the one before
   // was shown; of a recent one's drawing alone on the graphics processor, 0 where that cannot be known.
   void frameShown(float milliseconds, float drawing = 0);
-  // Whether draw(Picture::Still) would show a better picture than the one that was drawn last.
+  // Whether draw(Picture::Best) would show a better picture than the one that was drawn last.
   bool improvable() const;
+  // A step towards that: as draw(Picture::Still), then the best picture in bands, out of sight, of which none takes longer than
+  // a tenth of a second by what frameShown() told. Whether the framebuffer has another picture now.
+  Result<bool> improve();
 
   struct Stats {
     // triangles: of the model; vertices: with those that its surface has at seams and near hard edges.

@@ -30,6 +30,22 @@ void App::frameShown(float milliseconds, float drawing) {
   if (state_->governed && !state_->coatWork) state_->governor.frame(milliseconds, drawing);
 }
 
-bool App::improvable() const { return state_->levelFor(Picture::Still) < state_->drawnLevel; }
+bool App::improvable() const { return state_->bestLevel < state_->drawnLevel; }
+
+Result<bool> App::improve() {
+  State& s = *state_;
+  if (!improvable()) return false;
+  const int still = s.levelFor(Picture::Still);
+  if (s.pictureChanged || still < s.drawnLevel) {
+    if (Status status = draw(Picture::Still); !status) return status.error();
+    return true;
+  }
+  if (s.bandsDrawn == 0) s.bands = s.governor.bandsOfBest();
+  const int bands = s.bands, band = s.bandsDrawn;
+  if (Status status = s.drawBand(s.bestLevel, band, bands); !status) return status.error();
+  if (s.bandsDrawn > 0) return false;
+  s.drawnLevel = s.bestLevel;
+  return true;
+}
 
 }  // namespace fur::app

@@ -180,6 +180,7 @@ struct App::State {
   QualityGovernor governor;
   float frameBudget = 1000.0f / 60;
   int bestLevel = 0, drawnLevel = 0;
+  int bands = 1, bandsDrawn = 0;  // of the best picture, since the last one that was shown
   bool governed = false;
   float sinceSettingChange = 1e9f;
   const settings::Field* lastField = nullptr;
@@ -198,6 +199,7 @@ struct App::State {
   void uploadBends();  // or the forces, where those are shown
   render::Frame frame(int level) const;
   render::Frame frame() const { return frame(bestLevel); }
+  Status drawBand(int level, int band, int bands);
   dynamics::BendForces forces() const;
   float wind() const { return reducedMotion ? 0 : settings.wind; }
   bool gusty() const { return (wind() > 0 && (settings.gust > 0 || settings.turbulence > 0)) || breath() > 0; }

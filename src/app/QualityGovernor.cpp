@@ -37,6 +37,8 @@ constexpr float kHiccup = 3;
 constexpr float kClimbWait = 1500, kFirstWait = 4000, kLongestWait = 120000, kTrusted = 30000;
 // For a picture that stays, ms: as long as a person takes to notice that something answers late.
 constexpr float kStillTime = 250;
+// Of its bands, ms; each draws all vertices, so that more of them would take longer for no part to be shorter.
+constexpr float kBandTime = 100, kMostBands = 64;
 
 float median(std::array<float, kQualityWindow> values, int count) {
   for (int i = 1; i < count; ++i)
@@ -195,6 +197,11 @@ void QualityGovernor::climb(float load) {
   if (level_ <= best_ || sinceMove_ < kClimbWait || load > limit() || !expectedToFit(level_ - 1, load)) return;
   moveTo(level_ - 1);
   known_[static_cast<std::size_t>(level_)].loadBelow = load;
+}
+
+int QualityGovernor::bandsOfBest() const {
+  const float expected = frameTime_ * at(best_).cost / at(level_).cost;
+  return static_cast<int>(std::clamp(expected / kBandTime, 1.0f, kMostBands));
 }
 
 int QualityGovernor::stillLevel() const {

@@ -46,6 +46,9 @@ class QualityGovernor {
   int level() const { return level_; }
   // For a picture that is drawn once and then stays: the best that is not unbearably slow.
   int stillLevel() const;
+  // For the best picture where that takes longer: in how many parts it is drawn so that none takes longer than a tenth of a
+  // second.
+  int bandsOfBest() const;
   // The median of the newest frames, shown one to shown one, in milliseconds; 0: none yet.
   float frameTime() const { return frameTime_; }
 

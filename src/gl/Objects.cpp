@@ -134,9 +134,18 @@ void apply(const DrawState& state) {
   }
 }
 
-void setViewport(int width, int height) { glViewport(0, 0, width, height); }
+void setViewport(int width, int height) {
+  glDisable(GL_SCISSOR_TEST);
+  glViewport(0, 0, width, height);
+}
+
+void drawOnlyRows(int bottom, int count, int width) {
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(0, bottom, width, count);
+}
 
 void flush() { glFlush(); }
+void finish() { glFinish(); }
 
 void clear(const Vec4& color) {
   glColorMask(true, true, true, true);

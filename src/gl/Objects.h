@@ -171,7 +171,10 @@ struct DrawState {
 void apply(const DrawState& state);
 
 void setViewport(int width, int height);
-void flush();  // what was asked for so far begins now
+// Until setViewport() only the rows from `bottom` on, so many, of every framebuffer are drawn into and cleared.
+void drawOnlyRows(int bottom, int count, int width);
+void flush();   // what was asked for so far begins now
+void finish();  // waits until it is done
 void clear(const Vec4& color);
 void clearDepth();  // alone
 void clearColor();  // alone, to black

@@ -31,6 +31,9 @@ struct Frame {
   float stepLength = 1;
   // The picture is drawn in this share of its width and of its height, then enlarged: above 0, up to 1.
   float pixelScale = 1;
+  // The picture is drawn in so many bands, one a call, out of sight: the framebuffer has it after the last. Band 0 is the lowest.
+  // All else must be the same for all of them.
+  int bands = 1, band = 0;
   bool wet = false;           // any texel of the mask is: picks the shaders that look at it
   bool groomed = false;       // the groom's map says more than full length of one type: likewise
   bool types = false;         // and more than one fur type

@@ -153,9 +153,9 @@ void Renderer::warmUp(const Frame& frame) {
 
 Status Renderer::draw(const Frame& frame) {
   FUR_ASSERT(indexCount_ > 0, "Renderer::draw()", "a surface", indexCount_);
-  const bool whole = frame.pixelScale >= 1;
+  const bool large = frame.pixelScale >= 1, whole = large && frame.bands <= 1;
   const auto scaled = [&](int side) {
-    return whole ? side : std::max(1, static_cast<int>(std::lround(static_cast<float>(side) * frame.pixelScale)));
+    return large ? side : std::max(1, static_cast<int>(std::lround(static_cast<float>(side) * frame.pixelScale)));
   };
   Frame drawn = frame;
   drawn.width = scaled(frame.width);
@@ -172,13 +172,21 @@ Status Renderer::draw(const Frame& frame) {
   if (!whole)
     if (Status status = small_.begin(drawn.width, drawn.height); !status) return status;
   gl::setViewport(drawn.width, drawn.height);
+  if (frame.bands > 1) {
+    const auto edge = [&](int band) { return drawn.height * band / frame.bands; };
+    gl::drawOnlyRows(edge(frame.band), edge(frame.band + 1) - edge(frame.band), drawn.width);
+  }
   gl::clear(Vec4(0, 0, 0, 1));
   baseColor_.bind(FUR_UNIT_BASE_COLOR);
   groundShadow_[0].bind(FUR_UNIT_GROUND);
   if (!frame.puddles.empty()) showPuddles(frame.puddles, frame.puddlesRevision);
   uploadedBytes_ += strandTables_.use(frame.settings);
   if (Status status = drawPasses(drawn); !status || whole) return status;
-  return small_.show(programs_, frame.width, frame.height);
+  gl::setViewport(frame.width, frame.height);
+  if (frame.band + 1 == frame.bands) return small_.show(programs_);
+  gl::flush();
+  gl::bindPlatformFramebuffer();
+  return Done{};
 }
 
 Status Renderer::drawPasses(const Frame& frame) {

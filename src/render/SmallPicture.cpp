@@ -24,12 +24,11 @@ Status SmallPicture::begin(int width, int height) {
   return Done{};
 }
 
-Status SmallPicture::show(Programs& programs, int fullWidth, int fullHeight) const {
+Status SmallPicture::show(Programs& programs) const {
   resolved_.resolve(drawn_, width_, height_);
   gl::bindPlatformFramebuffer();
   const auto program = programs.use(Shader::Enlarge, kPlain);
   if (!program) return program.error();
-  gl::setViewport(fullWidth, fullHeight);
   // The depth that lies there is of no use to anyone, nor the colour.
   gl::clear(Vec4(0, 0, 0, 1));
   gl::apply({.depthTest = false, .depthWrite = false, .cullBack = false});

@@ -1,5 +1,5 @@
-// A picture of fewer pixels that is enlarged to the size of the platform's framebuffer: the way to draw less
-// without giving the canvas or the window another size.
+// A picture beside the platform's framebuffer, to which it is enlarged: the way to draw less without giving the canvas or
+// the window another size, and to draw a large one bit by bit.
 #pragma once
 
 #include "gl/Objects.h"
@@ -12,8 +12,8 @@ class SmallPicture {
   // What is drawn now goes into width x height pixels, with depth and the platform's multisampling. Keeps
   // its memory for the next frame of the same size.
   Status begin(int width, int height);
-  // Enlarges it, with bilinear filtering, to fullWidth x fullHeight of the platform's framebuffer.
-  Status show(Programs& programs, int fullWidth, int fullHeight) const;
+  // Enlarges it, with bilinear filtering, to the viewport of the platform's framebuffer.
+  Status show(Programs& programs) const;
   std::size_t bytes() const;
 
  private:

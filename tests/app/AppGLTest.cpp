@@ -233,6 +233,31 @@ TEST(App, SlowFramesMakeMovingPicturesCheaperAndNoOthers) {
   EXPECT_EQ(desk.app.stats().level, 0);
 }
 
+TEST(App, ShowsTheBestPictureBitByBitWhereItWouldTakeLong) {
+  Desk desk;
+  const auto best = desk.stage.draw(desk.app);
+  desk.app.setQuality(0, true);
+  for (int i = 0; i < 60; ++i) desk.app.frameShown(900);
+  EXPECT_TRUE(desk.app.draw(Picture::Moving));
+  const int cheapest = desk.app.stats().level;
+  ASSERT_GT(cheapest, 0);
+  int shown = 0, hidden = 0;
+  while (desk.app.improvable() && hidden < 100) {
+    const auto step = desk.app.improve();
+    ASSERT_TRUE(step);
+    ++(step.value() ? shown : hidden);
+    // Not from the middle on with another picture.
+    if (hidden == 5 && shown == 0) {
+      EXPECT_TRUE(desk.app.draw(Picture::Moving));
+      hidden = 6;
+    }
+  }
+  EXPECT_GT(hidden, 10);
+  EXPECT_GE(shown, 1);
+  EXPECT_EQ(desk.app.stats().level, 0);
+  EXPECT_EQ(desk.stage.read().differingShare(best, 0), 0);
+}
+
 TEST(App, AnotherModelSizeOrCoatIsMeasuredAnew) {
   Desk desk;
   desk.app.setQuality(0, true);
