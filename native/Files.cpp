@@ -98,11 +98,16 @@ Status loadGroomImage(app::App& app, groom::ImageOf what, const std::string& pat
   return Done{};
 }
 
+namespace {
+bool isImage(const std::string& path) { return hasEnding(path, ".png") || hasEnding(path, ".jpg") || hasEnding(path, ".jpeg"); }
+}  // namespace
+
+bool isModel(const std::string& nameOrPath) { return !hasEnding(nameOrPath, ".fts") && !isImage(nameOrPath); }
+
 Status loadScene(app::App& app, const std::string& nameOrPath, const std::string& programPath) {
   if (nameOrPath == "sphere" || nameOrPath == "torus" || nameOrPath == "plane") return app.loadPrimitive(nameOrPath);
   if (hasEnding(nameOrPath, ".fts")) return loadTypeSet(app, nameOrPath);
-  for (const char* ending : {".png", ".jpg", ".jpeg"})
-    if (hasEnding(nameOrPath, ending)) return loadGroomImage(app, groom::ImageOf::Length, nameOrPath);
+  if (isImage(nameOrPath)) return loadGroomImage(app, groom::ImageOf::Length, nameOrPath);
   std::error_code ignored;
   const bool shipped = !fs::path(nameOrPath).has_extension() && !fs::exists(nameOrPath, ignored);
   const std::string path = shipped ? findShipped(nameOrPath, programPath) : nameOrPath;

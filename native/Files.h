@@ -22,6 +22,9 @@ Status loadTypeSet(app::App& app, const std::string& path);
 // An image by path becomes the length map of the groom.
 Status loadGroomImage(app::App& app, groom::ImageOf what, const std::string& path);
 
+// Whether loadScene() would take it for a model: else it is a coat or a length map for the one that is there.
+bool isModel(const std::string& nameOrPath);
+
 // A model by path, or "sphere", "torus", "plane", or the name of one that is shipped, as "bunny" or "five-coats"
 // (models/NAME.glb beside the program or below its parent folders). Decodes its picture too; one that cannot be
 // decoded is a warning. A path of a .fts goes to loadTypeSet(), of a .png or .jpg is a length map.

@@ -105,6 +105,17 @@ FUR_EXPORT int fur_redo(App* app) {
 }
 FUR_EXPORT int fur_canUndo(App* app) { return app->canUndo() ? 1 : 0; }
 FUR_EXPORT int fur_canRedo(App* app) { return app->canRedo() ? 1 : 0; }
+// -1: bring the model before this one, 1: the one after, 0: neither.
+FUR_EXPORT int fur_takeModelStep(App* app) { return app->takeModelStep(); }
+FUR_EXPORT void fur_followModel(App* app) {
+  guarded([&] { return app->followModel(), 1; });
+}
+FUR_EXPORT std::uint32_t fur_saveHistory(App* app, int leaves) {
+  return guarded([&] { return web::keepSaved(app->saveHistory(leaves != 0)); });
+}
+FUR_EXPORT int fur_restoreHistory(App* app, const std::uint8_t* bytes, std::uint32_t size) {
+  return guarded([&] { return web::report(app->restoreHistory({bytes, size})); });
+}
 FUR_EXPORT unsigned fur_changes(App* app) { return app->changes(); }
 // One warning a line.
 FUR_EXPORT const char* fur_takeWarnings(App* app) {

@@ -144,7 +144,8 @@ export class EditorPanel {
     this.#canvas.after(field);
     const onKey = (down) => (event) => {
       if (event.isComposing) return;
-      if (this.key(event, down) && event.key.length > 1) event.preventDefault();
+      // Of the keys with a sign only Ctrl+S: the others are what the field is for.
+      if (this.key(event, down) && (event.key.length > 1 || (event.key === 's' && (event.ctrlKey || event.metaKey)))) event.preventDefault();
       this.#host.wake();
     };
     field.addEventListener('keydown', onKey(true), { signal });

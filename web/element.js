@@ -15,7 +15,7 @@ const forwardedEvents = [
   'state-change', 'context-lost', 'context-restored', 'model-visibility',
 ];
 const forwardedMethods = [
-  'splash', 'dry', 'setWetness', 'wetnessAt', 'shake', 'stamp', 'replay', 'pick', 'play', 'pause', 'step', 'undo', 'redo', 'getState', 'setState',
+  'splash', 'dry', 'setWetness', 'wetnessAt', 'shake', 'stamp', 'replay', 'reset', 'pick', 'play', 'pause', 'step', 'undo', 'redo', 'getState', 'setState',
   'loadTypeSet', 'saveTypeSet', 'saveFo', 'save', 'lostBySaving', 'groom', 'loadLengthMap', 'loadTypeMap', 'toBlob', 'getCameraOrbit', 'resetCamera', 'openEditor', 'closeEditor',
 ];
 const forwardedGetters = [

@@ -52,8 +52,8 @@ export class FurApp {
     this.#callOrThrow('fur_loadModel', bytes, bytes.byteLength, name, keepState ? 1 : 0);
   }
   loadTypeSet(bytes, name) { this.#callOrThrow('fur_loadTypeSet', bytes, bytes.byteLength, name); }
-  #saved(name) {
-    const byteLength = this.#callOrThrow(name);
+  #saved(name, ...args) {
+    const byteLength = this.#callOrThrow(name, ...args);
     const bytes = this.program.array(Uint8Array, this.program.call('fur_savedBytes'), byteLength);
     this.program.call('fur_forgetSavedBytes');
     return bytes;
@@ -96,6 +96,13 @@ export class FurApp {
   set state(json) { this.#callOrThrow('fur_setState', json); }
   undo() { return this.#call('fur_undo') !== 0; }
   redo() { return this.#call('fur_redo') !== 0; }
+  /** -1: the model before this one is to be shown, 1: the one after, 0: neither. Told once. */
+  takeModelStep() { return this.#call('fur_takeModelStep'); }
+  /** Undo leads from this model to another. */
+  followModel() { this.#call('fur_followModel'); }
+  /** As bytes; `leaves`: another model comes now, to which a redo will lead. */
+  saveHistory(leaves) { return this.#saved('fur_saveHistory', leaves ? 1 : 0); }
+  restoreHistory(bytes) { this.#callOrThrow('fur_restoreHistory', bytes, bytes.byteLength); }
   get canUndo() { return this.#call('fur_canUndo') !== 0; }
   /** Another number whenever the settings, the tool or what can be undone have changed. */
   get changes() { return this.#call('fur_changes'); }

@@ -3,6 +3,7 @@
 // change of programs meet, and each must know what the others have left undone.
 import { Attachment } from './attachment.js';
 import { asFurError, FurError } from './errors.js';
+import { Documents } from './documents.js';
 import { FurApp, pictures } from './furapp.js';
 import { Input } from './input.js';
 import { acceptedFiles, decodeImage, fetchModel, loadInto, provideModelImage, readGiven, readModel, sortFiles } from './models.js';
@@ -52,6 +53,7 @@ export class WetFur extends EventTarget {
   #program = 'viewer';
   #source = null;
   #typeSet = null;
+  #documents = new Documents();
   #state = 'idle';
   #options = { ...optionDefaults };
   #wantedSettings = new Map();
@@ -142,6 +144,10 @@ export class WetFur extends EventTarget {
   get meanWetness() { return this.#app?.meanWetness ?? 0; }
   get wetnessHash() { return this.#app?.wetnessHash ?? ''; }
   get canUndo() { return this.#app?.canUndo ?? false; }
+  /** Another number whenever the settings, the tool or what can be undone have changed. @internal */
+  get changes() { return this.#app?.changes; }
+  /** Whether the coat comes from a type set. @internal */
+  get coatGiven() { return this.#app?.coatGiven ?? false; }
   get canRedo() { return this.#app?.canRedo ?? false; }
   /** Whether a person can do anything with it: then it takes the focus and pointers. */
   get interactive() { return this.#options.cameraControls || this.get('tool') !== 'none' || this.#panel !== null; }
@@ -248,9 +254,7 @@ export class WetFur extends EventTarget {
 
   /** Fetches `src` again: after an error, or because the file changed. */
   reload() {
-    if (this.#state === 'loading') return this.ready;
-    if (!this.loaded) this.#newReady();
-    return this.#loadSrc();
+    return this.#state === 'loading' ? this.ready : this.#loadSrc();
   }
 
   /**
@@ -295,21 +299,47 @@ export class WetFur extends EventTarget {
 
   #loadSrc() {
     const src = this.#src;
-    return this.#load(async (signal) => {
-      const source = await fetchModel(src, (loaded, total) => this.#progress('model', loaded, total), signal);
-      return { ...source, src };
-    });
+    return this.#load((signal) => this.#fetch(src, signal));
+  }
+  async #fetch(src, signal) {
+    return { ...await fetchModel(src, (loaded, total) => this.#progress('model', loaded, total), signal), src };
   }
 
-  async #load(getSource) {
-    const turn = ++this.#turn;
+  /**
+   * All there is to keep of the scene, for openDocument() of another visit.
+   * @internal @returns {import('./documents.js').Document}
+   */
+  get document() {
+    const app = this.#app;
+    return { source: this.#source, typeSet: app.coatGiven ? this.#typeSet : null, state: app.state, camera: app.camera, groom: app.groom, water: app.water };
+  }
+  /** Shows it; of a shipped model `source` need only name it as `src`. @internal */
+  openDocument(document) {
+    const { source } = document;
+    return this.#load((signal) => (source.bytes || source.primitive ? source : this.#fetch(source.src, signal)), document);
+  }
+
+  /** The model as it came, dry, with the look that it brought or the default. Undo takes that back. */
+  async reset() {
+    if (!this.loaded) return;
+    this.#giveUpLoading();
+    await this.#show(this.#source, { state: '{"version":1}', brings: true });
+  }
+
+  #giveUpLoading() {
     this.#abort?.abort();
+    return ++this.#turn;
+  }
+
+  async #load(getSource, document) {
+    if (this.#state === 'error' || this.#state === 'unsupported') this.#newReady();
+    const turn = this.#giveUpLoading();
     this.#abort = new AbortController();
     const isStale = () => turn !== this.#turn;
     this.#loading = new Progress();
     if (!this.loaded) this.#setState('loading');
     try {
-      const pending = getSource(this.#abort.signal);
+      const pending = (async () => getSource(this.#abort.signal))();
       pending.catch(() => {});
       await this.#start();
       const source = await pending;
@@ -317,7 +347,7 @@ export class WetFur extends EventTarget {
       this.#progress('fur', 0, 1);
       await breathe();
       if (isStale()) return;
-      await this.#show(source);
+      await this.#show(source, document);
     } catch (error) {
       if (isStale()) return;
       throw this.#failed(asFurError(error, error instanceof RangeError ? 'out-of-memory' : 'bad-file'));
@@ -360,15 +390,63 @@ export class WetFur extends EventTarget {
     this.#wantedState = null;
   }
 
-  async #show(source) {
+  /** In place of the one that is there, which undo brings back. */
+  async #show(source, document) {
+    const app = this.#app;
     const first = !this.loaded;
-    loadInto(this.#app, source, first && this.#hasOwnLook);
-    if (first) for (const [name, value] of this.#wantedSettings) this.#app.setSetting(name, value);
-    this.#source = source;
-    const warning = await provideModelImage(this.#app, source);
-    if (warning) this.#warn(warning);
-    if (!this.#app) return;  // disposed of meanwhile
+    const former = !first && { ...this.document, history: app.saveHistory(true) };
+    if (document) this.#putBack(app, { ...document, source });
+    else loadInto(app, source, first && this.#hasOwnLook);
+    if (first) for (const [name, value] of this.#wantedSettings) app.setSetting(name, value);
+    if (document) app.restoreHistory(new Uint8Array());
+    if (former) {
+      this.#documents.follow(former);
+      app.followModel();
+    }
     if (first && this.#options.cameraOrbit) this.#applyOrbit(this.#options.cameraOrbit);
+    await this.#present(source);
+  }
+
+  /** In an app of this or another program. What cannot be read of it is left out with a warning. */
+  #putBack(app, { source, typeSet, state, camera, groom, water, history, brings = false }) {
+    const put = (what, work) => {
+      try {
+        work();
+      } catch (error) {
+        this.#warn(`${what}: ${error.message}`);
+      }
+    };
+    // Any setting that grows another coat lets go of one from a file.
+    if (app.coatGiven) app.setSetting('seed', app.getSetting('seed') + 1);
+    put('state', () => { app.state = state; });  // before the model, so that undo does not lead behind it
+    if (!camera) app.resetCamera();
+    loadInto(app, source, !brings);
+    if (groom) put('groom', () => app.restoreGroom(groom, false));
+    if (typeSet) put('coat', () => app.loadTypeSet(typeSet.bytes, typeSet.name));
+    if (water) put('water', () => { app.water = water; });
+    if (history) put('history', () => app.restoreHistory(history));
+    if (camera) app.camera = camera;
+    if (typeSet && app === this.#app) this.#typeSet = typeSet;
+  }
+
+  /** Undo or redo has come to the end of what was done on this model. */
+  #bringModel() {
+    const way = this.#app?.takeModelStep();
+    if (!way) return;
+    const document = this.#documents.step(way, { ...this.document, history: this.#app.saveHistory() });
+    if (!document) return this.#warn('the other model is no longer kept: there was too much to keep');
+    this.#giveUpLoading();
+    this.#putBack(this.#app, document);
+    this.#present(document.source);
+    this.#afterChange();
+  }
+
+  async #present(source) {
+    const app = this.#app;
+    this.#source = source;
+    const warning = await provideModelImage(app, source, () => this.#app === app && this.#source === source);
+    if (warning) this.#warn(warning);
+    if (!this.#app || this.#source !== source) return;  // disposed of meanwhile, or another came
     this.#flushWarnings();
     this.#setState('ready');
     this.#drawNow();
@@ -440,10 +518,11 @@ export class WetFur extends EventTarget {
   }
   /** What was painted since the model came, as text for replay(). */
   get recordedStrokes() { return this.#app?.recordedStrokes ?? '[]'; }
-  /** Paints it again, with the time that it took. */
-  replay(strokes) {
+  /** Paints it again, with the time that it took. `undoable` false: the scene begins with it. */
+  replay(strokes, { undoable = true } = {}) {
     if (!this.loaded) return;
     this.#app.replay(strokes);
+    if (!undoable) this.#app.restoreHistory(new Uint8Array());
     this.#afterChange();
   }
   /** Where the water is and went, in square model radii of soaked fur. */
@@ -511,11 +590,7 @@ export class WetFur extends EventTarget {
     if (this.#program === 'editor') return work(this.#app);
     const app = new FurApp(await instantiateProgram('editor', (loaded, total) => this.#progress('editor', loaded, total)));
     try {
-      loadInto(app, this.#source, true);
-      app.state = this.#app.state;
-      app.restoreGroom(this.#app.groom, false);
-      if (this.#app.coatGiven) app.loadTypeSet(this.#typeSet.bytes, this.#typeSet.name);
-      app.water = this.#app.water;
+      this.#putBack(app, this.document);
       return work(app);
     } finally {
       app.destroy();
@@ -543,6 +618,7 @@ export class WetFur extends EventTarget {
   #canRun() { return this.#state === 'ready' && this.#screen.visible && !this.#options.paused; }
 
   #wake() {
+    this.#bringModel();
     if (!this.#frame && this.#canRun()) this.#frame = requestAnimationFrame((time) => this.#onFrame(time));
   }
 
@@ -568,6 +644,7 @@ export class WetFur extends EventTarget {
     this.#lastTime = time;
     const dt = this.#options.fixedDt || Math.min(since, maxFrameSeconds);
     const changed = [this.#app.tick(dt, this.#options.fixedDt ? undefined : coatSeconds), this.#panel?.update(dt)];
+    this.#bringModel();
     const paints = changed.some(Boolean);
     // Steps of a given length are for pictures that come out the same everywhere.
     if (paints) {
@@ -664,7 +741,10 @@ export class WetFur extends EventTarget {
   redo() { return this.#history('redo'); }
   #history(way) {
     const done = this.loaded && this.#app[way]();
-    if (done) this.#afterChange();
+    if (done) {
+      this.#bringModel();
+      this.#afterChange();
+    }
     return done;
   }
 
@@ -716,6 +796,11 @@ export class WetFur extends EventTarget {
 
   openEditor() { return this.#switchEditor(true); }
   closeEditor() { return this.#switchEditor(false); }
+  /** As the panel's own key: it asks where something would be left out. @internal */
+  saveByPanel() {
+    this.#panel?.key({ key: 's', ctrlKey: true }, true);
+    this.#wake();
+  }
 
   #switchEditor(open) {
     this.#options.editor = open;
@@ -735,18 +820,14 @@ export class WetFur extends EventTarget {
     const { EditorPanel } = which === 'editor' ? await import('./editor.js') : {};
     if (!this.#app) return;
     const old = this.#app;
-    const { state, tool, water, groom } = old;
-    const typeSet = old.coatGiven ? this.#typeSet : null;
+    const { tool } = old;
+    const document = { ...this.document, history: old.saveHistory() };
     this.#panel?.dispose();
     this.#panel = null;
     this.#screen.giveBack();
     const app = new FurApp(program);
     this.#adopt(app);
-    app.state = state;  // before the model, so that undo does not lead behind it
-    loadInto(app, this.#source, true);
-    app.restoreGroom(groom, false);
-    if (typeSet) this.#showTypeSet(typeSet);
-    app.water = water;
+    this.#putBack(app, document);
     app.tool = tool;
     old.destroy();
     this.#program = which;
@@ -762,7 +843,8 @@ export class WetFur extends EventTarget {
       this.#panel.resize(this.#screen.width, this.#screen.height, this.#screen.pixelRatio);
     }
     this.#drawNow();
-    await provideModelImage(app, this.#source);
+    const { source } = document;
+    await provideModelImage(app, source, () => this.#app === app && this.#source === source);
     this.#drawNow();
     this.#wake();
     this.#emit('state-change', { state: this.state, reason: 'editor' });

@@ -2,20 +2,12 @@
 // Every value comes from a stranger: keys are allow-listed, values bounded, and what is refused warns.
 import { modelNames } from './models.js';
 import { choices } from './options.js';
+import { fromBase64Url, toBase64Url } from './strokes.js';
 
+/** Of state and strokes together. */
 const maxStateCharacters = 8 * 1024;
 const maxParameters = 100;
 const maxValueCharacters = 512;
-
-function toBase64Url(text) {
-  const bytes = new TextEncoder().encode(text);
-  return btoa(String.fromCharCode(...bytes)).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
-}
-
-function fromBase64Url(text) {
-  const binary = atob(text.replaceAll('-', '+').replaceAll('_', '/'));
-  return new TextDecoder('utf-8', { fatal: true }).decode(Uint8Array.from(binary, (c) => c.charCodeAt(0)));
-}
 
 /** A name of modelNames, or an address on this page's own server. */
 export function isAllowedSrc(src, pageUrl) {
@@ -43,7 +35,7 @@ const flag = (text, warn) => (['0', '1'].includes(text) ? text === '1' : warn('i
 function readState(text, warn) {
   if (text.length > maxStateCharacters) return warn(`is longer than ${maxStateCharacters} characters`);
   try {
-    const json = fromBase64Url(text);
+    const json = new TextDecoder('utf-8', { fatal: true }).decode(fromBase64Url(text));
     JSON.parse(json);
     return json;
   } catch {
@@ -54,6 +46,7 @@ function readState(text, warn) {
 const readers = {
   src: (text, warn, pageUrl) => (isAllowedSrc(text, pageUrl) ? text : warn('is neither a model of this page nor a file of its server')),
   state: readState,
+  strokes: (text, warn) => (text.length <= maxStateCharacters ? text : warn(`is longer than ${maxStateCharacters} characters`)),
   preset: (text) => text,  // the program knows the names
   tool: oneOf(choices.tool),
   quality: oneOf(choices.quality),
@@ -68,7 +61,7 @@ const readers = {
 
 /**
  * @param {string} pageUrl the page's whole address
- * @returns {{ src?: string, state?: string, preset?: string, tool?: string, quality?: string, motion?: string, camera?: string, dt?: number,
+ * @returns {{ src?: string, state?: string, strokes?: string, preset?: string, tool?: string, quality?: string, motion?: string, camera?: string, dt?: number,
  *   frames?: number, ui?: boolean, editor?: boolean, autoplay?: boolean, settings: [string, string][], warnings: string[] }}
  *   `settings` holds the keys that are none of these: fields of the settings table, or unknown; the program knows which.
  */
@@ -78,7 +71,7 @@ export function readLink(pageUrl) {
   if (entries.length > maxParameters) out.warnings.push(`only the first ${maxParameters} of ${entries.length} parameters are read`);
   for (const [key, text] of entries.slice(0, maxParameters)) {
     const warn = (why) => void out.warnings.push(`${key.slice(0, 64)}: "${text.slice(0, 64)}" ${why}`);
-    if (key !== 'state' && text.length > maxValueCharacters) warn(`is longer than ${maxValueCharacters} characters`);
+    if (key !== 'state' && key !== 'strokes' && text.length > maxValueCharacters) warn(`is longer than ${maxValueCharacters} characters`);
     else if (!Object.hasOwn(readers, key)) out.settings.push([key, text]);
     else {
       const value = readers[key](text, warn, pageUrl);
@@ -88,12 +81,17 @@ export function readLink(pageUrl) {
   return out;
 }
 
-/** The page's address with this scene in it; readLink gives it back. */
-export function makeLink(pageUrl, { src, state, tool }) {
+/**
+ * The page's address with this scene in it; readLink gives it back.
+ * @param {string | null} [strokes] as packStrokes() makes them; left out where state and strokes are too long together
+ */
+export function makeLink(pageUrl, { src, state, tool, strokes }) {
   const url = new URL(pageUrl);
   url.search = url.hash = '';
   if (src && src !== 'bunny') url.searchParams.set('src', src);
   if (tool && tool !== 'droplet') url.searchParams.set('tool', tool);
-  url.searchParams.set('state', toBase64Url(state));
+  const packed = toBase64Url(new TextEncoder().encode(state));
+  url.searchParams.set('state', packed);
+  if (strokes && packed.length + strokes.length <= maxStateCharacters) url.searchParams.set('strokes', strokes);
   return url.href;
 }

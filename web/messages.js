@@ -35,6 +35,19 @@ export class Messages {
     field.select();
   }
 
+  /** With something to be done about it; stays until that is done or it is dismissed. */
+  offer(text, label, action) {
+    const box = this.#add(text, 'status');
+    const button = make('button', 'action', label);
+    button.type = 'button';
+    button.addEventListener('click', () => {
+      box.remove();
+      action();
+    });
+    box.lastChild.before(button);
+    return box;
+  }
+
   dismissAll() { this.#list.replaceChildren(); }
 
   #add(text, role) {

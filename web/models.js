@@ -125,8 +125,8 @@ export async function decodeImage(blob, options) {
   return context.getImageData(0, 0, width, height);
 }
 
-/** Decodes the picture that the model brought, if any; returns a warning when it cannot be read. */
-export async function provideModelImage(app, source) {
+/** Decodes the picture that the model brought, if any; returns a warning when it cannot be read. `wanted()`: still. */
+export async function provideModelImage(app, source, wanted) {
   const image = app.pendingImage();
   if (!image) return null;
   try {
@@ -135,7 +135,7 @@ export async function provideModelImage(app, source) {
       ? { resizeWidth: Math.round(image.width * shrink) || 1, resizeHeight: Math.round(image.height * shrink) || 1, resizeQuality: 'high' }
       : {};
     const { width, height, data } = await decodeImage(new Blob([image.bytes], { type: image.mimeType }), smaller);
-    app.provideImage(width, height, data);
+    if (wanted()) app.provideImage(width, height, data);
     return null;
   } catch (error) {
     return `${source.name}: its picture could not be read (${error.message}); the fur keeps its own colours`;

@@ -1,9 +1,12 @@
 // The demo page: one <wet-fur> over the window, its toolbar, files and links.
 import './element.js';
 import { Coats } from './coats.js';
+import { download, downloadScene, listed } from './download.js';
 import { makeLink, readLink } from './link.js';
 import { Messages } from './messages.js';
 import { acceptedFiles, modelNames, sceneNames, sortFiles } from './models.js';
+import { packStrokes } from './strokes.js';
+import { Visit } from './visit.js';
 
 const byId = (id) => document.getElementById(id);
 const fur = byId('fur');
@@ -41,9 +44,7 @@ function applyLink(link) {
 
 async function openAsLinked() {
   const link = readLink(location.href);
-  applyLink(link);
-  fur.src = link.src ?? 'bunny';
-  await new Promise((resolve) => fur.addEventListener('load', resolve, { once: true }));
+  await new Visit(fur, link, messages).open(applyLink);
   bar.inert = false;
   if (link.frames) fur.step(link.dt || 1 / 60, link.frames);
   if (link.editor) openEditor(true);
@@ -160,17 +161,6 @@ function toggleWind() {
   fur.wind = blows ? 0 : pressedWind;
 }
 
-function reset() {
-  if (sceneNames.includes(shownSrc)) {
-    fur.reload();
-    return;
-  }
-  fur.setState('{"version":1}');
-  fur.setWetness(0);
-  if (fur.groomed) fur.groom('clear');
-  fur.resetCamera();
-}
-
 function stamp(event) {
   event.preventDefault();
   const text = byId('letters').firstElementChild.value;
@@ -186,20 +176,34 @@ function placeWaters() {
 }
 
 async function copyLink() {
-  const link = makeLink(location.href, { src: shownSrc, state: fur.getState(), tool: fur.tool });
+  // A scene may bring water that is gone now; on other models water that has dried is nothing to paint again.
+  const wet = fur.meanWetness > 0, recorded = fur.recordedStrokes;
+  const strokes = shownSrc && (wet || sceneNames.includes(shownSrc)) ? await packStrokes(recorded) : null;
+  const link = makeLink(location.href, { src: shownSrc, state: fur.getState(), tool: fur.tool, strokes });
+  const lacksWater = wet && (shownSrc ? recorded !== '[]' && !link.includes('&strokes=') : true);
+  const missing = [
+    !shownSrc && 'the file itself', fur.groomed && 'the groom', fur.fur.coatGiven && "the file's coat",
+    lacksWater && (shownSrc ? 'the water, of which there is too much for a link' : 'the water'),
+  ].filter(Boolean);
   try {
     await navigator.clipboard.writeText(link);
-    const missing = [!shownSrc && 'the file itself', fur.groomed && 'the groom'].filter(Boolean).join(' and ');
-    messages.note(missing ? `Link copied, without ${missing}` : 'Link copied');
+    messages.note(missing.length > 0 ? `Link copied, without ${listed(missing)}` : 'Link copied');
   } catch {
     messages.copyable('Copy this link:', link);
   }
 }
 
 async function savePicture() {
-  const url = URL.createObjectURL(await fur.toBlob());
-  Object.assign(document.createElement('a'), { href: url, download: 'wet-fur.png' }).click();
-  setTimeout(() => URL.revokeObjectURL(url), 10000);
+  download(await fur.toBlob(), 'wet-fur.png');
+}
+
+async function saveScene() {
+  if (fur.editorOpen) return fur.fur.saveByPanel();
+  try {
+    messages.note(await downloadScene(fur));
+  } catch (error) {
+    messages.error(`The scene was not saved: ${error.message}`);
+  }
 }
 
 async function openEditor(open) {
@@ -222,7 +226,7 @@ function wireBar() {
   byId('letters').addEventListener('submit', stamp);
   onClick('undo', () => fur.undo());
   onClick('redo', () => fur.redo());
-  onClick('reset', reset);
+  onClick('reset', () => fur.reset());
   onClick('link', copyLink);
   onClick('picture', savePicture);
   onClick('editor', () => openEditor(!fur.editorOpen));
@@ -269,6 +273,11 @@ function wireDrop() {
 function wireKeys() {
   addEventListener('keydown', (event) => {
     if (event.key === 'Escape' && !coats.close()) messages.dismissAll();
+    const isCommand = (event.ctrlKey || event.metaKey) && !event.altKey && !event.shiftKey;
+    if (isCommand && event.key.toLowerCase() === 's' && !event.defaultPrevented) {
+      event.preventDefault();
+      saveScene();
+    }
     if (event.defaultPrevented || event.target === fur || !(event.ctrlKey || event.metaKey)) return;
     if (event.target instanceof HTMLInputElement) return;
     const key = event.key.toLowerCase();

@@ -34,6 +34,7 @@ constexpr const char* kUsage =
 // Ticks are cut to this: after a sleep the fur must not jump.
 constexpr float kLongestStep = 0.1f;
 constexpr float kCoatSeconds = 0.014f;  // of a frame, for a coat that grows
+constexpr std::size_t kMostKeptBytes = 64u << 20;
 constexpr double kIdleStep = 1.0 / 60;
 constexpr double kStillAfter = 0.3;  // seconds without a change, then the picture is drawn better than moving ones are
 // Nothing needs it to wake up; a safety net for an event that a window system swallowed.
@@ -106,21 +107,79 @@ class Session {
   }
 
  private:
-  void load(const std::string& scene) {
-    if (const Status status = native::loadScene(app_, scene, program_); !status)
-      host_.message(status.error().message, true);
+  // A model that undo or redo leads to, and what was done on it.
+  struct Kept {
+    std::string scene, state;
+    app::CameraOrbit camera;
+    std::vector<std::uint8_t> groom, water, history;
+    std::size_t bytes() const { return groom.size() + water.size() + history.size(); }
+  };
+  Kept keep(bool leaves) const {
+    return {shown_, app_.state(), app_.camera(), app_.saveGroom(), app_.saveWater(), app_.saveHistory(leaves)};
   }
 
-  // Into the folder that the program was started in, beside what is there.
-  void save(const std::string& name, const std::vector<std::uint8_t>& bytes) {
+  void check(const Status& status) {
+    if (!status) host_.message(status.error().message, true);
+  }
+
+  void load(const std::string& scene) {
+    if (!native::isModel(scene)) return check(native::loadScene(app_, scene, program_));
+    Kept former = keep(true);
+    if (const Status status = native::loadScene(app_, scene, program_); !status) return check(status);
+    if (!shown_.empty()) {
+      kept_.resize(at_);
+      kept_.push_back(std::move(former));
+      kept_.emplace_back();  // this one
+      at_ = kept_.size() - 1;
+      app_.followModel();
+      forgetOldest();
+    }
+    shown_ = scene;
+  }
+
+  // What holds too much goes, but never the model before this one.
+  void forgetOldest() {
+    std::size_t sum = 0;
+    for (const Kept& one : kept_) sum += one.bytes();
+    for (; at_ > 1 && sum > kMostKeptBytes; --at_) {
+      sum -= kept_.front().bytes();
+      kept_.erase(kept_.begin());
+    }
+  }
+
+  // The model before this one (-1) or after it, as it was left.
+  void bring(int way) {
+    if ((way < 0 && at_ == 0) || (way > 0 && at_ + 1 >= kept_.size())) return;
+    kept_[at_] = keep(false);
+    at_ = way < 0 ? at_ - 1 : at_ + 1;
+    const Kept next = std::exchange(kept_[at_], {});
+    check(app_.setState(next.state));  // its surface depends on it
+    if (const Status status = native::loadScene(app_, next.scene, program_); !status) return check(status);
+    shown_ = next.scene;
+    check(app_.setState(next.state));
+    check(app_.restoreGroom(next.groom));
+    check(app_.restoreWater(next.water));
+    check(app_.restoreHistory(next.history));
+    app_.setCamera(next.camera);
+  }
+
+  // Into the folder that the program was started in, beside what is there; a scene that was saved before is written anew.
+  void saveScene(const std::string& name) {
+    if (savedOf_ != shown_) savedAs_.clear();
+    savedOf_ = shown_;
+    savedAs_ = save(name, app_.saveScene(), savedAs_);
+  }
+  std::string save(const std::string& name, const std::vector<std::uint8_t>& bytes, const std::string& over = {}) {
     namespace fs = std::filesystem;
     const fs::path wanted(name);
     fs::path path = wanted;
     std::error_code ignored;
-    for (int i = 2; fs::exists(path, ignored); ++i)
+    if (!over.empty()) path = over;
+    for (int i = 2; over.empty() && fs::exists(path, ignored); ++i)
       path = wanted.stem().string() + '-' + std::to_string(i) + wanted.extension().string();
     const Status status = native::writeFile(path.string(), bytes);
     host_.message(status ? "Saved as " + fs::absolute(path, ignored).string() : status.error().message, !status);
+    return path.string();
   }
 
   void serveEditor() {
@@ -146,11 +205,12 @@ class Session {
           save(command->text, app_.saveFo());
           break;
         case Kind::SaveScene:
-          save(command->text, app_.saveScene());
+          saveScene(command->text);
           break;
       }
     }
     for (const std::string& path : window_.takeDropped()) load(path);
+    if (const int way = app_.takeModelStep()) bring(way);
     for (std::string& warning : app_.takeWarnings()) host_.message(std::move(warning), false);
     window_.setCursor(host_.cursor());
   }
@@ -223,6 +283,10 @@ class Session {
   native::Window& window_;
   const Options& options_;
   std::string program_;
+  std::string shown_;              // what load() was asked for
+  std::vector<Kept> kept_;         // the one that is shown is at at_, and empty
+  std::size_t at_ = 0;
+  std::string savedOf_, savedAs_;  // the scene that was saved last, and its file
   app::App app_;
   app::EditorHost host_{app_, editor::FileAccess::Path};
 };

@@ -302,10 +302,18 @@ void App::State::applyStep(const Step& step, bool undo) {
   }
 }
 
+// The step itself stays as it is: it belongs to this model, and another is about to take its place.
+bool App::State::askForModel(int way) {
+  way < 0 ? history.redo() : history.undo();
+  modelStep = way;
+  return true;
+}
+
 bool App::undo() {
   state_->endStroke();
   endChange();
   const Step* step = state_->history.undo();
+  if (step && std::holds_alternative<ModelStep>(*step)) return state_->askForModel(-1);
   if (step && std::holds_alternative<MaskStep>(*step)) state_->note(State::kUndo);
   if (step) state_->applyStep(*step, true);
   return step != nullptr;
@@ -313,6 +321,7 @@ bool App::undo() {
 
 bool App::redo() {
   const Step* step = state_->history.redo();
+  if (step && std::holds_alternative<ModelStep>(*step)) return state_->askForModel(1);
   if (step && std::holds_alternative<MaskStep>(*step)) state_->note(State::kRedo);
   if (step) state_->applyStep(*step, false);
   return step != nullptr;
@@ -320,6 +329,21 @@ bool App::redo() {
 
 bool App::canUndo() const { return state_->history.canUndo(); }
 bool App::canRedo() const { return state_->history.canRedo(); }
+
+int App::takeModelStep() { return std::exchange(state_->modelStep, 0); }
+void App::followModel() { state_->history.push(ModelStep{}); }
+
+std::vector<std::uint8_t> App::saveHistory(bool leaves) const {
+  ByteWriter to;
+  state_->history.save(to, leaves);
+  return std::move(to.bytes);
+}
+
+Status App::restoreHistory(std::span<const std::uint8_t> bytes) {
+  state_->lastField = nullptr;
+  if (state_->history.restore(bytes)) return Done{};
+  return Error{ErrorId::BadFile, "a history of " + std::to_string(bytes.size()) + " bytes is not of this model"};
+}
 
 unsigned App::changes() const { return state_->otherChanges + state_->history.revision(); }
 

@@ -55,6 +55,9 @@ enum class GroomEdit {
   Raise,
   Size     // value: texels along the map, 16..1024
 };
+// Of what saveWater() and saveGroom() give, which browsers keep from visit to visit: another one whenever that changes.
+inline constexpr std::uint32_t kSavedLayout = 1;
+
 enum class PointerKind { Mouse, Touch, Pen };
 enum class PointerPhase { Down, Move, Up, Cancel };
 
@@ -135,6 +138,14 @@ class App {
   bool redo();
   bool canUndo() const;
   bool canRedo() const;
+  // Undo and redo lead from model to model, which the program that loads them keeps with what the save functions give.
+  // takeModelStep() tells it to bring the one before (-1) or the one after (1); 0: neither. followModel() says of a model
+  // that has just come that undo leads to another.
+  int takeModelStep();
+  void followModel();
+  // What can be undone and redone with this model, as bytes that only this build reads. `leaves`: another takes its place.
+  std::vector<std::uint8_t> saveHistory(bool leaves = false) const;
+  Status restoreHistory(std::span<const std::uint8_t> bytes);  // of none: nothing
   // Another number whenever the settings, the tool or what can be undone have changed.
   unsigned changes() const;
   // Warnings gathered since the last call.
@@ -192,7 +203,7 @@ class App {
   // The whole mask, and its way back: size * size texels.
   const wet::WetnessMask& wetnessMask() const;
   void restoreWetness(std::vector<Vec4> texels, std::vector<float> film = {});
-  // All water and what was done with it, to go on in another App with the same model. Bytes of this build, no file.
+  // All water and what was done with it, to go on in another App with the same model. Bytes of kSavedLayout, no file.
   std::vector<std::uint8_t> saveWater() const;
   Status restoreWater(std::span<const std::uint8_t> bytes);
   // The surface's atlas coordinates under a pixel of the drawing buffer; none off the model.
@@ -216,7 +227,7 @@ class App {
   std::size_t whiskerCount() const;
   // Of map, comb and whiskers.
   std::uint64_t groomHash() const;
-  // What moves over when another program takes over, as bytes that only this version reads: bad-file for others.
+  // What moves over when another program takes over, as bytes of kSavedLayout: bad-file for others.
   std::vector<std::uint8_t> saveGroom() const;
   Status restoreGroom(std::span<const std::uint8_t> bytes, bool undoable = false);
   void clearGroom();  // GroomEdit::Clear

@@ -316,9 +316,6 @@ Warnings App::lostBySaving() const {
   const State& s = *state_;
   Warnings lost = s.lostOfFile;
   if (s.given) lost.push_back("the coat that was read from a .fts file");
-  const wet::Accounts water = s.water.accounts();
-  if (water.film > 0) lost.push_back("the film of water on the fur");
-  if (water.drops > 0) lost.push_back("drops that hang or fall");
   return lost;
 }
 
@@ -348,11 +345,11 @@ std::vector<std::uint8_t> App::saveScene() const {
   return scene::exportScene(mesh, s.modelName, fur, {s.sourceImage.bytes.empty() ? s.pendingImage : s.sourceImage, s.baseColorFactor});
 }
 
-// The map's size and the number of whiskers, texels, comb, whiskers.
+// The layout, the map's size and the number of whiskers, texels, comb, whiskers.
 std::vector<std::uint8_t> App::saveGroom() const {
   State& s = *state_;
   s.ground();
-  const std::uint32_t counts[2] = {static_cast<std::uint32_t>(s.groom.map.size()), static_cast<std::uint32_t>(s.groom.whiskers.size())};
+  const std::uint32_t counts[3] = {kSavedLayout, static_cast<std::uint32_t>(s.groom.map.size()), static_cast<std::uint32_t>(s.groom.whiskers.size())};
   std::vector<std::uint8_t> bytes;
   const auto append = [&](const void* from, std::size_t count) {
     const auto* first = static_cast<const std::uint8_t*>(from);
@@ -368,14 +365,14 @@ std::vector<std::uint8_t> App::saveGroom() const {
 Status App::restoreGroom(std::span<const std::uint8_t> bytes, bool undoable) {
   State& s = *state_;
   const groom::Ground ground = s.ground();
-  std::uint32_t counts[2] = {};
+  std::uint32_t counts[3] = {};
   if (bytes.size() >= sizeof counts) std::memcpy(counts, bytes.data(), sizeof counts);
-  const std::uint32_t size = counts[0];
+  const std::uint32_t size = counts[1];
   const std::size_t texels = std::size_t{size} * size;
   const std::size_t mapAt = sizeof counts, combAt = mapAt + texels * sizeof(groom::GroomMap::Texel);
   const std::size_t whiskersAt = combAt + ground.points.count() * sizeof(Vec3);
-  const bool sound = size >= groom::GroomMap::kLeastSize && size <= groom::GroomMap::kMostSize &&
-                     counts[1] <= groom::kMostWhiskers && bytes.size() == whiskersAt + counts[1] * groom::kWhiskerBytes;
+  const bool sound = counts[0] == kSavedLayout && size >= groom::GroomMap::kLeastSize && size <= groom::GroomMap::kMostSize &&
+                     counts[2] <= groom::kMostWhiskers && bytes.size() == whiskersAt + counts[2] * groom::kWhiskerBytes;
   if (!sound) return Error{ErrorId::BadFile, "a groom of " + std::to_string(bytes.size()) + " bytes is not of this model"};
   if (undoable) s.beginGroomStroke();
   std::vector<groom::GroomMap::Texel> map(texels);

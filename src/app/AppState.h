@@ -55,6 +55,7 @@ struct App::State {
   settings::Settings broughtSettings;
   ModelMotion motion;
   History history;
+  int modelStep = 0;  // for App::takeModelStep()
   unsigned otherChanges = 0;  // for App::changes(): of settings and tool
   Warnings warnings;
   Tool tool = Tool::Droplet;
@@ -205,6 +206,7 @@ struct App::State {
   bool gusty() const { return (wind() > 0 && (settings.gust > 0 || settings.turbulence > 0)) || breath() > 0; }
   void applySettings(const settings::Settings& next);
   void applyStep(const Step& step, bool undo);
+  bool askForModel(int way);
 
   // --- AppCoat.cpp ---
   void workOnCoat(double budget);

@@ -171,7 +171,7 @@ std::string App::recordedStrokes() const {
 std::vector<std::uint8_t> App::saveWater() const {
   const State& s = *state_;
   ByteWriter to;
-  to(s.mask.texels(), s.mask.film());
+  to(kSavedLayout, s.mask.texels(), s.mask.film());
   s.water.save(to);
   to(s.waterSteps, static_cast<std::uint32_t>(s.strokes.size()));
   for (const State::Stroke& one : s.strokes) to(one.what, one.radius, one.flow, one.clump, one.eye, one.spots);
@@ -186,8 +186,8 @@ Status App::restoreWater(std::span<const std::uint8_t> bytes) {
   std::vector<float> film;
   wet::Water water;
   std::vector<State::Stroke> strokes;
-  std::uint32_t steps = 0, count = 0;
-  from(texels, film);
+  std::uint32_t layout = 0, steps = 0, count = 0;
+  from(layout, texels, film);
   water.restore(from);
   from(steps, count);
   for (; count > 0 && from.sound(); --count) {
@@ -195,7 +195,7 @@ Status App::restoreWater(std::span<const std::uint8_t> bytes) {
     from(one.what, one.radius, one.flow, one.clump, one.eye, one.spots);
   }
   const std::size_t all = s.mask.texels().size();
-  if (!from.sound() || !from.atEnd() || texels.size() != all || (!film.empty() && film.size() != all))
+  if (layout != kSavedLayout || !from.sound() || !from.atEnd() || texels.size() != all || (!film.empty() && film.size() != all))
     return Error{ErrorId::BadFile, "water of " + std::to_string(bytes.size()) + " bytes is not of this model"};
   s.water = std::move(water);
   s.shownPuddles = s.water.groundRevision() - 1;

@@ -1,6 +1,7 @@
 #include "app/History.h"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace fur::app {
 
@@ -36,6 +37,22 @@ geometry::TexelRect difference(int size, const std::vector<Texel>& before, const
       if (before[static_cast<std::size_t>(y) * size + x] != after[static_cast<std::size_t>(y) * size + x])
         rect = {std::min(rect.x0, x), std::min(rect.y0, y), std::max(rect.x1, x + 1), std::max(rect.y1, y + 1)};
   return rect;
+}
+
+// Between a step and its bytes, either way.
+template <class Io, class S>
+void carry(Io& io, S& step) {
+  using Kind = std::remove_const_t<S>;
+  if constexpr (std::is_same_v<Kind, SettingsStep>) {
+    io(step.before, step.after);
+  } else if constexpr (std::is_same_v<Kind, MaskStep>) {
+    std::vector<std::uint8_t> wet(step.wet.begin(), step.wet.end());
+    io(step.rect, step.before.texels, step.before.film, step.after.texels, step.after.film, wet);
+    if constexpr (!std::is_const_v<S>) step.wet.assign(wet.begin(), wet.end());
+  } else if constexpr (std::is_same_v<Kind, GroomStep>) {
+    io(step.sizeBefore, step.sizeAfter, step.rect, step.before, step.after, step.points, step.combBefore, step.combAfter,
+       step.whiskersBefore, step.whiskersAfter);
+  }
 }
 
 }  // namespace
@@ -144,6 +161,37 @@ void History::clear() {
   ++revision_;
   steps_.clear();
   done_ = 0;
+}
+
+void History::save(ByteWriter& to, bool leaves) const {
+  const std::size_t count = leaves ? done_ : steps_.size();
+  to(static_cast<std::uint32_t>(count + leaves), static_cast<std::uint32_t>(done_));
+  for (std::size_t i = 0; i < count; ++i) {
+    to(static_cast<std::uint8_t>(steps_[i].index()));
+    std::visit([&](const auto& step) { carry(to, step); }, steps_[i]);
+  }
+  if (leaves) to(static_cast<std::uint8_t>(Step(ModelStep{}).index()));
+}
+
+bool History::restore(std::span<const std::uint8_t> bytes) {
+  ByteReader from(bytes);
+  std::uint32_t count = 0, done = 0;
+  std::vector<Step> steps;
+  if (!bytes.empty()) from(count, done);
+  for (; count > 0 && from.sound(); --count) {
+    std::uint8_t kind = 0;
+    from(kind);
+    Step& step = steps.emplace_back();
+    if (kind == 1) step = MaskStep{};
+    if (kind == 2) step = GroomStep{};
+    if (kind == 3) step = ModelStep{};
+    std::visit([&](auto& one) { carry(from, one); }, step);
+  }
+  if (!from.sound() || !from.atEnd() || done > steps.size()) return false;
+  ++revision_;
+  steps_ = std::move(steps);
+  done_ = done;
+  return true;
 }
 
 }  // namespace fur::app

@@ -1,11 +1,14 @@
 // Undo and redo of settings and strokes. Steps hold what they replace, bounded in bytes.
+// A ModelStep stands where another model took the place of the one before: whoever holds the models brings the other.
 #pragma once
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <variant>
 #include <vector>
 
+#include "core/Bytes.h"
 #include "settings/Settings.h"
 #include "groom/Groom.h"
 #include "wet/WetnessMask.h"
@@ -41,7 +44,9 @@ struct GroomStep {
   std::vector<groom::Whisker> whiskersBefore{}, whiskersAfter{};
 };
 
-using Step = std::variant<SettingsStep, MaskStep, GroomStep>;
+struct ModelStep {};
+
+using Step = std::variant<SettingsStep, MaskStep, GroomStep, ModelStep>;
 
 // The step that turns `before` into `after` (both size x size); none when they are equal.
 std::optional<MaskStep> maskStep(const MaskImage& before, const wet::WetnessMask& after);
@@ -71,6 +76,10 @@ class History {
   bool canUndo() const { return done_ > 0; }
   bool canRedo() const { return done_ < steps_.size(); }
   void clear();
+  // Bytes of this build, for the same model. `leaves`: another model comes now, and a redo will lead there.
+  void save(ByteWriter& to, bool leaves) const;
+  // Of none there is nothing to undo. False: they are not sound, and nothing has changed.
+  bool restore(std::span<const std::uint8_t> bytes);
   unsigned revision() const { return revision_; }  // another one after each of these
 
  private:

@@ -66,11 +66,15 @@ std::optional<Command> Editor::shortcut(std::string_view key, Modifiers modifier
   if (!modifiers.control || modifiers.alt) return {};
   if (key == "z" || key == "Z") return modifiers.shift ? Command(command::Redo{}) : Command(command::Undo{});
   if (key == "y" || key == "Y") return Command(command::Redo{});
+  if (key == "s" || key == "S") return Command(command::SaveScene{});
   return {};
 }
 
 std::vector<Command> Editor::frame(const EditorModel& model, const ThemeScale& scale) {
   commands_.clear();
+  const bool saves = std::exchange(saves_, false);
+  if (saves && model.lostBySaving.empty()) emit(command::SaveScene{});
+  if (saves && !model.lostBySaving.empty()) asksToSave_ = true, collapsed_ = false;
   touch_ = scale.touch;
   place(scale);
   constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
@@ -83,6 +87,8 @@ std::vector<Command> Editor::frame(const EditorModel& model, const ThemeScale& s
     drawMessages(model);
     ImGui::BeginChild("content");
     scrollByFinger();
+    if (saves && asksToSave_) ImGui::SetScrollY(0);
+    drawSaving(model);
     drawScene(model);
     drawWater(model);
     settings::Settings edited = model.settings;
@@ -187,13 +193,13 @@ void Editor::drawScene(const EditorModel& model) {
       emit(command::LoadShipped{"bunny"});
       break;
     case 1:
-      emit(command::LoadPrimitive{"sphere"});
+      emit(command::LoadShipped{"sphere"});
       break;
     case 2:
-      emit(command::LoadPrimitive{"torus"});
+      emit(command::LoadShipped{"torus"});
       break;
     case 3:
-      emit(command::LoadPrimitive{"plane"});
+      emit(command::LoadShipped{"plane"});
       break;
     default:
       break;
@@ -293,7 +299,6 @@ void Editor::drawSaving(const EditorModel& model) {
 
 void Editor::drawStats(const EditorModel& model) {
   if (!groupHeader("Share and statistics")) return;
-  drawSaving(model);
   const float half = (ImGui::GetContentRegionAvail().x - px(3)) * 0.5f;
   if (ImGui::Button("Copy settings", ImVec2(half, 0))) emit(command::CopyState{});
   ImGui::SameLine(0, px(3));

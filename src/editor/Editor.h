@@ -40,7 +40,10 @@ class Editor {
   // Until set or clicked: closed to its title on narrow screens, else open.
   void setCollapsed(bool collapsed) { collapsed_ = collapsed; }
 
-  // The command of a key that means the same wherever the focus is (undo and redo).
+  // As a press on Save scene: where something would be left out it asks.
+  void save() { saves_ = true; }
+
+  // The command of a key that means the same wherever the focus is (undo, redo, saving).
   static std::optional<Command> shortcut(std::string_view key, Modifiers modifiers);
 
  private:
@@ -67,6 +70,7 @@ class Editor {
   std::optional<bool> collapsed_;
   bool narrow_ = false, roomy_ = false;
   bool changing_ = false;
+  bool saves_ = false;       // save() was called
   bool asksToSave_ = false;  // what saving would leave out is shown
   bool touch_ = false;
   // Heights of the scrolled part and of the messages above it, as of the last frame.

@@ -104,12 +104,9 @@ struct Shake {};
 struct Stamp {
   std::string text;
 };
-struct LoadPrimitive {
-  std::string name;
-};  // "sphere", "torus", "plane"
 struct LoadShipped {
   std::string name;
-};  // a model or scene that ships with the program
+};  // a model or scene that ships with the program, or "sphere", "torus", "plane"
 struct OpenDialog {};
 struct OpenPath {
   std::string path;
@@ -136,7 +133,7 @@ struct DismissMessage {
 }  // namespace command
 
 using Command = std::variant<command::BeginChange, command::EndChange, command::SetSettings, command::SetTool,
-                             command::SetWetness, command::Shake, command::Stamp, command::LoadPrimitive, command::LoadShipped,
+                             command::SetWetness, command::Shake, command::Stamp, command::LoadShipped,
                              command::OpenDialog, command::OpenPath, command::ResetCamera, command::Undo,
                              command::Redo, command::CopyState, command::PasteState, command::ApplyPreset,
                              command::SaveTypeSet, command::SaveFo, command::SaveScene, command::GroomAll,

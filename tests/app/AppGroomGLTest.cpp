@@ -278,12 +278,64 @@ TEST(AppGroom, WhatASavedSceneLeavesOutIsToldBefore) {
   EXPECT_EQ(salon.app.lostBySaving(), Warnings{"the coat that was read from a .fts file"});
   salon.app.setField("density", "0.3");
   EXPECT_EQ(salon.app.lostBySaving(), Warnings{});
-  salon.app.setWetness(1);
-  salon.app.shake();
-  for (int i = 0; i < 30; ++i) salon.app.tick(1 / 60.0f);
-  const Warnings wet = salon.app.lostBySaving();
-  EXPECT_NE(std::find(wet.begin(), wet.end(), "drops that hang or fall"), wet.end());
   App::findLossesWith(nullptr);
+}
+
+// As a program does that keeps models: web/host.js, native/window.
+TEST(AppGroom, UndoAndRedoLeadFromModelToModelAndBackToEachOnesSteps) {
+  Salon salon;
+  App& app = salon.app;
+  ASSERT_TRUE(app.loadPrimitive("sphere"));
+  EXPECT_FALSE(app.canUndo());
+  app.groomAll(GroomEdit::Length, 0.5f);
+  app.setField("furLength", "0.2");
+  app.splashAt(0.5f, 0.5f, 0.1f, 0.5f);
+  app.undo();
+  const auto groom = app.saveGroom(), water = app.saveWater(), left = app.saveHistory(true);
+  const auto hash = app.groomHash();
+
+  ASSERT_TRUE(app.loadPrimitive("torus"));
+  EXPECT_FALSE(app.canUndo());
+  app.followModel();
+  app.groomAll(GroomEdit::Length, 0.3f);
+  EXPECT_TRUE(app.undo());
+  EXPECT_EQ(app.takeModelStep(), 0);
+  EXPECT_TRUE(app.canUndo());
+  EXPECT_TRUE(app.undo());
+  EXPECT_EQ(app.takeModelStep(), -1);
+  EXPECT_EQ(app.takeModelStep(), 0) << "it is told once";
+  const auto torus = app.saveHistory();
+
+  ASSERT_TRUE(app.loadPrimitive("sphere"));
+  ASSERT_TRUE(app.restoreGroom(groom));
+  ASSERT_TRUE(app.restoreWater(water));
+  ASSERT_TRUE(app.restoreHistory(left));
+  EXPECT_EQ(app.groomHash(), hash);
+  EXPECT_FLOAT_EQ(app.settings().furLength, 0.2f);
+  EXPECT_TRUE(app.redo()) << "what was undone there can be redone no more: it leads to the torus";
+  EXPECT_EQ(app.takeModelStep(), 1);
+  for (int step = 0; step < 2; ++step) EXPECT_TRUE(app.undo());
+  EXPECT_FALSE(app.groomed());
+  EXPECT_FALSE(app.canUndo());
+  for (int step = 0; step < 2; ++step) EXPECT_TRUE(app.redo());
+  EXPECT_EQ(app.groomHash(), hash);
+  EXPECT_EQ(app.takeModelStep(), 0);
+
+  ASSERT_TRUE(app.loadPrimitive("torus"));
+  ASSERT_TRUE(app.restoreHistory(torus));
+  EXPECT_TRUE(app.redo());
+  EXPECT_EQ(app.takeModelStep(), 0);
+  EXPECT_TRUE(app.groomed());
+}
+
+TEST(AppGroom, AHistoryThatIsCutShortIsRefused) {
+  Salon salon;
+  salon.app.groomAll(GroomEdit::Length, 0.5f);
+  const auto bytes = salon.app.saveHistory();
+  EXPECT_FALSE(salon.app.restoreHistory(std::span(bytes).first(bytes.size() - 1)));
+  EXPECT_TRUE(salon.app.canUndo()) << "the old one stays";
+  EXPECT_TRUE(salon.app.restoreHistory({}));
+  EXPECT_FALSE(salon.app.canUndo());
 }
 
 TEST(AppGroom, ASceneCanBeOpenedWithoutItsSettings) {

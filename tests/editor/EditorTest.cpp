@@ -215,15 +215,28 @@ TEST(Editor, OnANarrowScreenItLeavesTheModelInSight) {
 
 TEST(Editor, SavesAtOnceWhatIsSavedWhole) {
   PanelDriver person;
-  person.openGroup("Share and statistics");
   person.press("Save scene (.glb)");
+  EXPECT_EQ(person.count<command::SaveScene>(), 1);
+  person.editor.setCollapsed(true);
+  person.editor.save();  // the key
+  person.frames(2);
+  EXPECT_EQ(person.count<command::SaveScene>(), 2);
+}
+
+TEST(Editor, AsksWhenAKeySavesWithoutSomething) {
+  PanelDriver person({1280, 600});
+  person.model.lostBySaving = {"1 skin"};
+  person.editor.setCollapsed(true);
+  person.editor.save();
+  person.frames(3);
+  EXPECT_EQ(person.count<command::SaveScene>(), 0);
+  person.press("Save anyway");
   EXPECT_EQ(person.count<command::SaveScene>(), 1);
 }
 
 TEST(Editor, AsksBeforeItSavesWithoutSomething) {
   PanelDriver person;
   person.model.lostBySaving = {"1 skin", "the animation \"walk 100 %s\""};
-  person.openGroup("Share and statistics");
   person.press("Save scene (.glb)");
   EXPECT_EQ(person.count<command::SaveScene>(), 0);
   EXPECT_FALSE(person.find(person.id("Save scene (.glb)"))) << "it asks";

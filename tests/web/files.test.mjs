@@ -115,7 +115,7 @@ test('save() says what it leaves out, and can be asked before', async () => {
     return { lost, asking, told, saved, again: await fur.lostBySaving() };
   });
   assert.deepEqual(seen.lost, [
-    'the tree of 2 nodes', '1 of 2 materials', '1 skin', 'the animation "walk"', 'the camera "front"', '1 light',
+    '1 of 2 materials', '1 skin', 'the animation "walk"', 'the camera "front"', '1 light',
     'extras of one object', 'the extension "KHR_materials_clearcoat"',
   ]);
   assert.deepEqual(seen.asking, []);

@@ -353,7 +353,9 @@ export interface WetFurApi {
   /** What was done with water since the model came, by every tool: for replay() on the same model. */
   readonly recordedStrokes: string;
   /** Does it again, with the time that it took; exact where that went by in steps of 1/60 s. Throws a FurError for what is no recording of this model. */
-  replay(strokes: string): void;
+  replay(strokes: string, options?: { undoable?: boolean }): void;
+  /** The model as it came, dry, with the look that it brought or the default; one step of undo. */
+  reset(): Promise<void>;
   /** Where the water is and went: painted + rained = held + film + drops + dripped + evaporated + removed. */
   readonly waterAccounts: WaterAccounts | null;
   /** The atlas coordinates under CSS pixels of the canvas; null beside the model. */
@@ -372,6 +374,7 @@ export interface WetFurApi {
   pause(): void;
   /** n steps of dt seconds and one frame, at once, whatever the page's own clock does and whether anybody sees it. */
   step(dt: number, n?: number): void;
+  /** Leads back to the models that were shown before, too, each with all that was done on it, as far as they are kept. */
   undo(): boolean;
   redo(): boolean;
   /** JSON text: model name, settings that differ from the defaults, camera. */

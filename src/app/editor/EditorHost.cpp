@@ -176,8 +176,10 @@ bool EditorHost::wheel(float notches, Vec2 position) {
 bool EditorHost::key(std::string_view name, bool down, const editor::Modifiers& modifiers) {
   const bool text = wantsText();
   const auto shortcut = editor::Editor::shortcut(name, modifiers);
-  if (shortcut && !text) {
-    if (down) perform(*shortcut);
+  const bool saves = shortcut && std::holds_alternative<editor::command::SaveScene>(*shortcut);
+  if (shortcut && (saves || !text)) {
+    if (down && saves) editor_.save();
+    else if (down) perform(*shortcut);
     wake();
     return true;
   }
@@ -434,7 +436,6 @@ void EditorHost::perform(const editor::Command& command) {
       [&](const SetWetness& c) { app_.setWetness(c.amount); },
       [&](const Shake&) { app_.shake(); },
       [&](const Stamp& c) { stamp(c.text); },
-      [&](const LoadPrimitive& c) { check(app_.loadPrimitive(c.name)); },
       [&](const LoadShipped& shipped) { request(Kind::LoadShipped, shipped.name); },
       [&](const OpenDialog&) { request(Kind::OpenDialog); },
       [&](const OpenPath& c) { request(Kind::OpenPath, c.path); },

@@ -43,7 +43,8 @@ std::string kept(std::size_t lost, std::size_t of, const std::string& what) {
 }
 
 // By what exportScene() writes: one node with one primitive, positions, normals, the texture coordinates and the base
-// colour of one material, and WETFUR_fur.
+// colour of one material, and WETFUR_fur. What makes no difference to somebody who wants the furry model back is not
+// among them: names, the tree of nodes, tangents, samplers, how the material shines.
 class Losses {
  public:
   explicit Losses(const GltfFile& file) : file_(file), materials_(file) {}
@@ -80,22 +81,20 @@ class Losses {
   void named(const char* key, const char* what) { named(file_.json().find(key), what); }
 
   void structure() {
-    const std::size_t scenes = file_.count("scenes"), nodes = file_.count("nodes");
+    const std::size_t scenes = file_.count("scenes");
     if (scenes > 1) lose(scenes - 1, scenes, "scene");
-    if (nodes > 1) out_.push_back("the tree of " + std::to_string(nodes) + " nodes");
-    std::size_t lines = 0, surfaces = 0;
+    std::size_t lines = 0;
     std::set<Whole> meshes;
     for (const PlacedMesh& placed : placedMeshes(file_)) {
       const bool isNew = meshes.insert(placed.mesh).second;
       std::size_t targets = 0;
       for (const Json& primitive : *file_.element("meshes", placed.mesh).find("primitives")) {
         const bool surface = readPrimitive(primitive);
-        ++(surface ? surfaces : lines);
+        lines += !surface;
         if (const Json* list = primitive.find("targets"); surface && list && list->isArray()) targets = std::max(targets, list->count());
       }
       if (isNew) morphTargets_ += targets;
     }
-    if (surfaces > 1) out_.push_back("the division into " + std::to_string(surfaces) + " primitives, which become one");
     lose(lines, lines, "primitive of points or lines");
   }
 
@@ -117,35 +116,16 @@ class Losses {
     if (name == "POSITION" || name == "NORMAL" || name == formatted("TEXCOORD_%llu", texcoords)) return;
     if (fur_.present && (begins("_WETFUR_") || (fur_.hasMap && name == formatted("TEXCOORD_%llu", fur_.atlasSet)))) return;
     if ((begins("JOINTS_") || begins("WEIGHTS_")) && file_.count("skins") > 0) return;  // told with the skin
-    vertexData_.insert(name == "TANGENT"     ? "tangents"
-                       : begins("COLOR_")    ? "vertex colours"
-                       : begins("TEXCOORD_") ? "texture coordinates of set " + shown(name.substr(9))
-                                             : "the vertex data " + shown(name));
+    if (name == "TANGENT" || begins("TEXCOORD_")) return;
+    vertexData_.insert(begins("COLOR_") ? "vertex colours" : "the vertex data " + shown(name));
   }
 
   void materials() {
     const Whole chosen = materials_.chosen();
-    const std::size_t count = file_.count("materials"), textures = file_.count("textures"), images = file_.count("images");
+    const std::size_t count = file_.count("materials"), images = file_.count("images");
     const bool keepsOne = chosen != kNoMaterial, keepsTexture = keepsOne && materials_.part(chosen, "baseColorTexture");
     lose(count - keepsOne, count, "material");
-    if (keepsOne) detailsOf(file_.element("materials", chosen));
-    lose(textures - std::min<std::size_t>(textures, keepsTexture), textures, "texture");
     lose(images - std::min<std::size_t>(images, keepsTexture), images, "image");
-    lose(file_.count("samplers"), file_.count("samplers"), "texture sampler");
-  }
-
-  void detailsOf(const Json& material) {
-    std::string keys;
-    const auto add = [&](const std::string& key) { keys += (keys.empty() ? "" : ", ") + key; };
-    for (const Json& key : material)
-      if (const std::string name = key.text(); name != "pbrMetallicRoughness" && name != "name" && name != "extras" && name != "extensions")
-        add(shown(name));
-    if (const Json* look = material.find("pbrMetallicRoughness"); look && look->isObject())
-      for (const Json& key : *look)
-        if (const std::string name = key.text(); name != "baseColorFactor" && name != "baseColorTexture" && name != "extras" &&
-                                                 name != "extensions" && !(name == "metallicFactor" && key.value().number() == 0))
-          add(shown(name));
-    if (!keys.empty()) out_.push_back("of the material that is kept " + keys);
   }
 
   void lights() {
@@ -154,17 +134,10 @@ class Losses {
     named(punctual ? punctual->find("lights") : nullptr, "light");
   }
 
-  // Names, the copyright, extras and extensions, wherever in the file they stand.
+  // The copyright, extras and extensions, wherever in the file they stand.
   void others() {
     const Json* asset = file_.json().find("asset");
-    const Json *generator = asset->find("generator"), *copyright = asset->find("copyright");
-    std::vector<std::string> names;
-    for (const char* key : {"scenes", "nodes", "meshes", "materials", "textures", "images", "samplers"})
-      if (const Json* list = file_.json().find(key))
-        for (std::string& name : namesOf(*list)) names.push_back(std::move(name));
-    // What this program writes is called as the model is.
-    if (!names.empty() && !(generator && generator->text() == "wet-fur")) out_.push_back(counted(names.size(), "name", names));
-    if (copyright) out_.push_back("the copyright notice " + shown(copyright->text()));
+    if (const Json* copyright = asset->find("copyright")) out_.push_back("the copyright notice " + shown(copyright->text()));
     std::size_t extras = 0;
     std::set<std::string> extensions;
     if (const Json* used = file_.json().find("extensionsUsed"); used && used->isArray())

@@ -1,0 +1,79 @@
+// What was done with water, packed for a link: recordedStrokes with fewer digits, in columns, deflated, as base64url.
+// It comes from a stranger: what is unpacked is bounded, in size and in the time that painting it again takes.
+
+const headNumbers = 7, spotNumbers = 5;
+// Per unit: radius, flow, clump size, eye; step, triangle, two weights, pressure.
+const headScale = [1, 1e4, 1e4, 1e4, 1e3, 1e3, 1e3], spotScale = [1, 1, 1e3, 1e3, 100];
+/** Pauses become as short: nobody waits for them when a link opens. Steps of 1/60 s. */
+const longestPause = 60;
+const mostSteps = 1800;
+const mostText = 1024 * 1024;
+// As app/AppState.h numbers what was done.
+const soak = 102, undo = 105;
+
+/** Without what the last soaking, or drying off, has made undone. */
+function sinceSoaked(strokes) {
+  const last = strokes.findLastIndex(([what]) => what === soak);
+  return strokes.slice(last + 1).some(([what]) => what >= undo) ? strokes : strokes.slice(Math.max(last, 0));
+}
+
+const piped = (bytes, through) => new Blob([bytes]).stream().pipeThrough(through);
+
+/** @param {string} recorded recordedStrokes @returns {Promise<string | null>} null: they take too long, or the browser cannot */
+export async function packStrokes(recorded) {
+  if (!globalThis.CompressionStream) return null;
+  let before, triangle = 0, steps = 0;
+  const columns = sinceSoaked(JSON.parse(recorded)).map((stroke) => {
+    const out = [headScale.map((scale, i) => Math.round(stroke[i] * scale)), [], [], [], [], []];
+    for (let at = headNumbers; at < stroke.length; at += spotNumbers) {
+      const spot = spotScale.map((scale, i) => Math.round(stroke[at + i] * scale));
+      const pause = Math.min(Math.max(spot[0] - (before ?? spot[0]), 0), longestPause);
+      before = spot[0];
+      steps += pause;
+      spot[0] = pause;
+      spot[1] -= triangle;
+      triangle += spot[1];
+      spot.forEach((number, i) => out[i + 1].push(number));
+    }
+    return out;
+  });
+  if (columns.length === 0 || steps > mostSteps) return null;
+  const bytes = new Uint8Array(await new Response(piped(JSON.stringify(columns), new CompressionStream('deflate-raw'))).arrayBuffer());
+  return toBase64Url(bytes);
+}
+
+async function inflated(bytes) {
+  const parts = [];
+  let size = 0;
+  for (const reader = piped(bytes, new DecompressionStream('deflate-raw')).getReader(); ;) {
+    const { done, value } = await reader.read();
+    if (done) return new Blob(parts).text();
+    size += value.byteLength;
+    if (size > mostText) throw new RangeError('too long');
+    parts.push(value);
+  }
+}
+
+/** The way back, for replay(). Throws for what packStrokes() did not make. */
+export async function unpackStrokes(text) {
+  let step = 0, triangle = 0;
+  const strokes = JSON.parse(await inflated(fromBase64Url(text))).map(([head, ...columns]) => {
+    const stroke = headScale.map((scale, i) => head[i] / scale);
+    columns[0].forEach((pause, at) => {
+      step += Math.min(Math.max(pause, 0), longestPause);
+      triangle += columns[1][at];
+      stroke.push(step, triangle, ...[2, 3, 4].map((i) => columns[i][at] / spotScale[i]));
+    });
+    return stroke;
+  });
+  if (!(step <= mostSteps)) throw new RangeError('too long');
+  return JSON.stringify(strokes);
+}
+
+export function toBase64Url(bytes) {
+  return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join('')).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
+}
+
+export function fromBase64Url(text) {
+  return Uint8Array.from(atob(text.replaceAll('-', '+').replaceAll('_', '/')), (c) => c.charCodeAt(0));
+}

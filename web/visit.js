@@ -1,0 +1,105 @@
+// How a visit of the demo page begins: with what the link says, else with the work of before, and always with a model.
+import { Autosave } from './autosave.js';
+import { compileProgram } from './runtime.js';
+import { unpackStrokes } from './strokes.js';
+
+/** Where another model would fare no better. */
+const hopeless = ['webgl-unavailable', 'wasm-blocked', 'wasm-load', 'out-of-memory'];
+/** Of what a link holds, that which is about the scene. */
+const sceneKeys = ['src', 'state', 'strokes', 'preset', 'camera'];
+
+/** What the address says of the scene, '' for nothing. */
+const sceneOf = (link) => {
+  const said = [...sceneKeys.filter((key) => link[key]).map((key) => [key, link[key]]), ...link.settings];
+  return said.length > 0 ? JSON.stringify(said) : '';
+};
+const withoutScene = (link) => ({ ...link, ...Object.fromEntries(sceneKeys.map((key) => [key, undefined])), settings: [] });
+/** Not where a picture is to come out the same at every visit, nor inside another page. */
+const keepsWork = (link) => link.autoplay !== false && link.frames === undefined && !link.dt && link.ui !== false;
+
+export class Visit {
+  #fur;
+  #link;
+  #messages;
+  #autosave = null;
+
+  /**
+   * @param {import('./element.js').WetFurElement} fur @param {ReturnType<import('./link.js').readLink>} link
+   * @param {import('./messages.js').Messages} messages
+   */
+  constructor(fur, link, messages) {
+    this.#fur = fur;
+    this.#link = link;
+    this.#messages = messages;
+    if (keepsWork(link)) this.#autosave = new Autosave(fur, sceneOf(link), (reason) => this.#onFailure(reason));
+  }
+
+  /** Until a model is shown. @param {(link: object) => void} apply what else the link asks for */
+  async open(apply) {
+    compileProgram('viewer').catch(() => {});  // meanwhile
+    const found = await this.#autosave?.find();
+    const restored = found?.shows && await this.#restore(found.document, apply);
+    if (!restored) await this.#openLink(apply);
+    this.#autosave?.begin();
+    if (restored) this.#offer('Your last work is back.', 'Start afresh', () => this.#startAfresh(apply));
+    else if (found) this.#offer('Your work of before is kept.', 'Show it', () => this.#fur.fur.openDocument(found.document).catch(() => {}));
+  }
+
+  async #restore(document, apply) {
+    apply(withoutScene(this.#link));
+    try {
+      await this.#fur.fur.openDocument(document);
+      return true;
+    } catch (error) {
+      this.#messages.error(`Your last work could not be opened: ${error.message}`);
+      return false;
+    }
+  }
+
+  async #openLink(apply) {
+    const fur = this.#fur, { src, strokes } = this.#link;
+    const shown = new Promise((resolve) => fur.addEventListener('load', resolve, { once: true }));
+    apply(this.#link);
+    fur.src = src ?? 'bunny';
+    let isAsLinked = true;
+    await fur.ready.catch((error) => {
+      if (!src || hopeless.includes(error.code)) return;  // the element says it, with a button to try again
+      isAsLinked = false;
+      this.#messages.error(`${error.message}. The bunny is shown instead.`);
+      fur.src = 'bunny';
+    });
+    await shown;
+    if (strokes && isAsLinked) await this.#paint(strokes, false);
+  }
+
+  async #paint(strokes, undoable) {
+    try {
+      this.#fur.replay(await unpackStrokes(strokes), { undoable });
+    } catch {
+      this.#messages.error("The link's water could not be read.");
+    }
+  }
+
+  /** As the link says or as the page is at first; undo leads back. */
+  async #startAfresh(apply) {
+    const { src = 'bunny', state = '{"version":1}', strokes } = this.#link;
+    try {
+      await this.#fur.fur.openDocument({ source: { src }, state, brings: !this.#link.state });
+    } catch {
+      return;  // the error event carries it
+    }
+    apply(this.#link);
+    if (strokes) await this.#paint(strokes, true);
+    await this.#autosave.forget();
+  }
+
+  #offer(text, label, action) {
+    const box = this.#messages.offer(text, label, action);
+    this.#fur.addEventListener('stroke-start', () => box.remove(), { once: true });
+  }
+
+  #onFailure(reason) {
+    this.#messages.error(`This browser does not keep your work (${reason}). Save the scene before you leave.`);
+    addEventListener('beforeunload', (event) => { if (this.#autosave.unsaved) event.preventDefault(); });
+  }
+}
