@@ -1,18 +1,23 @@
 // The demo page: one <wet-fur> over the window, its toolbar, files and links.
 import './element.js';
-import { Coats } from './coats.js';
+import { wireBrush } from './brush.js';
+import { captions } from './captions.js';
+import { coatFields, Coats } from './coats.js';
+import { embedCode } from './embedcode.js';
 import { makeLink, readLink } from './link.js';
 import { Messages } from './messages.js';
 import { acceptedFiles, modelNames, sceneNames, sortFiles } from './models.js';
+import { Toolbar } from './toolbar.js';
 
 const byId = (id) => document.getElementById(id);
 const fur = byId('fur');
 const bar = byId('bar');
 const modelPicker = byId('model');
 const messages = new Messages(byId('messages'));
-const coats = new Coats(byId('coat'), byId('coats'), fur);
+const coats = new Coats(byId('coats'), fur);
 const toolButtons = [...document.querySelectorAll('[data-tool]')];
 const waters = byId('waters');
+const toolbar = new Toolbar(bar, [...document.querySelectorAll('.panel')]);
 
 const pressedWind = 0.6;
 
@@ -60,11 +65,12 @@ function showButtons() {
   for (const button of toolButtons) button.setAttribute('aria-pressed', String(button.dataset.tool === fur.tool));
   byId('water').setAttribute('aria-pressed', String(Boolean(waters.querySelector('[aria-pressed=true]'))));
   coats.showChosen();
-  byId('undo').disabled = !fur.canUndo;
-  byId('redo').disabled = !fur.canRedo;
+  toolbar.disable(byId('undo'), !fur.canUndo, byId('redo'));
+  toolbar.disable(byId('redo'), !fur.canRedo, byId('undo'));
   byId('wind').setAttribute('aria-pressed', String(fur.wind > 0));
   byId('editor').setAttribute('aria-pressed', String(fur.editorOpen));
   document.body.classList.toggle('editing', fur.editorOpen);
+  toolbar.refresh();
 }
 
 function showModelName(name) {
@@ -77,6 +83,7 @@ function showModelName(name) {
     own.textContent = name.slice(name.lastIndexOf('/') + 1);
   }
   modelPicker.value = modelNames.includes(name) ? name : 'own';
+  byId('caption').textContent = captions[name] ?? '';
 }
 
 // --- animations ---
@@ -125,6 +132,7 @@ function playAt(value) {
 
 /** What is on screen: a src that a link can name, or null for a file of the person's own. */
 let shownSrc = null;
+let startState = '{}';
 
 async function openFiles(files) {
   const { model, typeSet, image, others } = sortFiles(files);
@@ -174,15 +182,20 @@ function reset() {
 function stamp(event) {
   event.preventDefault();
   const text = byId('letters').firstElementChild.value;
-  // As wide as most of the model.
-  fur.stamp(text, { size: Math.min(0.25 * innerHeight, (0.75 * Math.min(innerWidth, innerHeight)) / text.length) });
+  // As wide as most of the model, which is in the middle of what is free.
+  const { left, top, right, bottom } = covered;
+  const width = innerWidth - left - right, height = innerHeight - top - bottom;
+  const size = Math.min(0.25 * height, (0.75 * Math.min(width, height)) / text.length);
+  fur.stamp(text, { x: left + width / 2, y: top + height / 2, size });
   waters.hidePopover?.();
 }
 
-function placeWaters() {
-  const { left, right, top } = bar.getBoundingClientRect();
-  waters.style.bottom = `${innerHeight - top + 8}px`;
-  waters.style.left = `${(left + right) / 2}px`;
+/** What lies over the picture at its edges. */
+let covered = { left: 0, top: 0, right: 0, bottom: 0 };
+
+function frame(sides) {
+  covered = sides;
+  fur.setPadding(sides);
 }
 
 async function copyLink() {
@@ -194,6 +207,21 @@ async function copyLink() {
   } catch {
     messages.copyable('Copy this link:', link);
   }
+}
+
+async function copyEmbedCode() {
+  const code = embedCode(location.href, {
+    src: shownSrc, name: fur.modelName, state: fur.getState(), startState, preset: fur.preset, coatFields: coatFields(fur.settingsTable),
+    tool: fur.tool, orbit: fur.cameraOrbitText, alt: fur.alt,
+  });
+  const copied = await navigator.clipboard.writeText(code).then(() => true, () => false);
+  const missing = [!shownSrc && 'put your file beside the page', fur.groomed && 'the groom is not in it'].filter(Boolean).map((text) => `; ${text}`).join('');
+  messages.copyable(`${copied ? 'Embed code copied' : 'Copy this embed code'}${missing}:`, code);
+}
+
+function toggleFullscreen() {
+  const toggled = document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen();
+  toggled.catch((error) => messages.error(`Full screen was refused: ${error.message}`));
 }
 
 async function savePicture() {
@@ -216,7 +244,6 @@ function wireBar() {
   for (const button of toolButtons)
     button.addEventListener('click', () => setTool(fur.tool === button.dataset.tool ? 'none' : button.dataset.tool));
   onClick('wind', toggleWind);
-  waters.addEventListener('beforetoggle', placeWaters);
   onClick('shake', () => fur.shake());
   onClick('clear', () => fur.setWetness(0));
   byId('letters').addEventListener('submit', stamp);
@@ -224,7 +251,12 @@ function wireBar() {
   onClick('redo', () => fur.redo());
   onClick('reset', reset);
   onClick('link', copyLink);
+  onClick('embed', copyEmbedCode);
   onClick('picture', savePicture);
+  byId('sharing').addEventListener('click', ({ target }) => { if (target.closest('button')) byId('sharing').hidePopover(); });
+  onClick('fullscreen', toggleFullscreen);
+  byId('fullscreen').hidden = !document.fullscreenEnabled;
+  document.addEventListener('fullscreenchange', () => byId('fullscreen').setAttribute('aria-pressed', String(Boolean(document.fullscreenElement))));
   onClick('editor', () => openEditor(!fur.editorOpen));
   byId('file').accept = acceptedFiles;
   onClick('open', () => byId('file').click());
@@ -242,6 +274,7 @@ function wireBar() {
   fur.addEventListener('error', onError);
   fur.addEventListener('load', ({ detail }) => {
     shownSrc = detail.src;
+    startState = fur.getState();
     showModelName(detail.src ?? detail.name);
   });
 }
@@ -268,7 +301,7 @@ function wireDrop() {
 
 function wireKeys() {
   addEventListener('keydown', (event) => {
-    if (event.key === 'Escape' && !coats.close()) messages.dismissAll();
+    if (event.key === 'Escape' && !document.querySelector(':popover-open')) messages.dismissAll();
     if (event.defaultPrevented || event.target === fur || !(event.ctrlKey || event.metaKey)) return;
     if (event.target instanceof HTMLInputElement) return;
     const key = event.key.toLowerCase();
@@ -277,6 +310,8 @@ function wireKeys() {
 }
 
 wireBar();
+wireBrush(byId('brushing'), fur);
+toolbar.watch([byId('caption')], frame);
 wireDrop();
 wireKeys();
 openAsLinked();
