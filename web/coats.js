@@ -59,10 +59,21 @@ export class Coats {
   #onLoad() {
     this.#loaded = this.#coatNow();
     const shown = this.#fur.shadowRoot.querySelector('canvas');
-    const side = Math.min(shown.width, shown.height) / 4;
+    const ratio = shown.width / shown.clientWidth;
+    const [x, y, side] = this.#furrySquare(shown).map((length) => length * ratio);
     const { width } = this.#original;
-    this.#original.getContext('2d').drawImage(shown, (shown.width - side) / 2, (shown.height - side) / 2, side, side, 0, 0, width, width);
+    this.#original.getContext('2d').drawImage(shown, x - side, y - side, 2 * side, 2 * side, 0, 0, width, width);
     this.showChosen();
+  }
+
+  /** Middle and half side, in CSS pixels, of a square with nothing but the model in it, if there is one near the middle. */
+  #furrySquare({ clientWidth, clientHeight }) {
+    const half = Math.min(clientWidth, clientHeight) / 10;
+    const corners = [[0, 0], [-1, -1], [1, -1], [-1, 1], [1, 1]];
+    const steps = [0, 1, -1, 2, -2];
+    const middles = steps.flatMap((down) => steps.map((across) => [clientWidth / 2 + across * half, clientHeight / 2 + down * half]));
+    const isFurry = ([x, y]) => corners.every(([i, j]) => this.#fur.pick({ x: x + i * half, y: y + j * half }));
+    return [...(middles.find(isFurry) ?? middles[0]), half];
   }
 
   showChosen() {

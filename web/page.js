@@ -20,6 +20,8 @@ const waters = byId('waters');
 const toolbar = new Toolbar(bar, [...document.querySelectorAll('.panel')]);
 
 const pressedWind = 0.6;
+/** Behind the model, where the person likes it dark and nothing else is asked for. */
+const backdrop = matchMedia('(prefers-color-scheme: dark)').matches ? { backgroundTop: '#39434e', backgroundBottom: '#17191c' } : {};
 
 /** The live handle: tests and the curious reach everything through it. */
 window.wetFur = fur;
@@ -32,6 +34,7 @@ function applyLink(link) {
     fur.warnings.push(text);
   }
   if (link.state) fur.setState(link.state);
+  else for (const [name, color] of Object.entries(backdrop)) fur.fur.set(name, color);
   if (link.preset) fur.preset = link.preset;
   for (const [name, text] of link.settings) fur.fur.set(name, text);
   if (link.tool) setTool(link.tool);
@@ -65,8 +68,7 @@ function showButtons() {
   for (const button of toolButtons) button.setAttribute('aria-pressed', String(button.dataset.tool === fur.tool));
   byId('water').setAttribute('aria-pressed', String(Boolean(waters.querySelector('[aria-pressed=true]'))));
   coats.showChosen();
-  toolbar.disable(byId('undo'), !fur.canUndo, byId('redo'));
-  toolbar.disable(byId('redo'), !fur.canRedo, byId('undo'));
+  toolbar.enable([[byId('undo'), fur.canUndo], [byId('redo'), fur.canRedo]]);
   byId('wind').setAttribute('aria-pressed', String(fur.wind > 0));
   byId('editor').setAttribute('aria-pressed', String(fur.editorOpen));
   document.body.classList.toggle('editing', fur.editorOpen);
@@ -173,7 +175,7 @@ function reset() {
     fur.reload();
     return;
   }
-  fur.setState('{"version":1}');
+  fur.setState({ version: 1, settings: backdrop });
   fur.setWetness(0);
   if (fur.groomed) fur.groom('clear');
   fur.resetCamera();
@@ -198,8 +200,15 @@ function frame(sides) {
   fur.setPadding(sides);
 }
 
+/** Whoever gets it has a backdrop of their own. */
+function stateToShare() {
+  const state = JSON.parse(fur.getState());
+  for (const [name, color] of Object.entries(backdrop)) if (state.settings?.[name] === color) delete state.settings[name];
+  return JSON.stringify(state);
+}
+
 async function copyLink() {
-  const link = makeLink(location.href, { src: shownSrc, state: fur.getState(), tool: fur.tool });
+  const link = makeLink(location.href, { src: shownSrc, state: stateToShare(), tool: fur.tool });
   try {
     await navigator.clipboard.writeText(link);
     const missing = [!shownSrc && 'the file itself', fur.groomed && 'the groom'].filter(Boolean).join(' and ');
@@ -211,7 +220,7 @@ async function copyLink() {
 
 async function copyEmbedCode() {
   const code = embedCode(location.href, {
-    src: shownSrc, name: fur.modelName, state: fur.getState(), startState, preset: fur.preset, coatFields: coatFields(fur.settingsTable),
+    src: shownSrc, name: fur.modelName, state: stateToShare(), startState, preset: fur.preset, coatFields: coatFields(fur.settingsTable),
     tool: fur.tool, orbit: fur.cameraOrbitText, alt: fur.alt,
   });
   const copied = await navigator.clipboard.writeText(code).then(() => true, () => false);

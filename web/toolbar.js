@@ -71,13 +71,11 @@ export class Toolbar {
     event.preventDefault();
   }
 
-  /** A button that has just been disabled hands on the focus. */
-  disable(button, disabled, other) {
-    const focused = document.activeElement === button;
-    button.disabled = disabled;
-    if (!disabled || !focused) return;
-    const next = other.disabled ? this.#controls[0] : other;
-    next.focus();
+  /** `[button, enabled]` each: one that is disabled while it has the focus hands that on. */
+  enable(pairs) {
+    const lost = pairs.some(([button, enabled]) => !enabled && button === document.activeElement);
+    for (const [button, enabled] of pairs) button.disabled = !enabled;
+    if (lost) (pairs.find(([, enabled]) => enabled)?.[0] ?? this.#controls[0]).focus();
   }
 
   // --- room ---

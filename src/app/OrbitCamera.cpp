@@ -14,7 +14,7 @@ constexpr float kNearest = 1.25f, kFarthest = 14.0f, kMaxPan = 2.2f;
 constexpr float kGlide = 0.07f;
 // However large a panel is, the model keeps the rest.
 constexpr float kMostCovered = 0.6f;
-constexpr float kLeastFov = 0.1745f, kMostFov = 1.5708f;  // 10 and 90 degrees
+constexpr float kLeastFov = kPi / 18, kMostFov = kPi / 2;
 
 CameraOrbit limited(CameraOrbit o) {
   o.pitch = std::clamp(o.pitch, kLowestPitch, kHighestPitch);

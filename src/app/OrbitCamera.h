@@ -10,7 +10,7 @@ class OrbitCamera {
  public:
   static constexpr float kFovY = 0.6f;  // unless it is set
   // What the camera does while nobody is there, radians a second.
-  static constexpr float kTurn = 3.14159265f / 32;
+  static constexpr float kTurn = kPi / 32;
 
   // That shows a sphere.
   static CameraOrbit fitting(const Vec3& centre, float radius);
