@@ -1,10 +1,12 @@
-// npm run coats: docs/coats.jpg, a contact sheet of the presets on the bunny, each near and at a distance.
+// npm run coats: docs/coats.jpg, a contact sheet of the presets on the bunny, each near and at a distance; and web/coats.webp,
+// what the demo page shows of each.
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { buildNative } from './build.mjs';
 import { inline, photograph } from './photograph.mjs';
 import { command, root, run } from './process.mjs';
 import { needs, setUp } from './setup.mjs';
+import { drawSwatches } from './swatches.mjs';
 
 // Yaw, pitch and distance of the two looks.
 const views = { far: '0.35,0.28,2.75', near: '0.35,0.2,1.45' };
@@ -37,4 +39,5 @@ await command(async () => {
   mkdirSync(join(root, 'docs'), { recursive: true });
   const figures = presets(program).map((preset) => ({ ...preset, images: pictures(program, preset, folder) }));
   await photograph(page(figures), join(root, 'docs/coats.jpg'));
+  await drawSwatches(program, figures, folder, join(root, 'web/coats.webp'));
 });

@@ -213,6 +213,12 @@ FUR_EXPORT int fur_key(App* app, const char* name, int modifiers) {
   event.alt = modifiers & 4;
   return guarded([&] { return app->key(event) ? 1 : 0; });
 }
+// Shares of the picture, from its left, top, right and bottom edge.
+FUR_EXPORT void fur_setPadding(App* app, float left, float top, float right, float bottom, int atOnce) {
+  app->setPadding({left, top, right, bottom}, atOnce != 0);
+}
+FUR_EXPORT void fur_setAutoRotate(App* app, int enabled) { app->setAutoRotate(enabled != 0); }
+FUR_EXPORT void fur_setFieldOfView(App* app, float radians) { app->setFieldOfView(radians); }
 FUR_EXPORT void fur_ignoreCovered(App* app, int ignore) { app->ignoreCovered(ignore != 0); }
 FUR_EXPORT void fur_setCameraControls(App* app, int enabled) { app->setCameraControls(enabled != 0); }
 

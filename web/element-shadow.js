@@ -15,6 +15,13 @@ canvas:focus-visible:not([data-pointer-focus]) { outline: 3px solid var(--wet-fu
 .poster { pointer-events: auto; overflow: hidden; }
 .poster img { width: 100%; height: 100%; object-fit: cover; }
 .poster:focus-visible { outline: 3px solid var(--wet-fur-focus-ring, #3b82f6); outline-offset: -3px; }
+.cover [hidden] { display: none; }
+.poster :is(img, .prompt), .poster ::slotted(*) { grid-area: 1 / 1; }
+.poster:not([inert]) { cursor: pointer; }
+.prompt { position: relative; padding: 12px 22px 12px 18px; border-radius: 24px; font: 600 15px/20px system-ui, sans-serif;
+  color: #23272e; background: #fffffff2; box-shadow: 0 2px 18px #0003; transition: transform 120ms; }
+.prompt::before { content: ""; display: inline-block; margin-right: 10px; border: solid transparent; border-width: 6px 0 6px 10px; border-left-color: currentColor; }
+.poster:hover .prompt { transform: scale(1.04); }
 .progress { width: min(260px, 70%); display: grid; gap: 8px; font: 13px/1.3 system-ui, sans-serif; text-align: center;
   color: var(--wet-fur-text-color, #556); }
 .track { height: 4px; border-radius: 2px; overflow: hidden; background: color-mix(in srgb, currentColor 18%, transparent); }
@@ -29,11 +36,10 @@ canvas:focus-visible:not([data-pointer-focus]) { outline: 3px solid var(--wet-fu
 .message button { margin-top: 12px; min-height: 44px; padding: 0 20px; border: 0; border-radius: 22px; font: inherit; font-weight: 600;
   color: #fff; background: #33404f; cursor: pointer; }
 .message button:focus-visible { outline: 3px solid var(--wet-fur-focus-ring, #3b82f6); outline-offset: 2px; }
-.message [hidden] { display: none; }
 .status { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }
-@media (prefers-color-scheme: dark) { .message { color: #eceff3; background: #20252df2; } .message button { background: #5b7086; }
+@media (prefers-color-scheme: dark) { .message, .prompt { color: #eceff3; background: #20252df2; } .message button { background: #5b7086; }
   .progress { color: var(--wet-fur-text-color, #99a); } }
-@media (prefers-reduced-motion: reduce) { .bar { transition: none; } }
+@media (prefers-reduced-motion: reduce) { .bar, .prompt { transition: none; } }
 `;
 
 let sheet = null;
@@ -69,7 +75,8 @@ export function buildShadow(root) {
   const canvas = make('canvas', { part: 'canvas' });
   const image = make('img', { alt: '', hidden: '' });
   const posterSlot = make('slot', { name: 'poster' }, image);
-  const poster = make('div', { class: 'cover poster', role: 'button', 'aria-label': 'Show the model' }, posterSlot);
+  const prompt = make('slot', { name: 'interaction-prompt', hidden: '' }, make('div', { class: 'prompt', part: 'interaction-prompt' }, 'Show the model'));
+  const poster = make('div', { class: 'cover poster', role: 'button', 'aria-label': 'Show the model' }, posterSlot, prompt);
   const bar = make('div', { class: 'bar' });
   const caption = make('div');
   const track = make('div', {
@@ -113,15 +120,21 @@ export function buildShadow(root) {
     const said = arrived && program?.loaded !== program?.total ? program : detail;
     caption.textContent = stageText[said.stage](said);
   };
-  parts.showState = ({ waiting, loading, message: text, unsupported, retry }) => {
+  /** Whether the poster has gone with this. */
+  parts.showState = ({ waiting, prompt: prompts, loading, message: text, unsupported, retry }) => {
     // There is nothing to turn to yet.
     parts.canvas.style.visibility = waiting ? 'hidden' : '';
+    const dismissed = !poster.hidden && !waiting;
+    // Whoever was on the poster goes on with what it stood for.
+    if (dismissed && root.activeElement === poster) parts.canvas.focus({ preventScroll: true });
     poster.hidden = !waiting;
+    prompt.hidden = !prompts;
     progress.hidden = !loading;
     notice.hidden = !text;
     message.textContent = text;
     fallback.hidden = !unsupported;
     reload.hidden = !retry;
+    return dismissed;
   };
   return parts;
 }

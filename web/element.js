@@ -8,7 +8,7 @@ import { optionDefaults } from './options.js';
 
 // Settings fields that have an attribute; every other field is a property only.
 const settingAttributes = ['wind', 'dryRate', 'brushRadius', 'brushFlow', 'exposure', 'seed', 'view'];
-const ownAttributes = ['src', 'alt', 'poster', 'loading', 'reveal'];
+const ownAttributes = ['src', 'alt', 'poster', 'loading', 'reveal', 'interactionPrompt'];
 const hostOptions = Object.keys(optionDefaults);
 const forwardedEvents = [
   'load', 'progress', 'error', 'warning', 'camera-change', 'wetness-change', 'cursor-move', 'stroke-start', 'stroke-end',
@@ -16,7 +16,7 @@ const forwardedEvents = [
 ];
 const forwardedMethods = [
   'splash', 'dry', 'setWetness', 'wetnessAt', 'shake', 'stamp', 'replay', 'reset', 'pick', 'play', 'pause', 'step', 'undo', 'redo', 'getState', 'setState',
-  'loadTypeSet', 'saveTypeSet', 'saveFo', 'save', 'lostBySaving', 'groom', 'loadLengthMap', 'loadTypeMap', 'toBlob', 'getCameraOrbit', 'resetCamera', 'openEditor', 'closeEditor',
+  'loadTypeSet', 'saveTypeSet', 'saveFo', 'save', 'lostBySaving', 'groom', 'loadLengthMap', 'loadTypeMap', 'toBlob', 'getCameraOrbit', 'resetCamera', 'setPadding', 'openEditor', 'closeEditor',
 ];
 const forwardedGetters = [
   'loaded', 'ready', 'state', 'stats', 'settings', 'settingsTable', 'presets', 'warnings', 'modelName', 'animations', 'meanWetness',
@@ -46,11 +46,11 @@ export class WetFurElement extends Base {
     super();
     this.shadowRoot.adoptedStyleSheets = [elementStyles()];
     this.#parts.reload.addEventListener('click', () => this.reload());
-    this.#parts.poster.addEventListener('click', () => this.#askFor());
+    this.#parts.poster.addEventListener('click', () => this.dismissPoster());
     this.#parts.poster.addEventListener('keydown', (event) => {
       if (event.key !== 'Enter' && event.key !== ' ') return;
       event.preventDefault();
-      this.#askFor();
+      this.dismissPoster();
     });
   }
 
@@ -86,7 +86,7 @@ export class WetFurElement extends Base {
   attributeChangedCallback(attribute, before, value) {
     const name = camel(attribute);
     if (name === 'src') this.#onSrc(before, value);
-    else if (name === 'loading' || name === 'reveal') this.#loadWhenDue();
+    else if (name === 'loading' || name === 'reveal' || name === 'interactionPrompt') this.#loadWhenDue();
     else if (name === 'alt') this.#describe();
     else if (name === 'poster') this.#parts.showPoster(value);
     else if (hostOptions.includes(name)) this.#setOption(name, value);
@@ -119,14 +119,17 @@ export class WetFurElement extends Base {
     else this.#loadWhenDue();
   }
 
-  /** eager: at once; else as soon as it comes near the window; never before the person asks with reveal="interaction". */
+  /**
+   * eager: at once; else as soon as it comes near the window; with reveal="interaction" not before the person asks, with
+   * "manual" not before dismissPoster().
+   */
   #loadWhenDue() {
     if (!this.isConnected || this.#asked || !this.src) return;
     this.#near?.disconnect();
     this.#parts.poster.tabIndex = 0;
     this.#parts.poster.inert = this.reveal !== 'interaction';
     this.#showState();
-    if (this.reveal === 'interaction') return;
+    if (this.reveal === 'interaction' || this.reveal === 'manual') return;
     if (this.loading === 'eager') {
       this.#askFor();
       return;
@@ -137,11 +140,15 @@ export class WetFurElement extends Base {
     this.#near.observe(this);
   }
 
+  /** Loads what the poster stands for, which goes when that is there. */
+  dismissPoster() { if (this.src) this.#askFor(); }
+
   #askFor() {
     if (this.#asked) return;
     this.#near?.disconnect();
     this.#asked = true;
     this.#host.src = this.src;
+    this.#showState();
   }
 
   reload() {
@@ -180,13 +187,15 @@ export class WetFurElement extends Base {
   #showState() {
     const { state, loaded } = this.#host;
     const failed = state === 'error' || state === 'unsupported';
-    this.#parts.showState({
+    const dismissed = this.#parts.showState({
       waiting: !loaded,
+      prompt: !this.#asked && this.reveal === 'interaction' && this.interactionPrompt !== 'none',
       loading: state === 'loading',
       message: failed ? this.#lastError?.message ?? 'It could not be shown.' : state === 'lost' ? 'The graphics device was reset; the picture will be back in a moment.' : '',
       unsupported: state === 'unsupported',
       retry: failed,
     });
+    if (dismissed) this.dispatchEvent(new CustomEvent('poster-dismissed'));
   }
 
   #describe() {
@@ -240,7 +249,7 @@ function defineProperties(prototype) {
   for (const name of forwardedGetters) define(name, { get() { return this.fur[name]; } });
   for (const name of [...ownAttributes, ...hostOptions]) {
     const attribute = kebab(name);
-    const standard = { loading: 'auto', reveal: 'auto' }[name] ?? '';
+    const standard = { loading: 'auto', reveal: 'auto', interactionPrompt: 'auto' }[name] ?? '';
     define(name, isBoolean(name)
       ? { get() { return this.hasAttribute(attribute); }, set(value) { this.toggleAttribute(attribute, Boolean(value)); } }
       : {

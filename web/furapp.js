@@ -164,6 +164,10 @@ export class FurApp {
   wheel(notches, x, y) { return this.#call('fur_wheel', notches, x, y) !== 0; }
   key(event) { return this.#call('fur_key', event.key, modifiersOf(event)) !== 0; }
   set ignoreCovered(ignore) { this.#call('fur_ignoreCovered', ignore ? 1 : 0); }
+  /** Shares of the picture from its left, top, right and bottom edge. */
+  setPadding(shares, atOnce) { this.#call('fur_setPadding', ...shares, atOnce ? 1 : 0); }
+  set autoRotate(enabled) { this.#call('fur_setAutoRotate', enabled ? 1 : 0); }
+  set fieldOfView(radians) { this.#call('fur_setFieldOfView', radians); }
   set cameraControls(enabled) { this.#call('fur_setCameraControls', enabled ? 1 : 0); }
 
   /** `coatBudget`: seconds that may go into a coat that grows. */

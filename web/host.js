@@ -8,7 +8,7 @@ import { FurApp, pictures } from './furapp.js';
 import { Input } from './input.js';
 import { acceptedFiles, decodeImage, fetchModel, loadInto, provideModelImage, readGiven, readModel, sortFiles } from './models.js';
 import { clampDt, choices, optionDefaults, optionValue, qualities, settingsObject } from './options.js';
-import { orbitText, parseOrbit } from './orbit.js';
+import { orbitText, parseFov, parseOrbit, parseTarget } from './orbit.js';
 import { Progress } from './progress.js';
 import { compileProgram, instantiateProgram } from './runtime.js';
 import { Screen } from './screen.js';
@@ -197,8 +197,11 @@ export class WetFur extends EventTarget {
       this.#applyPreset(this.#app);
       this.#afterChange();
     }
-    if (name === 'cameraControls') this.#app.cameraControls = value;
+    if (name === 'cameraControls' || name === 'autoRotate') this.#app[name] = value;
     if (name === 'cameraOrbit' && value) this.#applyOrbit(value);
+    const { cameraTarget } = this.#options;  // an orbit without one keeps it
+    if (/^camera[OT]/.test(name) && cameraTarget) this.#applyTarget(cameraTarget);
+    if (name === 'fieldOfView') this.#applyFov(value);
     if (name === 'editor' && this.#source) this.#switchEditor(value);
     this.#wake();
   }
@@ -229,6 +232,32 @@ export class WetFur extends EventTarget {
     if (orbit) this.#app.camera = orbit;
     else this.#warn(`camera-orbit: "${value}" is not "yaw pitch distance"`);
     this.#wake();
+  }
+
+  #applyTarget(value) {
+    const target = parseTarget(value);
+    if (target) this.#app.camera = { ...this.#app.camera, target };
+    else this.#warn(`camera-target: "${value}" is not "x y z"`);
+  }
+
+  #applyFov(value) {
+    const radians = parseFov(value);
+    if (Number.isFinite(radians)) this.#app.fieldOfView = radians;
+    else this.#warn(`field-of-view: "${value}" is not "auto" or degrees`);
+  }
+
+  #padding = [0, 0, 0, 0];
+  /** What lies over the picture at its edges, in CSS pixels: the model is shown in the middle of the rest. */
+  setPadding({ left = 0, top = 0, right = 0, bottom = 0 }) {
+    const padding = [left, top, right, bottom];
+    if (padding.every((side, i) => side === this.#padding[i])) return;
+    this.#padding = padding;
+    this.#applyPadding(false);
+    this.#wake();
+  }
+  #applyPadding(atOnce = true) {
+    const [width, height] = [this.#canvas.clientWidth || 1, this.#canvas.clientHeight || 1];
+    this.#app?.setPadding(this.#padding.map((side, i) => side / (i % 2 ? height : width)), atOnce || !this.loaded);
   }
 
   #setSetting(name, value) {
@@ -319,11 +348,11 @@ export class WetFur extends EventTarget {
     return this.#load((signal) => (source.bytes || source.primitive ? source : this.#fetch(source.src, signal)), document);
   }
 
-  /** The model as it came, dry, with the look that it brought or the default. Undo takes that back. */
-  async reset() {
+  /** The model as it came, dry, with the look that it brought or the default but for `settings`. Undo takes that back. */
+  async reset(settings = {}) {
     if (!this.loaded) return;
     this.#giveUpLoading();
-    await this.#show(this.#source, { state: '{"version":1}', brings: true });
+    await this.#show(this.#source, { state: JSON.stringify({ version: 1, settings }), brings: true });
   }
 
   #giveUpLoading() {
@@ -376,7 +405,8 @@ export class WetFur extends EventTarget {
     if (this.#wantedState) this.#takeWantedState(app);
     this.#applyPreset(app);
     for (const [name, value] of this.#wantedSettings) app.setSetting(name, value);
-    for (const name of ['tool', 'cameraControls', 'motion']) this.#applyOption(name);
+    for (const name of ['tool', 'cameraControls', 'motion', 'autoRotate', 'fieldOfView']) this.#applyOption(name);
+    this.#applyPadding();
     this.#flushWarnings();
   }
 
@@ -403,7 +433,7 @@ export class WetFur extends EventTarget {
       this.#documents.follow(former);
       app.followModel();
     }
-    if (first && this.#options.cameraOrbit) this.#applyOrbit(this.#options.cameraOrbit);
+    if (first) for (const name of ['cameraOrbit', 'cameraTarget']) this.#applyOption(name);
     await this.#present(source);
   }
 
@@ -870,6 +900,7 @@ export class WetFur extends EventTarget {
   #onResize(width, height, ratio) {
     if (!this.#app) return;
     this.#context.resize(width, height, ratio);
+    this.#applyPadding();
     const draws = this.#screen.live || this.#options.paused;
     if (this.#screen.visible && draws) this.#drawNow();  // until then the old picture is stretched
     this.#wake();

@@ -27,7 +27,7 @@ export class Messages {
   /** With a text to take along by hand. */
   copyable(text, value) {
     const box = this.#add(text, 'status');
-    const field = make('input');
+    const field = make(value.includes('\n') ? 'textarea' : 'input');
     field.readOnly = true;
     field.value = value;
     field.setAttribute('aria-label', text);

@@ -12,7 +12,7 @@ export const qualities = Object.freeze({
 });
 
 export const optionDefaults = Object.freeze({
-  preset: '', tool: 'none', cameraControls: false, cameraOrbit: '', quality: 'auto', frameBudget: 1000 / 60, background: '', fixedDt: 0, paused: false,
+  preset: '', tool: 'none', cameraControls: false, cameraOrbit: '', cameraTarget: '', fieldOfView: 'auto', autoRotate: false, quality: 'auto', frameBudget: 1000 / 60, background: '', fixedDt: 0, paused: false,
   wheel: 'focus', touchAction: '', motion: 'auto', editor: false,
 });
 

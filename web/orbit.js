@@ -22,6 +22,19 @@ export function parseOrbit(text) {
   return { yaw, pitch, distance, target: target.length ? target : [0, 0, 0] };
 }
 
+/** "x y z" as [x, y, z]; null when it cannot be read. */
+export function parseTarget(text) {
+  const target = String(text).trim().split(/[\s,]+/).map(readLength);
+  return target.length === 3 && target.every(Number.isFinite) ? target : null;
+}
+
+const defaultFov = 0.6;  // OrbitCamera::kFovY
+
+/** Radians of "auto", or of a number of degrees, with or without "deg"; NaN when it cannot be read. */
+export function parseFov(text) {
+  return text === 'auto' ? defaultFov : readAngle(/[a-z]$/i.test(text) ? text : `${text}deg`);
+}
+
 /** The inverse of parseOrbit, to four decimals. */
 export function orbitText({ yaw, pitch, distance, target }) {
   const short = (value) => String(Number(value.toFixed(4)));

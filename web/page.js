@@ -1,11 +1,15 @@
 // The demo page: one <wet-fur> over the window, its toolbar, files and links.
 import './element.js';
-import { Coats } from './coats.js';
+import { wireBrush } from './brush.js';
+import { captions } from './captions.js';
+import { coatFields, Coats } from './coats.js';
 import { download, downloadScene, listed } from './download.js';
+import { embedCode } from './embedcode.js';
 import { makeLink, readLink } from './link.js';
 import { Messages } from './messages.js';
 import { acceptedFiles, modelNames, sceneNames, sortFiles } from './models.js';
 import { packStrokes } from './strokes.js';
+import { Toolbar } from './toolbar.js';
 import { Visit } from './visit.js';
 
 const byId = (id) => document.getElementById(id);
@@ -13,11 +17,14 @@ const fur = byId('fur');
 const bar = byId('bar');
 const modelPicker = byId('model');
 const messages = new Messages(byId('messages'));
-const coats = new Coats(byId('coat'), byId('coats'), fur);
+const coats = new Coats(byId('coats'), fur);
 const toolButtons = [...document.querySelectorAll('[data-tool]')];
 const waters = byId('waters');
+const toolbar = new Toolbar(bar, [...document.querySelectorAll('.panel')]);
 
 const pressedWind = 0.6;
+/** Behind the model, where the person likes it dark and nothing else is asked for. */
+const backdrop = matchMedia('(prefers-color-scheme: dark)').matches ? { backgroundTop: '#39434e', backgroundBottom: '#17191c' } : {};
 
 /** The live handle: tests and the curious reach everything through it. */
 window.wetFur = fur;
@@ -30,6 +37,7 @@ function applyLink(link) {
     fur.warnings.push(text);
   }
   if (link.state) fur.setState(link.state);
+  else for (const [name, color] of Object.entries(backdrop)) fur.fur.set(name, color);
   if (link.preset) fur.preset = link.preset;
   for (const [name, text] of link.settings) fur.fur.set(name, text);
   if (link.tool) setTool(link.tool);
@@ -61,11 +69,11 @@ function showButtons() {
   for (const button of toolButtons) button.setAttribute('aria-pressed', String(button.dataset.tool === fur.tool));
   byId('water').setAttribute('aria-pressed', String(Boolean(waters.querySelector('[aria-pressed=true]'))));
   coats.showChosen();
-  byId('undo').disabled = !fur.canUndo;
-  byId('redo').disabled = !fur.canRedo;
+  toolbar.enable([[byId('undo'), fur.canUndo], [byId('redo'), fur.canRedo]]);
   byId('wind').setAttribute('aria-pressed', String(fur.wind > 0));
   byId('editor').setAttribute('aria-pressed', String(fur.editorOpen));
   document.body.classList.toggle('editing', fur.editorOpen);
+  toolbar.refresh();
 }
 
 function showModelName(name) {
@@ -78,6 +86,7 @@ function showModelName(name) {
     own.textContent = name.slice(name.lastIndexOf('/') + 1);
   }
   modelPicker.value = modelNames.includes(name) ? name : 'own';
+  byId('caption').textContent = captions[name] ?? '';
 }
 
 // --- animations ---
@@ -126,6 +135,7 @@ function playAt(value) {
 
 /** What is on screen: a src that a link can name, or null for a file of the person's own. */
 let shownSrc = null;
+let startState = '{}';
 
 async function openFiles(files) {
   const { model, typeSet, image, others } = sortFiles(files);
@@ -164,22 +174,34 @@ function toggleWind() {
 function stamp(event) {
   event.preventDefault();
   const text = byId('letters').firstElementChild.value;
-  // As wide as most of the model.
-  fur.stamp(text, { size: Math.min(0.25 * innerHeight, (0.75 * Math.min(innerWidth, innerHeight)) / text.length) });
+  // As wide as most of the model, which is in the middle of what is free.
+  const { left, top, right, bottom } = covered;
+  const width = innerWidth - left - right, height = innerHeight - top - bottom;
+  const size = Math.min(0.25 * height, (0.75 * Math.min(width, height)) / text.length);
+  fur.stamp(text, { x: left + width / 2, y: top + height / 2, size });
   waters.hidePopover?.();
 }
 
-function placeWaters() {
-  const { left, right, top } = bar.getBoundingClientRect();
-  waters.style.bottom = `${innerHeight - top + 8}px`;
-  waters.style.left = `${(left + right) / 2}px`;
+/** What lies over the picture at its edges. */
+let covered = { left: 0, top: 0, right: 0, bottom: 0 };
+
+function frame(sides) {
+  covered = sides;
+  fur.setPadding(sides);
+}
+
+/** Whoever gets it has a backdrop of their own. */
+function stateToShare() {
+  const state = JSON.parse(fur.getState());
+  for (const [name, color] of Object.entries(backdrop)) if (state.settings?.[name] === color) delete state.settings[name];
+  return JSON.stringify(state);
 }
 
 async function copyLink() {
   // A scene may bring water that is gone now; on other models water that has dried is nothing to paint again.
   const wet = fur.meanWetness > 0, recorded = fur.recordedStrokes;
   const strokes = shownSrc && (wet || sceneNames.includes(shownSrc)) ? await packStrokes(recorded) : null;
-  const link = makeLink(location.href, { src: shownSrc, state: fur.getState(), tool: fur.tool, strokes });
+  const link = makeLink(location.href, { src: shownSrc, state: stateToShare(), tool: fur.tool, strokes });
   const lacksWater = wet && (shownSrc ? recorded !== '[]' && !link.includes('&strokes=') : true);
   const missing = [
     !shownSrc && 'the file itself', fur.groomed && 'the groom', fur.fur.coatGiven && "the file's coat",
@@ -191,6 +213,21 @@ async function copyLink() {
   } catch {
     messages.copyable('Copy this link:', link);
   }
+}
+
+async function copyEmbedCode() {
+  const code = embedCode(location.href, {
+    src: shownSrc, name: fur.modelName, state: stateToShare(), startState, preset: fur.preset, coatFields: coatFields(fur.settingsTable),
+    tool: fur.tool, orbit: fur.cameraOrbitText, alt: fur.alt,
+  });
+  const copied = await navigator.clipboard.writeText(code).then(() => true, () => false);
+  const missing = [!shownSrc && 'put your file beside the page', fur.groomed && 'the groom is not in it', fur.meanWetness > 0 && 'the water is not in it'].filter(Boolean).map((text) => `; ${text}`).join('');
+  messages.copyable(`${copied ? 'Embed code copied' : 'Copy this embed code'}${missing}:`, code);
+}
+
+function toggleFullscreen() {
+  const toggled = document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen();
+  toggled.catch((error) => messages.error(`Full screen was refused: ${error.message}`));
 }
 
 async function savePicture() {
@@ -220,15 +257,19 @@ function wireBar() {
   for (const button of toolButtons)
     button.addEventListener('click', () => setTool(fur.tool === button.dataset.tool ? 'none' : button.dataset.tool));
   onClick('wind', toggleWind);
-  waters.addEventListener('beforetoggle', placeWaters);
   onClick('shake', () => fur.shake());
   onClick('clear', () => fur.setWetness(0));
   byId('letters').addEventListener('submit', stamp);
   onClick('undo', () => fur.undo());
   onClick('redo', () => fur.redo());
-  onClick('reset', () => fur.reset());
+  onClick('reset', () => fur.reset(backdrop));
   onClick('link', copyLink);
+  onClick('embed', copyEmbedCode);
   onClick('picture', savePicture);
+  byId('sharing').addEventListener('click', ({ target }) => { if (target.closest('button')) byId('sharing').hidePopover(); });
+  onClick('fullscreen', toggleFullscreen);
+  byId('fullscreen').hidden = !document.fullscreenEnabled;
+  document.addEventListener('fullscreenchange', () => byId('fullscreen').setAttribute('aria-pressed', String(Boolean(document.fullscreenElement))));
   onClick('editor', () => openEditor(!fur.editorOpen));
   byId('file').accept = acceptedFiles;
   onClick('open', () => byId('file').click());
@@ -246,6 +287,7 @@ function wireBar() {
   fur.addEventListener('error', onError);
   fur.addEventListener('load', ({ detail }) => {
     shownSrc = detail.src;
+    startState = fur.getState();
     showModelName(detail.src ?? detail.name);
   });
 }
@@ -272,7 +314,7 @@ function wireDrop() {
 
 function wireKeys() {
   addEventListener('keydown', (event) => {
-    if (event.key === 'Escape' && !coats.close()) messages.dismissAll();
+    if (event.key === 'Escape' && !document.querySelector(':popover-open')) messages.dismissAll();
     const isCommand = (event.ctrlKey || event.metaKey) && !event.altKey && !event.shiftKey;
     if (isCommand && event.key.toLowerCase() === 's' && !event.defaultPrevented) {
       event.preventDefault();
@@ -286,6 +328,8 @@ function wireKeys() {
 }
 
 wireBar();
+wireBrush(byId('brushing'), fur);
+toolbar.watch([byId('caption')], frame);
 wireDrop();
 wireKeys();
 openAsLinked();

@@ -14,6 +14,8 @@ namespace {
 
 // Changes of one field closer together than this are one undo step, seconds.
 constexpr float kMergeTime = 0.8f;
+// Seconds without anybody there.
+constexpr float kRestBeforeTurning = 3;
 
 // The field in which the two differ, nullptr when it is none or several.
 const settings::Field* onlyDifference(const settings::Settings& a, const settings::Settings& b) {
@@ -72,6 +74,18 @@ void App::ignoreCovered(bool ignore) {
 void App::setCovered(Vec2 shares, bool atOnce) {
   state_->camera.setCovered(shares, atOnce);
   if (atOnce) state_->pictureChanged = true;
+}
+
+void App::setPadding(const Vec4& shares, bool atOnce) {
+  state_->camera.setPadding(shares, atOnce);
+  if (atOnce) state_->pictureChanged = true;
+}
+
+void App::setAutoRotate(bool enabled) { state_->autoRotate = enabled; }
+
+void App::setFieldOfView(float radians) {
+  state_->camera.setFov(radians);
+  state_->pictureChanged = true;
 }
 
 void App::State::uploadScene() {
@@ -376,6 +390,10 @@ bool App::tick(float dt, float coatBudget) {
   s.refreshGroom();
   s.workOnCoat(coatBudget);
   bool changed = std::exchange(s.pictureChanged, false);
+  if (s.turns() && s.idleTime > kRestBeforeTurning && dt > 0) {
+    s.camera.turn(-OrbitCamera::kTurn * dt);
+    changed = true;
+  }
   changed |= s.camera.update(dt);
   const bool moved = s.motion.update(dt);
   changed |= moved;
@@ -417,7 +435,7 @@ void App::settle() {
 bool App::active() const {
   State& s = *state_;
   return s.pictureChanged || s.furChanged || s.coatWork || s.forcesChanged || s.camera.moving() || s.motion.moving() ||
-         !s.bends.atRest() || s.touch.moving() || s.gusty() || s.animates() || s.holds(Tool::Hose) || s.holds(Tool::Dryer) ||
+         !s.bends.atRest() || s.touch.moving() || s.gusty() || s.animates() || s.turns() || s.holds(Tool::Hose) || s.holds(Tool::Dryer) ||
          s.water.active(s.mask, s.climate());
 }
 

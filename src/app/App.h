@@ -237,9 +237,14 @@ class App {
   bool wheel(float notches, Vec2 position);  // positive: away from the person, zooms out
   bool key(const KeyEvent& event);
   void setCameraControls(bool enabled);
+  // Once nobody has been there for some seconds the camera turns round the model, unless less motion is asked for.
+  void setAutoRotate(bool enabled);
+  void setFieldOfView(float radians);  // of the picture's height; 10 to 90 degrees
   // How much of the picture something hides, from the right edge and from the bottom edge, as shares
   // of its width and height (a panel): the model glides to the middle of the rest. atOnce: without gliding.
   void setCovered(Vec2 shares, bool atOnce = false);
+  // The same by what lies over the picture beside the panel: left, top, right, bottom. The larger of the two counts.
+  void setPadding(const Vec4& shares, bool atOnce = false);
   // While true, as if nothing were: for a picture that is saved without the panel.
   void ignoreCovered(bool ignore);
 

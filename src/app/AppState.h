@@ -154,10 +154,10 @@ struct App::State {
   Spot held{};             // where a tool that goes on is at work
   float keyHold = 0;       // seconds that a key holds it there
   bool replaying = false;  // a recorded stroke does
-  Vec2 cursor{0};          // that keys move: from the middle of the picture, in its heights
+  Vec2 cursor{0};          // that keys move: from the middle of what is free of the picture, in its heights
   Vec2 lastSpot{0};
   Random sprayRandom{1};
-  bool cameraControls = true;
+  bool cameraControls = true, autoRotate = false;
 
   // The coat. `furChanged`: settings and groom ask for another one than coatWork or, without it, the drawn one.
   DrawnCoat coat;
@@ -203,6 +203,7 @@ struct App::State {
   Status drawBand(int level, int band, int bands);
   dynamics::BendForces forces() const;
   float wind() const { return reducedMotion ? 0 : settings.wind; }
+  bool turns() const { return autoRotate && !reducedMotion && pointers.empty(); }
   bool gusty() const { return (wind() > 0 && (settings.gust > 0 || settings.turbulence > 0)) || breath() > 0; }
   void applySettings(const settings::Settings& next);
   void applyStep(const Step& step, bool undo);
@@ -259,7 +260,7 @@ struct App::State {
 
   // --- AppWater.cpp ---
   bool holds(Tool one) const;
-  Vec2 cursorPixel() const { return Vec2(width, height) * 0.5f + cursor * static_cast<float>(height); }
+  Vec2 cursorPixel() const { return Vec2(width, height) * camera.middle() + cursor * static_cast<float>(height); }
   Vec2 cursorReach() const { return Vec2(width, height) * (0.5f / static_cast<float>(height)); }
   Vec2 heldPixel() const { return keyHold > 0 ? cursorPixel() : lastPosition; }
   // Has a tool that goes on work at the cursor for a moment.

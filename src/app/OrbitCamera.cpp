@@ -12,8 +12,9 @@ constexpr float kLowestPitch = -0.12f, kHighestPitch = 1.52f;
 constexpr float kNearest = 1.25f, kFarthest = 14.0f, kMaxPan = 2.2f;
 // Time constant of the glide, seconds.
 constexpr float kGlide = 0.07f;
-// However large a panel is, the model keeps this share.
+// However large a panel is, the model keeps the rest.
 constexpr float kMostCovered = 0.6f;
+constexpr float kLeastFov = kPi / 18, kMostFov = kPi / 2;
 
 CameraOrbit limited(CameraOrbit o) {
   o.pitch = std::clamp(o.pitch, kLowestPitch, kHighestPitch);
@@ -63,12 +64,39 @@ void OrbitCamera::pan(Vec2 units) {
   goal_ = limited(goal_);
 }
 
-void OrbitCamera::setCovered(Vec2 shares, bool atOnce) {
-  coveredGoal_ = glm::clamp(shares, Vec2(0), Vec2(kMostCovered));
-  if (atOnce) coveredShown_ = coveredGoal_;
+void OrbitCamera::turn(float yaw) {
+  goal_.yaw += yaw;
+  shown_.yaw += yaw;
+  // For ever, so the numbers are kept small.
+  const float rounds = 2 * kPi * std::round(goal_.yaw / (2 * kPi));
+  goal_.yaw -= rounds;
+  shown_.yaw -= rounds;
 }
 
-float OrbitCamera::way() const { return difference(goal_, shown_) + glm::distance(coveredGoal_, coveredShown_); }
+void OrbitCamera::setFov(float radians) { fovY_ = std::clamp(radians, kLeastFov, kMostFov); }
+
+void OrbitCamera::setPadding(const Vec4& shares, bool atOnce) {
+  padding_ = shares;
+  if (atOnce) coveredShown_ = covered();
+}
+
+void OrbitCamera::setCovered(Vec2 shares, bool atOnce) {
+  panel_ = shares;
+  if (atOnce) coveredShown_ = covered();
+}
+
+// left, top, right, bottom
+Vec4 OrbitCamera::covered() const {
+  Vec4 c = glm::max(padding_, Vec4(0, 0, panel_.x, panel_.y));
+  const Vec2 shrink = kMostCovered / glm::max(Vec2(c.x + c.z, c.y + c.w), Vec2(kMostCovered));
+  return c * Vec4(shrink, shrink);
+}
+
+Vec2 OrbitCamera::middle() const {
+  return ignoreCovered_ ? Vec2(0.5f) : 0.5f + 0.5f * (Vec2(coveredShown_) - Vec2(coveredShown_.z, coveredShown_.w));
+}
+
+float OrbitCamera::way() const { return difference(goal_, shown_) + glm::distance(covered(), coveredShown_); }
 
 bool OrbitCamera::moving() const { return way() > 1e-4f; }
 
@@ -76,7 +104,7 @@ bool OrbitCamera::update(float dt) {
   if (way() == 0) return false;
   if (!moving()) {
     shown_ = goal_;
-    coveredShown_ = coveredGoal_;
+    coveredShown_ = covered();
     return true;
   }
   const float blend = 1 - std::exp(-dt / kGlide);
@@ -84,20 +112,20 @@ bool OrbitCamera::update(float dt) {
   shown_.pitch += blend * (goal_.pitch - shown_.pitch);
   shown_.distance += blend * (goal_.distance - shown_.distance);
   shown_.target += blend * (goal_.target - shown_.target);
-  coveredShown_ += blend * (coveredGoal_ - coveredShown_);
+  coveredShown_ += blend * (covered() - coveredShown_);
   return true;
 }
 
 render::CameraPose OrbitCamera::pose(float aspect) const {
-  const Vec2 covered = ignoreCovered_ ? Vec2(0) : coveredShown_;
-  const Vec2 free = Vec2(std::max(aspect, 0.2f), 1) * (1.0f - covered);  // in picture heights
+  const Vec4 c = ignoreCovered_ ? Vec4(0) : coveredShown_;
+  const Vec2 free = Vec2(std::max(aspect, 0.2f), 1) * (1.0f - Vec2(c.x + c.z, c.y + c.w));  // in picture heights
   const float distance = shown_.distance * std::max(1.0f, 1.0f / std::min(free.x, free.y));
   const Vec3 back = backward(shown_);
   const Vec3 right = normalizeOr(glm::cross(Vec3(0, 1, 0), back), Vec3(1, 0, 0)), up = glm::cross(back, right);
-  // The middle of the free part lies that many half pictures left of and above the middle of all.
-  const Vec2 shift = covered * Vec2(aspect, 1) * (distance * std::tan(kFovY / 2));
+  // The middle of the free part lies that far left of and above the middle of all, in half pictures.
+  const Vec2 shift = (1.0f - 2.0f * middle()) * Vec2(aspect, 1) * (distance * std::tan(fovY_ / 2));
   const Vec3 target = shown_.target + right * shift.x - up * shift.y;
-  return {target + back * distance, target, kFovY};
+  return {target + back * distance, target, fovY_};
 }
 
 }  // namespace fur::app

@@ -8,7 +8,9 @@ namespace fur::app {
 
 class OrbitCamera {
  public:
-  static constexpr float kFovY = 0.6f;
+  static constexpr float kFovY = 0.6f;  // unless it is set
+  // What the camera does while nobody is there, radians a second.
+  static constexpr float kTurn = kPi / 32;
 
   // That shows a sphere.
   static CameraOrbit fitting(const Vec3& centre, float radius);
@@ -19,8 +21,13 @@ class OrbitCamera {
   void orbit(float yaw, float pitch);
   void zoom(float factor);
   void pan(Vec2 modelUnits);  // right and up in the picture
-  // See App::setCovered().
+  void turn(float yaw);  // as it moves, without gliding
+  void setFov(float radians);
+  // See App::setPadding() and setCovered(). left, top, right, bottom
+  void setPadding(const Vec4& shares, bool atOnce);
   void setCovered(Vec2 shares, bool atOnce);
+  // Of the free part, as shares of the picture from its left and top edge.
+  Vec2 middle() const;
   // While true, as if nothing were covered (a saved picture has no panel).
   void ignoreCovered(bool ignore) { ignoreCovered_ = ignore; }
 
@@ -32,9 +39,12 @@ class OrbitCamera {
 
  private:
   float way() const;  // how far what is shown is from where it glides
+  Vec4 covered() const;
 
   CameraOrbit goal_, shown_;
-  Vec2 coveredGoal_{0}, coveredShown_{0};
+  float fovY_ = kFovY;
+  Vec2 panel_{0};
+  Vec4 padding_{0}, coveredShown_{0};  // the latter: of both
   bool ignoreCovered_ = false;
 };
 

@@ -132,20 +132,55 @@ test('two elements share the program and nothing else; one that is removed gives
   assert.deepEqual(page.problems, []);
 });
 
-test('with reveal="interaction" nothing is loaded before the person asks, by pointer or key', async () => {
+test('with reveal="interaction" nothing is loaded before the person asks, by pointer or key, and the focus stays', async () => {
   const page = await open({ viewport: { width: 480, height: 600 } });
   const state = await page.evaluate(async () => {
     const fur = document.createElement('wet-fur');
-    Object.assign(fur, { reveal: 'interaction', src: 'plane', alt: 'A meadow', id: 'asked' });
+    Object.assign(fur, { reveal: 'interaction', src: 'plane', alt: 'A meadow', id: 'asked', cameraControls: true });
+    window.dismissed = 0;
+    fur.addEventListener('poster-dismissed', () => { window.dismissed += 1; });
     document.body.prepend(fur);
     await new Promise((resolve) => setTimeout(resolve, 300));
     return fur.state;
   });
   assert.equal(state, 'idle');
   const ask = page.locator('#asked').getByRole('button', { name: 'Show the model' });
-  await ask.press('Enter');
+  const cue = page.locator('#asked [part=interaction-prompt]');
+  assert.ok(await cue.isVisible());
+  await page.keyboard.press('Tab');
+  assert.equal(await page.evaluate(() => document.activeElement.shadowRoot?.activeElement.className), 'cover poster');
+  assert.equal(await page.evaluate(() => window.dismissed), 0);
+  await page.keyboard.press('Enter');
   await page.waitForFunction(() => document.getElementById('asked').loaded);
   assert.equal(await ask.isVisible(), false);
+  assert.equal(await cue.isVisible(), false);
+  assert.equal(await page.evaluate(() => window.dismissed), 1);
+  const yaw = () => page.evaluate(() => document.getElementById('asked').getCameraOrbit().yaw);
+  const before = await yaw();
+  await page.keyboard.press('ArrowLeft');
+  assert.notEqual(await yaw(), before, 'keys go on to what was revealed');
+});
+
+test('the cue may be another one, or none; with reveal="manual" the page dismisses the poster', async () => {
+  const page = await open({ viewport: { width: 480, height: 600 } });
+  const seen = await page.evaluate(async () => {
+    const fur = document.createElement('wet-fur');
+    Object.assign(fur, { reveal: 'interaction', src: 'plane', interactionPrompt: 'none', quality: 'low', id: 'asked' });
+    fur.innerHTML = '<b slot="interaction-prompt">Stroke me</b>';
+    document.body.prepend(fur);
+    const shown = () => fur.firstChild.checkVisibility();
+    const out = { none: shown() };
+    fur.interactionPrompt = 'auto';
+    out.own = shown();
+    fur.reveal = 'manual';
+    out.manual = shown();
+    out.state = fur.state;
+    const dismissed = new Promise((resolve) => fur.addEventListener('poster-dismissed', resolve, { once: true }));
+    fur.dismissPoster();
+    await dismissed;
+    return { ...out, loaded: fur.loaded };
+  });
+  assert.deepEqual(seen, { none: false, own: true, manual: false, state: 'idle', loaded: true });
 });
 
 test('createWetFur draws on a canvas of the page', async () => {

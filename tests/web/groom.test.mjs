@@ -126,6 +126,7 @@ test('a picture that is dropped alone is a length map', async () => {
 test('a link says that the groom is not in it', async () => {
   const page = await site.open('?quality=low&layers=8&fins=0&src=sphere', { permissions: ['clipboard-read', 'clipboard-write'] });
   await withFur(page, (fur) => fur.groom('length', 0.5));
+  await page.click('#share');
   await page.click('#link');
   await page.waitForSelector('#messages .message:has-text("without the groom")');
 });

@@ -58,6 +58,7 @@ test('the copied link restores settings, camera, model and tool', async () => {
   });
   await first.click('#water');
   await first.click('[data-tool=dry]');
+  await first.click('#share');
   await first.click('#link');
   await first.waitForSelector('#messages .message');
   const link = await first.evaluate(() => navigator.clipboard.readText());

@@ -234,6 +234,12 @@ export interface WetFurOptions extends Partial<FurSettings> {
   cameraControls?: boolean;
   /** "yaw pitch distance [x y z]", radians or with "deg". */
   cameraOrbit?: string | (Omit<CameraOrbit, 'target'> & { target?: [number, number, number] });
+  /** "x y z": where the camera looks, in bounding radii of the model; stays over the target of `cameraOrbit`. */
+  cameraTarget?: string;
+  /** Of the picture's height, in degrees ("30deg" or 30), 10 to 90; "auto", the default, is 34. */
+  fieldOfView?: string | number;
+  /** The camera turns round the model once nobody has been there for three seconds, unless less motion is asked for. */
+  autoRotate?: boolean;
   /** "auto" draws moving pictures with less where they would not hold `frameBudget`; pictures that stay, steps and saved ones not. */
   quality?: Quality;
   /** Milliseconds from one moving picture to the next, 4 to 1000; default 1000 / 60. */
@@ -355,7 +361,7 @@ export interface WetFurApi {
   /** Does it again, with the time that it took; exact where that went by in steps of 1/60 s. Throws a FurError for what is no recording of this model. */
   replay(strokes: string, options?: { undoable?: boolean }): void;
   /** The model as it came, dry, with the look that it brought or the default; one step of undo. */
-  reset(): Promise<void>;
+  reset(settings?: Partial<FurSettings>): Promise<void>;
   /** Where the water is and went: painted + rained = held + film + drops + dripped + evaporated + removed. */
   readonly waterAccounts: WaterAccounts | null;
   /** The atlas coordinates under CSS pixels of the canvas; null beside the model. */
@@ -405,6 +411,8 @@ export interface WetFurApi {
   toBlob(options?: { mimeType?: string; quality?: number; width?: number; height?: number }): Promise<Blob>;
   getCameraOrbit(): CameraOrbit | null;
   resetCamera(): void;
+  /** What lies over the picture at its edges, in CSS pixels: the model is shown in the middle of the rest. */
+  setPadding(padding: { left?: number; top?: number; right?: number; bottom?: number }): void;
   openEditor(): Promise<void>;
   closeEditor(): Promise<void>;
   reload(): Promise<void>;

@@ -15,6 +15,7 @@ export async function onACanvas(canvas: HTMLCanvasElement): Promise<number> {
   fur.settings.furLength = 0.2;
   fur.settings.view = 'wetness';
   fur.set('cameraOrbit', '20deg 10deg 3');
+  fur.set('fieldOfView', 40);
   const spot = fur.pick({ x: 10, y: 20 });
   if (spot) fur.splash(spot, { radius: 0.1 });
   fur.set('preset', 'wool');
@@ -51,6 +52,12 @@ export async function onAPage(): Promise<void> {
   // @ts-expect-error there is no such coat
   element.preset = 'fox';
   element.reveal = 'interaction';
+  element.interactionPrompt = 'none';
+  element.fieldOfView = '30deg';
+  element.cameraTarget = '0 0.2 0';
+  element.autoRotate = true;
+  element.setPadding({ bottom: 80 });
+  element.addEventListener('poster-dismissed', () => element.resetCamera());
   element.dryRate = 0.1;
   element.furLength = 0.1;
   element.addEventListener('load', ({ detail }) => console.log(detail.name, detail.src));

@@ -1,0 +1,108 @@
+// The element's camera by its attributes, as users of <model-viewer> know them.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { parseFov, parseTarget } from '../../web/orbit.js';
+import { difference, light, picture, startBrowser, untilStill, withFur } from './support.mjs';
+
+const site = startBrowser();
+
+test('a target and a field of view read back, in either form', () => {
+  assert.deepEqual(parseTarget('0 0.5m -1'), [0, 0.5, -1]);
+  for (const text of ['', '1 2', '1 2 x', 'auto']) assert.equal(parseTarget(text), null, text);
+  for (const text of ['45deg', '45', 45]) assert.ok(Math.abs(parseFov(text) - Math.PI / 4) < 1e-12, `${text}`);
+  assert.equal(parseFov('0.5rad'), 0.5);
+  assert.equal(parseFov('auto'), 0.6);
+  assert.ok(Number.isNaN(parseFov('wide')));
+});
+
+test('auto-rotate turns the view once nobody has been there for three seconds, and pauses when somebody is', async () => {
+  const page = await site.open(`?${light}&src=torus&autoplay=0`);
+  const seen = await withFur(page, (fur) => {
+    const yaw = () => fur.getCameraOrbit().yaw;
+    const after = (seconds) => { fur.step(0.1, Math.round(10 * seconds)); return yaw(); };
+    const start = yaw();
+    const never = after(5);
+    fur.autoRotate = true;
+    const first = yaw();
+    const turned = after(2);
+    fur.shadowRoot.querySelector('canvas').focus();
+    return { start, never, first, turned };
+  });
+  assert.equal(seen.never, seen.start);
+  assert.ok(Math.abs(seen.first - seen.turned - 2 * Math.PI / 32) < 1e-3, `turned by ${seen.first - seen.turned}`);
+  await page.keyboard.press('+');  // somebody is there
+  const paused = await withFur(page, (fur) => {
+    const at = fur.getCameraOrbit().yaw;
+    fur.step(0.1, 28);
+    const still = fur.getCameraOrbit().yaw === at;
+    fur.step(0.1, 10);
+    const again = fur.getCameraOrbit().yaw < at;
+    fur.motion = 'reduced';
+    const before = fur.getCameraOrbit().yaw;
+    fur.step(0.1, 40);
+    return { still, again, reduced: fur.getCameraOrbit().yaw === before };
+  });
+  assert.deepEqual(paused, { still: true, again: true, reduced: true });
+});
+
+test('it goes on by itself while it is shown', async () => {
+  const page = await site.open(`?${light}&src=plane`);
+  const yaw = await withFur(page, (fur) => { fur.setAttribute('auto-rotate', ''); return fur.getCameraOrbit().yaw; });
+  await page.waitForFunction((from) => wetFur.getCameraOrbit().yaw < from - 0.05, yaw);
+  await withFur(page, (fur) => fur.removeAttribute('auto-rotate'));
+  await untilStill(page);
+});
+
+test('camera-target says where the camera looks, field-of-view how wide; both hold from the start, and what is no such thing warns', async () => {
+  const page = await site.open('embed.html');
+  const seen = await page.evaluate(async () => {
+    const fur = document.createElement('wet-fur');
+    for (const [name, value] of Object.entries({ src: 'sphere', loading: 'eager', quality: 'low', 'camera-target': '0 0.4 0.1', 'camera-orbit': '20deg 10deg 4', 'field-of-view': '60deg' }))
+      fur.setAttribute(name, value);
+    Object.assign(fur.settings, { layers: 8, fins: false });
+    document.body.prepend(fur);
+    await fur.ready;
+    const out = { first: fur.getCameraOrbit(), fov: fur.fieldOfView };
+    fur.cameraOrbit = '1 0.2 3';
+    out.kept = fur.getCameraOrbit();
+    fur.cameraTarget = '0 0 0';
+    out.moved = fur.getCameraOrbit().target;
+    fur.fieldOfView = 'wide';
+    fur.cameraTarget = 'there';
+    out.warnings = fur.warnings.length;
+    return out;
+  });
+  const near = (list, wanted) => list.every((value, i) => Math.abs(value - wanted[i]) < 1e-6);
+  assert.ok(near(seen.first.target, [0, 0.4, 0.1]) && Math.abs(seen.first.distance - 4) < 1e-6, JSON.stringify(seen.first));
+  assert.ok(near(seen.kept.target, [0, 0.4, 0.1]) && Math.abs(seen.kept.yaw - 1) < 1e-6);
+  assert.deepEqual(seen.moved, [0, 0, 0]);
+  assert.equal(seen.fov, '60deg');
+  assert.equal(seen.warnings, 2);
+});
+
+test('a narrower field of view shows the model larger, down to 10 degrees', async () => {
+  const page = await site.open(`?${light}&src=sphere&autoplay=0&backgroundTop=ff00ff&backgroundBottom=ff00ff&ground=0`);
+  const wide = async (fov) => {
+    await withFur(page, (fur, value) => { fur.fieldOfView = value; }, fov);
+    const { data } = await picture(page);
+    let covered = 0;
+    for (let i = 0; i < data.length; i += 4) covered += [0, 1, 2].some((c) => Math.abs(data[i + c] - data[c]) > 12) ? 1 : 0;
+    return covered;
+  };
+  const [usual, wider] = [await wide('auto'), await wide(70)];
+  assert.ok(wider < 0.4 * usual, `${wider} of ${usual} pixels`);
+  const narrowest = await wide(10);
+  assert.ok(Math.abs(await wide(1) - narrowest) < 0.001 * narrowest);
+});
+
+test('what lies over the edges pushes the model aside on the screen, not in a saved picture', async () => {
+  const page = await site.open(`?${light}&src=sphere&autoplay=0`);
+  await withFur(page, (fur) => fur.step(0.1, 20));
+  const plain = await picture(page);
+  const picks = (x, y) => withFur(page, (fur, at) => fur.pick(at) !== null, { x, y });
+  assert.ok(await picks(240, 60));
+  await withFur(page, (fur) => { fur.setPadding({ left: 200, top: 100 }); fur.step(0.1, 20); });
+  assert.equal(await picks(240, 60), false);
+  assert.ok(await picks(340, 230));
+  assert.ok(difference(plain, await picture(page), 16) < 0.01);
+});
