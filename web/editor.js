@@ -14,7 +14,11 @@ export async function preloadEditor(onBytes) {
   await compileProgram('editor', onBytes);
 }
 
-const wants = { pointer: 1, text: 4 };
+const wants = { pointer: 1, text: 4, number: 8 };
+// What the person made of the panel's size, kept from visit to visit.
+const layoutKey = 'wet-fur-panel';
+// For the page's style: how much of the right edge the panel hides.
+const widthProperty = '--wet-fur-panel-width';
 const commands = { openDialog: 1, loadShipped: 3, copy: 4, paste: 5, saveTypeSet: 6, saveFo: 7, saveScene: 8 };
 
 /**
@@ -35,6 +39,8 @@ export class EditorPanel {
   #host;
   #field = document.createElement('input');
   #stop = new AbortController();
+  #layout = '';
+  #width = '';
 
   /** @param {import('./furapp.js').FurApp} app @param {HTMLCanvasElement} canvas @param {PanelHost} host */
   constructor(app, canvas, host) {
@@ -42,6 +48,7 @@ export class EditorPanel {
     this.#canvas = canvas;
     this.#host = host;
     this.attach();
+    this.#readLayout();
     this.#listen();
   }
 
@@ -55,6 +62,7 @@ export class EditorPanel {
     this.#stop.abort();
     this.#field.remove();
     this.#canvas.style.cursor = '';
+    document.documentElement.style.removeProperty(widthProperty);
     this.detach(false);
   }
 
@@ -64,7 +72,7 @@ export class EditorPanel {
 
   pointer(phase, event, x, y) {
     return this.#call('pointer', phases.indexOf(phase), Math.max(0, pointerKinds.indexOf(event.pointerType)),
-      event.pointerId, x, y, event.buttons) !== 0;
+      event.pointerId, x, y, event.buttons, event.timeStamp / 1000) !== 0;
   }
   wheel(notches, x, y) { return this.#call('wheel', notches, x, y) !== 0; }
 
@@ -89,6 +97,7 @@ export class EditorPanel {
   afterFrame() {
     this.#canvas.style.cursor = this.#app.program.text(this.#call('cursor'));
     this.#followTextFocus();
+    this.#followLayout();
     for (let command = this.#call('command'); command !== 0; command = this.#call('command')) this.#carryOut(command);
   }
 
@@ -127,10 +136,29 @@ export class EditorPanel {
   }
 
   #followTextFocus() {
-    const wanted = (this.#call('wants') & wants.text) !== 0;
+    const now = this.#call('wants');
+    const wanted = (now & wants.text) !== 0;
+    this.#field.inputMode = now & wants.number ? 'decimal' : 'text';
     const root = this.#canvas.getRootNode();
     if (wanted && root.activeElement === this.#canvas) this.#field.focus({ preventScroll: true });
     if (!wanted && root.activeElement === this.#field) this.#canvas.focus({ preventScroll: true });
+  }
+
+  #readLayout() {
+    try {
+      this.#call('setLayout', localStorage.getItem(layoutKey) ?? '');
+    } catch { /* A page without storage has the panel at its first size. */ }
+    this.#layout = this.#app.program.text(this.#call('layout'));
+  }
+
+  #followLayout() {
+    const width = `${Math.round(this.#call('coveredWidth'))}px`;
+    if (width !== this.#width) document.documentElement.style.setProperty(widthProperty, width);
+    this.#width = width;
+    const layout = this.#app.program.text(this.#call('layout'));
+    if (layout === this.#layout || this.wantsPointer) return;  // not while it is dragged
+    this.#layout = layout;
+    try { localStorage.setItem(layoutKey, layout); } catch { /* As above. */ }
   }
 
   #listen() {

@@ -112,6 +112,8 @@ void Window::connect(app::App& app, app::EditorHost& host) {
   arrow_ = glfwCreateStandardCursor(GLFW_ARROW_CURSOR);
   text_ = glfwCreateStandardCursor(GLFW_IBEAM_CURSOR);
   hand_ = glfwCreateStandardCursor(GLFW_HAND_CURSOR);
+  across_ = glfwCreateStandardCursor(GLFW_HRESIZE_CURSOR);
+  upDown_ = glfwCreateStandardCursor(GLFW_VRESIZE_CURSOR);
   host.setClipboard([this](const char* text) { setClipboard(text); }, [this] { return clipboard(); });
   glfwSetWindowUserPointer(window_, this);
   installCallbacks();
@@ -179,7 +181,7 @@ void Window::moved(app::PointerPhase phase) {
   event.shift = held.shift;
   event.control = held.control;
   event.alt = held.alt;
-  if (!host_->pointer(event)) app_->pointer(event);
+  if (!host_->pointer(event, glfwGetTime())) app_->pointer(event);
 }
 
 editor::Modifiers Window::modifiers() const {
@@ -224,7 +226,7 @@ void Window::setClipboard(const std::string& text) { glfwSetClipboardString(wind
 
 void Window::setCursor(const char* cssName) {
   const std::string_view name = cssName;
-  glfwSetCursor(window_, name == "text" ? text_ : name == "pointer" ? hand_ : arrow_);
+  glfwSetCursor(window_, name == "text" ? text_ : name == "pointer" ? hand_ : name == "ew-resize" ? across_ : name == "ns-resize" ? upDown_ : arrow_);
 }
 
 }  // namespace fur::native

@@ -53,7 +53,7 @@ class Window {
   IVec2 size_{0};
   int buttons_ = 0;
   std::vector<std::string> dropped_;
-  GLFWcursor *arrow_ = nullptr, *text_ = nullptr, *hand_ = nullptr;
+  GLFWcursor *arrow_ = nullptr, *text_ = nullptr, *hand_ = nullptr, *across_ = nullptr, *upDown_ = nullptr;
 };
 
 }  // namespace fur::native

@@ -84,6 +84,18 @@ std::string readOptions(int count, char** values, Options& out) {
   return {};
 }
 
+// Where the panel's size is kept from day to day; empty where the system names no place.
+std::string layoutPath() {
+  const auto folder = [](const char* variable) {
+    const char* value = std::getenv(variable);
+    return std::filesystem::path(value ? value : "");
+  };
+  std::filesystem::path path = folder("XDG_CONFIG_HOME");
+  if (path.empty()) path = folder("APPDATA");
+  if (path.empty() && !folder("HOME").empty()) path = folder("HOME") / ".config";
+  return path.empty() ? "" : (path / "wet-fur" / "panel").string();
+}
+
 class Session {
  public:
   Session(native::Window& window, const Options& options, std::string program)
@@ -100,7 +112,7 @@ class Session {
     if (options_.quality == "auto") app_.setQuality(0, true);
     load(options_.scene);
     if (options_.wetness > 0) app_.setWetness(options_.wetness);
-    const Status status = options_.screenshot.empty() ? loop() : screenshot();
+    const Status status = options_.screenshot.empty() ? work() : screenshot();
     host_.detach();
     app_.detach(false);
     return status;
@@ -269,6 +281,20 @@ class Session {
       lastShown = shown;
     }
     return Done{};
+  }
+
+  // loop() with the panel as large as it was the last time.
+  Status work() {
+    const std::string path = layoutPath();
+    if (const auto kept = native::readFile(path)) host_.setLayout(std::string(kept.value().begin(), kept.value().end()));
+    const std::string before = host_.layout();
+    const Status status = loop();
+    const std::string layout = host_.layout();
+    if (path.empty() || layout == before) return status;
+    std::error_code ignored;  // a panel of its first size is no reason to complain
+    std::filesystem::create_directories(std::filesystem::path(path).parent_path(), ignored);
+    (void)native::writeFile(path, std::vector<std::uint8_t>(layout.begin(), layout.end()));
+    return status;
   }
 
   Status screenshot() {

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <utility>
 
-#include <imgui_internal.h>  // ActiveId: which window a finger drags
+#include <imgui_internal.h>  // ActiveId: which window a finger drags, whose text is typed
 
 #include "editor/FieldRows.h"
 #include "editor/Widgets.h"
@@ -15,12 +15,8 @@ namespace fur::editor {
 
 namespace {
 
-constexpr float kNarrowCssPixels = 600;
-// From this height on the pictures of the tile leave room for the settings below them.
-constexpr float kRoomyCssPixels = 1000;
-constexpr float kPanelCssPixels = 336;
-constexpr float kMarginCssPixels = 12;
-constexpr float kSheetShare = 0.45f;
+// Added to the panel's padding, so that a finger can take hold of its edge.
+constexpr float kFingerEdgeCssPixels = 8;
 
 bool isModel(const EditorModel& model, std::string_view name) {
   return std::string_view(model.modelName).substr(0, model.modelName.find('.')) == name;
@@ -74,35 +70,22 @@ std::vector<Command> Editor::frame(const EditorModel& model, const ThemeScale& s
   commands_.clear();
   const bool saves = std::exchange(saves_, false);
   if (saves && model.lostBySaving.empty()) emit(command::SaveScene{});
-  if (saves && !model.lostBySaving.empty()) asksToSave_ = true, collapsed_ = false;
+  if (saves && !model.lostBySaving.empty()) asksToSave_ = true, layout_.setCollapsed(false);
   touch_ = scale.touch;
-  place(scale);
+  // Two taps of a finger are further apart than two clicks.
+  ImGui::GetIO().MouseDoubleClickMaxDist = px(touch_ ? 24 : 6);
+  layout_.place(scale, contentHeight_ > 0 ? contentHeight_ + messagesHeight_ : 0);
   constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
                                       ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings |
                                       ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse |
                                       ImGuiWindowFlags_NoFocusOnAppearing;
   ImGui::Begin("wet-fur", nullptr, kFlags);
+  if (touch_ && !layout_.narrow()) ImGui::Indent(px(kFingerEdgeCssPixels));
+  layout_.drawEdge();
   drawTitle(model);
-  if (!collapsed()) {
+  if (!layout_.collapsed()) {
+    drawContent(model, saves);
     drawMessages(model);
-    ImGui::BeginChild("content");
-    scrollByFinger();
-    if (saves && asksToSave_) ImGui::SetScrollY(0);
-    drawSaving(model);
-    drawScene(model);
-    drawWater(model);
-    settings::Settings edited = model.settings;
-    for (Command& command : coat_.draw(model, edited, {.tooltips = !touch_, .roomy = roomy_})) emit(std::move(command));
-    for (Command& command : groom_.draw(model, edited, !touch_)) emit(std::move(command));
-    drawSettings(edited, model.animations);
-    if (edited != model.settings) {
-      if (!changing_) emit(command::BeginChange{});
-      changing_ = true;
-      emit(command::SetSettings{edited});
-    }
-    drawStats(model);
-    contentHeight_ = ImGui::GetCursorPosY();
-    ImGui::EndChild();
   } else {
     coat_.hide();
     groom_.hide();
@@ -118,30 +101,47 @@ std::vector<Command> Editor::frame(const EditorModel& model, const ThemeScale& s
   return std::exchange(commands_, {});
 }
 
-void Editor::place(const ThemeScale& scale) {
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  narrow_ = screen.x < kNarrowCssPixels * scale.pixelRatio;
-  roomy_ = !narrow_ && screen.y >= kRoomyCssPixels * scale.pixelRatio;
-  const float margin = narrow_ ? 0 : px(kMarginCssPixels);
-  const float width = narrow_ ? screen.x : px(kPanelCssPixels);
-  const float most = narrow_ ? screen.y * kSheetShare : screen.y - 2 * margin;
-  const ImGuiStyle& style = ImGui::GetStyle();
-  const float title = ImGui::GetFrameHeight() + 2 * style.WindowPadding.y;
-  // Until the content has been measured once, it is taken to be long.
-  const float content = contentHeight_ > 0 ? contentHeight_ + style.ItemSpacing.y : most;
-  const float height = std::floor(collapsed() ? title : std::min(most, title + content + messagesHeight_));
-  ImGui::SetNextWindowPos(narrow_ ? ImVec2(0, screen.y - height) : ImVec2(screen.x - width - margin, margin));
-  ImGui::SetNextWindowSize(ImVec2(width, height));
-  covered_ = collapsed() ? Vec2(0)
-             : narrow_   ? Vec2(0, most / screen.y)
-                         : Vec2((width + margin) / screen.x, 0);
+void Editor::drawContent(const EditorModel& model, bool saves) {
+  // With its scrollbar always, or rows would get narrower when it comes.
+  ImGui::BeginChild("content", ImVec2(0, messagesHeight_ > 0 ? -messagesHeight_ : 0), false, ImGuiWindowFlags_AlwaysVerticalScrollbar);
+  scrollByFinger();
+  if (saves && asksToSave_) ImGui::SetScrollY(0);
+  drawSaving(model);
+  settings::Settings edited = model.settings;
+  drawFrequent(edited, !touch_);
+  drawScene(model);
+  for (Command& command : coat_.draw(model, edited, {.tooltips = !touch_, .roomy = layout_.roomy()})) emit(std::move(command));
+  for (Command& command : groom_.draw(model, edited, !touch_)) emit(std::move(command));
+  drawWater(model);
+  drawSettings(edited, model.animations);
+  if (edited != model.settings) change(model, edited);
+  drawStats(model);
+  contentHeight_ = ImGui::GetCursorPosY();
+  ImGui::EndChild();
+}
+
+void Editor::change(const EditorModel& model, const settings::Settings& edited) {
+  // The first click of a double click has moved a slider; the second, which asks for the text box, takes that back.
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  const bool asksForText = ImGui::IsMouseDoubleClicked(0) && context.ActiveId && context.ActiveId == context.TempInputId;
+  if (!changing_ && asksForText && beforeChange_ == edited) {
+    beforeChange_.reset();
+    emit(command::Undo{});
+    return;
+  }
+  if (!changing_) {
+    beforeChange_ = model.settings;
+    emit(command::BeginChange{});
+  }
+  changing_ = true;
+  emit(command::SetSettings{edited});
 }
 
 void Editor::drawTitle(const EditorModel& model) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("wet-fur");
-  const float side = ImGui::GetFrameHeight(), gap = px(2);
-  ImGui::SameLine(ImGui::GetContentRegionMax().x - 4 * side - 3 * gap);
+  const float gap = px(kTitleGapCssPixels);
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - titleButtonsWidth());
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, ImGui::GetStyle().ItemSpacing.y));
   const auto hint = [&](const char* text) { return touch_ ? "" : text; };
   if (iconButton("##undo", Icon::Undo, hint("Undo (Ctrl+Z)"), model.canUndo)) emit(command::Undo{});
@@ -151,8 +151,9 @@ void Editor::drawTitle(const EditorModel& model) {
   if (iconButton("##camera", Icon::Camera, hint("Reset the camera"))) emit(command::ResetCamera{});
   ImGui::SameLine();
   // The arrow points where the panel's free edge will go: the sheet opens upwards, the column downwards.
-  const Icon arrow = collapsed() == narrow_ ? Icon::ChevronUp : Icon::ChevronDown;
-  if (iconButton("##collapse", arrow, hint(collapsed() ? "Open" : "Collapse"))) collapsed_ = !collapsed();
+  const bool closed = layout_.collapsed();
+  const Icon arrow = closed == layout_.narrow() ? Icon::ChevronUp : Icon::ChevronDown;
+  if (iconButton("##collapse", arrow, hint(closed ? "Open" : "Collapse"))) layout_.setCollapsed(!closed);
   ImGui::PopStyleVar();
 }
 
@@ -182,8 +183,8 @@ void Editor::drawMessages(const EditorModel& model) {
 }
 
 void Editor::drawScene(const EditorModel& model) {
-  caption("Model");
-  ImGui::SameLine();
+  ImGui::SetNextItemOpen(true, ImGuiCond_FirstUseEver);
+  if (!groupHeader("Model")) return;
   ImGui::TextUnformatted(model.modelName.c_str());
   switch (segments("models", {{"Bunny", isModel(model, "bunny")},
                               {"Sphere", isModel(model, "sphere")},
@@ -228,21 +229,9 @@ void Editor::drawShippedScenes(const EditorModel& model) {
 }
 
 void Editor::drawWater(const EditorModel& model) {
-  ImGui::Dummy(ImVec2(0, px(2)));
-  const int tool = iconSegments("tools",
-                                {{"Wet", model.tool == Tool::Droplet},
-                                 {"Dry", model.tool == Tool::Dry},
-                                 {"Move", model.tool == Tool::Grab},
-                                 {"Orbit", model.tool == Tool::None}},
-                                {Icon::Droplet, Icon::Dry, Icon::Move, Icon::Orbit});
-  constexpr Tool kTools[] = {Tool::Droplet, Tool::Dry, Tool::Grab, Tool::None};
-  if (tool >= 0) emit(command::SetTool{kTools[tool]});
-  constexpr Tool kHeld[] = {Tool::Rain, Tool::Hose, Tool::Dryer, Tool::Towel};
-  const auto chosen = [&](Tool one) { return model.tool == one; };
-  const int held = segments("held", {{"Rain", chosen(Tool::Rain)}, {"Hose", chosen(Tool::Hose)}, {"Dryer", chosen(Tool::Dryer)}, {"Towel", chosen(Tool::Towel)}});
-  if (held >= 0) emit(command::SetTool{kHeld[held]});
-  const int touch = segments("touch", {{"Pet", model.tool == Tool::Pet}, {"Ball", model.tool == Tool::Ball}});
-  if (touch >= 0) emit(command::SetTool{touch == 0 ? Tool::Pet : Tool::Ball});
+  ImGui::SetNextItemOpen(true, ImGuiCond_FirstUseEver);
+  if (!groupHeader("Water and touch")) return;
+  drawTools(model);
   const float button = px(64), gap = px(3);
   char text[32];
   std::snprintf(text, sizeof text, "%.0f %% wet", static_cast<double>(model.meanWetness) * 100);
@@ -259,11 +248,26 @@ void Editor::drawWater(const EditorModel& model) {
   const bool entered = ImGui::InputTextWithHint("##letters", "Letters", letters_, sizeof letters_, ImGuiInputTextFlags_EnterReturnsTrue);
   ImGui::SameLine(0, gap);
   if ((ImGui::Button("Stamp", ImVec2(button, 0)) || entered) && letters_[0]) emit(command::Stamp{letters_});
-  if (w.came > 0) {
-    ImGui::TextDisabled("fur %.2f  film %.2f  drops %.2f", w.held, w.film, w.drops);
-    ImGui::TextDisabled("of %.2f  dripped %.2f  dried %.2f", w.came, w.dripped, w.dried);
-  }
+  ImGui::TextDisabled("fur %.2f  film %.2f  drops %.2f", w.held, w.film, w.drops);
+  ImGui::TextDisabled("of %.2f  dripped %.2f  dried %.2f", w.came, w.dripped, w.dried);
   ImGui::Dummy(ImVec2(0, px(2)));
+}
+
+void Editor::drawTools(const EditorModel& model) {
+  const int tool = iconSegments("tools",
+                                {{"Wet", model.tool == Tool::Droplet},
+                                 {"Dry", model.tool == Tool::Dry},
+                                 {"Move", model.tool == Tool::Grab},
+                                 {"Orbit", model.tool == Tool::None}},
+                                {Icon::Droplet, Icon::Dry, Icon::Move, Icon::Orbit});
+  constexpr Tool kTools[] = {Tool::Droplet, Tool::Dry, Tool::Grab, Tool::None};
+  if (tool >= 0) emit(command::SetTool{kTools[tool]});
+  constexpr Tool kHeld[] = {Tool::Rain, Tool::Hose, Tool::Dryer, Tool::Towel};
+  const auto chosen = [&](Tool one) { return model.tool == one; };
+  const int held = segments("held", {{"Rain", chosen(Tool::Rain)}, {"Hose", chosen(Tool::Hose)}, {"Dryer", chosen(Tool::Dryer)}, {"Towel", chosen(Tool::Towel)}});
+  if (held >= 0) emit(command::SetTool{kHeld[held]});
+  const int touch = segments("touch", {{"Pet", model.tool == Tool::Pet}, {"Ball", model.tool == Tool::Ball}});
+  if (touch >= 0) emit(command::SetTool{touch == 0 ? Tool::Pet : Tool::Ball});
 }
 
 void Editor::drawSettings(settings::Settings& edited, std::span<const std::string> animations) {

@@ -1,7 +1,8 @@
 // The editor's panel. Pure Dear ImGui: it draws between ImGui::NewFrame() and ImGui::Render() of
 // the current context, never calls gl and never changes the program: see EditorModel.h.
-// Wide screens: a column at the right. Below 600 CSS pixels: a sheet at the bottom of at most 45 %
-// of the height, closed to its title at first, so that the model stays in sight.
+// Wide screens: a column at the right. Below 600 CSS pixels: a sheet at the bottom, closed to its title at
+// first, so that the model stays in sight. A person makes either larger or smaller: see PanelLayout.h.
+// What the program tells (water, messages, statistics) moves no row; only what a person opens does.
 #pragma once
 
 #include <optional>
@@ -15,6 +16,7 @@
 #include "editor/EditorModel.h"
 #include "editor/GroomPanel.h"
 #include "editor/InputQueue.h"
+#include "editor/PanelLayout.h"
 #include "editor/Theme.h"
 
 namespace fur::editor {
@@ -27,7 +29,11 @@ class Editor {
 
   // What the panel hides of the screen, from the right edge and from the bottom edge, as shares of its
   // width and height. Closed to its title it counts as nothing.
-  Vec2 covered() const { return covered_; }
+  Vec2 covered() const { return layout_.covered(); }
+
+  // The sizes that the person gave the panel, to be kept for the next time: see PanelLayout::text().
+  std::string layout() const { return layout_.text(); }
+  void setLayout(std::string_view text) { layout_.read(text); }
 
   // The pictures of the tile that the panel shows; none while that part of it is closed.
   std::optional<TileView> shownTile() const { return coat_.shownTile(); }
@@ -38,7 +44,7 @@ class Editor {
   // Whether a change has begun and not ended.
   bool changing() const { return changing_; }
   // Until set or clicked: closed to its title on narrow screens, else open.
-  void setCollapsed(bool collapsed) { collapsed_ = collapsed; }
+  void setCollapsed(bool collapsed) { layout_.setCollapsed(collapsed); }
 
   // As a press on Save scene: where something would be left out it asks.
   void save() { saves_ = true; }
@@ -47,17 +53,18 @@ class Editor {
   static std::optional<Command> shortcut(std::string_view key, Modifiers modifiers);
 
  private:
-  void place(const ThemeScale& scale);
   void drawTitle(const EditorModel& model);
   void drawMessages(const EditorModel& model);
+  void drawContent(const EditorModel& model, bool saves);
+  void change(const EditorModel& model, const settings::Settings& edited);
   void drawScene(const EditorModel& model);
   void drawShippedScenes(const EditorModel& model);
   void drawWater(const EditorModel& model);
+  void drawTools(const EditorModel& model);
   void drawSettings(settings::Settings& edited, std::span<const std::string> animations);
   void drawStats(const EditorModel& model);
   void drawSaving(const EditorModel& model);
   void scrollByFinger();
-  bool collapsed() const { return collapsed_.value_or(narrow_); }
   void emit(Command command) { commands_.push_back(std::move(command)); }
 
   CoatPanel coat_;
@@ -66,14 +73,13 @@ class Editor {
   char filter_[64] = "";
   char path_[1024] = "";
   char letters_[32] = "";
-  Vec2 covered_{0};
-  std::optional<bool> collapsed_;
-  bool narrow_ = false, roomy_ = false;
+  PanelLayout layout_;
+  std::optional<settings::Settings> beforeChange_;  // the last one, which may go on
   bool changing_ = false;
   bool saves_ = false;       // save() was called
   bool asksToSave_ = false;  // what saving would leave out is shown
   bool touch_ = false;
-  // Heights of the scrolled part and of the messages above it, as of the last frame.
+  // Heights of the scrolled part and of the messages below it, as of the last frame.
   float contentHeight_ = 0, messagesHeight_ = 0;
 };
 

@@ -157,7 +157,7 @@ void rowTooltip(const Field& field) {
   ImGui::PushTextWrapPos(px(280));
   ImGui::TextUnformatted(field.tooltip);
   if (field.type == FieldType::Float || field.type == FieldType::Int)
-    ImGui::TextDisabled("%g to %g%s, default %s. Ctrl+click to type.", field.low, field.high,
+    ImGui::TextDisabled("%g to %g%s, default %s. Double click to type.", field.low, field.high,
                         unitText(field).c_str(), settings::fieldText(Settings{}, field).c_str());
   ImGui::TextDisabled("%s", field.name);
   ImGui::PopTextWrapPos();
@@ -245,6 +245,16 @@ std::vector<std::string_view> fieldGroups() {
 bool matchesFilter(const Field& field, std::string_view filter) {
   return filter.empty() || contains(field.label, filter) || contains(field.name, filter) ||
          contains(field.group, filter);
+}
+
+void drawFrequent(Settings& settings, bool tooltips) {
+  ImGui::SetNextItemOpen(true, ImGuiCond_FirstUseEver);
+  if (!groupHeader("Frequently used")) return;
+  ImGui::PushID("frequent");
+  for (const Field& field : settings::fields())
+    if (field.frequent) drawRow(settings, field, tooltips, {});
+  ImGui::PopID();
+  ImGui::Dummy(ImVec2(0, px(4)));
 }
 
 int drawFields(Settings& settings, std::string_view filter, bool tooltips, std::span<const std::string> animations) {

@@ -22,4 +22,7 @@ bool matchesFilter(const settings::Field& field, std::string_view filter);
 int drawFields(settings::Settings& settings, std::string_view filter, bool tooltips,
                std::span<const std::string> animations = {});
 
+// The section of the fields that the table marks as frequent; they are in their groups, too.
+void drawFrequent(settings::Settings& settings, bool tooltips);
+
 }  // namespace fur::editor

@@ -9,6 +9,7 @@ namespace fur::editor {
 namespace {
 
 constexpr int kButtonCount = 3;
+constexpr double kDoubleClickSeconds = 0.4;
 
 constexpr std::array<std::pair<std::string_view, ImGuiKey>, 21> kKeys = {{
     {"Tab", ImGuiKey_Tab},
@@ -50,7 +51,7 @@ void InputQueue::mapKeys(ImGuiIO& io) {
   for (const auto& [name, code] : kKeys) io.KeyMap[code] = code;
 }
 
-void InputQueue::pointer(PointerKind kind, Vec2 position, int buttons) {
+void InputQueue::pointer(PointerKind kind, Vec2 position, int buttons, double seconds) {
   lastKind_ = kind;
   if (position != position_) {
     // Only the last of several moves matters to a panel.
@@ -59,7 +60,7 @@ void InputQueue::pointer(PointerKind kind, Vec2 position, int buttons) {
     position_ = position;
   }
   if (buttons != buttons_) {
-    events_.push_back({.type = Event::Type::Buttons, .code = buttons});
+    events_.push_back({.type = Event::Type::Buttons, .code = buttons, .seconds = seconds});
     buttons_ = buttons;
   }
 }
@@ -98,6 +99,12 @@ void InputQueue::feed(ImGuiIO& io) {
       case Event::Type::Buttons:
         // A press waits until the widget under the new position has been hovered for a frame.
         if (moved || pressed) return;
+        if (event.code & 1 && !io.MouseDown[0]) {
+          // ImGui would count frames. It looks only whether that was long ago, and whether it was here.
+          io.MouseDoubleClickTime = FLT_MAX;
+          if (event.seconds - lastPress_ > kDoubleClickSeconds) io.MouseClickedTime[0] = -FLT_MAX;
+          lastPress_ = event.seconds;
+        }
         for (int button = 0; button < kButtonCount; ++button)
           io.MouseDown[button] = (event.code >> button) & 1;
         pressed = true;

@@ -23,8 +23,9 @@ struct Modifiers {
 
 class InputQueue {
  public:
-  // Buttons: bit 0 left, 1 right, 2 middle, as they are after the event.
-  void pointer(PointerKind kind, Vec2 position, int buttons);
+  // Buttons: bit 0 left, 1 right, 2 middle, as they are after the event. Seconds: when it was pressed, on any clock; frames
+  // may be slow, and the panel sleeps between them, so only this tells a double click.
+  void pointer(PointerKind kind, Vec2 position, int buttons, double seconds = 0);
   void pointerGone();         // left the window, or the finger was lifted
   void wheel(float notches);  // positive: towards the top of the panel
   // A key by its DOM name ("ArrowLeft", "z"); keys that ImGui has no use for are ignored.
@@ -45,6 +46,7 @@ class InputQueue {
     enum class Type { Position, Buttons, Wheel, Key, Text } type;
     Vec2 position{0};
     int code = 0;  // buttons, or the ImGuiKey
+    double seconds = 0;
     bool down = false;
     float notches = 0;
     Modifiers modifiers = {};
@@ -54,6 +56,7 @@ class InputQueue {
   std::deque<Event> events_;
   Vec2 position_{-1};
   int buttons_ = 0;
+  double lastPress_ = -1e9;  // of the left button, in seconds
   PointerKind lastKind_ = PointerKind::Mouse;
 };
 

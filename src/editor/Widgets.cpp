@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include <imgui_internal.h>  // which slider is a text box
 
 #include "core/Math.h"
 #include "editor/Theme.h"
@@ -45,6 +49,49 @@ void beginBar(float fraction) { beginBar(fraction, {ImGui::CalcItemWidth(), ImGu
 void endBar() {
   ImGui::PopStyleVar();
   ImGui::PopStyleColor(5);
+}
+
+// What may be typed, beside the text box, which scrolls into sight where a keyboard took its room on the screen.
+template <class T>
+void showRange(T low, T high, const char* format) {
+  if (!ImGui::IsItemVisible()) ImGui::SetScrollHereY(0.5f);
+  char from[32], to[32];
+  std::snprintf(from, sizeof from, format, low);
+  std::snprintf(to, sizeof to, format, high);
+  ImGui::SetNextWindowPos(ImVec2(ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + px(4)));
+  ImGui::SetTooltip("%s to %s", from, to);
+}
+
+// A slider over its bar that a double click turns into a text box. ImGui's takes Ctrl+click for that; what the
+// first click did is taken back.
+template <class T, class Slider>
+bool typedSlider(const char* id, T& value, float fraction, T low, T high, const char* format, const Slider& slider) {
+  ImGuiStorage& storage = *ImGui::GetStateStorage();
+  const ImGuiID item = ImGui::GetID(id), pressedItem = ImGui::GetID("/pressed"), pressedValue = ImGui::GetID("/value");
+  ImGuiIO& io = ImGui::GetIO();
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const ImVec2 to(from.x + ImGui::CalcItemWidth(), from.y + ImGui::GetFrameHeight());
+  const bool pressed = ImGui::IsMouseClicked(0) && ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(from, to);
+  const bool twice = pressed && io.MouseClickedCount[0] == 2 &&
+                     storage.GetInt(pressedItem) == static_cast<int>(item) && !ImGui::TempInputIsActive(item);
+  const T before = value;
+  if (twice) value = static_cast<T>(storage.GetFloat(pressedValue));
+  if (pressed) {
+    storage.SetInt(pressedItem, static_cast<int>(item));
+    storage.SetFloat(pressedValue, static_cast<float>(value));
+  }
+  const bool typing = ImGui::TempInputIsActive(item);
+  if (typing)
+    for (ImWchar& typed : io.InputQueueCharacters)
+      if (typed == ',') typed = '.';  // as half of the world writes it
+  beginBar(typing ? 0 : fraction);
+  if (typing) ImGui::GetWindowDrawList()->AddRect(from, to, color::kAccent, ImGui::GetStyle().FrameRounding, 0, px(1));
+  const bool control = std::exchange(io.KeyCtrl, io.KeyCtrl || twice);
+  slider();
+  io.KeyCtrl = control;
+  endBar();
+  if (ImGui::TempInputIsActive(item)) showRange(low, high, format);
+  return value != before;
 }
 
 bool segmentButton(const Segment& segment, const Icon* icon, float width) {
@@ -127,18 +174,17 @@ bool groupHeader(const char* label) {
 bool fillSlider(const char* id, float& value, float low, float high, const char* format, bool logarithmic) {
   const float fraction =
       logarithmic ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
-  beginBar(fraction);
-  const bool changed =
-      ImGui::SliderFloat(id, &value, low, high, format, logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
-  endBar();
-  return changed;
+  return typedSlider(id, value, fraction, low, high, format, [&] {
+    return ImGui::SliderFloat(id, &value, low, high, format,
+                              ImGuiSliderFlags_AlwaysClamp | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0));
+  });
 }
 
 bool fillSlider(const char* id, int& value, int low, int high) {
-  beginBar(static_cast<float>(value - low) / static_cast<float>(high - low));
-  const bool changed = ImGui::SliderInt(id, &value, low, high);
-  endBar();
-  return changed;
+  const float fraction = static_cast<float>(value - low) / static_cast<float>(high - low);
+  return typedSlider(id, value, fraction, low, high, "%d", [&] {
+    return ImGui::SliderInt(id, &value, low, high, "%d", ImGuiSliderFlags_AlwaysClamp);
+  });
 }
 
 bool fillSliderUpright(const char* id, int& value, int low, int high, ImVec2 size) {

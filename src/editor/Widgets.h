@@ -24,8 +24,9 @@ int iconSegments(const char* id, std::initializer_list<Segment> choices, std::in
 // As ImGui's, with less padding beside the arrow. Buttons may be put on it.
 bool groupHeader(const char* label);
 
-// A bar that fills with the value; drag, or Ctrl+click (or double click) to type. Logarithmic:
-// equal steps multiply, for ranges over several powers (low must be above 0).
+// A bar that fills with the value; drag, or double click (or Ctrl+click) to type: Enter takes what was typed,
+// within the range, Escape leaves the value as it was. The second click of a double click gives the value from
+// before the first. Logarithmic: equal steps multiply, for ranges over several powers (low must be above 0).
 bool fillSlider(const char* id, float& value, float low, float high, const char* format, bool logarithmic);
 bool fillSlider(const char* id, int& value, int low, int high);
 

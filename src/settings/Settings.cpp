@@ -54,17 +54,17 @@ const std::array<Field, kFieldCount>& fields() {
 #define FUR_ACCESS(name, Type)                               \
   [](const Settings& s) { return static_cast<double>(s.name); }, \
       [](Settings& s, double v) { s.name = static_cast<Type>(v); }
-#define FUR_FLOAT(name, label, group, value, low, high, unit, tip) \
-  {#name, label, group, FieldType::Float, value, low, high, unit, "", tip, FUR_ACCESS(name, float)},
-#define FUR_INT(name, label, group, value, low, high, unit, tip) \
-  {#name, label, group, FieldType::Int, value, low, high, unit, "", tip, FUR_ACCESS(name, int)},
-#define FUR_BOOL(name, label, group, value, tip) \
-  {#name, label, group, FieldType::Bool, value, 0, 1, "", "", tip, FUR_ACCESS(name, bool)},
-#define FUR_COLOR(name, label, group, value, tip) \
-  {#name, label, group, FieldType::Color, value, 0, kMaxColor, "", "", tip, FUR_ACCESS(name, std::uint32_t)},
-#define FUR_CHOICE(name, label, group, value, options, tip)                              \
+#define FUR_FLOAT(name, label, group, value, low, high, unit, tip, ...) \
+  {#name, label, group, FieldType::Float, value, low, high, unit, "", tip, FUR_ACCESS(name, float), bool{__VA_ARGS__}},
+#define FUR_INT(name, label, group, value, low, high, unit, tip, ...) \
+  {#name, label, group, FieldType::Int, value, low, high, unit, "", tip, FUR_ACCESS(name, int), bool{__VA_ARGS__}},
+#define FUR_BOOL(name, label, group, value, tip, ...) \
+  {#name, label, group, FieldType::Bool, value, 0, 1, "", "", tip, FUR_ACCESS(name, bool), bool{__VA_ARGS__}},
+#define FUR_COLOR(name, label, group, value, tip, ...) \
+  {#name, label, group, FieldType::Color, value, 0, kMaxColor, "", "", tip, FUR_ACCESS(name, std::uint32_t), bool{__VA_ARGS__}},
+#define FUR_CHOICE(name, label, group, value, options, tip, ...)                              \
   {#name, label, group, FieldType::Choice, value, 0, kMaxColor, "", options, tip, \
-   FUR_ACCESS(name, int)},
+   FUR_ACCESS(name, int), bool{__VA_ARGS__}},
   static const std::array<Field, kFieldCount> table = [] {
     std::array<Field, kFieldCount> rows = {{
 #include "settings/Fields.inc"

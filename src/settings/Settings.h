@@ -13,11 +13,11 @@
 namespace fur::settings {
 
 struct Settings {
-#define FUR_FLOAT(name, label, group, value, low, high, unit, tip) float name = value;
-#define FUR_INT(name, label, group, value, low, high, unit, tip) int name = value;
-#define FUR_BOOL(name, label, group, value, tip) bool name = value;
-#define FUR_COLOR(name, label, group, value, tip) std::uint32_t name = value;  // 0xRRGGBB, sRGB
-#define FUR_CHOICE(name, label, group, value, options, tip) int name = value;
+#define FUR_FLOAT(name, label, group, value, low, high, unit, tip, ...) float name = value;
+#define FUR_INT(name, label, group, value, low, high, unit, tip, ...) int name = value;
+#define FUR_BOOL(name, label, group, value, tip, ...) bool name = value;
+#define FUR_COLOR(name, label, group, value, tip, ...) std::uint32_t name = value;  // 0xRRGGBB, sRGB
+#define FUR_CHOICE(name, label, group, value, options, tip, ...) int name = value;
 #include "settings/Fields.inc"
 #undef FUR_FLOAT
 #undef FUR_INT
@@ -26,6 +26,9 @@ struct Settings {
 #undef FUR_CHOICE
   bool operator==(const Settings&) const = default;
 };
+
+// A field's mark in the table.
+inline constexpr bool kFrequent = true;
 
 enum class FieldType { Float, Int, Bool, Color, Choice };
 
@@ -42,6 +45,7 @@ struct Field {
   const char* tooltip;
   double (*get)(const Settings&);
   void (*set)(Settings&, double);  // the value must already be in range: see setField()
+  bool frequent;  // artists change it often
 };
 
 inline constexpr std::size_t kFieldCount = 0

@@ -177,10 +177,10 @@ TEST(CoatPanel, AsksForNoPictureWhileTheyAreClosed) {
 }
 
 TEST(CoatPanel, LeavesThePicturesClosedWhereRoomIsShort) {
-  EXPECT_TRUE(Person({1280, 1100}).editor.shownTile());
+  EXPECT_TRUE(Person({1280, 1300}).editor.shownTile());
   EXPECT_FALSE(Person({1280, 800}).editor.shownTile());
   EXPECT_FALSE(Person({390, 844}, {1, true}).editor.shownTile());
-  EXPECT_FALSE(Person({1280, 1100}, {2, false}).editor.shownTile()) << "550 CSS pixels high";
+  EXPECT_FALSE(Person({1280, 1300}, {2, false}).editor.shownTile()) << "650 CSS pixels high";
 }
 
 TEST(CoatPanel, ShowsProgressOnlyWhenGrowingTakesItsTime) {
@@ -221,7 +221,7 @@ TEST(CoatPanel, AFingerOnThePicturesScrolls) {
   const Vec2 at(rect.Min.x + 100, rect.GetCenter().y);
   // The tile comes to the middle of the sheet.
   person.moveTo(at);
-  for (int i = 0; i < 7; ++i) person.input.wheel(-1);
+  for (int i = 0; i < 11; ++i) person.input.wheel(-1);
   person.settle();
   person.input.pointerGone();
   person.settle();

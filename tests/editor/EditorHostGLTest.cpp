@@ -18,6 +18,7 @@ struct Desk {
   App app;
   EditorHost host{app, editor::FileAccess::Path};
   bool attached = false;
+  double seconds = 0;  // on the person's clock
 
   explicit Desk(int pixels = kHeight) : height(pixels) {
     stage.attach(app);
@@ -50,9 +51,10 @@ struct Desk {
     event.position = at;
     event.buttons = buttons;
     event.id = id;
-    return host.pointer(event);
+    return host.pointer(event, seconds);
   }
   bool click(Vec2 at) {
+    seconds += 10;
     const bool captured = send(PointerPhase::Down, at, 1);
     send(PointerPhase::Up, at, 0);
     settle();
@@ -192,7 +194,7 @@ TEST(EditorHost, ComesBackAsItWasAfterALostContext) {
 }
 
 // Tall enough that the pictures of the tile are open.
-constexpr int kTall = 1100;
+constexpr int kTall = 1300;
 
 // White pixels of the panel: strands in the picture of coverage. Its text is not quite white.
 int whiteOnPanel(const test::Picture& picture) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
 #include "tests/editor/PanelDriver.h"
@@ -21,13 +22,97 @@ std::set<std::string> differences(const Settings& a, const Settings& b) {
 }
 
 TEST(Editor, EveryFieldOfTheTableHasAWidget) {
-  PanelDriver person({1280, 4000});
+  PanelDriver person({1280, 4600});
   person.openAllGroups();
   std::set<ImGuiID> hovered;
   for (const auto& [at, id] : person.sweep()) hovered.insert(id);
   for (const Field& field : settings::fields())
     EXPECT_TRUE(hovered.count(person.valueId(field))) << field.name;
   EXPECT_TRUE(person.commands.empty()) << "hovering changes nothing";
+}
+
+TEST(Editor, WhatArtistsChangeMostStandsAtTheTop) {
+  PanelDriver person;
+  const ImGuiID section = person.content()->GetID("frequent");
+  std::map<ImGuiID, float> heights;
+  for (const auto& [at, id] : person.sweep()) heights.emplace(id, at.y);
+  const float model = heights[person.id("Model")];
+  ASSERT_GT(model, 0);
+  int count = 0;
+  for (const Field& field : settings::fields()) {
+    if (!field.frequent) continue;
+    const ImGuiID value = ImHashStr("##value", 0, ImHashStr(field.name, 0, section));
+    const auto row = heights.find(field.type == settings::FieldType::Color ? ImHashStr("##Text", 0, value) : value);
+    ASSERT_NE(row, heights.end()) << field.name;
+    EXPECT_LT(row->second, model) << field.name;
+    ++count;
+  }
+  EXPECT_GE(count, 5);
+  EXPECT_LE(count, 10) << "a handful";
+}
+
+TEST(Editor, ADoubleOfAFieldIsTheSameField) {
+  PanelDriver person;
+  const ImGuiID section = person.content()->GetID("frequent");
+  const auto at = person.find(ImHashStr("##value", 0, ImHashStr("curl", 0, section)));
+  ASSERT_TRUE(at);
+  const Settings before = person.model.settings;
+  person.click(*at);
+  EXPECT_EQ(differences(before, person.model.settings), std::set<std::string>{"curl"});
+}
+
+TEST(Editor, GroomComesBeforeWater) {
+  PanelDriver person;
+  const auto groom = person.find(person.id("Groom")), water = person.find(person.id("Water and touch"));
+  ASSERT_TRUE(groom && water);
+  EXPECT_LT(groom->y, water->y);
+}
+
+// The highest pixel of an item that is found there.
+float topOf(PanelDriver& person, Vec2 at) {
+  person.moveTo(at);
+  const ImGuiID item = ImGui::GetHoveredID();
+  while (item && ImGui::GetHoveredID() == item) person.moveTo(at -= Vec2(0, 1));
+  return at.y;
+}
+
+void expectToStayPut(PanelDriver& person, ImGuiID item) {
+  const auto first = person.find(item);
+  ASSERT_TRUE(first);
+  const ImGuiID last = person.id("Share and statistics");
+  std::optional<Vec2> end = person.find(last);
+  const float top = topOf(person, *first), endTop = end ? topOf(person, *end) : 0;
+  EditorModel& model = person.model;
+  model.meanWetness = 0.4f;
+  model.water = {5, 2, 1, 0.5, 0.25, 1.25};
+  model.messages = {};
+  static const std::vector<Message> messages = {{"Something is not as it should be, at some length, so that it takes lines", true}, {"Short", false}};
+  model.messages = messages;
+  model.canUndo = model.canRedo = true;
+  model.strands = model.vertices = 12345;
+  model.animations = {"walk"};
+  model.groom = {.bald = 0.5f, .length = 0.5f, .types = {0.25f, 0.25f, 0.25f, 0.25f}, .whiskers = 12, .plain = false};
+  static const std::vector<float> times(60, 0.016f);
+  model.frameSeconds = times;
+  model.coat.progress = 0.5f;
+  person.frames(90);
+  EXPECT_EQ(topOf(person, *first), top);
+  if (end) {
+    EXPECT_EQ(topOf(person, *end), endTop);
+  }
+}
+
+TEST(Editor, WhatTheProgramTellsMovesNoRow) {
+  PanelDriver tall({1280, 3600});
+  tall.openGroup("Groom");
+  expectToStayPut(tall, tall.rowId("density", "##value"));
+  PanelDriver low({1280, 1200});
+  expectToStayPut(low, low.rowId("density", "##value"));
+  PanelDriver phone({390, 2000}, {1, true});
+  phone.editor.setLayout("width 336 sheet 0.6");
+  phone.editor.setCollapsed(false);
+  phone.frames(3);
+  expectToStayPut(phone, phone.id("Groom"));
 }
 
 TEST(Editor, AnIdlePanelAsksForNothing) {
@@ -66,6 +151,97 @@ TEST(Editor, ASliderFollowsThePointerToBothEnds) {
   EXPECT_EQ(person.model.settings.curl, 1.0f);
   person.moveTo(*at - Vec2(1000, 0), 1);
   EXPECT_EQ(person.model.settings.curl, 0.0f);
+}
+
+// A person whose curl is 0.25, before its slider.
+struct AtCurl : PanelDriver {
+  explicit AtCurl(ThemeScale scale = {}) : PanelDriver({1280, 3000}, scale) {
+    if (const auto found = find(rowId("curl", "##value"))) at = *found;
+    EXPECT_NE(at, Vec2(0));
+  }
+  Vec2 at{0};
+  Settings before = model.settings;
+};
+
+TEST(Editor, ADoubleClickOnASliderAsksForANumber) {
+  AtCurl person;
+  person.doubleClick(person.at);
+  EXPECT_TRUE(ImGui::GetIO().WantTextInput);
+  EXPECT_EQ(person.model.settings, person.before) << "the first click moved it";
+  person.type("0.7");
+  person.pressKey("Enter");
+  EXPECT_FALSE(ImGui::GetIO().WantTextInput);
+  EXPECT_EQ(person.model.settings.curl, 0.7f);
+  EXPECT_EQ(differences(person.before, person.model.settings), std::set<std::string>{"curl"});
+  EXPECT_EQ(person.count<command::Undo>(), 1) << "one step from before to what was typed";
+  EXPECT_EQ(person.count<command::BeginChange>(), 2);
+  EXPECT_EQ(person.count<command::EndChange>(), 2);
+}
+
+TEST(Editor, EscapeLeavesWhatWasThereBeforeTyping) {
+  AtCurl person;
+  person.doubleClick(person.at);
+  person.type("0.7");
+  person.pressKey("Escape");
+  EXPECT_FALSE(ImGui::GetIO().WantTextInput);
+  EXPECT_EQ(person.model.settings, person.before);
+}
+
+TEST(Editor, TypedNumbersEndAtTheRange) {
+  AtCurl person;
+  const std::pair<const char*, float> typed[] = {{"7", 1}, {"-3", 0}, {"1e99", 1}, {"0,3", 0.3f}, {"no number", 0.3f}, {"", 0.3f}};
+  for (const auto& [text, expected] : typed) {
+    person.doubleClick(person.at);
+    if (*text) person.type(text);
+    else person.pressKey("Delete");
+    person.pressKey("Enter");
+    EXPECT_EQ(person.model.settings.curl, expected) << text;
+  }
+  const auto layers = person.find(person.rowId("layers", "##value"));
+  ASSERT_TRUE(layers);
+  person.doubleClick(*layers);
+  person.type("2");
+  person.pressKey("Enter");
+  EXPECT_EQ(person.model.settings.layers, 4);
+}
+
+TEST(Editor, TwoClicksWithAPauseAreNoDoubleClick) {
+  AtCurl person;
+  person.click(person.at);
+  const Settings clicked = person.model.settings;
+  person.click(person.at);
+  EXPECT_FALSE(ImGui::GetIO().WantTextInput);
+  EXPECT_EQ(person.model.settings, clicked);
+}
+
+TEST(Editor, ADoubleClickIsOneHoweverSlowTheFramesAre) {
+  AtCurl person;
+  ImGui::GetIO().DeltaTime = 3;
+  person.doubleClick(person.at);
+  EXPECT_TRUE(ImGui::GetIO().WantTextInput);
+}
+
+TEST(Editor, ADoubleTapOnASliderAsksForANumber) {
+  AtCurl person({1, true});
+  person.tap(person.at);
+  person.seconds += 0.2;
+  person.tap(person.at + Vec2(9, 3));
+  EXPECT_TRUE(ImGui::GetIO().WantTextInput);
+  EXPECT_EQ(person.model.settings, person.before);
+  person.type("0.5");
+  person.pressKey("Enter");
+  EXPECT_EQ(person.model.settings.curl, 0.5f);
+}
+
+TEST(Editor, ASecondTapOnAnotherSliderIsNotForIt) {
+  AtCurl person;
+  const auto taper = person.find(person.rowId("taper", "##value"));
+  ASSERT_TRUE(taper);
+  ImGui::GetIO().MouseDoubleClickMaxDist = 1000;
+  person.click(person.at);
+  person.seconds += 0.2;
+  person.moveTo(*taper, 1);
+  EXPECT_FALSE(ImGui::GetIO().WantTextInput);
 }
 
 TEST(Editor, ACheckboxIsOneStep) {

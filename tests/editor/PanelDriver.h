@@ -5,6 +5,7 @@
 #include <cstring>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -41,6 +42,8 @@ class PanelDriver {
       input.feed(ImGui::GetIO());
       ImGui::NewFrame();
       for (const Command& command : editor.frame(model, scale_)) {
+        if (std::holds_alternative<command::BeginChange>(command)) undoTo_ = model.settings;
+        if (std::holds_alternative<command::Undo>(command) && undoTo_) model.settings = *std::exchange(undoTo_, {});
         if (const auto* set = std::get_if<command::SetSettings>(&command)) model.settings = set->settings;
         if (const auto* preset = std::get_if<command::ApplyPreset>(&command))
           model.settings = *settings::applyPreset(model.settings, preset->name);
@@ -57,13 +60,35 @@ class PanelDriver {
   }
 
   void moveTo(Vec2 at, int buttons = 0) {
-    input.pointer(PointerKind::Mouse, at, buttons);
+    input.pointer(PointerKind::Mouse, at, buttons, seconds);
     settle();
   }
   void click(Vec2 at) {
+    seconds += 10;
     moveTo(at);
     moveTo(at, 1);
     moveTo(at, 0);
+  }
+  void doubleClick(Vec2 at) {
+    click(at);
+    seconds += 0.2;
+    moveTo(at, 1);
+    moveTo(at, 0);
+  }
+  void tap(Vec2 at) {
+    input.pointer(PointerKind::Touch, at, 1, seconds);
+    input.pointer(PointerKind::Touch, at, 0, seconds);
+    input.pointerGone();
+    settle();
+  }
+  void type(const char* text) {
+    input.text(text);
+    settle();
+  }
+  void pressKey(const char* name) {
+    input.key(name, true, {});
+    input.key(name, false, {});
+    settle();
   }
 
   // The window that holds the rows.
@@ -101,7 +126,7 @@ class PanelDriver {
   std::vector<std::pair<Vec2, ImGuiID>> sweep() {
     std::vector<std::pair<Vec2, ImGuiID>> seen;
     const ImRect rect = panel()->Rect();
-    for (const float share : {0.47f, 0.7f, 0.2f, 0.94f})
+    for (const float share : {0.47f, 0.7f, 0.2f, 0.92f})
       for (float y = rect.Min.y + 3; y < rect.Max.y; y += 6) {
         const Vec2 at(rect.Min.x + rect.GetWidth() * share, y);
         input.pointer(PointerKind::Mouse, at, 0);
@@ -132,10 +157,12 @@ class PanelDriver {
   Editor editor;
   InputQueue input;
   std::vector<Command> commands;  // all so far
+  double seconds = 0;             // on the person's clock
 
  private:
   ThemeScale scale_;
   ImGuiContext *before_, *context_;
+  std::optional<settings::Settings> undoTo_;  // before the last change
 };
 
 }  // namespace fur::editor

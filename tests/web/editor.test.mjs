@@ -40,7 +40,7 @@ test('the panel takes the pointer and the keys that are meant for it, the pictur
   const page = await site.open('?quality=low&layers=8&fins=0&src=sphere&editor=1&dryRate=0', { viewport: { width: 800, height: 400 } });
   await page.waitForFunction(() => wetFur.editorOpen);
   await untilStill(page);
-  await page.mouse.move(600, 59);  // a label
+  await page.mouse.move(600, 30);  // the title
   await page.mouse.down();
   await page.mouse.up();
   const orbit = await withFur(page, (fur) => fur.getCameraOrbit());
@@ -57,11 +57,11 @@ test('the panel takes the pointer and the keys that are meant for it, the pictur
 });
 
 test('on a tall window the panel shows the tile of the coat that is drawn', async () => {
-  const page = await site.open('?quality=low&layers=8&fins=0&src=plane&editor=1&dryRate=0', { viewport: { width: 640, height: 1060 } });
+  const page = await site.open('?quality=low&layers=8&fins=0&src=plane&editor=1&dryRate=0', { viewport: { width: 640, height: 1300 } });
   await page.waitForFunction(() => wetFur.editorOpen);
   const strands = async () => {
     await untilStill(page);
-    const { data } = PNG.sync.read(await page.screenshot({ clip: { x: 300, y: 0, width: 328, height: 1060 } }));
+    const { data } = PNG.sync.read(await page.screenshot({ clip: { x: 300, y: 0, width: 328, height: 1300 } }));
     let white = 0;
     for (let i = 0; i < data.length; i += 4) white += data[i] === 255 && data[i + 1] === 255 && data[i + 2] === 255;
     return white;
@@ -75,16 +75,13 @@ test('on a tall window the panel shows the tile of the coat that is drawn', asyn
 });
 
 test('the panel saves the coat as a file that gives the same coat again', async () => {
-  const page = await site.open('?quality=low&layers=8&fins=0&src=plane&editor=1&preset=wool', { viewport: { width: 640, height: 1060 } });
+  const page = await site.open('?quality=low&layers=8&fins=0&src=plane&editor=1&preset=wool', { viewport: { width: 640, height: 1300 } });
   await page.waitForFunction(() => wetFur.editorOpen);
   await untilStill(page);
   let download;
   page.on('download', (event) => { download = event; });
-  await page.mouse.move(450, 640);
-  await page.mouse.wheel(0, 100);
-  await untilStill(page);
   // Nobody but the panel knows where its buttons are: down the left half of it, below the plot of coverage.
-  for (let y = 860; y < 1030 && !download; y += 11) {
+  for (let y = 1120; y < 1270 && !download; y += 11) {
     await page.mouse.click(370, y);
     await untilStill(page);
   }
@@ -96,5 +93,82 @@ test('the panel saves the coat as a file that gives the same coat again', async 
     return given.length === saved.length && given.every((byte, i) => byte === saved[i]);
   }, bytes.toString('base64'));
   assert.ok(same, `${bytes.length} bytes`);
+  assert.deepEqual(page.problems, []);
+});
+
+const panelWidth = (page) => page.evaluate(() => document.documentElement.style.getPropertyValue('--wet-fur-panel-width'));
+
+test('the panel is as wide as its edge was dragged, the bar beside it and the next visit know', async () => {
+  const page = await site.open('?quality=low&layers=8&fins=0&src=sphere&editor=1&dryRate=0', { viewport: { width: 1000, height: 400 } });
+  const opened = async () => {
+    await page.waitForFunction(() => document.querySelector('wet-fur').editorOpen);
+    await untilStill(page);
+  };
+  await opened();
+  assert.equal(await panelWidth(page), '348px');
+  const middle = () => withFur(page, (fur) => {
+    // Where the sphere's outline is on the middle row.
+    const hits = [...Array(100).keys()].map((i) => i * 10).filter((x) => fur.pick({ x, y: 200 }));
+    return (hits[0] + hits.at(-1)) / 2;
+  });
+  const before = await middle();
+  const bar = () => page.evaluate(() => document.getElementById('bar').getBoundingClientRect().right);
+  await page.mouse.move(657, 200);
+  await untilStill(page);
+  await page.mouse.down();
+  await page.mouse.move(600, 200);
+  await page.mouse.move(507, 200);
+  await page.mouse.up();
+  await untilStill(page);
+  assert.equal(await panelWidth(page), '498px');
+  assert.ok(await bar() < 1000 - 498);
+  assert.ok(Math.abs(before - await middle() - 75) < 20, `the picture is framed in what is left: ${before} to ${await middle()}`);
+  assert.equal(await page.evaluate(() => localStorage.getItem('wet-fur-panel')), 'width 486 sheet 0.450');
+
+  await page.reload();
+  await opened();
+  assert.equal(await panelWidth(page), '498px');
+  await page.evaluate(() => document.querySelector('wet-fur').closeEditor());
+  assert.equal(await panelWidth(page), '');
+  assert.deepEqual(page.problems, []);
+});
+
+/** Types into what has the focus once the panel asks for a number. */
+async function typeNumber(page, text) {
+  await page.waitForFunction(() => document.querySelector('wet-fur').shadowRoot.activeElement?.inputMode === 'decimal');
+  await page.keyboard.type(text);
+  await page.keyboard.press('Enter');
+  await untilStill(page);
+}
+
+test('a double click on a slider takes a number from the keyboard', async () => {
+  const page = await site.open('?quality=low&layers=8&fins=0&src=sphere&editor=1&dryRate=0', { viewport: { width: 800, height: 400 } });
+  await page.waitForFunction(() => wetFur.editorOpen);
+  await untilStill(page);
+  // The first slider of the section that is the first: the density.
+  const at = [700, 98];
+  await page.mouse.dblclick(...at);
+  await typeNumber(page, '0.25');
+  assert.equal(await withFur(page, (fur) => fur.settings.density), 0.25);
+  await page.mouse.dblclick(...at);
+  await typeNumber(page, '7');
+  assert.equal(await withFur(page, (fur) => fur.settings.density), 1, 'the end of its range');
+  await page.keyboard.press('Control+z');
+  assert.equal(await withFur(page, (fur) => fur.settings.density), 0.25, 'one step');
+  assert.deepEqual(page.problems, []);
+});
+
+test('on a phone a double tap does, and the sheet opens and grows by its title', async () => {
+  const page = await site.open('?quality=low&layers=8&fins=0&src=sphere&editor=1&dryRate=0', { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  await page.waitForFunction(() => wetFur.editorOpen);
+  await untilStill(page);
+  await page.touchscreen.tap(60, 820);
+  await untilStill(page);
+  assert.equal(await panelWidth(page), '0px');
+  const at = [250, 583];
+  await page.touchscreen.tap(...at);
+  await page.touchscreen.tap(...at);
+  await typeNumber(page, '0.25');
+  assert.equal(await withFur(page, (fur) => fur.settings.density), 0.25);
   assert.deepEqual(page.problems, []);
 });

@@ -70,16 +70,17 @@ FUR_EXPORT void fur_editor_resize(App* app, int width, int height, float pixelRa
 }
 
 // --- input; 1: it was for the panel, the App must not get it ---
-// phase, kind, id, buttons and positions as in fur_pointer(); modifiers: bit 0 shift, 1 control (or
+// phase, kind, id, buttons and positions as in fur_pointer(); seconds: when, on any clock; modifiers: bit 0 shift, 1 control (or
 // the Mac's command key), 2 alt
 
-FUR_EXPORT int fur_editor_pointer(App* app, int phase, int kind, int id, float x, float y, int buttons) {
+FUR_EXPORT int fur_editor_pointer(App* app, int phase, int kind, int id, float x, float y, int buttons,
+                                  double seconds) {
   app::PointerEvent event{static_cast<app::PointerPhase>(phase)};
   event.kind = static_cast<app::PointerKind>(kind);
   event.id = id;
   event.position = {x, y};
   event.buttons = buttons;
-  return withHost(app, [&](EditorHost& host) { return host.pointer(event); });
+  return withHost(app, [&](EditorHost& host) { return host.pointer(event, seconds); });
 }
 FUR_EXPORT void fur_editor_pointerLeft(App* app) {
   withHost(app, [](EditorHost& host) { return host.pointerLeft(), 0; });
@@ -102,10 +103,11 @@ FUR_EXPORT void fur_editor_paste(App* app, const char* utf8) {
 FUR_EXPORT void fur_editor_focusLost(App* app) {
   withHost(app, [](EditorHost& host) { return host.focusLost(), 0; });
 }
-// bit 0: the pointer, bit 1: the keyboard, bit 2: text (show an on-screen keyboard)
+// bit 0: the pointer, bit 1: the keyboard, bit 2: text (show an on-screen keyboard), bit 3: which is a number
 FUR_EXPORT int fur_editor_wants(App* app) {
   return withHost(app, [](EditorHost& host) {
-    return (host.wantsPointer() ? 1 : 0) | (host.wantsKeyboard() ? 2 : 0) | (host.wantsText() ? 4 : 0);
+    return (host.wantsPointer() ? 1 : 0) | (host.wantsKeyboard() ? 2 : 0) | (host.wantsText() ? 4 : 0) |
+           (host.wantsNumber() ? 8 : 0);
   });
 }
 // A value for the CSS property cursor while the pointer is over the panel.
@@ -127,6 +129,22 @@ FUR_EXPORT void fur_editor_draw(App* app) {
 // Further frames are needed although no event may come.
 FUR_EXPORT int fur_editor_active(App* app) {
   return withHost(app, [](EditorHost& host) { return host.active(); });
+}
+
+// --- the panel's size ---
+
+// What the person chose, as a text to be kept and given back the next time.
+FUR_EXPORT const char* fur_editor_layout(App* app) {
+  const EditorHost* host = hostOf(app);
+  return web::text(host ? host->layout() : "");
+}
+FUR_EXPORT void fur_editor_setLayout(App* app, const char* text) {
+  withHost(app, [&](EditorHost& host) { return host.setLayout(text), 0; });
+}
+// CSS pixels at the right that the open panel hides; 0 where it is a sheet at the bottom.
+FUR_EXPORT float fur_editor_coveredWidth(App* app) {
+  const EditorHost* host = hostOf(app);
+  return host ? host->coveredWidth() : 0;
 }
 
 // --- what the page must do ---

@@ -7,7 +7,7 @@
 
 #include <imgui.h>
 #include <imgui_impl_opengl3.h>
-#include <imgui_internal.h>  // which windows cover a pixel, before the frame that would tell
+#include <imgui_internal.h>  // which windows cover a pixel, before the frame that would tell; what is typed
 
 #include "settings/Presets.h"
 
@@ -140,7 +140,7 @@ bool EditorHost::covers(Vec2 position) const {
   return false;
 }
 
-bool EditorHost::pointer(const PointerEvent& event) {
+bool EditorHost::pointer(const PointerEvent& event, double seconds) {
   const bool down = event.phase == PointerPhase::Down;
   const bool ended = event.phase == PointerPhase::Cancel || (event.phase == PointerPhase::Up && !event.buttons);
   if (down && owner_ == Owner::None) {
@@ -154,7 +154,7 @@ bool EditorHost::pointer(const PointerEvent& event) {
   if (ended) owner_ = Owner::None;
   // ImGui also hears of what is not for it: a press on the model takes the focus from the panel.
   const bool cancelled = event.phase == PointerPhase::Cancel;  // its position means nothing
-  if (!cancelled) input_.pointer(panelKind(event.kind), event.position, event.buttons);
+  if (!cancelled) input_.pointer(panelKind(event.kind), event.position, event.buttons, seconds);
   if (cancelled || (touch && ended)) input_.pointerGone();
   wake();
   return captured;
@@ -218,6 +218,13 @@ void EditorHost::focusLost() {
 
 bool EditorHost::wantsKeyboard() const { return context_->IO.WantCaptureKeyboard; }
 bool EditorHost::wantsText() const { return context_->IO.WantTextInput; }
+
+bool EditorHost::wantsNumber() const { return wantsText() && context_->ActiveId && context_->ActiveId == context_->TempInputId; }
+
+void EditorHost::setLayout(std::string_view text) {
+  editor_.setLayout(text);
+  wake();
+}
 
 const char* EditorHost::cursor() const {
   switch (context_->MouseCursor) {

@@ -54,7 +54,7 @@ class EditorHost {
   void resize(int width, int height, float pixelRatio);  // pixels of the drawing buffer
 
   // --- input; true: it was meant for the panel, the App must not see it ---
-  bool pointer(const PointerEvent& event);
+  bool pointer(const PointerEvent& event, double seconds);  // seconds: when, on any clock
   void pointerLeft();
   bool wheel(float notches, Vec2 position);  // as App::wheel: positive is down a page
   bool key(std::string_view name, bool down, const editor::Modifiers& modifiers);
@@ -66,6 +66,7 @@ class EditorHost {
   bool wantsPointer() const { return owner_ == Owner::Panel; }
   bool wantsKeyboard() const;
   bool wantsText() const;      // a text field has the focus: show an on-screen keyboard
+  bool wantsNumber() const;    // and it takes a number
   const char* cursor() const;  // the CSS name of the pointer's shape over the panel
 
   // --- frames ---
@@ -73,6 +74,13 @@ class EditorHost {
   bool update(float dt);
   void draw();          // over what App::draw() left, in the same framebuffer
   bool active() const;  // further frames are needed, although no event may come
+
+  // --- the panel's size ---
+  // What the person chose, to be kept and given back the next time: see editor::PanelLayout::text().
+  std::string layout() const { return editor_.layout(); }
+  void setLayout(std::string_view text);
+  // Desktop or CSS pixels at the right that the open panel hides with its margin; 0 where it is a sheet.
+  float coveredWidth() const { return editor_.covered().x * size_.x / scale_.pixelRatio; }
 
   // --- to and from the platform ---
   std::optional<PlatformCommand> takeCommand();
