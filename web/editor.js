@@ -72,7 +72,7 @@ export class EditorPanel {
 
   pointer(phase, event, x, y) {
     return this.#call('pointer', phases.indexOf(phase), Math.max(0, pointerKinds.indexOf(event.pointerType)),
-      event.pointerId, x, y, event.buttons, event.timeStamp / 1000) !== 0;
+      event.pointerId, x, y, event.buttons, modifiersOf(event), event.timeStamp / 1000) !== 0;
   }
   wheel(notches, x, y) { return this.#call('wheel', notches, x, y) !== 0; }
 

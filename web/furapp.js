@@ -4,7 +4,7 @@ import { choices } from './options.js';
 
 // In the order of app::Tool and app::GroomEdit.
 const tools = choices.tool;
-const groomEdits = ['clear', 'length', 'invert', 'vary', 'type', 'comb', 'raise', 'size'];
+const groomEdits = ['clear', 'length', 'invert', 'vary', 'type', 'comb', 'raise', 'size', 'paint', 'clearPaint', 'clearMask', 'invertMask'];
 export const phases = ['down', 'move', 'up', 'cancel'];
 export const pointerKinds = ['mouse', 'touch', 'pen'];
 export const pictures = { best: 0, moving: 1, still: 2 };

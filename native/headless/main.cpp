@@ -84,7 +84,7 @@ bool readNumbers(const std::string& text, char separator, std::vector<float>& ou
 
 bool readGroom(const std::string& text, std::vector<GroomStep>& out) {
   // In the order of app::GroomEdit.
-  constexpr const char* kEdits[] = {"clear", "length", "invert", "vary", "type", "comb", "raise", "size"};
+  constexpr const char* kEdits[] = {"clear", "length", "invert", "vary", "type", "comb", "raise", "size", "paint", "clearPaint", "clearMask", "invertMask"};
   const std::size_t comma = std::min(text.find(','), text.size());
   const auto found = std::find(std::begin(kEdits), std::end(kEdits), text.substr(0, comma));
   std::vector<float> n;

@@ -30,10 +30,29 @@ vec3 modelColor(sampler2D picture, vec2 uv) { return mix(vec3(1.0), texture(pict
 vec3 modelColor(sampler2D picture, vec2 uv) { return vec3(1.0); }
 #endif
 
+// sRGB to linear, a fit within 0.003 (C. Hery).
+vec3 decodeSrgb(vec3 c) { return c * (c * (c * 0.305306011 + 0.682171111) + 0.012522878); }
+
+#ifdef PAINTED
+uniform sampler2D paint;  // sRGB; a: how much of it there is
+
+// `color` under the paint at that atlas point; `shade`: what takes the paint's colour to where it is mixed with.
+vec3 painted(vec3 color, vec2 at, vec3 shade) {
+  vec4 over = textureLod(paint, at, 0.0);
+  return mix(color, decodeSrgb(over.rgb) * shade, over.a);
+}
+#endif
+
 // Colour of a strand at height h: root to tip, brighter or darker from strand to strand.
 vec3 strandColor(vec3 root, vec4 tipVariance, float h, float strandVariance, vec3 model) {
   return mix(root, tipVariance.rgb, h) * (1.0 + tipVariance.w * 1.3 * (strandVariance - 0.5)) * model;
 }
+#ifdef PAINTED
+// The same under paint, a little darker at the root, too.
+vec3 paintedStrand(vec3 albedo, vec2 at, float variance, float h, float strandVariance) {
+  return painted(albedo, at, strandColor(vec3(0.65), vec4(vec3(0.95), variance), h, strandVariance, vec3(1.0)));
+}
+#endif
 
 
 // Its two lobes: C++ twins in hair/StrandShading.h, which says more. The sines of small shifts are the shifts.

@@ -4,7 +4,7 @@
 #include "common_clump.glsl"
 #include "common_noise.glsl"
 #include "common_furshadow.glsl"
-#ifdef TYPES
+#ifdef GROOMED
 #include "common_types.glsl"
 #endif
 
@@ -19,10 +19,10 @@ in vec4 vLight;
 in vec3 vView;
 in vec2 vUv;
 in vec2 vLean;
-#if defined(WET) || defined(TYPES)
+#if defined(WET) || defined(GROOMED) || defined(PAINTED)
 in vec2 vAtlas;
 #endif
-#ifdef TYPES
+#ifdef GROOMED
 in float vLength;
 #endif
 #ifdef WET
@@ -58,12 +58,16 @@ void main() {
   if (h > 1.0) discard;
 #endif
   int type = 0;
+#ifdef GROOMED
+  vec4 dressed = textureLod(groom, vAtlas, 0.0);
 #ifdef TYPES
   // A fin shows one type a pixel, by chance.
-  vec4 dressed = textureLod(groom, vAtlas, 0.0), grows = presences(dressed.gba);
+  vec4 grows = presences(dressed.gba);
   float chance = otherPixelNoise();
   for (int i = 0; i < FUR_TYPES - 1 && chance >= grows[i]; ++i) chance -= grows[i], type = i + 1;
-  h *= vLength * typeRise[type] / max(dressed.r, 1e-3);
+  h *= typeRise[type];
+#endif
+  h *= vLength / max(dressed.r, 1e-3);
   if (h > 1.0 || rootColors[type].w <= 0.0) discard;
 #endif
   vec3 spot = vec3(u, min(h, 0.985), float(type));
@@ -84,6 +88,9 @@ void main() {
     vec2 tilt = strand.xy * 2.0 - 1.0;
     vec3 tangent = normalize(vec3(tilt + vLean + clumpLean, sqrt(max(0.05, 1.0 - dot(tilt, tilt)))));
     vec3 albedo = strandColor(rootColors[type].rgb, tipColors[type], h, strand.z, model);
+#ifdef PAINTED
+    albedo = paintedStrand(albedo, vAtlas, tipColors[type].w, h, strand.z);
+#endif
     // Nothing stands before an outline: light reaches it from the side, further down than inside the coat.
     float exposed = mix(h, 1.0, 0.4);
     vec3 L = normalize(vLight.xyz), V = normalize(vView);

@@ -16,10 +16,10 @@ out vec3 vView;   // eye in the fin's frame
 out vec2 vUv;
 out vec2 vLean;
 out vec3 vLightSpace;
-#if defined(WET) || defined(TYPES)
+#if defined(WET) || defined(GROOMED) || defined(PAINTED)
 out vec2 vAtlas;
 #endif
-#ifdef TYPES
+#ifdef GROOMED
 out float vLength;  // of the coat here, a share of the fur length
 #endif
 #ifdef WET
@@ -89,10 +89,10 @@ void main() {
   vec3 leanNow = bend * (theta > 1e-5 ? arcTangent(theta, h).y / theta : 0.0);
   vLean = vec2(dot(axis, leanNow), dot(across, leanNow));
   vUv = vec2(face0.w, face1.w);
-#ifdef TYPES
+#ifdef GROOMED
   vLength = groomed.w;
 #endif
-#if defined(WET) || defined(TYPES)
+#if defined(WET) || defined(GROOMED) || defined(PAINTED)
   vAtlas = mix(atlas.xy, atlas.zw, side);
 #endif
 #ifdef WET

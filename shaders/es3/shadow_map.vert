@@ -7,6 +7,10 @@
 layout(location = FUR_POSITION) in vec3 position;
 layout(location = FUR_NORMAL) in vec3 normal;
 layout(location = FUR_FUR_COORD) in vec2 furCoord;
+#ifdef GROOMED
+layout(location = FUR_UV_ATLAS) in vec4 uvAtlas;
+#include "common_types.glsl"
+#endif
 #endif
 
 #ifdef SHADOW_LAYERS
@@ -29,6 +33,11 @@ void main() {
   float h = volumeShadow.z;
 #endif
   vec4 groomed = bendOf(gl_VertexID);
+#ifdef GROOMED
+  // Vertices have room for the longest strand round them; the shadow is that of the fur that stands there.
+  vec4 dressed = textureLod(groom, uvAtlas.zw, 0.0);
+  groomed.w = min(groomed.w, dressed.r * min(2.0 * dot(presences(dressed.gba), furryTypes()), 1.0));
+#endif
   vec3 at = lightSpace(strandPoint(position, normal, groomed.xyz, h, shape.x * groomed.w));
 #endif
   gl_Position = vec4(vec3(at.xy, at.z / volumeShadow.w) * 2.0 - 1.0, 1.0);

@@ -12,7 +12,7 @@
 uniform sampler2DArray coverage;  // r
 uniform sampler2DArray strand;    // xy: tangent  z: variance  w: dominance
 uniform sampler2D baseColor;
-#if defined(TEXTURED) || defined(VIEW_OFFSET)
+#if defined(TEXTURED) || defined(PAINTED) || defined(VIEW_OFFSET)
 uniform sampler2DArray offset;  // 0.5 + the way back to the strand's root, in tiles
 #endif
 #ifdef GROOMED
@@ -34,6 +34,8 @@ flat in float vTop;
 in vec2 vStrands;
 #if defined(WET) || defined(GROOMED)
 #define DRESSED  // strands stand elsewhere than in the tile, or not all of them
+#endif
+#if defined(DRESSED) || defined(PAINTED)
 in vec2 vAtlas;
 in vec4 vAtlasStep;
 #endif
@@ -99,11 +101,14 @@ float edged(float cover, float sharp) { return clamp((cover - 0.5) * sharp + 0.5
 // Stands in for 1 - (1 - c)^softness.
 float stepCover(float cover, float softness) { return min(cover * mix(softness, 1.0, cover), 1.0); }
 
+#if defined(TEXTURED) || defined(PAINTED)
+// How far from where the ray enters the strand that was met has its root, so that a curl has one colour up to its tip.
+vec2 toRoot(vec4 spot) { return spot.xy + textureLod(offset, spot.xyz, spot.w).xy - 0.5 - vTile.xy; }
+#endif
 #ifdef TEXTURED
-// The model's own colour at the root of the strand that was met, so that a curl has it up to its tip: the model's uv
-// a tile on is solved out of what both do from pixel to pixel.
+// The model's own colour there: the model's uv a tile on is solved out of what both do from pixel to pixel.
 vec3 colorAtRoot(vec4 spot) {
-  vec2 root = spot.xy + textureLod(offset, spot.xyz, spot.w).xy - 0.5 - vTile.xy;
+  vec2 root = toRoot(spot);
   mat2 tiles = mat2(dFdx(vTile.xy), dFdy(vTile.xy)), uvs = mat2(dFdx(vLean.zw), dFdy(vLean.zw));
   float area = determinant(tiles);
   // A surface seen edge-on tells nothing: there the root is not far.
@@ -364,6 +369,10 @@ void main() {
   }
 #endif
   vec3 albedo = strandColor(rootTint, tip, h, met.z, model);
+#ifdef PAINTED
+  vec2 rooted = vAtlas + mat2(vAtlasStep.xy, vAtlasStep.zw) * toRoot(spot);
+  albedo = paintedStrand(albedo, rooted, tip.w, h, met.z);
+#endif
 #ifdef WET
   albedo = wetAlbedo(albedo, rho);
 #endif
@@ -373,11 +382,15 @@ void main() {
   color = lockLight(color, tangent, n, light3, view3, h, held, sheet, lit, vView.w, wisp);
 #endif
   for (int i = 0, once = int(reachesSkin && closed < 1.0); i < once; ++i) {
-    vec3 skin = shadeSkin(skinColor.rgb * model * 0.5, vLight.z, vView.w, 0.0, skinWetness, lit);
+    vec3 bare = skinColor.rgb * model;
+#ifdef PAINTED
+    bare = painted(bare, rooted, vec3(1.0));
+#endif
+    vec3 skin = shadeSkin(bare * 0.5, vLight.z, vView.w, 0.0, skinWetness, lit);
     // Pores: the lowest layer says where strands root (Sheppard 5.2).
     skin *= 1.0 - 0.4 * furry * textureLod(coverage, vec3(foot, firstLayer), lod).r;
 #ifdef GROOMED
-    skin = mix(bareSkin(skinColor.rgb * model, vLight.z, vView.w, skinWetness, lit), skin, furry);
+    skin = mix(bareSkin(bare, vLight.z, vView.w, skinWetness, lit), skin, furry);
 #endif
     color = closed > 0.0 ? mix(skin, color, closed) : skin;
   }

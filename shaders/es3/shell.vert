@@ -32,7 +32,7 @@ out float vTop;
 flat out float vTop;  // the slab's top, 0..1
 #endif
 out vec2 vStrands;    // the strands shown: from, to; not clamped
-#if defined(WET) || defined(GROOMED)
+#if defined(WET) || defined(GROOMED) || defined(PAINTED)
 out vec2 vAtlas;
 out vec4 vAtlasStep;  // d(atlas)/d(tile), by columns
 #endif
@@ -130,7 +130,7 @@ void main() {
 #ifdef GROOMED
   vLength = groomed.w;
 #endif
-#if defined(WET) || defined(GROOMED)
+#if defined(WET) || defined(GROOMED) || defined(PAINTED)
   vAtlas = uvAtlas.zw;
   vAtlasStep = atlasFromFur / shape.y;
 #endif

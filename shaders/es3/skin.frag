@@ -10,6 +10,13 @@ uniform sampler2D mask;
 in vec3 vNormal;
 in vec4 vUvAtlas;
 in vec3 vColor;
+#ifdef PAINTED
+in vec3 vShade;
+#endif
+#ifdef GROOMED
+in vec3 vBare;
+#include "common_types.glsl"
+#endif
 in vec3 vLightSpace;
 
 out vec4 fragColor;
@@ -18,7 +25,23 @@ void main() {
 #if defined(VIEW_SHADOW)
   fragColor = vec4(vColor, 1.0);
 #elif defined(UNDER_FUR)
-  vec3 color = vColor * modelColor(baseColor, vUvAtlas.xy);
+  vec3 model = modelColor(baseColor, vUvAtlas.xy), color = vColor * model;
+#ifdef PAINTED
+  color = painted(color, vUvAtlas.zw, 0.9 * vShade);
+#endif
+#ifdef GROOMED
+  // Where no fur grows it is bare.
+  vec3 bare = vBare * skinColor.rgb * model;
+#ifdef PAINTED
+  bare = painted(bare, vUvAtlas.zw, vBare);
+#endif
+  vec4 dressed = textureLod(groom, vUvAtlas.zw, 0.0);
+  float furry = min(dressed.r / 0.15, 1.0);
+#ifdef TYPES
+  furry *= min(2.0 * dot(presences(dressed.gba), furryTypes()), 1.0);
+#endif
+  color = mix(bare, color, furry);
+#endif
 #ifdef WET
   // Between locks, in their shade.
   float rho = clamp(clumpAt(mask, vUvAtlas.zw).a, 0.0, 1.0);
@@ -42,7 +65,11 @@ void main() {
 #elif defined(VIEW_NORMALS)
   fragColor = vec4(n * 0.5 + 0.5, 1.0);
 #else
-  vec3 color = bareSkin(skinColor.rgb * modelColor(baseColor, vUvAtlas.xy), dot(n, light.xyz), dot(n, up.xyz), clump.a,
+  vec3 albedo = skinColor.rgb * modelColor(baseColor, vUvAtlas.xy);
+#ifdef PAINTED
+  albedo = painted(albedo, vUvAtlas.zw, vec3(1.0));
+#endif
+  vec3 color = bareSkin(albedo, dot(n, light.xyz), dot(n, up.xyz), clump.a,
                         furShadowAt(vLightSpace));
   fragColor = vec4(encodeSrgb(toneMap(color)), 1.0);
 #endif

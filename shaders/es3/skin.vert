@@ -13,6 +13,12 @@ layout(location = FUR_UV_ATLAS) in vec4 uvAtlas;
 out vec3 vNormal;
 out vec4 vUvAtlas;
 out vec3 vColor;  // under fur: its light, without the model's picture
+#ifdef PAINTED
+out vec3 vShade;  // of that, without the skin's colour
+#endif
+#ifdef GROOMED
+out vec3 vBare;   // the same where no fur grows
+#endif
 out vec3 vLightSpace;
 
 void main() {
@@ -24,8 +30,8 @@ void main() {
   // part of the body and goes on deep in that of another: there it stands for the strands that are missing.
   float nDotL = dot(normal, light.xyz), upness = dot(normal, up.xyz);
   vec3 strands = rootColors[0].rgb + tipColors[0].rgb;
-  float furry = bendOf(gl_VertexID).w;
 #ifdef VIEW_SHADOW
+  float furry = bendOf(gl_VertexID).w;
   vColor = vec3(lightShare(furShadowAt(vLightSpace), 1.0, nDotL));
 #ifdef UNDER_FUR
   float under = lightShare(furShadowAt(lightSpace(position + normal * (0.3 * shape.x))), 0.3, nDotL);
@@ -39,7 +45,12 @@ void main() {
   for (int type = 1; type < FUR_TYPES; ++type) strands += grows[type] * (rootColors[type].rgb + tipColors[type].rgb);
 #endif
   vec3 albedo = mix(skinColor.rgb, 0.5 * strands, min(2.0 * volume.z, 1.0));
-  vColor = shadeSkin(albedo, nDotL, upness, 0.3, 0.0, furShadowAt(lightSpace(position + normal * (0.3 * shape.x))));
-  if (furry < 0.15)
-    vColor = mix(bareSkin(skinColor.rgb, nDotL, upness, 0.0, furShadowAt(vLightSpace)), vColor, furry / 0.15);
+  vec3 shade = shadeSkin(vec3(1.0), nDotL, upness, 0.3, 0.0, furShadowAt(lightSpace(position + normal * (0.3 * shape.x))));
+  vColor = shade * albedo;
+#ifdef PAINTED
+  vShade = shade;
+#endif
+#ifdef GROOMED
+  vBare = bareSkin(vec3(1.0), nDotL, upness, 0.0, furShadowAt(vLightSpace));
+#endif
 }

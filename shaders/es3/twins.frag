@@ -49,6 +49,8 @@ void main() {
   float value = upright(at.x, sheetOf(at.x));
 #elif FUNCTION == 22
   float value = pointsOf(at.x, sheetOf(at.x), 1.5 * at.y);
+#elif FUNCTION == 23
+  float value = decodeSrgb(vec3(at.x)).x;
 #elif FUNCTION == 14
   float value = alongStrand(at.x, vec2(at.y, 0.0));
 #elif FUNCTION == 15

@@ -94,6 +94,7 @@ void App::State::uploadScene() {
   renderer->updateMask(mask, {0, 0, mask.size(), mask.size()}, wetting->chartOfTexel());
   uploadBends();
   uploadGroom({0, 0, groom.map.size(), groom.map.size()});
+  uploadPaint({0, 0, groom.map.size(), groom.map.size()});
   uploadWhiskers();
   uploadPose();
   uploadCoat();
@@ -463,6 +464,7 @@ render::Frame App::State::frame(int level) const {
   f.reach = glm::length(extent.centre) + extent.radius;
   f.wet = !mask.isDry();
   f.groomed = groomed;
+  f.painted = painted;
   f.types = shownTypes > 1;
   if (const auto ball = touch.ball()) f.ball = Vec4(ball->centre, ball->radius);
   f.baseColorFactor = baseColorFactor;

@@ -20,7 +20,7 @@
 #include "core/Result.h"
 #include "furgen/TilePicture.h"
 #include "geometry/Surface.h"
-#include "groom/Groom.h"
+#include "groom/GroomBrush.h"
 #include "scene/Model.h"
 #include "settings/Settings.h"
 #include "wet/Water.h"
@@ -35,25 +35,31 @@ struct Frame;
 
 namespace fur::app {
 
-// Droplet and Dry paint on the model, Towel takes water off it, and so do the tools of the groom from Comb to Pluck paint;
+// Droplet and Dry paint on the model, Towel takes water off it, and so do the tools of the groom from Comb to Mask paint;
 // Rain, Hose and Dryer go on for as long as they are held on it. Grab moves the model about (it springs back), None
 // leaves every drag to the camera.
+// Paint lays a colour over the coat, Cut cuts what is longer, Thin takes strands out, Mask protects from all of them: in
+// programs with an editor, see groomWith().
 // Of these Whisker plants one where it goes down and aims it while it is dragged, and Pluck pulls them out. Pet strokes
 // the fur, Ball presses a ball into it: it forgets both after a while.
 enum class Tool {
-  Droplet, Dry, Rain, Hose, Towel, Dryer, Comb, Smooth, Raise, Trim, Grow, Type, Whisker, Pluck, Pet, Ball, Grab, None
+  Droplet, Dry, Rain, Hose, Towel, Dryer, Comb, Smooth, Raise, Trim, Grow, Type, Whisker, Pluck, Paint, Cut, Thin, Mask, Pet, Ball, Grab, None
 };
 
 // What groomAll() does all over the model. `value` is 0..1 unless it says otherwise.
 enum class GroomEdit {
-  Clear,   // full length, one type, upright, no whiskers
+  Clear,   // full length, one type, upright, no whiskers, no paint, no mask
   Length,  // value: share of the longest
   Invert,  // of the lengths
   Vary,    // value: how much shorter the shortest patches get, by the settings' seed
   Type,    // value: 1..4
   Comb,    // along `direction` (model space), by the share `value`
   Raise,
-  Size     // value: texels along the map, 16..1024
+  Size,    // value: texels along the maps, 16..1024
+  Paint,   // value: 0xRRGGBB, all over
+  ClearPaint,
+  ClearMask,
+  InvertMask
 };
 // Of what saveWater() and saveGroom() give, which browsers keep from visit to visit: another one whenever that changes.
 inline constexpr std::uint32_t kSavedLayout = 1;
@@ -217,6 +223,15 @@ class App {
   std::optional<Ball> ball() const;
 
   // --- groom (groom/Groom.h); belongs to the model ---
+  // What only programs with an editor do with it; the viewer's download is spared it.
+  struct EditorGroom {
+    // One dab of a tool after Pluck.
+    void (*dab)(Tool tool, groom::Groom& groom, const groom::Ground& ground, const groom::Brush& brush, const settings::Settings& settings);
+    groom::GroomMap (*paintUnderMask)(const groom::Groom& groom);
+  };
+  static void groomWith(const EditorGroom* given);
+  // What the fur at a pixel is coloured like, 0xRRGGBB: paint, or coat and the model's picture. None off the model.
+  std::optional<std::uint32_t> colorAt(Vec2 pixel) const;
   void groomAll(GroomEdit edit, float value = 1, const Vec3& direction = Vec3(0, -1, 0));
   // An image, RGBA8 in the model's own texture coordinates.
   void groomFromImage(groom::ImageOf what, int width, int height, std::span<const std::uint8_t> rgba);
@@ -224,8 +239,9 @@ class App {
   std::uint64_t groomRevision() const;  // another one, above 0, whenever it has changed
   bool groomed() const;  // any of it is not as a new model's
   const groom::GroomMap& groomMap() const;
+  const groom::Groom& groom() const;
   std::size_t whiskerCount() const;
-  // Of map, comb and whiskers.
+  // Of maps, comb and whiskers.
   std::uint64_t groomHash() const;
   // What moves over when another program takes over, as bytes of kSavedLayout: bad-file for others.
   std::vector<std::uint8_t> saveGroom() const;

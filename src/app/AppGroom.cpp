@@ -6,7 +6,6 @@
 #include "app/AppState.h"
 #include "groom/GroomBrush.h"
 #include "groom/GroomFilters.h"
-#include "scene/FoModel.h"
 #include "settings/Presets.h"
 
 namespace fur::app {
@@ -16,9 +15,11 @@ namespace {
 // Patches of the length noise, in model units: a few locks wide.
 constexpr float kGrain = 0.09f;
 
+const App::EditorGroom* editorGroom = nullptr;
+
 // One dab of `tool`; combing goes along `way`.
-void dab(Tool tool, groom::Groom& groom, const groom::Ground& ground, const groom::Brush& brush, int type,
-         const std::optional<Vec3>& way) {
+void dab(Tool tool, groom::Groom& groom, const groom::Ground& ground, const groom::Brush& brush,
+         const settings::Settings& settings, const std::optional<Vec3>& way) {
   switch (tool) {
     case Tool::Comb:
       if (way) groom::comb(groom, ground, brush, *way);
@@ -27,9 +28,10 @@ void dab(Tool tool, groom::Groom& groom, const groom::Ground& ground, const groo
     case Tool::Raise: groom::raise(groom, ground, brush); break;
     case Tool::Trim: groom::trim(groom, ground, brush); break;
     case Tool::Grow: groom::grow(groom, ground, brush); break;
-    case Tool::Type: groom::paintType(groom, ground, brush, type); break;
-    case Tool::Pluck: groom::pluck(groom, brush); break;
-    default: break;
+    case Tool::Type: groom::paintType(groom, ground, brush, settings.groomType + 1); break;
+    case Tool::Pluck: groom::pluck(groom, ground, brush); break;
+    default:
+      if (editorGroom) editorGroom->dab(tool, groom, ground, brush, settings);
   }
 }
 
@@ -39,14 +41,6 @@ std::vector<T> perVertex(const std::vector<T>& ofPoints, const groom::Ground& gr
   std::vector<T> out;
   for (std::size_t i = 0; !ofPoints.empty() && i < ground.surface.trueVertexCount; ++i)
     out.push_back(ofPoints[ground.points.pointOf[i]]);
-  return out;
-}
-
-// Those of some vertices; none stay none.
-template <class T>
-std::vector<T> ofVertices(const std::vector<T>& values, const std::vector<std::uint32_t>& vertices) {
-  std::vector<T> out;
-  for (std::size_t i = 0; !values.empty() && i < vertices.size(); ++i) out.push_back(values[vertices[i]]);
   return out;
 }
 
@@ -101,6 +95,7 @@ void App::State::refreshGroom() {
     readGroomMap();
     if (renderer) uploadGroom(changed);
   }
+  refreshPaint();
   if (renderer && shownWhiskers != groom.whiskers) uploadWhiskers();
   std::vector<Vec3> rests, lay;
   if (!upright()) rests = groom::restBends(groom, surface, ground().points);
@@ -113,7 +108,7 @@ void App::State::uploadGroom(const geometry::TexelRect& changed) {
   constexpr int kLeast = groom::GroomMap::kLeastSize;
   if (groomed) {
     renderer->updateGroom(groom.map, changed);
-    const auto remaining = [&](const std::vector<std::uint32_t>& all) { return groom::furryTriangles(groom.map, surface, all, typeHeights); };
+    const auto remaining = [&](const std::vector<std::uint32_t>& all) { return groom::furryTriangles(all, vertexLengths); };
     renderer->setFurry(geometry::remainingPatches(surface, remaining(surface.furIndices), remaining(surface.ownFurIndices)),
                        vertexLengths);
   } else {
@@ -121,6 +116,24 @@ void App::State::uploadGroom(const geometry::TexelRect& changed) {
     renderer->updateGroom(groom::GroomMap(kLeast), {0, 0, kLeast, kLeast});
     renderer->setFurry({surface.furIndices, surface.ownFurIndices, surface.furClusters}, {});
   }
+}
+
+bool App::State::showsMask() const { return editorGroom && grooms(tool) && !groom.mask.isPlain(); }
+
+void App::State::refreshPaint() {
+  const bool shows = showsMask();
+  geometry::TexelRect changed = unite(groom.paint.takeChanged(), groom.mask.takeChanged());
+  if (std::exchange(shownMask, shows) != shows) changed = {0, 0, groom.map.size(), groom.map.size()};
+  if (changed.empty()) return;
+  pictureChanged = true;
+  if (renderer) uploadPaint(changed);
+}
+
+void App::State::uploadPaint(const geometry::TexelRect& changed) {
+  shownMask = showsMask();
+  const bool before = std::exchange(painted, shownMask || !groom.paint.isPlain());
+  // What has been painted before is taken away, too.
+  if (painted || before) renderer->updatePaint(shownMask ? editorGroom->paintUnderMask(groom) : groom.paint, changed);
 }
 
 void App::State::uploadWhiskers() {
@@ -151,7 +164,7 @@ void App::State::plantWhisker(const geometry::SurfacePoint& at) {
   groom.whiskers.resize(groom.whiskers.size() + 1);
   groom::Whisker& whisker = groom.whiskers.back();
   whisker.root = positionAt(surface, at);
-  whisker.direction = whiskerNormal = normalAt(surface, at);
+  whisker.direction = normalAt(surface, at);
   whisker.length = settings.whiskerLength;
   whisker.width = settings.whiskerWidth;
   whisker.spread = settings.whiskerSpread;
@@ -159,24 +172,52 @@ void App::State::plantWhisker(const geometry::SurfacePoint& at) {
   whisker.hairs = static_cast<std::uint32_t>(settings.whiskerHairs);
   whisker.seed = sprayRandom.next();
   whisker.color = settings.whiskerColor;
-  groomTouched();
 }
 
 void App::State::aimWhisker(Vec2 pixel) {
   if (!groomBefore || groom.whiskers.size() <= groomBefore->whiskers.size()) return;
-  groom::Whisker& whisker = groom.whiskers.back();
+  groom::Whisker* whisker = &groom.whiskers[groomBefore->whiskers.size()];
   const ModelRay ray = rayThrough(pixel);
-  const Vec3 way = ray.origin - whisker.root;
+  const Vec3 way = ray.origin - whisker->root;
   // Where the ray passes the root, as far from the eye.
-  whisker.direction = groom::pulledDirection(whiskerNormal, whisker.length, way - ray.direction * glm::dot(way, ray.direction));
+  Vec3 pull = way - ray.direction * glm::dot(way, ray.direction);
+  for (; whisker != groom.whiskers.data() + groom.whiskers.size(); ++whisker) {
+    const auto at = groom::rootOf(*whisker, query);
+    if (at) whisker->direction = groom::pulledDirection(normalAt(surface, *at), whisker->length, pull);
+    pull = mirroredWay(pull);
+  }
   groomTouched();
 }
 
+std::optional<geometry::SurfacePoint> App::State::mirrored(const geometry::SurfacePoint& at) const {
+  if (settings.mirror == 0) return std::nullopt;
+  const Vec3 place = positionAt(surface, at), there = mirroredWay(place);
+  // In the middle it is the same place.
+  if (glm::distance(place, there) < 0.2f * settings.brushRadius) return std::nullopt;
+  return nearestPoint(surface, query, there, settings.brushRadius, mirroredWay(normalAt(surface, at)));
+}
+
+Vec3 App::State::mirroredWay(Vec3 way) const {
+  if (settings.mirror > 0) way[settings.mirror - 1] *= -1;
+  return way;
+}
+
 void App::State::groomAt(const geometry::SurfacePoint& at) {
-  if (tool == Tool::Whisker) return plantWhisker(at);
+  const auto other = mirrored(at);
+  if (tool == Tool::Whisker) {
+    plantWhisker(at);
+    if (other) plantWhisker(*other);
+    return groomTouched();
+  }
   const Vec3 centre = positionAt(surface, at);
-  dab(tool, groom, ground(), {centre, normalAt(surface, at), settings.brushRadius, settings.groomStrength},
-      settings.groomType + 1, lastDab ? std::optional(centre - *lastDab) : std::nullopt);
+  const std::optional<Vec3> way = lastDab ? std::optional(centre - *lastDab) : std::nullopt;
+  groom::Brush brush{centre, normalAt(surface, at), settings.brushRadius, settings.groomStrength, static_cast<groom::Falloff>(settings.brushFalloff)};
+  dab(tool, groom, ground(), brush, settings, way);
+  if (other) {
+    brush.centre = positionAt(surface, *other);
+    brush.normal = normalAt(surface, *other);
+    dab(tool, groom, ground(), brush, settings, way ? std::optional(mirroredWay(*way)) : std::nullopt);
+  }
   lastDab = centre;
   groomTouched();
 }
@@ -201,10 +242,10 @@ void App::State::takeFur(const scene::FurData& fur) {
   }
   if (fur.map.empty() && fur.comb.empty() && fur.lengths.empty() && fur.types.empty() && fur.whiskers.empty())
     return;
-  if (!fur.map.empty()) {
-    groom.map = groom::GroomMap(fur.mapSize);
-    groom.map.restore(fur.map);
-  }
+  if (!fur.map.empty()) groom::resize(groom, fur.mapSize);
+  const std::vector<groom::GroomMap::Texel>* maps[] = {&fur.map, &fur.paint, &fur.mask};
+  for (std::size_t i = 0; i < std::size(maps); ++i)
+    if (!maps[i]->empty()) (groom.*groom::kMaps[i]).restore(*maps[i]);
   const groom::Ground at = ground();
   // Vertices that were inserted have what lies between their ends.
   std::vector<Vec3> places = mesh.positions, combs = fur.comb;
@@ -251,8 +292,13 @@ void App::groomAll(GroomEdit edit, float value, const Vec3& direction) {
     case GroomEdit::Type: groom::setType(s.groom.map, static_cast<int>(glm::clamp(value, 1.0f, 4.0f))); break;
     case GroomEdit::Comb: groom::combAlong(s.groom, ground.points, direction, value); break;
     case GroomEdit::Raise: groom::raiseAll(s.groom); break;
-    case GroomEdit::Size: s.groom.map = groom::resized(s.groom.map, static_cast<int>(glm::clamp(value, 0.0f, 1e4f))); break;
+    case GroomEdit::Size: groom::resize(s.groom, static_cast<int>(glm::clamp(value, 0.0f, 1e4f))); break;
+    case GroomEdit::Paint: groom::paintAll(s.groom, static_cast<std::uint32_t>(glm::clamp(value, 0.0f, 16777215.0f))); break;
+    case GroomEdit::ClearPaint: s.groom.paint = groom::GroomMap(s.groom.map.size(), groom::GroomMap::kBlank); break;
+    case GroomEdit::ClearMask: s.groom.mask = groom::GroomMap(s.groom.map.size(), groom::GroomMap::kBlank); break;
+    case GroomEdit::InvertMask: groom::invertMask(s.groom.mask); break;
   }
+  if (edit < GroomEdit::Size || edit == GroomEdit::Paint || edit == GroomEdit::ClearPaint) groom::keepProtected(s.groom, *s.groomBefore, ground);
   s.groomTouched();
   s.endGroomStroke();
 }
@@ -269,6 +315,7 @@ void App::groomFromImage(groom::ImageOf what, int width, int height, std::span<c
   State& s = *state_;
   s.beginGroomStroke();
   groom::paintFromImage(what, s.groom, s.ground(), width, height, rgba);
+  groom::keepProtected(s.groom, *s.groomBefore, s.ground());
   s.groomTouched();
   s.endGroomStroke();
 }
@@ -283,10 +330,13 @@ std::uint64_t App::groomRevision() const { return state_->groomRevision; }
 bool App::groomed() const { return !state_->groom.isPlain(); }
 std::size_t App::whiskerCount() const { return state_->groom.whiskers.size(); }
 const groom::GroomMap& App::groomMap() const { return state_->groom.map; }
+const groom::Groom& App::groom() const { return state_->groom; }
+void App::groomWith(const EditorGroom* given) { editorGroom = given; }
 
 std::uint64_t App::groomHash() const {
   state_->ground();
-  std::uint64_t hash = state_->groom.map.hash();
+  std::uint64_t hash = 0;
+  for (const auto map : groom::kMaps) hash = (hash ^ (state_->groom.*map).hash()) * 1099511628211ull;
   const auto add = [&hash](std::uint32_t bits) { hash = (hash ^ bits) * 1099511628211ull; };
   for (const Vec3& comb : state_->groom.comb)
     for (int k = 0; k < 3; ++k) {
@@ -298,93 +348,6 @@ std::uint64_t App::groomHash() const {
   for (const groom::Whisker& whisker : state_->groom.whiskers)
     for (const std::uint32_t word : wordsOf(whisker)) add(word);
   return hash;
-}
-
-std::vector<std::uint8_t> App::saveFo() const {
-  State& s = *state_;
-  std::vector<int> types;
-  std::vector<float> lengths;
-  if (s.groomed) lengths = groom::vertexLengths(s.groom.map, s.surface, s.ground().points);
-  if (s.groomed)
-    for (const auto& vertex : s.surface.vertices) types.push_back(s.groom.map.typeAt(vertex.atlas) - 1);
-  if (!s.surface.turned) return scene::writeFo(scene::foFromSurface(s.surface, s.settings.repeat, lengths, types));
-  const geometry::OwnSurface own = geometry::ownSurface(s.surface, s.mesh);
-  return scene::writeFo(scene::foFromSurface(own.surface, s.settings.repeat, ofVertices(lengths, own.vertexOf), ofVertices(types, own.vertexOf)));
-}
-
-Warnings App::lostBySaving() const {
-  const State& s = *state_;
-  Warnings lost = s.lostOfFile;
-  if (s.given) lost.push_back("the coat that was read from a .fts file");
-  return lost;
-}
-
-std::vector<std::uint8_t> App::saveScene() const {
-  State& s = *state_;
-  s.refreshGroom();
-  const geometry::OwnSurface own = geometry::ownSurface(s.surface, s.mesh);
-  geometry::Mesh mesh;
-  mesh.indices = own.surface.indices;
-  for (const geometry::SurfaceVertex& v : own.surface.vertices) {
-    mesh.positions.push_back(v.position);
-    mesh.normals.push_back(v.normal);
-    if (!s.mesh.uv.empty()) mesh.uv.push_back(v.uv);
-    mesh.atlas.push_back(v.atlas);
-    if (!s.mesh.furUv.empty()) mesh.furUv.push_back(v.fur);
-  }
-  scene::FurData fur;
-  fur.state = state();
-  fur.mapSize = s.groom.map.size();
-  if (!s.groom.map.isPlain()) fur.map = s.groom.map.texels();
-  if (!s.upright()) {
-    fur.comb = ofVertices(groom::restBends(s.groom, s.surface, s.ground().points), own.vertexOf);
-  }
-  fur.whiskers = s.groom.whiskers;
-  fur.wetnessSize = s.mask.size();
-  if (!s.mask.isDry()) fur.wetness = s.mask.texels();
-  return scene::exportScene(mesh, s.modelName, fur, {s.sourceImage.bytes.empty() ? s.pendingImage : s.sourceImage, s.baseColorFactor});
-}
-
-// The layout, the map's size and the number of whiskers, texels, comb, whiskers.
-std::vector<std::uint8_t> App::saveGroom() const {
-  State& s = *state_;
-  s.ground();
-  const std::uint32_t counts[3] = {kSavedLayout, static_cast<std::uint32_t>(s.groom.map.size()), static_cast<std::uint32_t>(s.groom.whiskers.size())};
-  std::vector<std::uint8_t> bytes;
-  const auto append = [&](const void* from, std::size_t count) {
-    const auto* first = static_cast<const std::uint8_t*>(from);
-    bytes.insert(bytes.end(), first, first + count);
-  };
-  append(counts, sizeof counts);
-  append(s.groom.map.texels().data(), s.groom.map.texels().size() * sizeof(groom::GroomMap::Texel));
-  append(s.groom.comb.data(), s.groom.comb.size() * sizeof(Vec3));
-  append(s.groom.whiskers.data(), s.groom.whiskers.size() * groom::kWhiskerBytes);
-  return bytes;
-}
-
-Status App::restoreGroom(std::span<const std::uint8_t> bytes, bool undoable) {
-  State& s = *state_;
-  const groom::Ground ground = s.ground();
-  std::uint32_t counts[3] = {};
-  if (bytes.size() >= sizeof counts) std::memcpy(counts, bytes.data(), sizeof counts);
-  const std::uint32_t size = counts[1];
-  const std::size_t texels = std::size_t{size} * size;
-  const std::size_t mapAt = sizeof counts, combAt = mapAt + texels * sizeof(groom::GroomMap::Texel);
-  const std::size_t whiskersAt = combAt + ground.points.count() * sizeof(Vec3);
-  const bool sound = counts[0] == kSavedLayout && size >= groom::GroomMap::kLeastSize && size <= groom::GroomMap::kMostSize &&
-                     counts[2] <= groom::kMostWhiskers && bytes.size() == whiskersAt + counts[2] * groom::kWhiskerBytes;
-  if (!sound) return Error{ErrorId::BadFile, "a groom of " + std::to_string(bytes.size()) + " bytes is not of this model"};
-  if (undoable) s.beginGroomStroke();
-  std::vector<groom::GroomMap::Texel> map(texels);
-  std::memcpy(map.data(), &bytes[mapAt], combAt - mapAt);
-  s.groom.map = groom::GroomMap(static_cast<int>(size));
-  s.groom.map.restore(std::move(map));
-  std::memcpy(s.groom.comb.data(), &bytes[combAt], whiskersAt - combAt);
-  s.groom.whiskers = groom::readWhiskers(bytes.subspan(whiskersAt));
-  groom::keepSound(s.groom.whiskers, s.query);
-  s.groomTouched();
-  s.endGroomStroke();
-  return Done{};
 }
 
 }  // namespace fur::app

@@ -1,5 +1,5 @@
 // What App holds, shared by its source files: App.cpp (scene, settings, time, drawing),
-// AppCoat.cpp (the coat), AppGroom.cpp (the groom), AppQuality.cpp (levels), AppPose.cpp (animations), AppTouch.cpp
+// AppCoat.cpp (the coat), AppGroom.cpp (the groom), AppSaving.cpp (files of it), AppQuality.cpp (levels), AppPose.cpp (animations), AppTouch.cpp
 // (touch, breathing), AppWater.cpp (water by itself), Input.cpp (pointers, keys), Painting.cpp (water by hand).
 #pragma once
 
@@ -31,7 +31,7 @@ inline constexpr float kDryerReach = 1.5f, kHoseReach = 0.5f;
 
 // As long as it is held.
 inline bool goesOn(Tool tool) { return tool == Tool::Rain || tool == Tool::Hose || tool == Tool::Dryer; }
-inline bool grooms(Tool tool) { return tool >= Tool::Comb && tool <= Tool::Pluck; }
+inline bool grooms(Tool tool) { return tool >= Tool::Comb && tool <= Tool::Mask; }
 
 // Of this machine's clock.
 double secondsNow();
@@ -123,11 +123,12 @@ struct App::State {
   std::uint64_t groomRevision = 1;
   bool groomStale = false;    // fur and renderer do not know the newest yet
   bool groomed = false;       // the map is not plain
+  bool painted = false;       // the paint that is shown is not, nor is the mask over it
   std::vector<float> vertexLengths;  // what it says at the vertices; empty when it is plain
   std::optional<groom::Groom> groomBefore;  // the stroke at work
   std::optional<Vec3> lastDab;              // where its last dab was, model space
-  Vec3 whiskerNormal{0, 1, 0};              // of the skin where it has planted a whisker
   std::vector<groom::Whisker> shownWhiskers;  // that the renderer has
+  bool shownMask = false;  // likewise
 
   // Input.
   std::map<int, Vec2> pointers;
@@ -225,14 +226,25 @@ struct App::State {
   void refreshGroom();
   void readGroomMap();
   void uploadGroom(const geometry::TexelRect& changed);
+  void uploadPaint(const geometry::TexelRect& changed);
   void beginGroomStroke();
   void endGroomStroke();
   void groomAt(const geometry::SurfacePoint& at);
+  // The place on the other side, where the settings ask for one.
+  std::optional<geometry::SurfacePoint> mirrored(const geometry::SurfacePoint& at) const;
+  Vec3 mirroredWay(Vec3 way) const;
+  // With the paint, for who is grooming.
+  bool showsMask() const;
+  void refreshPaint();
   void plantWhisker(const geometry::SurfacePoint& at);
   // Turns the one that the stroke has planted to where the pixel pulls it.
   void aimWhisker(Vec2 pixel);
   void uploadWhiskers();
   void applyGroomStep(const GroomStep& step, bool undo);
+
+  // --- AppSaving.cpp ---
+  Vec3 pictureAt(const geometry::SurfacePoint& at) const;
+  std::vector<std::uint8_t> paintedPicture() const;
 
   // --- AppPose.cpp ---
   int animation() const;  // that the settings ask for; -1: none

@@ -17,8 +17,10 @@ std::size_t bytesOf(const Step& step) {
            mask->wet.size() / 8;
   const auto* groom = std::get_if<GroomStep>(&step);
   if (!groom) return sizeof(Step);
-  return sizeof(Step) + bytesIn(groom->before) + bytesIn(groom->after) + bytesIn(groom->points) +
-         bytesIn(groom->combBefore) + bytesIn(groom->combAfter) + bytesIn(groom->whiskersBefore) + bytesIn(groom->whiskersAfter);
+  std::size_t bytes = sizeof(Step) + bytesIn(groom->points) + bytesIn(groom->combBefore) + bytesIn(groom->combAfter) +
+                      bytesIn(groom->whiskersBefore) + bytesIn(groom->whiskersAfter);
+  for (const GroomStep::Map& map : groom->maps) bytes += bytesIn(map.before) + bytesIn(map.after);
+  return bytes;
 }
 
 template <class Texel>
@@ -94,12 +96,18 @@ std::optional<GroomStep> groomStep(const groom::Groom& before, const groom::Groo
   GroomStep step;
   step.sizeBefore = before.map.size();
   step.sizeAfter = after.map.size();
-  if (step.sizeBefore != step.sizeAfter) {
-    step.before = before.map.texels();
-    step.after = after.map.texels();
-  } else if (step.rect = difference(step.sizeAfter, before.map.texels(), after.map.texels()); !step.rect.empty()) {
-    step.before = cut(step.sizeBefore, before.map.texels(), step.rect);
-    step.after = cut(step.sizeAfter, after.map.texels(), step.rect);
+  bool changed = step.sizeBefore != step.sizeAfter;
+  for (std::size_t i = 0; i < std::size(groom::kMaps); ++i) {
+    GroomStep::Map& map = step.maps[i];
+    const auto &was = (before.*groom::kMaps[i]).texels(), &is = (after.*groom::kMaps[i]).texels();
+    if (step.sizeBefore != step.sizeAfter) {
+      map.before = was;
+      map.after = is;
+    } else if (map.rect = difference(step.sizeAfter, was, is); !map.rect.empty()) {
+      map.before = cut(step.sizeBefore, was, map.rect);
+      map.after = cut(step.sizeAfter, is, map.rect);
+      changed = true;
+    }
   }
   for (std::uint32_t i = 0; i < after.comb.size(); ++i) {
     const Vec3 was = before.comb.empty() ? Vec3(0) : before.comb[i];
@@ -113,17 +121,18 @@ std::optional<GroomStep> groomStep(const groom::Groom& before, const groom::Groo
     step.whiskersBefore = before.whiskers;
     step.whiskersAfter = after.whiskers;
   }
-  if (step.before.empty() && step.points.empty() && !planted) return std::nullopt;
+  if (!changed && step.points.empty() && !planted) return std::nullopt;
   return step;
 }
 
 void apply(const GroomStep& step, bool undo, groom::Groom& groom) {
-  const auto& texels = undo ? step.before : step.after;
-  if (step.sizeBefore != step.sizeAfter) {
-    groom.map = groom::GroomMap(undo ? step.sizeBefore : step.sizeAfter);
-    groom.map.restore(texels);
-  } else if (!step.rect.empty()) {
-    groom.map.restore(withRect(groom.map.size(), groom.map.texels(), step.rect, texels));
+  const bool resized = step.sizeBefore != step.sizeAfter;
+  if (resized) groom::resize(groom, undo ? step.sizeBefore : step.sizeAfter);
+  for (std::size_t i = 0; i < std::size(groom::kMaps); ++i) {
+    const auto& texels = undo ? step.maps[i].before : step.maps[i].after;
+    groom::GroomMap& map = groom.*groom::kMaps[i];
+    if (resized) map.restore(texels);
+    else if (!step.maps[i].rect.empty()) map.restore(withRect(map.size(), map.texels(), step.maps[i].rect, texels));
   }
   for (std::size_t i = 0; i < step.points.size(); ++i)
     groom.comb[step.points[i]] = (undo ? step.combBefore : step.combAfter)[i];

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <variant>
@@ -33,12 +34,15 @@ struct MaskStep {
   std::vector<bool> wet;
 };
 
-// The changed rectangle of the map, row-major, or all of both when its size has changed; and the points that were
-// combed otherwise; and all whiskers, when any of them has changed.
+// The changed rectangle of each map (groom::kMaps), row-major, or all of them when their size has changed; and the points
+// that were combed otherwise; and all whiskers, when any of them has changed.
 struct GroomStep {
   int sizeBefore = 0, sizeAfter = 0;
-  geometry::TexelRect rect;
-  std::vector<groom::GroomMap::Texel> before, after;
+  struct Map {
+    geometry::TexelRect rect;
+    std::vector<groom::GroomMap::Texel> before, after;
+  };
+  Map maps[std::size(groom::kMaps)];
   std::vector<std::uint32_t> points;
   std::vector<Vec3> combBefore, combAfter;
   std::vector<groom::Whisker> whiskersBefore{}, whiskersAfter{};

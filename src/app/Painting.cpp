@@ -119,6 +119,7 @@ bool App::State::sprayAt(Vec2 pixel) {
     return true;
   }
   sprayOn(*hit);
+  if (const auto other = mirrored(*hit)) sprayOn(*other);
   return true;
 }
 
@@ -208,6 +209,8 @@ void App::setTool(Tool tool) {
   state_->endStroke();
   state_->otherChanges += state_->tool != tool;
   state_->tool = tool;
+  // The mask shows while one grooms.
+  if (!state_->groom.mask.isPlain()) state_->groomStale = state_->pictureChanged = true;
   state_->touch.lift();
   state_->refreshTouch();
 }

@@ -18,7 +18,8 @@ namespace fur::editor {
 
 // In the order of app::Tool, which EditorHost checks.
 enum class Tool {
-  Droplet, Dry, Rain, Hose, Towel, Dryer, Comb, Smooth, Raise, Trim, Grow, Type, Whisker, Pluck, Pet, Ball, Grab, None
+  Droplet, Dry, Rain, Hose, Towel, Dryer, Comb, Smooth, Raise, Trim, Grow, Type, Whisker, Pluck, Paint, Cut, Thin, Mask,
+  Pet, Ball, Grab, None
 };
 
 // How a person can bring a file: through a dialog of the platform, or by typing its path.
@@ -52,7 +53,7 @@ struct CoatView {
 };
 
 // In the order of app::GroomEdit, which EditorHost checks.
-enum class GroomEdit { Clear, Length, Invert, Vary, Type, Comb, Raise, Size };
+enum class GroomEdit { Clear, Length, Invert, Vary, Type, Comb, Raise, Size, Paint, ClearPaint, ClearMask, InvertMask };
 
 // The groom of the model, shares of its surface as groom::Coverage has them.
 struct GroomView {
@@ -61,6 +62,7 @@ struct GroomView {
   int mapSize = 256;
   int whiskers = 0;
   bool plain = true;           // nothing of it is anybody's work
+  bool painted = false, masked = false;  // there is paint, there is a mask
   ImTextureID map = nullptr;   // a picture while Editor::showsGroom(); null until it is there
 };
 

@@ -23,6 +23,12 @@ void label(const char* text) {
   ImGui::SameLine(px(80));
 }
 
+void choice(const char* text, const char* id, int& value, const char* const (&names)[4]) {
+  label(text);
+  const int chosen = segments(id, {{names[0], value == 0}, {names[1], value == 1}, {names[2], value == 2}, {names[3], value == 3}});
+  if (chosen >= 0) value = chosen;
+}
+
 void slider(const char* text, const char* id, float& value, const char* field) {
   label(text);
   ImGui::SetNextItemWidth(-1);
@@ -42,6 +48,8 @@ std::vector<Command> GroomPanel::draw(const EditorModel& model, settings::Settin
   tooltips_ = tooltips;
   if (!groupHeader("Groom")) return {};
   drawBrush(model, edited);
+  drawPaint(model, edited);
+  drawMask(model, edited);
   drawWhiskers(model, edited);
   drawLengths();
   drawDirections();
@@ -51,19 +59,67 @@ std::vector<Command> GroomPanel::draw(const EditorModel& model, settings::Settin
 }
 
 void GroomPanel::drawBrush(const EditorModel& model, settings::Settings& edited) {
-  constexpr Tool kCombs[] = {Tool::Comb, Tool::Smooth, Tool::Raise}, kCuts[] = {Tool::Trim, Tool::Grow, Tool::Type};
+  constexpr Tool kCombs[] = {Tool::Comb, Tool::Smooth, Tool::Raise};
+  constexpr Tool kCuts[] = {Tool::Trim, Tool::Grow, Tool::Cut, Tool::Type};
   const auto chosen = [&](Tool tool) { return model.tool == tool; };
   const int comb = segments("combs", {{"Comb", chosen(Tool::Comb)}, {"Smooth", chosen(Tool::Smooth)}, {"Raise", chosen(Tool::Raise)}});
-  const int cut = segments("cuts", {{"Trim", chosen(Tool::Trim)}, {"Grow", chosen(Tool::Grow)}, {"Type", chosen(Tool::Type)}});
+  const int cut = segments("cuts", {{"Trim", chosen(Tool::Trim)}, {"Grow", chosen(Tool::Grow)}, {"Cut", chosen(Tool::Cut)}, {"Type", chosen(Tool::Type)}});
   if (comb >= 0) commands_.push_back(command::SetTool{kCombs[comb]});
   if (cut >= 0) commands_.push_back(command::SetTool{kCuts[cut]});
+  givesOrTakes("thins", Tool::Thin, "Thin", "Thicken", model, edited);
+  hint("Takes strands out, by the fur type that is bald");
   slider("Size", "##groomSize", edited.brushRadius, "brushRadius");
+  hint("[ and ] make it smaller and larger");
   slider("Strength", "##groomStrength", edited.groomStrength, "groomStrength");
+  hint("Shift with [ and ] makes it weaker and stronger");
+  choice("Falloff", "falloffs", edited.brushFalloff, {"Smooth", "Linear", "Sharp", "Flat"});
+  hint("How a brush fades from its middle to its rim");
+  choice("Mirror", "mirrors", edited.mirror, {"Off", "X", "Y", "Z"});
+  hint("Brushes, also those with water, work on the other side of the model, too; X is left and right");
+  slider("Cut to", "##cutLength", edited.cutLength, "cutLength");
+  hint("What the brush Cut leaves of longer fur");
   label("Type");
   const int type = segments("types", {{"1", edited.groomType == 0}, {"2", edited.groomType == 1},
                                       {"3", edited.groomType == 2}, {"4", edited.groomType == 3}});
   if (type >= 0) edited.groomType = type;
   hint("What the brush Type paints: 1, the coat of the settings, takes the others away. What 2 to 4 are is set under Types");
+}
+
+void GroomPanel::givesOrTakes(const char* id, Tool tool, const char* gives, const char* takes, const EditorModel& model,
+                              settings::Settings& edited) {
+  const auto chosen = [&](bool erases) { return model.tool == tool && edited.brushErases == erases; };
+  const int pressed = segments(id, {{gives, chosen(false)}, {takes, chosen(true)}});
+  if (pressed < 0) return;
+  commands_.push_back(command::SetTool{tool});
+  edited.brushErases = pressed == 1;
+}
+
+void GroomPanel::drawPaint(const EditorModel& model, settings::Settings& edited) {
+  givesOrTakes("paints", Tool::Paint, "Paint", "Erase paint", model, edited);
+  label("Colour");
+  const std::uint32_t rgb = edited.paintColor;
+  float color[3] = {static_cast<float>(rgb >> 16 & 255u) / 255, static_cast<float>(rgb >> 8 & 255u) / 255, static_cast<float>(rgb & 255u) / 255};
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::ColorEdit3("##paintColor", color, ImGuiColorEditFlags_PickerHueWheel | ImGuiColorEditFlags_DisplayHex)) {
+    edited.paintColor = 0;
+    for (const float c : color) edited.paintColor = edited.paintColor << 8 | static_cast<std::uint32_t>(c * 255 + 0.5f);
+  }
+  hint("Click the square for more; Alt+click on the model takes its colour");
+  ImGui::Dummy(ImVec2(0, 0));
+  ImGui::SameLine(px(80));
+  const int all = segments("paintAlls", {{"Fill", false}, {"Clear paint", false}});
+  if (all == 0) edit(GroomEdit::Paint, static_cast<float>(edited.paintColor));
+  if (all == 1) edit(GroomEdit::ClearPaint);
+}
+
+void GroomPanel::drawMask(const EditorModel& model, settings::Settings& edited) {
+  givesOrTakes("masks", Tool::Mask, "Mask", "Unmask", model, edited);
+  hint("What is red is protected: brushes and what is done to all of it leave it as it is");
+  ImGui::Dummy(ImVec2(0, 0));
+  ImGui::SameLine(px(80));
+  const int all = segments("maskAlls", {{"Invert mask", false}, {"Clear mask", false}});
+  if (all == 0) edit(GroomEdit::InvertMask);
+  if (all == 1) edit(GroomEdit::ClearMask);
 }
 
 void GroomPanel::drawWhiskers(const EditorModel& model, settings::Settings& edited) {
@@ -106,7 +162,7 @@ void GroomPanel::drawMap(const GroomView& groom) {
   ImGui::BeginDisabled(groom.plain);
   if (ImGui::Button("Clear", ImVec2(-1, 0))) edit(GroomEdit::Clear);
   ImGui::EndDisabled();
-  hint("Full length, one type, upright, no whiskers");
+  hint("Full length, one type, upright, no whiskers, no paint, no mask");
   std::snprintf(text, sizeof text, "Types %.0f, %.0f, %.0f, %.0f %%", static_cast<double>(groom.types[0]) * 100,
                 static_cast<double>(groom.types[1]) * 100, static_cast<double>(groom.types[2]) * 100,
                 static_cast<double>(groom.types[3]) * 100);
@@ -118,7 +174,7 @@ void GroomPanel::drawMap(const GroomView& groom) {
   const float side = px(kMapSide);
   if (groom.map) ImGui::Image(groom.map, ImVec2(side, side));
   else ImGui::Dummy(ImVec2(side, side));
-  hint("The groom over the atlas: bright is long, colours are the types 2 to 4");
+  hint("The groom over the atlas: bright is long, colours are the types 2 to 4 and the paint");
 }
 
 }  // namespace fur::editor

@@ -20,6 +20,9 @@ class GroomPanel {
 
  private:
   void drawBrush(const EditorModel& model, settings::Settings& edited);
+  void givesOrTakes(const char* id, Tool tool, const char* gives, const char* takes, const EditorModel& model, settings::Settings& edited);
+  void drawPaint(const EditorModel& model, settings::Settings& edited);
+  void drawMask(const EditorModel& model, settings::Settings& edited);
   void drawWhiskers(const EditorModel& model, settings::Settings& edited);
   void drawLengths();
   void drawDirections();

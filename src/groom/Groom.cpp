@@ -10,20 +10,18 @@
 
 namespace fur::groom {
 
-namespace {
-
-GroomMap::Texel sound(GroomMap::Texel t) {
+GroomMap::Texel GroomMap::sound(Texel t) const {
+  if (plain_ != kPlain) return t;
   const int sum = t[1] + t[2] + t[3];
   if (sum > 255)
     for (std::size_t k = 1; k < 4; ++k) t[k] = static_cast<std::uint8_t>(t[k] * 255 / sum);
   return t;
 }
 
-}  // namespace
-
-GroomMap::GroomMap(int size)
+GroomMap::GroomMap(int size, const Texel& plain)
     : size_(std::clamp(size, kLeastSize, kMostSize)),
-      texels_(static_cast<std::size_t>(size_) * static_cast<std::size_t>(size_), kPlain),
+      plain_(plain),
+      texels_(static_cast<std::size_t>(size_) * static_cast<std::size_t>(size_), plain),
       changed_{0, 0, size_, size_} {}
 
 void GroomMap::set(std::uint32_t texel, Texel value) {
@@ -51,7 +49,8 @@ void GroomMap::fillGutter(const geometry::AtlasTexels& atlas, const geometry::Te
 }
 
 bool GroomMap::isPlain() const {
-  return std::all_of(texels_.begin(), texels_.end(), [](const Texel& texel) { return texel == kPlain; });
+  const bool blank = plain_ == kBlank;
+  return std::all_of(texels_.begin(), texels_.end(), [&](const Texel& texel) { return blank ? texel[3] == 0 : texel == plain_; });
 }
 
 Vec4 GroomMap::at(const Vec2& atlas) const {
@@ -86,16 +85,17 @@ std::uint64_t GroomMap::hash() const {
 
 geometry::TexelRect GroomMap::takeChanged() { return std::exchange(changed_, geometry::TexelRect{}); }
 
-GroomMap resized(const GroomMap& map, int size) {
-  GroomMap out(size);
-  const auto from = static_cast<std::size_t>(map.size()), to = static_cast<std::size_t>(out.size());
-  std::vector<GroomMap::Texel> texels;
-  texels.reserve(to * to);
-  for (std::size_t y = 0; y < to; ++y)
-    for (std::size_t x = 0; x < to; ++x)
-      texels.push_back(map.texels()[(2 * y + 1) * from / (2 * to) * from + (2 * x + 1) * from / (2 * to)]);
-  out.restore(std::move(texels));
-  return out;
+void resize(Groom& groom, int size) {
+  const Groom before = std::exchange(groom, {GroomMap(size), groom.comb, groom.whiskers});
+  const auto from = static_cast<std::size_t>(before.map.size()), to = static_cast<std::size_t>(groom.map.size());
+  for (const auto map : kMaps) {
+    std::vector<GroomMap::Texel> texels;
+    texels.reserve(to * to);
+    for (std::size_t y = 0; y < to; ++y)
+      for (std::size_t x = 0; x < to; ++x)
+        texels.push_back((before.*map).texels()[(2 * y + 1) * from / (2 * to) * from + (2 * x + 1) * from / (2 * to)]);
+    (groom.*map).restore(std::move(texels));
+  }
 }
 
 SurfacePoints::SurfacePoints(const geometry::Surface& surface) {
@@ -141,7 +141,7 @@ unsigned typesPresent(const GroomMap& map) {
 }
 
 bool Groom::isPlain() const {
-  return whiskers.empty() && map.isPlain() && std::all_of(comb.begin(), comb.end(), [](const Vec3& c) { return c == Vec3(0); });
+  return whiskers.empty() && map.isPlain() && paint.isPlain() && mask.isPlain() && std::all_of(comb.begin(), comb.end(), [](const Vec3& c) { return c == Vec3(0); });
 }
 
 Groom plainGroom(int mapSize, const SurfacePoints& points) {
@@ -160,59 +160,69 @@ std::vector<Vec3> restBends(const Groom& groom, const geometry::Surface& surface
   return out;
 }
 
+namespace {
+
+// Calls visit(texel) for those of the map that a filtered look-up on the triangle meets, one texel to each side, while it
+// returns true.
+template <class Visit>
+void forTexelsNear(const GroomMap& map, const geometry::AtlasTriangle& flat, Visit visit) {
+  const geometry::TexelRect box = flat.bounds(1.0f);
+  for (int y = box.y0; y < box.y1; ++y)
+    for (int x = box.x0; x < box.x1; ++x)
+      if (flat.meets(x, y, 1.0f) && !visit(map.texels()[static_cast<std::size_t>(y) * map.size() + x])) return;
+}
+
+}  // namespace
+
 std::vector<float> vertexLengths(const GroomMap& map, const geometry::Surface& surface, const SurfacePoints& points,
                                  const TypeHeights& heights) {
-  const auto heightAt = [&](const Vec4& dressed) {
-    float tallest = std::min(2 * (1 - dressed.y - dressed.z - dressed.w), 1.0f) * heights[0];
-    for (int k = 1; k < kTypes; ++k) tallest = std::max(tallest, std::min(2 * dressed[k], 1.0f) * heights[static_cast<std::size_t>(k)]);
-    return tallest * dressed.x;
+  const auto heightOf = [&](const GroomMap::Texel& t) {
+    float tallest = std::min(2 * (255 - t[1] - t[2] - t[3]), 255) * heights[0];
+    for (std::size_t k = 1; k < kTypes; ++k) tallest = std::max(tallest, std::min(2 * t[k], 255) * heights[k]);
+    return tallest * t[0] / (255.0f * 255.0f);
   };
-  std::vector<float> sum(points.count(), 0.0f), weight(points.count(), 0.0f);
-  for (std::size_t i = 0; i < surface.trueVertexCount; ++i) {
-    sum[points.pointOf[i]] += heightAt(map.at(surface.vertices[i].atlas));
-    weight[points.pointOf[i]] += 1.0f;
+  std::vector<float> most(points.count(), 0.0f);
+  const auto corner = [&](std::size_t i) { return surface.indices[i]; };
+  for (std::size_t i = 0; i + 2 < surface.indices.size(); i += 3) {
+    const auto atlas = [&](std::size_t k) { return surface.vertices[corner(i + k)].atlas; };
+    const geometry::AtlasTriangle flat(atlas(0), atlas(1), atlas(2), map.size());
+    // What has no area in the atlas meets no texel.
+    float tallest = flat.area > 0.0f ? 0.0f : 1.0f;
+    forTexelsNear(map, flat, [&](const GroomMap::Texel& texel) {
+      tallest = std::max(tallest, heightOf(texel));
+      return tallest < 1;
+    });
+    for (std::size_t k = 0; k < 3; ++k) {
+      float& here = most[points.pointOf[corner(i + k)]];
+      here = std::max(here, tallest);
+    }
   }
   std::vector<float> out;
   out.reserve(surface.vertices.size());
-  for (const std::uint32_t point : points.pointOf) out.push_back(sum[point] / std::max(weight[point], 1.0f));
+  for (const std::uint32_t point : points.pointOf) out.push_back(most[point]);
   return out;
 }
 
-std::vector<std::uint32_t> furryTriangles(const GroomMap& map, const geometry::Surface& surface,
-                                          const std::vector<std::uint32_t>& indices, const TypeHeights& heights) {
-  const auto bald = [&heights](const GroomMap::Texel& texel) {
-    if (texel[0] == 0) return true;
-    bool furry = heights[0] > 0 && texel[1] + texel[2] + texel[3] < 255;
-    for (std::size_t k = 1; k < kTypes; ++k) furry |= heights[k] > 0 && texel[k] > 0;
-    return !furry;
-  };
-  if (std::none_of(map.texels().begin(), map.texels().end(), bald)) return indices;
+std::vector<std::uint32_t> furryTriangles(const std::vector<std::uint32_t>& indices, std::span<const float> vertexLengths) {
   std::vector<std::uint32_t> kept;
-  const auto atlas = [&](std::size_t i) { return surface.vertices[indices[i]].atlas; };
-  for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-    const geometry::AtlasTriangle flat(atlas(i), atlas(i + 1), atlas(i + 2), map.size());
-    // A filtered look-up reaches one texel to each side.
-    const geometry::TexelRect box = flat.bounds(1.0f);
-    // What has no area in the atlas stays: nobody can say what it shows.
-    bool furry = !(flat.area > 0.0f);
-    for (int y = box.y0; y < box.y1 && !furry; ++y)
-      for (int x = box.x0; x < box.x1 && !furry; ++x)
-        furry = !bald(map.texels()[static_cast<std::size_t>(y) * map.size() + x]) && flat.meets(x, y, 1.0f);
-    if (furry) kept.insert(kept.end(), &indices[i], &indices[i] + 3);
-  }
+  for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
+    if (vertexLengths[indices[i]] > 0 || vertexLengths[indices[i + 1]] > 0 || vertexLengths[indices[i + 2]] > 0)
+      kept.insert(kept.end(), &indices[i], &indices[i] + 3);
   return kept;
 }
 
-std::vector<GroomMap::Texel> picture(const GroomMap& map) {
+std::vector<GroomMap::Texel> picture(const Groom& groom) {
   std::vector<GroomMap::Texel> out;
-  out.reserve(map.texels().size());
-  for (const GroomMap::Texel& t : map.texels()) {
+  out.reserve(groom.map.texels().size());
+  for (std::size_t i = 0; i < groom.map.texels().size(); ++i) {
+    const GroomMap::Texel &t = groom.map.texels()[i], &paint = groom.paint.texels()[i];
     const int others = t[1] + t[2] + t[3];
     // A tint leaves a third of the other two colours.
-    const auto shade = [&](int own) {
-      return static_cast<std::uint8_t>(t[0] * (255 - others + own + (others - own) / 3) / 255);
+    const auto shade = [&](std::size_t k) {
+      const int own = t[k + 1], tint = 255 - others + own + (others - own) / 3;
+      return static_cast<std::uint8_t>(t[0] * (tint * (255 - paint[3]) + paint[k] * paint[3]) / (255 * 255));
     };
-    out.push_back({shade(t[1]), shade(t[2]), shade(t[3]), 255});
+    out.push_back({shade(0), shade(1), shade(2), 255});
   }
   return out;
 }

@@ -7,6 +7,10 @@
 //            e and dominance D exists up to h <= max(2 - 2 (1 - e) / D, 0) (furgen::strandExists): where two
 //            types share the skin evenly, the dominant strands of both stand at full height and the others are
 //            gone; of three types none reaches it. With 1 - max in place of 1 - sum three would crowd there.
+// paint: a map of the same size over coat, skin and the model's own picture: r, g, b a colour (sRGB), a how much of it
+// there is; where there is none, the colour of what is next to it. mask: likewise, a: how far the place is protected from
+// brushes and edits; the rest is unused.
+//
 // comb: where the fur leans at rest, as dynamics::BendField has bends: model space, radians, one a point of the
 // surface (SurfacePoints). Vertices that lie together share it, whichever charts they were split for, so that
 // another fur mapping keeps the groom; each shows the part across its own normal.
@@ -19,6 +23,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geometry/AtlasTexels.h"
@@ -36,13 +41,14 @@ class GroomMap {
  public:
   using Texel = std::array<std::uint8_t, 4>;
   static constexpr Texel kPlain{255, 0, 0, 0};  // full length, type 1
+  static constexpr Texel kBlank{0, 0, 0, 0};    // of paint and mask: none
   static constexpr int kLeastSize = 16, kMostSize = 1024, kUsualSize = 256;
 
-  explicit GroomMap(int size = kUsualSize);  // clamped to the two above
+  explicit GroomMap(int size = kUsualSize, const Texel& plain = kPlain);  // clamped to the two above
 
   int size() const { return size_; }
   const std::vector<Texel>& texels() const { return texels_; }
-  // g + b + a over 255 is brought down to it.
+  // Of lengths and types g + b + a over 255 is brought down to it.
   void set(std::uint32_t texel, Texel value);
   // size * size of them, or an assertion.
   void restore(std::vector<Texel> texels);
@@ -61,13 +67,13 @@ class GroomMap {
   geometry::TexelRect takeChanged();
 
  private:
+  Texel sound(Texel texel) const;
+
   int size_;
+  Texel plain_;
   std::vector<Texel> texels_;
   geometry::TexelRect changed_;
 };
-
-// The same groom at another size: nearest texels.
-GroomMap resized(const GroomMap& map, int size);
 
 // The points of a surface: positions that differ, numbered as the triangles first meet them, which no
 // fur mapping changes. Copies for overlapping fur charts belong to the points of what they copy.
@@ -85,9 +91,15 @@ struct Groom {
   GroomMap map;
   std::vector<Vec3> comb;  // one a point, across its normal, at most kMaxComb long
   std::vector<Whisker> whiskers{};
+  GroomMap paint{map.size(), GroomMap::kBlank}, mask{map.size(), GroomMap::kBlank};
 
   bool isPlain() const;
 };
+
+// What a groom's maps have in common.
+inline constexpr GroomMap Groom::*kMaps[] = {&Groom::map, &Groom::paint, &Groom::mask};
+// Another size for all of them: nearest texels.
+void resize(Groom& groom, int size);
 
 // What an image that is painted onto the map means, see paintFromImage().
 enum class ImageOf { Length, Types };
@@ -110,20 +122,18 @@ std::vector<Vec3> restBends(const Groom& groom, const geometry::Surface& surface
 using TypeHeights = std::array<float, kTypes>;
 inline constexpr TypeHeights kAllFull{1, 1, 1, 1};
 
-// One a vertex, 0..1: how high the coat stands round it by the map, the same for all vertices of a point. No strand
-// of a type whose presence is e reaches beyond 2 e of its height.
+// One a vertex, 0..1: how high the coat stands at most on the triangles round it by the map, the same for all vertices of a
+// point: room for every strand between them. No strand of a type whose presence is e reaches beyond 2 e of its height.
 std::vector<float> vertexLengths(const GroomMap& map, const geometry::Surface& surface, const SurfacePoints& points,
                                  const TypeHeights& heights = kAllFull);
 
-// Those of the triangles (three indices each, into the surface's vertices) on which a filtered look-up into the
-// map meets any fur. What is left out costs nothing.
-std::vector<std::uint32_t> furryTriangles(const GroomMap& map, const geometry::Surface& surface,
-                                          const std::vector<std::uint32_t>& indices,
-                                          const TypeHeights& heights = kAllFull);
+// Those of the triangles (three indices each) over which a coat of these vertexLengths() stands: fur grows on them or, where
+// it slopes down to the skin, beside them. What is left out costs nothing.
+std::vector<std::uint32_t> furryTriangles(const std::vector<std::uint32_t>& indices, std::span<const float> vertexLengths);
 // A bit for each type that is present anywhere: 1 for type 1 (always), 2, 4, 8.
 unsigned typesPresent(const GroomMap& map);
-// For people: brightness is length, types 2 to 4 are tinted red, green and blue. size * size texels, opaque.
-std::vector<GroomMap::Texel> picture(const GroomMap& map);
+// For people: brightness is length, types 2 to 4 are tinted red, green and blue, under the paint. size * size texels, opaque.
+std::vector<GroomMap::Texel> picture(const Groom& groom);
 // Share of the surface's texels that are bald, and their mean length, both 0..1.
 struct Coverage {
   float bald = 0, length = 1;

@@ -13,6 +13,9 @@ namespace {
 // passes add up to all of it.
 constexpr float kLeastWeight = 0.5f / 255.0f;
 
+// So far round what is painted its colour goes on, as none of it: filtered look-ups meet no other one.
+constexpr float kRim = 0.04f;
+
 // Less of a lean nobody sees: upright, not ever nearer to it.
 constexpr float kUpright = 1e-3f;  // radians
 
@@ -26,8 +29,8 @@ bool usable(const Brush& brush) {
 
 float weightOf(const Brush& brush, const Vec3& at) {
   const Vec3 way = at - brush.centre;
-  const float left = 1.0f - glm::dot(way, way) / (brush.radius * brush.radius);
-  return left > 0.0f ? saturate(brush.strength) * left * left : 0.0f;
+  const float squared = glm::dot(way, way) / (brush.radius * brush.radius);
+  return squared < 1.0f ? saturate(brush.strength) * falloffAt(brush.falloff, squared) : 0.0f;
 }
 
 std::uint8_t towards(std::uint8_t from, int to, float weight) {
@@ -39,48 +42,66 @@ std::vector<std::uint32_t> trianglesUnder(const Ground& ground, const Brush& bru
   return usable(brush) ? ground.query.trianglesWithin(brush.centre, brush.radius) : std::vector<std::uint32_t>();
 }
 
-// What a brush of the weight w makes of a texel. No template: the code of a dab is there once.
-using TexelChange = GroomMap::Texel (*)(GroomMap::Texel texel, float weight, std::size_t channel);
+// What a brush of the weight w makes of a texel; `given` is the brush's own. No template: the code of a dab is there once.
+using TexelChange = GroomMap::Texel (*)(GroomMap::Texel texel, float weight, std::uint32_t given);
 
-bool dabTexels(Groom& groom, const Ground& ground, const Brush& brush, TexelChange change, std::size_t channel = 0) {
+bool dabTexels(Groom& groom, const Ground& ground, const Brush& brush, TexelChange change, std::uint32_t given = 0,
+               GroomMap Groom::*painted = &Groom::map) {
   geometry::TexelRect changed;
-  const int size = groom.map.size();
-  for (const std::uint32_t t : trianglesUnder(ground, brush))
+  GroomMap& map = groom.*painted;
+  const int size = map.size();
+  const bool isMask = painted == &Groom::mask, isPaint = painted == &Groom::paint;
+  Brush reach = brush;
+  if (isPaint) reach.radius += kRim;
+  for (const std::uint32_t t : trianglesUnder(ground, reach))
     ground.atlas.forTexelsOf(ground.surface, t, [&](std::uint32_t texel, const Vec3& weights) {
       const geometry::SurfacePoint point{t, weights, 0.0f};
-      const float weight = weightOf(brush, positionAt(ground.surface, point));
-      if (weight < kLeastWeight || glm::dot(normalAt(ground.surface, point), brush.normal) <= 0.0f) return;
-      const GroomMap::Texel before = groom.map.texels()[texel];
-      groom.map.set(texel, change(before, weight, channel));
-      if (groom.map.texels()[texel] != before)
-        changed.include(static_cast<int>(texel) % size, static_cast<int>(texel) / size);
+      float weight = weightOf(brush, positionAt(ground.surface, point));
+      if (!isMask) weight *= static_cast<float>(255 - groom.mask.texels()[texel][3]) / 255.0f;
+      const bool rim = isPaint && map.texels()[texel][3] == 0 && weightOf(reach, positionAt(ground.surface, point)) > 0;
+      if ((weight < kLeastWeight && !rim) || glm::dot(normalAt(ground.surface, point), brush.normal) <= 0.0f) return;
+      const GroomMap::Texel before = map.texels()[texel];
+      map.set(texel, change(before, weight, given));
+      if (map.texels()[texel] != before) changed.include(static_cast<int>(texel) % size, static_cast<int>(texel) / size);
     });
-  if (!changed.empty()) groom.map.fillGutter(ground.atlas, changed);
+  if (!changed.empty()) map.fillGutter(ground.atlas, changed);
   return !changed.empty();
 }
 
+std::uint32_t vertexOf(const Ground& ground, std::uint32_t triangle, std::size_t k) {
+  return ground.surface.indices[std::size_t{3} * triangle + k];
+}
 std::uint32_t pointOf(const Ground& ground, std::uint32_t triangle, std::size_t k) {
-  return ground.points.pointOf[ground.surface.indices[std::size_t{3} * triangle + k]];
+  return ground.points.pointOf[vertexOf(ground, triangle, k)];
 }
 
+// A point of the surface under a brush, and one of its vertices.
+struct PointUnder {
+  std::uint32_t point, vertex;
+  bool operator<(const PointUnder& other) const { return point < other.point; }
+  bool operator==(const PointUnder& other) const { return point == other.point; }
+};
+
 // Ascending, each once.
-std::vector<std::uint32_t> pointsOf(const Ground& ground, const std::vector<std::uint32_t>& triangles) {
-  std::vector<std::uint32_t> points;
+std::vector<PointUnder> pointsOf(const Ground& ground, const std::vector<std::uint32_t>& triangles) {
+  std::vector<PointUnder> points;
   for (const std::uint32_t t : triangles)
-    for (std::size_t k = 0; k < 3; ++k) points.push_back(pointOf(ground, t, k));
+    for (std::size_t k = 0; k < 3; ++k) points.push_back({pointOf(ground, t, k), vertexOf(ground, t, k)});
   sortStably(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());
   return points;
 }
 
 // goals[i] is where the comb of points[i] is drawn to.
-bool dabPoints(Groom& groom, const Ground& ground, const Brush& brush, const std::vector<std::uint32_t>& points,
+bool dabPoints(Groom& groom, const Ground& ground, const Brush& brush, const std::vector<PointUnder>& points,
                const std::vector<Vec3>& goals) {
   bool changed = false;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    Vec3& comb = groom.comb[points[i]];
-    const float weight = weightOf(brush, ground.points.positions[points[i]]);
-    if (weight <= 0.0f || glm::dot(ground.points.normals[points[i]], brush.normal) <= 0.0f) continue;
+    const auto [point, vertex] = points[i];
+    Vec3& comb = groom.comb[point];
+    float weight = weightOf(brush, ground.points.positions[point]);
+    if (weight <= 0.0f || glm::dot(ground.points.normals[point], brush.normal) <= 0.0f) continue;
+    weight *= 1.0f - groom.mask.at(ground.surface.vertices[vertex].atlas).w;
     const Vec3 before = comb;
     comb += (goals[i] - comb) * weight;
     if (glm::dot(comb, comb) < kUpright * kUpright) comb = Vec3(0);
@@ -91,23 +112,42 @@ bool dabPoints(Groom& groom, const Ground& ground, const Brush& brush, const std
 
 }  // namespace
 
+float falloffAt(Falloff falloff, float squared) {
+  const float left = 1.0f - std::sqrt(squared), smooth = 1.0f - squared;
+  switch (falloff) {
+    case Falloff::Linear: return left;
+    case Falloff::Sharp: return left * left;
+    case Falloff::Flat: return 1.0f;
+    case Falloff::Smooth: break;
+  }
+  return smooth * smooth;
+}
+
 bool trim(Groom& groom, const Ground& ground, const Brush& brush) {
-  return dabTexels(groom, ground, brush, [](GroomMap::Texel texel, float weight, std::size_t) {
+  return dabTexels(groom, ground, brush, [](GroomMap::Texel texel, float weight, std::uint32_t) {
     texel[0] = towards(texel[0], 0, weight);
     return texel;
   });
 }
 
 bool grow(Groom& groom, const Ground& ground, const Brush& brush) {
-  return dabTexels(groom, ground, brush, [](GroomMap::Texel texel, float weight, std::size_t) {
+  return dabTexels(groom, ground, brush, [](GroomMap::Texel texel, float weight, std::uint32_t) {
     texel[0] = towards(texel[0], 255, weight);
     return texel;
   });
 }
 
+bool cutTo(Groom& groom, const Ground& ground, const Brush& brush, float share) {
+  const auto change = [](GroomMap::Texel texel, float weight, std::uint32_t length) {
+    if (texel[0] > length) texel[0] = towards(texel[0], static_cast<int>(length), weight);
+    return texel;
+  };
+  return dabTexels(groom, ground, brush, change, static_cast<std::uint32_t>(saturate(share) * 255.0f + 0.5f));
+}
+
 bool paintType(Groom& groom, const Ground& ground, const Brush& brush, int type) {
-  const auto chosen = static_cast<std::size_t>(std::clamp(type, 1, kTypes)) - 1;
-  const auto change = [](GroomMap::Texel texel, float weight, std::size_t channel) {
+  const auto chosen = static_cast<std::uint32_t>(std::clamp(type, 1, kTypes)) - 1;
+  const auto change = [](GroomMap::Texel texel, float weight, std::uint32_t channel) {
     int others = 0;
     for (std::size_t k = 1; k < kTypes; ++k)
       if (k != channel) others += texel[k] = towards(texel[k], 0, weight);
@@ -119,6 +159,14 @@ bool paintType(Groom& groom, const Ground& ground, const Brush& brush, int type)
   return dabTexels(groom, ground, brush, change, chosen);
 }
 
+bool takeType(Groom& groom, const Ground& ground, const Brush& brush, int type) {
+  const auto change = [](GroomMap::Texel texel, float weight, std::uint32_t channel) {
+    texel[channel] = towards(texel[channel], 0, weight);
+    return texel;
+  };
+  return dabTexels(groom, ground, brush, change, static_cast<std::uint32_t>(std::clamp(type, 2, kTypes)) - 1);
+}
+
 Vec3 combedTo(const Vec3& direction, const Vec3& normal) {
   const Vec3 unit = normalizeOr(direction, Vec3(0));
   const Vec3 along = unit - normal * glm::dot(unit, normal);
@@ -127,9 +175,9 @@ Vec3 combedTo(const Vec3& direction, const Vec3& normal) {
 }
 
 bool comb(Groom& groom, const Ground& ground, const Brush& brush, const Vec3& direction) {
-  const std::vector<std::uint32_t> points = pointsOf(ground, trianglesUnder(ground, brush));
+  const std::vector<PointUnder> points = pointsOf(ground, trianglesUnder(ground, brush));
   std::vector<Vec3> goals;
-  for (const std::uint32_t point : points) {
+  for (const auto [point, vertex] : points) {
     const Vec3 goal = combedTo(direction, ground.points.normals[point]);
     goals.push_back(goal == Vec3(0) ? groom.comb[point] : goal);
   }
@@ -137,31 +185,68 @@ bool comb(Groom& groom, const Ground& ground, const Brush& brush, const Vec3& di
 }
 
 bool raise(Groom& groom, const Ground& ground, const Brush& brush) {
-  const std::vector<std::uint32_t> points = pointsOf(ground, trianglesUnder(ground, brush));
+  const std::vector<PointUnder> points = pointsOf(ground, trianglesUnder(ground, brush));
   return dabPoints(groom, ground, brush, points, std::vector<Vec3>(points.size(), Vec3(0)));
 }
 
 bool smooth(Groom& groom, const Ground& ground, const Brush& brush) {
-  const std::vector<std::uint32_t> triangles = trianglesUnder(ground, brush), points = pointsOf(ground, triangles);
+  const std::vector<std::uint32_t> triangles = trianglesUnder(ground, brush);
+  const std::vector<PointUnder> points = pointsOf(ground, triangles);
   // Summed before anything changes: nothing depends on the order of the points.
   std::vector<Vec3> goals(points.size(), Vec3(0));
   std::vector<float> counts(points.size(), 0.0f);
   for (const std::uint32_t t : triangles)
     for (std::size_t k = 0; k < 3; ++k) {
       const auto at = static_cast<std::size_t>(
-          std::lower_bound(points.begin(), points.end(), pointOf(ground, t, k)) - points.begin());
+          std::lower_bound(points.begin(), points.end(), PointUnder{pointOf(ground, t, k), 0}) - points.begin());
       goals[at] += groom.comb[pointOf(ground, t, (k + 1) % 3)] + groom.comb[pointOf(ground, t, (k + 2) % 3)];
       counts[at] += 2.0f;
     }
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vec3& normal = ground.points.normals[points[i]];
+    const Vec3& normal = ground.points.normals[points[i].point];
     goals[i] /= counts[i];
     goals[i] -= normal * glm::dot(goals[i], normal);
   }
   return dabPoints(groom, ground, brush, points, goals);
 }
 
-bool pluck(Groom& groom, const Brush& brush) {
+bool paint(Groom& groom, const Ground& ground, const Brush& brush, std::uint32_t color) {
+  const auto change = [](GroomMap::Texel texel, float weight, std::uint32_t rgb) {
+    const std::uint8_t was = texel[3];
+    if (weight >= kLeastWeight) texel[3] = towards(was, 255, weight);
+    // Over: of what there is then, as much is new as was not there before, and the share w of the rest.
+    const float left = static_cast<float>(was) * (1.0f - weight), share = was > 0 ? 1.0f - left / static_cast<float>(texel[3]) : 1.0f;
+    for (std::size_t k = 0; k < 3; ++k) texel[k] = towards(texel[k], static_cast<int>(rgb >> (16 - 8 * k) & 255u), share);
+    return texel;
+  };
+  return brush.strength > 0.0f && dabTexels(groom, ground, brush, change, color, &Groom::paint);
+}
+
+bool unpaint(Groom& groom, const Ground& ground, const Brush& brush) {
+  const auto change = [](GroomMap::Texel texel, float weight, std::uint32_t) {
+    if (weight >= kLeastWeight) texel[3] = towards(texel[3], 0, weight);
+    return texel;
+  };
+  return dabTexels(groom, ground, brush, change, 0, &Groom::paint);
+}
+
+bool protect(Groom& groom, const Ground& ground, const Brush& brush) {
+  const auto change = [](GroomMap::Texel texel, float weight, std::uint32_t) {
+    texel[3] = towards(texel[3], 255, weight);
+    return texel;
+  };
+  return dabTexels(groom, ground, brush, change, 0, &Groom::mask);
+}
+
+bool unprotect(Groom& groom, const Ground& ground, const Brush& brush) {
+  const auto change = [](GroomMap::Texel texel, float weight, std::uint32_t) {
+    texel[3] = towards(texel[3], 0, weight);
+    return texel;
+  };
+  return dabTexels(groom, ground, brush, change, 0, &Groom::mask);
+}
+
+bool pluck(Groom& groom, const Ground& ground, const Brush& brush) {
   if (!usable(brush)) return false;
   const std::size_t before = groom.whiskers.size();
   std::size_t kept = 0;
@@ -169,7 +254,8 @@ bool pluck(Groom& groom, const Brush& brush) {
     const Vec3 way = whisker.root - brush.centre;
     // Those of the far side of an ear stay; one that lies flat may point away a little.
     const bool under = glm::dot(way, way) <= brush.radius * brush.radius && glm::dot(whisker.direction, brush.normal) > -0.5f;
-    if (!under) groom.whiskers[kept++] = whisker;
+    const auto root = under ? rootOf(whisker, ground.query) : std::nullopt;
+    if (!under || (root && groom.mask.at(atlasAt(ground.surface, *root)).w > 0.5f)) groom.whiskers[kept++] = whisker;
   }
   groom.whiskers.resize(kept);
   return kept < before;

@@ -89,6 +89,43 @@ void combAlong(Groom& groom, const SurfacePoints& points, const Vec3& direction,
 
 void raiseAll(Groom& groom) { std::fill(groom.comb.begin(), groom.comb.end(), Vec3(0)); }
 
+void paintAll(Groom& groom, std::uint32_t color) {
+  const auto channel = [color](unsigned shift) { return static_cast<std::uint8_t>(color >> shift); };
+  forAllTexels(groom.paint, [&](GroomMap::Texel& texel) { texel = {channel(16), channel(8), channel(0), 255}; });
+}
+
+void invertMask(GroomMap& mask) {
+  forAllTexels(mask, [](GroomMap::Texel& texel) { texel[3] = static_cast<std::uint8_t>(255 - texel[3]); });
+}
+
+void keepProtected(Groom& groom, const Groom& before, const Ground& ground) {
+  if (groom.mask.isPlain()) return;
+  for (const auto map : {&Groom::map, &Groom::paint})
+    for (std::uint32_t i = 0; i < groom.mask.texels().size(); ++i) {
+      const int kept = groom.mask.texels()[i][3];
+      const GroomMap::Texel& was = (before.*map).texels()[i];
+      GroomMap::Texel is = (groom.*map).texels()[i];
+      for (std::size_t k = 0; k < is.size(); ++k) is[k] = static_cast<std::uint8_t>((was[k] * kept + is[k] * (255 - kept) + 127) / 255);
+      (groom.*map).set(i, is);
+    }
+  std::vector<float> kept(groom.comb.size(), 0.0f);
+  for (std::size_t i = 0; i < ground.surface.trueVertexCount; ++i)
+    kept[ground.points.pointOf[i]] = groom.mask.at(ground.surface.vertices[i].atlas).w;
+  for (std::size_t i = 0; i < groom.comb.size(); ++i)
+    groom.comb[i] = glm::mix(groom.comb[i], before.comb.empty() ? Vec3(0) : before.comb[i], kept[i]);
+}
+
+GroomMap paintUnderMask(const Groom& groom) {
+  constexpr int kRed[3] = {225, 38, 30};
+  GroomMap out = groom.paint;
+  forAllTexels(out, [&, i = std::size_t{0}](GroomMap::Texel& texel) mutable {
+    const int over = groom.mask.texels()[i++][3] * 3 / 5, under = texel[3] * (255 - over) / 255, all = over + under;
+    for (std::size_t k = 0; k < 3 && all > 0; ++k) texel[k] = static_cast<std::uint8_t>((kRed[k] * over + texel[k] * under) / all);
+    texel[3] = static_cast<std::uint8_t>(all);
+  });
+  return out;
+}
+
 void paintFromVertices(Groom& groom, const Ground& ground, std::span<const float> lengths, std::span<const int> types) {
   const std::size_t count = ground.surface.trueVertexCount;
   const auto fits = [count](std::size_t given) { return given == 0 || given == count; };

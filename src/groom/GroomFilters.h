@@ -19,6 +19,14 @@ void varyLength(Groom& groom, const Ground& ground, float amount, float grain, s
 void combAlong(Groom& groom, const SurfacePoints& points, const Vec3& direction, float amount);  // amount 0..1
 void raiseAll(Groom& groom);
 
+// --- paint and mask ---
+void paintAll(Groom& groom, std::uint32_t color);  // 0xRRGGBB
+void invertMask(GroomMap& mask);
+// Brings back what `before` had, by as much as the mask protects it. `before` has maps of the same size.
+void keepProtected(Groom& groom, const Groom& before, const Ground& ground);
+// The paint with the mask over it in red, for who is grooming.
+GroomMap paintUnderMask(const Groom& groom);
+
 // --- from other data ---
 // One length (0..1) and one type (1..kTypes) a true vertex, linear between them. Either may be empty: that stays
 // as it is.

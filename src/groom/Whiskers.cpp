@@ -25,14 +25,13 @@ constexpr float kLeastCurve = 0.25f, kMostCurve = 0.65f, kOwnWay = 0.6f;
 
 Vec3 across(const Vec3& v, const Vec3& direction) { return v - direction * glm::dot(v, direction); }
 
-// Where the hair comes out of the skin, within kReach of its root.
-std::optional<geometry::SurfacePoint> standsAt(const Whisker& w, const geometry::SurfaceQuery& query) {
+}  // namespace
+
+std::optional<geometry::SurfacePoint> rootOf(const Whisker& w, const geometry::SurfaceQuery& query) {
   auto hit = query.castRay(w.root + w.direction * kReach, -w.direction);
   if (hit && hit->distance > 2 * kReach) hit.reset();
   return hit;
 }
-
-}  // namespace
 
 std::vector<Whisker> readWhiskers(std::span<const std::uint8_t> bytes) {
   std::vector<Whisker> out(bytes.size() / kWhiskerBytes);
@@ -54,7 +53,7 @@ bool makeSound(Whisker& w) {
 void keepSound(std::vector<Whisker>& whiskers, const geometry::SurfaceQuery& query) {
   std::size_t kept = 0;
   for (Whisker w : whiskers)
-    if (kept < kMostWhiskers && makeSound(w) && standsAt(w, query)) whiskers[kept++] = w;
+    if (kept < kMostWhiskers && makeSound(w) && rootOf(w, query)) whiskers[kept++] = w;
   whiskers.resize(kept);
 }
 
@@ -70,7 +69,7 @@ std::vector<WhiskerHair> whiskerHairs(std::span<const Whisker> whiskers, const g
   for (const Whisker& w : whiskers) most += w.hairs;
   std::vector<WhiskerHair> out(most);
   for (const Whisker& w : whiskers) {
-    const auto at = standsAt(w, query);
+    const auto at = rootOf(w, query);
     if (!at) continue;
     const Vec2 atlas = atlasAt(surface, *at);
     const std::uint32_t* corners = &surface.indices[std::size_t{3} * at->triangle];

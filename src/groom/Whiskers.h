@@ -11,6 +11,7 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -40,6 +41,8 @@ static_assert(sizeof(Whisker) == kWhiskerBytes);
 // As many as the bytes hold, unsound ones too.
 std::vector<Whisker> readWhiskers(std::span<const std::uint8_t> bytes);
 
+// Where the hair comes out of the skin, close to its root; none where that is off the surface.
+std::optional<geometry::SurfacePoint> rootOf(const Whisker& whisker, const geometry::SurfaceQuery& query);
 // Brings one from anywhere within bounds; false when a number of it is not finite or it points nowhere.
 bool makeSound(Whisker& whisker);
 // Leaves those that are sound and stand on the surface, the first kMostWhiskers of them.

@@ -37,6 +37,7 @@ struct Frame {
   bool wet = false;           // any texel of the mask is: picks the shaders that look at it
   bool groomed = false;       // the groom's map says more than full length of one type: likewise
   bool types = false;         // and more than one fur type
+  bool painted = false;       // there is paint: likewise
   Vec4 baseColorFactor{1.0f};
   // Looked at while the frame is drawn; none cost nothing.
   std::span<const wet::Drop> drops;

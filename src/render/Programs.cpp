@@ -85,6 +85,7 @@ std::string definesOf(unsigned variant) {
       {kViewSteps, "VIEW_STEPS"},
       {kViewForces, "VIEW_FORCES"},
       {kPolynomial, "POLYNOMIAL"},
+      {kPainted, "PAINTED"},
   };
   std::string text;
   for (const auto& [bit, name] : kNames)
@@ -120,6 +121,7 @@ Result<const gl::Program*> Programs::use(Shader shader, unsigned variant) {
     program.bindSampler("mask", FUR_UNIT_MASK);
     program.bindSampler("bends", FUR_UNIT_BEND);
     program.bindSampler("groom", FUR_UNIT_GROOM);
+    program.bindSampler("paint", FUR_UNIT_PAINT);
     program.bindSampler("baseColor", FUR_UNIT_BASE_COLOR);
     program.bindSampler("shadowMap", FUR_UNIT_GROUND);
     program.bindSampler("puddles", FUR_UNIT_PUDDLES);
@@ -145,31 +147,44 @@ std::vector<std::pair<Shader, unsigned>> allVariants() {
       {Shader::Skin, kViewClumps},  {Shader::Skin, kViewDim},     {Shader::Fin, kViewEdges},
       {Shader::Arrow, kPlain},      {Shader::Arrow, kPolynomial}, {Shader::Arrow, kViewForces},
       {Shader::ShadowMap, kPolynomial}, {Shader::ShadowMap, kPolynomial | kShadowLayers},
+      {Shader::ShadowMap, kGroomed}, {Shader::ShadowMap, kGroomed | kShadowLayers}, {Shader::ShadowMap, kGroomed | kSkinOnly},
+      {Shader::Skin, kPainted}, {Shader::Skin, kPainted | kTextured},
       {Shader::Shell, kPolynomial}, {Shader::Fin, kPolynomial},   {Shader::Whisker, kPolynomial},
   };
   for (const Shader counted : {Shader::Shell, Shader::Fin, Shader::Skin}) all.emplace_back(counted, kViewOverdraw);
+  // Paint looks the same in whatever shadow.
+  for (const unsigned look : {+kPlain, +kWet, +kTextured, kWet | kTextured})
+    for (const unsigned groom : {+kPlain, +kGroomed, kGroomed | kTypes}) {
+      const unsigned painted = look | groom | kPainted | kShadowDepth;
+      for (const unsigned light : {kPlain, kMarschner})
+        for (const Shader shader : {Shader::Shell, Shader::Fin}) all.emplace_back(shader, painted | light);
+      all.emplace_back(Shader::Skin, painted | kUnderFur);
+      all.emplace_back(Shader::Shell, look | groom | kPainted | kViewLayer);
+    }
   for (const unsigned look : {+kPlain, +kWet, +kGroomed, kWet | kGroomed, kGroomed | kTypes, kWet | kGroomed | kTypes})
     for (const unsigned view : {+kViewClumps, +kViewSteps, +kViewLayer, kViewLayer | kTextured, kViewLayer | kViewExploded,
                                 kViewLayer | kViewExploded | kTextured})
       all.emplace_back(Shader::Shell, view | look);
   for (const unsigned shadow : {kPlain, kShadowDepth, kShadowLayers}) {
-    for (const unsigned look : {+kPlain, +kTextured, +kUnderFur, kUnderFur | kTextured, kUnderFur | kTypes, kUnderFur | kTextured | kTypes})
+    for (const unsigned look : {+kPlain, +kTextured}) {
       all.emplace_back(Shader::Skin, look | shadow);
-    for (const unsigned look : {+kPlain, +kTextured, +kTypes, kTextured | kTypes})
-      all.emplace_back(Shader::Skin, look | shadow | kWet | kUnderFur);
+      for (const unsigned groom : {+kPlain, +kGroomed, kGroomed | kTypes})
+        for (const unsigned wet : {kPlain, kWet}) all.emplace_back(Shader::Skin, look | shadow | groom | wet | kUnderFur);
+    }
     for (const unsigned look : {+kPlain, +kWet, +kMarschner, kWet | kMarschner}) all.emplace_back(Shader::Whisker, look | shadow);
-    for (const unsigned look : {+kPlain, +kUnderFur, kUnderFur | kTypes}) all.emplace_back(Shader::Skin, look | shadow | kViewShadow);
+    for (const unsigned look : {+kPlain, +kUnderFur}) all.emplace_back(Shader::Skin, look | shadow | kViewShadow);
     for (const unsigned look : {+kPlain, +kWet}) {
       for (const unsigned groom : {+kPlain, +kGroomed, kGroomed | kTypes})
         all.emplace_back(Shader::Shell, look | shadow | groom | kViewShadow);
-      for (const unsigned types : {kPlain, kTypes}) all.emplace_back(Shader::Fin, look | shadow | types | kViewShadow);
+      for (const unsigned groom : {+kPlain, +kGroomed, kGroomed | kTypes})
+        all.emplace_back(Shader::Fin, look | shadow | groom | kViewShadow);
     }
     for (const unsigned look : {+kPlain, +kWet, +kTextured, kWet | kTextured}) {
       for (const unsigned groom : {+kPlain, +kGroomed, kGroomed | kTypes})
         for (const unsigned view : {kPlain, kMarschner, kViewTangents, kViewCoverage, kViewDominance, kViewTypes, kViewOffset})
           all.emplace_back(Shader::Shell, view | look | shadow | groom);
       for (const unsigned light : {kPlain, kMarschner})
-        for (const unsigned types : {kPlain, kTypes}) all.emplace_back(Shader::Fin, light | look | shadow | types);
+        for (const unsigned groom : {+kPlain, +kGroomed, kGroomed | kTypes}) all.emplace_back(Shader::Fin, light | look | shadow | groom);
     }
   }
   return all;

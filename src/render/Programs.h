@@ -16,8 +16,8 @@ enum Variant : unsigned {
   kPlain = 0,
   kWet = 1 << 0,           // Shell, Fin, Whisker, Skin under fur; Ground: it is wet somewhere
   kTextured = 1 << 1,      // the model has a picture of its own
-  kGroomed = 1 << 2,       // Shell: the groom's map says more than full length
-  kTypes = 1 << 3,         // Shell, Fin, Skin: several fur types; shells then are groomed
+  kGroomed = 1 << 2,       // Shell, Fin, Skin, ShadowMap: the groom's map says more than full length
+  kTypes = 1 << 3,         // Shell, Fin, Skin: several fur types; groomed, too
   kMarschner = 1 << 4,     // Shell, Fin, Whisker: strands lit by Marschner's model
   kShadowDepth = 1 << 5,   // Skin, Shell, Fin, Whisker: receive the fur's shadow, see FurShadow.h; ShadowBlur: makes it
   kShadowLayers = 1 << 6,  // the same with opacity layers; ShadowMap: the layers themselves
@@ -43,6 +43,7 @@ enum Variant : unsigned {
   // Not of a view again.
   kBall = 1u << 25,         // GroundShadow, ShadowMap: the ball's in place of the model's
   kPolynomial = 1u << 26,   // Shell, Fin, Whisker, ShadowMap: strands bend as Sheppard has it
+  kPainted = 1u << 27,      // Shell, Fin, Skin: somebody has painted them
 };
 
 class Programs {

@@ -168,6 +168,7 @@ Status Renderer::draw(const Frame& frame) {
   mask_.bind(FUR_UNIT_MASK);
   bends_.bind(FUR_UNIT_BEND);
   groom_.bind(FUR_UNIT_GROOM);
+  if (frame.painted) paint_.bind(FUR_UNIT_PAINT);
   if (Status status = furShadow_.update(programs_, furShadowKey(frame), surface_, indexCount_); !status) return status;
   if (!whole)
     if (Status status = small_.begin(drawn.width, drawn.height); !status) return status;
@@ -193,22 +194,24 @@ Status Renderer::drawPasses(const Frame& frame) {
   const auto view = static_cast<View>(frame.settings.view);
   const unsigned look = (frame.wet ? kWet : kPlain) | (hasPicture_ ? kTextured : kPlain) |
                         (frame.settings.strandModel ? kMarschner : kPlain) | shadowVariant(frame.settings) |
-                        (frame.types ? kTypes : kPlain);
+                        (frame.types ? kTypes : kPlain) | (frame.groomed || frame.types ? kGroomed : kPlain) |
+                        (frame.painted ? kPainted : kPlain);
+  constexpr unsigned kFurOnly = kGroomed | kTypes;
   const unsigned skinLook = look & ~(kWet | kMarschner), curve = curveVariant(frame.settings);
   const bool furry = hasFur_ && frame.settings.furLength > 0 && !patches_.indices.empty();
   const auto skin = [&](unsigned variant) { return drawSkin(variant); };
   // Of the look, what a view shows, so that fewer shaders are compiled.
   const auto shown = [](unsigned look, unsigned view) {
     unsigned kept = ~0u;
-    if (view & (kViewTangents | kViewCoverage | kViewDominance | kViewTypes | kViewOffset)) kept = ~kMarschner;
-    if (view & kViewShadow) kept = ~(kMarschner | kTextured);
-    if (view & kViewLayer) kept = kWet | kGroomed | kTypes | kTextured;
+    if (view & (kViewTangents | kViewCoverage | kViewDominance | kViewTypes | kViewOffset)) kept = ~(kMarschner | kPainted);
+    if (view & kViewShadow) kept = ~(kMarschner | kTextured | kPainted);
+    if (view & kViewLayer) kept = kWet | kGroomed | kTypes | kTextured | kPainted;
     if (view & (kViewClumps | kViewSteps)) kept = kWet | kGroomed | kTypes;
     if (view & (kViewOverdraw | kViewEdges)) kept = kPlain;
     return (look & kept) | view;
   };
   const auto shells = [&](unsigned view) {
-    return furry ? drawShells(frame, curve | shown(look | (frame.groomed || frame.types ? kGroomed : kPlain), view)) : Status(Done{});
+    return furry ? drawShells(frame, curve | shown(look, view)) : Status(Done{});
   };
   const auto fins = [&](unsigned view) {
     return furry && frame.settings.fins ? drawFins(frame, curve | shown(look, view)) : Status(Done{});
@@ -217,7 +220,7 @@ Status Renderer::drawPasses(const Frame& frame) {
     if (Status status = shells(view); !status) return status;
     if (Status status = fins(view); !status) return status;
     const unsigned under = kUnderFur | (view == kPlain ? look & kWet : kPlain);
-    return skin(shown(furry ? skinLook | under : skinLook & ~kTypes, view));
+    return skin(shown(furry ? (view == kViewShadow ? skinLook & ~kFurOnly : skinLook) | under : skinLook & ~kFurOnly, view));
   };
   const auto background = [&]() -> Status {
     gl::apply({.cullBack = false});
@@ -237,7 +240,7 @@ Status Renderer::drawPasses(const Frame& frame) {
   if (view != View::Final && !counts)
     if (Status status = background(); !status) return status;
   switch (view) {
-    case View::Skin: return skin(skinLook & ~kTypes);
+    case View::Skin: return skin(skinLook & ~kFurOnly);
     case View::Wetness: return skin(kViewWetness);
     case View::Normals: return skin(kViewNormals);
     case View::Shells: return shells(kPlain);
@@ -267,7 +270,7 @@ Status Renderer::drawPasses(const Frame& frame) {
   }
   if (Status status = model(kPlain); !status) return status;
   if (!counts) {
-    if (Status status = whiskers_.draw(programs_, curve | (look & ~(kTextured | kTypes))); !status) return status;
+    if (Status status = whiskers_.draw(programs_, curve | (look & ~(kTextured | kFurOnly | kPainted))); !status) return status;
     if (Status status = background(); !status) return status;
     return drops_.draw(programs_, frame.drops, uploadedBytes_);
   }
@@ -282,7 +285,7 @@ FurShadow::Key Renderer::furShadowKey(const Frame& frame) const {
   const Vec3 light(glm::inverse(frame.worldFromModel) * Vec4(directionFrom(s.lightYaw, s.lightPitch), 0));
   return {static_cast<Shadows>(s.shadows), lightFromModel(light, shadowRadius(s.furLength, frame.reach)),
           volumeShadow(s, *std::max_element(densities_.begin(), densities_.end()), frame.reach),
-          curveVariant(s), furShadowScene_, frame.ball, frame.ball.w > 0 ? frame.worldFromModel : Mat4(1.0f)};
+          curveVariant(s) | (frame.groomed || frame.types ? kGroomed : kPlain), furShadowScene_, frame.ball, frame.ball.w > 0 ? frame.worldFromModel : Mat4(1.0f)};
 }
 
 Status Renderer::drawSkin(unsigned variant) {

@@ -45,8 +45,9 @@ class Renderer {
   // `charts`: of every texel (SurfaceWetting), so that rays know when they leave one.
   void updateMask(const wet::WetnessMask& mask, const wet::TexelRect& changed, std::span<const std::uint16_t> charts);
   void updateBends(std::span<const Vec4> bends);  // w: length of the fur there, a share; for View::Forces the forces
-  // The same for the map of the groom.
+  // The same for the groom's map of lengths and types, and for its paint.
   void updateGroom(const groom::GroomMap& map, const geometry::TexelRect& changed);
+  void updatePaint(const groom::GroomMap& paint, const geometry::TexelRect& changed) { updateMap(paint_, paint, changed); }
   // Which triangles shells are drawn on, in place of all of the surface, and the length at every vertex: fins
   // between two of none are left out. What is bald costs nothing. Until the next setSurface().
   void setFurry(geometry::FurPatches patches, std::span<const float> vertexLengths);
@@ -75,6 +76,7 @@ class Renderer {
   Status drawSkin(unsigned variant);
   Status drawArrows(unsigned variant);
   void uploadBlocks(const Frame& frame);
+  void updateMap(gl::Texture& texture, const groom::GroomMap& map, const geometry::TexelRect& changed);
   void showPuddles(std::span<const std::uint8_t> cells, std::uint32_t revision);
   FurShadow::Key furShadowKey(const Frame& frame) const;
   void selectFins(const Vec3& eyeModel, float pixels);
@@ -91,7 +93,7 @@ class Renderer {
   gl::Buffer vertices_, furVertices_, indices_, furIndices_, edges_;
   gl::VertexArray surface_, shells_, fins_, arrows_;
   FurTextures fur_;
-  gl::Texture mask_, bends_, baseColor_, groom_, puddles_;
+  gl::Texture mask_, bends_, baseColor_, groom_, paint_, puddles_;
   gl::Texture groundShadow_[2];
   gl::Target groundTarget_[2];
   int vertexCount_ = 0, indexCount_ = 0, shellIndexCount_ = 0;

@@ -318,14 +318,19 @@ void Renderer::showPuddles(std::span<const std::uint8_t> cells, std::uint32_t re
 }
 
 void Renderer::updateGroom(const groom::GroomMap& map, const geometry::TexelRect& changed) {
+  ++furShadowScene_;
+  updateMap(groom_, map, changed);
+}
+
+void Renderer::updateMap(gl::Texture& texture, const groom::GroomMap& map, const geometry::TexelRect& changed) {
   const int size = map.size();
   const auto bytes = gl::bytesOf(map.texels());
-  if (groom_.shape().width != size) {
-    groom_ = gl::Texture({gl::TexelFormat::RGBA8, size, size, 0, gl::Filter::Linear, false}, bytes);
-    uploadedBytes_ += groom_.bytes();
+  if (texture.shape().width != size) {
+    texture = gl::Texture({gl::TexelFormat::RGBA8, size, size, 0, gl::Filter::Linear, false}, bytes);
+    uploadedBytes_ += texture.bytes();
   } else if (!changed.empty()) {
     const int width = changed.x1 - changed.x0, height = changed.y1 - changed.y0;
-    groom_.update(changed.x0, changed.y0, width, height, bytes, size);
+    texture.update(changed.x0, changed.y0, width, height, bytes, size);
     uploadedBytes_ += sizeof(groom::GroomMap::Texel) * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   }
 }
@@ -347,7 +352,7 @@ void Renderer::updateBends(std::span<const Vec4> bends) {
 
 std::size_t Renderer::gpuBytes() const {
   return vertices_.bytes() + furVertices_.bytes() + indices_.bytes() + furIndices_.bytes() + edges_.bytes() + fur_.bytes() +
-         mask_.bytes() + bends_.bytes() + groom_.bytes() + baseColor_.bytes() +
+         mask_.bytes() + bends_.bytes() + groom_.bytes() + paint_.bytes() + baseColor_.bytes() +
          groundShadow_[0].bytes() + groundShadow_[1].bytes() + strandTables_.bytes() + whiskers_.bytes() + drops_.bytes() + puddles_.bytes() + furShadow_.bytes() + small_.bytes();
 }
 

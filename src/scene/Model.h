@@ -76,6 +76,8 @@ std::vector<std::uint8_t> exportGlb(const geometry::Mesh& mesh, const std::strin
 struct ScenePicture {
   const EncodedImage& image;
   Vec4 factor;
+  // A PNG over mesh.atlas that other programs show instead, or nothing.
+  std::vector<std::uint8_t> painted{};
 };
 std::vector<std::uint8_t> exportScene(const geometry::Mesh& mesh, const std::string& name, const FurData& fur,
                                       const ScenePicture& picture);

@@ -148,6 +148,41 @@ TEST(EditorHost, UndoAndRedoReachTheApp) {
   EXPECT_FLOAT_EQ(desk.app.settings().curl, 0.9f);
 }
 
+TEST(EditorHost, BracketsSizeTheBrushAndWithShiftItsStrength) {
+  Desk desk;
+  desk.app.setTool(Tool::Trim);
+  const settings::Settings before = desk.app.settings();
+  EXPECT_TRUE(desk.host.key("]", true, {}));
+  EXPECT_GT(desk.app.settings().brushRadius, before.brushRadius);
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(desk.host.key("[", true, {}));
+  EXPECT_LT(desk.app.settings().brushRadius, before.brushRadius);
+  EXPECT_TRUE(desk.host.key("}", true, {true, false, false}));
+  EXPECT_GT(desk.app.settings().groomStrength, before.groomStrength);
+  EXPECT_EQ(desk.app.settings().brushFlow, before.brushFlow);
+  desk.app.setTool(Tool::Droplet);
+  EXPECT_TRUE(desk.host.key("{", true, {true, false, false}));
+  EXPECT_LT(desk.app.settings().brushFlow, before.brushFlow) << "of water";
+  for (int i = 0; i < 60; ++i) desk.host.key("]", true, {});
+  EXPECT_FLOAT_EQ(desk.app.settings().brushRadius, 0.5f) << "up to its end";
+  EXPECT_TRUE(desk.app.takeWarnings().empty());
+}
+
+TEST(EditorHost, AltTakesTheColourFromTheModelInsteadOfPainting) {
+  Desk desk;
+  desk.app.setTool(Tool::Paint);
+  desk.app.setField("rootColor", "#205080");
+  desk.app.setField("tipColor", "#205080");
+  PointerEvent press{PointerPhase::Down};
+  press.position = kOnModel;
+  press.buttons = 1;
+  press.alt = true;
+  EXPECT_TRUE(desk.host.pointer(press));
+  EXPECT_EQ(desk.app.settings().paintColor, 0x205080u);
+  press.position = {5, 5};
+  desk.send(PointerPhase::Up, kOnModel, 0);
+  EXPECT_FALSE(desk.host.pointer(press)) << "beside the model the view turns";
+}
+
 TEST(EditorHost, LeavesKeysToTheAppUntilThePanelHasTheFocus) {
   Desk desk;
   EXPECT_FALSE(desk.host.key("ArrowLeft", true, {}));

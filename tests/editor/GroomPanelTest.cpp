@@ -53,15 +53,45 @@ struct Person : PanelDriver {
 
 TEST(GroomPanel, ItsBrushesAreTools) {
   Person person;
-  const std::pair<const char*, int> buttons[] = {{"Comb", 0}, {"Smooth", 1}, {"Raise", 2}, {"Trim", 0}, {"Grow", 1}, {"Type", 2}, {"Whisker", 0}, {"Pluck", 1}};
-  int next = static_cast<int>(Tool::Comb);
-  for (const auto& [label, segment] : buttons) {
-    const bool combs = next < static_cast<int>(Tool::Trim), hairs = next >= static_cast<int>(Tool::Whisker);
-    person.press(combs ? "combs" : hairs ? "hairs" : "cuts", segment, label);
-    ASSERT_EQ(person.commands.size(), 1u);
-    EXPECT_EQ(static_cast<int>(std::get<command::SetTool>(person.commands[0]).tool), next++);
+  const struct {
+    const char *row, *label;
+    int segment;
+    Tool tool;
+  } buttons[] = {{"combs", "Comb", 0, Tool::Comb},      {"combs", "Smooth", 1, Tool::Smooth}, {"combs", "Raise", 2, Tool::Raise},
+                 {"cuts", "Trim", 0, Tool::Trim},       {"cuts", "Grow", 1, Tool::Grow},      {"cuts", "Cut", 2, Tool::Cut},
+                 {"cuts", "Type", 3, Tool::Type},       {"thins", "Thin", 0, Tool::Thin},     {"paints", "Paint", 0, Tool::Paint},
+                 {"masks", "Mask", 0, Tool::Mask},      {"hairs", "Whisker", 0, Tool::Whisker}, {"hairs", "Pluck", 1, Tool::Pluck}};
+  for (const auto& button : buttons) {
+    person.press(button.row, button.segment, button.label);
+    ASSERT_EQ(person.commands.size(), 1u) << button.label;
+    EXPECT_EQ(std::get<command::SetTool>(person.commands[0]).tool, button.tool);
     person.commands.clear();
   }
+}
+
+TEST(GroomPanel, PaintMaskAndThinningComeOffAgainByTheButtonsBesideThem) {
+  const struct {
+    const char *row, *gives, *takes;
+    Tool tool;
+  } pairs[] = {{"thins", "Thin", "Thicken", Tool::Thin}, {"paints", "Paint", "Erase paint", Tool::Paint}, {"masks", "Mask", "Unmask", Tool::Mask}};
+  for (const auto& pair : pairs) {
+    Person person;
+    person.press(pair.row, 1, pair.takes);
+    EXPECT_TRUE(person.model.settings.brushErases) << pair.takes;
+    EXPECT_EQ(person.count<command::SetTool>(), 1);
+    person.press(pair.row, 0, pair.gives);
+    EXPECT_FALSE(person.model.settings.brushErases) << pair.gives;
+  }
+}
+
+TEST(GroomPanel, FalloffAndMirrorAreSettings) {
+  Person person;
+  person.press("falloffs", 3, "Flat");
+  EXPECT_EQ(person.model.settings.brushFalloff, 3);
+  person.press("mirrors", 1, "X");
+  EXPECT_EQ(person.model.settings.mirror, 1);
+  person.press("mirrors", 0, "Off");
+  EXPECT_EQ(person.model.settings.mirror, 0);
 }
 
 TEST(GroomPanel, WhatItDoesAllOverIsOneCommandEach) {
@@ -82,6 +112,16 @@ TEST(GroomPanel, WhatItDoesAllOverIsOneCommandEach) {
   EXPECT_EQ(edit.direction, Vec3(0, -1, 0));
   person.press("ways", 3, "Upright");
   EXPECT_EQ(person.only().edit, GroomEdit::Raise);
+  person.press("paintAlls", 0, "Fill");
+  edit = person.only();
+  EXPECT_EQ(edit.edit, GroomEdit::Paint);
+  EXPECT_EQ(edit.value, static_cast<float>(person.model.settings.paintColor));
+  person.press("paintAlls", 1, "Clear paint");
+  EXPECT_EQ(person.only().edit, GroomEdit::ClearPaint);
+  person.press("maskAlls", 0, "Invert mask");
+  EXPECT_EQ(person.only().edit, GroomEdit::InvertMask);
+  person.press("maskAlls", 1, "Clear mask");
+  EXPECT_EQ(person.only().edit, GroomEdit::ClearMask);
   person.press("sizes", 1, "512");
   edit = person.only();
   EXPECT_EQ(edit.edit, GroomEdit::Size);

@@ -25,6 +25,9 @@ const std::pair<const char*, Dab> kDabs[] = {
     {"comb", [](Groom& g, const Ground& o, const Brush& b) { return comb(g, o, b, Vec3(0.3f, -1, 0.2f)); }},
     {"raise", raise},
     {"smooth", smooth},
+    {"cut", [](Groom& g, const Ground& o, const Brush& b) { return cutTo(g, o, b, 0.25f); }},
+    {"take type", [](Groom& g, const Ground& o, const Brush& b) { return takeType(g, o, b, 2); }},
+    {"paint", [](Groom& g, const Ground& o, const Brush& b) { return paint(g, o, b, 0x3366ff); }},
 };
 
 // Something on which every brush has an effect.
@@ -46,8 +49,9 @@ TEST(GroomBrush, ChangesOnlyWhatLiesWithinItsBall) {
       const Brush brush = at(spot);
       ASSERT_TRUE(dab(s.groom, s.ground(), brush)) << name;
       s.forTexels([&](std::uint32_t texel, const Vec3& position) {
-        if (glm::length(position - brush.centre) > brush.radius)
-          ASSERT_EQ(s.groom.map.texels()[texel], before.map.texels()[texel]) << brushName;
+        if (glm::length(position - brush.centre) <= brush.radius) return;
+        ASSERT_EQ(s.groom.map.texels()[texel], before.map.texels()[texel]) << brushName;
+        ASSERT_EQ(s.groom.paint.texels()[texel][3], before.paint.texels()[texel][3]) << brushName;
       });
       for (std::size_t i = 0; i < s.points.count(); ++i)
         if (glm::length(s.points.positions[i] - brush.centre) > brush.radius)
@@ -197,6 +201,92 @@ TEST(GroomBrush, SmoothingEvensOutAndKeepsWhatIsEven) {
     EXPECT_LT(roughness(), before);
     before = roughness();
   }
+}
+
+TEST(GroomBrush, NothingTouchesWhatTheMaskProtects) {
+  for (const auto& [name, dab] : kDabs) {
+    const char* brushName = name;
+    Setting s;
+    tousle(s);
+    const Brush masked{Vec3(1, 0, 0), Vec3(1, 0, 0), 0.3f, 1, Falloff::Flat};
+    ASSERT_TRUE(protect(s.groom, s.ground(), masked));
+    const Groom before = s.groom;
+    ASSERT_TRUE(dab(s.groom, s.ground(), at({1, 0, 0}, 0.6f, 1))) << name;
+    s.forTexels([&](std::uint32_t texel, const Vec3& position) {
+      if (glm::distance(position, masked.centre) > masked.radius) return;
+      ASSERT_EQ(s.groom.map.texels()[texel], before.map.texels()[texel]) << brushName;
+      ASSERT_EQ(s.groom.paint.texels()[texel][3], before.paint.texels()[texel][3]) << brushName;
+    });
+    // Points ask between four texels.
+    for (std::size_t i = 0; i < s.points.count(); ++i)
+      if (glm::distance(s.points.positions[i], masked.centre) < 0.27f) ASSERT_EQ(s.groom.comb[i], before.comb[i]) << name;
+    ASSERT_TRUE(unprotect(s.groom, s.ground(), masked));
+    EXPECT_TRUE(s.groom.mask.isPlain());
+    EXPECT_TRUE(dab(s.groom, s.ground(), at({1, 0, 0}, 0.2f, 1))) << name;
+  }
+}
+
+TEST(GroomBrush, FalloffsStartFullEndAtTheRimAndKeepTheirOrder) {
+  for (const Falloff falloff : {Falloff::Smooth, Falloff::Linear, Falloff::Sharp, Falloff::Flat}) {
+    EXPECT_EQ(falloffAt(falloff, 0), 1);
+    if (falloff != Falloff::Flat) EXPECT_EQ(falloffAt(falloff, 1), 0);
+  }
+  for (float x = 0.1f; x < 1; x += 0.1f) {
+    EXPECT_GT(falloffAt(Falloff::Linear, x * x), falloffAt(Falloff::Sharp, x * x));
+    EXPECT_GT(falloffAt(Falloff::Smooth, x * x), falloffAt(Falloff::Sharp, x * x));
+  }
+}
+
+TEST(GroomBrush, CutLeavesWhatIsShorterAndEndsAtItsLength) {
+  Setting s;
+  tousle(s);
+  const Groom before = s.groom;
+  for (int i = 0; i < 40; ++i) cutTo(s.groom, s.ground(), at({1, 1, 0}, 0.4f), 0.4f);
+  int cut = 0;
+  s.forTexels([&](std::uint32_t texel, const Vec3& position) {
+    const int was = before.map.texels()[texel][0], is = s.groom.map.texels()[texel][0];
+    ASSERT_LE(is, was);
+    if (was <= 102) ASSERT_EQ(is, was);
+    if (was <= 102 || glm::distance(position, glm::normalize(Vec3(1, 1, 0))) > 0.3f) return;
+    ASSERT_EQ(is, 102);
+    ++cut;
+  });
+  EXPECT_GT(cut, 100);
+}
+
+TEST(GroomBrush, PaintCoversWhatIsThereAndComesOffAgain) {
+  Setting s;
+  const Brush flat{Vec3(1, 0, 0), Vec3(1, 0, 0), 0.3f, 1, Falloff::Flat};
+  ASSERT_TRUE(paint(s.groom, s.ground(), flat, 0xff8000));
+  Brush half = flat;
+  half.strength = 0.5f;
+  ASSERT_TRUE(paint(s.groom, s.ground(), half, 0x0080ff));
+  int inside = 0;
+  s.forTexels([&](std::uint32_t texel, const Vec3& position) {
+    if (glm::distance(position, flat.centre) > flat.radius) return;
+    const GroomMap::Texel& t = s.groom.paint.texels()[texel];
+    ASSERT_NEAR(t[0], 128, 1);
+    ASSERT_EQ(t[1], 128);
+    ASSERT_NEAR(t[2], 128, 1);
+    ASSERT_EQ(t[3], 255);
+    ++inside;
+  });
+  EXPECT_GT(inside, 100);
+  // A filtered look-up at the rim meets no black.
+  s.forTexels([&](std::uint32_t texel, const Vec3& position) {
+    if (std::abs(glm::distance(position, flat.centre) - flat.radius) < 0.02f) ASSERT_EQ(s.groom.paint.texels()[texel][1], 128);
+  });
+  ASSERT_TRUE(unpaint(s.groom, s.ground(), flat));
+  EXPECT_TRUE(s.groom.paint.isPlain());
+}
+
+TEST(GroomBrush, TheFirstSoftStrokeHasTheBrushsColourThroughout) {
+  Setting s;
+  ASSERT_TRUE(paint(s.groom, s.ground(), at({1, 0, 0}), 0x204060));
+  s.forTexels([&](std::uint32_t texel, const Vec3&) {
+    const GroomMap::Texel& t = s.groom.paint.texels()[texel];
+    if (t[3] > 0) ASSERT_EQ(t[0] << 16 | t[1] << 8 | t[2], 0x204060);
+  });
 }
 
 TEST(GroomBrush, TheFarSideOfAThinSheetStaysAsItIs) {

@@ -35,7 +35,14 @@ TEST(GroomMap, SizesAreClampedAndResizingThereAndBackLosesNothing) {
   EXPECT_EQ(GroomMap(5000).size(), GroomMap::kMostSize);
   GroomMap map(64);
   for (std::uint32_t i = 0; i < 64 * 64; ++i) map.set(i, {static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(i >> 6), 0, 0});
-  EXPECT_EQ(resized(resized(map, 256), 64).hash(), map.hash());
+  Groom groom{map, {}};
+  groom.paint.set(77, {1, 2, 3, 4});
+  const auto paint = groom.paint.hash();
+  resize(groom, 256);
+  EXPECT_EQ(groom.paint.size(), 256);
+  resize(groom, 64);
+  EXPECT_EQ(groom.map.hash(), map.hash());
+  EXPECT_EQ(groom.paint.hash(), paint);
 }
 
 TEST(GroomMap, GuttersRepeatTheNearestTexelOfTheirChart) {
@@ -73,10 +80,13 @@ TEST(Groom, PointsDoNotDependOnTheFurMapping) {
 
 TEST(Groom, BaldTrianglesCostNothing) {
   Setting s;
-  EXPECT_EQ(furryTriangles(s.groom.map, s.surface, s.surface.furIndices), s.surface.furIndices);
+  const auto furry = [&](const std::vector<std::uint32_t>& all, const TypeHeights& heights = kAllFull) {
+    return furryTriangles(all, vertexLengths(s.groom.map, s.surface, s.points, heights));
+  };
+  EXPECT_EQ(furry(s.surface.furIndices), s.surface.furIndices);
   const Brush razor{Vec3(0, 0, 1), Vec3(0, 0, 1), 0.8f, 1};
   for (int i = 0; i < 30; ++i) trim(s.groom, s.ground(), razor);
-  const auto kept = furryTriangles(s.groom.map, s.surface, s.surface.furIndices);
+  const auto kept = furry(s.surface.furIndices);
   EXPECT_LT(kept.size(), s.surface.furIndices.size());
   const auto bald = [&](const std::uint32_t* corner, float reach) {
     for (int k = 0; k < 3; ++k)
@@ -89,7 +99,7 @@ TEST(Groom, BaldTrianglesCostNothing) {
   EXPECT_LE(kept.size(), s.surface.furIndices.size() - 3 * wellInside);
   for (std::size_t i = 0; i < kept.size(); i += 3) ASSERT_FALSE(bald(&kept[i], 0.5f));
   setLength(s.groom.map, 0);
-  EXPECT_TRUE(furryTriangles(s.groom.map, s.surface, s.surface.furIndices).empty());
+  EXPECT_TRUE(furry(s.surface.furIndices).empty());
 }
 
 TEST(Groom, WhereATypeIsBaldNothingIsDrawn) {
@@ -98,10 +108,28 @@ TEST(Groom, WhereATypeIsBaldNothingIsDrawn) {
   paintType(s.groom, s.ground(), {Vec3(0, 0, 1), Vec3(0, 0, 1), 0.8f, 1}, 3);
   EXPECT_EQ(typesPresent(s.groom.map), 5u);
   const auto& all = s.surface.furIndices;
-  EXPECT_EQ(furryTriangles(s.groom.map, s.surface, all), all);
+  const auto furry = [&](const TypeHeights& heights) {
+    return furryTriangles(all, vertexLengths(s.groom.map, s.surface, s.points, heights));
+  };
+  EXPECT_EQ(furry(kAllFull), all);
   setType(s.groom.map, 3);
-  EXPECT_TRUE(furryTriangles(s.groom.map, s.surface, all, {1, 1, 0, 1}).empty());
-  EXPECT_EQ(furryTriangles(s.groom.map, s.surface, all, {0, 0, 0.5f, 0}), all);
+  EXPECT_TRUE(furry({1, 1, 0, 1}).empty());
+  EXPECT_EQ(furry({0, 0, 0.5f, 0}), all);
+}
+
+TEST(Groom, VerticesHaveRoomForEveryStrandOnTheirTriangles) {
+  Setting s;
+  varyLength(s.groom, s.ground(), 1, 0.02f, 9);
+  const auto lengths = vertexLengths(s.groom.map, s.surface, s.points);
+  for (std::uint32_t t = 0; t < s.surface.triangleCount(); ++t)
+    s.atlas.forTexelsOf(s.surface, t, [&](std::uint32_t texel, const Vec3&) {
+      for (std::size_t k = 0; k < 3; ++k)
+        ASSERT_GE(lengths[s.surface.indices[3 * t + k]], s.groom.map.texels()[texel][0] / 255.0f - 1e-6f);
+    });
+  setLength(s.groom.map, 0.25f);
+  for (const float length : vertexLengths(s.groom.map, s.surface, s.points)) ASSERT_NEAR(length, 0.25f, 0.01f);
+  setLength(s.groom.map, 0);
+  for (const float length : vertexLengths(s.groom.map, s.surface, s.points)) ASSERT_EQ(length, 0);
 }
 
 TEST(Groom, ATriangleStaysAsLongAsAFilteredLookUpMeetsFur) {
@@ -110,7 +138,7 @@ TEST(Groom, ATriangleStaysAsLongAsAFilteredLookUpMeetsFur) {
   std::vector<GroomMap::Texel> texels = s.groom.map.texels();
   for (GroomMap::Texel& texel : texels) texel[0] = texel[0] > 130 ? texel[0] : 0;
   s.groom.map.restore(texels);
-  const auto kept = furryTriangles(s.groom.map, s.surface, s.surface.indices);
+  const auto kept = furryTriangles(s.surface.indices, vertexLengths(s.groom.map, s.surface, s.points));
   EXPECT_LT(kept.size(), s.surface.indices.size());
   std::size_t next = 0;
   for (std::size_t i = 0; i < s.surface.indices.size(); i += 3) {
@@ -170,6 +198,41 @@ TEST(GroomFilters, CombedAlongADirectionNoFurPointsAgainstIt) {
   EXPECT_TRUE(s.groom.isPlain());
 }
 
+TEST(GroomFilters, WhatIsDoneToAllOfItLeavesWhatIsProtected) {
+  Setting s;
+  const Brush all{Vec3(0, 0, 1), Vec3(0, 0, 1), 0.5f, 1, Falloff::Flat};
+  ASSERT_TRUE(protect(s.groom, s.ground(), all));
+  const Groom before = s.groom;
+  setLength(s.groom.map, 0);
+  paintAll(s.groom, 0x336699);
+  combAlong(s.groom, s.points, Vec3(0, -1, 0), 1);
+  keepProtected(s.groom, before, s.ground());
+  s.forTexels([&](std::uint32_t texel, const Vec3& position) {
+    const bool kept = glm::distance(position, all.centre) < all.radius;
+    ASSERT_EQ(s.groom.map.texels()[texel][0], kept ? 255 : 0);
+    ASSERT_EQ(s.groom.paint.texels()[texel][3], kept ? 0 : 255);
+  });
+  for (std::size_t i = 0; i < s.points.count(); ++i) {
+    const float distance = glm::distance(s.points.positions[i], all.centre);
+    if (distance < 0.45f) ASSERT_EQ(s.groom.comb[i], Vec3(0));
+    if (distance > 0.55f && s.points.normals[i].y > -0.9f) ASSERT_NE(s.groom.comb[i], Vec3(0));
+  }
+  invertMask(s.groom.mask);
+  invertMask(s.groom.mask);
+  EXPECT_EQ(s.groom.mask.hash(), before.mask.hash());
+}
+
+TEST(GroomFilters, TheMaskIsRedOverThePaint) {
+  Setting s;
+  paintAll(s.groom, 0x00ff00);
+  EXPECT_EQ(paintUnderMask(s.groom).hash(), s.groom.paint.hash());
+  s.groom.mask.set(5, {0, 0, 0, 255});
+  const GroomMap shown = paintUnderMask(s.groom);
+  EXPECT_GT(shown.texels()[5][0], 100);
+  EXPECT_GT(shown.texels()[5][1], 80) << "the paint shines through";
+  EXPECT_EQ(shown.texels()[6], (GroomMap::Texel{0, 255, 0, 255}));
+}
+
 TEST(GroomFilters, LengthsOfVerticesComeBack) {
   Setting s;
   std::vector<float> given;
@@ -179,9 +242,8 @@ TEST(GroomFilters, LengthsOfVerticesComeBack) {
     types.push_back(s.surface.vertices[i].position.x > 0 ? 2 : 1);
   }
   paintFromVertices(s.groom, s.ground(), given, types);
-  const auto back = vertexLengths(s.groom.map, s.surface, s.points);
   // A texel is a hundredth of the sphere's radius here, and the field changes by half of that over it.
-  for (std::size_t i = 0; i < given.size(); ++i) ASSERT_NEAR(back[i], given[i], 0.02);
+  for (std::size_t i = 0; i < given.size(); ++i) ASSERT_NEAR(s.groom.map.lengthAt(s.surface.vertices[i].atlas), given[i], 0.02);
   const Coverage halves = coverage(s.groom.map, s.atlas);
   EXPECT_NEAR(halves.types[1], 0.5, 0.05);
 }

@@ -1,5 +1,7 @@
 #include "native/ImageDecode.h"
 
+#include "scene/Png.h"
+
 #include <gtest/gtest.h>
 
 #include <string>
@@ -94,6 +96,25 @@ TEST(ImageDecode, RefusesADamagedJpeg) {
   const auto image = decodeImage(bytes);
   ASSERT_FALSE(image);
   EXPECT_EQ(image.error().id, ErrorId::BadFile);
+}
+
+TEST(ImageDecode, ReadsThePngsThatWeWrite) {
+  for (const int channels : {1, 3, 4})
+    for (const int width : {1, 7, 300}) {
+      const int height = 90;
+      std::vector<std::uint8_t> pixels(static_cast<std::size_t>(width * height * channels));
+      // Runs of all lengths, gradients and noise.
+      for (std::size_t i = 0; i < pixels.size(); ++i)
+        pixels[i] = static_cast<std::uint8_t>(i % 3000 < 1200 ? 77 : i % 3000 < 2000 ? i / 5 : i * i * 2654435761u >> 13u);
+      const auto image = decodeImage(scene::writePng(width, height, channels, pixels));
+      ASSERT_TRUE(image) << image.error().message;
+      ASSERT_EQ(image->width, width);
+      ASSERT_EQ(image->height, height);
+      for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const std::size_t texel = i / static_cast<std::size_t>(channels), k = i % static_cast<std::size_t>(channels);
+        ASSERT_EQ(image->rgba[4 * texel + k], pixels[i]) << i;
+      }
+    }
 }
 
 }  // namespace

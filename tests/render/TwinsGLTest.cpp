@@ -131,6 +131,11 @@ TEST(Twins, SrgbEncodingIsWithinAThirdOfAnEightBitStep) {
   EXPECT_LT(largestDifference(4, exact), 0.0015f);
 }
 
+TEST(Twins, SrgbDecodingIsWithinAnEightBitStep) {
+  const auto exact = [](float u, float) { return u <= 0.04045f ? u / 12.92f : std::pow((u + 0.055f) / 1.055f, 2.4f); };
+  EXPECT_LT(largestDifference(23, exact), 0.003f);
+}
+
 // Light and eye of twins.frag, about the strand (1, 0, 0).
 Vec3 eyeOf(float v) { return {std::sin(3 * v), 0.6f * std::cos(3 * v), 0.8f * std::cos(3 * v)}; }
 

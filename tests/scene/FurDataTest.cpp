@@ -56,6 +56,24 @@ TEST(FurData, GoesThroughAFile) {
     ASSERT_LT(glm::length(model.value().fur.comb[i] - scene.fur.comb[i]), 1e-6f);
 }
 
+TEST(FurData, PaintAndMaskGoThroughAFileWithAndWithoutAMap) {
+  for (const bool hasMap : {true, false}) {
+    Scene scene;
+    if (!hasMap) scene.fur.map.clear();
+    for (int i = 0; i < 32 * 32; ++i) {
+      scene.fur.paint.push_back({static_cast<std::uint8_t>(i), 200, 7, static_cast<std::uint8_t>(i / 5)});
+      scene.fur.mask.push_back({0, 0, 0, static_cast<std::uint8_t>(i % 91)});
+    }
+    const auto model = importGltf(scene.file(), "torus.glb");
+    ASSERT_TRUE(model) << model.error().message;
+    EXPECT_EQ(model.value().fur.paint, scene.fur.paint);
+    EXPECT_EQ(model.value().fur.mask, scene.fur.mask);
+    if (hasMap) EXPECT_EQ(model.value().fur.map, scene.fur.map);
+    else EXPECT_EQ(model.value().fur.map, std::vector<groom::GroomMap::Texel>(32 * 32, groom::GroomMap::kPlain));
+    EXPECT_EQ(model.value().mesh.atlas, scene.mesh.atlas);
+  }
+}
+
 TEST(FurData, KeepsItsAtlasBesideTheModelsOwnCoordinatesAndItsTile) {
   Scene scene;
   for (const Vec3& p : scene.mesh.positions) scene.mesh.uv.emplace_back(p.x, p.y), scene.mesh.furUv.emplace_back(p.z, 2 * p.x);
@@ -173,6 +191,12 @@ TEST(FurData, HostileOnesAreTypedErrors) {
   EXPECT_EQ(idOf(withExtension(R"({"version":1,"groom":{"size":2,"bufferView":0,"texCoord":0}})")), ErrorId::BadFile);
   EXPECT_EQ(idOf(withExtension(R"({"version":1,"groom":{"size":16,"bufferView":0,"texCoord":0}})")), ErrorId::BadFile);
   EXPECT_EQ(idOf(withExtension(R"({"version":1,"groom":{"size":16,"bufferView":9,"texCoord":0}})")), ErrorId::BadFile);
+  const FileBytes plain = packBits(FileBytes(4 * 256, 0));
+  const std::string plainView = ",{\"buffer\":0,\"byteOffset\":44,\"byteLength\":" + std::to_string(plain.size()) + "}";
+  for (const char* paint : {"0", "9", "-1", "\"2\""}) {
+    const std::string groom = R"({"version":1,"groom":{"size":16,"bufferView":2,"texCoord":0,"paint":)" + std::string(paint) + "}}";
+    EXPECT_EQ(idOf(withExtension(groom.c_str(), plainView, plain)), ErrorId::BadFile) << paint;
+  }
   EXPECT_EQ(idOf(withExtension(R"({"version":1,"wetness":3})")), ErrorId::BadFile);
   EXPECT_EQ(idOf(withExtension(R"({"version":1,"wetness":{"size":2049,"bufferView":0,"texCoord":0}})")), ErrorId::TooLarge);
   EXPECT_EQ(idOf(withExtension(R"({"version":1,"wetness":{"size":1e30,"bufferView":0,"texCoord":0}})")), ErrorId::BadFile);

@@ -313,7 +313,8 @@ TEST(ImportGltf, NeverCrashesOnMutatedFiles) {
   sparse.moreViews = R"(,{"buffer":0,"byteOffset":44,"byteLength":1},{"buffer":0,"byteOffset":48,"byteLength":12})";
   sparse.position = R"({"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","sparse":{"count":1,
     "indices":{"bufferView":2,"componentType":5121},"values":{"bufferView":3}}})";
-  FurData fur{R"({"version":1})", std::vector<groom::GroomMap::Texel>(16 * 16, {9, 8, 7, 6}), 16, {}, {}, {}, std::vector<groom::Whisker>(2)};
+  FurData fur{R"({"version":1})", std::vector<groom::GroomMap::Texel>(16 * 16, {9, 8, 7, 6}),
+              std::vector<groom::GroomMap::Texel>(16 * 16, {1, 2, 3, 4}), {}, 16, {}, {}, {}, std::vector<groom::Whisker>(2)};
   geometry::Mesh plane = geometry::makePlane(2);
   plane.atlas = plane.uv;
   fur.comb.assign(plane.positions.size(), Vec3(0.5f, 0, 0));

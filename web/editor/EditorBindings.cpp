@@ -73,13 +73,14 @@ FUR_EXPORT void fur_editor_resize(App* app, int width, int height, float pixelRa
 // phase, kind, id, buttons and positions as in fur_pointer(); seconds: when, on any clock; modifiers: bit 0 shift, 1 control (or
 // the Mac's command key), 2 alt
 
-FUR_EXPORT int fur_editor_pointer(App* app, int phase, int kind, int id, float x, float y, int buttons,
+FUR_EXPORT int fur_editor_pointer(App* app, int phase, int kind, int id, float x, float y, int buttons, int modifiers,
                                   double seconds) {
   app::PointerEvent event{static_cast<app::PointerPhase>(phase)};
   event.kind = static_cast<app::PointerKind>(kind);
   event.id = id;
   event.position = {x, y};
   event.buttons = buttons;
+  event.alt = (modifiers & 4) != 0;
   return withHost(app, [&](EditorHost& host) { return host.pointer(event, seconds); });
 }
 FUR_EXPORT void fur_editor_pointerLeft(App* app) {

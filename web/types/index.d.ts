@@ -14,13 +14,15 @@ export class FurError extends Error {
 /**
  * 'comb' to 'type' dress the fur: 'smooth', 'raise' and 'comb' lay it, 'trim' and 'grow' change its length, 'type' its kind.
  * 'whisker' plants a whisker or a tuft where it is pressed and aims it while it is dragged; 'pluck' pulls them out.
+ * 'paint' lays `paintColor` over the coat, 'cut' cuts what is longer than `cutLength`, 'thin' takes strands out and 'mask'
+ * protects from all of these: they work while the editor is open.
  * 'pet' strokes the fur and 'ball' presses a ball into it; it forgets both after a while.
  */
-export type Tool = 'droplet' | 'dry' | 'rain' | 'hose' | 'towel' | 'dryer' | 'comb' | 'smooth' | 'raise' | 'trim' | 'grow' | 'type' | 'whisker' | 'pluck' | 'pet' | 'ball' | 'grab' | 'none';
+export type Tool = 'droplet' | 'dry' | 'rain' | 'hose' | 'towel' | 'dryer' | 'comb' | 'smooth' | 'raise' | 'trim' | 'grow' | 'type' | 'whisker' | 'pluck' | 'paint' | 'cut' | 'thin' | 'mask' | 'pet' | 'ball' | 'grab' | 'none';
 export type GroomType = '1' | '2' | '3' | '4';
 export type FurType = 'bald' | 'rabbit' | 'chinchilla' | 'curlyDog' | 'thickNylon' | 'fineSparse' | 'otter' | 'shortCat' | 'persian' | 'shag' | 'velvet' | 'wool';
 /** All over the model; see WetFurApi.groom. */
-export type GroomEdit = 'clear' | 'length' | 'invert' | 'vary' | 'type' | 'comb' | 'raise' | 'size';
+export type GroomEdit = 'clear' | 'length' | 'invert' | 'vary' | 'type' | 'comb' | 'raise' | 'size' | 'paint' | 'clearPaint' | 'clearMask' | 'invertMask';
 export type Quality = 'auto' | 'low' | 'medium' | 'high';
 export type Motion = 'auto' | 'full' | 'reduced';
 export type WheelManner = 'page' | 'focus' | 'zoom';
@@ -135,6 +137,16 @@ export interface FurSettings {
   wetGloss: number;
   /** How much one pass of the comb, the scissors or the type brush does. */
   groomStrength: number;
+  /** How a brush that grooms fades from its middle to its rim. */
+  brushFalloff: 'smooth' | 'linear' | 'sharp' | 'flat';
+  /** Brushes also work on the other side of the model, across its middle along this axis; x is left and right. */
+  mirror: 'none' | 'x' | 'y' | 'z';
+  /** What the brush Paint paints; Alt+click on the model picks the colour there. */
+  paintColor: Color;
+  /** What the brush Cut leaves of longer fur, as a share of the longest. */
+  cutLength: number;
+  /** The brushes Paint, Thin and Mask take away instead. */
+  brushErases: boolean;
   /** What the type brush paints; 1 takes the others away. */
   groomType: GroomType;
   /** The coat that grows where the type brush painted 2: its strands and colours, on the same tile, no longer than Length. */
@@ -369,7 +381,7 @@ export interface WetFurApi {
   /**
    * Dresses the whole model, as one undo step. This, length maps and all that saves fetch the editor's program. `value`: the length as a share of the longest ('length'), how much shorter patches
    * get ('vary'), 1 to 4 ('type'), how far it is combed ('comb', along `direction` in model space), texels along the
-   * map ('size'); 'clear', 'invert' and 'raise' take none.
+   * maps ('size'), 0xRRGGBB ('paint'); the others take none. What the mask protects stays as it is.
    */
   groom(edit: GroomEdit, value?: number, direction?: readonly [number, number, number]): Promise<void>;
   /** An image in the model's texture coordinates: its brightness becomes the length of the fur. */

@@ -99,6 +99,7 @@ FUR_BLOCK(FurBlock) {
 #define FUR_UNIT_FIN_STRAND 13
 #define FUR_UNIT_PUDDLES 14
 #define FUR_UNIT_STREAKS 15
+#define FUR_UNIT_PAINT 16
 
 // Directions over a half turn in which strands are averaged into streaks (furgen/Streaks.h).
 #define FUR_STREAK_TURNS 32.0

@@ -9,6 +9,7 @@
 #include <imgui_impl_opengl3.h>
 #include <imgui_internal.h>  // which windows cover a pixel, before the frame that would tell; what is typed
 
+#include "app/editor/EditorGroom.h"
 #include "settings/Presets.h"
 
 namespace fur::app {
@@ -70,6 +71,7 @@ struct EditorHost::Context {
 
 EditorHost::EditorHost(App& app, editor::FileAccess fileAccess)
     : app_(app), context_(ImGui::CreateContext()), fileAccess_(fileAccess) {
+  App::groomWith(&kEditorGroom);
   const Context current(*this);
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
@@ -144,7 +146,7 @@ bool EditorHost::pointer(const PointerEvent& event, double seconds) {
   const bool down = event.phase == PointerPhase::Down;
   const bool ended = event.phase == PointerPhase::Cancel || (event.phase == PointerPhase::Up && !event.buttons);
   if (down && owner_ == Owner::None) {
-    owner_ = covers(event.position) ? Owner::Panel : Owner::App;
+    owner_ = covers(event.position) || picksColor(event) ? Owner::Panel : Owner::App;
     ownerId_ = event.id;
   }
   // The panel follows one pointer. A second finger goes where it lies, and never to both.
@@ -158,6 +160,17 @@ bool EditorHost::pointer(const PointerEvent& event, double seconds) {
   if (cancelled || (touch && ended)) input_.pointerGone();
   wake();
   return captured;
+}
+
+// Alt takes the colour from the model instead of painting it there.
+bool EditorHost::picksColor(const PointerEvent& event) {
+  if (!event.alt || app_.tool() != Tool::Paint) return false;
+  const auto color = app_.colorAt(event.position);
+  if (!color) return false;
+  settings::Settings next = app_.settings();
+  next.paintColor = *color;
+  app_.setSettings(next);
+  return true;
 }
 
 void EditorHost::pointerLeft() {
@@ -183,6 +196,7 @@ bool EditorHost::key(std::string_view name, bool down, const editor::Modifiers& 
     wake();
     return true;
   }
+  if (!text && !modifiers.control && resizeBrush(name, down)) return true;
   // Without a clipboard to ask, the platform's own paste must take place, and comes in as paste().
   if (text && !readClipboard_ && modifiers.control && (name == "v" || name == "V")) return false;
   const bool wanted = text || wantsKeyboard();
@@ -193,6 +207,24 @@ bool EditorHost::key(std::string_view name, bool down, const editor::Modifiers& 
     wake();
   }
   return wanted;
+}
+
+// [ and ] make the brush smaller and larger, with shift weaker and stronger. Shift makes braces of them on many keyboards.
+bool EditorHost::resizeBrush(std::string_view name, bool down) {
+  constexpr std::string_view kKeys = "[]{}";
+  const std::size_t key = name.size() == 1 ? kKeys.find(name) : std::string_view::npos;
+  if (key == std::string_view::npos) return false;
+  if (!down) return true;
+  const bool grooms = app_.tool() >= Tool::Comb && app_.tool() <= Tool::Mask;
+  const char* field = key < 2 ? "brushRadius" : grooms ? "groomStrength" : "brushFlow";
+  settings::Settings next = app_.settings();
+  Warnings ignored;  // the ends of the range are natural stops
+  const settings::Field& changed = *settings::findField(field);
+  const double value = changed.get(next), more = key < 2 ? 0.15 * value : 0.05;
+  settings::setField(next, changed, key % 2 ? value + more : value - more, ignored);
+  app_.setSettings(next);
+  wake();
+  return true;
 }
 
 bool EditorHost::text(std::string_view utf8) {
@@ -282,6 +314,8 @@ editor::EditorModel EditorHost::model() {
   model.groom.mapSize = app_.groomMap().size();
   model.groom.whiskers = static_cast<int>(app_.whiskerCount());
   model.groom.plain = !app_.groomed();
+  model.groom.painted = !app_.groom().paint.isPlain();
+  model.groom.masked = !app_.groom().mask.isPlain();
   model.groom.map = idOf(groomPicture_);
   return model;
 }
@@ -289,7 +323,7 @@ editor::EditorModel EditorHost::model() {
 // The map for people, while it is on the screen.
 void EditorHost::refreshGroom() {
   static_assert(static_cast<int>(editor::GroomEdit::Clear) == static_cast<int>(GroomEdit::Clear) &&
-                static_cast<int>(editor::GroomEdit::Size) == static_cast<int>(GroomEdit::Size));
+                static_cast<int>(editor::GroomEdit::InvertMask) == static_cast<int>(GroomEdit::InvertMask));
   if (!editor_.showsGroom()) {
     groomPicture_ = {};
     groomRevision_ = 0;
@@ -298,7 +332,7 @@ void EditorHost::refreshGroom() {
   if (groomRevision_ == app_.groomRevision()) return;
   groomRevision_ = app_.groomRevision();
   groomCoverage_ = app_.groomCoverage();
-  groomPicture_ = pictureTexture(app_.groomMap().size(), app_.groomMap().size(), gl::bytesOf(groom::picture(app_.groomMap())));
+  groomPicture_ = pictureTexture(app_.groomMap().size(), app_.groomMap().size(), gl::bytesOf(groom::picture(app_.groom())));
   ++picturesMade_;
 }
 

@@ -106,6 +106,8 @@ class EditorHost {
   editor::EditorModel model();
   void refreshCoatPictures();
   void refreshGroom();
+  bool picksColor(const PointerEvent& event);
+  bool resizeBrush(std::string_view name, bool down);
   void perform(const editor::Command& command);
   void request(PlatformCommand::Kind kind, std::string text = {}) {
     platform_.push_back({kind, std::move(text)});

@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <cstring>
 #include <span>
+#include <utility>
 
 #include "core/Json.h"
 #include "scene/Model.h"
@@ -85,17 +86,24 @@ std::string attributesOf(Writer& writer, const geometry::Mesh& mesh, const FurDa
 // WETFUR_fur of the root; "" when there is nothing to say.
 std::string furExtension(Writer& writer, const geometry::Mesh& mesh, const FurData& fur) {
   const bool hasAtlas = mesh.atlas.size() == mesh.positions.size();
-  const bool hasMap = !fur.map.empty() && hasAtlas, isWet = !fur.wetness.empty() && hasAtlas;
+  const std::pair<const char*, const std::vector<groom::GroomMap::Texel>*> over[] = {{"paint", &fur.paint}, {"mask", &fur.mask}};
+  const bool hasMap = !(fur.map.empty() && fur.paint.empty() && fur.mask.empty()) && hasAtlas, isWet = !fur.wetness.empty() && hasAtlas;
   const std::string atlas = mesh.uv.empty() ? ",\"texCoord\":0}" : ",\"texCoord\":1}";
   if (fur.state.empty() && !hasMap && !isWet && fur.comb.empty() && fur.whiskers.empty() && mesh.furUv.empty()) return "";
   std::string out = "\"WETFUR_fur\":{\"version\":" + std::to_string(kFurVersion);
   if (!fur.state.empty()) out += ",\"state\":" + fur.state;
   if (hasMap) {
-    std::vector<std::uint8_t> planes;
-    for (std::size_t k = 0; k < 4; ++k)
-      for (const auto& texel : fur.map) planes.push_back(texel[k]);
-    out += ",\"groom\":{\"size\":" + std::to_string(fur.mapSize) + ",\"bufferView\":" +
-           std::to_string(writer.addView(packBits(planes), "")) + atlas;
+    const auto viewOf = [&](const std::vector<groom::GroomMap::Texel>& map) {
+      std::vector<std::uint8_t> planes;
+      for (std::size_t k = 0; k < 4; ++k)
+        for (const auto& texel : map) planes.push_back(texel[k]);
+      return std::to_string(writer.addView(packBits(planes), ""));
+    };
+    const std::vector<groom::GroomMap::Texel> plain(static_cast<std::size_t>(fur.mapSize) * static_cast<std::size_t>(fur.mapSize), groom::GroomMap::kPlain);
+    out += ",\"groom\":{\"size\":" + std::to_string(fur.mapSize) + ",\"bufferView\":" + viewOf(fur.map.empty() ? plain : fur.map);
+    for (const auto& [name, map] : over)
+      if (!map->empty()) out += std::string(",\"") + name + "\":" + viewOf(*map);
+    out += atlas;
   }
   if (isWet)
     out += ",\"wetness\":{\"size\":" + std::to_string(fur.wetnessSize) + ",\"bufferView\":" +
@@ -107,18 +115,30 @@ std::string furExtension(Writer& writer, const geometry::Mesh& mesh, const FurDa
   return out + "}";
 }
 
-// Material, texture and image, each with a comma after it.
-std::string materialOf(Writer& writer, const ScenePicture& picture, std::string& used) {
-  const bool hasImage = !picture.image.bytes.empty();
-  if (!hasImage && picture.factor == Vec4(1)) return "";
-  std::string out = "\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorFactor\":" + numbers(&picture.factor.x, 4) +
-                    ",\"metallicFactor\":0" + (hasImage ? ",\"baseColorTexture\":{\"index\":0}" : "") + "}}],";
-  if (!hasImage) return out;
-  const bool webp = picture.image.mimeType == "image/webp";
-  if (webp) used += std::string(used.empty() ? "" : ",") + "\"EXT_texture_webp\"";
-  out += webp ? "\"textures\":[{\"extensions\":{\"EXT_texture_webp\":{\"source\":0}}}]," : "\"textures\":[{\"source\":0}],";
-  return out + "\"images\":[{\"bufferView\":" + std::to_string(writer.addView(picture.image.bytes, "")) +
-         ",\"mimeType\":\"" + picture.image.mimeType + "\"}],";
+// Materials, textures and images, each with a comma after it. The last material is what is shown.
+std::string materialsOf(Writer& writer, const geometry::Mesh& mesh, const ScenePicture& picture, std::string& used) {
+  std::string materials, textures, images;
+  int count = 0;
+  const auto add = [&](const Vec4& factor, std::span<const std::uint8_t> bytes, const std::string& type, const char* texCoord) {
+    materials += (materials.empty() ? "" : ",") + std::string("{\"pbrMetallicRoughness\":{\"baseColorFactor\":") + numbers(&factor.x, 4) +
+                 ",\"metallicFactor\":0";
+    if (!bytes.empty()) {
+      const std::string index = std::to_string(count), comma = count++ > 0 ? "," : "", source = "{\"source\":" + index + "}";
+      const bool webp = type == "image/webp";
+      if (webp) used += std::string(used.empty() ? "" : ",") + "\"EXT_texture_webp\"";
+      materials += ",\"baseColorTexture\":{\"index\":" + index + texCoord + "}";
+      textures += comma + (webp ? "{\"extensions\":{\"EXT_texture_webp\":" + source + "}}" : source);
+      images += comma + "{\"bufferView\":" + std::to_string(writer.addView(bytes, "")) + ",\"mimeType\":\"" + type + "\"}";
+    }
+    materials += "}}";
+  };
+  const bool isPainted = !picture.painted.empty();
+  if (picture.image.bytes.empty() && picture.factor == Vec4(1) && !isPainted) return "";
+  add(picture.factor, picture.image.bytes, picture.image.mimeType, "");
+  if (isPainted) add(Vec4(1), picture.painted, "image/png", mesh.uv.empty() ? "" : ",\"texCoord\":1");
+  std::string out = "\"materials\":[" + materials + "],";
+  if (count > 0) out += "\"textures\":[" + textures + "],\"images\":[" + images + "],";
+  return out;
 }
 
 std::vector<std::uint8_t> container(const std::string& json, const std::vector<std::uint8_t>& binary) {
@@ -150,13 +170,15 @@ std::vector<std::uint8_t> exportScene(const geometry::Mesh& mesh, const std::str
   const int indices = writer.add(mesh.indices, "SCALAR", kUnsignedInt, kIndexBuffer);
   const std::string extension = furExtension(writer, mesh, fur);
   std::string used = extension.empty() ? "" : "\"WETFUR_fur\"";
-  const std::string material = materialOf(writer, picture, used);
+  const std::string materials = materialsOf(writer, mesh, picture, used);
+  std::string shown = materials.empty() ? "" : ",\"material\":0";
+  if (!picture.painted.empty()) shown = R"(,"material":1,"extensions":{"WETFUR_fur":{"material":0}})";
   std::string json = "{\"asset\":{\"version\":\"2.0\",\"generator\":\"wet-fur\"},";
   if (!used.empty()) json += "\"extensionsUsed\":[" + used + "],";
   if (!extension.empty()) json += "\"extensions\":{" + extension + "},";
-  json += "\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,\"name\":" + jsonString(name) + "}]," + material +
+  json += "\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,\"name\":" + jsonString(name) + "}]," + materials +
           "\"meshes\":[{\"name\":" + jsonString(name) + ",\"primitives\":[{\"attributes\":{" + attributes + "},\"indices\":" +
-          std::to_string(indices) + (material.empty() ? "" : ",\"material\":0") + "}]}],\"accessors\":[" +
+          std::to_string(indices) + shown + "}]}],\"accessors\":[" +
           writer.accessors + "],\"bufferViews\":[" + writer.views + "],\"buffers\":[{\"byteLength\":" +
           std::to_string(writer.binary.size()) + "}]}";
   return container(json, writer.binary);

@@ -10,27 +10,28 @@ namespace {
 
 // Reads the square map that `map` describes: `unpack(bytes, texels)` says whether the bytes hold that many. Returns its side.
 template <class Unpack>
-int readSquare(const GltfFile& file, const Json& map, const std::string& where, int least, int most, const Unpack& unpack) {
+int readSquare(const GltfFile& file, const Json& map, const std::string& where, int least, int most, const Unpack& unpack,
+               const char* view = "bufferView") {
   if (!map.isObject()) file.bad("%s is not an object", where.c_str());
   const Whole size = file.whole(map, "size", where);
   if (size > static_cast<Whole>(most)) file.fail(ErrorId::TooLarge, "%s.size is %llu; the limit is %d", where.c_str(), size, most);
   if (size < static_cast<Whole>(least)) file.bad("%s.size is %llu; the least is %d", where.c_str(), size, least);
-  if (!unpack(file.bufferView(file.whole(map, "bufferView", where)).bytes, static_cast<std::size_t>(size * size)))
+  if (!unpack(file.bufferView(file.whole(map, view, where)).bytes, static_cast<std::size_t>(size * size)))
     file.bad("%s does not hold a map of %llu x %llu texels", where.c_str(), size, size);
   return static_cast<int>(size);
 }
 
-void readMap(const GltfFile& file, const Json& groom, FurData& fur) {
+void readMap(const GltfFile& file, const Json& groom, const char* view, FurData& fur, std::vector<groom::GroomMap::Texel>& map) {
   std::vector<std::uint8_t> planes;
   fur.mapSize = readSquare(file, groom, "WETFUR_fur.groom", groom::GroomMap::kLeastSize, groom::GroomMap::kMostSize,
                            [&](Bytes bytes, std::size_t texels) {
                              planes.resize(4 * texels);
                              return unpackBits(bytes, planes);
-                           });
+                           }, view);
   const std::size_t texels = planes.size() / 4;
-  fur.map.resize(texels);
+  map.resize(texels);
   for (std::size_t i = 0; i < texels; ++i)
-    for (std::size_t k = 0; k < 4; ++k) fur.map[i][k] = planes[k * texels + i];
+    for (std::size_t k = 0; k < 4; ++k) map[i][k] = planes[k * texels + i];
 }
 
 void readWetness(const GltfFile& file, const Json& wetness, FurData& fur) {
@@ -68,7 +69,9 @@ GltfFur readFur(const GltfFile& file, FurData& fur) {
     if (auto read = readState(fur.state); !read) file.fail(read.error().id, "WETFUR_fur: %s", read.error().message.c_str());
   }
   if (const Json* groom = found->find("groom")) {
-    readMap(file, *groom, fur);
+    readMap(file, *groom, "bufferView", fur, fur.map);
+    if (groom->find("paint")) readMap(file, *groom, "paint", fur, fur.paint);
+    if (groom->find("mask")) readMap(file, *groom, "mask", fur, fur.mask);
     out.hasMap = true;
     out.atlasSet = file.whole(*groom, "texCoord", "WETFUR_fur.groom");
   }

@@ -19,6 +19,11 @@ const Json* GltfMaterials::part(Whole material, const char* key) const {
   return child(child(&file_.element("materials", material), "pbrMetallicRoughness"), key);
 }
 
+Whole GltfMaterials::of(const Json& primitive, const std::string& where) const {
+  const Json* below = child(child(&primitive, "extensions"), "WETFUR_fur");
+  return file_.whole(child(below, "material") ? *below : primitive, "material", kNoMaterial, where);
+}
+
 const TexcoordUse& GltfMaterials::texcoordUse(Whole material) {
   const auto [at, isNew] = uses_.try_emplace(material);
   if (isNew) at->second = readTexcoordUse(material);

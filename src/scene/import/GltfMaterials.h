@@ -19,6 +19,8 @@ class GltfMaterials {
  public:
   explicit GltfMaterials(const GltfFile& file) : file_(file) {}
 
+  // The material of a primitive; of one that shows paint (ScenePicture) the one below that.
+  Whole of(const Json& primitive, const std::string& where) const;
   // Which texture coordinates the material's base colour reads (set 0 without a texture).
   const TexcoordUse& texcoordUse(Whole material);
   void count(Whole material, std::size_t triangles) { triangles_[material] += triangles; }

@@ -89,7 +89,7 @@ class Importer {
     readPositions(part, file_.whole(*attributes, "POSITION", where), transform, where);
     readTriangles(part, primitive, mode, transform, where);
     readNormals(part, *attributes, transform, where);
-    const Whole material = file_.whole(primitive, "material", kNoMaterial, where);
+    const Whole material = materials_.of(primitive, where);
     readTexcoords(part, *attributes, material, where);
     materials_.count(material, part.triangleCount());
     readFurAttributes(*attributes, transform, part.positions.size(), where);

@@ -105,7 +105,8 @@ class Losses {
     const bool indexed = primitive.find("indices") != nullptr;
     const std::size_t corners = elementCount(file_, indexed ? file_.whole(primitive, "indices", "a primitive")
                                                             : file_.whole(*attributes, "POSITION", "a primitive"));
-    const Whole material = file_.whole(primitive, "material", kNoMaterial, "a primitive");
+    const Whole material = materials_.of(primitive, "a primitive");
+    showsPaint_ |= material != file_.whole(primitive, "material", kNoMaterial, "a primitive");
     materials_.count(material, mode == 4 ? corners / 3 : corners < 3 ? 0 : corners - 2);
     for (const Json& attribute : *attributes) readAttribute(attribute.text(), materials_.texcoordUse(material).set);
     return true;
@@ -122,7 +123,9 @@ class Losses {
 
   void materials() {
     const Whole chosen = materials_.chosen();
-    const std::size_t count = file_.count("materials"), images = file_.count("images");
+    // Those of the paint are made anew.
+    const auto ours = [&](const char* what) { return file_.count(what) - std::min<std::size_t>(file_.count(what), showsPaint_); };
+    const std::size_t count = ours("materials"), images = ours("images");
     const bool keepsOne = chosen != kNoMaterial, keepsTexture = keepsOne && materials_.part(chosen, "baseColorTexture");
     lose(count - keepsOne, count, "material");
     lose(images - std::min<std::size_t>(images, keepsTexture), images, "image");
@@ -165,6 +168,7 @@ class Losses {
 
   const GltfFile& file_;
   GltfMaterials materials_;
+  bool showsPaint_ = false;
   FurData furData_;
   GltfFur fur_;
   std::set<std::string> vertexData_;

@@ -1,0 +1,34 @@
+#include "app/editor/EditorGroom.h"
+
+#include "groom/GroomFilters.h"
+
+namespace fur::app {
+
+namespace {
+
+// Fur is thinned by a type that is bald; 0: all others grow something.
+int baldType(const settings::Settings& settings) {
+  const int types[] = {settings.type4, settings.type3, settings.type2};
+  for (int i = 0; i < 3; ++i)
+    if (types[i] == 0) return 4 - i;
+  return 0;
+}
+
+void dab(Tool tool, groom::Groom& groom, const groom::Ground& ground, const groom::Brush& brush, const settings::Settings& settings) {
+  const bool erases = settings.brushErases;
+  switch (tool) {
+    case Tool::Paint: erases ? groom::unpaint(groom, ground, brush) : groom::paint(groom, ground, brush, settings.paintColor); break;
+    case Tool::Mask: erases ? groom::unprotect(groom, ground, brush) : groom::protect(groom, ground, brush); break;
+    case Tool::Cut: groom::cutTo(groom, ground, brush, settings.cutLength); break;
+    case Tool::Thin:
+      if (const int type = baldType(settings)) erases ? groom::takeType(groom, ground, brush, type) : groom::paintType(groom, ground, brush, type);
+      break;
+    default: break;
+  }
+}
+
+}  // namespace
+
+const App::EditorGroom kEditorGroom{dab, groom::paintUnderMask};
+
+}  // namespace fur::app

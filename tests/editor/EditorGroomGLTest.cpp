@@ -1,0 +1,228 @@
+// The brushes that programs with an editor have, at work on a sphere.
+#include "app/editor/EditorGroom.h"
+
+#include "tests/render/Picture.h"
+
+namespace fur::app {
+namespace {
+
+struct Studio : test::Room {
+  Studio() : Room(160, {{"layers", "8"}, {"tileSize", "64"}, {"dryRate", "0"}, {"groomStrength", "1"}, {"brushRadius", "0.25"}, {"ground", "false"}}) {
+    App::groomWith(&kEditorGroom);
+    app.setCamera({0, 0, 3, Vec3(0)});
+  }
+  ~Studio() { App::groomWith(nullptr); }
+
+  void stroke(Tool tool, Vec2 from, Vec2 to) {
+    app.setTool(tool);
+    PointerEvent event{PointerPhase::Down};
+    event.position = from;
+    event.buttons = 1;
+    app.pointer(event);
+    event.phase = PointerPhase::Move;
+    for (int i = 1; i <= 8; ++i) {
+      event.position = glm::mix(from, to, static_cast<float>(i) / 8);
+      app.pointer(event);
+    }
+    event.phase = PointerPhase::Up;
+    event.buttons = 0;
+    app.pointer(event);
+  }
+  test::Picture settled() {
+    app.settle();
+    app.tick(0);
+    return stage.draw(app);
+  }
+  Vec4 paintAt(Vec2 pixel) { return app.groom().paint.at(*app.pick(pixel)); }
+};
+
+Vec3 colorAt(const test::Picture& picture, Vec2 at) {
+  Vec3 sum(0);
+  for (int y = -5; y < 5; ++y)
+    for (int x = -5; x < 5; ++x)
+      for (int k = 0; k < 3; ++k) sum[k] += picture.at(static_cast<int>(at.x) + x, static_cast<int>(at.y) + y)[k];
+  return sum / 100.0f;
+}
+
+constexpr Vec2 kRight{105, 80}, kLeft{55, 80}, kMiddle{80, 80};
+
+TEST(EditorGroom, EveryBrushIsOneUndoStepAStroke) {
+  for (const Tool tool : {Tool::Paint, Tool::Cut, Tool::Thin, Tool::Mask}) {
+    Studio studio;
+    const auto before = studio.app.groomHash();
+    studio.stroke(tool, {60, 70}, {100, 90});
+    const auto after = studio.app.groomHash();
+    EXPECT_NE(after, before) << static_cast<int>(tool);
+    EXPECT_TRUE(studio.app.undo());
+    EXPECT_EQ(studio.app.groomHash(), before) << static_cast<int>(tool);
+    EXPECT_TRUE(studio.app.redo());
+    EXPECT_EQ(studio.app.groomHash(), after) << static_cast<int>(tool);
+  }
+}
+
+TEST(EditorGroom, TheViewerAloneHasNoneOfThem) {
+  Studio studio;
+  App::groomWith(nullptr);
+  const auto before = studio.app.groomHash();
+  studio.stroke(Tool::Paint, {60, 70}, {100, 90});
+  EXPECT_EQ(studio.app.groomHash(), before);
+}
+
+TEST(EditorGroom, PaintShowsOnStrandsAndOnBareSkinAndGoesWithUndo) {
+  Studio studio;
+  studio.app.setField("paintColor", "#0040ff");
+  studio.app.setTool(Tool::None);
+  const test::Picture plain = studio.settled();
+  studio.stroke(Tool::Paint, {70, 80}, {90, 80});
+  studio.app.setTool(Tool::None);
+  const test::Picture painted = studio.settled();
+  EXPECT_GT(colorAt(painted, kMiddle).z, 2 * colorAt(painted, kMiddle).x) << "sand has become blue";
+  EXPECT_LT(colorAt(plain, kMiddle).z, colorAt(plain, kMiddle).x);
+  EXPECT_LT(glm::length(colorAt(painted, {80, 40}) - colorAt(plain, {80, 40})), 3) << "elsewhere it is as it was";
+  studio.app.groomAll(GroomEdit::Length, 0);
+  const test::Picture bald = studio.settled();
+  EXPECT_GT(colorAt(bald, kMiddle).z, 2 * colorAt(bald, kMiddle).x);
+  EXPECT_LT(colorAt(bald, {80, 40}).z, colorAt(bald, {80, 40}).x);
+  EXPECT_TRUE(studio.app.undo());
+  EXPECT_TRUE(studio.app.undo());
+  EXPECT_EQ(studio.settled().differingShare(plain, 0), 0);
+}
+
+TEST(EditorGroom, PaintGoesThroughASavedSceneAndToAnotherProgram) {
+  Studio studio;
+  studio.stroke(Tool::Paint, {70, 80}, {90, 80});
+  studio.stroke(Tool::Mask, {70, 50}, {90, 50});
+  const auto paint = studio.app.groom().paint.hash(), mask = studio.app.groom().mask.hash();
+  App other;
+  ASSERT_TRUE(other.loadPrimitive("sphere"));
+  ASSERT_TRUE(other.restoreGroom(studio.app.saveGroom()));
+  EXPECT_EQ(other.groomHash(), studio.app.groomHash());
+  ASSERT_TRUE(other.loadModel(studio.app.saveScene(), "painted.glb"));
+  EXPECT_EQ(other.groom().paint.hash(), paint);
+  EXPECT_EQ(other.groom().mask.hash(), mask);
+  ASSERT_TRUE(other.loadPrimitive("torus"));
+  EXPECT_FALSE(other.groomed()) << "it belongs to the model";
+}
+
+TEST(EditorGroom, AnotherContextShowsTheSamePaintAndNoneAfterItIsCleared) {
+  Studio studio;
+  const test::Picture plain = studio.settled();
+  studio.stroke(Tool::Paint, {70, 80}, {90, 80});
+  const test::Picture painted = studio.settled();
+  EXPECT_GT(painted.differingShare(plain, 24), 0.02f);
+  studio.app.detach(false);
+  studio.stage.attach(studio.app);
+  EXPECT_EQ(studio.settled().differingShare(painted, 0), 0);
+  studio.app.groomAll(GroomEdit::ClearPaint);
+  EXPECT_EQ(studio.settled().differingShare(plain, 0), 0);
+  // What was painted before does not come back with the next stroke.
+  studio.app.setField("brushRadius", "0.05");
+  studio.stroke(Tool::Paint, {80, 30}, {80, 30});
+  EXPECT_LT(glm::length(colorAt(studio.settled(), kMiddle) - colorAt(plain, kMiddle)), 3);
+}
+
+TEST(EditorGroom, AColourIsPickedFromPaintAndFromTheCoat) {
+  Studio studio;
+  studio.app.setField("rootColor", "#804020");
+  studio.app.setField("tipColor", "#804020");
+  EXPECT_EQ(studio.app.colorAt(kMiddle), 0x804020u);
+  studio.app.setField("paintColor", "#123456");
+  studio.app.setField("brushFalloff", "flat");
+  studio.stroke(Tool::Paint, kMiddle, kMiddle);
+  EXPECT_EQ(studio.app.colorAt(kMiddle), 0x123456u);
+  EXPECT_FALSE(studio.app.colorAt({2, 2}));
+}
+
+TEST(EditorGroom, AMirroredStrokeIsOnBothSidesAndOneStep) {
+  for (const Tool tool : {Tool::Paint, Tool::Trim, Tool::Comb, Tool::Mask}) {
+    Studio studio;
+    studio.app.setField("mirror", "x");
+    const auto before = studio.app.groomHash();
+    studio.stroke(tool, kRight, {110, 95});
+    const groom::Groom& groom = studio.app.groom();
+    const groom::SurfacePoints points(studio.app.surface());
+    // A sphere's points lie in pairs.
+    std::vector<Vec3> others = points.positions;
+    for (Vec3& place : others) place.x = -place.x;
+    const std::vector<std::uint32_t> pairs = points.at(others);
+    int compared = 0, changed = 0;
+    for (std::size_t i = 0; i < points.count(); ++i) {
+      if (pairs[i] == groom::SurfacePoints::kNoPoint) continue;
+      ++compared;
+      Vec3 comb = groom.comb[pairs[i]];
+      comb.x = -comb.x;
+      changed += comb != Vec3(0);
+      EXPECT_LT(glm::distance(comb, groom.comb[i]), 0.02f);
+    }
+    EXPECT_GT(compared, 100);
+    if (tool == Tool::Comb) EXPECT_GT(changed, 4);
+    const Vec2 at = *studio.app.pick({107, 85}), there = *studio.app.pick({53, 85});
+    if (tool == Tool::Paint) EXPECT_NEAR(groom.paint.at(at).w, groom.paint.at(there).w, 0.05);
+    if (tool == Tool::Paint) EXPECT_GT(groom.paint.at(there).w, 0.5f);
+    if (tool == Tool::Trim) EXPECT_LT(groom.map.lengthAt(there), 0.5f);
+    if (tool == Tool::Mask) EXPECT_GT(groom.mask.at(there).w, 0.5f);
+    EXPECT_TRUE(studio.app.undo());
+    EXPECT_EQ(studio.app.groomHash(), before);
+  }
+}
+
+TEST(EditorGroom, MirroredWhiskersPointBothWays) {
+  Studio studio;
+  studio.app.setField("mirror", "x");
+  studio.stroke(Tool::Whisker, kRight, {150, 60});
+  const auto& whiskers = studio.app.groom().whiskers;
+  ASSERT_EQ(whiskers.size(), 2u);
+  EXPECT_NEAR(whiskers[0].root.x, -whiskers[1].root.x, 0.01);
+  EXPECT_GT(whiskers[0].direction.x, 0.3f);
+  EXPECT_NEAR(whiskers[0].direction.x, -whiskers[1].direction.x, 0.05);
+  EXPECT_NEAR(whiskers[0].direction.y, whiskers[1].direction.y, 0.05);
+  EXPECT_TRUE(studio.app.undo());
+  EXPECT_EQ(whiskers.size(), 0u);
+}
+
+TEST(EditorGroom, MirroredWaterIsRecordedAsItWas) {
+  Studio studio;
+  studio.app.setField("mirror", "x");
+  studio.stroke(Tool::Droplet, kRight, {110, 95});
+  const auto wet = [&](Vec2 pixel) {
+    const Vec2 at = *studio.app.pick(pixel);
+    return studio.app.wetnessAt(at.x, at.y);
+  };
+  EXPECT_GT(wet({107, 85}), 0);
+  EXPECT_GT(wet({53, 85}), 0);
+  const auto hash = studio.app.wetnessHash();
+  const std::string strokes = studio.app.recordedStrokes();
+  EXPECT_TRUE(studio.app.undo());
+  EXPECT_EQ(studio.app.meanWetness(), 0);
+  App again;
+  ASSERT_TRUE(again.loadPrimitive("sphere"));
+  again.setSettings(studio.app.settings());
+  ASSERT_TRUE(again.replay(strokes));
+  EXPECT_EQ(again.wetnessHash(), hash);
+}
+
+TEST(EditorGroom, TheMaskShowsOnlyWhileOneGrooms) {
+  Studio studio;
+  studio.app.setTool(Tool::None);
+  const test::Picture plain = studio.settled();
+  studio.stroke(Tool::Mask, {70, 80}, {90, 80});
+  EXPECT_GT(colorAt(studio.settled(), kMiddle).x, 1.5f * colorAt(studio.settled(), kMiddle).y) << "red";
+  studio.app.setTool(Tool::None);
+  EXPECT_EQ(studio.settled().differingShare(plain, 0), 0);
+  studio.app.setTool(Tool::Comb);
+  EXPECT_GT(studio.settled().differingShare(plain, 24), 0.02f);
+  studio.app.groomAll(GroomEdit::ClearMask);
+  EXPECT_EQ(studio.settled().differingShare(plain, 0), 0);
+}
+
+TEST(EditorGroom, ThinningTakesStrandsByTheTypeThatIsBald) {
+  Studio studio;
+  studio.stroke(Tool::Thin, {70, 80}, {90, 80});
+  EXPECT_GT(studio.app.groomCoverage().types[3], 0.01f) << "type 4 is bald at first";
+  studio.app.setField("brushErases", "true");
+  for (int i = 0; i < 20; ++i) studio.stroke(Tool::Thin, {70, 80}, {90, 80});
+  EXPECT_LT(studio.app.groomCoverage().types[3], 0.001f);
+}
+
+}  // namespace
+}  // namespace fur::app
