@@ -32,7 +32,11 @@ TEST(SavingLosses, AnOrdinaryModelOfAnotherProgramHasNone) {
 TEST(SavingLosses, WhatThisProgramSavedHasNone) {
   geometry::Mesh plane = geometry::makePlane(2);
   plane.atlas = plane.uv;
-  FurData fur{R"({"version":1})", std::vector<groom::GroomMap::Texel>(16 * 16, {9, 8, 7, 6}), 16, {}, {}, {}, std::vector<groom::Whisker>(2)};
+  FurData fur;
+  fur.state = R"({"version":1})";
+  fur.mapSize = 16;
+  fur.map = fur.paint = fur.mask = std::vector<groom::GroomMap::Texel>(16 * 16, {9, 8, 7, 6});
+  fur.whiskers.resize(2);
   fur.comb.assign(plane.positions.size(), Vec3(0.5f, 0, 0));
   EXPECT_EQ(lost(exportScene(plane, "another name", fur, {{}, Vec4(0.5f, 0.5f, 0.5f, 1)})), Warnings{});
 }
