@@ -84,6 +84,26 @@ test('work is there again after a reload, and who starts afresh can undo that', 
   assert.deepEqual(page.problems, []);
 });
 
+test('what an older version kept otherwise is told, and the rest is there', async () => {
+  const page = await site.open(simple);
+  await work(page);
+  await untilKept(page, hasWork);
+  // As this tab has it from another version.
+  await page.evaluate(async () => {
+    const result = (request) => new Promise((resolve) => { request.onsuccess = () => resolve(request.result); });
+    const database = await result(indexedDB.open('wet-fur'));
+    const records = database.transaction('records', 'readwrite').objectStore('records');
+    for (const record of await result(records.getAll())) {
+      record.document.water[0] ^= 0xff;
+      await result(records.put(record));
+    }
+    database.close();
+  });
+  await reload(page);
+  await message(page, 'Your last work is back, without its water.').waitFor();
+  assert.deepEqual(await withFur(page, (fur) => [fur.meanWetness, fur.groomed]), [0, true]);
+});
+
 test('a file of the person\'s own is there again after a reload', async () => {
   const page = await site.open(simple);
   const bytes = [...tetrahedron().glb()];
