@@ -1,5 +1,6 @@
 // How a visit of the demo page begins: with what the link says, else with the work of before, and always with a model.
 import { Autosave } from './autosave.js';
+import { listed } from './download.js';
 import { compileProgram } from './runtime.js';
 import { unpackStrokes } from './strokes.js';
 
@@ -38,22 +39,25 @@ export class Visit {
   async open(apply) {
     compileProgram('viewer').catch(() => {});  // meanwhile
     const found = await this.#autosave?.find();
-    const restored = found?.shows && await this.#restore(found.document, apply);
-    if (!restored) await this.#openLink(apply);
+    const restored = found?.shows ? await this.#restore(found.document, apply) : null;
+    if (restored === null) await this.#openLink(apply);
     this.#autosave?.begin();
-    if (restored) this.#offer('Your last work is back.', 'Start afresh', () => this.#startAfresh(apply));
+    if (restored !== null) this.#offer(`Your last work is back${restored}.`, 'Start afresh', () => this.#startAfresh(apply));
     else if (found) this.#offer('Your work of before is kept.', 'Show it', () => this.#fur.fur.openDocument(found.document).catch(() => {}));
   }
 
+  /** What there is to say of it; null: it could not be. */
   async #restore(document, apply) {
     apply(withoutScene(this.#link));
     try {
       await this.#fur.fur.openDocument(document);
-      return true;
     } catch (error) {
       this.#messages.error(`Your last work could not be opened: ${error.message}`);
-      return false;
+      return null;
     }
+    // An older version of the page may have written them otherwise.
+    const lost = ['groom', 'water', 'coat'].filter((part) => this.#fur.warnings.some((text) => text.startsWith(`${part}: `)));
+    return lost.length > 0 ? `, without its ${listed(lost)}` : '';
   }
 
   async #openLink(apply) {

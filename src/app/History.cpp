@@ -52,8 +52,8 @@ void carry(Io& io, S& step) {
     io(step.rect, step.before.texels, step.before.film, step.after.texels, step.after.film, wet);
     if constexpr (!std::is_const_v<S>) step.wet.assign(wet.begin(), wet.end());
   } else if constexpr (std::is_same_v<Kind, GroomStep>) {
-    io(step.sizeBefore, step.sizeAfter, step.rect, step.before, step.after, step.points, step.combBefore, step.combAfter,
-       step.whiskersBefore, step.whiskersAfter);
+    for (auto& map : step.maps) io(map.rect, map.before, map.after);
+    io(step.sizeBefore, step.sizeAfter, step.points, step.combBefore, step.combAfter, step.whiskersBefore, step.whiskersAfter);
   }
 }
 
