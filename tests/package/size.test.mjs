@@ -6,8 +6,8 @@ import { test } from 'node:test';
 import { gzipSync } from 'node:zlib';
 import { dist } from '../../tools/site.mjs';
 
-// Fur round hard edges took 8 KB of these.
-const budgetBytes = 258 * 1024;
+// Fur round hard edges took 8 KB of these, the camera's attributes and the room that a page keeps free 0.6.
+const budgetBytes = 259 * 1024;
 
 // The scripts that `entry` imports, at once or later, but for the editor's.
 function scriptsFrom(entry, seen = new Set()) {
@@ -20,7 +20,7 @@ function scriptsFrom(entry, seen = new Set()) {
   return seen;
 }
 
-test('the viewer downloads at most 258 KB, gzipped', (t) => {
+test('the viewer downloads at most 259 KB, gzipped', (t) => {
   const files = [...new Set(['index.js', 'element.js'].flatMap((entry) => [...scriptsFrom(entry)])), 'wet-fur.wasm'];
   const sizes = files.map((name) => [name, gzipSync(readFileSync(join(dist, name)), { level: 9 }).length]);
   const total = sizes.reduce((sum, [, size]) => sum + size, 0);
