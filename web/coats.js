@@ -22,7 +22,7 @@ function coatButton({ name, label, description }, picture) {
   return button;
 }
 
-/** Of the sheet coats.webp, which has them side by side. */
+/** Of the sheet coats.jpg, which has them side by side. */
 function presetPicture(index) {
   const picture = document.createElement('i');
   picture.style.backgroundPositionX = `${-pictureSide * index}px`;

@@ -166,7 +166,7 @@ test('the cue may be another one, or none; with reveal="manual" the page dismiss
   const seen = await page.evaluate(async () => {
     const fur = document.createElement('wet-fur');
     Object.assign(fur, { reveal: 'interaction', src: 'plane', interactionPrompt: 'none', quality: 'low', id: 'asked' });
-    fur.innerHTML = '<b slot="interaction-prompt">Stroke me</b>';
+    fur.append(Object.assign(document.createElement('b'), { slot: 'interaction-prompt', textContent: 'Stroke me' }));
     document.body.prepend(fur);
     const shown = () => fur.firstChild.checkVisibility();
     const out = { none: shown() };
