@@ -39,9 +39,11 @@ bool edgeButton(ImVec2 size) {
 // A short bar as on other things that can be dragged.
 void drawGrip(ImVec2 middle, ImVec2 size, bool lit) {
   const ImVec2 half(size.x * 0.5f, size.y * 0.5f);
-  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(middle.x - half.x, middle.y - half.y),
-                                            ImVec2(middle.x + half.x, middle.y + half.y),
-                                            lit ? color::kAccent : IM_COL32(255, 255, 255, 70), px(2));
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.PushClipRectFullScreen();
+  list.AddRectFilled(ImVec2(middle.x - half.x, middle.y - half.y), ImVec2(middle.x + half.x, middle.y + half.y),
+                     lit ? color::kAccent : IM_COL32(255, 255, 255, 70), px(2));
+  list.PopClipRect();
 }
 
 }  // namespace

@@ -67,7 +67,8 @@ void showRange(T low, T high, const char* format) {
 template <class T, class Slider>
 bool typedSlider(const char* id, T& value, float fraction, T low, T high, const char* format, const Slider& slider) {
   ImGuiStorage& storage = *ImGui::GetStateStorage();
-  const ImGuiID item = ImGui::GetID(id), pressedItem = ImGui::GetID("/pressed"), pressedValue = ImGui::GetID("/value");
+  const ImGuiID item = ImGui::GetID(id);
+  const ImGuiID pressedItem = ImHashStr("pressed slider"), pressedValue = ImHashStr("its value");  // of the window
   ImGuiIO& io = ImGui::GetIO();
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const ImVec2 to(from.x + ImGui::CalcItemWidth(), from.y + ImGui::GetFrameHeight());

@@ -234,14 +234,18 @@ TEST(Editor, ADoubleTapOnASliderAsksForANumber) {
 }
 
 TEST(Editor, ASecondTapOnAnotherSliderIsNotForIt) {
-  AtCurl person;
+  AtCurl person({1, true});
   const auto taper = person.find(person.rowId("taper", "##value"));
   ASSERT_TRUE(taper);
-  ImGui::GetIO().MouseDoubleClickMaxDist = 1000;
-  person.click(person.at);
+  person.click(*taper);
+  const float border = topOf(person, *taper);
+  person.seconds += 10;
+  person.tap({taper->x, border - 10});
+  EXPECT_NE(person.model.settings.curl, person.before.curl);
   person.seconds += 0.2;
-  person.moveTo(*taper, 1);
+  person.tap({taper->x, border + 4});
   EXPECT_FALSE(ImGui::GetIO().WantTextInput);
+  EXPECT_EQ(person.count<command::Undo>(), 0);
 }
 
 TEST(Editor, ACheckboxIsOneStep) {
