@@ -133,25 +133,40 @@ test('the panel is as wide as its edge was dragged, the bar beside it and the ne
   assert.deepEqual(page.problems, []);
 });
 
-/** Types into what has the focus once the panel asks for a number. */
-async function typeNumber(page, text) {
-  await page.waitForFunction(() => document.querySelector('wet-fur').shadowRoot.activeElement?.inputMode === 'decimal');
+const asksForNumber = (page) => withFur(page, (fur) => fur.shadowRoot.activeElement?.inputMode === 'decimal');
+
+/** Presses twice at one row after another until the panel asks for a number, and types it. Gives the row's height. */
+async function typeNumber(page, press, [first, step], text) {
+  let y = first;
+  for (let row = 0; row < 4; row++) {
+    y = first + row * step;
+    await press(y);
+    await untilStill(page);
+    if (await asksForNumber(page)) break;
+  }
+  assert.ok(await asksForNumber(page), 'no slider was found');
   await page.keyboard.type(text);
   await page.keyboard.press('Enter');
   await untilStill(page);
+  return y;
 }
 
 test('a double click on a slider takes a number from the keyboard', async () => {
   const page = await site.open('?quality=low&layers=8&fins=0&src=sphere&editor=1&dryRate=0', { viewport: { width: 800, height: 400 } });
   await page.waitForFunction(() => wetFur.editorOpen);
   await untilStill(page);
-  // The first slider of the section that is the first: the density.
-  const at = [700, 98];
-  await page.mouse.dblclick(...at);
-  await typeNumber(page, '0.25');
+  const input = await page.context().newCDPSession(page);
+  // With times of its own: on a busy machine two clicks may take long to arrive.
+  const press = async (y) => {
+    let timestamp = Date.now() / 1000;
+    for (const clickCount of [1, 2])
+      for (const type of ['mouseMoved', 'mousePressed', 'mouseReleased'])
+        await input.send('Input.dispatchMouseEvent', { type, x: 700, y, button: type === 'mouseMoved' ? 'none' : 'left', clickCount, timestamp: timestamp += 0.01 });
+  };
+  // The first slider of the first section: the density.
+  const y = await typeNumber(page, press, [92, 29], '0.25');
   assert.equal(await withFur(page, (fur) => fur.settings.density), 0.25);
-  await page.mouse.dblclick(...at);
-  await typeNumber(page, '7');
+  await typeNumber(page, press, [y, 0], '7');
   assert.equal(await withFur(page, (fur) => fur.settings.density), 1, 'the end of its range');
   await page.keyboard.press('Control+z');
   assert.equal(await withFur(page, (fur) => fur.settings.density), 0.25, 'one step');
@@ -165,10 +180,15 @@ test('on a phone a double tap does, and the sheet opens and grows by its title',
   await page.touchscreen.tap(60, 820);
   await untilStill(page);
   assert.equal(await panelWidth(page), '0px');
-  const at = [250, 583];
-  await page.touchscreen.tap(...at);
-  await page.touchscreen.tap(...at);
-  await typeNumber(page, '0.25');
+  const input = await page.context().newCDPSession(page);
+  const press = async (y) => {
+    let timestamp = Date.now() / 1000;
+    for (let tap = 0; tap < 2; tap++) {
+      await input.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: [{ x: 250, y }], timestamp: timestamp += 0.05 });
+      await input.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [], timestamp: timestamp += 0.05 });
+    }
+  };
+  await typeNumber(page, press, [574, 41], '0.25');
   assert.equal(await withFur(page, (fur) => fur.settings.density), 0.25);
   assert.deepEqual(page.problems, []);
 });
