@@ -2,6 +2,9 @@
 // furgen/Strand.h.
 uniform sampler2D groom;  // r: length of the fur, a share  g, b, a: presence of the types 2 to 4
 
+// Shorter fur is none.
+const float kBald = 0.004;
+
 vec4 presences(vec3 others) { return vec4(max(1.0 - others.x - others.y - others.z, 0.0), others); }
 
 // 1 where a type has strands, 0 where it is bald.

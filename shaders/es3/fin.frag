@@ -68,7 +68,7 @@ void main() {
   h *= typeRise[type];
 #endif
   h *= vLength / max(dressed.r, 1e-3);
-  if (h > 1.0 || rootColors[type].w <= 0.0) discard;
+  if (h > 1.0 || dressed.r < kBald || rootColors[type].w <= 0.0) discard;
 #endif
   vec3 spot = vec3(u, min(h, 0.985), float(type));
   float level = floor(max(vFin.w, 0.0) + 0.5);

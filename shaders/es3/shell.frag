@@ -194,7 +194,16 @@ void main() {
   const float closes = kClosed;
 #endif
   float softness = kReferenceSteps * stepSize;
-  float furry = 1.0;  // how much of a coat there is where the ray is
+  vec2 foot = tileAt(end, 0.0);  // where the ray meets the skin
+  float grown = 1.0;  // how much of a coat there is there
+#ifdef GROOMED
+  vec4 below = textureLod(groom, vAtlas + atlasFromTile * (foot - vTile.xy), 0.0);
+  grown = min(below.r / 0.15, 1.0);
+#ifdef TYPES
+  grown *= min(2.0 * dot(presences(below.gba), present), 1.0);
+#endif
+#endif
+  float furry = grown;  // and where the ray is
   // Few variables and one way out: on a software rasteriser the loop itself costs as much as its look-ups.
   int mostSteps = FUR_MOST_STEPS;
 #ifdef WET
@@ -223,6 +232,7 @@ void main() {
     // Vertices know the mean length; the map knows it of every strand.
     vec4 dressed = textureLod(groom, vAtlas + atlasFromTile * (root - vTile.xy), 0.0);
     along *= vLength / max(dressed.r, 1e-3);
+    open *= step(kBald, dressed.r);
     furry = min(dressed.r / 0.15, 1.0);
 #endif
 #ifdef TYPES
@@ -301,7 +311,6 @@ void main() {
 #elif !defined(GROOMED)
   spot.xyz = vec3(tileAt(metX, heightAt(metX)), storedLayer(heightAt(metX), between));
 #endif
-  vec2 foot = tileAt(end, 0.0);  // where the ray meets the skin
   if (alpha <= 0.0) spot.xyz = vec3(foot, 0.0);
 #ifdef DRESSED
   float h = hSum * perStrand;
@@ -388,9 +397,9 @@ void main() {
 #endif
     vec3 skin = shadeSkin(bare * 0.5, vLight.z, vView.w, 0.0, skinWetness, lit);
     // Pores: the lowest layer says where strands root (Sheppard 5.2).
-    skin *= 1.0 - 0.4 * furry * textureLod(coverage, vec3(foot, firstLayer), lod).r;
+    skin *= 1.0 - 0.4 * grown * textureLod(coverage, vec3(foot, firstLayer), lod).r;
 #ifdef GROOMED
-    skin = mix(bareSkin(bare, vLight.z, vView.w, skinWetness, lit), skin, furry);
+    skin = mix(bareSkin(bare, vLight.z, vView.w, skinWetness, lit), skin, grown);
 #endif
     color = closed > 0.0 ? mix(skin, color, closed) : skin;
   }

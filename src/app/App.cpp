@@ -513,7 +513,7 @@ App::Stats App::stats() const {
   out.cpuBytes = s.surface.vertices.size() * (sizeof(geometry::SurfaceVertex) + 5 * sizeof(Vec4)) +
                  s.surface.indices.size() * sizeof(std::uint32_t) * 4 +
                  s.surface.edges.size() * sizeof(geometry::SurfaceEdge) + s.mask.texels().size() * sizeof(Vec4) +
-                 s.groom.map.texels().size() * sizeof(groom::GroomMap::Texel) +
+                 s.groom.map.texels().size() * sizeof(groom::GroomMap::Texel) * std::size(groom::kMaps) +
                  s.image.size();
   out.gpuBytes = s.renderer ? s.renderer->gpuBytes() : 0;
   out.uploadedBytes = s.uploadedBytes;

@@ -14,6 +14,8 @@ namespace {
 
 // Patches of the length noise, in model units: a few locks wide.
 constexpr float kGrain = 0.09f;
+// So far apart the two sides of a model may be that one mirrors, model units.
+constexpr float kUneven = 0.1f;
 
 const App::EditorGroom* editorGroom = nullptr;
 
@@ -194,7 +196,7 @@ std::optional<geometry::SurfacePoint> App::State::mirrored(const geometry::Surfa
   const Vec3 place = positionAt(surface, at), there = mirroredWay(place);
   // In the middle it is the same place.
   if (glm::distance(place, there) < 0.2f * settings.brushRadius) return std::nullopt;
-  return nearestPoint(surface, query, there, settings.brushRadius, mirroredWay(normalAt(surface, at)));
+  return nearestPoint(surface, query, there, settings.brushRadius + kUneven, mirroredWay(normalAt(surface, at)));
 }
 
 Vec3 App::State::mirroredWay(Vec3 way) const {

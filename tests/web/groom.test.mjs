@@ -123,6 +123,32 @@ test('a picture that is dropped alone is a length map', async () => {
   assert.equal(refused, 'bad-file');
 });
 
+test('paint of the editor shows, stays when the editor is closed, and is in the saved file', async () => {
+  const page = await site.open('?quality=low&layers=8&fins=0&dryRate=0&src=sphere&paintColor=0040ff&groomStrength=1&brushRadius=0.3', { viewport: { width: 800, height: 400 } });
+  await page.click('#editor');
+  await page.waitForFunction(() => wetFur.editorOpen);
+  await stroke(page, 'paint');
+  assert.equal(await withFur(page, (fur) => fur.groomed), true);
+  await page.click('#editor');
+  await page.waitForFunction(() => !wetFur.editorOpen);
+  await withFur(page, (fur) => { fur.tool = 'none'; });
+  await untilStill(page);
+  const painted = await picture(page);
+  const json = await withFur(page, async (fur) => {
+    const file = await fur.save();
+    const length = new DataView(file.buffer, file.byteOffset).getUint32(12, true);
+    return JSON.parse(new TextDecoder().decode(file.subarray(20, 20 + length)));
+  });
+  assert.ok(json.extensions.WETFUR_fur.groom.paint > 0);
+  assert.equal(json.meshes[0].primitives[0].material, 1, 'other programs show what is painted');
+  assert.equal(json.images[0].mimeType, 'image/png');
+  await withFur(page, (fur) => fur.groom('clearPaint'));
+  await untilStill(page);
+  assert.ok(difference(painted, await picture(page), 16) > 0.01);
+  assert.equal(await withFur(page, (fur) => fur.groomed), false);
+  assert.deepEqual(page.problems, []);
+});
+
 test('a link says that the groom is not in it', async () => {
   const page = await site.open('?quality=low&layers=8&fins=0&src=sphere', { permissions: ['clipboard-read', 'clipboard-write'] });
   await withFur(page, (fur) => fur.groom('length', 0.5));
