@@ -64,7 +64,7 @@ TriangleFile everything() {
 TEST(SavingLosses, AreToldWithCountsAndNames) {
   const Warnings expected = {
       "1 of 2 scenes", "1 primitive of points or lines", "1 of 2 materials", "the vertex data \"_HEAT\"", "vertex colours", "1 skin",
-      "3 animations (\"walk with a very long name that nobody wo...\", \"run\" and 1 more)", "2 morph targets", "2 cameras", "the light \"sun\"",
+      "3 animations (\"walk with a very long name that nobody w...\", \"run\" and 1 more)", "2 morph targets", "2 cameras", "the light \"sun\"",
       "the copyright notice \"2026 somebody\"",
       "extras of 2 objects", "the extension \"EXT_other\"", "the extension \"EXT_unheard_of\"", "the extension \"KHR_materials_clearcoat\""};
   EXPECT_EQ(lost(everything().build()), expected);
