@@ -47,6 +47,7 @@ using TexelChange = GroomMap::Texel (*)(GroomMap::Texel texel, float weight, std
 
 bool dabTexels(Groom& groom, const Ground& ground, const Brush& brush, TexelChange change, std::uint32_t given = 0,
                GroomMap Groom::*painted = &Groom::map) {
+  if (!usable(brush)) return false;
   geometry::TexelRect changed;
   GroomMap& map = groom.*painted;
   const int size = map.size();

@@ -106,7 +106,7 @@ TEST(ImageDecode, ReadsThePngsThatWeWrite) {
       // Runs of all lengths, gradients and noise.
       for (std::size_t i = 0; i < pixels.size(); ++i)
         pixels[i] = static_cast<std::uint8_t>(i % 3000 < 1200 ? 77 : i % 3000 < 2000 ? i / 5 : i * i * 2654435761u >> 13u);
-      const auto image = decodeImage(scene::writePng(width, height, channels, pixels));
+      auto image = decodeImage(scene::writePng(width, height, channels, pixels));
       ASSERT_TRUE(image) << image.error().message;
       ASSERT_EQ(image->width, width);
       ASSERT_EQ(image->height, height);
