@@ -24,7 +24,7 @@ test('the editor takes over water, settings, camera and model, and gives them ba
   await page.waitForFunction(() => wetFur.editorOpen);
   await untilStill(page);
   assert.deepEqual(await scene(), before);
-  assert.equal(await withFur(page, (fur) => fur.canUndo), false, 'the history begins anew');
+  assert.equal(await withFur(page, (fur) => fur.canUndo), true, 'what was done before can be undone there');
   assert.ok(difference(plain, await picture(page), 16) < 0.02, 'a saved picture shows the scene without the panel');
   const shot = await page.screenshot({ clip: { x: 500, y: 0, width: 300, height: 400 } });
   await page.click('#editor');
