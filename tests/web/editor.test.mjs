@@ -46,7 +46,7 @@ test('the panel takes the pointer and the keys that are meant for it, the pictur
   const orbit = await withFur(page, (fur) => fur.getCameraOrbit());
   assert.equal(await withFur(page, (fur) => fur.meanWetness), 0);
   await page.mouse.click(200, 60);
-  await page.mouse.move(400, 220);
+  await page.mouse.move(320, 220);
   await page.mouse.down();
   await page.mouse.up();
   assert.ok(await withFur(page, (fur) => fur.meanWetness) > 0);
