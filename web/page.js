@@ -1,6 +1,7 @@
 // The demo page: one <wet-fur> over the window, its toolbar, files and links.
 import './element.js';
 import { Coats } from './coats.js';
+import { howToPlace, Letters } from './letters.js';
 import { makeLink, readLink } from './link.js';
 import { Messages } from './messages.js';
 import { acceptedFiles, modelNames, sceneNames, sortFiles } from './models.js';
@@ -58,7 +59,7 @@ function setTool(tool) {
 
 function showButtons() {
   for (const button of toolButtons) button.setAttribute('aria-pressed', String(button.dataset.tool === fur.tool));
-  byId('water').setAttribute('aria-pressed', String(Boolean(waters.querySelector('[aria-pressed=true]'))));
+  byId('water').setAttribute('aria-pressed', String(Boolean(waters.querySelector('[data-tool][aria-pressed=true]'))));
   coats.showChosen();
   byId('undo').disabled = !fur.canUndo;
   byId('redo').disabled = !fur.canRedo;
@@ -121,6 +122,25 @@ function playAt(value) {
   fur.animationSpeed = value;
 }
 
+// --- drying ---
+
+const drying = byId('drying');
+// Of soaked fur, in seconds, at the slider's ends; a rate of 1 would take it so long.
+const [slowest, fastest, timeAtOne] = [3600, 10, 1.06];
+
+function showDrying() {
+  const seconds = timeAtOne / fur.dryRate;
+  byId('stay-wet').setAttribute('aria-pressed', String(fur.stayWet));
+  drying.disabled = fur.stayWet;
+  drying.value = 100 * Math.log(slowest / seconds) / Math.log(slowest / fastest);
+  drying.ariaValueText = seconds < 90 ? `Dries in ${Math.round(seconds)} s` : seconds < 2 * slowest ? `Dries in ${Math.round(seconds / 60)} min` : 'Hardly dries';
+  drying.nextElementSibling.textContent = drying.ariaValueText;
+}
+
+function dryBySlider() {
+  fur.dryRate = timeAtOne / slowest * (slowest / fastest) ** (drying.value / 100);
+}
+
 // --- models ---
 
 /** What is on screen: a src that a link can name, or null for a file of the person's own. */
@@ -171,13 +191,16 @@ function reset() {
   fur.resetCamera();
 }
 
-function stamp(event) {
+function placeLetters(event) {
   event.preventDefault();
   const text = byId('letters').firstElementChild.value;
-  // As wide as most of the model.
-  fur.stamp(text, { size: Math.min(0.25 * innerHeight, (0.75 * Math.min(innerWidth, innerHeight)) / text.length) });
   waters.hidePopover?.();
+  // As wide as most of the model.
+  letters.show(text, { x: innerWidth / 2, y: innerHeight / 2, size: Math.min(0.25 * innerHeight, (0.75 * Math.min(innerWidth, innerHeight)) / text.length) });
+  messages.note(howToPlace);
 }
+
+const letters = new Letters(byId('ghost'), (text, place) => fur.stamp(text, place), () => fur.focus());
 
 function placeWaters() {
   const { left, right, top } = bar.getBoundingClientRect();
@@ -218,8 +241,11 @@ function wireBar() {
   onClick('wind', toggleWind);
   waters.addEventListener('beforetoggle', placeWaters);
   onClick('shake', () => fur.shake());
+  onClick('soak', () => fur.setWetness(1));
   onClick('clear', () => fur.setWetness(0));
-  byId('letters').addEventListener('submit', stamp);
+  onClick('stay-wet', () => { fur.stayWet = !fur.stayWet; });
+  drying.addEventListener('input', dryBySlider);
+  byId('letters').addEventListener('submit', placeLetters);
   onClick('undo', () => fur.undo());
   onClick('redo', () => fur.redo());
   onClick('reset', reset);
@@ -238,6 +264,7 @@ function wireBar() {
   speed.addEventListener('input', () => playAt(Number(speed.value)));
   fur.addEventListener('load', listAnimations);
   fur.addEventListener('state-change', showAnimation);
+  for (const type of ['load', 'state-change']) fur.addEventListener(type, showDrying);
   for (const type of ['state-change', 'stroke-end', 'wetness-change', 'load']) fur.addEventListener(type, showButtons);
   fur.addEventListener('error', onError);
   fur.addEventListener('load', ({ detail }) => {
@@ -268,7 +295,7 @@ function wireDrop() {
 
 function wireKeys() {
   addEventListener('keydown', (event) => {
-    if (event.key === 'Escape' && !coats.close()) messages.dismissAll();
+    if (event.key === 'Escape' && !letters.hide() && !coats.close()) messages.dismissAll();
     if (event.defaultPrevented || event.target === fur || !(event.ctrlKey || event.metaKey)) return;
     if (event.target instanceof HTMLInputElement) return;
     const key = event.key.toLowerCase();
