@@ -296,13 +296,14 @@ test('under Water all of it is soaked at once, stays wet, and dries as fast as a
   assert.equal(await page.getAttribute('#stay-wet', 'aria-pressed'), 'true');
   assert.equal(await page.isDisabled('#drying'), true);
   await withFur(page, (fur) => { fur.dryRate = 0.2; fur.step(1 / 30, 90); });
-  assert.ok(await mean() > 0.9);
+  const kept = await mean();  // some has run off
+  assert.ok(kept > 0.7, `${kept}`);
   await page.click('#stay-wet');
   await page.fill('#drying', '100');
   assert.ok(await withFur(page, (fur) => fur.dryRate) > 0.1);
   assert.equal(await page.$eval('#drying + span', (one) => one.textContent), 'Dries in 10 s');
   await withFur(page, (fur) => fur.step(1 / 30, 90));
-  assert.ok(await mean() < 0.8);
+  assert.ok(await mean() < kept - 0.1);
   assert.equal(await withFur(page, (fur) => JSON.parse(fur.getState()).settings.stayWet), undefined);
   await page.click('#stay-wet');
   assert.equal(await withFur(page, (fur) => JSON.parse(fur.getState()).settings.stayWet), true);
