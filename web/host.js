@@ -30,15 +30,19 @@ const breathe = () => new Promise((resolve) => {
   }));
 });
 
-/** The text as a picture of one byte a pixel. */
-function letters(text, size) {
+/** The text as a picture of one byte a pixel, turned by `angle`. */
+function letters(text, size, angle) {
   const context = new OffscreenCanvas(1, 1).getContext('2d', { willReadFrequently: true });
   const font = `bold ${Math.round(size)}px sans-serif`;
   context.font = font;
-  const width = Math.min(Math.ceil(context.measureText(text).width) + 2, 4096), height = Math.ceil(1.3 * size);
+  const long = Math.min(Math.ceil(context.measureText(text).width) + 2, 4096), high = Math.ceil(1.3 * size);
+  const [cos, sin] = [Math.abs(Math.cos(angle)), Math.abs(Math.sin(angle))];
+  const width = Math.round(long * cos + high * sin), height = Math.round(long * sin + high * cos);
   Object.assign(context.canvas, { width, height });
   Object.assign(context, { font, textAlign: 'center', textBaseline: 'middle' });
-  context.fillText(text, width / 2, height / 2, width);
+  context.translate(width / 2, height / 2);
+  context.rotate(angle);
+  context.fillText(text, 0, 0, long);
   const { data } = context.getImageData(0, 0, width, height);
   return { coverage: Uint8Array.from({ length: width * height }, (_, i) => data[4 * i + 3]), width, height };
 }
@@ -70,6 +74,7 @@ export class WetFur extends EventTarget {
   #lastTime = null;
   #run = 0;  // frames that were painted one after another
   #stillTimer = 0;
+  #lastPaint = 0;
   #toldChanges = 0;
   #lastCamera = '';
   #lastWetness = 0;
@@ -537,10 +542,10 @@ export class WetFur extends EventTarget {
     this.#app.shake();
     this.#wake();
   }
-  /** Letters as locks of wet fur, round {x, y} in CSS pixels of the canvas (default: its middle), `size` high. */
-  stamp(text, { x = this.#canvas.clientWidth / 2, y = this.#canvas.clientHeight / 2, size = 96, amount = 0.8 } = {}) {
+  /** Letters as locks of wet fur, round {x, y} in CSS pixels of the canvas (default: its middle), `size` high, turned by `angle` (radians, clockwise). */
+  stamp(text, { x = this.#canvas.clientWidth / 2, y = this.#canvas.clientHeight / 2, size = 96, angle = 0, amount = 0.8 } = {}) {
     if (!this.loaded || !text) return;
-    const picture = letters(text, size);
+    const picture = letters(text, size, angle);
     const [left, top] = this.#cssToBuffer({ x, y });
     const ratio = this.#screen.width / this.#canvas.clientWidth;
     this.#app.stamp(picture, left, top, picture.width * ratio, amount);
@@ -682,6 +687,8 @@ export class WetFur extends EventTarget {
       this.#screen.show();
     }
     this.#run = paints ? this.#run + 1 : 0;
+    if (paints) this.#lastPaint = time;
+    else if (time - this.#lastPaint > stillMilliseconds) this.#improve();  // fur that dries changes now and then
     this.#panel?.afterFrame();
     this.#tellCoat(time);
     const goesOn = this.#app.active || Boolean(this.#panel?.active);

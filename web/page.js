@@ -5,6 +5,7 @@ import { captions } from './captions.js';
 import { coatFields, Coats } from './coats.js';
 import { download, downloadScene, listed } from './download.js';
 import { embedCode } from './embedcode.js';
+import { howToPlace, Letters } from './letters.js';
 import { makeLink, readLink } from './link.js';
 import { Messages } from './messages.js';
 import { acceptedFiles, modelNames, sceneNames, sortFiles } from './models.js';
@@ -67,7 +68,7 @@ function setTool(tool) {
 
 function showButtons() {
   for (const button of toolButtons) button.setAttribute('aria-pressed', String(button.dataset.tool === fur.tool));
-  byId('water').setAttribute('aria-pressed', String(Boolean(waters.querySelector('[aria-pressed=true]'))));
+  byId('water').setAttribute('aria-pressed', String(Boolean(waters.querySelector('[data-tool][aria-pressed=true]'))));
   coats.showChosen();
   toolbar.enable([[byId('undo'), fur.canUndo], [byId('redo'), fur.canRedo]]);
   byId('wind').setAttribute('aria-pressed', String(fur.wind > 0));
@@ -131,6 +132,25 @@ function playAt(value) {
   fur.animationSpeed = value;
 }
 
+// --- drying ---
+
+const drying = byId('drying');
+// Of soaked fur, in seconds, at the slider's ends; a rate of 1 would take it so long.
+const [slowest, fastest, timeAtOne] = [3600, 10, 1.06];
+
+function showDrying() {
+  const seconds = timeAtOne / fur.dryRate;
+  byId('stay-wet').setAttribute('aria-pressed', String(fur.stayWet));
+  drying.disabled = fur.stayWet;
+  drying.value = 100 * Math.log(slowest / seconds) / Math.log(slowest / fastest);
+  drying.ariaValueText = seconds < 90 ? `Dries in ${Math.round(seconds)} s` : seconds < 2 * slowest ? `Dries in ${Math.round(seconds / 60)} min` : 'Hardly dries';
+  drying.nextElementSibling.textContent = drying.ariaValueText;
+}
+
+function dryBySlider() {
+  fur.dryRate = timeAtOne / slowest * (slowest / fastest) ** (drying.value / 100);
+}
+
 // --- models ---
 
 /** What is on screen: a src that a link can name, or null for a file of the person's own. */
@@ -171,16 +191,19 @@ function toggleWind() {
   fur.wind = blows ? 0 : pressedWind;
 }
 
-function stamp(event) {
+function placeLetters(event) {
   event.preventDefault();
   const text = byId('letters').firstElementChild.value;
+  waters.hidePopover?.();
   // As wide as most of the model, which is in the middle of what is free.
   const { left, top, right, bottom } = covered;
   const width = innerWidth - left - right, height = innerHeight - top - bottom;
   const size = Math.min(0.25 * height, (0.75 * Math.min(width, height)) / text.length);
-  fur.stamp(text, { x: left + width / 2, y: top + height / 2, size });
-  waters.hidePopover?.();
+  letters.show(text, { x: left + width / 2, y: top + height / 2, size });
+  messages.note(howToPlace);
 }
+
+const letters = new Letters(byId('ghost'), (text, place) => fur.stamp(text, place), () => fur.focus());
 
 /** What lies over the picture at its edges. */
 let covered = { left: 0, top: 0, right: 0, bottom: 0 };
@@ -258,8 +281,11 @@ function wireBar() {
     button.addEventListener('click', () => setTool(fur.tool === button.dataset.tool ? 'none' : button.dataset.tool));
   onClick('wind', toggleWind);
   onClick('shake', () => fur.shake());
+  onClick('soak', () => fur.setWetness(1));
   onClick('clear', () => fur.setWetness(0));
-  byId('letters').addEventListener('submit', stamp);
+  onClick('stay-wet', () => { fur.stayWet = !fur.stayWet; });
+  drying.addEventListener('input', dryBySlider);
+  byId('letters').addEventListener('submit', placeLetters);
   onClick('undo', () => fur.undo());
   onClick('redo', () => fur.redo());
   onClick('reset', () => fur.reset(backdrop));
@@ -283,6 +309,7 @@ function wireBar() {
   speed.addEventListener('input', () => playAt(Number(speed.value)));
   fur.addEventListener('load', listAnimations);
   fur.addEventListener('state-change', showAnimation);
+  for (const type of ['load', 'state-change']) fur.addEventListener(type, showDrying);
   for (const type of ['state-change', 'stroke-end', 'wetness-change', 'load']) fur.addEventListener(type, showButtons);
   fur.addEventListener('error', onError);
   fur.addEventListener('load', ({ detail }) => {
@@ -314,7 +341,7 @@ function wireDrop() {
 
 function wireKeys() {
   addEventListener('keydown', (event) => {
-    if (event.key === 'Escape' && !document.querySelector(':popover-open')) messages.dismissAll();
+    if (event.key === 'Escape' && !letters.hide() && !document.querySelector(':popover-open')) messages.dismissAll();
     const isCommand = (event.ctrlKey || event.metaKey) && !event.altKey && !event.shiftKey;
     if (isCommand && event.key.toLowerCase() === 's' && !event.defaultPrevented) {
       event.preventDefault();

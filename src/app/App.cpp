@@ -436,7 +436,7 @@ void App::settle() {
 bool App::active() const {
   State& s = *state_;
   return s.pictureChanged || s.furChanged || s.coatWork || s.forcesChanged || s.camera.moving() || s.motion.moving() ||
-         !s.bends.atRest() || s.touch.moving() || s.gusty() || s.animates() || s.turns() || s.holds(Tool::Hose) || s.holds(Tool::Dryer) ||
+         !s.bends.atRest() || s.touch.moving() || s.gusty() || s.animates() || s.turns() || s.atWork() ||
          s.water.active(s.mask, s.climate());
 }
 

@@ -29,9 +29,16 @@ inline constexpr int kMaskSize = 256;
 // What the dryer and the hose reach round the spot, in brush radii.
 inline constexpr float kDryerReach = 1.5f, kHoseReach = 0.5f;
 
-// As long as it is held.
+// All the time that it is held.
 inline bool goesOn(Tool tool) { return tool == Tool::Rain || tool == Tool::Hose || tool == Tool::Dryer; }
 inline bool grooms(Tool tool) { return tool >= Tool::Comb && tool <= Tool::Mask; }
+// A brush of dabs, of which one follows the other where it is held still: those to which that adds something.
+inline bool repeats(Tool tool) {
+  return tool < Tool::Pet && !goesOn(tool) && tool != Tool::Comb && tool != Tool::Whisker && tool != Tool::Pluck;
+}
+
+// Two directions along the skin, square to each other.
+std::pair<Vec3, Vec3> axesOn(const Vec3& normal);
 
 // Of this machine's clock.
 double secondsNow();
@@ -152,7 +159,8 @@ struct App::State {
     std::vector<Spot> spots;
   };
   std::vector<Stroke> strokes;
-  Spot held{};             // where a tool that goes on is at work
+  Spot held{};             // where the tool that is held is at work
+  int sinceDab = 0;        // steps
   float keyHold = 0;       // seconds that a key holds it there
   bool replaying = false;  // a recorded stroke does
   Vec2 cursor{0};          // that keys move: from the middle of what is free of the picture, in its heights
@@ -272,6 +280,7 @@ struct App::State {
 
   // --- AppWater.cpp ---
   bool holds(Tool one) const;
+  bool atWork() const { return (strokeBefore || groomBefore) && (goesOn(tool) || repeats(tool)) && holds(tool); }
   Vec2 cursorPixel() const { return Vec2(width, height) * camera.middle() + cursor * static_cast<float>(height); }
   Vec2 cursorReach() const { return Vec2(width, height) * (0.5f / static_cast<float>(height)); }
   Vec2 heldPixel() const { return keyHold > 0 ? cursorPixel() : lastPosition; }
@@ -282,11 +291,19 @@ struct App::State {
   bool runWater(float dt, double budget);
   void readPuddles();
   void workOnWith();
+  void dabOn();
   void runHose();
 
-  // --- Painting.cpp ---
+  // --- Picking.cpp ---
+  struct CoatShell;
+  float coatHeight() const;
   ModelRay rayThrough(Vec2 pixel) const;
+  // The root of the fur that is seen there, or bare skin.
   std::optional<geometry::SurfacePoint> pick(Vec2 pixel);
+  // Where the fur is seen that is rooted there; model space.
+  Vec3 seenAt(const geometry::SurfacePoint& at) const;
+
+  // --- Painting.cpp ---
   void beginStroke();      // with the tool
   void beginWaterStroke(int what, float radius, float flow);
   void lay(const geometry::SurfacePoint& at);  // a droplet of kSplash
@@ -295,6 +312,7 @@ struct App::State {
   void endStroke();
   // One spray of the tool where the pixel hits; false when it misses.
   bool sprayAt(Vec2 pixel);
+  void dabAt(const geometry::SurfacePoint& at);
   void sprayOn(const geometry::SurfacePoint& at);
   // Sprays along the way, so that the speed of the hand changes nothing.
   void paintTo(Vec2 pixel);

@@ -19,6 +19,9 @@ constexpr float kWindSpeed = 1.5f;
 constexpr float kBlow = 1.6f, kBlowWind = 0.7f;
 // Of the hose: amount a second, drops a second, how far off they start and how fast they come.
 constexpr float kHose = 0.25f, kHoseDrops = 90.0f, kHoseLength = 0.5f, kHoseSpeed = 3.5f;
+constexpr float kHoseSlope = 0.3f;  // it meets the skin at no less; a sine
+// Steps between two dabs of a brush that is held still.
+constexpr int kDabSteps = 8;
 // For so long a key holds a tool, s.
 constexpr float kKeyHold = 0.5f;
 
@@ -35,7 +38,7 @@ wet::Climate App::State::climate() {
   wet::Climate c;
   c.worldFromModel = motion.worldFromModel();
   c.wind = kWindSpeed * wind() * Vec3(portableSin(settings.windYaw), 0, portableCos(settings.windYaw));
-  c.dryRate = settings.dryRate;
+  c.dryRate = settings.stayWet ? 0 : settings.dryRate;
   c.furLength = settings.furLength;
   c.clumpSize = settings.clumpSize;
   c.groundHeight = groundHeight;
@@ -54,8 +57,8 @@ Vec3 App::State::dryerWind() const {
 }
 
 bool App::State::runWater(float dt, double budget) {
-  const bool atWork = strokeBefore && goesOn(tool) && holds(tool);
-  if (atWork && !replaying) {
+  const bool works = atWork(), pours = works && !grooms(tool);
+  if (works && !replaying) {
     const auto hit = pick(heldPixel());
     held = {0, hit.value_or(held.at), hit ? pressure : 0};
   }
@@ -64,13 +67,14 @@ bool App::State::runWater(float dt, double budget) {
   bool changed = false;
   // A hair early rather than a step late, as Water::step().
   for (waterDue = std::min(waterDue + dt, 1.0f); waterDue > wet::Water::kStep * 0.999f; waterDue -= wet::Water::kStep) {
-    if (!atWork && !water.active(mask, climate())) continue;
+    if (works && !pours) dabOn();
+    if (!pours && !water.active(mask, climate())) continue;
     for (const double begun = secondsNow(); !water.prepare(on, kPlacesAtOnce);)
       if (secondsNow() - begun >= budget) {
         waterDue = 0;
         return changed;
       }
-    if (atWork) workOnWith();
+    if (pours) workOnWith();
     const wet::Climate now = climate();
     if (!water.active(mask, now)) continue;
     if (pose && !water.drops().empty()) on.shown = &shownQuery();
@@ -99,8 +103,14 @@ void App::State::readPuddles() {
   ++puddlesRevision;
 }
 
-// A step of a tool that goes on.
+// A step of a brush that is held: dabs of a hand that moves count, too.
+void App::State::dabOn() {
+  if (++sinceDab >= kDabSteps && held.pressure > 0) dabAt(held.at);
+}
+
+// A step of a tool that is held.
 void App::State::workOnWith() {
+  if (!goesOn(tool)) return dabOn();
   auto& spots = strokes.back().spots;
   if (!spots.empty() && spots.back().step == waterSteps) spots.pop_back();
   if (spots.empty() || spots.back().at.triangle != held.at.triangle || spots.back().at.weights != held.at.weights ||
@@ -112,13 +122,17 @@ void App::State::workOnWith() {
 // A jet from the eye's side onto what the pointer is at.
 void App::State::runHose() {
   const Mat4 toWorld = motion.worldFromModel();
-  const Vec3 skin = shownPosition(held.at), at(toWorld * Vec4(skin, 1));
-  const Vec3 way = Mat3(toWorld) * normalizeOr(skin - strokes.back().eye, Vec3(0, -1, 0));
+  const Vec3 skin = shownPosition(held.at), normal = shownNormal(held.at), at(toWorld * Vec4(skin, 1));
+  Vec3 way = normalizeOr(skin - strokes.back().eye, Vec3(0, -1, 0));
+  // Where fur at the outline is seen its root may face away.
+  way = Mat3(toWorld) * glm::normalize(way - normal * std::max(kHoseSlope + glm::dot(way, normal), 0.0f));
+  const Vec3 wind = climate().wind;
   for (hoseDue += wet::Water::kStep * kHoseDrops; hoseDue >= 1; hoseDue -= 1) {
     // In braces: their order is the same with every compiler.
     const Vec3 off = 0.25f * settings.brushRadius * Vec3{sprayRandom.uniform(-1, 1), sprayRandom.uniform(-1, 1), sprayRandom.uniform(-1, 1)};
     const float size = sprayRandom.uniform(0.5f, 1.5f);
-    water.launch(at - kHoseLength * sprayRandom.uniform(0.6f, 1.0f) * way + off, kHoseSpeed * way,
+    const Vec3 jet = kHoseLength * sprayRandom.uniform(0.6f, 1.0f) * way;
+    water.launch(at - jet + off, wet::Water::velocityFor(jet, glm::length(jet) / kHoseSpeed, wind),
                  size * settings.brushFlow * held.pressure * (kHose / kHoseDrops / 0.35f));
   }
 }
@@ -235,6 +249,7 @@ Status App::replay(std::string_view json) {
   }
   s.endStroke();
   if (strokes.empty()) return Done{};
+  s.drag = Drag::None;
   const Tool tool = s.tool;
   const settings::Settings settings = s.settings;
   // The first begins now.

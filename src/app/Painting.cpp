@@ -19,26 +19,11 @@ constexpr float kDryShare = 0.35f;
 // The towel takes what stands on the fur, and this share of the flow of what it holds.
 constexpr float kTowelShare = 0.5f;
 
-// Two directions along the skin, square to each other.
+}  // namespace
+
 std::pair<Vec3, Vec3> axesOn(const Vec3& normal) {
   const Vec3 side = normalizeOr(glm::cross(normal, std::abs(normal.y) < 0.9f ? Vec3(0, 1, 0) : Vec3(1, 0, 0)), Vec3(1, 0, 0));
   return {side, glm::cross(normal, side)};
-}
-
-}  // namespace
-
-ModelRay App::State::rayThrough(Vec2 pixel) const {
-  const render::Frame f = frame();
-  const Mat4 modelFromClip = glm::inverse(render::clipFromWorld(f) * f.worldFromModel);
-  const Vec2 ndc(2 * pixel.x / static_cast<float>(width) - 1, 1 - 2 * pixel.y / static_cast<float>(height));
-  const Vec4 nearPoint = modelFromClip * Vec4(ndc, -1, 1), farPoint = modelFromClip * Vec4(ndc, 1, 1);
-  const Vec3 origin = Vec3(nearPoint) / nearPoint.w;
-  return {origin, normalizeOr(Vec3(farPoint) / farPoint.w - origin, Vec3(0, 0, -1))};
-}
-
-std::optional<geometry::SurfacePoint> App::State::pick(Vec2 pixel) {
-  const ModelRay ray = rayThrough(pixel);
-  return shownQuery().castRay(ray.origin, ray.direction);
 }
 
 void App::State::maskTouched() {
@@ -113,14 +98,15 @@ void App::State::scatter(const Vec3& centre, const Vec3& normal, float radius, f
 
 bool App::State::sprayAt(Vec2 pixel) {
   const auto hit = pick(pixel);
-  if (!hit) return false;
-  if (grooms(tool)) {
-    groomAt(*hit);
-    return true;
-  }
-  sprayOn(*hit);
-  if (const auto other = mirrored(*hit)) sprayOn(*other);
-  return true;
+  if (hit) dabAt(*hit);
+  return hit.has_value();
+}
+
+void App::State::dabAt(const geometry::SurfacePoint& at) {
+  sinceDab = 0;
+  if (grooms(tool)) return groomAt(at);
+  sprayOn(at);
+  if (const auto other = mirrored(at)) sprayOn(*other);
 }
 
 void App::State::sprayOn(const geometry::SurfacePoint& at) {
@@ -242,37 +228,7 @@ void App::setWetness(float amount) {
 }
 
 void App::dry(float seconds) {
-  state_->dryOff(seconds, std::max(state_->settings.dryRate, 0.01f));
-}
-
-std::optional<Vec2> App::pick(Vec2 pixel) const {
-  const auto hit = state_->pick(pixel);
-  if (!hit) return std::nullopt;
-  return atlasAt(state_->surface, *hit);
-}
-
-std::vector<Vec2> App::brushRing(Vec2 pixel) const {
-  constexpr int kCorners = 24;
-  State& s = *state_;
-  const Tool tool = s.tool;
-  std::vector<Vec2> ring;
-  if (tool == Tool::Rain || tool == Tool::Whisker || tool > Tool::Pet) return ring;
-  const auto hit = s.pick(pixel);
-  if (!hit) return ring;
-  const float radius = s.settings.brushRadius * (tool == Tool::Dryer ? kDryerReach : tool == Tool::Hose ? kHoseReach : 1);
-  const Vec3 centre = s.shownPosition(*hit), normal = s.shownNormal(*hit);
-  const auto [side, up] = axesOn(normal);
-  const render::Frame f = s.frame();
-  const Mat4 toClip = render::clipFromWorld(f) * f.worldFromModel;
-  for (int k = 0; k < kCorners; ++k) {
-    const float angle = 2 * kPi * static_cast<float>(k) / kCorners;
-    Vec3 at = centre + radius * (portableCos(angle) * side + portableSin(angle) * up);
-    if (const auto skin = s.shownQuery().castRay(at + radius * normal, -normal); skin && skin->distance < 2 * radius)
-      at = s.shownPosition(*skin);
-    const Vec4 clip = toClip * Vec4(at, 1);
-    ring.push_back((Vec2(clip.x, -clip.y) / clip.w * 0.5f + 0.5f) * Vec2(s.width, s.height));
-  }
-  return ring;
+  state_->dryOff(seconds, std::max(state_->settings.dryRate, 0.02f));
 }
 
 float App::wetnessAt(float u, float v) const { return state_->mask.at(u, v).w; }

@@ -119,30 +119,38 @@ void SurfaceQuery::follow(const Surface& surface, std::span<const Vec3> position
   }
 }
 
-std::optional<SurfacePoint> SurfaceQuery::castRay(const Vec3& origin, const Vec3& direction) const {
+std::optional<SurfacePoint> SurfaceQuery::castRay(const Vec3& origin, const Vec3& direction, const Lifted* lifted) const {
   std::optional<SurfacePoint> best;
   if (nodes_.empty()) return best;
   float nearest = kNever;
   const Vec3 inverse = 1.0f / direction;
+  const float reach = lifted ? lifted->reach : 0.0f, perSquare = 1.0f / glm::dot(direction, direction);
+  const auto enters = [&](const Node& node) { return entry(node.low - reach, node.high + reach, origin, inverse, nearest); };
   // Two children wait at each level at most, and 32 levels hold every 32-bit count.
   std::array<std::pair<std::uint32_t, float>, 64> stack;
   std::size_t waiting = 0;
-  stack[waiting++] = {0u, entry(nodes_[0].low, nodes_[0].high, origin, inverse, nearest)};
+  stack[waiting++] = {0u, enters(nodes_[0])};
   while (waiting > 0) {
     const auto [index, from] = stack[--waiting];
     if (from > nearest || from == kNever) continue;
     const Node& node = nodes_[index];
     if (node.count == 0) {
-      const Node &left = nodes_[node.first], &right = nodes_[node.first + 1];
-      const float a = entry(left.low, left.high, origin, inverse, nearest);
-      const float b = entry(right.low, right.high, origin, inverse, nearest);
+      const float a = enters(nodes_[node.first]), b = enters(nodes_[node.first + 1]);
       stack[waiting++] = a > b ? std::pair(node.first, a) : std::pair(node.first + 1, b);
       stack[waiting++] = a > b ? std::pair(node.first + 1, b) : std::pair(node.first, a);
       continue;
     }
     for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
+      Vec3 a = corners_[3 * k], e1 = corners_[3 * k + 1] - a, e2 = corners_[3 * k + 2] - a;
+      if (lifted) {
+        // Boxes that are wider by the reach hold many that it does not take to the ray.
+        const Vec3 way = a - origin, aside = way - direction * (glm::dot(way, direction) * perSquare);
+        if (glm::length(aside) > reach + std::sqrt(std::max(glm::dot(e1, e1), glm::dot(e2, e2)))) continue;
+        a = lifted->corner(3 * order_[k]);
+        e1 = lifted->corner(3 * order_[k] + 1) - a;
+        e2 = lifted->corner(3 * order_[k] + 2) - a;
+      }
       // Moeller and Trumbore 1997, front faces only.
-      const Vec3 &a = corners_[3 * k], e1 = corners_[3 * k + 1] - a, e2 = corners_[3 * k + 2] - a;
       const Vec3 p = glm::cross(direction, e2);
       const float det = glm::dot(e1, p);
       if (!(det > 0.0f)) continue;

@@ -24,8 +24,17 @@ class SurfaceQuery {
   // The same surface, whose vertices have moved: quicker than anew, and as good while neighbours stay neighbours.
   void follow(const Surface& surface, std::span<const Vec3> positions);
 
+  // The surface lifted off itself: where each corner (of Surface::indices) is instead, no further than `reach` off.
+  struct Lifted {
+    float reach = 0;
+    virtual Vec3 corner(std::uint32_t index) const = 0;
+
+   protected:
+    ~Lifted() = default;
+  };
+
   // The nearest hit with distance > 0; back faces do not count. `direction` need not be unit.
-  std::optional<SurfacePoint> castRay(const Vec3& origin, const Vec3& direction) const;
+  std::optional<SurfacePoint> castRay(const Vec3& origin, const Vec3& direction, const Lifted* lifted = nullptr) const;
   // Every triangle that comes within `radius` of `centre`, in ascending order.
   std::vector<std::uint32_t> trianglesWithin(const Vec3& centre, float radius) const;
 

@@ -147,9 +147,8 @@ void Water::wetGround(const Vec3& at, float amount) {
 }
 
 // What the ground does not take up spreads over it, and all of it dries.
-void Water::seepGround(float dryRate) {
+void Water::seepGround(float dries) {
   groundWet_ = groundMoves_ = false;
-  const float dries = 0.5f * dryRate * kRate * kDryingTurns;
   constexpr std::size_t kRow = kGroundCells, kLast = kRow * (kRow - 1) - 1;
   for (std::size_t i = kRow + 1; i < kLast; ++i) {
     const float much = 0.1f * std::max(puddles_[i] - kTakes, 0.0f);
@@ -218,6 +217,11 @@ void Water::pour(const Ground& ground, WetnessMask& mask, const Vec3& centre, co
   for (std::uint32_t b = 0; b < flags_.size(); ++b)
     if (flags_[b] & kReceived) receive(ground, mask, nullptr, b);
   touch(mask);
+}
+
+Vec3 Water::velocityFor(const Vec3& way, float seconds, const Vec3& wind) {
+  const Vec3 straight = way / seconds;
+  return straight - 0.5f * (seconds + kRate) * (Vec3(0, -kGravity, 0) + (wind - straight) * kDrag);
 }
 
 void Water::launch(const Vec3& position, const Vec3& velocity, float amount) {

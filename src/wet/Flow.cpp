@@ -177,7 +177,7 @@ bool Water::soak(std::uint32_t index, Amounts& now) {
 bool Water::dry(const Climate& climate, std::uint32_t index, Amounts& now) {
   const SurfaceTexels::Block& block = texels_->blocks()[index];
   const std::size_t count = block.end - block.first;
-  const float time = kStep * static_cast<float>(std::min(steps_ - std::exchange(dried_[index], steps_), 2 * kDryingTurns));
+  const float time = kStep * static_cast<float>(std::min(steps_ - std::exchange(dried_[index], steps_), dryingTurns(climate) + kDryingTurns));
   const float still = climate.dryRate * (1.0f + 1.5f * std::sqrt(glm::dot(climate.wind, climate.wind)));
   const Vec3 toBlock = block.centre - climate.blowCentre;
   const float reach = block.radius + climate.blowRadius;

@@ -147,13 +147,22 @@ bool Water::step(const Ground& ground, WetnessMask& mask, const Climate& climate
   for (std::uint32_t b = turn; b < flags_.size(); b += kTurns)
     if (flags_[b] & (kReceived | kMoving)) receive(ground, mask, &climate, b);
   feedHanging(ground, mask, climate);
-  if (steps_ % kDryingTurns == 0) {
+  const std::uint32_t turns = dryingTurns(climate);
+  if (steps_ % turns == 0)
     for (std::uint32_t b = 0; b < flags_.size(); ++b)
-      if (flags_[b] & kWet && steps_ - dried_[b] >= kDryingTurns) evaporate(ground, mask, climate, b);
-    if (groundMoves_ || (groundWet_ && climate.dryRate > 0.0f)) seepGround(climate.dryRate);
-  }
+      if (flags_[b] & kWet && steps_ - dried_[b] >= turns) evaporate(ground, mask, climate, b);
+  if (groundMoves_ ? steps_ % kDryingTurns == 0 : steps_ % turns == 0 && groundWet_ && climate.dryRate > 0.0f)
+    seepGround(0.5f * climate.dryRate * kStep * static_cast<float>(groundMoves_ ? kDryingTurns : turns));
   touch(mask);
   return changed_ || groundRevision_ != groundBefore;
+}
+
+std::uint32_t Water::dryingTurns(const Climate& climate) {
+  constexpr float kSeen = 1.0f / 512;  // of wetness
+  if (climate.blow > 0.0f) return kDryingTurns;
+  const float turns = kSeen / std::max(climate.dryRate * kStep, 1e-9f);
+  // Multiples of the least: those that move dry by it.
+  return kDryingTurns * static_cast<std::uint32_t>(std::clamp(turns, 1.0f * kDryingTurns, 1.0f * kSlowestTurns) / kDryingTurns);
 }
 
 bool Water::active(const WetnessMask& mask, const Climate& climate) const {

@@ -99,6 +99,8 @@ class Water {
 
   // Lays water on the skin round a point (model space), as `painted`.
   void pour(const Ground& ground, WetnessMask& mask, const Vec3& centre, const Vec3& normal, float radius, float amount);
+  // How fast a drop has to set out that is to come so far in so many seconds, against gravity, wind and air.
+  static Vec3 velocityFor(const Vec3& way, float seconds, const Vec3& wind);
   // A drop on its way, as `painted`; more than kMostDrops are not taken.
   void launch(const Vec3& position, const Vec3& velocity, float amount);
   // Takes the film and `share` of wetness off all within the radius (model space).
@@ -119,7 +121,10 @@ class Water {
   // Below this fur is dry, nothing flows, and a change in a turn is not worth following.
   static constexpr float kLeast = 1.0f / 1024;
   static constexpr float kCling = 0.06f;  // film that no place lets go of
-  static constexpr std::uint32_t kDryingTurns = 4;  // steps
+  static constexpr std::uint32_t kDryingTurns = 4, kSlowestTurns = 60;  // steps
+  // Steps between two losses to the air of what is at rest: where it dries slowly as many as it takes to see one, so that
+  // a picture of fur that dries for minutes is not drawn all the time.
+  static std::uint32_t dryingTurns(const Climate& climate);
   enum : std::uint8_t { kWet = 1, kMoving = 2, kReceived = 4, kFlows = 8 };
 
   // Of the places of a block.
@@ -147,7 +152,7 @@ class Water {
   void shake(const Ground& ground, WetnessMask& mask, const Climate& climate);
   void splash(const Vec3& centre, const Vec3& normal, float radius, float amount, std::uint32_t nearest);
   void wetGround(const Vec3& at, float amount);
-  void seepGround(float dryRate);
+  void seepGround(float dries);
 
   std::unique_ptr<SurfaceTexels> texels_;
   ClumpSites sites_;

@@ -55,6 +55,31 @@ TEST(AppGroom, EveryToolIsOneUndoStepAStroke) {
   }
 }
 
+TEST(AppGroom, HeldStillBrushesGoOnButForThoseThatNeedAWay) {
+  for (const Tool tool : kTools) {
+    Salon salon;
+    prepare(salon.app);
+    salon.stroke(Tool::Whisker, {70, 82}, {60, 60});
+    const auto before = salon.app.groomHash();
+    salon.app.setTool(tool);
+    PointerEvent event{PointerPhase::Down};
+    event.position = {80, 80};
+    event.buttons = 1;
+    salon.app.pointer(event);
+    const auto once = salon.app.groomHash();
+    for (int i = 0; i < 30; ++i) salon.app.tick(1 / 60.0f);
+    const bool goesOn = tool != Tool::Comb && tool != Tool::Whisker && tool != Tool::Pluck;
+    EXPECT_EQ(salon.app.groomHash() != once, goesOn) << static_cast<int>(tool);
+    event.phase = PointerPhase::Up;
+    salon.app.pointer(event);
+    const auto after = salon.app.groomHash();
+    for (int i = 0; i < 30; ++i) salon.app.tick(1 / 60.0f);
+    EXPECT_EQ(salon.app.groomHash(), after);
+    if (after != before) EXPECT_TRUE(salon.app.undo());
+    EXPECT_EQ(salon.app.groomHash(), before) << static_cast<int>(tool);
+  }
+}
+
 TEST(AppGroom, EveryEditOfTheWholeIsOneUndoStep) {
   const std::pair<GroomEdit, float> edits[] = {{GroomEdit::Length, 0.4f}, {GroomEdit::Invert, 0}, {GroomEdit::Vary, 0.5f},
                                                {GroomEdit::Type, 2},      {GroomEdit::Comb, 1},   {GroomEdit::Raise, 0},

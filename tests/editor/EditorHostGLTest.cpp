@@ -176,11 +176,11 @@ TEST(EditorHost, AltTakesTheColourFromTheModelInsteadOfPainting) {
   press.position = kOnModel;
   press.buttons = 1;
   press.alt = true;
-  EXPECT_TRUE(desk.host.pointer(press));
+  EXPECT_TRUE(desk.host.pointer(press, 0));
   EXPECT_EQ(desk.app.settings().paintColor, 0x205080u);
   press.position = {5, 5};
   desk.send(PointerPhase::Up, kOnModel, 0);
-  EXPECT_FALSE(desk.host.pointer(press)) << "beside the model the view turns";
+  EXPECT_FALSE(desk.host.pointer(press, 1)) << "beside the model the view turns";
 }
 
 TEST(EditorHost, LeavesKeysToTheAppUntilThePanelHasTheFocus) {

@@ -234,6 +234,16 @@ test('the tools of water are behind one button: rain, hose, shaking, letters and
   assert.ok(box.x >= 0 && box.x + box.width <= 390 && box.y + box.height <= 700, JSON.stringify(box));
   await page.fill('#letters input', 'WET');
   await page.keyboard.press('Enter');
+  // A ghost first: placed, sized and turned by keys.
+  const ghost = () => page.$eval('#ghost span', (one) => ({ ...one.getBoundingClientRect().toJSON(), turned: one.style.rotate, text: one.textContent }));
+  const first = await ghost();
+  assert.equal(first.text, 'WET');
+  assert.equal(await withFur(page, (fur) => fur.meanWetness), 0);
+  for (const key of ['ArrowLeft', '+', ']']) await page.keyboard.press(key);
+  const placed = await ghost();
+  assert.ok(placed.x < first.x && placed.width > first.width && placed.turned === '0.1rad', JSON.stringify(placed));
+  await page.keyboard.press('Enter');
+  assert.equal(await page.isVisible('#ghost'), false);
   const stamped = await withFur(page, (fur) => fur.meanWetness);
   assert.ok(stamped > 0.005, `${stamped} of it is wet`);
   await page.click('#water');
@@ -244,8 +254,87 @@ test('the tools of water are behind one button: rain, hose, shaking, letters and
   assert.deepEqual(page.problems, []);
 });
 
+test('letters are dragged, sized and turned as a ghost; a click stamps them there, Escape leaves', async () => {
+  const page = await site.open('?quality=low&layers=8&fins=0&dryRate=0&src=sphere', { viewport: { width: 600, height: 600 } });
+  const offer = async () => {
+    await page.click('#water');
+    await page.fill('#letters input', 'o');
+    await page.keyboard.press('Enter');
+  };
+  const box = () => page.$eval('#ghost span', (one) => one.getBoundingClientRect().toJSON());
+  await offer();
+  const { width } = await box();
+  await page.mouse.move(300, 300);
+  await page.mouse.wheel(0, -300);
+  assert.ok((await box()).width > 1.2 * width);
+  await page.keyboard.down('Shift');
+  await page.mouse.wheel(0, 200);
+  await page.keyboard.up('Shift');
+  assert.notEqual(await page.$eval('#ghost span', (one) => one.style.rotate), '0rad');
+  await page.mouse.down();
+  await page.mouse.move(260, 250, { steps: 3 });
+  await page.mouse.up();
+  const { left, right, top, bottom } = await box();
+  assert.ok(Math.hypot((left + right) / 2 - 260, (top + bottom) / 2 - 250) < 4, 'it went along');
+  await page.keyboard.press('Escape');
+  assert.equal(await page.isVisible('#ghost'), false);
+  assert.equal(await withFur(page, (fur) => fur.meanWetness), 0);
+  await offer();
+  await page.mouse.click(300, 300);
+  assert.ok(await withFur(page, (fur) => fur.meanWetness) > 0);
+  assert.deepEqual(page.problems, []);
+});
+
+test('under Water all of it is soaked at once, stays wet, and dries as fast as a slider says; a link holds it', async () => {
+  const page = await site.open('?quality=low&layers=8&fins=0&src=sphere&autoplay=0');
+  await page.click('#water');
+  assert.match(await page.$eval('#drying + span', (one) => one.textContent), /^Dries in \d+ min$/);
+  await page.click('#soak');
+  const mean = () => withFur(page, (fur) => fur.meanWetness);
+  assert.ok(await mean() > 0.9);
+  await page.click('#stay-wet');
+  assert.equal(await page.getAttribute('#stay-wet', 'aria-pressed'), 'true');
+  assert.equal(await page.isDisabled('#drying'), true);
+  await withFur(page, (fur) => { fur.dryRate = 0.2; fur.step(1 / 30, 90); });
+  const kept = await mean();  // some has run off
+  assert.ok(kept > 0.7, `${kept}`);
+  await page.click('#stay-wet');
+  await page.fill('#drying', '100');
+  assert.ok(await withFur(page, (fur) => fur.dryRate) > 0.1);
+  assert.equal(await page.$eval('#drying + span', (one) => one.textContent), 'Dries in 10 s');
+  await withFur(page, (fur) => fur.step(1 / 30, 90));
+  assert.ok(await mean() < kept - 0.1);
+  assert.equal(await withFur(page, (fur) => JSON.parse(fur.getState()).settings.stayWet), undefined);
+  await page.click('#stay-wet');
+  assert.equal(await withFur(page, (fur) => JSON.parse(fur.getState()).settings.stayWet), true);
+  assert.deepEqual(page.problems, []);
+});
+
+test('the tool reaches the bunny wherever fur covers the picture, and nothing beside it', async () => {
+  const page = await site.open(`?${light}&${'ground=0&autoplay=0'}`, { viewport: { width: 200, height: 160 } });
+  const shots = [];
+  for (const color of ['#000000', '#ffffff']) {
+    await withFur(page, (fur, one) => Object.assign(fur.settings, { backgroundTop: one, backgroundBottom: one }), color);
+    shots.push(await picture(page));
+  }
+  const [black, white] = shots;
+  const hits = await withFur(page, (fur) => Array.from({ length: 200 * 160 }, (_, i) => Number(fur.pick({ x: i % 200 + 0.5, y: Math.floor(i / 200) + 0.5 }) !== null)));
+  const cover = (x, y) => 1 - [0, 1, 2].reduce((sum, k) => sum + white.data[4 * (200 * y + x) + k] - black.data[4 * (200 * y + x) + k], 0) / 765;
+  let [covered, missed, bare, caught] = [0, 0, 0, 0];
+  for (let y = 3; y < 157; y++) {
+    for (let x = 3; x < 197; x++) {
+      const hit = hits[200 * y + x];
+      const near = () => [-3, 0, 3].every((dy) => [-3, 0, 3].every((dx) => cover(x + dx, y + dy) < 0.1));
+      if (cover(x, y) >= 0.5) [covered, missed] = [covered + 1, missed + 1 - hit];
+      else if (near()) [bare, caught] = [bare + 1, caught + hit];
+    }
+  }
+  assert.ok(covered > 3000 && missed <= 0.01 * covered, `${missed} of ${covered} missed`);
+  assert.ok(caught <= 0.002 * bare, `${caught} of ${bare} caught`);
+});
+
 test('a recorded session is replayed to the same water as in the native program', async () => {
-  const page = await site.open(`?${light}&src=sphere`);
+  const page = await site.open(`?${light}&src=sphere&dryRate=0.02`);
   const hash = await withFur(page, (fur) => {
     fur.pause();
     // As tests/app/AppWaterGLTest.cpp replays it.
@@ -255,7 +344,7 @@ test('a recorded session is replayed to the same water as in the native program'
       + '[105,0,0,0.05,0,0,0,171,0,0,0,1],[0,0.1,0.6,0.05,0,0,3,200,120,0.3,0.3,1]]');
     return fur.wetnessHash;
   });
-  assert.equal(hash, 'beaa0f0f776abd48');
+  assert.equal(hash, 'b75f552127d266f7');
 });
 
 test('mouse, wheel and two fingers move the camera; a double click beside the model resets it', async () => {

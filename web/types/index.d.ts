@@ -127,6 +127,8 @@ export interface FurSettings {
   clumpSize: number;
   /** Wetness lost per second. */
   dryRate: number;
+  /** Water dries only where it is wiped, blown or shaken off. */
+  stayWet: boolean;
   /** How hard it rains on the model. */
   rain: number;
   /** w: 0 = straight leaning strands, 1 = strands bent in from the root (Silva Eq. 1). */
@@ -366,8 +368,8 @@ export interface WetFurApi {
   wetnessAt(u: number, v: number): number;
   /** The model shakes itself, and its water flies off. */
   shake(): void;
-  /** Letters as locks of wet fur, round CSS pixels of the canvas (default: its middle), `size` pixels high. */
-  stamp(text: string, options?: { x?: number; y?: number; size?: number; amount?: number }): void;
+  /** Letters as locks of wet fur, round CSS pixels of the canvas (default: its middle), `size` pixels high, turned clockwise by `angle` radians. */
+  stamp(text: string, options?: { x?: number; y?: number; size?: number; angle?: number; amount?: number }): void;
   /** What was done with water since the model came, by every tool: for replay() on the same model. */
   readonly recordedStrokes: string;
   /** Does it again, with the time that it took; exact where that went by in steps of 1/60 s. Throws a FurError for what is no recording of this model. */
