@@ -80,7 +80,9 @@ std::optional<geometry::SurfacePoint> App::State::pick(Vec2 pixel) {
   const auto skin = on.castRay(ray.origin, ray.direction);
   const float height = coatHeight();
   std::optional<geometry::SurfacePoint> seen;
-  for (const float share : {1.0f, kSeen}) {
+  for (const float share : {1.0f, kSeen, 0.9f, 0.8f, 0.7f, 0.5f, 0.4f, 0.2f}) {
+    // The others for what is seen past the skin, of strands of many lengths.
+    if (share != 1 && share != kSeen && (seen || skin)) break;
     const CoatShell shell(*this, share * height);
     const auto hit = on.castRay(ray.origin, ray.direction, &shell);
     if (hit && shell.stands(*hit) && (!seen || hit->distance < seen->distance + kSeenThrough * settings.furLength)) seen = hit;

@@ -260,7 +260,7 @@ TEST(Editor, ACheckboxIsOneStep) {
 }
 
 TEST(Editor, AnAnimationIsChosenByItsNameAndHeld) {
-  PanelDriver person({1280, 4000});
+  PanelDriver person({1280, 5000});
   person.model.animations = {"wave", ""};
   person.openAllGroups();
   const auto at = person.find(person.rowId("animation", "##value"));
