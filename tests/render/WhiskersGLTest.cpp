@@ -39,7 +39,7 @@ struct Scene {
   }
   // On the outline, straight up.
   void plant() {
-    const float top = topOf(0.97f, kNear);
+    const float top = topOf(0.986f, kNear);  // where the fur stands whose roots are at 0.97
     app.setTool(app::Tool::Whisker);
     app::PointerEvent event{app::PointerPhase::Down};
     event.position = Vec2(kSide / 2.0f, top);
