@@ -7,8 +7,8 @@ import { gzipSync } from 'node:zlib';
 import { dist } from '../../tools/site.mjs';
 
 // Fur round hard edges took 8 KB of these; the way back to former models, painted coats, picking the coat's outside, the camera's
-// attributes and pictures refined in bands another 6.
-const budgetBytes = 264 * 1024;
+// attributes and pictures refined in bands another 10.
+const budgetBytes = 270 * 1024;
 
 // The scripts that `entry` imports, at once or later, but for the editor's.
 function scriptsFrom(entry, seen = new Set()) {
@@ -21,7 +21,7 @@ function scriptsFrom(entry, seen = new Set()) {
   return seen;
 }
 
-test('the viewer downloads at most 264 KB, gzipped', (t) => {
+test('the viewer downloads at most 270 KB, gzipped', (t) => {
   const files = [...new Set(['index.js', 'element.js'].flatMap((entry) => [...scriptsFrom(entry)])), 'wet-fur.wasm'];
   const sizes = files.map((name) => [name, gzipSync(readFileSync(join(dist, name)), { level: 9 }).length]);
   const total = sizes.reduce((sum, [, size]) => sum + size, 0);

@@ -35,6 +35,7 @@ async function copyLink(page) {
       }).observe(document.getElementById('messages'), { childList: true });
     });
   });
+  await page.click('#share');
   await page.click('#link');
   return page.evaluate(() => window.told);
 }

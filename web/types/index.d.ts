@@ -34,6 +34,8 @@ export type TileSize = '64' | '128' | '256' | '512' | '1024';
 export type FurMapping = 'charts' | 'cube';
 export type Shadows = 'none' | 'depth' | 'layers';
 export type BendCurve = 'arc' | 'polynomial';
+export type BrushFalloff = 'smooth' | 'linear' | 'sharp' | 'flat';
+export type Mirror = 'none' | 'x' | 'y' | 'z';
 export type StrandModel = 'kajiya' | 'marschner';
 /** "#rrggbb", sRGB. */
 export type Color = string;
@@ -140,9 +142,9 @@ export interface FurSettings {
   /** How much one pass of the comb, the scissors or the type brush does. */
   groomStrength: number;
   /** How a brush that grooms fades from its middle to its rim. */
-  brushFalloff: 'smooth' | 'linear' | 'sharp' | 'flat';
+  brushFalloff: BrushFalloff;
   /** Brushes also work on the other side of the model, across its middle along this axis; x is left and right. */
-  mirror: 'none' | 'x' | 'y' | 'z';
+  mirror: Mirror;
   /** What the brush Paint paints; Alt+click on the model picks the colour there. */
   paintColor: Color;
   /** What the brush Cut leaves of longer fur, as a share of the longest. */
