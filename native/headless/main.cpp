@@ -253,6 +253,7 @@ Status drawPicture(const Options& o, const char* program) {
   if (Status status = app.attach(); !status) return status;
   if (Status status = setUp(app, o, program); !status) return status;
   if (o.wetness >= 0) app.setWetness(o.wetness);
+  if (!o.splashes.empty() || !o.whiskers.empty()) app.settle();  // tools reach the fur as it stands
   for (const Vec2& at : o.splashes)
     if (!app.splashPixel(at, app.settings().brushRadius, app.settings().brushFlow))
       app.addWarning("--splash " + std::to_string(at.x) + "," + std::to_string(at.y) + " misses the model");

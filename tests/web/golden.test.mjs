@@ -32,6 +32,7 @@ const show = (page, scene) => withFur(page, async (fur, { model, preset, setting
   if (map) await fur.loadLengthMap(Uint8Array.from(map));
   for (const [edit, value, ...direction] of groom) await fur.groom(edit, value, direction.length ? direction : undefined);
   if (wetness !== undefined) fur.setWetness(wetness);
+  if (splashes.length > 0) fur.step(settling, 2);
   for (const [x, y] of splashes) fur.splash({ x, y });
   fur.step(settling, runs ? 1 : 2);
   fur.step(1 / 60, Math.round(60 * (runs + (seconds ?? 0))));
