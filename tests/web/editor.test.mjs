@@ -99,7 +99,7 @@ test('the panel saves the coat as a file that gives the same coat again', async 
 const panelWidth = (page) => page.evaluate(() => document.documentElement.style.getPropertyValue('--wet-fur-panel-width'));
 
 test('the panel is as wide as its edge was dragged, the bar beside it and the next visit know', async () => {
-  const page = await site.open('?quality=low&layers=8&fins=0&src=sphere&editor=1&dryRate=0', { viewport: { width: 1000, height: 400 } });
+  const page = await site.open('?quality=low&layers=8&fins=0&src=sphere&editor=1&dryRate=0', { viewport: { width: 1000, height: 600 } });
   const opened = async () => {
     await page.waitForFunction(() => document.querySelector('wet-fur').editorOpen);
     await untilStill(page);
@@ -108,7 +108,7 @@ test('the panel is as wide as its edge was dragged, the bar beside it and the ne
   assert.equal(await panelWidth(page), '348px');
   const middle = () => withFur(page, (fur) => {
     // Where the sphere's outline is on the middle row.
-    const hits = [...Array(100).keys()].map((i) => i * 10).filter((x) => fur.pick({ x, y: 200 }));
+    const hits = [...Array(100).keys()].map((i) => i * 10).filter((x) => fur.pick({ x, y: 300 }));
     return (hits[0] + hits.at(-1)) / 2;
   });
   const before = await middle();
