@@ -6,10 +6,7 @@
 #include <string_view>
 
 #include "native/ImageDecode.h"
-
-#define STB_IMAGE_WRITE_IMPLEMENTATION
-#define STBI_WRITE_NO_STDIO
-#include <stb/stb_image_write.h>
+#include "scene/Png.h"
 
 namespace fur::native {
 
@@ -38,14 +35,7 @@ Status writeFile(const std::string& path, std::span<const std::uint8_t> bytes) {
 }
 
 Status writePng(const std::string& path, int width, int height, const std::vector<std::uint8_t>& rgba) {
-  std::ofstream out(path, std::ios::binary);
-  const auto append = [](void* stream, void* data, int size) {
-    static_cast<std::ofstream*>(stream)->write(static_cast<const char*>(data), size);
-  };
-  stbi_write_png_to_func(append, &out, width, height, 4, rgba.data(), width * 4);
-  out.flush();
-  if (!out) return Error{ErrorId::Network, path + ": cannot be written"};
-  return Done{};
+  return writeFile(path, scene::writePng(width, height, 4, rgba));
 }
 
 namespace {

@@ -1,4 +1,4 @@
-// PNG files (ISO 15948) of our own: small where a picture has much that is alike.
+// PNG files (ISO 15948).
 #pragma once
 
 #include <cstdint>

@@ -6,27 +6,6 @@ namespace {
 
 struct Salon : test::Room {
   Salon() : Room(160, {{"layers", "8"}, {"tileSize", "64"}, {"dryRate", "0"}}) {}
-
-  void stroke(Tool tool, Vec2 from, Vec2 to) {
-    app.setTool(tool);
-    PointerEvent event{PointerPhase::Down};
-    event.position = from;
-    event.buttons = 1;
-    app.pointer(event);
-    event.phase = PointerPhase::Move;
-    for (int i = 1; i <= 12; ++i) {
-      event.position = glm::mix(from, to, static_cast<float>(i) / 12);
-      app.pointer(event);
-    }
-    event.phase = PointerPhase::Up;
-    event.buttons = 0;
-    app.pointer(event);
-  }
-  test::Picture settled() {
-    app.settle();
-    app.tick(0);
-    return stage.draw(app);
-  }
 };
 
 constexpr Tool kTools[] = {Tool::Comb, Tool::Smooth, Tool::Raise, Tool::Trim, Tool::Grow, Tool::Type, Tool::Whisker, Tool::Pluck};

@@ -13,26 +13,6 @@ struct Studio : test::Room {
   }
   ~Studio() { App::groomWith(nullptr); }
 
-  void stroke(Tool tool, Vec2 from, Vec2 to) {
-    app.setTool(tool);
-    PointerEvent event{PointerPhase::Down};
-    event.position = from;
-    event.buttons = 1;
-    app.pointer(event);
-    event.phase = PointerPhase::Move;
-    for (int i = 1; i <= 8; ++i) {
-      event.position = glm::mix(from, to, static_cast<float>(i) / 8);
-      app.pointer(event);
-    }
-    event.phase = PointerPhase::Up;
-    event.buttons = 0;
-    app.pointer(event);
-  }
-  test::Picture settled() {
-    app.settle();
-    app.tick(0);
-    return stage.draw(app);
-  }
   Vec4 paintAt(Vec2 pixel) { return app.groom().paint.at(*app.pick(pixel)); }
 };
 

@@ -112,6 +112,21 @@ struct Room {
     app.tick(0);
   }
   ~Room() { app.detach(false); }
+
+  // Without time passing.
+  void stroke(app::Tool tool, Vec2 from, Vec2 to) {
+    constexpr int kMoves = 12;
+    app.setTool(tool);
+    app.pointer({.phase = app::PointerPhase::Down, .position = from, .buttons = 1});
+    for (int i = 1; i <= kMoves; ++i)
+      app.pointer({.phase = app::PointerPhase::Move, .position = glm::mix(from, to, static_cast<float>(i) / kMoves), .buttons = 1});
+    app.pointer({.phase = app::PointerPhase::Up, .position = to});
+  }
+  Picture settled() {
+    app.settle();
+    app.tick(0);
+    return stage.draw(app);
+  }
 };
 
 // The app with a sphere and water that stays.
