@@ -1,13 +1,7 @@
 // The demo page's chooser of coats: pictures of the presets, and the coat that the model came with.
 
-// What a coat is made of, by the rule of src/settings/Presets.h.
-const coatGroups = ['Fur', 'Shape', 'Colour'];
-const notOfThem = ['layers', 'tileSize', 'furMapping', 'fins', 'seed', 'textureAmount'];
-const beyond = ['strandShadow', 'occlusion', 'specular', 'shininess', 'gravity', 'stiffness'];
-
-export const coatFields = (table) => table
-  .filter(({ name, group }) => (coatGroups.includes(group) ? !notOfThem.includes(name) : beyond.includes(name)))
-  .map(({ name }) => name);
+/** Names of the settings that presets decide about. */
+export const coatFields = (table) => table.filter(({ coat }) => coat).map(({ name }) => name);
 
 const pictureSide = 56;
 

@@ -220,16 +220,17 @@ function stateToShare() {
   return JSON.stringify(state);
 }
 
+/** What neither a link nor an embed code can carry; water is left to them. */
+const notCarried = () => [!shownSrc && 'the file itself', fur.groomed && 'the groom', fur.fur.coatGiven && "the file's coat"].filter(Boolean);
+
 async function copyLink() {
   // A scene may bring water that is gone now; on other models water that has dried is nothing to paint again.
   const wet = fur.meanWetness > 0, recorded = fur.recordedStrokes;
   const strokes = shownSrc && (wet || sceneNames.includes(shownSrc)) ? await packStrokes(recorded) : null;
   const link = makeLink(location.href, { src: shownSrc, state: stateToShare(), tool: fur.tool, strokes });
-  const lacksWater = wet && (shownSrc ? recorded !== '[]' && !link.includes('&strokes=') : true);
-  const missing = [
-    !shownSrc && 'the file itself', fur.groomed && 'the groom', fur.fur.coatGiven && "the file's coat",
-    lacksWater && (shownSrc ? 'the water, of which there is too much for a link' : 'the water'),
-  ].filter(Boolean);
+  const missing = notCarried();
+  if (wet && !shownSrc) missing.push('the water');
+  else if (wet && recorded !== '[]' && !link.includes('&strokes=')) missing.push('the water, of which there is too much for a link');
   try {
     await navigator.clipboard.writeText(link);
     messages.note(missing.length > 0 ? `Link copied, without ${listed(missing)}` : 'Link copied');
@@ -244,8 +245,10 @@ async function copyEmbedCode() {
     tool: fur.tool, orbit: fur.cameraOrbitText, alt: fur.alt,
   });
   const copied = await navigator.clipboard.writeText(code).then(() => true, () => false);
-  const missing = [!shownSrc && 'put your file beside the page', fur.groomed && 'the groom is not in it', fur.meanWetness > 0 && 'the water is not in it'].filter(Boolean).map((text) => `; ${text}`).join('');
-  messages.copyable(`${copied ? 'Embed code copied' : 'Copy this embed code'}${missing}:`, code);
+  const missing = notCarried();
+  if (fur.meanWetness > 0) missing.push('the water');
+  const without = missing.length > 0 ? `, without ${listed(missing)}` : '', beside = shownSrc ? '' : '; put your file beside the page';
+  messages.copyable(`${copied ? 'Embed code copied' : 'Copy this embed code'}${without}${beside}:`, code);
 }
 
 function toggleFullscreen() {

@@ -5,6 +5,7 @@
 
 #include "core/NumberText.h"
 #include "core/Json.h"
+#include "settings/Presets.h"
 
 namespace fur::settings {
 
@@ -166,7 +167,7 @@ std::string fieldTableJson() {
            ",\"default\":" + fieldJson(standard, field) +
            ",\"min\":" + shortDecimal(field.low) + ",\"max\":" + shortDecimal(field.high) +
            ",\"unit\":" + jsonString(field.unit) + ",\"options\":" + jsonString(field.options) +
-           ",\"tooltip\":" + jsonString(field.tooltip) + '}';
+           ",\"tooltip\":" + jsonString(field.tooltip) + ",\"coat\":" + (belongsToCoat(field) ? "true}" : "false}");
   }
   return out + ']';
 }

@@ -214,6 +214,8 @@ export type SettingsField = {
   readonly group: string;
   readonly unit: string;
   readonly tooltip: string;
+  /** Whether presets decide about it. */
+  readonly coat: boolean;
 } & (
   | { readonly type: 'float' | 'int'; readonly default: number; readonly min: number; readonly max: number }
   | { readonly type: 'bool'; readonly default: boolean }
