@@ -28,6 +28,7 @@ in vec4 vLean;
 in vec2 vLightStep;
 #ifdef WET
 in float vTop;
+in vec3 vTileOfFur;
 #else
 flat in float vTop;
 #endif
@@ -170,16 +171,17 @@ void main() {
 #ifdef WET
   tileFromAtlas = inverse(atlasFromTile);
   atlasLength = sqrt(abs(determinant(tileFromAtlas)));
-  furLengths = 1.0 / max(shape.x * shape.y, 1e-6);
-#ifdef GROOMED
-  furLengths /= max(vLength, 0.02);
-#endif
+  // Charts are stretched, each in its own way: what is drawn aside is drawn aside on the skin.
+  mat2 tileFromFur = mat2(vTileOfFur.xy, 0.0, vTileOfFur.z);
+  furFromTile = inverse(tileFromFur);
+  furLengths = sqrt(abs(determinant(furFromTile)));
   entryHeld = heldAround(mask, vAtlas);
   entryChart = chartOf(maskAt(mask, vAtlas));
   sheet = sheetOf(entryHeld);
   float joined = sheet * (2.0 - sheet);
   coatTop = upright(entryHeld, sheet);
-  lie = lieOf(vTurn.zw * furLengths, entryHeld, sheet) / furLengths;
+  vec2 laid = lieOf(0.5 * vLean.xy, entryHeld, sheet);
+  lie = tileFromFur * laid;
   // Locks are denser than dry fur: they close sooner, and longer steps find them.
   stepSize *= 1.0 + 0.7 * min(entryHeld, 1.0);
   float enters = 0.0, closes = kClosed * (1.0 - 0.6 * sheet);
@@ -336,12 +338,15 @@ void main() {
   vec2 turned = vPath.zw * toStrand;
   vec3 light3 = inTurnedFrame(vLight.xyz, turned), view3 = inTurnedFrame(vView.xyz, turned);
   vec2 tilt = met.xy * 2.0 - 1.0;
+#ifdef WET
+  tilt = furFromTile * tilt / furLengths;
+#endif
   vec3 tangent = vec3(tilt + vLean.xy * h, sqrt(max(0.05, 1.0 - dot(tilt, tilt))));
 #ifdef WET
   // Eq. 4: the strand moves by -d, in fur lengths.
   float metAlong = metHeight / coatTop, drawn = drawnBy(lock.clump.a, lock.clump.z * atlasLength * furLengths);
   float rises = clumpPull(metAlong - 1.0 / shape.z, drawn, sheet) - clumpPull(metAlong, drawn, sheet);
-  tangent.xy += (lock.from * (rises * shape.z * (1.0 - joined)) + lie / coatTop) * furLengths;
+  tangent.xy += furFromTile * lock.from * (rises * shape.z * (1.0 - joined)) + laid / coatTop;
   vec2 outward = (1.0 - joined) * lock.from / max(lock.clump.z * atlasLength, 1e-6);
   float held = mix(lock.clump.a, entryHeld, joined), rho = min(held, 1.0), skinWetness = rho;
   float strandShade = 0.65 * (1.0 - joined);

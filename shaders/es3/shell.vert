@@ -28,6 +28,7 @@ layout(location = FUR_AROUND) in vec4 around;
 #include "common_clump.glsl"
 uniform sampler2D mask;
 out float vTop;
+out vec3 vTileOfFur;  // tiles that a fur length covers: along axisS (x, y), along axisT (0, z)
 #else
 flat out float vTop;  // the slab's top, 0..1
 #endif
@@ -118,6 +119,9 @@ void main() {
   vec2 stride = tileFromAxes * (len * foot), turn = tileFromAxes * (A * turning * (-down * len * len));
   vTile = vec4(furCurvature.xy * shape.y, stride);
   vTurn = vec4(turn, tileFromAxes * (A * aside * len));
+#ifdef WET
+  vTileOfFur = len * vec3(tileFromAxes[0], tileFromAxes[1].y);
+#endif
 
   float texelsPerPixel = distance / eye.w * shape.y * length(gradS) * volume.x;
   vec3 toLight = light.xyz, toEye = -ray;

@@ -11,11 +11,11 @@ const int kSheetSteps = 0;
 #endif
 
 // Of the whole ray, by where it enters: the water there, how much of a sheet the coat is, how high it stands, where its tips lie
-// from their roots (tiles); how many fur lengths a tile is, how many tiles the atlas.
+// from their roots (tiles); how many fur lengths a tile is on average, how many tiles the atlas.
 float entryHeld, sheet, coatTop, furLengths, atlasLength;
 float entryChart;  // chartOf() where it enters
 vec2 lie;
-mat2 tileFromAtlas;
+mat2 tileFromAtlas, furFromTile;  // fur lengths along axisS, axisT (shell.vert)
 
 // The strand that the ray meets at height h over the tile point `at`.
 struct WetStrand {
@@ -50,7 +50,7 @@ WetStrand wetStrandAt(vec2 at, vec2 a, float h, inout vec2 inside) {
   strand.from = tileFromAtlas * from * side;
   vec2 aside = strand.from * strand.pull;
   strand.root = at + aside;
-  strand.along = alongStrand(strand.along, aside * furLengths);
+  strand.along = alongStrand(strand.along, furFromTile * aside);
   if (clumped) strand.along *= pointsOf(strand.clump.a, sheet, dot(from, from) / (strand.clump.z * strand.clump.z + 1e-12));
   // A sheet nearly closes the gaps.
   float own = mix(ownStrand(mask, strand.clump, entryChart, from), 1.0, 0.7 * sheet) * (1.0 + 2.0 * strand.pull + sheet);

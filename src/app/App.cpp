@@ -91,7 +91,7 @@ void App::setFieldOfView(float radians) {
 void App::State::uploadScene() {
   renderer->setSurface(surface, pose ? std::span<const Vec3>(firstTangents) : std::span<const Vec3>());
   renderer->setBaseColor(imageWidth, imageHeight, image);
-  renderer->updateMask(mask, {0, 0, mask.size(), mask.size()}, wetting->chartOfTexel());
+  renderer->updateMask(mask, {0, 0, mask.size(), mask.size()}, wetting->chartOfTexel(), wetting->atlas().triangleOf());
   uploadBends();
   uploadGroom({0, 0, groom.map.size(), groom.map.size()});
   uploadPaint({0, 0, groom.map.size(), groom.map.size()});
@@ -488,7 +488,7 @@ Status App::State::drawBand(int level, int band, int bands) {
   FUR_ASSERT(renderer.has_value(), "App::draw()", "an attached context", "none");
   refreshGroom();
   if (!coatUploaded) finishCoat();
-  for (const wet::TexelRect& part : mask.takeChangedParts()) renderer->updateMask(mask, part, wetting->chartOfTexel());
+  for (const wet::TexelRect& part : mask.takeChangedParts()) renderer->updateMask(mask, part, wetting->chartOfTexel(), wetting->atlas().triangleOf());
   readPuddles();
   render::Frame f = frame(level);
   f.band = band;

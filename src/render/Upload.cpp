@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/Assert.h"
+#include "geometry/Adjacency.h"
 #include "geometry/Curvature.h"
 #include "geometry/Weld.h"
 #include "render/Renderer.h"
@@ -226,17 +227,17 @@ constexpr int kEvened = 4;
 // So far from the charts texels still know of their water, for what is looked up between texels.
 constexpr int kBesideCharts = 3;
 
-// How much water stands in the charts of a rectangle, summed up from its corner, so that the mean of any part of it is
+// How much water stands on the triangles of a rectangle, summed up from its corner, so that the mean of any part of it is
 // four look-ups.
 class WaterSums {
  public:
-  WaterSums(const wet::WetnessMask& mask, const wet::TexelRect& rect, std::span<const std::uint16_t> charts)
+  WaterSums(const wet::WetnessMask& mask, const wet::TexelRect& rect, std::span<const std::uint32_t> triangles)
       : rect_(rect), width_(rect.x1 - rect.x0 + 1), sums_(static_cast<std::size_t>(width_ * (rect.y1 - rect.y0 + 1))) {
     for (int y = rect.y0; y < rect.y1; ++y) {
       Sum row;
       for (int x = rect.x0; x < rect.x1; ++x) {
         const auto i = static_cast<std::size_t>(y * mask.size() + x);
-        if (charts[i] != wet::SurfaceWetting::kNoChart) {
+        if (triangles[i] != geometry::kNoTriangle) {
           ++row.texels;
           row.water += static_cast<std::uint32_t>(255 * std::min(mask.texels()[i].w + mask.filmAt(i), 1.0f));
         }
@@ -245,13 +246,13 @@ class WaterSums {
       }
     }
   }
-  // 0..1 of the square that reaches so far round the texel, as far as it lies in the rectangle; 0 where no chart does.
-  float mean(int x, int y, int reach) {
+  // 0..1 of the square that reaches so far round the texel, as far as it lies in the rectangle; `none` where no triangle does.
+  float mean(int x, int y, int reach, float none) {
     const int x0 = std::max(x - reach, rect_.x0), x1 = std::min(x + reach + 1, rect_.x1);
     const int y0 = std::max(y - reach, rect_.y0), y1 = std::min(y + reach + 1, rect_.y1);
     const Sum &a = at(x0, y0), &b = at(x1, y0), &c = at(x0, y1), &d = at(x1, y1);
     const std::uint32_t texels = d.texels - b.texels - c.texels + a.texels;
-    return static_cast<float>(d.water - b.water - c.water + a.water) / (255.0f * static_cast<float>(std::max(texels, 1u)));
+    return texels ? static_cast<float>(d.water - b.water - c.water + a.water) / (255.0f * static_cast<float>(texels)) : none;
   }
 
  private:
@@ -271,7 +272,8 @@ wet::TexelRect widened(const wet::TexelRect& rect, int by, int size) {
 
 }  // namespace
 
-void Renderer::updateMask(const wet::WetnessMask& mask, const wet::TexelRect& changed, std::span<const std::uint16_t> charts) {
+void Renderer::updateMask(const wet::WetnessMask& mask, const wet::TexelRect& changed, std::span<const std::uint16_t> charts,
+                          std::span<const std::uint32_t> triangles) {
   const int size = mask.size();
   wet::TexelRect rect = changed;
   if (mask_.shape().width != size || mask_.shape().format != gl::TexelFormat::RGBA32F) {
@@ -280,14 +282,14 @@ void Renderer::updateMask(const wet::WetnessMask& mask, const wet::TexelRect& ch
   }
   if (rect.empty()) return;
   rect = widened(rect, kMostSoftened, size);
-  WaterSums water(mask, widened(rect, kMostSoftened, size), charts);
+  WaterSums water(mask, widened(rect, kMostSoftened, size), triangles);
   const int width = rect.x1 - rect.x0, height = rect.y1 - rect.y0;
   std::vector<Vec4> texels;
   texels.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   for (int y = rect.y0; y < rect.y1; ++y)
     for (int x = rect.x0; x < rect.x1; ++x) {
       const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(size) + static_cast<std::size_t>(x);
-      Vec4& texel = texels.emplace_back(0, 0, 0, -1 - water.mean(x, y, kBesideCharts));
+      Vec4& texel = texels.emplace_back(0, 0, 0, -1 - water.mean(x, y, kBesideCharts, 0));
       if (charts[i] == wet::SurfaceWetting::kNoChart) continue;
       texel = mask.texels()[i];
       texel.x += static_cast<float>(FUR_CHART_STEP) * (static_cast<float>(charts[i] % FUR_CHART_NUMBERS) + 0.5f);
@@ -295,12 +297,12 @@ void Renderer::updateMask(const wet::WetnessMask& mask, const wet::TexelRect& ch
       // What stands on wet fur adds to what the fur holds. Rows of texels that the flow has missed are as wet as those round
       // them: a step from texel to texel would be a crack in the sheet. Towards dry fur water runs out over most of a lock, as strands of
       // both sides touch; and over many more a sheet parts into locks again, the water above it first. A streak is no sheet.
-      const float all = std::max(texel.w + mask.filmAt(i), water.mean(x, y, kEvened)), held = std::min(all, 1.0f);
+      const float all = std::max(texel.w + mask.filmAt(i), water.mean(x, y, kEvened, 0)), held = std::min(all, 1.0f);
       const int reach = static_cast<int>(std::clamp(0.6f * texel.z * static_cast<float>(size), 1.0f, float{kMostSoftened}));
-      const float inside = std::clamp(2.4f * water.mean(x, y, reach) / held - 1.1f, 0.05f, 1.0f);
+      const float inside = std::clamp(2.4f * water.mean(x, y, reach, held) / held - 1.1f, 0.05f, 1.0f);
       texel.w = inside * (2 - inside) * held;
       if (texel.w <= FUR_SHEET_FROM) continue;
-      const float wide = saturate(2.2f * water.mean(x, y, kMostSoftened) / held - 1.1f);
+      const float wide = saturate(2.2f * water.mean(x, y, kMostSoftened, held) / held - 1.1f);
       texel.w = glm::mix(static_cast<float>(FUR_SHEET_FROM), texel.w, wide) + wide * wide * (all - held);
     }
   mask_.update(rect.x0, rect.y0, width, height, gl::bytesOf(texels), 0);

@@ -16,7 +16,10 @@ constexpr float kTurnTime = Water::kStep * Water::kTurns;
 // The film: kCling of it clings, thicker films run faster, and where it is deeper than kPool it also levels out.
 constexpr float kPool = 1.2f, kFastest = 1.5f;
 constexpr float kSpeed = 1.1f;        // model radii a second down a wall, of a film of 1
-constexpr float kMostLeaves = 0.5f;   // share of a place's film that leaves in a turn, times kFastest
+// But no further in a turn than so much of what a texel measures on average: not by each texel's own measures, or water would
+// run at another speed in each chart.
+constexpr float kFarthest = 0.4f;
+constexpr float kMostLeaves = 0.53f;  // share of a place's film that leaves in a turn, times kFastest
 constexpr float kAbsorb = 5.0f;       // share of the film that fur takes up in a second
 // Fur wetter than kField lets go of what is above, this much slower than a film runs.
 constexpr float kField = 0.75f, kSeep = 0.4f;
@@ -27,6 +30,9 @@ constexpr float kFull = kField - 0.05f;
 constexpr float kWick = 1.5e-4f, kWickRest = 0.02f, kDamp = 0.3f, kMostWicks = 0.1f;
 // How far combed fur turns what runs, and how much better water creeps along it than across.
 constexpr float kTurn = 0.7f, kAlong = 3.0f;
+
+// Less than this, squared, leads nowhere.
+constexpr float kNoWay = 1e-12f;
 
 constexpr float kHangs = 0.4f;  // film that a drop hangs from
 constexpr std::size_t kMostHanging = 256;
@@ -50,6 +56,7 @@ void Water::aim(const Ground& ground, std::uint32_t index) {
   aimed_[index] = aim_;
   const auto& places = texels_->places();
   const SurfaceTexels::Block& block = texels_->blocks()[index];
+  const float speed = std::min(kSpeed * kTurnTime, kFarthest * texels_->meanWidth());
   for (std::uint32_t i = block.first; i < block.end; ++i) {
     const SurfaceTexels::Place& place = places[i];
     Vec3 lay(0);
@@ -61,24 +68,44 @@ void Water::aim(const Ground& ground, std::uint32_t index) {
     const float laid = glm::dot(lay, lay);
     if (laid > 1e-6f) down += kTurn * (lay * (glm::dot(lay, down) / std::sqrt(laid)) - down * std::sqrt(laid));
     Ways& ways = ways_[i];
-    ways = {{i, i, i, i}, {}, {}};
-    float sum = 0;
+    ways = {{i, i}, {}, {i, i, i, i}, {}, {}};
+    const SurfaceTexels::Links& links = texels_->links()[i];
     for (std::size_t k = 0; k < 4; ++k) {
-      const std::uint32_t there = texels_->links()[i][k];
+      if (links[2 * k] == SurfaceTexels::kNone) continue;
+      ways.beside[k] = links[2 * k];
+      const Vec3 way = places[links[2 * k]].position - place.position;
+      const float squared = glm::dot(way, way), along = glm::dot(lay, way);
+      if (squared > kNoWay) ways.wicks[k] = std::min(kWick * kTurnTime * (1.0f + kAlong * along * along / squared) / squared, kMostWicks);
+    }
+    // In texels: so far along u or v, and so far along both. Water finds its way between the locks, not straight down; but never
+    // up, so that it rests where it is lowest.
+    const Vec2 parts = speed * texels_->partsOf(ground.surface, i, down), size = glm::abs(parts);
+    const float both = std::min(size.x, size.y);
+    const int right = parts.x < 0.0f ? 4 : 0, up = parts.y < 0.0f ? 6 : 2;
+    const int sides[] = {size.x > size.y ? right : up, up + ((parts.x < 0.0f) == (parts.y < 0.0f) ? -1 : 1)};
+    const float shares[] = {std::max(size.x, size.y) - both, both};
+    float sum = 0;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const int side = sides[k];
+      const std::uint32_t there = links[static_cast<std::size_t>(side)];
       if (there == SurfaceTexels::kNone) continue;
-      ways.to[k] = there;
-      const Vec3 way = places[there].position - place.position;
-      const float squared = glm::dot(way, way);
-      if (!(squared > 1e-12f)) continue;
-      // Water finds its way between the locks, not straight down; but never up, so that it rests where it is lowest.
-      const float chance = 0.3f + 1.4f * chanceOf(place.texel, static_cast<std::uint32_t>(k));
-      if (glm::dot(down_, way) > 0.0f) ways.runs[k] = kSpeed * kTurnTime * chance * std::max(glm::dot(down, way), 0.0f) / squared;
+      ways.sides[k] = static_cast<std::uint8_t>(side);
+      ways.down[k] = there;
+      if (glm::dot(down_, places[there].position - place.position) > 0.0f)
+        ways.runs[k] = shares[k] * (0.5f + chanceOf(place.texel, static_cast<std::uint32_t>(side)));
       sum += ways.runs[k];
-      const float along = glm::dot(lay, way);
-      ways.wicks[k] = std::min(kWick * kTurnTime * (1.0f + kAlong * along * along / squared) / squared, kMostWicks);
     }
     if (sum > kMostLeaves)
       for (float& share : ways.runs) share *= kMostLeaves / sum;
+  }
+}
+
+void Water::crossBorders() {
+  const std::size_t turn = steps_ / kTurns;
+  for (const SurfaceTexels::Crossing& crossing : texels_->crossings()) {
+    Ways& ways = ways_[crossing.from];
+    for (std::size_t k = 0; k < 2; ++k)
+      if (ways.sides[k] == crossing.side) ways.down[k] = crossing.to[turn % crossing.to.size()];
   }
 }
 
@@ -94,31 +121,33 @@ void Water::flow(std::uint32_t index) {
     const float mobile = film > kCling + kLeast ? film - kCling : 0.0f;
     if (mobile == 0.0f && held <= kDamp) continue;
     const Ways& ways = waysOf[i];
-    const std::uint32_t* const to = ways.to.data();
-    Four share;
-    std::memcpy(&share, ways.runs.data(), sizeof share);
-    Four fromFilm = share * (mobile * std::min(0.25f + mobile, kFastest));
-    Four fromHeld = share * (held > kField + kLeast ? kSeep * (held - kField) : 0.0f);
+    const std::uint32_t* const beside = ways.beside.data();
+    const float runs = ways.runs[0] + ways.runs[1];
+    const float filmRuns = mobile * std::min(0.25f + mobile, kFastest), heldRuns = held > kField + kLeast ? kSeep * (held - kField) : 0.0f;
+    Four creeps{}, levels{};
     if (held > kDamp) {
       Four wicks;
       std::memcpy(&wicks, ways.wicks.data(), sizeof wicks);
-      const Four there{heldOf[to[0]], heldOf[to[1]], heldOf[to[2]], heldOf[to[3]]};
+      const Four there{heldOf[beside[0]], heldOf[beside[1]], heldOf[beside[2]], heldOf[beside[3]]};
       const Four drier = held - there - kWickRest;
-      fromHeld += ((drier > kLeast) & (there < kFull)) ? drier * wicks : Four{};
+      creeps = ((drier > kLeast) & (there < kFull)) ? drier * wicks : Four{};
     }
     if (film > kPool) {
-      const Four higher = film - Four{filmOf[to[0]], filmOf[to[1]], filmOf[to[2]], filmOf[to[3]]};
-      fromFilm += higher > 0.0f ? higher * 0.05f : Four{};
+      const Four higher = film - Four{filmOf[beside[0]], filmOf[beside[1]], filmOf[beside[2]], filmOf[beside[3]]};
+      levels = higher > 0.0f ? higher * 0.05f : Four{};
     }
-    const float outFilm = sum(fromFilm), outHeld = sum(fromHeld), area = areas[i];
+    const float outFilm = runs * filmRuns + sum(levels), outHeld = runs * heldRuns + sum(creeps), area = areas[i];
     // So that water comes to rest, and is at rest wherever it is taken to.
     if (outFilm + outHeld < kLeast) continue;
     flows = true;
-    const Four out = (fromFilm + fromHeld) * area;
-    for (std::size_t k = 0; k < 4; ++k) {
-      incoming[to[k]] += out[k];
-      if (to[k] - first >= end - first) flags_[texels_->blockOf(to[k])] |= kReceived;
-    }
+    const auto leave = [&](std::uint32_t to, float amount) {
+      incoming[to] += amount;
+      if (to - first >= end - first) flags_[texels_->blockOf(to)] |= kReceived;
+    };
+    for (std::size_t k = 0; k < 2; ++k) leave(ways.down[k], ways.runs[k] * (filmRuns + heldRuns) * area);
+    const Four aside = (creeps + levels) * area;
+    if (held > kDamp || film > kPool)
+      for (std::size_t k = 0; k < 4; ++k) leave(beside[k], aside[k]);
     // A film changes at the end of the step, so that it does not run on through all the places behind.
     incoming[i] -= outFilm * area;
     heldOf[i] -= outHeld;

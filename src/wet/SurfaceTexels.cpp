@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "geometry/Adjacency.h"
 
@@ -10,8 +12,6 @@ namespace fur::wet {
 namespace {
 
 using geometry::Surface;
-
-constexpr int kSteps[4][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
 
 const geometry::SurfaceVertex& corner(const Surface& surface, std::uint32_t triangle, std::size_t k) {
   return surface.vertices[surface.indices[std::size_t{3} * triangle + k]];
@@ -61,7 +61,9 @@ SurfaceTexels::SurfaceTexels(const Surface& surface, const geometry::AtlasTexels
       blocks_.push_back(block);
     }
 
-  links_.assign(places_.size(), {kNone, kNone, kNone, kNone});
+  Links none;
+  none.fill(kNone);
+  links_.assign(places_.size(), none);
 
   // A triangle that is squeezed in the atlas gives its texels more than there is, one finer than a texel gets a whole one.
   double area = 0;
@@ -73,6 +75,7 @@ SurfaceTexels::SurfaceTexels(const Surface& surface, const geometry::AtlasTexels
   double sum = 0;
   for (Place& place : places_) sum += place.area = std::min(place.area, most);
   for (Place& place : places_) place.area *= static_cast<float>(area / sum);
+  meanWidth_ = static_cast<float>(std::sqrt(area / static_cast<double>(std::max<std::size_t>(places_.size(), 1))));
 
   // Gutters, by the place that they repeat.
   mirrorStart_.assign(places_.size() + 1, 0);
@@ -94,38 +97,109 @@ std::uint32_t SurfaceTexels::placeAt(const Vec2& atlas) const {
   return placeOf_[index(atlas.y) * static_cast<std::uint32_t>(size_) + index(atlas.x)];
 }
 
+std::pair<Vec3, Vec3> SurfaceTexels::stepsAt(const Surface& surface, std::uint32_t place) const {
+  const auto [alongU, alongV] = stepsAlong(surface, places_[place].triangle);
+  return {alongU / static_cast<float>(size_), alongV / static_cast<float>(size_)};
+}
+
+Vec2 SurfaceTexels::partsOf(const Surface& surface, std::uint32_t place, const Vec3& direction) const {
+  constexpr float kNoStep = 1e-12f;  // squared
+  const auto [u, v] = stepsAt(surface, place);
+  const float uu = glm::dot(u, u), uv = glm::dot(u, v), vv = glm::dot(v, v), along = glm::dot(direction, u), across = glm::dot(direction, v);
+  const float area = uu * vv - uv * uv;
+  if (area > 0.05f * uu * vv) return Vec2(along * vv - across * uv, across * uu - along * uv) / area;
+  return {uu > kNoStep ? along / uu : 0.0f, vv > kNoStep ? across / vv : 0.0f};
+}
+
 bool SurfaceTexels::link(const Surface& surface, const geometry::SurfaceQuery& query, std::uint32_t count) {
   const auto end = static_cast<std::uint32_t>(std::min<std::size_t>(places_.size(), std::size_t{linked_} + count));
   for (; linked_ < end; ++linked_) {
     const Place& place = places_[linked_];
     const int x = static_cast<int>(place.texel) % size_, y = static_cast<int>(place.texel) / size_;
-    for (int side = 0; side < 4; ++side) {
+    for (int side = 0; side < kSides; ++side) {
+      std::uint32_t& link = links_[linked_][static_cast<std::size_t>(side)];
       const int nx = x + kSteps[side][0], ny = y + kSteps[side][1];
       const bool inside = nx >= 0 && ny >= 0 && nx < size_ && ny < size_;
-      const std::uint32_t there = inside ? placeOf_[static_cast<std::size_t>(ny) * size_ + nx] : kNone;
-      const bool neighbour = there != kNone && places_[there].texel == static_cast<std::uint32_t>(ny * size_ + nx) &&
-                             corner(surface, places_[there].triangle, 0).chart == corner(surface, place.triangle, 0).chart;
-      links_[linked_][static_cast<std::size_t>(side)] = neighbour ? there : acrossBorder(surface, query, linked_, side);
+      link = inside ? placeOf_[static_cast<std::size_t>(ny) * size_ + nx] : kNone;
+      if (link != kNone && places_[link].texel == static_cast<std::uint32_t>(ny * size_ + nx) &&
+          corner(surface, places_[link].triangle, 0).chart == corner(surface, place.triangle, 0).chart)
+        continue;
+      constexpr float kAside = 0.3f;
+      link = acrossBorder(surface, query, linked_, side, kAside);
+      const std::uint32_t other = acrossBorder(surface, query, linked_, side, -kAside);
+      if (link == kNone) link = other;
+      if (link != kNone) crossings_.push_back({linked_, side, {link, other == kNone ? link : other}});
     }
   }
-  return linked_ == places_.size();
+  if (linked_ < places_.size()) return false;
+  if (!crossed_) findCrossings(surface);
+  return crossed_ = true;
 }
 
-std::uint32_t SurfaceTexels::acrossBorder(const Surface& surface, const geometry::SurfaceQuery& query,
-                                          std::uint32_t index, int side) const {
+// Of the links across borders those that lead to several places. Some places, such as the tips of charts, are led to by none
+// from where they lead to themselves: that one leads there, too.
+void SurfaceTexels::findCrossings(const Surface& surface) {
+  constexpr float kOpposite = 0.7f;  // cosine
+  std::map<std::pair<std::uint32_t, int>, std::vector<std::uint32_t>> all;
+  std::vector<std::vector<std::uint32_t>> from(places_.size());
+  for (const Crossing& crossing : crossings_) {
+    auto& to = all[{crossing.from, crossing.side}] = crossing.to;
+    if (to[0] == to[1]) to.pop_back();
+    for (const std::uint32_t there : to) from[there].push_back(crossing.from);
+  }
+  for (const Crossing& crossing : crossings_) {
+    const std::uint32_t place = crossing.from, back = crossing.to[0];
+    const auto wayTo = [&](std::uint32_t other) { return normalizeOr(places_[other].position - places_[place].position, Vec3(0)); };
+    const Vec3 way = wayTo(back);
+    if (std::any_of(from[place].begin(), from[place].end(), [&](std::uint32_t other) { return glm::dot(wayTo(other), way) > kOpposite; })) continue;
+    const Vec2 parts = partsOf(surface, back, -way);
+    const auto along = [&](int side) {
+      const Vec2 step(kSteps[side][0], kSteps[side][1]);
+      return glm::dot(parts, step) / glm::length(step);
+    };
+    int side = 0;
+    for (int other = 1; other < kSides; ++other)
+      if (along(other) > along(side)) side = other;
+    auto& to = all[{back, side}];
+    if (to.empty() && links_[back][static_cast<std::size_t>(side)] != kNone) to.push_back(links_[back][static_cast<std::size_t>(side)]);
+    if (std::find(to.begin(), to.end(), place) == to.end()) to.push_back(place);
+    from[place].push_back(back);
+  }
+  crossings_.clear();
+  for (auto& [link, to] : all) {
+    links_[link.first][static_cast<std::size_t>(link.second)] = to.front();
+    if (to.size() > 1) crossings_.push_back({link.first, link.second, std::move(to)});
+  }
+}
+
+// The place a step away, and so much of a step to the left of it.
+std::uint32_t SurfaceTexels::acrossBorder(const Surface& surface, const geometry::SurfaceQuery& query, std::uint32_t index,
+                                          int side, float aside) const {
   const Place& place = places_[index];
-  const auto [alongU, alongV] = stepsAlong(surface, place.triangle);
-  Vec3 step = (alongU * static_cast<float>(kSteps[side][0]) + alongV * static_cast<float>(kSteps[side][1])) / static_cast<float>(size_);
+  const auto [alongU, alongV] = stepsAt(surface, index);
+  const float u = static_cast<float>(kSteps[side][0]), v = static_cast<float>(kSteps[side][1]);
+  Vec3 step = alongU * (u - aside * v) + alongV * (v + aside * u);
   // A triangle that is squeezed in the atlas must not send its water far away.
   const float length = glm::length(step), most = 2.0f * std::sqrt(place.area);
   if (length > most) step *= most / length;
-  // The first step may end on this very texel still.
-  for (const float reach : {1.0f, 1.7f}) {
+  const auto placeAfter = [&](float reach) {
     const auto hit = nearestPoint(surface, query, place.position + reach * step, 0.8f * glm::length(step), place.normal);
     const std::uint32_t there = hit ? placeAt(atlasAt(surface, *hit)) : kNone;
-    if (there != kNone && there != index) return there;
-  }
-  return kNone;
+    return there == index ? kNone : there;
+  };
+  const auto beside = [&](std::uint32_t there) {
+    const int to = static_cast<int>(places_[there].texel), from = static_cast<int>(place.texel);
+    return std::abs(to % size_ - from % size_) <= 1 && std::abs(to / size_ - from / size_) <= 1;
+  };
+  // One step may end on this very place still.
+  std::uint32_t there = kNone;
+  for (const float reach : {1.0f, 1.35f, 1.7f})
+    if (there = placeAfter(reach); there != kNone) break;
+  if (there == kNone || beside(there)) return there;
+  // The first place behind the border: further on a row of them would be left dry.
+  for (const float reach : {0.55f, 0.8f})
+    if (const std::uint32_t nearer = placeAfter(reach); nearer != kNone && !beside(nearer)) return nearer;
+  return there;
 }
 
 }  // namespace fur::wet

@@ -1,7 +1,7 @@
 // The texels of the mask that lie on the model, as places on its surface that water runs between: one owns the
 // water of its place, the texels of gutters repeat it. Ordered by blocks of kBlock x kBlock texels.
 //
-// Links lead to the four neighbours in the map, and across a chart's border to the texel that lies there in space.
+// Links lead to the eight neighbours in the map, and across a chart's border to the texel that lies there in space.
 #pragma once
 
 #include <array>
@@ -25,7 +25,17 @@ class SurfaceTexels {
     float area;             // model units squared, > 0
     std::uint32_t texel, triangle;
   };
-  using Links = std::array<std::uint32_t, 4>;  // places at +u, -u, +v, -v; kNone: a rim of the surface
+  static constexpr int kSides = 8;
+  // Steps in the map to the places that links lead to, in order round it: sides of even numbers lead along u or v.
+  static constexpr int kSteps[kSides][2] = {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
+  using Links = std::array<std::uint32_t, kSides>;  // kNone: a rim of the surface
+  // A link that leads to several places by turns, first to that of links(): the texels of two charts do not face each other,
+  // and all that lie along a border are to be led to.
+  struct Crossing {
+    std::uint32_t from;
+    int side;
+    std::vector<std::uint32_t> to;
+  };
   struct Block {
     std::uint32_t first, end;  // its places
     geometry::TexelRect rect;  // of texels, with the gutters that repeat them
@@ -41,11 +51,18 @@ class SurfaceTexels {
   int size() const { return size_; }
   const std::vector<Place>& places() const { return places_; }
   const std::vector<Links>& links() const { return links_; }
+  const std::vector<Crossing>& crossings() const { return crossings_; }  // once link() is done
   const std::vector<Block>& blocks() const { return blocks_; }
+  float meanWidth() const { return meanWidth_; }  // of the places, model units
   std::uint32_t blockOf(std::uint32_t place) const { return blockOf_[place]; }
   // The place that has the water of a texel, kNone off the model.
   std::uint32_t placeOf(std::uint32_t texel) const { return placeOf_[texel]; }
   std::uint32_t placeAt(const Vec2& atlas) const;
+  // From texel to texel in u and in v along the place's triangle, model units; 0 where that has no area in the atlas.
+  std::pair<Vec3, Vec3> stepsAt(const geometry::Surface& surface, std::uint32_t place) const;
+  // A direction along the skin as so many of these steps. Charts are stretched and slanted: what a direction has of each step
+  // alone would lead aside.
+  Vec2 partsOf(const geometry::Surface& surface, std::uint32_t place, const Vec3& direction) const;
   // Calls visit(texel) for the gutter texels that repeat the place.
   template <class Visit>
   void forMirrors(std::uint32_t place, Visit visit) const {
@@ -66,13 +83,17 @@ class SurfaceTexels {
   }
 
  private:
-  std::uint32_t acrossBorder(const geometry::Surface& surface, const geometry::SurfaceQuery& query,
-                             std::uint32_t place, int side) const;
+  std::uint32_t acrossBorder(const geometry::Surface& surface, const geometry::SurfaceQuery& query, std::uint32_t place,
+                             int side, float aside) const;
+  void findCrossings(const geometry::Surface& surface);
 
   int size_;
+  float meanWidth_ = 0;
   std::uint32_t linked_ = 0;
+  bool crossed_ = false;
   std::vector<Place> places_;
   std::vector<Links> links_;
+  std::vector<Crossing> crossings_;  // until link() is done with two places each, which may be one
   std::vector<Block> blocks_;
   std::vector<std::uint32_t> placeOf_;  // one a texel; gutters lead to what they repeat
   std::vector<std::uint32_t> blockOf_;  // one a place

@@ -139,11 +139,11 @@ bool Water::step(const Ground& ground, WetnessMask& mask, const Climate& climate
   shake(ground, mask, climate);
   fall(ground, climate);
   const std::uint32_t turn = steps_ % kTurns;
-  for (std::uint32_t b = turn; b < flags_.size(); b += kTurns) {
-    if (!(flags_[b] & kMoving)) continue;
-    if (aimed_[b] != aim_) aim(ground, b);
-    flow(b);
-  }
+  for (std::uint32_t b = turn; b < flags_.size(); b += kTurns)
+    if (flags_[b] & kMoving && aimed_[b] != aim_) aim(ground, b);
+  crossBorders();
+  for (std::uint32_t b = turn; b < flags_.size(); b += kTurns)
+    if (flags_[b] & kMoving) flow(b);
   for (std::uint32_t b = turn; b < flags_.size(); b += kTurns)
     if (flags_[b] & (kReceived | kMoving)) receive(ground, mask, &climate, b);
   feedHanging(ground, mask, climate);

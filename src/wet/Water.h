@@ -136,6 +136,7 @@ class Water {
   void notice(const Ground& ground, WetnessMask& mask);
   void aim(const Ground& ground, std::uint32_t block);
   void flow(std::uint32_t block);
+  void crossBorders();
   void receive(const Ground& ground, WetnessMask& mask, const Climate* climate, std::uint32_t block);
   void evaporate(const Ground& ground, WetnessMask& mask, const Climate& climate, std::uint32_t block);
   void store(const Ground& ground, WetnessMask& mask, std::uint32_t place, float held, float film);
@@ -159,11 +160,14 @@ class Water {
   bool ready_ = false;
   // One a place.
   std::vector<float> held_, film_, incoming_;
-  // How water leaves by each link in a turn: the share of mobile film, and of a difference in wetness. A link that
-  // leads nowhere leads to the place itself.
+  // How water leaves a place in a turn: the share of what runs by the two links that its way lies between, and of a difference
+  // in wetness to the four along u and v. A link that leads nowhere leads to the place itself.
   struct Ways {
-    SurfaceTexels::Links to{};
-    std::array<float, 4> runs{}, wicks{};
+    std::array<std::uint32_t, 2> down{};
+    std::array<float, 2> runs{};
+    std::array<std::uint32_t, 4> beside{};
+    std::array<float, 4> wicks{};
+    std::array<std::uint8_t, 2> sides{};  // that `down` is by
   };
   std::vector<Ways> ways_;
   std::vector<float> areas_;

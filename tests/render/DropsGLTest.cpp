@@ -28,7 +28,7 @@ struct Scene {
     renderer.emplace(std::move(Renderer::create().value()));
     renderer->setSurface(geometry::buildSurface(geometry::makeSphere()).value());
     const wet::WetnessMask dry(16);
-    renderer->updateMask(dry, {0, 0, 16, 16}, std::vector<std::uint16_t>(16 * 16, 0));
+    renderer->updateMask(dry, {0, 0, 16, 16}, std::vector<std::uint16_t>(16 * 16, 0), std::vector<std::uint32_t>(16 * 16, 0));
     frame.camera = {Vec3(0, 0.6f, 6), Vec3(0), 0.6f};
     frame.width = frame.height = kSide;
     frame.settings.backgroundTop = 0x2040a0;
