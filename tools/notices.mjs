@@ -55,7 +55,7 @@ export function notices() {
   const system = join(emscripten, 'system/lib');
   const parts = [
     ['OpenGL Mathematics (GLM)', firstOf(debian('libglm-dev'), headerComment('glm/glm.hpp'), headerComment('glm/detail/setup.hpp'))],
-    ['stb (stb_rect_pack.h)', firstOf(debian('libstb-dev'), headerComment('stb/stb_rect_pack.h'))],
+    ['stb (stb_rect_pack.h, stb_image_write.h)', firstOf(debian('libstb-dev'), headerComment('stb/stb_rect_pack.h'))],
     ['Dear ImGui (the editor only), with stb_rect_pack, stb_textedit and stb_truetype (public domain)', firstOf(file(join(imguiFolder, 'LICENSE.txt')))],
     ['Emscripten, its JavaScript and system libraries', firstOf(file(join(emscripten, 'LICENSE')), debian('emscripten'))],
     ['musl (C library)', firstOf(file(join(system, 'libc/musl/COPYRIGHT')), debian('emscripten', 'system/lib/libc/musl/*'))],

@@ -5,6 +5,7 @@
 
 #include "app/AppState.h"
 #include "core/PortableMath.h"
+#include "geometry/CoatThickness.h"
 #include "geometry/Primitives.h"
 #include "scene/StateJson.h"
 
@@ -122,6 +123,7 @@ void App::State::takeSurface(geometry::Surface built) {
   groomStale = true;
   vertexWetness.assign(surface.vertices.size(), 0.0f);
   vertexWetnessStale = true;
+  slabsFor = -1;
   if (renderer) uploadScene();
   settleBends();
   pictureChanged = true;
@@ -447,6 +449,14 @@ void App::setReducedMotion(bool reduced) {
 
 void App::invalidate() { state_->pictureChanged = true; }
 
+// Slabs cost 0.4 of a frame each; by pictures a coat shows holes without them from kCrowded on.
+void App::State::chooseSlabs() {
+  constexpr float kCrowded = 0.024f;
+  constexpr int kCrowdedSlabs = 3;
+  if (std::exchange(slabsFor, settings.furLength) == settings.furLength) return;
+  coatSlabs = settings.furLength * geometry::grazingShare(surface, query, settings.furLength) > kCrowded ? kCrowdedSlabs : 1;
+}
+
 render::Frame App::State::frame(int level) const {
   const QualityLevel& quality = qualityLevels()[static_cast<std::size_t>(level)];
   render::Frame f;
@@ -455,7 +465,7 @@ render::Frame App::State::frame(int level) const {
   f.settings.shadows = std::min(f.settings.shadows, quality.shadows);
   f.pixelScale = quality.pixelScale;
   f.stepLength = quality.stepLength;
-  f.slabs = quality.slabs;
+  f.slabs = coatSlabs;
   f.worldFromModel = motion.worldFromModel();
   f.camera = camera.pose(static_cast<float>(width) / static_cast<float>(height));
   f.width = width;
@@ -488,6 +498,7 @@ Status App::State::drawBand(int level, int band, int bands) {
   FUR_ASSERT(renderer.has_value(), "App::draw()", "an attached context", "none");
   refreshGroom();
   if (!coatUploaded) finishCoat();
+  chooseSlabs();
   for (const wet::TexelRect& part : mask.takeChangedParts()) renderer->updateMask(mask, part, wetting->chartOfTexel(), wetting->atlas().triangleOf());
   readPuddles();
   render::Frame f = frame(level);

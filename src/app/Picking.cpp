@@ -4,6 +4,7 @@
 
 #include "app/AppState.h"
 #include "core/PortableMath.h"
+#include "geometry/CoatThickness.h"
 #include "wet/Clump.h"
 
 namespace fur::app {
@@ -30,10 +31,7 @@ struct App::State::CoatShell final : geometry::SurfaceQuery::Lifted {
     const Vec3 root = s.pose ? s.skin.positions[v] : vertex.position, normal = s.pose ? s.skin.normals[v] : vertex.normal;
     const Vec4 bent = s.bends.bends()[v];
     const Vec3 bend(bent);
-    // In a crease the coat is thinner.
-    const Vec3& S = vertex.curvature;
-    const float apart = 0.5f * (S.x - S.z), hollow = std::sqrt(apart * apart + S.y * S.y) - 0.5f * (S.x + S.z);
-    const float length = std::min(s.settings.furLength * bent.w, 0.65f / std::max(hollow, 1e-6f));
+    const float length = geometry::coatThickness(vertex, s.settings.furLength * bent.w);
     const auto curve = static_cast<dynamics::BendCurve>(s.settings.bendCurve);
     // Wet strands stand lower.
     const float stands = wet ? wet::upright(s.mask.at(vertex.atlas.x, vertex.atlas.y).w) : 1;

@@ -52,18 +52,17 @@ const QualityLevel& at(int level) { return qualityLevels()[static_cast<std::size
 
 std::span<const QualityLevel, kQualityLevels> qualityLevels() {
   // Costs: the bunny on a software rasteriser, between 1280 x 960 without and 800 x 600 with multisampling (where
-  // vertices and the resolve weigh more). A second slab, for creases behind creases, is at no level: it costs 0.4
-  // of a frame and changed 0.02 % of the bunny's pixels.
+  // vertices and the resolve weigh more).
   static constexpr QualityLevel kLevels[kQualityLevels] = {
-      // scale step slabs fins shadows cost
-      {1.00f, 1.00f, 1, true, 2, 1.00f},
-      {1.00f, 1.25f, 1, true, 2, 0.92f},
-      {0.85f, 1.25f, 1, true, 2, 0.67f},
-      {0.75f, 1.25f, 1, true, 1, 0.53f},
-      {0.65f, 1.50f, 1, true, 1, 0.41f},
-      {0.55f, 1.50f, 1, true, 1, 0.31f},
-      {0.50f, 1.75f, 1, false, 1, 0.24f},
-      {0.40f, 2.00f, 1, false, 0, 0.16f},
+      // scale step fins shadows cost
+      {1.00f, 1.00f, true, 2, 1.00f},
+      {1.00f, 1.25f, true, 2, 0.92f},
+      {0.85f, 1.25f, true, 2, 0.67f},
+      {0.75f, 1.25f, true, 1, 0.53f},
+      {0.65f, 1.50f, true, 1, 0.41f},
+      {0.55f, 1.50f, true, 1, 0.31f},
+      {0.50f, 1.75f, false, 1, 0.24f},
+      {0.40f, 2.00f, false, 0, 0.16f},
   };
   return kLevels;
 }

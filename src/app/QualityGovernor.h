@@ -18,7 +18,6 @@ namespace fur::app {
 // the most of the settings' choice (0 none, 1 by depth, 2 by layers).
 struct QualityLevel {
   float pixelScale, stepLength;
-  int slabs;
   bool fins;
   int shadows;
   float cost;  // of a frame, as a share of the first level's: a first guess (measured, see the table)

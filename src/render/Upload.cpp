@@ -222,8 +222,8 @@ namespace {
 
 // How many texels about a texel say how wet it is shown, at most.
 constexpr int kMostSoftened = 12;
-// So far round a texel water evens out.
-constexpr int kEvened = 4;
+// So far round a texel water evens out, and what stands above the fur: between the locks it is uneven.
+constexpr int kEvened = 4, kEvenedAbove = 2;
 // So far from the charts texels still know of their water, for what is looked up between texels.
 constexpr int kBesideCharts = 3;
 
@@ -238,27 +238,38 @@ class WaterSums {
       for (int x = rect.x0; x < rect.x1; ++x) {
         const auto i = static_cast<std::size_t>(y * mask.size() + x);
         if (triangles[i] != geometry::kNoTriangle) {
+          const float all = mask.texels()[i].w + mask.filmAt(i);
           ++row.texels;
-          row.water += static_cast<std::uint32_t>(255 * std::min(mask.texels()[i].w + mask.filmAt(i), 1.0f));
+          row.held += static_cast<std::uint32_t>(255 * std::min(all, 1.0f));
+          row.above += static_cast<std::uint32_t>(255 * glm::clamp(all - 1, 0.0f, kMostAbove));
         }
         const Sum& above = at(x + 1, y);
-        at(x + 1, y + 1) = {above.texels + row.texels, above.water + row.water};
+        at(x + 1, y + 1) = {above.texels + row.texels, above.held + row.held, above.above + row.above};
       }
     }
   }
   // 0..1 of the square that reaches so far round the texel, as far as it lies in the rectangle; `none` where no triangle does.
-  float mean(int x, int y, int reach, float none) {
-    const int x0 = std::max(x - reach, rect_.x0), x1 = std::min(x + reach + 1, rect_.x1);
-    const int y0 = std::max(y - reach, rect_.y0), y1 = std::min(y + reach + 1, rect_.y1);
-    const Sum &a = at(x0, y0), &b = at(x1, y0), &c = at(x0, y1), &d = at(x1, y1);
-    const std::uint32_t texels = d.texels - b.texels - c.texels + a.texels;
-    return texels ? static_cast<float>(d.water - b.water - c.water + a.water) / (255.0f * static_cast<float>(texels)) : none;
+  float held(int x, int y, int reach, float none) {
+    const Sum sum = around(x, y, reach);
+    return sum.texels ? static_cast<float>(sum.held) / (255.0f * static_cast<float>(sum.texels)) : none;
+  }
+  // Likewise what there is of it above 1.
+  float above(int x, int y, int reach) {
+    const Sum sum = around(x, y, reach);
+    return static_cast<float>(sum.above) / (255.0f * static_cast<float>(std::max(sum.texels, 1u)));
   }
 
  private:
+  static constexpr float kMostAbove = 1.0f;
   struct Sum {
-    std::uint32_t texels = 0, water = 0;
+    std::uint32_t texels = 0, held = 0, above = 0;
   };
+  Sum around(int x, int y, int reach) {
+    const int x0 = std::max(x - reach, rect_.x0), x1 = std::min(x + reach + 1, rect_.x1);
+    const int y0 = std::max(y - reach, rect_.y0), y1 = std::min(y + reach + 1, rect_.y1);
+    const Sum &a = at(x0, y0), &b = at(x1, y0), &c = at(x0, y1), &d = at(x1, y1);
+    return {d.texels - b.texels - c.texels + a.texels, d.held - b.held - c.held + a.held, d.above - b.above - c.above + a.above};
+  }
   Sum& at(int x, int y) { return sums_[static_cast<std::size_t>((y - rect_.y0) * width_ + x - rect_.x0)]; }
 
   wet::TexelRect rect_;
@@ -289,7 +300,7 @@ void Renderer::updateMask(const wet::WetnessMask& mask, const wet::TexelRect& ch
   for (int y = rect.y0; y < rect.y1; ++y)
     for (int x = rect.x0; x < rect.x1; ++x) {
       const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(size) + static_cast<std::size_t>(x);
-      Vec4& texel = texels.emplace_back(0, 0, 0, -1 - water.mean(x, y, kBesideCharts, 0));
+      Vec4& texel = texels.emplace_back(0, 0, 0, -1 - water.held(x, y, kBesideCharts, 0));
       if (charts[i] == wet::SurfaceWetting::kNoChart) continue;
       texel = mask.texels()[i];
       texel.x += static_cast<float>(FUR_CHART_STEP) * (static_cast<float>(charts[i] % FUR_CHART_NUMBERS) + 0.5f);
@@ -297,13 +308,13 @@ void Renderer::updateMask(const wet::WetnessMask& mask, const wet::TexelRect& ch
       // What stands on wet fur adds to what the fur holds. Rows of texels that the flow has missed are as wet as those round
       // them: a step from texel to texel would be a crack in the sheet. Towards dry fur water runs out over most of a lock, as strands of
       // both sides touch; and over many more a sheet parts into locks again, the water above it first. A streak is no sheet.
-      const float all = std::max(texel.w + mask.filmAt(i), water.mean(x, y, kEvened, 0)), held = std::min(all, 1.0f);
+      const float all = std::max(texel.w + mask.filmAt(i), water.held(x, y, kEvened, 0)), held = std::min(all, 1.0f);
       const int reach = static_cast<int>(std::clamp(0.6f * texel.z * static_cast<float>(size), 1.0f, float{kMostSoftened}));
-      const float inside = std::clamp(2.4f * water.mean(x, y, reach, held) / held - 1.1f, 0.05f, 1.0f);
+      const float inside = std::clamp(2.4f * water.held(x, y, reach, held) / held - 1.1f, 0.05f, 1.0f);
       texel.w = inside * (2 - inside) * held;
       if (texel.w <= FUR_SHEET_FROM) continue;
-      const float wide = saturate(2.2f * water.mean(x, y, kMostSoftened, held) / held - 1.1f);
-      texel.w = glm::mix(static_cast<float>(FUR_SHEET_FROM), texel.w, wide) + wide * wide * (all - held);
+      const float wide = saturate(2.2f * water.held(x, y, kMostSoftened, held) / held - 1.1f);
+      texel.w = glm::mix(static_cast<float>(FUR_SHEET_FROM), texel.w, wide) + wide * wide * water.above(x, y, kEvenedAbove);
     }
   mask_.update(rect.x0, rect.y0, width, height, gl::bytesOf(texels), 0);
   uploadedBytes_ += texels.size() * sizeof(Vec4);

@@ -258,6 +258,34 @@ TEST(App, ShowsTheBestPictureBitByBitWhereItWouldTakeLong) {
   EXPECT_EQ(desk.stage.read().differingShare(best, 0), 0);
 }
 
+// Long fur fills the hollow of a ring, and rays that come out of its near side are in the coat of the far one at once.
+TEST(App, LongFurOnARingHasNoHoles) {
+  test::Stage stage(280, 210);
+  App app;
+  stage.attach(app);
+  ASSERT_TRUE(app.loadPrimitive("torus"));
+  for (const auto& [field, value] : {std::pair("backgroundTop", "#ff00ff"), std::pair("backgroundBottom", "#ff00ff"), std::pair("ground", "false")})
+    ASSERT_TRUE(app.setField(field, value)) << field;
+  ASSERT_TRUE(app.applyPreset("shag"));
+  app.settle();
+  app.tick(0);
+  const test::Picture picture = stage.draw(app);
+  int inside = 0, holes = 0;
+  for (int y = 0; y < 210; ++y) {
+    const auto isSky = [&](int x) { const std::uint8_t* rgba = picture.at(x, y); return rgba[0] > 200 && rgba[1] < 60 && rgba[2] > 200; };
+    // Its outline is round: between the first and the last of a row there is fur, but for the tips at its sides.
+    constexpr int kTips = 6;
+    int first = 0, last = 279;
+    while (first < 280 && isSky(first)) ++first;
+    while (last > first && isSky(last)) --last;
+    if (last - first < 100) continue;
+    for (int x = first + kTips; x <= last - kTips; ++x, ++inside) holes += isSky(x);
+  }
+  EXPECT_GT(inside, 10'000);
+  EXPECT_LT(holes, 10);
+  app.detach(false);
+}
+
 TEST(App, AnotherModelSizeOrCoatIsMeasuredAnew) {
   Desk desk;
   desk.app.setQuality(0, true);

@@ -22,7 +22,7 @@ struct Machine {
 
   float drawing(const QualityLevel& level, Random& random) const {
     const float steps = 0.35f + 0.65f / level.stepLength;
-    const float vertices = 0.1f * static_cast<float>(level.slabs) + (level.fins ? 0.05f : 0.0f);
+    const float vertices = 0.1f + (level.fins ? 0.05f : 0.0f);
     const float share = level.pixelScale * level.pixelScale * steps * 0.75f + vertices;
     return other + work * share * (1 + noise * (2 * random.uniform() - 1));
   }
@@ -278,7 +278,6 @@ TEST(QualityGovernor, EveryLevelTakesWorkAway) {
   for (std::size_t i = 1; i < levels.size(); ++i) {
     EXPECT_LE(levels[i].pixelScale, levels[i - 1].pixelScale);
     EXPECT_GE(levels[i].stepLength, levels[i - 1].stepLength);
-    EXPECT_LE(levels[i].slabs, levels[i - 1].slabs);
     EXPECT_LE(levels[i].fins, levels[i - 1].fins);
     EXPECT_LE(levels[i].shadows, levels[i - 1].shadows);
     EXPECT_LT(levels[i].cost, levels[i - 1].cost);
