@@ -19,6 +19,7 @@ export async function fetchOrThrow(url, code, signal) {
     if (signal?.aborted) throw error;
     throw new FurError(code, `${fileNameOf(url)}: could not be fetched (${error.message})`);
   }
+  if (response.status === 404) throw new FurError(code, `${fileNameOf(url)}: the server has no such file (404)`);
   if (!response.ok) throw new FurError(code, `${fileNameOf(url)}: the server answered ${response.status}`);
   return response;
 }

@@ -66,14 +66,25 @@ function unescaped(uri) {
 /** Whether it is a .gltf: of all formats only that begins with a brace. */
 const isJson = (bytes) => /^\s*\{/.test(new TextDecoder().decode(bytes.subarray(0, 64)));
 
+/** Says more where it would seem to name a model, or is needed by one. */
+async function fetchNamed(url, what, onBytes, signal) {
+  try {
+    return await fetchBytes(url, onBytes, signal);
+  } catch (error) {
+    if (error instanceof FurError) error.message += what;
+    throw error;
+  }
+}
+
 /** The bytes behind `src`: a name of modelNames, or the address of a file that is read. @returns {Promise<ModelSource>} */
 export async function fetchModel(src, onBytes, signal) {
   if (primitives.includes(src)) return { name: src, primitive: src, files: new Map() };
   const url = shippedModels.includes(src) ? new URL(`${src}.glb`, modelsUrl) : new URL(src, document.baseURI);
-  const bytes = await fetchBytes(url, onBytes, signal);
+  const isAddress = /[./]/.test(src), names = isAddress ? '' : `; models that go by a name are ${modelNames.join(', ')}`;
+  const bytes = await fetchNamed(url, names, onBytes, signal);
   const files = new Map();
   for (const uri of isJson(bytes) ? externalUris(bytes) : [])
-    files.set(unescaped(uri), await fetchBytes(new URL(uri, url), undefined, signal));
+    files.set(unescaped(uri), await fetchNamed(new URL(uri, url), `; ${fileNameOf(url)} needs it`, undefined, signal));
   return { name: shippedModels.includes(src) ? src : fileNameOf(url), bytes, files };
 }
 

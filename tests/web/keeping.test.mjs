@@ -298,7 +298,7 @@ test('strokes in a link that are none are told, and the rest of it is shown', as
 });
 
 test('where a link leads to no model the page says so and is all there with another', async () => {
-  for (const [src, why] of [['models/away.glb', 'away.glb: the server answered 404'], ['page.js', 'page.js']]) {
+  for (const [src, why] of [['models/away.glb', 'away.glb: the server has no such file (404)'], ['page.js', 'page.js']]) {
     const page = await site.open(`${simple}&src=${src}`);
     await page.waitForFunction(() => !document.getElementById('bar').inert);
     await message(page, why).waitFor();

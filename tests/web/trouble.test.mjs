@@ -57,14 +57,22 @@ for (const [what, pattern, code] of [['the program', '**/wet-fur.wasm', 'wasm-lo
   });
 }
 
-test('a src that is not there is a network error and leaves the old scene', async () => {
-  const page = await site.open(`?${light}&src=torus`);
-  const error = await withFur(page, (fur) => new Promise((resolve) => {
-    fur.addEventListener('error', (event) => resolve(event.detail));
-    fur.src = 'models/away.glb';
-  }));
-  assert.equal(error.code, 'network');
-  assert.match(error.message, /away\.glb.*404/);
+test('a src that is not there is a network error that says what would be, and leaves the old scene', async () => {
+  const page = await site.open(`?${light}&src=torus`, {
+    prepare: (tab) => tab.route('**/away/needs.gltf', (route) => route.fulfill({ body: '{"asset":{"version":"2.0"},"buffers":[{"uri":"gone.bin","byteLength":4}]}' })),
+  });
+  for (const [src, message] of [
+    ['models/away.glb', /^away\.glb: the server has no such file \(404\)$/],
+    ['nosuchscene', /^nosuchscene: .*\(404\); models that go by a name are bunny, .*five-coats/],
+    ['away/needs.gltf', /^gone\.bin: .*\(404\); needs\.gltf needs it$/],
+  ]) {
+    const error = await withFur(page, (fur, wanted) => new Promise((resolve) => {
+      fur.addEventListener('error', (event) => resolve(event.detail), { once: true });
+      fur.src = wanted;
+    }), src);
+    assert.equal(error.code, 'network');
+    assert.match(error.message, message);
+  }
   assert.equal(await withFur(page, (fur) => fur.modelName), 'torus');
   assert.equal(await withFur(page, (fur) => fur.state), 'ready');
 });

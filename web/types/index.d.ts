@@ -246,7 +246,10 @@ export interface Preset {
 export interface WetFurOptions extends Partial<FurSettings> {
   /** "bunny", "sphere", "torus", "plane", a scene as "five-coats", or the address of a .glb, .gltf, .obj or .fo. */
   src?: string;
-  /** Chooses a coat, and settings that are given beside it stay over it. Read: '' when the coat is no preset's. */
+  /**
+   * Chooses a coat, and settings that are given beside it stay over it. Read: '' when the coat is no preset's. The coat grows
+   * beside the page's other work, for a second or more; the old one is shown until then.
+   */
   preset?: PresetName | '';
   tool?: Tool;
   cameraControls?: boolean;
@@ -396,7 +399,11 @@ export interface WetFurApi {
   loadTypeMap(image: ModelBytes): Promise<void>;
   play(): void;
   pause(): void;
-  /** n steps of dt seconds and one frame, at once, whatever the page's own clock does and whether anybody sees it. */
+  /**
+   * n steps of dt seconds and one frame, at once, whatever the page's own clock does and whether anybody sees it. A coat that
+   * still grows is grown first, while the page waits: after settings of a coat await a `progress` event of its last stage
+   * (`coat`, fraction 1) to avoid that.
+   */
   step(dt: number, n?: number): void;
   /** Leads back to the models that were shown before, too, each with all that was done on it, as far as they are kept. */
   undo(): boolean;

@@ -84,6 +84,7 @@ GltfFile::GltfFile(Bytes bytes, const std::string& name, const FileSet& others) 
 
 // Leaves the binary chunk in binary_ and returns the JSON.
 Bytes GltfFile::splitContainer(Bytes bytes) {
+  if (bytes.empty()) bad("the file is empty");
   std::size_t start = 0;
   if (bytes.size() >= 3 && bytes[0] == 0xef && bytes[1] == 0xbb && bytes[2] == 0xbf) start = 3;  // byte order mark
   while (start < bytes.size() && std::isspace(bytes[start])) ++start;
