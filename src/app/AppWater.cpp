@@ -12,7 +12,7 @@ namespace fur::app {
 namespace {
 
 // Places that find their neighbours between two looks at the clock.
-constexpr std::uint32_t kPlacesAtOnce = 4000;
+constexpr std::uint32_t kPlacesAtOnce = 1000;
 // Model radii a second in the strongest wind, and of what a hair dryer blows.
 constexpr float kWindSpeed = 1.5f;
 // Wetness a second under the middle of a dryer, and how hard it blows the fur about.

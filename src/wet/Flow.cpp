@@ -101,11 +101,11 @@ void Water::aim(const Ground& ground, std::uint32_t index) {
 }
 
 void Water::crossBorders() {
-  const std::size_t turn = steps_ / kTurns;
+  const std::size_t turn = steps_ / kTurns % 2;
   for (const SurfaceTexels::Crossing& crossing : texels_->crossings()) {
     Ways& ways = ways_[crossing.from];
     for (std::size_t k = 0; k < 2; ++k)
-      if (ways.sides[k] == crossing.side) ways.down[k] = crossing.to[turn % crossing.to.size()];
+      if (ways.sides[k] == crossing.side) ways.down[k] = crossing.to[turn];
   }
 }
 

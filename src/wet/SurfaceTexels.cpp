@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include "geometry/Adjacency.h"
@@ -128,48 +127,10 @@ bool SurfaceTexels::link(const Surface& surface, const geometry::SurfaceQuery& q
       link = acrossBorder(surface, query, linked_, side, kAside);
       const std::uint32_t other = acrossBorder(surface, query, linked_, side, -kAside);
       if (link == kNone) link = other;
-      if (link != kNone) crossings_.push_back({linked_, side, {link, other == kNone ? link : other}});
+      if (other != kNone && other != link) crossings_.push_back({linked_, side, {link, other}});
     }
   }
-  if (linked_ < places_.size()) return false;
-  if (!crossed_) findCrossings(surface);
-  return crossed_ = true;
-}
-
-// Of the links across borders those that lead to several places. Some places, such as the tips of charts, are led to by none
-// from where they lead to themselves: that one leads there, too.
-void SurfaceTexels::findCrossings(const Surface& surface) {
-  constexpr float kOpposite = 0.7f;  // cosine
-  std::map<std::pair<std::uint32_t, int>, std::vector<std::uint32_t>> all;
-  std::vector<std::vector<std::uint32_t>> from(places_.size());
-  for (const Crossing& crossing : crossings_) {
-    auto& to = all[{crossing.from, crossing.side}] = crossing.to;
-    if (to[0] == to[1]) to.pop_back();
-    for (const std::uint32_t there : to) from[there].push_back(crossing.from);
-  }
-  for (const Crossing& crossing : crossings_) {
-    const std::uint32_t place = crossing.from, back = crossing.to[0];
-    const auto wayTo = [&](std::uint32_t other) { return normalizeOr(places_[other].position - places_[place].position, Vec3(0)); };
-    const Vec3 way = wayTo(back);
-    if (std::any_of(from[place].begin(), from[place].end(), [&](std::uint32_t other) { return glm::dot(wayTo(other), way) > kOpposite; })) continue;
-    const Vec2 parts = partsOf(surface, back, -way);
-    const auto along = [&](int side) {
-      const Vec2 step(kSteps[side][0], kSteps[side][1]);
-      return glm::dot(parts, step) / glm::length(step);
-    };
-    int side = 0;
-    for (int other = 1; other < kSides; ++other)
-      if (along(other) > along(side)) side = other;
-    auto& to = all[{back, side}];
-    if (to.empty() && links_[back][static_cast<std::size_t>(side)] != kNone) to.push_back(links_[back][static_cast<std::size_t>(side)]);
-    if (std::find(to.begin(), to.end(), place) == to.end()) to.push_back(place);
-    from[place].push_back(back);
-  }
-  crossings_.clear();
-  for (auto& [link, to] : all) {
-    links_[link.first][static_cast<std::size_t>(link.second)] = to.front();
-    if (to.size() > 1) crossings_.push_back({link.first, link.second, std::move(to)});
-  }
+  return linked_ == places_.size();
 }
 
 // The place a step away, and so much of a step to the left of it.

@@ -29,12 +29,12 @@ class SurfaceTexels {
   // Steps in the map to the places that links lead to, in order round it: sides of even numbers lead along u or v.
   static constexpr int kSteps[kSides][2] = {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
   using Links = std::array<std::uint32_t, kSides>;  // kNone: a rim of the surface
-  // A link that leads to several places by turns, first to that of links(): the texels of two charts do not face each other,
-  // and all that lie along a border are to be led to.
+  // A link across a border that leads to two places by turns, first to that of links(): the texels of two charts do not face each
+  // other, and all that lie along a border are to be led to.
   struct Crossing {
     std::uint32_t from;
     int side;
-    std::vector<std::uint32_t> to;
+    std::array<std::uint32_t, 2> to;
   };
   struct Block {
     std::uint32_t first, end;  // its places
@@ -85,15 +85,13 @@ class SurfaceTexels {
  private:
   std::uint32_t acrossBorder(const geometry::Surface& surface, const geometry::SurfaceQuery& query, std::uint32_t place,
                              int side, float aside) const;
-  void findCrossings(const geometry::Surface& surface);
 
   int size_;
   float meanWidth_ = 0;
   std::uint32_t linked_ = 0;
-  bool crossed_ = false;
   std::vector<Place> places_;
   std::vector<Links> links_;
-  std::vector<Crossing> crossings_;  // until link() is done with two places each, which may be one
+  std::vector<Crossing> crossings_;
   std::vector<Block> blocks_;
   std::vector<std::uint32_t> placeOf_;  // one a texel; gutters lead to what they repeat
   std::vector<std::uint32_t> blockOf_;  // one a place
