@@ -340,6 +340,7 @@ void main() {
   vec2 tilt = met.xy * 2.0 - 1.0;
 #ifdef WET
   tilt = furFromTile * tilt / furLengths;
+  tilt /= max(length(tilt), 1.0);
 #endif
   vec3 tangent = vec3(tilt + vLean.xy * h, sqrt(max(0.05, 1.0 - dot(tilt, tilt))));
 #ifdef WET
@@ -347,7 +348,8 @@ void main() {
   float metAlong = metHeight / coatTop, drawn = drawnBy(lock.clump.a, lock.clump.z * atlasLength * furLengths);
   float rises = clumpPull(metAlong - 1.0 / shape.z, drawn, sheet) - clumpPull(metAlong, drawn, sheet);
   tangent.xy += furFromTile * lock.from * (rises * shape.z * (1.0 - joined)) + laid / coatTop;
-  vec2 outward = (1.0 - joined) * lock.from / max(lock.clump.z * atlasLength, 1e-6);
+  vec2 outward = lock.from / max(lock.clump.z * atlasLength, 1e-6);
+  outward *= (1.0 - joined) / max(length(outward), 1.0);
   float held = mix(lock.clump.a, entryHeld, joined), rho = min(held, 1.0), skinWetness = rho;
   float strandShade = 0.65 * (1.0 - joined);
 #else

@@ -64,7 +64,8 @@ float wetLevel(float lod, float pull) { return lod + step(0.3, pull) + step(0.63
 // the type that was met.
 vec4 strandsInLine(float enters, float stored) {
   float top = min(vTop, coatTop), turn = floor(atan(lie.y, lie.x + 1e-9) * (FUR_STREAK_TURNS / 3.14159265) + 0.5);
-  vec3 place = vec3(2.0 * (tileAt(enters, top) - lie * (top / coatTop)), mod(turn, FUR_STREAK_TURNS));
+  // Where they are seen, not where they root: over the length of a strand stretched charts would turn the lines aside.
+  vec3 place = vec3(2.0 * tileAt(enters, top), mod(turn, FUR_STREAK_TURNS));
 #ifdef TYPES
   place.z += floor(stored / volume.y) * FUR_STREAK_TURNS;
 #endif
