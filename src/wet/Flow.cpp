@@ -31,6 +31,8 @@ constexpr float kWick = 1.5e-4f, kWickRest = 0.02f, kDamp = 0.3f, kMostWicks = 0
 // How far combed fur turns what runs, and how much better water creeps along it than across.
 constexpr float kTurn = 0.7f, kAlong = 3.0f;
 
+// No steeper is no way up: over the edge of a level face fur hangs, and takes water along.
+constexpr float kLevel = 1e-4f;
 // Less than this, squared, leads nowhere.
 constexpr float kNoWay = 1e-12f;
 
@@ -91,7 +93,8 @@ void Water::aim(const Ground& ground, std::uint32_t index) {
       if (there == SurfaceTexels::kNone) continue;
       ways.sides[k] = static_cast<std::uint8_t>(side);
       ways.down[k] = there;
-      if (glm::dot(down_, places[there].position - place.position) > 0.0f)
+      const Vec3 way = places[there].position - place.position;
+      if (glm::dot(down_, way) > -kLevel * glm::length(way))
         ways.runs[k] = shares[k] * (0.5f + chanceOf(place.texel, static_cast<std::uint32_t>(side)));
       sum += ways.runs[k];
     }

@@ -143,8 +143,10 @@ std::uint32_t SurfaceTexels::acrossBorder(const Surface& surface, const geometry
   // A triangle that is squeezed in the atlas must not send its water far away.
   const float length = glm::length(step), most = 2.0f * std::sqrt(place.area);
   if (length > most) step *= most / length;
+  // From a little below the skin, as it may turn down over an edge.
+  const float wide = glm::length(step);
   const auto placeAfter = [&](float reach) {
-    const auto hit = nearestPoint(surface, query, place.position + reach * step, 0.8f * glm::length(step), place.normal);
+    const auto hit = nearestPoint(surface, query, place.position + reach * (step - 0.4f * wide * place.normal), 0.8f * wide, place.normal);
     const std::uint32_t there = hit ? placeAt(atlasAt(surface, *hit)) : kNone;
     return there == index ? kNone : there;
   };
