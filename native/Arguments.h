@@ -1,9 +1,32 @@
-// The command line of the programs without a window: a model, and options with a value each.
+// The command line of the native programs: a model, and options with a value each; what they say of it, and their exit status.
 #pragma once
 
+#include <cstdio>
 #include <string>
+#include <string_view>
+
+#include "core/Result.h"
 
 namespace fur::native {
+
+inline bool asksForHelp(int count, char** values) {
+  for (int i = 1; i < count; ++i)
+    if (const std::string_view word = values[i]; word == "--help" || word == "-h") return true;
+  return false;
+}
+inline int showHelp(const char* usage) {
+  std::fputs(usage, stdout);
+  return 0;
+}
+// Of arguments that cannot be read.
+inline int refuse(const std::string& wrong) {
+  std::fprintf(stderr, "%s\n--help lists the options\n", wrong.c_str());
+  return 2;
+}
+inline int fail(const Error& error) {
+  std::fprintf(stderr, "%s\n", error.message.c_str());
+  return 1;
+}
 
 // Reads `values` into `options`, whose `model` is the last word that is no option; `readOption(name, value, options)`
 // takes the rest and says what is wrong with it. "" when nothing is.

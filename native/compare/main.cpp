@@ -289,14 +289,13 @@ Status compare(const Options& o, const char* program) {
 }  // namespace
 
 int main(int count, char** values) {
+  if (native::asksForHelp(count, values)) return native::showHelp(kUsage);
   Options options;
   if (const std::string wrong = native::readArguments(count, values, options, readOption); !wrong.empty()) {
-    std::fprintf(stderr, "%s\n%s", wrong.c_str(), kUsage);
-    return 2;
+    return native::refuse(wrong);
   }
   if (const Status status = compare(options, values[0]); !status) {
-    std::fprintf(stderr, "%s: %s\n", errorCode(status.error().id), status.error().message.c_str());
-    return 1;
+    return native::fail(status.error());
   }
   return 0;
 }

@@ -274,20 +274,19 @@ Status drawPicture(const Options& o, const char* program) {
 }  // namespace
 
 int main(int count, char** values) {
+  if (native::asksForHelp(count, values)) return native::showHelp(kUsage);
   if (count == 2 && values[1] == std::string("--list-presets")) {
     std::printf("%s\n", settings::presetTableJson().c_str());
     return 0;
   }
   Options options;
   if (const std::string wrong = readOptions(count, values, options); !wrong.empty()) {
-    std::fprintf(stderr, "%s\n%s", wrong.c_str(), kUsage);
-    return 2;
+    return native::refuse(wrong);
   }
   app::App::findLossesWith(scene::lostBySaving);
   const bool picture = !options.output.empty();
   if (const Status status = picture ? drawPicture(options, values[0]) : saveOnly(options, values[0]); !status) {
-    std::fprintf(stderr, "%s: %s\n", errorCode(status.error().id), status.error().message.c_str());
-    return 1;
+    return native::fail(status.error());
   }
   if (picture) std::printf("%s (%dx%d)\n", options.output.c_str(), options.width, options.height);
   for (const std::string& saved : {options.savedTypeSet, options.savedFo, options.savedScene})

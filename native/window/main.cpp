@@ -11,6 +11,7 @@
 #include <GLFW/glfw3.h>
 
 #include "gl/Objects.h"
+#include "native/Arguments.h"
 #include "native/Files.h"
 #include "native/window/Window.h"
 
@@ -317,23 +318,18 @@ class Session {
   app::EditorHost host_{app_, editor::FileAccess::Path};
 };
 
-int fail(const Error& error) {
-  std::fprintf(stderr, "%s: %s\n", errorCode(error.id), error.message.c_str());
-  return 1;
-}
-
 }  // namespace
 
 int main(int count, char** values) {
+  if (native::asksForHelp(count, values)) return native::showHelp(kUsage);
   Options options;
   if (const std::string wrong = readOptions(count, values, options); !wrong.empty()) {
-    std::fprintf(stderr, "%s\n%s", wrong.c_str(), kUsage);
-    return 2;
+    return native::refuse(wrong);
   }
   app::App::findLossesWith(scene::lostBySaving);
   auto window = native::Window::open("wet-fur", options.width, options.height);
-  if (!window) return fail(window.error());
+  if (!window) return native::fail(window.error());
   Session session(**window, options, values[0]);
-  if (const Status status = session.run(); !status) return fail(status.error());
+  if (const Status status = session.run(); !status) return native::fail(status.error());
   return 0;
 }

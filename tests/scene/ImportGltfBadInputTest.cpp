@@ -41,7 +41,7 @@ TEST(ImportGltf, RejectsATruncatedGlbAtEveryLength) {
 }
 
 TEST(ImportGltf, RejectsAWrongMagic) {
-  expectError(textBytes("PK\x03\x04 this is a zip file, is it not?"), ErrorId::BadFile, "magic");
+  expectError(textBytes("PK\x03\x04 this is a zip file, is it not?"), ErrorId::BadFile, "neither a .glb nor");
   expectError({}, ErrorId::BadFile, "empty");
 }
 

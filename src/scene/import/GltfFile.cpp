@@ -90,7 +90,7 @@ Bytes GltfFile::splitContainer(Bytes bytes) {
   while (start < bytes.size() && std::isspace(bytes[start])) ++start;
   if (start < bytes.size() && bytes[start] == '{') return bytes.subspan(start);
 
-  if (bytes.size() < 4 || word(bytes, 0) != 0x46546c67) bad("this is neither a .glb (wrong magic) nor a .gltf");
+  if (bytes.size() < 4 || word(bytes, 0) != 0x46546c67) bad("this is neither a .glb nor a .gltf");
   if (bytes.size() < 20) bad("the .glb is truncated: its header is not whole");
   const std::uint32_t version = word(bytes, 4), length = word(bytes, 8);
   if (version != 2) fail(ErrorId::UnsupportedVersion, "the .glb has version %u; 2 is read", version);
