@@ -53,9 +53,10 @@ vec3 clumpColor(vec4 clump) {
 }
 
 // The mask's texel under the atlas point `a`: a clump's centre u (with the chart, chartOf()), v, radius, water held; that is
-// below 0 beside the charts. Unfiltered: centres do not mix.
+// below 0 beside the charts, as it is beside the map. Unfiltered: centres do not mix.
 vec4 maskAt(sampler2D mask, vec2 a) {
-  return texelFetch(mask, clamp(ivec2(a * water.w), ivec2(0), ivec2(int(water.w) - 1)), 0);
+  vec4 texel = texelFetch(mask, clamp(ivec2(a * water.w), ivec2(0), ivec2(int(water.w) - 1)), 0);
+  return a == clamp(a, 0.0, 1.0) ? texel : vec4(0.0, 0.0, 0.0, -1.0);
 }
 // What a texel's u is stored with: of each chart another, in multiples of FUR_CHART_STEP.
 float chartOf(vec4 texel) { return FUR_CHART_STEP * floor(texel.x / FUR_CHART_STEP) + 0.5 * FUR_CHART_STEP; }

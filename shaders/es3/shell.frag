@@ -291,6 +291,10 @@ void main() {
 #ifdef VIEW_CLUMPS
   reachesSkin = false;  // its own pass has the colours
 #endif
+#ifdef WET
+  // A ray that goes on so far may come to an edge first, behind which there is no such skin.
+  if (end > kFarOn && leavesChart(vAtlas + atlasFromTile * (foot - vTile.xy))) reachesSkin = false;
+#endif
   float closed = min(alpha / closes, 1.0), levels = sky.w;
   float shown = (reachesSkin ? 1.0 : closed) * share + (fract(noise * 13.0) - 0.5) / levels;
 #ifdef VIEW_EXPLODED

@@ -17,6 +17,13 @@ float entryChart;  // chartOf() where it enters
 vec2 lie;
 mat2 tileFromAtlas, furFromTile;  // fur lengths along axisS, axisT (shell.vert)
 
+const float kFarOn = 2.0;  // fur lengths
+bool leavesChart(vec2 a) {
+  vec4 texel = maskAt(mask, a);
+  texel.x -= entryChart;
+  return isBeside(texel);
+}
+
 // The strand that the ray meets at height h over the tile point `at`.
 struct WetStrand {
   vec2 root;   // tile
