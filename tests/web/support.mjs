@@ -56,7 +56,11 @@ export function startBrowser({ headers = {}, subfolder = false } = {}) {
   });
   // A page that is left open goes on drawing at the cost of the next.
   afterEach(async () => {
-    await Promise.all([...open].map((context) => context.close()));
+    await Promise.all([...open].map(async (context) => {
+      // What a test answers itself may still be asked for.
+      await Promise.all(context.pages().map((page) => page.unrouteAll({ behavior: 'ignoreErrors' })));
+      await context.close();
+    }));
     open.clear();
   });
   site.open = async (path, { wait = true, keep = false, prepare, ...options } = {}) => {
