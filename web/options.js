@@ -17,7 +17,7 @@ export const optionDefaults = Object.freeze({
 });
 
 export const choices = Object.freeze({
-  tool: ['droplet', 'dry', 'rain', 'hose', 'towel', 'dryer', 'comb', 'smooth', 'raise', 'trim', 'grow', 'type', 'whisker', 'pluck', 'paint', 'cut', 'thin', 'mask', 'pet', 'ball', 'grab', 'none'],
+  tool: ['droplet', 'dry', 'rain', 'hose', 'towel', 'dryer', 'comb', 'smooth', 'raise', 'trim', 'grow', 'type', 'whisker', 'pluck', 'paint', 'cut', 'thin', 'mask', 'curl', 'frizz', 'locks', 'pet', 'ball', 'grab', 'none'],
   wheel: ['page', 'focus', 'zoom'],
   motion: ['auto', 'full', 'reduced'],
   quality: Object.keys(qualities),

@@ -7,6 +7,9 @@
 #ifdef GROOMED
 #include "common_types.glsl"
 #endif
+#ifdef SHAPED
+#include "common_shape.glsl"
+#endif
 
 uniform sampler2DArray finCoverage, finStrand;  // one layer a fur type, as the shells' are
 uniform sampler2D baseColor;
@@ -69,6 +72,14 @@ void main() {
 #endif
   h *= vLength / max(dressed.r, 1e-3);
   if (h > 1.0 || dressed.r < kBald || rootColors[type].w <= 0.0) discard;
+#endif
+#ifdef SHAPED
+  vec3 amount = textureLod(shapeMap, vAtlas, 0.0).rgb * (1.0 - 0.8 * rho);
+  float tiles = max(shape.x * shape.y * vLength, 1e-4), rise = min(0.05, h);
+  ShapedStrand shaped = shapedStrandAt(vec2(u, 0.0), h, amount, tiles), lower = shapedStrandAt(vec2(u, 0.0), h - rise, amount, tiles);
+  clumpLean += (lower.root - shaped.root) / max(rise * tiles, 1e-4);
+  u = shaped.root.x;
+  open *= shaped.open;
 #endif
   vec3 spot = vec3(u, min(h, 0.985), float(type));
   float level = floor(max(vFin.w, 0.0) + 0.5);

@@ -18,6 +18,9 @@ uniform sampler2DArray offset;  // 0.5 + the way back to the strand's root, in t
 #ifdef GROOMED
 #include "common_types.glsl"
 #endif
+#ifdef SHAPED
+#include "common_shape.glsl"
+#endif
 
 in vec4 vTile;
 in vec4 vTurn;
@@ -84,6 +87,8 @@ int stepsTo(float end, float x, float stepSize, int most) {
 #ifdef WET
 #include "shell_wet.glsl"
 #endif
+// Drawn together, strands are that much thinner than a pixel. Not all of it: locks keep their lines.
+float gatheredLevel(float lod, float pull) { return lod + step(0.3, pull) + step(0.63, pull); }
 
 // The chart's share where charts overlap, see geometry/FurClusters.h: blended in order.
 float chartShare() {
@@ -198,6 +203,13 @@ void main() {
   float softness = kReferenceSteps * stepSize;
   vec2 foot = tileAt(end, 0.0);  // where the ray meets the skin
   float grown = 1.0;  // how much of a coat there is there
+#ifdef SHAPED
+  vec3 shapeAmount = textureLod(shapeMap, vAtlas + 0.5 * atlasFromTile * (foot - vTile.xy), 0.0).rgb;
+  float shapeLength = max(shape.x * shape.y * vLength, 1e-4);
+#ifdef WET
+  shapeAmount *= 1.0 - 0.8 * min(entryHeld, 1.0);  // water draws curls out
+#endif
+#endif
 #ifdef GROOMED
   vec4 below = textureLod(groom, vAtlas + atlasFromTile * (foot - vTile.xy), 0.0);
   grown = min(below.r / 0.15, 1.0);
@@ -228,7 +240,13 @@ void main() {
     root = wet.root;
     along = wet.along;
     open = wet.open;
-    level = wetLevel(lod, wet.pull);
+    level = gatheredLevel(lod, wet.pull);
+#endif
+#ifdef SHAPED
+    ShapedStrand shaped = shapedStrandAt(root, along, shapeAmount, shapeLength);
+    root = shaped.root;
+    open *= shaped.open;
+    level = max(level, gatheredLevel(lod, shaped.pull));
 #endif
 #ifdef GROOMED
     // Vertices know the mean length; the map knows it of every strand.
@@ -312,7 +330,7 @@ void main() {
   vec2 metTile = tileAt(metX, metHeight) - lie * (metHeight / coatTop);
   WetStrand lock = wetStrandAt(metTile, vAtlas + atlasFromTile * (metTile - vTile.xy), metHeight, inside);
 #ifndef GROOMED
-  spot = vec4(lock.root, storedLayer(lock.along, between), wetLevel(lod, lock.pull));
+  spot = vec4(lock.root, storedLayer(lock.along, between), gatheredLevel(lod, lock.pull));
 #endif
 #elif !defined(GROOMED)
   spot.xyz = vec3(tileAt(metX, heightAt(metX)), storedLayer(heightAt(metX), between));
@@ -358,6 +376,11 @@ void main() {
   float strandShade = 0.65 * (1.0 - joined);
 #else
   const float rho = 0.0, skinWetness = 0.0, strandShade = 0.65;
+#endif
+#ifdef SHAPED
+  float rise = min(0.05, h);
+  ShapedStrand above = shapedStrandAt(spot.xy, h, shapeAmount, shapeLength), lower = shapedStrandAt(spot.xy, h - rise, shapeAmount, shapeLength);
+  tangent.xy += (lower.root - above.root) / max(rise * shapeLength, 1e-4);
 #endif
   tangent = normalize(tangent);
 

@@ -64,9 +64,6 @@ WetStrand wetStrandAt(vec2 at, vec2 a, float h, inout vec2 inside) {
   strand.open = (clumped ? own : 1.0) * float(strand.along <= 1.0);
   return strand;
 }
-// Drawn together, strands are that much thinner than a pixel. Not all of it: locks keep their lines.
-float wetLevel(float lod, float pull) { return lod + step(0.3, pull) + step(0.63, pull); }
-
 // In a sheet light knows strands by those that lie in line where the ray comes to it, `enters` fur lengths on; `stored`: of
 // the type that was met.
 vec4 strandsInLine(float enters, float stored) {

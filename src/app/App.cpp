@@ -96,6 +96,7 @@ void App::State::uploadScene() {
   uploadBends();
   uploadGroom({0, 0, groom.map.size(), groom.map.size()});
   uploadPaint({0, 0, groom.map.size(), groom.map.size()});
+  uploadShape({0, 0, groom.map.size(), groom.map.size()});
   uploadWhiskers();
   uploadPose();
   uploadCoat();
@@ -475,6 +476,7 @@ render::Frame App::State::frame(int level) const {
   f.wet = !mask.isDry();
   f.groomed = groomed;
   f.painted = painted;
+  f.shaped = shaped;
   f.types = shownTypes > 1;
   if (const auto ball = touch.ball()) f.ball = Vec4(ball->centre, ball->radius);
   f.baseColorFactor = baseColorFactor;

@@ -35,15 +35,17 @@ struct Frame;
 
 namespace fur::app {
 
-// Droplet and Dry paint on the model, Towel takes water off it, and so do the tools of the groom from Comb to Mask paint;
+// Droplet and Dry paint on the model, Towel takes water off it, and so do the tools of the groom from Comb to Locks paint;
 // Rain, Hose and Dryer go on for as long as they are held on it. Grab moves the model about (it springs back), None
 // leaves every drag to the camera.
-// Paint lays a colour over the coat, Cut cuts what is longer, Thin takes strands out, Mask protects from all of them: in
+// Paint lays a colour over the coat, Cut cuts what is longer, Thin takes strands out, Mask protects from all of them; Curl,
+// Frizz and Locks curl strands, kink them and gather them: in
 // programs with an editor, see groomWith().
 // Of these Whisker plants one where it goes down and aims it while it is dragged, and Pluck pulls them out. Pet strokes
 // the fur, Ball presses a ball into it: it forgets both after a while.
 enum class Tool {
-  Droplet, Dry, Rain, Hose, Towel, Dryer, Comb, Smooth, Raise, Trim, Grow, Type, Whisker, Pluck, Paint, Cut, Thin, Mask, Pet, Ball, Grab, None
+  Droplet, Dry, Rain, Hose, Towel, Dryer, Comb, Smooth, Raise, Trim, Grow, Type, Whisker, Pluck, Paint, Cut, Thin, Mask,
+  Curl, Frizz, Locks, Pet, Ball, Grab, None
 };
 
 // What groomAll() does all over the model. `value` is 0..1 unless it says otherwise.

@@ -98,6 +98,7 @@ void App::State::refreshGroom() {
     if (renderer) uploadGroom(changed);
   }
   refreshPaint();
+  if (const geometry::TexelRect reshaped = groom.shape.takeChanged(); renderer && !reshaped.empty()) uploadShape(reshaped);
   if (renderer && shownWhiskers != groom.whiskers) uploadWhiskers();
   std::vector<Vec3> rests, lay;
   if (!upright()) rests = groom::restBends(groom, surface, ground().points);
@@ -136,6 +137,11 @@ void App::State::uploadPaint(const geometry::TexelRect& changed) {
   const bool before = std::exchange(painted, shownMask || !groom.paint.isPlain());
   // What has been painted before is taken away, too.
   if (painted || before) renderer->updatePaint(shownMask ? editorGroom->paintUnderMask(groom) : groom.paint, changed);
+}
+
+void App::State::uploadShape(const geometry::TexelRect& changed) {
+  const bool before = std::exchange(shaped, !groom.shape.isPlain());
+  if (shaped || before) renderer->updateShape(groom.shape, changed);
 }
 
 void App::State::uploadWhiskers() {
@@ -245,7 +251,7 @@ void App::State::takeFur(const scene::FurData& fur) {
   if (fur.map.empty() && fur.comb.empty() && fur.lengths.empty() && fur.types.empty() && fur.whiskers.empty())
     return;
   if (!fur.map.empty()) groom::resize(groom, fur.mapSize);
-  const std::vector<groom::GroomMap::Texel>* maps[] = {&fur.map, &fur.paint, &fur.mask};
+  const std::vector<groom::GroomMap::Texel>* maps[] = {&fur.map, &fur.paint, &fur.mask, &fur.shape};
   for (std::size_t i = 0; i < std::size(maps); ++i)
     if (!maps[i]->empty()) (groom.*groom::kMaps[i]).restore(*maps[i]);
   const groom::Ground at = ground();

@@ -115,6 +115,7 @@ std::vector<std::uint8_t> App::saveScene() const {
   fur.mapSize = s.groom.map.size();
   if (!s.groom.map.isPlain()) fur.map = s.groom.map.texels();
   if (!s.groom.paint.isPlain()) fur.paint = s.groom.paint.texels();
+  if (!s.groom.shape.isPlain()) fur.shape = s.groom.shape.texels();
   if (!s.groom.mask.isPlain()) fur.mask = s.groom.mask.texels();
   if (!s.upright()) {
     fur.comb = ofVertices(groom::restBends(s.groom, s.surface, s.ground().points), own.vertexOf);

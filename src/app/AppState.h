@@ -31,7 +31,7 @@ inline constexpr float kDryerReach = 1.5f, kHoseReach = 0.5f;
 
 // All the time that it is held.
 inline bool goesOn(Tool tool) { return tool == Tool::Rain || tool == Tool::Hose || tool == Tool::Dryer; }
-inline bool grooms(Tool tool) { return tool >= Tool::Comb && tool <= Tool::Mask; }
+inline bool grooms(Tool tool) { return tool >= Tool::Comb && tool <= Tool::Locks; }
 // A brush of dabs, of which one follows the other where it is held still: those to which that adds something.
 inline bool repeats(Tool tool) {
   return tool < Tool::Pet && !goesOn(tool) && tool != Tool::Comb && tool != Tool::Whisker && tool != Tool::Pluck;
@@ -132,6 +132,7 @@ struct App::State {
   std::uint64_t groomRevision = 1;
   bool groomStale = false;    // fur and renderer do not know the newest yet
   bool groomed = false;       // the map is not plain
+  bool shaped = false;        // nor is the map of shapes
   bool painted = false;       // the paint that is shown is not, nor is the mask over it
   std::vector<float> vertexLengths;  // what it says at the vertices; empty when it is plain
   std::optional<groom::Groom> groomBefore;  // the stroke at work
@@ -238,6 +239,7 @@ struct App::State {
   void readGroomMap();
   void uploadGroom(const geometry::TexelRect& changed);
   void uploadPaint(const geometry::TexelRect& changed);
+  void uploadShape(const geometry::TexelRect& changed);
   void beginGroomStroke();
   void endGroomStroke();
   void groomAt(const geometry::SurfacePoint& at);

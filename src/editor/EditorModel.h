@@ -19,7 +19,7 @@ namespace fur::editor {
 // In the order of app::Tool, which EditorHost checks.
 enum class Tool {
   Droplet, Dry, Rain, Hose, Towel, Dryer, Comb, Smooth, Raise, Trim, Grow, Type, Whisker, Pluck, Paint, Cut, Thin, Mask,
-  Pet, Ball, Grab, None
+  Curl, Frizz, Locks, Pet, Ball, Grab, None
 };
 
 // How a person can bring a file: through a dialog of the platform, or by typing its path.

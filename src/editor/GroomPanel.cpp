@@ -68,6 +68,12 @@ void GroomPanel::drawBrush(const EditorModel& model, settings::Settings& edited)
   if (cut >= 0) commands_.push_back(command::SetTool{kCuts[cut]});
   givesOrTakes("thins", Tool::Thin, "Thin", "Thicken", model, edited);
   hint("Takes strands out, by the fur type that is bald");
+  givesOrTakes("curls", Tool::Curl, "Curl", "Uncurl", model, edited);
+  hint("Adds curls to the coat's own; Uncurl takes away what was added");
+  givesOrTakes("frizzes", Tool::Frizz, "Frizz", "Unfrizz", model, edited);
+  hint("Kinks strands");
+  givesOrTakes("locks", Tool::Locks, "Gather locks", "Open locks", model, edited);
+  hint("Gathers strands into pointed locks");
   slider("Size", "##groomSize", edited.brushRadius, "brushRadius");
   hint("[ and ] make it smaller and larger");
   slider("Strength", "##groomStrength", edited.groomStrength, "groomStrength");

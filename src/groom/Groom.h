@@ -10,6 +10,8 @@
 // paint: a map of the same size over coat, skin and the model's own picture: r, g, b a colour (sRGB), a how much of it
 // there is; where there is none, the colour of what is next to it. mask: likewise, a: how far the place is protected from
 // brushes and edits; the rest is unused.
+// shape: likewise, what brushes add to the shape of the coat's strands: r curl, g frizz, b how tightly they gather into locks;
+// a the greatest of these.
 //
 // comb: where the fur leans at rest, as dynamics::BendField has bends: model space, radians, one a point of the
 // surface (SurfacePoints). Vertices that lie together share it, whichever charts they were split for, so that
@@ -91,13 +93,13 @@ struct Groom {
   GroomMap map;
   std::vector<Vec3> comb;  // one a point, across its normal, at most kMaxComb long
   std::vector<Whisker> whiskers{};
-  GroomMap paint{map.size(), GroomMap::kBlank}, mask{map.size(), GroomMap::kBlank};
+  GroomMap paint{map.size(), GroomMap::kBlank}, mask{map.size(), GroomMap::kBlank}, shape{map.size(), GroomMap::kBlank};
 
   bool isPlain() const;
 };
 
 // What a groom's maps have in common.
-inline constexpr GroomMap Groom::*kMaps[] = {&Groom::map, &Groom::paint, &Groom::mask};
+inline constexpr GroomMap Groom::*kMaps[] = {&Groom::map, &Groom::paint, &Groom::mask, &Groom::shape};
 // Another size for all of them: nearest texels.
 void resize(Groom& groom, int size);
 

@@ -247,6 +247,24 @@ bool unprotect(Groom& groom, const Ground& ground, const Brush& brush) {
   return dabTexels(groom, ground, brush, change, 0, &Groom::mask);
 }
 
+bool addShape(Groom& groom, const Ground& ground, const Brush& brush, ShapeChannel channel) {
+  const auto change = [](GroomMap::Texel texel, float weight, std::uint32_t k) {
+    texel[k] = towards(texel[k], 255, weight);
+    texel[3] = std::max(texel[3], texel[k]);
+    return texel;
+  };
+  return dabTexels(groom, ground, brush, change, static_cast<std::uint32_t>(channel), &Groom::shape);
+}
+
+bool takeShape(Groom& groom, const Ground& ground, const Brush& brush, ShapeChannel channel) {
+  const auto change = [](GroomMap::Texel texel, float weight, std::uint32_t k) {
+    texel[k] = towards(texel[k], 0, weight);
+    texel[3] = std::max({texel[0], texel[1], texel[2]});
+    return texel;
+  };
+  return dabTexels(groom, ground, brush, change, static_cast<std::uint32_t>(channel), &Groom::shape);
+}
+
 bool pluck(Groom& groom, const Ground& ground, const Brush& brush) {
   if (!usable(brush)) return false;
   const std::size_t before = groom.whiskers.size();

@@ -34,6 +34,12 @@ bool paintType(Groom& groom, const Ground& ground, const Brush& brush, int type)
 // 2..kTypes: the share w of that type becomes type 1.
 bool takeType(Groom& groom, const Ground& ground, const Brush& brush, int type);
 
+// --- shape ---
+enum class ShapeChannel { Curl, Frizz, Locks };  // of Groom::shape
+// Towards all of it by the share w, or towards none.
+bool addShape(Groom& groom, const Ground& ground, const Brush& brush, ShapeChannel channel);
+bool takeShape(Groom& groom, const Ground& ground, const Brush& brush, ShapeChannel channel);
+
 // --- comb; stays across the normal and within kMaxComb ---
 // Towards `direction`, whatever its length; where it points straight into the surface nothing moves.
 bool comb(Groom& groom, const Ground& ground, const Brush& brush, const Vec3& direction);

@@ -100,7 +100,7 @@ void invertMask(GroomMap& mask) {
 
 void keepProtected(Groom& groom, const Groom& before, const Ground& ground) {
   if (groom.mask.isPlain()) return;
-  for (const auto map : {&Groom::map, &Groom::paint})
+  for (const auto map : {&Groom::map, &Groom::paint, &Groom::shape})
     for (std::uint32_t i = 0; i < groom.mask.texels().size(); ++i) {
       const int kept = groom.mask.texels()[i][3];
       const GroomMap::Texel& was = (before.*map).texels()[i];

@@ -38,6 +38,7 @@ struct Frame {
   bool groomed = false;       // the groom's map says more than full length of one type: likewise
   bool types = false;         // and more than one fur type
   bool painted = false;       // there is paint: likewise
+  bool shaped = false;        // brushes have changed the shape of strands: likewise
   Vec4 baseColorFactor{1.0f};
   // Looked at while the frame is drawn; none cost nothing.
   std::span<const wet::Drop> drops;

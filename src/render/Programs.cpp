@@ -86,6 +86,7 @@ std::string definesOf(unsigned variant) {
       {kViewForces, "VIEW_FORCES"},
       {kPolynomial, "POLYNOMIAL"},
       {kPainted, "PAINTED"},
+      {kShaped, "SHAPED"},
   };
   std::string text;
   for (const auto& [bit, name] : kNames)
@@ -122,6 +123,8 @@ Result<const gl::Program*> Programs::use(Shader shader, unsigned variant) {
     program.bindSampler("bends", FUR_UNIT_BEND);
     program.bindSampler("groom", FUR_UNIT_GROOM);
     program.bindSampler("paint", FUR_UNIT_PAINT);
+    program.bindSampler("shapeMap", FUR_UNIT_SHAPE);
+    program.bindSampler("lockCentres", FUR_UNIT_LOCK_CENTRES);
     program.bindSampler("baseColor", FUR_UNIT_BASE_COLOR);
     program.bindSampler("shadowMap", FUR_UNIT_GROUND);
     program.bindSampler("puddles", FUR_UNIT_PUDDLES);
@@ -138,6 +141,8 @@ Result<const gl::Program*> Programs::use(Shader shader, unsigned variant) {
 }
 
 std::vector<std::pair<Shader, unsigned>> allVariants() {
+  // Strands stand as in the tile, by the groom's map, by several types; and brushes have changed their shape.
+  constexpr unsigned kGrooms[] = {kPlain, kGroomed, kGroomed | kTypes, kGroomed | kShaped, kGroomed | kTypes | kShaped};
   std::vector<std::pair<Shader, unsigned>> all = {
       {Shader::Background, kPlain}, {Shader::GroundShadow, kPlain}, {Shader::Blur, kPlain}, {Shader::ShadowBlur, kShadowDepth},
       {Shader::Skin, kViewWetness}, {Shader::Skin, kViewNormals},   {Shader::ShadowMap, kPlain},
@@ -154,17 +159,19 @@ std::vector<std::pair<Shader, unsigned>> allVariants() {
   for (const Shader counted : {Shader::Shell, Shader::Fin, Shader::Skin}) all.emplace_back(counted, kViewOverdraw);
   // Paint looks the same in whatever shadow.
   for (const unsigned look : {+kPlain, +kWet, +kTextured, kWet | kTextured})
-    for (const unsigned groom : {+kPlain, +kGroomed, kGroomed | kTypes}) {
+    for (const unsigned groom : kGrooms) {
       const unsigned painted = look | groom | kPainted | kShadowDepth;
       for (const unsigned light : {kPlain, kMarschner})
         for (const Shader shader : {Shader::Shell, Shader::Fin}) all.emplace_back(shader, painted | light);
-      all.emplace_back(Shader::Skin, painted | kUnderFur);
+      if (!(groom & kShaped)) all.emplace_back(Shader::Skin, painted | kUnderFur);
       all.emplace_back(Shader::Shell, look | groom | kPainted | kViewLayer);
     }
-  for (const unsigned look : {+kPlain, +kWet, +kGroomed, kWet | kGroomed, kGroomed | kTypes, kWet | kGroomed | kTypes})
-    for (const unsigned view : {+kViewClumps, +kViewSteps, +kViewLayer, kViewLayer | kTextured, kViewLayer | kViewExploded,
-                                kViewLayer | kViewExploded | kTextured})
-      all.emplace_back(Shader::Shell, view | look);
+  for (const unsigned look : {+kPlain, +kWet})
+    for (const unsigned groom : kGrooms)
+      for (const unsigned view : {+kViewClumps, +kViewSteps, +kViewLayer, kViewLayer | kTextured, kViewLayer | kViewExploded,
+                                  kViewLayer | kViewExploded | kTextured, +kViewTangents, +kViewCoverage, +kViewDominance,
+                                  +kViewTypes, +kViewOffset})
+        all.emplace_back(Shader::Shell, view | look | groom);
   for (const unsigned shadow : {kPlain, kShadowDepth, kShadowLayers}) {
     for (const unsigned look : {+kPlain, +kTextured}) {
       all.emplace_back(Shader::Skin, look | shadow);
@@ -173,18 +180,12 @@ std::vector<std::pair<Shader, unsigned>> allVariants() {
     }
     for (const unsigned look : {+kPlain, +kWet, +kMarschner, kWet | kMarschner}) all.emplace_back(Shader::Whisker, look | shadow);
     for (const unsigned look : {+kPlain, +kUnderFur}) all.emplace_back(Shader::Skin, look | shadow | kViewShadow);
-    for (const unsigned look : {+kPlain, +kWet}) {
-      for (const unsigned groom : {+kPlain, +kGroomed, kGroomed | kTypes})
-        all.emplace_back(Shader::Shell, look | shadow | groom | kViewShadow);
-      for (const unsigned groom : {+kPlain, +kGroomed, kGroomed | kTypes})
-        all.emplace_back(Shader::Fin, look | shadow | groom | kViewShadow);
-    }
-    for (const unsigned look : {+kPlain, +kWet, +kTextured, kWet | kTextured}) {
-      for (const unsigned groom : {+kPlain, +kGroomed, kGroomed | kTypes})
-        for (const unsigned view : {kPlain, kMarschner, kViewTangents, kViewCoverage, kViewDominance, kViewTypes, kViewOffset})
-          all.emplace_back(Shader::Shell, view | look | shadow | groom);
-      for (const unsigned light : {kPlain, kMarschner})
-        for (const unsigned groom : {+kPlain, +kGroomed, kGroomed | kTypes}) all.emplace_back(Shader::Fin, light | look | shadow | groom);
+    for (const unsigned groom : kGrooms) {
+      for (const unsigned look : {+kPlain, +kWet})
+        for (const Shader shader : {Shader::Shell, Shader::Fin}) all.emplace_back(shader, look | shadow | groom | kViewShadow);
+      for (const unsigned look : {+kPlain, +kWet, +kTextured, kWet | kTextured})
+        for (const unsigned light : {kPlain, kMarschner})
+          for (const Shader shader : {Shader::Shell, Shader::Fin}) all.emplace_back(shader, light | look | shadow | groom);
     }
   }
   return all;

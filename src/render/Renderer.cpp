@@ -169,6 +169,7 @@ Status Renderer::draw(const Frame& frame) {
   bends_.bind(FUR_UNIT_BEND);
   groom_.bind(FUR_UNIT_GROOM);
   if (frame.painted) paint_.bind(FUR_UNIT_PAINT);
+  if (frame.shaped) shape_.bind(FUR_UNIT_SHAPE), lockCentres_.bind(FUR_UNIT_LOCK_CENTRES);
   if (Status status = furShadow_.update(programs_, furShadowKey(frame), surface_, indexCount_); !status) return status;
   if (!whole)
     if (Status status = small_.begin(drawn.width, drawn.height); !status) return status;
@@ -194,19 +195,19 @@ Status Renderer::drawPasses(const Frame& frame) {
   const auto view = static_cast<View>(frame.settings.view);
   const unsigned look = (frame.wet ? kWet : kPlain) | (hasPicture_ ? kTextured : kPlain) |
                         (frame.settings.strandModel ? kMarschner : kPlain) | shadowVariant(frame.settings) |
-                        (frame.types ? kTypes : kPlain) | (frame.groomed || frame.types ? kGroomed : kPlain) |
-                        (frame.painted ? kPainted : kPlain);
+                        (frame.types ? kTypes : kPlain) | (frame.groomed || frame.types || frame.shaped ? kGroomed : kPlain) |
+                        (frame.painted ? kPainted : kPlain) | (frame.shaped ? kShaped : kPlain);
   constexpr unsigned kFurOnly = kGroomed | kTypes;
-  const unsigned skinLook = look & ~(kWet | kMarschner), curve = curveVariant(frame.settings);
+  const unsigned skinLook = look & ~(kWet | kMarschner | kShaped), curve = curveVariant(frame.settings);
   const bool furry = hasFur_ && frame.settings.furLength > 0 && !patches_.indices.empty();
   const auto skin = [&](unsigned variant) { return drawSkin(variant); };
   // Of the look, what a view shows, so that fewer shaders are compiled.
   const auto shown = [](unsigned look, unsigned view) {
     unsigned kept = ~0u;
-    if (view & (kViewTangents | kViewCoverage | kViewDominance | kViewTypes | kViewOffset)) kept = ~(kMarschner | kPainted);
+    constexpr unsigned kStands = kWet | kGroomed | kTypes | kShaped;  // where strands stand
+    if (view & (kViewTangents | kViewCoverage | kViewDominance | kViewTypes | kViewOffset | kViewClumps | kViewSteps)) kept = kStands;
     if (view & kViewShadow) kept = ~(kMarschner | kTextured | kPainted);
-    if (view & kViewLayer) kept = kWet | kGroomed | kTypes | kTextured | kPainted;
-    if (view & (kViewClumps | kViewSteps)) kept = kWet | kGroomed | kTypes;
+    if (view & kViewLayer) kept = kStands | kTextured | kPainted;
     if (view & (kViewOverdraw | kViewEdges)) kept = kPlain;
     return (look & kept) | view;
   };
@@ -270,7 +271,7 @@ Status Renderer::drawPasses(const Frame& frame) {
   }
   if (Status status = model(kPlain); !status) return status;
   if (!counts) {
-    if (Status status = whiskers_.draw(programs_, curve | (look & ~(kTextured | kFurOnly | kPainted))); !status) return status;
+    if (Status status = whiskers_.draw(programs_, curve | (look & ~(kTextured | kFurOnly | kPainted | kShaped))); !status) return status;
     if (Status status = background(); !status) return status;
     return drops_.draw(programs_, frame.drops, uploadedBytes_);
   }

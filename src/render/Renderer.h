@@ -50,6 +50,7 @@ class Renderer {
   // The same for the groom's map of lengths and types, and for its paint.
   void updateGroom(const groom::GroomMap& map, const geometry::TexelRect& changed);
   void updatePaint(const groom::GroomMap& paint, const geometry::TexelRect& changed) { updateMap(paint_, paint, changed); }
+  void updateShape(const groom::GroomMap& shape, const geometry::TexelRect& changed);
   // Which triangles shells are drawn on, in place of all of the surface, and the length at every vertex: fins
   // between two of none are left out. What is bald costs nothing. Until the next setSurface().
   void setFurry(geometry::FurPatches patches, std::span<const float> vertexLengths);
@@ -95,7 +96,7 @@ class Renderer {
   gl::Buffer vertices_, furVertices_, indices_, furIndices_, edges_;
   gl::VertexArray surface_, shells_, fins_, arrows_;
   FurTextures fur_;
-  gl::Texture mask_, bends_, baseColor_, groom_, paint_, puddles_;
+  gl::Texture mask_, bends_, baseColor_, groom_, paint_, shape_, lockCentres_, puddles_;
   gl::Texture groundShadow_[2];
   gl::Target groundTarget_[2];
   int vertexCount_ = 0, indexCount_ = 0, shellIndexCount_ = 0;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/Assert.h"
+#include "furgen/LockCentres.h"
 #include "geometry/Adjacency.h"
 #include "geometry/Curvature.h"
 #include "geometry/Weld.h"
@@ -333,6 +334,15 @@ void Renderer::showPuddles(std::span<const std::uint8_t> cells, std::uint32_t re
 void Renderer::updateGroom(const groom::GroomMap& map, const geometry::TexelRect& changed) {
   ++furShadowScene_;
   updateMap(groom_, map, changed);
+}
+
+void Renderer::updateShape(const groom::GroomMap& shape, const geometry::TexelRect& changed) {
+  if (lockCentres_.bytes() == 0) {
+    constexpr int kSize = 128;
+    const std::vector<std::array<std::uint8_t, 2>> texels = furgen::lockCentres(kSize, static_cast<int>(FUR_LOCKS_ACROSS));
+    lockCentres_ = gl::Texture({gl::TexelFormat::RG8, kSize, kSize, 0, gl::Filter::Nearest, true}, gl::bytesOf(texels));
+  }
+  updateMap(shape_, shape, changed);
 }
 
 void Renderer::updateMap(gl::Texture& texture, const groom::GroomMap& map, const geometry::TexelRect& changed) {

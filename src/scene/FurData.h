@@ -18,7 +18,7 @@ inline constexpr int kFurVersion = 1;  // of WETFUR_fur
 
 struct FurData {
   std::string state;  // for readState(); "" when there is none
-  std::vector<groom::GroomMap::Texel> map, paint{}, mask{};  // mapSize * mapSize each, or none
+  std::vector<groom::GroomMap::Texel> map, paint{}, mask{}, shape{};  // mapSize * mapSize each, or none
   int mapSize = 0;
   // One a vertex of the mesh, or none.
   std::vector<Vec3> comb;      // model space, radians, as it was read: neither bounded nor across any normal

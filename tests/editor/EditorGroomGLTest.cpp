@@ -27,7 +27,7 @@ Vec3 colorAt(const test::Picture& picture, Vec2 at) {
 constexpr Vec2 kRight{105, 80}, kLeft{55, 80}, kMiddle{80, 80};
 
 TEST(EditorGroom, EveryBrushIsOneUndoStepAStroke) {
-  for (const Tool tool : {Tool::Paint, Tool::Cut, Tool::Thin, Tool::Mask}) {
+  for (const Tool tool : {Tool::Paint, Tool::Cut, Tool::Thin, Tool::Mask, Tool::Curl, Tool::Frizz, Tool::Locks}) {
     Studio studio;
     const auto before = studio.app.groomHash();
     studio.stroke(tool, {60, 70}, {100, 90});
@@ -82,6 +82,29 @@ TEST(EditorGroom, PaintGoesThroughASavedSceneAndToAnotherProgram) {
   EXPECT_EQ(other.groom().mask.hash(), mask);
   ASSERT_TRUE(other.loadPrimitive("torus"));
   EXPECT_FALSE(other.groomed()) << "it belongs to the model";
+}
+
+TEST(EditorGroom, ShapesChangeStrandsWhereTheBrushWasAndGoByItAgain) {
+  for (const Tool tool : {Tool::Curl, Tool::Frizz, Tool::Locks}) {
+    Studio studio;
+    const test::Picture plain = studio.settled();
+    studio.app.setField("brushFalloff", "flat");
+    studio.stroke(tool, {70, 80}, {90, 80});
+    const test::Picture shaped = studio.settled();
+    EXPECT_GT(shaped.differingShare(plain, 24), 0.02f) << static_cast<int>(tool);
+    EXPECT_LT(glm::length(colorAt(shaped, {80, 40}) - colorAt(plain, {80, 40})), 3) << "elsewhere it is as it was";
+    App other;
+    ASSERT_TRUE(other.loadModel(studio.app.saveScene(), "shaped.glb"));
+    EXPECT_EQ(other.groom().shape.hash(), studio.app.groom().shape.hash());
+    studio.app.detach(false);
+    studio.stage.attach(studio.app);
+    EXPECT_EQ(studio.settled().differingShare(shaped, 0), 0) << "another context shows the same";
+    studio.app.setField("brushErases", "true");
+    studio.app.setField("brushRadius", "0.5");
+    studio.stroke(tool, {60, 80}, {100, 80});
+    EXPECT_TRUE(studio.app.groom().shape.isPlain()) << static_cast<int>(tool);
+    EXPECT_EQ(studio.settled().differingShare(plain, 0), 0) << static_cast<int>(tool);
+  }
 }
 
 TEST(EditorGroom, AnotherContextShowsTheSamePaintAndNoneAfterItIsCleared) {

@@ -60,6 +60,7 @@ TEST(GroomPanel, ItsBrushesAreTools) {
   } buttons[] = {{"combs", "Comb", 0, Tool::Comb},      {"combs", "Smooth", 1, Tool::Smooth}, {"combs", "Raise", 2, Tool::Raise},
                  {"cuts", "Trim", 0, Tool::Trim},       {"cuts", "Grow", 1, Tool::Grow},      {"cuts", "Cut", 2, Tool::Cut},
                  {"cuts", "Type", 3, Tool::Type},       {"thins", "Thin", 0, Tool::Thin},     {"paints", "Paint", 0, Tool::Paint},
+                 {"curls", "Curl", 0, Tool::Curl},       {"frizzes", "Frizz", 0, Tool::Frizz}, {"locks", "Gather locks", 0, Tool::Locks},
                  {"masks", "Mask", 0, Tool::Mask},      {"hairs", "Whisker", 0, Tool::Whisker}, {"hairs", "Pluck", 1, Tool::Pluck}};
   for (const auto& button : buttons) {
     person.press(button.row, button.segment, button.label);
@@ -69,11 +70,12 @@ TEST(GroomPanel, ItsBrushesAreTools) {
   }
 }
 
-TEST(GroomPanel, PaintMaskAndThinningComeOffAgainByTheButtonsBesideThem) {
+TEST(GroomPanel, WhatBrushesAddComesOffAgainByTheButtonsBesideThem) {
   const struct {
     const char *row, *gives, *takes;
     Tool tool;
-  } pairs[] = {{"thins", "Thin", "Thicken", Tool::Thin}, {"paints", "Paint", "Erase paint", Tool::Paint}, {"masks", "Mask", "Unmask", Tool::Mask}};
+  } pairs[] = {{"thins", "Thin", "Thicken", Tool::Thin}, {"paints", "Paint", "Erase paint", Tool::Paint}, {"masks", "Mask", "Unmask", Tool::Mask},
+               {"curls", "Curl", "Uncurl", Tool::Curl}, {"frizzes", "Frizz", "Unfrizz", Tool::Frizz}, {"locks", "Gather locks", "Open locks", Tool::Locks}};
   for (const auto& pair : pairs) {
     Person person;
     person.press(pair.row, 1, pair.takes);

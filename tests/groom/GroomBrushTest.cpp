@@ -226,6 +226,29 @@ TEST(GroomBrush, NothingTouchesWhatTheMaskProtects) {
   }
 }
 
+TEST(GroomBrush, ShapesAreOfOneKindEachAndEndWhereTheyAreTakenAway) {
+  constexpr ShapeChannel kAll[] = {ShapeChannel::Curl, ShapeChannel::Frizz, ShapeChannel::Locks};
+  for (const ShapeChannel channel : kAll) {
+    Setting s;
+    const Brush brush = at({1, 0, 0}, 0.4f, 0.5f);
+    ASSERT_TRUE(addShape(s.groom, s.ground(), brush, channel));
+    EXPECT_FALSE(s.groom.shape.isPlain());
+    EXPECT_TRUE(s.groom.map.isPlain());
+    int most = 0;
+    for (const GroomMap::Texel& texel : s.groom.shape.texels()) {
+      for (std::size_t k = 0; k < 3; ++k)
+        if (k != static_cast<std::size_t>(channel)) ASSERT_EQ(texel[k], 0);
+      ASSERT_EQ(texel[3], texel[static_cast<std::size_t>(channel)]);
+      most = std::max(most, static_cast<int>(texel[3]));
+    }
+    EXPECT_GT(most, 100);
+    for (const ShapeChannel other : kAll)
+      if (other != channel) EXPECT_FALSE(takeShape(s.groom, s.ground(), brush, other));
+    ASSERT_TRUE(takeShape(s.groom, s.ground(), {brush.centre, brush.normal, 0.5f, 1, Falloff::Flat}, channel));
+    EXPECT_TRUE(s.groom.shape.isPlain());
+  }
+}
+
 TEST(GroomBrush, FalloffsStartFullEndAtTheRimAndKeepTheirOrder) {
   for (const Falloff falloff : {Falloff::Smooth, Falloff::Linear, Falloff::Sharp, Falloff::Flat}) {
     EXPECT_EQ(falloffAt(falloff, 0), 1);

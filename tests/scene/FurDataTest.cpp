@@ -56,18 +56,20 @@ TEST(FurData, GoesThroughAFile) {
     ASSERT_LT(glm::length(model.value().fur.comb[i] - scene.fur.comb[i]), 1e-6f);
 }
 
-TEST(FurData, PaintAndMaskGoThroughAFileWithAndWithoutAMap) {
+TEST(FurData, PaintMaskAndShapeGoThroughAFileWithAndWithoutAMap) {
   for (const bool hasMap : {true, false}) {
     Scene scene;
     if (!hasMap) scene.fur.map.clear();
     for (int i = 0; i < 32 * 32; ++i) {
       scene.fur.paint.push_back({static_cast<std::uint8_t>(i), 200, 7, static_cast<std::uint8_t>(i / 5)});
       scene.fur.mask.push_back({0, 0, 0, static_cast<std::uint8_t>(i % 91)});
+      scene.fur.shape.push_back({static_cast<std::uint8_t>(i % 7), 0, static_cast<std::uint8_t>(i), 255});
     }
     const auto model = importGltf(scene.file(), "torus.glb");
     ASSERT_TRUE(model) << model.error().message;
     EXPECT_EQ(model.value().fur.paint, scene.fur.paint);
     EXPECT_EQ(model.value().fur.mask, scene.fur.mask);
+    EXPECT_EQ(model.value().fur.shape, scene.fur.shape);
     if (hasMap) EXPECT_EQ(model.value().fur.map, scene.fur.map);
     else EXPECT_EQ(model.value().fur.map, std::vector<groom::GroomMap::Texel>(32 * 32, groom::GroomMap::kPlain));
     EXPECT_EQ(model.value().mesh.atlas, scene.mesh.atlas);

@@ -314,7 +314,7 @@ TEST(ImportGltf, NeverCrashesOnMutatedFiles) {
   sparse.position = R"({"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","sparse":{"count":1,
     "indices":{"bufferView":2,"componentType":5121},"values":{"bufferView":3}}})";
   FurData fur{R"({"version":1})", std::vector<groom::GroomMap::Texel>(16 * 16, {9, 8, 7, 6}),
-              std::vector<groom::GroomMap::Texel>(16 * 16, {1, 2, 3, 4}), {}, 16, {}, {}, {}, std::vector<groom::Whisker>(2)};
+              std::vector<groom::GroomMap::Texel>(16 * 16, {1, 2, 3, 4}), {}, std::vector<groom::GroomMap::Texel>(16 * 16, {5, 6, 7, 8}), 16, {}, {}, {}, std::vector<groom::Whisker>(2)};
   geometry::Mesh plane = geometry::makePlane(2);
   plane.atlas = plane.uv;
   fur.comb.assign(plane.positions.size(), Vec3(0.5f, 0, 0));

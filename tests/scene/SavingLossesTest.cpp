@@ -35,7 +35,7 @@ TEST(SavingLosses, WhatThisProgramSavedHasNone) {
   FurData fur;
   fur.state = R"({"version":1})";
   fur.mapSize = 16;
-  fur.map = fur.paint = fur.mask = std::vector<groom::GroomMap::Texel>(16 * 16, {9, 8, 7, 6});
+  fur.map = fur.paint = fur.mask = fur.shape = std::vector<groom::GroomMap::Texel>(16 * 16, {9, 8, 7, 6});
   fur.whiskers.resize(2);
   fur.comb.assign(plane.positions.size(), Vec3(0.5f, 0, 0));
   EXPECT_EQ(lost(exportScene(plane, "another name", fur, {{}, Vec4(0.5f, 0.5f, 0.5f, 1)})), Warnings{});

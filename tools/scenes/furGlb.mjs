@@ -31,14 +31,13 @@ const texels = (size, placeAt, at) => Array.from({ length: size * size }, (_, i)
   at(placeAt((i % size + 0.5) / size, (Math.floor(i / size) + 0.5) / size)));
 const byte = (share) => Math.max(0, Math.min(255, Math.round(255 * share)));
 
-/** Four planes of bytes, as the schema has them. `groom(place)` gives { length, types: [2nd, 3rd, 4th] }, 0..1 each. */
-function groomPlanes(size, placeAt, groom) {
-  const all = texels(size, placeAt, (place) => {
-    const { length = 1, types = [] } = groom(place);
-    return [length, types[0] ?? 0, types[1] ?? 0, types[2] ?? 0].map(byte);
-  });
-  return Buffer.concat([0, 1, 2, 3].map((plane) => Buffer.from(all.map((texel) => texel[plane]))));
+/** Four planes of bytes, as the schema has them, of what `at(place)` gives: four numbers, 0..1 each. */
+function planes(size, placeAt, at) {
+  const all = texels(size, placeAt, (place) => at(place).map(byte));
+  return packBits(Buffer.concat([0, 1, 2, 3].map((plane) => Buffer.from(all.map((texel) => texel[plane])))));
 }
+const groomOf = ({ length = 1, types = [] }) => [length, types[0] ?? 0, types[1] ?? 0, types[2] ?? 0];
+const shapeOf = ({ curl = 0, frizz = 0, locks = 0 }) => [curl, frizz, locks, Math.max(curl, frizz, locks)];
 
 /** A PNG of what `colour(place)` gives: [r, g, b] in sRGB, 0..1 each. */
 function colourPicture(size, placeAt, colour) {
@@ -57,9 +56,10 @@ function extentsOf(positions) {
 
 /**
  * @param {{ mesh, placeAt }} body as meshOf() gives it
- * @param {{ name: string, state: object, groom?: Function, colour?: Function, mapSize?: number }} scene
+ * @param {{ name: string, state: object, groom?: Function, shape?: Function, colour?: Function, mapSize?: number }} scene
+ *   `groom(place)` gives { length, types: [2nd, 3rd, 4th] }, `shape(place)` { curl, frizz, locks }, 0..1 each
  */
-export function furGlb({ mesh, placeAt }, { name, state, groom, colour, mapSize = 256 }) {
+export function furGlb({ mesh, placeAt }, { name, state, groom, shape, colour, mapSize = 256 }) {
   const views = [], parts = [];
   let length = 0;
   const view = (bytes, extra = {}) => {
@@ -83,7 +83,9 @@ export function furGlb({ mesh, placeAt }, { name, state, groom, colour, mapSize 
   const indices = accessor(new Uint16Array(mesh.indices), 'SCALAR', 1, 34963);
 
   const fur = { version: 1, state: { version: 1, ...state } };
-  if (groom) fur.groom = { size: mapSize, bufferView: view(packBits(groomPlanes(mapSize, placeAt, groom))), texCoord: 0 };
+  const map = (at) => view(planes(mapSize, placeAt, at));
+  if (groom || shape) fur.groom = { size: mapSize, bufferView: map((place) => groomOf(groom?.(place) ?? {})), texCoord: 0 };
+  if (shape) fur.groom.shape = map((place) => shapeOf(shape(place)));
   const image = colour && view(colourPicture(mapSize, placeAt, colour));
   const json = {
     asset: { version: '2.0', generator: 'wet-fur' },

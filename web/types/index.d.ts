@@ -15,10 +15,11 @@ export class FurError extends Error {
  * 'comb' to 'type' dress the fur: 'smooth', 'raise' and 'comb' lay it, 'trim' and 'grow' change its length, 'type' its kind.
  * 'whisker' plants a whisker or a tuft where it is pressed and aims it while it is dragged; 'pluck' pulls them out.
  * 'paint' lays `paintColor` over the coat, 'cut' cuts what is longer than `cutLength`, 'thin' takes strands out and 'mask'
- * protects from all of these: they work while the editor is open.
+ * protects from all of these; 'curl', 'frizz' and 'locks' curl strands, kink them and gather them: they work while the
+ * editor is open.
  * 'pet' strokes the fur and 'ball' presses a ball into it; it forgets both after a while.
  */
-export type Tool = 'droplet' | 'dry' | 'rain' | 'hose' | 'towel' | 'dryer' | 'comb' | 'smooth' | 'raise' | 'trim' | 'grow' | 'type' | 'whisker' | 'pluck' | 'paint' | 'cut' | 'thin' | 'mask' | 'pet' | 'ball' | 'grab' | 'none';
+export type Tool = 'droplet' | 'dry' | 'rain' | 'hose' | 'towel' | 'dryer' | 'comb' | 'smooth' | 'raise' | 'trim' | 'grow' | 'type' | 'whisker' | 'pluck' | 'paint' | 'cut' | 'thin' | 'mask' | 'curl' | 'frizz' | 'locks' | 'pet' | 'ball' | 'grab' | 'none';
 export type GroomType = '1' | '2' | '3' | '4';
 export type FurType = 'bald' | 'rabbit' | 'chinchilla' | 'curlyDog' | 'thickNylon' | 'fineSparse' | 'otter' | 'shortCat' | 'persian' | 'shag' | 'velvet' | 'wool';
 /** All over the model; see WetFurApi.groom. */
@@ -149,7 +150,7 @@ export interface FurSettings {
   paintColor: Color;
   /** What the brush Cut leaves of longer fur, as a share of the longest. */
   cutLength: number;
-  /** The brushes Paint, Thin and Mask take away instead. */
+  /** The brushes Paint, Thin, Mask, Curl, Frizz and Locks take away instead. */
   brushErases: boolean;
   /** What the type brush paints; 1 takes the others away. */
   groomType: GroomType;

@@ -100,6 +100,8 @@ FUR_BLOCK(FurBlock) {
 #define FUR_UNIT_PUDDLES 14
 #define FUR_UNIT_STREAKS 15
 #define FUR_UNIT_PAINT 16
+#define FUR_UNIT_SHAPE 17
+#define FUR_UNIT_LOCK_CENTRES 18
 
 // Directions over a half turn in which strands are averaged into streaks (furgen/Streaks.h).
 #define FUR_STREAK_TURNS 32.0
@@ -114,6 +116,10 @@ FUR_BLOCK(FurBlock) {
 #define FUR_OPACITY_SIZE 256
 #define FUR_SHADOW_TARGETS 4
 #define FUR_SHADOW_SHELLS 8
+
+// Locks that brushes make: so many across a square of so many texels of the fur tile, which then repeats.
+#define FUR_LOCKS_ACROSS 8.0
+#define FUR_LOCKS_TEXELS 224.0
 
 // Texels of Marschner's tables (hair/Marschner.h).
 #define FUR_STRAND_M 128.0

@@ -23,6 +23,13 @@ void dab(Tool tool, groom::Groom& groom, const groom::Ground& ground, const groo
     case Tool::Thin:
       if (const int type = baldType(settings)) erases ? groom::takeType(groom, ground, brush, type) : groom::paintType(groom, ground, brush, type);
       break;
+    case Tool::Curl:
+    case Tool::Frizz:
+    case Tool::Locks: {
+      const auto channel = static_cast<groom::ShapeChannel>(static_cast<int>(tool) - static_cast<int>(Tool::Curl));
+      erases ? groom::takeShape(groom, ground, brush, channel) : groom::addShape(groom, ground, brush, channel);
+      break;
+    }
     default: break;
   }
 }

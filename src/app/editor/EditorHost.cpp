@@ -215,7 +215,7 @@ bool EditorHost::resizeBrush(std::string_view name, bool down) {
   const std::size_t key = name.size() == 1 ? kKeys.find(name) : std::string_view::npos;
   if (key == std::string_view::npos) return false;
   if (!down) return true;
-  const bool grooms = app_.tool() >= Tool::Comb && app_.tool() <= Tool::Mask;
+  const bool grooms = app_.tool() >= Tool::Comb && app_.tool() <= Tool::Locks;
   const char* field = key < 2 ? "brushRadius" : grooms ? "groomStrength" : "brushFlow";
   settings::Settings next = app_.settings();
   Warnings ignored;  // the ends of the range are natural stops

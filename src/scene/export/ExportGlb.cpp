@@ -86,8 +86,10 @@ std::string attributesOf(Writer& writer, const geometry::Mesh& mesh, const FurDa
 // WETFUR_fur of the root; "" when there is nothing to say.
 std::string furExtension(Writer& writer, const geometry::Mesh& mesh, const FurData& fur) {
   const bool hasAtlas = mesh.atlas.size() == mesh.positions.size();
-  const std::pair<const char*, const std::vector<groom::GroomMap::Texel>*> over[] = {{"paint", &fur.paint}, {"mask", &fur.mask}};
-  const bool hasMap = !(fur.map.empty() && fur.paint.empty() && fur.mask.empty()) && hasAtlas, isWet = !fur.wetness.empty() && hasAtlas;
+  const std::pair<const char*, const std::vector<groom::GroomMap::Texel>*> over[] = {
+      {"paint", &fur.paint}, {"mask", &fur.mask}, {"shape", &fur.shape}};
+  const bool hasMap = !(fur.map.empty() && fur.paint.empty() && fur.mask.empty() && fur.shape.empty()) && hasAtlas;
+  const bool isWet = !fur.wetness.empty() && hasAtlas;
   const std::string atlas = mesh.uv.empty() ? ",\"texCoord\":0}" : ",\"texCoord\":1}";
   if (fur.state.empty() && !hasMap && !isWet && fur.comb.empty() && fur.whiskers.empty() && mesh.furUv.empty()) return "";
   std::string out = "\"WETFUR_fur\":{\"version\":" + std::to_string(kFurVersion);

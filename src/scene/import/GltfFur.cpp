@@ -72,6 +72,7 @@ GltfFur readFur(const GltfFile& file, FurData& fur) {
     readMap(file, *groom, "bufferView", fur, fur.map);
     if (groom->find("paint")) readMap(file, *groom, "paint", fur, fur.paint);
     if (groom->find("mask")) readMap(file, *groom, "mask", fur, fur.mask);
+    if (groom->find("shape")) readMap(file, *groom, "shape", fur, fur.shape);
     out.hasMap = true;
     out.atlasSet = file.whole(*groom, "texCoord", "WETFUR_fur.groom");
   }
