@@ -217,7 +217,8 @@ class App {
   // The surface's atlas coordinates under a pixel of the drawing buffer; none off the model.
   std::optional<Vec2> pick(Vec2 pixel) const;
   // The footprint that the tool would have there: a ring on the skin, in pixels; empty off the model, or of no brush.
-  std::vector<Vec2> brushRing(Vec2 pixel) const;
+  // `ofMirror`: what it would have at the same time on the other side, by the setting `mirror`.
+  std::vector<Vec2> brushRing(Vec2 pixel, bool ofMirror = false) const;
   // The pixel where keys put the tool to work.
   Vec2 cursor() const;
 

@@ -103,12 +103,15 @@ void Water::aim(const Ground& ground, std::uint32_t index) {
   }
 }
 
-void Water::crossBorders() {
+void Water::crossBorders(std::uint32_t index) {
   const std::size_t turn = steps_ / kTurns % 2;
-  for (const SurfaceTexels::Crossing& crossing : texels_->crossings()) {
-    Ways& ways = ways_[crossing.from];
+  const SurfaceTexels::Block& block = texels_->blocks()[index];
+  const std::vector<SurfaceTexels::Crossing>& all = texels_->crossings();
+  auto crossing = std::lower_bound(all.begin(), all.end(), block.first, [](const auto& one, std::uint32_t from) { return one.from < from; });
+  for (; crossing != all.end() && crossing->from < block.end; ++crossing) {
+    Ways& ways = ways_[crossing->from];
     for (std::size_t k = 0; k < 2; ++k)
-      if (ways.sides[k] == crossing.side) ways.down[k] = crossing.to[turn];
+      if (ways.sides[k] == crossing->side) ways.down[k] = crossing->to[turn];
   }
 }
 

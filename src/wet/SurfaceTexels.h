@@ -51,7 +51,7 @@ class SurfaceTexels {
   int size() const { return size_; }
   const std::vector<Place>& places() const { return places_; }
   const std::vector<Links>& links() const { return links_; }
-  const std::vector<Crossing>& crossings() const { return crossings_; }  // once link() is done
+  const std::vector<Crossing>& crossings() const { return crossings_; }  // by `from`; once link() is done
   const std::vector<Block>& blocks() const { return blocks_; }
   float meanWidth() const { return meanWidth_; }  // of the places, model units
   std::uint32_t blockOf(std::uint32_t place) const { return blockOf_[place]; }

@@ -141,9 +141,8 @@ bool Water::step(const Ground& ground, WetnessMask& mask, const Climate& climate
   const std::uint32_t turn = steps_ % kTurns;
   for (std::uint32_t b = turn; b < flags_.size(); b += kTurns)
     if (flags_[b] & kMoving && aimed_[b] != aim_) aim(ground, b);
-  crossBorders();
   for (std::uint32_t b = turn; b < flags_.size(); b += kTurns)
-    if (flags_[b] & kMoving) flow(b);
+    if (flags_[b] & kMoving) crossBorders(b), flow(b);
   for (std::uint32_t b = turn; b < flags_.size(); b += kTurns)
     if (flags_[b] & (kReceived | kMoving)) receive(ground, mask, &climate, b);
   feedHanging(ground, mask, climate);

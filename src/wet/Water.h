@@ -136,7 +136,7 @@ class Water {
   void notice(const Ground& ground, WetnessMask& mask);
   void aim(const Ground& ground, std::uint32_t block);
   void flow(std::uint32_t block);
-  void crossBorders();
+  void crossBorders(std::uint32_t block);
   void receive(const Ground& ground, WetnessMask& mask, const Climate* climate, std::uint32_t block);
   void evaporate(const Ground& ground, WetnessMask& mask, const Climate& climate, std::uint32_t block);
   void store(const Ground& ground, WetnessMask& mask, std::uint32_t place, float held, float film);

@@ -169,6 +169,22 @@ TEST(EditorGroom, AMirroredStrokeIsOnBothSidesAndOneStep) {
   }
 }
 
+TEST(EditorGroom, TheRingOfAMirroredBrushIsWhereItWorksToo) {
+  Studio studio;
+  studio.app.setTool(Tool::Trim);
+  const auto middleOf = [](const std::vector<Vec2>& ring) {
+    Vec2 sum(0);
+    for (const Vec2& point : ring) sum += point;
+    return sum / static_cast<float>(ring.size());
+  };
+  EXPECT_TRUE(studio.app.brushRing(kRight, true).empty()) << "no mirror, no other ring";
+  studio.app.setField("mirror", "x");
+  const auto here = studio.app.brushRing(kRight), there = studio.app.brushRing(kRight, true);
+  ASSERT_FALSE(there.empty());
+  EXPECT_NEAR(middleOf(here).x + middleOf(there).x, 160, 3) << "the sphere is seen from the front";
+  EXPECT_NEAR(middleOf(here).y, middleOf(there).y, 3);
+}
+
 TEST(EditorGroom, MirroredWhiskersPointBothWays) {
   Studio studio;
   studio.app.setField("mirror", "x");

@@ -428,11 +428,15 @@ std::uint64_t EditorHost::pictureHash() const {
 void EditorHost::drawRing() {
   const ImVec2 at = ImGui::GetIO().MousePos;
   if (scale_.touch || !ImGui::IsMousePosValid() || covers({at.x, at.y})) return;
-  std::vector<ImVec2> ring;
-  for (const Vec2& point : app_.brushRing({at.x, at.y})) ring.emplace_back(point.x, point.y);
-  if (ring.empty()) return;
-  ImGui::GetBackgroundDrawList()->AddPolyline(ring.data(), static_cast<int>(ring.size()), IM_COL32(255, 255, 255, 204),
-                                              ImDrawFlags_Closed, 1.5f * scale_.pixelRatio);
+  const auto draw = [&](bool ofMirror, int opacity) {
+    std::vector<ImVec2> ring;
+    for (const Vec2& point : app_.brushRing({at.x, at.y}, ofMirror)) ring.emplace_back(point.x, point.y);
+    if (ring.empty()) return;
+    ImGui::GetBackgroundDrawList()->AddPolyline(ring.data(), static_cast<int>(ring.size()), IM_COL32(255, 255, 255, opacity),
+                                                ImDrawFlags_Closed, 1.5f * scale_.pixelRatio);
+  };
+  draw(false, 204);
+  draw(true, 102);  // it may lie behind the model
 }
 
 // Letters as the panel's font has them, across the middle of what the panel leaves free.
