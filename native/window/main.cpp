@@ -125,10 +125,12 @@ class Session {
     std::string scene, state;
     app::CameraOrbit camera;
     std::vector<std::uint8_t> groom, water, history;
-    std::size_t bytes() const { return groom.size() + water.size() + history.size(); }
+    std::vector<std::uint8_t> typeSet;  // of a coat that was read from a file
+    std::size_t bytes() const { return groom.size() + water.size() + history.size() + typeSet.size(); }
   };
   Kept keep(bool leaves) const {
-    return {shown_, app_.state(), app_.camera(), app_.saveGroom(), app_.saveWater(), app_.saveHistory(leaves)};
+    return {shown_, app_.state(), app_.camera(), app_.saveGroom(), app_.saveWater(), app_.saveHistory(leaves),
+            app_.coatGiven() ? app_.saveTypeSet() : std::vector<std::uint8_t>()};
   }
 
   void check(const Status& status) {
@@ -170,6 +172,7 @@ class Session {
     if (const Status status = native::loadScene(app_, next.scene, program_); !status) return check(status);
     shown_ = next.scene;
     check(app_.setState(next.state));
+    if (!next.typeSet.empty()) check(app_.loadTypeSet(next.typeSet, "coat.fts"));
     check(app_.restoreGroom(next.groom));
     check(app_.restoreWater(next.water));
     check(app_.restoreHistory(next.history));
@@ -247,13 +250,18 @@ class Session {
       window_.poll(wait);
       serveEditor();
       if (busy() || window_.closing()) return Done{};
-      const auto shown = app_.improve();
-      if (!shown) return shown.error();
-      gl::finish();  // else all of it would stand in front of what the person does next
-      if (!shown.value()) continue;
-      host_.draw();
-      window_.present();
+      if (Status status = improveOnce(); !status) return status;
     }
+    return Done{};
+  }
+  Status improveOnce() {
+    if (!app_.improvable()) return Done{};
+    const auto shown = app_.improve();
+    if (!shown) return shown.error();
+    gl::finish();  // else all of it would stand in front of what the person does next
+    if (!shown.value()) return Done{};
+    host_.draw();
+    window_.present();
     return Done{};
   }
 
@@ -275,6 +283,9 @@ class Session {
       if (!result) return result.error();
       drawn = result.value();
       run = drawn ? run + 1 : 0;
+      // Fur that dries changes now and then.
+      if (!drawn && now - lastShown > kStillAfter)
+        if (Status status = improveOnce(); !status) return status;
       if (!drawn) continue;
       window_.present();
       const double shown = glfwGetTime();
