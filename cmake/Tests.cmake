@@ -41,14 +41,18 @@ endif()
 # `if (x) EXPECT_EQ(…)` is fine: GoogleTest's macros are written for it, gcc does not see that.
 add_library(fur_test_options INTERFACE)
 target_compile_options(fur_test_options INTERFACE -Wno-dangling-else)
+# What they test is compiled as it ships; of the tests themselves compiling takes longer than running.
+target_compile_options(fur_test_options INTERFACE "$<$<CONFIG:Release>:-O1>")
 target_link_libraries(fur_test_options INTERFACE fur_options fur_gtest)
 
 if(FUR_CPU_TESTS)
   add_executable(wet-fur-tests EXCLUDE_FROM_ALL ${FUR_CPU_TESTS} "${CMAKE_SOURCE_DIR}/tests/AllocatedBytes.cpp")
   target_include_directories(wet-fur-tests PRIVATE "${CMAKE_SOURCE_DIR}" "${CMAKE_SOURCE_DIR}/tests")
   target_link_libraries(wet-fur-tests PRIVATE ${FUR_PURE_MODULES} fur_test_options)
+  target_precompile_headers(wet-fur-tests PRIVATE "${CMAKE_SOURCE_DIR}/tests/Precompiled.h")
   if(EMSCRIPTEN)
-    fur_node_program(wet-fur-tests)
+    # What the linker optimizes once more is mostly the tests: less of that halves its time.
+    fur_node_program(wet-fur-tests "$<$<CONFIG:Release>:-O1;-Wl,--lto-O1>")
   endif()
 endif()
 
@@ -65,6 +69,7 @@ if(FUR_GL_TESTS AND NOT EMSCRIPTEN AND TARGET third_party_egl AND TARGET fur_app
   add_executable(wet-fur-gl-tests EXCLUDE_FROM_ALL ${FUR_GL_TESTS})
   target_include_directories(wet-fur-gl-tests PRIVATE "${CMAKE_SOURCE_DIR}" "${CMAKE_SOURCE_DIR}/tests")
   target_link_libraries(wet-fur-gl-tests PRIVATE fur_app fur_truth third_party_egl fur_test_options)
+  target_precompile_headers(wet-fur-gl-tests PRIVATE "${CMAKE_SOURCE_DIR}/tests/Precompiled.h")
   if(TARGET fur_app_editor)
     target_link_libraries(wet-fur-gl-tests PRIVATE fur_app_editor)
   else()
