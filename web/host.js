@@ -543,7 +543,7 @@ export class WetFur extends EventTarget {
     this.#wake();
   }
   /** Letters as locks of wet fur, round {x, y} in CSS pixels of the canvas (default: its middle), `size` high, turned by `angle` (radians, clockwise). */
-  stamp(text, { x = this.#canvas.clientWidth / 2, y = this.#canvas.clientHeight / 2, size = 96, angle = 0, amount = 0.8 } = {}) {
+  stamp(text, { x = this.#canvas.clientWidth / 2, y = this.#canvas.clientHeight / 2, size = 96, angle = 0, amount = 0.5 } = {}) {
     if (!this.loaded || !text) return;
     const picture = letters(text, size, angle);
     const [left, top] = this.#cssToBuffer({ x, y });

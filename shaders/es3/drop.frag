@@ -1,31 +1,42 @@
-// A drop of water as a ball: through its middle one sees the surroundings upside down, or where it clings to strands mostly
-// those; its rim mirrors the surroundings, and the light shows twice: as a glint on the outside, and gathered at the far side.
+// Clear water: through its middle one sees what is behind it, towards its rim the surroundings upside down, which are darker
+// there, and at the rim it mirrors them. The light shows twice: as a glint, and gathered at the far side.
 #include "common.glsl"
 
-in vec2 vDisc;
-in vec2 vSize;
-flat in float vFlies;
+in vec2 vAt;
+flat in vec4 vSize;
 flat in mat3 vFrame;
+flat in float vPasses;
 out vec4 fragColor;
 
 // The surroundings in a direction of the world, sRGB.
 vec3 seen(vec3 to) { return mix(backgroundBottom.rgb, backgroundTop.rgb, smoothstep(-0.5, 0.5, to.y)); }
 
 void main() {
-  float out2 = dot(vDisc, vDisc);
-  float covers = clamp((1.0 - sqrt(out2)) * vSize.x + 0.5, 0.0, 1.0) * vSize.y;
+  vec2 disc = vec2(vAt.x, sign(vAt.y) * max(abs(vAt.y) - vSize.z, 0.0));
+  float out2 = dot(disc, disc), thin = max(0.15, fwidth(out2)), covers = clamp((1.0 - sqrt(out2)) * vSize.x + 0.5, 0.0, 1.0) * vSize.y * vSize.w;
   if (covers <= 0.0) discard;
+  // A piece of a jet goes over into the next.
+  if (vPasses == -1.0) covers *= clamp(0.5 * (vSize.z + 0.5 - abs(vAt.y)), 0.0, 1.0), disc.y = 0.0, out2 = disc.x * disc.x;
   float towards = sqrt(max(1.0 - out2, 0.0));
-  vec3 n = vFrame * vec3(vDisc, towards), V = vFrame[2], L = lightWorld.xyz;
+  vec3 n = vFrame * vec3(disc, towards), V = vFrame[2], L = lightWorld.xyz;
+  if (vPasses == -2.0) {
+    // A wave on the ground, lit on one side.
+    fragColor = vec4((0.6 + dot(n.xz, L.xz)) * backgroundTop.rgb + 0.2, 1.0) * (max(1.0 - abs(sqrt(out2) - 0.8) / thin, 0.0) * 0.08 / thin * covers);
+    return;
+  }
   // Schlick's term for water.
-  float away = 1.0 - towards, fresnel = away * away;
-  fresnel = 0.02 + 0.98 * fresnel * fresnel * away;
-  vec3 through = seen(normalize(-V - 1.6 * vFrame * vec3(vDisc, 0.0))) * (1.0 - 0.45 * out2 * out2);
+  float fresnel = 0.02 + 0.98 * pow(1.0 - towards, 5.0);
+  vec3 through = seen(normalize(-V - 1.6 * vFrame * vec3(disc, 0.0))) * (1.0 - 0.45 * out2 * out2);
   vec3 color = mix(through, seen(reflect(-V, n)), fresnel);
-  float glint = max(dot(n, normalize(L + V)), 0.0), gathered = max(dot(-n, L), 0.0);
-  glint *= glint, glint *= glint, glint *= glint, glint *= glint, glint *= glint;
-  gathered *= gathered;
-  float alpha = covers * mix(0.25 + 0.55 * out2 * out2, 0.95, vFlies);
-  vec3 shine = vec3(0.45 * light.w * (glint * glint * glint + 0.35 * gathered * gathered));
+  float glint = pow(max(dot(n, normalize(L + V)), 0.0), 96.0), gathered = max(dot(-n, L), 0.0);
+  float alpha = 0.3 + 0.55 * out2 * out2;
+  if (vPasses > 0.0) {
+    // While it passes, what is behind it shows longer at its ends and sides. As much water as before, where it is wider than a pixel.
+    float soft = vPasses * clamp(0.4 * vSize.x - 0.4, 0.0, 0.8);
+    covers *= (1.0 - soft * min(out2, 1.0)) / (1.0 - soft / 3.0) * (1.0 - vPasses * smoothstep(0.2, 1.0, abs(vAt.y) / (1.0 + vSize.z)));
+    alpha = mix(alpha, 0.45, vPasses);
+  }
+  alpha *= covers;
+  vec3 shine = vec3(light.w * (0.45 * glint + 0.1 * gathered * gathered + 0.03 * max(vPasses, 0.0)));
   fragColor = vec4(min(color * alpha + shine * covers, 1.0), alpha);
 }

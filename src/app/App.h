@@ -64,7 +64,7 @@ enum class GroomEdit {
   InvertMask
 };
 // Of what saveWater() and saveGroom() give, which browsers keep from visit to visit: another one whenever that changes.
-inline constexpr std::uint32_t kSavedLayout = 1;
+inline constexpr std::uint32_t kWaterLayout = 2, kSavedLayout = 1;
 
 enum class PointerKind { Mouse, Touch, Pen };
 enum class PointerPhase { Down, Move, Up, Cancel };
@@ -195,8 +195,9 @@ class App {
   // The model shakes itself for a second, and its water flies off.
   void shake();
   // Wets what is opaque in a picture (one byte a texel, row by row from the top) with one lock beside the other, where
-  // it lies over the model: letters. `across`: its width in pixels of the drawing buffer.
-  void stamp(std::span<const std::uint8_t> coverage, int width, int height, Vec2 centre, float across, float amount = 0.8f);
+  // it lies over the model: letters. `across`: its width in pixels of the drawing buffer; `amount`: how wet they are, which
+  // runs from letter to letter in seconds where fur holds much more than the default.
+  void stamp(std::span<const std::uint8_t> coverage, int width, int height, Vec2 centre, float across, float amount = 0.5f);
   // All that was done with water since the model came, as JSON: [[tool or deed, brushRadius, brushFlow, clumpSize, eye x, y,
   // z, step, triangle, weight, weight, pressure, ...], ...]. replay() does it again on the same model, advancing the clock
   // by steps of 1/60 s between, each stroke as an undo step of its own.
@@ -211,7 +212,7 @@ class App {
   // The whole mask, and its way back: size * size texels.
   const wet::WetnessMask& wetnessMask() const;
   void restoreWetness(std::vector<Vec4> texels, std::vector<float> film = {});
-  // All water and what was done with it, to go on in another App with the same model. Bytes of kSavedLayout, no file.
+  // All water and what was done with it, to go on in another App with the same model. Bytes of kWaterLayout, no file.
   std::vector<std::uint8_t> saveWater() const;
   Status restoreWater(std::span<const std::uint8_t> bytes);
   // The surface's atlas coordinates under a pixel of the drawing buffer; none off the model.

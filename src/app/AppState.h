@@ -119,7 +119,6 @@ struct App::State {
   // The water's own clock: strokes remember its steps. Seconds that are due; steps since the model came.
   float waterDue = 0;
   std::uint32_t waterSteps = 0;
-  float hoseDue = 0;  // drops
   std::vector<std::uint8_t> puddles;  // how wet the ground is, as Frame has it
   std::uint32_t shownPuddles = 0;     // the water's groundRevision() that they are of
   std::uint32_t puddlesRevision = 0;  // of them

@@ -17,8 +17,8 @@ constexpr std::uint32_t kPlacesAtOnce = 1000;
 constexpr float kWindSpeed = 1.5f;
 // Wetness a second under the middle of a dryer, and how hard it blows the fur about.
 constexpr float kBlow = 1.6f, kBlowWind = 0.7f;
-// Of the hose: amount a second, drops a second, how far off they start and how fast they come.
-constexpr float kHose = 0.25f, kHoseDrops = 90.0f, kHoseLength = 0.5f, kHoseSpeed = 3.5f;
+// Of the hose: amount a step, how far off its nozzle is and how fast water comes from there.
+constexpr float kHose = 0.012f, kHoseLength = 2.0f, kHoseSpeed = 11.5f;
 constexpr float kHoseSlope = 0.3f;  // it meets the skin at no less; a sine
 // Steps between two dabs of a brush that is held still.
 constexpr int kDabSteps = 8;
@@ -119,22 +119,26 @@ void App::State::workOnWith() {
   if (tool == Tool::Hose) runHose();
 }
 
-// A jet from the eye's side onto what the pointer is at.
+// A jet onto what the pointer is at, from the right of the eye or its left, so that one sees it from the side; from the eye
+// where the model is in the way of both.
 void App::State::runHose() {
-  const Mat4 toWorld = motion.worldFromModel();
-  const Vec3 skin = shownPosition(held.at), normal = shownNormal(held.at), at(toWorld * Vec4(skin, 1));
-  Vec3 way = normalizeOr(skin - strokes.back().eye, Vec3(0, -1, 0));
-  // Where fur at the outline is seen its root may face away.
-  way = Mat3(toWorld) * glm::normalize(way - normal * std::max(kHoseSlope + glm::dot(way, normal), 0.0f));
-  const Vec3 wind = climate().wind;
-  for (hoseDue += wet::Water::kStep * kHoseDrops; hoseDue >= 1; hoseDue -= 1) {
-    // In braces: their order is the same with every compiler.
-    const Vec3 off = 0.25f * settings.brushRadius * Vec3{sprayRandom.uniform(-1, 1), sprayRandom.uniform(-1, 1), sprayRandom.uniform(-1, 1)};
-    const float size = sprayRandom.uniform(0.5f, 1.5f);
-    const Vec3 jet = kHoseLength * sprayRandom.uniform(0.6f, 1.0f) * way;
-    water.launch(at - jet + off, wet::Water::velocityFor(jet, glm::length(jet) / kHoseSpeed, wind),
-                 size * settings.brushFlow * held.pressure * (kHose / kHoseDrops / 0.35f));
+  const Mat3 toWorld(motion.worldFromModel());
+  const Vec3 skin = shownPosition(held.at), normal = shownNormal(held.at);
+  const Vec3 up = glm::transpose(toWorld) * Vec3(0, 1, 0), eye = normalizeOr(strokes.back().eye - skin, up);
+  const Vec3 right = normalizeOr(glm::cross(up, eye), normal);
+  Vec3 nozzle;
+  for (const float side : {1.0f, -1.0f, 0.0f}) {
+    const Vec3 from = 0.7f * eye + 0.8f * side * right;
+    // Where fur at the outline is seen its root may face away.
+    nozzle = kHoseLength * glm::normalize(from + normal * std::max(kHoseSlope - glm::dot(from, normal), 0.0f));
+    const auto hit = shownQuery().castRay(skin + 0.1f * nozzle, nozzle);
+    if (!hit || hit->distance > 1.0f) break;
   }
+  const Vec3 at(motion.worldFromModel() * Vec4(skin, 1)), jet = toWorld * -nozzle;
+  // In braces: their order is the same with every compiler.
+  const Vec3 off = 0.05f * settings.brushRadius * Vec3{sprayRandom.uniform(-1, 1), sprayRandom.uniform(-1, 1), sprayRandom.uniform(-1, 1)};
+  water.launch(at - jet, wet::Water::velocityFor(jet + off, kHoseLength / kHoseSpeed, climate().wind), settings.brushFlow * held.pressure * kHose,
+               wet::Water::kJet);
 }
 
 // --- App's side --------------------------------------------------------------------------------
@@ -155,7 +159,8 @@ void App::stamp(std::span<const std::uint8_t> coverage, int width, int height, V
   const float step = std::max({static_cast<float>(height) / 18, static_cast<float>(width) / 120, 2 / perTexel});
   const float distance = std::max(0.2f, glm::length(f.camera.eye - f.camera.target));
   const float radius = 0.8f * step * perTexel * distance / render::pixelsPerUnit(f);
-  s.beginWaterStroke(State::kSplash, radius, amount);
+  // Two lie on every spot.
+  s.beginWaterStroke(State::kSplash, radius, 0.5f * amount);
   for (float y = 0.5f * step; y < static_cast<float>(height); y += step)
     for (float x = 0.5f * step; x < static_cast<float>(width); x += step) {
       if (coverage[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)] < 128) continue;
@@ -185,7 +190,7 @@ std::string App::recordedStrokes() const {
 std::vector<std::uint8_t> App::saveWater() const {
   const State& s = *state_;
   ByteWriter to;
-  to(kSavedLayout, s.mask.texels(), s.mask.film());
+  to(kWaterLayout, s.mask.texels(), s.mask.film());
   s.water.save(to);
   to(s.waterSteps, static_cast<std::uint32_t>(s.strokes.size()));
   for (const State::Stroke& one : s.strokes) to(one.what, one.radius, one.flow, one.clump, one.eye, one.spots);
@@ -209,7 +214,7 @@ Status App::restoreWater(std::span<const std::uint8_t> bytes) {
     from(one.what, one.radius, one.flow, one.clump, one.eye, one.spots);
   }
   const std::size_t all = s.mask.texels().size();
-  if (layout != kSavedLayout || !from.sound() || !from.atEnd() || texels.size() != all || (!film.empty() && film.size() != all))
+  if (layout != kWaterLayout || !from.sound() || !from.atEnd() || texels.size() != all || (!film.empty() && film.size() != all))
     return Error{ErrorId::BadFile, "water of " + std::to_string(bytes.size()) + " bytes is not of this model"};
   s.water = std::move(water);
   s.shownPuddles = s.water.groundRevision() - 1;

@@ -64,7 +64,6 @@ void App::State::beginWaterStroke(int what, float radius, float flow) {
   // Each has its own chance, so that it is the same wherever it is painted again.
   strokes.push_back({what, radius, flow, settings.clumpSize, eye, {}});
   sprayRandom = Random(strokes.size());
-  hoseDue = 0;
   strokeBefore = MaskImage{mask.texels(), mask.film()};
 }
 

@@ -1,4 +1,5 @@
-// Draws drops of water (Frame::drops): one instance a drop, a disc that faces the eye and is shaded as a ball.
+// Draws drops of water (Frame::drops): one instance each: what falls as a streak, a hose's as one jet, what has landed as
+// rings and spray, what clings as a ball.
 // Without any nothing is kept, compiled or drawn.
 #pragma once
 

@@ -112,7 +112,7 @@ Result<Renderer> Renderer::create() {
   r.frameBlock_ = gl::Buffer(gl::BufferKind::Uniform, gl::bytesOf(frame), true);
   r.coatBlock_ = gl::Buffer(gl::BufferKind::Uniform, gl::bytesOf(coat), true);
   for (int i = 0; i < 2; ++i) {
-    r.groundShadow_[i] = gl::Texture({gl::TexelFormat::RG8, kGroundShadowSize, kGroundShadowSize, 0}, {});
+    r.groundShadow_[i] = gl::Texture({gl::TexelFormat::RGBA8, kGroundShadowSize, kGroundShadowSize, 0}, {});
     r.groundTarget_[i] = gl::Target::toTexture(r.groundShadow_[i]);
   }
   r.setBaseColor(0, 0, {});
@@ -330,7 +330,8 @@ Status Renderer::drawArrows(unsigned variant) {
 
 Status Renderer::drawGroundShadow(const Frame& frame) {
   const settings::Settings& s = frame.settings;
-  const ShadowKey key{frame.worldFromModel, directionFrom(s.lightYaw, s.lightPitch), s.furLength, frame.groundHeight, frame.ball};
+  const bool wet = !frame.puddles.empty();
+  const ShadowKey key{frame.worldFromModel, directionFrom(s.lightYaw, s.lightPitch), s.furLength, frame.groundHeight, frame.ball, wet ? frame.camera.eye : Vec3(0)};
   if (shadowKey_ == key) return Done{};
   gl::setViewport(kGroundShadowSize, kGroundShadowSize);
   groundTarget_[0].bind();
@@ -338,7 +339,7 @@ Status Renderer::drawGroundShadow(const Frame& frame) {
   const auto flat = programs_.use(Shader::GroundShadow, kPlain);
   if (!flat) return flat.error();
   gl::apply({.depthTest = false, .depthWrite = false, .cullBack = false, .blend = gl::Blend::Add});
-  surface_.drawIndexed(indexCount_, 2);
+  surface_.drawIndexed(indexCount_, wet ? 3 : 2);
   if (frame.ball.w > 0) {
     const auto round = programs_.use(Shader::GroundShadow, kBall);
     if (!round) return round.error();

@@ -120,6 +120,7 @@ class Renderer {
     Vec3 light;
     float length, height;
     Vec4 ball;
+    Vec3 mirrorsTo;  // the eye, where the ground is wet
     bool operator==(const ShadowKey&) const = default;
   };
   std::optional<ShadowKey> shadowKey_;

@@ -21,8 +21,15 @@ constexpr float kTakes = 1.0f;                  // amount that a square unit of 
 
 // Rain is densest over the model and thins out over the ground round it.
 constexpr float kRainReach = 1.3f, kRainHeight = 1.7f;
-constexpr float kRainDrops = 720.0f, kRainDrop = 1.6e-3f, kRainSpeed = 3.0f;
+constexpr float kRainDrops = 720.0f, kRainDrop = 1.6e-3f, kRainSpeed = 5.0f;
 constexpr float kFling = 2.6f;  // model radii a second
+// A jet has air in it: its radius is so many times that of its water. Seconds that it takes to fall apart by 1.
+constexpr float kJetWidth = 1.7f, kFallsApart = 0.2f;
+// Of what a drop leaves to be seen: seconds that a ring or spray lasts; how far a ring widens on dry ground, and further on wet;
+// pieces of spray that a jet throws, their radius, and their share of its speed.
+constexpr float kRing = 0.35f, kCrown = 0.03f, kWave = 0.1f, kSpray = 0.2f, kSprayRadius = 0.009f, kSpraySpeed = 0.12f;
+constexpr int kSprayDrops = 8;
+
 
 float radiusOf(float amount) {
   return amount > 0.0f ? portableExp(portableLog(amount * (kDepth * 0.75f / kPi)) / 3.0f) : 0.0f;
@@ -93,29 +100,48 @@ void Water::fall(const Ground& ground, const Climate& climate) {
   std::size_t kept = 0;
   for (std::size_t d = 0; d < drops_.size(); ++d) {
     Drop drop = drops_[d];
-    if (drop.place == SurfaceTexels::kNone) {
+    if (drop.splash > 0.0f) {
+      const bool flies = drop.velocity != Vec3(0);
+      if ((drop.splash += kRate / (flies ? kSpray : kRing)) > 1.0f) continue;
+      if (flies) drop.velocity.y -= kGravity * kRate;
+      drop.position += drop.velocity * kRate;
+    } else if (drop.place == SurfaceTexels::kNone) {
+      if (drop.jet > 1.0f) drop.jet = std::max(drop.jet - kRate / kFallsApart, 1.0f);
       drop.velocity += (Vec3(0, -kGravity, 0) + (climate.wind - drop.velocity) * kDrag) * kRate;
       const Vec3 way = drop.velocity * kRate;
       const auto hit = shown.castRay(toModel * (drop.position - middle), toModel * way);
       const Vec3 to = drop.position + way;
       if (hit && hit->distance <= 1.0f) {
         const Vec3 at = positionAt(ground.surface, *hit), normal = normalAt(ground.surface, *hit);
-        splash(at, normal, climate.clumpSize, drop.water, texels_->placeAt(atlasAt(ground.surface, *hit)));
+        splash(at, normal, (drop.jet > 0.0f ? 1.6f : 1.0f) * climate.clumpSize, drop.water, texels_->placeAt(atlasAt(ground.surface, *hit)));
+        if (drop.jet > 0.0f) spray(drop.position + way * hit->distance, toWorld * normal, kSpraySpeed * glm::length(drop.velocity));
         continue;
       }
       if (to.y <= climate.groundHeight) {
-        wetGround(to, drop.water);
-        continue;
-      }
-      if (glm::dot(to, to) > kLost * kLost || !std::isfinite(glm::dot(to, to))) {
+        // A crown where it is dry, a wave where water stands.
+        drop.radius = kCrown + kWave * wetGround(to, drop.water);
+        drop.position = Vec3(to.x, climate.groundHeight, to.z);
+        drop.velocity = Vec3(0);
+        drop.water = drop.jet = 0;
+        drop.splash = kRate;
+      } else if (glm::dot(to, to) > kLost * kLost || !std::isfinite(glm::dot(to, to))) {
         accounts_.dripped += drop.water;
         continue;
+      } else {
+        drop.position = to;
       }
-      drop.position = to;
     }
     drops_[kept++] = drop;
   }
   drops_.resize(kept);
+}
+
+// What is seen to fly off where a jet comes down; its water stays there.
+void Water::spray(const Vec3& at, const Vec3& normal, float speed) {
+  for (int k = 0; k < kSprayDrops && drops_.size() < kMostDrops; ++k) {
+    const Vec3 off{random_.uniform(-1, 1), random_.uniform(-1, 1), random_.uniform(-1, 1)};
+    drops_.push_back({at, kSprayRadius, speed * (normal + off), 0, SurfaceTexels::kNone, 0, kRate});
+  }
 }
 
 // Lays an amount on the places within the radius, or on the nearest.
@@ -132,18 +158,20 @@ void Water::splash(const Vec3& centre, const Vec3& normal, float radius, float a
   }
 }
 
-void Water::wetGround(const Vec3& at, float amount) {
+// How much stands there then, 1 at most.
+float Water::wetGround(const Vec3& at, float amount) {
   accounts_.dripped += amount;
   // On the four cells round it, by how near they are.
   constexpr float kCell = 2.0f * kGroundReach / kGroundCells;
   const Vec2 in = Vec2(at.x, at.z) / kCell + (0.5f * kGroundCells - 0.5f), low = glm::floor(in), share = in - low;
-  if (!(low.x >= 0 && low.y >= 0 && low.x < kGroundCells - 1 && low.y < kGroundCells - 1)) return;
+  if (!(low.x >= 0 && low.y >= 0 && low.x < kGroundCells - 1 && low.y < kGroundCells - 1)) return 0;
   float* cell = &puddles_[static_cast<std::size_t>(low.y) * kGroundCells + static_cast<std::size_t>(low.x)];
   amount /= kCell * kCell;
   for (int k = 0; k < 4; ++k)
     cell[(k >> 1) * kGroundCells + (k & 1)] += amount * (k & 1 ? share.x : 1 - share.x) * (k >> 1 ? share.y : 1 - share.y);
   ++groundRevision_;
   groundWet_ = groundMoves_ = true;
+  return std::min(*cell, 1.0f);
 }
 
 // What the ground does not take up spreads over it, and all of it dries.
@@ -220,14 +248,16 @@ void Water::pour(const Ground& ground, WetnessMask& mask, const Vec3& centre, co
 }
 
 Vec3 Water::velocityFor(const Vec3& way, float seconds, const Vec3& wind) {
-  const Vec3 straight = way / seconds;
-  return straight - 0.5f * (seconds + kRate) * (Vec3(0, -kGravity, 0) + (wind - straight) * kDrag);
+  // fall() draws nearer, by a constant share each step, to the speed at which air balances gravity.
+  const Vec3 steady = wind - Vec3(0, kGravity / kDrag, 0);
+  const float kept = 1.0f - kDrag * kRate;
+  return steady + (way - seconds * steady) * (kDrag / (kept * (1.0f - portableExp(seconds / kRate * portableLog(kept)))));
 }
 
-void Water::launch(const Vec3& position, const Vec3& velocity, float amount) {
+void Water::launch(const Vec3& position, const Vec3& velocity, float amount, float jet) {
   if (!(amount > 0.0f) || drops_.size() >= kMostDrops) return;
   accounts_.painted += amount;
-  drops_.push_back({position, radiusOf(amount), velocity, amount});
+  drops_.push_back({position, (jet > 0.0f ? kJetWidth : 1.0f) * radiusOf(amount), velocity, amount, SurfaceTexels::kNone, jet});
 }
 
 void Water::wipe(const Ground& ground, WetnessMask& mask, const Vec3& centre, const Vec3& normal, float radius, float share) {

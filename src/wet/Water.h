@@ -49,13 +49,15 @@ struct Climate {
   float blowRadius = 0, blow = 0;
 };
 
-// A drop that falls, or hangs from the fur.
+// A drop that falls, or hangs from the fur; or what is left to see of one that has landed.
 struct Drop {
   Vec3 position{0};
   float radius = 0.01f;
   Vec3 velocity{0};
   float water = 0;  // how much of it
   std::uint32_t place = SurfaceTexels::kNone;  // that it hangs at; none while it falls
+  float jet = 0;     // above 0: from a hose; a piece of its jet, which has fallen apart into drops when this has come from kJet to 1
+  float splash = 0;  // above 0: it has landed, and spreads until this is 1: as a ring on the ground, as spray where it still flies
 };
 
 // painted + rained = held + film + drops + dripped + evaporated + removed.
@@ -101,8 +103,9 @@ class Water {
   void pour(const Ground& ground, WetnessMask& mask, const Vec3& centre, const Vec3& normal, float radius, float amount);
   // How fast a drop has to set out that is to come so far in so many seconds, against gravity, wind and air.
   static Vec3 velocityFor(const Vec3& way, float seconds, const Vec3& wind);
-  // A drop on its way, as `painted`; more than kMostDrops are not taken.
-  void launch(const Vec3& position, const Vec3& velocity, float amount);
+  // A drop on its way, as `painted`; more than kMostDrops are not taken. Those with a `jet` of kJet, one each step, are a jet.
+  static constexpr float kJet = 2.3f;
+  void launch(const Vec3& position, const Vec3& velocity, float amount, float jet = 0);
   // Takes the film and `share` of wetness off all within the radius (model space).
   void wipe(const Ground& ground, WetnessMask& mask, const Vec3& centre, const Vec3& normal, float radius, float share);
   // All that is on its way, and the ground; the mask is its owner's to clear.
@@ -151,8 +154,9 @@ class Water {
   void fall(const Ground& ground, const Climate& climate);
   void rain(const Climate& climate);
   void shake(const Ground& ground, WetnessMask& mask, const Climate& climate);
+  void spray(const Vec3& at, const Vec3& normal, float speed);
   void splash(const Vec3& centre, const Vec3& normal, float radius, float amount, std::uint32_t nearest);
-  void wetGround(const Vec3& at, float amount);
+  float wetGround(const Vec3& at, float amount);
   void seepGround(float dries);
 
   std::unique_ptr<SurfaceTexels> texels_;

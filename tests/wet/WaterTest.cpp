@@ -367,6 +367,41 @@ TEST(Water, DropsHangFromAndHitTheModelWhereItIsShown) {
   EXPECT_NEAR(pond.water.accounts().held + pond.water.accounts().film, 0.002, 2e-4);
 }
 
+TEST(Water, ThatLandsLeavesARingOnTheGroundForAMomentAndAJetThrowsSpray) {
+  Pond pond(sphere(), 64);
+  pond.climate.groundHeight = -1;
+  pond.water.launch(Vec3(2, -0.9f, 0), Vec3(0, -6, 0), 0.002f);
+  pond.run(3);
+  ASSERT_EQ(pond.water.drops().size(), 1u);
+  EXPECT_GT(pond.water.drops()[0].splash, 0);
+  EXPECT_EQ(pond.water.drops()[0].water, 0);
+  EXPECT_EQ(pond.water.drops()[0].position.y, -1);
+  EXPECT_NEAR(pond.water.accounts().dripped, 0.002, 1e-8);
+  pond.run(30);
+  EXPECT_TRUE(pond.water.drops().empty());
+  // On fur a drop only goes in; a jet sprays, and none of it is lost.
+  for (const float jet : {0.0f, Water::kJet}) {
+    pond.water.launch(Vec3(0, 1.3f, 0), Vec3(0, -9, 0), 0.002f, jet);
+    pond.run(4);
+    EXPECT_EQ(pond.water.drops().size() > 3, jet > 0);
+    EXPECT_NEAR(imbalance(pond.water.accounts()), 0, 1e-7);
+    EXPECT_EQ(pond.water.accounts().drops, 0);
+    pond.run(60);
+    EXPECT_TRUE(pond.water.drops().empty());
+  }
+}
+
+TEST(Water, IsSentSoThatItArrives) {
+  Pond pond(sphere(), 64);
+  pond.climate.wind = Vec3(1, 0, 0.5f);
+  pond.climate.groundHeight = -9;
+  const Vec3 from(3, 2, 0), way(-0.5f, 1, 2);
+  pond.water.launch(from, Water::velocityFor(way, 0.5f, pond.climate.wind), 0.002f);
+  pond.run(30);
+  ASSERT_EQ(pond.water.drops().size(), 1u);
+  EXPECT_LT(glm::length(pond.water.drops()[0].position - from - way), 1e-3f);
+}
+
 TEST(Water, HasTheSameBitsOnEveryPlatform) {
   Pond pond(torus(), 64);
   pond.climate.dryRate = 0.05f;
@@ -378,7 +413,7 @@ TEST(Water, HasTheSameBitsOnEveryPlatform) {
   pond.run(60);
   pond.climate = Climate{};
   pond.run(120);
-  EXPECT_EQ(pond.water.hash(pond.mask), 8843581194917479770ull);  // native and wasm, when it was written
+  EXPECT_EQ(pond.water.hash(pond.mask), 10013575185630345524ull);  // native and wasm, when it was written
 }
 
 TEST(Water, SoakedRunsDownDripsWhatItCannotHoldAndComesToRest) {

@@ -81,7 +81,8 @@ FUR_BLOCK(FurBlock) {
 #define FUR_WHISKER_WEIGHTS 6    // their shares
 
 #define FUR_DROP_PLACE 0  // world; w: radius
-#define FUR_DROP_WAY 1    // velocity
+#define FUR_DROP_WAY 1    // on which it is seen in one picture; w: 1 where it flies, 0 where it clings
+#define FUR_DROP_KIND 2   // wet::Drop: jet, splash
 
 #define FUR_UNIT_COVERAGE 0
 #define FUR_UNIT_STRAND 1
