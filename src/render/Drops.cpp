@@ -24,7 +24,8 @@ Status Drops::draw(Programs& programs, std::span<const wet::Drop> drops, std::si
   if (drops.empty()) return Done{};
   const auto program = programs.use(Shader::Drop, kPlain);
   if (!program) return program.error();
-  std::vector<Instance> instances;
+  std::vector<Instance> instances(drops.size());
+  Instance* next = instances.data();
   // The piece of a jet that set out before.
   const wet::Drop* before = nullptr;
   for (const wet::Drop& drop : drops) {
@@ -41,7 +42,7 @@ Status Drops::draw(Programs& programs, std::span<const wet::Drop> drops, std::si
       }
       before = &drop;
     }
-    instances.push_back(one);
+    *next++ = one;
   }
   if (drops_.bytes() == 0) {
     drops_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(instances), true);
@@ -49,7 +50,7 @@ Status Drops::draw(Programs& programs, std::span<const wet::Drop> drops, std::si
   } else {
     drops_.update(gl::bytesOf(instances));
   }
-  uploadedBytes += sizeof(Instance) * instances.size();
+  uploadedBytes += gl::bytesOf(instances).size();
   gl::apply({.depthWrite = false, .cullBack = false, .blend = gl::Blend::Over, .alpha = false});
   array_.drawStrips(4, static_cast<int>(drops.size()));
   return Done{};

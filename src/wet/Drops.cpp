@@ -248,10 +248,8 @@ void Water::pour(const Ground& ground, WetnessMask& mask, const Vec3& centre, co
 }
 
 Vec3 Water::velocityFor(const Vec3& way, float seconds, const Vec3& wind) {
-  // fall() draws nearer, by a constant share each step, to the speed at which air balances gravity.
-  const Vec3 steady = wind - Vec3(0, kGravity / kDrag, 0);
-  const float kept = 1.0f - kDrag * kRate;
-  return steady + (way - seconds * steady) * (kDrag / (kept * (1.0f - portableExp(seconds / kRate * portableLog(kept)))));
+  const Vec3 straight = way / seconds;
+  return straight - 0.5f * (seconds + kRate) * (Vec3(0, -kGravity, 0) + (wind - straight) * kDrag);
 }
 
 void Water::launch(const Vec3& position, const Vec3& velocity, float amount, float jet) {

@@ -391,17 +391,6 @@ TEST(Water, ThatLandsLeavesARingOnTheGroundForAMomentAndAJetThrowsSpray) {
   }
 }
 
-TEST(Water, IsSentSoThatItArrives) {
-  Pond pond(sphere(), 64);
-  pond.climate.wind = Vec3(1, 0, 0.5f);
-  pond.climate.groundHeight = -9;
-  const Vec3 from(3, 2, 0), way(-0.5f, 1, 2);
-  pond.water.launch(from, Water::velocityFor(way, 0.5f, pond.climate.wind), 0.002f);
-  pond.run(30);
-  ASSERT_EQ(pond.water.drops().size(), 1u);
-  EXPECT_LT(glm::length(pond.water.drops()[0].position - from - way), 1e-3f);
-}
-
 TEST(Water, HasTheSameBitsOnEveryPlatform) {
   Pond pond(torus(), 64);
   pond.climate.dryRate = 0.05f;
