@@ -30,6 +30,7 @@ void main() {
   vec3 color = mix(through, seen(reflect(-V, n)), fresnel);
   float glint = pow(max(dot(n, normalize(L + V)), 0.0), 96.0), gathered = max(dot(-n, L), 0.0);
   float alpha = 0.3 + 0.55 * out2 * out2;
+  if (vPasses == -1.0) alpha += 0.15;  // a jet has air in it
   if (vPasses > 0.0) {
     // While it passes, what is behind it shows longer at its ends and sides. As much water as before, where it is wider than a pixel.
     float soft = vPasses * clamp(0.4 * vSize.x - 0.4, 0.0, 0.8);
@@ -37,6 +38,6 @@ void main() {
     alpha = mix(alpha, 0.45, vPasses);
   }
   alpha *= covers;
-  vec3 shine = vec3(light.w * (0.45 * glint + 0.1 * gathered * gathered + 0.03 * max(vPasses, 0.0)));
+  vec3 shine = vec3(light.w * (0.45 * glint + 0.1 * gathered * gathered + 0.03 * abs(vPasses)));
   fragColor = vec4(min(color * alpha + shine * covers, 1.0), alpha);
 }

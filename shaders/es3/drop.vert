@@ -24,7 +24,7 @@ void main() {
   across = cross(along, toEye);
   // Pieces of a jet draw together.
   float whole = clamp(kind.x - 1.0, 0.0, 1.0);
-  if (kind.x > 0.0) path *= mix(0.4, 1.0, whole);
+  if (kind.x > 0.0) path *= mix(0.6, 1.0, whole);
   // It keeps its volume.
   float wide = radius * inversesqrt(1.0 + 0.75 * path / radius), drawn = max(wide, 0.5 / pixels), halfWay = 0.5 * path * slant;
   if (whole > 0.0) halfWay += 0.5 * wide;  // and overlap
