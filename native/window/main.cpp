@@ -13,6 +13,7 @@
 #include "gl/Objects.h"
 #include "native/Arguments.h"
 #include "native/Files.h"
+#include "native/window/Shots.h"
 #include "native/window/Window.h"
 
 namespace {
@@ -183,16 +184,11 @@ class Session {
     savedAs_ = save(name, app_.saveScene(), savedAs_);
   }
   std::string save(const std::string& name, const std::vector<std::uint8_t>& bytes, const std::string& over = {}) {
-    namespace fs = std::filesystem;
-    const fs::path wanted(name);
-    fs::path path = wanted;
+    const std::string path = over.empty() ? native::freePath(name) : over;
+    const Status status = native::writeFile(path, bytes);
     std::error_code ignored;
-    if (!over.empty()) path = over;
-    for (int i = 2; over.empty() && fs::exists(path, ignored); ++i)
-      path = wanted.stem().string() + '-' + std::to_string(i) + wanted.extension().string();
-    const Status status = native::writeFile(path.string(), bytes);
-    host_.message(status ? "Saved as " + fs::absolute(path, ignored).string() : status.error().message, !status);
-    return path.string();
+    host_.message(status ? "Saved as " + std::filesystem::absolute(path, ignored).string() : status.error().message, !status);
+    return path;
   }
 
   void serveEditor() {
@@ -220,6 +216,10 @@ class Session {
         case Kind::SaveScene:
           saveScene(command->text);
           break;
+        case Kind::SavePicture:
+        case Kind::SaveTurntable:
+          shots_.begin(command->text, host_.studio().order());
+          break;
       }
     }
     for (const std::string& path : window_.takeDropped()) load(path);
@@ -231,6 +231,7 @@ class Session {
   // Whether anything was drawn.
   Result<bool> frame(float dt, app::Picture picture, bool always) {
     serveEditor();
+    if (host_.studio().busy()) shots_.work(host_);
     bool changed = app_.tick(dt, kCoatSeconds);
     changed |= host_.update(dt);
     if (!changed && !always) return false;
@@ -314,6 +315,7 @@ class Session {
   std::vector<Kept> kept_;         // the one that is shown is at at_, and empty
   std::size_t at_ = 0;
   std::string savedOf_, savedAs_;  // the scene that was saved last, and its file
+  native::Shots shots_;
   app::App app_;
   app::EditorHost host_{app_, editor::FileAccess::Path};
 };

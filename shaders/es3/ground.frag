@@ -10,7 +10,7 @@ in vec3 vRay;
 out vec4 fragColor;
 
 void main() {
-  vec3 color = mix(backgroundBottom.rgb, backgroundTop.rgb, smoothstep(0.0, lightWorld.w, gl_FragCoord.y));
+  vec3 color = mix(backgroundBottom.rgb, backgroundTop.rgb, smoothstep(0.0, lightWorld.w, pixel().y));
   // Nothing where the map ends.
   float dark = textureLod(shadowMap, vSpot, 0.0).r;
   color -= color * (groundPlane.z * dark);

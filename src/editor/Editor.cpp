@@ -106,7 +106,13 @@ void Editor::drawContent(const EditorModel& model, bool saves) {
   ImGui::BeginChild("content", ImVec2(0, messagesHeight_ > 0 ? -messagesHeight_ : 0), false, ImGuiWindowFlags_AlwaysVerticalScrollbar);
   scrollByFinger();
   if (saves && asksToSave_) ImGui::SetScrollY(0);
+  // The scene stands still for a picture.
+  const bool busy = model.picture.busy;
+  ImGui::BeginDisabled(busy);
   drawSaving(model);
+  ImGui::EndDisabled();
+  for (Command& command : picture_.draw(model, !touch_)) emit(std::move(command));
+  ImGui::BeginDisabled(busy);
   settings::Settings edited = model.settings;
   drawFrequent(edited, !touch_);
   drawScene(model);
@@ -116,6 +122,7 @@ void Editor::drawContent(const EditorModel& model, bool saves) {
   drawSettings(edited, model.animations);
   if (edited != model.settings) change(model, edited);
   drawStats(model);
+  ImGui::EndDisabled();
   contentHeight_ = ImGui::GetCursorPosY();
   ImGui::EndChild();
 }

@@ -17,6 +17,7 @@
 #include "editor/GroomPanel.h"
 #include "editor/InputQueue.h"
 #include "editor/PanelLayout.h"
+#include "editor/PicturePanel.h"
 #include "editor/Theme.h"
 
 namespace fur::editor {
@@ -69,6 +70,7 @@ class Editor {
 
   CoatPanel coat_;
   GroomPanel groom_;
+  PicturePanel picture_;
   std::vector<Command> commands_;
   char filter_[64] = "";
   char path_[1024] = "";

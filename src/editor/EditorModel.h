@@ -71,6 +71,15 @@ struct WaterView {
   double came = 0, held = 0, film = 0, drops = 0, dripped = 0, dried = 0;
 };
 
+// What the section "Picture" shows.
+struct PictureView {
+  int shownWidth = 0, shownHeight = 0;  // of what is seen, pixels
+  int leastSide = 16, mostSide = 8192;
+  bool busy = false;     // a picture or a turntable is being drawn
+  float progress = 0;    // of it, 0..1
+  bool turning = false;  // the camera goes round, live
+};
+
 struct EditorModel {
   settings::Settings settings;
   Tool tool = Tool::Droplet;
@@ -87,6 +96,7 @@ struct EditorModel {
   std::span<const float> frameSeconds;  // the last frames, oldest first
   CoatView coat;
   GroomView groom;
+  PictureView picture;
 };
 
 namespace command {
@@ -129,6 +139,20 @@ struct GroomAll {       // app::App::groomAll()
   float value = 1;
   Vec3 direction{0};
 };
+struct SavePicture {
+  int width, height;
+  bool transparent;
+};
+// A film of one turn of the camera, or its frames. Less than no seconds: the other way round.
+struct SaveTurntable {
+  int width, height;
+  bool transparent;
+  float secondsPerTurn;
+};
+struct TurnOnce {
+  float secondsPerTurn;
+};
+struct StopPicture {};  // and turning
 struct DismissMessage {
   std::size_t index;
 };
@@ -139,6 +163,7 @@ using Command = std::variant<command::BeginChange, command::EndChange, command::
                              command::OpenDialog, command::OpenPath, command::ResetCamera, command::Undo,
                              command::Redo, command::CopyState, command::PasteState, command::ApplyPreset,
                              command::SaveTypeSet, command::SaveFo, command::SaveScene, command::GroomAll,
+                             command::SavePicture, command::SaveTurntable, command::TurnOnce, command::StopPicture,
                              command::DismissMessage>;
 
 }  // namespace fur::editor

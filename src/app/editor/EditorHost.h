@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "app/App.h"
+#include "app/editor/Studio.h"
 #include "editor/Editor.h"
 #include "editor/InputQueue.h"
 #include "gl/Objects.h"
@@ -36,7 +37,10 @@ struct PlatformCommand {
     PasteRequest = 5,
     SaveTypeSet = 6,  // App::saveTypeSet(), under the name in `text`
     SaveFo = 7,       // the model as .fo, likewise
-    SaveScene = 8     // App::saveScene(), likewise
+    SaveScene = 8,    // App::saveScene(), likewise
+    // nextBand() until it gives the last or none: a picture under the name in `text`; a film or frames of one turn, likewise.
+    SavePicture = 9,
+    SaveTurntable = 10
   };  // JavaScript knows these
   Kind kind;
   std::string text;  // the path, the text to copy, or a name for the file
@@ -74,6 +78,12 @@ class EditorHost {
   bool update(float dt);
   void draw();          // over what App::draw() left, in the same framebuffer
   bool active() const;  // further frames are needed, although no event may come
+
+  // --- pictures, which the platform writes: see PlatformCommand ---
+  // None: it was given up, of which the panel tells the reason.
+  std::optional<Studio::Band> nextBand();
+  const Studio& studio() const { return studio_; }
+  void endPicture() { studio_.end(); }
 
   // --- the panel's size ---
   // What the person chose, to be kept and given back the next time: see editor::PanelLayout::text().
@@ -113,6 +123,9 @@ class EditorHost {
     platform_.push_back({kind, std::move(text)});
   }
   void drawRing();
+  void begin(const PictureOrder& order, PlatformCommand::Kind kind, std::string name);
+  void turn(float dt);
+  void stopTurning() { turnLeft_ = 0; }
   void stamp(const std::string& text);
   void check(const Status& status);
   std::uint64_t pictureHash() const;
@@ -146,6 +159,10 @@ class EditorHost {
   std::function<void(const char*)> writeClipboard_;
   std::function<std::string()> readClipboard_;
   std::string clipboard_;
+  Studio studio_{app_};
+  int mostPictureSide_ = kMostPictureSide;
+  float secondsPerTurn_ = 0, turnLeft_ = 0;  // of a turn that is shown; seconds
+  CameraOrbit turnStart_;
 };
 
 }  // namespace fur::app
