@@ -1,14 +1,18 @@
 // Files of what the editor's section "Picture" draws, band by band: a PNG, or a film of one turn.
 import { FurError } from './errors.js';
+import { webm } from './webm.js';
 
 /** So that the panel shows how far it is, and hears a Cancel. */
 const breathe = () => new Promise((resolve) => { requestAnimationFrame(() => setTimeout(resolve)); });
 const sleep = (milliseconds) => new Promise((resolve) => { setTimeout(resolve, milliseconds); });
 
-const filmTypes = ['video/webm;codecs=vp9', 'video/webm;codecs=vp8', 'video/webm', 'video/mp4'];
+const codecs = [['vp09.00.51.08', 'V_VP9'], ['vp8', 'V_VP8']];
+const recordedTypes = ['video/webm;codecs=vp9', 'video/webm;codecs=vp8', 'video/webm', 'video/mp4'];
 const bitsPerPixel = 0.35;
-const [leastBitRate, mostBitRate] = [4e6, 80e6];
-/** A recorder stamps frames with the time at which they come, so each is shown as long as it lasts. */
+const bitRateOf = ({ width, height, rate }) => Math.min(80e6, Math.max(4e6, width * height * rate * bitsPerPixel));
+/** Frames that wait for the encoder hold memory. */
+const mostWaiting = 4;
+/** A recorder is given the time to take the last frame. */
 const settleMilliseconds = 80;
 
 /** Draws the next frame on the canvas; false: it was given up. */
@@ -35,39 +39,82 @@ export async function savePicture(panel, name) {
   return { blob, name };
 }
 
-/** The same of one turn: each frame is drawn in full, whatever that takes, and shown to a recorder that stands still meanwhile. */
-export async function saveTurntable(panel, name) {
-  const type = globalThis.MediaRecorder && filmTypes.find((one) => MediaRecorder.isTypeSupported(one));
-  const canvas = document.createElement('canvas');
-  if (!type || !canvas.captureStream) throw new FurError('webgl-unavailable', 'this browser cannot record a video (it has no MediaRecorder for WebM or MP4)');
-  const context = canvas.getContext('2d', { alpha: false });
-  let band = await drawFrame(panel, canvas, context);
-  if (!band) return null;
+async function usableCodec(film) {
+  if (!globalThis.VideoEncoder) return null;
+  for (const [codec, name] of codecs) {
+    const config = { codec, width: film.width, height: film.height, framerate: film.rate, bitrate: bitRateOf(film) };
+    const answer = await VideoEncoder.isConfigSupported(config).catch(() => null);
+    if (answer?.supported) return { config, name };
+  }
+  return null;
+}
+
+/** Each frame has its own time, however long it took: WebCodecs. `next` draws one. */
+async function encode(film, { config, name }, canvas, next) {
+  const frames = [];
+  let failure = null;
+  const encoder = new VideoEncoder({
+    output: (chunk) => {
+      const data = new Uint8Array(chunk.byteLength);
+      chunk.copyTo(data);
+      frames.push({ data, isKey: chunk.type === 'key' });
+    },
+    error: (error) => { failure = error; },
+  });
+  encoder.configure(config);
+  for (let band = film; band; band = band.frame + 1 < band.frames && await next()) {
+    const frame = new VideoFrame(canvas, { timestamp: Math.round(1e6 * band.frame / film.rate) });
+    if (!failure) encoder.encode(frame, { keyFrame: band.frame % film.rate === 0 });
+    frame.close();
+    while (!failure && encoder.encodeQueueSize > mostWaiting) await sleep(2);
+    if (failure) throw failure;
+  }
+  await encoder.flush();
+  encoder.close();
+  return { blob: new Blob([webm(frames, { codec: name, ...film })], { type: 'video/webm' }), count: frames.length };
+}
+
+/** The same by a recorder that stands still while a frame is drawn: as even as timers are. */
+async function record(film, canvas, next) {
+  const type = globalThis.MediaRecorder && recordedTypes.find((one) => MediaRecorder.isTypeSupported(one));
+  if (!type || !canvas.captureStream)
+    throw new FurError('webgl-unavailable', 'this browser can make no video: it has neither VideoEncoder nor MediaRecorder for WebM or MP4');
   const stream = canvas.captureStream(0);
   const [track] = stream.getVideoTracks();
   const chunks = [];
-  const bitRate = Math.min(mostBitRate, Math.max(leastBitRate, band.width * band.height * band.rate * bitsPerPixel));
-  const recorder = new MediaRecorder(stream, { mimeType: type, videoBitsPerSecond: bitRate });
+  const recorder = new MediaRecorder(stream, { mimeType: type, videoBitsPerSecond: bitRateOf(film) });
   recorder.ondataavailable = ({ data }) => chunks.push(data);
   const stopped = new Promise((resolve, reject) => {
     recorder.onstop = resolve;
     recorder.onerror = ({ error }) => reject(error ?? new Error('the browser gave up recording'));
   });
   recorder.start();
-  const shownFor = 1000 / band.rate;
-  while (band) {
+  let count = 0;
+  for (let band = film; band;) {
     if (recorder.state === 'paused') recorder.resume();
-    const since = performance.now();
     (track.requestFrame ? track : stream).requestFrame();
-    await sleep(Math.max(0, shownFor - (performance.now() - since)));
+    count++;
+    await sleep(1000 / film.rate);
     if (band.frame + 1 === band.frames) break;
     recorder.pause();
-    band = await drawFrame(panel, canvas, context);
+    band = await next();
   }
   await sleep(settleMilliseconds);
   recorder.stop();
   await stopped;
   track.stop();
-  if (!band) return null;
-  return { blob: new Blob(chunks, { type: type.split(';')[0] }), name: `${name}.${type.slice(6).split(';')[0]}` };
+  return { blob: new Blob(chunks, { type: type.split(';')[0] }), count };
+}
+
+/** The same of one turn, each frame drawn in full whatever that takes. */
+export async function saveTurntable(panel, name) {
+  const canvas = document.createElement('canvas');
+  const context = canvas.getContext('2d', { alpha: false });
+  const next = () => drawFrame(panel, canvas, context);
+  const film = await next();
+  if (!film) return null;
+  const codec = await usableCodec(film);
+  const { blob, count } = await (codec ? encode(film, codec, canvas, next) : record(film, canvas, next));
+  if (count < film.frames) return null;
+  return { blob, name: `${name}.${blob.type === 'video/mp4' ? 'mp4' : 'webm'}` };
 }

@@ -11,9 +11,8 @@ struct Person : PanelDriver {
     model.picture.shownHeight = 800;
     openGroup("Picture");
   }
-  // Segments are buttons below their row's name.
-  void choose(const char* row, const char* one) {
-    const auto at = find(ImHashStr(one, 0, ImHashStr(row, 0, content()->ID)));
+  void choose(const char* row, int segment, const char* one) {
+    const auto at = find(ImHashStr(one, 0, ImHashData(&segment, sizeof segment, id(row))));
     ASSERT_TRUE(at) << one;
     click(*at);
   }
@@ -40,7 +39,7 @@ TEST(PicturePanel, APictureIsAsLargeAsWhatIsSeenUntilAnotherSizeIsChosen) {
   ASSERT_TRUE(seen);
   EXPECT_EQ(std::pair(seen->width, seen->height), std::pair(1280, 800));
   EXPECT_FALSE(seen->transparent);
-  person.choose("pictureSizes", "4K");
+  person.choose("pictureSizes", 2, "4K");
   person.press("Transparent background");
   person.press("Save picture (.png)");
   const auto* large = person.last<command::SavePicture>();
@@ -64,10 +63,11 @@ TEST(PicturePanel, NumbersOfOnesOwnAreTakenUpToWhatTheMachineDraws) {
 
 TEST(PicturePanel, ATurnGoesTheWayAndTakesTheTimeThatWasChosen) {
   Person person;
+  person.model.fileAccess = FileAccess::Path;
   person.press("###turn");
   ASSERT_TRUE(person.last<command::TurnOnce>());
   EXPECT_EQ(person.last<command::TurnOnce>()->secondsPerTurn, 12);
-  person.choose("turnWays", "Left");
+  person.choose("turnWays", 1, "Left");
   person.press("Save frames (.png)");
   ASSERT_TRUE(person.last<command::SaveTurntable>());
   EXPECT_EQ(person.last<command::SaveTurntable>()->secondsPerTurn, -12);
