@@ -6,6 +6,7 @@ import { download } from './download.js';
 import { modifiersOf, phases, pointerKinds } from './furapp.js';
 import { compileProgram } from './runtime.js';
 import { savePicture, saveTurntable } from './studio.js';
+import { Versions } from './versions.js';
 
 /** @param {import('./types/index.d.ts').WetFurApi} fur */
 export const openEditor = (fur) => fur.openEditor();
@@ -21,7 +22,8 @@ const wants = { pointer: 1, text: 4, number: 8 };
 const layoutKey = 'wet-fur-panel';
 // For the page's style: how much of the right edge the panel hides.
 const widthProperty = '--wet-fur-panel-width';
-const commands = { openDialog: 1, loadShipped: 3, copy: 4, paste: 5, saveTypeSet: 6, saveFo: 7, saveScene: 8, savePicture: 9, saveTurntable: 10 };
+const commands = { openDialog: 1, loadShipped: 3, copy: 4, paste: 5, saveTypeSet: 6, saveFo: 7, saveScene: 8, savePicture: 9, saveTurntable: 10,
+  keepVersion: 11, openVersion: 12, renameVersion: 13, deleteVersion: 14 };
 
 /**
  * What the panel cannot do itself.
@@ -40,6 +42,7 @@ export class EditorPanel {
   #stop = new AbortController();
   #layout = '';
   #width = '';
+  #versions;
 
   /** @param {import('./furapp.js').FurApp} app @param {HTMLCanvasElement} canvas @param {PanelHost} host */
   constructor(app, canvas, host) {
@@ -49,6 +52,7 @@ export class EditorPanel {
     this.attach();
     this.#readLayout();
     this.#listen();
+    this.#versions = new Versions(this, host.fur);
   }
 
   #call(name, ...args) { return this.#app.program.call(`fur_editor_${name}`, this.#app.handle, ...args); }
@@ -110,12 +114,34 @@ export class EditorPanel {
     if (command === commands.saveFo) this.#save(() => fur.saveFo(), text());
     if (command === commands.saveScene) this.#save(() => fur.save(), text());
     if (command === commands.paste) this.#paste();
+    if (command === commands.keepVersion) this.#versions.keep(text());
+    if (command === commands.openVersion) this.#versions.open(text());
+    if (command === commands.renameVersion) this.#versions.rename(...text().split('\n'));
+    if (command === commands.deleteVersion) this.#versions.delete(text());
     if (command === commands.savePicture) this.#shoot(savePicture, text());
     if (command === commands.saveTurntable) this.#shoot(saveTurntable, text());
   }
 
   #copy(text) {
     navigator.clipboard.writeText(text).catch((error) => this.message(`Nothing was copied: ${error.message}`, true));
+  }
+
+  // --- versions ---
+
+  /** RGBA of the scene as it is, 144 x 96. */
+  versionPicture() {
+    const { program } = this.#app;
+    const byteLength = program.callOrThrow('fur_editor_versionPicture', this.#app.handle);
+    const rgba = program.array(Uint8Array, program.call('fur_savedBytes'), byteLength);
+    program.call('fur_forgetSavedBytes');
+    return rgba;
+  }
+
+  /** @param {{ id: string, name: string, time: number, picture: Uint8Array }[]} versions newest first */
+  showVersions(versions) {
+    for (const { id, name, time, picture } of versions) this.#call('addVersion', id, name, new Date(time).toLocaleString(), picture);
+    this.#call('showVersions');
+    this.#host.wake();
   }
 
   // --- pictures ---

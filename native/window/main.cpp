@@ -14,6 +14,7 @@
 #include "native/Arguments.h"
 #include "native/Files.h"
 #include "native/window/Shots.h"
+#include "native/window/Versions.h"
 #include "native/window/Window.h"
 
 namespace {
@@ -88,14 +89,14 @@ std::string readOptions(int count, char** values, Options& out) {
 
 // Where the panel's size is kept from day to day; empty where the system names no place.
 std::string layoutPath() {
-  const auto folder = [](const char* variable) {
-    const char* value = std::getenv(variable);
-    return std::filesystem::path(value ? value : "");
-  };
-  std::filesystem::path path = folder("XDG_CONFIG_HOME");
-  if (path.empty()) path = folder("APPDATA");
-  if (path.empty() && !folder("HOME").empty()) path = folder("HOME") / ".config";
-  return path.empty() ? "" : (path / "wet-fur" / "panel").string();
+  const std::filesystem::path folder = native::userFolder("XDG_CONFIG_HOME", ".config");
+  return folder.empty() ? "" : (folder / "panel").string();
+}
+
+// Likewise of versions.
+std::filesystem::path versionsFolder() {
+  const std::filesystem::path folder = native::userFolder("XDG_DATA_HOME", ".local/share");
+  return folder.empty() ? folder : folder / "versions";
 }
 
 class Session {
@@ -113,6 +114,7 @@ class Session {
     for (const auto& [name, value] : options_.settings) app_.setField(name, value);
     if (options_.quality == "auto") app_.setQuality(0, true);
     load(options_.scene);
+    host_.setVersions(versions_.list());
     if (options_.wetness > 0) app_.setWetness(options_.wetness);
     const Status status = options_.screenshot.empty() ? work() : screenshot();
     host_.detach();
@@ -191,6 +193,15 @@ class Session {
     return path;
   }
 
+  void keepVersion(const std::string& name) {
+    auto picture = host_.versionPicture();
+    if (!picture) return host_.message(picture.error().message, true);
+    const Status kept = versions_.keep(name, app_.modelName(), app_.saveScene(), *picture);
+    check(kept);
+    for (const std::string& lost : kept ? app_.lostBySaving() : Warnings()) host_.message('"' + name + "\" is kept without " + lost, false);
+    host_.setVersions(versions_.list());
+  }
+
   void serveEditor() {
     using Kind = app::PlatformCommand::Kind;
     while (const auto command = host_.takeCommand()) {
@@ -219,6 +230,23 @@ class Session {
         case Kind::SavePicture:
         case Kind::SaveTurntable:
           shots_.begin(command->text, host_.studio().order());
+          break;
+        case Kind::KeepVersion:
+          keepVersion(command->text);
+          break;
+        case Kind::OpenVersion:
+          if (const auto path = versions_.path(command->text)) load(path.value());
+          else host_.message(path.error().message, true);
+          break;
+        case Kind::RenameVersion: {
+          const auto end = command->text.find('\n');
+          check(versions_.rename(command->text.substr(0, end), command->text.substr(end + 1)));
+          host_.setVersions(versions_.list());
+          break;
+        }
+        case Kind::DeleteVersion:
+          versions_.remove(command->text);
+          host_.setVersions(versions_.list());
           break;
       }
     }
@@ -316,6 +344,7 @@ class Session {
   std::size_t at_ = 0;
   std::string savedOf_, savedAs_;  // the scene that was saved last, and its file
   native::Shots shots_;
+  native::Versions versions_{versionsFolder()};
   app::App app_;
   app::EditorHost host_{app_, editor::FileAccess::Path};
 };

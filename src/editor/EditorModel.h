@@ -80,6 +80,16 @@ struct PictureView {
   bool turning = false;  // the camera goes round, live
 };
 
+// Of a scene that was kept under a name.
+struct VersionView {
+  std::string id;    // for commands
+  std::string name;  // any text
+  std::string when;
+  ImTextureID picture = nullptr;
+};
+inline constexpr int kVersionPictureWidth = 144, kVersionPictureHeight = 96;
+inline constexpr int kMostNameCharacters = 80;
+
 struct EditorModel {
   settings::Settings settings;
   Tool tool = Tool::Droplet;
@@ -97,6 +107,7 @@ struct EditorModel {
   CoatView coat;
   GroomView groom;
   PictureView picture;
+  std::span<const VersionView> versions;  // newest first
 };
 
 namespace command {
@@ -153,6 +164,18 @@ struct TurnOnce {
   float secondsPerTurn;
 };
 struct StopPicture {};  // and turning
+struct KeepVersion {
+  std::string name;
+};
+struct OpenVersion {
+  std::string id;
+};
+struct RenameVersion {
+  std::string id, name;
+};
+struct DeleteVersion {
+  std::string id;
+};
 struct DismissMessage {
   std::size_t index;
 };
@@ -164,6 +187,7 @@ using Command = std::variant<command::BeginChange, command::EndChange, command::
                              command::Redo, command::CopyState, command::PasteState, command::ApplyPreset,
                              command::SaveTypeSet, command::SaveFo, command::SaveScene, command::GroomAll,
                              command::SavePicture, command::SaveTurntable, command::TurnOnce, command::StopPicture,
+                             command::KeepVersion, command::OpenVersion, command::RenameVersion, command::DeleteVersion,
                              command::DismissMessage>;
 
 }  // namespace fur::editor

@@ -25,6 +25,7 @@ namespace {
 
 std::map<App*, std::unique_ptr<EditorHost>> hosts;  // the handle is the App's, so this finds its panel
 std::string commandText;
+std::vector<EditorHost::Version> versions;  // those that were added and are not shown yet
 
 // This program saves, so its models are asked.
 const bool asksForLosses = (App::findLossesWith(scene::lostBySaving), true);
@@ -179,6 +180,25 @@ FUR_EXPORT const double* fur_editor_nextBand(App* app) {
 }
 FUR_EXPORT void fur_editor_endPicture(App* app) {
   withHost(app, [](EditorHost& host) { return host.endPicture(), 0; });
+}
+// 11 to 14 are what the panel asks for of scenes that are kept under names; these say which there are, newest first: all of
+// them, then fur_editor_showVersions(). The picture has 4 * 144 * 96 bytes.
+FUR_EXPORT void fur_editor_addVersion(App* app, const char* id, const char* name, const char* when, const std::uint8_t* rgba) {
+  withHost(app, [&](EditorHost&) {
+    constexpr int kBytes = 4 * editor::kVersionPictureWidth * editor::kVersionPictureHeight;
+    return versions.push_back({id, name, when, {rgba, rgba + kBytes}}), 0;
+  });
+}
+FUR_EXPORT void fur_editor_showVersions(App* app) {
+  withHost(app, [&](EditorHost& host) { return host.setVersions(std::exchange(versions, {})), 0; });
+}
+// Of the scene as it is: the number of bytes at fur_savedBytes().
+FUR_EXPORT std::uint32_t fur_editor_versionPicture(App* app) {
+  EditorHost* host = hostOf(app);
+  return !host ? 0 : guarded([&] {
+    auto picture = host->versionPicture();
+    return picture ? web::keepSaved(std::move(*picture)) : static_cast<std::uint32_t>(web::fail(picture.error()));
+  });
 }
 // Shown in the panel until dismissed: a warning, or a file that could not be read.
 FUR_EXPORT void fur_editor_message(App* app, const char* text, int isError) {

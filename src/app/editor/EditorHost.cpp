@@ -107,6 +107,7 @@ Status EditorHost::attach() {
   if (!ImGui_ImplOpenGL3_Init()) return Error{ErrorId::WebglUnavailable, "Dear ImGui found no OpenGL ES 3.0"};
   attached_ = true;
   mostPictureSide_ = mostPictureSide();
+  showVersions();
   drawnHash_ = 0;
   justAttached_ = true;
   wake();
@@ -123,6 +124,7 @@ void EditorHost::detach() {
   tile_ = {};
   fin_ = {};
   groomPicture_ = {};
+  versionPictures_.clear();
   groomRevision_ = 0;
   // Where a context can be lost, in WebGL, deleting what it held is allowed and does nothing.
   ImGui_ImplOpenGL3_Shutdown();
@@ -326,6 +328,7 @@ editor::EditorModel EditorHost::model() {
   model.groom.painted = !app_.groom().paint.isPlain();
   model.groom.masked = !app_.groom().mask.isPlain();
   model.groom.map = idOf(groomPicture_);
+  model.versions = versionViews_;
   model.picture = {static_cast<int>(size_.x), static_cast<int>(size_.y), kLeastPictureSide, mostPictureSide_,
                    studio_.busy(), studio_.busy() ? studio_.progress() : 0, turnLeft_ > 0};
   return model;
@@ -418,7 +421,10 @@ void EditorHost::draw() {
   if (frameSeconds_.size() > kFrameHistory) frameSeconds_.erase(frameSeconds_.begin());
 }
 
-bool EditorHost::active() const { return framesLeft_ > 0 || !input_.empty() || studio_.busy() || turnLeft_ > 0; }
+bool EditorHost::active() const {
+  return framesLeft_ > 0 || !input_.empty() || studio_.busy() || turnLeft_ > 0 ||
+         (scale_.touch && owner_ == Owner::Panel);  // a finger that is held opens a menu
+}
 
 std::uint64_t EditorHost::pictureHash() const {
   std::uint64_t hash = 0xcbf29ce484222325ull;
@@ -495,6 +501,28 @@ std::optional<Studio::Band> EditorHost::nextBand() {
   return {};
 }
 
+void EditorHost::setVersions(std::vector<Version> versions) {
+  versions_ = std::move(versions);
+  if (attached_) showVersions();
+  wake();
+}
+
+void EditorHost::showVersions() {
+  using editor::kVersionPictureWidth, editor::kVersionPictureHeight;
+  constexpr std::size_t kBytes = std::size_t{4} * kVersionPictureWidth * kVersionPictureHeight;
+  versionViews_.clear();
+  versionPictures_.clear();
+  for (const Version& version : versions_) {
+    editor::VersionView view{version.id, version.name, version.when};
+    if (version.rgba.size() == kBytes) {
+      versionPictures_.push_back(pictureTexture(kVersionPictureWidth, kVersionPictureHeight, gl::bytesOf(version.rgba)));
+      view.picture = idOf(versionPictures_.back());
+    }
+    versionViews_.push_back(std::move(view));
+  }
+  ++picturesMade_;
+}
+
 // Live, as the platform's own time goes by.
 void EditorHost::turn(float dt) {
   if (turnLeft_ <= 0) return;
@@ -547,6 +575,10 @@ void EditorHost::perform(const editor::Command& command) {
         stopTurning();
         studio_.end();
       },
+      [&](const KeepVersion& c) { request(Kind::KeepVersion, c.name); },
+      [&](const OpenVersion& c) { request(Kind::OpenVersion, c.id); },
+      [&](const RenameVersion& c) { request(Kind::RenameVersion, c.id + '\n' + c.name); },
+      [&](const DeleteVersion& c) { request(Kind::DeleteVersion, c.id); },
       [&](const DismissMessage& c) {
         messages_.erase(messages_.begin() + static_cast<std::ptrdiff_t>(c.index));
       },
