@@ -110,7 +110,10 @@ async function record(film, canvas, next) {
 export async function saveTurntable(panel, name) {
   const canvas = document.createElement('canvas');
   const context = canvas.getContext('2d', { alpha: false });
-  const next = () => drawFrame(panel, canvas, context);
+  const next = async () => {
+    await breathe();
+    return drawFrame(panel, canvas, context);
+  };
   const film = await next();
   if (!film) return null;
   const codec = await usableCodec(film);

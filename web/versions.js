@@ -1,6 +1,4 @@
 // Scenes that a person keeps under names, in the browser's storage beside the records of autosave.js: for the editor.
-import { modelNames } from './models.js';
-
 /** A database of its own: tabs of before go on with theirs. */
 const databaseName = 'wet-fur-versions';
 const stores = ['versions', 'documents', 'models'];
@@ -84,15 +82,14 @@ export class Versions {
   }
 
   keep(name) {
-    const picture = this.#panel.versionPicture();
-    const { source, ...document } = this.#fur.document;
     return this.#do(`"${name}" was not kept`, async () => {
-      const shipped = modelNames.includes(source.src);
-      const modelId = shipped ? null : await idOfModel(source);
+      const picture = this.#panel.versionPicture();
+      const { source, ...document } = this.#fur.document;
+      const modelId = source.bytes ? await idOfModel(source) : null;
       const id = newId();
       navigator.storage?.persist?.().catch(() => {});
       await change(async ({ versions, documents, models }) => {
-        versions.put({ id, name, time: Date.now(), picture, src: shipped ? source.src : null, modelId });
+        versions.put({ id, name, time: Date.now(), picture, modelId, ...modelId ? {} : { source } });
         documents.put(document, id);
         if (modelId && await result(models.count(modelId)) === 0) models.put(source, modelId);
       });
@@ -102,8 +99,7 @@ export class Versions {
   /** One step of undo leads back to what there is now. */
   open(id) {
     return this.#do('The version was not opened', async () => {
-      const { src, modelId, name } = await read('versions', id);
-      const source = modelId ? await read('models', modelId) : { src };
+      const { modelId, name, source = await read('models', modelId) } = await read('versions', id);
       const document = await read('documents', id);
       if (!source || !document) throw new Error(`"${name}" is no longer in the browser's storage`);
       await this.#fur.openDocument({ ...document, source });

@@ -119,6 +119,7 @@ void EditorHost::detach() {
   attached_ = false;
   const Context current(*this);
   if (editor_.changing()) app_.endChange();
+  if (studio_.busy()) message("The picture was given up: what it was drawn with went", true);
   studio_.end();
   app_.setCovered(Vec2(0));
   tile_ = {};
@@ -563,7 +564,8 @@ void EditorHost::perform(const editor::Command& command) {
       [&](const GroomAll& c) { app_.groomAll(static_cast<GroomEdit>(c.edit), c.value, c.direction); },
       [&](const SavePicture& c) { begin({c.width, c.height, c.transparent}, Kind::SavePicture, modelFileName(app_, ".png")); },
       [&](const SaveTurntable& c) {
-        begin({c.width, c.height, c.transparent, turntableFrames(c.secondsPerTurn), c.secondsPerTurn}, Kind::SaveTurntable,
+        // Films have even sides.
+        begin({c.width / 2 * 2, c.height / 2 * 2, c.transparent, turntableFrames(c.secondsPerTurn), c.secondsPerTurn}, Kind::SaveTurntable,
               modelFileName(app_, "-turn"));
       },
       [&](const TurnOnce& c) {
