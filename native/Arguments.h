@@ -1,7 +1,9 @@
 // The command line of the native programs: a model, and options with a value each; what they say of it, and their exit status.
 #pragma once
 
+#include <algorithm>
 #include <cstdio>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -29,17 +31,19 @@ inline int fail(const Error& error) {
 }
 
 // Reads `values` into `options`, whose `model` is the last word that is no option; `readOption(name, value, options)`
-// takes the rest and says what is wrong with it. "" when nothing is.
+// takes the rest and says what is wrong with it; `flags` have no value. "" when nothing is.
 template <class Options, class ReadOption>
-std::string readArguments(int count, char** values, Options& options, ReadOption readOption) {
+std::string readArguments(int count, char** values, Options& options, ReadOption readOption,
+                          std::initializer_list<std::string_view> flags = {}) {
   for (int i = 1; i < count; ++i) {
     const std::string word = values[i];
     if (word.empty() || word[0] != '-') {
       options.model = word;
       continue;
     }
-    if (i + 1 == count) return word + ": a value is missing";
-    if (const std::string wrong = readOption(word, values[++i], options); !wrong.empty()) return wrong;
+    const bool flag = std::find(flags.begin(), flags.end(), word) != flags.end();
+    if (!flag && i + 1 == count) return word + ": a value is missing";
+    if (const std::string wrong = readOption(word, flag ? "" : values[++i], options); !wrong.empty()) return wrong;
   }
   return "";
 }

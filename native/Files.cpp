@@ -1,5 +1,6 @@
 #include "native/Files.h"
 
+#include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <fstream>
@@ -32,6 +33,24 @@ Status writeFile(const std::string& path, std::span<const std::uint8_t> bytes) {
   out.flush();
   if (!out) return Error{ErrorId::Network, path + ": cannot be written"};
   return Done{};
+}
+
+std::string freePath(const std::string& wanted) {
+  const fs::path path(wanted);
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) return wanted;
+  for (int i = 2;; ++i) {
+    const fs::path next = path.parent_path() / (path.stem().string() + '-' + std::to_string(i) + path.extension().string());
+    if (!fs::exists(next, ignored)) return next.string();
+  }
+}
+
+std::string numberedPath(const std::string& path, int number, int count) {
+  const std::size_t digits = std::max<std::size_t>(3, std::to_string(count - 1).size());
+  std::string text = std::to_string(number);
+  text.insert(0, digits - text.size(), '0');
+  const fs::path whole(path);
+  return (whole.parent_path() / (whole.stem().string() + '-' + text + whole.extension().string())).string();
 }
 
 Status writePng(const std::string& path, int width, int height, const std::vector<std::uint8_t>& rgba) {

@@ -13,6 +13,10 @@ namespace fur::native {
 
 Result<std::vector<std::uint8_t>> readFile(const std::string& path);
 Status writeFile(const std::string& path, std::span<const std::uint8_t> bytes);
+// `wanted`, or with a number behind it where there is something of that name already.
+std::string freePath(const std::string& wanted);
+// "turn.png" is "turn-007.png": of three digits or, of more than a thousand, as many as the last one takes.
+std::string numberedPath(const std::string& path, int number, int count);
 // RGBA8 rows from the top.
 Status writePng(const std::string& path, int width, int height, const std::vector<std::uint8_t>& rgba);
 

@@ -219,7 +219,8 @@ FUR_EXPORT void fur_setPadding(App* app, float left, float top, float right, flo
 }
 FUR_EXPORT void fur_setAutoRotate(App* app, int enabled) { app->setAutoRotate(enabled != 0); }
 FUR_EXPORT void fur_setFieldOfView(App* app, float radians) { app->setFieldOfView(radians); }
-FUR_EXPORT void fur_ignoreCovered(App* app, int ignore) { app->ignoreCovered(ignore != 0); }
+// 0: as it is seen; 1: for a picture that is saved; 3: without what is behind the model
+FUR_EXPORT void fur_setSaved(App* app, int how) { app->setSaved(how, how & 2); }
 FUR_EXPORT void fur_setCameraControls(App* app, int enabled) { app->setCameraControls(enabled != 0); }
 
 // --- time ---

@@ -1,10 +1,11 @@
-// Files that the demo page gives to the person.
+// Files that page and editor give to the person.
 
-/** @param {BlobPart} content */
+/** @param {BlobPart} content @returns its name */
 export function download(content, name) {
   const url = URL.createObjectURL(content instanceof Blob ? content : new Blob([content]));
   Object.assign(document.createElement('a'), { href: url, download: name }).click();
   setTimeout(() => URL.revokeObjectURL(url), 10000);
+  return name;
 }
 
 export const listed = (words) => new Intl.ListFormat('en-GB').format(words);

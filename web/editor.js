@@ -2,8 +2,11 @@
  * The editor: Dear ImGui over the picture, in a program of its own that is fetched when it is asked for.
  * `await openEditor(element)`; the scene moves over with its water, and back.
  */
+import { download } from './download.js';
 import { modifiersOf, phases, pointerKinds } from './furapp.js';
 import { compileProgram } from './runtime.js';
+import { savePicture, saveTurntable } from './studio.js';
+import { Versions } from './versions.js';
 
 /** @param {import('./types/index.d.ts').WetFurApi} fur */
 export const openEditor = (fur) => fur.openEditor();
@@ -19,17 +22,15 @@ const wants = { pointer: 1, text: 4, number: 8 };
 const layoutKey = 'wet-fur-panel';
 // For the page's style: how much of the right edge the panel hides.
 const widthProperty = '--wet-fur-panel-width';
-const commands = { openDialog: 1, loadShipped: 3, copy: 4, paste: 5, saveTypeSet: 6, saveFo: 7, saveScene: 8 };
+const commands = { openDialog: 1, loadShipped: 3, copy: 4, paste: 5, saveTypeSet: 6, saveFo: 7, saveScene: 8, savePicture: 9, saveTurntable: 10,
+  keepVersion: 11, openVersion: 12, renameVersion: 13, deleteVersion: 14 };
 
 /**
  * What the panel cannot do itself.
  * @typedef {object} PanelHost
+ * @property {import('./host.js').WetFur} fur
  * @property {() => void} wake
  * @property {() => void} openDialog
- * @property {(name: string) => void} loadShipped
- * @property {() => Promise<Uint8Array>} saveTypeSet
- * @property {() => Promise<Uint8Array>} saveFo
- * @property {() => Promise<Uint8Array>} save
  */
 
 /** The panel of one app: web/editor/EditorBindings.cpp as methods, and a hidden text field for keyboards on screens. */
@@ -41,6 +42,7 @@ export class EditorPanel {
   #stop = new AbortController();
   #layout = '';
   #width = '';
+  #versions;
 
   /** @param {import('./furapp.js').FurApp} app @param {HTMLCanvasElement} canvas @param {PanelHost} host */
   constructor(app, canvas, host) {
@@ -50,6 +52,7 @@ export class EditorPanel {
     this.attach();
     this.#readLayout();
     this.#listen();
+    this.#versions = new Versions(this, host.fur);
   }
 
   #call(name, ...args) { return this.#app.program.call(`fur_editor_${name}`, this.#app.handle, ...args); }
@@ -104,23 +107,71 @@ export class EditorPanel {
   #carryOut(command) {
     if (command === commands.openDialog) this.#host.openDialog();
     const text = () => this.#app.program.text(this.#app.program.call('fur_editor_commandText'));
-    if (command === commands.loadShipped) this.#host.loadShipped(text());
+    const { fur } = this.#host;
+    if (command === commands.loadShipped) fur.src = text();
     if (command === commands.copy) this.#copy(text());
-    if (command === commands.saveTypeSet) this.#save(() => this.#host.saveTypeSet(), text());
-    if (command === commands.saveFo) this.#save(() => this.#host.saveFo(), text());
-    if (command === commands.saveScene) this.#save(() => this.#host.save(), text());
+    if (command === commands.saveTypeSet) this.#save(() => fur.saveTypeSet(), text());
+    if (command === commands.saveFo) this.#save(() => fur.saveFo(), text());
+    if (command === commands.saveScene) this.#save(() => fur.save(), text());
     if (command === commands.paste) this.#paste();
+    if (command === commands.keepVersion) this.#versions.keep(text());
+    if (command === commands.openVersion) this.#versions.open(text());
+    if (command === commands.renameVersion) this.#versions.rename(...text().split('\n'));
+    if (command === commands.deleteVersion) this.#versions.delete(text());
+    if (command === commands.savePicture) this.#shoot(savePicture, text());
+    if (command === commands.saveTurntable) this.#shoot(saveTurntable, text());
   }
 
   #copy(text) {
     navigator.clipboard.writeText(text).catch((error) => this.message(`Nothing was copied: ${error.message}`, true));
   }
 
+  // --- versions ---
+
+  /** RGBA of the scene as it is, 144 x 96. */
+  versionPicture() {
+    const { program } = this.#app;
+    const byteLength = program.callOrThrow('fur_editor_versionPicture', this.#app.handle);
+    const rgba = program.array(Uint8Array, program.call('fur_savedBytes'), byteLength);
+    program.call('fur_forgetSavedBytes');
+    return rgba;
+  }
+
+  /** @param {{ id: string, name: string, time: number, picture: Uint8Array }[]} versions newest first */
+  showVersions(versions) {
+    for (const { id, name, time, picture } of versions) this.#call('addVersion', id, name, new Date(time).toLocaleString(), picture);
+    this.#call('showVersions');
+    this.#host.wake();
+  }
+
+  // --- pictures ---
+
+  /** The next part of the picture or film that was begun, null: it was given up. */
+  nextBand() {
+    const { program } = this.#app;
+    const numbers = program.numbers(this.#call('nextBand'), 8);
+    if (!numbers) return null;
+    const [width, height, frames, rate, frame, top, rows, last] = numbers;
+    const rgba = program.array(Uint8ClampedArray, program.call('fur_savedBytes'), 4 * width * rows);
+    program.call('fur_forgetSavedBytes');
+    this.#host.wake();
+    return { width, height, frames, rate, frame, top, rows, last: last !== 0, rgba };
+  }
+
+  async #shoot(work, name) {
+    try {
+      const done = await work(this, name);
+      if (done) this.message(`Saved as ${download(done.blob, done.name)}`, false);
+    } catch (error) {
+      this.#call('endPicture');
+      this.message(error.message, true);
+    }
+    this.#host.wake();
+  }
+
   async #save(makeBytes, name) {
     try {
-      const url = URL.createObjectURL(new Blob([await makeBytes()]));
-      Object.assign(document.createElement('a'), { href: url, download: name }).click();
-      setTimeout(() => URL.revokeObjectURL(url), 10000);
+      download(await makeBytes(), name);
     } catch (error) {
       this.message(`${name} was not saved: ${error.message}`, true);
     }

@@ -163,7 +163,8 @@ export class FurApp {
   }
   wheel(notches, x, y) { return this.#call('fur_wheel', notches, x, y) !== 0; }
   key(event) { return this.#call('fur_key', event.key, modifiersOf(event)) !== 0; }
-  set ignoreCovered(ignore) { this.#call('fur_ignoreCovered', ignore ? 1 : 0); }
+  /** 0: as it is seen; 1: for a picture that is saved; 3: without what is behind the model. */
+  set saved(how) { this.#call('fur_setSaved', how); }
   /** Shares of the picture from its left, top, right and bottom edge. */
   setPadding(shares, atOnce) { this.#call('fur_setPadding', ...shares, atOnce ? 1 : 0); }
   set autoRotate(enabled) { this.#call('fur_setAutoRotate', enabled ? 1 : 0); }

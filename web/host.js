@@ -807,13 +807,13 @@ export class WetFur extends EventTarget {
   }
 
   /** A picture of its own size (default: as shown). */
-  async toBlob({ mimeType = 'image/png', quality, width, height } = {}) {
+  async toBlob({ mimeType = 'image/png', quality, width, height, transparent } = {}) {
     if (!this.loaded || !this.#context.draws()) throw new FurError('webgl-unavailable', 'there is no picture to take yet');
     const shown = [this.#screen.width, this.#screen.height, this.#screen.pixelRatio];
     const size = [width ?? shown[0], height ?? shown[1]].map((side) => Math.max(1, Math.min(4096, Math.round(side))));
     const panel = this.#panel;
     this.#panel = null;  // not in the picture, nor what it pushes aside
-    this.#app.ignoreCovered = true;
+    this.#app.saved = transparent ? 3 : 1;
     let blob;
     try {
       this.#context.resize(...size, shown[2] * (size[1] / shown[1]));
@@ -822,7 +822,7 @@ export class WetFur extends EventTarget {
       blob = this.#screen.gl.canvas.convertToBlob({ type: mimeType, quality });
     } finally {
       this.#panel = panel;
-      this.#app.ignoreCovered = false;
+      this.#app.saved = 0;
       this.#context.resize(...shown);
       this.#wake();
     }
@@ -870,12 +870,9 @@ export class WetFur extends EventTarget {
     this.#program = which;
     if (EditorPanel) {
       this.#panel = new EditorPanel(app, this.#canvas, {
+        fur: this,
         wake: () => this.#wake(),
         openDialog: () => this.#openDialog(),
-        loadShipped: (name) => { this.src = name; },
-        saveTypeSet: () => this.saveTypeSet(),
-        saveFo: () => this.saveFo(),
-        save: () => this.save(),
       });
       this.#panel.resize(this.#screen.width, this.#screen.height, this.#screen.pixelRatio);
     }

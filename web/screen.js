@@ -45,9 +45,9 @@ export class Screen {
   open({ antialias = true } = {}) {
     if (!this.live) this.#lose();
     if (this.live) return false;  // whoever was told has opened it
-    this.#page ??= this.canvas.getContext('bitmaprenderer');
+    this.#page ??= this.canvas.getContext('bitmaprenderer', { alpha: false });
     const gl = this.#page && newContext(this.width || 1, this.height || 1, {
-      alpha: false, antialias, depth: true, stencil: false, powerPreference: 'high-performance',
+      antialias, powerPreference: 'high-performance',
     });
     if (!gl)
       throw new FurError('webgl-unavailable', 'This browser or its graphics driver offers no WebGL2, which drawing fur needs.');

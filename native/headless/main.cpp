@@ -8,10 +8,12 @@
 #include <vector>
 
 #include "app/App.h"
+#include "app/OrbitCamera.h"
 #include "gl/Objects.h"
 #include "native/Arguments.h"
 #include "native/Files.h"
 #include "native/headless/EglContext.h"
+#include "scene/Png.h"
 #include "settings/Presets.h"
 
 namespace {
@@ -31,6 +33,10 @@ constexpr const char* kUsage = R"(usage: wet-fur-render [model] -o out.png [opti
   --groom EDIT[,VALUE[,X,Y,Z]]  all over the model (several allowed, in order): length, invert, vary, type, comb, raise or
                         size, as the element's groom() has them
   --size WxH            pixels, 16x16 to 8192x8192 (default 1280x720)
+  --transparent         without background and ground, with the alpha of strands at the outline
+  --turntable N         N pictures, 2 to 3600, of one turn of the camera, out-000.png and so on; between them goes by what
+                        a turn takes
+  --turn-seconds S      of such a turn (default 12), 0.1 to 600; below 0: the other way round
   --samples N           multisampling, 0 to 8 (default 4)
   --time S              seconds to run before the picture, in steps of 1/60 (default 0)
   --wetness R           soaks the whole model, 0 to 1
@@ -59,7 +65,9 @@ struct Hold {
 
 struct Options {
   std::string model = "bunny", output, stateFile, preset, typeSet, savedTypeSet, savedFo, savedScene, lengthMap, typeMap;
-  int width = 1280, height = 720, samples = 4;
+  int width = 1280, height = 720, samples = 4, turntable = 0;
+  bool transparent = false;
+  float turnSeconds = 12;
   float time = 0, wetness = -1;
   std::vector<Vec2> splashes;
   std::vector<std::pair<Vec2, Vec2>> whiskers;
@@ -126,6 +134,7 @@ std::string readOption(const std::string& name, const std::string& value, Option
   else if (name == "--length-map") o.lengthMap = value;
   else if (name == "--type-map") o.typeMap = value;
   else if (name == "--preset") o.preset = value;
+  else if (name == "--transparent") o.transparent = true;
   else if (name == "--size") {
     if (!readNumbers(value, 'x', n) || n.size() != 2 || n[0] < 16 || n[1] < 16 || n[0] > 8192 || n[1] > 8192)
       return "--size " + value + ": expected WxH from 16x16 to 8192x8192";
@@ -136,6 +145,13 @@ std::string readOption(const std::string& name, const std::string& value, Option
       return name + " " + value + ": expected a number from 0 to " + std::to_string(static_cast<int>(high));
     if (name == "--samples") o.samples = static_cast<int>(n[0]);
     else (name == "--time" ? o.time : o.wetness) = n[0];
+  } else if (name == "--turntable") {
+    if (!readNumbers(value, ',', n) || n.size() != 1 || n[0] < 2 || n[0] > 3600) return "--turntable " + value + ": expected a number from 2 to 3600";
+    o.turntable = static_cast<int>(n[0]);
+  } else if (name == "--turn-seconds") {
+    if (!readNumbers(value, ',', n) || n.size() != 1 || std::abs(n[0]) < 0.1f || std::abs(n[0]) > 600)
+      return "--turn-seconds " + value + ": expected 0.1 to 600, or as much below 0";
+    o.turnSeconds = n[0];
   } else if (name == "--splash") {
     if (!readNumbers(value, ',', n) || n.size() != 2) return "--splash " + value + ": expected X,Y";
     o.splashes.emplace_back(n[0], n[1]);
@@ -158,7 +174,8 @@ std::string readOption(const std::string& name, const std::string& value, Option
 }
 
 std::string readOptions(int count, char** values, Options& o) {
-  if (std::string wrong = native::readArguments(count, values, o, readOption); !wrong.empty()) return wrong;
+  if (std::string wrong = native::readArguments(count, values, o, readOption, {"--transparent"}); !wrong.empty()) return wrong;
+  if (o.turntable > 0 && o.output.empty()) return "--turntable: no output: -o out.png";
   return o.output.empty() && o.savedTypeSet.empty() && o.savedFo.empty() && o.savedScene.empty() ? "no output: -o out.png" : "";
 }
 
@@ -240,6 +257,22 @@ Status saveOnly(const Options& o, const char* program) {
   return save(app, o);
 }
 
+// One turn of the camera, without the frame that would be the first again.
+template <class Write>
+Status drawTurntable(app::App& app, const Options& o, Write write) {
+  const app::CameraOrbit start = app.camera();
+  const float seconds = std::abs(o.turnSeconds) / static_cast<float>(o.turntable);
+  for (int i = 0; i < o.turntable; ++i) {
+    app::CameraOrbit orbit = start;
+    orbit.yaw += app::OrbitCamera::turned(seconds * static_cast<float>(i), o.turnSeconds);
+    app.setCamera(orbit);
+    if (Status status = write(native::numberedPath(o.output, i, o.turntable)); !status) return status;
+    app::advance(app, seconds);
+  }
+  app.setCamera(start);
+  return Done{};
+}
+
 Status drawPicture(const Options& o, const char* program) {
   app::App app;
   app.resize(o.width, o.height, 1);
@@ -261,14 +294,24 @@ Status drawPicture(const Options& o, const char* program) {
   app.settle();
   for (const Hold& one : o.holds) hold(app, one, 0.5f * Vec2(o.width, o.height));
   run(app, o.time);
-  if (Status status = app.draw(); !status) return status;
-  resolved->resolve(*target, o.width, o.height);
-  const auto pixels = gl::readPixels(o.width, o.height);
-  if (const std::string error = gl::takeError(); !error.empty()) return Error{ErrorId::WebglUnavailable, error};
+  const auto write = [&](const std::string& path) -> Status {
+    app.setSaved(true, o.transparent);
+    target->bind();
+    if (Status status = app.draw(); !status) return status;
+    resolved->resolve(*target, o.width, o.height);
+    auto pixels = gl::readPixels(o.width, o.height);
+    if (const std::string error = gl::takeError(); !error.empty()) return Error{ErrorId::WebglUnavailable, error};
+    if (o.transparent) scene::makeStraight(pixels);
+    if (Status status = native::writePng(path, o.width, o.height, pixels); !status) return status;
+    std::printf("%s (%dx%d)\n", path.c_str(), o.width, o.height);
+    std::fflush(stdout);  // of a turntable one hears how far it is
+    return Done{};
+  };
+  if (Status status = o.turntable ? drawTurntable(app, o, write) : write(o.output); !status) return status;
   printWarnings(app);
   if (Status status = save(app, o); !status) return status;
   app.detach(false);
-  return native::writePng(o.output, o.width, o.height, pixels);
+  return Done{};
 }
 
 }  // namespace
@@ -288,7 +331,6 @@ int main(int count, char** values) {
   if (const Status status = picture ? drawPicture(options, values[0]) : saveOnly(options, values[0]); !status) {
     return native::fail(status.error());
   }
-  if (picture) std::printf("%s (%dx%d)\n", options.output.c_str(), options.width, options.height);
   for (const std::string& saved : {options.savedTypeSet, options.savedFo, options.savedScene})
     if (!saved.empty()) std::printf("%s\n", saved.c_str());
   return 0;

@@ -13,6 +13,8 @@
 #include "gl/Objects.h"
 #include "native/Arguments.h"
 #include "native/Files.h"
+#include "native/window/Shots.h"
+#include "native/window/Versions.h"
 #include "native/window/Window.h"
 
 namespace {
@@ -87,14 +89,14 @@ std::string readOptions(int count, char** values, Options& out) {
 
 // Where the panel's size is kept from day to day; empty where the system names no place.
 std::string layoutPath() {
-  const auto folder = [](const char* variable) {
-    const char* value = std::getenv(variable);
-    return std::filesystem::path(value ? value : "");
-  };
-  std::filesystem::path path = folder("XDG_CONFIG_HOME");
-  if (path.empty()) path = folder("APPDATA");
-  if (path.empty() && !folder("HOME").empty()) path = folder("HOME") / ".config";
-  return path.empty() ? "" : (path / "wet-fur" / "panel").string();
+  const std::filesystem::path folder = native::userFolder("XDG_CONFIG_HOME", ".config");
+  return folder.empty() ? "" : (folder / "panel").string();
+}
+
+// Likewise of versions.
+std::filesystem::path versionsFolder() {
+  const std::filesystem::path folder = native::userFolder("XDG_DATA_HOME", ".local/share");
+  return folder.empty() ? folder : folder / "versions";
 }
 
 class Session {
@@ -112,6 +114,7 @@ class Session {
     for (const auto& [name, value] : options_.settings) app_.setField(name, value);
     if (options_.quality == "auto") app_.setQuality(0, true);
     load(options_.scene);
+    host_.setVersions(versions_.list());
     if (options_.wetness > 0) app_.setWetness(options_.wetness);
     const Status status = options_.screenshot.empty() ? work() : screenshot();
     host_.detach();
@@ -186,16 +189,20 @@ class Session {
     savedAs_ = save(name, app_.saveScene(), savedAs_);
   }
   std::string save(const std::string& name, const std::vector<std::uint8_t>& bytes, const std::string& over = {}) {
-    namespace fs = std::filesystem;
-    const fs::path wanted(name);
-    fs::path path = wanted;
+    const std::string path = over.empty() ? native::freePath(name) : over;
+    const Status status = native::writeFile(path, bytes);
     std::error_code ignored;
-    if (!over.empty()) path = over;
-    for (int i = 2; over.empty() && fs::exists(path, ignored); ++i)
-      path = wanted.stem().string() + '-' + std::to_string(i) + wanted.extension().string();
-    const Status status = native::writeFile(path.string(), bytes);
-    host_.message(status ? "Saved as " + fs::absolute(path, ignored).string() : status.error().message, !status);
-    return path.string();
+    host_.message(status ? "Saved as " + std::filesystem::absolute(path, ignored).string() : status.error().message, !status);
+    return path;
+  }
+
+  void keepVersion(const std::string& name) {
+    auto picture = host_.versionPicture();
+    if (!picture) return host_.message(picture.error().message, true);
+    const Status kept = versions_.keep(name, app_.modelName(), app_.saveScene(), *picture);
+    check(kept);
+    for (const std::string& lost : kept ? app_.lostBySaving() : Warnings()) host_.message('"' + name + "\" is kept without " + lost, false);
+    host_.setVersions(versions_.list());
   }
 
   void serveEditor() {
@@ -223,6 +230,27 @@ class Session {
         case Kind::SaveScene:
           saveScene(command->text);
           break;
+        case Kind::SavePicture:
+        case Kind::SaveTurntable:
+          shots_.begin(command->text, host_.studio().order());
+          break;
+        case Kind::KeepVersion:
+          keepVersion(command->text);
+          break;
+        case Kind::OpenVersion:
+          if (const auto path = versions_.path(command->text)) load(path.value());
+          else host_.message(path.error().message, true);
+          break;
+        case Kind::RenameVersion: {
+          const auto end = command->text.find('\n');
+          check(versions_.rename(command->text.substr(0, end), command->text.substr(end + 1)));
+          host_.setVersions(versions_.list());
+          break;
+        }
+        case Kind::DeleteVersion:
+          versions_.remove(command->text);
+          host_.setVersions(versions_.list());
+          break;
       }
     }
     for (const std::string& path : window_.takeDropped()) load(path);
@@ -234,6 +262,7 @@ class Session {
   // Whether anything was drawn.
   Result<bool> frame(float dt, app::Picture picture, bool always) {
     serveEditor();
+    if (host_.studio().busy()) shots_.work(host_);
     bool changed = app_.tick(dt, kCoatSeconds);
     changed |= host_.update(dt);
     if (!changed && !always) return false;
@@ -325,6 +354,8 @@ class Session {
   std::vector<Kept> kept_;         // the one that is shown is at at_, and empty
   std::size_t at_ = 0;
   std::string savedOf_, savedAs_;  // the scene that was saved last, and its file
+  native::Shots shots_;
+  native::Versions versions_{versionsFolder()};
   app::App app_;
   app::EditorHost host_{app_, editor::FileAccess::Path};
 };

@@ -18,7 +18,7 @@ float puddle(vec2 at) {
 out vec4 fragColor;
 
 void main() {
-  vec3 color = mix(backgroundBottom.rgb, backgroundTop.rgb, smoothstep(0.0, lightWorld.w, gl_FragCoord.y));
+  vec3 color = mix(backgroundBottom.rgb, backgroundTop.rgb, smoothstep(0.0, lightWorld.w, pixel().y));
   // Nothing where the map ends.
   vec2 shadow = textureLod(shadowMap, vSpot, 0.0).rg;
   float dark = shadow.r;

@@ -67,8 +67,11 @@ void App::resize(int width, int height, float pixelRatio) {
   state_->pictureChanged = true;
 }
 
-void App::ignoreCovered(bool ignore) {
-  state_->camera.ignoreCovered(ignore);
+void App::setSaved(bool saved, bool transparent) {
+  state_->camera.ignoreCovered(saved);
+  state_->saved = saved;
+  state_->transparent = transparent;
+  state_->refreshPaint();
   state_->pictureChanged = true;
 }
 
@@ -388,6 +391,7 @@ dynamics::BendForces App::State::forces() const {
 
 bool App::tick(float dt, float coatBudget) {
   State& s = *state_;
+  if (s.stands) return std::exchange(s.pictureChanged, false);
   dt = std::max(dt, 0.0f);
   s.sinceSettingChange += dt;
   s.idleTime += dt;
@@ -395,7 +399,7 @@ bool App::tick(float dt, float coatBudget) {
   s.workOnCoat(coatBudget);
   bool changed = std::exchange(s.pictureChanged, false);
   if (s.turns() && s.idleTime > kRestBeforeTurning && dt > 0) {
-    s.camera.turn(-OrbitCamera::kTurn * dt);
+    s.camera.turn(OrbitCamera::turned(dt, OrbitCamera::kTurnSeconds));
     changed = true;
   }
   changed |= s.camera.update(dt);
@@ -471,6 +475,8 @@ render::Frame App::State::frame(int level) const {
   f.camera = camera.pose(static_cast<float>(width) / static_cast<float>(height));
   f.width = width;
   f.height = height;
+  f.transparent = transparent;
+  f.bottomRow = bottomRow;
   f.groundHeight = groundHeight;
   f.reach = glm::length(extent.centre) + extent.radius;
   f.wet = !mask.isDry();

@@ -265,8 +265,9 @@ class App {
   void setCovered(Vec2 shares, bool atOnce = false);
   // The same by what lies over the picture beside the panel: left, top, right, bottom. The larger of the two counts.
   void setPadding(const Vec4& shares, bool atOnce = false);
-  // While true, as if nothing were: for a picture that is saved without the panel.
-  void ignoreCovered(bool ignore);
+  // For a picture that is saved: while `saved`, as if nothing were covered, and without the mask that grooming tools show.
+  // `transparent`: as Frame has it.
+  void setSaved(bool saved, bool transparent = false);
 
   // --- time ---
   // Advances by dt seconds. Returns whether the picture has changed (draw it).
@@ -282,6 +283,15 @@ class App {
   // A shader that the driver refuses is the error.
   Status draw(Picture picture = Picture::Best);
   void invalidate();  // draw at the next tick whatever happened
+  // A part of a picture of another size than what is shown, as setSaved() and draw() would: `rows` of them from `bottom` on,
+  // counted from the lowest, into a platform's framebuffer that has just those. What is shown next is as it was.
+  struct PicturePart {
+    int width, height, bottom;
+    bool transparent;
+  };
+  Status drawPart(const PicturePart& part);
+  // While true no time goes by: tick() leaves all as it is.
+  void setStanding(bool stands);
   // What draw(Picture::Best) shows, for another renderer than ours: camera and light; the grown coat, nullptr when it was read
   // from a type set; how far the fur leans at every vertex of surface().
   render::Frame frame() const;

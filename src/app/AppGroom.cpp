@@ -121,7 +121,7 @@ void App::State::uploadGroom(const geometry::TexelRect& changed) {
   }
 }
 
-bool App::State::showsMask() const { return editorGroom && grooms(tool) && !groom.mask.isPlain(); }
+bool App::State::showsMask() const { return editorGroom && !saved && grooms(tool) && !groom.mask.isPlain(); }
 
 void App::State::refreshPaint() {
   const bool shows = showsMask();

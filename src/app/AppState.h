@@ -1,5 +1,5 @@
 // What App holds, shared by its source files: App.cpp (scene, settings, time, drawing),
-// AppCoat.cpp (the coat), AppGroom.cpp (the groom), AppSaving.cpp (files of it), AppQuality.cpp (levels), AppPose.cpp (animations), AppTouch.cpp
+// AppCoat.cpp (the coat), AppGroom.cpp (the groom), AppSaving.cpp (files of it), AppPicture.cpp (pictures beside what is shown), AppQuality.cpp (levels), AppPose.cpp (animations), AppTouch.cpp
 // (touch, breathing), AppWater.cpp (water by itself), Input.cpp (pointers, keys), Painting.cpp (water by hand).
 #pragma once
 
@@ -185,6 +185,9 @@ struct App::State {
   // Drawing.
   std::optional<render::Renderer> renderer;
   int width = 300, height = 150;
+  int bottomRow = 0;
+  bool saved = false, transparent = false;  // as setSaved() said
+  bool stands = false;  // as setStanding() said
   float pixelRatio = 1;
   bool pictureChanged = true;
   long framesDrawn = 0;

@@ -9,8 +9,10 @@ namespace fur::app {
 class OrbitCamera {
  public:
   static constexpr float kFovY = 0.6f;  // unless it is set
-  // What the camera does while nobody is there, radians a second.
-  static constexpr float kTurn = kPi / 32;
+  // What the camera takes to go round the model while nobody is there.
+  static constexpr float kTurnSeconds = 64;
+  // The yaw that a turn of so many seconds, or the other way round of less than none, goes through in `seconds`.
+  static constexpr float turned(float seconds, float secondsPerTurn) { return -2 * kPi * seconds / secondsPerTurn; }
 
   // That shows a sphere.
   static CameraOrbit fitting(const Vec3& centre, float radius);
@@ -47,5 +49,8 @@ class OrbitCamera {
   Vec4 padding_{0}, coveredShown_{0};  // the latter: of both
   bool ignoreCovered_ = false;
 };
+
+// Lets the seconds between two frames of a film go by, in steps that are the same on every machine.
+void advance(App& app, float seconds);
 
 }  // namespace fur::app

@@ -66,6 +66,16 @@ std::optional<Command> Editor::shortcut(std::string_view key, Modifiers modifier
   return {};
 }
 
+std::string Editor::layout() const {
+  const std::string frequent = frequent_.text();
+  return layout_.text() + (frequent.empty() ? "" : ' ' + frequent);
+}
+
+void Editor::setLayout(std::string_view text) {
+  layout_.read(text);
+  frequent_.read(text);
+}
+
 std::vector<Command> Editor::frame(const EditorModel& model, const ThemeScale& scale) {
   commands_.clear();
   const bool saves = std::exchange(saves_, false);
@@ -106,9 +116,16 @@ void Editor::drawContent(const EditorModel& model, bool saves) {
   ImGui::BeginChild("content", ImVec2(0, messagesHeight_ > 0 ? -messagesHeight_ : 0), false, ImGuiWindowFlags_AlwaysVerticalScrollbar);
   scrollByFinger();
   if (saves && asksToSave_) ImGui::SetScrollY(0);
+  // The scene stands still for a picture.
+  const bool busy = model.picture.busy;
+  ImGui::BeginDisabled(busy);
   drawSaving(model);
+  ImGui::EndDisabled();
+  for (Command& command : picture_.draw(model, !touch_)) emit(std::move(command));
+  ImGui::BeginDisabled(busy);
+  for (Command& command : versions_.draw(model)) emit(std::move(command));
   settings::Settings edited = model.settings;
-  drawFrequent(edited, !touch_);
+  drawFrequent(edited, frequent_, !touch_);
   drawScene(model);
   for (Command& command : coat_.draw(model, edited, {.tooltips = !touch_, .roomy = layout_.roomy()})) emit(std::move(command));
   for (Command& command : groom_.draw(model, edited, !touch_)) emit(std::move(command));
@@ -116,6 +133,7 @@ void Editor::drawContent(const EditorModel& model, bool saves) {
   drawSettings(edited, model.animations);
   if (edited != model.settings) change(model, edited);
   drawStats(model);
+  ImGui::EndDisabled();
   contentHeight_ = ImGui::GetCursorPosY();
   ImGui::EndChild();
 }
@@ -278,7 +296,7 @@ void Editor::drawSettings(settings::Settings& edited, std::span<const std::strin
     ImGui::SameLine(0, px(2));
     if (iconButton("##clear", Icon::Close, "")) filter_[0] = '\0';
   }
-  if (drawFields(edited, filter_, !touch_, animations) == 0) caption("No setting has that in its name.");
+  if (drawFields(edited, frequent_, filter_, !touch_, animations) == 0) caption("No setting has that in its name.");
 }
 
 // What would be left out is said before anything is written.

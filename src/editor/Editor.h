@@ -14,10 +14,13 @@
 #include "core/Math.h"
 #include "editor/CoatPanel.h"
 #include "editor/EditorModel.h"
+#include "editor/Frequent.h"
 #include "editor/GroomPanel.h"
 #include "editor/InputQueue.h"
 #include "editor/PanelLayout.h"
+#include "editor/PicturePanel.h"
 #include "editor/Theme.h"
+#include "editor/VersionsPanel.h"
 
 namespace fur::editor {
 
@@ -32,8 +35,9 @@ class Editor {
   Vec2 covered() const { return layout_.covered(); }
 
   // The sizes that the person gave the panel, to be kept for the next time: see PanelLayout::text().
-  std::string layout() const { return layout_.text(); }
-  void setLayout(std::string_view text) { layout_.read(text); }
+  // Behind them what stands in "Frequently used".
+  std::string layout() const;
+  void setLayout(std::string_view text);
 
   // The pictures of the tile that the panel shows; none while that part of it is closed.
   std::optional<TileView> shownTile() const { return coat_.shownTile(); }
@@ -69,11 +73,14 @@ class Editor {
 
   CoatPanel coat_;
   GroomPanel groom_;
+  PicturePanel picture_;
+  VersionsPanel versions_;
   std::vector<Command> commands_;
   char filter_[64] = "";
   char path_[1024] = "";
   char letters_[32] = "";
   PanelLayout layout_;
+  Frequent frequent_;
   std::optional<settings::Settings> beforeChange_;  // the last one, which may go on
   bool changing_ = false;
   bool saves_ = false;       // save() was called

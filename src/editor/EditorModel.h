@@ -71,6 +71,25 @@ struct WaterView {
   double came = 0, held = 0, film = 0, drops = 0, dripped = 0, dried = 0;
 };
 
+// What the section "Picture" shows.
+struct PictureView {
+  int shownWidth = 0, shownHeight = 0;  // of what is seen, pixels
+  int leastSide = 16, mostSide = 8192;
+  bool busy = false;     // a picture or a turntable is being drawn
+  float progress = 0;    // of it, 0..1
+  bool turning = false;  // the camera goes round, live
+};
+
+// Of a scene that was kept under a name.
+struct VersionView {
+  std::string id;    // for commands
+  std::string name;  // any text
+  std::string when;
+  ImTextureID picture = nullptr;
+};
+inline constexpr int kVersionPictureWidth = 144, kVersionPictureHeight = 96;
+inline constexpr int kMostNameCharacters = 80;
+
 struct EditorModel {
   settings::Settings settings;
   Tool tool = Tool::Droplet;
@@ -87,6 +106,8 @@ struct EditorModel {
   std::span<const float> frameSeconds;  // the last frames, oldest first
   CoatView coat;
   GroomView groom;
+  PictureView picture;
+  std::span<const VersionView> versions;  // newest first
 };
 
 namespace command {
@@ -129,6 +150,32 @@ struct GroomAll {       // app::App::groomAll()
   float value = 1;
   Vec3 direction{0};
 };
+struct SavePicture {
+  int width, height;
+  bool transparent;
+};
+// A film of one turn of the camera, or its frames. Less than no seconds: the other way round.
+struct SaveTurntable {
+  int width, height;
+  bool transparent;
+  float secondsPerTurn;
+};
+struct TurnOnce {
+  float secondsPerTurn;
+};
+struct StopPicture {};  // and turning
+struct KeepVersion {
+  std::string name;
+};
+struct OpenVersion {
+  std::string id;
+};
+struct RenameVersion {
+  std::string id, name;
+};
+struct DeleteVersion {
+  std::string id;
+};
 struct DismissMessage {
   std::size_t index;
 };
@@ -139,6 +186,8 @@ using Command = std::variant<command::BeginChange, command::EndChange, command::
                              command::OpenDialog, command::OpenPath, command::ResetCamera, command::Undo,
                              command::Redo, command::CopyState, command::PasteState, command::ApplyPreset,
                              command::SaveTypeSet, command::SaveFo, command::SaveScene, command::GroomAll,
+                             command::SavePicture, command::SaveTurntable, command::TurnOnce, command::StopPicture,
+                             command::KeepVersion, command::OpenVersion, command::RenameVersion, command::DeleteVersion,
                              command::DismissMessage>;
 
 }  // namespace fur::editor

@@ -159,39 +159,52 @@ void rowTooltip(const Field& field) {
   if (field.type == FieldType::Float || field.type == FieldType::Int)
     ImGui::TextDisabled("%g to %g%s, default %s. Double click to type.", field.low, field.high,
                         unitText(field).c_str(), settings::fieldText(Settings{}, field).c_str());
+  ImGui::TextDisabled("Right click to reset it, or to have it among those frequently used or not.");
   ImGui::TextDisabled("%s", field.name);
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
 }
 
-void rowMenu(Settings& settings, const Field& field) {
+void rowMenu(Settings& settings, Frequent& frequent, const Field& field) {
   if (!ImGui::BeginPopup("menu")) return;
   const std::string standard = settings::fieldText(Settings{}, field);
   if (ImGui::MenuItem(("Reset to " + standard).c_str(), nullptr, false, !isStandard(settings, field)))
     reset(settings, field);
   if (ImGui::MenuItem((std::string("Reset all of ") + field.group).c_str()))
     resetGroup(settings, field.group);
+  ImGui::Separator();
+  if (ImGui::MenuItem(frequent.has(field) ? "Remove from frequently used" : "Add to frequently used")) frequent.toggle(field);
+  if (!frequent.isStandard() && ImGui::MenuItem("Frequently used as at first")) frequent.reset();
   ImGui::EndPopup();
 }
 
-void drawRow(Settings& settings, const Field& field, bool tooltips, std::span<const std::string> animations) {
+// A finger that has been held for so long there, without moving; true once.
+bool heldIn(ImVec2 from, ImVec2 size) {
+  constexpr float kSeconds = 0.5f;
+  const ImGuiIO& io = ImGui::GetIO();
+  return ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(from, ImVec2(from.x + size.x, from.y + size.y)) && ImGui::IsMouseDown(0) && io.MouseDownDuration[0] >= kSeconds && io.MouseDownDuration[0] - io.DeltaTime < kSeconds &&
+         io.MouseDragMaxDistanceSqr[0] < px(10) * px(10);
+}
+
+void drawRow(Settings& settings, Frequent& frequent, const Field& field, bool tooltips, std::span<const std::string> animations) {
   ImGui::PushID(field.name);
   const float width = ImGui::GetContentRegionAvail().x, left = ImGui::GetCursorPosX();
+  const ImVec2 from = ImGui::GetCursorScreenPos();
   const float icon = px(18);
   ImGui::AlignTextToFramePadding();
   ImGui::PushStyleColor(ImGuiCol_Text, isStandard(settings, field) ? color::kDim : color::kText);
   ImGui::TextUnformatted(field.label);
   ImGui::PopStyleColor();
-  const bool onLabel = ImGui::IsItemHovered();
+  const bool onLabel = ImGui::IsItemHovered(), held = heldIn(from, ImVec2(width * kLabelShare, ImGui::GetFrameHeight()));
   ImGui::SameLine(left + width * kLabelShare);
   ImGui::SetNextItemWidth(width * (1 - kLabelShare) - icon - px(2));
   ImGui::BeginGroup();
   editValue(settings, field, animations);
   ImGui::EndGroup();
-  if ((onLabel || ImGui::IsItemHovered()) && ImGui::IsMouseReleased(ImGuiMouseButton_Right))
+  if (held || ((onLabel || ImGui::IsItemHovered()) && ImGui::IsMouseReleased(ImGuiMouseButton_Right)))
     ImGui::OpenPopup("menu");
   if (onLabel && tooltips) rowTooltip(field);
-  rowMenu(settings, field);
+  rowMenu(settings, frequent, field);
   if (!isStandard(settings, field)) {
     ImGui::SameLine(left + width - icon);
     const std::string hint = "Reset to " + settings::fieldText(Settings{}, field);
@@ -247,17 +260,19 @@ bool matchesFilter(const Field& field, std::string_view filter) {
          contains(field.group, filter);
 }
 
-void drawFrequent(Settings& settings, bool tooltips) {
+void drawFrequent(Settings& settings, Frequent& frequent, bool tooltips) {
   ImGui::SetNextItemOpen(true, ImGuiCond_FirstUseEver);
   if (!groupHeader("Frequently used")) return;
   ImGui::PushID("frequent");
+  const Frequent shown = frequent;  // a menu may change it on the way
   for (const Field& field : settings::fields())
-    if (field.frequent) drawRow(settings, field, tooltips, {});
+    if (shown.has(field)) drawRow(settings, frequent, field, tooltips, {});
+  if (shown.empty()) ImGui::TextWrapped("Right click a setting, or hold a finger on its name, to have it here.");
   ImGui::PopID();
   ImGui::Dummy(ImVec2(0, px(4)));
 }
 
-int drawFields(Settings& settings, std::string_view filter, bool tooltips, std::span<const std::string> animations) {
+int drawFields(Settings& settings, Frequent& frequent, std::string_view filter, bool tooltips, std::span<const std::string> animations) {
   int shown = 0;
   for (const std::string_view group : fieldGroups()) {
     const auto rows = [&](const Field& field) {
@@ -268,7 +283,7 @@ int drawFields(Settings& settings, std::string_view filter, bool tooltips, std::
     if (count == 0 || !drawHeader(settings, group, !filter.empty())) continue;
     if (group == "Light" && filter.empty()) drawLightPad(settings);
     for (const Field& field : settings::fields())
-      if (rows(field)) drawRow(settings, field, tooltips, animations);
+      if (rows(field)) drawRow(settings, frequent, field, tooltips, animations);
     ImGui::Dummy(ImVec2(0, px(4)));
   }
   return shown;

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "editor/Frequent.h"
 #include "settings/Settings.h"
 
 namespace fur::editor {
@@ -19,10 +20,11 @@ bool matchesFilter(const settings::Field& field, std::string_view filter);
 
 // Draws every group that has a match into the current window and applies what the person does to
 // `settings`. `animations`: names of what the model can play. Returns how many rows were drawn or would be in an open group.
-int drawFields(settings::Settings& settings, std::string_view filter, bool tooltips,
+int drawFields(settings::Settings& settings, Frequent& frequent, std::string_view filter, bool tooltips,
                std::span<const std::string> animations = {});
 
-// The section of the fields that the table marks as frequent; they are in their groups, too.
-void drawFrequent(settings::Settings& settings, bool tooltips);
+// The section of the fields that are used frequently; they are in their groups, too. In either place a row's menu, by the
+// right button or a finger that is held on its name, adds it to the section and takes it out.
+void drawFrequent(settings::Settings& settings, Frequent& frequent, bool tooltips);
 
 }  // namespace fur::editor

@@ -131,12 +131,13 @@ void apply(const DrawState& state) {
     case Blend::None: break;
     case Blend::Add: glBlendFunc(GL_ONE, GL_ONE); break;
     case Blend::Over: glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA); break;
+    case Blend::Erase: glBlendFunc(GL_ZERO, GL_ONE_MINUS_SRC_ALPHA); break;
   }
 }
 
-void setViewport(int width, int height) {
+void setViewport(int width, int height, int bottom) {
   glDisable(GL_SCISSOR_TEST);
-  glViewport(0, 0, width, height);
+  glViewport(0, -bottom, width, height);
 }
 
 void drawOnlyRows(int bottom, int count, int width) {
@@ -168,6 +169,12 @@ void clearDepth() {
 void rememberPlatformFramebuffer() {
   glGetIntegerv(GL_FRAMEBUFFER_BINDING, &platformFramebuffer);
   glGetIntegerv(GL_SAMPLES, &samplesOfPlatform);
+}
+PlatformStandIn::PlatformStandIn() : framebuffer_(platformFramebuffer), samples_(samplesOfPlatform) { rememberPlatformFramebuffer(); }
+PlatformStandIn::~PlatformStandIn() {
+  platformFramebuffer = framebuffer_;
+  samplesOfPlatform = samples_;
+  bindPlatformFramebuffer();
 }
 int platformSamples() { return samplesOfPlatform; }
 void bindPlatformFramebuffer() { glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(platformFramebuffer)); }

@@ -159,7 +159,8 @@ class Target {
   Name framebuffer_, color_, depth_;
 };
 
-enum class Blend { None, Add, Over };  // Over: colours come multiplied by their alpha
+// Over: colours come multiplied by their alpha. Erase: what is opaque leaves nothing, neither colour nor alpha.
+enum class Blend { None, Add, Over, Erase };
 
 struct DrawState {
   bool depthTest = true, depthWrite = true, cullBack = true;
@@ -170,7 +171,8 @@ struct DrawState {
 };
 void apply(const DrawState& state);
 
-void setViewport(int width, int height);
+// `bottom`: the framebuffer has only rows of it, from that one on.
+void setViewport(int width, int height, int bottom = 0);
 // Until setViewport() only the rows from `bottom` on, so many, of every framebuffer are drawn into and cleared.
 void drawOnlyRows(int bottom, int count, int width);
 void flush();   // what was asked for so far begins now
@@ -181,6 +183,17 @@ void clearColor();  // alone, to black
 void bindPlatformFramebuffer();
 // The framebuffer that is bound now becomes the platform's (called once at attach).
 void rememberPlatformFramebuffer();
+// While it lives the framebuffer that was bound stands in for the platform's.
+class PlatformStandIn {
+ public:
+  PlatformStandIn();
+  ~PlatformStandIn();
+  PlatformStandIn(const PlatformStandIn&) = delete;
+  PlatformStandIn& operator=(const PlatformStandIn&) = delete;
+
+ private:
+  int framebuffer_, samples_;
+};
 int platformSamples();  // a pixel of it; 0: no multisampling
 // RGBA8 rows from the top of the bound framebuffer.
 std::vector<std::uint8_t> readPixels(int width, int height);

@@ -51,7 +51,7 @@ Status Drops::draw(Programs& programs, std::span<const wet::Drop> drops, std::si
     drops_.update(gl::bytesOf(instances));
   }
   uploadedBytes += gl::bytesOf(instances).size();
-  gl::apply({.depthWrite = false, .cullBack = false, .blend = gl::Blend::Over, .alpha = false});
+  gl::apply({.depthWrite = false, .cullBack = false, .blend = gl::Blend::Over});
   array_.drawStrips(4, static_cast<int>(drops.size()));
   return Done{};
 }

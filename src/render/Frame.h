@@ -34,6 +34,9 @@ struct Frame {
   // The picture is drawn in so many bands, one a call, out of sight: the framebuffer has it after the last. Band 0 is the lowest.
   // All else must be the same for all of them.
   int bands = 1, band = 0;
+  // Neither background nor ground: what nothing covers has no colour and no alpha, and colours come multiplied by their alpha.
+  bool transparent = false;
+  int bottomRow = 0;  // the lowest that the framebuffer has: of a picture in parts, each in a framebuffer of its own
   bool wet = false;           // any texel of the mask is: picks the shaders that look at it
   bool groomed = false;       // the groom's map says more than full length of one type: likewise
   bool types = false;         // and more than one fur type

@@ -60,7 +60,7 @@ shared::FrameBlock frameBlock(const Frame& frame) {
   block.lightWorld = Vec4(lightWorld, frame.height);
   block.groundPlane = Vec4(frame.groundHeight, kGroundHalfSide, 0.55f, 0);
   block.ball = frame.ball;
-  block.groundCentre = Vec4(frame.worldFromModel[3].x, frame.worldFromModel[3].z, 0, 0);
+  block.groundCentre = Vec4(frame.worldFromModel[3].x, frame.worldFromModel[3].z, frame.bottomRow, 0);
   return block;
 }
 
@@ -173,7 +173,7 @@ Status Renderer::draw(const Frame& frame) {
   if (Status status = furShadow_.update(programs_, furShadowKey(frame), surface_, indexCount_); !status) return status;
   if (!whole)
     if (Status status = small_.begin(drawn.width, drawn.height); !status) return status;
-  gl::setViewport(drawn.width, drawn.height);
+  gl::setViewport(drawn.width, drawn.height, frame.bottomRow);
   if (frame.bands > 1) {
     const auto edge = [&](int band) { return drawn.height * band / frame.bands; };
     gl::drawOnlyRows(edge(frame.band), edge(frame.band + 1) - edge(frame.band), drawn.width);
@@ -183,7 +183,10 @@ Status Renderer::draw(const Frame& frame) {
   groundShadow_[0].bind(FUR_UNIT_GROUND);
   if (!frame.puddles.empty()) showPuddles(frame.puddles, frame.puddlesRevision);
   uploadedBytes_ += strandTables_.use(frame.settings);
-  if (Status status = drawPasses(drawn); !status || whole) return status;
+  if (Status status = drawPasses(drawn); !status) return status;
+  if (drawn.transparent && drawn.settings.view != 0)
+    if (Status status = drawBackground(drawn); !status) return status;
+  if (whole) return Done{};
   gl::setViewport(frame.width, frame.height);
   if (frame.band + 1 == frame.bands) return small_.show(programs_);
   gl::flush();
@@ -223,23 +226,10 @@ Status Renderer::drawPasses(const Frame& frame) {
     const unsigned under = kUnderFur | (view == kPlain ? look & kWet : kPlain);
     return skin(shown(furry ? (view == kViewShadow ? skinLook & ~kFurOnly : skinLook) | under : skinLook & ~kFurOnly, view));
   };
-  const auto background = [&]() -> Status {
-    gl::apply({.cullBack = false});
-    const auto drawn = [&](Shader shader, unsigned variant, int squares) -> Status {
-      const auto program = programs_.use(shader, variant);
-      if (!program) return program.error();
-      gl::drawWithoutVertices(6 * squares);
-      return Done{};
-    };
-    if (frame.settings.ground && view == View::Final)
-      if (Status status = drawn(Shader::Ground, frame.puddles.empty() ? kPlain : kWet, FUR_GROUND_CELLS * FUR_GROUND_CELLS); !status)
-        return status;
-    return drawn(Shader::Background, kPlain, FUR_BACKGROUND_STRIPS);
-  };
   const auto both = [](Status first, auto&& second) { return first ? second() : first; };
   const bool counts = view == View::Overdraw || view == View::Steps;
-  if (view != View::Final && !counts)
-    if (Status status = background(); !status) return status;
+  if (view != View::Final && !counts && !frame.transparent)
+    if (Status status = drawBackground(frame); !status) return status;
   switch (view) {
     case View::Skin: return skin(skinLook & ~kFurOnly);
     case View::Wetness: return skin(kViewWetness);
@@ -272,12 +262,27 @@ Status Renderer::drawPasses(const Frame& frame) {
   if (Status status = model(kPlain); !status) return status;
   if (!counts) {
     if (Status status = whiskers_.draw(programs_, curve | (look & ~(kTextured | kFurOnly | kPainted | kShaped))); !status) return status;
-    if (Status status = background(); !status) return status;
+    if (Status status = drawBackground(frame); !status) return status;
     return drops_.draw(programs_, frame.drops, uploadedBytes_);
   }
   // The picture leaves its depth behind, then fragments are counted that are no further.
   gl::clearColor();
   return view == View::Steps ? shells(kViewSteps) : model(kViewOverdraw);
+}
+
+// Where nothing else is; of a transparent picture it is what is taken away there.
+Status Renderer::drawBackground(const Frame& frame) {
+  gl::apply({.cullBack = false, .blend = frame.transparent ? gl::Blend::Erase : gl::Blend::None});
+  const auto drawn = [&](Shader shader, unsigned variant, int squares) -> Status {
+    const auto program = programs_.use(shader, variant);
+    if (!program) return program.error();
+    gl::drawWithoutVertices(6 * squares);
+    return Done{};
+  };
+  if (frame.settings.ground && frame.settings.view == 0 && !frame.transparent)
+    if (Status status = drawn(Shader::Ground, frame.puddles.empty() ? kPlain : kWet, FUR_GROUND_CELLS * FUR_GROUND_CELLS); !status)
+      return status;
+  return drawn(Shader::Background, kPlain, FUR_BACKGROUND_STRIPS);
 }
 
 FurShadow::Key Renderer::furShadowKey(const Frame& frame) const {

@@ -73,6 +73,7 @@ class Renderer {
  private:
   Renderer() = default;
   Status drawPasses(const Frame& frame);
+  Status drawBackground(const Frame& frame);
   Status drawGroundShadow(const Frame& frame);
   Status drawShells(const Frame& frame, unsigned variant);
   Status drawFins(const Frame& frame, unsigned variant);

@@ -96,6 +96,73 @@ TEST(EditorHost, LeavesTheRendererItsState) {
   EXPECT_EQ(gl::takeError(), "");
 }
 
+constexpr Vec2 kPictureSection{600, 92}, kSavePicture{600, 208}, kTurnOnce{520, 295}, kSaveFrames{700, 295};
+
+TEST(EditorHost, WhileAPictureIsDrawnTheSceneStandsStillAndTakesNoInput) {
+  Desk desk;
+  desk.click(kPictureSection);
+  desk.send(PointerPhase::Down, kSavePicture, 1);
+  desk.send(PointerPhase::Up, kSavePicture, 0);
+  for (int i = 0; i < 20 && !desk.host.studio().busy(); ++i) desk.host.update(1 / 60.0f);
+  ASSERT_TRUE(desk.host.studio().busy());
+  const auto command = desk.host.takeCommand();
+  ASSERT_TRUE(command);
+  EXPECT_EQ(command->kind, PlatformCommand::Kind::SavePicture);
+  EXPECT_EQ(command->text, "sphere.png");
+  EXPECT_TRUE(desk.host.active());
+  EXPECT_TRUE(desk.send(PointerPhase::Down, kOnModel, 1)) << "it is not for the model";
+  desk.send(PointerPhase::Up, kOnModel, 0);
+  EXPECT_TRUE(desk.host.key("z", true, {false, true, false}));
+  std::vector<std::uint8_t> rgba;
+  while (auto band = desk.host.nextBand()) rgba.insert(rgba.end(), band->rgba.begin(), band->rgba.end());
+  EXPECT_EQ(rgba.size(), std::size_t(4) * kWidth * kHeight);
+  EXPECT_FALSE(desk.host.studio().busy());
+}
+
+TEST(EditorHost, EscapeGivesUpAFilmAndTheViewIsAsItWas) {
+  Desk desk;
+  desk.click(kPictureSection);
+  const CameraOrbit before = desk.app.camera();
+  desk.send(PointerPhase::Down, kSaveFrames, 1);
+  desk.send(PointerPhase::Up, kSaveFrames, 0);
+  for (int i = 0; i < 20 && !desk.host.studio().busy(); ++i) desk.host.update(1 / 60.0f);
+  ASSERT_TRUE(desk.host.studio().busy());
+  EXPECT_EQ(desk.host.takeCommand()->kind, PlatformCommand::Kind::SaveTurntable);
+  ASSERT_TRUE(desk.host.nextBand());
+  ASSERT_TRUE(desk.host.nextBand());
+  EXPECT_NE(desk.app.camera().yaw, before.yaw);
+  EXPECT_TRUE(desk.host.key("Escape", true, {}));
+  EXPECT_FALSE(desk.host.nextBand());
+  EXPECT_EQ(desk.app.camera().yaw, before.yaw);
+}
+
+TEST(EditorHost, TurnsOnceLiveAndStopsWhenThePictureIsTouched) {
+  Desk desk;
+  desk.click(kPictureSection);
+  const float before = desk.app.camera().yaw;
+  desk.send(PointerPhase::Down, kTurnOnce, 1);
+  desk.send(PointerPhase::Up, kTurnOnce, 0);
+  const auto pass = [&](int frames) {
+    for (int i = 0; i < frames; ++i) desk.app.tick(1 / 60.0f), desk.host.update(1 / 60.0f);
+  };
+  pass(3 * 60 + 10);
+  EXPECT_NEAR(desk.app.camera().yaw - before, -kPi / 2, 0.1f) << "a quarter of the twelve seconds";
+  pass(10 * 60);
+  EXPECT_EQ(desk.app.camera().yaw, before);
+  desk.settle();
+  EXPECT_FALSE(desk.host.active());
+
+  desk.send(PointerPhase::Down, kTurnOnce, 1);
+  desk.send(PointerPhase::Up, kTurnOnce, 0);
+  pass(60);
+  desk.send(PointerPhase::Down, kOnModel, 1);
+  desk.send(PointerPhase::Up, kOnModel, 0);
+  const float stopped = desk.app.camera().yaw;
+  EXPECT_NE(stopped, before);
+  pass(60);
+  EXPECT_EQ(desk.app.camera().yaw, stopped);
+}
+
 TEST(EditorHost, TakesThePointerOverThePanelOnly) {
   Desk desk;
   EXPECT_FALSE(desk.click(kOnModel));

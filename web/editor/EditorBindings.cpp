@@ -25,6 +25,7 @@ namespace {
 
 std::map<App*, std::unique_ptr<EditorHost>> hosts;  // the handle is the App's, so this finds its panel
 std::string commandText;
+std::vector<EditorHost::Version> versions;  // those that were added and are not shown yet
 
 // This program saves, so its models are asked.
 const bool asksForLosses = (App::findLossesWith(scene::lostBySaving), true);
@@ -152,7 +153,8 @@ FUR_EXPORT float fur_editor_coveredWidth(App* app) {
 
 // The next command: 0 none, 1 open a file dialog, 3 load the shipped model fur_editor_commandText(), 4 copy that text to
 // the clipboard, 5 read the clipboard and call fur_editor_paste(), 6 save the coat as .fts, 7 the model as
-// .fo, both under the name in fur_editor_commandText(). (2 is the desktop's: open a path.)
+// .fo, both under the name in fur_editor_commandText(), 9 and 10 what fur_editor_nextBand() gives until it is the last of the last
+// frame: a picture, and a film of one turn. (2 is the desktop's: open a path.)
 FUR_EXPORT int fur_editor_command(App* app) {
   return withHost(app, [](EditorHost& host) {
     std::optional<app::PlatformCommand> command = host.takeCommand();
@@ -162,6 +164,42 @@ FUR_EXPORT int fur_editor_command(App* app) {
   });
 }
 FUR_EXPORT const char* fur_editor_commandText() { return commandText.c_str(); }
+// width, height, frames, frames per second, frame, top, rows, whether it is the frame's last; the rows, straight RGBA from
+// the top, lie at fur_savedBytes(). Null: it was given up.
+FUR_EXPORT const double* fur_editor_nextBand(App* app) {
+  EditorHost* host = hostOf(app);
+  if (!host || !host->studio().busy()) return nullptr;
+  return guarded([&]() -> const double* {
+    const app::PictureOrder order = host->studio().order();
+    auto band = host->nextBand();
+    if (!band) return nullptr;
+    web::keepSaved(std::move(band->rgba));
+    return web::numbers({double(order.width), double(order.height), double(order.frames), double(app::kFramesPerSecond),
+                         double(band->frame), double(band->top), double(band->rows), double(band->lastOfFrame)});
+  });
+}
+FUR_EXPORT void fur_editor_endPicture(App* app) {
+  withHost(app, [](EditorHost& host) { return host.endPicture(), 0; });
+}
+// 11 to 14 are what the panel asks for of scenes that are kept under names; these say which there are, newest first: all of
+// them, then fur_editor_showVersions(). The picture has 4 * 144 * 96 bytes.
+FUR_EXPORT void fur_editor_addVersion(App* app, const char* id, const char* name, const char* when, const std::uint8_t* rgba) {
+  withHost(app, [&](EditorHost&) {
+    constexpr int kBytes = 4 * editor::kVersionPictureWidth * editor::kVersionPictureHeight;
+    return versions.push_back({id, name, when, {rgba, rgba + kBytes}}), 0;
+  });
+}
+FUR_EXPORT void fur_editor_showVersions(App* app) {
+  withHost(app, [&](EditorHost& host) { return host.setVersions(std::exchange(versions, {})), 0; });
+}
+// Of the scene as it is: the number of bytes at fur_savedBytes().
+FUR_EXPORT std::uint32_t fur_editor_versionPicture(App* app) {
+  EditorHost* host = hostOf(app);
+  return !host ? 0 : guarded([&] {
+    auto picture = host->versionPicture();
+    return picture ? web::keepSaved(std::move(*picture)) : static_cast<std::uint32_t>(web::fail(picture.error()));
+  });
+}
 // Shown in the panel until dismissed: a warning, or a file that could not be read.
 FUR_EXPORT void fur_editor_message(App* app, const char* text, int isError) {
   withHost(app, [&](EditorHost& host) { return host.message(text, isError != 0), 0; });

@@ -434,7 +434,12 @@ export interface WetFurApi {
   save(): Promise<Uint8Array>;
   /** What save() would leave out, each in some words, as "2 of 3 materials"; none when the saved scene has it all. */
   lostBySaving(): Promise<string[]>;
-  toBlob(options?: { mimeType?: string; quality?: number; width?: number; height?: number }): Promise<Blob>;
+  /**
+   * The picture of this moment drawn with everything, without panel and signs of tools; as shown or of its own size, of at
+   * most 4096 pixels a side. `transparent`: without background and ground, with the alpha of strands at the outline (PNG and
+   * WebP have one). The editor's panel saves up to 8192 pixels a side.
+   */
+  toBlob(options?: { mimeType?: string; quality?: number; width?: number; height?: number; transparent?: boolean }): Promise<Blob>;
   getCameraOrbit(): CameraOrbit | null;
   resetCamera(): void;
   /** What lies over the picture at its edges, in CSS pixels: the model is shown in the middle of the rest. */

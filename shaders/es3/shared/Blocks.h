@@ -29,7 +29,7 @@ FUR_BLOCK(FrameBlock) {
   vec4 backgroundBottom;  // sRGB as it is shown
   vec4 lightWorld;        // world space, unit; w: rows of pixels in the picture
   vec4 groundPlane;       // x: its height in the world  y: half the side of its shadow map  z: darkness
-  vec4 groundCentre;      // world x and z of the shadow map's centre
+  vec4 groundCentre;      // world x and z of the shadow map's centre  z: the picture's row that is the framebuffer's lowest
   mat4 lightFromModel;    // to the fur's own shadow map: xy 0..1, z depth along the light in model units
   vec4 ball;              // centre in the world; w: radius
   vec4 volumeShadow;      // x: log2(e) k  y: bias, or distance of the layers  z: height of the first surface  w: depth that the map spans

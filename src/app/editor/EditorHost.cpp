@@ -9,6 +9,7 @@
 #include <imgui_impl_opengl3.h>
 #include <imgui_internal.h>  // which windows cover a pixel, before the frame that would tell; what is typed
 
+#include "app/OrbitCamera.h"
 #include "app/editor/EditorGroom.h"
 #include "settings/Presets.h"
 
@@ -105,6 +106,8 @@ Status EditorHost::attach() {
   const Context current(*this);
   if (!ImGui_ImplOpenGL3_Init()) return Error{ErrorId::WebglUnavailable, "Dear ImGui found no OpenGL ES 3.0"};
   attached_ = true;
+  mostPictureSide_ = mostPictureSide();
+  showVersions();
   drawnHash_ = 0;
   justAttached_ = true;
   wake();
@@ -116,10 +119,13 @@ void EditorHost::detach() {
   attached_ = false;
   const Context current(*this);
   if (editor_.changing()) app_.endChange();
+  if (studio_.busy()) message("The picture was given up: what it was drawn with went", true);
+  studio_.end();
   app_.setCovered(Vec2(0));
   tile_ = {};
   fin_ = {};
   groomPicture_ = {};
+  versionPictures_.clear();
   groomRevision_ = 0;
   // Where a context can be lost, in WebGL, deleting what it held is allowed and does nothing.
   ImGui_ImplOpenGL3_Shutdown();
@@ -148,9 +154,10 @@ bool EditorHost::pointer(const PointerEvent& event, double seconds) {
   if (down && owner_ == Owner::None) {
     owner_ = covers(event.position) || picksColor(event) ? Owner::Panel : Owner::App;
     ownerId_ = event.id;
+    if (owner_ == Owner::App) stopTurning();
   }
   // The panel follows one pointer. A second finger goes where it lies, and never to both.
-  if (owner_ != Owner::None && event.id != ownerId_) return owner_ == Owner::Panel || covers(event.position);
+  if (owner_ != Owner::None && event.id != ownerId_) return owner_ == Owner::Panel || covers(event.position) || studio_.busy();
   const bool captured = owner_ == Owner::Panel || (owner_ == Owner::None && covers(event.position));
   const bool touch = event.kind == PointerKind::Touch;
   if (ended) owner_ = Owner::None;
@@ -159,7 +166,7 @@ bool EditorHost::pointer(const PointerEvent& event, double seconds) {
   if (!cancelled) input_.pointer(panelKind(event.kind), event.position, event.buttons, seconds);
   if (cancelled || (touch && ended)) input_.pointerGone();
   wake();
-  return captured;
+  return captured || studio_.busy();  // the scene stands still for a picture
 }
 
 // Alt takes the colour from the model instead of painting it there.
@@ -187,6 +194,11 @@ bool EditorHost::wheel(float notches, Vec2 position) {
 }
 
 bool EditorHost::key(std::string_view name, bool down, const editor::Modifiers& modifiers) {
+  if (studio_.busy() && down) {
+    if (name == "Escape") studio_.end();
+    wake();
+    return true;
+  }
   const bool text = wantsText();
   const auto shortcut = editor::Editor::shortcut(name, modifiers);
   const bool saves = shortcut && std::holds_alternative<editor::command::SaveScene>(*shortcut);
@@ -317,6 +329,9 @@ editor::EditorModel EditorHost::model() {
   model.groom.painted = !app_.groom().paint.isPlain();
   model.groom.masked = !app_.groom().mask.isPlain();
   model.groom.map = idOf(groomPicture_);
+  model.versions = versionViews_;
+  model.picture = {static_cast<int>(size_.x), static_cast<int>(size_.y), kLeastPictureSide, mostPictureSide_,
+                   studio_.busy(), studio_.busy() ? studio_.progress() : 0, turnLeft_ > 0};
   return model;
 }
 
@@ -365,6 +380,7 @@ void EditorHost::refreshCoatPictures() {
 bool EditorHost::update(float dt) {
   if (!attached_ || size_.x <= 0 || size_.y <= 0) return false;
   const Context current(*this);
+  turn(dt);
   // Not while a finger is down: what it is about to press must not move away.
   if (owner_ == Owner::None && input_.empty()) scale_.touch = input_.lastKind() == editor::PointerKind::Touch;
   if (editor::applyTheme(scale_)) {
@@ -406,7 +422,10 @@ void EditorHost::draw() {
   if (frameSeconds_.size() > kFrameHistory) frameSeconds_.erase(frameSeconds_.begin());
 }
 
-bool EditorHost::active() const { return framesLeft_ > 0 || !input_.empty(); }
+bool EditorHost::active() const {
+  return framesLeft_ > 0 || !input_.empty() || studio_.busy() || turnLeft_ > 0 ||
+         (scale_.touch && owner_ == Owner::Panel);  // a finger that is held opens a menu
+}
 
 std::uint64_t EditorHost::pictureHash() const {
   std::uint64_t hash = 0xcbf29ce484222325ull;
@@ -466,6 +485,55 @@ void EditorHost::stamp(const std::string& text) {
   app_.stamp(coverage, width, height, 0.5f * free, std::min(0.5f * free.x, 0.28f * free.y * pen / font.FontSize));
 }
 
+// --- pictures ---
+
+void EditorHost::begin(const PictureOrder& order, PlatformCommand::Kind kind, std::string name) {
+  stopTurning();
+  const Status begun = studio_.begin(order);
+  check(begun);
+  if (begun) request(kind, std::move(name));
+}
+
+std::optional<Studio::Band> EditorHost::nextBand() {
+  if (!studio_.busy()) return {};
+  auto band = studio_.next();
+  if (band) return std::move(*band);
+  message(band.error().message, true);
+  return {};
+}
+
+void EditorHost::setVersions(std::vector<Version> versions) {
+  versions_ = std::move(versions);
+  if (attached_) showVersions();
+  wake();
+}
+
+void EditorHost::showVersions() {
+  using editor::kVersionPictureWidth, editor::kVersionPictureHeight;
+  constexpr std::size_t kBytes = std::size_t{4} * kVersionPictureWidth * kVersionPictureHeight;
+  versionViews_.clear();
+  versionPictures_.clear();
+  for (const Version& version : versions_) {
+    editor::VersionView view{version.id, version.name, version.when};
+    if (version.rgba.size() == kBytes) {
+      versionPictures_.push_back(pictureTexture(kVersionPictureWidth, kVersionPictureHeight, gl::bytesOf(version.rgba)));
+      view.picture = idOf(versionPictures_.back());
+    }
+    versionViews_.push_back(std::move(view));
+  }
+  ++picturesMade_;
+}
+
+// Live, as the platform's own time goes by.
+void EditorHost::turn(float dt) {
+  if (turnLeft_ <= 0) return;
+  const float step = std::min(dt, turnLeft_);
+  turnLeft_ -= step;
+  CameraOrbit orbit = app_.camera();
+  orbit.yaw = turnLeft_ > 0 ? orbit.yaw + OrbitCamera::turned(step, secondsPerTurn_) : turnStart_.yaw;
+  app_.setCamera(orbit);
+}
+
 void EditorHost::check(const Status& status) {
   if (!status) message(status.error().message, true);
 }
@@ -494,6 +562,25 @@ void EditorHost::perform(const editor::Command& command) {
       [&](const SaveFo&) { request(Kind::SaveFo, modelFileName(app_, ".fo")); },
       [&](const SaveScene&) { request(Kind::SaveScene, modelFileName(app_, ".glb")); },
       [&](const GroomAll& c) { app_.groomAll(static_cast<GroomEdit>(c.edit), c.value, c.direction); },
+      [&](const SavePicture& c) { begin({c.width, c.height, c.transparent}, Kind::SavePicture, modelFileName(app_, ".png")); },
+      [&](const SaveTurntable& c) {
+        // Films have even sides.
+        begin({c.width / 2 * 2, c.height / 2 * 2, c.transparent, turntableFrames(c.secondsPerTurn), c.secondsPerTurn}, Kind::SaveTurntable,
+              modelFileName(app_, "-turn"));
+      },
+      [&](const TurnOnce& c) {
+        turnStart_ = app_.camera();
+        secondsPerTurn_ = c.secondsPerTurn;
+        turnLeft_ = std::abs(c.secondsPerTurn);
+      },
+      [&](const StopPicture&) {
+        stopTurning();
+        studio_.end();
+      },
+      [&](const KeepVersion& c) { request(Kind::KeepVersion, c.name); },
+      [&](const OpenVersion& c) { request(Kind::OpenVersion, c.id); },
+      [&](const RenameVersion& c) { request(Kind::RenameVersion, c.id + '\n' + c.name); },
+      [&](const DeleteVersion& c) { request(Kind::DeleteVersion, c.id); },
       [&](const DismissMessage& c) {
         messages_.erase(messages_.begin() + static_cast<std::ptrdiff_t>(c.index));
       },

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "app/App.h"
+#include "app/editor/Studio.h"
 #include "editor/Editor.h"
 #include "editor/InputQueue.h"
 #include "gl/Objects.h"
@@ -36,7 +37,15 @@ struct PlatformCommand {
     PasteRequest = 5,
     SaveTypeSet = 6,  // App::saveTypeSet(), under the name in `text`
     SaveFo = 7,       // the model as .fo, likewise
-    SaveScene = 8     // App::saveScene(), likewise
+    SaveScene = 8,    // App::saveScene(), likewise
+    // nextBand() until it gives the last or none: a picture under the name in `text`; a film or frames of one turn, likewise.
+    SavePicture = 9,
+    SaveTurntable = 10,
+    // The scene as it is is kept, under the name in `text`; one that was kept is shown, by its id; gets another name, "id\nname"; goes.
+    KeepVersion = 11,
+    OpenVersion = 12,
+    RenameVersion = 13,
+    DeleteVersion = 14
   };  // JavaScript knows these
   Kind kind;
   std::string text;  // the path, the text to copy, or a name for the file
@@ -74,6 +83,22 @@ class EditorHost {
   bool update(float dt);
   void draw();          // over what App::draw() left, in the same framebuffer
   bool active() const;  // further frames are needed, although no event may come
+
+  // --- pictures, which the platform writes: see PlatformCommand ---
+  // None: it was given up, of which the panel tells the reason.
+  std::optional<Studio::Band> nextBand();
+  const Studio& studio() const { return studio_; }
+  void endPicture() { studio_.end(); }
+
+  // --- scenes that are kept under names, which the platform does: see PlatformCommand ---
+  struct Version {
+    std::string id, name, when;
+    std::vector<std::uint8_t> rgba;  // editor::kVersionPictureWidth x kVersionPictureHeight; or none
+  };
+  // Newest first; in place of those before.
+  void setVersions(std::vector<Version> versions);
+  // Of the scene as it is.
+  Result<std::vector<std::uint8_t>> versionPicture() { return studio_.thumbnail(editor::kVersionPictureWidth, editor::kVersionPictureHeight); }
 
   // --- the panel's size ---
   // What the person chose, to be kept and given back the next time: see editor::PanelLayout::text().
@@ -113,6 +138,10 @@ class EditorHost {
     platform_.push_back({kind, std::move(text)});
   }
   void drawRing();
+  void begin(const PictureOrder& order, PlatformCommand::Kind kind, std::string name);
+  void turn(float dt);
+  void showVersions();
+  void stopTurning() { turnLeft_ = 0; }
   void stamp(const std::string& text);
   void check(const Status& status);
   std::uint64_t pictureHash() const;
@@ -146,6 +175,13 @@ class EditorHost {
   std::function<void(const char*)> writeClipboard_;
   std::function<std::string()> readClipboard_;
   std::string clipboard_;
+  Studio studio_{app_};
+  std::vector<Version> versions_;
+  std::vector<editor::VersionView> versionViews_;
+  std::vector<gl::Texture> versionPictures_;
+  int mostPictureSide_ = kMostPictureSide;
+  float secondsPerTurn_ = 0, turnLeft_ = 0;  // of a turn that is shown; seconds
+  CameraOrbit turnStart_;
 };
 
 }  // namespace fur::app

@@ -1,5 +1,6 @@
 #include "scene/Png.h"
 
+#include <algorithm>
 #include <string>
 
 #include "core/Assert.h"
@@ -20,6 +21,14 @@ std::vector<std::uint8_t> writePng(int width, int height, int channels, std::spa
   };
   stbi_write_png_to_func(append, &file, width, height, channels, pixels.data(), width * channels);
   return file;
+}
+
+void makeStraight(std::span<std::uint8_t> rgba) {
+  for (std::size_t i = 0; i + 3 < rgba.size(); i += 4) {
+    const int alpha = rgba[i + 3];
+    if (alpha == 0 || alpha == 255) continue;
+    for (std::size_t k = 0; k < 3; ++k) rgba[i + k] = static_cast<std::uint8_t>(std::min(255, (rgba[i + k] * 255 + alpha / 2) / alpha));
+  }
 }
 
 }  // namespace fur::scene

@@ -23,7 +23,7 @@ export async function onACanvas(canvas: HTMLCanvasElement): Promise<number> {
   console.log(coats.join(', '));
   fur.step(1 / 60, 30);
   const orbit: CameraOrbit | null = fur.getCameraOrbit();
-  const blob: Blob = await fur.toBlob({ width: 640, height: 480 });
+  const blob: Blob = await fur.toBlob({ width: 640, height: 480, transparent: true });
   await fur.loadModel(new Uint8Array(4), { name: 'a.glb', files: [new File([], 'a.bin')] });
   await fur.loadTypeSet(await fur.saveTypeSet(), { name: 'fox.fts' });
   const saved: Uint8Array = await fur.saveFo();

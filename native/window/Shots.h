@@ -1,0 +1,27 @@
+// Writes what the panel's section "Picture" draws: a picture, or the numbered frames of a turn in a folder of their own.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/editor/EditorHost.h"
+
+namespace fur::native {
+
+class Shots {
+ public:
+  // What EditorHost::nextBand() is about to give: under that name in the folder that the program was started in, beside
+  // what is there.
+  void begin(const std::string& name, const app::PictureOrder& order);
+  // One band. Tells the host when all is written, or why it is not.
+  void work(app::EditorHost& host);
+
+ private:
+  Status writeFrame(int frame);
+
+  std::string path_;
+  app::PictureOrder order_;
+  std::vector<std::uint8_t> rgba_;
+};
+
+}  // namespace fur::native

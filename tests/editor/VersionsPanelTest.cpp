@@ -1,0 +1,80 @@
+#include "editor/VersionsPanel.h"
+
+#include "tests/editor/PanelDriver.h"
+
+namespace fur::editor {
+namespace {
+
+struct Person : PanelDriver {
+  std::vector<VersionView> kept{{"b", "Wet", "today"}, {"a", "Dry", "yesterday"}};
+  Person() {
+    model.versions = kept;
+    openGroup("Versions");
+  }
+  void choose(const char* version, const char* row, int segment, const char* one) {
+    const ImGuiID rowId = ImHashStr(row, 0, id(version));
+    const auto at = find(ImHashStr(one, 0, ImHashData(&segment, sizeof segment, rowId)));
+    ASSERT_TRUE(at) << version << ' ' << one;
+    click(*at);
+  }
+  template <class C>
+  const C* last() const {
+    for (auto command = commands.rbegin(); command != commands.rend(); ++command)
+      if (const auto* found = std::get_if<C>(&*command)) return found;
+    return nullptr;
+  }
+};
+
+TEST(VersionsPanel, KeepsUnderTheNameThatWasTypedOrTheNextNumber) {
+  Person person;
+  person.press("Keep");
+  ASSERT_TRUE(person.last<command::KeepVersion>());
+  EXPECT_EQ(person.last<command::KeepVersion>()->name, "Version 3");
+  const auto field = person.find(person.id("##versionName"));
+  ASSERT_TRUE(field);
+  person.click(*field);
+  person.type("Ötter: 50 % \"wet\" / 乾");
+  person.press("Keep");
+  EXPECT_EQ(person.last<command::KeepVersion>()->name, "Ötter: 50 % \"wet\" / 乾");
+}
+
+TEST(VersionsPanel, GoesBackToTheOneWhoseButtonWasPressed) {
+  Person person;
+  person.choose("a", "buttons", 0, "Go back");
+  ASSERT_TRUE(person.last<command::OpenVersion>());
+  EXPECT_EQ(person.last<command::OpenVersion>()->id, "a");
+}
+
+TEST(VersionsPanel, DeletesOnlyAfterItHasAsked) {
+  Person person;
+  person.choose("b", "buttons", 2, "Delete");
+  EXPECT_EQ(person.count<command::DeleteVersion>(), 0);
+  person.choose("b", "answers", 1, "Cancel");
+  EXPECT_EQ(person.count<command::DeleteVersion>(), 0);
+  person.choose("b", "buttons", 2, "Delete");
+  person.choose("b", "answers", 0, "Delete");
+  ASSERT_EQ(person.count<command::DeleteVersion>(), 1);
+  EXPECT_EQ(person.last<command::DeleteVersion>()->id, "b");
+}
+
+TEST(VersionsPanel, RenamesByTypingOverTheOldName) {
+  Person person;
+  person.choose("a", "buttons", 1, "Rename");
+  person.frames(3);
+  person.type("Fluffy");
+  person.pressKey("Enter");
+  ASSERT_TRUE(person.last<command::RenameVersion>());
+  EXPECT_EQ(person.last<command::RenameVersion>()->id, "a");
+  EXPECT_EQ(person.last<command::RenameVersion>()->name, "Fluffy");
+}
+
+TEST(VersionsPanel, ANameHasEightyCharactersOfAnyScript) {
+  std::string longName;
+  for (int i = 0; i < 100; ++i) longName += "乾";
+  EXPECT_EQ(nameFrom(longName.c_str()).size(), 3u * 80);
+  EXPECT_EQ(nameFrom("  a b  "), "a b");
+  EXPECT_EQ(nameFrom("   "), "");
+}
+
+}  // namespace
+}  // namespace fur::editor

@@ -1,0 +1,58 @@
+// Transparent pictures and turntables of the program without a window.
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, readdirSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { PNG } from 'pngjs';
+import { buildFolder } from '../../tools/cmake.mjs';
+
+const program = join(buildFolder('native-release'), 'wet-fur-render');
+
+/** Runs it in a folder of its own; what `look` is given reads its pictures. */
+function inScratch(args, look) {
+  const scratch = mkdtempSync(join(tmpdir(), 'wet-fur-'));
+  try {
+    const { status, stderr } = spawnSync(program, args, { cwd: scratch, encoding: 'utf8' });
+    return look({ status, stderr, names: readdirSync(scratch).sort(), read: (name) => PNG.sync.read(readFileSync(join(scratch, name))) });
+  } finally {
+    rmSync(scratch, { recursive: true });
+  }
+}
+
+const small = ['sphere', '--size', '96x72', '--layers', '8'];
+
+test('a transparent picture has the model alone', () => {
+  inScratch([...small, '-o', 'x.png', '--transparent'], ({ status, stderr, read }) => {
+    assert.equal(status, 0, stderr);
+    const { data, width } = read('x.png');
+    const alpha = (x, y) => data[4 * (y * width + x) + 3];
+    assert.deepEqual([alpha(0, 0), alpha(95, 71), alpha(48, 36)], [0, 0, 255]);
+    assert.ok(data.some((value, i) => i % 4 === 3 && value > 0 && value < 255), 'strands at the outline are half there');
+  });
+});
+
+test('a turntable is numbered pictures of which each is another and none is the first again', () => {
+  inScratch(['bunny', '--size', '64x48', '--layers', '8', '--breath', '0', '-o', 'turn.png', '--turntable', '4'], ({ status, stderr, names, read }) => {
+    assert.equal(status, 0, stderr);
+    assert.deepEqual(names, [0, 1, 2, 3].map((i) => `turn-00${i}.png`));
+    const pictures = names.map((name) => read(name).data.toString('base64'));
+    assert.equal(new Set(pictures).size, 4);
+  });
+});
+
+test('the other way round the pictures come in the other order', () => {
+  const turn = (seconds) => inScratch(['bunny', '--size', '64x48', '--layers', '8', '--breath', '0', '-o', 'turn.png', '--turntable', '4', '--turn-seconds', seconds],
+    ({ names, read }) => names.map((name) => read(name).data));
+  const [right, left] = [turn('4'), turn('-4')];
+  const apart = (a, b) => a.reduce((sum, value, i) => sum + Math.abs(value - b[i]), 0) / a.length;
+  assert.ok(apart(right[1], left[3]) < 0.2 * apart(right[1], left[1]));
+});
+
+test('a number of pictures that makes no turn is refused in one line', () => {
+  inScratch([...small, '-o', 'x.png', '--turntable', '1'], ({ status, stderr }) => {
+    assert.equal(status, 2);
+    assert.match(stderr, /^--turntable 1: expected a number from 2 to 3600\n/);
+  });
+});
