@@ -164,7 +164,7 @@ test('a double click on a slider takes a number from the keyboard', async () => 
         await input.send('Input.dispatchMouseEvent', { type, x: 700, y, button: type === 'mouseMoved' ? 'none' : 'left', clickCount, timestamp: timestamp += 0.01 });
   };
   // The first slider of the first section: the density.
-  const y = await typeNumber(page, press, [92, 29], '0.25');
+  const y = await typeNumber(page, press, [179, 29], '0.25');
   assert.equal(await withFur(page, (fur) => fur.settings.density), 0.25);
   await typeNumber(page, press, [y, 0], '7');
   assert.equal(await withFur(page, (fur) => fur.settings.density), 1, 'the end of its range');
@@ -188,7 +188,7 @@ test('on a phone a double tap does, and the sheet opens and grows by its title',
       await input.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [], timestamp: timestamp += 0.05 });
     }
   };
-  await typeNumber(page, press, [574, 41], '0.25');
+  await typeNumber(page, press, [697, 41], '0.25');
   assert.equal(await withFur(page, (fur) => fur.settings.density), 0.25);
   assert.deepEqual(page.problems, []);
 });
