@@ -103,7 +103,16 @@ Status loadGroomImage(app::App& app, groom::ImageOf what, const std::string& pat
   if (!bytes) return bytes.error();
   const auto image = decodeImage(bytes.value());
   if (!image) return Error{image.error().id, path + ": " + image.error().message};
-  app.groomFromImage(what, image.value().width, image.value().height, image.value().rgba);
+  app.groomFromFile(what, fs::path(path).filename().string(), image.value().width, image.value().height, image.value().rgba);
+  return Done{};
+}
+
+Status writeFiles(const std::string& folder, std::span<const scene::NamedFile> files) {
+  std::error_code failure;
+  fs::create_directories(folder, failure);
+  if (failure) return Error{ErrorId::Network, folder + ": " + failure.message()};
+  for (const scene::NamedFile& file : files)
+    if (Status status = writeFile((fs::path(folder) / file.name).string(), file.bytes); !status) return status;
   return Done{};
 }
 

@@ -17,13 +17,15 @@ Status writeFile(const std::string& path, std::span<const std::uint8_t> bytes);
 std::string freePath(const std::string& wanted);
 // "turn.png" is "turn-007.png": of three digits or, of more than a thousand, as many as the last one takes.
 std::string numberedPath(const std::string& path, int number, int count);
+// Into a folder, which is made where there is none.
+Status writeFiles(const std::string& folder, std::span<const scene::NamedFile> files);
 // RGBA8 rows from the top.
 Status writePng(const std::string& path, int width, int height, const std::vector<std::uint8_t>& rgba);
 
 // A type set (.fts) by path takes the place of the coat.
 Status loadTypeSet(app::App& app, const std::string& path);
 
-// An image by path becomes the length map of the groom.
+// An image by path becomes the length map of the groom, or the map that it was saved as (App::groomFromFile()).
 Status loadGroomImage(app::App& app, groom::ImageOf what, const std::string& path);
 
 // Whether loadScene() would take it for a model: else it is a coat or a length map for the one that is there.

@@ -23,7 +23,7 @@ const layoutKey = 'wet-fur-panel';
 // For the page's style: how much of the right edge the panel hides.
 const widthProperty = '--wet-fur-panel-width';
 const commands = { openDialog: 1, loadShipped: 3, copy: 4, paste: 5, saveTypeSet: 6, saveFo: 7, saveScene: 8, savePicture: 9, saveTurntable: 10,
-  keepVersion: 11, openVersion: 12, renameVersion: 13, deleteVersion: 14 };
+  keepVersion: 11, openVersion: 12, renameVersion: 13, deleteVersion: 14, saveMaps: 15 };
 
 /**
  * What the panel cannot do itself.
@@ -113,6 +113,7 @@ export class EditorPanel {
     if (command === commands.saveTypeSet) this.#save(() => fur.saveTypeSet(), text());
     if (command === commands.saveFo) this.#save(() => fur.saveFo(), text());
     if (command === commands.saveScene) this.#save(() => fur.save(), text());
+    if (command === commands.saveMaps) this.#save(() => this.#maps(), `${text()}.zip`);
     if (command === commands.paste) this.#paste();
     if (command === commands.keepVersion) this.#versions.keep(text());
     if (command === commands.openVersion) this.#versions.open(text());
@@ -175,6 +176,14 @@ export class EditorPanel {
     } catch (error) {
       this.message(`${name} was not saved: ${error.message}`, true);
     }
+  }
+
+  #maps() {
+    const { program, handle } = this.#app;
+    const byteLength = program.callOrThrow('fur_saveMaps', handle);
+    const bytes = program.array(Uint8Array, program.call('fur_savedBytes'), byteLength);
+    program.call('fur_forgetSavedBytes');
+    return bytes;
   }
 
   async #paste() {

@@ -2,9 +2,8 @@
 
 import { choices } from './options.js';
 
-// In the order of app::Tool and app::GroomEdit.
+// In the order of app::Tool.
 const tools = choices.tool;
-const groomEdits = ['clear', 'length', 'invert', 'vary', 'type', 'comb', 'raise', 'size', 'paint', 'clearPaint', 'clearMask', 'invertMask'];
 export const phases = ['down', 'move', 'up', 'cancel'];
 export const pointerKinds = ['mouse', 'touch', 'pen'];
 export const pictures = { best: 0, moving: 1, still: 2 };
@@ -141,8 +140,8 @@ export class FurApp {
   saveFo() { return this.#saved('fur_saveFo'); }
   get lostBySaving() { return this.program.lines(this.#call('fur_lostBySaving')); }
   saveScene() { return this.#saved('fur_saveScene'); }
-  groomAll(edit, value, [x, y, z]) { this.#call('fur_groomAll', groomEdits.indexOf(edit), value, x, y, z); }
-  groomFromImage(what, width, height, rgba) { this.#callOrThrow('fur_groomFromImage', what, width, height, rgba); }
+  groomAll(edit, value, [x, y, z]) { this.#call('fur_groomAll', edit, value, x, y, z); }
+  groomFromImage(what, name, { width, height, data }) { this.#callOrThrow('fur_groomFromImage', what, name, width, height, data); }
   /** {u, v} of the surface under the pixel, or null. */
   pick(x, y) {
     const hit = this.program.numbers(this.#call('fur_pick', x, y), 2);

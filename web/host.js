@@ -609,7 +609,7 @@ export class WetFur extends EventTarget {
     const image = await decodeImage(given instanceof Blob ? given : new Blob([given])).catch((error) => {
       throw this.#failed(new FurError('bad-file', `the ${name} map could not be read (${error.message})`));
     });
-    await this.#groomInWorkshop((app) => app.groomFromImage(what, image.width, image.height, image.data));
+    await this.#groomInWorkshop((app) => app.groomFromImage(what, given.name ?? '', image));
   }
   async #groomInWorkshop(work) {
     await this.#inWorkshop((app) => {

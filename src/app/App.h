@@ -22,6 +22,7 @@
 #include "geometry/Surface.h"
 #include "groom/GroomBrush.h"
 #include "scene/Model.h"
+#include "scene/Zip.h"
 #include "settings/Settings.h"
 #include "wet/Water.h"
 #include "wet/WetnessMask.h"
@@ -61,8 +62,18 @@ enum class GroomEdit {
   Paint,   // value: 0xRRGGBB, all over
   ClearPaint,
   ClearMask,
-  InvertMask
+  InvertMask,
+  // Selecting, see groom/Selection.h: the mask protects all else.
+  SelectConnected,  // what hangs together with the place `direction` (model space)
+  SelectType,       // value: 1..4
+  SelectLength,     // direction: shortest, longest, unused
+  SelectPaint,      // value: tolerance; paint like that at the place `direction`
+  GrowMask,         // value: model units
+  ShrinkMask,
+  SmoothMask
 };
+// "selectType"; one that is none of them gives none.
+std::optional<GroomEdit> groomEditNamed(std::string_view name);
 // Of what saveWater() and saveGroom() give, which browsers keep from visit to visit: another one whenever that changes.
 inline constexpr std::uint32_t kWaterLayout = 2, kSavedLayout = 1;
 
@@ -239,6 +250,14 @@ class App {
   void groomAll(GroomEdit edit, float value = 1, const Vec3& direction = Vec3(0, -1, 0));
   // An image, RGBA8 in the model's own texture coordinates.
   void groomFromImage(groom::ImageOf what, int width, int height, std::span<const std::uint8_t> rgba);
+  // The same by the name of its file: one that saveMaps() wrote goes back over the atlas, whatever `what` says.
+  void groomFromFile(groom::ImageOf what, std::string_view name, int width, int height, std::span<const std::uint8_t> rgba);
+  // Length, types, paint, mask, comb (groom/MapPictures.h), wetness (grey, 255 is saturated) and the layout of the charts as
+  // PNG files of the model's name, mapsName().
+  std::vector<scene::NamedFile> saveMaps() const;
+  std::string mapsName() const;
+  // The place of the skin, model space, whose fur is seen at a pixel; none off the model.
+  std::optional<Vec3> placeAt(Vec2 pixel) const;
   groom::Coverage groomCoverage() const;
   std::uint64_t groomRevision() const;  // another one, above 0, whenever it has changed
   bool groomed() const;  // any of it is not as a new model's

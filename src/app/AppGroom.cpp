@@ -6,6 +6,7 @@
 #include "app/AppState.h"
 #include "groom/GroomBrush.h"
 #include "groom/GroomFilters.h"
+#include "groom/Selection.h"
 #include "settings/Presets.h"
 
 namespace fur::app {
@@ -230,6 +231,14 @@ void App::State::groomAt(const geometry::SurfacePoint& at) {
   groomTouched();
 }
 
+std::optional<geometry::SurfacePoint> App::State::nearest(const Vec3& place) const {
+  // Either side will do: the point is on the surface, or nearly.
+  for (const float radius : {0.01f, 0.1f, 4.0f})
+    for (const Vec3& side : {Vec3(0, 1, 0), Vec3(0, -1, 0), Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)})
+      if (const auto at = nearestPoint(surface, query, place, radius, side)) return at;
+  return std::nullopt;
+}
+
 void App::State::applyGroomStep(const GroomStep& step, bool undo) {
   ground();
   apply(step, undo, groom);
@@ -285,6 +294,15 @@ void App::State::takeFur(const scene::FurData& fur) {
 
 // --- App's side --------------------------------------------------------------------------------
 
+std::optional<GroomEdit> groomEditNamed(std::string_view name) {
+  constexpr std::string_view kNames[] = {"clear", "length", "invert", "vary", "type", "comb", "raise", "size", "paint", "clearPaint", "clearMask",
+                                         "invertMask", "selectConnected", "selectType", "selectLength", "selectPaint", "growMask", "shrinkMask", "smoothMask"};
+  static_assert(std::size(kNames) == static_cast<std::size_t>(GroomEdit::SmoothMask) + 1);
+  const auto found = std::find(std::begin(kNames), std::end(kNames), name);
+  if (found == std::end(kNames)) return std::nullopt;
+  return static_cast<GroomEdit>(found - std::begin(kNames));
+}
+
 void App::groomAll(GroomEdit edit, float value, const Vec3& direction) {
   State& s = *state_;
   if (!std::isfinite(value) || !std::isfinite(direction.x + direction.y + direction.z)) return;
@@ -305,6 +323,17 @@ void App::groomAll(GroomEdit edit, float value, const Vec3& direction) {
     case GroomEdit::ClearPaint: s.groom.paint = groom::GroomMap(s.groom.map.size(), groom::GroomMap::kBlank); break;
     case GroomEdit::ClearMask: s.groom.mask = groom::GroomMap(s.groom.map.size(), groom::GroomMap::kBlank); break;
     case GroomEdit::InvertMask: groom::invertMask(s.groom.mask); break;
+    case GroomEdit::SelectConnected:
+      if (const auto at = s.nearest(direction)) groom::selectConnected(s.groom, ground, at->triangle);
+      break;
+    case GroomEdit::SelectType: groom::selectType(s.groom, ground, static_cast<int>(glm::clamp(value, 1.0f, 4.0f))); break;
+    case GroomEdit::SelectLength: groom::selectLength(s.groom, ground, direction.x, direction.y); break;
+    case GroomEdit::SelectPaint:
+      if (const auto at = s.nearest(direction)) groom::selectPaint(s.groom, ground, atlasAt(s.surface, *at), value);
+      break;
+    case GroomEdit::GrowMask: groom::growMask(s.groom, ground, value); break;
+    case GroomEdit::ShrinkMask: groom::shrinkMask(s.groom, ground, value); break;
+    case GroomEdit::SmoothMask: groom::smoothMask(s.groom, ground, value); break;
   }
   if (edit < GroomEdit::Size || edit == GroomEdit::Paint || edit == GroomEdit::ClearPaint) groom::keepProtected(s.groom, *s.groomBefore, ground);
   s.groomTouched();

@@ -1,5 +1,5 @@
 // What App holds, shared by its source files: App.cpp (scene, settings, time, drawing),
-// AppCoat.cpp (the coat), AppGroom.cpp (the groom), AppSaving.cpp (files of it), AppPicture.cpp (pictures beside what is shown), AppQuality.cpp (levels), AppPose.cpp (animations), AppTouch.cpp
+// AppCoat.cpp (the coat), AppGroom.cpp (the groom), AppMaps.cpp (its maps as pictures), AppSaving.cpp (files of it), AppPicture.cpp (pictures beside what is shown), AppQuality.cpp (levels), AppPose.cpp (animations), AppTouch.cpp
 // (touch, breathing), AppWater.cpp (water by itself), Input.cpp (pointers, keys), Painting.cpp (water by hand).
 #pragma once
 
@@ -248,6 +248,8 @@ struct App::State {
   // The place on the other side, where the settings ask for one.
   std::optional<geometry::SurfacePoint> mirrored(const geometry::SurfacePoint& at) const;
   Vec3 mirroredWay(Vec3 way) const;
+  // The point of the surface nearest to a place in model space.
+  std::optional<geometry::SurfacePoint> nearest(const Vec3& place) const;
   // With the paint, for who is grooming.
   bool showsMask() const;
   void refreshPaint();

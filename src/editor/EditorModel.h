@@ -53,7 +53,11 @@ struct CoatView {
 };
 
 // In the order of app::GroomEdit, which EditorHost checks.
-enum class GroomEdit { Clear, Length, Invert, Vary, Type, Comb, Raise, Size, Paint, ClearPaint, ClearMask, InvertMask };
+enum class GroomEdit { Clear, Length, Invert, Vary, Type, Comb, Raise, Size, Paint, ClearPaint, ClearMask, InvertMask,
+                       SelectConnected, SelectType, SelectLength, SelectPaint, GrowMask, ShrinkMask, SmoothMask };
+
+// What the next press on the model selects.
+enum class Selects { Nothing, Connected, Paint };
 
 // The groom of the model, shares of its surface as groom::Coverage has them.
 struct GroomView {
@@ -64,6 +68,8 @@ struct GroomView {
   bool plain = true;           // nothing of it is anybody's work
   bool painted = false, masked = false;  // there is paint, there is a mask
   ImTextureID map = nullptr;   // a picture while Editor::showsGroom(); null until it is there
+  std::span<const Vec4> outlines{};  // of the charts, over it: both ends, 0..1
+  Selects selects = Selects::Nothing;
 };
 
 // Where the water is and went, as wet::Accounts has it; dried: evaporated and wiped off.
@@ -145,6 +151,10 @@ struct ApplyPreset {
 struct SaveTypeSet {};  // the coat as .fts
 struct SaveFo {};       // the model as .fo
 struct SaveScene {};    // all of it as .glb
+struct SaveMaps {};     // the groom's maps, wetness and layout as pictures
+struct SelectAt {
+  Selects what;
+};
 struct GroomAll {       // app::App::groomAll()
   GroomEdit edit = GroomEdit::Clear;
   float value = 1;
@@ -185,7 +195,7 @@ using Command = std::variant<command::BeginChange, command::EndChange, command::
                              command::SetWetness, command::Shake, command::Stamp, command::LoadShipped,
                              command::OpenDialog, command::OpenPath, command::ResetCamera, command::Undo,
                              command::Redo, command::CopyState, command::PasteState, command::ApplyPreset,
-                             command::SaveTypeSet, command::SaveFo, command::SaveScene, command::GroomAll,
+                             command::SaveTypeSet, command::SaveFo, command::SaveScene, command::SaveMaps, command::SelectAt, command::GroomAll,
                              command::SavePicture, command::SaveTurntable, command::TurnOnce, command::StopPicture,
                              command::KeepVersion, command::OpenVersion, command::RenameVersion, command::DeleteVersion,
                              command::DismissMessage>;

@@ -12,6 +12,8 @@ namespace {
 
 // How much shorter "Vary" makes the shortest patches.
 constexpr float kVariation = 0.5f;
+// How far the mask grows, shrinks and softens at once, model units.
+constexpr float kMaskStep = 0.03f;
 // A map of 256 texels at this size shows each as a pixel on most screens.
 constexpr float kMapSide = 160;
 
@@ -50,6 +52,7 @@ std::vector<Command> GroomPanel::draw(const EditorModel& model, settings::Settin
   drawBrush(model, edited);
   drawPaint(model, edited);
   drawMask(model, edited);
+  drawSelection(model, edited);
   drawWhiskers(model, edited);
   drawLengths();
   drawDirections();
@@ -128,6 +131,31 @@ void GroomPanel::drawMask(const EditorModel& model, settings::Settings& edited) 
   if (all == 1) edit(GroomEdit::ClearMask);
 }
 
+void GroomPanel::drawSelection(const EditorModel& model, settings::Settings& edited) {
+  label("Mask");
+  const int change = segments("maskChanges", {{"Grow", false}, {"Shrink", false}, {"Smooth", false}});
+  constexpr GroomEdit kChanges[] = {GroomEdit::GrowMask, GroomEdit::ShrinkMask, GroomEdit::SmoothMask};
+  if (change >= 0) edit(kChanges[change], kMaskStep);
+  label("Select");
+  const Selects waits = model.groom.selects;
+  const int chosen = segments("selects", {{"Connected", waits == Selects::Connected}, {"Paint", waits == Selects::Paint}, {"Type", false}});
+  hint("The mask protects all else. Connected and Paint: then click on the model, on a part of it or on a colour (Esc: not). "
+       "Type: what the brush Type would paint");
+  if (chosen == 0) commands_.push_back(command::SelectAt{waits == Selects::Connected ? Selects::Nothing : Selects::Connected});
+  if (chosen == 1) commands_.push_back(command::SelectAt{waits == Selects::Paint ? Selects::Nothing : Selects::Paint});
+  if (chosen == 2) edit(GroomEdit::SelectType, static_cast<float>(edited.groomType + 1));
+  label("Lengths");
+  const float button = px(56), gap = px(3), width = (ImGui::GetContentRegionAvail().x - button - 2 * gap) * 0.5f;
+  ImGui::SetNextItemWidth(width);
+  fillSlider("##shortest", shortest_, 0, 1, "%.2f", false);
+  hint("The shortest and the longest fur that is selected, as shares of the longest");
+  ImGui::SameLine(0, gap);
+  ImGui::SetNextItemWidth(width);
+  fillSlider("##longest", longest_, 0, 1, "%.2f", false);
+  ImGui::SameLine(0, gap);
+  if (ImGui::Button("Select##lengths", ImVec2(-1, 0))) edit(GroomEdit::SelectLength, 1, {shortest_, longest_, 0});
+}
+
 void GroomPanel::drawWhiskers(const EditorModel& model, settings::Settings& edited) {
   const int tool = segments("hairs", {{"Whisker", model.tool == Tool::Whisker}, {"Pluck", model.tool == Tool::Pluck}});
   if (tool >= 0) commands_.push_back(command::SetTool{tool == 0 ? Tool::Whisker : Tool::Pluck});
@@ -178,9 +206,16 @@ void GroomPanel::drawMap(const GroomView& groom) {
   if (size >= 0) edit(GroomEdit::Size, static_cast<float>(256 << size));
   shown_ = true;
   const float side = px(kMapSide);
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
   if (groom.map) ImGui::Image(groom.map, ImVec2(side, side));
   else ImGui::Dummy(ImVec2(side, side));
-  hint("The groom over the atlas: bright is long, colours are the types 2 to 4 and the paint");
+  hint("The groom over the atlas: bright is long, colours are the types 2 to 4 and the paint. Lines: where charts end");
+  for (const Vec4& line : groom.outlines)
+    ImGui::GetWindowDrawList()->AddLine(ImVec2(corner.x + line.x * side, corner.y + line.y * side),
+                                        ImVec2(corner.x + line.z * side, corner.y + line.w * side), IM_COL32(255, 96, 0, 200));
+  if (ImGui::Button("Save maps (.png)", ImVec2(-1, 0))) commands_.push_back(command::SaveMaps{});
+  hint("Length, types, paint, mask, comb, wetness and the outlines of the charts, for other programs. Opened here or dropped "
+       "on the model, length, types, paint and mask come back");
 }
 
 }  // namespace fur::editor

@@ -23,6 +23,7 @@ class GroomPanel {
   void givesOrTakes(const char* id, Tool tool, const char* gives, const char* takes, const EditorModel& model, settings::Settings& edited);
   void drawPaint(const EditorModel& model, settings::Settings& edited);
   void drawMask(const EditorModel& model, settings::Settings& edited);
+  void drawSelection(const EditorModel& model, settings::Settings& edited);
   void drawWhiskers(const EditorModel& model, settings::Settings& edited);
   void drawLengths();
   void drawDirections();
@@ -34,6 +35,7 @@ class GroomPanel {
 
   std::vector<Command> commands_;
   bool shown_ = false, tooltips_ = false;
+  float shortest_ = 0, longest_ = 0.5f;  // what "Select length" selects
 };
 
 }  // namespace fur::editor

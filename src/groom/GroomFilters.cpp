@@ -126,6 +126,9 @@ GroomMap paintUnderMask(const Groom& groom) {
   return out;
 }
 
+// Rec. 709 weights in 8 bits.
+std::uint8_t brightness(const std::uint8_t* pixel) { return static_cast<std::uint8_t>((54 * pixel[0] + 183 * pixel[1] + 19 * pixel[2] + 128) / 256); }
+
 void paintFromVertices(Groom& groom, const Ground& ground, std::span<const float> lengths, std::span<const int> types) {
   const std::size_t count = ground.surface.trueVertexCount;
   const auto fits = [count](std::size_t given) { return given == 0 || given == count; };
@@ -162,8 +165,7 @@ void paintFromImage(ImageOf what, Groom& groom, const Ground& ground, int width,
     const auto x = static_cast<std::size_t>(texelAt(uv.x, width)), y = static_cast<std::size_t>(texelAt(uv.y, height));
     const std::uint8_t* pixel = &rgba[4 * (y * static_cast<std::size_t>(width) + x)];
     if (what == ImageOf::Types) std::copy_n(pixel, 3, &texel[1]);
-    // Rec. 709 weights in 8 bits.
-    else texel[0] = static_cast<std::uint8_t>((54 * pixel[0] + 183 * pixel[1] + 19 * pixel[2] + 128) / 256);
+    else texel[0] = brightness(pixel);
   });
 }
 

@@ -28,11 +28,13 @@ void keepProtected(Groom& groom, const Groom& before, const Ground& ground);
 GroomMap paintUnderMask(const Groom& groom);
 
 // --- from other data ---
+// Of red, green and blue.
+std::uint8_t brightness(const std::uint8_t* pixel);
 // One length (0..1) and one type (1..kTypes) a true vertex, linear between them. Either may be empty: that stays
 // as it is.
 void paintFromVertices(Groom& groom, const Ground& ground, std::span<const float> lengths, std::span<const int> types);
 // An image in the model's own texture coordinates (RGBA8, first row at v = 0), or in the atlas of a model without
-// any: its brightness as length, or red, green and blue as presence of the types 2 to 4. `rgba` has 4 * width *
+// any: its brightness as length, or (Types) red, green and blue as presence of the types 2 to 4. `rgba` has 4 * width *
 // height bytes.
 void paintFromImage(ImageOf what, Groom& groom, const Ground& ground, int width, int height, std::span<const std::uint8_t> rgba);
 

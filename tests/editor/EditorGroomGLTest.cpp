@@ -1,6 +1,7 @@
 // The brushes that programs with an editor have, at work on a sphere.
 #include "app/editor/EditorGroom.h"
 
+#include "native/ImageDecode.h"
 #include "tests/render/Picture.h"
 
 namespace fur::app {
@@ -247,6 +248,72 @@ TEST(EditorGroom, ThinningTakesStrandsByTheTypeThatIsBald) {
   studio.app.setField("brushErases", "true");
   for (int i = 0; i < 20; ++i) studio.stroke(Tool::Thin, {70, 80}, {90, 80});
   EXPECT_LT(studio.app.groomCoverage().types[3], 0.001f);
+}
+
+TEST(EditorGroom, EverySelectionIsOneUndoStep) {
+  Studio studio;
+  studio.stroke(Tool::Paint, {70, 80}, {90, 80});
+  studio.app.groomAll(GroomEdit::Vary, 0.8f);
+  studio.stroke(Tool::Mask, {70, 60}, {90, 60});
+  const auto place = studio.app.placeAt(kMiddle);
+  ASSERT_TRUE(place);
+  const struct {
+    GroomEdit edit;
+    float value;
+    Vec3 direction;
+  } edits[] = {{GroomEdit::SelectConnected, 1, *place}, {GroomEdit::SelectType, 2, Vec3(0)}, {GroomEdit::SelectLength, 1, Vec3(0, 0.5f, 0)},
+               {GroomEdit::SelectPaint, 0.1f, *place},  {GroomEdit::GrowMask, 0.05f, Vec3(0)}, {GroomEdit::ShrinkMask, 0.05f, Vec3(0)},
+               {GroomEdit::SmoothMask, 0.05f, Vec3(0)}};
+  for (const auto& one : edits) {
+    const auto before = studio.app.groomHash(), coat = studio.app.groom().map.hash();
+    studio.app.groomAll(one.edit, one.value, one.direction);
+    const auto after = studio.app.groomHash();
+    EXPECT_NE(after, before) << static_cast<int>(one.edit);
+    EXPECT_EQ(studio.app.groom().map.hash(), coat) << "only the mask is another";
+    EXPECT_TRUE(studio.app.undo());
+    EXPECT_EQ(studio.app.groomHash(), before) << static_cast<int>(one.edit);
+    EXPECT_TRUE(studio.app.redo());
+    EXPECT_EQ(studio.app.groomHash(), after);
+    EXPECT_TRUE(studio.app.undo());
+  }
+}
+
+TEST(EditorGroom, WhatIsNotSelectedKeepsItsFur) {
+  Studio studio;
+  studio.app.setField("paintColor", "#ff0000");
+  studio.stroke(Tool::Paint, {70, 80}, {90, 80});
+  const auto place = studio.app.placeAt(kMiddle);
+  ASSERT_TRUE(place);
+  studio.app.groomAll(GroomEdit::SelectPaint, 0.1f, *place);
+  studio.app.groomAll(GroomEdit::Length, 0);
+  EXPECT_LT(studio.app.groomMap().lengthAt(*studio.app.pick(kMiddle)), 0.02f);
+  EXPECT_GT(studio.app.groomMap().lengthAt(*studio.app.pick({80, 45})), 0.98f);
+}
+
+TEST(EditorGroom, SavedMapsComeBackByTheNamesOfTheirFiles) {
+  Studio studio;
+  studio.app.groomAll(GroomEdit::Vary, 0.8f);
+  studio.stroke(Tool::Paint, {70, 80}, {90, 80});
+  studio.stroke(Tool::Mask, {70, 50}, {90, 50});
+  const groom::Groom before = studio.app.groom();
+  const auto files = studio.app.saveMaps();
+  std::vector<std::string> names;
+  for (const auto& file : files) names.push_back(file.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"sphere-map-length.png", "sphere-map-types.png", "sphere-map-paint.png", "sphere-map-mask.png",
+                                             "sphere-map-comb.png", "sphere-map-wetness.png", "sphere-map-layout.png"}));
+  studio.app.clearGroom();
+  for (std::size_t i = 0; i < 4; ++i) {
+    auto image = native::decodeImage(files[i].bytes);
+    ASSERT_TRUE(image) << files[i].name;
+    // As somebody drops it: what it is asked to be is a length map.
+    studio.app.groomFromFile(groom::ImageOf::Length, files[i].name, image->width, image->height, image->rgba);
+  }
+  // What is protected by then is not: the mask came last.
+  for (const auto map : groom::kMaps)
+    for (std::size_t i = 0; i < (before.*map).texels().size(); ++i)
+      for (std::size_t k = 0; k < 4; ++k) ASSERT_NEAR((before.*map).texels()[i][k], (studio.app.groom().*map).texels()[i][k], 1) << i;
+  EXPECT_TRUE(studio.app.undo());
+  EXPECT_TRUE(studio.app.groom().mask.isPlain()) << "each is one step";
 }
 
 }  // namespace

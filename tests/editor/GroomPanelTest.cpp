@@ -96,6 +96,33 @@ TEST(GroomPanel, FalloffAndMirrorAreSettings) {
   EXPECT_EQ(person.model.settings.mirror, 0);
 }
 
+TEST(GroomPanel, SelectionsAreEditsOrWaitForAClick) {
+  Person person;
+  const std::pair<const char*, GroomEdit> changes[] = {{"Grow", GroomEdit::GrowMask}, {"Shrink", GroomEdit::ShrinkMask}, {"Smooth", GroomEdit::SmoothMask}};
+  for (int i = 0; i < 3; ++i) {
+    person.press("maskChanges", i, changes[i].first);
+    const command::GroomAll edit = person.only();
+    EXPECT_EQ(edit.edit, changes[i].second);
+    EXPECT_GT(edit.value, 0);
+  }
+  person.press("selects", 2, "Type");
+  const command::GroomAll type = person.only();
+  EXPECT_EQ(type.edit, GroomEdit::SelectType);
+  EXPECT_EQ(type.value, static_cast<float>(person.model.settings.groomType + 1));
+  for (const auto& [segment, label, what] : {std::tuple(0, "Connected", Selects::Connected), std::tuple(1, "Paint", Selects::Paint)}) {
+    person.press("selects", segment, label);
+    ASSERT_EQ(person.commands.size(), 1u);
+    EXPECT_EQ(std::get<command::SelectAt>(person.commands[0]).what, what);
+    person.commands.clear();
+    // Pressed again it is taken back.
+    person.model.groom.selects = what;
+    person.press("selects", segment, label);
+    EXPECT_EQ(std::get<command::SelectAt>(person.commands[0]).what, Selects::Nothing);
+    person.commands.clear();
+    person.model.groom.selects = Selects::Nothing;
+  }
+}
+
 TEST(GroomPanel, WhatItDoesAllOverIsOneCommandEach) {
   Person person;
   person.press("lengths", 2, "1/2");

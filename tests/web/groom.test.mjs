@@ -123,6 +123,27 @@ test('a picture that is dropped alone is a length map', async () => {
   assert.equal(refused, 'bad-file');
 });
 
+test('a map that was saved is dropped back as what it was, by its name', async () => {
+  const page = await site.open(`?${light}&src=sphere`);
+  await untilStill(page);
+  const before = await picture(page);
+  // A paint map, all of it blue.
+  const image = new PNG({ width: 4, height: 4 });
+  image.data.forEach((_, at) => { image.data[at] = at % 4 >= 2 ? 255 : 0; });
+  await page.evaluate((base64) => {
+    const transfer = new DataTransfer();
+    const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+    transfer.items.add(new File([bytes], 'sphere-map-paint.png', { type: 'image/png' }));
+    document.body.dispatchEvent(new DragEvent('drop', { dataTransfer: transfer, bubbles: true, cancelable: true }));
+  }, PNG.sync.write(image).toString('base64'));
+  await page.waitForFunction(() => wetFur.groomed);
+  await untilStill(page);
+  const after = await picture(page);
+  const at = 4 * (Math.floor(after.height / 2) * after.width + Math.floor(after.width / 2));
+  assert.ok(after.data[at + 2] > after.data[at] + 40, 'it is blue');
+  assert.ok(difference(before, after, 16) > 0.02);
+});
+
 test('paint of the editor shows, stays when the editor is closed, and is in the saved file', async () => {
   const page = await site.open('?quality=low&layers=8&fins=0&dryRate=0&src=sphere&paintColor=0040ff&groomStrength=1&brushRadius=0.3', { viewport: { width: 800, height: 400 } });
   await page.click('#editor');

@@ -154,7 +154,7 @@ FUR_EXPORT float fur_editor_coveredWidth(App* app) {
 // The next command: 0 none, 1 open a file dialog, 3 load the shipped model fur_editor_commandText(), 4 copy that text to
 // the clipboard, 5 read the clipboard and call fur_editor_paste(), 6 save the coat as .fts, 7 the model as
 // .fo, both under the name in fur_editor_commandText(), 9 and 10 what fur_editor_nextBand() gives until it is the last of the last
-// frame: a picture, and a film of one turn. (2 is the desktop's: open a path.)
+// frame: a picture, and a film of one turn; 15 the maps. (2 is the desktop's: open a path.)
 FUR_EXPORT int fur_editor_command(App* app) {
   return withHost(app, [](EditorHost& host) {
     std::optional<app::PlatformCommand> command = host.takeCommand();
@@ -221,16 +221,21 @@ FUR_EXPORT const char* fur_lostBySaving(App* app) {
 FUR_EXPORT std::uint32_t fur_saveScene(App* app) {
   return guarded([&] { return web::keepSaved(app->saveScene()); });
 }
-// `edit`: the number of an app::GroomEdit; others do nothing.
-FUR_EXPORT int fur_groomAll(App* app, int edit, float value, float x, float y, float z) {
+// The maps as a .zip of pictures.
+FUR_EXPORT std::uint32_t fur_saveMaps(App* app) {
+  return guarded([&] { return web::keepSaved(scene::writeZip(app->saveMaps())); });
+}
+// `edit`: the name of an app::GroomEdit; others do nothing.
+FUR_EXPORT int fur_groomAll(App* app, const char* edit, float value, float x, float y, float z) {
   return guarded([&] {
-    app->groomAll(static_cast<app::GroomEdit>(edit), value, {x, y, z});
+    if (const auto known = app::groomEditNamed(edit)) app->groomAll(*known, value, {x, y, z});
     return 1;
   });
 }
-FUR_EXPORT int fur_groomFromImage(App* app, int what, int width, int height, const std::uint8_t* rgba) {
+// `name`: of the file, see App::groomFromFile().
+FUR_EXPORT int fur_groomFromImage(App* app, int what, const char* name, int width, int height, const std::uint8_t* rgba) {
   return guarded([&] {
-    app->groomFromImage(static_cast<groom::ImageOf>(what), width, height, {rgba, std::size_t(width) * std::size_t(height) * 4});
+    app->groomFromFile(static_cast<groom::ImageOf>(what), name, width, height, {rgba, std::size_t(width) * std::size_t(height) * 4});
     return 1;
   });
 }

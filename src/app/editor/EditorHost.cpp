@@ -11,6 +11,7 @@
 
 #include "app/OrbitCamera.h"
 #include "app/editor/EditorGroom.h"
+#include "geometry/AtlasOutlines.h"
 #include "settings/Presets.h"
 
 namespace fur::app {
@@ -54,6 +55,9 @@ std::string typeSetName(const App& app) {
   const settings::Preset* preset = settings::presetOf(app.settings());
   return std::string(preset ? preset->name : "coat") + ".fts";
 }
+
+// How far colours may be apart that are selected as one.
+constexpr float kPaintTolerance = 0.12f;
 
 std::string modelFileName(const App& app, const char* ending) {
   const std::string& name = app.modelName();
@@ -152,7 +156,7 @@ bool EditorHost::pointer(const PointerEvent& event, double seconds) {
   const bool down = event.phase == PointerPhase::Down;
   const bool ended = event.phase == PointerPhase::Cancel || (event.phase == PointerPhase::Up && !event.buttons);
   if (down && owner_ == Owner::None) {
-    owner_ = covers(event.position) || picksColor(event) ? Owner::Panel : Owner::App;
+    owner_ = covers(event.position) || selects(event) || picksColor(event) ? Owner::Panel : Owner::App;
     ownerId_ = event.id;
     if (owner_ == Owner::App) stopTurning();
   }
@@ -180,6 +184,17 @@ bool EditorHost::picksColor(const PointerEvent& event) {
   return true;
 }
 
+// The press that a selection waits for. Beside the model it ends the waiting, and is a press like any other.
+bool EditorHost::selects(const PointerEvent& event) {
+  const editor::Selects what = std::exchange(selects_, editor::Selects::Nothing);
+  if (what == editor::Selects::Nothing) return false;
+  const auto place = app_.placeAt(event.position);
+  if (!place) return false;
+  const bool paint = what == editor::Selects::Paint;
+  app_.groomAll(paint ? GroomEdit::SelectPaint : GroomEdit::SelectConnected, paint ? kPaintTolerance : 1, *place);
+  return true;
+}
+
 void EditorHost::pointerLeft() {
   if (owner_ != Owner::None) return;  // a drag goes on outside of the window
   input_.pointerGone();
@@ -200,6 +215,10 @@ bool EditorHost::key(std::string_view name, bool down, const editor::Modifiers& 
     return true;
   }
   const bool text = wantsText();
+  if (down && name == "Escape" && std::exchange(selects_, editor::Selects::Nothing) != editor::Selects::Nothing) {
+    wake();
+    return true;
+  }
   const auto shortcut = editor::Editor::shortcut(name, modifiers);
   const bool saves = shortcut && std::holds_alternative<editor::command::SaveScene>(*shortcut);
   if (shortcut && (saves || !text)) {
@@ -332,13 +351,15 @@ editor::EditorModel EditorHost::model() {
   model.versions = versionViews_;
   model.picture = {static_cast<int>(size_.x), static_cast<int>(size_.y), kLeastPictureSide, mostPictureSide_,
                    studio_.busy(), studio_.busy() ? studio_.progress() : 0, turnLeft_ > 0};
+  model.groom.outlines = groomOutlines_;
+  model.groom.selects = selects_;
   return model;
 }
 
 // The map for people, while it is on the screen.
 void EditorHost::refreshGroom() {
   static_assert(static_cast<int>(editor::GroomEdit::Clear) == static_cast<int>(GroomEdit::Clear) &&
-                static_cast<int>(editor::GroomEdit::InvertMask) == static_cast<int>(GroomEdit::InvertMask));
+                static_cast<int>(editor::GroomEdit::SmoothMask) == static_cast<int>(GroomEdit::SmoothMask));
   if (!editor_.showsGroom()) {
     groomPicture_ = {};
     groomRevision_ = 0;
@@ -347,6 +368,7 @@ void EditorHost::refreshGroom() {
   if (groomRevision_ == app_.groomRevision()) return;
   groomRevision_ = app_.groomRevision();
   groomCoverage_ = app_.groomCoverage();
+  groomOutlines_ = geometry::atlasOutlines(app_.surface());
   groomPicture_ = pictureTexture(app_.groomMap().size(), app_.groomMap().size(), gl::bytesOf(groom::picture(app_.groom())));
   ++picturesMade_;
 }
@@ -561,6 +583,8 @@ void EditorHost::perform(const editor::Command& command) {
       [&](const SaveTypeSet&) { request(Kind::SaveTypeSet, typeSetName(app_)); },
       [&](const SaveFo&) { request(Kind::SaveFo, modelFileName(app_, ".fo")); },
       [&](const SaveScene&) { request(Kind::SaveScene, modelFileName(app_, ".glb")); },
+      [&](const SaveMaps&) { request(Kind::SaveMaps, app_.mapsName() + "-maps"); },
+      [&](const SelectAt& c) { selects_ = c.what; },
       [&](const GroomAll& c) { app_.groomAll(static_cast<GroomEdit>(c.edit), c.value, c.direction); },
       [&](const SavePicture& c) { begin({c.width, c.height, c.transparent}, Kind::SavePicture, modelFileName(app_, ".png")); },
       [&](const SaveTurntable& c) {

@@ -45,7 +45,8 @@ struct PlatformCommand {
     KeepVersion = 11,
     OpenVersion = 12,
     RenameVersion = 13,
-    DeleteVersion = 14
+    DeleteVersion = 14,
+    SaveMaps = 15     // App::saveMaps(), in a folder or archive of the name in `text`
   };  // JavaScript knows these
   Kind kind;
   std::string text;  // the path, the text to copy, or a name for the file
@@ -132,6 +133,7 @@ class EditorHost {
   void refreshCoatPictures();
   void refreshGroom();
   bool picksColor(const PointerEvent& event);
+  bool selects(const PointerEvent& event);
   bool resizeBrush(std::string_view name, bool down);
   void perform(const editor::Command& command);
   void request(PlatformCommand::Kind kind, std::string text = {}) {
@@ -166,6 +168,8 @@ class EditorHost {
   CoatPicture tile_, fin_;
   gl::Texture groomPicture_;
   groom::Coverage groomCoverage_;
+  std::vector<Vec4> groomOutlines_;
+  editor::Selects selects_ = editor::Selects::Nothing;  // what the next press on the model does
   std::uint64_t groomRevision_ = 0;  // of these two; 0: none
   std::uint64_t picturesMade_ = 0;
   float frameTime_ = 0;
