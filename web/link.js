@@ -48,6 +48,7 @@ const readers = {
   state: readState,
   strokes: (text, warn) => (text.length <= maxStateCharacters ? text : warn(`is longer than ${maxStateCharacters} characters`)),
   preset: (text) => text,  // the program knows the names
+  light: (text) => text,  // likewise
   tool: oneOf(choices.tool),
   quality: oneOf(choices.quality),
   motion: oneOf(choices.motion),
@@ -61,7 +62,7 @@ const readers = {
 
 /**
  * @param {string} pageUrl the page's whole address
- * @returns {{ src?: string, state?: string, strokes?: string, preset?: string, tool?: string, quality?: string, motion?: string, camera?: string, dt?: number,
+ * @returns {{ src?: string, state?: string, strokes?: string, preset?: string, light?: string, tool?: string, quality?: string, motion?: string, camera?: string, dt?: number,
  *   frames?: number, ui?: boolean, editor?: boolean, autoplay?: boolean, settings: [string, string][], warnings: string[] }}
  *   `settings` holds the keys that are none of these: fields of the settings table, or unknown; the program knows which.
  */

@@ -40,6 +40,8 @@ function applyLink(link) {
   if (link.state) fur.setState(link.state);
   else for (const [name, color] of Object.entries(backdrop)) fur.fur.set(name, color);
   if (link.preset) fur.preset = link.preset;
+  // Settings beside the light rig stay over it.
+  if (link.light) fur.lightRig = link.light;
   for (const [name, text] of link.settings) fur.fur.set(name, text);
   if (link.tool) setTool(link.tool);
   if (link.quality) fur.quality = link.quality;

@@ -7,7 +7,7 @@ import { unpackStrokes } from './strokes.js';
 /** Where another model would fare no better. */
 const hopeless = ['webgl-unavailable', 'wasm-blocked', 'wasm-load', 'out-of-memory'];
 /** Of what a link holds, that which is about the scene. */
-const sceneKeys = ['src', 'state', 'strokes', 'preset', 'camera'];
+const sceneKeys = ['src', 'state', 'strokes', 'preset', 'light', 'camera'];
 
 /** What the address says of the scene, '' for nothing. */
 const sceneOf = (link) => {

@@ -28,10 +28,11 @@ constexpr const char* kUsage = R"(usage: wet-fur-render [model] -o out.png [opti
   --save-type-set FILE  writes the coat as .fts
   --save-fo FILE        writes the model with its fur coordinates as .fo
   --save-scene FILE     writes model, groom, settings and camera as .glb
-  --length-map FILE     an image whose brightness is the length of the fur
+  --maps FOLDER         writes the groom's maps, the wetness and the layout of the charts as PNG files
+  --length-map FILE     an image whose brightness is the length of the fur, or any map that --maps wrote
   --type-map FILE       one whose red, green and blue are the presence of the fur types 2 to 4
-  --groom EDIT[,VALUE[,X,Y,Z]]  all over the model (several allowed, in order): length, invert, vary, type, comb, raise or
-                        size, as the element's groom() has them
+  --groom EDIT[,VALUE[,X,Y,Z]]  all over the model (several allowed, in order): length, invert, vary, type, comb, raise,
+                        size, selectType and others, as the element's groom() has them
   --size WxH            pixels, 16x16 to 8192x8192 (default 1280x720)
   --transparent         without background and ground, with the alpha of strands at the outline
   --turntable N         N pictures, 2 to 3600, of one turn of the camera, out-000.png and so on; between them goes by what
@@ -47,6 +48,7 @@ constexpr const char* kUsage = R"(usage: wet-fur-render [model] -o out.png [opti
   --camera YAW,PITCH,DISTANCE[,X,Y,Z]  radians, radians, bounding radii; where it looks
   --state FILE          a state as JSON
   --preset NAME         a coat by its name, such as rabbit
+  --light NAME          a light rig: daylight, studio, sunset, overcast, backlit or night
   --list-presets        all of them as JSON, and no picture
   --<setting> VALUE     over these, any field of the settings table, as --furLength 0.2 or --view skin
 )";
@@ -64,7 +66,7 @@ struct Hold {
 };
 
 struct Options {
-  std::string model = "bunny", output, stateFile, preset, typeSet, savedTypeSet, savedFo, savedScene, lengthMap, typeMap;
+  std::string model = "bunny", output, stateFile, preset, light, typeSet, savedTypeSet, savedFo, savedScene, maps, lengthMap, typeMap;
   int width = 1280, height = 720, samples = 4, turntable = 0;
   bool transparent = false;
   float turnSeconds = 12;
@@ -91,13 +93,11 @@ bool readNumbers(const std::string& text, char separator, std::vector<float>& ou
 }
 
 bool readGroom(const std::string& text, std::vector<GroomStep>& out) {
-  // In the order of app::GroomEdit.
-  constexpr const char* kEdits[] = {"clear", "length", "invert", "vary", "type", "comb", "raise", "size", "paint", "clearPaint", "clearMask", "invertMask"};
   const std::size_t comma = std::min(text.find(','), text.size());
-  const auto found = std::find(std::begin(kEdits), std::end(kEdits), text.substr(0, comma));
+  const auto edit = app::groomEditNamed(text.substr(0, comma));
   std::vector<float> n;
-  if (found == std::end(kEdits) || (comma < text.size() && !readNumbers(text.substr(comma + 1), ',', n))) return false;
-  GroomStep step{static_cast<app::GroomEdit>(found - std::begin(kEdits))};
+  if (!edit || (comma < text.size() && !readNumbers(text.substr(comma + 1), ',', n))) return false;
+  GroomStep step{*edit};
   if (!n.empty()) step.value = n[0];
   if (n.size() == 4) step.direction = {n[1], n[2], n[3]};
   out.push_back(step);
@@ -131,10 +131,12 @@ std::string readOption(const std::string& name, const std::string& value, Option
   else if (name == "--save-type-set") o.savedTypeSet = value;
   else if (name == "--save-fo") o.savedFo = value;
   else if (name == "--save-scene") o.savedScene = value;
+  else if (name == "--maps") o.maps = value;
   else if (name == "--length-map") o.lengthMap = value;
   else if (name == "--type-map") o.typeMap = value;
   else if (name == "--preset") o.preset = value;
   else if (name == "--transparent") o.transparent = true;
+  else if (name == "--light") o.light = value;
   else if (name == "--size") {
     if (!readNumbers(value, 'x', n) || n.size() != 2 || n[0] < 16 || n[1] < 16 || n[0] > 8192 || n[1] > 8192)
       return "--size " + value + ": expected WxH from 16x16 to 8192x8192";
@@ -176,7 +178,7 @@ std::string readOption(const std::string& name, const std::string& value, Option
 std::string readOptions(int count, char** values, Options& o) {
   if (std::string wrong = native::readArguments(count, values, o, readOption, {"--transparent"}); !wrong.empty()) return wrong;
   if (o.turntable > 0 && o.output.empty()) return "--turntable: no output: -o out.png";
-  return o.output.empty() && o.savedTypeSet.empty() && o.savedFo.empty() && o.savedScene.empty() ? "no output: -o out.png" : "";
+  return o.output.empty() && o.savedTypeSet.empty() && o.savedFo.empty() && o.savedScene.empty() && o.maps.empty() ? "no output: -o out.png" : "";
 }
 
 Status setUp(app::App& app, const Options& o, const char* program) {
@@ -188,6 +190,7 @@ Status setUp(app::App& app, const Options& o, const char* program) {
       return status;
   }
   if (!o.preset.empty()) app.applyPreset(o.preset);
+  if (!o.light.empty()) app.setField("lightRig", o.light);
   for (const auto& [name, value] : o.fields) app.setField(name, value);
   if (const auto& c = o.camera; !c.empty())
     app.setCamera({c[0], c[1], c[2], c.size() == 6 ? Vec3(c[3], c[4], c[5]) : Vec3(0)});
@@ -241,6 +244,8 @@ Status save(const app::App& app, const Options& o) {
     if (Status status = native::writeFile(o.savedTypeSet, app.saveTypeSet()); !status) return status;
   if (!o.savedFo.empty())
     if (Status status = native::writeFile(o.savedFo, app.saveFo()); !status) return status;
+  if (!o.maps.empty())
+    if (Status status = native::writeFiles(o.maps, app.saveMaps()); !status) return status;
   if (o.savedScene.empty()) return Done{};
   for (const std::string& lost : app.lostBySaving()) std::fprintf(stderr, "warning: %s will be without %s\n", o.savedScene.c_str(), lost.c_str());
   return native::writeFile(o.savedScene, app.saveScene());
@@ -331,7 +336,7 @@ int main(int count, char** values) {
   if (const Status status = picture ? drawPicture(options, values[0]) : saveOnly(options, values[0]); !status) {
     return native::fail(status.error());
   }
-  for (const std::string& saved : {options.savedTypeSet, options.savedFo, options.savedScene})
+  for (const std::string& saved : {options.savedTypeSet, options.savedFo, options.savedScene, options.maps})
     if (!saved.empty()) std::printf("%s\n", saved.c_str());
   return 0;
 }

@@ -27,6 +27,7 @@ constexpr const char* kUsage =
     "  SCENE                 one of tools/scenes/scenes.mjs, as five-coats\n"
     "  --size WxH            of the window, default 1280x800\n"
     "  --preset NAME         a coat by its name, such as rabbit\n"
+    "  --light NAME          a light rig: daylight, studio, sunset, overcast, backlit or night\n"
     "  --set name=value      a setting, as in links, over the preset; may be given several times\n"
     "  --wetness AMOUNT      0 dry to 1 soaked\n"
     "  --quality auto|fixed  auto, the default: as good as 60 frames a second allow\n"
@@ -44,7 +45,7 @@ constexpr double kStillAfter = 0.3;  // seconds without a change, then the pictu
 constexpr double kLongestSleep = 5;
 
 struct Options {
-  std::string scene = "bunny", preset, screenshot, quality = "auto";
+  std::string scene = "bunny", preset, light, screenshot, quality = "auto";
   std::vector<std::pair<std::string, std::string>> settings;
   int width = 1280, height = 800, frames = 30;
   float wetness = 0, pixelRatio = 0;
@@ -64,6 +65,8 @@ std::string readOptions(int count, char** values, Options& out) {
       out.screenshot = value;
     else if (name == "--preset")
       out.preset = value;
+    else if (name == "--light")
+      out.light = value;
     else if (name == "--quality") {
       if (value != "auto" && value != "fixed") return "--quality is auto or fixed";
       out.quality = value;
@@ -111,6 +114,7 @@ class Session {
     if (options_.pixelRatio > 0)
       host_.resize(window_.pixelSize().x, window_.pixelSize().y, options_.pixelRatio);
     if (!options_.preset.empty()) app_.applyPreset(options_.preset);
+    if (!options_.light.empty()) app_.setField("lightRig", options_.light);
     for (const auto& [name, value] : options_.settings) app_.setField(name, value);
     if (options_.quality == "auto") app_.setQuality(0, true);
     load(options_.scene);
@@ -205,6 +209,13 @@ class Session {
     host_.setVersions(versions_.list());
   }
 
+  // Over those that were saved there before.
+  void saveMaps(const std::string& folder) {
+    const Status status = native::writeFiles(folder, app_.saveMaps());
+    std::error_code ignored;
+    host_.message(status ? "Saved in " + std::filesystem::absolute(folder, ignored).string() : status.error().message, !status);
+  }
+
   void serveEditor() {
     using Kind = app::PlatformCommand::Kind;
     while (const auto command = host_.takeCommand()) {
@@ -250,6 +261,9 @@ class Session {
         case Kind::DeleteVersion:
           versions_.remove(command->text);
           host_.setVersions(versions_.list());
+          break;
+        case Kind::SaveMaps:
+          saveMaps(command->text);
           break;
       }
     }

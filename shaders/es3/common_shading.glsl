@@ -74,6 +74,12 @@ float rimLight(float lightDotView, float normalDotView, float h) {
   return behind * behind * h;
 }
 
+// The same of the light that is always behind: of the tips along the outline alone.
+vec3 fringe(float normalDotView, float h) {
+  float edge = rimLight(-1.0, normalDotView, h);
+  return edge * edge * backLight.rgb;
+}
+
 #ifdef MARSCHNER
 #include "common_marschner.glsl"
 #endif
@@ -97,9 +103,9 @@ float glossShare(float nDotL) { return clamp(1.6 * nDotL + 0.6, 0.0, 1.0); }
 // `lit` is the share of the light that reaches the spot, `strand` the strand's random number (its variance).
 vec3 shadeStrand(vec3 albedo, vec3 T, vec3 L, vec3 V, float h, float rho, float lit, float upness, float strand) {
   float exponent = max(shading.z * (1.0 + water.z * (rho - 1.0)), 1.0);
-  float key = light.w * lightShare(lit, h, L.z);
+  vec3 key = keyLight.rgb * lightShare(lit, h, L.z);
   vec2 along = vec2(dot(T, L), dot(T, V)), across = sqrt(max(vec2(0.0), 1.0 - along * along));
-  float diffuse = mix(across.x, max(L.z, 0.0), shading.x);
+  vec2 diffuse = mix(across, max(vec2(L.z, V.z), 0.0), shading.x);  // of the key light, of the fill light
 #ifdef MARSCHNER
   // The setting 0.5 is the strand as it is.
   vec3 gloss = 2.0 * shading.y * glossShare(L.z) * key * marschnerStrand(albedo, along, across, dot(L, V), exponent);
@@ -110,9 +116,10 @@ vec3 shadeStrand(vec3 albedo, vec3 T, vec3 L, vec3 V, float h, float rho, float 
   vec2 shifts = lobeShifts(strand);
   vec3 gloss = (strength * key) * ((0.7 - 0.35 * rho) * kajiyaLobe(shiftedCosine(cosines, shifts.x), exponent) +
                                    albedo * kajiyaLobe(shiftedCosine(cosines, shifts.y), 0.5 * exponent));
-  gloss += albedo * (1.6 * light.w * lit * rimLight(dot(L, V), V.z, h));
+  gloss += albedo * (1.6 * keyLight.rgb * lit * rimLight(dot(L, V), V.z, h));
 #endif
-  vec3 color = albedo * (key * diffuse + skyLight(upness)) + gloss;
+  gloss += (albedo + 0.3) * fringe(V.z, h);
+  vec3 color = albedo * (key * diffuse.x + keyLight.w * diffuse.y + skyLight(upness)) + gloss;
   return color * (1.0 + coat.x * (h - 1.0)) * (1.0 - water.y * rho);
 }
 
@@ -144,15 +151,16 @@ vec3 lockLight(vec3 color, vec3 T, vec3 n, vec3 L, vec3 V, float h, float held, 
   float turnedTo = clamp(0.6 + 0.8 * dot(n, L), 0.15, 1.4);
   color *= mix(1.0, turnedTo, 0.7 * locks) * mix(1.0, smoothstep(-0.1, 0.8, h), 0.55 * locks) * (1.0 - 0.35 * min(held, 1.0)) * (1.0 - 0.38 * sheet);
   vec2 mirrored = waterGloss(T, n, L, V, held, sheet, strand) * mix(1.0, h, locks);
-  return color + mirrored.x * lit * light.w + mirrored.y * mix(0.6, 1.0, lit) * skyLight(upness);
+  color += 0.5 * min(held, 1.0) * fringe(V.z, h);
+  return color + mirrored.x * lit * keyLight.rgb + mirrored.y * mix(0.6, 1.0, lit) * skyLight(upness);
 }
 
 // Skin without fur, darker where it is wet; `lit` is the share of the light that reaches it.
 vec3 bareSkin(vec3 albedo, float nDotL, float upness, float rho, float lit) {
-  return albedo * (light.w * lit * max(nDotL, 0.0) + skyLight(upness)) * (1.0 - water.y * rho);
+  return albedo * (keyLight.rgb * lit * max(nDotL, 0.0) + skyLight(upness)) * (1.0 - water.y * rho);
 }
 // Skin seen through the fur above it, or the undergrowth up to the height h: in the shadow of the strands.
 vec3 shadeSkin(vec3 albedo, float nDotL, float upness, float h, float rho, float lit) {
   float shadow = lit * mix(1.0, furShadow(h, volume.z, nDotL), shading.w);
-  return albedo * (light.w * max(nDotL, 0.0) * shadow + skyLight(upness)) * (1.0 + coat.x * (h - 1.0)) * (1.0 - water.y * rho);
+  return albedo * (keyLight.rgb * max(nDotL, 0.0) * shadow + skyLight(upness)) * (1.0 + coat.x * (h - 1.0)) * (1.0 - water.y * rho);
 }

@@ -60,6 +60,18 @@ void main() {
 #elif defined(VIEW_CLUMPS)
   // Darker than the locks above it.
   fragColor = vec4(clumpColor(clump) * (0.5 * facing), 1.0);
+#elif defined(VIEW_LAYOUT)
+  // A hue a chart, chequered by texels and by sixteens of them; dark where it ends, two texels of gutter before the next.
+  vec2 at = vUvAtlas.zw;
+  float chart = chartOf(maskAt(mask, at)), shade = 0.6;
+  vec4 ones = mod(floor(vec4(at, at / 16.0) * water.w), 2.0);
+  shade += 0.1 * abs(ones.x - ones.y) + 0.2 * abs(ones.z - ones.w);
+  for (int i = 0; i < 4; ++i) {
+    vec4 texel = maskAt(mask, at + (float(i & 2) - 1.0) * 3.2 / water.w * vec2(i & 1, 1 - (i & 1)));
+    texel.x -= chart;
+    if (isBeside(texel)) shade = 0.1;
+  }
+  fragColor = vec4(clumpColor(vec4(chart * vec2(0.13, 0.39), 0.0, 1.0)) * (shade * facing), 1.0);
 #elif defined(VIEW_DIM)
   fragColor = vec4(vec3(0.13, 0.16, 0.21) * facing, 1.0);
 #elif defined(VIEW_NORMALS)

@@ -39,7 +39,7 @@ void main() {
 #ifdef WET
   // Round: where its normal lies between those to the eye and to the light it shines, all along.
   vec2 mirrored = waterGloss(frame * T, normalize(frame * (V - T * dot(T, V)) + vec3(0.0, rim, 0.0)), frame * L, frame * V, vBand.w, 0.0, vTangent.w);
-  color += mirrored.x * lit * light.w + mirrored.y * skyLight(dot(z, up.xyz));
+  color += mirrored.x * lit * keyLight.rgb + mirrored.y * skyLight(dot(z, up.xyz));
 #endif
   fragColor = vec4(encodeSrgb(toneMap(color)), alpha);
 }

@@ -8,6 +8,7 @@
 
 #include "editor/Theme.h"
 #include "editor/Widgets.h"
+#include "settings/LightRigs.h"
 
 namespace fur::editor {
 
@@ -226,6 +227,16 @@ void drawLightPad(Settings& settings) {
   ImGui::Dummy(ImVec2(0, px(2)));
 }
 
+void drawLightRigs(Settings& settings) {
+  const settings::LightRig* chosen = settings::lightRigOf(settings);
+  ImGui::SetNextItemWidth(-1);
+  if (!ImGui::BeginCombo("##lightRigs", chosen ? chosen->label : "Light rig", ImGuiComboFlags_HeightLargest)) return;
+  Warnings none;
+  for (const settings::LightRig& rig : settings::lightRigs())
+    if (ImGui::Selectable(rig.label, &rig == chosen)) settings::applyLightRig(settings, rig.name, none);
+  ImGui::EndCombo();
+}
+
 // The header; returns whether the group is open.
 bool drawHeader(Settings& settings, std::string_view group, bool forceOpen) {
   const std::string name(group);
@@ -281,7 +292,10 @@ int drawFields(Settings& settings, Frequent& frequent, std::string_view filter, 
     const auto count = std::count_if(settings::fields().begin(), settings::fields().end(), rows);
     shown += static_cast<int>(count);
     if (count == 0 || !drawHeader(settings, group, !filter.empty())) continue;
-    if (group == "Light" && filter.empty()) drawLightPad(settings);
+    if (group == "Light" && filter.empty()) {
+      drawLightRigs(settings);
+      drawLightPad(settings);
+    }
     for (const Field& field : settings::fields())
       if (rows(field)) drawRow(settings, frequent, field, tooltips, animations);
     ImGui::Dummy(ImVec2(0, px(4)));

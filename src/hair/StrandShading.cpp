@@ -39,6 +39,11 @@ float rimLight(float lightDotView, float normalDotView, float height) {
   return behind * behind * behind * behind * thin * thin * height;
 }
 
+float fringe(float normalDotView, float height) {
+  const float edge = rimLight(-1, normalDotView, height);
+  return edge * edge;
+}
+
 float furShadow(float height, float density, float nDotL) {
   const float f = 1.0f - saturate(nDotL);
   // Also where nothing stands to cast one.
@@ -55,15 +60,16 @@ float keyShare(const StrandLook& look, float height, float nDotL, float lit) {
 float glossShare(float nDotL) { return saturate(1.6f * nDotL + 0.6f); }
 
 Vec3 shadeStrand(const StrandLook& look, const Vec3& albedo, const Vec3& tangent, const Vec3& light, const Vec3& view,
-                 float nDotL, float height, float wetness, float key, float rim, const Vec3& sky, float strand) {
+                 float nDotL, float nDotV, float height, float wetness, const StrandLight& lights, float strand) {
   const float exponent = std::max(look.exponent * (1.0f + look.wetGloss * (wetness - 1.0f)), 1.0f);
   // A lobe's energy falls as its exponent rises; sqrt(p) keeps a strand's total about even.
   const float strength = look.gloss * std::sqrt(exponent / look.exponent) * glossShare(nDotL);
   const Vec2 shifts = lobeShifts(strand);
   const auto lobe = [&](float shift, float p) { return kajiyaLobe(shiftedCosine(tangent, light, view, shift), p); };
-  const Vec3 gloss = strength * key * ((0.7f - 0.35f * wetness) * lobe(shifts.x, exponent) + albedo * lobe(shifts.y, 0.5f * exponent));
+  const Vec3 gloss = strength * lights.key * ((0.7f - 0.35f * wetness) * lobe(shifts.x, exponent) + albedo * lobe(shifts.y, 0.5f * exponent));
   const float diffuse = glm::mix(kajiyaDiffuse(tangent, light), std::max(nDotL, 0.0f), look.lambert);
-  const Vec3 color = albedo * (key * diffuse + 1.6f * rim + sky) + gloss;
+  const float filled = lights.fill * glm::mix(kajiyaDiffuse(tangent, view), std::max(nDotV, 0.0f), look.lambert);
+  const Vec3 color = albedo * (lights.key * diffuse + 1.6f * lights.through + filled + lights.sky) + (albedo + 0.3f) * lights.rim + gloss;
   return color * (1.0f + look.occlusion * (height - 1.0f)) * (1.0f - look.wetDarkening * wetness);
 }
 

@@ -22,6 +22,8 @@ Vec2 lobeShifts(float strand);
 // Light from behind that shines through the thin edge of the coat, relative to the light: max(0, -L.V)^4, as
 // fur scatters forwards, by (1 - |N.V|)^2 h, as only the edge is thin.
 float rimLight(float lightDotView, float normalDotView, float height);
+// The same of a light that is always behind, narrower: of the tips along the outline alone.
+float fringe(float normalDotView, float height);
 // Sheppard Eq. 3.3-3.4: F = 1 - N.L, S = clamp((4 h / d - 3 F) / F); F = 0 casts no shadow: 1.
 float furShadow(float height, float density, float nDotL);
 
@@ -40,12 +42,18 @@ float keyShare(const StrandLook& look, float height, float nDotL, float lit);
 // The share of the light that a strand throws back as gloss. Kajiya and Kay's lobes know no surface: past the
 // terminator of a coat they would glow where strands of the lit side stand in the light's way.
 float glossShare(float nDotL);
-// Light of one colour share from strand to eye, all vectors in one frame: Kajiya & Kay 1989 with a Lambert term and
-// the factors of Silva et al. 2010, Eq. 2-5; two lobes, a white one and a wider one of the strand's colour. `key` is the
-// light that arrives, `rim` what of it comes through the coat's edge (rimLight()), `sky` that from all round; `strand`
-// the strand's random number.
+// What arrives at a strand, linear.
+struct StrandLight {
+  Vec3 key{0};      // of the key light
+  Vec3 through{0};  // of it, through the coat's edge (rimLight())
+  float fill = 0;   // from the eye
+  Vec3 rim{0};      // of the light behind what the eye sees (fringe())
+  Vec3 sky{0};      // from all round
+};
+// Light from strand to eye, all vectors in one frame: Kajiya & Kay 1989 with a Lambert term and the factors of Silva et
+// al. 2010, Eq. 2-5; two lobes, a white one and a wider one of the strand's colour. `strand`: its random number.
 Vec3 shadeStrand(const StrandLook& look, const Vec3& albedo, const Vec3& tangent, const Vec3& light, const Vec3& view,
-                 float nDotL, float height, float wetness, float key, float rim, const Vec3& sky, float strand);
+                 float nDotL, float nDotV, float height, float wetness, const StrandLight& lights, float strand);
 // Wet strands. Water lies between them with nearly their own refractive index: light goes further in before it comes
 // out again, so that a wet coat is darker and its colour richer (Lekner and Dorf 1988, mirrors left out). The
 // first water does most of it.

@@ -57,7 +57,7 @@ inline constexpr float kGroundHalfSide = wet::Water::kGroundReach;
 // In the order of the settings' "view" choice. README.md says what each shows.
 enum class View {
   Final, Skin, Shells, Fins, Layer, Exploded, Silhouette, Coverage, Tangents, Normals, Dominance, Types, Offset,
-  Wetness, Clumps, Shadow, Overdraw, Steps, Bends, Forces
+  Wetness, Clumps, Shadow, Overdraw, Steps, Bends, Forces, Layout
 };
 
 Mat4 clipFromWorld(const Frame& frame);

@@ -85,6 +85,7 @@ std::string definesOf(unsigned variant) {
       {kViewSteps, "VIEW_STEPS"},
       {kViewForces, "VIEW_FORCES"},
       {kPolynomial, "POLYNOMIAL"},
+      {kViewLayout, "VIEW_LAYOUT"},
       {kPainted, "PAINTED"},
       {kShaped, "SHAPED"},
   };
@@ -145,7 +146,7 @@ std::vector<std::pair<Shader, unsigned>> allVariants() {
   constexpr unsigned kGrooms[] = {kPlain, kGroomed, kGroomed | kTypes, kGroomed | kShaped, kGroomed | kTypes | kShaped};
   std::vector<std::pair<Shader, unsigned>> all = {
       {Shader::Background, kPlain}, {Shader::GroundShadow, kPlain}, {Shader::Blur, kPlain}, {Shader::ShadowBlur, kShadowDepth},
-      {Shader::Skin, kViewWetness}, {Shader::Skin, kViewNormals},   {Shader::ShadowMap, kPlain},
+      {Shader::Skin, kViewWetness}, {Shader::Skin, kViewNormals},   {Shader::Skin, kViewLayout},  {Shader::ShadowMap, kPlain},
       {Shader::Enlarge, kPlain},    {Shader::Drop, kPlain},       {Shader::Ground, kPlain},      {Shader::Ground, kWet},     {Shader::Ball, kPlain},
       {Shader::ShadowMap, kShadowLayers}, {Shader::ShadowMap, kSkinOnly},
       {Shader::ShadowMap, kBall},   {Shader::GroundShadow, kBall},

@@ -22,6 +22,17 @@ Vec4 shownColor(std::uint32_t rgb) {
 // From this share of its densest layer up a coat keeps the light from its roots.
 constexpr float kCrowdedDensity = 0.35f;
 
+Vec3 lightDirection(const Frame& frame) {
+  const Vec3 view = frame.camera.eye - frame.camera.target;
+  const float turned = frame.settings.lightFollowsCamera ? std::atan2(view.x, view.z) : 0;
+  return directionFrom(frame.settings.lightYaw + turned, frame.settings.lightPitch);
+}
+
+// What the key light and the rim light are at the settings' 1.
+constexpr float kKeyLight = 2.2f, kRimLight = 2.4f;
+// Of the fill light that much comes from all round, which skin gets, too.
+constexpr float kFillAround = 0.25f;
+
 // How a pass is drawn: as usual, or its fragments counted.
 gl::DrawState stateOf(unsigned variant, const gl::DrawState& usual) {
   if (!(variant & (kViewOverdraw | kViewSteps))) return usual;
@@ -42,7 +53,7 @@ bool chartsOverlap(const Frame& frame) {
 shared::FrameBlock frameBlock(const Frame& frame) {
   const settings::Settings& s = frame.settings;
   const Mat4 modelFromWorld = glm::inverse(frame.worldFromModel);
-  const Vec3 lightWorld = directionFrom(s.lightYaw, s.lightPitch);
+  const Vec3 lightWorld = lightDirection(frame);
   const auto direction = [&](const Vec3& v) { return Vec3(modelFromWorld * Vec4(v, 0)); };
   const Vec3 top = settings::linearColor(s.backgroundTop), bottom = settings::linearColor(s.backgroundBottom);
   shared::FrameBlock block;
@@ -50,11 +61,14 @@ shared::FrameBlock frameBlock(const Frame& frame) {
   block.clipFromModel = block.clipFromWorld * frame.worldFromModel;
   block.worldFromModel = frame.worldFromModel;
   block.eye = Vec4(Vec3(modelFromWorld * Vec4(frame.camera.eye, 1)), pixelsPerUnit(frame));
-  block.light = Vec4(direction(lightWorld), 2.2f * s.lightIntensity);
+  block.light = Vec4(direction(lightWorld), kKeyLight * s.lightIntensity);
+  block.keyLight = Vec4(settings::linearColor(s.keyColor) * block.light.w, (1 - kFillAround) * s.fillLight);
+  block.backLight = Vec4(settings::linearColor(s.rimColor) * (kRimLight * s.rimLight), 0);
   block.up = Vec4(direction({0, 1, 0}), s.exposure);
   // The surroundings light the fur with their own colour, half of it taken out.
-  block.sky = Vec4(s.ambient * glm::mix(Vec3(0.75f), top, 0.5f), 0);
-  block.floorLight = Vec4(s.ambient * 0.55f * glm::mix(Vec3(0.6f), bottom, 0.5f), s.viewLayer);
+  const Vec3 around(kFillAround * s.fillLight);
+  block.sky = Vec4(s.ambient * glm::mix(Vec3(0.75f), top, 0.5f) * settings::linearColor(s.skyColor) + around, 0);
+  block.floorLight = Vec4(s.ambient * 0.55f * glm::mix(Vec3(0.6f), bottom, 0.5f) * settings::linearColor(s.groundColor) + around, s.viewLayer);
   block.backgroundTop = shownColor(s.backgroundTop);
   block.backgroundBottom = shownColor(s.backgroundBottom);
   block.lightWorld = Vec4(lightWorld, frame.height);
@@ -234,6 +248,7 @@ Status Renderer::drawPasses(const Frame& frame) {
     case View::Skin: return skin(skinLook & ~kFurOnly);
     case View::Wetness: return skin(kViewWetness);
     case View::Normals: return skin(kViewNormals);
+    case View::Layout: return skin(kViewLayout);
     case View::Shells: return shells(kPlain);
     case View::Fins: return fins(kPlain);
     case View::Tangents: return shells(kViewTangents);
@@ -288,7 +303,7 @@ Status Renderer::drawBackground(const Frame& frame) {
 FurShadow::Key Renderer::furShadowKey(const Frame& frame) const {
   settings::Settings s = frame.settings;
   if (patches_.indices.empty()) s.furLength = 0;
-  const Vec3 light(glm::inverse(frame.worldFromModel) * Vec4(directionFrom(s.lightYaw, s.lightPitch), 0));
+  const Vec3 light(glm::inverse(frame.worldFromModel) * Vec4(lightDirection(frame), 0));
   return {static_cast<Shadows>(s.shadows), lightFromModel(light, shadowRadius(s.furLength, frame.reach)),
           volumeShadow(s, *std::max_element(densities_.begin(), densities_.end()), frame.reach),
           curveVariant(s) | (frame.groomed || frame.types ? kGroomed : kPlain), furShadowScene_, frame.ball, frame.ball.w > 0 ? frame.worldFromModel : Mat4(1.0f)};
@@ -336,7 +351,7 @@ Status Renderer::drawArrows(unsigned variant) {
 Status Renderer::drawGroundShadow(const Frame& frame) {
   const settings::Settings& s = frame.settings;
   const bool wet = !frame.puddles.empty();
-  const ShadowKey key{frame.worldFromModel, directionFrom(s.lightYaw, s.lightPitch), s.furLength, frame.groundHeight, frame.ball, wet ? frame.camera.eye : Vec3(0)};
+  const ShadowKey key{frame.worldFromModel, lightDirection(frame), s.furLength, frame.groundHeight, frame.ball, wet ? frame.camera.eye : Vec3(0)};
   if (shadowKey_ == key) return Done{};
   gl::setViewport(kGroundShadowSize, kGroundShadowSize);
   groundTarget_[0].bind();

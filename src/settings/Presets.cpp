@@ -5,6 +5,8 @@
 #include <iterator>
 #include <vector>
 
+#include "settings/FieldValues.h"
+
 namespace fur::settings {
 
 namespace {
@@ -61,32 +63,13 @@ bool isOneOf(std::string_view text, const std::string_view (&list)[n]) {
   return std::find(std::begin(list), std::end(list), text) != std::end(list);
 }
 
-struct Value {
-  std::string_view field, text;
-};
-
-std::vector<Value> valuesOf(const Preset& preset) {
-  std::vector<Value> values;
-  for (std::string_view rest = preset.values; !rest.empty();) {
-    const std::string_view pair = rest.substr(0, rest.find(' '));
-    rest.remove_prefix(std::min(rest.size(), pair.size() + 1));
-    const std::size_t equals = pair.find('=');
-    values.push_back({pair.substr(0, equals), pair.substr(equals + 1)});
-  }
-  return values;
-}
-
 using Coats = std::array<Settings, std::size(kPresets)>;
 
 // Each preset over the defaults.
 const Coats& coats() {
   static const Coats all = [] {
     Coats out;
-    for (std::size_t i = 0; i < out.size(); ++i) {
-      Warnings warnings;
-      for (const Value& value : valuesOf(kPresets[i])) setField(out[i], value.field, value.text, warnings);
-      FUR_ASSERT(warnings.empty(), "settings::coats()", "values that fit their fields", warnings.front());
-    }
+    for (std::size_t i = 0; i < out.size(); ++i) setValues(out[i], kPresets[i].values);
     return out;
   }();
   return all;
@@ -159,7 +142,7 @@ std::string presetTableJson() {
     out.append("{\"name\":\"").append(preset.name).append("\",\"label\":\"").append(preset.label);
     out.append("\",\"description\":\"").append(preset.description).append("\",\"settings\":");
     const char* before = "{\"";
-    for (const Value& value : valuesOf(preset)) {
+    for (const FieldValue& value : valuesOf(preset.values)) {
       const char* quote = value.text.front() == '#' ? "\"" : "";
       out.append(before).append(value.field).append("\":").append(quote).append(value.text).append(quote);
       before = ",\"";

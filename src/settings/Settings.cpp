@@ -5,6 +5,7 @@
 
 #include "core/NumberText.h"
 #include "core/Json.h"
+#include "settings/LightRigs.h"
 #include "settings/Presets.h"
 
 namespace fur::settings {
@@ -107,6 +108,7 @@ void setField(Settings& settings, const Field& field, double value, Warnings& wa
 }
 
 bool setField(Settings& settings, std::string_view name, std::string_view text, Warnings& warnings) {
+  if (name == "lightRig") return applyLightRig(settings, text, warnings);
   const Field* field = findField(name);
   if (!field) {
     warnings.push_back("unknown setting \"" + std::string(name.substr(0, 64)) + '"');

@@ -73,7 +73,7 @@ void setField(Settings& settings, const Field& field, double value, Warnings& wa
 
 // The same from text, as links and command lines give it: numbers, true/false/1/0, #rrggbb or
 // rrggbb, option names. Unknown names and unreadable text change nothing and warn. Returns whether
-// the field was set.
+// the field was set. "lightRig" is the name of a rig (LightRigs.h) that sets several.
 bool setField(Settings& settings, std::string_view name, std::string_view text, Warnings& warnings);
 
 // The inverse of the text form: setField(settings, name, fieldText(...)) gives the value back.

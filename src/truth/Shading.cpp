@@ -56,10 +56,15 @@ std::vector<Vec3> shadeNodes(const Scene& scene, const Tubes& tubes, const DeepS
       const Vec3 way = nodes[std::min(k + 1, tube.nodeCount - 1)].position - nodes[k > 0 ? k - 1 : 0].position;
       const Vec3 tangent = normalizeOr(way, node.normal), view = normalizeOr(eye - node.position, node.normal);
       const Vec3 albedo = hair::strandColor(Vec3(scene.coat.rootColors[0]), Vec3(scene.coat.tipColors[0]), node.height, tube.variance, scene.coat.tipColors[0].w);
-      const float key = scene.frame.light.w * keyAt(scene, look, node, tangent, shadow, light);
-      const float rim = key * hair::rimLight(glm::dot(toLight, view), glm::dot(node.normal, view), node.height);
-      out[tube.firstNode + k] = hair::shadeStrand(look, albedo, tangent, toLight, view, glm::dot(node.normal, toLight),
-                                                  node.height, 0, key, rim, skyLight(scene, node.normal), tube.variance);
+      const float share = keyAt(scene, look, node, tangent, shadow, light), nDotV = glm::dot(node.normal, view);
+      hair::StrandLight lights;
+      lights.key = Vec3(scene.frame.keyLight) * share;
+      lights.through = lights.key * hair::rimLight(glm::dot(toLight, view), nDotV, node.height);
+      lights.fill = scene.frame.keyLight.w;
+      lights.rim = Vec3(scene.frame.backLight) * hair::fringe(nDotV, node.height);
+      lights.sky = skyLight(scene, node.normal);
+      out[tube.firstNode + k] = hair::shadeStrand(look, albedo, tangent, toLight, view, glm::dot(node.normal, toLight), nDotV,
+                                                  node.height, 0, lights, tube.variance);
     }
   };
   inParallel((tubes.tubes.size() + kTubesAPiece - 1) / kTubesAPiece, [&](std::size_t piece) {
@@ -79,7 +84,7 @@ Vec3 shadeSkin(const Scene& scene, const Vec3& point, const Vec3& normal, float 
   else if (furry)
     share = glm::mix(1.0f, hair::furShadow(0, look.density, nDotL), look.strandShadow);
   const Vec3 albedo = Vec3(scene.coat.skinColor) * (1 - 0.5f * roots);
-  const Vec3 color = albedo * (scene.frame.light.w * std::max(nDotL, 0.0f) * share + skyLight(scene, normal));
+  const Vec3 color = albedo * (Vec3(scene.frame.keyLight) * (std::max(nDotL, 0.0f) * share) + skyLight(scene, normal));
   return color * (furry ? 1 - look.occlusion : 1.0f);
 }
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "settings/LightRigs.h"
 #include "tests/editor/PanelDriver.h"
 
 namespace fur::editor {
@@ -360,6 +361,25 @@ TEST(Editor, TheLightIsDraggedToWhereThePointerIs) {
   EXPECT_NEAR(person.model.settings.lightPitch, settings::findField("lightPitch")->low, 1e-3);
   EXPECT_EQ(differences(before, person.model.settings), (std::set<std::string>{"lightPitch", "lightYaw"}));
   EXPECT_EQ(person.count<command::BeginChange>(), 1);
+}
+
+TEST(Editor, ALightRigIsChosenInOneStepAndLeavesTheCoatAlone) {
+  PanelDriver person;
+  person.openAllGroups();
+  const auto combo = person.find(person.id("##lightRigs"));
+  ASSERT_TRUE(combo);
+  const Settings before = person.model.settings;
+  person.click(*combo);
+  person.settle();
+  // The rows of the list, of which one more is below the other.
+  const auto row = [&](int index) { return *combo + Vec2(0, (1.5f + static_cast<float>(index)) * ImGui::GetTextLineHeightWithSpacing()); };
+  person.click(row(2));
+  person.settle();
+  EXPECT_NE(person.model.settings, before);
+  const settings::LightRig* chosen = settings::lightRigOf(person.model.settings);
+  ASSERT_TRUE(chosen) << "all of a rig at once";
+  EXPECT_EQ(person.count<command::BeginChange>(), 1);
+  for (const std::string& name : differences(before, person.model.settings)) EXPECT_TRUE(settings::belongsToLight(*settings::findField(name))) << name;
 }
 
 TEST(Editor, ColoursSurviveBeingShown) {

@@ -21,12 +21,16 @@ using Twin = std::function<float(float, float)>;
 // The settings under which those functions are compared that read them.
 const hair::StrandLook kLook{0.4f, 0.45f, 60, 0.6f, 0.7f, 0.4f, 0.8f, 0.5f};
 constexpr float kLightIntensity = 2.2f, kExposure = 1.3f;
+constexpr float kFillLight = 0.35f;
+const Vec3 kKeyLight(2.0f, 1.5f, 1.0f), kBackLight(0.8f, 0.6f, 0.4f);
 constexpr float kLayers = 32, kClumpShape = 0.6f;
 const Vec3 kSky(0.3f, 0.25f, 0.2f), kFloorLight(0.1f, 0.15f, 0.2f);
 
 shared::FrameBlock frameOfLook() {
   shared::FrameBlock frame{};
   frame.light.w = kLightIntensity;
+  frame.keyLight = Vec4(kKeyLight, kFillLight);
+  frame.backLight = Vec4(kBackLight, 0);
   frame.up.w = kExposure;
   frame.sky = Vec4(kSky, 0);
   frame.floorLight = Vec4(kFloorLight, 0);
@@ -162,9 +166,13 @@ TEST(Twins, MarschnerFromTablesIsMarschnersFormula) {
 TEST(Twins, LightOnAStrand) {
   const Vec3 albedo(0.5f, 0.3f, 0.2f), light = onCircle(0.7f), view = onCircle(-0.4f);
   const auto shade = [&](float u, float v) {
-    const float key = kLightIntensity * hair::keyShare(kLook, v, light.z, 0.8f);
-    const float through = kLightIntensity * 0.8f * hair::rimLight(glm::dot(light, view), view.z, v);
-    return hair::shadeStrand(kLook, albedo, onCircle(3 * u), light, view, light.z, v, 0.3f, key, through, glm::mix(kFloorLight, kSky, 0.75f), u).x;
+    hair::StrandLight lights;
+    lights.key = kKeyLight * hair::keyShare(kLook, v, light.z, 0.8f);
+    lights.through = kKeyLight * (0.8f * hair::rimLight(glm::dot(light, view), view.z, v));
+    lights.fill = kFillLight;
+    lights.rim = kBackLight * hair::fringe(view.z, v);
+    lights.sky = glm::mix(kFloorLight, kSky, 0.75f);
+    return hair::shadeStrand(kLook, albedo, onCircle(3 * u), light, view, light.z, view.z, v, 0.3f, lights, u).x;
   };
   // The sum of several terms, scaled by the light.
   EXPECT_LT(largestDifference(7, shade), 2 * kLightIntensity * kGpuPrecision);

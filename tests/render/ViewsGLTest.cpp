@@ -68,6 +68,22 @@ TEST(Views, EachDrawsSomethingOfItsOwn) {
   }
 }
 
+TEST(Views, TheLayoutHasAHueAChartAndDarkBorders) {
+  Study scene;
+  const Picture one = scene.view("layout");
+  // A mean colour says nothing of hues; how many pixels are nearly black does.
+  int dark = 0, coloured = 0;
+  for (int y = 0; y < one.height; ++y)
+    for (int x = 0; x < one.width; ++x) {
+      if (radiusAt(one, x, y) > 0.9f) continue;
+      const std::uint8_t* pixel = one.at(x, y);
+      dark += std::max({pixel[0], pixel[1], pixel[2]}) < 26;
+      coloured += isColoured(pixel);
+    }
+  EXPECT_GT(dark, 20);
+  EXPECT_GT(coloured, 20 * dark) << "thin lines";
+}
+
 TEST(Views, LeaveThePictureAsItWas) {
   Study scene;
   const Picture before = scene.draw();

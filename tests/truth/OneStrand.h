@@ -47,6 +47,7 @@ inline render::shared::FrameBlock frameFrom(const Vec3& eye, const Vec3& target,
   block.worldFromModel = Mat4(1);
   block.eye = Vec4(eye, static_cast<float>(height) / (2 * std::tan(kFovY / 2)));
   block.light = Vec4(glm::normalize(Vec3(1, 2, 1)), 2);
+  block.keyLight = Vec4(2, 2, 2, 0);
   block.up = Vec4(0, 1, 0, 1);
   block.sky = block.floorLight = Vec4(0.3f);
   block.backgroundTop = block.backgroundBottom = Vec4(0, 0, 1, 1);

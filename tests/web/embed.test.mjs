@@ -204,6 +204,32 @@ test('createWetFur draws on a canvas of the page', async () => {
   await untilStill(page);
 });
 
+test('the light-rig attribute is the light, what is set after it stays over it, and an unknown one warns', async () => {
+  const page = await open({ viewport: { width: 480, height: 600 } });
+  const seen = await page.evaluate(async () => {
+    const fur = document.createElement('wet-fur');
+    for (const [name, value] of Object.entries({ 'light-rig': 'night', quality: 'low', src: 'plane', loading: 'eager', exposure: 1.5 }))
+      fur.setAttribute(name, value);
+    Object.assign(fur.settings, { layers: 8, fins: false });
+    document.body.append(fur);
+    await fur.ready;
+    const look = () => [fur.settings.keyColor, fur.settings.rimLight > 0, fur.settings.exposure];
+    const night = look();
+    fur.lightRig = 'daylight';
+    const day = look();
+    const undone = fur.undo() && look();
+    fur.lightRig = 'disco';
+    const { warnings } = fur;
+    fur.remove();
+    return { night, day, undone, warnings };
+  });
+  assert.deepEqual(seen.night, ['#9db8ff', true, 1.5]);
+  assert.deepEqual(seen.day, ['#ffffff', false, 1]);
+  assert.deepEqual(seen.undone, seen.night, 'one step of undo');
+  assert.equal(seen.warnings.length, 1);
+  assert.match(seen.warnings[0], /disco.*daylight.*night/);
+});
+
 test('the preset attribute is the coat, what is set beside it stays over it, and it can be changed', async () => {
   const page = await open({ viewport: { width: 480, height: 600 } });
   const seen = await page.evaluate(async () => {

@@ -25,6 +25,12 @@ test('what is not allowed warns and is left out', () => {
   assert.equal(readLink(`${page}?src=models/bunny.glb`).src, 'models/bunny.glb');
 });
 
+test('a light rig of the address is set before the settings beside it', async () => {
+  const view = await site.open(`?${light}&src=plane&rimLight=0.25&light=night`);
+  const seen = await withFur(view, (fur) => [fur.settings.keyColor, fur.settings.rimLight, fur.warnings.length]);
+  assert.deepEqual(seen, ['#9db8ff', 0.25, 0]);
+});
+
 test('an overlong state, value or list of parameters is not read', () => {
   assert.equal(readLink(`${page}?state=${'A'.repeat(9000)}`).state, undefined);
   assert.equal(readLink(`${page}?wind=${'1'.repeat(600)}`).settings.length, 0);

@@ -1,5 +1,5 @@
 // wet-fur/element: registers <wet-fur>.
-import type { FurSettings, Motion, PresetName, Quality, Tool, WetFurApi, WetFurEventMap, WheelManner } from './index.js';
+import type { FurSettings, LightRig, Motion, PresetName, Quality, Tool, WetFurApi, WetFurEventMap, WheelManner } from './index.js';
 
 export interface WetFurElementEventMap extends WetFurEventMap {
   /** The picture has taken the place of the poster. */
@@ -16,6 +16,8 @@ export class WetFurElement extends HTMLElement {
   /** Whether the poster of reveal="interaction" shows that it can be pressed; the slot of that name takes another cue. */
   interactionPrompt: 'auto' | 'none';
   preset: PresetName | '';
+  /** Attribute light-rig. */
+  lightRig: LightRig | undefined;
   tool: Tool;
   cameraControls: boolean;
   cameraOrbit: string;

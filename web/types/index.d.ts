@@ -23,13 +23,14 @@ export type Tool = 'droplet' | 'dry' | 'rain' | 'hose' | 'towel' | 'dryer' | 'co
 export type GroomType = '1' | '2' | '3' | '4';
 export type FurType = 'bald' | 'rabbit' | 'chinchilla' | 'curlyDog' | 'thickNylon' | 'fineSparse' | 'otter' | 'shortCat' | 'persian' | 'shag' | 'velvet' | 'wool';
 /** All over the model; see WetFurApi.groom. */
-export type GroomEdit = 'clear' | 'length' | 'invert' | 'vary' | 'type' | 'comb' | 'raise' | 'size' | 'paint' | 'clearPaint' | 'clearMask' | 'invertMask';
+export type GroomEdit = 'clear' | 'length' | 'invert' | 'vary' | 'type' | 'comb' | 'raise' | 'size' | 'paint' | 'clearPaint' | 'clearMask' | 'invertMask' |
+  'selectConnected' | 'selectType' | 'selectLength' | 'selectPaint' | 'growMask' | 'shrinkMask' | 'smoothMask';
 export type Quality = 'auto' | 'low' | 'medium' | 'high';
 export type Motion = 'auto' | 'full' | 'reduced';
 export type WheelManner = 'page' | 'focus' | 'zoom';
 export type View = 'final' | 'skin' | 'shells' | 'fins' | 'layer' | 'exploded' | 'silhouette' | 'coverage' | 'tangents' |
   'normals' | 'dominance' | 'types' | 'offset' | 'wetness' | 'clumps' | 'shadow' | 'overdraw' | 'steps' |
-  'bends' | 'forces';
+  'bends' | 'forces' | 'layout';
 /** Texels. */
 export type TileSize = '64' | '128' | '256' | '512' | '1024';
 export type FurMapping = 'charts' | 'cube';
@@ -104,8 +105,22 @@ export interface FurSettings {
   lightPitch: number;
   /** Brightness of the key light. */
   lightIntensity: number;
+  /** Colour of the key light. */
+  keyColor: Color;
+  /** Light direction counts from where the camera looks. */
+  lightFollowsCamera: boolean;
+  /** White light from the camera that softens shadows. */
+  fillLight: number;
+  /** Light from behind the model that shines through the edge of the fur. */
+  rimLight: number;
+  /** Colour of the rim light. */
+  rimColor: Color;
   /** Brightness of the light from sky and ground. */
   ambient: number;
+  /** Tint of the light from above. */
+  skyColor: Color;
+  /** Tint of the light from below. */
+  groundColor: Color;
   /** Share of plain surface shading beside the strands' own (Sheppard 5.3.1). */
   lambert: number;
   /** Strength of the highlight across the strands. */
@@ -236,6 +251,9 @@ export type PresetName =
   | 'rabbit' | 'chinchilla' | 'curlyDog' | 'thickNylon' | 'fineSparse'
   | 'otter' | 'shortCat' | 'persian' | 'shag' | 'velvet' | 'wool';
 
+/** A light by its name: where the key light comes from, all lights' brightness and colours, exposure and background. */
+export type LightRig = 'daylight' | 'studio' | 'sunset' | 'overcast' | 'backlit' | 'night';
+
 /** A coat by its name: what it sets; the other settings of a coat take their defaults. */
 export interface Preset {
   readonly name: PresetName;
@@ -252,6 +270,8 @@ export interface WetFurOptions extends Partial<FurSettings> {
    * beside the page's other work, for a second or more; the old one is shown until then.
    */
   preset?: PresetName | '';
+  /** Sets the light; what is set after it stays over it. Undefined when it is read: see the settings that it sets. */
+  lightRig?: LightRig;
   tool?: Tool;
   cameraControls?: boolean;
   /** "yaw pitch distance [x y z]", radians or with "deg". */
@@ -392,9 +412,15 @@ export interface WetFurApi {
    * Dresses the whole model, as one undo step. This, length maps and all that saves fetch the editor's program. `value`: the length as a share of the longest ('length'), how much shorter patches
    * get ('vary'), 1 to 4 ('type'), how far it is combed ('comb', along `direction` in model space), texels along the
    * maps ('size'), 0xRRGGBB ('paint'); the others take none. What the mask protects stays as it is.
+   * What is selected stays free and the mask protects all else: the connected part at the place `direction` of model space, a
+   * fur type (1 to 4), lengths from direction[0] to direction[1], paint like that at the place `direction` within `value`. The mask
+   * grows, shrinks and softens by `value` in bounding radii.
    */
   groom(edit: GroomEdit, value?: number, direction?: readonly [number, number, number]): Promise<void>;
-  /** An image in the model's texture coordinates: its brightness becomes the length of the fur. */
+  /**
+   * An image in the model's texture coordinates: its brightness becomes the length of the fur. A File that the editor's "Save
+   * maps" wrote (length, types, paint or mask, by its name) goes back where it came from.
+   */
   loadLengthMap(image: ModelBytes): Promise<void>;
   /** The same: red, green and blue become the presence of the fur types 2, 3 and 4. */
   loadTypeMap(image: ModelBytes): Promise<void>;

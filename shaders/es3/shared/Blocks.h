@@ -22,6 +22,8 @@ FUR_BLOCK(FrameBlock) {
   mat4 worldFromModel;
   vec4 eye;               // model space; w: pixels that a model unit covers at distance 1
   vec4 light;             // model space, unit, towards the light; w: intensity
+  vec4 keyLight;          // linear, its colour by its intensity; w: fill light, from the eye
+  vec4 backLight;         // linear light from behind what the eye sees
   vec4 up;                // model space, unit, the world's +y; w: exposure
   vec4 sky;               // linear light from above; w: samples a pixel
   vec4 floorLight;        // linear light from below; w: height of the layer that a view shows, 0..1
