@@ -156,7 +156,7 @@ std::string unitText(const Field& field) {
 void rowTooltip(const Field& field) {
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(px(280));
-  ImGui::TextUnformatted(field.tooltip);
+  ImGui::TextUnformatted(settings::tooltipOf(field));
   if (field.type == FieldType::Float || field.type == FieldType::Int)
     ImGui::TextDisabled("%g to %g%s, default %s. Double click to type.", field.low, field.high,
                         unitText(field).c_str(), settings::fieldText(Settings{}, field).c_str());

@@ -57,15 +57,15 @@ const std::array<Field, kFieldCount>& fields() {
   [](const Settings& s) { return static_cast<double>(s.name); }, \
       [](Settings& s, double v) { s.name = static_cast<Type>(v); }
 #define FUR_FLOAT(name, label, group, value, low, high, unit, tip, ...) \
-  {#name, label, group, FieldType::Float, value, low, high, unit, "", tip, FUR_ACCESS(name, float), bool{__VA_ARGS__}},
+  {#name, label, group, FieldType::Float, value, low, high, unit, "", FUR_ACCESS(name, float), bool{__VA_ARGS__}},
 #define FUR_INT(name, label, group, value, low, high, unit, tip, ...) \
-  {#name, label, group, FieldType::Int, value, low, high, unit, "", tip, FUR_ACCESS(name, int), bool{__VA_ARGS__}},
+  {#name, label, group, FieldType::Int, value, low, high, unit, "", FUR_ACCESS(name, int), bool{__VA_ARGS__}},
 #define FUR_BOOL(name, label, group, value, tip, ...) \
-  {#name, label, group, FieldType::Bool, value, 0, 1, "", "", tip, FUR_ACCESS(name, bool), bool{__VA_ARGS__}},
+  {#name, label, group, FieldType::Bool, value, 0, 1, "", "", FUR_ACCESS(name, bool), bool{__VA_ARGS__}},
 #define FUR_COLOR(name, label, group, value, tip, ...) \
-  {#name, label, group, FieldType::Color, value, 0, kMaxColor, "", "", tip, FUR_ACCESS(name, std::uint32_t), bool{__VA_ARGS__}},
+  {#name, label, group, FieldType::Color, value, 0, kMaxColor, "", "", FUR_ACCESS(name, std::uint32_t), bool{__VA_ARGS__}},
 #define FUR_CHOICE(name, label, group, value, options, tip, ...)                              \
-  {#name, label, group, FieldType::Choice, value, 0, kMaxColor, "", options, tip, \
+  {#name, label, group, FieldType::Choice, value, 0, kMaxColor, "", options, \
    FUR_ACCESS(name, int), bool{__VA_ARGS__}},
   static const std::array<Field, kFieldCount> table = [] {
     std::array<Field, kFieldCount> rows = {{
@@ -159,6 +159,12 @@ std::string_view optionName(const Field& field, int index) {
   }
 }
 
+namespace {
+const char* (*describe)(const Field&) = nullptr;
+}
+
+void describeFieldsWith(const char* (*tooltip)(const Field&)) { describe = tooltip; }
+
 std::string fieldTableJson() {
   std::string out = "[";
   for (const Field& field : fields()) {
@@ -169,7 +175,7 @@ std::string fieldTableJson() {
            ",\"default\":" + fieldJson(standard, field) +
            ",\"min\":" + shortDecimal(field.low) + ",\"max\":" + shortDecimal(field.high) +
            ",\"unit\":" + jsonString(field.unit) + ",\"options\":" + jsonString(field.options) +
-           ",\"tooltip\":" + jsonString(field.tooltip) + ",\"coat\":" + (belongsToCoat(field) ? "true}" : "false}");
+           (describe ? ",\"tooltip\":" + jsonString(describe(field)) : "") + ",\"coat\":" + (belongsToCoat(field) ? "true}" : "false}");
   }
   return out + ']';
 }

@@ -42,7 +42,6 @@ struct Field {
   double standard, low, high;
   const char* unit;
   const char* options;  // "a|b|c" of a choice, else ""
-  const char* tooltip;
   double (*get)(const Settings&);
   void (*set)(Settings&, double);  // the value must already be in range: see setField()
   bool frequent;  // artists change it often
@@ -86,8 +85,12 @@ int optionIndex(const Field& field, std::string_view option);
 // The option with that index ("" when out of range).
 std::string_view optionName(const Field& field, int index);
 
-// The table as JSON for JavaScript: [{name,label,group,type,default,min,max,unit,options,tooltip}].
+// What the field does, in a line. Words for panels, which the viewer's download is spared: it does not call this.
+const char* tooltipOf(const Field& field);
+
+// The table as JSON for JavaScript: [{name,label,group,type,default,min,max,unit,options,coat}], and with tooltipOf() tooltip.
 std::string fieldTableJson();
+void describeFieldsWith(const char* (*tooltip)(const Field&));
 
 // 0xRRGGBB in sRGB -> linear RGB 0..1 (IEC 61966-2-1).
 Vec3 linearColor(std::uint32_t srgb);

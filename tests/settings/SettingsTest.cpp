@@ -17,7 +17,7 @@ TEST(Settings, HaveEveryDefaultWithinItsRange) {
     EXPECT_GE(field.high, field.standard) << field.name;
     EXPECT_LT(field.low, field.high) << field.name;
     EXPECT_EQ(field.get(standard), field.standard) << field.name;
-    EXPECT_NE(field.tooltip[0], 0) << field.name;
+    EXPECT_NE(tooltipOf(field)[0], 0) << field.name;
     EXPECT_NE(field.label[0], 0) << field.name;
   }
 }

@@ -1,6 +1,7 @@
 // The modules without GL as plain C functions: what wet-fur/core stands on, in browsers and Node.
 #include "web/Boundary.h"
 #include "furgen/FurVolume.h"
+#include "settings/Settings.h"
 #include "wet/WetnessMask.h"
 
 using namespace fur;
@@ -9,6 +10,8 @@ using web::guarded;
 using wet::WetnessMask;
 
 namespace {
+
+const bool describesFields = (settings::describeFieldsWith(settings::tooltipOf), true);
 
 template <class T>
 const void* bytesOf(const std::vector<T>& values, std::uint32_t& bytes) {

@@ -30,6 +30,9 @@ std::vector<EditorHost::Version> versions;  // those that were added and are not
 // This program saves, so its models are asked.
 const bool asksForLosses = (App::findLossesWith(scene::lostBySaving), true);
 
+// And has a panel.
+const bool describesFields = (settings::describeFieldsWith(settings::tooltipOf), true);
+
 std::string lines(const Warnings& list) {
   std::string out;
   for (const std::string& line : list) out += line + '\n';

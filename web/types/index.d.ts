@@ -229,7 +229,8 @@ export type SettingsField = {
   readonly label: string;
   readonly group: string;
   readonly unit: string;
-  readonly tooltip: string;
+  /** What the field does, in a line: from wet-fur/core, and while the editor is open. */
+  readonly tooltip?: string;
   /** Whether presets decide about it. */
   readonly coat: boolean;
 } & (
