@@ -132,6 +132,7 @@ void GroomPanel::drawMask(const EditorModel& model, settings::Settings& edited) 
 }
 
 void GroomPanel::drawSelection(const EditorModel& model, settings::Settings& edited) {
+  const std::size_t before = commands_.size();
   label("Mask");
   const int change = segments("maskChanges", {{"Grow", false}, {"Shrink", false}, {"Smooth", false}});
   constexpr GroomEdit kChanges[] = {GroomEdit::GrowMask, GroomEdit::ShrinkMask, GroomEdit::SmoothMask};
@@ -154,6 +155,9 @@ void GroomPanel::drawSelection(const EditorModel& model, settings::Settings& edi
   fillSlider("##longest", longest_, 0, 1, "%.2f", false);
   ImGui::SameLine(0, gap);
   if (ImGui::Button("Select##lengths", ImVec2(-1, 0))) edit(GroomEdit::SelectLength, 1, {shortest_, longest_, 0});
+  // The mask is shown to who is grooming.
+  const bool grooms = model.tool >= Tool::Comb && model.tool <= Tool::Mask;
+  if (commands_.size() > before && !grooms) commands_.push_back(command::SetTool{Tool::Mask});
 }
 
 void GroomPanel::drawWhiskers(const EditorModel& model, settings::Settings& edited) {

@@ -96,8 +96,17 @@ TEST(GroomPanel, FalloffAndMirrorAreSettings) {
   EXPECT_EQ(person.model.settings.mirror, 0);
 }
 
+TEST(GroomPanel, SelectingShowsTheMaskToThoseWhoDoNotGroomYet) {
+  Person person;
+  person.model.tool = Tool::Droplet;
+  person.press("selects", 2, "Type");
+  ASSERT_EQ(person.count<command::SetTool>(), 1);
+  EXPECT_EQ(std::get<command::SetTool>(person.commands.back()).tool, Tool::Mask);
+}
+
 TEST(GroomPanel, SelectionsAreEditsOrWaitForAClick) {
   Person person;
+  person.model.tool = Tool::Comb;
   const std::pair<const char*, GroomEdit> changes[] = {{"Grow", GroomEdit::GrowMask}, {"Shrink", GroomEdit::ShrinkMask}, {"Smooth", GroomEdit::SmoothMask}};
   for (int i = 0; i < 3; ++i) {
     person.press("maskChanges", i, changes[i].first);
