@@ -252,7 +252,7 @@ class App {
   void groomFromImage(groom::ImageOf what, int width, int height, std::span<const std::uint8_t> rgba);
   // The same by the name of its file: one that saveMaps() wrote goes back over the atlas, whatever `what` says.
   void groomFromFile(groom::ImageOf what, std::string_view name, int width, int height, std::span<const std::uint8_t> rgba);
-  // Length, types, paint, mask, comb (groom/MapPictures.h), wetness (grey, 255 is saturated) and the layout of the charts as
+  // Length, types, paint, mask, shape, comb (groom/MapPictures.h), wetness (grey, 255 is saturated) and the layout of the charts as
   // PNG files of the model's name, mapsName().
   std::vector<scene::NamedFile> saveMaps() const;
   std::string mapsName() const;

@@ -156,7 +156,7 @@ void GroomPanel::drawSelection(const EditorModel& model, settings::Settings& edi
   ImGui::SameLine(0, gap);
   if (ImGui::Button("Select##lengths", ImVec2(-1, 0))) edit(GroomEdit::SelectLength, 1, {shortest_, longest_, 0});
   // The mask is shown to who is grooming.
-  const bool grooms = model.tool >= Tool::Comb && model.tool <= Tool::Mask;
+  const bool grooms = model.tool >= Tool::Comb && model.tool <= Tool::Locks;
   if (commands_.size() > before && !grooms) commands_.push_back(command::SetTool{Tool::Mask});
 }
 
@@ -218,8 +218,8 @@ void GroomPanel::drawMap(const GroomView& groom) {
     ImGui::GetWindowDrawList()->AddLine(ImVec2(corner.x + line.x * side, corner.y + line.y * side),
                                         ImVec2(corner.x + line.z * side, corner.y + line.w * side), IM_COL32(255, 96, 0, 200));
   if (ImGui::Button("Save maps (.png)", ImVec2(-1, 0))) commands_.push_back(command::SaveMaps{});
-  hint("Length, types, paint, mask, comb, wetness and the outlines of the charts, for other programs. Opened here or dropped "
-       "on the model, length, types, paint and mask come back");
+  hint("Length, types, paint, mask, shape, comb, wetness and the outlines of the charts, for other programs. Opened here or dropped "
+       "on the model, the first five come back");
 }
 
 }  // namespace fur::editor

@@ -103,8 +103,8 @@ inline constexpr GroomMap Groom::*kMaps[] = {&Groom::map, &Groom::paint, &Groom:
 // Another size for all of them: nearest texels.
 void resize(Groom& groom, int size);
 
-// What an image that is painted onto the maps means, see paintFromImage() and readMapPicture(): the latter knows all four.
-enum class ImageOf { Length, Types, Paint, Mask };
+// What an image that is painted onto the maps means, see paintFromImage() and readMapPicture(): the latter knows them all.
+enum class ImageOf { Length, Types, Paint, Mask, Shape };
 
 // What the functions of this module know of the model. The map has the size of `atlas`.
 struct Ground {

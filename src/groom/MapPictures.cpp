@@ -12,7 +12,7 @@ namespace fur::groom {
 
 namespace {
 
-constexpr const char* kReadBack[] = {"length", "types", "paint", "mask"};  // in the order of ImageOf
+constexpr const char* kReadBack[] = {"length", "types", "paint", "mask", "shape"};  // in the order of ImageOf
 constexpr std::string_view kMark = "-map-";
 // The outlines' half width in texels, and their colour.
 constexpr float kHalfLine = 1.0f;
@@ -77,7 +77,7 @@ float distanceTo(const Vec2& at, const Vec2& a, const Vec2& b) {
 std::vector<MapPicture> mapPictures(const Groom& groom, const Ground& ground) {
   FUR_ASSERT(ground.atlas.size() == groom.map.size(), "groom::mapPictures()", "an atlas of the map's size", ground.atlas.size());
   return {channelsOf("length", groom.map, 0, 1), channelsOf("types", groom.map, 1, 3), channelsOf("paint", groom.paint, 0, 4),
-          channelsOf("mask", groom.mask, 3, 1), combPicture(groom, ground)};
+          channelsOf("mask", groom.mask, 3, 1), channelsOf("shape", groom.shape, 0, 3), combPicture(groom, ground)};
 }
 
 MapPicture layoutPicture(const geometry::Surface& surface, int size) {
@@ -117,7 +117,7 @@ void readMapPicture(ImageOf what, Groom& groom, int width, int height, std::span
   const std::size_t bytes = std::size_t{4} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   FUR_ASSERT(width > 0 && height > 0 && rgba.size() == bytes, "groom::readMapPicture()",
              "4 bytes for each of width * height texels", rgba.size());
-  GroomMap& map = what == ImageOf::Paint ? groom.paint : what == ImageOf::Mask ? groom.mask : groom.map;
+  GroomMap& map = what == ImageOf::Paint ? groom.paint : what == ImageOf::Mask ? groom.mask : what == ImageOf::Shape ? groom.shape : groom.map;
   const auto size = static_cast<std::size_t>(map.size());
   const auto nearest = [&](std::size_t texel, int side) { return (2 * texel + 1) * static_cast<std::size_t>(side) / (2 * size); };
   for (std::size_t i = 0; i < size * size; ++i) {
@@ -128,6 +128,10 @@ void readMapPicture(ImageOf what, Groom& groom, int width, int height, std::span
       case ImageOf::Types: std::copy_n(pixel, 3, &texel[1]); break;
       case ImageOf::Paint: std::copy_n(pixel, 4, &texel[0]); break;
       case ImageOf::Mask: texel[3] = brightness(pixel); break;
+      case ImageOf::Shape:
+        std::copy_n(pixel, 3, &texel[0]);
+        texel[3] = std::max(std::max(texel[0], texel[1]), texel[2]);
+        break;
     }
     map.set(static_cast<std::uint32_t>(i), texel);
   }

@@ -23,7 +23,8 @@ struct MapPicture {
 };
 
 // length: grey, 255 is the longest. types: red, green and blue are the presence of the types 2 to 4. paint: sRGB, alpha: how
-// much of it there is. mask: grey, 255 is protected. comb: red and green are the direction in which the fur leans, 0.5 + 0.5
+// much of it there is. mask: grey, 255 is protected. shape: red is
+// what brushes add in curl, green in frizz, blue in locks. comb: red and green are the direction in which the fur leans, 0.5 + 0.5
 // of its part along u (to the right in the picture) and along v (downwards), blue how far, as a share of kMaxComb; upright
 // is (128, 128, 0).
 std::vector<MapPicture> mapPictures(const Groom& groom, const Ground& ground);

@@ -43,9 +43,9 @@ enum Variant : unsigned {
   // Not of a view again.
   kBall = 1u << 25,         // GroundShadow, ShadowMap: the ball's in place of the model's
   kPolynomial = 1u << 26,   // Shell, Fin, Whisker, ShadowMap: strands bend as Sheppard has it
-  kViewLayout = 1u << 28,   // Skin
   kPainted = 1u << 27,      // Shell, Fin, Skin: somebody has painted them
   kShaped = 1u << 28,       // Shell, Fin: brushes have changed the shape of strands; groomed, too
+  kViewLayout = 1u << 29,   // Skin; of a view once more
 };
 
 class Programs {

@@ -19,7 +19,7 @@ constexpr LightRig kRigs[] = {
      "groundColor=#e0a080 backgroundTop=#4f5f8f backgroundBottom=#f2a86b"},
     {"overcast", "Overcast", "lightPitch=1.3 lightIntensity=0.35 keyColor=#e8f0ff ambient=0.8 backgroundTop=#a8b0b8 backgroundBottom=#d6d8d8"},
     {"backlit", "Backlit",
-     "lightFollowsCamera=1 lightYaw=2.8 lightPitch=0.5 lightIntensity=0.9 fillLight=0.15 rimLight=1.6 rimColor=#fff0d8 ambient=0.25 "
+     "lightFollowsCamera=1 lightYaw=2.8 lightPitch=0.5 lightIntensity=0.9 fillLight=0.3 rimLight=1.6 rimColor=#fff0d8 ambient=0.25 "
      "backgroundTop=#2b3138 backgroundBottom=#5a5f63"},
     {"night", "Night",
      "lightYaw=0.9 lightPitch=0.8 lightIntensity=0.5 keyColor=#9db8ff rimLight=0.7 rimColor=#8fb0ff ambient=0.4 skyColor=#6f86c8 "

@@ -294,15 +294,16 @@ TEST(EditorGroom, SavedMapsComeBackByTheNamesOfTheirFiles) {
   Studio studio;
   studio.app.groomAll(GroomEdit::Vary, 0.8f);
   studio.stroke(Tool::Paint, {70, 80}, {90, 80});
+  studio.stroke(Tool::Curl, {70, 100}, {90, 100});
   studio.stroke(Tool::Mask, {70, 50}, {90, 50});
   const groom::Groom before = studio.app.groom();
   const auto files = studio.app.saveMaps();
   std::vector<std::string> names;
   for (const auto& file : files) names.push_back(file.name);
   EXPECT_EQ(names, (std::vector<std::string>{"sphere-map-length.png", "sphere-map-types.png", "sphere-map-paint.png", "sphere-map-mask.png",
-                                             "sphere-map-comb.png", "sphere-map-wetness.png", "sphere-map-layout.png"}));
+                                             "sphere-map-shape.png", "sphere-map-comb.png", "sphere-map-wetness.png", "sphere-map-layout.png"}));
   studio.app.clearGroom();
-  for (std::size_t i = 0; i < 4; ++i) {
+  for (const std::size_t i : {0, 1, 2, 4, 3}) {
     auto image = native::decodeImage(files[i].bytes);
     ASSERT_TRUE(image) << files[i].name;
     // As somebody drops it: what it is asked to be is a length map.

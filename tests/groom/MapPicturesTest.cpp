@@ -17,6 +17,7 @@ Setting dressed() {
   paintType(one.groom, one.ground(), {{1, 0, 0}, {1, 0, 0}, 0.7f, 0.7f}, 2);
   paint(one.groom, one.ground(), {{0, 0, 1}, {0, 0, 1}, 0.7f, 0.6f}, 0x3080c0);
   protect(one.groom, one.ground(), {{0, 1, 0}, {0, 1, 0}, 0.6f, 0.8f});
+  for (std::uint32_t i = 0; i < one.groom.shape.texels().size(); i += 3) one.groom.shape.set(i, {static_cast<std::uint8_t>(i % 200), 17, 90, static_cast<std::uint8_t>(std::max(i % 200, 90u))});
   return one;
 }
 
@@ -42,7 +43,7 @@ TEST(MapPictures, WhatIsWrittenComesBackAsTheSameGroom) {
   const auto pictures = mapPictures(one.groom, one.ground());
   Setting other;
   for (const auto& [name, what] : {std::pair("length", ImageOf::Length), std::pair("types", ImageOf::Types),
-                                   std::pair("paint", ImageOf::Paint), std::pair("mask", ImageOf::Mask)}) {
+                                   std::pair("paint", ImageOf::Paint), std::pair("mask", ImageOf::Mask), std::pair("shape", ImageOf::Shape)}) {
     const MapPicture& picture = named(pictures, name);
     readMapPicture(what, other.groom, picture.size, picture.size, rgbaOf(picture));
   }

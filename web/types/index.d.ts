@@ -420,7 +420,7 @@ export interface WetFurApi {
   groom(edit: GroomEdit, value?: number, direction?: readonly [number, number, number]): Promise<void>;
   /**
    * An image in the model's texture coordinates: its brightness becomes the length of the fur. A File that the editor's "Save
-   * maps" wrote (length, types, paint or mask, by its name) goes back where it came from.
+   * maps" wrote (length, types, paint, mask or shape, by its name) goes back where it came from.
    */
   loadLengthMap(image: ModelBytes): Promise<void>;
   /** The same: red, green and blue become the presence of the fur types 2, 3 and 4. */
