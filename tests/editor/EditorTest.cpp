@@ -23,7 +23,7 @@ std::set<std::string> differences(const Settings& a, const Settings& b) {
 }
 
 TEST(Editor, EveryFieldOfTheTableHasAWidget) {
-  PanelDriver person({1280, 4600});
+  PanelDriver person({1280, 5200});
   person.openAllGroups();
   std::set<ImGuiID> hovered;
   for (const auto& [at, id] : person.sweep()) hovered.insert(id);
@@ -104,7 +104,7 @@ void expectToStayPut(PanelDriver& person, ImGuiID item) {
 }
 
 TEST(Editor, WhatTheProgramTellsMovesNoRow) {
-  PanelDriver tall({1280, 3600});
+  PanelDriver tall({1280, 4200});
   tall.openGroup("Groom");
   expectToStayPut(tall, tall.rowId("density", "##value"));
   PanelDriver low({1280, 1200});
