@@ -70,7 +70,8 @@ enum class GroomEdit {
   SelectPaint,      // value: tolerance; paint like that at the place `direction`
   GrowMask,         // value: model units
   ShrinkMask,
-  SmoothMask
+  SmoothMask,
+  ClearShape  // curls, frizz and locks of brushes
 };
 // "selectType"; one that is none of them gives none.
 std::optional<GroomEdit> groomEditNamed(std::string_view name);

@@ -296,8 +296,8 @@ void App::State::takeFur(const scene::FurData& fur) {
 
 std::optional<GroomEdit> groomEditNamed(std::string_view name) {
   constexpr std::string_view kNames[] = {"clear", "length", "invert", "vary", "type", "comb", "raise", "size", "paint", "clearPaint", "clearMask",
-                                         "invertMask", "selectConnected", "selectType", "selectLength", "selectPaint", "growMask", "shrinkMask", "smoothMask"};
-  static_assert(std::size(kNames) == static_cast<std::size_t>(GroomEdit::SmoothMask) + 1);
+                                         "invertMask", "selectConnected", "selectType", "selectLength", "selectPaint", "growMask", "shrinkMask", "smoothMask", "clearShape"};
+  static_assert(std::size(kNames) == static_cast<std::size_t>(GroomEdit::ClearShape) + 1);
   const auto found = std::find(std::begin(kNames), std::end(kNames), name);
   if (found == std::end(kNames)) return std::nullopt;
   return static_cast<GroomEdit>(found - std::begin(kNames));
@@ -334,8 +334,10 @@ void App::groomAll(GroomEdit edit, float value, const Vec3& direction) {
     case GroomEdit::GrowMask: groom::growMask(s.groom, ground, value); break;
     case GroomEdit::ShrinkMask: groom::shrinkMask(s.groom, ground, value); break;
     case GroomEdit::SmoothMask: groom::smoothMask(s.groom, ground, value); break;
+    case GroomEdit::ClearShape: s.groom.shape = groom::GroomMap(s.groom.map.size(), groom::GroomMap::kBlank); break;
   }
-  if (edit < GroomEdit::Size || edit == GroomEdit::Paint || edit == GroomEdit::ClearPaint) groom::keepProtected(s.groom, *s.groomBefore, ground);
+  if (edit < GroomEdit::Size || edit == GroomEdit::Paint || edit == GroomEdit::ClearPaint || edit == GroomEdit::ClearShape)
+    groom::keepProtected(s.groom, *s.groomBefore, ground);
   s.groomTouched();
   s.endGroomStroke();
 }

@@ -54,7 +54,7 @@ struct CoatView {
 
 // In the order of app::GroomEdit, which EditorHost checks.
 enum class GroomEdit { Clear, Length, Invert, Vary, Type, Comb, Raise, Size, Paint, ClearPaint, ClearMask, InvertMask,
-                       SelectConnected, SelectType, SelectLength, SelectPaint, GrowMask, ShrinkMask, SmoothMask };
+                       SelectConnected, SelectType, SelectLength, SelectPaint, GrowMask, ShrinkMask, SmoothMask, ClearShape };
 
 // What the next press on the model selects.
 enum class Selects { Nothing, Connected, Paint };

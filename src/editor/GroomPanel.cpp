@@ -77,6 +77,9 @@ void GroomPanel::drawBrush(const EditorModel& model, settings::Settings& edited)
   hint("Kinks strands");
   givesOrTakes("locks", Tool::Locks, "Gather locks", "Open locks", model, edited);
   hint("Gathers strands into pointed locks");
+  ImGui::Dummy(ImVec2(0, 0));
+  ImGui::SameLine(px(80));
+  if (segments("shapeAlls", {{"Clear curls, frizz and locks", false}}) == 0) edit(GroomEdit::ClearShape);
   slider("Size", "##groomSize", edited.brushRadius, "brushRadius");
   hint("[ and ] make it smaller and larger");
   slider("Strength", "##groomStrength", edited.groomStrength, "groomStrength");

@@ -104,6 +104,9 @@ TEST(EditorGroom, ShapesChangeStrandsWhereTheBrushWasAndGoByItAgain) {
     studio.app.setField("brushRadius", "0.5");
     studio.stroke(tool, {60, 80}, {100, 80});
     EXPECT_TRUE(studio.app.groom().shape.isPlain()) << static_cast<int>(tool);
+    EXPECT_TRUE(studio.app.undo());
+    studio.app.groomAll(GroomEdit::ClearShape);
+    EXPECT_TRUE(studio.app.groom().shape.isPlain()) << static_cast<int>(tool);
     EXPECT_EQ(studio.settled().differingShare(plain, 0), 0) << static_cast<int>(tool);
   }
 }

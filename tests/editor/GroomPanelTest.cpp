@@ -160,6 +160,8 @@ TEST(GroomPanel, WhatItDoesAllOverIsOneCommandEach) {
   EXPECT_EQ(person.only().edit, GroomEdit::InvertMask);
   person.press("maskAlls", 1, "Clear mask");
   EXPECT_EQ(person.only().edit, GroomEdit::ClearMask);
+  person.press("shapeAlls", 0, "Clear curls, frizz and locks");
+  EXPECT_EQ(person.only().edit, GroomEdit::ClearShape);
   person.press("sizes", 1, "512");
   edit = person.only();
   EXPECT_EQ(edit.edit, GroomEdit::Size);

@@ -7,8 +7,9 @@ import { gzipSync } from 'node:zlib';
 import { dist } from '../../tools/site.mjs';
 
 // Fur round hard edges took 8 KB of these; the way back to former models, painted coats, picking the coat's outside, the camera's
-// attributes and pictures refined in bands another 10.
-const budgetBytes = 270 * 1024;
+// attributes and pictures refined in bands another 10; strands that brushes have shaped, light rigs and water that looks like it
+// another 4, of which tooltips that only the editor shows gave 2 back.
+const budgetBytes = 274 * 1024;
 
 // The scripts that `entry` imports, at once or later, but for the editor's.
 function scriptsFrom(entry, seen = new Set()) {
@@ -21,7 +22,7 @@ function scriptsFrom(entry, seen = new Set()) {
   return seen;
 }
 
-test('the viewer downloads at most 270 KB, gzipped', (t) => {
+test('the viewer downloads at most 274 KB, gzipped', (t) => {
   const files = [...new Set(['index.js', 'element.js'].flatMap((entry) => [...scriptsFrom(entry)])), 'wet-fur.wasm'];
   const sizes = files.map((name) => [name, gzipSync(readFileSync(join(dist, name)), { level: 9 }).length]);
   const total = sizes.reduce((sum, [, size]) => sum + size, 0);

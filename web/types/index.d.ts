@@ -24,7 +24,7 @@ export type GroomType = '1' | '2' | '3' | '4';
 export type FurType = 'bald' | 'rabbit' | 'chinchilla' | 'curlyDog' | 'thickNylon' | 'fineSparse' | 'otter' | 'shortCat' | 'persian' | 'shag' | 'velvet' | 'wool';
 /** All over the model; see WetFurApi.groom. */
 export type GroomEdit = 'clear' | 'length' | 'invert' | 'vary' | 'type' | 'comb' | 'raise' | 'size' | 'paint' | 'clearPaint' | 'clearMask' | 'invertMask' |
-  'selectConnected' | 'selectType' | 'selectLength' | 'selectPaint' | 'growMask' | 'shrinkMask' | 'smoothMask';
+  'selectConnected' | 'selectType' | 'selectLength' | 'selectPaint' | 'growMask' | 'shrinkMask' | 'smoothMask' | 'clearShape';
 export type Quality = 'auto' | 'low' | 'medium' | 'high';
 export type Motion = 'auto' | 'full' | 'reduced';
 export type WheelManner = 'page' | 'focus' | 'zoom';

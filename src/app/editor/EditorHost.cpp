@@ -359,7 +359,7 @@ editor::EditorModel EditorHost::model() {
 // The map for people, while it is on the screen.
 void EditorHost::refreshGroom() {
   static_assert(static_cast<int>(editor::GroomEdit::Clear) == static_cast<int>(GroomEdit::Clear) &&
-                static_cast<int>(editor::GroomEdit::SmoothMask) == static_cast<int>(GroomEdit::SmoothMask));
+                static_cast<int>(editor::GroomEdit::ClearShape) == static_cast<int>(GroomEdit::ClearShape));
   if (!editor_.showsGroom()) {
     groomPicture_ = {};
     groomRevision_ = 0;
