@@ -99,7 +99,8 @@ export class Visit {
 
   #offer(text, label, action) {
     const box = this.#messages.offer(text, label, action);
-    this.#fur.addEventListener('stroke-start', () => box.remove(), { once: true });
+    // Who goes on working, or to another model, has answered.
+    for (const event of ['stroke-start', 'load']) this.#fur.addEventListener(event, () => box.remove(), { once: true });
   }
 
   #onFailure(reason) {

@@ -325,6 +325,7 @@ void App::groomAll(GroomEdit edit, float value, const Vec3& direction) {
     case GroomEdit::InvertMask: groom::invertMask(s.groom.mask); break;
     case GroomEdit::SelectConnected:
       if (const auto at = s.nearest(direction)) groom::selectConnected(s.groom, ground, at->triangle);
+      if (s.groom.mask.isPlain()) s.warnings.push_back("the whole model hangs together: all of it is selected, nothing is masked");
       break;
     case GroomEdit::SelectType: groom::selectType(s.groom, ground, static_cast<int>(glm::clamp(value, 1.0f, 4.0f))); break;
     case GroomEdit::SelectLength: groom::selectLength(s.groom, ground, direction.x, direction.y); break;

@@ -203,7 +203,7 @@ void GroomPanel::drawMap(const GroomView& groom) {
   ImGui::BeginDisabled(groom.plain);
   if (ImGui::Button("Clear", ImVec2(-1, 0))) edit(GroomEdit::Clear);
   ImGui::EndDisabled();
-  hint("Full length, one type, upright, no whiskers, no paint, no mask");
+  hint("All of the groom: full length, one type, upright, no whiskers, no paint, no mask, no curls, frizz or locks of brushes");
   std::snprintf(text, sizeof text, "Types %.0f, %.0f, %.0f, %.0f %%", static_cast<double>(groom.types[0]) * 100,
                 static_cast<double>(groom.types[1]) * 100, static_cast<double>(groom.types[2]) * 100,
                 static_cast<double>(groom.types[3]) * 100);

@@ -123,9 +123,9 @@ void PanelLayout::resizeSheet() {
   if (ImGui::IsItemActive() && held && dragged) wanted = atPress_ - ImGui::GetMouseDragDelta(0, 0).y;
   if (wanted != size.y) {
     collapsed_ = wanted < std::min(screen_.y * kLeastSheet, titleHeight() + px(64));
-    if (!*collapsed_) sheet_ = glm::clamp(wanted / screen_.y, kLeastSheet, kMostShare);
+    if (!collapsed_) sheet_ = glm::clamp(wanted / screen_.y, kLeastSheet, kMostShare);
   }
-  if (pressed && !dragged) collapsed_ = !collapsed();
+  if (pressed && !dragged) collapsed_ = !collapsed_;
   drawGrip(ImVec2(window.x + std::min(size.x * 0.5f, across - px(24)), window.y + px(6)), ImVec2(px(40), px(4)), lit);
   ImGui::RenderNavHighlight(ImRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax()), ImGui::GetItemID());
   ImGui::SetCursorPos(before);

@@ -2,7 +2,6 @@
 // the bottom; and the edge by which a person makes it larger. Both sizes can be kept as a text.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -29,7 +28,7 @@ class PanelLayout {
 
   bool narrow() const { return narrow_; }  // a sheet
   bool roomy() const { return roomy_; }    // high enough that pictures leave room for the settings below them
-  bool collapsed() const { return collapsed_.value_or(narrow_); }
+  bool collapsed() const { return collapsed_; }
   // Until set: closed to its title on narrow screens, else open.
   void setCollapsed(bool collapsed) { collapsed_ = collapsed; }
 
@@ -48,7 +47,7 @@ class PanelLayout {
   float mostWidth() const;
 
   float width_ = kWidth, sheet_ = kSheet;
-  std::optional<bool> collapsed_;
+  bool collapsed_ = false;
   bool narrow_ = false, roomy_ = false;
   float atPress_ = 0;  // the size that is dragged, in pixels, as it was when the drag began
   ImVec2 screen_{0, 0};
