@@ -21,6 +21,11 @@ test('in windows of every size the model is clear of the bar, and every control 
     const what = `${width} x ${height}`;
     await page.setViewportSize({ width, height });
     await untilStill(page);
+    const isInSight = await page.$eval('#editor', (button) => {
+      const { left, top, right, bottom } = button.getBoundingClientRect(), group = button.closest('.group').getBoundingClientRect();
+      return left >= group.left && right <= group.right + 1 && top >= group.top && bottom <= group.bottom + 1;
+    });
+    assert.ok(isInSight, `${what}: the editor is found without scrolling`);
     const list = await controls(page);
     assert.equal(list.length, 18, what);
     for (const one of list) {
@@ -53,7 +58,7 @@ test('in windows of every size the model is clear of the bar, and every control 
   assert.deepEqual(page.problems, []);
 });
 
-test('what opens beside the bar is on the screen', async () => {
+test('what opens beside the bar is on the screen, and leaves the bar free', async () => {
   const page = await site.open(`?${plain}&src=plane`, { viewport: { width: 1280, height: 800 } });
   for (const [width, height] of sizes) {
     await page.setViewportSize({ width, height });
@@ -62,7 +67,11 @@ test('what opens beside the bar is on the screen', async () => {
       await page.waitForFunction((id) => {
         const { left, top, right, bottom } = document.getElementById(id).getBoundingClientRect();
         const bar = document.elementsFromPoint((left + right) / 2, (top + bottom) / 2);
-        return left >= 0 && top >= 0 && right <= innerWidth && bottom <= innerHeight && bar[0].closest('.panel');
+        const isApart = [...document.querySelectorAll('#bar .group')].filter((group) => group.checkVisibility()).every((group) => {
+          const other = group.getBoundingClientRect();
+          return left >= other.right || right <= other.left || top >= other.bottom || bottom <= other.top;
+        });
+        return left >= 0 && top >= 0 && right <= innerWidth && bottom <= innerHeight && bar[0].closest('.panel') && isApart;
       }, panel);
       await page.keyboard.press('Escape');
       await page.waitForSelector(`#${panel}`, { state: 'hidden' });

@@ -173,11 +173,15 @@ test('a double click on a slider takes a number from the keyboard', async () => 
   assert.deepEqual(page.problems, []);
 });
 
-test('on a phone a double tap does, and the sheet is open at once', async () => {
+test('on a phone a double tap does, and the sheet, open at first, closes and opens by its title', async () => {
   const page = await site.open('?quality=low&layers=8&fins=0&src=sphere&editor=1&dryRate=0', { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
   await page.waitForFunction(() => wetFur.editorOpen);
   await untilStill(page);
   assert.equal(await panelWidth(page), '0px');
+  for (const title of [490, 820]) {
+    await page.touchscreen.tap(60, title);
+    await untilStill(page);
+  }
   const input = await page.context().newCDPSession(page);
   const press = async (y) => {
     let timestamp = Date.now() / 1000;
