@@ -136,7 +136,7 @@ const { right, up, back } = axesOf(bunnyView);
 const halfWet = {
   name: 'half-wet', shape: 'bunny',
   drops: () => soaking(2600, { radius: 0.05, wetness: 0.8 }, (at) => dot(at, right) > 0.04),
-  settings: bunnyCoat, camera: { ...bunnyView, distance: 2.6 },
+  settings: bunnyCoat, camera: { ...bunnyView, distance: 3.1 },
 };
 
 // Figure 6c: letters stamped as clumps. Strokes in a square of one unit each.
