@@ -4,6 +4,7 @@
 // is opened goes on with the newest record that no open tab holds, which a lock tells; one that is reloaded with its own.
 // A link that says what is to be seen begins a new record. The newest few stay.
 import { modelNames } from './models.js';
+import { newId, openDatabase, result, written } from './storage.js';
 
 const mostRecords = 4;
 const quietMilliseconds = 1000, latestMilliseconds = 5000;
@@ -11,25 +12,9 @@ const quietMilliseconds = 1000, latestMilliseconds = 5000;
 const driftMilliseconds = 15000;
 const sessionKey = 'wet-fur-record';
 
-const result = (request) => new Promise((resolve, reject) => {
-  request.onsuccess = () => resolve(request.result);
-  request.onerror = () => reject(request.error);
-});
-
-const written = (transaction) => new Promise((resolve, reject) => {
-  transaction.oncomplete = resolve;
-  transaction.onabort = () => reject(transaction.error ?? new Error('the browser gave up'));
-});
-
-async function openDatabase() {
-  const request = indexedDB.open('wet-fur', 1);
-  request.onupgradeneeded = () => {
-    request.result.createObjectStore('records', { keyPath: 'id' });
-    request.result.createObjectStore('models');  // as opened, by the record's id: written once, not with every change
-  };
-  const database = await result(request);
-  database.onversionchange = () => database.close();
-  return database;
+function makeStores(database) {
+  database.createObjectStore('records', { keyPath: 'id' });
+  database.createObjectStore('models');  // as opened, by the record's id: written once, not with every change
 }
 
 /** This tab's, which outlives a reload. */
@@ -50,7 +35,6 @@ const session = {
   },
 };
 
-const newId = () => `${Date.now().toString(36)}-${Math.random().toString(36).slice(2)}`;
 const lockName = (id) => `wet-fur-record ${id}`;
 
 /** Whether no tab holds it; with `holdOn` this one does from now on. */
@@ -124,7 +108,7 @@ export class Autosave {
   }
 
   async #open() {
-    this.#database ??= openDatabase();
+    this.#database ??= openDatabase('wet-fur', makeStores);
     try {
       return await this.#database;
     } catch (error) {

@@ -1,44 +1,32 @@
 // Scenes that a person keeps under names, in the browser's storage beside the records of autosave.js: for the editor.
-/** A database of its own: tabs of before go on with theirs. */
-const databaseName = 'wet-fur-versions';
+import { newId, openDatabase, result, written } from './storage.js';
+
 const stores = ['versions', 'documents', 'models'];
 
-const result = (request) => new Promise((resolve, reject) => {
-  request.onsuccess = () => resolve(request.result);
-  request.onerror = () => reject(request.error);
-});
-
-async function openDatabase() {
-  const request = indexedDB.open(databaseName, 1);
-  request.onupgradeneeded = () => {
-    request.result.createObjectStore('versions', { keyPath: 'id' });  // name, time, picture, modelId: what the list shows
-    request.result.createObjectStore('documents');  // by the version's id
-    request.result.createObjectStore('models');  // as opened, by what they hold: once for all their versions
-  };
-  const database = await result(request);
-  database.onversionchange = () => database.close();
-  return database;
+function makeStores(database) {
+  database.createObjectStore('versions', { keyPath: 'id' });  // name, time, picture, modelId: what the list shows
+  database.createObjectStore('documents');  // by the version's id
+  database.createObjectStore('models');  // as opened, by what they hold: once for all their versions
 }
+/** A database of its own: tabs of before go on with theirs. */
+const open = () => openDatabase('wet-fur-versions', makeStores);
 
 /** All of it is done or nothing. `work` is given the stores and may only await their requests. */
 async function change(work) {
-  const database = await openDatabase();
+  const database = await open();
   try {
     const transaction = database.transaction(stores, 'readwrite');
-    const written = new Promise((resolve, reject) => {
-      transaction.oncomplete = resolve;
-      transaction.onabort = () => reject(transaction.error ?? new Error('the browser gave up'));
-    });
-    written.catch(() => {});
+    const done = written(transaction);
+    done.catch(() => {});
     await work(Object.fromEntries(stores.map((name) => [name, transaction.objectStore(name)])));
-    await written;
+    await done;
   } finally {
     database.close();
   }
 }
 
 async function read(store, id) {
-  const database = await openDatabase();
+  const database = await open();
   try {
     const all = database.transaction(store).objectStore(store);
     return await result(id === undefined ? all.getAll() : all.get(id));
@@ -57,7 +45,6 @@ async function idOfModel({ name, bytes, files }) {
   return hashes.join(' ');
 }
 
-const newId = () => `${Date.now().toString(36)}-${Math.random().toString(36).slice(2)}`;
 const reason = (error) => (error.name === 'QuotaExceededError' ? 'the browser has no room left; deleting versions makes some' : error.message || error.name);
 
 export class Versions {
