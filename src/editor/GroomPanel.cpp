@@ -17,22 +17,14 @@ constexpr float kMaskStep = 0.03f;
 // A map of 256 texels at this size shows each as a pixel on most screens.
 constexpr float kMapSide = 160;
 
-void label(const char* text) {
-  ImGui::AlignTextToFramePadding();
-  ImGui::PushStyleColor(ImGuiCol_Text, color::kDim);
-  ImGui::TextUnformatted(text);
-  ImGui::PopStyleColor();
-  ImGui::SameLine(px(80));
-}
-
 void choice(const char* text, const char* id, int& value, const char* const (&names)[4]) {
-  label(text);
+  rowLabel(text);
   const int chosen = segments(id, {{names[0], value == 0}, {names[1], value == 1}, {names[2], value == 2}, {names[3], value == 3}});
   if (chosen >= 0) value = chosen;
 }
 
 void slider(const char* text, const char* id, float& value, const char* field) {
-  label(text);
+  rowLabel(text);
   ImGui::SetNextItemWidth(-1);
   const settings::Field& bounds = *settings::findField(field);
   fillSlider(id, value, static_cast<float>(bounds.low), static_cast<float>(bounds.high), "%.2f", false);
@@ -90,7 +82,7 @@ void GroomPanel::drawBrush(const EditorModel& model, settings::Settings& edited)
   hint("Brushes, also those with water, work on the other side of the model, too; X is left and right");
   slider("Cut to", "##cutLength", edited.cutLength, "cutLength");
   hint("What the brush Cut leaves of longer fur");
-  label("Type");
+  rowLabel("Type");
   const int type = segments("types", {{"1", edited.groomType == 0}, {"2", edited.groomType == 1},
                                       {"3", edited.groomType == 2}, {"4", edited.groomType == 3}});
   if (type >= 0) edited.groomType = type;
@@ -108,7 +100,7 @@ void GroomPanel::givesOrTakes(const char* id, Tool tool, const char* gives, cons
 
 void GroomPanel::drawPaint(const EditorModel& model, settings::Settings& edited) {
   givesOrTakes("paints", Tool::Paint, "Paint", "Erase paint", model, edited);
-  label("Colour");
+  rowLabel("Colour");
   const std::uint32_t rgb = edited.paintColor;
   float color[3] = {static_cast<float>(rgb >> 16 & 255u) / 255, static_cast<float>(rgb >> 8 & 255u) / 255, static_cast<float>(rgb & 255u) / 255};
   ImGui::SetNextItemWidth(-1);
@@ -136,11 +128,11 @@ void GroomPanel::drawMask(const EditorModel& model, settings::Settings& edited) 
 
 void GroomPanel::drawSelection(const EditorModel& model, settings::Settings& edited) {
   const std::size_t before = commands_.size();
-  label("Mask");
+  rowLabel("Mask");
   const int change = segments("maskChanges", {{"Grow", false}, {"Shrink", false}, {"Smooth", false}});
   constexpr GroomEdit kChanges[] = {GroomEdit::GrowMask, GroomEdit::ShrinkMask, GroomEdit::SmoothMask};
   if (change >= 0) edit(kChanges[change], kMaskStep);
-  label("Select");
+  rowLabel("Select");
   const Selects waits = model.groom.selects;
   const int chosen = segments("selects", {{"Connected", waits == Selects::Connected}, {"Paint", waits == Selects::Paint}, {"Type", false}});
   hint("The mask protects all else. Connected and Paint: then click on the model, on a part of it or on a colour (Esc: not). "
@@ -148,7 +140,7 @@ void GroomPanel::drawSelection(const EditorModel& model, settings::Settings& edi
   if (chosen == 0) commands_.push_back(command::SelectAt{waits == Selects::Connected ? Selects::Nothing : Selects::Connected});
   if (chosen == 1) commands_.push_back(command::SelectAt{waits == Selects::Paint ? Selects::Nothing : Selects::Paint});
   if (chosen == 2) edit(GroomEdit::SelectType, static_cast<float>(edited.groomType + 1));
-  label("Lengths");
+  rowLabel("Lengths");
   const float button = px(56), gap = px(3), width = (ImGui::GetContentRegionAvail().x - button - 2 * gap) * 0.5f;
   ImGui::SetNextItemWidth(width);
   fillSlider("##shortest", shortest_, 0, 1, "%.2f", false);
@@ -167,7 +159,7 @@ void GroomPanel::drawWhiskers(const EditorModel& model, settings::Settings& edit
   const int tool = segments("hairs", {{"Whisker", model.tool == Tool::Whisker}, {"Pluck", model.tool == Tool::Pluck}});
   if (tool >= 0) commands_.push_back(command::SetTool{tool == 0 ? Tool::Whisker : Tool::Pluck});
   hint("Press to plant one, drag to aim it; Pluck pulls out those under the brush. How they grow is set under Whiskers below");
-  label("Hairs");
+  rowLabel("Hairs");
   ImGui::SetNextItemWidth(-px(64));
   fillSlider("##whiskerHairs", edited.whiskerHairs, 1, 8);
   ImGui::SameLine(0, px(3));
@@ -175,7 +167,7 @@ void GroomPanel::drawWhiskers(const EditorModel& model, settings::Settings& edit
 }
 
 void GroomPanel::drawLengths() {
-  label("Length");
+  rowLabel("Length");
   const int share = segments("lengths", {{"Full", false}, {"3/4", false}, {"1/2", false}, {"1/4", false}, {"Bald", false}});
   if (share >= 0) edit(GroomEdit::Length, 1 - 0.25f * static_cast<float>(share));
   ImGui::Dummy(ImVec2(0, 0));
@@ -186,7 +178,7 @@ void GroomPanel::drawLengths() {
 }
 
 void GroomPanel::drawDirections() {
-  label("Comb all");
+  rowLabel("Comb all");
   const int way = segments("ways", {{"Down", false}, {"Back", false}, {"Up", false}, {"Upright", false}});
   constexpr float kWays[3][3] = {{0, -1, 0}, {0, -0.3f, -1}, {0, 1, 0}};
   if (way == 3) edit(GroomEdit::Raise);
@@ -208,7 +200,7 @@ void GroomPanel::drawMap(const GroomView& groom) {
                 static_cast<double>(groom.types[1]) * 100, static_cast<double>(groom.types[2]) * 100,
                 static_cast<double>(groom.types[3]) * 100);
   ImGui::TextDisabled("%s", text);
-  label("Map");
+  rowLabel("Map");
   const int size = segments("sizes", {{"256", groom.mapSize == 256}, {"512", groom.mapSize == 512}, {"1024", groom.mapSize == 1024}});
   if (size >= 0) edit(GroomEdit::Size, static_cast<float>(256 << size));
   shown_ = true;

@@ -14,14 +14,6 @@ namespace {
 
 constexpr float kQuickestTurn = 2, kSlowestTurn = 60;
 
-void label(const char* text) {
-  ImGui::AlignTextToFramePadding();
-  ImGui::PushStyleColor(ImGuiCol_Text, color::kDim);
-  ImGui::TextUnformatted(text);
-  ImGui::PopStyleColor();
-  ImGui::SameLine(px(80));
-}
-
 }  // namespace
 
 void PicturePanel::hint(const char* text) const {
@@ -58,7 +50,7 @@ void PicturePanel::drawSize(const PictureView& view) {
     case Size::Square: width_ = height_ = 2048; break;
     case Size::Own: break;
   }
-  label("Pixels");
+  rowLabel("Pixels");
   const float cross = ImGui::CalcTextSize("x").x + 2 * px(6), field = (ImGui::GetContentRegionAvail().x - cross) * 0.5f;
   ImGui::SetNextItemWidth(field);
   const bool wider = ImGui::InputInt("##pictureWidth", &width_, 0);
@@ -83,10 +75,10 @@ void PicturePanel::drawPicture(const PictureView& view) {
 }
 
 void PicturePanel::drawTurntable(const EditorModel& model) {
-  label("One turn");
+  rowLabel("One turn");
   ImGui::SetNextItemWidth(-1);
   fillSlider("##turnSeconds", secondsPerTurn_, kQuickestTurn, kSlowestTurn, "%.0f s", false);
-  label("Turns");
+  rowLabel("Turns");
   const int way = segments("turnWays", {{"Right", !leftwards_}, {"Left", leftwards_}});
   if (way >= 0) leftwards_ = way == 1;
   const float seconds = leftwards_ ? -secondsPerTurn_ : secondsPerTurn_;

@@ -140,6 +140,14 @@ int segmentRow(const char* id, std::initializer_list<Segment> choices, const Ico
 
 }  // namespace
 
+void rowLabel(const char* text) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::PushStyleColor(ImGuiCol_Text, color::kDim);
+  ImGui::TextUnformatted(text);
+  ImGui::PopStyleColor();
+  ImGui::SameLine(px(80));
+}
+
 bool iconButton(const char* id, Icon icon, const char* tooltip, bool enabled, float width) {
   const float height = ImGui::GetFrameHeight();
   if (width <= 0) width = height;

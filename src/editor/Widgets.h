@@ -21,6 +21,9 @@ struct Segment {
 int segments(const char* id, std::initializer_list<Segment> choices);
 int iconSegments(const char* id, std::initializer_list<Segment> choices, std::initializer_list<Icon> icons);
 
+// Dim, before what stands in the same row.
+void rowLabel(const char* text);
+
 // As ImGui's, with less padding beside the arrow. Buttons may be put on it.
 bool groupHeader(const char* label);
 
