@@ -38,6 +38,13 @@ std::uint8_t towards(std::uint8_t from, int to, float weight) {
   return static_cast<std::uint8_t>(from + static_cast<int>(step < 0.0f ? std::floor(step) : std::ceil(step)));
 }
 
+// Of Groom::shape: its last channel is the greatest of the others.
+GroomMap::Texel shapedTexel(GroomMap::Texel texel, std::size_t channel, std::uint8_t value) {
+  texel[channel] = value;
+  texel[3] = std::max({texel[0], texel[1], texel[2]});
+  return texel;
+}
+
 std::vector<std::uint32_t> trianglesUnder(const Ground& ground, const Brush& brush) {
   return usable(brush) ? ground.query.trianglesWithin(brush.centre, brush.radius) : std::vector<std::uint32_t>();
 }
@@ -248,20 +255,12 @@ bool unprotect(Groom& groom, const Ground& ground, const Brush& brush) {
 }
 
 bool addShape(Groom& groom, const Ground& ground, const Brush& brush, ShapeChannel channel) {
-  const auto change = [](GroomMap::Texel texel, float weight, std::uint32_t k) {
-    texel[k] = towards(texel[k], 255, weight);
-    texel[3] = std::max(texel[3], texel[k]);
-    return texel;
-  };
+  const auto change = [](GroomMap::Texel texel, float weight, std::uint32_t k) { return shapedTexel(texel, k, towards(texel[k], 255, weight)); };
   return dabTexels(groom, ground, brush, change, static_cast<std::uint32_t>(channel), &Groom::shape);
 }
 
 bool takeShape(Groom& groom, const Ground& ground, const Brush& brush, ShapeChannel channel) {
-  const auto change = [](GroomMap::Texel texel, float weight, std::uint32_t k) {
-    texel[k] = towards(texel[k], 0, weight);
-    texel[3] = std::max({texel[0], texel[1], texel[2]});
-    return texel;
-  };
+  const auto change = [](GroomMap::Texel texel, float weight, std::uint32_t k) { return shapedTexel(texel, k, towards(texel[k], 0, weight)); };
   return dabTexels(groom, ground, brush, change, static_cast<std::uint32_t>(channel), &Groom::shape);
 }
 
