@@ -111,6 +111,7 @@ void App::State::uploadScene() {
 void App::State::takeSurface(geometry::Surface built) {
   governor.forget();
   surface = std::move(built);
+  ++surfaceRevision;
   query = geometry::SurfaceQuery(surface);
   wetting.emplace(surface, mask.size());
   std::vector<Vec3> positions, normals;
@@ -230,6 +231,7 @@ void App::provideImage(int width, int height, std::vector<std::uint8_t> rgba) {
 
 const std::string& App::modelName() const { return state_->modelName; }
 const geometry::Surface& App::surface() const { return state_->surface; }
+std::uint64_t App::surfaceRevision() const { return state_->surfaceRevision; }
 
 // --- settings and state ------------------------------------------------------------------------
 

@@ -48,6 +48,7 @@ enum class Tool {
   Droplet, Dry, Rain, Hose, Towel, Dryer, Comb, Smooth, Raise, Trim, Grow, Type, Whisker, Pluck, Paint, Cut, Thin, Mask,
   Curl, Frizz, Locks, Pet, Ball, Grab, None
 };
+inline bool grooms(Tool tool) { return tool >= Tool::Comb && tool <= Tool::Locks; }
 
 // What groomAll() does all over the model. `value` is 0..1 unless it says otherwise.
 enum class GroomEdit {
@@ -128,6 +129,7 @@ class App {
   void provideImage(int width, int height, std::vector<std::uint8_t> rgba);
   const std::string& modelName() const;
   const geometry::Surface& surface() const;
+  std::uint64_t surfaceRevision() const;  // another one, above 0, whenever there is another surface
   // Names of what the model can play, one a line, for the setting `animation`, which counts from 1.
   std::string animations() const;
   // The model as .fo, with its fur coordinates at the repeat of the settings, lengths and types.

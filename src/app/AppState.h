@@ -31,7 +31,6 @@ inline constexpr float kDryerReach = 1.5f, kHoseReach = 0.5f;
 
 // All the time that it is held.
 inline bool goesOn(Tool tool) { return tool == Tool::Rain || tool == Tool::Hose || tool == Tool::Dryer; }
-inline bool grooms(Tool tool) { return tool >= Tool::Comb && tool <= Tool::Locks; }
 // A brush of dabs, of which one follows the other where it is held still: those to which that adds something.
 inline bool repeats(Tool tool) {
   return tool < Tool::Pet && !goesOn(tool) && tool != Tool::Comb && tool != Tool::Whisker && tool != Tool::Pluck;
@@ -71,6 +70,7 @@ struct App::State {
   std::string modelName;
   geometry::Mesh mesh;  // what the surface is made of, kept for another furMapping
   geometry::Surface surface;
+  std::uint64_t surfaceRevision = 0;
   geometry::SurfaceQuery query;
   std::optional<wet::SurfaceWetting> wetting;
   scene::EncodedImage pendingImage, sourceImage;  // to be decoded; decoded, kept for saving

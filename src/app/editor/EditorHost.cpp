@@ -246,8 +246,7 @@ bool EditorHost::resizeBrush(std::string_view name, bool down) {
   const std::size_t key = name.size() == 1 ? kKeys.find(name) : std::string_view::npos;
   if (key == std::string_view::npos) return false;
   if (!down) return true;
-  const bool grooms = app_.tool() >= Tool::Comb && app_.tool() <= Tool::Locks;
-  const char* field = key < 2 ? "brushRadius" : grooms ? "groomStrength" : "brushFlow";
+  const char* field = key < 2 ? "brushRadius" : grooms(app_.tool()) ? "groomStrength" : "brushFlow";
   settings::Settings next = app_.settings();
   Warnings ignored;  // the ends of the range are natural stops
   const settings::Field& changed = *settings::findField(field);
@@ -368,7 +367,7 @@ void EditorHost::refreshGroom() {
   if (groomRevision_ == app_.groomRevision()) return;
   groomRevision_ = app_.groomRevision();
   groomCoverage_ = app_.groomCoverage();
-  groomOutlines_ = geometry::atlasOutlines(app_.surface());
+  if (std::exchange(outlinesOf_, app_.surfaceRevision()) != app_.surfaceRevision()) groomOutlines_ = geometry::atlasOutlines(app_.surface());
   groomPicture_ = pictureTexture(app_.groomMap().size(), app_.groomMap().size(), gl::bytesOf(groom::picture(app_.groom())));
   ++picturesMade_;
 }

@@ -169,6 +169,7 @@ class EditorHost {
   gl::Texture groomPicture_;
   groom::Coverage groomCoverage_;
   std::vector<Vec4> groomOutlines_;
+  std::uint64_t outlinesOf_ = 0;  // the app's surfaceRevision()
   editor::Selects selects_ = editor::Selects::Nothing;  // what the next press on the model does
   std::uint64_t groomRevision_ = 0;  // of these two; 0: none
   std::uint64_t picturesMade_ = 0;
