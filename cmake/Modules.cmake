@@ -31,6 +31,8 @@ fur_library(fur_settings src/settings fur_core)
 set(FUR_FIELDS fur_geometry fur_settings)
 fur_library(fur_furgen src/furgen ${FUR_FIELDS})
 fur_library(fur_wet src/wet ${FUR_FIELDS})
+# Constants that shaders have as well (shared/Wet.h).
+target_include_directories(fur_wet PUBLIC "${CMAKE_SOURCE_DIR}/shaders/es3")
 fur_library(fur_dynamics src/dynamics ${FUR_FIELDS})
 fur_library(fur_groom src/groom ${FUR_FIELDS} fur_dynamics)
 fur_library(fur_hair src/hair ${FUR_FIELDS})

@@ -12,7 +12,7 @@ const importers = ['scene/import', 'scene/export'];
 
 // Zone (the longest folder that holds a file) -> what it may include beyond itself. `imgui`, `gles`,
 // `egl`, `glfw`, `emscripten` stand for headers of others, `gltf` for those that only tests use; `shared`
-// for the shader contract.
+// for the shader contract. What ends in `.h` is that header alone.
 export const arrows = {
   'src/core': [],
   'src/geometry': ['core'],
@@ -20,7 +20,7 @@ export const arrows = {
   'src/furgen': fields,
   // A comb is a rest of its bends, and whiskers lean by its law.
   'src/groom': [...fields, 'dynamics'],
-  'src/wet': fields,
+  'src/wet': [...fields, 'shared/Wet.h'],
   'src/dynamics': fields,
   'src/hair': fields,
   'src/scene': [...pure, ...importers],
@@ -85,7 +85,7 @@ export function violationsIn(path, text) {
     if (!match) return;
     const included = match[1];
     const target = included.startsWith('..') ? included : outside.find(([pattern]) => pattern.test(included))?.[1] ?? targetOf(included, ownNames);
-    if (target === undefined || target === own || allowed.includes(target)) return;
+    if (target === undefined || target === own || allowed.includes(target) || allowed.includes(included)) return;
     found.push({ line: index + 1, what: `includes ${included}`, allowed });
   });
   codeOnly(text).split('\n').forEach((line, index) => {

@@ -1,4 +1,5 @@
 // Wet clumps (Silva et al. 2010, Eq. 1 and Algorithm 2), the inverse taken exactly. C++ twin: wet/Clump.h.
+#include "shared/Wet.h"
 
 // ln x for x > 0 within 1.2e-5. GPUs may be a thousandth off in log(), and a clump magnifies that tenfold.
 float naturalLog(float x) {

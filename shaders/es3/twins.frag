@@ -12,6 +12,9 @@
 #include "common_furshadow.glsl"
 #include "common_types.glsl"
 out vec4 fragColor;
+#if FUNCTION >= 24
+uniform sampler2D mask;
+#endif
 
 vec3 onCircle(float angle) { return vec3(sin(angle), 0.0, cos(angle)); }
 
@@ -60,6 +63,18 @@ void main() {
   float value = 0.25 * (mirrored.x + mirrored.y);
 #elif FUNCTION == 17
   float value = lieOf(vec2(0.0, at.x), at.y, sheetOf(at.y)).y;
+#elif FUNCTION == 24
+  float value = clumpAt(mask, at).x;
+#elif FUNCTION == 25
+  float value = chartOf(maskAt(mask, at)) / (FUR_CHART_STEP * float(FUR_CHART_NUMBERS));
+#elif FUNCTION == 26
+  vec4 texel = maskAt(mask, at);
+  texel.x -= FUR_CHART_STEP * 5.5;  // of chart 5
+  float value = float(isBeside(texel));
+#elif FUNCTION == 27
+  float value = heldAround(mask, at);
+#elif FUNCTION == 28
+  float value = sheetOf(clumpAt(mask, at).a);
 #elif FUNCTION == 12
   float value = standsUpTo(at.x, mix(0.5, 1.0, at.y));
 #elif FUNCTION == 11

@@ -92,10 +92,14 @@ void App::setFieldOfView(float radians) {
   state_->pictureChanged = true;
 }
 
+void App::State::uploadMask(const wet::TexelRect& changed) {
+  renderer->updateMask(wet::encodeMask(mask, changed, {wetting->chartOfTexel(), wetting->atlas().triangleOf()}));
+}
+
 void App::State::uploadScene() {
   renderer->setSurface(surface, pose ? std::span<const Vec3>(firstTangents) : std::span<const Vec3>());
   renderer->setBaseColor(imageWidth, imageHeight, image);
-  renderer->updateMask(mask, {0, 0, mask.size(), mask.size()}, wetting->chartOfTexel(), wetting->atlas().triangleOf());
+  uploadMask({0, 0, mask.size(), mask.size()});
   uploadBends();
   uploadGroom({0, 0, groom.map.size(), groom.map.size()});
   uploadPaint({0, 0, groom.map.size(), groom.map.size()});
@@ -509,7 +513,7 @@ Status App::State::drawBand(int level, int band, int bands) {
   refreshGroom();
   if (!coatUploaded) finishCoat();
   chooseSlabs();
-  for (const wet::TexelRect& part : mask.takeChangedParts()) renderer->updateMask(mask, part, wetting->chartOfTexel(), wetting->atlas().triangleOf());
+  for (const wet::TexelRect& part : mask.takeChangedParts()) uploadMask(part);
   readPuddles();
   render::Frame f = frame(level);
   f.band = band;

@@ -19,6 +19,7 @@
 #include "groom/Groom.h"
 #include "render/Renderer.h"
 #include "scene/Pose.h"
+#include "wet/MaskEncoding.h"
 #include "wet/SurfaceWetting.h"
 #include "wet/Water.h"
 #include "wet/WetnessMask.h"
@@ -208,6 +209,7 @@ struct App::State {
   void leaveBroughtLook();
   void takeSurface(geometry::Surface built);
   geometry::FurMapping mapping() const { return static_cast<geometry::FurMapping>(settings.furMapping); }
+  void uploadMask(const wet::TexelRect& changed);
   void uploadScene();
   void settleBends();
   bool showsForces() const { return static_cast<render::View>(settings.view) == render::View::Forces; }

@@ -19,7 +19,7 @@
 #include "render/SmallPicture.h"
 #include "render/StrandTables.h"
 #include "render/Whiskers.h"
-#include "wet/SurfaceWetting.h"
+#include "wet/MaskTexels.h"
 
 namespace fur::render {
 
@@ -41,11 +41,8 @@ class Renderer {
   void showFur(std::span<const float> densities);
   // Straight RGBA8 in sRGB. {} makes it white.
   void setBaseColor(int width, int height, std::span<const std::uint8_t> rgba);
-  // Uploads only `changed` (the whole mask after a change of size).
-  // Of every texel, `charts`: with gutters (SurfaceWetting), so that rays know when they leave one; `triangles`: without
-  // (AtlasTexels), as gutters say nothing about the water round them.
-  void updateMask(const wet::WetnessMask& mask, const wet::TexelRect& changed, std::span<const std::uint16_t> charts,
-                  std::span<const std::uint32_t> triangles);
+  // A mask of another size than the one before comes whole.
+  void updateMask(const wet::MaskTexels& mask);
   void updateBends(std::span<const Vec4> bends);  // w: length of the fur there, a share; for View::Forces the forces
   // The same for the groom's map of lengths and types, and for its paint.
   void updateGroom(const groom::GroomMap& map, const geometry::TexelRect& changed);

@@ -10,7 +10,6 @@
 #include "geometry/Weld.h"
 #include "render/Renderer.h"
 #include "shared/Blocks.h"
-#include "wet/Clump.h"
 
 namespace fur::render {
 
@@ -219,106 +218,16 @@ void Renderer::setBaseColor(int width, int height, std::span<const std::uint8_t>
   uploadedBytes_ += baseColor_.bytes();
 }
 
-namespace {
-
-// How many texels about a texel say how wet it is shown, at most.
-constexpr int kMostSoftened = 12;
-// So far round a texel water evens out, and what stands above the fur: between the locks it is uneven.
-constexpr int kEvened = 4, kEvenedAbove = 2;
-// So far from the charts texels still know of their water, for what is looked up between texels.
-constexpr int kBesideCharts = 3;
-
-// How much water stands on the triangles of a rectangle, summed up from its corner, so that the mean of any part of it is
-// four look-ups.
-class WaterSums {
- public:
-  WaterSums(const wet::WetnessMask& mask, const wet::TexelRect& rect, std::span<const std::uint32_t> triangles)
-      : rect_(rect), width_(rect.x1 - rect.x0 + 1), sums_(static_cast<std::size_t>(width_ * (rect.y1 - rect.y0 + 1))) {
-    for (int y = rect.y0; y < rect.y1; ++y) {
-      Sum row;
-      for (int x = rect.x0; x < rect.x1; ++x) {
-        const auto i = static_cast<std::size_t>(y * mask.size() + x);
-        if (triangles[i] != geometry::kNoTriangle) {
-          const float all = mask.texels()[i].w + mask.filmAt(i);
-          ++row.texels;
-          row.held += static_cast<std::uint32_t>(255 * std::min(all, 1.0f));
-          row.above += static_cast<std::uint32_t>(255 * glm::clamp(all - 1, 0.0f, kMostAbove));
-        }
-        const Sum& above = at(x + 1, y);
-        at(x + 1, y + 1) = {above.texels + row.texels, above.held + row.held, above.above + row.above};
-      }
-    }
-  }
-  // 0..1 of the square that reaches so far round the texel, as far as it lies in the rectangle; `none` where no triangle does.
-  float held(int x, int y, int reach, float none) {
-    const Sum sum = around(x, y, reach);
-    return sum.texels ? static_cast<float>(sum.held) / (255.0f * static_cast<float>(sum.texels)) : none;
-  }
-  // Likewise what there is of it above 1.
-  float above(int x, int y, int reach) {
-    const Sum sum = around(x, y, reach);
-    return static_cast<float>(sum.above) / (255.0f * static_cast<float>(std::max(sum.texels, 1u)));
-  }
-
- private:
-  static constexpr float kMostAbove = 1.0f;
-  struct Sum {
-    std::uint32_t texels = 0, held = 0, above = 0;
-  };
-  Sum around(int x, int y, int reach) {
-    const int x0 = std::max(x - reach, rect_.x0), x1 = std::min(x + reach + 1, rect_.x1);
-    const int y0 = std::max(y - reach, rect_.y0), y1 = std::min(y + reach + 1, rect_.y1);
-    const Sum &a = at(x0, y0), &b = at(x1, y0), &c = at(x0, y1), &d = at(x1, y1);
-    return {d.texels - b.texels - c.texels + a.texels, d.held - b.held - c.held + a.held, d.above - b.above - c.above + a.above};
-  }
-  Sum& at(int x, int y) { return sums_[static_cast<std::size_t>((y - rect_.y0) * width_ + x - rect_.x0)]; }
-
-  wet::TexelRect rect_;
-  int width_;
-  std::vector<Sum> sums_;
-};
-
-wet::TexelRect widened(const wet::TexelRect& rect, int by, int size) {
-  return {std::max(rect.x0 - by, 0), std::max(rect.y0 - by, 0), std::min(rect.x1 + by, size), std::min(rect.y1 + by, size)};
-}
-
-}  // namespace
-
-void Renderer::updateMask(const wet::WetnessMask& mask, const wet::TexelRect& changed, std::span<const std::uint16_t> charts,
-                          std::span<const std::uint32_t> triangles) {
-  const int size = mask.size();
-  wet::TexelRect rect = changed;
-  if (mask_.shape().width != size || mask_.shape().format != gl::TexelFormat::RGBA32F) {
-    mask_ = gl::Texture({gl::TexelFormat::RGBA32F, size, size, 0, gl::Filter::Nearest, false}, {});
-    rect = {0, 0, size, size};
-  }
+void Renderer::updateMask(const wet::MaskTexels& mask) {
+  const geometry::TexelRect& rect = mask.rect;
   if (rect.empty()) return;
-  rect = widened(rect, kMostSoftened, size);
-  WaterSums water(mask, widened(rect, kMostSoftened, size), triangles);
-  const int width = rect.x1 - rect.x0, height = rect.y1 - rect.y0;
-  std::vector<Vec4> texels;
-  texels.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  for (int y = rect.y0; y < rect.y1; ++y)
-    for (int x = rect.x0; x < rect.x1; ++x) {
-      const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(size) + static_cast<std::size_t>(x);
-      Vec4& texel = texels.emplace_back(0, 0, 0, -1 - water.held(x, y, kBesideCharts, 0));
-      if (charts[i] == wet::SurfaceWetting::kNoChart) continue;
-      texel = mask.texels()[i];
-      texel.x += static_cast<float>(FUR_CHART_STEP) * (static_cast<float>(charts[i] % FUR_CHART_NUMBERS) + 0.5f);
-      if (texel.w <= 0) continue;
-      // What stands on wet fur adds to what the fur holds. Rows of texels that the flow has missed are as wet as those round
-      // them: a step from texel to texel would be a crack in the sheet. Towards dry fur water runs out over most of a lock, as strands of
-      // both sides touch; and over many more a sheet parts into locks again, the water above it first. A streak is no sheet.
-      const float all = std::max(texel.w + mask.filmAt(i), water.held(x, y, kEvened, 0)), held = std::min(all, 1.0f);
-      const int reach = static_cast<int>(std::clamp(0.6f * texel.z * static_cast<float>(size), 1.0f, float{kMostSoftened}));
-      const float inside = std::clamp(2.4f * water.held(x, y, reach, held) / held - 1.1f, 0.05f, 1.0f);
-      texel.w = inside * (2 - inside) * held;
-      if (texel.w <= FUR_SHEET_FROM) continue;
-      const float wide = saturate(2.2f * water.held(x, y, kMostSoftened, held) / held - 1.1f);
-      texel.w = glm::mix(static_cast<float>(FUR_SHEET_FROM), texel.w, wide) + wide * wide * water.above(x, y, kEvenedAbove);
-    }
-  mask_.update(rect.x0, rect.y0, width, height, gl::bytesOf(texels), 0);
-  uploadedBytes_ += texels.size() * sizeof(Vec4);
+  if (mask_.shape().width != mask.size || mask_.bytes() == 0) {
+    const geometry::TexelRect whole{0, 0, mask.size, mask.size};
+    FUR_ASSERT(rect == whole, "Renderer::updateMask()", "the whole of a mask of another size", mask.texels.size());
+    mask_ = gl::Texture({gl::TexelFormat::RGBA32F, mask.size, mask.size, 0, gl::Filter::Nearest, false}, {});
+  }
+  mask_.update(rect.x0, rect.y0, rect.x1 - rect.x0, rect.y1 - rect.y0, gl::bytesOf(mask.texels), 0);
+  uploadedBytes_ += mask.texels.size() * sizeof(Vec4);
 }
 
 void Renderer::showPuddles(std::span<const std::uint8_t> cells, std::uint32_t revision) {

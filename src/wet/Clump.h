@@ -9,16 +9,17 @@
 #include <cmath>
 
 #include "core/Math.h"
+#include "shared/Wet.h"
 
 namespace fur::wet {
 
 // Soaked clumps close into a sheet: from this wetness on, strands are drawn together by so much less. Sheets and
 // saturated locks stand by so much lower.
-inline constexpr float kSheetFrom = 0.85f, kSheetOpens = 0.85f, kSheetSinks = 0.5f, kLocksSink = 0.3f;
+inline constexpr float kSheetFrom = FUR_SHEET_FROM, kSheetOpens = FUR_SHEET_OPENS, kSheetSinks = FUR_SHEET_SINKS, kLocksSink = FUR_LOCKS_SINK;
 
 // No strand is pulled nearer to its clump's centre than this share of its way: at 1 every root of
 // the clump would stand on one point, and the way back from that point is lost (s / (1 - s)).
-inline constexpr float kMaxPull = 0.92f;
+inline constexpr float kMaxPull = FUR_MAX_SHIFT;
 
 // f(h) = (1 - w) h + w (1 + ln h / ln N), h clamped to [1/N, 1]. f(1/N) = (1 - w)/N, f(1) = 1,
 // monotone. One layer is the tip alone: 1.
@@ -39,7 +40,7 @@ inline float clumpPull(float h, float w, float layers, float rho) {
 
 // The wetness that a clump of that radius (fur lengths) can draw its strands together by: none is drawn further aside than
 // it is long.
-inline constexpr float kMostAside = 0.7f;
+inline constexpr float kMostAside = FUR_MOST_ASIDE;
 inline float drawnBy(float rho, float radius) { return std::min(rho, kMostAside / std::max(radius, 1e-6f)); }
 
 // How far along a strand of constant length a point at height h lies that has been drawn `aside`, both in fur lengths:
@@ -48,7 +49,7 @@ inline float alongStrand(float h, float aside) { return std::sqrt(h * h + aside 
 
 // How much shorter a strand of a lock looks; `outward`: of its root from the middle, 1 at the rim, squared. Water holds
 // the outer ones to the middle by their sides, their tips further down: that, too, points it.
-inline constexpr float kPoints = 0.7f;
+inline constexpr float kPoints = FUR_POINTS;
 inline float pointsOf(float rho, float sheet, float outward) {
   return 1.0f + kPoints * std::min(rho, 1.0f) * (1.0f - sheet) * std::min(outward, 1.0f);
 }

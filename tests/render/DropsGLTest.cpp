@@ -8,6 +8,7 @@
 #include "geometry/Surface.h"
 #include "render/Renderer.h"
 #include "tests/render/Picture.h"
+#include "wet/MaskEncoding.h"
 
 namespace fur::render {
 namespace {
@@ -28,8 +29,9 @@ struct Scene {
     gl::rememberPlatformFramebuffer();
     renderer.emplace(std::move(Renderer::create().value()));
     renderer->setSurface(geometry::buildSurface(geometry::makeSphere()).value());
-    const wet::WetnessMask dry(16);
-    renderer->updateMask(dry, {0, 0, 16, 16}, std::vector<std::uint16_t>(16 * 16, 0), std::vector<std::uint32_t>(16 * 16, 0));
+    const std::vector<std::uint16_t> charts(16 * 16, 0);
+    const std::vector<std::uint32_t> triangles(16 * 16, 0);
+    renderer->updateMask(wet::encodeMask(wet::WetnessMask(16), {0, 0, 16, 16}, {charts, triangles}));
     frame.camera = {Vec3(0, 0.6f, 6), Vec3(0), 0.6f};
     frame.width = frame.height = kSide;
     frame.settings.backgroundTop = 0x2040a0;

@@ -8,11 +8,16 @@ import { arrows, checkTree, violationsIn } from '../../tools/check-arrows.mjs';
 const whats = (path, text) => violationsIn(path, text).map(({ line, what }) => `${line} ${what}`);
 
 test('an include along an arrow passes, one against it is named with its line and what is allowed', () => {
-  assert.deepEqual(whats('src/wet/A.cpp', '#include "geometry/Mesh.h"\n#include "wet/B.h"\n#include <vector>\n'), []);
-  const [found] = violationsIn('src/wet/A.cpp', '#include <vector>\n#include "furgen/FurVolume.h"\n');
+  assert.deepEqual(whats('src/hair/A.cpp', '#include "geometry/Mesh.h"\n#include "hair/B.h"\n#include <vector>\n'), []);
+  const [found] = violationsIn('src/hair/A.cpp', '#include <vector>\n#include "furgen/FurVolume.h"\n');
   assert.equal(found.line, 2);
   assert.match(found.what, /furgen\/FurVolume\.h/);
   assert.deepEqual(found.allowed, ['core', 'geometry', 'settings']);
+});
+
+test('an arrow may lead to one header alone', () => {
+  assert.deepEqual(whats('src/wet/A.cpp', '#include "shared/Wet.h"'), []);
+  assert.equal(whats('src/wet/A.cpp', '#include "shared/Blocks.h"').length, 1);
 });
 
 test('core uses nothing, and no pure module sees gl, render or app', () => {

@@ -133,21 +133,6 @@ FUR_BLOCK(FurBlock) {
 #define FUR_MOST_STEPS 128
 // Bends are stored this many to a row.
 #define FUR_BEND_ROW 1024
-// s stays below this: at s = 1 every strand would end in one point (Clump.h has the same).
-#define FUR_MAX_SHIFT 0.92
-// Soaked clumps close into a sheet from this water on; then strands are drawn together by so much less. Sheets and
-// saturated locks stand by so much lower (Clump.h has the same).
-#define FUR_SHEET_FROM 0.85
-#define FUR_SHEET_OPENS 0.85
-#define FUR_SHEET_SINKS 0.5
-#define FUR_LOCKS_SINK 0.3
-#define FUR_MOST_ASIDE 0.7
-// The strands at the rim of a lock seem so much shorter (Clump.h has the same).
-#define FUR_POINTS 0.7
-// The mask's texels tell their chart beside their clump's centre: u is stored with FUR_CHART_STEP times the chart's number,
-// and as much more as keeps it positive where the centre lies beside the atlas. Numbers go round after FUR_CHART_NUMBERS.
-#define FUR_CHART_STEP 4.0
-#define FUR_CHART_NUMBERS 64
 // Pixels along the square that the twin tests evaluate.
 #define FUR_TWIN_SIZE 33
 // A fin shows where (n1.v)(n2.v) is below the first (opacity rises from there to 1 edge-on), and where
