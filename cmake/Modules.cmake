@@ -9,7 +9,7 @@ target_compile_options(fur_options INTERFACE -Wall -Wextra -Wpedantic -Werror)
 target_link_libraries(fur_options INTERFACE third_party_headers)
 
 # fur_library(<target> <sources of> <linked>...): every .cpp below a folder, as a static library; as
-# an interface library while the folder has none. EXCEPT names a subfolder that belongs to another target.
+# an interface library while the folder has none. EXCEPT matches subfolders that belong to other targets.
 function(fur_library target folder)
   cmake_parse_arguments(arg "" "EXCEPT" "" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/${folder}/*.cpp")
@@ -26,6 +26,7 @@ function(fur_library target folder)
 endfunction()
 
 fur_library(fur_core src/core)
+fur_library(fur_tools src/app/tools fur_core)
 fur_library(fur_geometry src/geometry fur_core)
 fur_library(fur_settings src/settings fur_core)
 set(FUR_FIELDS fur_geometry fur_settings)
@@ -37,7 +38,7 @@ fur_library(fur_dynamics src/dynamics ${FUR_FIELDS})
 fur_library(fur_groom src/groom ${FUR_FIELDS} fur_dynamics)
 fur_library(fur_hair src/hair ${FUR_FIELDS})
 fur_library(fur_scene src/scene fur_furgen fur_groom fur_wet fur_dynamics fur_hair)
-set(FUR_PURE_MODULES fur_core fur_geometry fur_settings fur_furgen fur_groom fur_wet fur_dynamics fur_hair fur_scene)
+set(FUR_PURE_MODULES fur_core fur_tools fur_geometry fur_settings fur_furgen fur_groom fur_wet fur_dynamics fur_hair fur_scene)
 
 if(NOT EMSCRIPTEN)
   # The reference renderer: minutes of several threads, nothing for a web page.
@@ -72,10 +73,10 @@ if(TARGET third_party_gles)
 
   fur_library(fur_gl src/gl fur_core third_party_gles)
   fur_library(fur_render src/render fur_scene fur_gl fur_shader_sources)
-  fur_library(fur_app src/app fur_render EXCEPT editor)
+  fur_library(fur_app src/app fur_tools fur_render EXCEPT "(editor|tools)")
   if(TARGET imgui)
     include(EditorFont)
-    fur_library(fur_editor src/editor fur_scene imgui fur_editor_font)
+    fur_library(fur_editor src/editor fur_tools fur_scene imgui fur_editor_font)
     fur_library(fur_app_editor src/app/editor fur_app fur_editor imgui_opengl3)
   endif()
 endif()
@@ -92,7 +93,7 @@ if(EMSCRIPTEN)
     endif()
   endforeach()
   # These have no loops over vertices or texels.
-  foreach(module settings gl app)
+  foreach(module settings gl tools app)
     if(TARGET fur_${module})
       target_compile_options(fur_${module} PRIVATE "$<$<CONFIG:Release>:-Oz>")
     endif()

@@ -28,9 +28,11 @@ export const arrows = {
   'src/truth': [...fields, 'furgen', 'dynamics', 'hair', 'shared'],
   'src/gl': ['core', 'gles', 'emscripten'],
   'src/render': [...pure, 'gl', 'shared'],
-  'src/editor': ['core', 'settings', 'scene', 'imgui'],
-  'src/app': [...pure, ...importers, 'gl', 'render'],
-  'src/app/editor': [...pure, ...importers, 'gl', 'render', 'editor', 'app', 'imgui'],
+  // The table of tools, which the panel reads as well as the app.
+  'src/app/tools': ['core'],
+  'src/editor': ['core', 'settings', 'scene', 'app/tools', 'imgui'],
+  'src/app': [...pure, ...importers, 'gl', 'render', 'app/tools'],
+  'src/app/editor': [...pure, ...importers, 'gl', 'render', 'editor', 'app', 'app/tools', 'imgui'],
   // wet-fur/core offers the pure modules by themselves, without an app around them.
   'web': ['app', ...pure, 'emscripten'],
   'web/core': [...pure, 'emscripten', 'web'],

@@ -130,9 +130,11 @@ FUR_EXPORT const char* fur_takeWarnings(App* app) {
 
 // --- water ---
 
-// The number of an app::Tool.
-FUR_EXPORT void fur_setTool(App* app, int tool) { app->setTool(static_cast<app::Tool>(tool)); }
-FUR_EXPORT int fur_getTool(App* app) { return static_cast<int>(app->tool()); }
+// A name that is none changes nothing.
+FUR_EXPORT void fur_setTool(App* app, const char* name) {
+  if (const auto tool = app::toolNamed(name)) app->setTool(*tool);
+}
+FUR_EXPORT const char* fur_getTool(App* app) { return web::text(std::string(app::nameOf(app->tool()))); }
 FUR_EXPORT void fur_splashAt(App* app, float u, float v, float radius, float amount) {
   app->splashAt(u, v, radius, amount);
 }

@@ -1,9 +1,5 @@
 // app/App.h as JavaScript methods: one handle in one Program. Positions are pixels of the drawing buffer.
 
-import { choices } from './options.js';
-
-// In the order of app::Tool.
-const tools = choices.tool;
 export const phases = ['down', 'move', 'up', 'cancel'];
 export const pointerKinds = ['mouse', 'touch', 'pen'];
 export const pictures = { best: 0, moving: 1, still: 2 };
@@ -108,8 +104,8 @@ export class FurApp {
   get canRedo() { return this.#call('fur_canRedo') !== 0; }
   takeWarnings() { return this.program.lines(this.#call('fur_takeWarnings')); }
 
-  get tool() { return tools[this.#call('fur_getTool')]; }
-  set tool(name) { this.#call('fur_setTool', Math.max(0, tools.indexOf(name))); }
+  get tool() { return this.#text('fur_getTool'); }
+  set tool(name) { this.#call('fur_setTool', name); }
   splashAt(u, v, radius, amount) { this.#call('fur_splashAt', u, v, radius, amount); }
   splashPixel(x, y, radius, amount) { return this.#call('fur_splashPixel', x, y, radius, amount) !== 0; }
   setWetness(amount) { this.#call('fur_setWetness', amount); }

@@ -104,12 +104,10 @@ bool readGroom(const std::string& text, std::vector<GroomStep>& out) {
   return n.size() < 2 || n.size() == 4;
 }
 
-constexpr std::pair<const char*, app::Tool> kHeldTools[] = {
-    {"droplet", app::Tool::Droplet}, {"dry", app::Tool::Dry},     {"rain", app::Tool::Rain}, {"hose", app::Tool::Hose},
-    {"towel", app::Tool::Towel},     {"dryer", app::Tool::Dryer}, {"pet", app::Tool::Pet},   {"ball", app::Tool::Ball}};
-
-const std::pair<const char*, app::Tool>* heldTool(const std::string& name) {
-  return std::find_if(std::begin(kHeldTools), std::end(kHeldTools), [&](const auto& one) { return name == one.first; });
+// Those of water, and those that touch the fur.
+std::optional<app::Tool> heldTool(const std::string& name) {
+  const auto tool = app::toolNamed(name);
+  return tool && (app::worksOnWater(*tool) || app::traitsOf(*tool).drag == app::Drag::Touch) ? tool : std::nullopt;
 }
 
 bool readHold(const std::string& text, std::vector<Hold>& out) {
@@ -119,7 +117,7 @@ bool readHold(const std::string& text, std::vector<Hold>& out) {
   hold.seconds = glm::clamp(hold.at[0], 0.0f, 600.0f);
   hold.at.erase(hold.at.begin());
   out.push_back(hold);
-  return hold.tool == "shake" || heldTool(hold.tool) != std::end(kHeldTools);
+  return hold.tool == "shake" || heldTool(hold.tool);
 }
 
 // One option with its value; "" or what is wrong with it.
@@ -229,7 +227,7 @@ void hold(app::App& app, const Hold& hold, Vec2 middle) {
     app.shake();
     return run(app, hold.seconds);
   }
-  app.setTool(heldTool(hold.tool)->second);
+  app.setTool(*heldTool(hold.tool));
   app::PointerEvent event{app::PointerPhase::Down};
   event.position = hold.at.empty() ? middle : Vec2(hold.at[0], hold.at[1]);
   event.buttons = 1;

@@ -17,6 +17,8 @@
 #include <string_view>
 
 #include "app/Touch.h"
+#include "app/tools/GroomEdits.h"
+#include "app/tools/Tools.h"
 #include "core/Result.h"
 #include "furgen/TilePicture.h"
 #include "geometry/Surface.h"
@@ -36,46 +38,6 @@ struct Frame;
 
 namespace fur::app {
 
-// Droplet and Dry paint on the model, Towel takes water off it, and so do the tools of the groom from Comb to Locks paint;
-// Rain, Hose and Dryer go on for as long as they are held on it. Grab moves the model about (it springs back), None
-// leaves every drag to the camera.
-// Paint lays a colour over the coat, Cut cuts what is longer, Thin takes strands out, Mask protects from all of them; Curl,
-// Frizz and Locks curl strands, kink them and gather them: in
-// programs with an editor, see groomWith().
-// Of these Whisker plants one where it goes down and aims it while it is dragged, and Pluck pulls them out. Pet strokes
-// the fur, Ball presses a ball into it: it forgets both after a while.
-enum class Tool {
-  Droplet, Dry, Rain, Hose, Towel, Dryer, Comb, Smooth, Raise, Trim, Grow, Type, Whisker, Pluck, Paint, Cut, Thin, Mask,
-  Curl, Frizz, Locks, Pet, Ball, Grab, None
-};
-inline bool grooms(Tool tool) { return tool >= Tool::Comb && tool <= Tool::Locks; }
-
-// What groomAll() does all over the model. `value` is 0..1 unless it says otherwise.
-enum class GroomEdit {
-  Clear,   // full length, one type, upright, no whiskers, no paint, no mask
-  Length,  // value: share of the longest
-  Invert,  // of the lengths
-  Vary,    // value: how much shorter the shortest patches get, by the settings' seed
-  Type,    // value: 1..4
-  Comb,    // along `direction` (model space), by the share `value`
-  Raise,
-  Size,    // value: texels along the maps, 16..1024
-  Paint,   // value: 0xRRGGBB, all over
-  ClearPaint,
-  ClearMask,
-  InvertMask,
-  // Selecting, see groom/Selection.h: the mask protects all else.
-  SelectConnected,  // what hangs together with the place `direction` (model space)
-  SelectType,       // value: 1..4
-  SelectLength,     // direction: shortest, longest, unused
-  SelectPaint,      // value: tolerance; paint like that at the place `direction`
-  GrowMask,         // value: model units
-  ShrinkMask,
-  SmoothMask,
-  ClearShape  // curls, frizz and locks of brushes
-};
-// "selectType"; one that is none of them gives none.
-std::optional<GroomEdit> groomEditNamed(std::string_view name);
 // Of what saveWater() and saveGroom() give, which browsers keep from visit to visit: another one whenever that changes.
 inline constexpr std::uint32_t kWaterLayout = 2, kSavedLayout = 1;
 
@@ -243,7 +205,7 @@ class App {
   // --- groom (groom/Groom.h); belongs to the model ---
   // What only programs with an editor do with it; the viewer's download is spared it.
   struct EditorGroom {
-    // One dab of a tool after Pluck.
+    // One dab of a tool that App::groomAt() does not know.
     void (*dab)(Tool tool, groom::Groom& groom, const groom::Ground& ground, const groom::Brush& brush, const settings::Settings& settings);
     groom::GroomMap (*paintUnderMask)(const groom::Groom& groom);
   };

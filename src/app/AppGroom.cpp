@@ -294,15 +294,6 @@ void App::State::takeFur(const scene::FurData& fur) {
 
 // --- App's side --------------------------------------------------------------------------------
 
-std::optional<GroomEdit> groomEditNamed(std::string_view name) {
-  constexpr std::string_view kNames[] = {"clear", "length", "invert", "vary", "type", "comb", "raise", "size", "paint", "clearPaint", "clearMask",
-                                         "invertMask", "selectConnected", "selectType", "selectLength", "selectPaint", "growMask", "shrinkMask", "smoothMask", "clearShape"};
-  static_assert(std::size(kNames) == static_cast<std::size_t>(GroomEdit::ClearShape) + 1);
-  const auto found = std::find(std::begin(kNames), std::end(kNames), name);
-  if (found == std::end(kNames)) return std::nullopt;
-  return static_cast<GroomEdit>(found - std::begin(kNames));
-}
-
 void App::groomAll(GroomEdit edit, float value, const Vec3& direction) {
   State& s = *state_;
   if (!std::isfinite(value) || !std::isfinite(direction.x + direction.y + direction.z)) return;
@@ -337,8 +328,7 @@ void App::groomAll(GroomEdit edit, float value, const Vec3& direction) {
     case GroomEdit::SmoothMask: groom::smoothMask(s.groom, ground, value); break;
     case GroomEdit::ClearShape: s.groom.shape = groom::GroomMap(s.groom.map.size(), groom::GroomMap::kBlank); break;
   }
-  if (edit < GroomEdit::Size || edit == GroomEdit::Paint || edit == GroomEdit::ClearPaint || edit == GroomEdit::ClearShape)
-    groom::keepProtected(s.groom, *s.groomBefore, ground);
+  if (keepsMasked(edit)) groom::keepProtected(s.groom, *s.groomBefore, ground);
   s.groomTouched();
   s.endGroomStroke();
 }

@@ -27,15 +27,6 @@
 namespace fur::app {
 
 inline constexpr int kMaskSize = 256;
-// What the dryer and the hose reach round the spot, in brush radii.
-inline constexpr float kDryerReach = 1.5f, kHoseReach = 0.5f;
-
-// All the time that it is held.
-inline bool goesOn(Tool tool) { return tool == Tool::Rain || tool == Tool::Hose || tool == Tool::Dryer; }
-// A brush of dabs, of which one follows the other where it is held still: those to which that adds something.
-inline bool repeats(Tool tool) {
-  return tool < Tool::Pet && !goesOn(tool) && tool != Tool::Comb && tool != Tool::Whisker && tool != Tool::Pluck;
-}
 
 // Two directions along the skin, square to each other.
 std::pair<Vec3, Vec3> axesOn(const Vec3& normal);
@@ -46,9 +37,6 @@ double secondsNow();
 struct ModelRay {
   Vec3 origin, direction;  // model space
 };
-
-// What the pointers that are down do.
-enum class Drag { None, Paint, Touch, Orbit, Grab, Spin, Light, Pinch };
 
 struct App::State {
   settings::Settings settings;

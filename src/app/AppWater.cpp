@@ -46,7 +46,7 @@ wet::Climate App::State::climate() {
   c.shaking = motion.shaking();
   if (!holds(Tool::Dryer)) return c;
   c.blowCentre = positionAt(surface, held.at);
-  c.blowRadius = kDryerReach * settings.brushRadius;
+  c.blowRadius = traitsOf(Tool::Dryer).reach * settings.brushRadius;
   c.blow = kBlow * settings.brushFlow * held.pressure;
   return c;
 }
@@ -282,7 +282,7 @@ Status App::replay(std::string_view json) {
         case State::kUndo: undo(); break;
         case State::kRedo: redo(); break;
         default:
-          if (stroke.what != State::kSplash && (stroke.what > State::kSplash || s.tool > Tool::Dryer)) break;
+          if (stroke.what != State::kSplash && (stroke.what > State::kSplash || !worksOnWater(s.tool))) break;
           if (i == 0) {
             s.beginWaterStroke(stroke.what, stroke.radius, stroke.flow);
             s.strokes.back().eye = stroke.eye;

@@ -30,9 +30,8 @@ Drag dragFor(const PointerEvent& event, Tool tool, bool onModel, bool cameraCont
   if (event.shift) return onModel ? Drag::Spin : elsewhere;
   if (event.kind == PointerKind::Mouse && (event.buttons & kRight)) return onModel ? Drag::Grab : elsewhere;
   if (event.kind == PointerKind::Mouse && !(event.buttons & kLeft)) return elsewhere;
-  if (!onModel || tool == Tool::None) return elsewhere;
-  if (tool == Tool::Pet || tool == Tool::Ball) return Drag::Touch;
-  return tool == Tool::Grab ? Drag::Grab : Drag::Paint;
+  const Drag own = traitsOf(tool).drag;
+  return onModel && own != Drag::Orbit ? own : elsewhere;
 }
 
 }  // namespace
@@ -148,7 +147,7 @@ bool App::key(const KeyEvent& event) {
     s.endStroke();
     return hit;
   }
-  if (s.tool < Tool::Pet && (event.shift || !s.cameraControls)) {
+  if (paints(s.tool) && (event.shift || !s.cameraControls)) {
     const Vec2 way(event.key == "ArrowRight" ? 1 : event.key == "ArrowLeft" ? -1 : 0,
                    event.key == "ArrowDown" ? 1 : event.key == "ArrowUp" ? -1 : 0);
     if (way != Vec2(0)) {

@@ -101,13 +101,12 @@ std::optional<Vec2> App::pick(Vec2 pixel) const {
 std::vector<Vec2> App::brushRing(Vec2 pixel, bool ofMirror) const {
   constexpr int kCorners = 24;
   State& s = *state_;
-  const Tool tool = s.tool;
+  const float radius = s.settings.brushRadius * traitsOf(s.tool).reach;
   std::vector<Vec2> ring;
-  if (tool == Tool::Rain || tool == Tool::Whisker || tool > Tool::Pet) return ring;
+  if (radius <= 0) return ring;
   auto hit = s.pick(pixel);
   if (hit && ofMirror) hit = s.mirrored(*hit);
   if (!hit) return ring;
-  const float radius = s.settings.brushRadius * (tool == Tool::Dryer ? kDryerReach : tool == Tool::Hose ? kHoseReach : 1);
   const Vec3 centre = s.shownPosition(*hit), normal = s.shownNormal(*hit);
   const Vec3 lifted = s.seenAt(*hit) - centre;
   const auto [side, up] = axesOn(normal);

@@ -11,16 +11,15 @@
 
 #include <imgui.h>
 
+#include "app/tools/GroomEdits.h"
+#include "app/tools/Tools.h"
 #include "core/Math.h"
 #include "settings/Settings.h"
 
 namespace fur::editor {
 
-// In the order of app::Tool, which EditorHost checks.
-enum class Tool {
-  Droplet, Dry, Rain, Hose, Towel, Dryer, Comb, Smooth, Raise, Trim, Grow, Type, Whisker, Pluck, Paint, Cut, Thin, Mask,
-  Curl, Frizz, Locks, Pet, Ball, Grab, None
-};
+using app::GroomEdit;
+using app::Tool;
 
 // How a person can bring a file: through a dialog of the platform, or by typing its path.
 enum class FileAccess { Dialog, Path };
@@ -51,10 +50,6 @@ struct CoatView {
   ImTextureID tile = nullptr, fin = nullptr;
   int tileSize = 0;  // texels
 };
-
-// In the order of app::GroomEdit, which EditorHost checks.
-enum class GroomEdit { Clear, Length, Invert, Vary, Type, Comb, Raise, Size, Paint, ClearPaint, ClearMask, InvertMask,
-                       SelectConnected, SelectType, SelectLength, SelectPaint, GrowMask, ShrinkMask, SmoothMask, ClearShape };
 
 // What the next press on the model selects.
 enum class Selects { Nothing, Connected, Paint };

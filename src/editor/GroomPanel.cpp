@@ -151,8 +151,7 @@ void GroomPanel::drawSelection(const EditorModel& model, settings::Settings& edi
   ImGui::SameLine(0, gap);
   if (ImGui::Button("Select##lengths", ImVec2(-1, 0))) edit(GroomEdit::SelectLength, 1, {shortest_, longest_, 0});
   // The mask is shown to who is grooming.
-  const bool grooms = model.tool >= Tool::Comb && model.tool <= Tool::Locks;
-  if (commands_.size() > before && !grooms) commands_.push_back(command::SetTool{Tool::Mask});
+  if (commands_.size() > before && !app::grooms(model.tool)) commands_.push_back(command::SetTool{Tool::Mask});
 }
 
 void GroomPanel::drawWhiskers(const EditorModel& model, settings::Settings& edited) {

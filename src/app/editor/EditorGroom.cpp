@@ -14,6 +14,10 @@ int baldType(const settings::Settings& settings) {
   return 0;
 }
 
+void shape(groom::Groom& groom, const groom::Ground& ground, const groom::Brush& brush, groom::ShapeChannel channel, bool erases) {
+  erases ? groom::takeShape(groom, ground, brush, channel) : groom::addShape(groom, ground, brush, channel);
+}
+
 void dab(Tool tool, groom::Groom& groom, const groom::Ground& ground, const groom::Brush& brush, const settings::Settings& settings) {
   const bool erases = settings.brushErases;
   switch (tool) {
@@ -23,13 +27,9 @@ void dab(Tool tool, groom::Groom& groom, const groom::Ground& ground, const groo
     case Tool::Thin:
       if (const int type = baldType(settings)) erases ? groom::takeType(groom, ground, brush, type) : groom::paintType(groom, ground, brush, type);
       break;
-    case Tool::Curl:
-    case Tool::Frizz:
-    case Tool::Locks: {
-      const auto channel = static_cast<groom::ShapeChannel>(static_cast<int>(tool) - static_cast<int>(Tool::Curl));
-      erases ? groom::takeShape(groom, ground, brush, channel) : groom::addShape(groom, ground, brush, channel);
-      break;
-    }
+    case Tool::Curl: shape(groom, ground, brush, groom::ShapeChannel::Curl, erases); break;
+    case Tool::Frizz: shape(groom, ground, brush, groom::ShapeChannel::Frizz, erases); break;
+    case Tool::Locks: shape(groom, ground, brush, groom::ShapeChannel::Locks, erases); break;
     default: break;
   }
 }

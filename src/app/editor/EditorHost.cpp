@@ -307,9 +307,7 @@ editor::EditorModel EditorHost::model() {
   const App::Stats stats = app_.stats();
   editor::EditorModel model;
   model.settings = app_.settings();
-  static_assert(static_cast<int>(editor::Tool::Grab) == static_cast<int>(Tool::Grab) &&
-                static_cast<int>(editor::Tool::None) == static_cast<int>(Tool::None));
-  model.tool = static_cast<editor::Tool>(app_.tool());
+  model.tool = app_.tool();
   model.modelName = app_.modelName();
   const std::string names = app_.animations();
   for (std::size_t at = 0, end; at < names.size(); at = end + 1) {
@@ -357,8 +355,6 @@ editor::EditorModel EditorHost::model() {
 
 // The map for people, while it is on the screen.
 void EditorHost::refreshGroom() {
-  static_assert(static_cast<int>(editor::GroomEdit::Clear) == static_cast<int>(GroomEdit::Clear) &&
-                static_cast<int>(editor::GroomEdit::ClearShape) == static_cast<int>(GroomEdit::ClearShape));
   if (!editor_.showsGroom()) {
     groomPicture_ = {};
     groomRevision_ = 0;
@@ -566,7 +562,7 @@ void EditorHost::perform(const editor::Command& command) {
       [&](const BeginChange&) { app_.beginChange(); },
       [&](const EndChange&) { app_.endChange(); },
       [&](const SetSettings& c) { app_.setSettings(c.settings); },
-      [&](const SetTool& c) { app_.setTool(static_cast<Tool>(c.tool)); },
+      [&](const SetTool& c) { app_.setTool(c.tool); },
       [&](const SetWetness& c) { app_.setWetness(c.amount); },
       [&](const Shake&) { app_.shake(); },
       [&](const Stamp& c) { stamp(c.text); },
@@ -584,7 +580,7 @@ void EditorHost::perform(const editor::Command& command) {
       [&](const SaveScene&) { request(Kind::SaveScene, modelFileName(app_, ".glb")); },
       [&](const SaveMaps&) { request(Kind::SaveMaps, app_.mapsName() + "-maps"); },
       [&](const SelectAt& c) { selects_ = c.what; },
-      [&](const GroomAll& c) { app_.groomAll(static_cast<GroomEdit>(c.edit), c.value, c.direction); },
+      [&](const GroomAll& c) { app_.groomAll(c.edit, c.value, c.direction); },
       [&](const SavePicture& c) { begin({c.width, c.height, c.transparent}, Kind::SavePicture, modelFileName(app_, ".png")); },
       [&](const SaveTurntable& c) {
         // Films have even sides.

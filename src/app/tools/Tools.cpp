@@ -1,0 +1,32 @@
+#include "app/tools/Tools.h"
+
+namespace fur::app {
+
+namespace {
+
+constexpr ToolTraits kTraits[] = {
+#define FUR_TOOL(id, name, on, drag, held, reach, ...) {name, WorksOn::on, Drag::drag, Held::held, reach},
+#include "app/tools/Tools.inc"
+#undef FUR_TOOL
+};
+
+}  // namespace
+
+const ToolTraits& traitsOf(Tool tool) { return kTraits[static_cast<std::size_t>(tool)]; }
+
+std::optional<Tool> toolNamed(std::string_view name) {
+  for (std::size_t i = 0; i < kToolCount; ++i)
+    if (name == kTraits[i].name) return static_cast<Tool>(i);
+  return std::nullopt;
+}
+
+const ToolWords& wordsOf(Tool tool) {
+#define FUR_TOOL(id, name, on, drag, held, reach, label, inverse, row, place, icon, keys, tooltip) {label, inverse, row, icon, tooltip},
+  static constexpr ToolWords kWords[] = {
+#include "app/tools/Tools.inc"
+  };
+#undef FUR_TOOL
+  return kWords[static_cast<std::size_t>(tool)];
+}
+
+}  // namespace fur::app
