@@ -74,7 +74,7 @@ void App::State::endStroke() {
   if (!strokes.empty()) {
     Stroke& stroke = strokes.back();
     if (stroke.spots.empty()) strokes.pop_back();
-    else if (goesOn(static_cast<Tool>(stroke.what))) mark(stroke.spots.back().at, 0);
+    else if (stroke.what < kSplash && goesOn(static_cast<Tool>(stroke.what))) mark(stroke.spots.back().at, 0);
   }
   if (auto step = maskStep(*strokeBefore, mask)) history.push(std::move(*step));
   strokeBefore.reset();
