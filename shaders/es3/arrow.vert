@@ -8,7 +8,7 @@ out vec3 vColor;
 
 void main() {
   vec4 shown = bendOf(gl_InstanceID);
-  float size = length(shown.xyz), len = shape.x * shown.w;
+  float size = length(shown.xyz), len = furLength * shown.w;
   int point = gl_VertexID >> 1;
   bool drawn = gl_InstanceID % (1 + textureSize(bends, 0).y / FUR_ARROW_ROWS) == 0;
 #ifdef VIEW_FORCES
@@ -27,7 +27,7 @@ void main() {
   vColor = point < 2 ? vec3(0.45) : mix(vec3(0.2, 0.85, 0.5), vec3(1.0, 0.35, 0.1), warm * (2.0 - warm));
 #endif
   vec3 toEye = eye.xyz - p, side = cross(along, toEye);
-  float pixel = length(toEye) / eye.w;
+  float pixel = length(toEye) / pixelsPerUnit;
   p += side * (width * (float(gl_VertexID & 1) * 2.0 - 1.0) * pixel * inversesqrt(max(dot(side, side), 1e-20)));
   gl_Position = drawn ? clipFromModel * vec4(p, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
 }

@@ -7,6 +7,6 @@ void main() {
   vec3 n = normalize(vNormal), toEye = normalize(vToEye), between = normalize(toEye + lightWorld.xyz);
   vec3 around = mix(floorLight.rgb, sky.rgb, 0.5 + 0.5 * n.y);
   float lit = max(dot(n, lightWorld.xyz), 0.0);
-  vec3 color = kRubber * (around + light.w * 0.4 * lit) + light.w * 0.12 * lit * pow(max(dot(n, between), 0.0), 40.0);
+  vec3 color = kRubber * (around + lightIntensity * 0.4 * lit) + lightIntensity * 0.12 * lit * pow(max(dot(n, between), 0.0), 40.0);
   fragColor = vec4(encodeSrgb(toneMap(color)), 1.0);
 }

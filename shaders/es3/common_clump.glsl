@@ -20,7 +20,7 @@ float sheetOf(float held) { return smoothstep(FUR_SHEET_FROM, 1.0, held); }
 
 // s: the share of the way to the clump's centre that a strand has gone at height h. A sheet opens it again.
 float clumpPull(float h, float held, float sheet) {
-  return min(clumpProfile(h, water.x, shape.z) * min(held, 1.0) * (1.0 - FUR_SHEET_OPENS * sheet), FUR_MAX_SHIFT);
+  return min(clumpProfile(h, clumpShape, layers) * min(held, 1.0) * (1.0 - FUR_SHEET_OPENS * sheet), FUR_MAX_SHIFT);
 }
 
 // The water that a clump of that radius (fur lengths) can draw its strands together by: none is drawn further aside than
@@ -56,7 +56,7 @@ vec3 clumpColor(vec4 clump) {
 // The mask's texel under the atlas point `a`: a clump's centre u (with the chart, chartOf()), v, radius, water held; that is
 // below 0 beside the charts, as it is beside the map. Unfiltered: centres do not mix.
 vec4 maskAt(sampler2D mask, vec2 a) {
-  vec4 texel = texelFetch(mask, clamp(ivec2(a * water.w), ivec2(0), ivec2(int(water.w) - 1)), 0);
+  vec4 texel = texelFetch(mask, clamp(ivec2(a * maskTexels), ivec2(0), ivec2(int(maskTexels) - 1)), 0);
   return a == clamp(a, 0.0, 1.0) ? texel : vec4(0.0, 0.0, 0.0, -1.0);
 }
 // What a texel's u is stored with: of each chart another, in multiples of FUR_CHART_STEP.
@@ -72,8 +72,8 @@ vec4 clumpAt(sampler2D mask, vec2 a) {
 
 // The water held there, between four texels. Those beside the charts have -1 less than the water next to them.
 float heldAround(sampler2D mask, vec2 a) {
-  vec2 texel = a * water.w - 0.5, corner = floor(texel), part = texel - corner;
-  ivec2 most = ivec2(int(water.w) - 1), low = clamp(ivec2(corner), ivec2(0), most), high = min(low + 1, most);
+  vec2 texel = a * maskTexels - 0.5, corner = floor(texel), part = texel - corner;
+  ivec2 most = ivec2(int(maskTexels) - 1), low = clamp(ivec2(corner), ivec2(0), most), high = min(low + 1, most);
   vec4 held = vec4(texelFetch(mask, low, 0).a, texelFetch(mask, ivec2(high.x, low.y), 0).a,
                    texelFetch(mask, ivec2(low.x, high.y), 0).a, texelFetch(mask, high, 0).a);
   held = mix(held, -1.0 - held, step(held, vec4(-1.0)));

@@ -2,7 +2,7 @@
 // formulas. Without SHADOW_DEPTH or SHADOW_LAYERS all of it does.
 
 #if defined(SHADOW_DEPTH) || defined(SHADOW_LAYERS)
-uniform sampler2D firstSurfaces;  // rg: depth of the first surface, 16 bits over volumeShadow.w  ba: of the skin (layers)
+uniform sampler2D firstSurfaces;  // rg: depth of the first surface, 16 bits over shadowRange  ba: of the skin (layers)
 
 #ifdef SHADOW_LAYERS
 uniform mediump sampler2DArray opacities;  // 16 layers of opacity on the way so far, four to a texel
@@ -20,8 +20,8 @@ float unpack(vec2 depth) { return dot(depth, vec2(1.0, 1.0 / 255.0)); }
 float shadowTexel(ivec2 at, float depth) {
   vec4 depths = packedDepths(at);
   // A layer less deep than it lies: strands do not shade themselves, nor the skin itself.
-  float z = (depth - unpack(depths.rg) * volumeShadow.w) / volumeShadow.y - 1.0;
-  float inSkin = (depth - unpack(depths.ba) * volumeShadow.w) / volumeShadow.y - 1.0;
+  float z = (depth - unpack(depths.rg) * shadowRange) / shadowLayerDepth - 1.0;
+  float inSkin = (depth - unpack(depths.ba) * shadowRange) / shadowLayerDepth - 1.0;
   z = clamp(z, 0.0, float(4 * FUR_SHADOW_TARGETS - 1));
   const vec4 four = vec4(0.0, 1.0, 2.0, 3.0);
   int low = int(z) / 4, high = (int(z) + 1) / 4;
@@ -29,7 +29,7 @@ float shadowTexel(ivec2 at, float depth) {
   if (high > low && high < FUR_SHADOW_TARGETS)
     sigma += dot(max(vec4(0.0), 1.0 - abs(four + (float(4 * high) - z))), texelFetch(opacities, ivec3(at, high), 0));
   // A body is dark half a fur length deep.
-  return exp2(-volumeShadow.x * (sigma + 0.4 * max(inSkin, 0.0)));
+  return exp2(-shadowExtinction * (sigma + 0.4 * max(inSkin, 0.0)));
 }
 
 // Between four texels by hand: layers begin elsewhere in each.
@@ -52,7 +52,7 @@ float furShadowAt(vec3 at) {
 #elif defined(SHADOW_DEPTH)
   // The mean that shadow_blur.frag prepared. What is packed so is a sum, which filters as its parts do.
   float first = unpack(textureLod(firstSurfaces, at.xy, 0.0).rg);
-  return exp2(-volumeShadow.x * max(at.z - first * volumeShadow.w - volumeShadow.y, 0.0));
+  return exp2(-shadowExtinction * max(at.z - first * shadowRange - shadowBias, 0.0));
 #else
   return 1.0;
 #endif

@@ -9,7 +9,7 @@ vec3 marschnerStrand(vec3 albedo, vec2 along, vec2 across, float lightDotView, f
   vec3 lobes = m.rgb;
 #ifdef WET
   // A power of a normal distribution is a narrower one: wet strands are smoother.
-  float sharpen = exponent / max(shading.z * (1.0 - water.z), 1.0);
+  float sharpen = exponent / max(shininess * (1.0 - wetGloss), 1.0);
   lobes = pow(lobes, vec3(sharpen)) * sqrt(sharpen);
 #endif
   float cosPhi = (lightDotView - along.x * along.y) * inversesqrt(max(across.x * across.x * across.y * across.y, 1e-6));
@@ -18,7 +18,7 @@ vec3 marschnerStrand(vec3 albedo, vec2 along, vec2 across, float lightDotView, f
   // colour^way for ways near 1 (0.8 to 1.3), without a power.
   vec3 once = sqrt(albedo);
   once *= 1.0 + (n.a - 1.0) * (once - 1.0);
-  // Widths 1, 1/2, 2 of R's: heights 1, 2, 1/2. skinColor.w: 1 / (beta_R sqrt(2 pi)).
+  // Widths 1, 1/2, 2 of R's: heights 1, 2, 1/2. lobePeak: 1 / (beta_R sqrt(2 pi)).
   vec3 each = lobes * n.rgb * vec3(1.0, 2.0, 0.5);
-  return (each.r + once * (each.g + once * each.b)) * (1.5707963 * skinColor.w * across.x);
+  return (each.r + once * (each.g + once * each.b)) * (1.5707963 * lobePeak * across.x);
 }

@@ -1,5 +1,5 @@
 // Of the picture, of which the framebuffer may have a part.
-vec2 pixel() { return gl_FragCoord.xy + vec2(0.0, groundCentre.z); }
+vec2 pixel() { return gl_FragCoord.xy + vec2(0.0, bottomRow); }
 // Chance per pixel, 0..1: interleaved gradient noise (Jimenez 2014). Fragment shaders only.
 float pixelNoise() { return fract(52.9829189 * fract(dot(pixel(), vec2(0.06711056, 0.00583715)))); }
 // The same for each 2 by 2 pixels. Levels of mipmaps are picked with it: a software rasteriser looks four pixels up

@@ -10,7 +10,7 @@ vec3 encodeSrgb(vec3 linear) {
 
 // Filmic shoulder: straight up to 0.6, then towards 1, so that glints on wet fur keep their hue.
 vec3 toneMap(vec3 linear) {
-  vec3 x = linear * up.w;
+  vec3 x = linear * exposure;
   vec3 over = max(x - 0.6, 0.0);
   return min(x, 0.6) + 0.4 * over / (over + 0.4);
 }
@@ -25,7 +25,7 @@ vec3 skyLight(float upness) { return mix(floorLight.rgb, sky.rgb, 0.5 + 0.5 * up
 
 // The model's own colour at its uv, by how much the settings ask for it; white where it has no picture.
 #ifdef TEXTURED
-vec3 modelColor(sampler2D picture, vec2 uv) { return mix(vec3(1.0), texture(picture, uv).rgb, coat.z); }
+vec3 modelColor(sampler2D picture, vec2 uv) { return mix(vec3(1.0), texture(picture, uv).rgb, textureAmount); }
 #else
 vec3 modelColor(sampler2D picture, vec2 uv) { return vec3(1.0); }
 #endif
@@ -44,13 +44,13 @@ vec3 painted(vec3 color, vec2 at, vec3 shade) {
 #endif
 
 // Colour of a strand at height h: root to tip, brighter or darker from strand to strand.
-vec3 strandColor(vec3 root, vec4 tipVariance, float h, float strandVariance, vec3 model) {
-  return mix(root, tipVariance.rgb, h) * (1.0 + tipVariance.w * 1.3 * (strandVariance - 0.5)) * model;
+vec3 strandColor(vec3 root, vec3 tip, float variance, float h, float strandVariance, vec3 model) {
+  return mix(root, tip, h) * (1.0 + variance * 1.3 * (strandVariance - 0.5)) * model;
 }
 #ifdef PAINTED
 // The same under paint, a little darker at the root, too.
 vec3 paintedStrand(vec3 albedo, vec2 at, float variance, float h, float strandVariance) {
-  return painted(albedo, at, strandColor(vec3(0.65), vec4(vec3(0.95), variance), h, strandVariance, vec3(1.0)));
+  return painted(albedo, at, strandColor(vec3(0.65), vec3(0.95), variance, h, strandVariance, vec3(1.0)));
 }
 #endif
 
@@ -87,7 +87,7 @@ vec3 fringe(float normalDotView, float h) {
 // The share of the light that gets to height h of the coat: `lit` gets to that spot, strands take of it (Sheppard), and
 // the body shades its own far side (object over fur, clamp(N.L + 0.5)).
 float lightShare(float lit, float h, float nDotL) {
-  return lit * clamp(nDotL + 0.5, 0.0, 1.0) * mix(1.0, furShadow(h, volume.z, nDotL), shading.w);
+  return lit * clamp(nDotL + 0.5, 0.0, 1.0) * mix(1.0, furShadow(h, density, nDotL), strandShadow);
 }
 
 // Kajiya and Kay's lobes know no surface: past the terminator of a coat they would glow where strands of the lit side
@@ -102,16 +102,16 @@ float glossShare(float nDotL) { return clamp(1.6 * nDotL + 0.6, 0.0, 1.0); }
 // or Marschner's model, which has all light that goes through strands. L and V point away from the strand.
 // `lit` is the share of the light that reaches the spot, `strand` the strand's random number (its variance).
 vec3 shadeStrand(vec3 albedo, vec3 T, vec3 L, vec3 V, float h, float rho, float lit, float upness, float strand) {
-  float exponent = max(shading.z * (1.0 + water.z * (rho - 1.0)), 1.0);
+  float exponent = max(shininess * (1.0 + wetGloss * (rho - 1.0)), 1.0);
   vec3 key = keyLight.rgb * lightShare(lit, h, L.z);
   vec2 along = vec2(dot(T, L), dot(T, V)), across = sqrt(max(vec2(0.0), 1.0 - along * along));
-  vec2 diffuse = mix(across, max(vec2(L.z, V.z), 0.0), shading.x);  // of the key light, of the fill light
+  vec2 diffuse = mix(across, max(vec2(L.z, V.z), 0.0), lambert);  // of the key light, of the fill light
 #ifdef MARSCHNER
   // The setting 0.5 is the strand as it is.
-  vec3 gloss = 2.0 * shading.y * glossShare(L.z) * key * marschnerStrand(albedo, along, across, dot(L, V), exponent);
+  vec3 gloss = 2.0 * specular * glossShare(L.z) * key * marschnerStrand(albedo, along, across, dot(L, V), exponent);
 #else
   // A lobe's energy falls as its exponent rises; sqrt(p) keeps a strand's total about even.
-  float strength = shading.y * sqrt(exponent / shading.z) * glossShare(L.z);
+  float strength = specular * sqrt(exponent / shininess) * glossShare(L.z);
   vec4 cosines = vec4(across.x * across.y, along.x * along.y, along * across.yx);
   vec2 shifts = lobeShifts(strand);
   vec3 gloss = (strength * key) * ((0.7 - 0.35 * rho) * kajiyaLobe(shiftedCosine(cosines, shifts.x), exponent) +
@@ -119,8 +119,8 @@ vec3 shadeStrand(vec3 albedo, vec3 T, vec3 L, vec3 V, float h, float rho, float 
   gloss += albedo * (1.6 * keyLight.rgb * lit * rimLight(dot(L, V), V.z, h));
 #endif
   gloss += (albedo + 0.3) * fringe(V.z, h);
-  vec3 color = albedo * (key * diffuse.x + keyLight.w * diffuse.y + skyLight(upness)) + gloss;
-  return color * (1.0 + coat.x * (h - 1.0)) * (1.0 - water.y * rho);
+  vec3 color = albedo * (key * diffuse.x + fillLight * diffuse.y + skyLight(upness)) + gloss;
+  return color * (1.0 + occlusion * (h - 1.0)) * (1.0 - wetDarkening * rho);
 }
 
 // Wet strands: C++ twins in hair/StrandShading.h, which says more.
@@ -139,9 +139,9 @@ vec2 waterGloss(vec3 T, vec3 n, vec3 L, vec3 V, float held, float sheet, float s
   // From strand to strand it lies elsewhere and is as strong as chance has it: fine lines instead of a band.
   float shifted = slope + 0.5 * (1.0 - sheet) * (strand - 0.5), own = strand * strand;
   own *= mix(1.0, own, sheet);
-  float glint = kajiyaLobe(faces, 1.3 * shading.z) * (1.0 - 0.7 * slope * slope) * (mix(0.3, 0.1, sheet) + 3.0 * own) +
-                kajiyaLobe(sqrt(max(1.0 - shifted * shifted, 0.0)), 5.0 * shading.z) * faces * faces * (0.1 + 1.2 * own);
-  return film * film * water.z * vec2(glossShare(L.z) * glint * mix(1.6, 0.5, sheet), fresnel * mix(0.5, 0.2 + 2.4 * strand, sheet));
+  float glint = kajiyaLobe(faces, 1.3 * shininess) * (1.0 - 0.7 * slope * slope) * (mix(0.3, 0.1, sheet) + 3.0 * own) +
+                kajiyaLobe(sqrt(max(1.0 - shifted * shifted, 0.0)), 5.0 * shininess) * faces * faces * (0.1 + 1.2 * own);
+  return film * film * wetGloss * vec2(glossShare(L.z) * glint * mix(1.6, 0.5, sheet), fresnel * mix(0.5, 0.2 + 2.4 * strand, sheet));
 }
 
 // A strand's light `color` as that of one in a lock: locks are round and stand close, so their far sides and feet get
@@ -157,10 +157,10 @@ vec3 lockLight(vec3 color, vec3 T, vec3 n, vec3 L, vec3 V, float h, float held, 
 
 // Skin without fur, darker where it is wet; `lit` is the share of the light that reaches it.
 vec3 bareSkin(vec3 albedo, float nDotL, float upness, float rho, float lit) {
-  return albedo * (keyLight.rgb * lit * max(nDotL, 0.0) + skyLight(upness)) * (1.0 - water.y * rho);
+  return albedo * (keyLight.rgb * lit * max(nDotL, 0.0) + skyLight(upness)) * (1.0 - wetDarkening * rho);
 }
 // Skin seen through the fur above it, or the undergrowth up to the height h: in the shadow of the strands.
 vec3 shadeSkin(vec3 albedo, float nDotL, float upness, float h, float rho, float lit) {
-  float shadow = lit * mix(1.0, furShadow(h, volume.z, nDotL), shading.w);
-  return albedo * (keyLight.rgb * max(nDotL, 0.0) * shadow + skyLight(upness)) * (1.0 + coat.x * (h - 1.0)) * (1.0 - water.y * rho);
+  float shadow = lit * mix(1.0, furShadow(h, density, nDotL), strandShadow);
+  return albedo * (keyLight.rgb * max(nDotL, 0.0) * shadow + skyLight(upness)) * (1.0 + occlusion * (h - 1.0)) * (1.0 - wetDarkening * rho);
 }

@@ -7,8 +7,5 @@ const float kBald = 0.004;
 
 vec4 presences(vec3 others) { return vec4(max(1.0 - others.x - others.y - others.z, 0.0), others); }
 
-// 1 where a type has strands, 0 where it is bald.
-vec4 furryTypes() { return vec4(rootColors[0].w, rootColors[1].w, rootColors[2].w, rootColors[3].w); }
-
 // Up to which height a strand stands; its dominance is 0.5..1.
 float standsUpTo(float presence, float dominance) { return max(2.0 - 2.0 * (1.0 - presence) / dominance, 0.0); }

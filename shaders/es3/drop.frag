@@ -38,6 +38,6 @@ void main() {
     alpha = mix(alpha, 0.45, vPasses);
   }
   alpha *= covers;
-  vec3 shine = vec3(light.w * (0.45 * glint + 0.1 * gathered * gathered + 0.03 * abs(vPasses)));
+  vec3 shine = vec3(lightIntensity * (0.45 * glint + 0.1 * gathered * gathered + 0.03 * abs(vPasses)));
   fragColor = vec4(min(color * alpha + shine * covers, 1.0), alpha);
 }

@@ -13,7 +13,7 @@ flat out mat3 vFrame; // across, along, towards the eye; world
 flat out float vPasses; // 0: a ball  to 1: much longer than wide  -1: a piece of a jet  -2: a ring
 void main() {
   vec3 toEye = (worldFromModel * vec4(eye.xyz, 1.0)).xyz - place.xyz;
-  float distance = length(toEye), path = length(way.xyz), pixels = eye.w / distance, radius = place.w;
+  float distance = length(toEye), path = length(way.xyz), pixels = pixelsPerUnit / distance, radius = place.w;
   toEye /= distance;
   vec3 along = path > 1e-5 ? way.xyz / path : vec3(0.0, 1.0, 0.0), across;
   bool ring = kind.y > 0.0 && path == 0.0;

@@ -42,20 +42,20 @@ void main() {
   vec4 clump = maskAt(mask, vAtlas);
   float chart = chartOf(clump);
   clump.x -= chart;
-  float held = max(clump.a, 0.0), sheet = sheetOf(held), furLengths = 1.0 / max(shape.x * shape.y, 1e-6);
+  float held = max(clump.a, 0.0), sheet = sheetOf(held), furLengths = 1.0 / max(furLength * tilesPerUnit, 1e-6);
   vec2 outward = vec2(0.0);
   rho = min(held, 1.0);
   h /= upright(held, sheet);
   if (held > 0.0) {
     float drawn = drawnBy(held, clump.z * furLengths / max(length(vAtlasAlong), 1e-6));
-    float s = clumpPull(h, drawn, sheet), below = clumpPull(h - 1.0 / shape.z, drawn, sheet);
+    float s = clumpPull(h, drawn, sheet), below = clumpPull(h - 1.0 / layers, drawn, sheet);
     vec2 fromCentre = (vAtlas - clump.xy) / (1.0 - s), across = vec2(-vAtlasAlong.y, vAtlasAlong.x);
     open = mix(ownStrand(mask, clump, chart, fromCentre), 1.0, 0.7 * sheet);
     // In turns of the fin map along the edge and across it; only the first moves the look-up, both tilt the strand.
     vec2 turns = vec2(dot(fromCentre, vAtlasAlong), dot(fromCentre, across)) / max(dot(vAtlasAlong, vAtlasAlong), 1e-12);
     u += turns.x * s;
     h = alongStrand(h, turns * (s * furLengths)) * pointsOf(held, sheet, dot(fromCentre, fromCentre) / (clump.z * clump.z + 1e-12));
-    clumpLean = turns * ((below - s) * shape.z * furLengths);
+    clumpLean = turns * ((below - s) * layers * furLengths);
     outward = turns * length(vAtlasAlong) / max(clump.z, 1e-6);
   }
   if (h > 1.0) discard;
@@ -71,11 +71,11 @@ void main() {
   h *= typeRise[type];
 #endif
   h *= vLength / max(dressed.r, 1e-3);
-  if (h > 1.0 || dressed.r < kBald || rootColors[type].w <= 0.0) discard;
+  if (h > 1.0 || dressed.r < kBald || typeGrows[type] <= 0.0) discard;
 #endif
 #ifdef SHAPED
   vec3 amount = textureLod(shapeMap, vAtlas, 0.0).rgb * (1.0 - 0.8 * rho);
-  float tiles = max(shape.x * shape.y * vLength, 1e-4), rise = min(0.05, h);
+  float tiles = max(furLength * tilesPerUnit * vLength, 1e-4), rise = min(0.05, h);
   ShapedStrand shaped = shapedStrandAt(vec2(u, 0.0), h, amount, tiles), lower = shapedStrandAt(vec2(u, 0.0), h - rise, amount, tiles);
   clumpLean += (lower.root - shaped.root) / max(rise * tiles, 1e-4);
   u = shaped.root.x;
@@ -91,16 +91,16 @@ void main() {
   alpha *= 1.0 - sheet;
 #endif
   // Samples by chance, as in shell.frag.
-  alpha += (pixelNoise() - 0.5) / sky.w;
+  alpha += (pixelNoise() - 0.5) / samples;
   vec3 model = modelColor(baseColor, vUv), color = vec3(0.0);
   // Once or not at all: most of a fin is gaps, and a software rasteriser jumps over loops but not over an if.
-  for (int i = 0, once = int(alpha >= 0.5 / sky.w); i < once; ++i) {
+  for (int i = 0, once = int(alpha >= 0.5 / samples); i < once; ++i) {
     vec4 strand = textureLod(finStrand, spot, level);
     vec2 tilt = strand.xy * 2.0 - 1.0;
     vec3 tangent = normalize(vec3(tilt + vLean + clumpLean, sqrt(max(0.05, 1.0 - dot(tilt, tilt)))));
-    vec3 albedo = strandColor(rootColors[type].rgb, tipColors[type], h, strand.z, model);
+    vec3 albedo = strandColor(rootColors[type].rgb, tipColors[type].rgb, typeVariance[type], h, strand.z, model);
 #ifdef PAINTED
-    albedo = paintedStrand(albedo, vAtlas, tipColors[type].w, h, strand.z);
+    albedo = paintedStrand(albedo, vAtlas, typeVariance[type], h, strand.z);
 #endif
     // Nothing stands before an outline: light reaches it from the side, further down than inside the coat.
     float exposed = mix(h, 1.0, 0.4);
@@ -119,6 +119,6 @@ void main() {
     color = encodeSrgb(toneMap(color));
 #endif
   }
-  if (alpha < 0.5 / sky.w) discard;
+  if (alpha < 0.5 / samples) discard;
   fragColor = vec4(color, alpha);
 }

@@ -53,7 +53,7 @@ void main() {
   if (opacity > 0.0) gl_Position.z = near.z / near.w * gl_Position.w;
   return;
 #endif
-  opacity *= standsIn * smoothstep(FUR_FIN_PIXELS, 2.0 * FUR_FIN_PIXELS, shape.x * eye.w / away);
+  opacity *= standsIn * smoothstep(FUR_FIN_PIXELS, 2.0 * FUR_FIN_PIXELS, furLength * pixelsPerUnit / away);
   if (opacity <= 0.0) {
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
     return;
@@ -65,10 +65,10 @@ void main() {
   vec3 normal = normalize(mix(normalA.xyz, normalB.xyz, side));
   vec4 groomed = bendOf(int(side < 0.5 ? positionA.w : positionB.w));
   vec3 bend = groomed.xyz;
-  vec3 p = strandPoint(root, normal, bend, h, shape.x * groomed.w);
+  vec3 p = strandPoint(root, normal, bend, h, furLength * groomed.w);
   // Shells cover a pixel faintly and still write depth, on a round body well before its outline: fins
   // are compared as if that much nearer.
-  vec4 nearer = clipFromModel * vec4(p + normalize(eye.xyz - p) * (2.5 * shape.x), 1.0);
+  vec4 nearer = clipFromModel * vec4(p + normalize(eye.xyz - p) * (2.5 * furLength), 1.0);
   vec4 clip = clipFromModel * vec4(p, 1.0);
   clip.z = nearer.z / nearer.w * clip.w;
   gl_Position = clip;
@@ -79,8 +79,8 @@ void main() {
   vec3 axis = edge / max(edgeLength, 1e-6);
   axis = normalize(axis - normal * dot(axis, normal));
   vec3 across = cross(normal, axis);
-  float texels = length(eye.xyz - p) / eye.w * shape.y * volume.x;
-  vFin = vec4(normalA.w + side * edgeLength * shape.y, h, opacity, log2(texels));
+  float texels = length(eye.xyz - p) / pixelsPerUnit * tilesPerUnit * tileTexels;
+  vFin = vec4(normalA.w + side * edgeLength * tilesPerUnit, h, opacity, log2(texels));
   vLight = vec4(dot(axis, light.xyz), dot(across, light.xyz), dot(normal, light.xyz), dot(normal, up.xyz));
   vec3 v = eye.xyz - p;
   vView = vec3(dot(axis, v), dot(across, v), dot(normal, v));
@@ -96,6 +96,6 @@ void main() {
   vAtlas = mix(atlas.xy, atlas.zw, side);
 #endif
 #ifdef WET
-  vAtlasAlong = (atlas.zw - atlas.xy) / max(edgeLength * shape.y, 1e-6);
+  vAtlasAlong = (atlas.zw - atlas.xy) / max(edgeLength * tilesPerUnit, 1e-6);
 #endif
 }

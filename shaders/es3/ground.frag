@@ -18,14 +18,14 @@ float puddle(vec2 at) {
 out vec4 fragColor;
 
 void main() {
-  vec3 color = mix(backgroundBottom.rgb, backgroundTop.rgb, smoothstep(0.0, lightWorld.w, pixel().y));
+  vec3 color = mix(backgroundBottom.rgb, backgroundTop.rgb, smoothstep(0.0, pictureHeight, pixel().y));
   // Nothing where the map ends.
   vec2 shadow = textureLod(shadowMap, vSpot, 0.0).rg;
   float dark = shadow.r;
-  color -= color * (groundPlane.z * dark);
+  color -= color * (groundDarkness * dark);
 #ifdef WET
   // Damp ground is darker; what it cannot take up mirrors sky and light, more at grazing.
-  vec2 inWorld = vSpot + 0.5 * groundCentre.xy / groundPlane.y, within = 1.0 - smoothstep(0.4, 0.5, abs(inWorld - 0.5));
+  vec2 inWorld = vSpot + 0.5 * groundCentre / groundHalfSide, within = 1.0 - smoothstep(0.4, 0.5, abs(inWorld - 0.5));
   // Floors are uneven.
   vec2 at = 16.0 * inWorld;
   vec2 bent = sin(at.yx + 1.2 * sin(0.7 * at)), rough = sin(3.1 * at.yx + 2.0 * sin(2.3 * at));
@@ -36,7 +36,7 @@ void main() {
   color *= 1.0 - 0.28 * damp - 0.12 * wet;
   color = mix(color, mix(backgroundBottom.rgb, backgroundTop.rgb, smoothstep(-0.5, 0.5, mirrored.y)) * (1.0 - 0.8 * shadow.g),
               wet * min(0.25 + 0.8 * grazing, 0.8));
-  color += wet * (1.0 - dark) * 0.35 * light.w * glint;
+  color += wet * (1.0 - dark) * 0.35 * lightIntensity * glint;
 #endif
   fragColor = vec4(color + (quickNoise() - 0.5) / 255.0, 1.0);
 }

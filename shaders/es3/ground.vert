@@ -13,7 +13,7 @@ void main() {
   vSpot = cell + side * vec2(corner % 2, corner > 1 && corner != 3 ? 1 : 0);
 #ifdef WET
   // Puddles lie round the world's origin, and may lie anywhere.
-  vec2 more = abs(groundCentre.xy) / groundPlane.y;
+  vec2 more = abs(groundCentre) / groundHalfSide;
   vSpot = mix(-more, 1.0 + more, vSpot);
   bool shows = true;
 #else
@@ -21,13 +21,13 @@ void main() {
   for (int i = 0; i < 9; ++i)
     shows = shows || textureLod(shadowMap, cell + 0.5 * side * vec2(i % 3, i / 3), 0.0).r > 0.0;
 #endif
-  vec2 at = groundPlane.y * (2.0 * vSpot - 1.0) + groundCentre.xy;
-  vec3 eyeWorld = (worldFromModel * vec4(eye.xyz, 1.0)).xyz, ground = vec3(at.x, groundPlane.x, at.y);
+  vec2 at = groundHalfSide * (2.0 * vSpot - 1.0) + groundCentre;
+  vec3 eyeWorld = (worldFromModel * vec4(eye.xyz, 1.0)).xyz, ground = vec3(at.x, groundHeight, at.y);
 #ifdef WET
   vRay = ground - eyeWorld;
 #endif
   // From below the ground would hide the model.
-  gl_Position = shows && eyeWorld.y > groundPlane.x ? clipFromWorld * vec4(ground, 1.0) : vec4(0.0);
+  gl_Position = shows && eyeWorld.y > groundHeight ? clipFromWorld * vec4(ground, 1.0) : vec4(0.0);
   // A hair before the screen.
   gl_Position.z = gl_Position.w * 0.999999;
 }

@@ -17,7 +17,7 @@ const float kFarther = 0.15;
 void main() {
   ivec2 direction = vSecond == 0 ? ivec2(1, 0) : ivec2(0, 1);
   ivec2 at = ivec2(gl_FragCoord.xy);
-  float centre = unpack(packedDepths(at).rg), k = kMean * volumeShadow.w, sum = 0.0, total = 0.0;
+  float centre = unpack(packedDepths(at).rg), k = kMean * shadowRange, sum = 0.0, total = 0.0;
   for (int i = -kReach; i <= kReach; ++i) {
     float weight = exp2(-0.24 * float(i * i));
     ivec2 near = clamp(at + i * direction, ivec2(0), ivec2(kShadowSize - 1));

@@ -14,12 +14,12 @@ layout(location = 3) out vec4 layers3;
 const float kShell = 0.09;
 
 void main() {
-  float z = gl_FragCoord.z * volumeShadow.w - unpack(packedDepths(ivec2(gl_FragCoord.xy)).rg) * volumeShadow.w;
-  float lod = log2(volumeShadow.w * shape.y * volume.x / float(kShadowSize));
-  float layer = floor(vHeight * (volume.y - 1.0) + 0.5);
+  float z = gl_FragCoord.z * shadowRange - unpack(packedDepths(ivec2(gl_FragCoord.xy)).rg) * shadowRange;
+  float lod = log2(shadowRange * tilesPerUnit * tileTexels / float(kShadowSize));
+  float layer = floor(vHeight * (storedLayers - 1.0) + 0.5);
   float opacity = kShell * textureLod(coverage, vec3(vTile, layer), lod).r;
   // Half a layer on, or rounding would count the first surface as lying before itself.
-  float deep = z / volumeShadow.y + 0.5;
+  float deep = z / shadowLayerDepth + 0.5;
   const vec4 four = vec4(0.0, 1.0, 2.0, 3.0);
   layers0 = opacity * step(deep, four);
   layers1 = opacity * step(deep - 4.0, four);

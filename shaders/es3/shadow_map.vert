@@ -20,25 +20,25 @@ flat out float vHeight;
 
 void main() {
 #ifdef BALL
-  vec3 world = ball.xyz + ballNormal(gl_VertexID) * ball.w;
+  vec3 world = ballCentre.xyz + ballNormal(gl_VertexID) * ballRadius;
   vec3 at = lightSpace((world - worldFromModel[3].xyz) * mat3(worldFromModel));
 #else
 #ifdef SHADOW_LAYERS
   float h = float(gl_InstanceID + 1) / float(FUR_SHADOW_SHELLS);
-  vTile = furCoord * shape.y;
+  vTile = furCoord * tilesPerUnit;
   vHeight = h;
 #elif defined(SKIN_ONLY)
   const float h = 0.0;
 #else
-  float h = volumeShadow.z;
+  float h = shadowSurface;
 #endif
   vec4 groomed = bendOf(gl_VertexID);
 #ifdef GROOMED
   // Vertices have room for the longest strand round them; the shadow is that of the fur that stands there.
   vec4 dressed = textureLod(groom, uvAtlas.zw, 0.0);
-  groomed.w = min(groomed.w, dressed.r * min(2.0 * dot(presences(dressed.gba), furryTypes()), 1.0));
+  groomed.w = min(groomed.w, dressed.r * min(2.0 * dot(presences(dressed.gba), typeGrows), 1.0));
 #endif
-  vec3 at = lightSpace(strandPoint(position, normal, groomed.xyz, h, shape.x * groomed.w));
+  vec3 at = lightSpace(strandPoint(position, normal, groomed.xyz, h, furLength * groomed.w));
 #endif
-  gl_Position = vec4(vec3(at.xy, at.z / volumeShadow.w) * 2.0 - 1.0, 1.0);
+  gl_Position = vec4(vec3(at.xy, at.z / shadowRange) * 2.0 - 1.0, 1.0);
 }

@@ -53,7 +53,7 @@ out vec4 fragColor;
 // Half-covered texels count as they are for this many steps a fur length, less for more. By FLIP against the
 // reference: 16 and 32 are as good near, 64 is worse far.
 const float kReferenceSteps = 24.0;
-// A step in texels of the mip level, times volume.w, and how many there are of a fur length at least, however small the
+// A step in texels of the mip level, times stepLength, and how many there are of a fur length at least, however small the
 // picture.
 const float kTexelsAStep = 2.0;
 const float kFewestSteps = 6.0;
@@ -64,8 +64,8 @@ const float kFewestSteps = 6.0;
 const float kClosed = 0.65;
 
 // `between`: added before rounding down; which arrays do, by themselves, to the nearest.
-float storedLayer(float h, float between) { return h * volume.y + between - 0.5; }
-float layerOf(float stored) { return clamp(floor(stored + 0.5), 0.0, volume.y - 1.0); }
+float storedLayer(float h, float between) { return h * storedLayers + between - 0.5; }
+float layerOf(float stored) { return clamp(floor(stored + 0.5), 0.0, storedLayers - 1.0); }
 
 float heightAt(float x) { return vTop + x * (vPath.x + x * vPath.y); }
 vec2 tileAt(float x, float h) { return vTile.xy + x * (vTile.zw + x * vTurn.xy) + vTurn.zw * (vTop * vTop - h * h); }
@@ -120,7 +120,7 @@ vec3 colorAtRoot(vec4 spot) {
   // A surface seen edge-on tells nothing: there the root is not far.
   vec2 moved = abs(area) > 1e-9 ? uvs * (inverse(tiles) * root) : vec2(0.0);
   // By the entry's mip level: from strand to strand roots jump.
-  return mix(vec3(1.0), textureGrad(baseColor, vLean.zw + moved, uvs[0], uvs[1]).rgb, coat.z);
+  return mix(vec3(1.0), textureGrad(baseColor, vLean.zw + moved, uvs[0], uvs[1]).rgb, textureAmount);
 }
 #else
 vec3 colorAtRoot(vec4 spot) { return vec3(1.0); }
@@ -139,8 +139,8 @@ void main() {
   // many of them.
   float lying = clamp(3.0 * length(vLean.xy) - 2.4, 0.0, 1.0);  // none below a turn of 0.85, all from 1.3 on
   vec2 past = vTile.zw - 2.0 * lying * vTop * vPath.x * vTurn.zw;
-  float texels = sqrt(max(dot(vTile.zw, vTile.zw), dot(past, past))) * volume.x * min(pixels, 1.0);
-  float stepSize = volume.w * min(kTexelsAStep / max(texels, 1e-3), 1.0 / (kFewestSteps * max(-vPath.x, 1.0 / kFewestSteps)));
+  float texels = sqrt(max(dot(vTile.zw, vTile.zw), dot(past, past))) * tileTexels * min(pixels, 1.0);
+  float stepSize = stepLength * min(kTexelsAStep / max(texels, 1e-3), 1.0 / (kFewestSteps * max(-vPath.x, 1.0 / kFewestSteps)));
   // Where the first step falls, which layer stands for a height between two, which samples are covered: each by
   // chance, so that nothing forms rings.
   float noise = otherPixelNoise();
@@ -153,7 +153,7 @@ void main() {
   vec4 spot = vec4(vTile.xy, 0.0, lod);       // its tile, layer, mip level
 #ifdef TYPES
   vec4 types = vec4(0.0);  // what each adds
-  vec4 present = furryTypes();
+  vec4 present = typeGrows;
 #endif
 #ifdef VIEW_LAYER
   // A shell alone: one look-up where the ray meets it, which counts as it is. Only samples go by chance.
@@ -205,7 +205,7 @@ void main() {
   float grown = 1.0;  // how much of a coat there is there
 #ifdef SHAPED
   vec3 shapeAmount = textureLod(shapeMap, vAtlas + 0.5 * atlasFromTile * (foot - vTile.xy), 0.0).rgb;
-  float shapeLength = max(shape.x * shape.y * vLength, 1e-4);
+  float shapeLength = max(furLength * tilesPerUnit * vLength, 1e-4);
 #ifdef WET
   shapeAmount *= 1.0 - 0.8 * min(entryHeld, 1.0);  // water draws curls out
 #endif
@@ -263,7 +263,7 @@ void main() {
       if (grows[type] <= 0.0) continue;
       float up = along * typeRise[type];
       if (up > 1.0) continue;
-      vec4 there = vec4(root, layerOf(storedLayer(up, between)) + float(type) * volume.y, level);
+      vec4 there = vec4(root, layerOf(storedLayer(up, between)) + float(type) * storedLayers, level);
       float stands = standsUpTo(grows[type], textureLod(strand, there.xyz, level).w);
       float cover = min(edged(textureLod(coverage, there.xyz, level).r, sharp) * open, 1.0) * float(up <= stands);
       float add = stepCover(cover, softness) * (1.0 - alpha - closedHere);
@@ -313,7 +313,7 @@ void main() {
   // A ray that goes on so far may come to an edge first, behind which there is no such skin.
   if (end > kFarOn && leavesChart(vAtlas + atlasFromTile * (foot - vTile.xy))) reachesSkin = false;
 #endif
-  float closed = min(alpha / closes, 1.0), levels = sky.w;
+  float closed = min(alpha / closes, 1.0), levels = samples;
   float shown = (reachesSkin ? 1.0 : closed) * share + (fract(noise * 13.0) - 0.5) / levels;
 #ifdef VIEW_EXPLODED
   // A line along the shell's end and its outline. So far out a hollow is turned inside out: it is left out.
@@ -352,7 +352,7 @@ void main() {
     wisp = mix(wisp, clamp(0.5 + 3.0 * (inLine.z - 0.5), 0.0, 1.0), joined);
     h = mix(mix(h, 0.7, joined * (1.0 - closed)), 0.3 + 0.4 * wisp, joined);
     // Through a sparse coat skin shows all the same.
-    if (reachesSkin) closed = mix(closed, 1.0, joined * furry * min(3.0 * volume.z, 1.0));
+    if (reachesSkin) closed = mix(closed, 1.0, joined * furry * min(3.0 * density, 1.0));
   }
 #else
   vec4 met = textureLod(strand, spot.xyz, spot.w);
@@ -368,8 +368,8 @@ void main() {
 #ifdef WET
   // Eq. 4: the strand moves by -d, in fur lengths.
   float metAlong = metHeight / coatTop, drawn = drawnBy(lock.clump.a, lock.clump.z * atlasLength * furLengths);
-  float rises = clumpPull(metAlong - 1.0 / shape.z, drawn, sheet) - clumpPull(metAlong, drawn, sheet);
-  tangent.xy += furFromTile * lock.from * (rises * shape.z * (1.0 - joined)) + laid / coatTop;
+  float rises = clumpPull(metAlong - 1.0 / layers, drawn, sheet) - clumpPull(metAlong, drawn, sheet);
+  tangent.xy += furFromTile * lock.from * (rises * layers * (1.0 - joined)) + laid / coatTop;
   vec2 outward = lock.from / max(lock.clump.z * atlasLength, 1e-6);
   outward *= (1.0 - joined) / max(length(outward), 1.0);
   float held = mix(lock.clump.a, entryHeld, joined), rho = min(held, 1.0), skinWetness = rho;
@@ -386,13 +386,13 @@ void main() {
 
   float firstLayer = 0.0;  // of the type that was met
 #ifdef TYPES
-  firstLayer = floor(spot.z / volume.y) * volume.y;
+  firstLayer = floor(spot.z / storedLayers) * storedLayers;
 #endif
   // A look towards the light through the fur above: real strands cast real shadows.
   const float kRise = 0.1;
   float lit = 1.0;
   if (h + kRise < 1.0)
-    lit -= strandShade * shading.w * furry * textureLod(coverage, vec3(spot.xy + vLightStep * kRise, layerOf(storedLayer(h + kRise, 0.0)) + firstLayer), lod + 1.0).r;
+    lit -= strandShade * strandShadow * furry * textureLod(coverage, vec3(spot.xy + vLightStep * kRise, layerOf(storedLayer(h + kRise, 0.0)) + firstLayer), lod + 1.0).r;
 
   // How far the ray went, to the strands or to the skin.
   lit *= furShadowAt(vLightSpace + vLightRay * toStrand);
@@ -401,20 +401,21 @@ void main() {
 #ifdef VIEW_LAYER
   exposed = lit = 1.0;  // nothing stands above it
 #endif
-  vec4 tip = tipColors[0];
-  vec3 rootTint = rootColors[0].rgb;
+  vec3 tip = tipColors[0].rgb, rootTint = rootColors[0].rgb;
+  float variance = typeVariance.x;
 #ifdef TYPES
   types /= max(dot(types, vec4(1.0)), 1e-6);
   tip *= types.x, rootTint *= types.x;
   for (int type = 1; type < FUR_TYPES; ++type) {
-    tip += types[type] * tipColors[type];
+    tip += types[type] * tipColors[type].rgb;
     rootTint += types[type] * rootColors[type].rgb;
   }
+  variance = dot(types, typeVariance);
 #endif
-  vec3 albedo = strandColor(rootTint, tip, h, met.z, model);
+  vec3 albedo = strandColor(rootTint, tip, variance, h, met.z, model);
 #ifdef PAINTED
   vec2 rooted = vAtlas + mat2(vAtlasStep.xy, vAtlasStep.zw) * toRoot(spot);
-  albedo = paintedStrand(albedo, rooted, tip.w, h, met.z);
+  albedo = paintedStrand(albedo, rooted, variance, h, met.z);
 #endif
 #ifdef WET
   albedo = wetAlbedo(albedo, rho);

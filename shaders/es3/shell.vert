@@ -44,16 +44,16 @@ out vec3 vLightSpace, vLightRay;  // in the fur's own shadow map: where the ray 
 
 void main() {
   vec3 position = positionFrom.xyz, normal = normalTo.xyz, gradS = gradSCurvature.xyz;
-  vStrands = coat.w > 0.5 ? vec2(positionFrom.w, normalTo.w) : vec2(-1.0, 2.0);
+  vStrands = chartsOverlap > 0.5 ? vec2(positionFrom.w, normalTo.w) : vec2(-1.0, 2.0);
   vec4 groomed = bendOf(gl_VertexID);
   vec3 bend = groomed.xyz;
 #if defined(VIEW_EXPLODED)
   // The middle of each share of the coat, the outermost first.
   float top = 1.0 - (float(gl_InstanceID) + 0.5) / float(FUR_EXPLODED_SHELLS);
 #elif defined(VIEW_LAYER)
-  float top = floorLight.w;
+  float top = viewLayer;
 #else
-  float top = 1.0 - float(gl_InstanceID) / shape.w;
+  float top = 1.0 - float(gl_InstanceID) / slabs;
 #endif
 #ifdef WET
   // As far down as fur stands from here to the next vertices: rays that came to it from higher up would come past where the
@@ -80,7 +80,7 @@ void main() {
   mat2 S = mat2(furCurvature.z, furCurvature.w, furCurvature.w, gradSCurvature.w);
   float meanS = 0.5 * (S[0][0] + S[1][1]), apart = 0.5 * (S[0][0] - S[1][1]);
   float hollow = sqrt(apart * apart + S[0][1] * S[0][1]) - meanS;
-  float len = max(min(shape.x * groomed.w, 0.65 / max(hollow, 1e-6)), 1e-4);
+  float len = max(min(furLength * groomed.w, 0.65 / max(hollow, 1e-6)), 1e-4);
   vTop = top;
   vec3 p = strandPoint(position, normal, bend, top, len);
 #ifdef VIEW_EXPLODED
@@ -100,7 +100,7 @@ void main() {
   vLightRay = lightSpace(p + ray * len) - vLightSpace;
   vec3 axisS = normalize(gradS + vec3(1e-8, 0.0, 0.0));
   vec3 axisT = cross(normal, axisS);
-  mat2 tileFromAxes = shape.y * mat2(dot(gradS, axisS), dot(gradT, axisS), dot(gradS, axisT), dot(gradT, axisT));
+  mat2 tileFromAxes = tilesPerUnit * mat2(dot(gradS, axisS), dot(gradT, axisS), dot(gradS, axisT), dot(gradT, axisT));
 
   // A bent coat is lower: arc.x of its length; and its strands stand arc.y h^2 aside.
   float theta = length(bend);
@@ -121,25 +121,25 @@ void main() {
   if (inwards > 0.0 && sinks > 0.0) path.y = min(path.y, 0.5 * max(more, 0.0) * sinks);
   vPath = vec4(path / arc.x, turning * len);
   vec2 stride = tileFromAxes * (len * foot), turn = tileFromAxes * (A * turning * (-down * len * len));
-  vTile = vec4(furCurvature.xy * shape.y, stride);
+  vTile = vec4(furCurvature.xy * tilesPerUnit, stride);
   vTurn = vec4(turn, tileFromAxes * (A * aside * len));
 #ifdef WET
   vTileOfFur = len * vec3(tileFromAxes[0], tileFromAxes[1].y);
 #endif
 
-  float texelsPerPixel = distance / eye.w * shape.y * length(gradS) * volume.x;
+  float texelsPerPixel = distance / pixelsPerUnit * tilesPerUnit * length(gradS) * tileTexels;
   vec3 toLight = light.xyz, toEye = -ray;
   vLight = vec4(dot(axisS, toLight), dot(axisT, toLight), dot(normal, toLight), log2(texelsPerPixel));
   vView = vec4(dot(axisS, toEye), dot(axisT, toEye), dot(normal, toEye), dot(normal, up.xyz));
   vLean = vec4(2.0 * aside, uvAtlas.xy);
   vec3 lightSlide = toLight * (len / max(dot(normal, toLight), 0.35));
   lightSlide -= normal * dot(normal, lightSlide);
-  vLightStep = shape.y * vec2(dot(gradS, lightSlide), dot(gradT, lightSlide));
+  vLightStep = tilesPerUnit * vec2(dot(gradS, lightSlide), dot(gradT, lightSlide));
 #ifdef GROOMED
   vLength = groomed.w;
 #endif
 #if defined(WET) || defined(GROOMED) || defined(PAINTED)
   vAtlas = uvAtlas.zw;
-  vAtlasStep = atlasFromFur / shape.y;
+  vAtlasStep = atlasFromFur / tilesPerUnit;
 #endif
 }

@@ -71,7 +71,7 @@ vec4 strandsInLine(float enters, float stored) {
   // Where they are seen, not where they root: over the length of a strand stretched charts would turn the lines aside.
   vec3 place = vec3(2.0 * tileAt(enters, top), mod(turn, FUR_STREAK_TURNS));
 #ifdef TYPES
-  place.z += floor(stored / volume.y) * FUR_STREAK_TURNS;
+  place.z += floor(stored / storedLayers) * FUR_STREAK_TURNS;
 #endif
   return textureLod(streaks, place, max(vLight.w - 0.5, 0.0));
 }

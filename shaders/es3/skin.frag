@@ -38,14 +38,14 @@ void main() {
   vec4 dressed = textureLod(groom, vUvAtlas.zw, 0.0);
   float furry = min(dressed.r / 0.15, 1.0);
 #ifdef TYPES
-  furry *= min(2.0 * dot(presences(dressed.gba), furryTypes()), 1.0);
+  furry *= min(2.0 * dot(presences(dressed.gba), typeGrows), 1.0);
 #endif
   color = mix(bare, color, furry);
 #endif
 #ifdef WET
   // Between locks, in their shade.
   float rho = clamp(clumpAt(mask, vUvAtlas.zw).a, 0.0, 1.0);
-  color = wetAlbedo(color, rho) * (1.0 - water.y * rho) * (1.0 - 0.5 * rho);
+  color = wetAlbedo(color, rho) * (1.0 - wetDarkening * rho) * (1.0 - 0.5 * rho);
 #endif
   fragColor = vec4(encodeSrgb(toneMap(color)), 1.0);
 #else
@@ -64,10 +64,10 @@ void main() {
   // A hue a chart, chequered by texels and by sixteens of them; dark where it ends, two texels of gutter before the next.
   vec2 at = vUvAtlas.zw;
   float chart = chartOf(maskAt(mask, at)), shade = 0.6;
-  vec4 ones = mod(floor(vec4(at, at / 16.0) * water.w), 2.0);
+  vec4 ones = mod(floor(vec4(at, at / 16.0) * maskTexels), 2.0);
   shade += 0.1 * abs(ones.x - ones.y) + 0.2 * abs(ones.z - ones.w);
   for (int i = 0; i < 4; ++i) {
-    vec4 texel = maskAt(mask, at + (float(i & 2) - 1.0) * 3.2 / water.w * vec2(i & 1, 1 - (i & 1)));
+    vec4 texel = maskAt(mask, at + (float(i & 2) - 1.0) * 3.2 / maskTexels * vec2(i & 1, 1 - (i & 1)));
     texel.x -= chart;
     if (isBeside(texel)) shade = 0.1;
   }

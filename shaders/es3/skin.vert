@@ -34,7 +34,7 @@ void main() {
   float furry = bendOf(gl_VertexID).w;
   vColor = vec3(lightShare(furShadowAt(vLightSpace), 1.0, nDotL));
 #ifdef UNDER_FUR
-  float under = lightShare(furShadowAt(lightSpace(position + normal * (0.3 * shape.x))), 0.3, nDotL);
+  float under = lightShare(furShadowAt(lightSpace(position + normal * (0.3 * furLength))), 0.3, nDotL);
   vColor = mix(vColor, vec3(under), min(furry / 0.15, 1.0));
 #endif
   return;
@@ -44,8 +44,8 @@ void main() {
   strands *= grows.x;
   for (int type = 1; type < FUR_TYPES; ++type) strands += grows[type] * (rootColors[type].rgb + tipColors[type].rgb);
 #endif
-  vec3 albedo = mix(skinColor.rgb, 0.5 * strands, min(2.0 * volume.z, 1.0));
-  vec3 shade = shadeSkin(vec3(1.0), nDotL, upness, 0.3, 0.0, furShadowAt(lightSpace(position + normal * (0.3 * shape.x))));
+  vec3 albedo = mix(skinColor.rgb, 0.5 * strands, min(2.0 * density, 1.0));
+  vec3 shade = shadeSkin(vec3(1.0), nDotL, upness, 0.3, 0.0, furShadowAt(lightSpace(position + normal * (0.3 * furLength))));
   vColor = shade * albedo;
 #ifdef PAINTED
   vShade = shade;

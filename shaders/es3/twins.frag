@@ -45,7 +45,7 @@ void main() {
   float value = marschnerStrand(vec3(0.4), along, across, dot(L, V), 12.0).g;
 #endif
 #elif FUNCTION == 13
-  float value = clumpPull(mix(1.0 / shape.z, 1.0, at.x), at.y, sheetOf(at.y));
+  float value = clumpPull(mix(1.0 / layers, 1.0, at.x), at.y, sheetOf(at.y));
 #elif FUNCTION == 18
   float value = drawnBy(at.x, 3.0 * at.y);
 #elif FUNCTION == 21

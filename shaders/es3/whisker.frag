@@ -18,7 +18,7 @@ void main() {
   float h = clamp(vBand.z, 0.0, 1.0);
   alpha *= smoothstep(0.2, 1.0, h);
   // A whole number of samples, by chance: drivers differ in what they make of the shares between.
-  alpha = floor(alpha * sky.w + pixelNoise()) / sky.w;
+  alpha = floor(alpha * samples + pixelNoise()) / samples;
   if (alpha == 0.0) discard;
 
   // It stands in the open: no surface but its own turns away from the light. z: across it, towards the light.

@@ -31,7 +31,7 @@ void main() {
   vec3 tangent = direction * slope.x + bend * (theta > 1e-5 ? slope.y / theta : 0.0);
 
   vec3 toEye = eye.xyz - p;
-  float pixel = length(toEye) / eye.w;
+  float pixel = length(toEye) / pixelsPerUnit;
   float width = rootWidth.w * (1.0 - t) / pixel;
   // As far as the line's share of a pixel reaches, and on to where no sample of such a pixel lies.
   float reach = (float(gl_VertexID & 1) - 0.5) * (width + 3.0);
@@ -39,7 +39,7 @@ void main() {
   vec3 edge = p + side * (reach * pixel * inversesqrt(max(dot(side, side), 1e-12)));
   // Shells have the depth of the coat's outside and not of the strands that are seen: as much nearer, it comes out from
   // among those.
-  float depth = shape.x * coatHere.w;
+  float depth = furLength * coatHere.w;
   vec4 nearer = clipFromModel * vec4(edge + toEye * min(0.6 * depth / length(toEye), 0.5), 1.0);
   vec4 clip = clipFromModel * vec4(edge, 1.0);
   clip.z = nearer.z / nearer.w * clip.w;

@@ -51,6 +51,8 @@ class Program {
   void bindSampler(const char* name, int unit) const;
   // Bytes the driver reserves for a block, 0 when unused: compared with sizeof in tests.
   int blockSize(const char* name) const;
+  // Bytes from the start of its block to that member; -1: the program does not have it.
+  int offsetInBlock(const char* member) const;
   void use() const;
 
  private:

@@ -86,6 +86,14 @@ int Program::blockSize(const char* name) const {
   return size;
 }
 
+int Program::offsetInBlock(const char* member) const {
+  unsigned index = GL_INVALID_INDEX;
+  int offset = -1;
+  glGetUniformIndices(name_.id(), 1, &member, &index);
+  if (index != GL_INVALID_INDEX) glGetActiveUniformsiv(name_.id(), 1, &index, GL_UNIFORM_OFFSET, &offset);
+  return offset;
+}
+
 void Program::use() const { glUseProgram(name_.id()); }
 
 }  // namespace fur::gl

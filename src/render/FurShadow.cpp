@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "shared/Blocks.h"
-
 namespace fur::render {
 
 namespace {
@@ -24,19 +22,19 @@ Mat4 lightFromModel(const Vec3& light, float radius) {
   return matrix;
 }
 
-Vec4 volumeShadow(const settings::Settings& s, float density, float reach) {
+VolumeShadow volumeShadow(const settings::Settings& s, float density, float reach) {
   const float range = 2 * shadowRadius(s.furLength, reach);
   // Bare skin takes a map as coarse as ours for fur of this length.
   const float length = std::max(s.furLength, 0.06f);
   if (static_cast<Shadows>(s.shadows) == Shadows::Layers) {
     // sigma 1 is dark (Halen 3.3.2). The layers reach three lengths deep; the skin has a depth of its own.
-    return {5 * kLog2E, 0.2f * length, 1, range};
+    return {.extinction = 5 * kLog2E, .bias = 0, .layerDepth = 0.2f * length, .surface = 1, .range = range};
   }
   // A dense coat keeps all but a third of the light from its own depth; a body beneath a thin one still does.
   // Above 10 the edges of shadows would be harder than fur is.
   const float k = std::min(std::max(1.1f * saturate(density / 0.35f), 0.6f) / length, 10.0f);
   // Half a length is what strands' own shadow shows, and covers the map's steps: no acne.
-  return {k * kLog2E, 0.5f * length, 0.6f, range};
+  return {.extinction = k * kLog2E, .bias = 0.5f * length, .layerDepth = 0, .surface = 0.6f, .range = range};
 }
 
 unsigned shadowVariant(const settings::Settings& s) {
@@ -49,6 +47,15 @@ unsigned shadowVariant(const settings::Settings& s) {
       return kShadowLayers;
   }
   return kPlain;
+}
+
+void FurShadow::Key::fill(shared::FrameBlock& block) const {
+  block.lightFromModel = lightFromModel;
+  block.shadowExtinction = volume.extinction;
+  block.shadowBias = volume.bias;
+  block.shadowLayerDepth = volume.layerDepth;
+  block.shadowSurface = volume.surface;
+  block.shadowRange = volume.range;
 }
 
 void FurShadow::prepare(int size, bool layers) {

@@ -12,6 +12,7 @@
 #include "gl/Objects.h"
 #include "render/Programs.h"
 #include "settings/Settings.h"
+#include "shared/Blocks.h"
 
 namespace fur::render {
 
@@ -22,8 +23,12 @@ float shadowRadius(float furLength, float reach = 1);
 // Model space to the map: xy 0..1, z depth along the light in model units from the sphere's top. `light`:
 // unit, towards the light.
 Mat4 lightFromModel(const Vec3& light, float radius);
-// FrameBlock::volumeShadow for a coat of that density (share of the densest layer that strands cover).
-Vec4 volumeShadow(const settings::Settings& settings, float density, float reach = 1);
+// What FrameBlock says of it (shared/Blocks.h), of a map for a coat of that density (share of the densest layer that strands cover).
+struct VolumeShadow {
+  float extinction, bias, layerDepth, surface, range;
+  bool operator==(const VolumeShadow&) const = default;
+};
+VolumeShadow volumeShadow(const settings::Settings& settings, float density, float reach = 1);
 // The variant of a shader that receives it.
 unsigned shadowVariant(const settings::Settings& settings);
 // That of one whose strands bend.
@@ -34,12 +39,13 @@ class FurShadow {
   struct Key {
     Shadows shadows;
     Mat4 lightFromModel;
-    Vec4 volumeShadow;
+    VolumeShadow volume;
     unsigned curve;       // curveVariant()
     unsigned long scene;  // another one whenever surface, bends or coat are others
     Vec4 ball;            // as Frame has it
     Mat4 worldFromModel;  // where there is one
     bool operator==(const Key&) const = default;
+    void fill(shared::FrameBlock& block) const;
   };
   // Needs both uniform blocks, the bends and the tile bound; leaves the platform's framebuffer bound, and
   // another viewport. Binds the maps to their units.

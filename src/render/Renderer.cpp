@@ -54,49 +54,75 @@ shared::FrameBlock frameBlock(const Frame& frame) {
   const settings::Settings& s = frame.settings;
   const Mat4 modelFromWorld = glm::inverse(frame.worldFromModel);
   const Vec3 lightWorld = lightDirection(frame);
-  const auto direction = [&](const Vec3& v) { return Vec3(modelFromWorld * Vec4(v, 0)); };
+  const auto direction = [&](const Vec3& v) { return modelFromWorld * Vec4(v, 0); };
   const Vec3 top = settings::linearColor(s.backgroundTop), bottom = settings::linearColor(s.backgroundBottom);
-  shared::FrameBlock block;
+  shared::FrameBlock block{};
   block.clipFromWorld = clipFromWorld(frame);
   block.clipFromModel = block.clipFromWorld * frame.worldFromModel;
   block.worldFromModel = frame.worldFromModel;
-  block.eye = Vec4(Vec3(modelFromWorld * Vec4(frame.camera.eye, 1)), pixelsPerUnit(frame));
-  block.light = Vec4(direction(lightWorld), kKeyLight * s.lightIntensity);
-  block.keyLight = Vec4(settings::linearColor(s.keyColor) * block.light.w, (1 - kFillAround) * s.fillLight);
-  block.backLight = Vec4(settings::linearColor(s.rimColor) * (kRimLight * s.rimLight), 0);
-  block.up = Vec4(direction({0, 1, 0}), s.exposure);
+  block.eye = modelFromWorld * Vec4(frame.camera.eye, 1);
+  block.light = direction(lightWorld);
+  block.lightWorld = Vec4(lightWorld, 0);
+  block.up = direction({0, 1, 0});
+  block.pixelsPerUnit = pixelsPerUnit(frame);
+  block.lightIntensity = kKeyLight * s.lightIntensity;
+  block.keyLight = Vec4(settings::linearColor(s.keyColor) * block.lightIntensity, 1);
+  block.fillLight = (1 - kFillAround) * s.fillLight;
+  block.backLight = Vec4(settings::linearColor(s.rimColor) * (kRimLight * s.rimLight), 1);
+  block.exposure = s.exposure;
   // The surroundings light the fur with their own colour, half of it taken out.
   const Vec3 around(kFillAround * s.fillLight);
-  block.sky = Vec4(s.ambient * glm::mix(Vec3(0.75f), top, 0.5f) * settings::linearColor(s.skyColor) + around, 0);
-  block.floorLight = Vec4(s.ambient * 0.55f * glm::mix(Vec3(0.6f), bottom, 0.5f) * settings::linearColor(s.groundColor) + around, s.viewLayer);
+  block.sky = Vec4(s.ambient * glm::mix(Vec3(0.75f), top, 0.5f) * settings::linearColor(s.skyColor) + around, 1);
+  block.floorLight = Vec4(s.ambient * 0.55f * glm::mix(Vec3(0.6f), bottom, 0.5f) * settings::linearColor(s.groundColor) + around, 1);
+  block.viewLayer = s.viewLayer;
   block.backgroundTop = shownColor(s.backgroundTop);
   block.backgroundBottom = shownColor(s.backgroundBottom);
-  block.lightWorld = Vec4(lightWorld, frame.height);
-  block.groundPlane = Vec4(frame.groundHeight, kGroundHalfSide, 0.55f, 0);
-  block.ball = frame.ball;
-  block.groundCentre = Vec4(frame.worldFromModel[3].x, frame.worldFromModel[3].z, frame.bottomRow, 0);
+  block.pictureHeight = static_cast<float>(frame.height);
+  block.bottomRow = static_cast<float>(frame.bottomRow);
+  block.groundCentre = {frame.worldFromModel[3].x, frame.worldFromModel[3].z};
+  block.groundHeight = frame.groundHeight;
+  block.groundHalfSide = kGroundHalfSide;
+  block.groundDarkness = 0.55f;
+  block.ballCentre = Vec4(Vec3(frame.ball), 1);
+  block.ballRadius = frame.ball.w;
   return block;
 }
 
 shared::FurBlock furBlock(const Frame& frame, int tileSize, int storedLayers, const FurDensities& densities, int maskSize) {
   const settings::Settings& s = frame.settings;
-  shared::FurBlock coat;
-  coat.shape = Vec4(s.furLength, s.repeat * 256.0f / static_cast<float>(tileSize), s.layers, frame.slabs);
-  const float density = *std::max_element(densities.begin(), densities.end());
-  coat.volume = Vec4(tileSize, storedLayers, density, frame.stepLength);
+  shared::FurBlock coat{};
+  coat.furLength = s.furLength;
+  coat.tilesPerUnit = s.repeat * 256.0f / static_cast<float>(tileSize);
+  coat.layers = static_cast<float>(s.layers);
+  coat.slabs = static_cast<float>(frame.slabs);
+  coat.tileTexels = static_cast<float>(tileSize);
+  coat.storedLayers = static_cast<float>(storedLayers);
+  coat.density = *std::max_element(densities.begin(), densities.end());
+  coat.stepLength = frame.stepLength;
   const Vec3 factor(frame.baseColorFactor);
   for (int type = 0; type < FUR_TYPES; ++type) {
     const settings::Settings look = settings::typeCoat(s, type);
-    coat.rootColors[type] = Vec4(settings::linearColor(look.rootColor) * factor, densities[static_cast<std::size_t>(type)] > 0);
-    coat.tipColors[type] = Vec4(settings::linearColor(look.tipColor) * factor, look.variance);
+    coat.rootColors[type] = Vec4(settings::linearColor(look.rootColor) * factor, 1);
+    coat.tipColors[type] = Vec4(settings::linearColor(look.tipColor) * factor, 1);
+    coat.typeGrows[type] = densities[static_cast<std::size_t>(type)] > 0;
+    coat.typeVariance[type] = look.variance;
     coat.typeRise[type] = 1 / std::max(settings::typeHeight(s, type), 1e-6f);
   }
-  coat.skinColor = Vec4(settings::linearColor(s.skinColor) * factor, 0.39894228f / strandLobeWidth(s));
+  coat.skinColor = Vec4(settings::linearColor(s.skinColor) * factor, 1);
+  coat.lobePeak = 0.39894228f / strandLobeWidth(s);
   // Where few strands stand, they hardly darken each other and the skin.
-  const float crowding = saturate(density / kCrowdedDensity);
-  coat.shading = Vec4(s.lambert, s.specular, s.shininess, s.strandShadow * crowding);
-  coat.coat = Vec4(s.occlusion * crowding, 0, s.textureAmount, chartsOverlap(frame));
-  coat.water = Vec4(s.clumpShape, s.wetDarkening, s.wetGloss, maskSize);
+  const float crowding = saturate(coat.density / kCrowdedDensity);
+  coat.lambert = s.lambert;
+  coat.specular = s.specular;
+  coat.shininess = s.shininess;
+  coat.strandShadow = s.strandShadow * crowding;
+  coat.occlusion = s.occlusion * crowding;
+  coat.textureAmount = s.textureAmount;
+  coat.chartsOverlap = chartsOverlap(frame);
+  coat.clumpShape = s.clumpShape;
+  coat.wetDarkening = s.wetDarkening;
+  coat.wetGloss = s.wetGloss;
+  coat.maskTexels = static_cast<float>(maskSize);
   return coat;
 }
 
@@ -137,10 +163,8 @@ Result<Renderer> Renderer::create() {
 void Renderer::uploadBlocks(const Frame& frame) {
   const shared::FurBlock coat = furBlock(frame, fur_.size(), fur_.layers(), densities_, mask_.shape().width);
   shared::FrameBlock block = frameBlock(frame);
-  const FurShadow::Key shadow = furShadowKey(frame);
-  block.lightFromModel = shadow.lightFromModel;
-  block.volumeShadow = shadow.volumeShadow;
-  block.sky.w = static_cast<float>(std::max(1, gl::platformSamples()));
+  furShadowKey(frame).fill(block);
+  block.samples = static_cast<float>(std::max(1, gl::platformSamples()));
   frameBlock_.update(gl::bytesOf(block));
   coatBlock_.update(gl::bytesOf(coat));
   frameBlock_.bindAsBlock(FUR_FRAME_BINDING);

@@ -54,7 +54,7 @@ class Raster {
   Raster(const Scene& scene, const Tubes& tubes, const std::vector<Vec3>& light, const DeepShadow& shadow, int width,
          int height, const Options& options)
       : scene_(scene), tubes_(tubes), light_(light), shadow_(shadow), options_(options), samples_(options.samples),
-        size_(width * samples_, height * samples_), perUnit_(scene.frame.eye.w * static_cast<float>(samples_)),
+        size_(width * samples_, height * samples_), perUnit_(scene.frame.pixelsPerUnit * static_cast<float>(samples_)),
         squares_((width + kSquare - 1) / kSquare, (height + kSquare - 1) / kSquare) {
     picture_.width = width, picture_.height = height;
     picture_.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
@@ -127,7 +127,7 @@ class Raster {
 
 // What the lowest layer's mipmaps come to: the share of the skin that roots cover.
 float Raster::rootShare() const {
-  if (scene_.coat.shape.x <= 0 || scene_.coat.volume.z <= 0.001f) return 0;
+  if (scene_.coat.furLength <= 0 || scene_.coat.density <= 0.001f) return 0;
   float area = 0;
   for (const furgen::Strand& strand : scene_.strands.strands) {
     const float radius = scene_.strands.nodesOf(strand)[0].radius;
@@ -269,7 +269,7 @@ void Raster::resolve(const Square& square) {
       Vec3& pixel = picture_.pixels[static_cast<std::size_t>(y * picture_.width + x)];
       pixel = behind;
       if (covered == 0) continue;
-      const Vec3 shown = hair::toneMap(sum / static_cast<float>(covered), scene_.frame.up.w);
+      const Vec3 shown = hair::toneMap(sum / static_cast<float>(covered), scene_.frame.exposure);
       const float share = static_cast<float>(covered) / static_cast<float>(samples_ * samples_);
       pixel = hair::encodeSrgb(glm::mix(hair::decodeSrgb(behind), shown, share));
     }

@@ -20,7 +20,7 @@ constexpr std::size_t kTubesAPiece = 1024;
 
 hair::StrandLook lookOf(const Scene& scene) {
   const render::shared::FurBlock& c = scene.coat;
-  return {c.shading.x, c.shading.y, c.shading.z, c.shading.w, c.coat.x, c.water.y, c.water.z, c.volume.z};
+  return {c.lambert, c.specular, c.shininess, c.strandShadow, c.occlusion, c.wetDarkening, c.wetGloss, c.density};
 }
 
 Vec3 skyLight(const Scene& scene, const Vec3& normal) {
@@ -36,14 +36,14 @@ float keyAt(const Scene& scene, const hair::StrandLook& look, const TubeNode& no
     const float past = shadow.sharePastSkin(node.position + node.normal * kSkinOffset, kSkinBias);
     return past > 0 ? past * shadow.shareThrough(node.position, node.radius, tangent, through, kAllTheWay) : 0.0f;
   }
-  const float rise = std::min(kLook, 1 - node.height) * scene.coat.shape.x;
+  const float rise = std::min(kLook, 1 - node.height) * scene.coat.furLength;
   const float lit = shadow.shareThrough(node.position, node.radius, tangent, through, rise / std::max(nDotL, kLowestLight));
   return hair::keyShare(look, node.height, nDotL, lit);
 }
 
 }  // namespace
 
-float shareOfOneStrand(const Scene& scene) { return 1 - 0.65f * scene.coat.shading.w; }
+float shareOfOneStrand(const Scene& scene) { return 1 - 0.65f * scene.coat.strandShadow; }
 
 std::vector<Vec3> shadeNodes(const Scene& scene, const Tubes& tubes, const DeepShadow& shadow, Light light) {
   const hair::StrandLook look = lookOf(scene);
@@ -55,12 +55,12 @@ std::vector<Vec3> shadeNodes(const Scene& scene, const Tubes& tubes, const DeepS
       const TubeNode& node = nodes[k];
       const Vec3 way = nodes[std::min(k + 1, tube.nodeCount - 1)].position - nodes[k > 0 ? k - 1 : 0].position;
       const Vec3 tangent = normalizeOr(way, node.normal), view = normalizeOr(eye - node.position, node.normal);
-      const Vec3 albedo = hair::strandColor(Vec3(scene.coat.rootColors[0]), Vec3(scene.coat.tipColors[0]), node.height, tube.variance, scene.coat.tipColors[0].w);
+      const Vec3 albedo = hair::strandColor(Vec3(scene.coat.rootColors[0]), Vec3(scene.coat.tipColors[0]), node.height, tube.variance, scene.coat.typeVariance.x);
       const float share = keyAt(scene, look, node, tangent, shadow, light), nDotV = glm::dot(node.normal, view);
       hair::StrandLight lights;
       lights.key = Vec3(scene.frame.keyLight) * share;
       lights.through = lights.key * hair::rimLight(glm::dot(toLight, view), nDotV, node.height);
-      lights.fill = scene.frame.keyLight.w;
+      lights.fill = scene.frame.fillLight;
       lights.rim = Vec3(scene.frame.backLight) * hair::fringe(nDotV, node.height);
       lights.sky = skyLight(scene, node.normal);
       out[tube.firstNode + k] = hair::shadeStrand(look, albedo, tangent, toLight, view, glm::dot(node.normal, toLight), nDotV,

@@ -1,9 +1,50 @@
+#include <cstddef>
+#include <vector>
+
 #include "render/Programs.h"
 #include "shared/Blocks.h"
 #include "tests/render/Picture.h"
 
 namespace fur::render {
 namespace {
+
+#define FUR_MEMBER(block, name) \
+  Member { #name, offsetof(shared::block, name), sizeof(shared::block::name) }
+
+struct Member {
+  const char* name;
+  std::size_t offset, size;
+};
+
+// In the order of shared/Blocks.h.
+std::vector<Member> frameMembers() {
+  return {
+      FUR_MEMBER(FrameBlock, clipFromModel), FUR_MEMBER(FrameBlock, clipFromWorld), FUR_MEMBER(FrameBlock, worldFromModel),
+      FUR_MEMBER(FrameBlock, lightFromModel), FUR_MEMBER(FrameBlock, eye), FUR_MEMBER(FrameBlock, light),
+      FUR_MEMBER(FrameBlock, lightWorld), FUR_MEMBER(FrameBlock, up), FUR_MEMBER(FrameBlock, keyLight),
+      FUR_MEMBER(FrameBlock, backLight), FUR_MEMBER(FrameBlock, sky), FUR_MEMBER(FrameBlock, floorLight),
+      FUR_MEMBER(FrameBlock, backgroundTop), FUR_MEMBER(FrameBlock, backgroundBottom), FUR_MEMBER(FrameBlock, ballCentre),
+      FUR_MEMBER(FrameBlock, pixelsPerUnit), FUR_MEMBER(FrameBlock, lightIntensity), FUR_MEMBER(FrameBlock, fillLight),
+      FUR_MEMBER(FrameBlock, exposure), FUR_MEMBER(FrameBlock, samples), FUR_MEMBER(FrameBlock, viewLayer),
+      FUR_MEMBER(FrameBlock, pictureHeight), FUR_MEMBER(FrameBlock, bottomRow), FUR_MEMBER(FrameBlock, groundCentre),
+      FUR_MEMBER(FrameBlock, groundHeight), FUR_MEMBER(FrameBlock, groundHalfSide), FUR_MEMBER(FrameBlock, groundDarkness),
+      FUR_MEMBER(FrameBlock, ballRadius), FUR_MEMBER(FrameBlock, shadowExtinction), FUR_MEMBER(FrameBlock, shadowBias),
+      FUR_MEMBER(FrameBlock, shadowLayerDepth), FUR_MEMBER(FrameBlock, shadowSurface), FUR_MEMBER(FrameBlock, shadowRange),
+  };
+}
+std::vector<Member> furMembers() {
+  return {
+      FUR_MEMBER(FurBlock, rootColors), FUR_MEMBER(FurBlock, tipColors), FUR_MEMBER(FurBlock, typeGrows),
+      FUR_MEMBER(FurBlock, typeVariance), FUR_MEMBER(FurBlock, typeRise), FUR_MEMBER(FurBlock, skinColor),
+      FUR_MEMBER(FurBlock, furLength), FUR_MEMBER(FurBlock, tilesPerUnit), FUR_MEMBER(FurBlock, layers),
+      FUR_MEMBER(FurBlock, slabs), FUR_MEMBER(FurBlock, tileTexels), FUR_MEMBER(FurBlock, storedLayers),
+      FUR_MEMBER(FurBlock, density), FUR_MEMBER(FurBlock, stepLength), FUR_MEMBER(FurBlock, lambert),
+      FUR_MEMBER(FurBlock, specular), FUR_MEMBER(FurBlock, shininess), FUR_MEMBER(FurBlock, strandShadow),
+      FUR_MEMBER(FurBlock, occlusion), FUR_MEMBER(FurBlock, textureAmount), FUR_MEMBER(FurBlock, chartsOverlap),
+      FUR_MEMBER(FurBlock, lobePeak), FUR_MEMBER(FurBlock, clumpShape), FUR_MEMBER(FurBlock, wetDarkening),
+      FUR_MEMBER(FurBlock, wetGloss), FUR_MEMBER(FurBlock, maskTexels),
+  };
+}
 
 TEST(Programs, EveryVariantCompilesAndLinks) {
   test::Stage stage(16, 16);
@@ -24,6 +65,38 @@ TEST(Blocks, HaveTheSizeThatTheDriverReserves) {
       const int reserved = program.value()->blockSize(name);
       if (reserved > 0) EXPECT_EQ(static_cast<std::size_t>(reserved), bytes) << name << " in shader " << static_cast<int>(shader);
     }
+  }
+}
+
+TEST(Blocks, HaveNoPaddingBetweenTheirMembersWhichAreAllListedHere) {
+  for (const auto& [members, bytes] : {std::pair(frameMembers(), sizeof(shared::FrameBlock)), std::pair(furMembers(), sizeof(shared::FurBlock))}) {
+    std::size_t end = 0;
+    for (const Member& member : members) {
+      EXPECT_EQ(member.offset, end) << member.name;
+      end = member.offset + member.size;
+    }
+    // A block ends with a whole vec4.
+    EXPECT_EQ((end + 15) / 16 * 16, bytes);
+  }
+}
+
+TEST(Blocks, HaveEachMemberWhereTheDriverReadsIt) {
+  test::Stage stage(16, 16);
+  Programs programs;
+  for (const auto& [block, members] : {std::pair("FrameBlock", frameMembers()), std::pair("FurBlock", furMembers())}) {
+    std::vector<bool> seen(members.size());
+    for (const auto& [shader, variant] : allVariants()) {
+      const auto program = programs.use(shader, variant);
+      ASSERT_TRUE(program);
+      if (program.value()->blockSize(block) == 0) continue;
+      for (std::size_t i = 0; i < members.size(); ++i) {
+        const int offset = program.value()->offsetInBlock(members[i].name);
+        if (offset < 0) continue;
+        seen[i] = true;
+        EXPECT_EQ(static_cast<std::size_t>(offset), members[i].offset) << members[i].name << " in shader " << static_cast<int>(shader);
+      }
+    }
+    for (std::size_t i = 0; i < members.size(); ++i) EXPECT_TRUE(seen[i]) << "no shader has " << members[i].name;
   }
 }
 

@@ -40,8 +40,8 @@ class Lit {
   void update(unsigned long scene = 1) {
     coatBlock_.bindAsBlock(FUR_COAT_BINDING);
     frameBlock_.bindAsBlock(FUR_FRAME_BINDING);
-    const FurShadow::Key key{static_cast<Shadows>(settings_.shadows), frame_.lightFromModel,
-                             frame_.volumeShadow, kPlain, scene, frame_.ball, Mat4(1)};
+    FurShadow::Key key = key_;
+    key.scene = scene;
     const Status status = shadow_.update(programs_, key, surface_, static_cast<int>(indices_.size()));
     EXPECT_TRUE(status) << (status ? "" : status.error().message);
   }
@@ -66,7 +66,7 @@ class Lit {
       }
   }
 
-  const Vec4& shadowing() const { return frame_.volumeShadow; }
+  const VolumeShadow& shadowing() const { return key_.volume; }
   const FurShadow& shadow() const { return shadow_; }
 
  private:
@@ -90,11 +90,15 @@ class Lit {
     vertexBuffer_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(vertices_), false);
     indexBuffer_ = gl::Buffer(gl::BufferKind::Index, gl::bytesOf(indices_), false);
     surface_ = gl::VertexArray(vertexBuffer_, sizeof(Vertex), kAttributes, 0, &indexBuffer_);
-    frame_.lightFromModel = lightFromModel(glm::normalize(light), shadowRadius(settings_.furLength));
-    frame_.volumeShadow = volumeShadow(settings_, 0.5f);
+    key_ = {static_cast<Shadows>(settings_.shadows), lightFromModel(glm::normalize(light), shadowRadius(settings_.furLength)),
+            volumeShadow(settings_, 0.5f), kPlain, 0, Vec4(0), Mat4(1)};
+    key_.fill(frame_);
     shared::FurBlock coat{};
-    coat.shape = Vec4(settings_.furLength, 1, 16, 16);
-    coat.volume = Vec4(1, 8, 0.5f, 0);
+    coat.furLength = settings_.furLength;
+    coat.tilesPerUnit = coat.tileTexels = 1;
+    coat.layers = 16;
+    coat.storedLayers = 8;
+    coat.density = 0.5f;
     frameBlock_ = gl::Buffer(gl::BufferKind::Uniform, gl::bytesOf(frame_), true);
     coatBlock_ = gl::Buffer(gl::BufferKind::Uniform, gl::bytesOf(coat), true);
   }
@@ -105,6 +109,7 @@ class Lit {
   FurShadow shadow_;
   std::vector<Vertex> vertices_;
   std::vector<std::uint32_t> indices_;
+  FurShadow::Key key_{};
   shared::FrameBlock frame_{};
   gl::Buffer vertexBuffer_, indexBuffer_, frameBlock_, coatBlock_;
   gl::VertexArray surface_;
@@ -134,8 +139,8 @@ TEST(FurShadow, OfASphereFallsOnThePlaneWhereGeometrySays) {
       const Ray ray = toSphere(point, light);
       // Five texels of blur and the sphere's facets.
       if (std::abs(ray.miss - kRadius) < 0.06f) return;
-      const float depth = ray.miss < kRadius ? std::max(ray.way - lit.shadowing().y, 0.0f) : 0;
-      EXPECT_NEAR(value, hair::transmittance(lit.shadowing().x / 1.442695f, depth), 0.02f)
+      const float depth = ray.miss < kRadius ? std::max(ray.way - lit.shadowing().bias, 0.0f) : 0;
+      EXPECT_NEAR(value, hair::transmittance(lit.shadowing().extinction / 1.442695f, depth), 0.02f)
           << point.x << ' ' << point.z;
       (value < 0.1f ? dark : bright) += 1;
     });

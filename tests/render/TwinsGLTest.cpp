@@ -28,21 +28,27 @@ const Vec3 kSky(0.3f, 0.25f, 0.2f), kFloorLight(0.1f, 0.15f, 0.2f);
 
 shared::FrameBlock frameOfLook() {
   shared::FrameBlock frame{};
-  frame.light.w = kLightIntensity;
-  frame.keyLight = Vec4(kKeyLight, kFillLight);
-  frame.backLight = Vec4(kBackLight, 0);
-  frame.up.w = kExposure;
-  frame.sky = Vec4(kSky, 0);
-  frame.floorLight = Vec4(kFloorLight, 0);
+  frame.lightIntensity = kLightIntensity;
+  frame.keyLight = Vec4(kKeyLight, 1);
+  frame.fillLight = kFillLight;
+  frame.backLight = Vec4(kBackLight, 1);
+  frame.exposure = kExposure;
+  frame.sky = Vec4(kSky, 1);
+  frame.floorLight = Vec4(kFloorLight, 1);
   return frame;
 }
 shared::FurBlock coatOfLook() {
   shared::FurBlock coat{};
-  coat.volume.z = kLook.density;
-  coat.shading = Vec4(kLook.lambert, kLook.gloss, kLook.exponent, kLook.strandShadow);
-  coat.coat.x = kLook.occlusion;
-  coat.shape.z = kLayers;
-  coat.water = Vec4(kClumpShape, kLook.wetDarkening, kLook.wetGloss, 0);
+  coat.density = kLook.density;
+  coat.lambert = kLook.lambert;
+  coat.specular = kLook.gloss;
+  coat.shininess = kLook.exponent;
+  coat.strandShadow = kLook.strandShadow;
+  coat.occlusion = kLook.occlusion;
+  coat.layers = kLayers;
+  coat.clumpShape = kClumpShape;
+  coat.wetDarkening = kLook.wetDarkening;
+  coat.wetGloss = kLook.wetGloss;
   return coat;
 }
 
@@ -62,7 +68,7 @@ float largestDifference(int function, const Twin& twin) {
   tables.use(settings);
   program.value().bindSampler("strandM", FUR_UNIT_STRAND_M);
   program.value().bindSampler("strandN", FUR_UNIT_STRAND_N);
-  coat.skinColor.w = 1 / (strandLobeWidth(settings) * std::sqrt(2 * kPi));
+  coat.lobePeak = 1 / (strandLobeWidth(settings) * std::sqrt(2 * kPi));
   const gl::Buffer frameBlock(gl::BufferKind::Uniform, gl::bytesOf(frame), true);
   const gl::Buffer coatBlock(gl::BufferKind::Uniform, gl::bytesOf(coat), true);
   frameBlock.bindAsBlock(FUR_FRAME_BINDING);

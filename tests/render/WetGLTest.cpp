@@ -58,9 +58,9 @@ struct Droplet : Scene {
     const render::Frame f = app.frame();
     const settings::Settings& s = f.settings;
     const shared::FurBlock block = furBlock(f, app.grownCoat()->parameters.size, s.layers, {0.3f}, 1);
-    const truth::FurMap map(app.surface(), app.bends(), s.furLength, block.shape.y);
+    const truth::FurMap map(app.surface(), app.bends(), s.furLength, block.tilesPerUnit);
     const truth::Tubes tubes = truth::placeStrands(map, *app.grownCoat(), 1e-5f);
-    const float texel = 1 / (block.shape.y * block.volume.x), ground = app.surface().vertices[0].position.y;
+    const float texel = 1 / (block.tilesPerUnit * block.tileTexels), ground = app.surface().vertices[0].position.y;
     const Mat4 clip = clipFromWorld(f) * f.worldFromModel;
     const float stands = s.viewLayer / wet::upright(wetness);
     const float pull = wet::clumpPull(stands, s.clumpShape, static_cast<float>(s.layers), wet::drawnBy(wetness, kRadius / s.furLength));

@@ -45,10 +45,13 @@ inline render::shared::FrameBlock frameFrom(const Vec3& eye, const Vec3& target,
   block.clipFromModel = block.clipFromWorld =
       glm::perspective(kFovY, static_cast<float>(width) / static_cast<float>(height), 0.1f, 20.0f) * glm::lookAt(eye, target, upwards);
   block.worldFromModel = Mat4(1);
-  block.eye = Vec4(eye, static_cast<float>(height) / (2 * std::tan(kFovY / 2)));
-  block.light = Vec4(glm::normalize(Vec3(1, 2, 1)), 2);
-  block.keyLight = Vec4(2, 2, 2, 0);
-  block.up = Vec4(0, 1, 0, 1);
+  block.eye = Vec4(eye, 1);
+  block.pixelsPerUnit = static_cast<float>(height) / (2 * std::tan(kFovY / 2));
+  block.light = Vec4(glm::normalize(Vec3(1, 2, 1)), 0);
+  block.lightIntensity = 2;
+  block.keyLight = Vec4(2, 2, 2, 1);
+  block.up = Vec4(0, 1, 0, 0);
+  block.exposure = 1;
   block.sky = block.floorLight = Vec4(0.3f);
   block.backgroundTop = block.backgroundBottom = Vec4(0, 0, 1, 1);
   return block;
@@ -56,13 +59,23 @@ inline render::shared::FrameBlock frameFrom(const Vec3& eye, const Vec3& target,
 
 inline render::shared::FurBlock furOf(float length, float tiles) {
   render::shared::FurBlock block{};
-  block.shape = Vec4(length, tiles, 16, 4);
-  block.volume = Vec4(256, 16, 0.4f, 0);
+  block.furLength = length;
+  block.tilesPerUnit = tiles;
+  block.layers = block.storedLayers = 16;
+  block.tileTexels = 256;
+  block.density = 0.4f;
   block.rootColors[0] = block.tipColors[0] = Vec4(0.5f, 0.3f, 0.1f, 1);
   block.skinColor = Vec4(0.1f, 0.6f, 0.1f, 1);
-  block.shading = Vec4(0.4f, 0.2f, 60, 0.6f);
-  block.coat = Vec4(0.2f, 0, 0, 0);
-  block.water = Vec4(0.6f, 0.4f, 0.8f, 256);
+  block.typeVariance.x = 1;
+  block.lambert = 0.4f;
+  block.specular = 0.2f;
+  block.shininess = 60;
+  block.strandShadow = 0.6f;
+  block.occlusion = 0.2f;
+  block.clumpShape = 0.6f;
+  block.wetDarkening = 0.4f;
+  block.wetGloss = 0.8f;
+  block.maskTexels = 256;
   return block;
 }
 

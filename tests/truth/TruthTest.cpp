@@ -63,7 +63,7 @@ TEST(Truth, AStrandThinsTowardsItsTip) {
   EXPECT_GT(low, middle * 1.1f);
   EXPECT_GT(middle, high * 1.1f);
   // 5 texels of radius at half the height, 1.75 from the eye: within a fifth, for the colour at the edges.
-  EXPECT_NEAR(middle, 2 * 5 / 256.0f * world.frame.eye.w / 1.75f, 0.2f * middle);
+  EXPECT_NEAR(middle, 2 * 5 / 256.0f * world.frame.pixelsPerUnit / 1.75f, 0.2f * middle);
 }
 
 TEST(Truth, SkinHidesTheStrandsBehindIt) {
@@ -105,7 +105,7 @@ TEST(Truth, MoreSamplesChangeNoMeanButSmoothTheEdges) {
 TEST(Truth, OnlyTracedLightLeavesTheShadowOfTheBodyBlack) {
   World world;
   // Lit through the skin, from below.
-  world.frame.light = Vec4(glm::normalize(Vec3(0.1f, -0.9f, 0.1f)), 2);
+  world.frame.light = Vec4(glm::normalize(Vec3(0.1f, -0.9f, 0.1f)), 0);
   world.frame.sky = world.frame.floorLight = Vec4(0);
   const Vec2 at = test::pixelOf(world.frame, {0.25f, 0.2f, 0.25f}, kWidth, kHeight);
   const auto pixel = static_cast<std::size_t>(static_cast<int>(at.y) * kWidth + static_cast<int>(at.x));
@@ -113,7 +113,7 @@ TEST(Truth, OnlyTracedLightLeavesTheShadowOfTheBodyBlack) {
   traced.light = Light::Traced;
   EXPECT_LT(glm::length(world.draw(traced).pixels[pixel]), 1e-3f);
   // Sheppard's body shades from 30 degrees behind on, but a point of light that is nearer than that comes through.
-  world.frame.light = Vec4(glm::normalize(Vec3(0.95f, -0.3f, 0)), 2);
+  world.frame.light = Vec4(glm::normalize(Vec3(0.95f, -0.3f, 0)), 0);
   EXPECT_GT(glm::length(world.draw().pixels[pixel]), 0.1f);
 }
 

@@ -1,18 +1,21 @@
 // Uniform blocks, attribute locations and texture units, in a subset that is valid as GLSL ES 3.00
-// and as C++. Every lane is a vec4 or mat4, so std140 and C++ agree without padding.
-// BlocksGLTest holds both sides against the driver.
+// and as C++. BlocksGLTest holds both sides against the driver, member by member.
 #ifdef __cplusplus
 #pragma once
 #include "core/Math.h"
 namespace fur::render::shared {
+using vec2 = Vec2;
 using vec4 = Vec4;
 using mat4 = Mat4;
-#define FUR_BLOCK(name) struct name
+#define FUR_BLOCK(name) struct alignas(16) name
 #else
 #define FUR_BLOCK(name) layout(std140) uniform name
 #endif
 
 #define FUR_TYPES 4
+
+// std140 and C++ agree without padding: matrices and vec4s first, then numbers in rows of four. No vec3: drivers have been
+// known to lay out what follows one differently. So points have w = 1, directions w = 0 and colours a = 1.
 
 // One a frame. "Model" is the space of the unit sphere that the model was fitted to; a rigid
 // transform takes it to the world.
@@ -20,34 +23,76 @@ FUR_BLOCK(FrameBlock) {
   mat4 clipFromModel;
   mat4 clipFromWorld;
   mat4 worldFromModel;
-  vec4 eye;               // model space; w: pixels that a model unit covers at distance 1
-  vec4 light;             // model space, unit, towards the light; w: intensity
-  vec4 keyLight;          // linear, its colour by its intensity; w: fill light, from the eye
+  mat4 lightFromModel;    // to the fur's own shadow map: xy 0..1, z depth along the light in model units
+  vec4 eye;               // model space
+  vec4 light;             // model space, unit, towards the key light
+  vec4 lightWorld;        // world space, unit
+  vec4 up;                // model space, unit, the world's +y
+  vec4 keyLight;          // linear, its colour by its intensity
   vec4 backLight;         // linear light from behind what the eye sees
-  vec4 up;                // model space, unit, the world's +y; w: exposure
-  vec4 sky;               // linear light from above; w: samples a pixel
-  vec4 floorLight;        // linear light from below; w: height of the layer that a view shows, 0..1
+  vec4 sky;               // linear light from above
+  vec4 floorLight;        // linear light from below
   vec4 backgroundTop;     // sRGB as it is shown
   vec4 backgroundBottom;  // sRGB as it is shown
-  vec4 lightWorld;        // world space, unit; w: rows of pixels in the picture
-  vec4 groundPlane;       // x: its height in the world  y: half the side of its shadow map  z: darkness
-  vec4 groundCentre;      // world x and z of the shadow map's centre  z: the picture's row that is the framebuffer's lowest
-  mat4 lightFromModel;    // to the fur's own shadow map: xy 0..1, z depth along the light in model units
-  vec4 ball;              // centre in the world; w: radius
-  vec4 volumeShadow;      // x: log2(e) k  y: bias, or distance of the layers  z: height of the first surface  w: depth that the map spans
+  vec4 ballCentre;        // world space
+
+  float pixelsPerUnit;    // pixels that a model unit covers at distance 1
+  float lightIntensity;   // of the key light
+  float fillLight;        // light from the eye
+  float exposure;
+
+  float samples;          // of a pixel
+  float viewLayer;        // height of the layer that a view shows, 0..1
+  float pictureHeight;    // rows of pixels in the picture
+  float bottomRow;        // of the picture: the framebuffer's lowest
+
+  vec2 groundCentre;      // world x and z of the middle of its shadow map
+  float groundHeight;     // world y
+  float groundHalfSide;   // of its shadow map
+
+  float groundDarkness;   // in full shadow
+  float ballRadius;
+  float shadowExtinction; // log2(e) k of the fur's own shadow
+  float shadowBias;       // depth map: so far behind the first surface it begins, model units
+
+  float shadowLayerDepth; // layers: how far apart they are, model units
+  float shadowSurface;    // height of the first surface, 0..1
+  float shadowRange;      // depth that the map spans, model units
 };
 
-// The coat. One a change of the settings.
+// The coat. One a change of the settings. Arrays and vec4s of "type" hold one of each fur type.
 FUR_BLOCK(FurBlock) {
-  vec4 shape;      // x: length (model units)  y: tiles per model unit  z: layers  w: slabs
-  vec4 volume;     // x: texels along the tile  y: layers stored  z: density (strand shadow)  w: length of a march's steps
-  vec4 rootColors[FUR_TYPES];  // linear, one a fur type; w: 0 where the type is bald, else 1
-  vec4 tipColors[FUR_TYPES];   // linear; w: variance
-  vec4 typeRise;   // one a fur type: the length of the coat as a share of the type's
-  vec4 skinColor;  // linear; w: 1 / (beta_R sqrt(2 pi)) of Marschner's lobes
-  vec4 shading;    // x: Lambert share  y: gloss  z: exponent p when soaked  w: strand shadow
-  vec4 coat;       // x: sigma_occ  y: unused  z: share of the model's texture  w: whether charts overlap
-  vec4 water;      // x: clump shape w  y: sigma_wet  z: sigma_spec  w: texels along the mask
+  vec4 rootColors[FUR_TYPES];  // linear
+  vec4 tipColors[FUR_TYPES];   // linear
+  vec4 typeGrows;      // 0 where the type is bald, else 1
+  vec4 typeVariance;   // of colours from strand to strand
+  vec4 typeRise;       // the length of the coat as a share of the type's
+  vec4 skinColor;      // linear
+
+  float furLength;     // model units
+  float tilesPerUnit;  // fur tiles along a model unit
+  float layers;        // N of the coat
+  float slabs;
+
+  float tileTexels;    // along a side of the fur tile
+  float storedLayers;  // in its textures
+  float density;       // share of its densest layer that strands cover
+  float stepLength;    // of a march's steps, 1 as is good for the picture
+
+  float lambert;       // share of it in the light on a strand
+  float specular;
+  float shininess;     // exponent p when soaked (Silva et al. 2010, Eq. 3)
+  float strandShadow;
+
+  float occlusion;     // sigma_occ (Eq. 5)
+  float textureAmount; // share of the model's picture
+  float chartsOverlap; // 0 or 1
+  float lobePeak;      // 1 / (beta_R sqrt(2 pi)) of Marschner's lobes
+
+  float clumpShape;    // w (Eq. 1)
+  float wetDarkening;  // sigma_wet (Eq. 5)
+  float wetGloss;      // sigma_spec (Eq. 3)
+  float maskTexels;    // along a side of the wetness mask
 };
 
 #define FUR_FRAME_BINDING 0
