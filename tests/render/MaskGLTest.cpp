@@ -48,7 +48,7 @@ class EncodedMask : public testing::Test {
     texture.bind(FUR_UNIT_MASK);
     program.value().bindSampler("mask", FUR_UNIT_MASK);
     shared::FurBlock coat{};
-    coat.water.w = kSize;
+    coat.maskTexels = kSize;
     const shared::FrameBlock frame{};
     const gl::Buffer coatBlock(gl::BufferKind::Uniform, gl::bytesOf(coat), true), frameBlock(gl::BufferKind::Uniform, gl::bytesOf(frame), true);
     coatBlock.bindAsBlock(FUR_COAT_BINDING);
