@@ -542,7 +542,7 @@ export class WetFur extends EventTarget {
     this.#app.shake();
     this.#wake();
   }
-  /** Letters as locks of wet fur, round {x, y} in CSS pixels of the canvas (default: its middle), `size` high, turned by `angle` (radians, clockwise). */
+  /** Letters as clumps of wet fur, round {x, y} in CSS pixels of the canvas (default: its middle), `size` high, turned by `angle` (radians, clockwise). */
   stamp(text, { x = this.#canvas.clientWidth / 2, y = this.#canvas.clientHeight / 2, size = 96, angle = 0, amount = 0.5 } = {}) {
     if (!this.loaded || !text) return;
     const picture = letters(text, size, angle);

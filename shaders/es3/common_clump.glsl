@@ -20,30 +20,30 @@ float sheetOf(float held) { return smoothstep(FUR_SHEET_FROM, 1.0, held); }
 
 // s: the share of the way to the clump's centre that a strand has gone at height h. A sheet opens it again.
 float clumpPull(float h, float held, float sheet) {
-  return min(clumpProfile(h, clumpShape, layers) * min(held, 1.0) * (1.0 - FUR_SHEET_OPENS * sheet), FUR_MAX_SHIFT);
+  return clumpProfile(h, clumpShape, layers) * min(held, 1.0) * (1.0 - FUR_SHEET_OPENS * sheet);
 }
 
 // The water that a clump of that radius (fur lengths) can draw its strands together by: none is drawn further aside than
 // it is long, so large drops on short fur leave it standing.
-float drawnBy(float held, float radius) { return min(held, FUR_MOST_ASIDE / max(radius, 1e-6)); }
+float clumpingWetness(float held, float radius) { return min(held, FUR_MAX_DISPLACEMENT / max(radius, 1e-6)); }
 
 // How far along the strand of constant length a point at height h lies that has been drawn `aside` (fur lengths): the
-// outer strands of a lock end lower, which is what points it.
+// outer strands of a clump end lower, which is what points it.
 float alongStrand(float h, vec2 aside) { return length(vec3(aside, h)); }
 
-// How much shorter a strand of a lock looks; `outward`: squared, 1 at the rim. Water holds the outer ones to the middle by
+// How much shorter a strand of a clump looks; `outward`: squared, 1 at the rim. Water holds the outer ones to the middle by
 // their sides, their tips further down: that, too, points it.
-float pointsOf(float held, float sheet, float outward) {
-  return 1.0 + FUR_POINTS * min(held, 1.0) * (1.0 - sheet) * min(outward, 1.0);
+float rimTaper(float held, float sheet, float outward) {
+  return 1.0 + FUR_RIM_TAPER * min(held, 1.0) * (1.0 - sheet) * min(outward, 1.0);
 }
 
 // Wet strands lie down the way they lean: so far aside at their tips, and no higher than upright().
-vec2 lieOf(vec2 lean, float held, float sheet) {
+vec2 wetLean(vec2 lean, float held, float sheet) {
   float much = length(lean);
   return lean * ((0.75 * min(held, 1.0) + 0.1 * sheet) * smoothstep(0.0, 0.12, much) / max(much, 1e-6));
 }
 float upright(float held, float sheet) {
-  return 1.0 - mix(FUR_LOCKS_SINK * min(held, 1.0), FUR_SHEET_SINKS, sheet);
+  return 1.0 - mix(FUR_CLUMPS_SINK * min(held, 1.0), FUR_SHEET_SINKS, sheet);
 }
 
 // A clump's own colour; grey where it is dry. Views only.
@@ -71,7 +71,7 @@ vec4 clumpAt(sampler2D mask, vec2 a) {
 }
 
 // The water held there, between four texels. Those beside the charts have -1 less than the water next to them.
-float heldAround(sampler2D mask, vec2 a) {
+float filteredWetness(sampler2D mask, vec2 a) {
   vec2 texel = a * maskTexels - 0.5, corner = floor(texel), part = texel - corner;
   ivec2 most = ivec2(int(maskTexels) - 1), low = clamp(ivec2(corner), ivec2(0), most), high = min(low + 1, most);
   vec4 held = vec4(texelFetch(mask, low, 0).a, texelFetch(mask, ivec2(high.x, low.y), 0).a,
@@ -83,7 +83,7 @@ float heldAround(sampler2D mask, vec2 a) {
 
 // Whether the strand rooted `from` the centre of the clump is one of its own, 0..1. Algorithm 2: a root outside the clump, in a
 // dry texel or in another clump is no strand here. A root beyond the chart's border stands on the next chart, which draws the
-// other half of the clump: it is one of its own. The rim fades over a twelfth of the radius, so that locks have soft edges.
+// other half of the clump: it is one of its own. The rim fades over a twelfth of the radius, so that clumps have soft edges.
 float ownStrand(sampler2D mask, vec4 clump, float chart, vec2 from) {
   vec4 home = maskAt(mask, clump.xy + from);
   home.x -= chart;

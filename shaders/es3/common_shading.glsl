@@ -126,7 +126,7 @@ vec3 shadeStrand(vec3 albedo, vec3 T, vec3 L, vec3 V, float h, float rho, float 
 // Wet strands: C++ twins in hair/StrandShading.h, which says more.
 vec3 wetAlbedo(vec3 albedo, float rho) { return mix(albedo, albedo / mix(vec3(1.77), vec3(1.0), albedo), rho * (2.0 - rho)); }
 
-vec3 lockNormal(vec2 outward, float sheet) {
+vec3 clumpNormal(vec2 outward, float sheet) {
   return normalize(vec3(outward * (1.0 - 0.85 * sheet), mix(sqrt(max(1.0 - dot(outward, outward), 0.0)), 1.0, sheet) + 0.25));
 }
 
@@ -144,13 +144,13 @@ vec2 waterGloss(vec3 T, vec3 n, vec3 L, vec3 V, float held, float sheet, float s
   return film * film * wetGloss * vec2(glossShare(L.z) * glint * mix(1.6, 0.5, sheet), fresnel * mix(0.5, 0.2 + 2.4 * strand, sheet));
 }
 
-// A strand's light `color` as that of one in a lock: locks are round and stand close, so their far sides and feet get
+// A strand's light `color` as that of one in a clump: clumps are round and stand close, so their far sides and feet get
 // less of it; and what water mirrors. `held`: 1 is saturated, what is more shines as a film.
-vec3 lockLight(vec3 color, vec3 T, vec3 n, vec3 L, vec3 V, float h, float held, float sheet, float lit, float upness, float strand) {
-  float locks = min(held, 1.0) * (1.0 - 0.75 * sheet);
+vec3 clumpLight(vec3 color, vec3 T, vec3 n, vec3 L, vec3 V, float h, float held, float sheet, float lit, float upness, float strand) {
+  float clumps = min(held, 1.0) * (1.0 - 0.75 * sheet);
   float turnedTo = clamp(0.6 + 0.8 * dot(n, L), 0.15, 1.4);
-  color *= mix(1.0, turnedTo, 0.7 * locks) * mix(1.0, smoothstep(-0.1, 0.8, h), 0.55 * locks) * (1.0 - 0.35 * min(held, 1.0)) * (1.0 - 0.38 * sheet);
-  vec2 mirrored = waterGloss(T, n, L, V, held, sheet, strand) * mix(1.0, h, locks);
+  color *= mix(1.0, turnedTo, 0.7 * clumps) * mix(1.0, smoothstep(-0.1, 0.8, h), 0.55 * clumps) * (1.0 - 0.35 * min(held, 1.0)) * (1.0 - 0.38 * sheet);
+  vec2 mirrored = waterGloss(T, n, L, V, held, sheet, strand) * mix(1.0, h, clumps);
   color += 0.5 * min(held, 1.0) * fringe(V.z, h);
   return color + mirrored.x * lit * keyLight.rgb + mirrored.y * mix(0.6, 1.0, lit) * skyLight(upness);
 }

@@ -47,14 +47,14 @@ void main() {
   rho = min(held, 1.0);
   h /= upright(held, sheet);
   if (held > 0.0) {
-    float drawn = drawnBy(held, clump.z * furLengths / max(length(vAtlasAlong), 1e-6));
+    float drawn = clumpingWetness(held, clump.z * furLengths / max(length(vAtlasAlong), 1e-6));
     float s = clumpPull(h, drawn, sheet), below = clumpPull(h - 1.0 / layers, drawn, sheet);
     vec2 fromCentre = (vAtlas - clump.xy) / (1.0 - s), across = vec2(-vAtlasAlong.y, vAtlasAlong.x);
     open = mix(ownStrand(mask, clump, chart, fromCentre), 1.0, 0.7 * sheet);
     // In turns of the fin map along the edge and across it; only the first moves the look-up, both tilt the strand.
     vec2 turns = vec2(dot(fromCentre, vAtlasAlong), dot(fromCentre, across)) / max(dot(vAtlasAlong, vAtlasAlong), 1e-12);
     u += turns.x * s;
-    h = alongStrand(h, turns * (s * furLengths)) * pointsOf(held, sheet, dot(fromCentre, fromCentre) / (clump.z * clump.z + 1e-12));
+    h = alongStrand(h, turns * (s * furLengths)) * rimTaper(held, sheet, dot(fromCentre, fromCentre) / (clump.z * clump.z + 1e-12));
     clumpLean = turns * ((below - s) * layers * furLengths);
     outward = turns * length(vAtlasAlong) / max(clump.z, 1e-6);
   }
@@ -111,7 +111,7 @@ void main() {
 #endif
     color = shadeStrand(albedo, tangent, L, V, exposed, rho, lit, vLight.w, strand.z);
 #ifdef WET
-    color = lockLight(color, tangent, lockNormal(outward, sheet), L, V, h, held, sheet, lit, vLight.w, strand.z);
+    color = clumpLight(color, tangent, clumpNormal(outward, sheet), L, V, h, held, sheet, lit, vLight.w, strand.z);
 #endif
 #ifdef VIEW_SHADOW
     color = vec3(lightShare(lit, exposed, L.z));

@@ -37,9 +37,9 @@ flat in float vTop;
 #endif
 in vec2 vStrands;
 #if defined(WET) || defined(GROOMED)
-#define DRESSED  // strands stand elsewhere than in the tile, or not all of them
+#define WET_OR_GROOMED  // strands stand elsewhere than in the tile, or not all of them
 #endif
-#if defined(DRESSED) || defined(PAINTED)
+#if defined(WET_OR_GROOMED) || defined(PAINTED)
 in vec2 vAtlas;
 in vec4 vAtlasStep;
 #endif
@@ -87,7 +87,7 @@ int stepsTo(float end, float x, float stepSize, int most) {
 #ifdef WET
 #include "shell_wet.glsl"
 #endif
-// Drawn together, strands are that much thinner than a pixel. Not all of it: locks keep their lines.
+// Drawn together, strands are that much thinner than a pixel. Not all of it: clumps keep their lines.
 float gatheredLevel(float lod, float pull) { return lod + step(0.3, pull) + step(0.63, pull); }
 
 // The chart's share where charts overlap, see geometry/FurClusters.h: blended in order.
@@ -147,7 +147,7 @@ void main() {
   float between = fract(noise * 7.0) - 0.5;
   float x = stepSize * noise, alpha = 0.0, xSum = 0.0;
   float metX = 0.0;  // where the strand was met that is shown: the last one that hid more than all before it
-#ifdef DRESSED
+#ifdef WET_OR_GROOMED
   float hSum = 0.0;  // height along the strands, weighted as x is
 #endif
   vec4 spot = vec4(vTile.xy, 0.0, lod);       // its tile, layer, mip level
@@ -170,7 +170,7 @@ void main() {
 #ifdef VIEW_CLUMPS
   vec3 clumpSum = vec3(0.0);
 #endif
-#ifdef DRESSED
+#ifdef WET_OR_GROOMED
   mat2 atlasFromTile = mat2(vAtlasStep.xy, vAtlasStep.zw);
 #endif
 #ifdef WET
@@ -180,14 +180,14 @@ void main() {
   mat2 tileFromFur = mat2(vTileOfFur.xy, 0.0, vTileOfFur.z);
   furFromTile = inverse(tileFromFur);
   furLengths = sqrt(abs(determinant(furFromTile)));
-  entryHeld = heldAround(mask, vAtlas);
+  entryHeld = filteredWetness(mask, vAtlas);
   entryChart = chartOf(maskAt(mask, vAtlas));
   sheet = sheetOf(entryHeld);
   float joined = sheet * (2.0 - sheet);
   coatTop = upright(entryHeld, sheet);
-  vec2 laid = lieOf(0.5 * vLean.xy, entryHeld, sheet);
+  vec2 laid = wetLean(0.5 * vLean.xy, entryHeld, sheet);
   lie = tileFromFur * laid;
-  // Locks are denser than dry fur: they close sooner, and longer steps find them.
+  // Clumps are denser than dry fur: they close sooner, and longer steps find them.
   stepSize *= 1.0 + 0.7 * min(entryHeld, 1.0);
   float enters = 0.0, closes = kClosed * (1.0 - 0.6 * sheet);
   if (vTop > coatTop) {
@@ -232,7 +232,7 @@ void main() {
 #endif
     vec2 root = at;
     float open = 1.0, level = lod, along = h;
-#ifdef DRESSED
+#ifdef WET_OR_GROOMED
     vec2 a = vAtlas + atlasFromTile * (at - vTile.xy);
 #endif
 #ifdef WET
@@ -279,7 +279,7 @@ void main() {
 #endif
     vec4 there = vec4(root, storedLayer(along, between), level);
     float add = stepCover(min(edged(textureLod(coverage, there.xyz, level).r, sharp) * open, 1.0), softness) * (1.0 - alpha);
-#ifdef DRESSED
+#ifdef WET_OR_GROOMED
     hSum += add * along;
 #endif
 #ifdef GROOMED
@@ -328,15 +328,15 @@ void main() {
   toStrand = mix(toStrand, enters, joined);
   float metHeight = heightAt(metX);
   vec2 metTile = tileAt(metX, metHeight) - lie * (metHeight / coatTop);
-  WetStrand lock = wetStrandAt(metTile, vAtlas + atlasFromTile * (metTile - vTile.xy), metHeight, inside);
+  WetStrand metStrand = wetStrandAt(metTile, vAtlas + atlasFromTile * (metTile - vTile.xy), metHeight, inside);
 #ifndef GROOMED
-  spot = vec4(lock.root, storedLayer(lock.along, between), gatheredLevel(lod, lock.pull));
+  spot = vec4(metStrand.root, storedLayer(metStrand.along, between), gatheredLevel(lod, metStrand.pull));
 #endif
 #elif !defined(GROOMED)
   spot.xyz = vec3(tileAt(metX, heightAt(metX)), storedLayer(heightAt(metX), between));
 #endif
   if (alpha <= 0.0) spot.xyz = vec3(foot, 0.0);
-#ifdef DRESSED
+#ifdef WET_OR_GROOMED
   float h = hSum * perStrand;
 #else
   float h = heightAt(toStrand);
@@ -344,13 +344,13 @@ void main() {
 #ifdef WET
   // Strands that water joins are one as far as light is concerned: as many as a pixel has, and in a sheet those that lie in
   // line where the ray comes to it. Chance of the march would be grain there.
-  vec4 met = textureLod(strand, spot.xyz, spot.w + 1.5 * min(lock.clump.a, 1.0));
-  float wisp = met.z;
+  vec4 met = textureLod(strand, spot.xyz, spot.w + 1.5 * min(metStrand.clump.a, 1.0));
+  float strandNumber = met.z;
   if (sheet > 0.0) {
     vec4 inLine = strandsInLine(enters, spot.z);
     met = mix(met, inLine, joined);
-    wisp = mix(wisp, clamp(0.5 + 3.0 * (inLine.z - 0.5), 0.0, 1.0), joined);
-    h = mix(mix(h, 0.7, joined * (1.0 - closed)), 0.3 + 0.4 * wisp, joined);
+    strandNumber = mix(strandNumber, clamp(0.5 + 3.0 * (inLine.z - 0.5), 0.0, 1.0), joined);
+    h = mix(mix(h, 0.7, joined * (1.0 - closed)), 0.3 + 0.4 * strandNumber, joined);
     // Through a sparse coat skin shows all the same.
     if (reachesSkin) closed = mix(closed, 1.0, joined * furry * min(3.0 * density, 1.0));
   }
@@ -367,12 +367,12 @@ void main() {
   vec3 tangent = vec3(tilt + vLean.xy * h, sqrt(max(0.05, 1.0 - dot(tilt, tilt))));
 #ifdef WET
   // Eq. 4: the strand moves by -d, in fur lengths.
-  float metAlong = metHeight / coatTop, drawn = drawnBy(lock.clump.a, lock.clump.z * atlasLength * furLengths);
+  float metAlong = metHeight / coatTop, drawn = clumpingWetness(metStrand.clump.a, metStrand.clump.z * atlasLength * furLengths);
   float rises = clumpPull(metAlong - 1.0 / layers, drawn, sheet) - clumpPull(metAlong, drawn, sheet);
-  tangent.xy += furFromTile * lock.from * (rises * layers * (1.0 - joined)) + laid / coatTop;
-  vec2 outward = lock.from / max(lock.clump.z * atlasLength, 1e-6);
+  tangent.xy += furFromTile * metStrand.from * (rises * layers * (1.0 - joined)) + laid / coatTop;
+  vec2 outward = metStrand.from / max(metStrand.clump.z * atlasLength, 1e-6);
   outward *= (1.0 - joined) / max(length(outward), 1.0);
-  float held = mix(lock.clump.a, entryHeld, joined), rho = min(held, 1.0), skinWetness = rho;
+  float held = mix(metStrand.clump.a, entryHeld, joined), rho = min(held, 1.0), skinWetness = rho;
   float strandShade = 0.65 * (1.0 - joined);
 #else
   const float rho = 0.0, skinWetness = 0.0, strandShade = 0.65;
@@ -422,8 +422,8 @@ void main() {
 #endif
   vec3 color = shadeStrand(albedo, tangent, light3, view3, exposed, rho, lit, vView.w, met.z);
 #ifdef WET
-  vec3 n = normalize(lockNormal(outward, sheet) + vec3(0.8 * joined * tilt, 0.0));
-  color = lockLight(color, tangent, n, light3, view3, h, held, sheet, lit, vView.w, wisp);
+  vec3 n = normalize(clumpNormal(outward, sheet) + vec3(0.8 * joined * tilt, 0.0));
+  color = clumpLight(color, tangent, n, light3, view3, h, held, sheet, lit, vView.w, strandNumber);
 #endif
   for (int i = 0, once = int(reachesSkin && closed < 1.0); i < once; ++i) {
     vec3 bare = skinColor.rgb * model;

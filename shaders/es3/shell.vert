@@ -57,24 +57,24 @@ void main() {
 #endif
 #ifdef WET
   // As far down as fur stands from here to the next vertices: rays that came to it from higher up would come past where the
-  // body turns away, and hang there. Locks stand beside dry fur, so they are as high as the driest near them; near a hard edge,
+  // body turns away, and hang there. Clumps stand beside dry fur, so they are as high as the driest near them; near a hard edge,
   // where it all turns away, as on average (around.w).
-  float sheets = 0.0, locks = 0.0, fewest = 1.0, inCharts = 1e-6;
+  float sheets = 0.0, clumps = 0.0, fewest = 1.0, inCharts = 1e-6;
   for (int i = 0; i < 9; ++i) {
     float held = clumpAt(mask, around.xy + around.z * vec2(i % 3 - 1, i / 3 - 1)).a;
     if (held < 0.0) continue;
-    float sheet = sheetOf(held), lock = min(held, 1.0) * (1.0 - sheet);
+    float sheet = sheetOf(held), clump = min(held, 1.0) * (1.0 - sheet);
     sheets += sheet;
-    locks += lock;
-    fewest = min(fewest, mix(lock, 1.0, sheet));
+    clumps += clump;
+    fewest = min(fewest, mix(clump, 1.0, sheet));
     inCharts += 1.0;
   }
   sheets /= inCharts;
-  locks = mix(min(fewest, 1.0 - sheets), locks / inCharts, around.w);
+  clumps = mix(min(fewest, 1.0 - sheets), clumps / inCharts, around.w);
 #ifdef VIEW_LAYER
-  locks = 0.0;  // a layer is where it is said to be
+  clumps = 0.0;  // a layer is where it is said to be
 #endif
-  top *= 1.0 - FUR_SHEET_SINKS * sheets - FUR_LOCKS_SINK * locks;
+  top *= 1.0 - FUR_SHEET_SINKS * sheets - FUR_CLUMPS_SINK * clumps;
 #endif
   // In a crease the coat ends before its strands would cross those of the other side.
   mat2 S = mat2(furCurvature.z, furCurvature.w, furCurvature.w, gradSCurvature.w);

@@ -40,7 +40,7 @@ WetStrand wetStrandAt(vec2 at, vec2 a, float h, inout vec2 inside) {
   strand.clump.x -= entryChart;
   float side = 1.0;
   if (isBeside(strand.clump)) {
-    // Where a ray along the outline soon is: locks as inside the chart, mirrored where it left.
+    // Where a ray along the outline soon is: clumps as inside the chart, mirrored where it left.
     a = 2.0 * inside - a;
     side = -1.0;
     strand.clump = maskAt(mask, a);
@@ -52,13 +52,13 @@ WetStrand wetStrandAt(vec2 at, vec2 a, float h, inout vec2 inside) {
   bool clumped = strand.clump.a > 0.0;
   if (strand.clump.a < 0.0) strand.clump.a = entryHeld;
   strand.along = h / coatTop;
-  strand.pull = clumped ? clumpPull(strand.along, drawnBy(strand.clump.a, strand.clump.z * atlasLength * furLengths), sheet) : 0.0;
+  strand.pull = clumped ? clumpPull(strand.along, clumpingWetness(strand.clump.a, strand.clump.z * atlasLength * furLengths), sheet) : 0.0;
   vec2 from = (a - strand.clump.xy) / (1.0 - strand.pull);
   strand.from = tileFromAtlas * from * side;
   vec2 aside = strand.from * strand.pull;
   strand.root = at + aside;
   strand.along = alongStrand(strand.along, furFromTile * aside);
-  if (clumped) strand.along *= pointsOf(strand.clump.a, sheet, dot(from, from) / (strand.clump.z * strand.clump.z + 1e-12));
+  if (clumped) strand.along *= rimTaper(strand.clump.a, sheet, dot(from, from) / (strand.clump.z * strand.clump.z + 1e-12));
   // A sheet nearly closes the gaps.
   float own = mix(ownStrand(mask, strand.clump, entryChart, from), 1.0, 0.7 * sheet) * (1.0 + 2.0 * strand.pull + sheet);
   strand.open = (clumped ? own : 1.0) * float(strand.along <= 1.0);

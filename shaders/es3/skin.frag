@@ -43,7 +43,7 @@ void main() {
   color = mix(bare, color, furry);
 #endif
 #ifdef WET
-  // Between locks, in their shade.
+  // Between clumps, in their shade.
   float rho = clamp(clumpAt(mask, vUvAtlas.zw).a, 0.0, 1.0);
   color = wetAlbedo(color, rho) * (1.0 - wetDarkening * rho) * (1.0 - 0.5 * rho);
 #endif
@@ -58,7 +58,7 @@ void main() {
   vec3 shown = mix(vec3(0.32, 0.31, 0.3), mix(vec3(0.15, 0.45, 0.95), clumpColor(clump), 0.45), clump.a);
   fragColor = vec4(shown * facing, 1.0);
 #elif defined(VIEW_CLUMPS)
-  // Darker than the locks above it.
+  // Darker than the clumps above it.
   fragColor = vec4(clumpColor(clump) * (0.5 * facing), 1.0);
 #elif defined(VIEW_LAYOUT)
   // A hue a chart, chequered by texels and by sixteens of them; dark where it ends, two texels of gutter before the next.

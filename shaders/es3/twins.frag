@@ -47,11 +47,11 @@ void main() {
 #elif FUNCTION == 13
   float value = clumpPull(mix(1.0 / layers, 1.0, at.x), at.y, sheetOf(at.y));
 #elif FUNCTION == 18
-  float value = drawnBy(at.x, 3.0 * at.y);
+  float value = clumpingWetness(at.x, 3.0 * at.y);
 #elif FUNCTION == 21
   float value = upright(at.x, sheetOf(at.x));
 #elif FUNCTION == 22
-  float value = pointsOf(at.x, sheetOf(at.x), 1.5 * at.y);
+  float value = rimTaper(at.x, sheetOf(at.x), 1.5 * at.y);
 #elif FUNCTION == 23
   float value = decodeSrgb(vec3(at.x)).x;
 #elif FUNCTION == 14
@@ -59,10 +59,10 @@ void main() {
 #elif FUNCTION == 15
   float value = wetAlbedo(vec3(at.x), at.y).x;
 #elif FUNCTION == 16
-  vec2 mirrored = waterGloss(onCircle(at.x * 3.0), lockNormal(vec2(at.y, 0.0), 0.4), onCircle(0.7), onCircle(-0.4), 0.9, 0.4, at.x);
+  vec2 mirrored = waterGloss(onCircle(at.x * 3.0), clumpNormal(vec2(at.y, 0.0), 0.4), onCircle(0.7), onCircle(-0.4), 0.9, 0.4, at.x);
   float value = 0.25 * (mirrored.x + mirrored.y);
 #elif FUNCTION == 17
-  float value = lieOf(vec2(0.0, at.x), at.y, sheetOf(at.y)).y;
+  float value = wetLean(vec2(0.0, at.x), at.y, sheetOf(at.y)).y;
 #elif FUNCTION == 24
   float value = clumpAt(mask, at).x;
 #elif FUNCTION == 25
@@ -72,7 +72,7 @@ void main() {
   texel.x -= FUR_CHART_STEP * 5.5;  // of chart 5
   float value = float(isBeside(texel));
 #elif FUNCTION == 27
-  float value = heldAround(mask, at);
+  float value = filteredWetness(mask, at);
 #elif FUNCTION == 28
   float value = sheetOf(clumpAt(mask, at).a);
 #elif FUNCTION == 12

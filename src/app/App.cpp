@@ -176,7 +176,7 @@ Status App::loadPrimitive(std::string_view name) {
   auto surface = geometry::buildSurface(mesh, state_->mapping());
   if (!surface) return surface.error();
   state_->adopt(std::move(mesh), std::move(*surface), std::string(name));
-  state_->leaveBroughtLook();
+  state_->restoreOwnLook();
   return Done{};
 }
 
@@ -201,20 +201,20 @@ Status App::loadModel(std::span<const std::uint8_t> bytes, const std::string& na
   state_->settleBends();
   if (keepState) return Done{};
   if (model->fur.state.empty()) {
-    state_->leaveBroughtLook();
+    state_->restoreOwnLook();
     return Done{};
   }
   if (!state_->ownLook) state_->ownLook = State::Look{state_->settings, camera()};
   // The importer has read it once: it is sound. Undo does not lead behind it.
   const Status status = setState(model->fur.state);
-  state_->broughtSettings = state_->settings;
+  state_->settingsOfFile = state_->settings;
   state_->history.clear();
   return status;
 }
 
-void App::State::leaveBroughtLook() {
+void App::State::restoreOwnLook() {
   const auto own = std::exchange(ownLook, std::nullopt);
-  if (!own || settings != broughtSettings) return;
+  if (!own || settings != settingsOfFile) return;
   applySettings(own->settings);
   camera.jump(own->camera);
 }

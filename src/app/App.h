@@ -170,7 +170,7 @@ class App {
   void dry(float seconds);
   // The model shakes itself for a second, and its water flies off.
   void shake();
-  // Wets what is opaque in a picture (one byte a texel, row by row from the top) with one lock beside the other, where
+  // Wets what is opaque in a picture (one byte a texel, row by row from the top) with one clump beside the other, where
   // it lies over the model: letters. `across`: its width in pixels of the drawing buffer; `amount`: how wet they are, which
   // runs from letter to letter in seconds where fur holds much more than the default.
   void stamp(std::span<const std::uint8_t> coverage, int width, int height, Vec2 centre, float across, float amount = 0.5f);
@@ -206,7 +206,7 @@ class App {
   // What only programs with an editor do with it; the viewer's download is spared it.
   struct EditorGroom {
     // One dab of a tool that App::groomAt() does not know.
-    void (*dab)(Tool tool, groom::Groom& groom, const groom::Ground& ground, const groom::Brush& brush, const settings::Settings& settings);
+    void (*dab)(Tool tool, groom::Groom& groom, const groom::GroomSurface& skin, const groom::Brush& brush, const settings::Settings& settings);
     groom::GroomMap (*paintUnderMask)(const groom::Groom& groom);
   };
   static void groomWith(const EditorGroom* given);

@@ -21,29 +21,29 @@ constexpr float kUneven = 0.1f;
 const App::EditorGroom* editorGroom = nullptr;
 
 // One dab of `tool`; combing goes along `way`.
-void dab(Tool tool, groom::Groom& groom, const groom::Ground& ground, const groom::Brush& brush,
+void dab(Tool tool, groom::Groom& groom, const groom::GroomSurface& skin, const groom::Brush& brush,
          const settings::Settings& settings, const std::optional<Vec3>& way) {
   switch (tool) {
     case Tool::Comb:
-      if (way) groom::comb(groom, ground, brush, *way);
+      if (way) groom::comb(groom, skin, brush, *way);
       break;
-    case Tool::Smooth: groom::smooth(groom, ground, brush); break;
-    case Tool::Raise: groom::raise(groom, ground, brush); break;
-    case Tool::Trim: groom::trim(groom, ground, brush); break;
-    case Tool::Grow: groom::grow(groom, ground, brush); break;
-    case Tool::Type: groom::paintType(groom, ground, brush, settings.groomType + 1); break;
-    case Tool::Pluck: groom::pluck(groom, ground, brush); break;
+    case Tool::Smooth: groom::smooth(groom, skin, brush); break;
+    case Tool::Raise: groom::raise(groom, skin, brush); break;
+    case Tool::Trim: groom::trim(groom, skin, brush); break;
+    case Tool::Grow: groom::grow(groom, skin, brush); break;
+    case Tool::Type: groom::paintType(groom, skin, brush, settings.groomType + 1); break;
+    case Tool::Pluck: groom::pluck(groom, skin, brush); break;
     default:
-      if (editorGroom) editorGroom->dab(tool, groom, ground, brush, settings);
+      if (editorGroom) editorGroom->dab(tool, groom, skin, brush, settings);
   }
 }
 
 // Values of points as values of true vertices; none stay none.
 template <class T>
-std::vector<T> perVertex(const std::vector<T>& ofPoints, const groom::Ground& ground) {
+std::vector<T> perVertex(const std::vector<T>& ofPoints, const groom::GroomSurface& skin) {
   std::vector<T> out;
-  for (std::size_t i = 0; !ofPoints.empty() && i < ground.surface.trueVertexCount; ++i)
-    out.push_back(ofPoints[ground.points.pointOf[i]]);
+  for (std::size_t i = 0; !ofPoints.empty() && i < skin.surface.trueVertexCount; ++i)
+    out.push_back(ofPoints[skin.points.pointOf[i]]);
   return out;
 }
 
@@ -61,7 +61,7 @@ std::array<std::uint32_t, groom::kWhiskerBytes / 4> wordsOf(const groom::Whisker
 
 }  // namespace
 
-groom::Ground App::State::ground() {
+groom::GroomSurface App::State::groomSurface() {
   if (!points) points.emplace(surface);
   if (!groomAtlas || groomAtlas->size() != groom.map.size()) groomAtlas.emplace(surface, groom.map.size());
   if (groom.comb.empty()) groom.comb.assign(points->count(), Vec3(0));
@@ -84,7 +84,7 @@ void App::State::readGroomMap() {
   (void)groom.map.takeChanged();
   groomed = !groom.map.isPlain();
   if (const unsigned types = groomed ? groom::typesPresent(groom.map) : 1u; types != std::exchange(furTypes, types)) furChanged = true;
-  vertexLengths = groomed ? groom::vertexLengths(groom.map, surface, ground().points, typeHeights) : std::vector<float>();
+  vertexLengths = groomed ? groom::vertexLengths(groom.map, surface, groomSurface().points, typeHeights) : std::vector<float>();
 }
 
 bool App::State::upright() const {
@@ -102,7 +102,7 @@ void App::State::refreshGroom() {
   if (const geometry::TexelRect reshaped = groom.shape.takeChanged(); renderer && !reshaped.empty()) uploadShape(reshaped);
   if (renderer && shownWhiskers != groom.whiskers) uploadWhiskers();
   std::vector<Vec3> rests, lay;
-  if (!upright()) rests = groom::restBends(groom, surface, ground().points);
+  if (!upright()) rests = groom::restBends(groom, surface, groomSurface().points);
   for (const Vec3& rest : rests) lay.push_back(rest / groom::kMaxComb);
   water.setLay(std::move(lay));
   bends.setRest(std::move(rests), vertexLengths);
@@ -154,7 +154,7 @@ void App::State::uploadWhiskers() {
 
 void App::State::beginGroomStroke() {
   endStroke();
-  ground();
+  groomSurface();
   groomBefore = groom;
   lastDab.reset();
 }
@@ -221,11 +221,11 @@ void App::State::groomAt(const geometry::SurfacePoint& at) {
   const Vec3 centre = positionAt(surface, at);
   const std::optional<Vec3> way = lastDab ? std::optional(centre - *lastDab) : std::nullopt;
   groom::Brush brush{centre, normalAt(surface, at), settings.brushRadius, settings.groomStrength, static_cast<groom::Falloff>(settings.brushFalloff)};
-  dab(tool, groom, ground(), brush, settings, way);
+  dab(tool, groom, groomSurface(), brush, settings, way);
   if (other) {
     brush.centre = positionAt(surface, *other);
     brush.normal = normalAt(surface, *other);
-    dab(tool, groom, ground(), brush, settings, way ? std::optional(mirroredWay(*way)) : std::nullopt);
+    dab(tool, groom, groomSurface(), brush, settings, way ? std::optional(mirroredWay(*way)) : std::nullopt);
   }
   lastDab = centre;
   groomTouched();
@@ -240,7 +240,7 @@ std::optional<geometry::SurfacePoint> App::State::nearest(const Vec3& place) con
 }
 
 void App::State::applyGroomStep(const GroomStep& step, bool undo) {
-  ground();
+  groomSurface();
   apply(step, undo, groom);
   groomTouched();
 }
@@ -263,7 +263,7 @@ void App::State::takeFur(const scene::FurData& fur) {
   const std::vector<groom::GroomMap::Texel>* maps[] = {&fur.map, &fur.paint, &fur.mask, &fur.shape};
   for (std::size_t i = 0; i < std::size(maps); ++i)
     if (!maps[i]->empty()) (groom.*groom::kMaps[i]).restore(*maps[i]);
-  const groom::Ground at = ground();
+  const groom::GroomSurface at = groomSurface();
   // Vertices that were inserted have what lies between their ends.
   std::vector<Vec3> places = mesh.positions, combs = fur.comb;
   std::vector<float> meshLengths = fur.lengths;
@@ -298,16 +298,16 @@ void App::groomAll(GroomEdit edit, float value, const Vec3& direction) {
   State& s = *state_;
   if (!std::isfinite(value) || !std::isfinite(direction.x + direction.y + direction.z)) return;
   s.beginGroomStroke();
-  const groom::Ground ground = s.ground();
+  const groom::GroomSurface skin = s.groomSurface();
   switch (edit) {
     case GroomEdit::Clear: return clearGroom();
     case GroomEdit::Length: groom::setLength(s.groom.map, value); break;
     case GroomEdit::Invert: groom::invertLength(s.groom.map); break;
     case GroomEdit::Vary:
-      groom::varyLength(s.groom, ground, value, kGrain, static_cast<std::uint32_t>(s.settings.seed));
+      groom::varyLength(s.groom, skin, value, kGrain, static_cast<std::uint32_t>(s.settings.seed));
       break;
     case GroomEdit::Type: groom::setType(s.groom.map, static_cast<int>(glm::clamp(value, 1.0f, 4.0f))); break;
-    case GroomEdit::Comb: groom::combAlong(s.groom, ground.points, direction, value); break;
+    case GroomEdit::Comb: groom::combAlong(s.groom, skin.points, direction, value); break;
     case GroomEdit::Raise: groom::raiseAll(s.groom); break;
     case GroomEdit::Size: groom::resize(s.groom, static_cast<int>(glm::clamp(value, 0.0f, 1e4f))); break;
     case GroomEdit::Paint: groom::paintAll(s.groom, static_cast<std::uint32_t>(glm::clamp(value, 0.0f, 16777215.0f))); break;
@@ -315,20 +315,20 @@ void App::groomAll(GroomEdit edit, float value, const Vec3& direction) {
     case GroomEdit::ClearMask: s.groom.mask = groom::GroomMap(s.groom.map.size(), groom::GroomMap::kBlank); break;
     case GroomEdit::InvertMask: groom::invertMask(s.groom.mask); break;
     case GroomEdit::SelectConnected:
-      if (const auto at = s.nearest(direction)) groom::selectConnected(s.groom, ground, at->triangle);
+      if (const auto at = s.nearest(direction)) groom::selectConnected(s.groom, skin, at->triangle);
       if (s.groom.mask.isPlain()) s.warnings.push_back("the whole model hangs together: all of it is selected, nothing is masked");
       break;
-    case GroomEdit::SelectType: groom::selectType(s.groom, ground, static_cast<int>(glm::clamp(value, 1.0f, 4.0f))); break;
-    case GroomEdit::SelectLength: groom::selectLength(s.groom, ground, direction.x, direction.y); break;
+    case GroomEdit::SelectType: groom::selectType(s.groom, skin, static_cast<int>(glm::clamp(value, 1.0f, 4.0f))); break;
+    case GroomEdit::SelectLength: groom::selectLength(s.groom, skin, direction.x, direction.y); break;
     case GroomEdit::SelectPaint:
-      if (const auto at = s.nearest(direction)) groom::selectPaint(s.groom, ground, atlasAt(s.surface, *at), value);
+      if (const auto at = s.nearest(direction)) groom::selectPaint(s.groom, skin, atlasAt(s.surface, *at), value);
       break;
-    case GroomEdit::GrowMask: groom::growMask(s.groom, ground, value); break;
-    case GroomEdit::ShrinkMask: groom::shrinkMask(s.groom, ground, value); break;
-    case GroomEdit::SmoothMask: groom::smoothMask(s.groom, ground, value); break;
+    case GroomEdit::GrowMask: groom::growMask(s.groom, skin, value); break;
+    case GroomEdit::ShrinkMask: groom::shrinkMask(s.groom, skin, value); break;
+    case GroomEdit::SmoothMask: groom::smoothMask(s.groom, skin, value); break;
     case GroomEdit::ClearShape: s.groom.shape = groom::GroomMap(s.groom.map.size(), groom::GroomMap::kBlank); break;
   }
-  if (keepsMasked(edit)) groom::keepProtected(s.groom, *s.groomBefore, ground);
+  if (keepsMasked(edit)) groom::keepProtected(s.groom, *s.groomBefore, skin);
   s.groomTouched();
   s.endGroomStroke();
 }
@@ -336,7 +336,7 @@ void App::groomAll(GroomEdit edit, float value, const Vec3& direction) {
 void App::clearGroom() {
   State& s = *state_;
   s.beginGroomStroke();
-  s.groom = groom::plainGroom(s.groom.map.size(), s.ground().points);
+  s.groom = groom::plainGroom(s.groom.map.size(), s.groomSurface().points);
   s.groomTouched();
   s.endGroomStroke();
 }
@@ -344,8 +344,8 @@ void App::clearGroom() {
 void App::groomFromImage(groom::ImageOf what, int width, int height, std::span<const std::uint8_t> rgba) {
   State& s = *state_;
   s.beginGroomStroke();
-  groom::paintFromImage(what, s.groom, s.ground(), width, height, rgba);
-  groom::keepProtected(s.groom, *s.groomBefore, s.ground());
+  groom::paintFromImage(what, s.groom, s.groomSurface(), width, height, rgba);
+  groom::keepProtected(s.groom, *s.groomBefore, s.groomSurface());
   s.groomTouched();
   s.endGroomStroke();
 }
@@ -353,7 +353,7 @@ void App::groomFromImage(groom::ImageOf what, int width, int height, std::span<c
 groom::Coverage App::groomCoverage() const {
   // A plain one needs no atlas.
   State& s = *state_;
-  return s.groom.map.isPlain() ? groom::Coverage{} : groom::coverage(s.groom.map, s.ground().atlas);
+  return s.groom.map.isPlain() ? groom::Coverage{} : groom::coverage(s.groom.map, s.groomSurface().atlas);
 }
 
 std::uint64_t App::groomRevision() const { return state_->groomRevision; }
@@ -364,7 +364,7 @@ const groom::Groom& App::groom() const { return state_->groom; }
 void App::groomWith(const EditorGroom* given) { editorGroom = given; }
 
 std::uint64_t App::groomHash() const {
-  state_->ground();
+  state_->groomSurface();
   std::uint64_t hash = 0;
   for (const auto map : groom::kMaps) hash = (hash ^ (state_->groom.*map).hash()) * 1099511628211ull;
   const auto add = [&hash](std::uint32_t bits) { hash = (hash ^ bits) * 1099511628211ull; };

@@ -24,7 +24,7 @@ std::string App::mapsName() const { return state_->modelName.substr(0, state_->m
 std::vector<scene::NamedFile> App::saveMaps() const {
   State& s = *state_;
   s.refreshGroom();
-  std::vector<groom::MapPicture> pictures = groom::mapPictures(s.groom, s.ground());
+  std::vector<groom::MapPicture> pictures = groom::mapPictures(s.groom, s.groomSurface());
   pictures.push_back(wetnessPicture(s.mask));
   pictures.push_back(groom::layoutPicture(s.surface, s.groom.map.size() >= kLargeMap ? groom::kLargeLayoutSize : groom::kLayoutSize));
   std::vector<scene::NamedFile> files;
@@ -39,7 +39,7 @@ void App::groomFromFile(groom::ImageOf what, std::string_view name, int width, i
   State& s = *state_;
   s.beginGroomStroke();
   groom::readMapPicture(*map, s.groom, width, height, rgba);
-  if (*map != groom::ImageOf::Mask) groom::keepProtected(s.groom, *s.groomBefore, s.ground());
+  if (*map != groom::ImageOf::Mask) groom::keepProtected(s.groom, *s.groomBefore, s.groomSurface());
   s.groomTouched();
   s.endGroomStroke();
 }

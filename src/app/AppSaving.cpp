@@ -118,7 +118,7 @@ std::vector<std::uint8_t> App::saveScene() const {
   if (!s.groom.shape.isPlain()) fur.shape = s.groom.shape.texels();
   if (!s.groom.mask.isPlain()) fur.mask = s.groom.mask.texels();
   if (!s.upright()) {
-    fur.comb = ofVertices(groom::restBends(s.groom, s.surface, s.ground().points), own.vertexOf);
+    fur.comb = ofVertices(groom::restBends(s.groom, s.surface, s.groomSurface().points), own.vertexOf);
   }
   fur.whiskers = s.groom.whiskers;
   fur.wetnessSize = s.mask.size();
@@ -129,7 +129,7 @@ std::vector<std::uint8_t> App::saveScene() const {
 // The layout, the maps' size, the number of whiskers and a bit for each map that is there; those, comb, whiskers.
 std::vector<std::uint8_t> App::saveGroom() const {
   State& s = *state_;
-  s.ground();
+  s.groomSurface();
   std::uint32_t counts[4] = {kSavedLayout, static_cast<std::uint32_t>(s.groom.map.size()), static_cast<std::uint32_t>(s.groom.whiskers.size()), 0};
   for (unsigned i = 0; i < std::size(groom::kMaps); ++i) counts[3] |= (s.groom.*groom::kMaps[i]).isPlain() ? 0u : 1u << i;
   std::vector<std::uint8_t> bytes;
@@ -147,19 +147,19 @@ std::vector<std::uint8_t> App::saveGroom() const {
 
 Status App::restoreGroom(std::span<const std::uint8_t> bytes, bool undoable) {
   State& s = *state_;
-  const groom::Ground ground = s.ground();
+  const groom::GroomSurface skin = s.groomSurface();
   std::uint32_t counts[4] = {};
   if (bytes.size() >= sizeof counts) std::memcpy(counts, bytes.data(), sizeof counts);
   const std::uint32_t size = counts[1];
   const std::size_t texels = std::size_t{size} * size, mapBytes = texels * sizeof(groom::GroomMap::Texel);
   std::size_t at = sizeof counts, maps = 0;
   for (unsigned i = 0; i < std::size(groom::kMaps); ++i) maps += counts[3] >> i & 1u;
-  const std::size_t combAt = at + maps * mapBytes, whiskersAt = combAt + ground.points.count() * sizeof(Vec3);
+  const std::size_t combAt = at + maps * mapBytes, whiskersAt = combAt + skin.points.count() * sizeof(Vec3);
   const bool sound = counts[0] == kSavedLayout && size >= groom::GroomMap::kLeastSize && size <= groom::GroomMap::kMostSize &&
                      counts[2] <= groom::kMostWhiskers && bytes.size() == whiskersAt + counts[2] * groom::kWhiskerBytes;
   if (!sound) return Error{ErrorId::BadFile, "a groom of " + std::to_string(bytes.size()) + " bytes is not of this model"};
   if (undoable) s.beginGroomStroke();
-  s.groom = groom::plainGroom(static_cast<int>(size), ground.points);
+  s.groom = groom::plainGroom(static_cast<int>(size), skin.points);
   for (unsigned i = 0; i < std::size(groom::kMaps); ++i) {
     if (!(counts[3] & 1u << i)) continue;
     std::vector<groom::GroomMap::Texel> map(texels);

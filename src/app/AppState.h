@@ -47,7 +47,7 @@ struct App::State {
     CameraOrbit camera;
   };
   std::optional<Look> ownLook;
-  settings::Settings broughtSettings;
+  settings::Settings settingsOfFile;
   ModelMotion motion;
   History history;
   int modelStep = 0;  // for App::takeModelStep()
@@ -113,7 +113,7 @@ struct App::State {
   std::uint32_t puddlesRevision = 0;  // of them
   bool forcesChanged = true;
 
-  // The groom. The two optionals are made when they are first needed: read them through ground().
+  // The groom. The two optionals are made when they are first needed: read them through groomSurface().
   groom::Groom groom;  // its comb is empty until then: upright
   std::optional<groom::SurfacePoints> points;
   std::optional<geometry::AtlasTexels> groomAtlas;
@@ -135,10 +135,10 @@ struct App::State {
   float lastSpan = 0;
   float pressure = 1;  // of the pen
   std::optional<MaskImage> strokeBefore;
-  // What was done with water, to be done again: `what` is a Tool or a Deed. Rain, Hose and Dryer are where their newest
+  // What was done with water, to be done again: `what` is a Tool or a WaterAction. Rain, Hose and Dryer are where their newest
   // spot says, up to the last one, where they end.
-  enum Deed { kSplash = 100, kSplashAtlas, kSoak, kDryOff, kShake, kUndo, kRedo };
-  struct Spot {
+  enum WaterAction { kSplash = 100, kSplashAtlas, kSoak, kDryOff, kShake, kUndo, kRedo };
+  struct StrokePoint {
     std::uint32_t step;
     geometry::SurfacePoint at;
     float pressure;
@@ -147,10 +147,10 @@ struct App::State {
     int what;
     float radius, flow, clump;
     Vec3 eye;  // where it was done from; model space
-    std::vector<Spot> spots;
+    std::vector<StrokePoint> spots;
   };
   std::vector<Stroke> strokes;
-  Spot held{};             // where the tool that is held is at work
+  StrokePoint held{};             // where the tool that is held is at work
   int sinceDab = 0;        // steps
   float keyHold = 0;       // seconds that a key holds it there
   bool replaying = false;  // a recorded stroke does
@@ -194,7 +194,7 @@ struct App::State {
   // --- App.cpp ---
   CameraOrbit startView() const { return OrbitCamera::fitting(extent.centre, extent.radius); }
   void adopt(geometry::Mesh source, geometry::Surface built, std::string name, scene::Rig moved = {});
-  void leaveBroughtLook();
+  void restoreOwnLook();
   void takeSurface(geometry::Surface built);
   geometry::FurMapping mapping() const { return static_cast<geometry::FurMapping>(settings.furMapping); }
   void uploadMask(const wet::TexelRect& changed);
@@ -221,7 +221,7 @@ struct App::State {
   void uploadCoat();
 
   // --- AppGroom.cpp ---
-  groom::Ground ground();
+  groom::GroomSurface groomSurface();
   void newGroom();  // of another model
   void takeFur(const scene::FurData& fur);
   bool upright() const;  // nothing is combed

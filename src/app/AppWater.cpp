@@ -62,7 +62,7 @@ bool App::State::runWater(float dt, double budget) {
     const auto hit = pick(heldPixel());
     held = {0, hit.value_or(held.at), hit ? pressure : 0};
   }
-  wet::Ground on{surface, query, *wetting};
+  wet::WetSurface on{surface, query, *wetting};
   if (pose) on.positions = skin.positions, on.normals = skin.normals;
   bool changed = false;
   // A hair early rather than a step late, as Water::step().
@@ -154,7 +154,7 @@ void App::stamp(std::span<const std::uint8_t> coverage, int width, int height, V
              "App::stamp()", "width * height texels", coverage.size());
   State& s = *state_;
   const render::Frame f = s.frame();
-  // Locks as fine as the letters need, and as the picture and the work allow.
+  // Clumps as fine as the letters need, and as the picture and the work allow.
   const float perTexel = across / static_cast<float>(width);
   const float step = std::max({static_cast<float>(height) / 18, static_cast<float>(width) / 120, 2 / perTexel});
   const float distance = std::max(0.2f, glm::length(f.camera.eye - f.camera.target));
@@ -177,7 +177,7 @@ std::string App::recordedStrokes() const {
     const auto add = [&out](double value) { out.append(1, ',').append(shortDecimal(value)); };
     out.append(1, '[').append(shortDecimal(stroke.what));
     for (const float value : {stroke.radius, stroke.flow, stroke.clump, stroke.eye.x, stroke.eye.y, stroke.eye.z}) add(value);
-    for (const State::Spot& spot : stroke.spots) {
+    for (const State::StrokePoint& spot : stroke.spots) {
       add(spot.step);
       add(spot.at.triangle);
       for (const float value : {spot.at.weights.y, spot.at.weights.z, spot.pressure}) add(value);
@@ -272,7 +272,7 @@ Status App::replay(std::string_view json) {
         before = s.waterSteps;
         tick(wet::Water::kStep);
       }
-      const State::Spot& spot = stroke.spots[i];
+      const State::StrokePoint& spot = stroke.spots[i];
       s.pressure = spot.pressure;
       switch (stroke.what) {
         case State::kSplashAtlas: splashAt(spot.at.weights.y, spot.at.weights.z, stroke.radius, stroke.flow); break;

@@ -10,7 +10,7 @@ namespace fur::app {
 
 namespace {
 
-// Droplets of one spray: enough to fill the brush with locks after a few passes.
+// Droplets of one spray: enough to fill the brush with clumps after a few passes.
 constexpr int kDropletsPerSpray = 3;
 // Share of the brush radius between two sprays of a stroke.
 constexpr float kSpacing = 0.35f;
@@ -116,7 +116,7 @@ void App::State::sprayOn(const geometry::SurfacePoint& at) {
   if (tool == Tool::Dry) {
     wetting->dryAt(mask, surface, query, centre, normal, settings.brushRadius, flow * kDryShare);
   } else if (tool == Tool::Towel) {
-    const wet::Ground on{surface, query, *wetting};
+    const wet::WetSurface on{surface, query, *wetting};
     water.prepare(on);
     water.wipe(on, mask, centre, normal, settings.brushRadius, flow * kTowelShare);
   } else if (tool == Tool::Droplet) {

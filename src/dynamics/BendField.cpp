@@ -100,10 +100,10 @@ WetLanes wetLanes(const WetTable& table, const std::uint8_t* levels) {
 }
 
 // An affine map of rest positions to model-space vectors.
-struct Flow {
+struct AffineField {
   Mat3 linear{0.0f};
   Vec3 constant{0};
-  Lanes3 at(const Lanes3& p) const { return transformed(linear, p) + all(constant); }
+  Lanes3 at(const Lanes3& p) const { return transformed(linear, p) + splat(constant); }
 };
 
 // The shortest rotation that takes the chord to the direction (Rodrigues); they are at most 0.7 rad apart.
@@ -130,10 +130,10 @@ float largest(const Lanes& x) { return std::max(std::max(x[0], x[1]), std::max(x
 }  // namespace
 
 // The forces that do not depend on the vertex, in model space.
-struct BendField::Climate {
+struct BendField::StepForces {
   Vec3 gravity;
   WindField wind;
-  Flow drag, kick;
+  AffineField drag, kick;
   // Of a vertex that moves by itself: by its velocity, and by the change of that; 1 / dt.
   float poseDrag = 0, poseKick = 0, perSecond = 0;
   float compliance;
@@ -141,7 +141,7 @@ struct BendField::Climate {
   bool moving = false;
   WetTable wet;
 
-  Climate(const Mat4& modelToWorld, const BendForces& forces, const Wind& windNow, float dt)
+  StepForces(const Mat4& modelToWorld, const BendForces& forces, const Wind& windNow, float dt)
       : wind(windNow, modelToWorld), wet(wetTable(forces, dt)) {
     const Mat3 toModel = glm::transpose(rotationOf(modelToWorld));
     // Sheppard 5.2.1 gives every coat a floor of weight, the rest is the type's own.
@@ -279,55 +279,55 @@ BendField::RigidVelocity BendField::follow(const Mat4& modelToWorld, float dt) {
 }
 
 // Swing: one step. Jump: to where the forces lead, less what touch has left.
-void BendField::advanceBlock(const Climate& climate, std::size_t number, Advance how) {
+void BendField::advanceBlock(const StepForces& common, std::size_t number, Advance how) {
   Block& block = blocks_[number];
   const bool wet = !wetness_.empty(), set = !sets_.empty(), swings = how == Advance::Swing;
   const bool combed = !rests_.empty();
   // Neighbours are as wet as each other, mostly.
   std::uint32_t levels = 0;
-  WetLanes water = wetLanes(climate.wet, reinterpret_cast<const std::uint8_t*>(&levels));
-  const Lanes3 gravity = all(climate.gravity);
+  WetLanes water = wetLanes(common.wet, reinterpret_cast<const std::uint8_t*>(&levels));
+  const Lanes3 gravity = splat(common.gravity);
   const bool pressed = swings && reached(block);
-  Lanes worstAngle = all(0.0f), worstSpeed = all(0.0f);  // squared
+  Lanes worstAngle = splat(0.0f), worstSpeed = splat(0.0f);  // squared
   block.touched = false;
   for (std::size_t i = number * Columns::kBlock; i < (number + 1) * Columns::kBlock; i += kLanes) {
     if (wet && std::memcmp(&levels, &levels_[i], kLanes) != 0) {
       std::memcpy(&levels, &levels_[i], kLanes);
-      water = wetLanes(climate.wet, &levels_[i]);
+      water = wetLanes(common.wet, &levels_[i]);
     }
     const Lanes3 p = positions_.lanes(i), n = directions_.lanes(i);
     const Lanes3 chord = combed ? chords_.lanes(i) : n;
-    Lanes3 force = gravity * water.weight + climate.wind.at(p) * (climate.wind.exposure(chord) * water.catching);
+    Lanes3 force = gravity * water.weight + common.wind.at(p) * (common.wind.exposure(chord) * water.catching);
     Lanes3 kick{};
-    if (swings && climate.moving) {
-      force = force + climate.drag.at(p);
-      kick = climate.kick.at(p);
+    if (swings && common.moving) {
+      force = force + common.drag.at(p);
+      kick = common.kick.at(p);
       if (posed_) {
-        const Lanes3 move = capped((p - lastPositions_.lanes(i)) * all(climate.perSecond), kMaxSpeed);
-        force = force + move * all(climate.poseDrag);
-        kick = kick + (move - lastMoves_.lanes(i)) * all(climate.poseKick);
+        const Lanes3 move = clampLength((p - lastPositions_.lanes(i)) * splat(common.perSecond), kMaxSpeed);
+        force = force + move * splat(common.poseDrag);
+        kick = kick + (move - lastMoves_.lanes(i)) * splat(common.poseKick);
         lastPositions_.set(i, p);
         lastMoves_.set(i, move);
       }
     }
     if (!shownForces_.empty()) {
-      const Lanes3 shown = force + kick * (water.weight * all(climate.forceOfKick));
+      const Lanes3 shown = force + kick * (water.weight * splat(common.forceOfKick));
       for (std::size_t k = i; k < std::min(i + kLanes, count_); ++k)
         shownForces_[k] = Vec4(shown.x[k - i], shown.y[k - i], shown.z[k - i], lengths_[k]);
     }
     if (combed) force = uprighted(force, chord, n);
-    Lanes3 target = capped(across(force, n) * all(climate.compliance), 1.0f) * all(kMaxBend);
-    if (combed) target = capped(rests_.lanes(i) + target, kMaxBend);
+    Lanes3 target = clampLength(across(force, n) * splat(common.compliance), 1.0f) * splat(kMaxBend);
+    if (combed) target = clampLength(rests_.lanes(i) + target, kMaxBend);
     const Lanes3 untouched = target;
     Lanes remembered{};
     if (set) {
       const Lanes3 old = sets_.lanes(i);
       const Lanes size = sqrtOf(dot(old, old));
       Lanes left = (size + kForgotten) * water.setLeft - kForgotten;
-      left = left > kStillAngle ? left : all(0.0f);
-      const Lanes3 now = old * (left / most(size, all(1e-6f)));
+      left = left > kStillAngle ? left : splat(0.0f);
+      const Lanes3 now = old * (left / max(size, splat(1e-6f)));
       sets_.set(i, now);
-      target = capped(target + now, kMostPressed);
+      target = clampLength(target + now, kMostPressed);
       remembered = left * left;
     }
     if (!swings) {
@@ -336,47 +336,47 @@ void BendField::advanceBlock(const Climate& climate, std::size_t number, Advance
       continue;
     }
     Lanes3 v = velocities_.lanes(i);
-    if (climate.moving) v = capped(v + across(combed ? uprighted(kick, chord, n) : kick, n), kMaxSpeed);
+    if (common.moving) v = clampLength(v + across(combed ? uprighted(kick, chord, n) : kick, n), kMaxSpeed);
     const Lanes3 before = bends_.lanes(i), x = before - target;
     Lanes3 left = x * water.xx + v * water.xv;
     Lanes3 speed = x * water.vx + v * water.vv;
     Lanes3 bend = target + left;
     const Lanes squared = dot(bend, bend);
     // What was pressed flatter may only rise.
-    const Lanes limit = most(dot(before, before), all(kMaxBend * kMaxBend));
+    const Lanes limit = max(dot(before, before), splat(kMaxBend * kMaxBend));
     const LaneMask over = squared > limit;
     if (any(over)) {  // it has come to the skin, without a bounce
-      const Lanes3 outward = bend * (1.0f / sqrtOf(most(squared, all(1.0f))));
-      bend = pick(over, outward * sqrtOf(limit), bend);
-      speed = pick(over, speed - outward * most(dot(speed, outward), all(0.0f)), speed);
+      const Lanes3 outward = bend * (1.0f / sqrtOf(max(squared, splat(1.0f))));
+      bend = select(over, outward * sqrtOf(limit), bend);
+      speed = select(over, speed - outward * max(dot(speed, outward), splat(0.0f)), speed);
     }
     for (const Press& press : pressed ? std::span<const Press>(presses_) : std::span<const Press>()) {
       const LaneMask held = press.apply(bend, before, p, n, load(&lengths_[i]) * lastForces_.furLength);
       if (!any(held)) continue;
       block.touched = true;
-      speed = pick(held, Lanes3{}, speed);
-      left = pick(held, bend - before, left);
-      remembered = held ? all(0.0f) : remembered;
-      sets_.set(i, pick(held, bend - untouched, sets_.lanes(i)));
+      speed = select(held, Lanes3{}, speed);
+      left = select(held, bend - before, left);
+      remembered = held ? splat(0.0f) : remembered;
+      sets_.set(i, select(held, bend - untouched, sets_.lanes(i)));
     }
-    worstAngle = most(worstAngle, most(dot(left, left), remembered));
-    worstSpeed = most(worstSpeed, dot(speed, speed));
+    worstAngle = max(worstAngle, max(dot(left, left), remembered));
+    worstSpeed = max(worstSpeed, dot(speed, speed));
     bends_.set(i, bend);
     velocities_.set(i, speed);
   }
   const bool still = largest(worstAngle) < kStillAngle * kStillAngle && largest(worstSpeed) < kStillSpeed * kStillSpeed;
-  block.awake = !still || (swings && climate.moving);
+  block.awake = !still || (swings && common.moving);
   // The last hair's breadth at once; what is held stays where it is held.
-  if (swings && !block.awake && !block.touched) return advanceBlock(climate, number, Advance::Jump);
+  if (swings && !block.awake && !block.touched) return advanceBlock(common, number, Advance::Jump);
   const std::size_t first = number * Columns::kBlock, last = std::min(count_, first + Columns::kBlock);
   for (std::size_t i = first; i < last; ++i) out_[i] = Vec4(bends_.at(i), lengths_[i]);
 }
 
-void BendField::advance(const Climate& climate, Advance how) {
+void BendField::advance(const StepForces& common, Advance how) {
   atRest_ = true;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     if (!blocks_[b].awake) continue;
-    advanceBlock(climate, b, how);
+    advanceBlock(common, b, how);
     atRest_ &= !blocks_[b].awake;
   }
 }
@@ -408,7 +408,7 @@ void BendField::jump(const Mat4& given, const BendForces& forces, float seconds)
     poseFelt_ = 0;
   }
   wake();
-  advance(Climate(modelToWorld, forces, forces.wind.mean(), seconds), Advance::Jump);
+  advance(StepForces(modelToWorld, forces, forces.wind.mean(), seconds), Advance::Jump);
 }
 
 void BendField::step(float dt, const Mat4& given, const BendForces& forces, const std::vector<float>& wetness,
@@ -426,19 +426,19 @@ void BendField::step(float dt, const Mat4& given, const BendForces& forces, cons
   const Mat4 middle = (lastVelocity_.any() ? before + modelToWorld : 2.0f * modelToWorld) * 0.5f;
   const Mat3 toModel = glm::transpose(rotationOf(middle));
   const Mat3 toModelBefore = lastVelocity_.any() ? glm::transpose(rotationOf(before)) : toModel;
-  Climate climate(middle, forces, wind, dt);
-  climate.moving = lastVelocity_.any() || change.any() || poseFelt_ > 0;
+  StepForces common(middle, forces, wind, dt);
+  common.moving = lastVelocity_.any() || change.any() || poseFelt_ > 0;
   poseFelt_ = std::max(poseFelt_ - 1, 0);
-  climate.poseDrag = -kDrag * inertia;
-  climate.poseKick = -kKick * inertia;
-  climate.perSecond = 1.0f / dt;
-  const Mat3 drag = toModel * climate.poseDrag, kick = toModelBefore * climate.poseKick;
-  climate.drag = {drag * lastVelocity_.linear, drag * lastVelocity_.constant};
-  climate.kick = {kick * change.linear, kick * change.constant};
+  common.poseDrag = -kDrag * inertia;
+  common.poseKick = -kKick * inertia;
+  common.perSecond = 1.0f / dt;
+  const Mat3 drag = toModel * common.poseDrag, kick = toModelBefore * common.poseKick;
+  common.drag = {drag * lastVelocity_.linear, drag * lastVelocity_.constant};
+  common.kick = {kick * change.linear, kick * change.constant};
 
   BendForces same = forces;
   same.wind.time = lastForces_.wind.time;
-  if (climate.moving || otherWetness || modelToWorld != before || wind.varies() || !(same == lastForces_)) wake();
+  if (common.moving || otherWetness || modelToWorld != before || wind.varies() || !(same == lastForces_)) wake();
   lastForces_ = forces;
   presses_.clear();
   for (const Contact& contact : contacts) presses_.emplace_back(contact, modelToWorld, forces.furLength);
@@ -448,7 +448,7 @@ void BendField::step(float dt, const Mat4& given, const BendForces& forces, cons
   lastPresses_ = presses_;
   if (!presses_.empty() && sets_.empty()) sets_.assign(count_, Vec3(0));
 
-  advance(climate, Advance::Swing);
+  advance(common, Advance::Swing);
   if (atRest_ && presses_.empty()) sets_.clear();
 }
 

@@ -80,7 +80,7 @@ class BendField {
     float radius = 0;
     bool awake = true, touched = false;
   };
-  struct Climate;
+  struct StepForces;
   enum class Advance { Swing, Jump };
 
   // Takes the transform over and returns how much the velocity has changed.
@@ -91,8 +91,8 @@ class BendField {
   bool reached(const Block& block) const;
   bool takeWetness(const std::vector<float>& wetness);
   void jump(const Mat4& modelToWorld, const BendForces& forces, float seconds);
-  void advanceBlock(const Climate& climate, std::size_t block, Advance how);
-  void advance(const Climate& climate, Advance how);
+  void advanceBlock(const StepForces& common, std::size_t block, Advance how);
+  void advance(const StepForces& common, Advance how);
 
   std::size_t count_ = 0;
   std::vector<Block> blocks_;

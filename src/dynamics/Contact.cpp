@@ -45,37 +45,37 @@ bool Press::reaches(const Vec3& centre, float radius) const {
 LaneMask Press::apply(Lanes3& bends, const Lanes3& before, const Lanes3& roots, const Lanes3& normals,
                       const Lanes& lengths) const {
   // Where the ball came nearest to the root.
-  const Lanes share = least(most(dot(roots - all(from_), all(way_)) * perWay_, all(0.0f)), all(1.0f));
-  const Lanes3 centre = all(from_) + all(way_) * share;
+  const Lanes share = min(max(dot(roots - splat(from_), splat(way_)) * perWay_, splat(0.0f)), splat(1.0f));
+  const Lanes3 centre = splat(from_) + splat(way_) * share;
   const Lanes3 apart = roots - centre;
   const Lanes height = -dot(apart, normals);
   const Lanes3 outward = apart + normals * height;
   const Lanes aside = dot(outward, outward);
-  const Lanes3 nearest = outward + normals * (least(most(height, all(0.0f)), lengths) - height);
+  const Lanes3 nearest = outward + normals * (min(max(height, splat(0.0f)), lengths) - height);
   const float squared = radius_ * radius_;
   const LaneMask held = (dot(nearest, nearest) < squared) & (lengths > 1e-4f);
   if (!any(held)) return held;
 
   // The ball leaves this share of the strand's length as room; an arc of 1 that turns by a is sin(a) / a high, which is
   // 1 - a^2 / 6 + a^4 / 120.
-  const Lanes room = (height - sqrtOf(most(squared - aside, all(0.0f)))) / most(lengths, all(1e-4f));
-  const Lanes lowered = 1.0f - least(most(room, all(0.0f)), all(1.0f));
-  const Lanes fullTurn = least(sqrtOf(10.0f - sqrtOf(most(100.0f - 120.0f * lowered, all(0.0f)))), all(most_));
+  const Lanes room = (height - sqrtOf(max(squared - aside, splat(0.0f)))) / max(lengths, splat(1e-4f));
+  const Lanes lowered = 1.0f - min(max(room, splat(0.0f)), splat(1.0f));
+  const Lanes fullTurn = min(sqrtOf(10.0f - sqrtOf(max(100.0f - 120.0f * lowered, splat(0.0f)))), splat(most_));
   // Softer to the sides, so that the fur makes no step round it.
-  const Lanes soft = least(kSoftness * (1.0f - aside * (1.0f / squared)), all(1.0f));
-  const Lanes turn = fullTurn * most(soft, all(0.0f));
+  const Lanes soft = min(kSoftness * (1.0f - aside * (1.0f / squared)), splat(1.0f));
+  const Lanes turn = fullTurn * max(soft, splat(0.0f));
   Lanes3 bent = bends;
   if (drag_ > 0) {
-    const Lanes3 along = directionOf(across(all(along_), normals) + outward * all(kParting / radius_));
-    bent = bent + (along * most(turn, sqrtOf(dot(bent, bent))) - bent) * all(drag_);
+    const Lanes3 along = normalize(across(splat(along_), normals) + outward * splat(kParting / radius_));
+    bent = bent + (along * max(turn, sqrtOf(dot(bent, bent))) - bent) * splat(drag_);
   }
   // Out of the way: one that stands up goes where the ball presses it, one that leans already lies down further; a little
   // to where it leans in any case, so that those in the very middle have somewhere to go.
-  const Lanes3 out = directionOf(outward * all(1.0f / radius_) + bent * all(0.1f));
+  const Lanes3 out = normalize(outward * splat(1.0f / radius_) + bent * splat(0.1f));
   const Lanes missing = turn - sqrtOf(dot(bent, bent));
-  bent = pick(missing > 0.0f, directionOf(bent + out * missing) * turn, bent);
-  if (drag_ <= 0) bent = pick(dot(before, before) > turn * turn * 0.998f, before, bent);
-  bends = pick(held, bent, bends);
+  bent = select(missing > 0.0f, normalize(bent + out * missing) * turn, bent);
+  if (drag_ <= 0) bent = select(dot(before, before) > turn * turn * 0.998f, before, bent);
+  bends = select(held, bent, bends);
   return held;
 }
 

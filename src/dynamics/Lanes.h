@@ -15,27 +15,27 @@ using Lanes [[gnu::vector_size(16)]] = float;
 using LaneMask [[gnu::vector_size(16)]] = int;
 inline constexpr std::size_t kLanes = 4;
 
-inline Lanes all(float x) { return Lanes{x, x, x, x}; }
+inline Lanes splat(float x) { return Lanes{x, x, x, x}; }
 inline Lanes load(const float* from) {
   Lanes out;
   std::memcpy(&out, from, sizeof out);
   return out;
 }
 inline void store(float* to, const Lanes& x) { std::memcpy(to, &x, sizeof x); }
-inline Lanes least(const Lanes& a, const Lanes& b) { return a < b ? a : b; }
-inline Lanes most(const Lanes& a, const Lanes& b) { return a > b ? a : b; }
+inline Lanes min(const Lanes& a, const Lanes& b) { return a < b ? a : b; }
+inline Lanes max(const Lanes& a, const Lanes& b) { return a > b ? a : b; }
 inline Lanes sqrtOf(const Lanes& x) { return Lanes{std::sqrt(x[0]), std::sqrt(x[1]), std::sqrt(x[2]), std::sqrt(x[3])}; }
 inline bool any(const LaneMask& mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
 // A wave of period 1 in [-1, 1], a sine to 6 %, for |phase| < 4e6.
 inline Lanes waveAt(const Lanes& phase) {
   const Lanes x = phase - ((phase + 12582912.0f) - 12582912.0f);  // rounding to whole numbers: 1.5 * 2^23
-  return x * (8.0f - 16.0f * most(x, -x));
+  return x * (8.0f - 16.0f * max(x, -x));
 }
 
 struct Lanes3 {
   Lanes x, y, z;
 };
-inline Lanes3 all(const Vec3& v) { return {all(v.x), all(v.y), all(v.z)}; }
+inline Lanes3 splat(const Vec3& v) { return {splat(v.x), splat(v.y), splat(v.z)}; }
 inline Lanes3 operator+(const Lanes3& a, const Lanes3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 inline Lanes3 operator-(const Lanes3& a, const Lanes3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 inline Lanes3 operator*(const Lanes3& a, const Lanes& s) { return {a.x * s, a.y * s, a.z * s}; }
@@ -43,7 +43,7 @@ inline Lanes dot(const Lanes3& a, const Lanes3& b) { return a.x * b.x + a.y * b.
 inline Lanes3 cross(const Lanes3& a, const Lanes3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-inline Lanes3 pick(const LaneMask& mask, const Lanes3& yes, const Lanes3& no) {
+inline Lanes3 select(const LaneMask& mask, const Lanes3& yes, const Lanes3& no) {
   return {mask ? yes.x : no.x, mask ? yes.y : no.y, mask ? yes.z : no.z};
 }
 inline Lanes3 transformed(const Mat3& m, const Lanes3& v) {
@@ -51,16 +51,16 @@ inline Lanes3 transformed(const Mat3& m, const Lanes3& v) {
           m[0].z * v.x + m[1].z * v.y + m[2].z * v.z};
 }
 inline Lanes3 across(const Lanes3& v, const Lanes3& direction) { return v - direction * dot(v, direction); }
-inline Lanes3 capped(const Lanes3& v, float limit) {
+inline Lanes3 clampLength(const Lanes3& v, float limit) {
   const Lanes squared = dot(v, v);
   const LaneMask over = squared > limit * limit;
   if (!any(over)) return v;
-  return v * (over ? limit / sqrtOf(squared) : all(1.0f));
+  return v * (over ? limit / sqrtOf(squared) : splat(1.0f));
 }
 // Of length 1, or 0 where there is hardly any.
-inline Lanes3 directionOf(const Lanes3& v) {
+inline Lanes3 normalize(const Lanes3& v) {
   const Lanes squared = dot(v, v);
-  return v * (squared > 1e-20f ? 1.0f / sqrtOf(most(squared, all(1e-20f))) : all(0.0f));
+  return v * (squared > 1e-20f ? 1.0f / sqrtOf(max(squared, splat(1e-20f))) : splat(0.0f));
 }
 
 // Vectors by component, one component after the other, each padded up to a whole block.

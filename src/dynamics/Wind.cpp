@@ -53,14 +53,14 @@ WindField::WindField(const Wind& wind, const Mat4& modelToWorld) {
 }
 
 Lanes WindField::exposure(const Lanes3& outward) const {
-  const Lanes facing = least(most(0.5f - 0.5f * dot(outward, all(direction_)), all(0.0f)), all(1.0f));
+  const Lanes facing = min(max(0.5f - 0.5f * dot(outward, splat(direction_)), splat(0.0f)), splat(1.0f));
   return kShelter + (1.0f - kShelter) * facing;
 }
 
 Lanes3 WindField::at(const Lanes3& point) const {
-  Lanes3 sum = all(steady_);
+  Lanes3 sum = splat(steady_);
   for (int i = 0; i < waveCount_; ++i)
-    sum = sum + all(waves_[i].force) * waveAt(dot(point, all(waves_[i].cycles)) + waves_[i].phase);
+    sum = sum + splat(waves_[i].force) * waveAt(dot(point, splat(waves_[i].cycles)) + waves_[i].phase);
   return sum;
 }
 

@@ -39,8 +39,8 @@ constexpr ShippedScene kScenes[] = {
     {"wet-bunny", "Wet bunny"},
     {"half-wet", "Half wet"},
     {"wet-letters", "Letters of water"},
-    {"wet-straight", "Straight locks"},
-    {"wet-bent", "Bent locks"},
+    {"wet-straight", "Straight clumps"},
+    {"wet-bent", "Bent clumps"},
     {"wet-tile", "Dry and wet"},
 };
 

@@ -107,7 +107,7 @@ void resize(Groom& groom, int size);
 enum class ImageOf { Length, Types, Paint, Mask, Shape };
 
 // What the functions of this module know of the model. The map has the size of `atlas`.
-struct Ground {
+struct GroomSurface {
   const geometry::Surface& surface;
   const geometry::SurfaceQuery& query;
   const geometry::AtlasTexels& atlas;

@@ -45,14 +45,14 @@ GroomMap::Texel shapedTexel(GroomMap::Texel texel, std::size_t channel, std::uin
   return texel;
 }
 
-std::vector<std::uint32_t> trianglesUnder(const Ground& ground, const Brush& brush) {
-  return usable(brush) ? ground.query.trianglesWithin(brush.centre, brush.radius) : std::vector<std::uint32_t>();
+std::vector<std::uint32_t> trianglesUnder(const GroomSurface& skin, const Brush& brush) {
+  return usable(brush) ? skin.query.trianglesWithin(brush.centre, brush.radius) : std::vector<std::uint32_t>();
 }
 
 // What a brush of the weight w makes of a texel; `given` is the brush's own. No template: the code of a dab is there once.
 using TexelChange = GroomMap::Texel (*)(GroomMap::Texel texel, float weight, std::uint32_t given);
 
-bool dabTexels(Groom& groom, const Ground& ground, const Brush& brush, TexelChange change, std::uint32_t given = 0,
+bool dabTexels(Groom& groom, const GroomSurface& skin, const Brush& brush, TexelChange change, std::uint32_t given = 0,
                GroomMap Groom::*painted = &Groom::map) {
   if (!usable(brush)) return false;
   geometry::TexelRect changed;
@@ -61,26 +61,26 @@ bool dabTexels(Groom& groom, const Ground& ground, const Brush& brush, TexelChan
   const bool isMask = painted == &Groom::mask, isPaint = painted == &Groom::paint;
   Brush reach = brush;
   if (isPaint) reach.radius += kRim;
-  for (const std::uint32_t t : trianglesUnder(ground, reach))
-    ground.atlas.forTexelsOf(ground.surface, t, [&](std::uint32_t texel, const Vec3& weights) {
+  for (const std::uint32_t t : trianglesUnder(skin, reach))
+    skin.atlas.forTexelsOf(skin.surface, t, [&](std::uint32_t texel, const Vec3& weights) {
       const geometry::SurfacePoint point{t, weights, 0.0f};
-      float weight = weightOf(brush, positionAt(ground.surface, point));
+      float weight = weightOf(brush, positionAt(skin.surface, point));
       if (!isMask) weight *= static_cast<float>(255 - groom.mask.texels()[texel][3]) / 255.0f;
-      const bool rim = isPaint && map.texels()[texel][3] == 0 && weightOf(reach, positionAt(ground.surface, point)) > 0;
-      if ((weight < kLeastWeight && !rim) || glm::dot(normalAt(ground.surface, point), brush.normal) <= 0.0f) return;
+      const bool rim = isPaint && map.texels()[texel][3] == 0 && weightOf(reach, positionAt(skin.surface, point)) > 0;
+      if ((weight < kLeastWeight && !rim) || glm::dot(normalAt(skin.surface, point), brush.normal) <= 0.0f) return;
       const GroomMap::Texel before = map.texels()[texel];
       map.set(texel, change(before, weight, given));
       if (map.texels()[texel] != before) changed.include(static_cast<int>(texel) % size, static_cast<int>(texel) / size);
     });
-  if (!changed.empty()) map.fillGutter(ground.atlas, changed);
+  if (!changed.empty()) map.fillGutter(skin.atlas, changed);
   return !changed.empty();
 }
 
-std::uint32_t vertexOf(const Ground& ground, std::uint32_t triangle, std::size_t k) {
-  return ground.surface.indices[std::size_t{3} * triangle + k];
+std::uint32_t vertexOf(const GroomSurface& skin, std::uint32_t triangle, std::size_t k) {
+  return skin.surface.indices[std::size_t{3} * triangle + k];
 }
-std::uint32_t pointOf(const Ground& ground, std::uint32_t triangle, std::size_t k) {
-  return ground.points.pointOf[vertexOf(ground, triangle, k)];
+std::uint32_t pointOf(const GroomSurface& skin, std::uint32_t triangle, std::size_t k) {
+  return skin.points.pointOf[vertexOf(skin, triangle, k)];
 }
 
 // A point of the surface under a brush, and one of its vertices.
@@ -91,25 +91,25 @@ struct PointUnder {
 };
 
 // Ascending, each once.
-std::vector<PointUnder> pointsOf(const Ground& ground, const std::vector<std::uint32_t>& triangles) {
+std::vector<PointUnder> pointsOf(const GroomSurface& skin, const std::vector<std::uint32_t>& triangles) {
   std::vector<PointUnder> points;
   for (const std::uint32_t t : triangles)
-    for (std::size_t k = 0; k < 3; ++k) points.push_back({pointOf(ground, t, k), vertexOf(ground, t, k)});
+    for (std::size_t k = 0; k < 3; ++k) points.push_back({pointOf(skin, t, k), vertexOf(skin, t, k)});
   sortStably(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());
   return points;
 }
 
 // goals[i] is where the comb of points[i] is drawn to.
-bool dabPoints(Groom& groom, const Ground& ground, const Brush& brush, const std::vector<PointUnder>& points,
+bool dabPoints(Groom& groom, const GroomSurface& skin, const Brush& brush, const std::vector<PointUnder>& points,
                const std::vector<Vec3>& goals) {
   bool changed = false;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto [point, vertex] = points[i];
     Vec3& comb = groom.comb[point];
-    float weight = weightOf(brush, ground.points.positions[point]);
-    if (weight <= 0.0f || glm::dot(ground.points.normals[point], brush.normal) <= 0.0f) continue;
-    weight *= 1.0f - groom.mask.at(ground.surface.vertices[vertex].atlas).w;
+    float weight = weightOf(brush, skin.points.positions[point]);
+    if (weight <= 0.0f || glm::dot(skin.points.normals[point], brush.normal) <= 0.0f) continue;
+    weight *= 1.0f - groom.mask.at(skin.surface.vertices[vertex].atlas).w;
     const Vec3 before = comb;
     comb += (goals[i] - comb) * weight;
     if (glm::dot(comb, comb) < kUpright * kUpright) comb = Vec3(0);
@@ -131,29 +131,29 @@ float falloffAt(Falloff falloff, float squared) {
   return smooth * smooth;
 }
 
-bool trim(Groom& groom, const Ground& ground, const Brush& brush) {
-  return dabTexels(groom, ground, brush, [](GroomMap::Texel texel, float weight, std::uint32_t) {
+bool trim(Groom& groom, const GroomSurface& skin, const Brush& brush) {
+  return dabTexels(groom, skin, brush, [](GroomMap::Texel texel, float weight, std::uint32_t) {
     texel[0] = towards(texel[0], 0, weight);
     return texel;
   });
 }
 
-bool grow(Groom& groom, const Ground& ground, const Brush& brush) {
-  return dabTexels(groom, ground, brush, [](GroomMap::Texel texel, float weight, std::uint32_t) {
+bool grow(Groom& groom, const GroomSurface& skin, const Brush& brush) {
+  return dabTexels(groom, skin, brush, [](GroomMap::Texel texel, float weight, std::uint32_t) {
     texel[0] = towards(texel[0], 255, weight);
     return texel;
   });
 }
 
-bool cutTo(Groom& groom, const Ground& ground, const Brush& brush, float share) {
+bool cutTo(Groom& groom, const GroomSurface& skin, const Brush& brush, float share) {
   const auto change = [](GroomMap::Texel texel, float weight, std::uint32_t length) {
     if (texel[0] > length) texel[0] = towards(texel[0], static_cast<int>(length), weight);
     return texel;
   };
-  return dabTexels(groom, ground, brush, change, static_cast<std::uint32_t>(saturate(share) * 255.0f + 0.5f));
+  return dabTexels(groom, skin, brush, change, static_cast<std::uint32_t>(saturate(share) * 255.0f + 0.5f));
 }
 
-bool paintType(Groom& groom, const Ground& ground, const Brush& brush, int type) {
+bool paintType(Groom& groom, const GroomSurface& skin, const Brush& brush, int type) {
   const auto chosen = static_cast<std::uint32_t>(std::clamp(type, 1, kTypes)) - 1;
   const auto change = [](GroomMap::Texel texel, float weight, std::uint32_t channel) {
     int others = 0;
@@ -164,15 +164,15 @@ bool paintType(Groom& groom, const Ground& ground, const Brush& brush, int type)
     if (channel > 0) texel[channel] = static_cast<std::uint8_t>(std::min(grown, 255 - others));
     return texel;
   };
-  return dabTexels(groom, ground, brush, change, chosen);
+  return dabTexels(groom, skin, brush, change, chosen);
 }
 
-bool takeType(Groom& groom, const Ground& ground, const Brush& brush, int type) {
+bool takeType(Groom& groom, const GroomSurface& skin, const Brush& brush, int type) {
   const auto change = [](GroomMap::Texel texel, float weight, std::uint32_t channel) {
     texel[channel] = towards(texel[channel], 0, weight);
     return texel;
   };
-  return dabTexels(groom, ground, brush, change, static_cast<std::uint32_t>(std::clamp(type, 2, kTypes)) - 1);
+  return dabTexels(groom, skin, brush, change, static_cast<std::uint32_t>(std::clamp(type, 2, kTypes)) - 1);
 }
 
 Vec3 combedTo(const Vec3& direction, const Vec3& normal) {
@@ -182,43 +182,43 @@ Vec3 combedTo(const Vec3& direction, const Vec3& normal) {
   return normalizeOr(along, Vec3(0)) * (kMaxComb * std::min(sine / kPole, 1.0f));
 }
 
-bool comb(Groom& groom, const Ground& ground, const Brush& brush, const Vec3& direction) {
-  const std::vector<PointUnder> points = pointsOf(ground, trianglesUnder(ground, brush));
+bool comb(Groom& groom, const GroomSurface& skin, const Brush& brush, const Vec3& direction) {
+  const std::vector<PointUnder> points = pointsOf(skin, trianglesUnder(skin, brush));
   std::vector<Vec3> goals;
   for (const auto [point, vertex] : points) {
-    const Vec3 goal = combedTo(direction, ground.points.normals[point]);
+    const Vec3 goal = combedTo(direction, skin.points.normals[point]);
     goals.push_back(goal == Vec3(0) ? groom.comb[point] : goal);
   }
-  return dabPoints(groom, ground, brush, points, goals);
+  return dabPoints(groom, skin, brush, points, goals);
 }
 
-bool raise(Groom& groom, const Ground& ground, const Brush& brush) {
-  const std::vector<PointUnder> points = pointsOf(ground, trianglesUnder(ground, brush));
-  return dabPoints(groom, ground, brush, points, std::vector<Vec3>(points.size(), Vec3(0)));
+bool raise(Groom& groom, const GroomSurface& skin, const Brush& brush) {
+  const std::vector<PointUnder> points = pointsOf(skin, trianglesUnder(skin, brush));
+  return dabPoints(groom, skin, brush, points, std::vector<Vec3>(points.size(), Vec3(0)));
 }
 
-bool smooth(Groom& groom, const Ground& ground, const Brush& brush) {
-  const std::vector<std::uint32_t> triangles = trianglesUnder(ground, brush);
-  const std::vector<PointUnder> points = pointsOf(ground, triangles);
+bool smooth(Groom& groom, const GroomSurface& skin, const Brush& brush) {
+  const std::vector<std::uint32_t> triangles = trianglesUnder(skin, brush);
+  const std::vector<PointUnder> points = pointsOf(skin, triangles);
   // Summed before anything changes: nothing depends on the order of the points.
   std::vector<Vec3> goals(points.size(), Vec3(0));
   std::vector<float> counts(points.size(), 0.0f);
   for (const std::uint32_t t : triangles)
     for (std::size_t k = 0; k < 3; ++k) {
       const auto at = static_cast<std::size_t>(
-          std::lower_bound(points.begin(), points.end(), PointUnder{pointOf(ground, t, k), 0}) - points.begin());
-      goals[at] += groom.comb[pointOf(ground, t, (k + 1) % 3)] + groom.comb[pointOf(ground, t, (k + 2) % 3)];
+          std::lower_bound(points.begin(), points.end(), PointUnder{pointOf(skin, t, k), 0}) - points.begin());
+      goals[at] += groom.comb[pointOf(skin, t, (k + 1) % 3)] + groom.comb[pointOf(skin, t, (k + 2) % 3)];
       counts[at] += 2.0f;
     }
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vec3& normal = ground.points.normals[points[i].point];
+    const Vec3& normal = skin.points.normals[points[i].point];
     goals[i] /= counts[i];
     goals[i] -= normal * glm::dot(goals[i], normal);
   }
-  return dabPoints(groom, ground, brush, points, goals);
+  return dabPoints(groom, skin, brush, points, goals);
 }
 
-bool paint(Groom& groom, const Ground& ground, const Brush& brush, std::uint32_t color) {
+bool paint(Groom& groom, const GroomSurface& skin, const Brush& brush, std::uint32_t color) {
   const auto change = [](GroomMap::Texel texel, float weight, std::uint32_t rgb) {
     const std::uint8_t was = texel[3];
     if (weight >= kLeastWeight) texel[3] = towards(was, 255, weight);
@@ -227,44 +227,44 @@ bool paint(Groom& groom, const Ground& ground, const Brush& brush, std::uint32_t
     for (std::size_t k = 0; k < 3; ++k) texel[k] = towards(texel[k], static_cast<int>(rgb >> (16 - 8 * k) & 255u), share);
     return texel;
   };
-  return brush.strength > 0.0f && dabTexels(groom, ground, brush, change, color, &Groom::paint);
+  return brush.strength > 0.0f && dabTexels(groom, skin, brush, change, color, &Groom::paint);
 }
 
-bool unpaint(Groom& groom, const Ground& ground, const Brush& brush) {
+bool unpaint(Groom& groom, const GroomSurface& skin, const Brush& brush) {
   const auto change = [](GroomMap::Texel texel, float weight, std::uint32_t) {
     if (weight >= kLeastWeight) texel[3] = towards(texel[3], 0, weight);
     return texel;
   };
-  return dabTexels(groom, ground, brush, change, 0, &Groom::paint);
+  return dabTexels(groom, skin, brush, change, 0, &Groom::paint);
 }
 
-bool protect(Groom& groom, const Ground& ground, const Brush& brush) {
+bool protect(Groom& groom, const GroomSurface& skin, const Brush& brush) {
   const auto change = [](GroomMap::Texel texel, float weight, std::uint32_t) {
     texel[3] = towards(texel[3], 255, weight);
     return texel;
   };
-  return dabTexels(groom, ground, brush, change, 0, &Groom::mask);
+  return dabTexels(groom, skin, brush, change, 0, &Groom::mask);
 }
 
-bool unprotect(Groom& groom, const Ground& ground, const Brush& brush) {
+bool unprotect(Groom& groom, const GroomSurface& skin, const Brush& brush) {
   const auto change = [](GroomMap::Texel texel, float weight, std::uint32_t) {
     texel[3] = towards(texel[3], 0, weight);
     return texel;
   };
-  return dabTexels(groom, ground, brush, change, 0, &Groom::mask);
+  return dabTexels(groom, skin, brush, change, 0, &Groom::mask);
 }
 
-bool addShape(Groom& groom, const Ground& ground, const Brush& brush, ShapeChannel channel) {
+bool addShape(Groom& groom, const GroomSurface& skin, const Brush& brush, ShapeChannel channel) {
   const auto change = [](GroomMap::Texel texel, float weight, std::uint32_t k) { return shapedTexel(texel, k, towards(texel[k], 255, weight)); };
-  return dabTexels(groom, ground, brush, change, static_cast<std::uint32_t>(channel), &Groom::shape);
+  return dabTexels(groom, skin, brush, change, static_cast<std::uint32_t>(channel), &Groom::shape);
 }
 
-bool takeShape(Groom& groom, const Ground& ground, const Brush& brush, ShapeChannel channel) {
+bool takeShape(Groom& groom, const GroomSurface& skin, const Brush& brush, ShapeChannel channel) {
   const auto change = [](GroomMap::Texel texel, float weight, std::uint32_t k) { return shapedTexel(texel, k, towards(texel[k], 0, weight)); };
-  return dabTexels(groom, ground, brush, change, static_cast<std::uint32_t>(channel), &Groom::shape);
+  return dabTexels(groom, skin, brush, change, static_cast<std::uint32_t>(channel), &Groom::shape);
 }
 
-bool pluck(Groom& groom, const Ground& ground, const Brush& brush) {
+bool pluck(Groom& groom, const GroomSurface& skin, const Brush& brush) {
   if (!usable(brush)) return false;
   const std::size_t before = groom.whiskers.size();
   std::size_t kept = 0;
@@ -272,8 +272,8 @@ bool pluck(Groom& groom, const Ground& ground, const Brush& brush) {
     const Vec3 way = whisker.root - brush.centre;
     // Those of the far side of an ear stay; one that lies flat may point away a little.
     const bool under = glm::dot(way, way) <= brush.radius * brush.radius && glm::dot(whisker.direction, brush.normal) > -0.5f;
-    const auto root = under ? rootOf(whisker, ground.query) : std::nullopt;
-    if (!under || (root && groom.mask.at(atlasAt(ground.surface, *root)).w > 0.5f)) groom.whiskers[kept++] = whisker;
+    const auto root = under ? rootOf(whisker, skin.query) : std::nullopt;
+    if (!under || (root && groom.mask.at(atlasAt(skin.surface, *root)).w > 0.5f)) groom.whiskers[kept++] = whisker;
   }
   groom.whiskers.resize(kept);
   return kept < before;

@@ -23,40 +23,40 @@ struct Brush {
 };
 
 // --- length; lengths stay within 0..1 ---
-bool trim(Groom& groom, const Ground& ground, const Brush& brush);  // towards 0 by the share w
-bool grow(Groom& groom, const Ground& ground, const Brush& brush);  // towards 1
+bool trim(Groom& groom, const GroomSurface& skin, const Brush& brush);  // towards 0 by the share w
+bool grow(Groom& groom, const GroomSurface& skin, const Brush& brush);  // towards 1
 // What is longer than `share` comes towards it.
-bool cutTo(Groom& groom, const Ground& ground, const Brush& brush, float share);
+bool cutTo(Groom& groom, const GroomSurface& skin, const Brush& brush, float share);
 
 // --- types; presences stay a partition of 1 ---
 // 1..kTypes: the share w of what is there becomes that type. 1 is the eraser of the others.
-bool paintType(Groom& groom, const Ground& ground, const Brush& brush, int type);
+bool paintType(Groom& groom, const GroomSurface& skin, const Brush& brush, int type);
 // 2..kTypes: the share w of that type becomes type 1.
-bool takeType(Groom& groom, const Ground& ground, const Brush& brush, int type);
+bool takeType(Groom& groom, const GroomSurface& skin, const Brush& brush, int type);
 
 // --- shape ---
 enum class ShapeChannel { Curl, Frizz, Locks };  // of Groom::shape
 // Towards all of it by the share w, or towards none.
-bool addShape(Groom& groom, const Ground& ground, const Brush& brush, ShapeChannel channel);
-bool takeShape(Groom& groom, const Ground& ground, const Brush& brush, ShapeChannel channel);
+bool addShape(Groom& groom, const GroomSurface& skin, const Brush& brush, ShapeChannel channel);
+bool takeShape(Groom& groom, const GroomSurface& skin, const Brush& brush, ShapeChannel channel);
 
 // --- comb; stays across the normal and within kMaxComb ---
 // Towards `direction`, whatever its length; where it points straight into the surface nothing moves.
-bool comb(Groom& groom, const Ground& ground, const Brush& brush, const Vec3& direction);
-bool raise(Groom& groom, const Ground& ground, const Brush& brush);   // towards upright
-bool smooth(Groom& groom, const Ground& ground, const Brush& brush);  // towards the mean of the neighbours
+bool comb(Groom& groom, const GroomSurface& skin, const Brush& brush, const Vec3& direction);
+bool raise(Groom& groom, const GroomSurface& skin, const Brush& brush);   // towards upright
+bool smooth(Groom& groom, const GroomSurface& skin, const Brush& brush);  // towards the mean of the neighbours
 
 // --- whiskers ---
 // Pulls out those whose roots lie in the ball, whatever the strength, unless the mask protects them.
-bool pluck(Groom& groom, const Ground& ground, const Brush& brush);
+bool pluck(Groom& groom, const GroomSurface& skin, const Brush& brush);
 
 // --- paint and mask ---
 // The share w of `color` (0xRRGGBB, sRGB) over what is painted; or takes the share w of the paint off.
-bool paint(Groom& groom, const Ground& ground, const Brush& brush, std::uint32_t color);
-bool unpaint(Groom& groom, const Ground& ground, const Brush& brush);
+bool paint(Groom& groom, const GroomSurface& skin, const Brush& brush, std::uint32_t color);
+bool unpaint(Groom& groom, const GroomSurface& skin, const Brush& brush);
 // Protects by the share w, or gives free; no mask stands in its way.
-bool protect(Groom& groom, const Ground& ground, const Brush& brush);
-bool unprotect(Groom& groom, const Ground& ground, const Brush& brush);
+bool protect(Groom& groom, const GroomSurface& skin, const Brush& brush);
+bool unprotect(Groom& groom, const GroomSurface& skin, const Brush& brush);
 
 // What comb() leads to at a point with this normal: kMaxComb along the direction, less where they nearly meet.
 Vec3 combedTo(const Vec3& direction, const Vec3& normal);

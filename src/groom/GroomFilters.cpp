@@ -23,14 +23,14 @@ void forAllTexels(GroomMap& map, Change change) {
 
 // change(texel, point of the surface); then the gutters.
 template <class Change>
-void forSurfaceTexels(GroomMap& map, const Ground& ground, Change change) {
-  for (std::uint32_t t = 0; t < ground.surface.triangleCount(); ++t)
-    ground.atlas.forTexelsOf(ground.surface, t, [&](std::uint32_t i, const Vec3& weights) {
+void forSurfaceTexels(GroomMap& map, const GroomSurface& skin, Change change) {
+  for (std::uint32_t t = 0; t < skin.surface.triangleCount(); ++t)
+    skin.atlas.forTexelsOf(skin.surface, t, [&](std::uint32_t i, const Vec3& weights) {
       GroomMap::Texel texel = map.texels()[i];
       change(texel, geometry::SurfacePoint{t, weights, 0.0f});
       map.set(i, texel);
     });
-  map.fillGutter(ground.atlas, {0, 0, map.size(), map.size()});
+  map.fillGutter(skin.atlas, {0, 0, map.size(), map.size()});
 }
 
 // A number of 0..1 for every cell of space (Wang's integer hash, chained).
@@ -53,8 +53,8 @@ float noiseAt(const Vec3& at, std::uint32_t seed) {
   return glm::mix(glm::mix(row(0, 0), row(1, 0), s.y), glm::mix(row(0, 1), row(1, 1), s.y), s.z);
 }
 
-const geometry::SurfaceVertex& cornerOf(const Ground& ground, const geometry::SurfacePoint& at, int k) {
-  return ground.surface.vertices[ground.surface.indices[std::size_t{3} * at.triangle + static_cast<std::size_t>(k)]];
+const geometry::SurfaceVertex& cornerOf(const GroomSurface& skin, const geometry::SurfacePoint& at, int k) {
+  return skin.surface.vertices[skin.surface.indices[std::size_t{3} * at.triangle + static_cast<std::size_t>(k)]];
 }
 
 }  // namespace
@@ -74,10 +74,10 @@ void invertLength(GroomMap& map) {
   forAllTexels(map, [](GroomMap::Texel& texel) { texel[0] = static_cast<std::uint8_t>(255 - texel[0]); });
 }
 
-void varyLength(Groom& groom, const Ground& ground, float amount, float grain, std::uint32_t seed) {
+void varyLength(Groom& groom, const GroomSurface& skin, float amount, float grain, std::uint32_t seed) {
   const float perUnit = 1.0f / std::max(grain, 1e-3f);
-  forSurfaceTexels(groom.map, ground, [&](GroomMap::Texel& texel, const geometry::SurfacePoint& at) {
-    const float share = 1.0f - saturate(amount) * noiseAt(positionAt(ground.surface, at) * perUnit, seed);
+  forSurfaceTexels(groom.map, skin, [&](GroomMap::Texel& texel, const geometry::SurfacePoint& at) {
+    const float share = 1.0f - saturate(amount) * noiseAt(positionAt(skin.surface, at) * perUnit, seed);
     texel[0] = toByte(static_cast<float>(texel[0]) / 255.0f * share);
   });
 }
@@ -98,7 +98,7 @@ void invertMask(GroomMap& mask) {
   forAllTexels(mask, [](GroomMap::Texel& texel) { texel[3] = static_cast<std::uint8_t>(255 - texel[3]); });
 }
 
-void keepProtected(Groom& groom, const Groom& before, const Ground& ground) {
+void keepProtected(Groom& groom, const Groom& before, const GroomSurface& skin) {
   if (groom.mask.isPlain()) return;
   for (const auto map : {&Groom::map, &Groom::paint, &Groom::shape})
     for (std::uint32_t i = 0; i < groom.mask.texels().size(); ++i) {
@@ -109,8 +109,8 @@ void keepProtected(Groom& groom, const Groom& before, const Ground& ground) {
       (groom.*map).set(i, is);
     }
   std::vector<float> kept(groom.comb.size(), 0.0f);
-  for (std::size_t i = 0; i < ground.surface.trueVertexCount; ++i)
-    kept[ground.points.pointOf[i]] = groom.mask.at(ground.surface.vertices[i].atlas).w;
+  for (std::size_t i = 0; i < skin.surface.trueVertexCount; ++i)
+    kept[skin.points.pointOf[i]] = groom.mask.at(skin.surface.vertices[i].atlas).w;
   for (std::size_t i = 0; i < groom.comb.size(); ++i)
     groom.comb[i] = glm::mix(groom.comb[i], before.comb.empty() ? Vec3(0) : before.comb[i], kept[i]);
 }
@@ -129,15 +129,15 @@ GroomMap paintUnderMask(const Groom& groom) {
 // Rec. 709 weights in 8 bits.
 std::uint8_t brightness(const std::uint8_t* pixel) { return static_cast<std::uint8_t>((54 * pixel[0] + 183 * pixel[1] + 19 * pixel[2] + 128) / 256); }
 
-void paintFromVertices(Groom& groom, const Ground& ground, std::span<const float> lengths, std::span<const int> types) {
-  const std::size_t count = ground.surface.trueVertexCount;
+void paintFromVertices(Groom& groom, const GroomSurface& skin, std::span<const float> lengths, std::span<const int> types) {
+  const std::size_t count = skin.surface.trueVertexCount;
   const auto fits = [count](std::size_t given) { return given == 0 || given == count; };
   FUR_ASSERT(fits(lengths.size()) && fits(types.size()), "groom::paintFromVertices()", "one a true vertex, or none",
              lengths.size());
-  forSurfaceTexels(groom.map, ground, [&](GroomMap::Texel& texel, const geometry::SurfacePoint& at) {
+  forSurfaceTexels(groom.map, skin, [&](GroomMap::Texel& texel, const geometry::SurfacePoint& at) {
     float length = 0, presence[kTypes] = {};
     for (int k = 0; k < 3; ++k) {
-      const std::uint32_t vertex = ground.surface.indices[std::size_t{3} * at.triangle + static_cast<std::size_t>(k)];
+      const std::uint32_t vertex = skin.surface.indices[std::size_t{3} * at.triangle + static_cast<std::size_t>(k)];
       if (!lengths.empty()) length += at.weights[k] * lengths[vertex];
       if (!types.empty()) presence[std::clamp(types[vertex], 1, kTypes) - 1] += at.weights[k];
     }
@@ -146,20 +146,20 @@ void paintFromVertices(Groom& groom, const Ground& ground, std::span<const float
   });
 }
 
-void paintFromImage(ImageOf what, Groom& groom, const Ground& ground, int width, int height,
+void paintFromImage(ImageOf what, Groom& groom, const GroomSurface& skin, int width, int height,
                     std::span<const std::uint8_t> rgba) {
   const std::size_t bytes = std::size_t{4} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   FUR_ASSERT(width > 0 && height > 0 && rgba.size() == bytes, "groom::paintFromImage()",
              "4 bytes for each of width * height texels", rgba.size());
-  const auto& vertices = ground.surface.vertices;
+  const auto& vertices = skin.surface.vertices;
   const bool hasUv = std::any_of(vertices.begin(), vertices.end(), [](const auto& v) { return v.uv != Vec2(0); });
   const auto texelAt = [](float c, int size) {
     return std::min(static_cast<int>((c - std::floor(c)) * static_cast<float>(size)), size - 1);
   };
-  forSurfaceTexels(groom.map, ground, [&](GroomMap::Texel& texel, const geometry::SurfacePoint& at) {
+  forSurfaceTexels(groom.map, skin, [&](GroomMap::Texel& texel, const geometry::SurfacePoint& at) {
     Vec2 uv(0);
     for (int k = 0; k < 3; ++k) {
-      const geometry::SurfaceVertex& corner = cornerOf(ground, at, k);
+      const geometry::SurfaceVertex& corner = cornerOf(skin, at, k);
       uv += at.weights[k] * (hasUv ? corner.uv : corner.atlas);
     }
     const auto x = static_cast<std::size_t>(texelAt(uv.x, width)), y = static_cast<std::size_t>(texelAt(uv.y, height));

@@ -39,18 +39,18 @@ std::pair<Vec3, Vec3> atlasAxes(const geometry::SurfaceVertex& a, const geometry
   return {u, area < 0 ? -v : v};
 }
 
-MapPicture combPicture(const Groom& groom, const Ground& ground) {
+MapPicture combPicture(const Groom& groom, const GroomSurface& skin) {
   const int size = groom.map.size();
   const auto texels = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
   MapPicture out{"comb", size, 3, {}};
   out.pixels.reserve(3 * texels);
   for (std::size_t i = 0; i < texels; ++i) out.pixels.insert(out.pixels.end(), {128, 128, 0});
-  const std::vector<Vec3> bends = restBends(groom, ground.surface, ground.points);
-  for (std::uint32_t t = 0; t < ground.surface.triangleCount(); ++t) {
-    const std::uint32_t* corners = &ground.surface.indices[std::size_t{3} * t];
-    const auto vertex = [&](std::size_t k) -> const geometry::SurfaceVertex& { return ground.surface.vertices[corners[k]]; };
+  const std::vector<Vec3> bends = restBends(groom, skin.surface, skin.points);
+  for (std::uint32_t t = 0; t < skin.surface.triangleCount(); ++t) {
+    const std::uint32_t* corners = &skin.surface.indices[std::size_t{3} * t];
+    const auto vertex = [&](std::size_t k) -> const geometry::SurfaceVertex& { return skin.surface.vertices[corners[k]]; };
     const auto [u, v] = atlasAxes(vertex(0), vertex(1), vertex(2));
-    ground.atlas.forTexelsOf(ground.surface, t, [&, u = u, v = v](std::uint32_t texel, const Vec3& weights) {
+    skin.atlas.forTexelsOf(skin.surface, t, [&, u = u, v = v](std::uint32_t texel, const Vec3& weights) {
       Vec3 bend(0);
       for (int k = 0; k < 3; ++k) bend += weights[k] * bends[corners[k]];
       const float much = glm::length(bend);
@@ -62,7 +62,7 @@ MapPicture combPicture(const Groom& groom, const Ground& ground) {
       pixel[2] = toByte(much / kMaxComb);
     });
   }
-  for (const auto& [texel, source] : ground.atlas.gutter()) std::copy_n(&out.pixels[std::size_t{3} * source], 3, &out.pixels[std::size_t{3} * texel]);
+  for (const auto& [texel, source] : skin.atlas.gutter()) std::copy_n(&out.pixels[std::size_t{3} * source], 3, &out.pixels[std::size_t{3} * texel]);
   return out;
 }
 
@@ -74,10 +74,10 @@ float distanceTo(const Vec2& at, const Vec2& a, const Vec2& b) {
 
 }  // namespace
 
-std::vector<MapPicture> mapPictures(const Groom& groom, const Ground& ground) {
-  FUR_ASSERT(ground.atlas.size() == groom.map.size(), "groom::mapPictures()", "an atlas of the map's size", ground.atlas.size());
+std::vector<MapPicture> mapPictures(const Groom& groom, const GroomSurface& skin) {
+  FUR_ASSERT(skin.atlas.size() == groom.map.size(), "groom::mapPictures()", "an atlas of the map's size", skin.atlas.size());
   return {channelsOf("length", groom.map, 0, 1), channelsOf("types", groom.map, 1, 3), channelsOf("paint", groom.paint, 0, 4),
-          channelsOf("mask", groom.mask, 3, 1), channelsOf("shape", groom.shape, 0, 3), combPicture(groom, ground)};
+          channelsOf("mask", groom.mask, 3, 1), channelsOf("shape", groom.shape, 0, 3), combPicture(groom, skin)};
 }
 
 MapPicture layoutPicture(const geometry::Surface& surface, int size) {

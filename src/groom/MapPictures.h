@@ -27,7 +27,7 @@ struct MapPicture {
 // what brushes add in curl, green in frizz, blue in locks. comb: red and green are the direction in which the fur leans, 0.5 + 0.5
 // of its part along u (to the right in the picture) and along v (downwards), blue how far, as a share of kMaxComb; upright
 // is (128, 128, 0).
-std::vector<MapPicture> mapPictures(const Groom& groom, const Ground& ground);
+std::vector<MapPicture> mapPictures(const Groom& groom, const GroomSurface& skin);
 // The outlines of the charts, on transparent; one of these sizes.
 inline constexpr int kLayoutSize = 1024, kLargeLayoutSize = 2048;
 MapPicture layoutPicture(const geometry::Surface& surface, int size);

@@ -13,12 +13,12 @@ namespace {
 
 // Calls selected(texel, triangle), 0..255, for every texel of the surface; the mask protects the rest.
 template <class Selected>
-void select(Groom& groom, const Ground& ground, Selected selected) {
-  const auto& triangleOf = ground.atlas.triangleOf();
+void select(Groom& groom, const GroomSurface& skin, Selected selected) {
+  const auto& triangleOf = skin.atlas.triangleOf();
   for (std::uint32_t i = 0; i < triangleOf.size(); ++i)
     if (triangleOf[i] != geometry::kNoTriangle)
       groom.mask.set(i, {0, 0, 0, static_cast<std::uint8_t>(255 - selected(i, triangleOf[i]))});
-  groom.mask.fillGutter(ground.atlas, {0, 0, groom.mask.size(), groom.mask.size()});
+  groom.mask.fillGutter(skin.atlas, {0, 0, groom.mask.size(), groom.mask.size()});
 }
 
 int allOrNothing(bool selected) { return selected ? 255 : 0; }
@@ -32,15 +32,15 @@ struct Place {
 
 class Neighbourhood {
  public:
-  Neighbourhood(const Groom& groom, const Ground& ground, float radius) : values_(groom.mask.texels()) {
+  Neighbourhood(const Groom& groom, const GroomSurface& skin, float radius) : values_(groom.mask.texels()) {
     double area = 0;
-    for (std::uint32_t t = 0; t < ground.surface.triangleCount(); ++t) {
+    for (std::uint32_t t = 0; t < skin.surface.triangleCount(); ++t) {
       Vec3 p[3];
-      for (std::size_t k = 0; k < 3; ++k) p[k] = ground.surface.vertices[ground.surface.indices[std::size_t{3} * t + k]].position;
+      for (std::size_t k = 0; k < 3; ++k) p[k] = skin.surface.vertices[skin.surface.indices[std::size_t{3} * t + k]].position;
       area += 0.5 * static_cast<double>(glm::length(glm::cross(p[1] - p[0], p[2] - p[0])));
-      ground.atlas.forTexelsOf(ground.surface, t, [&](std::uint32_t texel, const Vec3& weights) {
+      skin.atlas.forTexelsOf(skin.surface, t, [&](std::uint32_t texel, const Vec3& weights) {
         const geometry::SurfacePoint at{t, weights, 0};
-        places_.push_back({positionAt(ground.surface, at), normalAt(ground.surface, at), texel});
+        places_.push_back({positionAt(skin.surface, at), normalAt(skin.surface, at), texel});
       });
     }
     const float texel = std::sqrt(static_cast<float>(area) / static_cast<float>(std::max<std::size_t>(places_.size(), 1)));
@@ -57,7 +57,7 @@ class Neighbourhood {
   // change(own value, visit) gives each texel's new value; visit(see) calls see(value, share) for all within the radius, itself
   // too: share falls from 1 to 0 there. Where all round is alike nothing changes.
   template <class Change>
-  void apply(Groom& groom, const Ground& ground, Change change) const {
+  void apply(Groom& groom, const GroomSurface& skin, Change change) const {
     for (const auto& [key, cell] : cells_) {
       const IVec3 middle = cellOf(places_[cell.places.front()].position);
       const Cell* round[27];
@@ -84,7 +84,7 @@ class Neighbourhood {
         groom.mask.set(own.texel, {0, 0, 0, static_cast<std::uint8_t>(change(int{values_[own.texel][3]}, visit))});
       }
     }
-    groom.mask.fillGutter(ground.atlas, {0, 0, groom.mask.size(), groom.mask.size()});
+    groom.mask.fillGutter(skin.atlas, {0, 0, groom.mask.size(), groom.mask.size()});
   }
 
  private:
@@ -108,63 +108,63 @@ class Neighbourhood {
 
 }  // namespace
 
-void selectConnected(Groom& groom, const Ground& ground, std::uint32_t triangle) {
-  std::vector<std::uint32_t> parent(ground.points.count());
+void selectConnected(Groom& groom, const GroomSurface& skin, std::uint32_t triangle) {
+  std::vector<std::uint32_t> parent(skin.points.count());
   std::iota(parent.begin(), parent.end(), 0u);
   const auto rootOf = [&](std::uint32_t point) {
     while (parent[point] != point) point = parent[point] = parent[parent[point]];
     return point;
   };
-  const auto pointAt = [&](std::uint32_t of, std::size_t corner) { return ground.points.pointOf[ground.surface.indices[std::size_t{3} * of + corner]]; };
-  for (std::uint32_t t = 0; t < ground.surface.triangleCount(); ++t)
+  const auto pointAt = [&](std::uint32_t of, std::size_t corner) { return skin.points.pointOf[skin.surface.indices[std::size_t{3} * of + corner]]; };
+  for (std::uint32_t t = 0; t < skin.surface.triangleCount(); ++t)
     for (std::size_t k = 1; k < 3; ++k) parent[rootOf(pointAt(t, k))] = rootOf(pointAt(t, 0));
   const std::uint32_t chosen = rootOf(pointAt(triangle, 0));
-  select(groom, ground, [&](std::uint32_t, std::uint32_t t) { return allOrNothing(rootOf(pointAt(t, 0)) == chosen); });
+  select(groom, skin, [&](std::uint32_t, std::uint32_t t) { return allOrNothing(rootOf(pointAt(t, 0)) == chosen); });
 }
 
-void selectType(Groom& groom, const Ground& ground, int type) {
+void selectType(Groom& groom, const GroomSurface& skin, int type) {
   const auto chosen = static_cast<std::size_t>(std::clamp(type, 1, kTypes) - 1);
-  select(groom, ground, [&](std::uint32_t i, std::uint32_t) {
+  select(groom, skin, [&](std::uint32_t i, std::uint32_t) {
     const GroomMap::Texel& t = groom.map.texels()[i];
     return chosen == 0 ? 255 - t[1] - t[2] - t[3] : int{t[chosen]};
   });
 }
 
-void selectLength(Groom& groom, const Ground& ground, float shortest, float longest) {
+void selectLength(Groom& groom, const GroomSurface& skin, float shortest, float longest) {
   const auto byteOf = [](float share) { return static_cast<int>(saturate(share) * 255 + 0.5f); };
   const int least = byteOf(shortest), most = byteOf(longest);
-  select(groom, ground, [&](std::uint32_t i, std::uint32_t) {
+  select(groom, skin, [&](std::uint32_t i, std::uint32_t) {
     const int length = groom.map.texels()[i][0];
     return allOrNothing(length >= least && length <= most);
   });
 }
 
-void selectPaint(Groom& groom, const Ground& ground, const Vec2& atlas, float tolerance) {
+void selectPaint(Groom& groom, const GroomSurface& skin, const Vec2& atlas, float tolerance) {
   const auto seen = [](const Vec4& paint) { return Vec4(Vec3(paint) * paint.w, paint.w); };  // the colour of none does not count
   const Vec4 like = seen(groom.paint.at(atlas));
-  select(groom, ground, [&](std::uint32_t i, std::uint32_t) {
+  select(groom, skin, [&](std::uint32_t i, std::uint32_t) {
     const GroomMap::Texel& t = groom.paint.texels()[i];
     const Vec4 apart = glm::abs(seen(Vec4(t[0], t[1], t[2], t[3]) / 255.0f) - like);
     return allOrNothing(std::max(std::max(apart.x, apart.y), std::max(apart.z, apart.w)) <= tolerance);
   });
 }
 
-void growMask(Groom& groom, const Ground& ground, float radius) {
-  Neighbourhood(groom, ground, radius).apply(groom, ground, [](int most, auto&& visit) {
+void growMask(Groom& groom, const GroomSurface& skin, float radius) {
+  Neighbourhood(groom, skin, radius).apply(groom, skin, [](int most, auto&& visit) {
     visit([&](int value, float) { most = std::max(most, value); });
     return most;
   });
 }
 
-void shrinkMask(Groom& groom, const Ground& ground, float radius) {
-  Neighbourhood(groom, ground, radius).apply(groom, ground, [](int least, auto&& visit) {
+void shrinkMask(Groom& groom, const GroomSurface& skin, float radius) {
+  Neighbourhood(groom, skin, radius).apply(groom, skin, [](int least, auto&& visit) {
     visit([&](int value, float) { least = std::min(least, value); });
     return least;
   });
 }
 
-void smoothMask(Groom& groom, const Ground& ground, float radius) {
-  Neighbourhood(groom, ground, radius).apply(groom, ground, [](int, auto&& visit) {
+void smoothMask(Groom& groom, const GroomSurface& skin, float radius) {
+  Neighbourhood(groom, skin, radius).apply(groom, skin, [](int, auto&& visit) {
     float sum = 0, shares = 0;
     visit([&](int value, float share) {
       sum += static_cast<float>(value) * share;

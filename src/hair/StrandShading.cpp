@@ -77,7 +77,7 @@ Vec3 wetAlbedo(const Vec3& albedo, float wetness) {
   return glm::mix(albedo, albedo / glm::mix(Vec3(1.77f), Vec3(1.0f), albedo), wetness * (2 - wetness));
 }
 
-Vec3 lockNormal(const Vec2& outward, float sheet) {
+Vec3 clumpNormal(const Vec2& outward, float sheet) {
   const float up = glm::mix(std::sqrt(std::max(1.0f - glm::dot(outward, outward), 0.0f)), 1.0f, sheet) + 0.25f;
   return glm::normalize(Vec3(outward * (1.0f - 0.85f * sheet), up));
 }

@@ -58,10 +58,10 @@ Vec3 shadeStrand(const StrandLook& look, const Vec3& albedo, const Vec3& tangent
 // out again, so that a wet coat is darker and its colour richer (Lekner and Dorf 1988, mirrors left out). The
 // first water does most of it.
 Vec3 wetAlbedo(const Vec3& albedo, float wetness);
-// The normal of a lock in the surface's frame; `outward`: from its middle, 1 at its rim. `sheet`: wet::sheetOf().
-Vec3 lockNormal(const Vec2& outward, float sheet);
-// The share of the key light and the share of the sky that water mirrors to the eye off a strand of the lock with the
-// normal `n`: glints that run along strands where the lock is turned to the light, more of both at grazing.
+// The normal of a clump in the surface's frame; `outward`: from its middle, 1 at its rim. `sheet`: wet::sheetOf().
+Vec3 clumpNormal(const Vec2& outward, float sheet);
+// The share of the key light and the share of the sky that water mirrors to the eye off a strand of the clump with the
+// normal `n`: glints that run along strands where the clump is turned to the light, more of both at grazing.
 // `wetGloss`: sigma_spec, `exponent`: of soaked strands.
 Vec2 waterGloss(const Vec3& tangent, const Vec3& n, const Vec3& light, const Vec3& view, float wetness, float sheet,
                 float wetGloss, float exponent, float strand);

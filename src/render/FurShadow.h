@@ -4,7 +4,7 @@
 //   layers  opacity shadow maps: 16 layers, laid from the first surface on (Yuksel & Keyser 2008 do so),
 //           which count the strands on the way: T = exp(-k sigma(z))
 // Redrawn only when its key changes. shaders/es3/common_furshadow.glsl looks it up; hair/VolumeShadow.h has
-// the formulas. It does not know of wet locks, and the ground keeps a shadow of its own.
+// the formulas. It does not know of wet clumps, and the ground keeps a shadow of its own.
 #pragma once
 
 #include <optional>

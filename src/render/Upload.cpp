@@ -103,13 +103,13 @@ void Renderer::setSurface(const geometry::Surface& surface, std::span<const Vec3
   shellsFor_.reset();
   edges_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(finEdges_), true);
   finEye_.reset();
-  const auto drawnBy = [this](const gl::Buffer& indices) {
+  const auto arrayWith = [this](const gl::Buffer& indices) {
     gl::VertexArray array(vertices_, sizeof(SkinVertex), kSkinAttributes, 0, &indices);
     array.add(furVertices_, sizeof(FurVertex), kFurAttributes, 0);
     return array;
   };
-  surface_ = drawnBy(indices_);
-  shells_ = drawnBy(furIndices_);
+  surface_ = arrayWith(indices_);
+  shells_ = arrayWith(furIndices_);
   fins_ = gl::VertexArray(edges_, sizeof(FinEdge), kEdgeAttributes, 1, nullptr);
   arrows_ = gl::VertexArray(vertices_, sizeof(SkinVertex), std::span(kSkinAttributes).first(2), 1, nullptr);
   vertexCount_ = static_cast<int>(surface.vertices.size());

@@ -72,8 +72,8 @@ Vec3 FurMap::weightsAt(std::uint32_t triangle, const glm::dvec2& tile) const {
   return {static_cast<float>(1 - b - g), static_cast<float>(b), static_cast<float>(g)};
 }
 
-Spot FurMap::find(std::uint32_t from, const glm::dvec2& tile) const {
-  Spot spot{from, weightsAt(from, tile)};
+ChartPoint FurMap::find(std::uint32_t from, const glm::dvec2& tile) const {
+  ChartPoint spot{from, weightsAt(from, tile)};
   for (int step = 0; step < kMostSteps; ++step) {
     // Out by the side that lies farthest behind, if a neighbour is there.
     std::uint32_t next = kNone;
@@ -96,25 +96,25 @@ Vec3 FurMap::raised(std::uint32_t triangle, int k, float h) const {
   return dynamics::strandPoint(v.position, v.normal, Vec3(bends_[index]), length_, h, curve_);
 }
 
-Vec3 FurMap::point(const Spot& spot, float h) const {
+Vec3 FurMap::point(const ChartPoint& spot, float h) const {
   Vec3 sum(0);
   for (int k = 0; k < 3; ++k) sum += spot.weights[k] * raised(spot.triangle, k, h);
   return sum;
 }
 
-Vec3 FurMap::normal(const Spot& spot) const {
+Vec3 FurMap::normal(const ChartPoint& spot) const {
   Vec3 sum(0);
   for (int k = 0; k < 3; ++k) sum += spot.weights[k] * corner(spot.triangle, k).normal;
   return normalizeOr(sum, corner(spot.triangle, 0).normal);
 }
 
-Vec2 FurMap::strands(const Spot& spot) const {
+Vec2 FurMap::strands(const ChartPoint& spot) const {
   Vec2 sum(0);
   for (int k = 0; k < 3; ++k) sum += spot.weights[k] * corner(spot.triangle, k).strands;
   return sum;
 }
 
-float FurMap::scale(const Spot& spot, float h) const {
+float FurMap::scale(const ChartPoint& spot, float h) const {
   const Vec3 a = raised(spot.triangle, 0, h);
   const float area = glm::length(glm::cross(raised(spot.triangle, 1, h) - a, raised(spot.triangle, 2, h) - a));
   const auto c = corners(spot.triangle);

@@ -17,7 +17,7 @@ namespace fur::truth {
 
 // A point of a fur chart: a triangle of Surface::furIndices and the weights of its corners, which sum to 1. Beyond
 // the chart's border some are negative.
-struct Spot {
+struct ChartPoint {
   std::uint32_t triangle = 0;
   Vec3 weights{1, 0, 0};
 };
@@ -33,14 +33,14 @@ class FurMap {
   // Tile coordinates of the triangle's corners.
   std::array<glm::dvec2, 3> corners(std::uint32_t triangle) const;
   // The spot with those tile coordinates, sought from a triangle near by.
-  Spot find(std::uint32_t from, const glm::dvec2& tile) const;
+  ChartPoint find(std::uint32_t from, const glm::dvec2& tile) const;
 
-  Vec3 point(const Spot& spot, float h) const;
-  Vec3 normal(const Spot& spot) const;  // unit
+  Vec3 point(const ChartPoint& spot, float h) const;
+  Vec3 normal(const ChartPoint& spot) const;  // unit
   // From, to (SurfaceVertex::strands), not clamped.
-  Vec2 strands(const Spot& spot) const;
+  Vec2 strands(const ChartPoint& spot) const;
   // Model units that one tile unit is long at that height, the root of what areas grow by.
-  float scale(const Spot& spot, float h) const;
+  float scale(const ChartPoint& spot, float h) const;
 
  private:
   const geometry::SurfaceVertex& corner(std::uint32_t triangle, int k) const {

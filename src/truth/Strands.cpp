@@ -57,7 +57,7 @@ void placeStrand(const FurMap& map, const furgen::Coat& coat, const Root& root, 
   const furgen::Strand& strand = coat.strands[root.strand];
   const auto size = static_cast<double>(coat.parameters.size);
   scratch.clear();
-  Spot spot = root.spot;
+  ChartPoint spot = root.spot;
   for (const furgen::Node& node : coat.nodesOf(strand)) {
     spot = map.find(spot.triangle, root.tile + glm::dvec2(node.shift) / size);
     const float radius = node.radius / static_cast<float>(size) * map.scale(spot, node.height);
@@ -89,7 +89,7 @@ void RootFinder::find(std::uint32_t triangle, std::vector<Root>& out) const {
       for (double column = std::ceil(low.x - root.x); column + root.x <= high.x; ++column) {
         const glm::dvec2 tile(root.x + column, root.y + row);
         if (!isInside(c, tile)) continue;
-        const Spot spot = map_.find(triangle, tile);
+        const ChartPoint spot = map_.find(triangle, tile);
         const Vec2 shown = map_.strands(spot);
         const float number = strandNumber(strand);
         if (number >= shown.x && number < shown.y) out.push_back({*it, tile, spot});

@@ -38,7 +38,7 @@ inline float strandNumber(const furgen::Strand& strand) { return std::abs(2.0f *
 struct Root {
   std::uint32_t strand;
   glm::dvec2 tile;
-  Spot spot;
+  ChartPoint spot;
 };
 
 class RootFinder {

@@ -14,12 +14,8 @@
 namespace fur::wet {
 
 // Soaked clumps close into a sheet: from this wetness on, strands are drawn together by so much less. Sheets and
-// saturated locks stand by so much lower.
-inline constexpr float kSheetFrom = FUR_SHEET_FROM, kSheetOpens = FUR_SHEET_OPENS, kSheetSinks = FUR_SHEET_SINKS, kLocksSink = FUR_LOCKS_SINK;
-
-// No strand is pulled nearer to its clump's centre than this share of its way: at 1 every root of
-// the clump would stand on one point, and the way back from that point is lost (s / (1 - s)).
-inline constexpr float kMaxPull = FUR_MAX_SHIFT;
+// saturated clumps stand by so much lower.
+inline constexpr float kSheetFrom = FUR_SHEET_FROM, kSheetOpens = FUR_SHEET_OPENS, kSheetSinks = FUR_SHEET_SINKS, kClumpsSink = FUR_CLUMPS_SINK;
 
 // f(h) = (1 - w) h + w (1 + ln h / ln N), h clamped to [1/N, 1]. f(1/N) = (1 - w)/N, f(1) = 1,
 // monotone. One layer is the tip alone: 1.
@@ -32,36 +28,36 @@ inline float clumpProfile(float h, float w, float layers) {
 // How far clumps have closed into a sheet, 0..1: smooth, so that nothing jumps as water comes and goes.
 inline float sheetOf(float rho) { return glm::smoothstep(kSheetFrom, 1.0f, rho); }
 
-// s: the share of the way to the clump's centre that a strand has gone at height h, 0..kMaxPull. Below kSheetFrom it is
-// f(h) rho, as printed.
+// s: the share of the way to the clump's centre that a strand has gone at height h. Below kSheetFrom it is f(h) rho, as
+// printed; where clumps close into a sheet it falls again, so that it never exceeds 0.853: s / (1 - s) stays finite.
 inline float clumpPull(float h, float w, float layers, float rho) {
-  return glm::clamp(clumpProfile(h, w, layers) * rho * (1.0f - kSheetOpens * sheetOf(rho)), 0.0f, kMaxPull);
+  return clumpProfile(h, w, layers) * glm::clamp(rho, 0.0f, 1.0f) * (1.0f - kSheetOpens * sheetOf(rho));
 }
 
 // The wetness that a clump of that radius (fur lengths) can draw its strands together by: none is drawn further aside than
 // it is long.
-inline constexpr float kMostAside = FUR_MOST_ASIDE;
-inline float drawnBy(float rho, float radius) { return std::min(rho, kMostAside / std::max(radius, 1e-6f)); }
+inline constexpr float kMaxDisplacement = FUR_MAX_DISPLACEMENT;
+inline float clumpingWetness(float rho, float radius) { return std::min(rho, kMaxDisplacement / std::max(radius, 1e-6f)); }
 
 // How far along a strand of constant length a point at height h lies that has been drawn `aside`, both in fur lengths:
-// the outer strands of a lock end lower, which is what points it.
+// the outer strands of a clump end lower, which is what points it.
 inline float alongStrand(float h, float aside) { return std::sqrt(h * h + aside * aside); }
 
-// How much shorter a strand of a lock looks; `outward`: of its root from the middle, 1 at the rim, squared. Water holds
+// How much shorter a strand of a clump looks; `outward`: of its root from the middle, 1 at the rim, squared. Water holds
 // the outer ones to the middle by their sides, their tips further down: that, too, points it.
-inline constexpr float kPoints = FUR_POINTS;
-inline float pointsOf(float rho, float sheet, float outward) {
-  return 1.0f + kPoints * std::min(rho, 1.0f) * (1.0f - sheet) * std::min(outward, 1.0f);
+inline constexpr float kRimTaper = FUR_RIM_TAPER;
+inline float rimTaper(float rho, float sheet, float outward) {
+  return 1.0f + kRimTaper * std::min(rho, 1.0f) * (1.0f - sheet) * std::min(outward, 1.0f);
 }
 
 // How far aside its tip lies (fur lengths) for a coat that leans by `lean` there: wet strands lie down the way they lean.
-inline float lieOf(float lean, float rho) {
+inline float wetLean(float lean, float rho) {
   return (0.75f * rho + 0.1f * sheetOf(rho)) * glm::smoothstep(0.0f, 0.12f, lean);
 }
 
 // How high wet fur stands, as a share of dry fur's height.
 inline float upright(float rho) {
-  return 1.0f - glm::mix(kLocksSink * std::min(rho, 1.0f), kSheetSinks, sheetOf(rho));
+  return 1.0f - glm::mix(kClumpsSink * std::min(rho, 1.0f), kSheetSinks, sheetOf(rho));
 }
 
 // s / (1 - s): times (p - c) it leads from the texel p to the root of the strand that stands there.

@@ -6,10 +6,10 @@ namespace fur::wet {
 
 namespace {
 
-// A lock reaches past the farthest texel that is drawn to it, so that fur has no gaps until it is really wet.
+// A clump reaches past the farthest texel that is drawn to it, so that fur has no gaps until it is really wet.
 constexpr float kRadiiPerSpacing = 1.2f;
 
-// So far out, in radii, a place may lie in its lock: all sites are nearer than 1 / kRadiiPerSpacing.
+// So far out, in radii, a place may lie in its clump: all sites are nearer than 1 / kRadiiPerSpacing.
 constexpr float kHeld = 0.9f;
 
 int cell(float x, float spacing) { return static_cast<int>(std::floor(x / spacing)); }
@@ -92,7 +92,7 @@ Vec3 ClumpSites::clumpOf(const SurfaceTexels& texels, const geometry::Surface& s
   const auto size = static_cast<std::uint32_t>(texels.size());
   const Vec2 at = (Vec2(place.texel % size, place.texel / size) + 0.5f) / static_cast<float>(size);
   // By the sheet of its chart that lies nearest, and by the place's own triangle where that is too far off to hold the place or
-  // there is none, as along the borders of charts: a place outside its own lock would be a hole in the coat.
+  // there is none, as along the borders of charts: a place outside its own clump would be a hole in the coat.
   const auto seenBy = [&](const SurfaceWetting::Sheet& sheet) {
     const Vec2 way = sheet.centre - at;
     const float squared = glm::dot(way, way), stretched = squaredIn(sheet.shape(), way);

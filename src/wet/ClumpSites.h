@@ -1,4 +1,4 @@
-// Where locks form by themselves: points all over the surface, no two nearer than `spacing` and none farther from
+// Where clumps form by themselves: points all over the surface, no two nearer than `spacing` and none farther from
 // the next, to which fur that running water or rain wets is drawn. The same model gives the same sites.
 #pragma once
 
@@ -14,7 +14,7 @@ namespace fur::wet {
 class ClumpSites {
  public:
   ClumpSites() = default;
-  // `radius`: of the locks, model units.
+  // `radius`: of the clumps, model units.
   ClumpSites(const SurfaceTexels& texels, float radius);
 
   float radius() const { return radius_; }

@@ -36,10 +36,10 @@ float radiusOf(float amount) {
 }
 
 // Where a place of the skin is shown, and which way it faces there; model space.
-std::pair<Vec3, Vec3> shownAt(const Ground& ground, const SurfaceTexels::Place& place) {
-  if (ground.positions.empty()) return {place.position, place.normal};
-  const geometry::SurfacePoint at{place.triangle, ground.wetting.atlas().weightsAt(ground.surface, place.triangle, place.texel), 0};
-  return {valueAt(ground.surface, at, ground.positions), normalizeOr(valueAt(ground.surface, at, ground.normals), place.normal)};
+std::pair<Vec3, Vec3> shownAt(const WetSurface& skin, const SurfaceTexels::Place& place) {
+  if (skin.positions.empty()) return {place.position, place.normal};
+  const geometry::SurfacePoint at{place.triangle, skin.wetting.atlas().weightsAt(skin.surface, place.triangle, place.texel), 0};
+  return {valueAt(skin.surface, at, skin.positions), normalizeOr(valueAt(skin.surface, at, skin.normals), place.normal)};
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ std::pair<Vec3, Vec3> shownAt(const Ground& ground, const SurfaceTexels::Place& 
 // --- drops --------------------------------------------------------------------------------------
 
 // Hanging drops drink the film round them until they are too heavy.
-void Water::feedHanging(const Ground& ground, WetnessMask& mask, const Climate& climate) {
+void Water::feedHanging(const WetSurface& skin, WetnessMask& mask, const Climate& climate) {
   if (hanging_ == 0) return;
   const auto& places = texels_->places();
   std::size_t kept = 0;
@@ -59,7 +59,7 @@ void Water::feedHanging(const Ground& ground, WetnessMask& mask, const Climate& 
         if (from == SurfaceTexels::kNone || film_[from] <= kCling + kLeast) return;
         const float left = film_[from] - 0.3f * (film_[from] - kCling);
         drop.water += (film_[from] - left) * places[from].area;
-        store(ground, mask, from, held_[from], left);
+        store(skin, mask, from, held_[from], left);
         flags_[texels_->blockOf(from)] |= kMoving;
       };
       drink(drop.place);
@@ -68,10 +68,10 @@ void Water::feedHanging(const Ground& ground, WetnessMask& mask, const Climate& 
       accounts_.evaporated += double{drop.water} - (drop.water - dries);
       drop.water -= dries;
       drop.radius = radiusOf(drop.water);
-      // At the tips, which a wet lock lets hang.
-      const auto [skin, normal] = shownAt(ground, place);
+      // At the tips, which a wet clump lets hang.
+      const auto [root, normal] = shownAt(skin, place);
       const Vec3 out = normalizeOr(normal + 0.7f * down_, normal);
-      const Vec3 at = Vec3(climate.worldFromModel * Vec4(skin + 0.6f * climate.furLength * out, 1));
+      const Vec3 at = Vec3(climate.worldFromModel * Vec4(root + 0.6f * climate.furLength * out, 1));
       changed_ |= at != drop.position;
       drop.position = at;
       if (drop.water > kFalls || glm::dot(normal, down_) < 0.0f || climate.shaking > 0.0f) {
@@ -90,13 +90,13 @@ void Water::feedHanging(const Ground& ground, WetnessMask& mask, const Climate& 
   drops_.resize(kept);
 }
 
-void Water::fall(const Ground& ground, const Climate& climate) {
+void Water::fall(const WetSurface& skin, const Climate& climate) {
   if (drops_.size() == hanging_) return;
   changed_ = true;
   const Mat3 toWorld(climate.worldFromModel);
   const Mat3 toModel = glm::transpose(toWorld);
   const Vec3 middle(climate.worldFromModel[3]);
-  const geometry::SurfaceQuery& shown = ground.shown ? *ground.shown : ground.query;
+  const geometry::SurfaceQuery& shown = skin.shown ? *skin.shown : skin.query;
   std::size_t kept = 0;
   for (std::size_t d = 0; d < drops_.size(); ++d) {
     Drop drop = drops_[d];
@@ -112,8 +112,8 @@ void Water::fall(const Ground& ground, const Climate& climate) {
       const auto hit = shown.castRay(toModel * (drop.position - middle), toModel * way);
       const Vec3 to = drop.position + way;
       if (hit && hit->distance <= 1.0f) {
-        const Vec3 at = positionAt(ground.surface, *hit), normal = normalAt(ground.surface, *hit);
-        splash(at, normal, (drop.jet > 0.0f ? 1.6f : 1.0f) * climate.clumpSize, drop.water, texels_->placeAt(atlasAt(ground.surface, *hit)));
+        const Vec3 at = positionAt(skin.surface, *hit), normal = normalAt(skin.surface, *hit);
+        splash(at, normal, (drop.jet > 0.0f ? 1.6f : 1.0f) * climate.clumpSize, drop.water, texels_->placeAt(atlasAt(skin.surface, *hit)));
         if (drop.jet > 0.0f) spray(drop.position + way * hit->distance, toWorld * normal, kSpraySpeed * glm::length(drop.velocity));
         continue;
       }
@@ -207,7 +207,7 @@ void Water::rain(const Climate& climate) {
 }
 
 // Some blocks a step let go of most of their film and of what is easily shaken out.
-void Water::shake(const Ground& ground, WetnessMask& mask, const Climate& climate) {
+void Water::shake(const WetSurface& skin, WetnessMask& mask, const Climate& climate) {
   if (!(climate.shaking > 0.0f)) return;
   const auto& places = texels_->places();
   for (std::uint32_t b = 0; b < flags_.size(); ++b) {
@@ -220,14 +220,14 @@ void Water::shake(const Ground& ground, WetnessMask& mask, const Climate& climat
       const float lost = (film_[i] - film) + (held_[i] - held);
       if (lost <= kLeast) continue;
       amount += lost * places[i].area;
-      store(ground, mask, i, held, film);
+      store(skin, mask, i, held, film);
     }
     if (amount <= 0.0f) continue;
     flags_[b] |= kMoving;
-    const auto [skin, normal] = shownAt(ground, places[from]);
+    const auto [root, normal] = shownAt(skin, places[from]);
     const Vec3 out = normal + 0.5f * Vec3{random_.uniform(-1, 1), random_.uniform(-0.5f, 1), random_.uniform(-1, 1)};
     const Mat3 toWorld(climate.worldFromModel);
-    launch(Vec3(climate.worldFromModel * Vec4(skin + climate.furLength * normal, 1)),
+    launch(Vec3(climate.worldFromModel * Vec4(root + climate.furLength * normal, 1)),
            toWorld * out * (kFling * climate.shaking * random_.uniform(0.6f, 1.2f)), amount);
     accounts_.painted -= amount;
   }
@@ -235,15 +235,15 @@ void Water::shake(const Ground& ground, WetnessMask& mask, const Climate& climat
 
 // --- tools --------------------------------------------------------------------------------------
 
-void Water::pour(const Ground& ground, WetnessMask& mask, const Vec3& centre, const Vec3& normal, float radius, float amount) {
+void Water::pour(const WetSurface& skin, WetnessMask& mask, const Vec3& centre, const Vec3& normal, float radius, float amount) {
   if (!ready_ || !(amount > 0.0f)) return;
-  notice(ground, mask);
-  const auto hit = nearestPoint(ground.surface, ground.query, centre, radius, normal);
+  notice(skin, mask);
+  const auto hit = nearestPoint(skin.surface, skin.query, centre, radius, normal);
   if (!hit) return;
   accounts_.painted += amount;
-  splash(centre, normal, radius, amount, texels_->placeAt(atlasAt(ground.surface, *hit)));
+  splash(centre, normal, radius, amount, texels_->placeAt(atlasAt(skin.surface, *hit)));
   for (std::uint32_t b = 0; b < flags_.size(); ++b)
-    if (flags_[b] & kReceived) receive(ground, mask, nullptr, b);
+    if (flags_[b] & kReceived) receive(skin, mask, nullptr, b);
   touch(mask);
 }
 
@@ -258,15 +258,15 @@ void Water::launch(const Vec3& position, const Vec3& velocity, float amount, flo
   drops_.push_back({position, (jet > 0.0f ? kJetWidth : 1.0f) * radiusOf(amount), velocity, amount, SurfaceTexels::kNone, jet});
 }
 
-void Water::wipe(const Ground& ground, WetnessMask& mask, const Vec3& centre, const Vec3& normal, float radius, float share) {
+void Water::wipe(const WetSurface& skin, WetnessMask& mask, const Vec3& centre, const Vec3& normal, float radius, float share) {
   if (!ready_) return;
-  notice(ground, mask);
+  notice(skin, mask);
   texels_->forPlacesWithin(centre, normal, radius, [&](std::uint32_t i) {
     const float left = std::max(held_[i] - share, 0.0f);
     if (left == held_[i] && film_[i] == 0.0f) return;
     const SurfaceTexels::Place& place = texels_->places()[i];
     accounts_.removed += (double{held_[i]} - left + film_[i]) * place.area;
-    store(ground, mask, i, left, 0);
+    store(skin, mask, i, left, 0);
     flags_[texels_->blockOf(i)] |= kMoving;
   });
   touch(mask);

@@ -54,7 +54,7 @@ float chanceOf(std::uint32_t a, std::uint32_t b) {
 }  // namespace
 
 // How the water of a block runs and creeps: by gravity, the fur and the shape of the skin.
-void Water::aim(const Ground& ground, std::uint32_t index) {
+void Water::aim(const WetSurface& skin, std::uint32_t index) {
   aimed_[index] = aim_;
   const auto& places = texels_->places();
   const SurfaceTexels::Block& block = texels_->blocks()[index];
@@ -63,7 +63,7 @@ void Water::aim(const Ground& ground, std::uint32_t index) {
     const SurfaceTexels::Place& place = places[i];
     Vec3 lay(0);
     if (!lay_.empty())
-      for (std::size_t k = 0; k < 3; ++k) lay += lay_[ground.surface.indices[std::size_t{3} * place.triangle + k]] / 3.0f;
+      for (std::size_t k = 0; k < 3; ++k) lay += lay_[skin.surface.indices[std::size_t{3} * place.triangle + k]] / 3.0f;
     lay -= place.normal * glm::dot(lay, place.normal);
     // Down along the skin, turned towards the line in which the strands lie.
     Vec3 down = down_ - place.normal * glm::dot(down_, place.normal);
@@ -79,9 +79,9 @@ void Water::aim(const Ground& ground, std::uint32_t index) {
       const float squared = glm::dot(way, way), along = glm::dot(lay, way);
       if (squared > kNoWay) ways.wicks[k] = std::min(kWick * kTurnTime * (1.0f + kAlong * along * along / squared) / squared, kMostWicks);
     }
-    // In texels: so far along u or v, and so far along both. Water finds its way between the locks, not straight down; but never
+    // In texels: so far along u or v, and so far along both. Water finds its way between the clumps, not straight down; but never
     // up, so that it rests where it is lowest.
-    const Vec2 parts = speed * texels_->partsOf(ground.surface, i, down), size = glm::abs(parts);
+    const Vec2 parts = speed * texels_->partsOf(skin.surface, i, down), size = glm::abs(parts);
     const float both = std::min(size.x, size.y);
     const int right = parts.x < 0.0f ? 4 : 0, up = parts.y < 0.0f ? 6 : 2;
     const int sides[] = {size.x > size.y ? right : up, up + ((parts.x < 0.0f) == (parts.y < 0.0f) ? -1 : 1)};
@@ -162,7 +162,7 @@ void Water::flow(std::uint32_t index) {
 }
 
 // Puts the water of a block in the mask; whether any has changed by as much as is worth following.
-bool Water::storeBlock(const Ground& ground, WetnessMask& mask, std::uint32_t index, const Amounts& now) {
+bool Water::storeBlock(const WetSurface& skin, WetnessMask& mask, std::uint32_t index, const Amounts& now) {
   const SurfaceTexels::Block& block = texels_->blocks()[index];
   const std::uint32_t* const texelOf = &texelOf_[block.first];
   const std::size_t count = block.end - block.first;
@@ -177,10 +177,10 @@ bool Water::storeBlock(const Ground& ground, WetnessMask& mask, std::uint32_t in
     moves |= std::abs(held - heldBefore[i]) > kLeast || std::abs(film - filmBefore) > kLeast;
     const auto place = static_cast<std::uint32_t>(block.first + i);
     if (!(heldBefore[i] > 0.0f && held > 0.0f)) {
-      store(ground, mask, place, held, film);
+      store(skin, mask, place, held, film);
       continue;
     }
-    // Its lock stays.
+    // Its clump stays.
     filmOf[i] = film;
     stored = true;
     mask.setWater(texelOf[i], held, film, filmBefore);
@@ -252,22 +252,22 @@ float Water::rest(std::uint32_t index, const Amounts& now, bool moves) {
   return deepest;
 }
 
-void Water::evaporate(const Ground& ground, WetnessMask& mask, const Climate& climate, std::uint32_t index) {
+void Water::evaporate(const WetSurface& skin, WetnessMask& mask, const Climate& climate, std::uint32_t index) {
   const SurfaceTexels::Block& block = texels_->blocks()[index];
   Amounts now{};
   std::copy(&held_[block.first], &held_[block.first] + (block.end - block.first), now.held);
   std::copy(&film_[block.first], &film_[block.first] + (block.end - block.first), now.film);
   const bool moves = dry(climate, index, now) || flags_[index] & kMoving;
-  storeBlock(ground, mask, index, now);
+  storeBlock(skin, mask, index, now);
   rest(index, now, moves);
 }
 
-void Water::receive(const Ground& ground, WetnessMask& mask, const Climate* climate, std::uint32_t index) {
+void Water::receive(const WetSurface& skin, WetnessMask& mask, const Climate* climate, std::uint32_t index) {
   Amounts now{};
   bool moves = soak(index, now) || flags_[index] & kFlows;
   if (!(flags_[index] & kWet)) dried_[index] = steps_;
   if (climate && steps_ - dried_[index] >= kDryingTurns) moves |= dry(*climate, index, now);
-  moves |= storeBlock(ground, mask, index, now);
+  moves |= storeBlock(skin, mask, index, now);
   if (rest(index, now, moves) <= kHangs) return;
   const SurfaceTexels::Block& block = texels_->blocks()[index];
   for (std::uint32_t i = block.first; i < block.end && hanging_ < kMostHanging && drops_.size() < kMostDrops; ++i)

@@ -5,7 +5,7 @@
 //                      w  the water held: 0 dry, 1 saturated, more: a film on the strands
 // Beside the charts:   (0, 0, 0, -1 - the water next to it)
 //
-// shaders/es3/common_clump.glsl reads them (maskAt, chartOf, isBeside, heldAround); MaskGLTest holds both together.
+// shaders/es3/common_clump.glsl reads them (maskAt, chartOf, isBeside, filteredWetness); MaskGLTest holds both together.
 // Softening is for the eye alone: the mask itself, and so the flow of water, stays as it is.
 #pragma once
 

@@ -6,10 +6,10 @@
 
 namespace fur::wet {
 
-bool Water::prepare(const Ground& ground, std::uint32_t places) {
+bool Water::prepare(const WetSurface& skin, std::uint32_t places) {
   if (ready_) return true;
-  if (!texels_) texels_ = std::make_unique<SurfaceTexels>(ground.surface, ground.wetting.atlas());
-  if (!texels_->link(ground.surface, ground.query, places)) return false;
+  if (!texels_) texels_ = std::make_unique<SurfaceTexels>(skin.surface, skin.wetting.atlas());
+  if (!texels_->link(skin.surface, skin.query, places)) return false;
   const std::size_t count = texels_->places().size();
   for (auto* values : {&held_, &film_}) values->assign(count, 0.0f);
   incoming_.resize(count, 0.0f);
@@ -42,7 +42,7 @@ void Water::setLay(std::vector<Vec3> lay) {
 }
 
 // What others have changed in the mask since the last step.
-void Water::notice(const Ground& ground, WetnessMask& mask) {
+void Water::notice(const WetSurface& skin, WetnessMask& mask) {
   if (mask.revision() == seen_) return;
   const bool first = seen_ == 0xffffffffu;
   seen_ = mask.revision();
@@ -61,7 +61,7 @@ void Water::notice(const Ground& ground, WetnessMask& mask) {
       gain += (double{held} - held_[i] + film - film_[i]) * places[i].area;
       if (!(flags_[b] & kWet)) dried_[b] = steps_;
       flags_[b] |= kWet | kMoving;
-      store(ground, mask, i, held, film);
+      store(skin, mask, i, held, film);
     }
     // Paint meets gutters where it may, which is not always where it meets what they repeat.
     for (std::uint32_t i = block.first; i < block.end; ++i)
@@ -83,12 +83,12 @@ void Water::give(std::uint32_t place, float amount) {
 }
 
 // Puts a place's water in the mask, and in the gutters that repeat it.
-void Water::store(const Ground& ground, WetnessMask& mask, std::uint32_t index, float held, float film) {
+void Water::store(const WetSurface& skin, WetnessMask& mask, std::uint32_t index, float held, float film) {
   const std::uint32_t at = texels_->places()[index].texel;
   Vec4 texel = mask.texels()[at];
   if (held > 0.0f && texel.w <= 0.0f) {
     if (sites_.radius() != clumpSize_) sites_ = ClumpSites(*texels_, clumpSize_);
-    texel = Vec4(sites_.clumpOf(*texels_, ground.surface, ground.query, ground.wetting, index), held);
+    texel = Vec4(sites_.clumpOf(*texels_, skin.surface, skin.query, skin.wetting, index), held);
   }
   texel.w = held;
   if (held <= 0.0f) texel = Vec4(0);
@@ -99,8 +99,8 @@ void Water::store(const Ground& ground, WetnessMask& mask, std::uint32_t index, 
   texels_->forMirrors(index, [&](std::uint32_t mirror) { carryOn(mask, mirror, texel, film); });
 }
 
-// A gutter has the water of the texel that it repeats, but the lock that lies there: one that paint has left, else the same,
-// grown until it holds the gutter too. Outside its own lock no strand stands, and beside the border there would be a hole.
+// A gutter has the water of the texel that it repeats, but the clump that lies there: one that paint has left, else the same,
+// grown until it holds the gutter too. Outside its own clump no strand stands, and beside the border there would be a hole.
 void Water::carryOn(WetnessMask& mask, std::uint32_t mirror, const Vec4& texel, float film) {
   constexpr float kReachesPast = 1.5f;
   Vec4 there = texel;
@@ -120,10 +120,10 @@ void Water::touch(WetnessMask& mask) {
 
 // --- steps --------------------------------------------------------------------------------------
 
-bool Water::step(const Ground& ground, WetnessMask& mask, const Climate& climate) {
+bool Water::step(const WetSurface& skin, WetnessMask& mask, const Climate& climate) {
   if (!ready_) return false;
   clumpSize_ = climate.clumpSize;
-  notice(ground, mask);
+  notice(skin, mask);
   const Vec3 down = glm::transpose(Mat3(climate.worldFromModel)) * Vec3(0, -1, 0);
   // A turn of two degrees makes water run another way.
   if (glm::dot(down, down_) < 0.9994f) {
@@ -136,20 +136,20 @@ bool Water::step(const Ground& ground, WetnessMask& mask, const Climate& climate
   const std::uint32_t groundBefore = groundRevision_;
   ++steps_;
   rain(climate);
-  shake(ground, mask, climate);
-  fall(ground, climate);
+  shake(skin, mask, climate);
+  fall(skin, climate);
   const std::uint32_t turn = steps_ % kTurns;
   for (std::uint32_t b = turn; b < flags_.size(); b += kTurns)
-    if (flags_[b] & kMoving && aimed_[b] != aim_) aim(ground, b);
+    if (flags_[b] & kMoving && aimed_[b] != aim_) aim(skin, b);
   for (std::uint32_t b = turn; b < flags_.size(); b += kTurns)
     if (flags_[b] & kMoving) crossBorders(b), flow(b);
   for (std::uint32_t b = turn; b < flags_.size(); b += kTurns)
-    if (flags_[b] & (kReceived | kMoving)) receive(ground, mask, &climate, b);
-  feedHanging(ground, mask, climate);
+    if (flags_[b] & (kReceived | kMoving)) receive(skin, mask, &climate, b);
+  feedHanging(skin, mask, climate);
   const std::uint32_t turns = dryingTurns(climate);
   if (steps_ % turns == 0)
     for (std::uint32_t b = 0; b < flags_.size(); ++b)
-      if (flags_[b] & kWet && steps_ - dried_[b] >= turns) evaporate(ground, mask, climate, b);
+      if (flags_[b] & kWet && steps_ - dried_[b] >= turns) evaporate(skin, mask, climate, b);
   if (groundMoves_ ? steps_ % kDryingTurns == 0 : steps_ % turns == 0 && groundWet_ && climate.dryRate > 0.0f)
     seepGround(0.5f * climate.dryRate * kStep * static_cast<float>(groundMoves_ ? kDryingTurns : turns));
   touch(mask);

@@ -26,7 +26,7 @@
 namespace fur::wet {
 
 // What the water is on; the same for all calls between two of reset().
-struct Ground {
+struct WetSurface {
   const geometry::Surface& surface;
   const geometry::SurfaceQuery& query;
   const SurfaceWetting& wetting;
@@ -40,7 +40,7 @@ struct Climate {
   Vec3 wind{0};               // model radii a second
   float dryRate = 0.02f;      // wetness lost a second where half wet, in still air
   float furLength = 0.12f;
-  float clumpSize = 0.05f;    // radius of the locks that form by themselves
+  float clumpSize = 0.05f;    // radius of the clumps that form by themselves
   float groundHeight = -1;
   float rain = 0;             // 0..1
   float shaking = 0;          // 0..1: how hard the model throws its water off
@@ -86,7 +86,7 @@ class Water {
   }
   // Finds the ways of the water, once a model: `places` of them at most. True when all are there; before that
   // step() and the tools do nothing.
-  bool prepare(const Ground& ground, std::uint32_t places = 0xffffffffu);
+  bool prepare(const WetSurface& skin, std::uint32_t places = 0xffffffffu);
   bool ready() const { return ready_; }
   // All that is here beside the mask: for one that is not prepared yet, on the same model, with the same mask.
   void save(ByteWriter& to) const;
@@ -95,19 +95,19 @@ class Water {
   // How the fur lies, one a vertex of the surface: along the skin, 0 (upright) to 1 long. Model space.
   void setLay(std::vector<Vec3> lay);
   // Advances by kStep seconds. Whether anything that can be seen has changed.
-  bool step(const Ground& ground, WetnessMask& mask, const Climate& climate);
+  bool step(const WetSurface& skin, WetnessMask& mask, const Climate& climate);
   // Whether time alone changes anything.
   bool active(const WetnessMask& mask, const Climate& climate) const;
 
   // Lays water on the skin round a point (model space), as `painted`.
-  void pour(const Ground& ground, WetnessMask& mask, const Vec3& centre, const Vec3& normal, float radius, float amount);
+  void pour(const WetSurface& skin, WetnessMask& mask, const Vec3& centre, const Vec3& normal, float radius, float amount);
   // How fast a drop has to set out that is to come so far in so many seconds, against gravity, wind and air.
   static Vec3 velocityFor(const Vec3& way, float seconds, const Vec3& wind);
   // A drop on its way, as `painted`; more than kMostDrops are not taken. Those with a `jet` of kJet, one each step, are a jet.
   static constexpr float kJet = 2.3f;
   void launch(const Vec3& position, const Vec3& velocity, float amount, float jet = 0);
   // Takes the film and `share` of wetness off all within the radius (model space).
-  void wipe(const Ground& ground, WetnessMask& mask, const Vec3& centre, const Vec3& normal, float radius, float share);
+  void wipe(const WetSurface& skin, WetnessMask& mask, const Vec3& centre, const Vec3& normal, float radius, float share);
   // All that is on its way, and the ground; the mask is its owner's to clear.
   void clear();
 
@@ -136,24 +136,24 @@ class Water {
     float held[kPlaces], film[kPlaces];
   };
 
-  void notice(const Ground& ground, WetnessMask& mask);
-  void aim(const Ground& ground, std::uint32_t block);
+  void notice(const WetSurface& skin, WetnessMask& mask);
+  void aim(const WetSurface& skin, std::uint32_t block);
   void flow(std::uint32_t block);
   void crossBorders(std::uint32_t block);
-  void receive(const Ground& ground, WetnessMask& mask, const Climate* climate, std::uint32_t block);
-  void evaporate(const Ground& ground, WetnessMask& mask, const Climate& climate, std::uint32_t block);
-  void store(const Ground& ground, WetnessMask& mask, std::uint32_t place, float held, float film);
+  void receive(const WetSurface& skin, WetnessMask& mask, const Climate* climate, std::uint32_t block);
+  void evaporate(const WetSurface& skin, WetnessMask& mask, const Climate& climate, std::uint32_t block);
+  void store(const WetSurface& skin, WetnessMask& mask, std::uint32_t place, float held, float film);
   static void carryOn(WetnessMask& mask, std::uint32_t mirror, const Vec4& texel, float film);
   bool soak(std::uint32_t block, Amounts& now);
   bool dry(const Climate& climate, std::uint32_t block, Amounts& now);
   float rest(std::uint32_t block, const Amounts& now, bool moves);
-  bool storeBlock(const Ground& ground, WetnessMask& mask, std::uint32_t block, const Amounts& now);
+  bool storeBlock(const WetSurface& skin, WetnessMask& mask, std::uint32_t block, const Amounts& now);
   void touch(WetnessMask& mask);
   void give(std::uint32_t place, float amount);
-  void feedHanging(const Ground& ground, WetnessMask& mask, const Climate& climate);
-  void fall(const Ground& ground, const Climate& climate);
+  void feedHanging(const WetSurface& skin, WetnessMask& mask, const Climate& climate);
+  void fall(const WetSurface& skin, const Climate& climate);
   void rain(const Climate& climate);
-  void shake(const Ground& ground, WetnessMask& mask, const Climate& climate);
+  void shake(const WetSurface& skin, WetnessMask& mask, const Climate& climate);
   void spray(const Vec3& at, const Vec3& normal, float speed);
   void splash(const Vec3& centre, const Vec3& normal, float radius, float amount, std::uint32_t nearest);
   float wetGround(const Vec3& at, float amount);

@@ -32,7 +32,7 @@ int main() {
   const geometry::Surface surface = geometry::buildSurface(mesh).value();
   const geometry::SurfaceQuery query(surface);
   const wet::SurfaceWetting wetting(surface, kSize);
-  const wet::Ground ground{surface, query, wetting};
+  const wet::WetSurface skin{surface, query, wetting};
   wet::WetnessMask mask(kSize);
   Random random(1);
   const auto anywhere = [&] { return static_cast<std::uint32_t>(random.uniform() * static_cast<float>(surface.triangleCount())); };
@@ -49,9 +49,9 @@ int main() {
   mask.clear();
 
   wet::Water water;
-  show("ways of the water, once a model", best(1, [&](int) { water.prepare(ground); }));
+  show("ways of the water, once a model", best(1, [&](int) { water.prepare(skin); }));
   wet::Climate climate;
-  const auto step = [&](int) { water.step(ground, mask, climate); };
+  const auto step = [&](int) { water.step(skin, mask, climate); };
   show("step, dry", best(50, step));
   const auto& places = water.texels()->places();
   std::printf("%zu places\n", places.size());

@@ -17,17 +17,17 @@ Brush at(const Vec3& direction, float radius = 0.3f, float strength = 0.5f) {
   return {normal, normal, radius, strength};
 }
 
-using Dab = std::function<bool(Groom&, const Ground&, const Brush&)>;
+using Dab = std::function<bool(Groom&, const GroomSurface&, const Brush&)>;
 const std::pair<const char*, Dab> kDabs[] = {
     {"trim", trim},
     {"grow", grow},
-    {"type", [](Groom& g, const Ground& o, const Brush& b) { return paintType(g, o, b, 3); }},
-    {"comb", [](Groom& g, const Ground& o, const Brush& b) { return comb(g, o, b, Vec3(0.3f, -1, 0.2f)); }},
+    {"type", [](Groom& g, const GroomSurface& o, const Brush& b) { return paintType(g, o, b, 3); }},
+    {"comb", [](Groom& g, const GroomSurface& o, const Brush& b) { return comb(g, o, b, Vec3(0.3f, -1, 0.2f)); }},
     {"raise", raise},
     {"smooth", smooth},
-    {"cut", [](Groom& g, const Ground& o, const Brush& b) { return cutTo(g, o, b, 0.25f); }},
-    {"take type", [](Groom& g, const Ground& o, const Brush& b) { return takeType(g, o, b, 2); }},
-    {"paint", [](Groom& g, const Ground& o, const Brush& b) { return paint(g, o, b, 0x3366ff); }},
+    {"cut", [](Groom& g, const GroomSurface& o, const Brush& b) { return cutTo(g, o, b, 0.25f); }},
+    {"take type", [](Groom& g, const GroomSurface& o, const Brush& b) { return takeType(g, o, b, 2); }},
+    {"paint", [](Groom& g, const GroomSurface& o, const Brush& b) { return paint(g, o, b, 0x3366ff); }},
 };
 
 // Something on which every brush has an effect.
@@ -47,7 +47,7 @@ TEST(GroomBrush, ChangesOnlyWhatLiesWithinItsBall) {
     for (const Vec3& spot : kSpots) {
       const Groom before = s.groom;
       const Brush brush = at(spot);
-      ASSERT_TRUE(dab(s.groom, s.ground(), brush)) << name;
+      ASSERT_TRUE(dab(s.groom, s.groomSurface(), brush)) << name;
       s.forTexels([&](std::uint32_t texel, const Vec3& position) {
         if (glm::length(position - brush.centre) <= brush.radius) return;
         ASSERT_EQ(s.groom.map.texels()[texel], before.map.texels()[texel]) << brushName;
@@ -65,7 +65,7 @@ TEST(GroomBrush, LeavesNoGapAtTheBordersOfCharts) {
   for (const Vec3& spot : kSpots) {
     Groom groom = plainGroom(256, s.points);
     const Brush brush = at(spot, 0.3f, 1.0f);
-    ASSERT_TRUE(trim(groom, s.ground(), brush));
+    ASSERT_TRUE(trim(groom, s.groomSurface(), brush));
     std::set<std::uint32_t> charts;
     s.forTexels([&](std::uint32_t texel, const Vec3& position) {
       const float distance = glm::length(position - brush.centre) / brush.radius;
@@ -104,21 +104,21 @@ TEST(GroomBrush, TrimOnlyShortensAndGrowOnlyLengthensUpToTheirEnds) {
   for (const auto& [dab, end] : {std::pair(&trim, 0), std::pair(&grow, 255)}) {
     for (int i = 0; i < 40; ++i) {
       const GroomMap before = s.groom.map;
-      dab(s.groom, s.ground(), brush);
+      dab(s.groom, s.groomSurface(), brush);
       for (std::size_t t = 0; t < before.texels().size(); ++t) {
         const int step = s.groom.map.texels()[t][0] - before.texels()[t][0];
         ASSERT_TRUE(end == 0 ? step <= 0 : step >= 0);
       }
     }
     EXPECT_EQ(s.groom.map.texels()[middle][0], end);
-    EXPECT_EQ(dab(s.groom, s.ground(), at({1, 0.4f, 0.2f}, 0.05f)), false) << "nothing left to do there";
+    EXPECT_EQ(dab(s.groom, s.groomSurface(), at({1, 0.4f, 0.2f}, 0.05f)), false) << "nothing left to do there";
   }
 }
 
 TEST(GroomBrush, MoreStrengthDoesMore) {
   Setting weak, strong;
-  trim(weak.groom, weak.ground(), at({0, 0, 1}, 0.3f, 0.2f));
-  trim(strong.groom, strong.ground(), at({0, 0, 1}, 0.3f, 0.7f));
+  trim(weak.groom, weak.groomSurface(), at({0, 0, 1}, 0.3f, 0.2f));
+  trim(strong.groom, strong.groomSurface(), at({0, 0, 1}, 0.3f, 0.7f));
   for (std::size_t t = 0; t < weak.groom.map.texels().size(); ++t)
     ASSERT_LE(strong.groom.map.texels()[t][0], weak.groom.map.texels()[t][0]);
 }
@@ -128,7 +128,7 @@ TEST(GroomBrush, PresencesOfTheTypesStayAPartition) {
   const Vec3 spot(1, 1, 1);
   for (const int type : {2, 3, 4, 2, 1, 4, 3}) {
     const GroomMap before = s.groom.map;
-    paintType(s.groom, s.ground(), at(spot, 0.4f, 0.6f), type);
+    paintType(s.groom, s.groomSurface(), at(spot, 0.4f, 0.6f), type);
     for (std::size_t t = 0; t < before.texels().size(); ++t) {
       const GroomMap::Texel &was = before.texels()[t], &is = s.groom.map.texels()[t];
       ASSERT_LE(is[1] + is[2] + is[3], 255);
@@ -141,8 +141,8 @@ TEST(GroomBrush, PresencesOfTheTypesStayAPartition) {
 
 TEST(GroomBrush, EnoughPassesLeaveOneTypeAlone) {
   Setting s;
-  for (int i = 0; i < 60; ++i) paintType(s.groom, s.ground(), at({0, 0, 1}, 0.3f, 0.4f), 2);
-  for (int i = 0; i < 60; ++i) paintType(s.groom, s.ground(), at({0, 0, 1}, 0.3f, 0.4f), 4);
+  for (int i = 0; i < 60; ++i) paintType(s.groom, s.groomSurface(), at({0, 0, 1}, 0.3f, 0.4f), 2);
+  for (int i = 0; i < 60; ++i) paintType(s.groom, s.groomSurface(), at({0, 0, 1}, 0.3f, 0.4f), 4);
   s.forTexels([&](std::uint32_t texel, const Vec3& position) {
     if (glm::length(position - Vec3(0, 0, 1)) < 0.2f) ASSERT_EQ(s.groom.map.texels()[texel], (GroomMap::Texel{255, 0, 0, 255}));
   });
@@ -152,9 +152,9 @@ TEST(GroomBrush, ACombStaysAcrossTheNormalAndBounded) {
   Setting s;
   for (int i = 0; i < 60; ++i) {
     const Vec3 spot = kSpots[i % 6];
-    comb(s.groom, s.ground(), at(spot, 0.6f, 0.9f), Vec3(1, -2, i % 5 - 2.0f));
-    if (i % 4 == 0) smooth(s.groom, s.ground(), at(spot, 0.6f, 1));
-    if (i % 7 == 0) raise(s.groom, s.ground(), at(spot, 0.4f, 0.3f));
+    comb(s.groom, s.groomSurface(), at(spot, 0.6f, 0.9f), Vec3(1, -2, i % 5 - 2.0f));
+    if (i % 4 == 0) smooth(s.groom, s.groomSurface(), at(spot, 0.6f, 1));
+    if (i % 7 == 0) raise(s.groom, s.groomSurface(), at(spot, 0.4f, 0.3f));
   }
   for (std::size_t i = 0; i < s.points.count(); ++i) {
     // Rounding of a few single-precision steps.
@@ -166,7 +166,7 @@ TEST(GroomBrush, ACombStaysAcrossTheNormalAndBounded) {
 TEST(GroomBrush, ACombLaysTheFurItsWay) {
   Setting s;
   const Brush brush = at({0, 0, 1}, 0.3f, 0.8f);
-  for (int i = 0; i < 8; ++i) comb(s.groom, s.ground(), brush, Vec3(0, -5, 0));
+  for (int i = 0; i < 8; ++i) comb(s.groom, s.groomSurface(), brush, Vec3(0, -5, 0));
   for (std::size_t i = 0; i < s.points.count(); ++i) {
     if (glm::length(s.points.positions[i] - brush.centre) > 0.1f) continue;
     EXPECT_GT(glm::dot(glm::normalize(s.groom.comb[i]), Vec3(0, -1, 0)), 0.98f);
@@ -176,8 +176,8 @@ TEST(GroomBrush, ACombLaysTheFurItsWay) {
 
 TEST(GroomBrush, RaisingEndsUpright) {
   Setting s;
-  comb(s.groom, s.ground(), at({0, 0, 1}), Vec3(1, 0, 0));
-  for (int i = 0; i < 200; ++i) raise(s.groom, s.ground(), at({0, 0, 1}, 0.6f, 0.6f));
+  comb(s.groom, s.groomSurface(), at({0, 0, 1}), Vec3(1, 0, 0));
+  for (int i = 0; i < 200; ++i) raise(s.groom, s.groomSurface(), at({0, 0, 1}, 0.6f, 0.6f));
   EXPECT_TRUE(s.groom.isPlain());
 }
 
@@ -197,7 +197,7 @@ TEST(GroomBrush, SmoothingEvensOutAndKeepsWhatIsEven) {
   };
   double before = roughness();
   for (int i = 0; i < 5; ++i) {
-    smooth(s.groom, s.ground(), at({0, 0, 1}, 0.6f, 0.8f));
+    smooth(s.groom, s.groomSurface(), at({0, 0, 1}, 0.6f, 0.8f));
     EXPECT_LT(roughness(), before);
     before = roughness();
   }
@@ -209,9 +209,9 @@ TEST(GroomBrush, NothingTouchesWhatTheMaskProtects) {
     Setting s;
     tousle(s);
     const Brush masked{Vec3(1, 0, 0), Vec3(1, 0, 0), 0.3f, 1, Falloff::Flat};
-    ASSERT_TRUE(protect(s.groom, s.ground(), masked));
+    ASSERT_TRUE(protect(s.groom, s.groomSurface(), masked));
     const Groom before = s.groom;
-    ASSERT_TRUE(dab(s.groom, s.ground(), at({1, 0, 0}, 0.6f, 1))) << name;
+    ASSERT_TRUE(dab(s.groom, s.groomSurface(), at({1, 0, 0}, 0.6f, 1))) << name;
     s.forTexels([&](std::uint32_t texel, const Vec3& position) {
       if (glm::distance(position, masked.centre) > masked.radius) return;
       ASSERT_EQ(s.groom.map.texels()[texel], before.map.texels()[texel]) << brushName;
@@ -220,9 +220,9 @@ TEST(GroomBrush, NothingTouchesWhatTheMaskProtects) {
     // Points ask between four texels.
     for (std::size_t i = 0; i < s.points.count(); ++i)
       if (glm::distance(s.points.positions[i], masked.centre) < 0.27f) ASSERT_EQ(s.groom.comb[i], before.comb[i]) << name;
-    ASSERT_TRUE(unprotect(s.groom, s.ground(), masked));
+    ASSERT_TRUE(unprotect(s.groom, s.groomSurface(), masked));
     EXPECT_TRUE(s.groom.mask.isPlain());
-    EXPECT_TRUE(dab(s.groom, s.ground(), at({1, 0, 0}, 0.2f, 1))) << name;
+    EXPECT_TRUE(dab(s.groom, s.groomSurface(), at({1, 0, 0}, 0.2f, 1))) << name;
   }
 }
 
@@ -231,7 +231,7 @@ TEST(GroomBrush, ShapesAreOfOneKindEachAndEndWhereTheyAreTakenAway) {
   for (const ShapeChannel channel : kAll) {
     Setting s;
     const Brush brush = at({1, 0, 0}, 0.4f, 0.5f);
-    ASSERT_TRUE(addShape(s.groom, s.ground(), brush, channel));
+    ASSERT_TRUE(addShape(s.groom, s.groomSurface(), brush, channel));
     EXPECT_FALSE(s.groom.shape.isPlain());
     EXPECT_TRUE(s.groom.map.isPlain());
     int most = 0;
@@ -243,8 +243,8 @@ TEST(GroomBrush, ShapesAreOfOneKindEachAndEndWhereTheyAreTakenAway) {
     }
     EXPECT_GT(most, 100);
     for (const ShapeChannel other : kAll)
-      if (other != channel) EXPECT_FALSE(takeShape(s.groom, s.ground(), brush, other));
-    ASSERT_TRUE(takeShape(s.groom, s.ground(), {brush.centre, brush.normal, 0.5f, 1, Falloff::Flat}, channel));
+      if (other != channel) EXPECT_FALSE(takeShape(s.groom, s.groomSurface(), brush, other));
+    ASSERT_TRUE(takeShape(s.groom, s.groomSurface(), {brush.centre, brush.normal, 0.5f, 1, Falloff::Flat}, channel));
     EXPECT_TRUE(s.groom.shape.isPlain());
   }
 }
@@ -264,7 +264,7 @@ TEST(GroomBrush, CutLeavesWhatIsShorterAndEndsAtItsLength) {
   Setting s;
   tousle(s);
   const Groom before = s.groom;
-  for (int i = 0; i < 40; ++i) cutTo(s.groom, s.ground(), at({1, 1, 0}, 0.4f), 0.4f);
+  for (int i = 0; i < 40; ++i) cutTo(s.groom, s.groomSurface(), at({1, 1, 0}, 0.4f), 0.4f);
   int cut = 0;
   s.forTexels([&](std::uint32_t texel, const Vec3& position) {
     const int was = before.map.texels()[texel][0], is = s.groom.map.texels()[texel][0];
@@ -280,10 +280,10 @@ TEST(GroomBrush, CutLeavesWhatIsShorterAndEndsAtItsLength) {
 TEST(GroomBrush, PaintCoversWhatIsThereAndComesOffAgain) {
   Setting s;
   const Brush flat{Vec3(1, 0, 0), Vec3(1, 0, 0), 0.3f, 1, Falloff::Flat};
-  ASSERT_TRUE(paint(s.groom, s.ground(), flat, 0xff8000));
+  ASSERT_TRUE(paint(s.groom, s.groomSurface(), flat, 0xff8000));
   Brush half = flat;
   half.strength = 0.5f;
-  ASSERT_TRUE(paint(s.groom, s.ground(), half, 0x0080ff));
+  ASSERT_TRUE(paint(s.groom, s.groomSurface(), half, 0x0080ff));
   int inside = 0;
   s.forTexels([&](std::uint32_t texel, const Vec3& position) {
     if (glm::distance(position, flat.centre) > flat.radius) return;
@@ -299,13 +299,13 @@ TEST(GroomBrush, PaintCoversWhatIsThereAndComesOffAgain) {
   s.forTexels([&](std::uint32_t texel, const Vec3& position) {
     if (std::abs(glm::distance(position, flat.centre) - flat.radius) < 0.02f) ASSERT_EQ(s.groom.paint.texels()[texel][1], 128);
   });
-  ASSERT_TRUE(unpaint(s.groom, s.ground(), flat));
+  ASSERT_TRUE(unpaint(s.groom, s.groomSurface(), flat));
   EXPECT_TRUE(s.groom.paint.isPlain());
 }
 
 TEST(GroomBrush, TheFirstSoftStrokeHasTheBrushsColourThroughout) {
   Setting s;
-  ASSERT_TRUE(paint(s.groom, s.ground(), at({1, 0, 0}), 0x204060));
+  ASSERT_TRUE(paint(s.groom, s.groomSurface(), at({1, 0, 0}), 0x204060));
   s.forTexels([&](std::uint32_t texel, const Vec3&) {
     const GroomMap::Texel& t = s.groom.paint.texels()[texel];
     if (t[3] > 0) ASSERT_EQ(t[0] << 16 | t[1] << 8 | t[2], 0x204060);
@@ -319,7 +319,7 @@ TEST(GroomBrush, TheFarSideOfAThinSheetStaysAsItIs) {
       mesh.positions.push_back({at.x, y, at.y});
   mesh.indices = {0, 2, 1, 0, 3, 2, 4, 5, 6, 4, 6, 7};
   Setting s(64, geometry::buildSurface(mesh).value());
-  ASSERT_TRUE(trim(s.groom, s.ground(), {Vec3(0), Vec3(0, 1, 0), 0.3f, 1}));
+  ASSERT_TRUE(trim(s.groom, s.groomSurface(), {Vec3(0), Vec3(0, 1, 0), 0.3f, 1}));
   for (std::uint32_t t = 0; t < s.surface.triangleCount(); ++t)
     s.atlas.forTexelsOf(s.surface, t, [&](std::uint32_t texel, const Vec3&) {
       const bool below = s.surface.vertices[s.surface.indices[3 * t]].position.y < 0;
@@ -337,7 +337,7 @@ TEST(GroomBrush, BrushesThatAreNoneDoNothing) {
     for (const Brush& brush : {Brush{Vec3(0, 5, 0), Vec3(0, 1, 0), 0.3f, 1}, Brush{Vec3(1, 0, 0), Vec3(1, 0, 0), 0, 1},
                                Brush{Vec3(1, 0, 0), Vec3(1, 0, 0), 0.3f, 0}, Brush{Vec3(nan), Vec3(1, 0, 0), 0.3f, 1},
                                Brush{Vec3(1, 0, 0), Vec3(1, 0, 0), nan, 1}, Brush{Vec3(1, 0, 0), Vec3(nan), 0.3f, 1}})
-      EXPECT_FALSE(dab(s.groom, s.ground(), brush)) << name;
+      EXPECT_FALSE(dab(s.groom, s.groomSurface(), brush)) << name;
     EXPECT_EQ(s.groom.map.hash(), hash) << name;
     EXPECT_EQ(s.groom.comb, before) << name;
   }
@@ -346,8 +346,8 @@ TEST(GroomBrush, BrushesThatAreNoneDoNothing) {
 TEST(GroomBrush, DabsThatDoNotMeetMayComeInAnyOrder) {
   Setting a, b;
   const Brush left = at({-1, 0, 0}), right = at({1, 0, 0});
-  for (const Brush& brush : {left, right}) trim(a.groom, a.ground(), brush), comb(a.groom, a.ground(), brush, Vec3(0, 1, 0));
-  for (const Brush& brush : {right, left}) comb(b.groom, b.ground(), brush, Vec3(0, 1, 0)), trim(b.groom, b.ground(), brush);
+  for (const Brush& brush : {left, right}) trim(a.groom, a.groomSurface(), brush), comb(a.groom, a.groomSurface(), brush, Vec3(0, 1, 0));
+  for (const Brush& brush : {right, left}) comb(b.groom, b.groomSurface(), brush, Vec3(0, 1, 0)), trim(b.groom, b.groomSurface(), brush);
   EXPECT_EQ(a.groom.map.hash(), b.groom.map.hash());
   EXPECT_EQ(a.groom.comb, b.groom.comb);
 }

@@ -16,7 +16,7 @@ inline geometry::Surface chartedSphere() {
 struct Setting {
   explicit Setting(int size = 256, geometry::Surface given = chartedSphere())
       : surface(std::move(given)), query(surface), atlas(surface, size), points(surface), groom(plainGroom(size, points)) {}
-  Ground ground() const { return {surface, query, atlas, points}; }
+  GroomSurface groomSurface() const { return {surface, query, atlas, points}; }
   // Calls visit(texel, position) for every texel of the surface.
   template <class Visit>
   void forTexels(Visit visit) const {

@@ -47,16 +47,16 @@ TEST(GroomMap, SizesAreClampedAndResizingThereAndBackLosesNothing) {
 
 TEST(GroomMap, GuttersRepeatTheNearestTexelOfTheirChart) {
   Setting s;
-  varyLength(s.groom, s.ground(), 1, 0.2f, 3);
+  varyLength(s.groom, s.groomSurface(), 1, 0.2f, 3);
   for (const auto& [texel, source] : s.atlas.gutter()) ASSERT_EQ(s.groom.map.texels()[texel], s.groom.map.texels()[source]);
   // A dab fills only the gutters near it, and that is enough.
-  paintType(s.groom, s.ground(), {glm::normalize(Vec3(1, 1, 1)), glm::normalize(Vec3(1, 1, 1)), 0.4f, 0.7f}, 2);
+  paintType(s.groom, s.groomSurface(), {glm::normalize(Vec3(1, 1, 1)), glm::normalize(Vec3(1, 1, 1)), 0.4f, 0.7f}, 2);
   for (const auto& [texel, source] : s.atlas.gutter()) ASSERT_EQ(s.groom.map.texels()[texel], s.groom.map.texels()[source]);
 }
 
 TEST(Groom, BothSidesOfASeamHaveOneLengthAndOneComb) {
   Setting s;
-  varyLength(s.groom, s.ground(), 1, 0.2f, 3);
+  varyLength(s.groom, s.groomSurface(), 1, 0.2f, 3);
   combAlong(s.groom, s.points, Vec3(1, -1, 0.5f), 0.7f);
   const auto lengths = vertexLengths(s.groom.map, s.surface, s.points);
   const auto rest = restBends(s.groom, s.surface, s.points);
@@ -85,7 +85,7 @@ TEST(Groom, BaldTrianglesCostNothing) {
   };
   EXPECT_EQ(furry(s.surface.furIndices), s.surface.furIndices);
   const Brush razor{Vec3(0, 0, 1), Vec3(0, 0, 1), 0.8f, 1};
-  for (int i = 0; i < 30; ++i) trim(s.groom, s.ground(), razor);
+  for (int i = 0; i < 30; ++i) trim(s.groom, s.groomSurface(), razor);
   const auto kept = furry(s.surface.furIndices);
   EXPECT_LT(kept.size(), s.surface.furIndices.size());
   const auto bald = [&](const std::uint32_t* corner, float reach) {
@@ -105,7 +105,7 @@ TEST(Groom, BaldTrianglesCostNothing) {
 TEST(Groom, WhereATypeIsBaldNothingIsDrawn) {
   Setting s;
   EXPECT_EQ(typesPresent(s.groom.map), 1u);
-  paintType(s.groom, s.ground(), {Vec3(0, 0, 1), Vec3(0, 0, 1), 0.8f, 1}, 3);
+  paintType(s.groom, s.groomSurface(), {Vec3(0, 0, 1), Vec3(0, 0, 1), 0.8f, 1}, 3);
   EXPECT_EQ(typesPresent(s.groom.map), 5u);
   const auto& all = s.surface.furIndices;
   const auto furry = [&](const TypeHeights& heights) {
@@ -119,7 +119,7 @@ TEST(Groom, WhereATypeIsBaldNothingIsDrawn) {
 
 TEST(Groom, VerticesHaveRoomForEveryStrandOnTheirTriangles) {
   Setting s;
-  varyLength(s.groom, s.ground(), 1, 0.02f, 9);
+  varyLength(s.groom, s.groomSurface(), 1, 0.02f, 9);
   const auto lengths = vertexLengths(s.groom.map, s.surface, s.points);
   for (std::uint32_t t = 0; t < s.surface.triangleCount(); ++t)
     s.atlas.forTexelsOf(s.surface, t, [&](std::uint32_t texel, const Vec3&) {
@@ -134,7 +134,7 @@ TEST(Groom, VerticesHaveRoomForEveryStrandOnTheirTriangles) {
 
 TEST(Groom, ATriangleStaysAsLongAsAFilteredLookUpMeetsFur) {
   Setting s;
-  varyLength(s.groom, s.ground(), 1, 0.15f, 9);
+  varyLength(s.groom, s.groomSurface(), 1, 0.15f, 9);
   std::vector<GroomMap::Texel> texels = s.groom.map.texels();
   for (GroomMap::Texel& texel : texels) texel[0] = texel[0] > 130 ? texel[0] : 0;
   s.groom.map.restore(texels);
@@ -167,7 +167,7 @@ TEST(Groom, CoverageSaysWhatIsBaldAndWhatGrowsWhere) {
 
 TEST(GroomFilters, InvertingTwiceChangesNothing) {
   Setting s;
-  varyLength(s.groom, s.ground(), 0.8f, 0.2f, 4);
+  varyLength(s.groom, s.groomSurface(), 0.8f, 0.2f, 4);
   const auto hash = s.groom.map.hash();
   invertLength(s.groom.map);
   EXPECT_NE(s.groom.map.hash(), hash);
@@ -177,8 +177,8 @@ TEST(GroomFilters, InvertingTwiceChangesNothing) {
 
 TEST(GroomFilters, NoiseOnlyShortensByItsAmountAndDependsOnTheSeed) {
   Setting a, b;
-  varyLength(a.groom, a.ground(), 0.6f, 0.2f, 1);
-  varyLength(b.groom, b.ground(), 0.6f, 0.2f, 2);
+  varyLength(a.groom, a.groomSurface(), 0.6f, 0.2f, 1);
+  varyLength(b.groom, b.groomSurface(), 0.6f, 0.2f, 2);
   int least = 255;
   a.forTexels([&](std::uint32_t texel, const Vec3&) { least = std::min<int>(least, a.groom.map.texels()[texel][0]); });
   EXPECT_GE(least, 0.4 * 255 - 1);
@@ -201,12 +201,12 @@ TEST(GroomFilters, CombedAlongADirectionNoFurPointsAgainstIt) {
 TEST(GroomFilters, WhatIsDoneToAllOfItLeavesWhatIsProtected) {
   Setting s;
   const Brush all{Vec3(0, 0, 1), Vec3(0, 0, 1), 0.5f, 1, Falloff::Flat};
-  ASSERT_TRUE(protect(s.groom, s.ground(), all));
+  ASSERT_TRUE(protect(s.groom, s.groomSurface(), all));
   const Groom before = s.groom;
   setLength(s.groom.map, 0);
   paintAll(s.groom, 0x336699);
   combAlong(s.groom, s.points, Vec3(0, -1, 0), 1);
-  keepProtected(s.groom, before, s.ground());
+  keepProtected(s.groom, before, s.groomSurface());
   s.forTexels([&](std::uint32_t texel, const Vec3& position) {
     const bool kept = glm::distance(position, all.centre) < all.radius;
     ASSERT_EQ(s.groom.map.texels()[texel][0], kept ? 255 : 0);
@@ -241,7 +241,7 @@ TEST(GroomFilters, LengthsOfVerticesComeBack) {
     given.push_back(0.5f + 0.5f * s.surface.vertices[i].position.y);
     types.push_back(s.surface.vertices[i].position.x > 0 ? 2 : 1);
   }
-  paintFromVertices(s.groom, s.ground(), given, types);
+  paintFromVertices(s.groom, s.groomSurface(), given, types);
   // A texel is a hundredth of the sphere's radius here, and the field changes by half of that over it.
   for (std::size_t i = 0; i < given.size(); ++i) ASSERT_NEAR(s.groom.map.lengthAt(s.surface.vertices[i].atlas), given[i], 0.02);
   const Coverage halves = coverage(s.groom.map, s.atlas);
@@ -252,7 +252,7 @@ TEST(GroomFilters, AnImageIsReadInTheModelsOwnCoordinates) {
   // The sphere's own uv: u runs round it.
   Setting s(256, geometry::buildSurface(geometry::makeSphere()).value());
   const std::uint8_t halves[] = {0, 0, 0, 255, 255, 255, 255, 255};
-  paintFromImage(ImageOf::Length, s.groom, s.ground(), 2, 1, halves);
+  paintFromImage(ImageOf::Length, s.groom, s.groomSurface(), 2, 1, halves);
   EXPECT_NEAR(coverage(s.groom.map, s.atlas).bald, 0.5, 0.01);
   for (const auto& vertex : s.surface.vertices)
     if (std::abs(vertex.uv.x - 0.25f) < 0.2f) ASSERT_EQ(s.groom.map.lengthAt(vertex.atlas), 0);
@@ -261,7 +261,7 @@ TEST(GroomFilters, AnImageIsReadInTheModelsOwnCoordinates) {
 TEST(GroomFilters, AnImagesColoursAreThePresenceOfTheTypes) {
   Setting s(256, geometry::buildSurface(geometry::makeSphere()).value());
   const std::uint8_t halves[] = {0, 255, 0, 255, 60, 0, 60, 255};
-  paintFromImage(ImageOf::Types, s.groom, s.ground(), 2, 1, halves);
+  paintFromImage(ImageOf::Types, s.groom, s.groomSurface(), 2, 1, halves);
   EXPECT_EQ(coverage(s.groom.map, s.atlas).length, 1) << "lengths stay";
   for (const auto& vertex : s.surface.vertices) {
     if (std::abs(vertex.uv.x - 0.25f) < 0.2f) ASSERT_EQ(s.groom.map.typeAt(vertex.atlas), 3);
@@ -276,13 +276,13 @@ TEST(Groom, TheSameWorkGivesTheSameBytesEverywhere) {
   for (Vec3& p : mesh.positions) p.y = 0.3f * p.x * p.x - 0.2f * p.z * p.z * p.x;
   mesh.normals.clear();
   Setting s(256, geometry::buildSurface(mesh).value());
-  varyLength(s.groom, s.ground(), 0.7f, 0.1f, 5);
+  varyLength(s.groom, s.groomSurface(), 0.7f, 0.1f, 5);
   for (int i = 0; i < 12; ++i) {
     const Brush brush{Vec3(0.3f * (i % 3) - 0.3f, 0, 0.25f * (i % 4) - 0.3f), Vec3(0, 1, 0), 0.35f, 0.5f};
-    trim(s.groom, s.ground(), brush);
-    paintType(s.groom, s.ground(), brush, 1 + i % 4);
-    comb(s.groom, s.ground(), brush, Vec3(1, -1, 0));
-    smooth(s.groom, s.ground(), brush);
+    trim(s.groom, s.groomSurface(), brush);
+    paintType(s.groom, s.groomSurface(), brush, 1 + i % 4);
+    comb(s.groom, s.groomSurface(), brush, Vec3(1, -1, 0));
+    smooth(s.groom, s.groomSurface(), brush);
   }
   std::uint64_t combs = 1469598103934665603ull;
   for (const Vec3& comb : s.groom.comb)

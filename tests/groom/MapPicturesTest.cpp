@@ -13,10 +13,10 @@ namespace {
 
 Setting dressed() {
   Setting one;
-  varyLength(one.groom, one.ground(), 0.9f, 0.1f, 3);
-  paintType(one.groom, one.ground(), {{1, 0, 0}, {1, 0, 0}, 0.7f, 0.7f}, 2);
-  paint(one.groom, one.ground(), {{0, 0, 1}, {0, 0, 1}, 0.7f, 0.6f}, 0x3080c0);
-  protect(one.groom, one.ground(), {{0, 1, 0}, {0, 1, 0}, 0.6f, 0.8f});
+  varyLength(one.groom, one.groomSurface(), 0.9f, 0.1f, 3);
+  paintType(one.groom, one.groomSurface(), {{1, 0, 0}, {1, 0, 0}, 0.7f, 0.7f}, 2);
+  paint(one.groom, one.groomSurface(), {{0, 0, 1}, {0, 0, 1}, 0.7f, 0.6f}, 0x3080c0);
+  protect(one.groom, one.groomSurface(), {{0, 1, 0}, {0, 1, 0}, 0.6f, 0.8f});
   for (std::uint32_t i = 0; i < one.groom.shape.texels().size(); i += 3) one.groom.shape.set(i, {static_cast<std::uint8_t>(i % 200), 17, 90, static_cast<std::uint8_t>(std::max(i % 200, 90u))});
   return one;
 }
@@ -40,7 +40,7 @@ std::vector<std::uint8_t> rgbaOf(const MapPicture& picture) {
 
 TEST(MapPictures, WhatIsWrittenComesBackAsTheSameGroom) {
   const Setting one = dressed();
-  const auto pictures = mapPictures(one.groom, one.ground());
+  const auto pictures = mapPictures(one.groom, one.groomSurface());
   Setting other;
   for (const auto& [name, what] : {std::pair("length", ImageOf::Length), std::pair("types", ImageOf::Types),
                                    std::pair("paint", ImageOf::Paint), std::pair("mask", ImageOf::Mask), std::pair("shape", ImageOf::Shape)}) {
@@ -55,10 +55,10 @@ TEST(MapPictures, WhatIsWrittenComesBackAsTheSameGroom) {
 TEST(MapPictures, AModelWithoutTextureCoordinatesTakesALengthMapAsItGaveIt) {
   // The import of any picture, which knows no atlas: there its coordinates are the model's.
   const Setting one = dressed();
-  const auto pictures = mapPictures(one.groom, one.ground());
+  const auto pictures = mapPictures(one.groom, one.groomSurface());
   const MapPicture& picture = named(pictures, "length");
   Setting other;
-  paintFromImage(ImageOf::Length, other.groom, other.ground(), picture.size, picture.size, rgbaOf(picture));
+  paintFromImage(ImageOf::Length, other.groom, other.groomSurface(), picture.size, picture.size, rgbaOf(picture));
   int texels = 0, apart = 0;
   one.forTexels([&](std::uint32_t texel, const Vec3&) {
     ++texels;
@@ -71,17 +71,17 @@ TEST(MapPictures, AModelWithoutTextureCoordinatesTakesALengthMapAsItGaveIt) {
 TEST(MapPictures, ALargerPictureIsReadAtTheMapsSize) {
   Setting one(256), other(64);
   setLength(one.groom.map, 0.5f);
-  const MapPicture picture = mapPictures(one.groom, one.ground()).front();
+  const MapPicture picture = mapPictures(one.groom, one.groomSurface()).front();
   readMapPicture(ImageOf::Length, other.groom, picture.size, picture.size, rgbaOf(picture));
   for (const GroomMap::Texel& texel : other.groom.map.texels()) ASSERT_EQ(texel[0], 128);
 }
 
 TEST(MapPictures, TheCombIsADirectionInTheAtlasAndALength) {
   Setting one;
-  const MapPicture upright = named(mapPictures(one.groom, one.ground()), "comb");
+  const MapPicture upright = named(mapPictures(one.groom, one.groomSurface()), "comb");
   EXPECT_EQ(upright.pixels[0], 128);
   combAlong(one.groom, one.points, Vec3(1, 0.2f, 0), 1);
-  const MapPicture combed = named(mapPictures(one.groom, one.ground()), "comb");
+  const MapPicture combed = named(mapPictures(one.groom, one.groomSurface()), "comb");
   const std::vector<Vec3> bends = restBends(one.groom, one.surface, one.points);
   int compared = 0;
   for (std::uint32_t t = 0; t < one.surface.triangleCount(); t += 7)

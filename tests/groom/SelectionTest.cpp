@@ -36,7 +36,7 @@ double protectedShare(const Setting& one) {
 
 Setting withCap() {
   Setting one;
-  for (int i = 0; i < 12; ++i) protect(one.groom, one.ground(), {{0, 1, 0}, {0, 1, 0}, 0.5f, 1, Falloff::Flat});
+  for (int i = 0; i < 12; ++i) protect(one.groom, one.groomSurface(), {{0, 1, 0}, {0, 1, 0}, 0.5f, 1, Falloff::Flat});
   return one;
 }
 
@@ -44,23 +44,23 @@ TEST(Selection, WhatHangsTogetherIsFreeAndAllElseIsProtected) {
   Setting two(256, twoSpheres());
   const auto hit = two.query.castRay(Vec3(0.55f, 0, 3), Vec3(0, 0, -1));
   ASSERT_TRUE(hit);
-  selectConnected(two.groom, two.ground(), hit->triangle);
+  selectConnected(two.groom, two.groomSurface(), hit->triangle);
   two.forTexels([&](std::uint32_t texel, const Vec3& at) { ASSERT_EQ(maskAt(two, texel), at.x > 0 ? 0 : 255) << at.x; });
 }
 
 TEST(Selection, OneSphereInManyChartsIsOnePart) {
   Setting one;
   ASSERT_GT(one.surface.chartCount, 1u);
-  protect(one.groom, one.ground(), {{0, 1, 0}, {0, 1, 0}, 0.5f, 1, Falloff::Flat});
-  selectConnected(one.groom, one.ground(), 0);
+  protect(one.groom, one.groomSurface(), {{0, 1, 0}, {0, 1, 0}, 0.5f, 1, Falloff::Flat});
+  selectConnected(one.groom, one.groomSurface(), 0);
   EXPECT_EQ(protectedShare(one), 0);
 }
 
 TEST(Selection, ByTypeTheMaskIsWhatTheTypeLeaves) {
   Setting one;
-  paintType(one.groom, one.ground(), {{0, 1, 0}, {0, 1, 0}, 0.6f, 0.8f, Falloff::Smooth}, 3);
+  paintType(one.groom, one.groomSurface(), {{0, 1, 0}, {0, 1, 0}, 0.6f, 0.8f, Falloff::Smooth}, 3);
   for (const int type : {1, 2, 3}) {
-    selectType(one.groom, one.ground(), type);
+    selectType(one.groom, one.groomSurface(), type);
     one.forTexels([&](std::uint32_t texel, const Vec3&) {
       const GroomMap::Texel& t = one.groom.map.texels()[texel];
       ASSERT_EQ(255 - maskAt(one, texel), type == 1 ? 255 - t[1] - t[2] - t[3] : t[static_cast<std::size_t>(type) - 1]);
@@ -71,7 +71,7 @@ TEST(Selection, ByTypeTheMaskIsWhatTheTypeLeaves) {
 TEST(Selection, ByLengthBothEndsCount) {
   Setting one;
   for (std::uint32_t i = 0; i < one.groom.map.texels().size(); ++i) one.groom.map.set(i, {static_cast<std::uint8_t>(i % 256), 0, 0, 0});
-  selectLength(one.groom, one.ground(), 51 / 255.0f, 102 / 255.0f);
+  selectLength(one.groom, one.groomSurface(), 51 / 255.0f, 102 / 255.0f);
   one.forTexels([&](std::uint32_t texel, const Vec3&) {
     const int length = one.groom.map.texels()[texel][0];
     ASSERT_EQ(maskAt(one, texel) == 0, length >= 51 && length <= 102) << length;
@@ -81,13 +81,13 @@ TEST(Selection, ByLengthBothEndsCount) {
 TEST(Selection, ByPaintWhatIsNearlyOfTheSameColour) {
   Setting one;
   const Brush top{{0, 1, 0}, {0, 1, 0}, 0.5f, 1, Falloff::Flat}, foot{{0, -1, 0}, {0, -1, 0}, 0.5f, 1, Falloff::Flat};
-  paint(one.groom, one.ground(), top, 0xff0000);
-  paint(one.groom, one.ground(), foot, 0xf00808);
+  paint(one.groom, one.groomSurface(), top, 0xff0000);
+  paint(one.groom, one.groomSurface(), foot, 0xf00808);
   const auto hit = one.query.castRay(Vec3(0, 3, 0), Vec3(0, -1, 0));
   ASSERT_TRUE(hit);
   const Vec2 at = atlasAt(one.surface, *hit);
   const auto freeOf = [&](float tolerance, bool upper) {
-    selectPaint(one.groom, one.ground(), at, tolerance);
+    selectPaint(one.groom, one.groomSurface(), at, tolerance);
     int count = 0;
     one.forTexels([&](std::uint32_t texel, const Vec3& place) { count += maskAt(one, texel) == 0 && (place.y > 0) == upper; });
     return count;
@@ -96,7 +96,7 @@ TEST(Selection, ByPaintWhatIsNearlyOfTheSameColour) {
   EXPECT_EQ(freeOf(0.02f, false), 0) << "another red";
   EXPECT_GT(freeOf(0.1f, false), 100) << "nearly the same red";
   // Nor is what nobody painted.
-  selectPaint(one.groom, one.ground(), at, 0.1f);
+  selectPaint(one.groom, one.groomSurface(), at, 0.1f);
   EXPECT_GT(protectedShare(one), 0.5);
 }
 
@@ -114,8 +114,8 @@ TEST(Selection, AMaskGrowsAndShrinksByTheRadiusAcrossCharts) {
     return lowest;
   };
   Setting grown = withCap(), shrunk = withCap();
-  growMask(grown.groom, grown.ground(), kStep);
-  shrinkMask(shrunk.groom, shrunk.ground(), kStep);
+  growMask(grown.groom, grown.groomSurface(), kStep);
+  shrinkMask(shrunk.groom, shrunk.groomSurface(), kStep);
   const auto first = reach(before), lower = reach(grown), higher = reach(shrunk);
   for (std::size_t i = 0; i < first.size(); ++i) {
     const auto angle = [](float y) { return std::acos(std::min(y, 1.0f)); };
@@ -127,16 +127,16 @@ TEST(Selection, AMaskGrowsAndShrinksByTheRadiusAcrossCharts) {
 TEST(Selection, WhatGrowsAndShrinksAgainIsNearlyWhatItWas) {
   Setting one = withCap();
   const double before = protectedShare(one);
-  growMask(one.groom, one.ground(), 0.06f);
+  growMask(one.groom, one.groomSurface(), 0.06f);
   EXPECT_GT(protectedShare(one), 1.2 * before);
-  shrinkMask(one.groom, one.ground(), 0.06f);
+  shrinkMask(one.groom, one.groomSurface(), 0.06f);
   EXPECT_NEAR(protectedShare(one), before, 0.02 * before);
 }
 
 TEST(Selection, SmoothingMakesASoftBorderAndLeavesTheRest) {
   Setting one = withCap();
   const double before = protectedShare(one);
-  smoothMask(one.groom, one.ground(), 0.1f);
+  smoothMask(one.groom, one.groomSurface(), 0.1f);
   int between = 0;
   one.forTexels([&](std::uint32_t texel, const Vec3& at) {
     const int value = maskAt(one, texel);
@@ -151,8 +151,8 @@ TEST(Selection, SmoothingMakesASoftBorderAndLeavesTheRest) {
 
 TEST(Selection, OfAPlainMaskNothingGrows) {
   Setting one;
-  growMask(one.groom, one.ground(), 0.1f);
-  smoothMask(one.groom, one.ground(), std::nanf(""));
+  growMask(one.groom, one.groomSurface(), 0.1f);
+  smoothMask(one.groom, one.groomSurface(), std::nanf(""));
   EXPECT_TRUE(one.groom.mask.isPlain());
 }
 

@@ -191,12 +191,12 @@ TEST(Whiskers, ArePluckedByTheirRoots) {
   Setting s;
   s.groom.whiskers = {on({0, 1, 0}), on({0, 1, 0.1f}), on({0, 1, 1}), on({0, -1, 0})};
   EXPECT_FALSE(s.groom.isPlain());
-  EXPECT_FALSE(pluck(s.groom, s.ground(), {Vec3(1, 0, 0), Vec3(1, 0, 0), 0.3f, 1}));
-  EXPECT_FALSE(pluck(s.groom, s.ground(), {Vec3(0, 1, 0), Vec3(0, 1, 0), std::numeric_limits<float>::quiet_NaN(), 1}));
-  EXPECT_TRUE(pluck(s.groom, s.ground(), {Vec3(0, 1, 0), Vec3(0, 1, 0), 0.3f, 0.1f}));
+  EXPECT_FALSE(pluck(s.groom, s.groomSurface(), {Vec3(1, 0, 0), Vec3(1, 0, 0), 0.3f, 1}));
+  EXPECT_FALSE(pluck(s.groom, s.groomSurface(), {Vec3(0, 1, 0), Vec3(0, 1, 0), std::numeric_limits<float>::quiet_NaN(), 1}));
+  EXPECT_TRUE(pluck(s.groom, s.groomSurface(), {Vec3(0, 1, 0), Vec3(0, 1, 0), 0.3f, 0.1f}));
   EXPECT_EQ(s.groom.whiskers, (std::vector<Whisker>{on({0, 1, 1}), on({0, -1, 0})}));
   // What stands on the far side of something thin stays.
-  EXPECT_FALSE(pluck(s.groom, s.ground(), {Vec3(0, -1, 0), Vec3(0, 1, 0), 0.3f, 1}));
+  EXPECT_FALSE(pluck(s.groom, s.groomSurface(), {Vec3(0, -1, 0), Vec3(0, 1, 0), 0.3f, 1}));
 }
 
 }  // namespace

@@ -107,16 +107,16 @@ TEST(Twins, ClumpProfile) {
 TEST(Twins, StrandsOfAClump) {
   EXPECT_LT(largestDifference(13, [](float u, float v) { return wet::clumpPull(glm::mix(1 / kLayers, 1.0f, u), kClumpShape, kLayers, v); }), kGpuPrecision);
   EXPECT_LT(largestDifference(14, wet::alongStrand), kGpuPrecision);
-  EXPECT_LT(largestDifference(17, wet::lieOf), kGpuPrecision);
+  EXPECT_LT(largestDifference(17, wet::wetLean), kGpuPrecision);
   EXPECT_LT(largestDifference(21, [](float u, float) { return wet::upright(u); }), kGpuPrecision);
-  EXPECT_LT(largestDifference(22, [](float u, float v) { return wet::pointsOf(u, wet::sheetOf(u), 1.5f * v); }), kGpuPrecision);
-  EXPECT_LT(largestDifference(18, [](float u, float v) { return wet::drawnBy(u, 3 * v); }), kGpuPrecision);
+  EXPECT_LT(largestDifference(22, [](float u, float v) { return wet::rimTaper(u, wet::sheetOf(u), 1.5f * v); }), kGpuPrecision);
+  EXPECT_LT(largestDifference(18, [](float u, float v) { return wet::clumpingWetness(u, 3 * v); }), kGpuPrecision);
 }
 
 TEST(Twins, WaterOnStrands) {
   EXPECT_LT(largestDifference(15, [](float u, float v) { return hair::wetAlbedo(Vec3(u), v).x; }), kGpuPrecision);
   const auto mirrored = [](float u, float v) {
-    const Vec2 shares = hair::waterGloss(onCircle(3 * u), hair::lockNormal(Vec2(v, 0), 0.4f), onCircle(0.7f), onCircle(-0.4f), 0.9f, 0.4f,
+    const Vec2 shares = hair::waterGloss(onCircle(3 * u), hair::clumpNormal(Vec2(v, 0), 0.4f), onCircle(0.7f), onCircle(-0.4f), 0.9f, 0.4f,
                                          kLook.wetGloss, kLook.exponent, u);
     return 0.25f * (shares.x + shares.y);
   };

@@ -278,7 +278,7 @@ TEST(Views, AClumpHasOneColourAndItsNeighbourAnother) {
   ASSERT_TRUE(scene.app.splashPixel({70, 100}, 0.1f, 0.6f));
   ASSERT_TRUE(scene.app.splashPixel({130, 100}, 0.1f, 0.6f));
   scene.app.settle();
-  // The heart of the lock: its colour, brighter and darker with height.
+  // The heart of the clump: its colour, brighter and darker with height.
   const auto hue = [](const Picture& p, int x, int y) {
     const std::uint8_t* c = p.at(x, y);
     const Vec3 colour(c[0], c[1], c[2]);
@@ -288,7 +288,7 @@ TEST(Views, AClumpHasOneColourAndItsNeighbourAnother) {
   const Vec3 left = hue(clumps, 70, 100), right = hue(clumps, 130, 100);
   EXPECT_GT(glm::length(left - right), 0.2f);
   for (int d = -2; d <= 2; ++d) {
-    // A ray may meet strands of the lock at several heights: rounding is all that is left.
+    // A ray may meet strands of the clump at several heights: rounding is all that is left.
     EXPECT_LT(glm::length(hue(clumps, 70 + d, 100) - left), 0.03f);
     EXPECT_LT(glm::length(hue(clumps, 130, 100 + d) - right), 0.03f);
   }

@@ -1,4 +1,4 @@
-// Wet fur in the picture: where strands of a lock stand, and that nothing jumps as it gets wetter.
+// Wet fur in the picture: where strands of a clump stand, and that nothing jumps as it gets wetter.
 #include <cmath>
 #include <limits>
 
@@ -63,7 +63,7 @@ struct Droplet : Scene {
     const float texel = 1 / (block.tilesPerUnit * block.tileTexels), ground = app.surface().vertices[0].position.y;
     const Mat4 clip = clipFromWorld(f) * f.worldFromModel;
     const float stands = s.viewLayer / wet::upright(wetness);
-    const float pull = wet::clumpPull(stands, s.clumpShape, static_cast<float>(s.layers), wet::drawnBy(wetness, kRadius / s.furLength));
+    const float pull = wet::clumpPull(stands, s.clumpShape, static_cast<float>(s.layers), wet::clumpingWetness(wetness, kRadius / s.furLength));
     const auto hasFur = [&](const Vec3& at) {
       const Vec4 c = clip * Vec4(at, 1);
       const Vec2 pixel((0.5f + 0.5f * c.x / c.w) * kSide, (0.5f - 0.5f * c.y / c.w) * kSide);
@@ -79,7 +79,7 @@ struct Droplet : Scene {
       std::optional<Vec3> q;
       for (int k = 0; k < 8 && (q = pointAt(tubes, tube, along)); ++k)
         along = wet::alongStrand(stands, pull * glm::length(Vec2(q->x, q->z)) / s.furLength) *
-                wet::pointsOf(wetness, wet::sheetOf(wetness), glm::dot(Vec2(q->x, q->z), Vec2(q->x, q->z)) / (kRadius * kRadius));
+                wet::rimTaper(wetness, wet::sheetOf(wetness), glm::dot(Vec2(q->x, q->z), Vec2(q->x, q->z)) / (kRadius * kRadius));
       if (!q || along > 0.95f || glm::length(Vec2(q->x, q->z)) > 0.85f * kRadius) continue;
       const Vec2 at = wet::clumpForward(Vec2(q->x, q->z), Vec2(0), pull);
       const float height = ground + s.viewLayer * s.furLength;
@@ -161,8 +161,8 @@ TEST(WetLocks, OfASoakedCoatLieLowerAndAreDarker) {
         if (p.at(x, y)[0] > 0) ++count, red += p.at(x, y)[0];  // the background has no red
     return Vec2(static_cast<float>(count), static_cast<float>(red / count));
   };
-  const Vec2 dry = fur(ball.draw()), locks = fur(ball.wet(0.7f)), sheet = fur(ball.wet(1));
-  EXPECT_LT(locks.y, 0.8f * dry.y);
+  const Vec2 dry = fur(ball.draw()), clumps = fur(ball.wet(0.7f)), sheet = fur(ball.wet(1));
+  EXPECT_LT(clumps.y, 0.8f * dry.y);
   EXPECT_LT(sheet.x, 0.97f * dry.x);
   EXPECT_LT(sheet.y, 0.8f * dry.y);
 }
@@ -318,7 +318,7 @@ TEST(WetLocks, StayInASavedScene) {
   ball.app.settle();
   EXPECT_NEAR(ball.app.meanWetness(), held, 1e-4f);
   const std::uint64_t hash = ball.app.wetnessHash();
-  // Centres are rounded by a part of a texel: some strands at the rims of locks.
+  // Centres are rounded by a part of a texel: some strands at the rims of clumps.
   EXPECT_LT(ball.draw().differingShare(before, 24), 0.03f);
   ASSERT_TRUE(ball.app.loadModel(ball.app.saveScene(), "ball.glb"));
   EXPECT_EQ(ball.app.wetnessHash(), hash);
@@ -334,7 +334,7 @@ TEST(WetLocks, AreSoundAtTheEndsOfEveryRange) {
         set(ball.app, {{"clumpShape", w}});
         ball.app.restoreWetness(std::vector<Vec4>(texels, Vec4(centre, centre, radius, 1)));
         const Picture p = ball.draw();
-        // A pixel that is not a number comes out black, as do some dozens in the deepest shade between locks.
+        // A pixel that is not a number comes out black, as do some dozens in the deepest shade between clumps.
         int black = 0;
         for (std::size_t i = 0; i < p.rgba.size(); i += 4) black += p.rgba[i] + p.rgba[i + 1] + p.rgba[i + 2] == 0;
         EXPECT_LT(black, 200) << "w " << w << ", radius " << radius << ", centre " << centre;

@@ -1,5 +1,7 @@
 #include "wet/Clump.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "core/Random.h"
@@ -31,7 +33,7 @@ TEST(ClumpShift, LeadsBackExactlyToTheRoot) {
     const Vec2 root(random.uniform(), random.uniform()), centre(random.uniform(), random.uniform());
     const float s = clumpPull(random.uniform(), random.uniform(), 16, random.uniform());
     const Vec2 at = clumpForward(root, centre, s);
-    // Single precision times the largest stretch of the way back, 1 / (1 - kMaxPull) = 12.5.
+    // Single precision times the largest stretch of the way back, 1 / (1 - 0.853) = 7.
     EXPECT_NEAR(glm::length(clumpInverse(at, centre, s) - root), 0.0f, 1e-5f);
     EXPECT_NEAR(glm::length(at + (at - centre) * (s / (1 - s)) - root), 0.0f, 1e-5f);
   }
@@ -39,20 +41,26 @@ TEST(ClumpShift, LeadsBackExactlyToTheRoot) {
 
 TEST(ClumpShift, IsFiniteAtEveryExtreme) {
   for (const float layers : {0.0f, 1.0f, 2.0f, 3.0f, 4.0f, 64.0f})
-    for (const float rho : {0.0f, 0.5f, 1.0f})
+    for (const float rho : {0.0f, 0.5f, 0.85f, 0.855f, 0.86f, 1.0f, 4.0f})
       for (const float w : {0.0f, 1.0f})
         for (const float h : {0.0f, 1e-9f, 0.5f, 1.0f, 2.0f}) {
           const float shift = clumpShift(h, w, layers, rho);
           EXPECT_TRUE(std::isfinite(shift));
           EXPECT_GE(shift, 0.0f);
-          EXPECT_LE(shift, kMaxPull / (1 - kMaxPull) * 1.0001f);
+          EXPECT_LE(shift, 0.853f / (1 - 0.853f));
         }
+}
+
+TEST(ClumpPull, NeverGathersAllStrandsOfAClumpInOnePoint) {
+  float most = 0;
+  for (int i = 0; i <= 1000; ++i) most = std::max(most, clumpPull(1, 1, 16, i / 1000.0f));
+  EXPECT_NEAR(most, 0.853f, 1e-3f);
 }
 
 TEST(ClumpShift, IsNothingInDryFur) { EXPECT_EQ(clumpShift(1, 0.5f, 16, 0), 0.0f); }
 
 TEST(ClumpShift, LeavesAClumpOfNoSizeWhereItIs) {
-  EXPECT_EQ(clumpInverse(Vec2(0.3f), Vec2(0.3f), kMaxPull), Vec2(0.3f));
+  EXPECT_EQ(clumpInverse(Vec2(0.3f), Vec2(0.3f), 0.85f), Vec2(0.3f));
 }
 
 TEST(WetLight, IsUnchangedWhereSigmaIsNought) {

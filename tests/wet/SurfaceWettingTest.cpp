@@ -150,11 +150,11 @@ TEST(SurfaceWetting, ClosesOverTheDateLineOfAGlobe) {
 }
 
 // A texel, and how its triangle lies in space and in the atlas.
-struct Spot {
+struct TexelOnSurface {
   Vec3 position, alongU, alongV;
   Vec2 atlas;
 };
-Spot spotOf(const Surface& surface, const geometry::AtlasTexels& atlas, std::uint32_t texel) {
+TexelOnSurface texelOnSurface(const Surface& surface, const geometry::AtlasTexels& atlas, std::uint32_t texel) {
   const std::uint32_t triangle = atlas.triangleOf()[texel];
   const geometry::SurfacePoint point{triangle, atlas.weightsAt(surface, triangle, texel), 0};
   const auto &a = surface.vertices[surface.indices[3 * triangle]], &b = surface.vertices[surface.indices[3 * triangle + 1]],
@@ -189,7 +189,7 @@ TEST(SurfaceWetting, HasOneCentreInSpaceOnBothSidesOfEverySeam) {
       for (std::uint32_t i = 0; i < mask.texels().size(); ++i) {
         const Vec4& texel = mask.texels()[i];
         if (texel.w <= 0 || wetting.atlas().triangleOf()[i] == 0xffffffffu) continue;
-        const Spot spot = spotOf(surface, wetting.atlas(), i);
+        const TexelOnSurface spot = texelOnSurface(surface, wetting.atlas(), i);
         const float distance = glm::length(spot.position - centre);
         ++charts[wetting.chartOfTexel()[i]];
         // Farther off the texel's plane is no longer the skin at the centre.
@@ -219,7 +219,7 @@ TEST(SurfaceWetting, IsRoundOnTheSkinWhereTheAtlasIsStretched) {
   float low = 1e9f, high = 0;
   for (std::uint32_t i = 0; i < mask.texels().size(); ++i) {
     if (wetting.atlas().triangleOf()[i] == 0xffffffffu) continue;
-    const Spot spot = spotOf(surface, wetting.atlas(), i);
+    const TexelOnSurface spot = texelOnSurface(surface, wetting.atlas(), i);
     const float distance = glm::length(spot.position - centre);
     const Vec4 texel = mask.texels()[i];
     // One stretch for all of it: the latitude changes by a seventh of a radian across.

@@ -24,13 +24,13 @@ struct Pond {
 
   explicit Pond(const geometry::Mesh& mesh, int size = 128)
       : surface(geometry::buildSurface(mesh).value()), query(surface), wetting(surface, size), mask(size) {
-    water.prepare(ground());
+    water.prepare(wetSurface());
     climate.dryRate = 0;
   }
-  Ground ground() const { return {surface, query, wetting}; }
+  WetSurface wetSurface() const { return {surface, query, wetting}; }
   bool run(int steps) {
     bool changed = false;
-    for (int i = 0; i < steps; ++i) changed |= water.step(ground(), mask, climate);
+    for (int i = 0; i < steps; ++i) changed |= water.step(wetSurface(), mask, climate);
     return changed;
   }
   void soak() {
@@ -101,14 +101,14 @@ TEST(SurfaceTexels, LinkToWhatLiesBesideThemAcrossChartBorders) {
 TEST(SurfaceTexels, LinkTheSameWayHoweverItIsSliced) {
   const Pond once(torus());
   Water sliced;
-  while (!sliced.prepare(once.ground(), 97)) {
+  while (!sliced.prepare(once.wetSurface(), 97)) {
   }
   EXPECT_EQ(once.water.texels()->links(), sliced.texels()->links());
 }
 
-// How far a texel lies from the middle of its lock, in radii.
-float outwardness(const WetnessMask& mask, std::uint32_t texel, const Vec3& lock) {
-  return glm::length(mask.texelCentre(texel) - Vec2(lock)) / lock.z;
+// How far a texel lies from the middle of its clump, in radii.
+float outwardness(const WetnessMask& mask, std::uint32_t texel, const Vec3& clump) {
+  return glm::length(mask.texelCentre(texel) - Vec2(clump)) / clump.z;
 }
 
 TEST(ClumpSites, HoldEveryPlaceInItsOwnLock) {
@@ -172,8 +172,8 @@ TEST(Water, KeepsItsAccountsOverTenThousandSteps) {
     pond.climate.shaking = i % 2500 > 2400 ? 1.0f : 0.0f;
     const Vec3 at = glm::normalize(Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)) + 1e-3f);
     if (i % 50 == 0) pond.droplet(at, 0.15f, 0.5f);
-    if (i % 70 == 0) pond.water.pour(pond.ground(), pond.mask, at, at, 0.1f, 0.05f);
-    if (i % 300 == 0) pond.water.wipe(pond.ground(), pond.mask, at, at, 0.2f, 0.4f);
+    if (i % 70 == 0) pond.water.pour(pond.wetSurface(), pond.mask, at, at, 0.1f, 0.05f);
+    if (i % 300 == 0) pond.water.wipe(pond.wetSurface(), pond.mask, at, at, 0.2f, 0.4f);
     pond.run(1);
   }
   const Accounts a = pond.water.accounts();
@@ -193,7 +193,7 @@ TEST(Water, RunsDownWhatCannotHoldMoreAndDripsFromBelow) {
   const double before = pond.mean([](const Vec3& p) { return p.y; });
   pond.run(300);
   EXPECT_LT(pond.mean([](const Vec3& p) { return p.y; }), before - 0.1);
-  for (int i = 0; i < 20; ++i) pond.water.pour(pond.ground(), pond.mask, Vec3(0, -1, 0), Vec3(0, -1, 0), 0.2f, 0.05f);
+  for (int i = 0; i < 20; ++i) pond.water.pour(pond.wetSurface(), pond.mask, Vec3(0, -1, 0), Vec3(0, -1, 0), 0.2f, 0.05f);
   pond.run(600);
   EXPECT_GT(pond.water.accounts().dripped, 0.1);
   float puddle = 0;
@@ -291,7 +291,7 @@ TEST(Water, ThatRainsMakesLocksAtTheirSites) {
     below += place.normal.y < -0.5f;
     ASSERT_GT(texel.z, 0.0f);
     const Vec2 at((place.texel % 128 + 0.5f) / 128, (place.texel / 128 + 0.5f) / 128);
-    // A texel lies within the lock that it belongs to; the cells of rims stretch a little.
+    // A texel lies within the clump that it belongs to; the cells of rims stretch a little.
     ASSERT_LE(glm::length(at - Vec2(texel)), 1.5f * texel.z);
   }
   EXPECT_GT(wet, 100);
@@ -344,7 +344,7 @@ TEST(Water, DropsHangFromAndHitTheModelWhereItIsShown) {
   }
   SurfaceQuery shown = pond.query;
   shown.follow(pond.surface, positions);
-  Ground posed{pond.surface, pond.query, pond.wetting, positions, normals, &shown};
+  WetSurface posed{pond.surface, pond.query, pond.wetting, positions, normals, &shown};
   pond.climate.groundHeight = -3;
   pond.water.pour(posed, pond.mask, Vec3(0.1f, -0.995f, 0), Vec3(0.1f, -0.995f, 0), 0.2f, 0.6f);
   bool hung = false;
@@ -489,7 +489,7 @@ TEST(Water, StaysFiniteWhereThereIsNoSize) {
   pond.climate.dryRate = 1;
   pond.droplet(Vec3(0, 1, 0), 1e-6f, 1.0f);
   pond.droplet(Vec3(0, 1, 0), 3.0f, 1.0f);
-  pond.water.pour(pond.ground(), pond.mask, Vec3(0, 0, 1), Vec3(0, 0, 1), 0.0f, 1.0f);
+  pond.water.pour(pond.wetSurface(), pond.mask, Vec3(0, 0, 1), Vec3(0, 0, 1), 0.0f, 1.0f);
   pond.water.launch(Vec3(0, 3, 0), Vec3(std::nanf("")), 0.01f);
   pond.run(120);
   for (const Vec4& texel : pond.mask.texels()) ASSERT_TRUE(std::isfinite(texel.x + texel.y + texel.z + texel.w));

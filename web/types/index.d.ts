@@ -141,7 +141,7 @@ export interface FurSettings {
   brushRadius: number;
   /** Wetness that one droplet brings. */
   brushFlow: number;
-  /** Radius of a single droplet, and so of the lock that it binds. */
+  /** Radius of a single droplet, and so of the clump that it binds. */
   clumpSize: number;
   /** Wetness lost per second. */
   dryRate: number;
@@ -397,7 +397,7 @@ export interface WetFurApi {
   wetnessAt(u: number, v: number): number;
   /** The model shakes itself, and its water flies off. */
   shake(): void;
-  /** Letters as locks of wet fur, round CSS pixels of the canvas (default: its middle), `size` pixels high, turned clockwise by `angle` radians. `amount`: how wet they are (default: 0.5; wetter ones run into each other in seconds). */
+  /** Letters as clumps of wet fur, round CSS pixels of the canvas (default: its middle), `size` pixels high, turned clockwise by `angle` radians. `amount`: how wet they are (default: 0.5; wetter ones run into each other in seconds). */
   stamp(text: string, options?: { x?: number; y?: number; size?: number; angle?: number; amount?: number }): void;
   /** What was done with water since the model came, by every tool: for replay() on the same model. */
   readonly recordedStrokes: string;

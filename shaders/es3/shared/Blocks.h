@@ -107,7 +107,7 @@ FUR_BLOCK(FurBlock) {
 #define FUR_GRAD_T 5
 #define FUR_ATLAS_FROM_FUR 6  // 2x2 by columns
 #define FUR_AROUND 7          // xy: atlas  z: how far from there its triangles reach; of all vertices of one place the same
-                              // w: how far locks there sink as well, 0 or 1
+                              // w: how far clumps there sink as well, 0 or 1
 #define FUR_LEAN 8            // the skin's normal along axisS and axisT, where fur leans over it
 
 // Fin instances: one an edge.

@@ -3,19 +3,17 @@
 #pragma once
 #endif
 
-// A strand goes at most this share of the way to its clump's centre: at 1 every strand would end in one point.
-#define FUR_MAX_SHIFT 0.92
 // No strand is drawn further aside than this share of its length.
-#define FUR_MOST_ASIDE 0.7
+#define FUR_MAX_DISPLACEMENT 0.7
 // The strands at the rim of a clump look so much shorter.
-#define FUR_POINTS 0.7
+#define FUR_RIM_TAPER 0.7
 
 // Soaked clumps close into a sheet from this wetness on; there strands are drawn together by so much less. Sheets and
 // saturated clumps stand by so much lower.
 #define FUR_SHEET_FROM 0.85
 #define FUR_SHEET_OPENS 0.85
 #define FUR_SHEET_SINKS 0.5
-#define FUR_LOCKS_SINK 0.3
+#define FUR_CLUMPS_SINK 0.3
 
 // The encoded mask (wet/MaskEncoding.h) tells the chart of a texel beside its clump's centre: u is stored with FUR_CHART_STEP
 // times the chart's number, and half as much again, which keeps it positive where the centre lies beside the atlas. Numbers
