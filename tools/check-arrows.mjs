@@ -27,7 +27,8 @@ export const arrows = {
   // The reference renderer reads the very numbers that the shaders are given, and no more of render.
   'src/truth': [...fields, 'furgen', 'dynamics', 'hair', 'shared'],
   'src/gl': ['core', 'gles', 'emscripten'],
-  'src/render': [...pure, 'gl', 'shared'],
+  // Of wet and hair only what a picture is made of: never a solver.
+  'src/render': [...fields, 'furgen', 'groom', 'scene', 'wet/Drop.h', 'wet/MaskTexels.h', 'wet/Puddles.h', 'hair/Marschner.h', 'gl', 'shared'],
   // The table of tools, which the panel reads as well as the app.
   'src/app/tools': ['core'],
   'src/editor': ['core', 'settings', 'scene', 'app/tools', 'imgui'],

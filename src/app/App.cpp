@@ -493,8 +493,7 @@ render::Frame App::State::frame(int level) const {
   if (const auto ball = touch.ball()) f.ball = Vec4(ball->centre, ball->radius);
   f.baseColorFactor = baseColorFactor;
   f.drops = water.drops();
-  f.puddles = puddles;
-  f.puddlesRevision = puddlesRevision;
+  f.puddles = {puddles, puddlesRevision};
   return f;
 }
 

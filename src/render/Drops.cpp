@@ -29,7 +29,7 @@ Status Drops::draw(Programs& programs, std::span<const wet::Drop> drops, std::si
   // The piece of a jet that set out before.
   const wet::Drop* before = nullptr;
   for (const wet::Drop& drop : drops) {
-    Instance one{Vec4(drop.position, drop.radius), Vec4(drop.velocity / 60.0f, drop.place == wet::SurfaceTexels::kNone), {drop.jet, drop.splash}};
+    Instance one{Vec4(drop.position, drop.radius), Vec4(drop.velocity / 60.0f, !drop.hangs()), {drop.jet, drop.splash}};
     if (drop.jet > 0 && drop.splash == 0) {
       const Vec3 step(one.way);
       // Each reaches to the one before.

@@ -6,7 +6,8 @@
 
 #include "core/Math.h"
 #include "settings/Settings.h"
-#include "wet/Water.h"
+#include "wet/Drop.h"
+#include "wet/Puddles.h"
 
 namespace fur::render {
 
@@ -43,16 +44,13 @@ struct Frame {
   bool painted = false;       // there is paint: likewise
   bool shaped = false;        // brushes have changed the shape of strands: likewise
   Vec4 baseColorFactor{1.0f};
-  // Looked at while the frame is drawn; none cost nothing.
+  // Both are looked at while the frame is drawn; none cost nothing.
   std::span<const wet::Drop> drops;
-  // How wet the ground is, 0..255: wet::Water's cells, over the square of half side kGroundHalfSide round the world's
-  // origin. Or none: it is dry.
-  std::span<const std::uint8_t> puddles;
-  std::uint32_t puddlesRevision = 0;  // another number when they are others; 0: none yet
+  wet::Puddles puddles;
 };
 
-// Of the ground that takes the model's shadow, and water; world.
-inline constexpr float kGroundHalfSide = wet::Water::kGroundReach;
+// Of the square of ground that takes the model's shadow, and water; world.
+inline constexpr float kGroundHalfSide = wet::kGroundReach;
 
 // In the order of the settings' "view" choice. README.md says what each shows.
 enum class View {

@@ -219,7 +219,7 @@ Status Renderer::draw(const Frame& frame) {
   gl::clear(Vec4(0, 0, 0, 1));
   baseColor_.bind(FUR_UNIT_BASE_COLOR);
   groundShadow_[0].bind(FUR_UNIT_GROUND);
-  if (!frame.puddles.empty()) showPuddles(frame.puddles, frame.puddlesRevision);
+  if (!frame.puddles.empty()) showPuddles(frame.puddles);
   uploadedBytes_ += strandTables_.use(frame.settings);
   if (Status status = drawPasses(drawn); !status) return status;
   if (drawn.transparent && drawn.settings.view != 0)

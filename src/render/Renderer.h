@@ -78,7 +78,7 @@ class Renderer {
   Status drawArrows(unsigned variant);
   void uploadBlocks(const Frame& frame);
   void updateMap(gl::Texture& texture, const groom::GroomMap& map, const geometry::TexelRect& changed);
-  void showPuddles(std::span<const std::uint8_t> cells, std::uint32_t revision);
+  void showPuddles(const wet::Puddles& puddles);
   FurShadow::Key furShadowKey(const Frame& frame) const;
   void selectFins(const Vec3& eyeModel, float pixels);
   void orderShells(const Vec3& eyeModel, float reach, bool overlapping);

@@ -230,14 +230,14 @@ void Renderer::updateMask(const wet::MaskTexels& mask) {
   uploadedBytes_ += mask.texels.size() * sizeof(Vec4);
 }
 
-void Renderer::showPuddles(std::span<const std::uint8_t> cells, std::uint32_t revision) {
-  constexpr int kCells = wet::Water::kGroundCells;
-  FUR_ASSERT(cells.size() == kCells * kCells, "Frame::puddles", "a byte for each of the water's cells", cells.size());
+void Renderer::showPuddles(const wet::Puddles& puddles) {
+  constexpr int kCells = wet::kGroundCells;
+  FUR_ASSERT(puddles.cells.size() == kCells * kCells, "Frame::puddles", "a byte for each cell", puddles.cells.size());
   if (puddles_.bytes() == 0) puddles_ = gl::Texture({gl::TexelFormat::R8, kCells, kCells, 0}, {});
   puddles_.bind(FUR_UNIT_PUDDLES);
-  if (std::exchange(puddlesRevision_, revision) == revision) return;
-  puddles_.update(0, 0, kCells, kCells, std::as_bytes(cells), 0);
-  uploadedBytes_ += cells.size();
+  if (std::exchange(puddlesRevision_, puddles.revision) == puddles.revision) return;
+  puddles_.update(0, 0, kCells, kCells, std::as_bytes(puddles.cells), 0);
+  uploadedBytes_ += puddles.cells.size();
 }
 
 void Renderer::updateGroom(const groom::GroomMap& map, const geometry::TexelRect& changed) {

@@ -53,7 +53,7 @@ void Water::feedHanging(const WetSurface& skin, WetnessMask& mask, const Climate
   std::size_t kept = 0;
   for (std::size_t d = 0; d < drops_.size(); ++d) {
     Drop drop = drops_[d];
-    if (drop.place != SurfaceTexels::kNone) {
+    if (drop.hangs()) {
       const SurfaceTexels::Place& place = places[drop.place];
       const auto drink = [&](std::uint32_t from) {
         if (from == SurfaceTexels::kNone || film_[from] <= kCling + kLeast) return;
@@ -77,7 +77,7 @@ void Water::feedHanging(const WetSurface& skin, WetnessMask& mask, const Climate
       if (drop.water > kFalls || glm::dot(normal, down_) < 0.0f || climate.shaking > 0.0f) {
         hasDrop_[drop.place] = 0;
         --hanging_;
-        drop.place = SurfaceTexels::kNone;
+        drop.place = Drop::kNoPlace;
         drop.velocity = Vec3(0);
       } else if (drop.water <= 0.0f) {
         hasDrop_[drop.place] = 0;
@@ -105,7 +105,7 @@ void Water::fall(const WetSurface& skin, const Climate& climate) {
       if ((drop.splash += kRate / (flies ? kSpray : kRing)) > 1.0f) continue;
       if (flies) drop.velocity.y -= kGravity * kRate;
       drop.position += drop.velocity * kRate;
-    } else if (drop.place == SurfaceTexels::kNone) {
+    } else if (!drop.hangs()) {
       if (drop.jet > 1.0f) drop.jet = std::max(drop.jet - kRate / kFallsApart, 1.0f);
       drop.velocity += (Vec3(0, -kGravity, 0) + (climate.wind - drop.velocity) * kDrag) * kRate;
       const Vec3 way = drop.velocity * kRate;
@@ -140,7 +140,7 @@ void Water::fall(const WetSurface& skin, const Climate& climate) {
 void Water::spray(const Vec3& at, const Vec3& normal, float speed) {
   for (int k = 0; k < kSprayDrops && drops_.size() < kMostDrops; ++k) {
     const Vec3 off{random_.uniform(-1, 1), random_.uniform(-1, 1), random_.uniform(-1, 1)};
-    drops_.push_back({at, kSprayRadius, speed * (normal + off), 0, SurfaceTexels::kNone, 0, kRate});
+    drops_.push_back({at, kSprayRadius, speed * (normal + off), 0, Drop::kNoPlace, 0, kRate});
   }
 }
 
@@ -255,7 +255,7 @@ Vec3 Water::velocityFor(const Vec3& way, float seconds, const Vec3& wind) {
 void Water::launch(const Vec3& position, const Vec3& velocity, float amount, float jet) {
   if (!(amount > 0.0f) || drops_.size() >= kMostDrops) return;
   accounts_.painted += amount;
-  drops_.push_back({position, (jet > 0.0f ? kJetWidth : 1.0f) * radiusOf(amount), velocity, amount, SurfaceTexels::kNone, jet});
+  drops_.push_back({position, (jet > 0.0f ? kJetWidth : 1.0f) * radiusOf(amount), velocity, amount, Drop::kNoPlace, jet});
 }
 
 void Water::wipe(const WetSurface& skin, WetnessMask& mask, const Vec3& centre, const Vec3& normal, float radius, float share) {

@@ -29,7 +29,7 @@ bool Water::prepare(const WetSurface& skin, std::uint32_t places) {
   for (std::uint32_t i = 0; i < count; ++i)
     if (incoming_[i] != 0.0f) flags_[texels_->blockOf(i)] |= kReceived;
   for (Drop& drop : drops_) {
-    if (drop.place >= count) drop.place = SurfaceTexels::kNone;
+    if (drop.place >= count) drop.place = Drop::kNoPlace;
     else hasDrop_[drop.place] = 1, ++hanging_;
   }
   return ready_ = true;

@@ -19,6 +19,8 @@
 #include "core/Math.h"
 #include "core/Random.h"
 #include "wet/ClumpSites.h"
+#include "wet/Drop.h"
+#include "wet/Puddles.h"
 #include "wet/SurfaceTexels.h"
 #include "wet/SurfaceWetting.h"
 #include "wet/WetnessMask.h"
@@ -49,17 +51,6 @@ struct Climate {
   float blowRadius = 0, blow = 0;
 };
 
-// A drop that falls, or hangs from the fur; or what is left to see of one that has landed.
-struct Drop {
-  Vec3 position{0};
-  float radius = 0.01f;
-  Vec3 velocity{0};
-  float water = 0;  // how much of it
-  std::uint32_t place = SurfaceTexels::kNone;  // that it hangs at; none while it falls
-  float jet = 0;     // above 0: from a hose; a piece of its jet, which has fallen apart into drops when this has come from kJet to 1
-  float splash = 0;  // above 0: it has landed, and spreads until this is 1: as a ring on the ground, as spray where it still flies
-};
-
 // painted + rained = held + film + drops + dripped + evaporated + removed.
 struct Accounts {
   double painted = 0, rained = 0;                // came in; undo takes back by painting less
@@ -74,9 +65,6 @@ class Water {
   // continuous, and between which nothing has changed where water only dries: kDryingTurns.
   static constexpr std::uint32_t kTurns = 2;
   static constexpr std::size_t kMostDrops = 1024;
-  // The ground under the model: cells over [-kGroundReach, kGroundReach] in x and z, row by row of z.
-  static constexpr int kGroundCells = 128;
-  static constexpr float kGroundReach = 3.2f;
 
   // Forgets everything: another model or mask.
   void reset() {
@@ -112,7 +100,7 @@ class Water {
   void clear();
 
   std::span<const Drop> drops() const { return drops_; }
-  // Amount of water on a square unit of each cell; another revision whenever any has changed.
+  // Amount of water on a square unit of each cell (Puddles.h); another revision whenever any has changed.
   std::span<const float> ground() const { return puddles_; }
   std::uint32_t groundRevision() const { return groundRevision_; }
   Accounts accounts() const;

@@ -484,7 +484,7 @@ TEST(AppWater, OnlyWhatHasChangedGoesToTheGpu) {
   // A ground that is wet but does not change goes there once.
   basin.app.setWetness(1);
   basin.settle();
-  EXPECT_GE(bytes() - still, mask + wet::Water::kGroundCells * wet::Water::kGroundCells);
+  EXPECT_GE(bytes() - still, mask + wet::kGroundCells * wet::kGroundCells);
   EXPECT_LE(bytes() - still, static_cast<long>(basin.app.drops().size() * sizeof(wet::Drop)));
   EXPECT_GT(basin.app.water().accounts().dripped, 0);
 }

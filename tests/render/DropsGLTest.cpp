@@ -16,7 +16,7 @@ namespace {
 using test::Picture;
 using test::Stage;
 
-constexpr int kSide = 240, kCells = wet::Water::kGroundCells;
+constexpr int kSide = 240, kCells = wet::kGroundCells;
 
 struct Scene {
   Stage stage{kSide, kSide, 4};
@@ -208,8 +208,7 @@ TEST(WetGround, ShowsNoCells) {
   Random random(5);
   scene.puddles.assign(kCells * kCells, 0);
   for (std::uint8_t& cell : scene.puddles) cell = static_cast<std::uint8_t>(random.uniform(0, 90));
-  scene.frame.puddles = scene.puddles;
-  scene.frame.puddlesRevision = 1;
+  scene.frame.puddles = {scene.puddles, 1};
   const Picture p = scene.draw();
   // Between dry and wet it goes up and down without a kink, across cells and along them. Means of six pixels, free of the dither.
   const auto mean = [&](int x, int y, int dx, int dy) {
@@ -237,8 +236,7 @@ TEST(WetGround, MirrorsTheModelTowardsTheEye) {
   scene.frame.settings.lightYaw = 3.14f;
   scene.frame.settings.lightIntensity = 0;
   scene.puddles.assign(kCells * kCells, 255);
-  scene.frame.puddles = scene.puddles;
-  scene.frame.puddlesRevision = 1;
+  scene.frame.puddles = {scene.puddles, 1};
   Picture p = scene.draw();
   const auto at = [&](const Vec2& ground) {
     const Vec2 pixel = scene.pixelOf({ground.x, scene.frame.groundHeight, ground.y});
@@ -268,8 +266,7 @@ TEST(WetGround, IsDarkerWhereItSaysSoWithASoftEdgeAndCostsNothingWhenDry) {
       const Vec2 at = (Vec2(i, j) + 0.5f) * (2 * kGroundHalfSide / kCells) - kGroundHalfSide;
       if (glm::length(at - spot) < 0.4f) scene.puddles[static_cast<std::size_t>(j * kCells + i)] = 255;
     }
-  scene.frame.puddles = scene.puddles;
-  scene.frame.puddlesRevision = 1;
+  scene.frame.puddles = {scene.puddles, 1};
   const Picture p = scene.draw();
   const auto groundPixel = [&](const Vec2& at) { return scene.pixelOf({at.x, scene.frame.groundHeight, at.y}); };
   const auto change = [&](const Vec2& at) {

@@ -50,6 +50,13 @@ test('render may use scene but not its importers', () => {
   assert.equal(whats('src/render/A.cpp', '#include "scene/import/Gltf.h"').length, 1);
 });
 
+test('render sees plain outputs of wet, dynamics and hair, and never a solver', () => {
+  assert.deepEqual(whats('src/render/A.cpp', '#include "wet/Drop.h"\n#include "wet/MaskTexels.h"\n#include "wet/Puddles.h"'), []);
+  for (const solver of ['wet/Water.h', 'wet/WetnessMask.h', 'wet/SurfaceWetting.h', 'dynamics/BendField.h', 'hair/StrandShading.h']) {
+    assert.equal(whats('src/render/passes/drop/A.cpp', `#include "${solver}"`).length, 1, solver);
+  }
+});
+
 test('a path that climbs out of its folder is no way round', () => {
   assert.equal(whats('src/core/A.cpp', '#include "../render/Renderer.h"').length, 1);
 });

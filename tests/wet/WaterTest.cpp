@@ -327,7 +327,7 @@ TEST(Water, WhatTheGroundCannotTakeUpSpreadsOverIt) {
     pond.run(2);
   }
   const auto later = measure();
-  const double cell = 2.0 * Water::kGroundReach / Water::kGroundCells;
+  const double cell = 2.0 * kGroundReach / kGroundCells;
   EXPECT_NEAR(fallen[0] * cell * cell, 0.4, 1e-4);
   EXPECT_NEAR(later[0] * cell * cell, 0.4, 1e-3);
   EXPECT_LT(later[1], 0.2 * fallen[1]);
@@ -351,7 +351,7 @@ TEST(Water, DropsHangFromAndHitTheModelWhereItIsShown) {
   for (int i = 0; i < 120; ++i) {
     pond.water.step(posed, pond.mask, pond.climate);
     for (const Drop& drop : pond.water.drops()) {
-      if (drop.place == SurfaceTexels::kNone || drop.water == 0) continue;
+      if (!drop.hangs() || drop.water == 0) continue;
       hung = true;
       EXPECT_NEAR(glm::length(drop.position - aside), 1.07, 0.12);
     }
