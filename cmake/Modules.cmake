@@ -107,7 +107,7 @@ if(EMSCRIPTEN)
   set_source_files_properties("${CMAKE_SOURCE_DIR}/src/wet/Flow.cpp" PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-Os;-finline-functions>;-msimd128")
   # Every vertex, every frame: four at a time (dynamics/Lanes.h).
   target_compile_options(fur_dynamics PRIVATE "$<$<CONFIG:Release>:-Os;-finline-functions>" -msimd128)
-  foreach(source scene/Pose render/MovingSurface)
+  foreach(source scene/Pose render/MovingVertices render/passes/fin/MovingEdges)
     set_source_files_properties("${CMAKE_SOURCE_DIR}/src/${source}.cpp" PROPERTIES COMPILE_OPTIONS "-finline-functions;-msimd128")
   endforeach()
 endif()

@@ -25,8 +25,8 @@ Layout layoutOf(TexelFormat format) {
 
 GLenum targetOf(const TextureShape& shape) { return shape.layers > 0 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D; }
 
-// Uploads and new textures use the last unit, so that bindings made for a draw stay.
-constexpr int kWorkUnit = 15;
+// Uploads and new textures use the last unit that every context has, which no shader does, so that bindings made for a draw stay.
+constexpr int kWorkUnit = 31;
 
 bool hasLevels(const TextureShape& shape) {
   return shape.filter == Filter::Trilinear || shape.filter == Filter::Mipmapped || shape.filter == Filter::Crisp;

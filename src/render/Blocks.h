@@ -8,6 +8,11 @@
 
 namespace fur::render {
 
+// World space, unit, towards the key light.
+Vec3 lightDirection(const Frame& frame);
+// Whether strands are so large that one cut at a chart's border can be seen.
+bool chartsOverlap(const Frame& frame);
+
 shared::FrameBlock frameBlock(const Frame& frame);
 // One a fur type: the share of its densest layer that strands cover; 0: bald, or not there.
 using FurDensities = std::array<float, FUR_TYPES>;

@@ -1,5 +1,6 @@
 #include "render/FurTextures.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "furgen/Streaks.h"
@@ -33,28 +34,39 @@ void FurTextures::begin(int size, int layers, int finRows, int types) {
            mapOf(TexelFormat::RGBA8, size, finRows, types)};
 }
 
-void FurTextures::setLayer(int type, int layer, std::span<const furgen::PackedLevel> levels) {
+std::size_t FurTextures::setLayer(int type, int layer, std::span<const furgen::PackedLevel> levels) {
+  std::size_t uploaded = 0;
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const int level = static_cast<int>(i), at = type * nextLayers_ + layer;
     next_.coverage.updateLevel(level, at, gl::bytesOf(levels[i].coverage));
     next_.strand.updateLevel(level, at, gl::bytesOf(levels[i].strand));
     next_.offset.updateLevel(level, at, gl::bytesOf(levels[i].offset));
+    uploaded += levels[i].coverage.size() + levels[i].strand.size() + levels[i].offset.size();
     if (layer == nextLayers_ / 2 && level >= kStreaked) next_.streaked.push_back(levels[i]);
   }
+  return uploaded;
 }
 
-void FurTextures::setFin(int type, std::span<const furgen::PackedLevel> levels) {
+std::size_t FurTextures::setFin(int type, std::span<const furgen::PackedLevel> levels) {
+  std::size_t uploaded = 0;
   for (std::size_t i = 0; i < levels.size(); ++i) {
     next_.finCoverage.updateLevel(static_cast<int>(i), type, gl::bytesOf(levels[i].coverage));
     next_.finStrand.updateLevel(static_cast<int>(i), type, gl::bytesOf(levels[i].strand));
+    uploaded += levels[i].coverage.size() + levels[i].strand.size();
   }
+  return uploaded;
 }
 
-void FurTextures::show() {
+void FurTextures::show(std::span<const float> densities) {
   shown_ = std::exchange(next_, {});
   layers_ = nextLayers_;
   streaks_ = {};
+  densities_.fill(0);
+  std::copy_n(densities.begin(), std::min(densities.size(), densities_.size()), densities_.begin());
+  ++revision_;
 }
+
+float FurTextures::density() const { return *std::max_element(densities_.begin(), densities_.end()); }
 
 void FurTextures::makeStreaks() {
   if (shown_.streaked.empty()) return;

@@ -6,6 +6,7 @@
 
 #include "furgen/Packing.h"
 #include "gl/Objects.h"
+#include "render/Blocks.h"
 
 namespace fur::render {
 
@@ -13,14 +14,20 @@ class FurTextures {
  public:
   // What setLayer() and setFin() fill from now on; drops what came since the last show(). `types`: 1..4.
   void begin(int size, int layers, int finRows, int types);
-  void setLayer(int type, int layer, std::span<const furgen::PackedLevel> levels);
-  void setFin(int type, std::span<const furgen::PackedLevel> levels);
-  void show();
+  // Both return the bytes that were uploaded.
+  std::size_t setLayer(int type, int layer, std::span<const furgen::PackedLevel> levels);
+  std::size_t setFin(int type, std::span<const furgen::PackedLevel> levels);
+  // What has come takes the place of what is shown. One density a type, the others are bald.
+  void show(std::span<const float> densities);
   // `wet`: with the streaks, which are made the first time.
   void bind(bool wet);
 
   int size() const { return shown_.coverage.shape().width; }
   int layers() const { return layers_; }  // of one type
+  const FurDensities& densities() const { return densities_; }
+  float density() const;  // of the densest type; 0: all are bald
+  // Another number whenever other fur is shown.
+  unsigned long revision() const { return revision_; }
   std::size_t bytes() const { return shown_.bytes() + next_.bytes() + streaks_.bytes(); }
 
  private:
@@ -34,6 +41,8 @@ class FurTextures {
   Set shown_, next_;
   gl::Texture streaks_;
   int layers_ = 1, nextLayers_ = 1;
+  FurDensities densities_{};
+  unsigned long revision_ = 0;
 };
 
 }  // namespace fur::render

@@ -1,4 +1,4 @@
-#include "render/FurShadow.h"
+#include "render/passes/shadow/FurShadow.h"
 
 #include <functional>
 

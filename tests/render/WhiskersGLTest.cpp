@@ -3,7 +3,7 @@
 #include <numeric>
 
 #include "groom/Whiskers.h"
-#include "render/Whiskers.h"
+#include "render/passes/whisker/WhiskerPass.h"
 #include "tests/render/Picture.h"
 
 namespace fur::render {
@@ -98,7 +98,11 @@ TEST(Whiskers, CostNothingWhereThereAreNone) {
   scene.draw();
   EXPECT_EQ(scene.app.stats().gpuBytes, before.gpuBytes);
   Programs programs;
-  EXPECT_TRUE(render::Whiskers().draw(programs, kPlain)) << "and nothing is compiled, with no context's help";
+  const Frame frame;
+  const Look look(frame, true, false);
+  const SurfaceBuffers none;
+  std::size_t uploadedBytes = 0;
+  EXPECT_TRUE(WhiskerPass().draw({frame, look, none, programs, uploadedBytes})) << "and nothing is compiled, with no context's help";
 }
 
 TEST(Whiskers, TaperAndAreAsWideAsTheDistanceHasThem) {

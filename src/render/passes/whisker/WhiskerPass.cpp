@@ -1,4 +1,4 @@
-#include "render/Whiskers.h"
+#include "render/passes/whisker/WhiskerPass.h"
 
 #include "shared/Blocks.h"
 
@@ -18,7 +18,7 @@ static_assert(sizeof(WhiskerHair) == 27 * sizeof(float) && FUR_WHISKER_POINTS ==
 
 }  // namespace
 
-std::size_t Whiskers::set(std::span<const WhiskerHair> hairs) {
+std::size_t WhiskerPass::set(std::span<const WhiskerHair> hairs) {
   count_ = static_cast<int>(hairs.size());
   array_ = {};
   hairs_ = {};
@@ -28,9 +28,9 @@ std::size_t Whiskers::set(std::span<const WhiskerHair> hairs) {
   return hairs_.bytes();
 }
 
-Status Whiskers::draw(Programs& programs, unsigned variant) const {
+Status WhiskerPass::draw(const Drawing& drawing) const {
   if (count_ == 0) return Done{};
-  const auto program = programs.use(Shader::Whisker, variant);
+  const auto program = drawing.programs.use(Shader::Whisker, drawing.look.whiskers());
   if (!program) return program.error();
   gl::apply({.cullBack = false, .alphaToCoverage = true, .alpha = false});
   array_.drawStrips(2 * FUR_WHISKER_POINTS, count_);

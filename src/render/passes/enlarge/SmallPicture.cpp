@@ -1,9 +1,9 @@
-#include "render/SmallPicture.h"
+#include "render/passes/enlarge/SmallPicture.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "render/Blocks.h"
+#include "shared/Blocks.h"
 
 namespace fur::render {
 

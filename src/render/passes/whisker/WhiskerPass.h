@@ -4,18 +4,16 @@
 
 #include <span>
 
-#include "gl/Objects.h"
 #include "groom/Whiskers.h"
-#include "render/Programs.h"
+#include "render/passes/Drawing.h"
 
 namespace fur::render {
 
-class Whiskers {
+class WhiskerPass {
  public:
-  // Returns the bytes that were uploaded.
+  // Those that stand on the surface, until the next call. Returns the bytes that were uploaded.
   std::size_t set(std::span<const groom::WhiskerHair> hairs);
-  // With the textures and blocks of the frame bound. `variant`: kWet, kMarschner and the shadow's.
-  Status draw(Programs& programs, unsigned variant) const;
+  Status draw(const Drawing& drawing) const;
   std::size_t bytes() const { return hairs_.bytes(); }
 
  private:

@@ -1,4 +1,4 @@
-#include "render/MovingSurface.h"
+#include "render/passes/fin/MovingEdges.h"
 
 namespace fur::render {
 
@@ -16,14 +16,7 @@ struct EdgeAxes {
 
 }  // namespace
 
-MovingSurface::MovingSurface(std::vector<SkinVertex> vertices, std::span<const Vec3> tangents, std::span<const FinEdge> edges)
-    : vertices_(std::move(vertices)) {
-  gradients_.reserve(vertices_.size());
-  for (std::size_t i = 0; i < vertices_.size(); ++i) {
-    const SkinVertex& v = vertices_[i];
-    const Vec3 aside = glm::cross(Vec3(v.normal), tangents[i]), s(v.gradS);
-    gradients_.emplace_back(glm::dot(s, tangents[i]), glm::dot(s, aside), glm::dot(v.gradT, tangents[i]), glm::dot(v.gradT, aside));
-  }
+MovingEdges::MovingEdges(std::span<const FinEdge> edges) {
   faceNormals_.reserve(edges.size());
   for (const FinEdge& e : edges) {
     const EdgeAxes axes(e.positionA, e.positionB, Vec3(e.normalA + e.normalB));
@@ -32,16 +25,7 @@ MovingSurface::MovingSurface(std::vector<SkinVertex> vertices, std::span<const V
   }
 }
 
-void MovingSurface::follow(const Skin& skin, std::vector<FinEdge>& edges) {
-  for (std::size_t i = 0; i < vertices_.size(); ++i) {
-    const Vec3 &p = skin.positions[i], &n = skin.normals[i], &t = skin.tangents[i], aside = glm::cross(n, t);
-    const Vec4& g = gradients_[i];
-    SkinVertex& v = vertices_[i];
-    v.position = Vec4(p, v.position.w);
-    v.normal = Vec4(n, v.normal.w);
-    v.gradS = Vec4(t * g.x + aside * g.y, v.gradS.w);
-    v.gradT = t * g.z + aside * g.w;
-  }
+void MovingEdges::follow(const Skin& skin, std::vector<FinEdge>& edges) const {
   for (std::size_t i = 0; i < edges.size(); ++i) {
     FinEdge& e = edges[i];
     const auto a = static_cast<std::size_t>(e.positionA.w), b = static_cast<std::size_t>(e.positionB.w);

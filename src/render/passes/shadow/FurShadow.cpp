@@ -1,7 +1,9 @@
-#include "render/FurShadow.h"
+#include "render/passes/shadow/FurShadow.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "render/passes/ball/BallPass.h"
 
 namespace fur::render {
 
@@ -85,7 +87,7 @@ Status FurShadow::drawFirst(Programs& programs, const Key& key, bool layers, con
     if (key.ball.w <= 0 || skin != layers) continue;
     program = programs.use(Shader::ShadowMap, kBall);
     if (!program) return program.error();
-    gl::drawWithoutVertices(6 * FUR_BALL_AROUND * FUR_BALL_DOWN);
+    drawBallTriangles();
   }
   return Done{};
 }

@@ -1,4 +1,6 @@
-#include "render/Drops.h"
+#include "render/passes/drop/DropPass.h"
+
+#include <vector>
 
 #include "shared/Blocks.h"
 
@@ -18,14 +20,10 @@ constexpr gl::Attribute kAttributes[] = {
 // Pieces of a jet that are further apart than so many steps of the first are of two jets.
 constexpr float kApart = 3.0f;
 
-}  // namespace
-
-Status Drops::draw(Programs& programs, std::span<const wet::Drop> drops, std::size_t& uploadedBytes) {
-  if (drops.empty()) return Done{};
-  const auto program = programs.use(Shader::Drop, kPlain);
-  if (!program) return program.error();
-  std::vector<Instance> instances(drops.size());
-  Instance* next = instances.data();
+// The place and the way on which each is seen in a sixtieth of a second.
+std::vector<Instance> instancesOf(std::span<const wet::Drop> drops) {
+  std::vector<Instance> instances;
+  instances.reserve(drops.size());
   // The piece of a jet that set out before.
   const wet::Drop* before = nullptr;
   for (const wet::Drop& drop : drops) {
@@ -42,17 +40,27 @@ Status Drops::draw(Programs& programs, std::span<const wet::Drop> drops, std::si
       }
       before = &drop;
     }
-    *next++ = one;
+    instances.push_back(one);
   }
-  if (drops_.bytes() == 0) {
-    drops_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(instances), true);
-    array_ = gl::VertexArray(drops_, sizeof(Instance), kAttributes, 1, nullptr);
+  return instances;
+}
+
+}  // namespace
+
+Status DropPass::draw(const Drawing& drawing) {
+  if (drawing.frame.drops.empty()) return Done{};
+  const auto program = drawing.programs.use(Shader::Drop, kPlain);
+  if (!program) return program.error();
+  const std::vector<Instance> instances = instancesOf(drawing.frame.drops);
+  if (instances_.bytes() == 0) {
+    instances_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(instances), true);
+    array_ = gl::VertexArray(instances_, sizeof(Instance), kAttributes, 1, nullptr);
   } else {
-    drops_.update(gl::bytesOf(instances));
+    instances_.update(gl::bytesOf(instances));
   }
-  uploadedBytes += gl::bytesOf(instances).size();
+  drawing.uploadedBytes += gl::bytesOf(instances).size();
   gl::apply({.depthWrite = false, .cullBack = false, .blend = gl::Blend::Over});
-  array_.drawStrips(4, static_cast<int>(drops.size()));
+  array_.drawStrips(4, static_cast<int>(instances.size()));
   return Done{};
 }
 

@@ -1,0 +1,123 @@
+#include "render/Blocks.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/StrandTables.h"
+#include "render/passes/background/BackgroundPass.h"
+#include "render/passes/ball/BallPass.h"
+#include "render/passes/ground/GroundPass.h"
+#include "settings/Presets.h"
+
+namespace fur::render {
+
+namespace {
+
+// From this share of its densest layer up a coat keeps the light from its roots.
+constexpr float kCrowdedDensity = 0.35f;
+// What the key light and the rim light are at the settings' 1.
+constexpr float kKeyLight = 2.2f, kRimLight = 2.4f;
+// Of the fill light that much comes from all round, which skin gets, too.
+constexpr float kFillAround = 0.25f;
+
+void fillCamera(const Frame& frame, shared::FrameBlock& block) {
+  const Mat4 modelFromWorld = glm::inverse(frame.worldFromModel);
+  block.clipFromWorld = clipFromWorld(frame);
+  block.clipFromModel = block.clipFromWorld * frame.worldFromModel;
+  block.worldFromModel = frame.worldFromModel;
+  block.eye = modelFromWorld * Vec4(frame.camera.eye, 1);
+  block.up = modelFromWorld * Vec4(0, 1, 0, 0);
+  block.pixelsPerUnit = pixelsPerUnit(frame);
+  block.pictureHeight = static_cast<float>(frame.height);
+  block.bottomRow = static_cast<float>(frame.bottomRow);
+  block.exposure = frame.settings.exposure;
+  block.viewLayer = frame.settings.viewLayer;
+}
+
+void fillLights(const Frame& frame, shared::FrameBlock& block) {
+  const settings::Settings& s = frame.settings;
+  block.lightWorld = Vec4(lightDirection(frame), 0);
+  block.light = glm::inverse(frame.worldFromModel) * block.lightWorld;
+  block.lightIntensity = kKeyLight * s.lightIntensity;
+  block.keyLight = Vec4(settings::linearColor(s.keyColor) * block.lightIntensity, 1);
+  block.fillLight = (1 - kFillAround) * s.fillLight;
+  block.backLight = Vec4(settings::linearColor(s.rimColor) * (kRimLight * s.rimLight), 1);
+  // The surroundings light the fur with their own colour, half of it taken out.
+  const Vec3 top = settings::linearColor(s.backgroundTop), bottom = settings::linearColor(s.backgroundBottom);
+  const Vec3 around(kFillAround * s.fillLight);
+  block.sky = Vec4(s.ambient * glm::mix(Vec3(0.75f), top, 0.5f) * settings::linearColor(s.skyColor) + around, 1);
+  block.floorLight = Vec4(s.ambient * 0.55f * glm::mix(Vec3(0.6f), bottom, 0.5f) * settings::linearColor(s.groundColor) + around, 1);
+}
+
+void fillTypes(const Frame& frame, const FurDensities& densities, shared::FurBlock& coat) {
+  const Vec3 factor(frame.baseColorFactor);
+  for (int type = 0; type < FUR_TYPES; ++type) {
+    const settings::Settings look = settings::typeCoat(frame.settings, type);
+    coat.rootColors[type] = Vec4(settings::linearColor(look.rootColor) * factor, 1);
+    coat.tipColors[type] = Vec4(settings::linearColor(look.tipColor) * factor, 1);
+    coat.typeGrows[type] = densities[static_cast<std::size_t>(type)] > 0;
+    coat.typeVariance[type] = look.variance;
+    coat.typeRise[type] = 1 / std::max(settings::typeHeight(frame.settings, type), 1e-6f);
+  }
+  coat.density = *std::max_element(densities.begin(), densities.end());
+}
+
+void fillShading(const Frame& frame, shared::FurBlock& coat) {
+  const settings::Settings& s = frame.settings;
+  // Where few strands stand, they hardly darken each other and the skin.
+  const float crowding = saturate(coat.density / kCrowdedDensity);
+  coat.skinColor = Vec4(settings::linearColor(s.skinColor) * Vec3(frame.baseColorFactor), 1);
+  coat.lobePeak = 0.39894228f / strandLobeWidth(s);
+  coat.lambert = s.lambert;
+  coat.specular = s.specular;
+  coat.shininess = s.shininess;
+  coat.strandShadow = s.strandShadow * crowding;
+  coat.occlusion = s.occlusion * crowding;
+  coat.textureAmount = s.textureAmount;
+  coat.wetDarkening = s.wetDarkening;
+  coat.wetGloss = s.wetGloss;
+}
+
+}  // namespace
+
+Vec3 lightDirection(const Frame& frame) {
+  const Vec3 view = frame.camera.eye - frame.camera.target;
+  const float yaw = frame.settings.lightYaw + (frame.settings.lightFollowsCamera ? std::atan2(view.x, view.z) : 0), pitch = frame.settings.lightPitch;
+  return {std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)};
+}
+
+// Below two texels a pixel; a strand is some four texels wide.
+bool chartsOverlap(const Frame& frame) {
+  const float distance = glm::length(frame.camera.eye - frame.camera.target);
+  return frame.settings.repeat * 256.0f * distance < 2.0f * pixelsPerUnit(frame);
+}
+
+shared::FrameBlock frameBlock(const Frame& frame) {
+  shared::FrameBlock block{};
+  fillCamera(frame, block);
+  fillLights(frame, block);
+  fillBackground(frame, block);
+  fillGround(frame, block);
+  fillBall(frame, block);
+  return block;
+}
+
+shared::FurBlock furBlock(const Frame& frame, int tileSize, int storedLayers, const FurDensities& densities, int maskSize) {
+  const settings::Settings& s = frame.settings;
+  shared::FurBlock coat{};
+  coat.furLength = s.furLength;
+  coat.tilesPerUnit = s.repeat * 256.0f / static_cast<float>(tileSize);
+  coat.layers = static_cast<float>(s.layers);
+  coat.slabs = static_cast<float>(frame.slabs);
+  coat.tileTexels = static_cast<float>(tileSize);
+  coat.storedLayers = static_cast<float>(storedLayers);
+  coat.stepLength = frame.stepLength;
+  coat.chartsOverlap = chartsOverlap(frame);
+  coat.clumpShape = s.clumpShape;
+  coat.maskTexels = static_cast<float>(maskSize);
+  fillTypes(frame, densities, coat);
+  fillShading(frame, coat);
+  return coat;
+}
+
+}  // namespace fur::render

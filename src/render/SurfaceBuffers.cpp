@@ -1,0 +1,90 @@
+#include "render/SurfaceBuffers.h"
+
+#include <cmath>
+
+#include "core/Assert.h"
+#include "geometry/Weld.h"
+#include "shared/Blocks.h"
+
+namespace fur::render {
+
+namespace {
+
+// What of a vertex stays when the skin moves; as shared/Blocks.h lists the attributes.
+struct FurVertex {
+  Vec4 uvAtlas, fur, atlasFromFur;
+  Vec4 around;
+  Vec2 lean;
+};
+static_assert(sizeof(FurVertex) == 18 * sizeof(float));
+
+constexpr gl::Attribute kSkinAttributes[] = {
+    {FUR_POSITION, 4, offsetof(SkinVertex, position)}, {FUR_NORMAL, 4, offsetof(SkinVertex, normal)},
+    {FUR_GRAD_S, 4, offsetof(SkinVertex, gradS)},      {FUR_GRAD_T, 3, offsetof(SkinVertex, gradT)},
+};
+constexpr gl::Attribute kFurAttributes[] = {
+    {FUR_UV_ATLAS, 4, offsetof(FurVertex, uvAtlas)}, {FUR_FUR_COORD, 4, offsetof(FurVertex, fur)},
+    {FUR_ATLAS_FROM_FUR, 4, offsetof(FurVertex, atlasFromFur)}, {FUR_AROUND, 4, offsetof(FurVertex, around)},
+    {FUR_LEAN, 2, offsetof(FurVertex, lean)},
+};
+
+// FUR_AROUND: the middle of the largest triangle at that place, which is in its chart where the place may lie on a border.
+void findSurroundings(const geometry::Surface& surface, std::vector<FurVertex>& vertices) {
+  std::vector<Vec3> positions;
+  for (const auto& v : surface.vertices) positions.push_back(v.position);
+  const geometry::Weld weld = geometry::weldPositions(positions);
+  std::vector<Vec3> found(weld.count, Vec3(0));
+  for (std::size_t i = 0; i < surface.indices.size(); i += 3) {
+    const auto atlas = [&](std::size_t k) { return surface.vertices[surface.indices[i + k]].atlas; };
+    const Vec2 a = atlas(0), b = atlas(1) - a, c = atlas(2) - a;
+    const float edge = std::sqrt(std::abs(b.x * c.y - b.y * c.x));
+    for (std::size_t k = 0; k < 3; ++k) {
+      Vec3& at = found[weld.idOf[surface.indices[i + k]]];
+      if (edge > at.z) at = Vec3(a + (b + c) / 3.0f, edge);
+    }
+  }
+  for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i].around = Vec4(found[weld.idOf[i]], surface.turned ? 1.0f : 0.0f);
+}
+
+}  // namespace
+
+std::size_t SurfaceBuffers::set(const geometry::Surface& surface, std::span<const Vec3> tangents) {
+  std::vector<SkinVertex> vertices;
+  std::vector<FurVertex> furVertices;
+  for (const auto& v : surface.vertices) {
+    vertices.push_back({Vec4(v.position, v.strands.x), Vec4(v.normal, v.strands.y), Vec4(v.gradS, v.curvature.z), v.gradT});
+    furVertices.push_back({Vec4(v.uv, v.atlas), Vec4(v.fur, v.curvature.x, v.curvature.y), v.atlasFromFur, {}, v.lean});
+  }
+  findSurroundings(surface, furVertices);
+  vertices_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(vertices), !tangents.empty());
+  furVertices_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(furVertices), false);
+  indices_ = gl::Buffer(gl::BufferKind::Index, gl::bytesOf(surface.indices), false);
+  array_ = arrayOver(indices_);
+  vertexCount_ = static_cast<int>(surface.vertices.size());
+  indexCount_ = static_cast<int>(surface.indices.size());
+  twoSided_ = surface.sheets;
+  moving_.reset();
+  if (!tangents.empty()) moving_.emplace(std::move(vertices), tangents);
+  ++revision_;
+  return bytes();
+}
+
+std::size_t SurfaceBuffers::follow(const Skin& skin) {
+  FUR_ASSERT(moving_.has_value(), "SurfaceBuffers::follow()", "a surface with tangents", "one without");
+  moving_->follow(skin);
+  vertices_.update(std::as_bytes(moving_->vertices()));
+  ++revision_;
+  return vertices_.bytes();
+}
+
+gl::VertexArray SurfaceBuffers::arrayOver(const gl::Buffer& indices) const {
+  gl::VertexArray array(vertices_, sizeof(SkinVertex), kSkinAttributes, 0, &indices);
+  array.add(furVertices_, sizeof(FurVertex), kFurAttributes, 0);
+  return array;
+}
+
+gl::VertexArray SurfaceBuffers::instanceArray() const {
+  return gl::VertexArray(vertices_, sizeof(SkinVertex), std::span(kSkinAttributes).first(2), 1, nullptr);
+}
+
+}  // namespace fur::render

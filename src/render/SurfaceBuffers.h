@@ -1,0 +1,44 @@
+// The model's vertices and triangles on the GPU, which most passes draw or read.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "geometry/Surface.h"
+#include "gl/Objects.h"
+#include "render/MovingVertices.h"
+
+namespace fur::render {
+
+class SurfaceBuffers {
+ public:
+  // `tangents`, one a vertex, for a surface that will change its shape: follow(). What the shape was like stays
+  // where it matters little: curvature, the stretch of the tile. Both return the bytes that were uploaded.
+  std::size_t set(const geometry::Surface& surface, std::span<const Vec3> tangents);
+  std::size_t follow(const Skin& skin);
+
+  void draw(int instances) const { array_.drawIndexed(indexCount_, instances); }
+  const gl::VertexArray& array() const { return array_; }
+  int indexCount() const { return indexCount_; }
+  int vertexCount() const { return vertexCount_; }
+  bool twoSided() const { return twoSided_; }  // it has sheets, whose skin is seen from both sides
+  // Another number whenever it is another surface or has another shape.
+  unsigned long revision() const { return revision_; }
+
+  // The same vertices in other triangles. Until the next set(), as the next one.
+  gl::VertexArray arrayOver(const gl::Buffer& indices) const;
+  // One instance a vertex, of its position and normal alone.
+  gl::VertexArray instanceArray() const;
+
+  std::size_t bytes() const { return vertices_.bytes() + furVertices_.bytes() + indices_.bytes(); }
+
+ private:
+  gl::Buffer vertices_, furVertices_, indices_;
+  gl::VertexArray array_;
+  int vertexCount_ = 0, indexCount_ = 0;
+  bool twoSided_ = false;
+  unsigned long revision_ = 0;
+  std::optional<MovingVertices> moving_;
+};
+
+}  // namespace fur::render

@@ -1,0 +1,45 @@
+// What lies on the model: the textures over its atlas and its picture, and a bend a vertex.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "geometry/AtlasTexels.h"
+#include "gl/Objects.h"
+#include "groom/Groom.h"
+#include "render/Frame.h"
+#include "wet/MaskTexels.h"
+
+namespace fur::render {
+
+// What fills them returns the bytes that were uploaded.
+class SurfaceMaps {
+ public:
+  // White, and fur of full length everywhere. Needs a context.
+  std::size_t create();
+  // Straight RGBA8 in sRGB. {} makes it white.
+  std::size_t setBaseColor(int width, int height, std::span<const std::uint8_t> rgba);
+  // A mask of another size than the one before comes whole.
+  std::size_t updateMask(const wet::MaskTexels& mask);
+  // One a vertex; w: length of the fur there, a share; for View::Forces the forces.
+  std::size_t updateBends(std::span<const Vec4> bends);
+  // Only what has changed; all of a map of another size.
+  std::size_t updateGroom(const groom::GroomMap& map, const geometry::TexelRect& changed);
+  std::size_t updatePaint(const groom::GroomMap& paint, const geometry::TexelRect& changed);
+  std::size_t updateShape(const groom::GroomMap& shape, const geometry::TexelRect& changed);
+
+  // Those that the frame's shaders read, to their units.
+  void bind(const Frame& frame) const;
+  bool hasPicture() const { return hasPicture_; }
+  int maskSize() const { return mask_.shape().width; }
+  // Another number whenever strands stand otherwise: bends or groom are others.
+  unsigned long revision() const { return revision_; }
+  std::size_t bytes() const;
+
+ private:
+  gl::Texture mask_, bends_, baseColor_, groom_, paint_, shape_, lockCentres_;
+  bool hasPicture_ = false;
+  unsigned long revision_ = 0;
+};
+
+}  // namespace fur::render

@@ -1,0 +1,26 @@
+// What every pass is given of the picture that is being drawn, and what several of them ask.
+#pragma once
+
+#include <cstddef>
+
+#include "render/Frame.h"
+#include "render/Look.h"
+#include "render/Programs.h"
+#include "render/SurfaceBuffers.h"
+
+namespace fur::render {
+
+struct Drawing {
+  const Frame& frame;  // its size is that of the picture which is drawn, not of the one to which it is enlarged
+  const Look& look;
+  const SurfaceBuffers& surface;
+  Programs& programs;
+  std::size_t& uploadedBytes;  // passes add theirs
+};
+
+Vec3 eyeInModel(const Frame& frame);
+
+// How a pass is drawn: as usual, or its fragments counted.
+gl::DrawState stateOf(unsigned variant, const gl::DrawState& usual);
+
+}  // namespace fur::render

@@ -1,0 +1,80 @@
+#include "render/passes/fin/FinPass.h"
+
+#include <algorithm>
+
+#include "shared/Blocks.h"
+
+namespace fur::render {
+
+namespace {
+
+constexpr gl::Attribute kAttributes[] = {
+    {FUR_FIN_POSITION_A, 4, offsetof(FinEdge, positionA)}, {FUR_FIN_POSITION_B, 4, offsetof(FinEdge, positionB)},
+    {FUR_FIN_NORMAL_A, 4, offsetof(FinEdge, normalA)},     {FUR_FIN_NORMAL_B, 4, offsetof(FinEdge, normalB)},
+    {FUR_FIN_FACE_0, 4, offsetof(FinEdge, face0)},         {FUR_FIN_FACE_1, 4, offsetof(FinEdge, face1)},
+    {FUR_FIN_ATLAS, 4, offsetof(FinEdge, atlas)},
+};
+
+// fin.vert's test for the outline, with a margin for its rounding.
+bool onOutline(const FinEdge& e, const Vec3& toEye) {
+  const float facing0 = glm::dot(Vec3(e.face0), toEye), facing1 = glm::dot(Vec3(e.face1), toEye);
+  return facing0 * facing1 < FUR_SILHOUETTE + 1e-3f && std::max(facing0, facing1) > FUR_HORIZON - 1e-3f;
+}
+
+}  // namespace
+
+std::size_t FinPass::set(const geometry::Surface& surface, bool moves) {
+  edges_ = finEdges(surface);
+  moving_.reset();
+  if (moves) moving_.emplace(edges_);
+  setLengths({});
+  instances_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(edges_), true);
+  array_ = gl::VertexArray(instances_, sizeof(FinEdge), kAttributes, 1, nullptr);
+  return instances_.bytes();
+}
+
+void FinPass::follow(const Skin& skin) {
+  moving_->follow(skin, edges_);
+  selectedFor_.reset();
+}
+
+void FinPass::setLengths(std::span<const float> vertexLengths) {
+  vertexLengths_.assign(vertexLengths.begin(), vertexLengths.end());
+  selectedFor_.reset();
+}
+
+// Those that fin.vert would not collapse. `pixels` that they are high at distance 1; 0: all edges on the outline, also those
+// where rays show it.
+void FinPass::select(const Drawing& drawing, float pixels) {
+  const Vec3 eye = eyeInModel(drawing.frame);
+  if (selectedFor_ == Vec4(eye, pixels)) return;
+  selectedFor_ = Vec4(eye, pixels);
+  std::vector<FinEdge> seen;
+  for (const FinEdge& e : edges_) {
+    if (e.normalB.w >= FUR_FIN_ROUND && pixels > 0) continue;
+    if (bald(e.positionA.w) && bald(e.positionB.w)) continue;
+    const Vec3 way = eye - 0.5f * (Vec3(e.positionA) + Vec3(e.positionB));
+    const float away = glm::length(way);
+    if (pixels > 0 && pixels * 1.001f < away * static_cast<float>(FUR_FIN_PIXELS)) continue;
+    if (onOutline(e, way / away)) seen.push_back(e);
+  }
+  count_ = static_cast<int>(seen.size());
+  if (seen.empty()) return;
+  instances_.update(gl::bytesOf(seen));
+  drawing.uploadedBytes += seen.size() * sizeof(FinEdge);
+}
+
+Status FinPass::draw(const Drawing& drawing, unsigned view) {
+  const bool lines = view & kViewEdges;
+  const Frame& frame = drawing.frame;
+  if (!drawing.look.furry() || !(frame.settings.fins || lines)) return Done{};
+  select(drawing, lines ? 0 : frame.settings.furLength * pixelsPerUnit(frame));
+  if (count_ == 0) return Done{};
+  const auto program = drawing.programs.use(Shader::Fin, drawing.look.fins(view));
+  if (!program) return program.error();
+  gl::apply(stateOf(view, {.cullBack = false, .alphaToCoverage = !lines, .alpha = false}));
+  array_.drawStrips(2 * (FUR_FIN_SEGMENTS + 1), count_);
+  return Done{};
+}
+
+}  // namespace fur::render

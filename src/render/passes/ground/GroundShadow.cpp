@@ -1,0 +1,69 @@
+#include "render/passes/ground/GroundShadow.h"
+
+#include "render/Blocks.h"
+#include "render/passes/ball/BallPass.h"
+
+namespace fur::render {
+
+namespace {
+
+constexpr int kSize = 128;
+
+}  // namespace
+
+void GroundShadow::create() {
+  for (int i = 0; i < 2; ++i) {
+    maps_[i] = gl::Texture({gl::TexelFormat::RGBA8, kSize, kSize, 0}, {});
+    targets_[i] = gl::Target::toTexture(maps_[i]);
+  }
+}
+
+void GroundShadow::drawNothing() const {
+  targets_[1].bind();
+  gl::clear(Vec4(0));
+  gl::bindPlatformFramebuffer();
+}
+
+Status GroundShadow::drawModel(const Drawing& drawing) {
+  targets_[0].bind();
+  gl::clear(Vec4(0));
+  const auto flat = drawing.programs.use(Shader::GroundShadow, kPlain);
+  if (!flat) return flat.error();
+  gl::apply({.depthTest = false, .depthWrite = false, .cullBack = false, .blend = gl::Blend::Add});
+  // Along the light, straight down, and where the eye sees it mirrored.
+  drawing.surface.draw(drawing.frame.puddles.empty() ? 2 : 3);
+  if (drawing.frame.ball.w <= 0) return Done{};
+  const auto round = drawing.programs.use(Shader::GroundShadow, kBall);
+  if (!round) return round.error();
+  drawBallTriangles();
+  return Done{};
+}
+
+Status GroundShadow::blur(Programs& programs) {
+  const auto program = programs.use(Shader::Blur, kPlain);
+  if (!program) return program.error();
+  gl::apply({.depthTest = false, .depthWrite = false, .cullBack = false});
+  // Across into [1], down back into [0].
+  for (const int from : {0, 1}) {
+    targets_[1 - from].bind();
+    maps_[from].bind(FUR_UNIT_GROUND);
+    gl::drawWithoutVertices(3, 3 * from);
+  }
+  return Done{};
+}
+
+Status GroundShadow::update(const Drawing& drawing) {
+  const Frame& frame = drawing.frame;
+  if (!frame.settings.ground) return Done{};
+  const Key key{drawing.surface.revision(), frame.worldFromModel, lightDirection(frame), frame.settings.furLength, frame.groundHeight,
+                frame.ball, frame.puddles.empty() ? Vec3(0) : frame.camera.eye};
+  if (key_ == key) return Done{};
+  gl::setViewport(kSize, kSize);
+  Status status = drawModel(drawing);
+  if (status) status = blur(drawing.programs);
+  gl::bindPlatformFramebuffer();
+  if (status) key_ = key;
+  return status;
+}
+
+}  // namespace fur::render

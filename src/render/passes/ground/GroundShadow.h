@@ -1,0 +1,38 @@
+// The model's shadow on the ground, and on wet ground its mirror image: a small map, drawn anew when what it shows changes.
+#pragma once
+
+#include <optional>
+
+#include "render/passes/Drawing.h"
+
+namespace fur::render {
+
+class GroundShadow {
+ public:
+  void create();
+  // Needs both blocks bound. Leaves the platform's framebuffer bound, and where it has drawn another viewport.
+  Status update(const Drawing& drawing);
+  const gl::Texture& map() const { return maps_[0]; }
+  // Draws nothing that is kept, into a target of its own.
+  void drawNothing() const;
+  std::size_t bytes() const { return maps_[0].bytes() + maps_[1].bytes(); }
+
+ private:
+  struct Key {
+    unsigned long surface;
+    Mat4 worldFromModel;
+    Vec3 light;
+    float length, height;
+    Vec4 ball;
+    Vec3 mirrorsTo;  // the eye, where the ground is wet
+    bool operator==(const Key&) const = default;
+  };
+  Status drawModel(const Drawing& drawing);
+  Status blur(Programs& programs);
+
+  gl::Texture maps_[2];  // [1]: half blurred
+  gl::Target targets_[2];
+  std::optional<Key> key_;
+};
+
+}  // namespace fur::render

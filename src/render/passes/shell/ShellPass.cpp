@@ -1,0 +1,62 @@
+#include "render/passes/shell/ShellPass.h"
+
+#include <utility>
+#include <vector>
+
+#include "render/Blocks.h"
+
+namespace fur::render {
+
+std::size_t ShellPass::set(const geometry::Surface& surface, const SurfaceBuffers& buffers) {
+  setPatches({surface.furIndices, surface.ownFurIndices, surface.furClusters});
+  indices_ = gl::Buffer(gl::BufferKind::Index, gl::bytesOf(patches_.indices), true);
+  array_ = buffers.arrayOver(indices_);
+  return indices_.bytes();
+}
+
+void ShellPass::follow(const Skin& skin) {
+  for (geometry::FurCluster& cluster : patches_.clusters) {
+    // It may face any way now.
+    if (std::exchange(cluster.cosine, -1.0f) > 0) orderedFor_.reset();
+    cluster.centre = skin.positions[patches_.indices[cluster.first]];
+  }
+}
+
+void ShellPass::setPatches(geometry::FurPatches patches) {
+  patches_ = std::move(patches);
+  orderedFor_.reset();
+}
+
+// Near to far: what is covered is rejected by depth. Without what faces away.
+void ShellPass::order(const Drawing& drawing, float reach, bool overlapping) {
+  const Vec3 eye = eyeInModel(drawing.frame);
+  if (orderedFor_ == Vec4(eye, reach) && orderedOverlapping_ == overlapping) return;
+  orderedFor_ = Vec4(eye, reach);
+  orderedOverlapping_ = overlapping;
+  std::vector<std::uint32_t> seen;
+  seen.reserve(patches_.indices.size());
+  for (const std::uint32_t i : geometry::clustersNearToFar(patches_.clusters, eye, reach)) {
+    const geometry::FurCluster& c = patches_.clusters[i];
+    const auto first = overlapping ? patches_.indices.begin() + c.first : patches_.ownIndices.begin() + c.ownFirst;
+    seen.insert(seen.end(), first, first + (overlapping ? c.count : c.ownCount));
+  }
+  indexCount_ = static_cast<int>(seen.size());
+  if (seen.empty()) return;
+  indices_.update(gl::bytesOf(seen));
+  drawing.uploadedBytes += seen.size() * sizeof(std::uint32_t);
+}
+
+Status ShellPass::draw(const Drawing& drawing, unsigned view) {
+  if (!drawing.look.furry()) return Done{};
+  const Frame& frame = drawing.frame;
+  const auto program = drawing.programs.use(Shader::Shell, drawing.look.shells(view));
+  if (!program) return program.error();
+  const bool exploded = view & kViewExploded;
+  order(drawing, frame.settings.furLength + (exploded ? FUR_EXPLODED_SHELLS * FUR_EXPLODED_GAP : 0), chartsOverlap(frame) && !exploded);
+  if (indexCount_ == 0) return Done{};
+  gl::apply(stateOf(view, {.alphaToCoverage = true, .alpha = false}));
+  array_.drawIndexed(indexCount_, exploded ? FUR_EXPLODED_SHELLS : view & kViewLayer ? 1 : frame.slabs);
+  return Done{};
+}
+
+}  // namespace fur::render

@@ -1,0 +1,10 @@
+// Draws the surface: bare, or what is left to see of it behind fur.
+#pragma once
+
+#include "render/passes/Drawing.h"
+
+namespace fur::render {
+
+Status drawSkin(const Drawing& drawing, unsigned variant);
+
+}  // namespace fur::render
