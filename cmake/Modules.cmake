@@ -38,7 +38,11 @@ fur_library(fur_dynamics src/dynamics ${FUR_FIELDS})
 fur_library(fur_groom src/groom ${FUR_FIELDS} fur_dynamics)
 fur_library(fur_hair src/hair ${FUR_FIELDS})
 fur_library(fur_scene src/scene fur_furgen fur_groom fur_wet fur_dynamics fur_hair)
-set(FUR_PURE_MODULES fur_core fur_tools fur_geometry fur_settings fur_furgen fur_groom fur_wet fur_dynamics fur_hair fur_scene)
+# Wiring without a context: what a person did, and the stages from input to what is drawn.
+fur_library(fur_commands src/app/commands fur_tools fur_groom fur_wet)
+fur_library(fur_stages src/app/stages fur_commands fur_scene)
+set(FUR_PURE_MODULES fur_core fur_tools fur_geometry fur_settings fur_furgen fur_groom fur_wet fur_dynamics fur_hair fur_scene fur_commands
+  fur_stages)
 
 if(NOT EMSCRIPTEN)
   # The reference renderer: minutes of several threads, nothing for a web page.
@@ -73,7 +77,7 @@ if(TARGET third_party_gles)
 
   fur_library(fur_gl src/gl fur_core third_party_gles)
   fur_library(fur_render src/render fur_scene fur_gl fur_shader_sources)
-  fur_library(fur_app src/app fur_tools fur_render EXCEPT "(editor|tools)")
+  fur_library(fur_app src/app fur_stages fur_render EXCEPT "(editor|tools|commands|stages)")
   if(TARGET imgui)
     include(EditorFont)
     fur_library(fur_editor src/editor fur_tools fur_scene imgui fur_editor_font)
@@ -93,7 +97,7 @@ if(EMSCRIPTEN)
     endif()
   endforeach()
   # These have no loops over vertices or texels.
-  foreach(module settings gl tools app)
+  foreach(module settings gl tools commands stages app)
     if(TARGET fur_${module})
       target_compile_options(fur_${module} PRIVATE "$<$<CONFIG:Release>:-Oz>")
     endif()

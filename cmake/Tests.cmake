@@ -1,7 +1,7 @@
 # wet-fur-tests     the pure modules, on the CPU; native, and as wasm under Node
 # wet-fur-gl-tests  what needs a context (EGL without a window), and the modules that link GL; native
 
-set(FUR_PURE_TEST_FOLDERS core settings geometry furgen groom wet dynamics hair scene app/tools)
+set(FUR_PURE_TEST_FOLDERS core settings geometry furgen groom wet dynamics hair scene app/tools app/commands app/stages)
 if(TARGET fur_truth)
   list(APPEND FUR_PURE_TEST_FOLDERS truth)
 endif()

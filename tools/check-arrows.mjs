@@ -8,6 +8,7 @@ import { root as ownRoot } from './process.mjs';
 
 const fields = ['core', 'geometry', 'settings'];
 const pure = [...fields, 'furgen', 'groom', 'wet', 'dynamics', 'hair', 'scene'];
+const wiring = ['app/tools', 'app/commands', 'app/stages'];
 const importers = ['scene/import', 'scene/export'];
 
 // Zone (the longest folder that holds a file) -> what it may include beyond itself. `imgui`, `gles`,
@@ -31,9 +32,12 @@ export const arrows = {
   'src/render': [...fields, 'furgen', 'groom', 'scene', 'wet/Drop.h', 'wet/MaskTexels.h', 'wet/Puddles.h', 'hair/Marschner.h', 'gl', 'shared'],
   // The table of tools, which the panel reads as well as the app.
   'src/app/tools': ['core'],
+  'src/app/commands': [...fields, 'groom', 'wet', 'app/tools'],
+  // A stage knows no renderer and no GL.
+  'src/app/stages': [...pure, 'app/tools', 'app/commands'],
   'src/editor': ['core', 'settings', 'scene', 'app/tools', 'imgui'],
-  'src/app': [...pure, ...importers, 'gl', 'render', 'app/tools'],
-  'src/app/editor': [...pure, ...importers, 'gl', 'render', 'editor', 'app', 'app/tools', 'imgui'],
+  'src/app': [...pure, ...importers, 'gl', 'render', ...wiring],
+  'src/app/editor': [...pure, ...importers, 'gl', 'render', 'editor', 'app', ...wiring, 'imgui'],
   // wet-fur/core offers the pure modules by themselves, without an app around them.
   'web': ['app', ...pure, 'emscripten'],
   'web/core': [...pure, 'emscripten', 'web'],

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/App.h"
-#include "app/OrbitCamera.h"
+#include "app/view/OrbitCamera.h"
 #include "gl/Objects.h"
 #include "native/Arguments.h"
 #include "native/Files.h"

@@ -16,7 +16,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/Touch.h"
+#include "app/stages/Touch.h"
 #include "app/tools/GroomEdits.h"
 #include "app/tools/Tools.h"
 #include "core/Result.h"
@@ -37,9 +37,6 @@ struct Frame;
 }
 
 namespace fur::app {
-
-// Of what saveWater() and saveGroom() give, which browsers keep from visit to visit: another one whenever that changes.
-inline constexpr std::uint32_t kWaterLayout = 2, kSavedLayout = 1;
 
 enum class PointerKind { Mouse, Touch, Pen };
 enum class PointerPhase { Down, Move, Up, Cancel };
@@ -174,8 +171,7 @@ class App {
   // it lies over the model: letters. `across`: its width in pixels of the drawing buffer; `amount`: how wet they are, which
   // runs from letter to letter in seconds where fur holds much more than the default.
   void stamp(std::span<const std::uint8_t> coverage, int width, int height, Vec2 centre, float across, float amount = 0.5f);
-  // All that was done with water since the model came, as JSON: [[tool or deed, brushRadius, brushFlow, clumpSize, eye x, y,
-  // z, step, triangle, weight, weight, pressure, ...], ...]. replay() does it again on the same model, advancing the clock
+  // All that was done with water since the model came, as JSON, see commands/WaterStrokes.h. replay() does it again on the same model, advancing the clock
   // by steps of 1/60 s between, each stroke as an undo step of its own.
   std::string recordedStrokes() const;
   Status replay(std::string_view json);
@@ -188,7 +184,7 @@ class App {
   // The whole mask, and its way back: size * size texels.
   const wet::WetnessMask& wetnessMask() const;
   void restoreWetness(std::vector<Vec4> texels, std::vector<float> film = {});
-  // All water and what was done with it, to go on in another App with the same model. Bytes of kWaterLayout, no file.
+  // All water and what was done with it, to go on in another App with the same model. No file: bytes that a later build may not know.
   std::vector<std::uint8_t> saveWater() const;
   Status restoreWater(std::span<const std::uint8_t> bytes);
   // The surface's atlas coordinates under a pixel of the drawing buffer; none off the model.
@@ -203,13 +199,6 @@ class App {
   std::optional<Ball> ball() const;
 
   // --- groom (groom/Groom.h); belongs to the model ---
-  // What only programs with an editor do with it; the viewer's download is spared it.
-  struct EditorGroom {
-    // One dab of a tool that App::groomAt() does not know.
-    void (*dab)(Tool tool, groom::Groom& groom, const groom::GroomSurface& skin, const groom::Brush& brush, const settings::Settings& settings);
-    groom::GroomMap (*paintUnderMask)(const groom::Groom& groom);
-  };
-  static void groomWith(const EditorGroom* given);
   // What the fur at a pixel is coloured like, 0xRRGGBB: paint, or coat and the model's picture. None off the model.
   std::optional<std::uint32_t> colorAt(Vec2 pixel) const;
   void groomAll(GroomEdit edit, float value = 1, const Vec3& direction = Vec3(0, -1, 0));
@@ -231,7 +220,7 @@ class App {
   std::size_t whiskerCount() const;
   // Of maps, comb and whiskers.
   std::uint64_t groomHash() const;
-  // What moves over when another program takes over, as bytes of kSavedLayout: bad-file for others.
+  // What moves over when another program takes over, likewise: bad-file for other bytes.
   std::vector<std::uint8_t> saveGroom() const;
   Status restoreGroom(std::span<const std::uint8_t> bytes, bool undoable = false);
   void clearGroom();  // GroomEdit::Clear
@@ -309,6 +298,8 @@ class App {
   Stats stats() const;
 
  private:
+  void turnLight(Vec2 step);
+
   struct State;
   std::unique_ptr<State> state_;
 };

@@ -1,10 +1,11 @@
-// State as bytes, which the same build reads again elsewhere: what belongs to it is named once for both ways. Numbers
-// and plain structures, and vectors of them.
+// State as bytes, which the same build reads again elsewhere: what belongs to it is named once for both ways. Numbers,
+// plain structures, vectors of them, and texts.
 #pragma once
 
 #include <cstdint>
 #include <cstring>
 #include <span>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -19,6 +20,10 @@ class ByteWriter {
   std::vector<std::uint8_t> bytes;
 
  private:
+  void put(std::string_view text) {
+    put(static_cast<std::uint32_t>(text.size()));
+    append(text.data(), text.size());
+  }
   [[gnu::noinline]] void append(const void* from, std::size_t count) {
     const auto* first = static_cast<const std::uint8_t*>(from);
     bytes.insert(bytes.end(), first, first + count);
@@ -44,6 +49,17 @@ class ByteReader {
   void operator()(T&... values) {
     (take(values), ...);
   }
+  // Of a text that was written; a view into the bytes.
+  std::string_view text() {
+    std::uint32_t count = 0;
+    take(count);
+    sound_ &= count <= bytes_.size();
+    const std::string_view out(reinterpret_cast<const char*>(bytes_.data()), sound_ ? count : 0);
+    bytes_ = bytes_.subspan(out.size());
+    return out;
+  }
+  // What was read is not sound.
+  void fail() { sound_ = false; }
   // So far; and whether nothing is left.
   bool sound() const { return sound_; }
   bool atEnd() const { return bytes_.empty(); }

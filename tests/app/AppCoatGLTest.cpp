@@ -1,5 +1,5 @@
 // The coat while it grows: slices, changes on the way, type sets, presets.
-#include "app/CoatWork.h"
+#include "app/stages/CoatStage.h"
 #include "settings/Presets.h"
 #include "tests/render/Picture.h"
 

@@ -1,5 +1,5 @@
 // What a person does, without a page: paint, drag, undo, wait.
-#include "app/QualityGovernor.h"
+#include "app/view/QualityGovernor.h"
 #include "tests/render/Picture.h"
 
 namespace fur::app {

@@ -1,7 +1,7 @@
 // Water that moves, and the tools for it.
 #include <algorithm>
 
-#include "app/History.h"
+#include "app/commands/History.h"
 #include "core/Random.h"
 #include "render/Frame.h"
 #include "tests/render/Picture.h"

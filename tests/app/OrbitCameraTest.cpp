@@ -1,5 +1,5 @@
 // Where the camera shows its target, and how it moves by itself.
-#include "app/OrbitCamera.h"
+#include "app/view/OrbitCamera.h"
 
 #include <gtest/gtest.h>
 

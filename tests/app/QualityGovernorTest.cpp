@@ -1,5 +1,5 @@
 // The governor on simulated machines, second by second.
-#include "app/QualityGovernor.h"
+#include "app/view/QualityGovernor.h"
 
 #include <gtest/gtest.h>
 

@@ -9,10 +9,10 @@ namespace {
 
 struct Studio : test::Room {
   Studio() : Room(160, {{"layers", "8"}, {"tileSize", "64"}, {"dryRate", "0"}, {"groomStrength", "1"}, {"brushRadius", "0.25"}, {"ground", "false"}}) {
-    App::groomWith(&kEditorGroom);
+    GroomStage::setEditorBrushes(&kEditorGroom);
     app.setCamera({0, 0, 3, Vec3(0)});
   }
-  ~Studio() { App::groomWith(nullptr); }
+  ~Studio() { GroomStage::setEditorBrushes(nullptr); }
 
   Vec4 paintAt(Vec2 pixel) { return app.groom().paint.at(*app.pick(pixel)); }
 };
@@ -43,7 +43,7 @@ TEST(EditorGroom, EveryBrushIsOneUndoStepAStroke) {
 
 TEST(EditorGroom, TheViewerAloneHasNoneOfThem) {
   Studio studio;
-  App::groomWith(nullptr);
+  GroomStage::setEditorBrushes(nullptr);
   const auto before = studio.app.groomHash();
   studio.stroke(Tool::Paint, {60, 70}, {100, 90});
   EXPECT_EQ(studio.app.groomHash(), before);

@@ -104,7 +104,7 @@ TEST(Studio, GivenUpTheSceneIsAsItWas) {
 
 // What grooming tools show of the mask is for who grooms.
 TEST(Studio, TheMaskIsInNoPicture) {
-  App::groomWith(&kEditorGroom);
+  GroomStage::setEditorBrushes(&kEditorGroom);
   Desk desk;
   desk.app.settle();
   const test::Picture plain = desk.take({240, 180})[0];
@@ -114,7 +114,7 @@ TEST(Studio, TheMaskIsInNoPicture) {
   EXPECT_GT(desk.draw().differingShare(plain, 20), 0.1f) << "it shows while one grooms";
   EXPECT_EQ(desk.take({240, 180})[0].differingShare(plain, 0), 0);
   EXPECT_GT(desk.draw().differingShare(plain, 20), 0.1f) << "and does again";
-  App::groomWith(nullptr);
+  GroomStage::setEditorBrushes(nullptr);
 }
 
 }  // namespace

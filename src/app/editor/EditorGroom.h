@@ -1,10 +1,10 @@
-// The brushes that only programs with an editor have, for App::groomWith().
+// The brushes that only programs with an editor have, for GroomStage::setEditorBrushes().
 #pragma once
 
-#include "app/App.h"
+#include "app/stages/GroomStage.h"
 
 namespace fur::app {
 
-extern const App::EditorGroom kEditorGroom;
+extern const GroomStage::EditorBrushes kEditorGroom;
 
 }  // namespace fur::app

@@ -9,7 +9,7 @@
 #include <imgui_impl_opengl3.h>
 #include <imgui_internal.h>  // which windows cover a pixel, before the frame that would tell; what is typed
 
-#include "app/OrbitCamera.h"
+#include "app/view/OrbitCamera.h"
 #include "app/editor/EditorGroom.h"
 #include "geometry/AtlasOutlines.h"
 #include "settings/Presets.h"
@@ -76,7 +76,7 @@ struct EditorHost::Context {
 
 EditorHost::EditorHost(App& app, editor::FileAccess fileAccess)
     : app_(app), context_(ImGui::CreateContext()), fileAccess_(fileAccess) {
-  App::groomWith(&kEditorGroom);
+  GroomStage::setEditorBrushes(&kEditorGroom);
   const Context current(*this);
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "app/OrbitCamera.h"
+#include "app/view/OrbitCamera.h"
 #include "scene/Png.h"
 
 namespace fur::app {

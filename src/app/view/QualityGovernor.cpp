@@ -1,4 +1,4 @@
-#include "app/QualityGovernor.h"
+#include "app/view/QualityGovernor.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "app/ModelMotion.h"
+#include "app/stages/ModelMotion.h"
 
 #include <algorithm>
 #include <cmath>

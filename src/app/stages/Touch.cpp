@@ -1,4 +1,4 @@
-#include "app/Touch.h"
+#include "app/stages/Touch.h"
 
 #include "core/PortableMath.h"
 

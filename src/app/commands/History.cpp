@@ -1,4 +1,4 @@
-#include "app/History.h"
+#include "app/commands/History.h"
 
 #include <algorithm>
 #include <type_traits>
@@ -55,6 +55,17 @@ void carry(Io& io, S& step) {
     for (auto& map : step.maps) io(map.rect, map.before, map.after);
     io(step.sizeBefore, step.sizeAfter, step.points, step.combBefore, step.combAfter, step.whiskersBefore, step.whiskersAfter);
   }
+}
+
+// Of each alternative of Step.
+constexpr Command kCommandOf[] = {Command::Settings, Command::Water, Command::Groom, Command::Model};
+static_assert(std::size(kCommandOf) == std::variant_size_v<Step>);
+
+// An empty one; none: there is no step of that name.
+std::optional<Step> stepNamed(std::string_view name) {
+  for (const Step& step : {Step(SettingsStep{}), Step(MaskStep{}), Step(GroomStep{}), Step(ModelStep{})})
+    if (name == nameOf(commandOf(step))) return step;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -172,14 +183,16 @@ void History::clear() {
   done_ = 0;
 }
 
+Command commandOf(const Step& step) { return kCommandOf[step.index()]; }
+
 void History::save(ByteWriter& to, bool leaves) const {
   const std::size_t count = leaves ? done_ : steps_.size();
   to(static_cast<std::uint32_t>(count + leaves), static_cast<std::uint32_t>(done_));
   for (std::size_t i = 0; i < count; ++i) {
-    to(static_cast<std::uint8_t>(steps_[i].index()));
+    to(nameOf(commandOf(steps_[i])));
     std::visit([&](const auto& step) { carry(to, step); }, steps_[i]);
   }
-  if (leaves) to(static_cast<std::uint8_t>(Step(ModelStep{}).index()));
+  if (leaves) to(nameOf(Command::Model));
 }
 
 bool History::restore(std::span<const std::uint8_t> bytes) {
@@ -188,13 +201,9 @@ bool History::restore(std::span<const std::uint8_t> bytes) {
   std::vector<Step> steps;
   if (!bytes.empty()) from(count, done);
   for (; count > 0 && from.sound(); --count) {
-    std::uint8_t kind = 0;
-    from(kind);
-    Step& step = steps.emplace_back();
-    if (kind == 1) step = MaskStep{};
-    if (kind == 2) step = GroomStep{};
-    if (kind == 3) step = ModelStep{};
-    std::visit([&](auto& one) { carry(from, one); }, step);
+    const auto read = stepNamed(from.text());
+    if (!read) return false;
+    std::visit([&](auto& one) { carry(from, one); }, steps.emplace_back(*read));
   }
   if (!from.sound() || !from.atEnd() || done > steps.size()) return false;
   ++revision_;

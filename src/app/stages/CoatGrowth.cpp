@@ -1,8 +1,9 @@
-#include "app/CoatWork.h"
+#include "app/stages/CoatStage.h"
 
 #include <algorithm>
 
 #include "furgen/Packing.h"
+#include "groom/Groom.h"
 #include "settings/Presets.h"
 
 namespace fur::app {
@@ -55,7 +56,7 @@ furgen::FinMaps finOf(const furgen::FurVolume& v) { return {v.finRows, v.finCove
 
 CoatParameters coatParameters(const Settings& settings, unsigned types, Warnings* warnings) {
   CoatParameters all;
-  for (int type = 0; type < FUR_TYPES; ++type) {
+  for (int type = 0; type < groom::kTypes; ++type) {
     const Settings s = settings::typeCoat(settings, type);
     furgen::FurParameters p;
     for (const Link& link : kLinks) p.*link.parameter = s.*link.setting;
@@ -116,9 +117,9 @@ furgen::TilePicture DrawnCoat::finPicture(furgen::TileChannel channel) const {
   return furgen::pictureOf(finOf(*volume_), size(), channel);
 }
 
-// --- CoatWork ---
+// --- CoatGrowth ---
 
-CoatWork::CoatWork(CoatParameters types, GivenCoat given) : types_(std::move(types)), given_(std::move(given)) {
+CoatGrowth::CoatGrowth(CoatParameters types, GivenCoat given) : types_(std::move(types)), given_(std::move(given)) {
   for (FurParameters& p : types_) {
     if (given_) p.size = given_->size, p.layers = given_->layers;
     p = furgen::clampedParameters(p);
@@ -126,7 +127,7 @@ CoatWork::CoatWork(CoatParameters types, GivenCoat given) : types_(std::move(typ
   if (!given_) grower_.emplace(types_[0]);
 }
 
-bool CoatWork::step(render::Renderer& renderer) {
+bool CoatGrowth::step(CoatReceiver& receiver) {
   const FurParameters& p = types_[type()];
   const int type = static_cast<int>(this->type()), layer = static_cast<int>(coverage_.size());
   switch (stage_) {
@@ -140,9 +141,9 @@ bool CoatWork::step(render::Renderer& renderer) {
       return false;
     case Stage::Fin: {
       const int rows = given_ ? given_->finRows : furgen::finRows(p.layers);
-      if (type == 0) renderer.beginFur(p.size, p.layers, rows, static_cast<int>(types_.size()));
+      if (type == 0) receiver.begin(p.size, p.layers, rows, static_cast<int>(types_.size()));
       const furgen::FinMaps fin = isGiven() ? finOf(*given_) : furgen::paintFin(*coat_, rows);
-      renderer.setFinMap(type, furgen::packLevels(p.size, rows, {fin.coverage, fin.dominance, fin.variance, fin.tangent, {}}));
+      receiver.setFin(type, furgen::packLevels(p.size, rows, {fin.coverage, fin.dominance, fin.variance, fin.tangent, {}}));
       stage_ = Stage::Paint;
       return false;
     }
@@ -154,13 +155,13 @@ bool CoatWork::step(render::Renderer& renderer) {
     case Stage::Upload: break;
   }
   coverage_.push_back(furgen::meanCover(maps_.coverage));
-  renderer.setFurLayer(type, layer, furgen::packLevels(p.size, p.size, {maps_.coverage, maps_.dominance, maps_.variance,
+  receiver.setLayer(type, layer, furgen::packLevels(p.size, p.size, {maps_.coverage, maps_.dominance, maps_.variance,
                                                                         maps_.tangent, maps_.offset}));
   stage_ = Stage::Paint;
-  return layer + 1 == p.layers && finishType(renderer);
+  return layer + 1 == p.layers && finishType(receiver);
 }
 
-bool CoatWork::finishType(render::Renderer& renderer) {
+bool CoatGrowth::finishType(CoatReceiver& receiver) {
   // Of the layer where strands stand closest: coils are dense above a bare skin.
   const float density = *std::max_element(coverage_.begin(), coverage_.end());
   painter_.reset();
@@ -170,7 +171,7 @@ bool CoatWork::finishType(render::Renderer& renderer) {
   coverage_.clear();
   while (type() < types_.size() && types_[type()].density <= 0) densities_.push_back(0);
   if (type() == types_.size()) {
-    renderer.showFur(densities_);
+    receiver.show(densities_);
     return true;
   }
   grower_.emplace(types_[type()]);
@@ -178,7 +179,7 @@ bool CoatWork::finishType(render::Renderer& renderer) {
   return false;
 }
 
-float CoatWork::progress() const {
+float CoatGrowth::progress() const {
   const auto layers = static_cast<float>(types_[0].layers);
   const float part = stage_ == Stage::Grow && grower_ ? kGrowingShare * grower_->progress()
                                                       : kGrowingShare + (1 - kGrowingShare) * static_cast<float>(coverage_.size()) / layers;

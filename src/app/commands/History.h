@@ -9,9 +9,10 @@
 #include <variant>
 #include <vector>
 
+#include "app/commands/Commands.h"
 #include "core/Bytes.h"
-#include "settings/Settings.h"
 #include "groom/Groom.h"
+#include "settings/Settings.h"
 #include "wet/WetnessMask.h"
 
 namespace fur::app {
@@ -51,6 +52,8 @@ struct GroomStep {
 struct ModelStep {};
 
 using Step = std::variant<SettingsStep, MaskStep, GroomStep, ModelStep>;
+// The name that a step has in bytes.
+Command commandOf(const Step& step);
 
 // The step that turns `before` into `after` (both size x size); none when they are equal.
 std::optional<MaskStep> maskStep(const MaskImage& before, const wet::WetnessMask& after);

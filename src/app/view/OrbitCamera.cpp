@@ -1,4 +1,4 @@
-#include "app/OrbitCamera.h"
+#include "app/view/OrbitCamera.h"
 
 #include <algorithm>
 #include <cmath>

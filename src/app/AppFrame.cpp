@@ -1,0 +1,276 @@
+// What is drawn: changes of the stages go up to the renderer, and a frame shows them as well as the quality allows.
+#include <algorithm>
+#include <utility>
+
+#include "app/AppState.h"
+#include "geometry/CoatThickness.h"
+
+namespace fur::app {
+
+Status App::attach() {
+  gl::setContextAlive(true);
+  gl::rememberPlatformFramebuffer();
+  auto renderer = render::Renderer::create();
+  if (!renderer) return renderer.error();
+  State& s = *state_;
+  s.renderer.emplace(std::move(*renderer));
+  s.uploaded = {};
+  s.coat.forgetLayers();
+  s.groom.update(s.groomInputs());
+  s.upload();
+  ++s.changed;
+  return Done{};
+}
+
+void App::detach(bool lost) {
+  gl::setContextAlive(!lost);
+  state_->renderer.reset();
+  gl::setContextAlive(true);
+}
+
+void App::resize(int width, int height, float pixelRatio) {
+  State& s = *state_;
+  if (width != s.view.width || height != s.view.height) s.governor.forget();
+  s.view.width = std::max(width, 1);
+  s.view.height = std::max(height, 1);
+  s.view.pixelRatio = pixelRatio;
+  ++s.changed;
+}
+
+void App::setSaved(bool saved, bool transparent) {
+  state_->view.camera.ignoreCovered(saved);
+  state_->saved = saved;
+  state_->transparent = transparent;
+  ++state_->changed;
+}
+
+void App::setCovered(Vec2 shares, bool atOnce) {
+  state_->view.camera.setCovered(shares, atOnce);
+  state_->changed += atOnce;
+}
+
+void App::setPadding(const Vec4& shares, bool atOnce) {
+  state_->view.camera.setPadding(shares, atOnce);
+  state_->changed += atOnce;
+}
+
+void App::setAutoRotate(bool enabled) { state_->view.autoRotate = enabled; }
+
+void App::setFieldOfView(float radians) {
+  state_->view.camera.setFov(radians);
+  ++state_->changed;
+}
+
+// --- what the stages have changed ---
+
+bool App::State::showsMask() const { return GroomStage::editorBrushes() && !saved && grooms(hand.tool) && groom.hasMask(); }
+
+void App::State::upload() {
+  const bool whole = std::exchange(uploaded.surface, shape.surfaceRevision()) != shape.surfaceRevision();
+  if (whole) renderer->setSurface(shape.surface(), shape.firstTangents());
+  if (std::exchange(uploaded.image, imageRevision) != imageRevision)
+    renderer->setBaseColor(document.imageWidth, document.imageHeight, document.image);
+  for (const wet::MaskTexels& part : water.takeTexels(shape, whole)) renderer->updateMask(part);
+  if (std::exchange(uploaded.bends, motion.bendsRevision()) != motion.bendsRevision() || whole) renderer->updateBends(motion.shown());
+  uploadGroom(whole);
+  const bool posed = std::exchange(uploaded.pose, shape.poseRevision()) != shape.poseRevision() || whole;
+  if (const auto* skin = shape.skin(); skin && posed) renderer->setSkin({skin->positions, skin->normals, skin->tangents});
+  if (whole || (posed && shape.skin()) || uploaded.whiskers != groom.groom().whiskers) {
+    uploaded.whiskers = groom.groom().whiskers;
+    renderer->setWhiskers(groom.hairs(shape));
+  }
+}
+
+void App::State::uploadGroom(bool whole) {
+  const groom::Groom& now = groom.groom();
+  const geometry::TexelRect all{0, 0, now.map.size(), now.map.size()};
+  const auto changedOf = [&](std::size_t map) {
+    const geometry::TexelRect rect = groom.takeChanged(map);
+    return whole ? all : rect;
+  };
+  if (const geometry::TexelRect rect = changedOf(0); !rect.empty()) uploadLengths(rect);
+  geometry::TexelRect rect = unite(changedOf(1), changedOf(2));
+  const bool shows = showsMask();
+  if (std::exchange(uploaded.showsMask, shows) != shows) rect = all;
+  if (!rect.empty()) {
+    // What has been painted before is taken away, too.
+    const bool paints = shows || groom.hasPaint(), before = std::exchange(uploaded.painted, paints);
+    if (paints || before) renderer->updatePaint(shows ? GroomStage::editorBrushes()->paintUnderMask(now) : now.paint, rect);
+  }
+  if (rect = changedOf(3); !rect.empty()) {
+    const bool before = std::exchange(uploaded.shaped, groom.hasShape());
+    if (uploaded.shaped || before) renderer->updateShape(now.shape, rect);
+  }
+}
+
+void App::State::uploadLengths(const geometry::TexelRect& changed) {
+  constexpr int kLeast = groom::GroomMap::kLeastSize;
+  const geometry::Surface& surface = shape.surface();
+  if (!groom.hasLengths()) {
+    // Of a plain map the least says it all.
+    renderer->updateGroom(groom::GroomMap(kLeast), {0, 0, kLeast, kLeast});
+    return renderer->setFurry({surface.furIndices, surface.ownFurIndices, surface.furClusters}, {});
+  }
+  const std::vector<float>& lengths = groom.vertexLengths();
+  const auto remaining = [&](const std::vector<std::uint32_t>& all) { return groom::furryTriangles(all, lengths); };
+  renderer->updateGroom(groom.groom().map, changed);
+  renderer->setFurry(geometry::remainingPatches(surface, remaining(surface.furIndices), remaining(surface.ownFurIndices)), lengths);
+}
+
+// --- frames ---
+
+// Slabs cost 0.4 of a frame each; by pictures a coat shows holes without them from kCrowded on.
+void App::State::chooseSlabs() {
+  constexpr float kCrowded = 0.024f;
+  constexpr int kCrowdedSlabs = 3;
+  if (slabs.surface == shape.surfaceRevision() && slabs.length == settings.furLength) return;
+  slabs = {shape.surfaceRevision(), settings.furLength, 1};
+  if (settings.furLength * geometry::grazingShare(shape.surface(), shape.query(), settings.furLength) > kCrowded) slabs.count = kCrowdedSlabs;
+}
+
+render::Frame App::State::frame(int level) const {
+  const QualityLevel& quality = qualityLevels()[static_cast<std::size_t>(level)];
+  render::Frame f;
+  f.settings = settings;
+  f.settings.fins &= quality.fins;
+  f.settings.shadows = std::min(f.settings.shadows, quality.shadows);
+  f.pixelScale = quality.pixelScale;
+  f.stepLength = quality.stepLength;
+  f.slabs = slabs.count;
+  f.worldFromModel = worldFromModel();
+  f.camera = view.pose();
+  f.width = view.width;
+  f.height = view.height;
+  f.transparent = transparent;
+  f.bottomRow = bottomRow;
+  f.groundHeight = shape.groundHeight();
+  f.reach = glm::length(shape.extent().centre) + shape.extent().radius;
+  f.wet = !water.mask().isDry();
+  f.groomed = groom.hasLengths();
+  f.painted = groom.hasPaint() || showsMask();
+  f.shaped = groom.hasShape();
+  f.types = coat.shownTypes() > 1;
+  if (const auto ball = motion.touch().ball()) f.ball = Vec4(ball->centre, ball->radius);
+  f.baseColorFactor = document.baseColorFactor;
+  f.drops = water.water().drops();
+  f.puddles = {water.puddles(), water.puddlesRevision()};
+  return f;
+}
+
+int App::State::levelFor(Picture picture) const {
+  if (!governed || picture == Picture::Best) return bestLevel;
+  return picture == Picture::Moving ? governor.level() : governor.stillLevel();
+}
+
+Status App::State::drawBand(int level, int band, int bands) {
+  FUR_ASSERT(renderer.has_value(), "App::draw()", "an attached context", "none");
+  groom.update(groomInputs());
+  if (!coat.shown()) finishCoat();
+  chooseSlabs();
+  water.readPuddles();
+  upload();
+  render::Frame f = frame(level);
+  f.band = band;
+  f.bands = bands;
+  const Status status = renderer->draw(f);
+  uploadedBytes = renderer->takeUploadedBytes();
+  noticeChanges();
+  const bool shown = band + 1 == bands;
+  bandsDrawn = shown ? 0 : band + 1;
+  framesDrawn += shown;
+  return status;
+}
+
+// --- App's side --------------------------------------------------------------------------------
+
+render::Frame App::frame() const { return state_->frame(); }
+const furgen::Coat* App::grownCoat() const { return state_->coat.coat().grown(); }
+std::span<const Vec4> App::bends() const { return state_->motion.bends(); }
+
+Status App::draw(Picture picture) {
+  State& s = *state_;
+  s.drawnLevel = s.levelFor(picture);
+  return s.drawBand(s.drawnLevel, 0, 1);
+}
+
+Status App::drawPart(const PicturePart& part) {
+  State& s = *state_;
+  const int width = std::exchange(s.view.width, part.width), height = std::exchange(s.view.height, part.height);
+  const int level = s.drawnLevel;
+  const bool unseen = s.pictureRevision() != s.noticed;
+  s.bottomRow = part.bottom;
+  setSaved(true, part.transparent);
+  const Status status = s.drawBand(s.bestLevel, 0, 1);
+  setSaved(false);
+  s.bottomRow = 0;
+  s.view.width = width;
+  s.view.height = height;
+  s.drawnLevel = level;
+  // What is shown is as it was.
+  s.noticed = s.pictureRevision() - (unseen ? 1 : 0);
+  return status;
+}
+
+// --- quality ---
+
+void App::setQuality(int best, bool governed) {
+  State& s = *state_;
+  s.bestLevel = std::clamp(best, 0, kQualityLevels - 1);
+  s.governed = governed;
+  s.governor = {};
+  s.governor.setBudget(s.frameBudget);
+  s.governor.setBest(s.bestLevel);
+  ++s.changed;
+}
+
+void App::setFrameBudget(float milliseconds) {
+  state_->frameBudget = milliseconds;
+  state_->governor.setBudget(milliseconds);
+}
+
+void App::frameShown(float milliseconds, float drawing) {
+  // What a coat takes that grows meanwhile is not the picture's doing.
+  if (state_->governed && !state_->coat.growing()) state_->governor.frame(milliseconds, drawing);
+}
+
+bool App::improvable() const { return state_->bestLevel < state_->drawnLevel; }
+
+Result<bool> App::improve() {
+  State& s = *state_;
+  if (!improvable()) return false;
+  const int still = s.levelFor(Picture::Still);
+  if (s.pictureRevision() != s.noticed || still < s.drawnLevel) {
+    if (Status status = draw(Picture::Still); !status) return status.error();
+    return true;
+  }
+  if (s.bandsDrawn == 0) s.bands = s.governor.bandsOfBest();
+  const int bands = s.bands, band = s.bandsDrawn;
+  if (Status status = s.drawBand(s.bestLevel, band, bands); !status) return status.error();
+  if (s.bandsDrawn > 0) return false;
+  s.drawnLevel = s.bestLevel;
+  return true;
+}
+
+App::Stats App::stats() const {
+  const State& s = *state_;
+  Stats out{};
+  out.vertices = static_cast<int>(s.shape.surface().trueVertexCount);
+  out.triangles = static_cast<int>(s.shape.mesh().triangleCount());
+  out.strands = s.coat.coat().strandCount();
+  out.layers = s.settings.layers;
+  out.finEdges = static_cast<int>(s.shape.surface().edges.size());
+  out.cpuBytes = s.shape.surface().vertices.size() * (sizeof(geometry::SurfaceVertex) + 5 * sizeof(Vec4)) +
+                 s.shape.surface().indices.size() * sizeof(std::uint32_t) * 4 +
+                 s.shape.surface().edges.size() * sizeof(geometry::SurfaceEdge) + s.water.mask().texels().size() * sizeof(Vec4) +
+                 s.groom.groom().map.texels().size() * sizeof(groom::GroomMap::Texel) * std::size(groom::kMaps) +
+                 s.document.image.size();
+  out.gpuBytes = s.renderer ? s.renderer->gpuBytes() : 0;
+  out.uploadedBytes = s.uploadedBytes;
+  out.framesDrawn = s.framesDrawn;
+  out.level = s.drawnLevel;
+  out.pixels = s.renderer ? s.renderer->drawnPixels() : 0;
+  out.frameTime = s.governor.frameTime();
+  return out;
+}
+
+}  // namespace fur::app

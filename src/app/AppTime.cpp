@@ -1,0 +1,140 @@
+// What time does: the stages are updated one after another, each from those before it.
+#include <algorithm>
+#include <cmath>
+
+#include "app/AppState.h"
+
+namespace fur::app {
+
+namespace {
+
+// Seconds without anybody there.
+constexpr float kRestBeforeTurning = 3;
+// How hard a hair dryer blows the fur about: strength of the wind.
+constexpr float kDryerWind = 0.7f;
+
+}  // namespace
+
+// Hands the layers of a coat to the renderer.
+struct App::State::LayerUpload final : CoatReceiver {
+  explicit LayerUpload(State& state) : s(state) {}
+  void prepare() override {
+    s.upload();
+    s.renderer->warmUp(s.frame());
+  }
+  void begin(int size, int layers, int finRows, int types) override { s.renderer->beginFur(size, layers, finRows, types); }
+  void setLayer(int type, int layer, std::span<const furgen::PackedLevel> levels) override { s.renderer->setFurLayer(type, layer, levels); }
+  void setFin(int type, std::span<const furgen::PackedLevel> levels) override { s.renderer->setFinMap(type, levels); }
+  void show(std::span<const float> densities) override { s.renderer->showFur(densities); }
+
+  State& s;
+};
+
+ShapeStage::Inputs App::State::shapeInputs(float seconds) const {
+  return {seconds, shape.animationOf(settings.animation), reducedMotion ? 0 : settings.animationSpeed};
+}
+
+MotionStage::Inputs App::State::motionInputs(float seconds) {
+  MotionStage::Inputs inputs{.shape = shape, .groom = groom, .water = water, .coatWeight = coat.coat().weight(), .settings = settings};
+  inputs.seconds = seconds;
+  inputs.idleTime = idleTime;
+  inputs.reducedMotion = reducedMotion;
+  inputs.showForces = showsForces();
+  if (water.holds(Tool::Dryer))
+    inputs.dryer = Mat3(worldFromModel()) * rayThrough(heldPixel()).direction * (kDryerWind * hand.pressure);
+  return inputs;
+}
+
+WaterStage::Inputs App::State::waterInputs(float seconds, double budget) const {
+  WaterStage::Inputs inputs{.shape = shape, .groom = groom, .settings = settings};
+  inputs.worldFromModel = worldFromModel();
+  inputs.wind = reducedMotion ? 0 : settings.wind;
+  inputs.shaking = motion.body().shaking();
+  inputs.seconds = seconds;
+  inputs.budget = budget;
+  return inputs;
+}
+
+bool App::State::updateShape(float seconds) {
+  const CameraOrbit before = startView();
+  const bool moved = shape.update(shapeInputs(seconds));
+  keepInView(before, false);
+  return moved;
+}
+
+void App::State::workOnCoat(double budget) {
+  if (!renderer) return;
+  LayerUpload receiver(*this);
+  CoatStage::Inputs inputs = coatInputs();
+  inputs.receiver = &receiver;
+  inputs.budget = budget;
+  if (coat.update(inputs, warnings)) governor.forget();
+}
+
+void App::State::finishCoat() {
+  groom.update(groomInputs());  // it says which types there are
+  coat.dropUnlessFor(coatInputs());
+  workOnCoat(1e9);
+}
+
+void App::State::settleMotion() {
+  updateShape(0);
+  groom.update(groomInputs());
+  motion.settle(motionInputs(0));
+  ++changed;
+}
+
+void App::State::advance(float seconds, double coatBudget) {
+  sinceSettingChange += seconds;
+  idleTime += seconds;
+  groom.update(groomInputs());
+  workOnCoat(coatBudget);
+  if (turns() && idleTime > kRestBeforeTurning && seconds > 0) {
+    view.camera.turn(OrbitCamera::turned(seconds, OrbitCamera::kTurnSeconds));
+    ++changed;
+  }
+  if (view.camera.update(seconds)) ++changed;
+  if (seconds > 0) updateShape(seconds);
+  motion.update(motionInputs(seconds));
+  workWithHand(seconds);
+  water.update(waterInputs(seconds, coatBudget));
+  if (hand.keyHold > 0 && (hand.keyHold -= seconds) <= 0) endStroke();
+}
+
+std::uint64_t App::State::pictureRevision() const {
+  return changed + shape.revision() + groom.revision() + coat.revision() + water.revision() + motion.revision();
+}
+
+// --- App's side --------------------------------------------------------------------------------
+
+bool App::tick(float seconds, float coatBudget) {
+  if (!state_->stands) state_->advance(std::max(seconds, 0.0f), coatBudget);
+  return state_->noticeChanges();
+}
+
+void App::settle() {
+  state_->finishCoat();
+  state_->settleMotion();
+}
+
+bool App::active() const {
+  State& s = *state_;
+  return s.pictureRevision() != s.noticed || s.view.camera.moving() || s.turns() || s.works() || s.shape.active(s.shapeInputs(0)) ||
+         s.groom.active(s.groomInputs()) || s.coat.active(s.coatInputs()) || s.motion.active(s.motionInputs(0)) ||
+         s.water.active(s.waterInputs(0, 0));
+}
+
+void App::setReducedMotion(bool reduced) { state_->reducedMotion = reduced; }
+void App::setStanding(bool stands) { state_->stands = stands; }
+void App::invalidate() { ++state_->changed; }
+
+void App::finishCoat() { state_->finishCoat(); }
+
+// Seconds between two frames of a film, in steps that are the same on every machine.
+void advance(App& app, float seconds) {
+  constexpr float kStep = 1.0f / 60;
+  const int steps = std::max(1, static_cast<int>(std::ceil(seconds / kStep - 1e-3f)));
+  for (int i = 0; i < steps; ++i) app.tick(seconds / static_cast<float>(steps));
+}
+
+}  // namespace fur::app

@@ -1,0 +1,150 @@
+// The coat: strands grown by the settings, one coat a fur type, cut into layers. It grows in slices of a few milliseconds, so
+// that the picture never waits; the layers go to a receiver, which keeps them (a renderer, or a test).
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/Result.h"
+#include "furgen/Coat.h"
+#include "furgen/Layers.h"
+#include "furgen/Packing.h"
+#include "furgen/TilePicture.h"
+#include "settings/Settings.h"
+
+namespace fur::app {
+
+// What the settings ask the generator for, one a fur type; `types` has a bit for each that the groom has
+// anywhere. Density 0 where one is bald or nowhere; the last, unless it is the only one, has strands.
+// Fewer layers than asked for, and a warning, where they would take more than 192 MiB on the GPU.
+using CoatParameters = std::vector<furgen::FurParameters>;
+CoatParameters coatParameters(const settings::Settings& settings, unsigned types, Warnings* warnings = nullptr);
+
+// Whether everything but the generator's settings is the same: nothing to draw anew before the coat is there.
+bool differOnlyInCoat(const settings::Settings& a, settings::Settings b);
+
+using GivenCoat = std::shared_ptr<const furgen::FurVolume>;
+
+// The coat of type 1 that is drawn: grown from settings, or read from a type set.
+class DrawnCoat {
+ public:
+  DrawnCoat() = default;
+  DrawnCoat(furgen::Coat grown, std::vector<float> coverage);
+  DrawnCoat(GivenCoat volume, std::vector<float> coverage);
+
+  int layers() const;
+  int size() const;
+  int strandCount() const;
+  float weight() const;
+  const std::vector<float>& coverage() const { return coverage_; }  // a share for each layer
+  furgen::TilePicture tilePicture(int layer, furgen::TileChannel channel) const;
+  furgen::TilePicture finPicture(furgen::TileChannel channel) const;
+  // nullptr: it was read, or there is none yet.
+  const furgen::Coat* grown() const { return volume_ || layers() == 0 ? nullptr : &grown_; }
+  // nullptr: it was grown.
+  const furgen::FurVolume* volume() const { return volume_.get(); }
+
+ private:
+  furgen::Coat grown_;
+  GivenCoat volume_;
+  std::vector<float> coverage_;
+};
+
+// Takes the layers of a coat as they come: begin(), each layer and the fin map with their mipmaps in any order, show().
+// Another begin() drops what came since the last show().
+class CoatReceiver {
+ public:
+  // Before the first coat grows: a renderer may have shaders compiled meanwhile.
+  virtual void prepare() = 0;
+  virtual void begin(int size, int layers, int finRows, int types) = 0;
+  virtual void setLayer(int type, int layer, std::span<const furgen::PackedLevel> levels) = 0;
+  virtual void setFin(int type, std::span<const furgen::PackedLevel> levels) = 0;
+  // `densities`, one a type: the share of its densest layer that strands cover; 0: it is bald.
+  virtual void show(std::span<const float> densities) = 0;
+
+ protected:
+  ~CoatReceiver() = default;
+};
+
+// A coat on its way.
+class CoatGrowth {
+ public:
+  // `given`, if any, is the coat of type 1; the others follow its size and layers.
+  CoatGrowth(CoatParameters types, GivenCoat given);
+
+  // Some milliseconds of work; returns whether the coat is whole and shown. Not to be called after.
+  bool step(CoatReceiver& receiver);
+  float progress() const;  // 0..1
+  DrawnCoat take() { return std::move(first_); }
+
+ private:
+  enum class Stage { Grow, Fin, Paint, Upload };
+
+  std::size_t type() const { return densities_.size(); }
+  bool isGiven() const { return given_ && type() == 0; }
+  // Whether that was the last.
+  bool finishType(CoatReceiver& receiver);
+
+  CoatParameters types_;
+  GivenCoat given_;
+  DrawnCoat first_;
+  std::vector<float> densities_;  // of the types that are whole
+  // The type at work, and its layer.
+  Stage stage_ = Stage::Grow;
+  std::optional<furgen::CoatGrower> grower_;
+  std::unique_ptr<furgen::Coat> coat_;  // stays where it is: the painter looks at it
+  std::optional<furgen::LayerPainter> painter_;
+  furgen::LayerMaps maps_;
+  std::vector<float> coverage_;  // of the layers that are out
+};
+
+class CoatStage {
+ public:
+  struct Inputs {
+    const settings::Settings& settings;
+    unsigned types = 1;               // those that the groom has anywhere
+    CoatReceiver* receiver = nullptr;  // none: nothing grows
+    double budget = 1e9;              // seconds of this machine's time; what comes out does not depend on it
+  };
+
+  // Goes on with the coat that the inputs ask for; the one before stays until it is whole. Whether another one is shown.
+  // A coat on its way is finished first when the inputs change again, unless it has taken long.
+  bool update(const Inputs& inputs, Warnings& warnings);
+  // What is on its way is given up if the inputs ask for another coat.
+  void dropUnlessFor(const Inputs& inputs);
+  bool active(const Inputs& inputs) const { return growth_ || asksForAnother(inputs); }
+  std::uint64_t revision() const { return revision_; }
+
+  // A type set takes the place of type 1's coat until a setting of the generator is another than now.
+  void give(GivenCoat volume, const Inputs& inputs);
+  GivenCoat given(const Inputs& inputs) const;  // nullptr: none
+  // The receiver has lost its layers, or is another: all grow anew.
+  void forgetLayers();
+
+  bool shown() const { return shown_; }  // the receiver has a coat
+  bool growing() const { return growth_.has_value(); }
+  // 0..1: how far the coat is that the inputs ask for; 1: it is shown.
+  float progress(const Inputs& inputs) const;
+  const DrawnCoat& coat() const { return coat_; }  // that is shown
+  unsigned shownTypes() const { return shownTypes_; }
+
+ private:
+  bool asksForAnother(const Inputs& inputs) const;
+  void begin(const Inputs& inputs, Warnings& warnings);
+  void take();
+
+  DrawnCoat coat_;
+  GivenCoat given_;
+  CoatParameters givenFor_;
+  std::optional<CoatGrowth> growth_;
+  // What `growth_` or, without it, the coat that is shown was grown for.
+  CoatParameters grownFor_;
+  unsigned types_ = 1, shownTypes_ = 1;  // likewise; of the coat that is shown
+  double seconds_ = 0;  // that growth_ has taken
+  bool shown_ = false, changed_ = true;
+  std::uint64_t revision_ = 0;
+};
+
+}  // namespace fur::app

@@ -1,0 +1,240 @@
+#include "app/stages/GroomStage.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "app/stages/Mirror.h"
+#include "groom/GroomFilters.h"
+#include "groom/MapPictures.h"
+#include "groom/Selection.h"
+#include "settings/Presets.h"
+
+namespace fur::app {
+
+namespace {
+
+// Patches of the length noise, in model units: a few locks wide.
+constexpr float kGrain = 0.09f;
+
+const GroomStage::EditorBrushes* brushesOfEditor = nullptr;
+
+// One dab of `tool`; combing goes along `way`.
+void brush(Tool tool, groom::Groom& groom, const groom::GroomSurface& skin, const groom::Brush& brush,
+           const settings::Settings& settings, const std::optional<Vec3>& way) {
+  switch (tool) {
+    case Tool::Comb:
+      if (way) groom::comb(groom, skin, brush, *way);
+      break;
+    case Tool::Smooth: groom::smooth(groom, skin, brush); break;
+    case Tool::Raise: groom::raise(groom, skin, brush); break;
+    case Tool::Trim: groom::trim(groom, skin, brush); break;
+    case Tool::Grow: groom::grow(groom, skin, brush); break;
+    case Tool::Type: groom::paintType(groom, skin, brush, settings.groomType + 1); break;
+    case Tool::Pluck: groom::pluck(groom, skin, brush); break;
+    default:
+      if (brushesOfEditor) brushesOfEditor->dab(tool, groom, skin, brush, settings);
+  }
+}
+
+groom::TypeHeights heightsOf(const settings::Settings& settings) {
+  groom::TypeHeights heights;
+  for (std::size_t i = 0; i < heights.size(); ++i) heights[i] = settings::typeHeight(settings, static_cast<int>(i));
+  return heights;
+}
+
+geometry::TexelRect whole(const groom::GroomMap& map) { return {0, 0, map.size(), map.size()}; }
+
+}  // namespace
+
+void GroomStage::setEditorBrushes(const EditorBrushes* brushes) { brushesOfEditor = brushes; }
+const GroomStage::EditorBrushes* GroomStage::editorBrushes() { return brushesOfEditor; }
+
+void GroomStage::reset() {
+  groom_ = {groom::GroomMap(), {}, {}};
+  before_.reset();
+  lastDab_.reset();
+  touch();
+}
+
+groom::GroomSurface GroomStage::groomSurface(const ShapeStage& shape) {
+  if (std::exchange(atlasFor_, shape.surfaceRevision()) != shape.surfaceRevision()) atlas_.reset();
+  if (!atlas_ || atlas_->size() != groom_.map.size()) atlas_.emplace(shape.surface(), groom_.map.size());
+  if (groom_.comb.empty()) groom_.comb.assign(shape.points().count(), Vec3(0));
+  return {shape.surface(), shape.query(), *atlas_, shape.points()};
+}
+
+bool GroomStage::upright() const {
+  return std::all_of(groom_.comb.begin(), groom_.comb.end(), [](const Vec3& comb) { return comb == Vec3(0); });
+}
+
+// --- of the vertices ---
+
+bool GroomStage::active(const Inputs& inputs) const {
+  return updatedFor_ != revision_ || surfaceFor_ != inputs.shape.surfaceRevision() || (types_ > 1 && heightsOf(inputs.settings) != heights_);
+}
+
+bool GroomStage::update(const Inputs& inputs) {
+  if (!active(inputs)) return false;
+  const bool otherSurface = std::exchange(surfaceFor_, inputs.shape.surfaceRevision()) != inputs.shape.surfaceRevision();
+  const groom::TypeHeights heights = heightsOf(inputs.settings);
+  const bool otherHeights = std::exchange(heights_, heights) != heights;
+  updatedFor_ = revision_;
+  ++verticesRevision_;
+  for (std::size_t i = 0; i < changed_.size(); ++i) {
+    groom::GroomMap& map = groom_.*groom::kMaps[i];
+    const geometry::TexelRect now = map.takeChanged();
+    if (!otherSurface && !(i == 0 && otherHeights) && now.empty()) continue;
+    changed_[i] = otherSurface ? whole(map) : unite(changed_[i], now);
+    plain_[i] = map.isPlain();
+    if (i == 0) readLengths(inputs.shape);
+  }
+  rests_.clear();
+  if (!upright()) rests_ = groom::restBends(groom_, inputs.shape.surface(), inputs.shape.points());
+  return true;
+}
+
+void GroomStage::readLengths(const ShapeStage& shape) {
+  types_ = hasLengths() ? groom::typesPresent(groom_.map) : 1u;
+  vertexLengths_.clear();
+  if (hasLengths()) vertexLengths_ = groom::vertexLengths(groom_.map, shape.surface(), shape.points(), heights_);
+}
+
+geometry::TexelRect GroomStage::takeChanged(std::size_t map) { return std::exchange(changed_[map], {}); }
+
+// Hairs stand on the surface as it was made; they go along with their triangles.
+std::vector<groom::WhiskerHair> GroomStage::hairs(const ShapeStage& shape) const {
+  auto hairs = groom::whiskerHairs(groom_.whiskers, shape.surface(), shape.query());
+  const ShapeStage::Skin* skin = shape.skin();
+  if (!skin) return hairs;
+  for (groom::WhiskerHair& hair : hairs) {
+    const auto corner = [&](int k) { return static_cast<std::size_t>(hair.vertices[k]); };
+    const std::size_t v = corner(0);
+    const auto frame = [](const Vec3& n, const Vec3& t) { return Mat3(n, t, glm::cross(n, t)); };
+    const Mat3 turn = frame(skin->normals[v], skin->tangents[v]) *
+                      glm::transpose(frame(shape.surface().vertices[v].normal, shape.firstTangents()[v]));
+    hair.root = Vec3(0);
+    for (int k = 0; k < 3; ++k) hair.root += skin->positions[corner(k)] * hair.weights[k];
+    hair.direction = turn * hair.direction;
+    hair.curve = turn * hair.curve;
+    hair.normal = turn * hair.normal;
+  }
+  return hairs;
+}
+
+// --- strokes ---
+
+void GroomStage::beginStroke(const ShapeStage& shape) {
+  groomSurface(shape);
+  before_ = groom_;
+  lastDab_.reset();
+}
+
+std::optional<GroomStep> GroomStage::endStroke() {
+  const auto before = std::exchange(before_, std::nullopt);
+  return before ? groomStep(*before, groom_) : std::nullopt;
+}
+
+void GroomStage::dab(const ShapeStage& shape, const settings::Settings& settings, Tool tool, const geometry::SurfacePoint& at, Warnings& warnings) {
+  const auto other = mirrored(settings, shape, at);
+  touch();
+  if (tool == Tool::Whisker) {
+    plant(shape, settings, at, warnings);
+    if (other) plant(shape, settings, *other, warnings);
+    return;
+  }
+  const geometry::Surface& surface = shape.surface();
+  const Vec3 centre = positionAt(surface, at);
+  const std::optional<Vec3> way = lastDab_ ? std::optional(centre - *lastDab_) : std::nullopt;
+  groom::Brush size{centre, normalAt(surface, at), settings.brushRadius, settings.groomStrength, static_cast<groom::Falloff>(settings.brushFalloff)};
+  brush(tool, groom_, groomSurface(shape), size, settings, way);
+  if (other) {
+    size.centre = positionAt(surface, *other);
+    size.normal = normalAt(surface, *other);
+    brush(tool, groom_, groomSurface(shape), size, settings, way ? std::optional(mirrored(settings, *way)) : std::nullopt);
+  }
+  lastDab_ = centre;
+}
+
+void GroomStage::plant(const ShapeStage& shape, const settings::Settings& settings, const geometry::SurfacePoint& at, Warnings& warnings) {
+  if (groom_.whiskers.size() >= groom::kMostWhiskers) {
+    warnings.push_back("512 whiskers stand, which is the limit");
+    return;
+  }
+  groom_.whiskers.resize(groom_.whiskers.size() + 1);
+  groom::Whisker& whisker = groom_.whiskers.back();
+  whisker.root = positionAt(shape.surface(), at);
+  whisker.direction = normalAt(shape.surface(), at);
+  whisker.length = settings.whiskerLength;
+  whisker.width = settings.whiskerWidth;
+  whisker.spread = settings.whiskerSpread;
+  whisker.stiffness = settings.whiskerStiffness;
+  whisker.hairs = static_cast<std::uint32_t>(settings.whiskerHairs);
+  whisker.seed = random_.next();
+  whisker.color = settings.whiskerColor;
+}
+
+void GroomStage::aimWhiskers(const ShapeStage& shape, const settings::Settings& settings, const Vec3& origin, const Vec3& direction) {
+  if (!before_ || groom_.whiskers.size() <= before_->whiskers.size()) return;
+  groom::Whisker* whisker = &groom_.whiskers[before_->whiskers.size()];
+  const Vec3 way = origin - whisker->root;
+  // Where the ray passes the root, as far from the eye.
+  Vec3 pull = way - direction * glm::dot(way, direction);
+  for (; whisker != groom_.whiskers.data() + groom_.whiskers.size(); ++whisker) {
+    const auto at = groom::rootOf(*whisker, shape.query());
+    if (at) whisker->direction = groom::pulledDirection(normalAt(shape.surface(), *at), whisker->length, pull);
+    pull = mirrored(settings, pull);
+  }
+  touch();
+}
+
+void GroomStage::clear(const ShapeStage& shape) { groom_ = groom::plainGroom(groom_.map.size(), shape.points()); }
+
+void GroomStage::edit(const ShapeStage& shape, GroomEdit edit, float value, const Vec3& direction, std::uint32_t seed, Warnings& warnings) {
+  const groom::GroomSurface skin = this->groomSurface(shape);
+  const auto blank = [this] { return groom::GroomMap(groom_.map.size(), groom::GroomMap::kBlank); };
+  switch (edit) {
+    case GroomEdit::Clear: clear(shape); break;
+    case GroomEdit::Length: groom::setLength(groom_.map, value); break;
+    case GroomEdit::Invert: groom::invertLength(groom_.map); break;
+    case GroomEdit::Vary: groom::varyLength(groom_, skin, value, kGrain, seed); break;
+    case GroomEdit::Type: groom::setType(groom_.map, static_cast<int>(glm::clamp(value, 1.0f, 4.0f))); break;
+    case GroomEdit::Comb: groom::combAlong(groom_, skin.points, direction, value); break;
+    case GroomEdit::Raise: groom::raiseAll(groom_); break;
+    case GroomEdit::Size: groom::resize(groom_, static_cast<int>(glm::clamp(value, 0.0f, 1e4f))); break;
+    case GroomEdit::Paint: groom::paintAll(groom_, static_cast<std::uint32_t>(glm::clamp(value, 0.0f, 16777215.0f))); break;
+    case GroomEdit::ClearPaint: groom_.paint = blank(); break;
+    case GroomEdit::ClearMask: groom_.mask = blank(); break;
+    case GroomEdit::ClearShape: groom_.shape = blank(); break;
+    case GroomEdit::InvertMask: groom::invertMask(groom_.mask); break;
+    case GroomEdit::SelectConnected:
+      if (const auto at = shape.nearest(direction)) groom::selectConnected(groom_, skin, at->triangle);
+      if (groom_.mask.isPlain()) warnings.push_back("the whole model hangs together: all of it is selected, nothing is masked");
+      break;
+    case GroomEdit::SelectType: groom::selectType(groom_, skin, static_cast<int>(glm::clamp(value, 1.0f, 4.0f))); break;
+    case GroomEdit::SelectLength: groom::selectLength(groom_, skin, direction.x, direction.y); break;
+    case GroomEdit::SelectPaint:
+      if (const auto at = shape.nearest(direction)) groom::selectPaint(groom_, skin, atlasAt(shape.surface(), *at), value);
+      break;
+    case GroomEdit::GrowMask: groom::growMask(groom_, skin, value); break;
+    case GroomEdit::ShrinkMask: groom::shrinkMask(groom_, skin, value); break;
+    case GroomEdit::SmoothMask: groom::smoothMask(groom_, skin, value); break;
+  }
+  if (keepsMasked(edit)) groom::keepProtected(groom_, *before_, skin);
+  touch();
+}
+
+void GroomStage::readImage(const ShapeStage& shape, groom::ImageOf what, std::string_view file, int width, int height, std::span<const std::uint8_t> rgba) {
+  const auto map = groom::mapOfFile(file);
+  if (map) groom::readMapPicture(*map, groom_, width, height, rgba);
+  else groom::paintFromImage(what, groom_, groomSurface(shape), width, height, rgba);
+  if (!map || *map != groom::ImageOf::Mask) groom::keepProtected(groom_, *before_, groomSurface(shape));
+  touch();
+}
+
+void GroomStage::apply(const ShapeStage& shape, const GroomStep& step, bool undo) {
+  groomSurface(shape);
+  app::apply(step, undo, groom_);
+  touch();
+}
+
+}  // namespace fur::app

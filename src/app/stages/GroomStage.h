@@ -1,0 +1,113 @@
+// The groom of the model: what brush strokes and edits make of lengths, types, comb, paint, mask, shape and whiskers
+// (groom/Groom.h), and what the other stages and the picture need of it at every vertex.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "app/commands/History.h"
+#include "app/stages/ShapeStage.h"
+#include "app/tools/GroomEdits.h"
+#include "app/tools/Tools.h"
+#include "core/Random.h"
+#include "core/Result.h"
+#include "groom/GroomBrush.h"
+#include "scene/FurData.h"
+#include "settings/Settings.h"
+
+namespace fur::app {
+
+class GroomStage {
+ public:
+  struct Inputs {
+    const ShapeStage& shape;
+    const settings::Settings& settings;  // heights of the types
+  };
+  // Brushes that only programs with an editor have; the viewer's download is spared them.
+  struct EditorBrushes {
+    void (*dab)(Tool tool, groom::Groom& groom, const groom::GroomSurface& skin, const groom::Brush& brush, const settings::Settings& settings);
+    groom::GroomMap (*paintUnderMask)(const groom::Groom& groom);
+  };
+  static void setEditorBrushes(const EditorBrushes* brushes);
+  static const EditorBrushes* editorBrushes();
+
+  void reset();  // of another model: full length, one type, upright
+  // Brings what it says of the vertices up to date. Whether anything has changed.
+  bool update(const Inputs& inputs);
+  bool active(const Inputs& inputs) const;
+  // Another number whenever the groom has changed.
+  std::uint64_t revision() const { return revision_; }
+
+  const groom::Groom& groom() const { return groom_; }
+  bool upright() const;  // nothing is combed
+  // What the functions of groom/ know of the model.
+  groom::GroomSurface groomSurface(const ShapeStage& shape);
+
+  // --- of the vertices, as of the last update() ---
+  std::uint64_t verticesRevision() const { return verticesRevision_; }
+  // Height of the coat, a share of the longest; empty: 1 everywhere.
+  const std::vector<float>& vertexLengths() const { return vertexLengths_; }
+  // Bends that the comb gives, radians in model space; empty: none.
+  const std::vector<Vec3>& rests() const { return rests_; }
+  unsigned types() const { return types_; }                        // a bit for each that is anywhere
+  bool hasLengths() const { return !plain_[0]; }  // or types: the map says more than full length of one type
+  bool hasPaint() const { return !plain_[1]; }
+  bool hasMask() const { return !plain_[2]; }
+  bool hasShape() const { return !plain_[3]; }
+  // What has changed of one of groom::kMaps since the last call; everything after another model or size.
+  geometry::TexelRect takeChanged(std::size_t map);
+  // All whiskers' hairs on the skin as it is shown.
+  std::vector<groom::WhiskerHair> hairs(const ShapeStage& shape) const;
+
+  // --- strokes: every change is one, and ends in the step that undoes it ---
+  void beginStroke(const ShapeStage& shape);
+  bool stroking() const { return before_.has_value(); }
+  // One dab of the tool, on both sides where the settings say so. Whiskers over the limit give a warning.
+  void dab(const ShapeStage& shape, const settings::Settings& settings, Tool tool, const geometry::SurfacePoint& at, Warnings& warnings);
+  // Turns the whiskers that the stroke has planted to where a ray (model space) passes their roots.
+  void aimWhiskers(const ShapeStage& shape, const settings::Settings& settings, const Vec3& origin, const Vec3& direction);
+  std::optional<GroomStep> endStroke();
+
+  // Within a stroke: see GroomEdits.inc; numbers are finite.
+  void edit(const ShapeStage& shape, GroomEdit edit, float value, const Vec3& direction, std::uint32_t seed, Warnings& warnings);
+  // An image, RGBA8, in the model's texture coordinates or, by the name of its file (groom/MapPictures.h), over the atlas.
+  void readImage(const ShapeStage& shape, groom::ImageOf what, std::string_view file, int width, int height, std::span<const std::uint8_t> rgba);
+  void apply(const ShapeStage& shape, const GroomStep& step, bool undo);
+
+  // --- files ---
+  // What a file says of the vertices of the model's mesh.
+  void read(const ShapeStage& shape, const scene::FurData& fur, Warnings& warnings);
+  // Of maps, comb and whiskers.
+  std::uint64_t hash(const ShapeStage& shape);
+  std::vector<std::uint8_t> save(const ShapeStage& shape);
+  // False: they are not bytes of save() for this model, and nothing has changed.
+  [[nodiscard]] bool restore(const ShapeStage& shape, std::span<const std::uint8_t> bytes);
+
+ private:
+  void touch() { ++revision_; }
+  void plant(const ShapeStage& shape, const settings::Settings& settings, const geometry::SurfacePoint& at, Warnings& warnings);
+  void clear(const ShapeStage& shape);
+  void readLengths(const ShapeStage& shape);
+
+  groom::Groom groom_{groom::GroomMap(), {}, {}};  // its comb is empty until groomSurface(): upright
+  std::optional<geometry::AtlasTexels> atlas_;     // made when first needed: read it through groomSurface()
+  std::uint64_t atlasFor_ = 0;                     // the surface that it is of
+  std::uint64_t revision_ = 1;
+
+  // As of the last update(), and what it was for.
+  std::uint64_t updatedFor_ = 0, surfaceFor_ = 0, verticesRevision_ = 0;
+  groom::TypeHeights heights_ = groom::kAllFull;
+  std::vector<float> vertexLengths_;
+  std::vector<Vec3> rests_;
+  unsigned types_ = 1;
+  std::array<bool, std::size(groom::kMaps)> plain_{true, true, true, true};
+  std::array<geometry::TexelRect, std::size(groom::kMaps)> changed_{};
+
+  std::optional<groom::Groom> before_;  // the stroke at work
+  std::optional<Vec3> lastDab_;         // its last dab, model space
+  Random random_{1};                    // seeds of whiskers
+};
+
+}  // namespace fur::app

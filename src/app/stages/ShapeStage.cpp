@@ -1,0 +1,201 @@
+#include "app/stages/ShapeStage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "core/Numbering.h"
+#include "geometry/Weld.h"
+
+namespace fur::app {
+
+namespace {
+
+// Poses of an animation that are looked at for how far it goes.
+constexpr int kMeasuredPoses = 12;
+
+// Values of the mesh's vertices as values of the surface's.
+void spread(const std::vector<std::uint32_t>& sources, const Vec3* source, std::vector<Vec3>& to) {
+  to.resize(sources.size());
+  Vec3* out = to.data();
+  for (const std::uint32_t i : sources) *out++ = source[i];
+}
+
+// The same with those of the vertices that were inserted between them.
+void spread(const geometry::Surface& surface, const std::vector<std::uint32_t>& sources, std::span<const Vec3> from,
+            std::vector<Vec3>& to) {
+  if (surface.inserted.empty()) return spread(sources, from.data(), to);
+  std::vector<Vec3> all(from.begin(), from.end());
+  for (const geometry::InsertedVertex& vertex : surface.inserted) all.push_back(vertex.of(all));
+  spread(sources, all.data(), to);
+}
+
+// The part of a tangent that is across a normal, unit.
+Vec3 tangentAcross(const Vec3& n, const Vec3& tangent) {
+  const Vec3 other = std::abs(n.x) < 0.6f ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
+  return normalizeOr(tangent - n * glm::dot(n, tangent), normalizeOr(other - n * glm::dot(n, other), other));
+}
+
+// Square, also of normals and tangents between two vertices.
+Mat3 frameOf(Vec3 normal, Vec3 tangent) {
+  normal = normalizeOr(normal, Vec3(0, 1, 0));
+  tangent = tangentAcross(normal, tangent);
+  return Mat3(normal, tangent, glm::cross(normal, tangent));
+}
+
+// The smallest sphere that holds a point and the sphere before.
+void include(ShapeStage::Extent& extent, const Vec3& point) {
+  const Vec3 away = point - extent.centre;
+  const float distance = glm::length(away);
+  if (distance <= extent.radius) return;
+  const float further = 0.5f * (distance - extent.radius);
+  extent.centre += away * (further / distance);
+  extent.radius += further;
+}
+
+}  // namespace
+
+std::pair<Vec3, Vec3> axesOn(const Vec3& normal) {
+  const Vec3 side = normalizeOr(glm::cross(normal, std::abs(normal.y) < 0.9f ? Vec3(0, 1, 0) : Vec3(1, 0, 0)), Vec3(1, 0, 0));
+  return {side, glm::cross(normal, side)};
+}
+
+void ShapeStage::setModel(geometry::Mesh mesh, geometry::Surface surface, scene::Rig rig) {
+  mesh_ = std::move(mesh);
+  rig_ = std::move(rig);
+  setSurface(std::move(surface));
+}
+
+void ShapeStage::setSurface(geometry::Surface surface) {
+  surface_ = std::move(surface);
+  query_ = geometry::SurfaceQuery(surface_);
+  points_.reset();
+  ++surfaceRevision_;
+  bindRig();
+  measuredFor_ = -1;
+  measure();
+}
+
+int ShapeStage::animationOf(int setting) const {
+  return setting <= static_cast<int>(rig_.animations.size()) ? setting - 1 : -1;
+}
+
+const groom::SurfacePoints& ShapeStage::points() const {
+  if (!points_) points_.emplace(surface_);
+  return *points_;
+}
+
+// The rig as it stands by itself; the surface is new.
+void ShapeStage::bindRig() {
+  skin_ = {};
+  sources_.clear();
+  leans_.clear();
+  pose_.reset();
+  firstTangents_.clear();
+  animation_ = -1;
+  seconds_ = 0;
+  if (!rig_.moves()) return;
+  pose_.emplace(rig_);
+  for (const geometry::SurfaceVertex& v : surface_.vertices) sources_.push_back(v.source);
+  readSkin();
+  std::vector<Vec3> positions, normals;
+  for (const geometry::SurfaceVertex& v : surface_.vertices) positions.push_back(v.position), normals.push_back(v.normal);
+  const geometry::Weld places = geometry::weldPositions(positions), ways = geometry::weldPositions(normals);
+  Numbering points;
+  // What the importer has computed in double precision.
+  for (std::size_t i = 0; i < surface_.vertices.size(); ++i) {
+    const Mat3 frame = frameOf(skin_.normals[i], skin_.tangents[i]);
+    skin_.positions[i] = positions[i];
+    const Vec3 n = skin_.normals[i] = normals[i];
+    skin_.tangents[i] = normalizeOr(skin_.tangents[i] - n * glm::dot(n, skin_.tangents[i]), Vec3(1, 0, 0));
+    if (surface_.turned)
+      leans_.push_back({n * frame, skin_.tangents[i] * frame, points.of(std::uint64_t{places.idOf[i]} << 32 | ways.idOf[i])});
+  }
+  firstTangents_ = skin_.tangents;
+}
+
+void ShapeStage::readSkin() {
+  spread(surface_, sources_, pose_->positions(), skin_.positions);
+  spread(surface_, sources_, pose_->normals(), skin_.normals);
+  spread(surface_, sources_, pose_->tangents(), skin_.tangents);
+  if (!leans_.empty()) leanOverEdges();
+}
+
+// Fur that leans over hard edges does so from its faces as when the surface was made; where they bend apart, between them.
+void ShapeStage::leanOverEdges() {
+  std::vector<Vec3> sums(leans_.size(), Vec3(0));
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    const Mat3 frame = frameOf(skin_.normals[i], skin_.tangents[i]);
+    skin_.tangents[i] = frame * leans_[i].tangent;
+    sums[leans_[i].point] += skin_.normals[i] = frame * leans_[i].normal;
+  }
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    const Vec3 n = skin_.normals[i] = normalizeOr(sums[leans_[i].point], skin_.normals[i]);
+    skin_.tangents[i] = tangentAcross(n, skin_.tangents[i]);
+  }
+}
+
+void ShapeStage::measure() {
+  extent_ = {};
+  groundHeight_ = 0;
+  for (const geometry::SurfaceVertex& v : surface_.vertices) groundHeight_ = std::min(groundHeight_, v.position.y);
+  if (!pose_ || measuredFor_ < 0) return;
+  const float duration = rig_.animations[static_cast<std::size_t>(measuredFor_)].duration;
+  for (int k = 0; k < kMeasuredPoses; ++k) {
+    pose_->set(measuredFor_, duration * static_cast<float>(k) / kMeasuredPoses);
+    for (const Vec3& p : pose_->positions()) {
+      groundHeight_ = std::min(groundHeight_, p.y);
+      include(extent_, p);
+    }
+  }
+  pose_->set(animation_, static_cast<float>(seconds_));
+}
+
+bool ShapeStage::update(const Inputs& inputs) {
+  if (!pose_) return false;
+  if (inputs.animation != measuredFor_) {
+    measuredFor_ = inputs.animation;
+    measure();
+  }
+  double seconds = inputs.animation == animation_ ? seconds_ : 0;
+  if (active(inputs)) {
+    const double duration = rig_.animations[static_cast<std::size_t>(inputs.animation)].duration;
+    seconds += static_cast<double>(inputs.seconds * inputs.speed);
+    seconds -= duration * std::floor(seconds / duration);
+  }
+  if (inputs.animation == animation_ && seconds == seconds_) return false;
+  animation_ = inputs.animation;
+  seconds_ = seconds;
+  pose_->set(animation_, static_cast<float>(seconds_));
+  readSkin();
+  ++poseRevision_;
+  return true;
+}
+
+const geometry::SurfaceQuery& ShapeStage::shownQuery() const {
+  if (!pose_) return query_;
+  if (std::exchange(posedQueryFor_, revision()) != revision()) {
+    posedQuery_ = query_;
+    posedQuery_.follow(surface_, skin_.positions);
+  }
+  return posedQuery_;
+}
+
+Vec3 ShapeStage::shownPosition(const geometry::SurfacePoint& at) const {
+  return pose_ ? valueAt(surface_, at, skin_.positions) : positionAt(surface_, at);
+}
+
+Vec3 ShapeStage::shownNormal(const geometry::SurfacePoint& at) const {
+  if (!pose_) return normalAt(surface_, at);
+  return normalizeOr(valueAt(surface_, at, skin_.normals), skin_.normals[surface_.indices[3 * std::size_t{at.triangle}]]);
+}
+
+std::optional<geometry::SurfacePoint> ShapeStage::nearest(const Vec3& place) const {
+  // Either side will do: the point is on the surface, or nearly.
+  for (const float radius : {0.01f, 0.1f, 4.0f})
+    for (const Vec3& side : {Vec3(0, 1, 0), Vec3(0, -1, 0), Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)})
+      if (const auto at = nearestPoint(surface_, query_, place, radius, side)) return at;
+  return std::nullopt;
+}
+
+}  // namespace fur::app

@@ -1,0 +1,101 @@
+// The model's shape: the surface that was made of a mesh, the animation that it plays, where its vertices are shown
+// now, and what finds points on it. Comes from a file or primitive, its rig and time; the other stages read it.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "geometry/Surface.h"
+#include "geometry/SurfaceQuery.h"
+#include "groom/Groom.h"
+#include "scene/Pose.h"
+
+namespace fur::app {
+
+// Two directions along the skin, across each other.
+std::pair<Vec3, Vec3> axesOn(const Vec3& normal);
+
+class ShapeStage {
+ public:
+  struct Inputs {
+    float seconds = 0;    // that have passed
+    int animation = -1;   // of the rig; -1: none
+    float speed = 0;      // of the animation, a factor; 0: it stands still
+  };
+  // A sphere that holds the skin, whatever the animation does with it. Model units.
+  struct Extent {
+    Vec3 centre{0};
+    float radius = 1;
+  };
+  // The skin of a posed model, one of each a vertex of the surface, model space.
+  struct Skin {
+    std::vector<Vec3> positions, normals, tangents;
+  };
+
+  // Another model; the rig may have no animations.
+  void setModel(geometry::Mesh mesh, geometry::Surface surface, scene::Rig rig);
+  // The same mesh with other fur coordinates.
+  void setSurface(geometry::Surface surface);
+  // Plays the animation. Whether the shape has changed.
+  bool update(const Inputs& inputs);
+  bool active(const Inputs& inputs) const { return inputs.animation >= 0 && inputs.speed > 0; }
+  // The animation of a setting that counts from 1; -1: the rig has none of that number.
+  int animationOf(int setting) const;
+
+  std::uint64_t revision() const { return surfaceRevision_ + poseRevision_; }
+  std::uint64_t surfaceRevision() const { return surfaceRevision_; }
+  std::uint64_t poseRevision() const { return poseRevision_; }
+
+  const geometry::Mesh& mesh() const { return mesh_; }
+  const geometry::Surface& surface() const { return surface_; }
+  const scene::Rig& rig() const { return rig_; }
+  const Extent& extent() const { return extent_; }
+  float groundHeight() const { return groundHeight_; }  // of the floor below all that it plays, y
+  const geometry::SurfaceQuery& query() const { return query_; }  // of the surface as it was made
+  // Positions of the surface without duplicates; made when first asked for.
+  const groom::SurfacePoints& points() const;
+
+  // nullptr for a model without animations: it is shown as it was made.
+  const Skin* skin() const { return pose_ ? &skin_ : nullptr; }
+  // Of each vertex, as it was made; empty for a model without animations.
+  std::span<const Vec3> firstTangents() const { return firstTangents_; }
+  // As shown.
+  const geometry::SurfaceQuery& shownQuery() const;
+  Vec3 shownPosition(const geometry::SurfacePoint& at) const;
+  Vec3 shownNormal(const geometry::SurfacePoint& at) const;
+  // The point of the surface nearest to a place in model space.
+  std::optional<geometry::SurfacePoint> nearest(const Vec3& place) const;
+
+ private:
+  // How fur leans over hard edges, in the frame of the pose without that lean; vertices of one point share a direction.
+  struct Lean {
+    Vec3 normal, tangent;
+    std::uint32_t point;
+  };
+  void bindRig();
+  void readSkin();
+  void leanOverEdges();
+  void measure();
+
+  geometry::Mesh mesh_;
+  geometry::Surface surface_;
+  geometry::SurfaceQuery query_;
+  mutable std::optional<groom::SurfacePoints> points_;
+  scene::Rig rig_;
+  std::optional<scene::Pose> pose_;
+  Skin skin_;
+  std::vector<std::uint32_t> sources_;  // of each vertex: one of the mesh's vertices or of those inserted between them
+  std::vector<Lean> leans_;             // empty without hard edges
+  std::vector<Vec3> firstTangents_;
+  int animation_ = -1;       // that is shown
+  double seconds_ = 0;       // of it
+  int measuredFor_ = -1;     // the animation that extent and ground are for
+  Extent extent_;
+  float groundHeight_ = -1;
+  mutable geometry::SurfaceQuery posedQuery_;
+  mutable std::uint64_t posedQueryFor_ = 0;  // the revision that it is of
+  std::uint64_t surfaceRevision_ = 0, poseRevision_ = 0;
+};
+
+}  // namespace fur::app

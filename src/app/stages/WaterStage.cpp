@@ -1,0 +1,205 @@
+#include "app/stages/WaterStage.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/Clock.h"
+#include "core/PortableMath.h"
+#include "geometry/Adjacency.h"
+
+namespace fur::app {
+
+namespace {
+
+// Places that find their neighbours between two looks at the clock.
+constexpr std::uint32_t kPlacesAtOnce = 1000;
+// Model radii a second in the strongest wind.
+constexpr float kWindSpeed = 1.5f;
+// Wetness a second under the middle of a hair dryer.
+constexpr float kDryerRate = 1.6f;
+// Of save(), which browsers keep from visit to visit: another one whenever that changes.
+constexpr std::uint32_t kLayout = 3;
+
+}  // namespace
+
+void WaterStage::touch() { ++revision_; }
+
+void WaterStage::reset() {
+  mask_.clear();
+  water_.reset();
+  strokes_.clear();
+  before_.reset();
+  held_.reset();
+  due_ = 0;
+  steps_ = 0;
+  layFor_ = 0;
+  touch();
+}
+
+const wet::SurfaceWetting& WaterStage::wetting(const ShapeStage& shape) {
+  if (std::exchange(wettingFor_, shape.surfaceRevision()) != shape.surfaceRevision() || !wetting_) wetting_.emplace(shape.surface(), mask_.size());
+  return *wetting_;
+}
+
+void WaterStage::layDown(const GroomStage& groom) {
+  if (std::exchange(layFor_, groom.verticesRevision()) == groom.verticesRevision()) return;
+  std::vector<Vec3> lay;
+  lay.reserve(groom.rests().size());
+  for (const Vec3& rest : groom.rests()) lay.push_back(rest / groom::kMaxComb);
+  water_.setLay(std::move(lay));
+}
+
+wet::Climate WaterStage::climate(const Inputs& inputs) const {
+  const settings::Settings& settings = inputs.settings;
+  wet::Climate c;
+  c.worldFromModel = inputs.worldFromModel;
+  c.wind = kWindSpeed * inputs.wind * Vec3(portableSin(settings.windYaw), 0, portableCos(settings.windYaw));
+  c.dryRate = settings.stayWet ? 0 : settings.dryRate;
+  c.furLength = settings.furLength;
+  c.clumpSize = settings.clumpSize;
+  c.groundHeight = inputs.shape.groundHeight();
+  c.rain = holds(Tool::Rain) ? std::max(settings.rain, strokes_.back().flow) : settings.rain;
+  c.shaking = inputs.shaking;
+  if (!holds(Tool::Dryer)) return c;
+  const WaterStroke& stroke = strokes_.back();
+  c.blowCentre = positionAt(inputs.shape.surface(), held_->at);
+  c.blowRadius = traitsOf(Tool::Dryer).reach * stroke.radius;
+  c.blow = kDryerRate * stroke.flow * held_->pressure;
+  return c;
+}
+
+bool WaterStage::update(const Inputs& inputs) {
+  layDown(inputs.groom);
+  wet::WetSurface on{inputs.shape.surface(), inputs.shape.query(), wetting(inputs.shape)};
+  if (const auto* skin = inputs.shape.skin()) on.positions = skin->positions, on.normals = skin->normals;
+  const std::uint64_t before = revision_;
+  bool changed = false;
+  // A hair early rather than a step late, as Water::step().
+  for (due_ = std::min(due_ + inputs.seconds, 1.0f); due_ > wet::Water::kStep * 0.999f; due_ -= wet::Water::kStep) {
+    if (!working() && !water_.active(mask_, climate(inputs))) continue;
+    for (const double begun = secondsNow(); !water_.prepare(on, kPlacesAtOnce);)
+      if (secondsNow() - begun >= inputs.budget) {
+        due_ = 0;
+        return revision_ != before;
+      }
+    if (working()) work(inputs);
+    const wet::Climate now = climate(inputs);
+    if (!water_.active(mask_, now)) continue;
+    if (inputs.shape.skin() && !water_.drops().empty()) on.shown = &inputs.shape.shownQuery();
+    changed |= water_.step(on, mask_, now);
+    ++steps_;
+  }
+  if (changed) touch();
+  return revision_ != before;
+}
+
+// --- what there is ---
+
+std::vector<wet::MaskTexels> WaterStage::takeTexels(const ShapeStage& shape, bool all) {
+  std::vector<wet::TexelRect> parts = mask_.takeChangedParts();
+  if (all) parts = {{0, 0, mask_.size(), mask_.size()}};
+  std::vector<wet::MaskTexels> texels;
+  for (const wet::TexelRect& part : parts)
+    texels.push_back(wet::encodeMask(mask_, part, {wetting(shape).chartOfTexel(), wetting(shape).atlas().triangleOf()}));
+  return texels;
+}
+
+const std::vector<float>& WaterStage::vertexWetness(const ShapeStage& shape) {
+  if (vertexWetnessFor_ == revision_ && vertexSurfaceFor_ == shape.surfaceRevision()) return vertexWetness_;
+  vertexWetnessFor_ = revision_;
+  vertexSurfaceFor_ = shape.surfaceRevision();
+  // Vertices of one point weigh the same, whichever charts they are of: where they bent apart, the coat would crack.
+  const geometry::Surface& surface = shape.surface();
+  const groom::SurfacePoints& points = shape.points();
+  vertexWetness_.resize(surface.vertices.size());
+  std::vector<Vec2> sums(points.count(), Vec2(0));
+  for (std::size_t i = 0; i < vertexWetness_.size(); ++i) {
+    const Vec2 atlas = surface.vertices[i].atlas;
+    sums[points.pointOf[i]] += Vec2(mask_.at(atlas.x, atlas.y).w, 1);
+  }
+  for (std::size_t i = 0; i < vertexWetness_.size(); ++i) {
+    const Vec2& sum = sums[points.pointOf[i]];
+    vertexWetness_[i] = sum.x / sum.y;
+  }
+  return vertexWetness_;
+}
+
+float WaterStage::meanWetness(const ShapeStage& shape) {
+  if (mask_.isDry()) return 0;
+  double sum = 0;
+  long texels = 0;
+  const auto& triangles = wetting(shape).atlas().triangleOf();
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    if (triangles[i] == geometry::kNoTriangle) continue;
+    sum += mask_.texels()[i].w;
+    ++texels;
+  }
+  return static_cast<float>(sum / static_cast<double>(std::max(texels, 1l)));
+}
+
+void WaterStage::readPuddles() {
+  if (std::exchange(puddlesFor_, water_.groundRevision()) == water_.groundRevision()) return;
+  std::vector<std::uint8_t> now;
+  bool wet = false, seen = false;
+  for (const float amount : water_.ground()) {
+    wet |= amount > 0;
+    now.push_back(static_cast<std::uint8_t>(255.0f * std::min(0.5f * amount, 1.0f)));
+    // Nobody sees a ground that is drier by a step of a byte.
+    const int was = puddles_.empty() ? 0 : puddles_[now.size() - 1];
+    seen |= std::abs(now.back() - was) > 1;
+  }
+  if (!wet) now.clear();
+  if (!seen && wet != puddles_.empty()) return;
+  puddles_ = std::move(now);
+  ++puddlesRevision_;
+}
+
+// --- files ---
+
+void WaterStage::restoreMask(std::vector<Vec4> texels, std::vector<float> film) {
+  mask_.restore(std::move(texels), std::move(film));
+  touch();
+}
+
+void WaterStage::readMask(const std::vector<Vec4>& from, int size) {
+  std::vector<Vec4> texels;
+  texels.reserve(mask_.texels().size());
+  for (int i = 0; i < kMaskSize * kMaskSize; ++i) {
+    const int x = i % kMaskSize * size / kMaskSize, y = i / kMaskSize * size / kMaskSize;
+    texels.push_back(from[static_cast<std::size_t>(y) * static_cast<std::size_t>(size) + static_cast<std::size_t>(x)]);
+  }
+  restoreMask(std::move(texels));
+}
+
+std::vector<std::uint8_t> WaterStage::save() const {
+  ByteWriter to;
+  to(kLayout, mask_.texels(), mask_.film());
+  water_.save(to);
+  to(steps_);
+  saveStrokes(to, strokes_);
+  return std::move(to.bytes);
+}
+
+bool WaterStage::restore(std::span<const std::uint8_t> bytes) {
+  ByteReader from(bytes);
+  std::vector<Vec4> texels;
+  std::vector<float> film;
+  wet::Water water;
+  std::uint32_t layout = 0, steps = 0;
+  from(layout, texels, film);
+  if (layout != kLayout) return false;
+  water.restore(from);
+  from(steps);
+  std::vector<WaterStroke> strokes = restoreStrokes(from);
+  const std::size_t all = mask_.texels().size();
+  if (!from.sound() || !from.atEnd() || texels.size() != all || (!film.empty() && film.size() != all)) return false;
+  water_ = std::move(water);
+  layFor_ = 0;
+  puddlesFor_ = water_.groundRevision() - 1;
+  steps_ = steps;
+  strokes_ = std::move(strokes);
+  restoreMask(std::move(texels), std::move(film));
+  return true;
+}
+
+}  // namespace fur::app

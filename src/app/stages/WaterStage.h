@@ -1,0 +1,128 @@
+// The water on the model: what strokes, drops and time make of the wetness mask, the film on it and the drops
+// (wet/Water.h). Remembers the strokes, so that they can be done again. Has a clock of its own, in steps of Water::kStep.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "app/commands/History.h"
+#include "app/commands/WaterStrokes.h"
+#include "app/stages/GroomStage.h"
+#include "app/stages/ShapeStage.h"
+#include "core/Random.h"
+#include "settings/Settings.h"
+#include "wet/MaskEncoding.h"
+#include "wet/SurfaceWetting.h"
+#include "wet/Water.h"
+#include "wet/WetnessMask.h"
+
+namespace fur::app {
+
+class WaterStage {
+ public:
+  static constexpr int kMaskSize = 256;
+  // Steps between two dabs of a brush that is held still.
+  static constexpr int kDabSteps = 8;
+
+  struct Inputs {
+    const ShapeStage& shape;
+    const GroomStage& groom;  // how the fur lies
+    const settings::Settings& settings;
+    Mat4 worldFromModel{1.0f};  // rigid
+    float wind = 0;             // strength of the settings, or 0
+    float shaking = 0;          // 0..1: how hard the model shakes itself
+    float seconds = 0;          // that have passed
+    double budget = 1e9;        // seconds of this machine's time for finding the water's ways on a new model
+  };
+
+  void reset();  // of another model
+  // Time goes by: it dries, runs and falls, and the tool that is held works. Whether anything has changed.
+  bool update(const Inputs& inputs);
+  bool active(const Inputs& inputs) const { return working() || water_.active(mask_, climate(inputs)); }
+  std::uint64_t revision() const { return revision_; }
+
+  // --- strokes: each ends in the step that undoes it ---
+  // `head`: all of the stroke but its points.
+  void beginStroke(WaterStroke head);
+  bool stroking() const { return before_.has_value(); }
+  // A stroke, or a part of it, at a point: what the command does there, or all over.
+  void strokeAt(const ShapeStage& shape, const geometry::SurfacePoint& at, float pressure = 1);
+  // The same on both sides where the settings say so.
+  void dab(const ShapeStage& shape, const settings::Settings& settings, const geometry::SurfacePoint& at, float pressure);
+  // Where the tool of the stroke is held during the next update(); none: off the model.
+  void hold(std::optional<geometry::SurfacePoint> at, float pressure);
+  // A tool is held that goes on.
+  bool working() const { return before_ && held_; }
+  bool holds(Tool tool) const { return working() && toolOf(strokes_.back().what) == tool; }
+  std::optional<MaskStep> endStroke();
+  // A command that is no stroke of its own: Shake, Undo, Redo.
+  void note(Command what, float clump);
+  void apply(const MaskStep& step, bool undo);
+
+  const std::vector<WaterStroke>& strokes() const { return strokes_; }
+  std::uint32_t steps() const { return steps_; }  // of the clock, since the model came
+  // The next step begins now.
+  void alignClock() { due_ = 0; }
+
+  // --- what there is ---
+  const wet::WetnessMask& mask() const { return mask_; }
+  const wet::Water& water() const { return water_; }
+  // What the picture takes of the mask, where it has changed since the last call, or all of it.
+  std::vector<wet::MaskTexels> takeTexels(const ShapeStage& shape, bool all);
+  // 0..1, one a vertex of the surface; vertices of one point have the same.
+  const std::vector<float>& vertexWetness(const ShapeStage& shape);
+  float meanWetness(const ShapeStage& shape);
+  // How wet the ground is, 0..255, as render::Frame has it; empty: dry. As of readPuddles(), which gives it another revision
+  // when one sees that it is another.
+  void readPuddles();
+  const std::vector<std::uint8_t>& puddles() const { return puddles_; }
+  std::uint32_t puddlesRevision() const { return puddlesRevision_; }
+
+  // --- files ---
+  // Texels and film of a mask of kMaskSize.
+  void restoreMask(std::vector<Vec4> texels, std::vector<float> film = {});
+  // Of a mask of another size, row-major.
+  void readMask(const std::vector<Vec4>& texels, int size);
+  // All water and what was done with it, to go on in another program with the same model.
+  std::vector<std::uint8_t> save() const;
+  // False: these are no bytes of save() for this model, and nothing has changed.
+  [[nodiscard]] bool restore(std::span<const std::uint8_t> bytes);
+
+ private:
+  struct Held {
+    geometry::SurfacePoint at;
+    float pressure;
+  };
+  // What the texels of the mask lie on.
+  const wet::SurfaceWetting& wetting(const ShapeStage& shape);
+  wet::Climate climate(const Inputs& inputs) const;
+  void layDown(const GroomStage& groom);
+  void work(const Inputs& inputs);
+  void pourFromHose(const Inputs& inputs);
+  void mark(const geometry::SurfacePoint& at, float pressure) { strokes_.back().points.push_back({steps_, at, pressure}); }
+  void scatter(const ShapeStage& shape, const Vec3& centre, const Vec3& normal, float radius, float clump, float amount);
+  void soak(const ShapeStage& shape, float amount, float clump);
+  void touch();
+
+  wet::WetnessMask mask_{kMaskSize};
+  wet::Water water_;
+  std::optional<wet::SurfaceWetting> wetting_;  // made when first needed: read it through wetting()
+  std::uint64_t wettingFor_ = 0, layFor_ = 0;   // revisions of surface and groom
+  std::uint64_t revision_ = 1;
+
+  std::vector<WaterStroke> strokes_;
+  std::optional<MaskImage> before_;  // the stroke at work
+  std::optional<Held> held_;
+  int sinceDab_ = 0;   // steps
+  Random random_{1};
+  float due_ = 0;      // seconds
+  std::uint32_t steps_ = 0;
+
+  std::vector<float> vertexWetness_;
+  std::uint64_t vertexWetnessFor_ = 0, vertexSurfaceFor_ = 0;
+  std::vector<std::uint8_t> puddles_;
+  std::uint32_t puddlesFor_ = 0, puddlesRevision_ = 0;
+};
+
+}  // namespace fur::app
