@@ -14,22 +14,22 @@ int baldType(const settings::Settings& settings) {
   return 0;
 }
 
-void shape(groom::Groom& groom, const groom::GroomSurface& ground, const groom::Brush& brush, groom::ShapeChannel channel, bool erases) {
-  erases ? groom::takeShape(groom, ground, brush, channel) : groom::addShape(groom, ground, brush, channel);
+void shape(groom::Groom& groom, const groom::GroomSurface& skin, const groom::Brush& brush, groom::ShapeChannel channel, bool erases) {
+  erases ? groom::takeShape(groom, skin, brush, channel) : groom::addShape(groom, skin, brush, channel);
 }
 
-void dab(Tool tool, groom::Groom& groom, const groom::GroomSurface& ground, const groom::Brush& brush, const settings::Settings& settings) {
+void dab(Tool tool, groom::Groom& groom, const groom::GroomSurface& skin, const groom::Brush& brush, const settings::Settings& settings) {
   const bool erases = settings.brushErases;
   switch (tool) {
-    case Tool::Paint: erases ? groom::unpaint(groom, ground, brush) : groom::paint(groom, ground, brush, settings.paintColor); break;
-    case Tool::Mask: erases ? groom::unprotect(groom, ground, brush) : groom::protect(groom, ground, brush); break;
-    case Tool::Cut: groom::cutTo(groom, ground, brush, settings.cutLength); break;
+    case Tool::Paint: erases ? groom::unpaint(groom, skin, brush) : groom::paint(groom, skin, brush, settings.paintColor); break;
+    case Tool::Mask: erases ? groom::unprotect(groom, skin, brush) : groom::protect(groom, skin, brush); break;
+    case Tool::Cut: groom::cutTo(groom, skin, brush, settings.cutLength); break;
     case Tool::Thin:
-      if (const int type = baldType(settings)) erases ? groom::takeType(groom, ground, brush, type) : groom::paintType(groom, ground, brush, type);
+      if (const int type = baldType(settings)) erases ? groom::takeType(groom, skin, brush, type) : groom::paintType(groom, skin, brush, type);
       break;
-    case Tool::Curl: shape(groom, ground, brush, groom::ShapeChannel::Curl, erases); break;
-    case Tool::Frizz: shape(groom, ground, brush, groom::ShapeChannel::Frizz, erases); break;
-    case Tool::Locks: shape(groom, ground, brush, groom::ShapeChannel::Locks, erases); break;
+    case Tool::Curl: shape(groom, skin, brush, groom::ShapeChannel::Curl, erases); break;
+    case Tool::Frizz: shape(groom, skin, brush, groom::ShapeChannel::Frizz, erases); break;
+    case Tool::Locks: shape(groom, skin, brush, groom::ShapeChannel::Locks, erases); break;
     default: break;
   }
 }
