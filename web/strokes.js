@@ -3,18 +3,16 @@
 
 const headNumbers = 7, spotNumbers = 5;
 // Per unit: radius, flow, clump size, eye; step, triangle, two weights, pressure.
-const headScale = [1, 1e4, 1e4, 1e4, 1e3, 1e3, 1e3], spotScale = [1, 1, 1e3, 1e3, 100];
+const headScale = [1e4, 1e4, 1e4, 1e3, 1e3, 1e3], spotScale = [1, 1, 1e3, 1e3, 100];
 /** Pauses become as short: nobody waits for them when a link opens. Steps of 1/60 s. */
 const longestPause = 60;
 const mostSteps = 1800;
 const mostText = 1024 * 1024;
-// As app/AppState.h numbers what was done.
-const soak = 102, undo = 105;
 
 /** Without what the last soaking, or drying off, has made undone. */
 function sinceSoaked(strokes) {
-  const last = strokes.findLastIndex(([what]) => what === soak);
-  return strokes.slice(last + 1).some(([what]) => what >= undo) ? strokes : strokes.slice(Math.max(last, 0));
+  const last = strokes.findLastIndex(([what]) => what === 'soak');
+  return strokes.slice(last + 1).some(([what]) => what === 'undo' || what === 'redo') ? strokes : strokes.slice(Math.max(last, 0));
 }
 
 const piped = (bytes, through) => new Blob([bytes]).stream().pipeThrough(through);
@@ -24,7 +22,8 @@ export async function packStrokes(recorded) {
   if (!globalThis.CompressionStream) return null;
   let before, triangle = 0, steps = 0;
   const columns = sinceSoaked(JSON.parse(recorded)).map((stroke) => {
-    const out = [headScale.map((scale, i) => Math.round(stroke[i] * scale)), [], [], [], [], []];
+    const head = [stroke[0], ...headScale.map((scale, i) => Math.round(stroke[i + 1] * scale))];
+    const out = [head, [], [], [], [], []];
     for (let at = headNumbers; at < stroke.length; at += spotNumbers) {
       const spot = spotScale.map((scale, i) => Math.round(stroke[at + i] * scale));
       const pause = Math.min(Math.max(spot[0] - (before ?? spot[0]), 0), longestPause);
@@ -58,7 +57,7 @@ async function inflated(bytes) {
 export async function unpackStrokes(text) {
   let step = 0, triangle = 0;
   const strokes = JSON.parse(await inflated(fromBase64Url(text))).map(([head, ...columns]) => {
-    const stroke = headScale.map((scale, i) => head[i] / scale);
+    const stroke = [head[0], ...headScale.map((scale, i) => head[i + 1] / scale)];
     columns[0].forEach((pause, at) => {
       step += Math.min(Math.max(pause, 0), longestPause);
       triangle += columns[1][at];

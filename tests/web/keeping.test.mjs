@@ -240,7 +240,7 @@ for (const editor of [0, 1]) {
 }
 
 test('strokes that are packed for a link read back, within their bounds', async () => {
-  const strokes = [[0, 0.12, 0.5, 0.05, 0.1, -2, 3, 100, 7, 0.25, 0.5, 1, 130, 9, 0.125, 0.3, 0.5], [104, 0, 0, 0.05, 0, 0, 0, 9000, 0, 0, 0, 1]];
+  const strokes = [['droplet', 0.12, 0.5, 0.05, 0.1, -2, 3, 100, 7, 0.25, 0.5, 1, 130, 9, 0.125, 0.3, 0.5], ['shake', 0, 0, 0.05, 0, 0, 0, 9000, 0, 0, 0, 1]];
   const packed = await packStrokes(JSON.stringify(strokes));
   assert.match(packed, /^[A-Za-z0-9_-]+$/);
   const back = JSON.parse(await unpackStrokes(packed));
@@ -248,11 +248,11 @@ test('strokes that are packed for a link read back, within their bounds', async 
   assert.deepEqual(back[0].slice(7), [0, 7, 0.25, 0.5, 1, 30, 9, 0.125, 0.3, 0.5]);
   assert.equal(back[1][7], 90, 'nobody waits out a pause');
   // What was dried off since is nobody's.
-  const soak = [102, 0, 0, 0.05, 0, 0, 0, 140, 0, 0, 0, 1];
+  const soak = ['soak', 0, 0, 0.05, 0, 0, 0, 140, 0, 0, 0, 1];
   assert.deepEqual(JSON.parse(await unpackStrokes(await packStrokes(JSON.stringify([strokes[0], soak])))).length, 1);
   assert.equal(await packStrokes('[]'), null);
   for (const bad of ['', 'AAAA', '%', packed.slice(2)]) await assert.rejects(unpackStrokes(bad));
-  const long = Array.from({ length: 40 }, (_, i) => [0, 0.1, 0.5, 0.05, 0, 0, 3, 90 * i, 7, 0.2, 0.2, 1]);
+  const long = Array.from({ length: 40 }, (_, i) => ['droplet', 0.1, 0.5, 0.05, 0, 0, 3, 90 * i, 7, 0.2, 0.2, 1]);
   assert.equal(await packStrokes(JSON.stringify(long)), null, 'more than half a minute of water');
 });
 
@@ -277,7 +277,7 @@ test('a link takes the water along, and says when it does not fit', async () => 
     let seed = 1;
     const next = () => { seed = (seed * 1664525 + 1013904223) % 2 ** 32; return seed / 2 ** 32; };
     const many = Array.from({ length: 2500 }, () => [0, Math.floor(200 * next()), next() / 2, next() / 2, 1]).flat();
-    fur.replay(JSON.stringify([[100, 0.02, 0.5, 0.05, 0, 0, 3, ...many]]));
+    fur.replay(JSON.stringify([['splash', 0.02, 0.5, 0.05, 0, 0, 3, ...many]]));
   });
   assert.equal(await copyLink(page), 'Link copied, without the water, of which there is too much for a link');
 });
