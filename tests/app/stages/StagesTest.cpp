@@ -1,0 +1,295 @@
+// The stages without a context: each by itself, and all of them in the order in which the app updates them.
+#include <gtest/gtest.h>
+
+#include "app/stages/CoatStage.h"
+#include "app/stages/GroomStage.h"
+#include "app/stages/MotionStage.h"
+#include "app/stages/ShapeStage.h"
+#include "app/stages/WaterStage.h"
+#include "geometry/Primitives.h"
+#include "scene/Model.h"
+#include "scene/Tentacle.h"
+
+namespace fur::app {
+namespace {
+
+// Keeps what a coat sends, as a renderer would.
+struct Layers final : CoatReceiver {
+  void prepare() override { ++prepared; }
+  void begin(int, int layers, int, int types) override { expected = layers * types, received = 0; }
+  void setLayer(int, int, std::span<const furgen::PackedLevel>) override { ++received; }
+  void setFin(int, std::span<const furgen::PackedLevel>) override { ++fins; }
+  void show(std::span<const float> densities) override { ++shown, types = densities.size(); }
+
+  int prepared = 0, expected = 0, received = 0, fins = 0, shown = 0;
+  std::size_t types = 0;
+};
+
+struct Model {
+  Model() {
+    settings.layers = 8;
+    settings.tileSize = 0;
+    geometry::Mesh mesh = geometry::makeSphere();
+    mesh.uv.clear();
+    auto surface = geometry::buildSurface(mesh, geometry::FurMapping::Charts);
+    shape.setModel(std::move(mesh), std::move(*surface), {});
+    groom.update({shape, settings});
+    motion.settle(motionInputs(0));
+  }
+  MotionStage::Inputs motionInputs(float seconds) {
+    MotionStage::Inputs inputs{.shape = shape, .groom = groom, .water = water, .coatWeight = coat.coat().weight(), .settings = settings};
+    inputs.seconds = seconds;
+    inputs.idleTime = 1000;
+    return inputs;
+  }
+  WaterStage::Inputs waterInputs(float seconds) {
+    WaterStage::Inputs inputs{.shape = shape, .groom = groom, .settings = settings};
+    inputs.seconds = seconds;
+    return inputs;
+  }
+  CoatStage::Inputs coatInputs() { return {.settings = settings, .types = groom.types(), .receiver = &layers}; }
+  void step(float seconds) {
+    groom.update({shape, settings});
+    coat.update(coatInputs(), warnings);
+    motion.update(motionInputs(seconds));
+    water.update(waterInputs(seconds));
+  }
+  void stroke(Command what, float flow) {
+    water.beginStroke({what, 0.2f, flow, 0.05f, Vec3(0, 0, 3)});
+    water.strokeAt(shape, {0, Vec3(1, 0, 0), 0});
+    last = water.endStroke();
+  }
+  float longestBend() const {
+    float most = 0;
+    for (const Vec4& bend : motion.bends()) most = std::max(most, glm::length(Vec3(bend)));
+    return most;
+  }
+
+  settings::Settings settings;
+  ShapeStage shape;
+  GroomStage groom;
+  CoatStage coat;
+  WaterStage water;
+  MotionStage motion;
+  Layers layers;
+  Warnings warnings;
+  std::optional<MaskStep> last;
+};
+
+TEST(CoatStage, SendsEveryLayerOnceAndThenRests) {
+  Model model;
+  EXPECT_TRUE(model.coat.active(model.coatInputs()));
+  EXPECT_EQ(model.coat.progress(model.coatInputs()), 0);
+  EXPECT_TRUE(model.coat.update(model.coatInputs(), model.warnings));
+  EXPECT_EQ(model.layers.received, 8);
+  EXPECT_EQ(model.layers.received, model.layers.expected);
+  EXPECT_EQ(model.layers.fins, 1);
+  EXPECT_EQ(model.layers.shown, 1);
+  EXPECT_EQ(model.layers.prepared, 1);
+  EXPECT_EQ(model.coat.coat().layers(), 8);
+  EXPECT_GT(model.coat.coat().strandCount(), 100);
+  EXPECT_FALSE(model.coat.active(model.coatInputs()));
+  const std::uint64_t revision = model.coat.revision();
+  EXPECT_FALSE(model.coat.update(model.coatInputs(), model.warnings));
+  EXPECT_EQ(model.coat.revision(), revision);
+}
+
+TEST(CoatStage, GrowsAnewForASettingOfTheGeneratorAndForNoOther) {
+  Model model;
+  model.coat.update(model.coatInputs(), model.warnings);
+  model.settings.furLength *= 2;
+  EXPECT_FALSE(model.coat.active(model.coatInputs()));
+  model.settings.curl += 0.3f;
+  EXPECT_TRUE(model.coat.active(model.coatInputs()));
+  EXPECT_TRUE(model.coat.update(model.coatInputs(), model.warnings));
+  EXPECT_EQ(model.layers.shown, 2);
+}
+
+TEST(CoatStage, GrowsInSlicesWhileTheOneBeforeStays) {
+  Model model;
+  model.coat.update(model.coatInputs(), model.warnings);
+  model.settings.density *= 0.5f;
+  CoatStage::Inputs slice = model.coatInputs();
+  slice.budget = 0;
+  const std::uint64_t before = model.coat.revision();
+  int slices = 0;
+  float progress = 0;
+  while (!model.coat.update(slice, model.warnings)) {
+    ASSERT_EQ(model.coat.revision(), before);
+    EXPECT_GE(model.coat.progress(slice), progress);
+    progress = model.coat.progress(slice);
+    ASSERT_LT(++slices, 100000);
+  }
+  EXPECT_GT(slices, 8);
+  EXPECT_EQ(model.coat.progress(slice), 1);
+}
+
+TEST(CoatStage, SendsAllAgainToAReceiverThatHasForgotten) {
+  Model model;
+  model.coat.update(model.coatInputs(), model.warnings);
+  model.coat.forgetLayers();
+  EXPECT_FALSE(model.coat.shown());
+  EXPECT_TRUE(model.coat.update(model.coatInputs(), model.warnings));
+  EXPECT_EQ(model.layers.prepared, 2);
+  EXPECT_EQ(model.layers.received, 8);
+}
+
+TEST(GroomStage, TellsWhatAStrokeChangedAndUndoesIt) {
+  Model model;
+  const std::uint64_t before = model.groom.revision(), hash = model.groom.hash(model.shape);
+  for (std::size_t map = 0; map < std::size(groom::kMaps); ++map) (void)model.groom.takeChanged(map);
+  model.groom.beginStroke(model.shape);
+  model.settings.groomStrength = 1;
+  model.groom.dab(model.shape, model.settings, Tool::Trim, {0, Vec3(1, 0, 0), 0}, model.warnings);
+  auto step = model.groom.endStroke();
+  ASSERT_TRUE(step);
+  EXPECT_GT(model.groom.revision(), before);
+  EXPECT_TRUE(model.groom.active({model.shape, model.settings}));
+  EXPECT_TRUE(model.groom.update({model.shape, model.settings}));
+  EXPECT_FALSE(model.groom.update({model.shape, model.settings}));
+  EXPECT_TRUE(model.groom.hasLengths());
+  EXPECT_EQ(model.groom.vertexLengths().size(), model.shape.surface().vertices.size());
+  EXPECT_FALSE(model.groom.takeChanged(0).empty());
+  EXPECT_TRUE(model.groom.takeChanged(0).empty());
+  EXPECT_TRUE(model.groom.takeChanged(1).empty());
+  model.groom.apply(model.shape, *step, true);
+  model.groom.update({model.shape, model.settings});
+  EXPECT_FALSE(model.groom.hasLengths());
+  EXPECT_EQ(model.groom.hash(model.shape), hash);
+}
+
+TEST(WaterStage, AStrokeWetsTheVerticesRoundItAndItsStepTakesThatBack) {
+  Model model;
+  const std::uint64_t before = model.water.revision();
+  model.stroke(Command::Droplet, 0.8f);
+  ASSERT_TRUE(model.last);
+  EXPECT_GT(model.water.revision(), before);
+  const std::vector<float>& wetness = model.water.vertexWetness(model.shape);
+  EXPECT_GT(*std::max_element(wetness.begin(), wetness.end()), 0.1f);
+  EXPECT_GT(model.water.meanWetness(model.shape), 0);
+  EXPECT_FALSE(model.water.takeTexels(model.shape, false).empty());
+  EXPECT_TRUE(model.water.takeTexels(model.shape, false).empty());
+  model.water.apply(*model.last, true);
+  EXPECT_TRUE(model.water.mask().isDry());
+  EXPECT_EQ(model.water.strokes().size(), 1u);
+}
+
+TEST(WaterStage, DriesInTimeAndThenRests) {
+  Model model;
+  model.settings.dryRate = 1;
+  model.stroke(Command::Soak, 0.1f);
+  EXPECT_TRUE(model.water.active(model.waterInputs(0)));
+  for (int i = 0; i < 600 && model.water.active(model.waterInputs(0)); ++i) model.water.update(model.waterInputs(0.1f));
+  EXPECT_TRUE(model.water.mask().isDry());
+  EXPECT_FALSE(model.water.active(model.waterInputs(0)));
+  EXPECT_FALSE(model.water.update(model.waterInputs(0.1f)));
+}
+
+TEST(WaterStage, AToolThatIsHeldWorksUntilItsStrokeEnds) {
+  Model model;
+  model.water.beginStroke({Command::Hose, 0.2f, 1, 0.05f, Vec3(0, 0, 3)});
+  EXPECT_FALSE(model.water.working());
+  model.water.hold(geometry::SurfacePoint{0, Vec3(1, 0, 0), 0}, 1);
+  EXPECT_TRUE(model.water.holds(Tool::Hose));
+  for (int i = 0; i < 30; ++i) model.water.update(model.waterInputs(1.0f / 60));
+  EXPECT_GT(model.water.water().drops().size(), 10u);
+  EXPECT_TRUE(model.water.endStroke() || model.water.mask().isDry());
+  EXPECT_FALSE(model.water.working());
+  // Where it began, and where it ended.
+  EXPECT_EQ(model.water.strokes().back().points.size(), 2u);
+}
+
+TEST(WaterStage, GoesOnInAnotherProgramAsItWouldHaveHere) {
+  Model model, other;
+  model.stroke(Command::Soak, 0.9f);
+  for (int i = 0; i < 20; ++i) model.water.update(model.waterInputs(0.05f));
+  ASSERT_TRUE(other.water.restore(model.water.save()));
+  EXPECT_EQ(other.water.mask().hash(), model.water.mask().hash());
+  EXPECT_EQ(writeStrokes(other.water.strokes()), writeStrokes(model.water.strokes()));
+  std::vector<std::uint8_t> cut = model.water.save();
+  cut.pop_back();
+  const std::uint64_t before = other.water.revision();
+  EXPECT_FALSE(other.water.restore(cut));
+  EXPECT_EQ(other.water.revision(), before);
+}
+
+TEST(MotionStage, RestsUntilAForceOrWaterChanges) {
+  Model model;
+  model.step(0.1f);
+  for (int i = 0; i < 200 && model.motion.active(model.motionInputs(0)); ++i) model.step(0.1f);
+  ASSERT_FALSE(model.motion.active(model.motionInputs(0)));
+  const std::uint64_t revision = model.motion.revision();
+  EXPECT_FALSE(model.motion.update(model.motionInputs(0.1f)));
+  EXPECT_EQ(model.motion.revision(), revision);
+  model.settings.gravity = 0;
+  EXPECT_TRUE(model.motion.active(model.motionInputs(0)));
+  model.settings.gravity = settings::Settings().gravity;
+  EXPECT_FALSE(model.motion.active(model.motionInputs(0)));
+  model.stroke(Command::Soak, 0.8f);
+  EXPECT_TRUE(model.motion.active(model.motionInputs(0)));
+  EXPECT_TRUE(model.motion.update(model.motionInputs(0.1f)));
+}
+
+TEST(MotionStage, ReducedMotionHasNoWind) {
+  Model model;
+  model.settings.wind = 1;
+  model.settings.gravity = 0;
+  MotionStage::Inputs inputs = model.motionInputs(0);
+  inputs.reducedMotion = true;
+  model.motion.settle(inputs);
+  EXPECT_EQ(model.longestBend(), 0);
+  model.motion.settle(model.motionInputs(0));
+  EXPECT_GT(model.longestBend(), 0.1f);
+}
+
+TEST(MotionStage, CombedFurLiesAtOnceWhenItSettles) {
+  Model model;
+  model.settings.gravity = 0;
+  model.groom.beginStroke(model.shape);
+  model.groom.edit(model.shape, GroomEdit::Comb, 1, Vec3(0, -1, 0), 1, model.warnings);
+  EXPECT_TRUE(model.groom.endStroke());
+  model.groom.update({model.shape, model.settings});
+  EXPECT_FALSE(model.groom.rests().empty());
+  model.motion.settle(model.motionInputs(0));
+  EXPECT_GT(model.longestBend(), 0.5f);
+}
+
+TEST(ShapeStage, PlaysAnAnimationAndItsQueriesFollow) {
+  auto model = scene::importModel(scene::Tentacle().build(), "tentacle.glb");
+  ASSERT_TRUE(model);
+  auto surface = geometry::buildSurface(model->mesh, geometry::FurMapping::Charts);
+  ASSERT_TRUE(surface);
+  ShapeStage shape;
+  shape.setModel(std::move(model->mesh), std::move(*surface), std::move(model->rig));
+  const int wave = shape.animationOf(1);
+  EXPECT_EQ(wave, 0);
+  EXPECT_EQ(shape.animationOf(7), -1);
+  EXPECT_TRUE(shape.active({0, wave, 1}));
+  EXPECT_FALSE(shape.active({0, wave, 0}));
+  shape.update({0, wave, 1});
+  const std::uint64_t before = shape.revision(), surfaceBefore = shape.surfaceRevision();
+  const std::vector<Vec3> still = shape.skin()->positions;
+  EXPECT_TRUE(shape.update({0.5f, wave, 1}));
+  EXPECT_GT(shape.revision(), before);
+  EXPECT_EQ(shape.surfaceRevision(), surfaceBefore);
+  std::size_t moved = 0;
+  for (std::size_t i = 0; i < still.size(); ++i) moved += still[i] != shape.skin()->positions[i];
+  EXPECT_GT(moved, still.size() / 4);
+  const Vec3 at = shape.shownPosition({0, Vec3(0.4f, 0.3f, 0.3f), 0}), normal = shape.shownNormal({0, Vec3(0.4f, 0.3f, 0.3f), 0});
+  const auto hit = shape.shownQuery().castRay(at + 0.01f * normal, -normal);
+  ASSERT_TRUE(hit);
+  EXPECT_LT(glm::distance(shape.shownPosition(*hit), at), 0.01f);
+  EXPECT_FALSE(shape.update({0.5f, wave, 0}));
+}
+
+TEST(ShapeStage, AModelWithoutAnimationsIsShownAsItWasMade) {
+  Model model;
+  EXPECT_EQ(model.shape.skin(), nullptr);
+  EXPECT_EQ(&model.shape.shownQuery(), &model.shape.query());
+  const std::uint64_t revision = model.shape.revision();
+  EXPECT_FALSE(model.shape.update({1, 0, 1}));
+  EXPECT_EQ(model.shape.revision(), revision);
+}
+
+}  // namespace
+}  // namespace fur::app
