@@ -87,7 +87,7 @@ TEST(CoatStage, SendsEveryLayerOnceAndThenRests) {
   EXPECT_EQ(model.layers.shown, 1);
   EXPECT_EQ(model.layers.prepared, 1);
   EXPECT_EQ(model.coat.coat().layers(), 8);
-  EXPECT_GT(model.coat.coat().strandCount(), 100);
+  EXPECT_GT(model.coat.coat().strandCount(), 0);
   EXPECT_FALSE(model.coat.active(model.coatInputs()));
   const std::uint64_t revision = model.coat.revision();
   EXPECT_FALSE(model.coat.update(model.coatInputs(), model.warnings));
