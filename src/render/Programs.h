@@ -52,11 +52,13 @@ class Programs {
  public:
   // Lets the driver compile it while the program goes on; use() waits for it.
   void begin(Shader shader, unsigned variant);
-  // The program, bound for use. A shader that the driver refuses is the error.
-  Result<const gl::Program*> use(Shader shader, unsigned variant);
+  // The program, bound for use; null where the driver refuses a shader of it, which error() then tells.
+  [[nodiscard]] const gl::Program* use(Shader shader, unsigned variant);
+  const Error& error() const { return error_; }
 
  private:
   std::map<std::pair<Shader, unsigned>, gl::Program> begun_, programs_;
+  Error error_{};
 };
 
 // Every variant that the renderer can ask for: a test compiles them all.
