@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "app/AppState.h"
+#include "core/Fnv1a.h"
 #include "groom/GroomBrush.h"
 #include "groom/GroomFilters.h"
 #include "groom/Selection.h"
@@ -365,19 +366,11 @@ void App::groomWith(const EditorGroom* given) { editorGroom = given; }
 
 std::uint64_t App::groomHash() const {
   state_->groomSurface();
-  std::uint64_t hash = 0;
-  for (const auto map : groom::kMaps) hash = (hash ^ (state_->groom.*map).hash()) * 1099511628211ull;
-  const auto add = [&hash](std::uint32_t bits) { hash = (hash ^ bits) * 1099511628211ull; };
-  for (const Vec3& comb : state_->groom.comb)
-    for (int k = 0; k < 3; ++k) {
-      const float number = comb[k] + 0.0f;  // -0 is 0
-      std::uint32_t bits;
-      std::memcpy(&bits, &number, sizeof bits);
-      add(bits);
-    }
-  for (const groom::Whisker& whisker : state_->groom.whiskers)
-    for (const std::uint32_t word : wordsOf(whisker)) add(word);
-  return hash;
+  Fnv1a hash;
+  for (const auto map : groom::kMaps) hash.add((state_->groom.*map).hash());
+  for (const Vec3& comb : state_->groom.comb) hash.add(comb + 0.0f);  // -0 is 0
+  for (const groom::Whisker& whisker : state_->groom.whiskers) hash.addAll(wordsOf(whisker));
+  return hash.value();
 }
 
 }  // namespace fur::app

@@ -1,5 +1,4 @@
-// The shape and light of wet clumps, as plain numbers: the C++ twins of what the shaders do
-// (Silva et al. 2010, Eq. 1, 3, 5).
+// The shape of wet clumps, as plain numbers: the C++ twins of what the shaders do (Silva et al. 2010, Eq. 1).
 //
 // h: height, 0 skin .. 1 tip   w: shape, 0 = straight leaning strands, 1 = bent in from the root
 // rho: wetness 0..1            N = layers
@@ -71,12 +70,5 @@ inline float clumpShift(float h, float w, float layers, float rho) {
 // Where the strand rooted at q stands at height h, and the exact way back.
 inline Vec2 clumpForward(const Vec2& q, const Vec2& centre, float s) { return q - s * (q - centre); }
 inline Vec2 clumpInverse(const Vec2& p, const Vec2& centre, float s) { return p + (p - centre) * (s / (1.0f - s)); }
-
-// p (1 + sigma_spec (rho - 1)): dry fur has the blunter highlight (Eq. 3).
-inline float wetSpecularExponent(float p, float rho, float sigmaSpec) { return p * (1.0f + sigmaSpec * (rho - 1.0f)); }
-// 1 + sigma_occ (h - 1): less light reaches the roots (Eq. 5).
-inline float occlusionFactor(float h, float sigmaOcc) { return 1.0f + sigmaOcc * (h - 1.0f); }
-// 1 - sigma_wet rho (Eq. 5).
-inline float wetDarkening(float rho, float sigmaWet) { return 1.0f - sigmaWet * rho; }
 
 }  // namespace fur::wet

@@ -40,7 +40,7 @@ struct WetSurface {
 struct Climate {
   Mat4 worldFromModel{1.0f};  // rigid
   Vec3 wind{0};               // model radii a second
-  float dryRate = 0.02f;      // wetness lost a second where half wet, in still air
+  float dryRate = 0.02f;      // per second, see Drying.h
   float furLength = 0.12f;
   float clumpSize = 0.05f;    // radius of the clumps that form by themselves
   float groundHeight = -1;

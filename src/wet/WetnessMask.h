@@ -52,7 +52,7 @@ class WetnessMask {
   TexelRect addDroplet(const Droplet& droplet, const std::uint16_t* chartOfTexel = nullptr, std::uint16_t chart = 0);
   // Lowers the wetness within the radius; takes water away, never moves a clump's centre.
   TexelRect dryAt(const Droplet& brush, const std::uint16_t* chartOfTexel = nullptr, std::uint16_t chart = 0);
-  // Lowers the wetness of every wet texel by rate * seconds; a texel that reaches 0 forgets its clump.
+  // Dries all of it as fur dries in still air (Drying.h); a texel that reaches 0 forgets its clump.
   TexelRect dry(float seconds, float rate);
   void clear();
   // size * size of them; unsound ones (not finite, no radius) become dry.

@@ -44,4 +44,14 @@ for (const [suite, names] of Object.entries(suites)) {
   });
 }
 
+// What tests print by printOnEveryPlatform(), as { name: hash }.
+const printedBy = ({ stdout }) => Object.fromEntries([...stdout.matchAll(/^on every platform: (.*) ([0-9a-f]{16})$/gm)].map(([, name, hash]) => [name, hash]));
+
+test('seeds and recordings give the same bytes as in the native program', () => {
+  const native = spawnSync(join(root, 'build/native-release/wet-fur-tests'), ['--gtest_filter=*OnEveryPlatform'], { encoding: 'utf8' });
+  assert.equal(native.status, 0, native.stderr);
+  assert.ok(Object.keys(printedBy(native)).length >= 8, native.stdout);
+  assert.deepEqual(printedBy(result), printedBy(native));
+});
+
 test('the program says of itself that all passed', () => assert.equal(result.status, 0, result.stderr));

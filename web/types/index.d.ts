@@ -143,7 +143,7 @@ export interface FurSettings {
   brushFlow: number;
   /** Radius of a single droplet, and so of the clump that it binds. */
   clumpSize: number;
-  /** Wetness lost per second. */
+  /** Wetness that half-wet fur loses in a second. */
   dryRate: number;
   /** Water dries only where it is wiped, blown or shaken off. */
   stayWet: boolean;

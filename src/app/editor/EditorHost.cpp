@@ -11,18 +11,13 @@
 
 #include "app/OrbitCamera.h"
 #include "app/editor/EditorGroom.h"
+#include "core/Fnv1a.h"
 #include "geometry/AtlasOutlines.h"
 #include "settings/Presets.h"
 
 namespace fur::app {
 
 namespace {
-
-// FNV-1a (Fowler, Noll, Vo): enough to tell two frames of a panel apart.
-void mix(std::uint64_t& hash, const void* data, std::size_t bytes) {
-  const auto* byte = static_cast<const unsigned char*>(data);
-  for (std::size_t i = 0; i < bytes; ++i) hash = (hash ^ byte[i]) * 0x100000001b3ull;
-}
 
 template <class... F>
 struct Overloaded : F... {
@@ -445,19 +440,19 @@ bool EditorHost::active() const {
 }
 
 std::uint64_t EditorHost::pictureHash() const {
-  std::uint64_t hash = 0xcbf29ce484222325ull;
+  Fnv1a hash;
   const ImDrawData* data = ImGui::GetDrawData();
   for (int i = 0; data && i < data->CmdListsCount; ++i) {
     const ImDrawList& list = *data->CmdLists[i];
-    mix(hash, list.VtxBuffer.Data, static_cast<std::size_t>(list.VtxBuffer.size_in_bytes()));
-    mix(hash, list.IdxBuffer.Data, static_cast<std::size_t>(list.IdxBuffer.size_in_bytes()));
+    hash.addBytes(list.VtxBuffer.Data, static_cast<std::size_t>(list.VtxBuffer.size_in_bytes()));
+    hash.addBytes(list.IdxBuffer.Data, static_cast<std::size_t>(list.IdxBuffer.size_in_bytes()));
     for (const ImDrawCmd& command : list.CmdBuffer) {
-      mix(hash, &command.ClipRect, sizeof command.ClipRect);
-      mix(hash, &command.TextureId, sizeof command.TextureId);
+      hash.add(command.ClipRect);
+      hash.add(command.TextureId);
     }
   }
-  mix(hash, &picturesMade_, sizeof picturesMade_);
-  return hash;
+  hash.add(picturesMade_);
+  return hash.value();
 }
 
 // Where the tool would reach from the pointer.
