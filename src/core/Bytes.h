@@ -1,5 +1,5 @@
-// State as bytes, which the same build reads again elsewhere: what belongs to it is named once for both ways. Numbers
-// and plain structures, and vectors of them.
+// Writes and reads state as bytes, for the same build only. Writer and reader are called with the same list of values, which
+// may be numbers, plain structs and vectors of these.
 #pragma once
 
 #include <cstdint>
@@ -36,7 +36,7 @@ class ByteWriter {
   }
 };
 
-// Of bytes that end too early the rest stays as it was, vectors empty, and they are not sound.
+// When the bytes end too early, sound() is false, the values that are left keep what they had, and vectors are empty.
 class ByteReader {
  public:
   explicit ByteReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
@@ -44,8 +44,7 @@ class ByteReader {
   void operator()(T&... values) {
     (take(values), ...);
   }
-  // So far; and whether nothing is left.
-  bool sound() const { return sound_; }
+  bool sound() const { return sound_; }  // all values so far were there
   bool atEnd() const { return bytes_.empty(); }
 
  private:
