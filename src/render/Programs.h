@@ -61,7 +61,8 @@ class Programs {
   Error error_{};
 };
 
-// Every variant that the renderer can ask for: a test compiles them all.
+// The variants that the renderer can ask for (Look.h), of those with paint and with Sheppard's bend a sample: a test compiles
+// them all.
 std::vector<std::pair<Shader, unsigned>> allVariants();
 
 }  // namespace fur::render
