@@ -5,11 +5,13 @@ import { buildFolder } from './cmake.mjs';
 import { notices } from './notices.mjs';
 import { Stop, root } from './process.mjs';
 import { scenes } from './scenes/scenes.mjs';
+import { drawingOf, makeTables, pageText, typingsText } from './tables.mjs';
 
 export const dist = join(root, 'dist');
 
 const programs = ['wet-fur.mjs', 'wet-fur.wasm', 'wet-fur-editor.mjs', 'wet-fur-editor.wasm', 'wet-fur-core.mjs', 'wet-fur-core.wasm'];
 const notForSite = new Set(['.cpp', '.h', '.js', '.md']);
+const icons = join(root, 'web/icons');  // they stand in the page
 
 // What a bundler and Node may ask for, by the names of the public surface. Typings lie in types/.
 const entries = {
@@ -75,11 +77,15 @@ export async function assemble() {
   const next = join(root, 'build/dist.part');
   rmSync(next, { recursive: true, force: true });
   mkdirSync(next, { recursive: true });
-  cpSync(join(root, 'web'), next, { recursive: true, filter: (path) => !notForSite.has(extname(path)) });
+  cpSync(join(root, 'web'), next, { recursive: true, filter: (path) => path !== icons && !notForSite.has(extname(path)) });
   for (const entry of readdirSync(next, { withFileTypes: true })) {
     if (entry.isDirectory() && readdirSync(join(next, entry.name)).length === 0) rmSync(join(next, entry.name), { recursive: true });
   }
   for (const name of programs) cpSync(join(buildFolder('web-release'), 'web', name), join(next, name));
+  const tables = makeTables();
+  writeFileSync(join(next, 'types/tables.d.ts'), typingsText(tables));
+  const page = join(next, 'index.html');
+  writeFileSync(page, pageText(readFileSync(page, 'utf8'), tables, drawingOf));
   await joinScripts(next);
   await minifyScripts(next);
   cpSync(join(root, 'build/models'), join(next, 'models'), { recursive: true });

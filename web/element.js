@@ -2,6 +2,7 @@
  * Registers <wet-fur>:
  * `<wet-fur src="otter.glb" alt="An otter; click to wet its fur" camera-controls tool="droplet"></wet-fur>`
  */
+import { elementCommands, elementQueries, keyTexts } from '#tables';
 import { buildShadow, elementStyles } from './element-shadow.js';
 import { WetFur } from './host.js';
 import { optionDefaults } from './options.js';
@@ -15,17 +16,16 @@ const forwardedEvents = [
   'state-change', 'context-lost', 'context-restored', 'model-visibility',
 ];
 const forwardedMethods = [
-  'splash', 'dry', 'setWetness', 'wetnessAt', 'shake', 'stamp', 'replay', 'reset', 'pick', 'play', 'pause', 'step', 'undo', 'redo', 'getState', 'setState',
-  'loadTypeSet', 'saveTypeSet', 'saveFo', 'save', 'lostBySaving', 'groom', 'loadLengthMap', 'loadTypeMap', 'toBlob', 'getCameraOrbit', 'resetCamera', 'setPadding', 'openEditor', 'closeEditor',
+  ...elementCommands, 'splash', 'dry', 'stamp', 'replay', 'reset', 'pick', 'play', 'pause', 'step', 'undo', 'redo', 'getState', 'setState',
+  'loadTypeSet', 'saveTypeSet', 'saveFo', 'save', 'lostBySaving', 'groom', 'loadLengthMap', 'loadTypeMap', 'toBlob', 'getCameraOrbit', 'setPadding', 'openEditor', 'closeEditor',
 ];
 const forwardedGetters = [
-  'loaded', 'ready', 'state', 'stats', 'settings', 'settingsTable', 'presets', 'warnings', 'modelName', 'animations', 'meanWetness',
-  'wetnessHash', 'recordedStrokes', 'waterAccounts', 'groomed', 'canUndo', 'canRedo', 'editorOpen', 'cameraOrbitText',
+  'loaded', 'ready', 'state', 'stats', 'settings', 'settingsTable', 'presets', 'warnings', 'modelName',
+  ...elementQueries, 'recordedStrokes', 'waterAccounts', 'editorOpen', 'cameraOrbitText',
 ];
 
 const kebab = (name) => name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
 const camel = (name) => name.replace(/-([a-z])/g, (_, letter) => letter.toUpperCase());
-const spaceDoes = { droplet: 'drops water', dry: 'takes water', towel: 'wipes water off', rain: 'lets it rain for a moment', hose: 'turns the hose on for a moment', dryer: 'blows for a moment', comb: 'combs down', trim: 'trims', grow: 'lengthens the fur', whisker: 'plants a whisker' };
 const announceAfterMilliseconds = 1200;
 const announceStep = 1;
 const isBoolean = (name) => optionDefaults[name] === false;
@@ -206,8 +206,8 @@ export class WetFurElement extends Base {
     if (interactive) {
       const keys = [];
       if (this.cameraControls) keys.push('Arrow keys turn the view, plus and minus zoom, Home resets it.');
-      if (spaceDoes[this.tool])
-        keys.push(`${this.cameraControls ? 'Shift with arrow keys moves' : 'Arrow keys move'} the tool over the model, from the middle of the picture. Space ${spaceDoes[this.tool]} there.`);
+      if (keyTexts[this.tool])
+        keys.push(`${this.cameraControls ? 'Shift with arrow keys moves' : 'Arrow keys move'} the tool over the model, from the middle of the picture. Space ${keyTexts[this.tool]} there.`);
       canvas.setAttribute('aria-description', keys.join(' '));
     }
   }

@@ -1,0 +1,91 @@
+// A row that is added to a table of src/ is found wherever its rows are used.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { cpSync, existsSync, mkdtempSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
+import { test } from 'node:test';
+import { root } from '../../tools/process.mjs';
+import { drawingOf, moduleText, pageText, readTables, rowsOf, typingsText } from '../../tools/tables.mjs';
+
+const textOf = (file) => readFileSync(join(root, file), 'utf8');
+const dummies = {
+  'src/app/tools/Tools.inc': 'FUR_TOOL(Hammer, "hammer", Water, Paint, Repeats, 1.0f, "Hit", "Mend", "touch", "waters", "", "hits, once", "Hammer: (hit) it")\n',
+  'src/app/tools/GroomEdits.inc': 'FUR_GROOM_EDIT(Shave, "shave", Kept, "value: how close, all over")\n',
+};
+const withDummies = readTables((file) => textOf(file) + (dummies[file] ?? ''));
+const importText = (text) => import(`data:text/javascript,${encodeURIComponent(text)}`);
+
+/** What C++ makes of the tables with the dummies: the output of `program`. */
+function fromCpp(program, ...sources) {
+  const folder = mkdtempSync(join(tmpdir(), 'wet-fur-tables-'));
+  try {
+    for (const [file, row] of Object.entries(dummies)) {
+      const copy = join(folder, file);
+      mkdirSync(dirname(copy), { recursive: true });
+      writeFileSync(copy, textOf(file) + row);
+    }
+    writeFileSync(join(folder, 'main.cpp'), program);
+    // Beside the copies, so that quoted includes find those first.
+    for (const source of sources) cpSync(join(root, source), join(folder, source));
+    const compiler = process.env.CXX || 'c++';
+    execFileSync(compiler, ['-std=c++20', '-I', join(folder, 'src'), '-I', join(root, 'src'), join(folder, 'main.cpp'),
+      ...sources.map((source) => join(folder, source)), '-o', join(folder, 'main')], { stdio: ['ignore', 'inherit', 'inherit'] });
+    return execFileSync(join(folder, 'main'), { encoding: 'utf8' }).split('\n').filter(Boolean);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+}
+
+test('rows are read as the preprocessor reads them', () => {
+  const table = { macro: 'FUR_X', columns: ['id', 'text', 'parameters'] };
+  assert.deepEqual(rowsOf('// FUR_X(no, row)\nFUR_X(One, "a, (b) \\"c\\"", (int a, float b))\n  \nFUR_X (Two,\n   "", ())\n', table), [
+    { id: 'One', text: 'a, (b) "c"', parameters: '(int a, float b)' },
+    { id: 'Two', text: '', parameters: '()' },
+  ]);
+  assert.throws(() => rowsOf('FUR_X(One, "two")', table), /2 columns of 3/);
+});
+
+test('every row of the files is read', () => {
+  for (const [name, file] of [['tools', 'src/app/tools/Tools.inc'], ['groomEdits', 'src/app/tools/GroomEdits.inc']])
+    assert.equal(readTables()[name].length, textOf(file).match(/^FUR_\w+ *\(/gm).length, file);
+});
+
+test('a new tool is an option of the element, and keys and typings know it', async () => {
+  const { toolNames, keyTexts } = await importText(moduleText(withDummies));
+  assert.equal(toolNames.at(-1), 'hammer');
+  assert.equal(keyTexts.hammer, 'hits, once');
+  assert.match(typingsText(withDummies), /export type Tool =[^;]*\| 'hammer';/);
+  assert.match(typingsText(withDummies), /'hammer': Hammer: \(hit\) it/);
+});
+
+test('a new tool has its button on the page, where the table puts it', () => {
+  const page = pageText(textOf('web/index.html'), withDummies, drawingOf);
+  const menu = /<div class="panel" id="waters"[\s\S]*?<\/div>/.exec(page)[0];
+  assert.match(menu, /<button type="button" data-tool="hammer" aria-pressed="false" title="Hammer: \(hit\) it">Hit<\/button>/);
+  const misplaced = { tools: [{ name: 'hammer', place: 'roof' }] };
+  assert.throws(() => pageText(textOf('web/index.html'), misplaced, drawingOf), /no place "roof"/);
+});
+
+test('every tool of the bar has a drawing', () => {
+  for (const { icon, place, name } of readTables().tools)
+    if (place === 'start' || place === 'bar') assert.ok(existsSync(join(root, `web/icons/${icon}.svg`)), name);
+});
+
+test('a new edit of the groom is in the typings', () => {
+  assert.match(typingsText(withDummies), /export type GroomEdit =[^;]*\| 'shave';/);
+});
+
+test('C++ knows a new tool and a new edit by their names, and what they do', () => {
+  const lines = fromCpp(`
+    #include <cstdio>
+    #include "app/tools/GroomEdits.h"
+    #include "app/tools/Tools.h"
+    using namespace fur::app;
+    int main() {
+      const Tool tool = *toolNamed("hammer");
+      std::printf("%d %d %d %s %s\\n", worksOnWater(tool), repeats(tool), tool == Tool::Hammer, wordsOf(tool).label, wordsOf(tool).row);
+      std::printf("%d\\n", keepsMasked(*groomEditNamed("shave")));
+    }`, 'src/app/tools/Tools.cpp', 'src/app/tools/GroomEdits.cpp');
+  assert.deepEqual(lines, ['1 1 1 Hit touch', '1']);
+});
