@@ -10,7 +10,7 @@ const moduleFile = join(root, 'build/generated/tables.js');
 const tables = {
   tools: {
     file: 'src/app/tools/Tools.inc', macro: 'FUR_TOOL',
-    columns: ['id', 'name', 'worksOn', 'drag', 'held', 'reach', 'label', 'inverseLabel', 'row', 'place', 'icon', 'keyText', 'tooltip'],
+    columns: ['id', 'name', 'program', 'worksOn', 'drag', 'held', 'reach', 'label', 'inverseLabel', 'row', 'place', 'icon', 'keyText', 'tooltip'],
   },
   commands: { file: 'src/app/tools/Commands.inc', macro: 'FUR_COMMAND', columns: ['name', 'result', 'parameters', 'arguments', 'offered', 'doc'] },
   queries: { file: 'src/app/tools/Commands.inc', macro: 'FUR_QUERY', columns: ['name', 'result', 'offered', 'doc'] },
@@ -91,7 +91,7 @@ export function typingsText({ tools, groomEdits, commands, queries }) {
 
 /**
  * What a drag on the model does.
-${list(tools, ({ tooltip }) => tooltip)} */
+${list(tools, ({ tooltip, program }) => tooltip + (program === 'Editor' ? ' (while the editor is open)' : ''))} */
 export type Tool =${union(tools)};
 
 /**

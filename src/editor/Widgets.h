@@ -20,7 +20,7 @@ struct Segment {
 };
 // Buttons side by side over the full width, one of them lit. Returns which was pressed, or -1.
 int segments(const char* id, std::span<const Segment> choices);
-inline int segments(const char* id, std::initializer_list<Segment> choices) { return segments(id, std::span(choices)); }
+inline int segments(const char* id, std::initializer_list<Segment> choices) { return segments(id, std::span<const Segment>(choices.begin(), choices.size())); }
 // An icon each.
 int iconSegments(const char* id, std::span<const Segment> choices, std::span<const Icon> icons);
 

@@ -10,7 +10,9 @@ import { drawingOf, moduleText, pageText, readTables, rowsOf, typingsText } from
 
 const textOf = (file) => readFileSync(join(root, file), 'utf8');
 const dummies = {
-  'src/app/tools/Tools.inc': 'FUR_TOOL(Hammer, "hammer", Water, Paint, Repeats, 1.0f, "Hit", "Mend", "touch", "waters", "", "hits, once", "Hammer: (hit) it")\n',
+  'src/app/tools/Tools.inc': 'FUR_TOOL(Hammer, "hammer", Viewer, Water, Paint, Repeats, 1.0f, "Hit", "Mend", "touch", "waters", "", "hits, once", "Hammer: (hit) it")\n',
+  'src/app/tools/Commands.inc': 'FUR_COMMAND(strike, Number, (float u, bool hard), ({u, 0}, hard), Element, "How it rang.")\nFUR_QUERY(dented, Truth, Element, "")\n'
+    + 'FUR_COMMAND(swing, Nothing, (), (), Program, "")\n',
   'src/app/tools/GroomEdits.inc': 'FUR_GROOM_EDIT(Shave, "shave", Kept, "value: how close, all over")\n',
 };
 const withDummies = readTables((file) => textOf(file) + (dummies[file] ?? ''));
@@ -25,11 +27,12 @@ function fromCpp(program, ...sources) {
       mkdirSync(dirname(copy), { recursive: true });
       writeFileSync(copy, textOf(file) + row);
     }
+    writeFileSync(join(folder, 'dummies.inc'), dummies['src/app/tools/Commands.inc']);
     writeFileSync(join(folder, 'main.cpp'), program);
     // Beside the copies, so that quoted includes find those first.
     for (const source of sources) cpSync(join(root, source), join(folder, source));
     const compiler = process.env.CXX || 'c++';
-    execFileSync(compiler, ['-std=c++20', '-I', join(folder, 'src'), '-I', join(root, 'src'), join(folder, 'main.cpp'),
+    execFileSync(compiler, ['-std=c++20', '-I', folder, '-I', join(folder, 'src'), '-I', join(root, 'src'), join(folder, 'main.cpp'),
       ...sources.map((source) => join(folder, source)), '-o', join(folder, 'main')], { stdio: ['ignore', 'inherit', 'inherit'] });
     return execFileSync(join(folder, 'main'), { encoding: 'utf8' }).split('\n').filter(Boolean);
   } finally {
@@ -47,8 +50,11 @@ test('rows are read as the preprocessor reads them', () => {
 });
 
 test('every row of the files is read', () => {
-  for (const [name, file] of [['tools', 'src/app/tools/Tools.inc'], ['groomEdits', 'src/app/tools/GroomEdits.inc']])
-    assert.equal(readTables()[name].length, textOf(file).match(/^FUR_\w+ *\(/gm).length, file);
+  const { tools, groomEdits, commands, queries } = readTables();
+  const rowsIn = (file) => textOf(file).match(/^FUR_\w+ *\(/gm).length;
+  assert.equal(tools.length, rowsIn('src/app/tools/Tools.inc'));
+  assert.equal(groomEdits.length, rowsIn('src/app/tools/GroomEdits.inc'));
+  assert.equal(commands.length + queries.length, rowsIn('src/app/tools/Commands.inc'));
 });
 
 test('a new tool is an option of the element, and keys and typings know it', async () => {
@@ -74,6 +80,49 @@ test('every tool of the bar has a drawing', () => {
 
 test('a new edit of the groom is in the typings', () => {
   assert.match(typingsText(withDummies), /export type GroomEdit =[^;]*\| 'shave';/);
+});
+
+test('a new command is a method of the program, of the element and of the typings', async () => {
+  const { commands, queries, elementCommands, elementQueries } = await importText(moduleText(withDummies));
+  assert.deepEqual([commands.strike, commands.swing, queries.dented], ['Number', 'Nothing', 'Truth']);
+  assert.deepEqual([elementCommands.includes('strike'), elementCommands.includes('swing'), elementQueries.includes('dented')], [true, false, true]);
+  const typings = typingsText(withDummies);
+  assert.match(typings, /  \/\*\* How it rang\. \*\/\n  strike\(u: number, hard: boolean\): number;\n/);
+  assert.match(typings, /\n  readonly dented: boolean;\n/);
+  assert.doesNotMatch(typings, /swing/);
+  const odd = { ...withDummies, commands: [{ name: 'odd', result: 'Nothing', parameters: '(void* p)', offered: 'Element', doc: '' }] };
+  assert.throws(() => typingsText(odd), /void\* has no type/);
+});
+
+test('a new command calls the method of its name, with its arguments, across the border', () => {
+  const binding = textOf('web/AppBindings.cpp');
+  const macros = binding.slice(binding.indexOf('#define FUR_RESULT_Nothing'), binding.indexOf('// --- life ---'));
+  const lines = fromCpp(`
+    #include <cstdint>
+    #include <cstdio>
+    #include <string>
+    #define FUR_EXPORT extern "C"
+    struct Place { float x, y; };
+    struct App {
+      float strike(Place at, bool hard) { return hard ? at.x : at.y; }
+      bool dented() { return true; }
+      void swing() { std::printf("swung\\n"); }
+    };
+    template <class Work> auto guarded(Work work) { return work(); }
+    ${macros.replace('"app/tools/Commands.inc"', '"dummies.inc"')}
+    int main() {
+      App app;
+      std::printf("%g %g %d\\n", double(fur_strike(&app, 7, true)), double(fur_strike(&app, 7, false)), fur_dented(&app));
+      return fur_swing(&app) == 1 ? 0 : 1;
+    }`);
+  assert.deepEqual(lines, ['7 0 1', 'swung']);
+});
+
+test('what the element offers are methods and getters of both of its classes', () => {
+  const { commands, queries } = readTables();
+  const written = textOf('web/host.js') + textOf('web/furapp.js') + textOf('web/types/index.d.ts');
+  for (const { name } of [...commands, ...queries].filter(({ offered }) => offered === 'Element'))
+    assert.doesNotMatch(written, new RegExp(`^ {2}(get |set |async |readonly )?${name}\\b *[(:]`, 'm'), `${name} stands in the table, and by hand`);
 });
 
 test('C++ knows a new tool and a new edit by their names, and what they do', () => {
