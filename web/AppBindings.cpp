@@ -13,6 +13,16 @@ using web::guarded;
 
 // --- what crosses as it is ---
 
+// What the results of the table are in C, and how they are made of what App gives.
+namespace crossing {
+using Nothing = int;
+using Done = int;
+using Truth = int;
+using Number = double;
+using Text = const char*;
+using Lines = const char*;
+using Hash = const char*;
+}  // namespace crossing
 #define FUR_RESULT_Nothing(call) (call, 1)
 #define FUR_RESULT_Done(call) web::report(call)
 #define FUR_RESULT_Truth(call) int(call)
@@ -20,9 +30,10 @@ using web::guarded;
 #define FUR_RESULT_Text(call) web::text(std::string(call))
 #define FUR_RESULT_Lines(call) FUR_RESULT_Text(call)
 #define FUR_RESULT_Hash(call) web::hexadecimal(call)
+
 #define FUR_WITH_APP(...) (App * app __VA_OPT__(, ) __VA_ARGS__)
 #define FUR_COMMAND(name, result, parameters, arguments, ...) \
-  FUR_EXPORT auto fur_##name FUR_WITH_APP parameters { \
+  FUR_EXPORT crossing::result fur_##name FUR_WITH_APP parameters { \
     return guarded([&] { return FUR_RESULT_##result(app->name arguments); }); \
   }
 #define FUR_QUERY(name, result, ...) FUR_COMMAND(name, result, (), ())

@@ -96,7 +96,7 @@ test('a new command is a method of the program, of the element and of the typing
 
 test('a new command calls the method of its name, with its arguments, across the border', () => {
   const binding = textOf('web/AppBindings.cpp');
-  const macros = binding.slice(binding.indexOf('#define FUR_RESULT_Nothing'), binding.indexOf('// --- life ---'));
+  const macros = binding.slice(binding.indexOf('namespace crossing'), binding.indexOf('// --- life ---'));
   const lines = fromCpp(`
     #include <cstdint>
     #include <cstdio>
