@@ -5,7 +5,7 @@ import { buildFolder } from './cmake.mjs';
 import { notices } from './notices.mjs';
 import { Stop, root } from './process.mjs';
 import { scenes } from './scenes/scenes.mjs';
-import { drawingOf, makeTables, pageText, typingsText } from './tables.mjs';
+import { drawingOf, makeTables, pageText, typingsText, withEndings } from './tables.mjs';
 
 export const dist = join(root, 'dist');
 
@@ -84,6 +84,8 @@ export async function assemble() {
   for (const name of programs) cpSync(join(buildFolder('web-release'), 'web', name), join(next, name));
   const tables = makeTables();
   writeFileSync(join(next, 'types/tables.d.ts'), typingsText(tables));
+  const typings = join(next, 'types');
+  for (const name of readdirSync(typings)) writeFileSync(join(typings, name), withEndings(readFileSync(join(typings, name), 'utf8'), tables));
   const page = join(next, 'index.html');
   writeFileSync(page, pageText(readFileSync(page, 'utf8'), tables, drawingOf));
   await joinScripts(next);

@@ -14,6 +14,8 @@ const tables = {
   },
   commands: { file: 'src/app/tools/Commands.inc', macro: 'FUR_COMMAND', columns: ['name', 'result', 'parameters', 'arguments', 'offered', 'doc'] },
   queries: { file: 'src/app/tools/Commands.inc', macro: 'FUR_QUERY', columns: ['name', 'result', 'offered', 'doc'] },
+  modelFormats: { file: 'src/scene/Formats.inc', macro: 'FUR_MODEL_FORMAT', columns: ['id', 'endings', 'mimeType', 'savedAs', 'reader'] },
+  otherFormats: { file: 'src/scene/Formats.inc', macro: 'FUR_FORMAT', columns: ['id', 'kind', 'endings', 'mimeType', 'savedAs'] },
   groomEdits: { file: 'src/app/tools/GroomEdits.inc', macro: 'FUR_GROOM_EDIT', columns: ['id', 'name', 'masked', 'doc'] },
 };
 
@@ -49,13 +51,27 @@ export function readTables(read = (file) => readFileSync(join(root, file), 'utf8
   return Object.fromEntries(Object.entries(tables).map(([name, table]) => [name, rowsOf(read(table.file), table)]));
 }
 
+/** Rows of { ending, kind, mimeType }, in the order of the table. */
+export function endings({ modelFormats, otherFormats }) {
+  const formats = [...modelFormats.map((format) => ({ ...format, kind: 'Model' })), ...otherFormats];
+  return formats.flatMap(({ endings: all, kind, mimeType }) => all.split(' ').map((ending) => ({ ending, kind, mimeType })));
+}
+
+/** A text with the endings of models and coats in place of {models} and {coats}. */
+export function withEndings(text, tables) {
+  const listed = (kind) => new Intl.ListFormat('en-GB', { type: 'disjunction' }).format(endings(tables).filter((one) => one.kind === kind).map(({ ending }) => ending));
+  return text.replaceAll('{models}', listed('Model')).replaceAll('{coats}', listed('Coat'));
+}
+
 /** The module '#tables': what the scripts of web/ need of them, and no more. */
-export function moduleText({ tools, commands, queries }) {
+export function moduleText(all) {
+  const { tools, commands, queries } = all;
   const constant = (name, value) => `export const ${name} = Object.freeze(${JSON.stringify(value)});\n`;
   const results = (rows) => Object.fromEntries(rows.map(({ name, result }) => [name, result]));
   return `// Made by tools/tables.mjs.\n${
     constant('toolNames', tools.map(({ name }) => name))}${
     constant('keyTexts', Object.fromEntries(tools.filter(({ keyText }) => keyText).map(({ name, keyText }) => [name, keyText])))}${
+    constant('kindOfEnding', Object.fromEntries(endings(all).map(({ ending, kind }) => [ending, kind])))}${
     constant('commands', results(commands))}${
     constant('queries', results(queries))}${
     constant('elementCommands', forElements(commands).map(({ name }) => name))}${
@@ -112,9 +128,10 @@ function toolButton({ name, label, tooltip, place, icon }, drawingOf) {
 }
 
 /** The page with a button of every tool that has a place on it. @param {(icon: string) => string} drawingOf the svg of an icon */
-export function pageText(html, { tools }, drawingOf) {
+export function pageText(html, tables, drawingOf) {
+  const { tools } = tables;
   const places = new Set();
-  const filled = html.replace(/^( *)<!-- tools: (\w+) -->$/gm, (_, indent, place) => {
+  const filled = withEndings(html, tables).replace(/^( *)<!-- tools: (\w+) -->$/gm, (_, indent, place) => {
     places.add(place);
     return tools.filter((tool) => tool.place === place).map((tool) => indent + toolButton(tool, drawingOf)).join('\n');
   });

@@ -11,6 +11,7 @@
 #include "editor/FieldRows.h"
 #include "editor/ToolRows.h"
 #include "editor/Widgets.h"
+#include "scene/Formats.h"
 
 namespace fur::editor {
 
@@ -230,7 +231,7 @@ void Editor::drawScene(const EditorModel& model) {
     return;
   }
   ImGui::SetNextItemWidth(-px(56));
-  const bool entered = ImGui::InputTextWithHint("##path", "Path of a model, .fts or .png, or drop one", path_,
+  const bool entered = ImGui::InputTextWithHint("##path", "Path of a model, coat or picture, or drop one", path_,
                                                 sizeof path_, ImGuiInputTextFlags_EnterReturnsTrue);
   ImGui::SameLine(0, px(3));
   const bool pressed = ImGui::Button("Open", ImVec2(-1, 0));
@@ -293,7 +294,7 @@ void Editor::drawSettings(settings::Settings& edited, std::span<const std::strin
 void Editor::drawSaving(const EditorModel& model) {
   if (model.lostBySaving.empty()) asksToSave_ = false;
   if (!asksToSave_) {
-    if (!ImGui::Button("Save scene (.glb)", ImVec2(-1, 0))) return;
+    if (!ImGui::Button(scene::saveLabel(scene::Format::Glb).c_str(), ImVec2(-1, 0))) return;
     asksToSave_ = !model.lostBySaving.empty();
     if (!asksToSave_) emit(command::SaveScene{});
     return;

@@ -6,13 +6,14 @@ import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { test } from 'node:test';
 import { root } from '../../tools/process.mjs';
-import { drawingOf, moduleText, pageText, readTables, rowsOf, typingsText } from '../../tools/tables.mjs';
+import { drawingOf, endings, moduleText, pageText, readTables, rowsOf, typingsText, withEndings } from '../../tools/tables.mjs';
 
 const textOf = (file) => readFileSync(join(root, file), 'utf8');
 const dummies = {
   'src/app/tools/Tools.inc': 'FUR_TOOL(Hammer, "hammer", Viewer, Water, Paint, Repeats, 1.0f, "Hit", "Mend", "touch", "waters", "", "hits, once", "Hammer: (hit) it")\n',
   'src/app/tools/Commands.inc': 'FUR_COMMAND(strike, Number, (float u, bool hard), ({u, 0}, hard), Element, "How it rang.")\nFUR_QUERY(dented, Truth, Element, "")\n'
     + 'FUR_COMMAND(swing, Nothing, (), (), Program, "")\n',
+  'src/scene/Formats.inc': 'FUR_MODEL_FORMAT(Clay, ".clay .pot", "model/clay", "pot", readClay)\nFUR_FORMAT(Tin, Coat, ".tin", "image/tin", "foil")\n',
   'src/app/tools/GroomEdits.inc': 'FUR_GROOM_EDIT(Shave, "shave", Kept, "value: how close, all over")\n',
 };
 const withDummies = readTables((file) => textOf(file) + (dummies[file] ?? ''));
@@ -50,10 +51,11 @@ test('rows are read as the preprocessor reads them', () => {
 });
 
 test('every row of the files is read', () => {
-  const { tools, groomEdits, commands, queries } = readTables();
+  const { tools, groomEdits, commands, queries, modelFormats, otherFormats } = readTables();
   const rowsIn = (file) => textOf(file).match(/^FUR_\w+ *\(/gm).length;
   assert.equal(tools.length, rowsIn('src/app/tools/Tools.inc'));
   assert.equal(groomEdits.length, rowsIn('src/app/tools/GroomEdits.inc'));
+  assert.equal(modelFormats.length + otherFormats.length, rowsIn('src/scene/Formats.inc'));
   assert.equal(commands.length + queries.length, rowsIn('src/app/tools/Commands.inc'));
 });
 
@@ -69,7 +71,7 @@ test('a new tool has its button on the page, where the table puts it', () => {
   const page = pageText(textOf('web/index.html'), withDummies, drawingOf);
   const menu = /<div class="panel" id="waters"[\s\S]*?<\/div>/.exec(page)[0];
   assert.match(menu, /<button type="button" data-tool="hammer" aria-pressed="false" title="Hammer: \(hit\) it">Hit<\/button>/);
-  const misplaced = { tools: [{ name: 'hammer', place: 'roof' }] };
+  const misplaced = { ...withDummies, tools: [{ name: 'hammer', place: 'roof' }] };
   assert.throws(() => pageText(textOf('web/index.html'), misplaced, drawingOf), /no place "roof"/);
 });
 
@@ -123,6 +125,45 @@ test('what the element offers are methods and getters of both of its classes', (
   const written = textOf('web/host.js') + textOf('web/furapp.js') + textOf('web/types/index.d.ts');
   for (const { name } of [...commands, ...queries].filter(({ offered }) => offered === 'Element'))
     assert.doesNotMatch(written, new RegExp(`^ {2}(get |set |async |readonly )?${name}\\b *[(:]`, 'm'), `${name} stands in the table, and by hand`);
+});
+
+test('a new format is read where files are opened or dropped, and said to be', async () => {
+  const { kindOfEnding } = await importText(moduleText(withDummies));
+  assert.deepEqual([kindOfEnding['.clay'], kindOfEnding['.pot'], kindOfEnding['.tin']], ['Model', 'Model', 'Coat']);
+  const page = pageText(textOf('web/index.html'), withDummies, drawingOf);
+  assert.match(page, /Drop a \.glb, [^<]*\.clay or \.pot model [^<]*, or a coat as \.fts or \.tin</);
+  assert.match(withEndings(textOf('web/types/index.d.ts'), withDummies), /the address of a \.glb, [^*]*\.clay or \.pot\./);
+  assert.deepEqual(endings(withDummies).find(({ ending }) => ending === '.pot'), { ending: '.pot', kind: 'Model', mimeType: 'model/clay' });
+});
+
+test('endings stand in the table alone', () => {
+  for (const file of ['web/index.html', 'web/page.js', 'web/types/index.d.ts', 'web/types/core.d.ts', 'native/Files.cpp', 'src/scene/import/ImportModel.cpp', 'tools/serve.mjs'])
+    assert.doesNotMatch(textOf(file).replace(/['"`(]?models\/[^'"`]*/g, ''), /'\.(glb|obj|fts)'|"\.(glb|obj|fts)"|\.glb, \.gltf/, file);
+});
+
+test('C++ knows a new format by its endings, and which reader it has', () => {
+  const lines = fromCpp(`
+    #include <cstdio>
+    #include "scene/Formats.h"
+    using namespace fur::scene;
+    void readGltf() {}
+    void readObj() {}
+    void readFo() {}
+    void readClay() { std::printf("clay is read\\n"); }
+    void (*readerOf(Format format))() {
+      switch (format) {
+    #define FUR_MODEL_FORMAT(id, endings, mime, savedAs, reader) case Format::id: return reader;
+    #define FUR_FORMAT(id, ...) case Format::id: return nullptr;
+    #include "scene/Formats.inc"
+      }
+      return nullptr;
+    }
+    int main() {
+      std::printf("%d %d %d\\n", isNamedAs(FileKind::Model, "a.b.POT"), isNamedAs(FileKind::Coat, "a.tin"), isNamedAs(FileKind::Coat, "a.fo"));
+      std::printf("%s\\n%s\\n", endingsOf(FileKind::Model).c_str(), saveLabel(Format::Clay).c_str());
+      readerOf(*formatNamed("x.clay"))();
+    }`, 'src/scene/Formats.cpp');
+  assert.deepEqual(lines, ['1 1 0', '.glb, .gltf, .obj, .fo, .clay and .pot', 'Save pot (.clay)', 'clay is read']);
 });
 
 test('C++ knows a new tool and a new edit by their names, and what they do', () => {

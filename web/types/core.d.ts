@@ -116,7 +116,7 @@ export interface Core {
   generateFur(parameters?: FurParameters): FurVolume;
   createWetnessMask(size?: number): WetnessMask;
   /**
-   * A .glb, .gltf, .obj or .fo; the ending of `name` tells the last two apart, without one their content.
+   * A {models}; the ending of `name` tells the last two apart, without one their content.
    * Throws a FurError. `files`: buffers and images beside a .gltf, by the name it uses.
    */
   importModel(

@@ -255,7 +255,7 @@ export interface Preset {
 }
 
 export interface WetFurOptions extends Partial<FurSettings> {
-  /** "bunny", "sphere", "torus", "plane", a scene as "five-coats", or the address of a .glb, .gltf, .obj or .fo. */
+  /** "bunny", "sphere", "torus", "plane", a scene as "five-coats", or the address of a {models}. */
   src?: string;
   /**
    * Chooses a coat, and settings that are given beside it stay over it. Read: '' when the coat is no preset's. The coat grows
@@ -417,12 +417,12 @@ export interface WetFurApi extends WetFurCommands {
   /** Throws a FurError when it cannot be used. */
   setState(state: string | object): void;
   /**
-   * A .glb, .gltf, .obj or .fo. Rejects with a FurError, and then the old scene stays. `files`: buffers and
+   * A {models}. Rejects with a FurError, and then the old scene stays. `files`: buffers and
    * images beside a .gltf.
    */
   loadModel(model: ModelBytes, options?: { name?: string; files?: Iterable<File> }): Promise<void>;
   /**
-   * A type set (.fts, Sheppard 2004): its coat is drawn until a setting changes that grows another. Waits for
+   * A type set ({coats}, Sheppard 2004): its coat is drawn until a setting changes that grows another. Waits for
    * the model. Rejects with a FurError, and then the old coat stays.
    */
   loadTypeSet(typeSet: ModelBytes, options?: { name?: string }): Promise<void>;

@@ -13,6 +13,7 @@
 #include "app/editor/EditorGroom.h"
 #include "core/Fnv1a.h"
 #include "geometry/AtlasOutlines.h"
+#include "scene/Formats.h"
 #include "settings/Presets.h"
 
 namespace fur::app {
@@ -48,15 +49,15 @@ ImTextureID idOf(const gl::Texture& texture) {
 // "rabbit.fts"; a coat that is no preset's is "coat.fts".
 std::string typeSetName(const App& app) {
   const settings::Preset* preset = settings::presetOf(app.settings());
-  return std::string(preset ? preset->name : "coat") + ".fts";
+  return std::string(preset ? preset->name : "coat").append(scene::endingOf(scene::Format::Fts));
 }
 
 // How far colours may be apart that are selected as one.
 constexpr float kPaintTolerance = 0.12f;
 
-std::string modelFileName(const App& app, const char* ending) {
+std::string modelFileName(const App& app, scene::Format format) {
   const std::string& name = app.modelName();
-  return name.substr(0, name.rfind('.')) + ending;
+  return name.substr(0, name.rfind('.')).append(scene::endingOf(format));
 }
 
 }  // namespace
@@ -571,12 +572,12 @@ void EditorHost::perform(const editor::Command& command) {
       [&](const PasteState&) { request(Kind::PasteRequest); },
       [&](const ApplyPreset& c) { app_.applyPreset(c.name); },
       [&](const SaveTypeSet&) { request(Kind::SaveTypeSet, typeSetName(app_)); },
-      [&](const SaveFo&) { request(Kind::SaveFo, modelFileName(app_, ".fo")); },
-      [&](const SaveScene&) { request(Kind::SaveScene, modelFileName(app_, ".glb")); },
+      [&](const SaveFo&) { request(Kind::SaveFo, modelFileName(app_, scene::Format::Fo)); },
+      [&](const SaveScene&) { request(Kind::SaveScene, modelFileName(app_, scene::Format::Glb)); },
       [&](const SaveMaps&) { request(Kind::SaveMaps, app_.mapsName() + "-maps"); },
       [&](const SelectAt& c) { selects_ = c.what; },
       [&](const GroomAll& c) { app_.groomAll(c.edit, c.value, c.direction); },
-      [&](const SavePicture& c) { begin({c.width, c.height, c.transparent}, Kind::SavePicture, modelFileName(app_, ".png")); },
+      [&](const SavePicture& c) { begin({c.width, c.height, c.transparent}, Kind::SavePicture, modelFileName(app_, scene::Format::Png)); },
       [&](const SaveTurntable& c) {
         // Films have even sides.
         begin({c.width / 2 * 2, c.height / 2 * 2, c.transparent, turntableFrames(c.secondsPerTurn), c.secondsPerTurn}, Kind::SaveTurntable,
