@@ -55,10 +55,10 @@ std::string typeSetName(const App& app) {
 // How far colours may be apart that are selected as one.
 constexpr float kPaintTolerance = 0.12f;
 
-std::string modelFileName(const App& app, scene::Format format) {
-  const std::string& name = app.modelName();
-  return name.substr(0, name.rfind('.')).append(scene::endingOf(format));
-}
+// The model's name without its ending.
+std::string stemOf(const App& app) { return app.modelName().substr(0, app.modelName().rfind('.')); }
+
+std::string modelFileName(const App& app, scene::Format format) { return stemOf(app).append(scene::endingOf(format)); }
 
 }  // namespace
 
@@ -581,7 +581,7 @@ void EditorHost::perform(const editor::Command& command) {
       [&](const SaveTurntable& c) {
         // Films have even sides.
         begin({c.width / 2 * 2, c.height / 2 * 2, c.transparent, turntableFrames(c.secondsPerTurn), c.secondsPerTurn}, Kind::SaveTurntable,
-              modelFileName(app_, "-turn"));
+              stemOf(app_) + "-turn");
       },
       [&](const TurnOnce& c) {
         turnStart_ = app_.camera();
