@@ -66,12 +66,12 @@ export function withEndings(text, tables) {
 /** The module '#tables': what the scripts of web/ need of them, and no more. */
 export function moduleText(all) {
   const { tools, commands, queries } = all;
-  const constant = (name, value) => `export const ${name} = Object.freeze(${JSON.stringify(value)});\n`;
+  const constant = (name, value) => `export const ${name} = ${JSON.stringify(value)};\n`;
   const results = (rows) => Object.fromEntries(rows.map(({ name, result }) => [name, result]));
   return `// Made by tools/tables.mjs.\n${
     constant('toolNames', tools.map(({ name }) => name))}${
     constant('keyTexts', Object.fromEntries(tools.filter(({ keyText }) => keyText).map(({ name, keyText }) => [name, keyText])))}${
-    constant('kindOfEnding', Object.fromEntries(endings(all).map(({ ending, kind }) => [ending, kind])))}${
+    constant('kindOfEnding', Object.fromEntries(endings(all).filter(({ kind }) => kind !== 'Picture').map(({ ending, kind }) => [ending, kind])))}${
     constant('commands', results(commands))}${
     constant('queries', results(queries))}${
     constant('elementCommands', forElements(commands).map(({ name }) => name))}${

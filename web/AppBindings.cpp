@@ -15,7 +15,7 @@ using web::guarded;
 
 // What the results of the table are in C, and how they are made of what App gives.
 namespace crossing {
-using Nothing = int;
+using Nothing = void;
 using Done = int;
 using Truth = int;
 using Number = double;
@@ -23,8 +23,8 @@ using Text = const char*;
 using Lines = const char*;
 using Hash = const char*;
 }  // namespace crossing
-#define FUR_RESULT_Nothing(call) (call, 1)
-#define FUR_RESULT_Done(call) web::report(call)
+#define FUR_RESULT_Nothing(call) call
+#define FUR_RESULT_Done(call) guarded([&] { return web::report(call); })
 #define FUR_RESULT_Truth(call) int(call)
 #define FUR_RESULT_Number(call) double(call)
 #define FUR_RESULT_Text(call) web::text(std::string(call))
@@ -33,9 +33,7 @@ using Hash = const char*;
 
 #define FUR_WITH_APP(...) (App * app __VA_OPT__(, ) __VA_ARGS__)
 #define FUR_COMMAND(name, result, parameters, arguments, ...) \
-  FUR_EXPORT crossing::result fur_##name FUR_WITH_APP parameters { \
-    return guarded([&] { return FUR_RESULT_##result(app->name arguments); }); \
-  }
+  FUR_EXPORT crossing::result fur_##name FUR_WITH_APP parameters { return FUR_RESULT_##result(app->name arguments); }
 #define FUR_QUERY(name, result, ...) FUR_COMMAND(name, result, (), ())
 #include "app/tools/Commands.inc"
 #undef FUR_COMMAND

@@ -1,8 +1,6 @@
 #include "Boundary.h"
 
 #include <cstdlib>
-#include <exception>
-#include <new>
 #include <utility>
 
 #include "core/NumberText.h"
@@ -22,18 +20,6 @@ void setError(Error error) { lastError = std::move(error); }
 int fail(Error error) {
   setError(std::move(error));
   return 0;
-}
-
-bool runGuarded(void (*work)(void*), void* context) {
-  try {
-    work(context);
-    return true;
-  } catch (const std::bad_alloc&) {
-    setError({ErrorId::OutOfMemory, "the browser gives no more memory"});
-  } catch (const std::exception& error) {
-    setError({ErrorId::BadFile, error.what()});
-  }
-  return false;
 }
 
 int report(Status status) { return status ? 1 : fail(status.error()); }

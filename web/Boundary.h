@@ -7,7 +7,9 @@
 #include <emscripten/emscripten.h>
 
 #include <cstdint>
+#include <exception>
 #include <initializer_list>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -29,21 +31,17 @@ scene::FileSet takeStagedFiles();
 std::uint32_t keepSaved(std::vector<std::uint8_t> bytes);
 const std::vector<std::uint8_t>& savedBytes();
 
-// Runs work(context); what it throws becomes an error, and false.
-bool runGuarded(void (*work)(void*), void* context);
-
-// Runs `work`, which returns a number or a pointer; what it throws becomes an error and 0.
+// Runs `work` (returning int or a pointer); what it throws becomes an error and 0.
 template <class Work>
-auto guarded(Work&& work) {
-  struct Call {
-    Work& work;
-    decltype(work()) result{};
-  } call{work};
-  runGuarded([](void* context) {
-    auto& one = *static_cast<Call*>(context);
-    one.result = one.work();
-  }, &call);
-  return call.result;
+auto guarded(Work&& work) -> decltype(work()) {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    setError({ErrorId::OutOfMemory, "the browser gives no more memory"});
+  } catch (const std::exception& error) {
+    setError({ErrorId::BadFile, error.what()});
+  }
+  return {};
 }
 
 }  // namespace fur::web

@@ -143,9 +143,9 @@ export class FurApp {
   }
 
   #crossing(name, result, args) {
-    if (result === 'Nothing' || result === 'Done') return void this.#callOrThrow(name, ...args);
+    if (result === 'Done') return void this.#callOrThrow(name, ...args);
     const value = this.#call(name, ...args);
-    if (result === 'Number') return value;
+    if (result === 'Number' || result === 'Nothing') return value;
     if (result === 'Truth') return value !== 0;
     return result === 'Lines' ? this.program.lines(value) : this.program.text(value);
   }

@@ -26,6 +26,7 @@ export class WetFur extends EventTarget {
   #loading;
   #editing;
   #src = '';
+  #settings;
 
   /** @param {HTMLCanvasElement} canvas @param {object} options as WetFurOptions in types.d.ts */
   constructor(canvas, options = {}) {
@@ -55,7 +56,7 @@ export class WetFur extends EventTarget {
       frames, applied, onShown: () => { if (session.options.editor && !session.panel) this.#editing.open(true); },
     });
     this.#editing = new Editing(session, { frames, loading, host: this, openDialog: () => this.#openDialog() });
-    this.settings = settingsObject({
+    this.#settings = settingsObject({
       names: () => this.settingsTable?.map((field) => field.name) ?? [...session.wantedSettings.keys()],
       get: (name) => applied.getSetting(name),
       set: (name, value) => applied.setSetting(name, value),
@@ -74,6 +75,7 @@ export class WetFur extends EventTarget {
   get state() { return this.#session.state; }
   get interactive() { return this.#session.interactive; }
   get editorOpen() { return this.#session.panel !== null; }
+  get settings() { return this.#settings; }
   get warnings() { return this.#session.warnings; }
   get stats() { return this.#app?.stats ?? null; }
   get settingsTable() { return this.#app?.settingsTable ?? null; }

@@ -13,7 +13,7 @@ export const modelNames = Object.freeze([...shippedModels, ...primitives]);
 
 const kindOf = ({ name }) => kindOfEnding[/\.\w+$/.exec(name)?.[0].toLowerCase()];
 /** What a file dialog offers: models, coats, what a model refers to, and whatever pictures the browser reads. */
-export const acceptedFiles = [...Object.keys(kindOfEnding).filter((ending) => kindOfEnding[ending] !== 'Picture'), 'image/*'].join();
+export const acceptedFiles = [...Object.keys(kindOfEnding), 'image/*'].join();
 /** Endings of models and coats, for people. */
 export const readEndings = Object.keys(kindOfEnding).filter((ending) => /Model|Coat/.test(kindOfEnding[ending]));
 

@@ -115,7 +115,7 @@ test('a new command calls the method of its name, with its arguments, across the
     int main() {
       App app;
       std::printf("%g %g %d\\n", double(fur_strike(&app, 7, true)), double(fur_strike(&app, 7, false)), fur_dented(&app));
-      return fur_swing(&app) == 1 ? 0 : 1;
+      fur_swing(&app);
     }`);
   assert.deepEqual(lines, ['7 0 1', 'swung']);
 });
