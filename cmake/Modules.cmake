@@ -6,10 +6,6 @@ find_program(FUR_NODE node NO_CMAKE_FIND_ROOT_PATH)
 add_library(fur_options INTERFACE)
 target_include_directories(fur_options INTERFACE "${CMAKE_SOURCE_DIR}/src")
 target_compile_options(fur_options INTERFACE -Wall -Wextra -Wpedantic "$<$<NOT:$<CONFIG:Debug>>:-Werror>")
-if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  # False alarms of gcc 12 where it has inlined the copy of a std::string.
-  target_compile_options(fur_options INTERFACE -Wno-array-bounds -Wno-restrict)
-endif()
 target_link_libraries(fur_options INTERFACE third_party_headers)
 
 # What most files include, compiled once (cmake/Precompiled.h); not under a compiler cache, which it would miss.
@@ -25,6 +21,10 @@ function(fur_precompile target)
   endif()
 endfunction()
 if(NOT EMSCRIPTEN AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # gcc 12 then gives false alarms where it has inlined the copy of a std::string.
+    target_compile_options(fur_options INTERFACE -Wno-array-bounds -Wno-restrict)
+  endif()
   file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/generated/precompiled.cpp" CONTENT "")
   add_library(fur_precompiled OBJECT EXCLUDE_FROM_ALL "${CMAKE_BINARY_DIR}/generated/precompiled.cpp")
   target_link_libraries(fur_precompiled PRIVATE fur_options)
