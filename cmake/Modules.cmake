@@ -5,8 +5,31 @@ find_program(FUR_NODE node NO_CMAKE_FIND_ROOT_PATH)
 
 add_library(fur_options INTERFACE)
 target_include_directories(fur_options INTERFACE "${CMAKE_SOURCE_DIR}/src")
-target_compile_options(fur_options INTERFACE -Wall -Wextra -Wpedantic -Werror)
+target_compile_options(fur_options INTERFACE -Wall -Wextra -Wpedantic "$<$<NOT:$<CONFIG:Debug>>:-Werror>")
 target_link_libraries(fur_options INTERFACE third_party_headers)
+
+# What most files include, compiled once (cmake/Precompiled.h); not under a compiler cache, which it would miss.
+# Natively one serves all modules; as wasm their options differ, so that each has its own.
+function(fur_precompile target)
+  if(CMAKE_CXX_COMPILER_LAUNCHER)
+    return()
+  endif()
+  if(EMSCRIPTEN OR target STREQUAL "fur_precompiled")
+    target_precompile_headers(${target} PRIVATE "${CMAKE_SOURCE_DIR}/cmake/Precompiled.h")
+  else()
+    target_precompile_headers(${target} REUSE_FROM fur_precompiled)
+  endif()
+endfunction()
+if(NOT EMSCRIPTEN AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # gcc 12 then gives false alarms where it has inlined the copy of a std::string.
+    target_compile_options(fur_options INTERFACE -Wno-array-bounds -Wno-restrict -Wno-stringop-overread -Wno-stringop-overflow)
+  endif()
+  file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/generated/precompiled.cpp" CONTENT "")
+  add_library(fur_precompiled OBJECT EXCLUDE_FROM_ALL "${CMAKE_BINARY_DIR}/generated/precompiled.cpp")
+  target_link_libraries(fur_precompiled PRIVATE fur_options)
+  fur_precompile(fur_precompiled)
+endif()
 
 # fur_library(<target> <sources of> <linked>...): every .cpp below a folder, as a static library; as
 # an interface library while the folder has none. EXCEPT matches subfolders that belong to other targets.
@@ -19,6 +42,7 @@ function(fur_library target folder)
   if(sources)
     add_library(${target} STATIC ${sources})
     target_link_libraries(${target} PUBLIC fur_options ${arg_UNPARSED_ARGUMENTS})
+    fur_precompile(${target})
   else()
     add_library(${target} INTERFACE)
     target_link_libraries(${target} INTERFACE fur_options ${arg_UNPARSED_ARGUMENTS})
@@ -85,9 +109,14 @@ if(TARGET third_party_gles)
   endif()
 endif()
 
+# Options of single files: these cannot use what was precompiled without them.
+function(fur_source_options sources)
+  set_source_files_properties(${sources} PROPERTIES COMPILE_OPTIONS "${ARGN}" SKIP_PRECOMPILE_HEADERS ON)
+endfunction()
+
 if(EMSCRIPTEN)
   file(GLOB importers CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/src/scene/import/*.cpp")
-  set_source_files_properties(${importers} PROPERTIES COMPILE_OPTIONS "${FUR_EXCEPTIONS}")
+  fur_source_options("${importers}" "${FUR_EXCEPTIONS}")
   # Much code that runs once a model, once a file or once a frame: the download counts more than its speed. Without
   # -finline-functions Emscripten leaves small functions where they are, which makes a surface take four times as long,
   # and water three times.
@@ -105,14 +134,14 @@ if(EMSCRIPTEN)
   # What runs for every texel of a coat gets a little more room.
   target_compile_options(fur_furgen PRIVATE "$<$<CONFIG:Release>:-Os;-finline-functions>")
   foreach(source Json NumberText)
-    set_source_files_properties("${CMAKE_SOURCE_DIR}/src/core/${source}.cpp" PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-Os>")
+    fur_source_options("${CMAKE_SOURCE_DIR}/src/core/${source}.cpp" "$<$<CONFIG:Release>:-Os>")
   endforeach()
   # Every wet place, every other step: four at a time.
-  set_source_files_properties("${CMAKE_SOURCE_DIR}/src/wet/Flow.cpp" PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-Os;-finline-functions>;-msimd128")
+  fur_source_options("${CMAKE_SOURCE_DIR}/src/wet/Flow.cpp" "$<$<CONFIG:Release>:-Os;-finline-functions>;-msimd128")
   # Every vertex, every frame: four at a time (dynamics/Lanes.h).
   target_compile_options(fur_dynamics PRIVATE "$<$<CONFIG:Release>:-Os;-finline-functions>" -msimd128)
   foreach(source scene/Pose render/MovingVertices render/passes/fin/MovingEdges)
-    set_source_files_properties("${CMAKE_SOURCE_DIR}/src/${source}.cpp" PROPERTIES COMPILE_OPTIONS "-finline-functions;-msimd128")
+    fur_source_options("${CMAKE_SOURCE_DIR}/src/${source}.cpp" "-finline-functions;-msimd128")
   endforeach()
 endif()
 

@@ -1,29 +1,37 @@
 # What is not ours, as targets:
-#   third_party_headers  glm, stb/; tiny_gltf.h and nlohmann/json.hpp for the tests (header only)
+#   third_party_headers  glm, stb/ (header only)
+#   third_party_test_headers  tiny_gltf.h and nlohmann/json.hpp, only with the tests
 #   third_party_gles     OpenGL ES 3 (native: libGLESv2; wasm: Emscripten's own)
 #   third_party_egl, third_party_glfw   native only
 #   imgui, imgui_opengl3                Dear ImGui from FUR_IMGUI_DIR
 # A target that cannot be made is left out; Modules and Programs then leave out what needs it.
 
-add_library(third_party_headers INTERFACE)
-foreach(header glm/glm.hpp tiny_gltf.h nlohmann/json.hpp stb/stb_rect_pack.h)
-  string(MAKE_C_IDENTIFIER "FUR_DIR_OF_${header}" variable)
-  find_path(${variable} ${header} NO_CMAKE_FIND_ROOT_PATH PATHS /usr/include /usr/local/include /opt/homebrew/include)
-  if(NOT ${variable})
-    message(FATAL_ERROR "${header} not found; on Debian: apt-get install libglm-dev libtinygltf-dev "
-      "nlohmann-json3-dev libstb-dev")
-  endif()
+# Header-only libraries by one of their headers each; `packages` are Debian's.
+function(fur_header_libraries target packages)
+  add_library(${target} INTERFACE)
+  foreach(header ${ARGN})
+    string(MAKE_C_IDENTIFIER "FUR_DIR_OF_${header}" variable)
+    find_path(${variable} ${header} NO_CMAKE_FIND_ROOT_PATH PATHS /usr/include /usr/local/include /opt/homebrew/include)
+    if(NOT ${variable})
+      message(FATAL_ERROR "${header} not found; on Debian: apt-get install ${packages}")
+    endif()
+    if(EMSCRIPTEN)
+      # The folder that holds these also holds glibc's headers, so wasm gets links to just these.
+      string(REGEX REPLACE "/.*" "" entry "${header}")
+      file(MAKE_DIRECTORY "${CMAKE_BINARY_DIR}/third_party_include")
+      file(CREATE_LINK "${${variable}}/${entry}" "${CMAKE_BINARY_DIR}/third_party_include/${entry}" SYMBOLIC)
+    elseif(NOT ${variable} STREQUAL "/usr/include")
+      target_include_directories(${target} SYSTEM INTERFACE "${${variable}}")
+    endif()
+  endforeach()
   if(EMSCRIPTEN)
-    # The folder that holds these also holds glibc's headers, so wasm gets links to just these.
-    string(REGEX REPLACE "/.*" "" entry "${header}")
-    file(MAKE_DIRECTORY "${CMAKE_BINARY_DIR}/third_party_include")
-    file(CREATE_LINK "${${variable}}/${entry}" "${CMAKE_BINARY_DIR}/third_party_include/${entry}" SYMBOLIC)
-  elseif(NOT ${variable} STREQUAL "/usr/include")
-    target_include_directories(third_party_headers SYSTEM INTERFACE "${${variable}}")
+    target_include_directories(${target} SYSTEM INTERFACE "${CMAKE_BINARY_DIR}/third_party_include")
   endif()
-endforeach()
-if(EMSCRIPTEN)
-  target_include_directories(third_party_headers SYSTEM INTERFACE "${CMAKE_BINARY_DIR}/third_party_include")
+endfunction()
+
+fur_header_libraries(third_party_headers "libglm-dev libstb-dev" glm/glm.hpp stb/stb_rect_pack.h)
+if(FUR_TESTS)
+  fur_header_libraries(third_party_test_headers "libtinygltf-dev nlohmann-json3-dev" tiny_gltf.h nlohmann/json.hpp)
 endif()
 
 # One native library by its header and its file name; silently absent when the system lacks it.

@@ -6,8 +6,10 @@
 #include <initializer_list>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "core/Result.h"
+#include "scene/Formats.h"
 
 namespace fur::native {
 
@@ -16,8 +18,13 @@ inline bool asksForHelp(int count, char** values) {
     if (const std::string_view word = values[i]; word == "--help" || word == "-h") return true;
   return false;
 }
-inline int showHelp(const char* usage) {
-  std::fputs(usage, stdout);
+// With the endings of scene/Formats.inc for {models} and {coats}.
+inline int showHelp(std::string usage) {
+  const std::pair<std::string_view, std::string> words[] = {{"{models}", scene::endingsOf(scene::FileKind::Model, " or ")},
+                                                            {"{coats}", scene::endingsOf(scene::FileKind::Coat, " or ")}};
+  for (const auto& [word, endings] : words)
+    for (std::size_t at; (at = usage.find(word)) != std::string::npos;) usage.replace(at, word.size(), endings);
+  std::fputs(usage.c_str(), stdout);
   return 0;
 }
 // Of arguments that cannot be read.

@@ -1,12 +1,11 @@
 #include "native/Files.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <fstream>
-#include <string_view>
 
 #include "native/ImageDecode.h"
+#include "scene/Formats.h"
 #include "scene/Png.h"
 
 namespace fur::native {
@@ -61,7 +60,7 @@ namespace {
 
 // Where the model of that name lies among those that are shipped.
 std::string findShipped(const std::string& name, const std::string& programPath) {
-  const fs::path file = "models/" + name + ".glb";
+  const fs::path file = ("models/" + name).append(scene::endingOf(scene::Format::Glb));
   std::error_code ignored;
   for (fs::path folder = fs::absolute(programPath, ignored).parent_path();; folder = folder.parent_path()) {
     for (const fs::path& below : {file, "build" / file})
@@ -70,22 +69,15 @@ std::string findShipped(const std::string& name, const std::string& programPath)
   }
 }
 
-// Endings are told in lower case.
-bool hasEnding(const std::string& path, std::string_view ending) {
-  std::string own = fs::path(path).extension().string();
-  for (char& c : own) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return own == ending;
-}
-
 // The files that a .gltf may name, from its own folder.
 scene::FileSet neighbours(const std::string& path) {
   scene::FileSet set;
-  if (!hasEnding(path, ".gltf")) return set;
+  if (scene::formatNamed(path) != scene::Format::Gltf) return set;
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(fs::absolute(path, ignored).parent_path(), ignored)) {
-    const std::string type = entry.path().extension().string();
-    if (type != ".bin" && type != ".png" && type != ".jpg" && type != ".jpeg") continue;
-    if (auto bytes = readFile(entry.path().string())) set[entry.path().filename().string()] = std::move(*bytes);
+    const std::string name = entry.path().filename().string();
+    if (!scene::isNamedAs(scene::FileKind::Companion, name) && !scene::isNamedAs(scene::FileKind::Picture, name)) continue;
+    if (auto bytes = readFile(entry.path().string())) set[name] = std::move(*bytes);
   }
   return set;
 }
@@ -116,16 +108,14 @@ Status writeFiles(const std::string& folder, std::span<const scene::NamedFile> f
   return Done{};
 }
 
-namespace {
-bool isImage(const std::string& path) { return hasEnding(path, ".png") || hasEnding(path, ".jpg") || hasEnding(path, ".jpeg"); }
-}  // namespace
-
-bool isModel(const std::string& nameOrPath) { return !hasEnding(nameOrPath, ".fts") && !isImage(nameOrPath); }
+bool isModel(const std::string& nameOrPath) {
+  return !scene::isNamedAs(scene::FileKind::Coat, nameOrPath) && !scene::isNamedAs(scene::FileKind::Picture, nameOrPath);
+}
 
 Status loadScene(app::App& app, const std::string& nameOrPath, const std::string& programPath) {
   if (nameOrPath == "sphere" || nameOrPath == "torus" || nameOrPath == "plane") return app.loadPrimitive(nameOrPath);
-  if (hasEnding(nameOrPath, ".fts")) return loadTypeSet(app, nameOrPath);
-  if (isImage(nameOrPath)) return loadGroomImage(app, groom::ImageOf::Length, nameOrPath);
+  if (scene::isNamedAs(scene::FileKind::Coat, nameOrPath)) return loadTypeSet(app, nameOrPath);
+  if (scene::isNamedAs(scene::FileKind::Picture, nameOrPath)) return loadGroomImage(app, groom::ImageOf::Length, nameOrPath);
   std::error_code ignored;
   const bool shipped = !fs::path(nameOrPath).has_extension() && !fs::exists(nameOrPath, ignored);
   const std::string path = shipped ? findShipped(nameOrPath, programPath) : nameOrPath;

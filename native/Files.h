@@ -33,7 +33,7 @@ bool isModel(const std::string& nameOrPath);
 
 // A model by path, or "sphere", "torus", "plane", or the name of one that is shipped, as "bunny" or "five-coats"
 // (models/NAME.glb beside the program or below its parent folders). Decodes its picture too; one that cannot be
-// decoded is a warning. A path of a .fts goes to loadTypeSet(), of a .png or .jpg is a length map.
+// decoded is a warning. A path of a type set goes to loadTypeSet(), of a picture is a length map.
 Status loadScene(app::App& app, const std::string& nameOrPath, const std::string& programPath);
 
 }  // namespace fur::native

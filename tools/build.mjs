@@ -18,10 +18,13 @@ export function buildNative(...programs) {
   return join(folder, programs[0]);
 }
 
+/** The programs of dist/, and the one that makes its models. */
+export const siteTargets = ['wet-fur-make-assets', 'wet-fur', 'wet-fur-editor', 'wet-fur-core'];
+
 /** Brings dist/ up to date. */
 export async function buildSite() {
   setUp({ packages: [needs.web], npm: true, imgui: true });
-  build('web-release', ['wet-fur-make-assets', 'wet-fur', 'wet-fur-editor', 'wet-fur-core']);
+  build('web-release', siteTargets);
   makeAssets(join(buildFolder('web-release'), 'node/wet-fur-make-assets.js'), models);
   await assemble();
 }

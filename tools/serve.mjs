@@ -7,6 +7,7 @@ import { createServer } from 'node:http';
 import { extname, join, resolve, sep } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { Stop, command, root, say } from './process.mjs';
+import { endings, readTables } from './tables.mjs';
 
 const types = {
   '.html': 'text/html; charset=utf-8',
@@ -18,12 +19,7 @@ const types = {
   '.md': 'text/markdown; charset=utf-8',
   '.ts': 'text/plain; charset=utf-8',
   '.wasm': 'application/wasm',
-  '.glb': 'model/gltf-binary',
-  '.gltf': 'model/gltf+json',
-  '.bin': 'application/octet-stream',
-  '.png': 'image/png',
-  '.jpg': 'image/jpeg',
-  '.webp': 'image/webp',
+  ...Object.fromEntries(endings(readTables()).map(({ ending, mimeType }) => [ending, mimeType])),
   '.svg': 'image/svg+xml',
   '.ico': 'image/x-icon',
 };

@@ -47,7 +47,8 @@ const probes = {
   'chromium': () => Boolean(chromiumPath()),
 };
 
-const headers = ['libglm-dev', 'libtinygltf-dev', 'nlohmann-json3-dev', 'libstb-dev'];
+const headers = ['libglm-dev', 'libstb-dev'];
+const testHeaders = ['libtinygltf-dev', 'nlohmann-json3-dev'];
 const native = ['cmake', 'ninja-build', 'g++', ...headers];
 const gles = ['libegl-dev', 'libgles-dev', 'libegl-mesa0', 'libgl1-mesa-dri'];
 
@@ -56,8 +57,8 @@ export const needs = {
   web: ['cmake', 'ninja-build', 'emscripten', 'fonts-karla', ...headers],
   native: [...native, 'libegl-dev', 'libgles-dev', 'libglfw3-dev', 'fonts-karla'],
   headless: [...native, ...gles],
-  nativeTests: [...native, ...gles, 'libgtest-dev'],
-  wasmTests: ['googletest'],
+  nativeTests: [...native, ...gles, 'libgtest-dev', ...testHeaders],
+  wasmTests: ['googletest', ...testHeaders],
   browser: ['chromium'],
 };
 

@@ -5,11 +5,13 @@ import { buildFolder } from './cmake.mjs';
 import { notices } from './notices.mjs';
 import { Stop, root } from './process.mjs';
 import { scenes } from './scenes/scenes.mjs';
+import { drawingOf, makeTables, pageText, typingsText, withEndings } from './tables.mjs';
 
 export const dist = join(root, 'dist');
 
 const programs = ['wet-fur.mjs', 'wet-fur.wasm', 'wet-fur-editor.mjs', 'wet-fur-editor.wasm', 'wet-fur-core.mjs', 'wet-fur-core.wasm'];
 const notForSite = new Set(['.cpp', '.h', '.js', '.md']);
+const icons = join(root, 'web/icons');  // they stand in the page
 
 // What a bundler and Node may ask for, by the names of the public surface. Typings lie in types/.
 const entries = {
@@ -60,12 +62,22 @@ async function joinScripts(folder) {
   });
 }
 
+/** The compiler writes a function for every export of a program: a loop is shorter. */
+function joinExports(script) {
+  const wrappers = [...script.matchAll(/var _(\w+)=Module\["_\1"\]=function\(\)\{return\(_\1=Module\["_\1"\]=Module\["asm"\]\["(\w+)"\]\)\.apply\(null,arguments\)\};/g)]
+    .filter(([, name]) => name.startsWith('fur_'));
+  if (wrappers.length === 0) return script;
+  const keys = JSON.stringify(Object.fromEntries(wrappers.map(([, name, key]) => [`_${name}`, key])));
+  const loop = `for (const [name, key] of Object.entries(${keys})) Module[name] = (...args) => (Module[name] = Module["asm"][key])(...args);\n`;
+  return wrappers.reduce((text, [wrapper], i) => text.replace(wrapper, i === 0 ? loop : ''), script);
+}
+
 /** Scripts without comments and long names: half of what a visitor would download. Smaller than what joins them can. */
 async function minifyScripts(folder) {
   const { minify } = await import('terser');
   for (const name of readdirSync(folder).filter((file) => /\.m?js$/.test(file))) {
     const file = join(folder, name);
-    const { code } = await minify(readFileSync(file, 'utf8'), { module: true, ecma: 2022, compress: { passes: 3 }, format: { quote_style: 1 } });
+    const { code } = await minify(joinExports(readFileSync(file, 'utf8')), { module: true, ecma: 2022, compress: { passes: 3 }, format: { quote_style: 1 } });
     writeFileSync(file, `${code}\n`);
   }
 }
@@ -75,11 +87,17 @@ export async function assemble() {
   const next = join(root, 'build/dist.part');
   rmSync(next, { recursive: true, force: true });
   mkdirSync(next, { recursive: true });
-  cpSync(join(root, 'web'), next, { recursive: true, filter: (path) => !notForSite.has(extname(path)) });
+  cpSync(join(root, 'web'), next, { recursive: true, filter: (path) => path !== icons && !notForSite.has(extname(path)) });
   for (const entry of readdirSync(next, { withFileTypes: true })) {
     if (entry.isDirectory() && readdirSync(join(next, entry.name)).length === 0) rmSync(join(next, entry.name), { recursive: true });
   }
   for (const name of programs) cpSync(join(buildFolder('web-release'), 'web', name), join(next, name));
+  const tables = makeTables();
+  writeFileSync(join(next, 'types/tables.d.ts'), typingsText(tables));
+  const typings = join(next, 'types');
+  for (const name of readdirSync(typings)) writeFileSync(join(typings, name), withEndings(readFileSync(join(typings, name), 'utf8'), tables));
+  const page = join(next, 'index.html');
+  writeFileSync(page, pageText(readFileSync(page, 'utf8'), tables, drawingOf));
   await joinScripts(next);
   await minifyScripts(next);
   cpSync(join(root, 'build/models'), join(next, 'models'), { recursive: true });

@@ -1,12 +1,12 @@
-// npm test: every test, each kind with the set-up and builds it needs. A stage that fails is reported
-// and the others still run; the last line adds up all runners, and the exit status is 0 only when every
-// stage passed.
-import { readdirSync } from 'node:fs';
-import { join, relative } from 'node:path';
-import { buildNative, buildSite } from './build.mjs';
+// npm test: every test, each kind with the set-up and builds it needs; npm test -- dynamics web/editor: those of a folder or
+// a file of tests/, with what they need. A stage that fails is reported and the others still run; the last line adds up all
+// runners, and the exit status is 0 only when every stage passed.
+import { join } from 'node:path';
+import { buildNative, buildSite, siteTargets } from './build.mjs';
 import { build, buildFolder } from './cmake.mjs';
 import { command, jobs, root, runGathering, say } from './process.mjs';
 import { chromiumPath, needs, setUp } from './setup.mjs';
+import { filterOf, needsGl, testFiles } from './testAreas.mjs';
 
 const totals = { passed: 0, failed: 0, skipped: 0 };
 const verdicts = [];
@@ -44,53 +44,72 @@ async function stage(name, work) {
   return !failure;
 }
 
-function testFilesBelow(folder) {
-  return readdirSync(folder, { withFileTypes: true }).flatMap((entry) => {
-    const path = join(folder, entry.name);
-    if (entry.isDirectory()) return testFilesBelow(path);
-    return entry.name.endsWith('.test.mjs') ? [relative(root, path)] : [];
-  }).sort();
+// Node's runner for files of tests/, two at a time: so many cores has the machine that this is for.
+function nodeTests(files, env = {}) {
+  return runGathering(process.execPath, ['--test', '--test-concurrency=2', ...files], { env });
 }
 
-// Node's runner for files of tests/; one file at a time where the files share a browser's two cores.
-function nodeTests(files, { concurrency = 2, env = {} } = {}) {
-  if (files.length === 0) throw new Error('no test files');
-  return runGathering(process.execPath, ['--test', `--test-concurrency=${concurrency}`, ...files], { env });
-}
-
-// GoogleTest's tests in as many shares as there are cores, side by side.
-async function program(preset, name) {
+// GoogleTest's tests in as many shares as there are cores, side by side; all of them, or those that `filter` names.
+async function program(preset, name, filter = '') {
   const runs = await Promise.all(Array.from({ length: jobs }, (_, share) => runGathering(
     join(buildFolder(preset), name), ['--gtest_color=no', '--gtest_brief=1'],
-    { env: { GTEST_TOTAL_SHARDS: String(jobs), GTEST_SHARD_INDEX: String(share) } },
+    { env: { GTEST_TOTAL_SHARDS: String(jobs), GTEST_SHARD_INDEX: String(share), ...filter && { GTEST_FILTER: filter } } },
   )));
   return { status: runs.find(({ status }) => status !== 0)?.status ?? 0, output: runs.map(({ output }) => output).join('\n') };
 }
 
+// The longest first, so that no core waits for the last of them.
+const longest = ['endless', 'contexts', 'keeping', 'page', 'editor', 'governor'].map((name) => `tests/web/${name}.test.mjs`);
+const byLength = (files) => [...longest.filter((file) => files.includes(file)), ...files.filter((file) => !longest.includes(file))];
+
+/** The chosen tests by their kinds, and what has to be built for them. */
+function plan(files) {
+  const all = files.length === testFiles().length;
+  const of = (...folders) => files.filter((file) => file.endsWith('.mjs') && folders.some((folder) => file.startsWith(`tests/${folder}/`)));
+  const cpp = files.filter((file) => file.endsWith('.cpp'));
+  const kinds = {
+    cpu: cpp.filter((file) => !needsGl(file)), gl: cpp.filter(needsGl), golden: of('golden'), native: of('native'), wasm: of('wasm'),
+    package: of('package'), page: of('web'),
+  };
+  const others = files.filter((file) => file.endsWith('.mjs') && !Object.values(kinds).flat().includes(file));
+  const has = (...names) => names.some((name) => kinds[name].length > 0);
+  // Their pictures and hashes are compared with those of the native programs.
+  const comparesWithGl = files.includes('tests/web/page.test.mjs');
+  const programs = [
+    ...has('cpu', 'wasm') ? ['wet-fur-tests'] : [], ...has('gl') || comparesWithGl ? ['wet-fur-gl-tests'] : [],
+    ...has('golden', 'native') ? ['wet-fur-render', 'wet-fur-compare', 'wet-fur'] : [],
+  ];
+  return { all, kinds, others, programs: all ? [...programs, 'all'] : programs, site: has('package', 'page'), wasm: has('wasm'), page: has('page') };
+}
+
 async function main() {
-  const files = testFilesBelow(join(root, 'tests'));
-  const pageFiles = files.filter((file) => file.startsWith('tests/web/'));
-  const of = (...folders) => files.filter((file) => folders.some((folder) => file.startsWith(`tests/${folder}/`)));
-  const rest = files.filter((file) => !pageFiles.includes(file) && !of('tools', 'wasm', 'golden').includes(file));
+  const { all, kinds, others, programs, site, wasm, page } = plan(testFiles(process.argv.slice(2)));
+  const filter = (files) => (all ? '' : filterOf(files));
+  const packages = [
+    ...programs.length > 0 ? [needs.nativeTests, needs.native] : [], ...site || wasm ? [needs.web] : [], ...wasm ? [needs.wasmTests] : [],
+    ...page ? [needs.browser] : [],
+  ];
+  await stage('set-up', () => setUp({ packages, npm: programs.length > 0 || site || wasm, imgui: programs.length > 0 || site }));
+  if (all) await stage('arrows between modules', () => runGathering(process.execPath, [join(root, 'tools/check-arrows.mjs')]));
+  if (others.length) await stage('commands and shaders, as text', () => nodeTests(others));
 
-  await stage('set-up', () => setUp({
-    packages: [needs.nativeTests, needs.native, needs.web, needs.wasmTests, needs.browser], npm: true, imgui: true,
-  }));
-  await stage('arrows between modules', () => runGathering(process.execPath, [join(root, 'tools/check-arrows.mjs')]));
-  await stage('the commands\' own tests', () => nodeTests(of('tools')));
+  // Those of the pure modules need no models.
+  if (programs.length) await stage('native build', () => { programs.join() === 'wet-fur-tests' ? build('native-release', programs) : buildNative(...programs); });
+  if (kinds.cpu.length) await stage('CPU tests, native', () => program('native-release', 'wet-fur-tests', filter(kinds.cpu)));
+  if (kinds.gl.length) await stage('GL tests, native', () => program('native-release', 'wet-fur-gl-tests', filter(kinds.gl)));
+  if (kinds.golden.length) await stage('golden pictures, native', () => nodeTests(kinds.golden));
+  if (kinds.native.length) await stage('the native programs', () => nodeTests(kinds.native));
+  if (all) {
+    await stage('sanitizer build', () => build('native-asan', ['wet-fur-tests']));
+    await stage('CPU tests under the address and undefined-behaviour sanitizers', () => program('native-asan', 'wet-fur-tests'));
+  }
 
-  await stage('native build', () => { buildNative('all', 'wet-fur-tests', 'wet-fur-gl-tests'); });
-  await stage('CPU tests, native', () => program('native-release', 'wet-fur-tests'));
-  await stage('GL tests, native', () => program('native-release', 'wet-fur-gl-tests'));
-  await stage('golden pictures, native', () => nodeTests(of('golden')));
-  await stage('sanitizer build', () => build('native-asan', ['wet-fur-tests']));
-  await stage('CPU tests under the address and undefined-behaviour sanitizers', () => program('native-asan', 'wet-fur-tests'));
-
-  await stage('WebAssembly build and dist/', buildSite);
-  await stage('WebAssembly test build', () => build('web-release', ['wet-fur-tests']));
-  await stage('CPU tests, WebAssembly under Node', () => nodeTests(of('wasm')));
-  await stage('package: typings, entries, size', () => nodeTests(rest));
-  await stage('the page in Chromium', () => nodeTests(pageFiles, { concurrency: 1, env: { FUR_CHROMIUM: chromiumPath() ?? '' } }));
+  // In one run: while one core links a program the other compiles what the next is made of.
+  if (site || wasm) await stage('WebAssembly build', () => build('web-release', [...site ? siteTargets : [], ...wasm ? ['wet-fur-tests'] : []], { keepGoing: true }));
+  if (site) await stage('dist/', buildSite);
+  if (wasm) await stage('CPU tests, WebAssembly under Node', () => nodeTests(kinds.wasm));
+  if (kinds.package.length) await stage('package: typings, entries, size', () => nodeTests(kinds.package));
+  if (page) await stage('the page in Chromium', () => nodeTests(byLength(kinds.page), { FUR_CHROMIUM: chromiumPath() ?? '' }));
 
   console.log(`\n=== summary\n${verdicts.join('\n')}\n`);
   console.log(`${totals.passed} passed, ${totals.failed} failed${totals.skipped ? `, ${totals.skipped} skipped` : ''}`);

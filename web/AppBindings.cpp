@@ -11,23 +11,44 @@ using namespace fur;
 using app::App;
 using web::guarded;
 
+// --- what crosses as it is ---
+
+// What the results of the table are in C, and how they are made of what App gives.
+namespace crossing {
+using Nothing = void;
+using Done = int;
+using Truth = int;
+using Number = double;
+using Text = const char*;
+using Lines = const char*;
+using Hash = const char*;
+}  // namespace crossing
+#define FUR_RESULT_Nothing(call) call
+#define FUR_RESULT_Done(call) guarded([&] { return web::report(call); })
+#define FUR_RESULT_Truth(call) int(call)
+#define FUR_RESULT_Number(call) double(call)
+#define FUR_RESULT_Text(call) web::text(std::string(call))
+#define FUR_RESULT_Lines(call) FUR_RESULT_Text(call)
+#define FUR_RESULT_Hash(call) web::hexadecimal(call)
+
+#define FUR_WITH_APP(...) (App * app __VA_OPT__(, ) __VA_ARGS__)
+#define FUR_COMMAND(name, result, parameters, arguments, ...) \
+  FUR_EXPORT crossing::result fur_##name FUR_WITH_APP parameters { return FUR_RESULT_##result(app->name arguments); }
+#define FUR_QUERY(name, result, ...) FUR_COMMAND(name, result, (), ())
+#include "app/tools/Commands.inc"
+#undef FUR_COMMAND
+#undef FUR_QUERY
+
 // --- life ---
 
 FUR_EXPORT App* fur_create() {
   return guarded([] { return new App(); });
 }
 FUR_EXPORT void fur_destroy(App* app) { delete app; }
-FUR_EXPORT int fur_attach(App* app) {
-  return guarded([&] { return web::report(app->attach()); });
-}
 FUR_EXPORT void fur_detach(App* app, int lost) { app->detach(lost != 0); }
-FUR_EXPORT void fur_resize(App* app, int width, int height, float pixelRatio) { app->resize(width, height, pixelRatio); }
 
 // --- model ---
 
-FUR_EXPORT int fur_loadPrimitive(App* app, const char* name) {
-  return guarded([&] { return web::report(app->loadPrimitive(name)); });
-}
 FUR_EXPORT int fur_loadModel(App* app, const std::uint8_t* bytes, std::uint32_t size, const char* name,
                              int keepState) {
   return guarded([&] { return web::report(app->loadModel({bytes, size}, name, web::takeStagedFiles(), keepState != 0)); });
@@ -41,11 +62,6 @@ FUR_EXPORT std::uint32_t fur_saveGroom(App* app) {
 }
 FUR_EXPORT const std::uint8_t* fur_savedBytes() { return web::savedBytes().data(); }
 FUR_EXPORT void fur_forgetSavedBytes() { web::keepSaved({}); }
-FUR_EXPORT int fur_coatGiven(App* app) { return app->coatGiven() ? 1 : 0; }
-FUR_EXPORT double fur_coatRevision(App* app) { return double(app->coatRevision()); }
-FUR_EXPORT const char* fur_modelName(App* app) { return web::text(app->modelName()); }
-// One name a line.
-FUR_EXPORT const char* fur_animations(App* app) { return web::text(app->animations()); }
 // The encoded base colour image: type "" when there is none.
 FUR_EXPORT const char* fur_imageType(App* app) { return web::text(app->pendingImage().mimeType); }
 FUR_EXPORT const std::uint8_t* fur_imageBytes(App* app) { return app->pendingImage().bytes.data(); }
@@ -90,25 +106,11 @@ FUR_EXPORT const double* fur_getCamera(App* app) {
 FUR_EXPORT void fur_setCamera(App* app, float yaw, float pitch, float distance, float x, float y, float z) {
   app->setCamera({yaw, pitch, distance, {x, y, z}});
 }
-FUR_EXPORT void fur_resetCamera(App* app) { app->resetCamera(); }
 FUR_EXPORT const char* fur_getState(App* app) {
   return guarded([&] { return web::text(app->state()); });
 }
 FUR_EXPORT int fur_setState(App* app, const char* json) {
   return guarded([&] { return web::report(app->setState(json)); });
-}
-FUR_EXPORT int fur_undo(App* app) {
-  return guarded([&] { return app->undo() ? 1 : 0; });
-}
-FUR_EXPORT int fur_redo(App* app) {
-  return guarded([&] { return app->redo() ? 1 : 0; });
-}
-FUR_EXPORT int fur_canUndo(App* app) { return app->canUndo() ? 1 : 0; }
-FUR_EXPORT int fur_canRedo(App* app) { return app->canRedo() ? 1 : 0; }
-// -1: bring the model before this one, 1: the one after, 0: neither.
-FUR_EXPORT int fur_takeModelStep(App* app) { return app->takeModelStep(); }
-FUR_EXPORT void fur_followModel(App* app) {
-  guarded([&] { return app->followModel(), 1; });
 }
 FUR_EXPORT std::uint32_t fur_saveHistory(App* app, int leaves) {
   return guarded([&] { return web::keepSaved(app->saveHistory(leaves != 0)); });
@@ -116,7 +118,6 @@ FUR_EXPORT std::uint32_t fur_saveHistory(App* app, int leaves) {
 FUR_EXPORT int fur_restoreHistory(App* app, const std::uint8_t* bytes, std::uint32_t size) {
   return guarded([&] { return web::report(app->restoreHistory({bytes, size})); });
 }
-FUR_EXPORT unsigned fur_changes(App* app) { return app->changes(); }
 // One warning a line.
 FUR_EXPORT const char* fur_takeWarnings(App* app) {
   std::string lines;
@@ -135,30 +136,14 @@ FUR_EXPORT void fur_setTool(App* app, const char* name) {
   if (const auto tool = app::toolNamed(name)) app->setTool(*tool);
 }
 FUR_EXPORT const char* fur_getTool(App* app) { return web::text(std::string(app::nameOf(app->tool()))); }
-FUR_EXPORT void fur_splashAt(App* app, float u, float v, float radius, float amount) {
-  app->splashAt(u, v, radius, amount);
-}
-FUR_EXPORT int fur_splashPixel(App* app, float x, float y, float radius, float amount) {
-  return app->splashPixel({x, y}, radius, amount) ? 1 : 0;
-}
-FUR_EXPORT void fur_setWetness(App* app, float amount) { app->setWetness(amount); }
-FUR_EXPORT void fur_dry(App* app, float seconds) { app->dry(seconds); }
-FUR_EXPORT void fur_shake(App* app) { app->shake(); }
 FUR_EXPORT void fur_stamp(App* app, const std::uint8_t* coverage, int width, int height, float x, float y, float across, float amount) {
   app->stamp({coverage, std::size_t(width) * std::size_t(height)}, width, height, {x, y}, across, amount);
-}
-FUR_EXPORT const char* fur_recordedStrokes(App* app) { return web::text(app->recordedStrokes()); }
-FUR_EXPORT int fur_replay(App* app, const char* json) {
-  return guarded([&] { return web::report(app->replay(json)); });
 }
 // held, film, drops, dripped, evaporated, removed, painted, rained
 FUR_EXPORT const double* fur_waterAccounts(App* app) {
   const wet::Accounts a = app->water().accounts();
   return web::numbers({a.held, a.film, a.drops, a.dripped, a.evaporated, a.removed, a.painted, a.rained});
 }
-FUR_EXPORT double fur_wetnessAt(App* app, float u, float v) { return app->wetnessAt(u, v); }
-FUR_EXPORT double fur_meanWetness(App* app) { return app->meanWetness(); }
-FUR_EXPORT const char* fur_wetnessHash(App* app) { return web::hexadecimal(app->wetnessHash()); }
 FUR_EXPORT std::uint32_t fur_saveWater(App* app) {
   return guarded([&] { return web::keepSaved(app->saveWater()); });
 }
@@ -169,13 +154,6 @@ FUR_EXPORT int fur_restoreWater(App* app, const std::uint8_t* bytes, std::uint32
 
 FUR_EXPORT int fur_restoreGroom(App* app, const std::uint8_t* bytes, std::uint32_t size, int undoable) {
   return guarded([&] { return web::report(app->restoreGroom({bytes, size}, undoable != 0)); });
-}
-FUR_EXPORT int fur_groomed(App* app) { return app->groomed() ? 1 : 0; }
-FUR_EXPORT int fur_clearGroom(App* app) {
-  return guarded([&] {
-    app->clearGroom();
-    return 1;
-  });
 }
 
 // (u, v), or null off the model
@@ -207,7 +185,6 @@ FUR_EXPORT int fur_pointer(App* app, int phase, int kind, int id, float x, float
   event.pressure = pressure;
   return guarded([&] { return app->pointer(event) ? 1 : 0; });
 }
-FUR_EXPORT int fur_wheel(App* app, float notches, float x, float y) { return app->wheel(notches, {x, y}) ? 1 : 0; }
 FUR_EXPORT int fur_key(App* app, const char* name, int modifiers) {
   app::KeyEvent event{name};
   event.shift = modifiers & 1;
@@ -219,28 +196,19 @@ FUR_EXPORT int fur_key(App* app, const char* name, int modifiers) {
 FUR_EXPORT void fur_setPadding(App* app, float left, float top, float right, float bottom, int atOnce) {
   app->setPadding({left, top, right, bottom}, atOnce != 0);
 }
-FUR_EXPORT void fur_setAutoRotate(App* app, int enabled) { app->setAutoRotate(enabled != 0); }
-FUR_EXPORT void fur_setFieldOfView(App* app, float radians) { app->setFieldOfView(radians); }
 // 0: as it is seen; 1: for a picture that is saved; 3: without what is behind the model
 FUR_EXPORT void fur_setSaved(App* app, int how) { app->setSaved(how, how & 2); }
-FUR_EXPORT void fur_setCameraControls(App* app, int enabled) { app->setCameraControls(enabled != 0); }
 
 // --- time ---
 
 FUR_EXPORT int fur_tick(App* app, float seconds, float coatBudget) {
   return guarded([&] { return app->tick(seconds, coatBudget) ? 1 : 0; });
 }
-FUR_EXPORT double fur_coatProgress(App* app) { return app->coatProgress(); }
-FUR_EXPORT int fur_active(App* app) { return app->active() ? 1 : 0; }
-FUR_EXPORT void fur_setReducedMotion(App* app, int reduced) { app->setReducedMotion(reduced != 0); }
 // 0 best, 1 moving, 2 still, as app::Picture
 FUR_EXPORT int fur_draw(App* app, int picture) {
   return guarded([&] { return web::report(app->draw(static_cast<app::Picture>(picture))); });
 }
-FUR_EXPORT void fur_invalidate(App* app) { app->invalidate(); }
 FUR_EXPORT void fur_setQuality(App* app, int best, int governed) { app->setQuality(best, governed != 0); }
-FUR_EXPORT void fur_setFrameBudget(App* app, float milliseconds) { app->setFrameBudget(milliseconds); }
-FUR_EXPORT void fur_frameShown(App* app, float milliseconds, float drawing) { app->frameShown(milliseconds, drawing); }
 // 1: the framebuffer has another picture; 2: not yet.
 FUR_EXPORT int fur_improve(App* app) {
   return guarded([&] {
@@ -248,7 +216,6 @@ FUR_EXPORT int fur_improve(App* app) {
     return shown ? 2 - shown.value() : web::report(shown.error());
   });
 }
-FUR_EXPORT int fur_improvable(App* app) { return app->improvable() ? 1 : 0; }
 // vertices, triangles, strands, layers, finEdges, cpuBytes, gpuBytes, uploadedBytes, framesDrawn, level, pixels,
 // frameTime
 FUR_EXPORT const double* fur_stats(App* app) {

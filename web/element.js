@@ -2,6 +2,7 @@
  * Registers <wet-fur>:
  * `<wet-fur src="otter.glb" alt="An otter; click to wet its fur" camera-controls tool="droplet"></wet-fur>`
  */
+import { keyTexts } from '#tables';
 import { buildShadow, elementStyles } from './element-shadow.js';
 import { WetFur } from './host.js';
 import { optionDefaults } from './options.js';
@@ -14,18 +15,8 @@ const forwardedEvents = [
   'load', 'progress', 'error', 'warning', 'camera-change', 'wetness-change', 'cursor-move', 'stroke-start', 'stroke-end',
   'state-change', 'context-lost', 'context-restored', 'model-visibility',
 ];
-const forwardedMethods = [
-  'splash', 'dry', 'setWetness', 'wetnessAt', 'shake', 'stamp', 'replay', 'reset', 'pick', 'play', 'pause', 'step', 'undo', 'redo', 'getState', 'setState',
-  'loadTypeSet', 'saveTypeSet', 'saveFo', 'save', 'lostBySaving', 'groom', 'loadLengthMap', 'loadTypeMap', 'toBlob', 'getCameraOrbit', 'resetCamera', 'setPadding', 'openEditor', 'closeEditor',
-];
-const forwardedGetters = [
-  'loaded', 'ready', 'state', 'stats', 'settings', 'settingsTable', 'presets', 'warnings', 'modelName', 'animations', 'meanWetness',
-  'wetnessHash', 'recordedStrokes', 'waterAccounts', 'groomed', 'canUndo', 'canRedo', 'editorOpen', 'cameraOrbitText',
-];
-
 const kebab = (name) => name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
 const camel = (name) => name.replace(/-([a-z])/g, (_, letter) => letter.toUpperCase());
-const spaceDoes = { droplet: 'drops water', dry: 'takes water', towel: 'wipes water off', rain: 'lets it rain for a moment', hose: 'turns the hose on for a moment', dryer: 'blows for a moment', comb: 'combs down', trim: 'trims', grow: 'lengthens the fur', whisker: 'plants a whisker' };
 const announceAfterMilliseconds = 1200;
 const announceStep = 1;
 const isBoolean = (name) => optionDefaults[name] === false;
@@ -206,8 +197,8 @@ export class WetFurElement extends Base {
     if (interactive) {
       const keys = [];
       if (this.cameraControls) keys.push('Arrow keys turn the view, plus and minus zoom, Home resets it.');
-      if (spaceDoes[this.tool])
-        keys.push(`${this.cameraControls ? 'Shift with arrow keys moves' : 'Arrow keys move'} the tool over the model, from the middle of the picture. Space ${spaceDoes[this.tool]} there.`);
+      if (keyTexts[this.tool])
+        keys.push(`${this.cameraControls ? 'Shift with arrow keys moves' : 'Arrow keys move'} the tool over the model, from the middle of the picture. Space ${keyTexts[this.tool]} there.`);
       canvas.setAttribute('aria-description', keys.join(' '));
     }
   }
@@ -245,8 +236,6 @@ export class WetFurElement extends Base {
 
 function defineProperties(prototype) {
   const define = (name, descriptor) => Object.defineProperty(prototype, name, { enumerable: true, configurable: true, ...descriptor });
-  for (const name of forwardedMethods) prototype[name] = function forward(...args) { return this.fur[name](...args); };
-  for (const name of forwardedGetters) define(name, { get() { return this.fur[name]; } });
   for (const name of [...ownAttributes, ...hostOptions]) {
     const attribute = kebab(name);
     const standard = { loading: 'auto', reveal: 'auto', interactionPrompt: 'auto' }[name] ?? '';
@@ -259,6 +248,17 @@ function defineProperties(prototype) {
           else this.setAttribute(attribute, String(value));
         },
       });
+  }
+}
+
+/** What else the model on the canvas offers. */
+function forwardTheRest(prototype) {
+  for (const [name, { value }] of Object.entries(Object.getOwnPropertyDescriptors(WetFur.prototype))) {
+    if (name in prototype) continue;
+    Object.defineProperty(prototype, name, {
+      enumerable: true, configurable: true,
+      ...(value ? { writable: true, value(...args) { return this.fur[name](...args); } } : { get() { return this.fur[name]; } }),
+    });
   }
 }
 
@@ -275,5 +275,6 @@ function defineSettingProperties(table) {
 }
 
 defineProperties(WetFurElement.prototype);
+forwardTheRest(WetFurElement.prototype);
 defineSettingProperties(settingAttributes.map((name) => ({ name })));
 if (globalThis.customElements && !customElements.get('wet-fur')) customElements.define('wet-fur', WetFurElement);

@@ -1,4 +1,6 @@
 // app/App.h as JavaScript methods: one handle in one Program. Positions are pixels of the drawing buffer.
+// What crosses as it is (app/tools/Commands.inc) becomes methods and getters at the end of the class.
+import { commands, queries } from '#tables';
 
 export const phases = ['down', 'move', 'up', 'cancel'];
 export const pointerKinds = ['mouse', 'touch', 'pen'];
@@ -26,16 +28,12 @@ export class FurApp {
   #callOrThrow(name, ...args) { return this.program.callOrThrow(name, this.handle, ...args); }
   #text(name, ...args) { return this.program.text(this.#call(name, ...args)); }
 
-  attach() { this.#callOrThrow('fur_attach'); }
   /** Deletes what it made in the context, which may have been lost. */
   detach() { this.#call('fur_detach', 0); }
   destroy() {
     this.#call('fur_destroy');
     this.handle = 0;
   }
-  resize(width, height, pixelRatio) { this.#call('fur_resize', width, height, pixelRatio); }
-
-  loadPrimitive(name) { this.#callOrThrow('fur_loadPrimitive', name); }
   /**
    * @param {Map<string, Uint8Array>} files what came along, by the name that the model uses
    * @param {boolean} keepState not the settings that a saved scene brings
@@ -53,10 +51,6 @@ export class FurApp {
     this.program.call('fur_forgetSavedBytes');
     return bytes;
   }
-  /** Whether it comes from a type set, until a setting changes that grows another. */
-  get coatGiven() { return this.#call('fur_coatGiven') !== 0; }
-  /** Another number whenever another coat is drawn. */
-  get coatRevision() { return this.#call('fur_coatRevision'); }
   /** The model's own picture, encoded, or null. */
   pendingImage() {
     const mimeType = this.#text('fur_imageType');
@@ -65,9 +59,6 @@ export class FurApp {
     return { mimeType, width, height, bytes: this.program.array(Uint8Array, this.#call('fur_imageBytes'), byteLength) };
   }
   provideImage(width, height, rgba) { this.#callOrThrow('fur_provideImage', width, height, rgba); }
-  /** Names of what the model can play: the setting `animation` counts from 1. */
-  get animations() { return this.program.lines(this.#call('fur_animations')); }
-  get modelName() { return this.#text('fur_modelName'); }
 
   /** Number, boolean, option name or "#rrggbb"; undefined for an unknown name. */
   getSetting(name) {
@@ -86,51 +77,28 @@ export class FurApp {
     return { yaw, pitch, distance, target };
   }
   set camera({ yaw, pitch, distance, target }) { this.#call('fur_setCamera', yaw, pitch, distance, ...target); }
-  resetCamera() { this.#call('fur_resetCamera'); }
   get state() { return this.#text('fur_getState'); }
   set state(json) { this.#callOrThrow('fur_setState', json); }
-  undo() { return this.#call('fur_undo') !== 0; }
-  redo() { return this.#call('fur_redo') !== 0; }
-  /** -1: the model before this one is to be shown, 1: the one after, 0: neither. Told once. */
-  takeModelStep() { return this.#call('fur_takeModelStep'); }
-  /** Undo leads from this model to another. */
-  followModel() { this.#call('fur_followModel'); }
   /** As bytes; `leaves`: another model comes now, to which a redo will lead. */
   saveHistory(leaves) { return this.#saved('fur_saveHistory', leaves ? 1 : 0); }
   restoreHistory(bytes) { this.#callOrThrow('fur_restoreHistory', bytes, bytes.byteLength); }
-  get canUndo() { return this.#call('fur_canUndo') !== 0; }
-  /** Another number whenever the settings, the tool or what can be undone have changed. */
-  get changes() { return this.#call('fur_changes'); }
-  get canRedo() { return this.#call('fur_canRedo') !== 0; }
   takeWarnings() { return this.program.lines(this.#call('fur_takeWarnings')); }
 
   get tool() { return this.#text('fur_getTool'); }
   set tool(name) { this.#call('fur_setTool', name); }
-  splashAt(u, v, radius, amount) { this.#call('fur_splashAt', u, v, radius, amount); }
-  splashPixel(x, y, radius, amount) { return this.#call('fur_splashPixel', x, y, radius, amount) !== 0; }
-  setWetness(amount) { this.#call('fur_setWetness', amount); }
-  dry(seconds) { this.#call('fur_dry', seconds); }
-  shake() { this.#call('fur_shake'); }
   stamp({ coverage, width, height }, x, y, across, amount) {
     this.#call('fur_stamp', coverage, width, height, x, y, across, amount);
   }
-  get recordedStrokes() { return this.#text('fur_recordedStrokes'); }
-  replay(json) { this.#callOrThrow('fur_replay', json); }
   get waterAccounts() {
     const values = this.program.numbers(this.#call('fur_waterAccounts'), accountNames.length);
     return Object.fromEntries(accountNames.map((name, index) => [name, values[index]]));
   }
-  wetnessAt(u, v) { return this.#call('fur_wetnessAt', u, v); }
-  get meanWetness() { return this.#call('fur_meanWetness'); }
-  get wetnessHash() { return this.#text('fur_wetnessHash'); }
   /** All of it, and what was done with it, as bytes for another program with the same model. */
   get water() { return this.#saved('fur_saveWater'); }
   set water(bytes) { this.#callOrThrow('fur_restoreWater', bytes, bytes.byteLength); }
   /** As bytes, for another program with the same model. */
   get groom() { return this.#saved('fur_saveGroom'); }
   restoreGroom(bytes, undoable) { this.#callOrThrow('fur_restoreGroom', bytes, bytes.byteLength, undoable ? 1 : 0); }
-  clearGroom() { this.#call('fur_clearGroom'); }
-  get groomed() { return this.#call('fur_groomed') !== 0; }
   // These are in the editor's program only.
   saveTypeSet() { return this.#saved('fur_saveTypeSet'); }
   saveFo() { return this.#saved('fur_saveFo'); }
@@ -156,34 +124,37 @@ export class FurApp {
     return this.#call('fur_pointer', phases.indexOf(phase), Math.max(0, pointerKinds.indexOf(event.pointerType)),
       event.pointerId, x, y, event.buttons, modifiersOf(event), event.pressure ?? 1) !== 0;
   }
-  wheel(notches, x, y) { return this.#call('fur_wheel', notches, x, y) !== 0; }
   key(event) { return this.#call('fur_key', event.key, modifiersOf(event)) !== 0; }
   /** 0: as it is seen; 1: for a picture that is saved; 3: without what is behind the model. */
   set saved(how) { this.#call('fur_setSaved', how); }
   /** Shares of the picture from its left, top, right and bottom edge. */
   setPadding(shares, atOnce) { this.#call('fur_setPadding', ...shares, atOnce ? 1 : 0); }
-  set autoRotate(enabled) { this.#call('fur_setAutoRotate', enabled ? 1 : 0); }
-  set fieldOfView(radians) { this.#call('fur_setFieldOfView', radians); }
-  set cameraControls(enabled) { this.#call('fur_setCameraControls', enabled ? 1 : 0); }
 
   /** `coatBudget`: seconds that may go into a coat that grows. */
   tick(seconds, coatBudget = 1e9) { return this.#call('fur_tick', seconds, coatBudget) !== 0; }
-  /** 0..1; 1: the coat in the picture is the one that the settings ask for. */
-  get coatProgress() { return this.#call('fur_coatProgress'); }
-  get active() { return this.#call('fur_active') !== 0; }
-  set reducedMotion(reduced) { this.#call('fur_setReducedMotion', reduced ? 1 : 0); }
   /** For `pictures.best`, `.moving` or `.still`, as app/App.h tells. */
   draw(picture = pictures.best) { this.#callOrThrow('fur_draw', picture); }
   set governed(governed) { this.#call('fur_setQuality', 0, governed ? 1 : 0); }
-  set frameBudget(milliseconds) { this.#call('fur_setFrameBudget', milliseconds); }
-  frameShown(milliseconds, drawing) { this.#call('fur_frameShown', milliseconds, drawing); }
   /** A step towards the best picture; whether there is another one to show. */
   improve() { return this.#callOrThrow('fur_improve') === 1; }
-  get improvable() { return this.#call('fur_improvable') !== 0; }
-  invalidate() { this.#call('fur_invalidate'); }
   get stats() {
     const values = this.program.numbers(this.#call('fur_stats'), statNames.length);
     return Object.fromEntries(statNames.map((name, index) => [name, values[index]]));
+  }
+
+  #crossing(name, result, args) {
+    if (result === 'Done') return void this.#callOrThrow(name, ...args);
+    const value = this.#call(name, ...args);
+    if (result === 'Number' || result === 'Nothing') return value;
+    if (result === 'Truth') return value !== 0;
+    return result === 'Lines' ? this.program.lines(value) : this.program.text(value);
+  }
+
+  static {
+    for (const [name, result] of Object.entries(commands))
+      this.prototype[name] = function command(...args) { return this.#crossing(`fur_${name}`, result, args); };
+    for (const [name, result] of Object.entries(queries))
+      Object.defineProperty(this.prototype, name, { get() { return this.#crossing(`fur_${name}`, result, []); } });
   }
 }
 

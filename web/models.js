@@ -1,4 +1,5 @@
 // What `src` and a dropped or picked file mean, and the pictures that models bring.
+import { kindOfEnding } from '#tables';
 import { FurError } from './errors.js';
 import { fetchBytes, fileNameOf, maxFileBytes } from './fetching.js';
 
@@ -10,10 +11,11 @@ const shippedModels = Object.freeze(['bunny', ...sceneNames]);
 /** The names that `src` takes beside addresses. */
 export const modelNames = Object.freeze([...shippedModels, ...primitives]);
 
-const modelFile = /\.(glb|gltf|obj|fo)$/i;
-const typeSetFile = /\.fts$/i;
-/** What a file dialog offers: models, coats, and what a .gltf refers to. */
-export const acceptedFiles = '.glb,.gltf,.obj,.fo,.fts,.bin,image/*';
+const kindOf = ({ name }) => kindOfEnding[/\.\w+$/.exec(name)?.[0].toLowerCase()];
+/** What a file dialog offers: models, coats, what a model refers to, and whatever pictures the browser reads. */
+export const acceptedFiles = [...Object.keys(kindOfEnding), 'image/*'].join();
+/** Endings of models and coats, for people. */
+export const readEndings = Object.keys(kindOfEnding).filter((ending) => /Model|Coat/.test(kindOfEnding[ending]));
 
 /**
  * Which of the files that were picked or dropped together is the model, which the coat; undefined for none. A
@@ -21,8 +23,8 @@ export const acceptedFiles = '.glb,.gltf,.obj,.fo,.fts,.bin,image/*';
  */
 export function sortFiles(files) {
   const list = [...files];
-  const model = list.find(({ name }) => modelFile.test(name));
-  const typeSet = list.find(({ name }) => typeSetFile.test(name));
+  const model = list.find((file) => kindOf(file) === 'Model');
+  const typeSet = list.find((file) => kindOf(file) === 'Coat');
   const image = list.length === 1 && /^image\//.test(list[0].type) ? list[0] : undefined;
   return { model, typeSet, image, others: list.filter((file) => file !== model && file !== typeSet) };
 }

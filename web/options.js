@@ -1,4 +1,5 @@
 // What can be set beside the fields of the settings table, and what is made of a value that is given.
+import { toolNames } from '#tables';
 
 /**
  * What `quality` stands for; `layers` only where none are given. governed: moving pictures
@@ -17,7 +18,7 @@ export const optionDefaults = Object.freeze({
 });
 
 export const choices = Object.freeze({
-  tool: ['droplet', 'dry', 'rain', 'hose', 'towel', 'dryer', 'comb', 'smooth', 'raise', 'trim', 'grow', 'type', 'whisker', 'pluck', 'paint', 'cut', 'thin', 'mask', 'curl', 'frizz', 'locks', 'pet', 'ball', 'grab', 'none'],
+  tool: toolNames,
   wheel: ['page', 'focus', 'zoom'],
   motion: ['auto', 'full', 'reduced'],
   quality: Object.keys(qualities),

@@ -8,7 +8,7 @@ import { embedCode } from './embedcode.js';
 import { howToPlace, Letters } from './letters.js';
 import { makeLink, readLink } from './link.js';
 import { Messages } from './messages.js';
-import { acceptedFiles, modelNames, sceneNames, sortFiles } from './models.js';
+import { acceptedFiles, modelNames, readEndings, sceneNames, sortFiles } from './models.js';
 import { packStrokes } from './strokes.js';
 import { Toolbar } from './toolbar.js';
 import { Visit } from './visit.js';
@@ -18,6 +18,7 @@ const fur = byId('fur');
 const bar = byId('bar');
 const modelPicker = byId('model');
 const messages = new Messages(byId('messages'));
+const either = (words) => new Intl.ListFormat('en-GB', { type: 'disjunction' }).format(words);
 const coats = new Coats(byId('coats'), fur);
 const toolButtons = [...document.querySelectorAll('[data-tool]')];
 const waters = byId('waters');
@@ -162,7 +163,7 @@ let startState = '{}';
 async function openFiles(files) {
   const { model, typeSet, image, others } = sortFiles(files);
   if (!model && !typeSet && !image && others.length > 0)
-    messages.error(`${others[0].name}: not a .glb, .gltf, .obj, .fo or .fts file`);
+    messages.error(`${others[0].name}: not a ${either(readEndings)} file`);
   try {
     if (model) await fur.loadModel(model, { files: others });
     if (typeSet) await fur.loadTypeSet(typeSet);

@@ -21,7 +21,7 @@ namespace {
 using namespace fur;
 
 constexpr const char* kUsage = R"(usage: wet-fur-compare [model] [options]
-  model                 a .glb, .gltf, .obj or .fo file, or bunny (default), sphere, torus, plane,
+  model                 a {models} file, or bunny (default), sphere, torus, plane,
                         or a scene as five-coats (tools/scenes/scenes.mjs has them all)
   --views A,B,...       of near, middle, far, grazing (default: all)
   --layers A,B,...      layers of the real-time picture (default 8,16,32,64)

@@ -21,10 +21,10 @@ namespace {
 using namespace fur;
 
 constexpr const char* kUsage = R"(usage: wet-fur-render [model] -o out.png [options]
-  model                 a .glb, .gltf, .obj or .fo file, or bunny (default), sphere, torus, plane,
+  model                 a {models} file, or bunny (default), sphere, torus, plane,
                         or a scene as five-coats (tools/scenes/scenes.mjs has them all)
   -o, --output FILE     the PNG to write; may be left out when something else is saved
-  --type-set FILE       a coat from a .fts file
+  --type-set FILE       a coat from a {coats} file
   --save-type-set FILE  writes the coat as .fts
   --save-fo FILE        writes the model with its fur coordinates as .fo
   --save-scene FILE     writes model, groom, settings and camera as .glb

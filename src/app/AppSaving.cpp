@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "app/AppState.h"
-#include "hair/StrandShading.h"
+#include "core/Srgb.h"
 #include "scene/FoModel.h"
 #include "scene/Png.h"
 
@@ -24,7 +24,7 @@ std::vector<T> ofVertices(const std::vector<T>& values, const std::vector<std::u
 
 // Half-way up a strand; linear.
 Vec3 coatColor(const settings::Settings& settings) {
-  return 0.35f * settings::linearColor(settings.rootColor) + 0.65f * settings::linearColor(settings.tipColor);
+  return 0.35f * linearColor(settings.rootColor) + 0.65f * linearColor(settings.tipColor);
 }
 
 std::uint8_t toByte(float share) { return static_cast<std::uint8_t>(saturate(share) * 255 + 0.5f); }
@@ -50,7 +50,7 @@ std::optional<std::uint32_t> App::colorAt(Vec2 pixel) const {
   // As the shaders have it.
   const Vec3 coat = coatColor(s.settings) * Vec3(s.document.baseColorFactor) * glm::mix(Vec3(1), s.pictureAt(*hit), s.settings.textureAmount);
   const Vec4 paint = s.groom.groom().paint.at(atlasAt(s.shape.surface(), *hit));
-  const Vec3 color = glm::mix(hair::encodeSrgb(coat), Vec3(paint), paint.w);
+  const Vec3 color = glm::mix(encodeSrgb(coat), Vec3(paint), paint.w);
   std::uint32_t rgb = 0;
   for (int k = 0; k < 3; ++k) rgb = rgb << 8 | toByte(color[k]);
   return rgb;
@@ -64,7 +64,7 @@ std::vector<std::uint8_t> App::State::paintedPicture() const {
   const int size = document.image.empty() ? kPaintedSize : kPaintedPictureSize;
   const geometry::AtlasTexels atlas(surface, size);
   // A model's own picture as others show it; without one the coat's colour.
-  const Vec3 coat = hair::encodeSrgb((document.image.empty() ? coatColor(settings) : Vec3(1)) * Vec3(document.baseColorFactor));
+  const Vec3 coat = encodeSrgb((document.image.empty() ? coatColor(settings) : Vec3(1)) * Vec3(document.baseColorFactor));
   std::vector<std::uint8_t> pixels(std::size_t{3} * static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
   for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] = toByte(coat[static_cast<int>(i % 3)]);
   for (std::uint32_t t = 0; t < surface.triangleCount(); ++t)

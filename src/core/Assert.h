@@ -1,5 +1,5 @@
-// FUR_ASSERT(condition, "Class::function()", "what was expected", what came): our own bug, so it
-// prints `Class::function(): expected X, got Y` and stops. Never for files or GPUs: see Result.
+// FUR_ASSERT(condition, "Class::function()", "what was expected", what came): for bugs of this program. Prints
+// `Class::function(): expected X, got Y` and aborts. Errors of files and GPUs are Results instead.
 #pragma once
 
 #include <string>

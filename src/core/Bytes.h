@@ -1,5 +1,5 @@
-// State as bytes, which the same build reads again elsewhere: what belongs to it is named once for both ways. Numbers,
-// plain structures, vectors of them, and texts.
+// Writes and reads state as bytes, for the same build only. Writer and reader are called with the same list of values, which
+// may be numbers, plain structs, vectors of these and texts.
 #pragma once
 
 #include <cstdint>
@@ -41,7 +41,7 @@ class ByteWriter {
   }
 };
 
-// Of bytes that end too early the rest stays as it was, vectors empty, and they are not sound.
+// When the bytes end too early, sound() is false, the values that are left keep what they had, and vectors are empty.
 class ByteReader {
  public:
   explicit ByteReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
@@ -49,7 +49,7 @@ class ByteReader {
   void operator()(T&... values) {
     (take(values), ...);
   }
-  // Of a text that was written; a view into the bytes.
+  // A text that was written; a view of the bytes.
   std::string_view text() {
     std::uint32_t count = 0;
     take(count);
@@ -58,10 +58,8 @@ class ByteReader {
     bytes_ = bytes_.subspan(out.size());
     return out;
   }
-  // What was read is not sound.
-  void fail() { sound_ = false; }
-  // So far; and whether nothing is left.
-  bool sound() const { return sound_; }
+  void fail() { sound_ = false; }        // a value that was read makes no sense
+  bool sound() const { return sound_; }  // all values so far were there and made sense
   bool atEnd() const { return bytes_.empty(); }
 
  private:

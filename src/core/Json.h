@@ -1,6 +1,6 @@
-// JSON texts (RFC 8259), as files and states bring them: nothing in them is trusted. A text becomes one list of nodes
-// that point into it, in its order; strings and numbers are decoded when somebody asks. A tenth of what a general
-// library would add to the download, and twelve bytes a value.
+// Reads JSON (RFC 8259) from files and saved states; hostile input is expected. A text becomes one list of nodes in its order,
+// which point into the text; strings and numbers are decoded on demand. It adds a tenth of what a general library would add
+// to the download, and takes twelve bytes a value.
 #pragma once
 
 #include <cstdint>
@@ -18,14 +18,14 @@ class Json {
   bool isTrue() const { return *begin_ == 't'; }
   bool isNumber() const { return *begin_ == '-' || (*begin_ >= '0' && *begin_ <= '9'); }
 
-  // NaN when it is no number; infinite when it is too large for one.
+  // NaN when it is not a number, infinite when it is too large for a double.
   double number() const;
-  // The decoded string; "" when it is none.
+  // The decoded string; "" when it is not a string.
   std::string text() const;
-  // Its piece of the text.
+  // The part of the text that it was read from.
   std::string_view source() const { return {begin_, size_}; }
 
-  // The value of a key; null when there is none, or this is no object. Of several of one name the last counts.
+  // The value of a key; null when there is none or this is not an object. If a key occurs twice, the last one counts.
   const Json* find(std::string_view key) const;
 
   // The elements of an array; the keys of an object, each with its value().
@@ -48,14 +48,14 @@ class Json {
   friend class JsonParser;
   const char* begin_;
   std::uint32_t size_ = 0;   // bytes
-  std::uint32_t nodes_ = 1;  // it and all within it
+  std::uint32_t nodes_ = 1;  // this node and all inside it
 };
 
-// The nodes of a text, of which the first is the whole; none when it is not JSON. They point into the text. Bytes of
-// strings beyond ASCII are taken as they are.
+// The nodes of a text; the first one is the whole. Empty when the text is not JSON. The nodes point into the text. Bytes of
+// strings that are not ASCII are not checked.
 std::vector<Json> parseJson(std::string_view text);
 
-// A string as JSON has it, in quotes.
+// The text as a JSON string, in quotes.
 std::string jsonString(std::string_view text);
 
 }  // namespace fur

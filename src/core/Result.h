@@ -1,4 +1,4 @@
-// A value or an error that the world caused (a file, a GPU, a limit). Our own bugs are
+// A value, or an error that comes from outside (a file, a GPU, a limit). Our own bugs are
 // FUR_ASSERT's. Tests check the id; people read the text, which names the thing and the limit.
 #pragma once
 
@@ -28,7 +28,7 @@ struct Error {
   std::string message;
 };
 
-// Something that was mended on the way (a clamped value, an unknown key): the work went on.
+// What was corrected without stopping the work: a clamped value, an unknown key.
 using Warnings = std::vector<std::string>;
 
 template <class T>

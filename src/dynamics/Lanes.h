@@ -1,5 +1,5 @@
-// Four vertices at a time: the compiler's own vectors, which are one register natively and in wasm (-msimd128), and
-// round as plain floats do. Numbers lie in columns, one a component, padded to whole blocks.
+// SIMD for four vertices at a time: the compiler's vector extension, one register natively and in wasm (-msimd128), with the
+// rounding of plain floats. Columns stores vectors by component (structure of arrays), padded to whole blocks.
 #pragma once
 
 #include <cmath>
@@ -26,7 +26,7 @@ inline Lanes min(const Lanes& a, const Lanes& b) { return a < b ? a : b; }
 inline Lanes max(const Lanes& a, const Lanes& b) { return a > b ? a : b; }
 inline Lanes sqrtOf(const Lanes& x) { return Lanes{std::sqrt(x[0]), std::sqrt(x[1]), std::sqrt(x[2]), std::sqrt(x[3])}; }
 inline bool any(const LaneMask& mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
-// A wave of period 1 in [-1, 1], a sine to 6 %, for |phase| < 4e6.
+// A wave of period 1 in [-1, 1], within 6 % of a sine, for |phase| < 4e6.
 inline Lanes waveAt(const Lanes& phase) {
   const Lanes x = phase - ((phase + 12582912.0f) - 12582912.0f);  // rounding to whole numbers: 1.5 * 2^23
   return x * (8.0f - 16.0f * max(x, -x));
@@ -57,13 +57,13 @@ inline Lanes3 clampLength(const Lanes3& v, float limit) {
   if (!any(over)) return v;
   return v * (over ? limit / sqrtOf(squared) : splat(1.0f));
 }
-// Of length 1, or 0 where there is hardly any.
+// Zero for vectors that are nearly zero.
 inline Lanes3 normalize(const Lanes3& v) {
   const Lanes squared = dot(v, v);
   return v * (squared > 1e-20f ? 1.0f / sqrtOf(max(squared, splat(1e-20f))) : splat(0.0f));
 }
 
-// Vectors by component, one component after the other, each padded up to a whole block.
+// All x, then all y, then all z, each padded to a whole block.
 class Columns {
  public:
   static constexpr std::size_t kBlock = 64;
@@ -78,7 +78,7 @@ class Columns {
     assign(values.size(), padding);
     take(values);
   }
-  // As many others.
+  // The same number of new values.
   void take(std::span<const Vec3> values) {
     for (std::size_t i = 0; i < values.size(); ++i) set(i, values[i]);
   }

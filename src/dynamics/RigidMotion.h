@@ -1,4 +1,4 @@
-// What transforms and numbers of a person's are, made safe to compute with.
+// Makes transforms and settings safe to compute with.
 #pragma once
 
 #include <algorithm>

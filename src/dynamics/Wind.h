@@ -1,4 +1,4 @@
-// The wind over a body: a steady share, gusts that run over it as waves, and eddies; and what of it reaches which side.
+// The wind over a body: a steady part, gusts that travel over it as waves, eddies, and shelter on the lee side.
 #pragma once
 
 #include <algorithm>
@@ -8,8 +8,8 @@
 namespace fur::dynamics {
 
 struct Wind {
-  Vec3 force{0};         // world space, 0..1: where it blows to, and its strength
-  float gust = 0;        // 0..1: the share that comes and goes, in waves that travel with the wind
+  Vec3 force{0};         // world space: direction and strength, 0..1
+  float gust = 0;        // 0..1: the share that varies in waves that travel with the wind
   float turbulence = 0;  // 0..1: strength of eddies, as a share of the wind's
   double time = 0;       // s
   bool varies() const { return force != Vec3(0) && (gust > 0 || turbulence > 0); }
@@ -17,14 +17,14 @@ struct Wind {
   bool operator==(const Wind&) const = default;
 };
 
-// The wind at one moment in the space of a model: the same numbers on every machine.
+// The wind at one moment in model space; the same bits on every platform.
 class WindField {
  public:
   WindField(const Wind& wind, const Mat4& modelToWorld);
 
-  // 1 on the side that it comes from, down to what reaches the lee side.
+  // 1 on the windward side, down to a rest on the lee side.
   Lanes exposure(const Lanes3& outward) const;
-  // On a side that is fully exposed, at a point.
+  // The wind at a point that is fully exposed.
   Lanes3 at(const Lanes3& point) const;
 
  private:
@@ -32,7 +32,7 @@ class WindField {
   struct Wave {
     Vec3 cycles;  // per model unit, along the axes
     float phase;
-    Vec3 force;   // of its crest
+    Vec3 force;   // at its crest
   };
   Vec3 direction_, steady_;
   Wave waves_[kGusts + kEddies];

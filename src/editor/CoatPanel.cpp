@@ -7,6 +7,7 @@
 #include "editor/CoatPlots.h"
 #include "editor/Theme.h"
 #include "editor/Widgets.h"
+#include "scene/Formats.h"
 #include "settings/Presets.h"
 
 namespace fur::editor {
@@ -104,9 +105,9 @@ std::vector<Command> CoatPanel::draw(const EditorModel& model, settings::Setting
   ImGui::SetNextItemOpen(manner.roomy, ImGuiCond_FirstUseEver);
   if (groupHeader("Tile, layer by layer")) drawPictures(model.coat, manner);
   const float half = (ImGui::GetContentRegionAvail().x - px(3)) * 0.5f;
-  if (ImGui::Button("Save coat (.fts)", ImVec2(half, 0))) commands.push_back(command::SaveTypeSet{});
+  if (ImGui::Button(scene::saveLabel(scene::Format::Fts).c_str(), ImVec2(half, 0))) commands.push_back(command::SaveTypeSet{});
   ImGui::SameLine(0, px(3));
-  if (ImGui::Button("Save model (.fo)", ImVec2(-1, 0))) commands.push_back(command::SaveFo{});
+  if (ImGui::Button(scene::saveLabel(scene::Format::Fo).c_str(), ImVec2(-1, 0))) commands.push_back(command::SaveFo{});
   ImGui::Dummy(ImVec2(0, px(2)));
   return commands;
 }

@@ -9,7 +9,9 @@
 #include <imgui_internal.h>  // ActiveId: which window a finger drags, whose text is typed
 
 #include "editor/FieldRows.h"
+#include "editor/ToolRows.h"
 #include "editor/Widgets.h"
+#include "scene/Formats.h"
 
 namespace fur::editor {
 
@@ -229,7 +231,7 @@ void Editor::drawScene(const EditorModel& model) {
     return;
   }
   ImGui::SetNextItemWidth(-px(56));
-  const bool entered = ImGui::InputTextWithHint("##path", "Path of a model, .fts or .png, or drop one", path_,
+  const bool entered = ImGui::InputTextWithHint("##path", "Path of a model, coat or picture, or drop one", path_,
                                                 sizeof path_, ImGuiInputTextFlags_EnterReturnsTrue);
   ImGui::SameLine(0, px(3));
   const bool pressed = ImGui::Button("Open", ImVec2(-1, 0));
@@ -272,20 +274,9 @@ void Editor::drawWater(const EditorModel& model) {
 }
 
 void Editor::drawTools(const EditorModel& model) {
-  const int tool = iconSegments("tools",
-                                {{"Wet", model.tool == Tool::Droplet},
-                                 {"Dry", model.tool == Tool::Dry},
-                                 {"Move", model.tool == Tool::Grab},
-                                 {"Orbit", model.tool == Tool::None}},
-                                {Icon::Droplet, Icon::Dry, Icon::Move, Icon::Orbit});
-  constexpr Tool kTools[] = {Tool::Droplet, Tool::Dry, Tool::Grab, Tool::None};
-  if (tool >= 0) emit(command::SetTool{kTools[tool]});
-  constexpr Tool kHeld[] = {Tool::Rain, Tool::Hose, Tool::Dryer, Tool::Towel};
-  const auto chosen = [&](Tool one) { return model.tool == one; };
-  const int held = segments("held", {{"Rain", chosen(Tool::Rain)}, {"Hose", chosen(Tool::Hose)}, {"Dryer", chosen(Tool::Dryer)}, {"Towel", chosen(Tool::Towel)}});
-  if (held >= 0) emit(command::SetTool{kHeld[held]});
-  const int touch = segments("touch", {{"Pet", model.tool == Tool::Pet}, {"Ball", model.tool == Tool::Ball}});
-  if (touch >= 0) emit(command::SetTool{touch == 0 ? Tool::Pet : Tool::Ball});
+  if (const auto tool = toolIconRow("tools", model.tool)) emit(command::SetTool{*tool});
+  for (const char* row : {"held", "touch"})
+    if (const auto tool = toolRow(row, model.tool)) emit(command::SetTool{*tool});
 }
 
 void Editor::drawSettings(settings::Settings& edited, std::span<const std::string> animations) {
@@ -303,7 +294,7 @@ void Editor::drawSettings(settings::Settings& edited, std::span<const std::strin
 void Editor::drawSaving(const EditorModel& model) {
   if (model.lostBySaving.empty()) asksToSave_ = false;
   if (!asksToSave_) {
-    if (!ImGui::Button("Save scene (.glb)", ImVec2(-1, 0))) return;
+    if (!ImGui::Button(scene::saveLabel(scene::Format::Glb).c_str(), ImVec2(-1, 0))) return;
     asksToSave_ = !model.lostBySaving.empty();
     if (!asksToSave_) emit(command::SaveScene{});
     return;

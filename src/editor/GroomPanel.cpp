@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "editor/Theme.h"
+#include "editor/ToolRows.h"
 #include "editor/Widgets.h"
 
 namespace fur::editor {
@@ -54,21 +55,9 @@ std::vector<Command> GroomPanel::draw(const EditorModel& model, settings::Settin
 }
 
 void GroomPanel::drawBrush(const EditorModel& model, settings::Settings& edited) {
-  constexpr Tool kCombs[] = {Tool::Comb, Tool::Smooth, Tool::Raise};
-  constexpr Tool kCuts[] = {Tool::Trim, Tool::Grow, Tool::Cut, Tool::Type};
-  const auto chosen = [&](Tool tool) { return model.tool == tool; };
-  const int comb = segments("combs", {{"Comb", chosen(Tool::Comb)}, {"Smooth", chosen(Tool::Smooth)}, {"Raise", chosen(Tool::Raise)}});
-  const int cut = segments("cuts", {{"Trim", chosen(Tool::Trim)}, {"Grow", chosen(Tool::Grow)}, {"Cut", chosen(Tool::Cut)}, {"Type", chosen(Tool::Type)}});
-  if (comb >= 0) commands_.push_back(command::SetTool{kCombs[comb]});
-  if (cut >= 0) commands_.push_back(command::SetTool{kCuts[cut]});
-  givesOrTakes("thins", Tool::Thin, "Thin", "Thicken", model, edited);
-  hint("Takes strands out, by the fur type that is bald");
-  givesOrTakes("curls", Tool::Curl, "Curl", "Uncurl", model, edited);
-  hint("Adds curls to the coat's own; Uncurl takes away what was added");
-  givesOrTakes("frizzes", Tool::Frizz, "Frizz", "Unfrizz", model, edited);
-  hint("Kinks strands");
-  givesOrTakes("locks", Tool::Locks, "Gather locks", "Open locks", model, edited);
-  hint("Gathers strands into pointed locks");
+  for (const char* row : {"combs", "cuts"})
+    if (const auto tool = toolRow(row, model.tool)) commands_.push_back(command::SetTool{*tool});
+  for (const Tool tool : toolsIn("shapes")) givesOrTakes(tool, model, edited);
   ImGui::Dummy(ImVec2(0, 0));
   ImGui::SameLine(px(80));
   if (segments("shapeAlls", {{"Clear curls, frizz and locks", false}}) == 0) edit(GroomEdit::ClearShape);
@@ -89,17 +78,18 @@ void GroomPanel::drawBrush(const EditorModel& model, settings::Settings& edited)
   hint("What the brush Type paints: 1, the coat of the settings, takes the others away. What 2 to 4 are is set under Types");
 }
 
-void GroomPanel::givesOrTakes(const char* id, Tool tool, const char* gives, const char* takes, const EditorModel& model,
-                              settings::Settings& edited) {
+void GroomPanel::givesOrTakes(Tool tool, const EditorModel& model, settings::Settings& edited) {
+  const app::ToolWords& words = app::wordsOf(tool);
   const auto chosen = [&](bool erases) { return model.tool == tool && edited.brushErases == erases; };
-  const int pressed = segments(id, {{gives, chosen(false)}, {takes, chosen(true)}});
+  const int pressed = segments(words.label, {{words.label, chosen(false)}, {words.inverseLabel, chosen(true)}});
+  hint(words.tooltip);
   if (pressed < 0) return;
   commands_.push_back(command::SetTool{tool});
   edited.brushErases = pressed == 1;
 }
 
 void GroomPanel::drawPaint(const EditorModel& model, settings::Settings& edited) {
-  givesOrTakes("paints", Tool::Paint, "Paint", "Erase paint", model, edited);
+  for (const Tool tool : toolsIn("paints")) givesOrTakes(tool, model, edited);
   rowLabel("Colour");
   const std::uint32_t rgb = edited.paintColor;
   float color[3] = {static_cast<float>(rgb >> 16 & 255u) / 255, static_cast<float>(rgb >> 8 & 255u) / 255, static_cast<float>(rgb & 255u) / 255};
@@ -117,8 +107,7 @@ void GroomPanel::drawPaint(const EditorModel& model, settings::Settings& edited)
 }
 
 void GroomPanel::drawMask(const EditorModel& model, settings::Settings& edited) {
-  givesOrTakes("masks", Tool::Mask, "Mask", "Unmask", model, edited);
-  hint("What is red is protected: brushes and what is done to all of it leave it as it is");
+  for (const Tool tool : toolsIn("masks")) givesOrTakes(tool, model, edited);
   ImGui::Dummy(ImVec2(0, 0));
   ImGui::SameLine(px(80));
   const int all = segments("maskAlls", {{"Invert mask", false}, {"Clear mask", false}});
@@ -155,8 +144,7 @@ void GroomPanel::drawSelection(const EditorModel& model, settings::Settings& edi
 }
 
 void GroomPanel::drawWhiskers(const EditorModel& model, settings::Settings& edited) {
-  const int tool = segments("hairs", {{"Whisker", model.tool == Tool::Whisker}, {"Pluck", model.tool == Tool::Pluck}});
-  if (tool >= 0) commands_.push_back(command::SetTool{tool == 0 ? Tool::Whisker : Tool::Pluck});
+  if (const auto tool = toolRow("hairs", model.tool)) commands_.push_back(command::SetTool{*tool});
   hint("Press to plant one, drag to aim it; Pluck pulls out those under the brush. How they grow is set under Whiskers below");
   rowLabel("Hairs");
   ImGui::SetNextItemWidth(-px(64));

@@ -20,7 +20,8 @@ class GroomPanel {
 
  private:
   void drawBrush(const EditorModel& model, settings::Settings& edited);
-  void givesOrTakes(const char* id, Tool tool, const char* gives, const char* takes, const EditorModel& model, settings::Settings& edited);
+  // A tool and its inverse, side by side.
+  void givesOrTakes(Tool tool, const EditorModel& model, settings::Settings& edited);
   void drawPaint(const EditorModel& model, settings::Settings& edited);
   void drawMask(const EditorModel& model, settings::Settings& edited);
   void drawSelection(const EditorModel& model, settings::Settings& edited);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <initializer_list>
+#include <utility>
 
 #include "core/Math.h"
 
@@ -66,6 +67,13 @@ void drawCross(const Pen& pen) {
 }
 
 }  // namespace
+
+std::optional<Icon> iconNamed(std::string_view name) {
+  constexpr std::pair<std::string_view, Icon> kNamed[] = {{"droplet", Icon::Droplet}, {"dry", Icon::Dry}, {"move", Icon::Move}, {"orbit", Icon::Orbit}};
+  for (const auto& [known, icon] : kNamed)
+    if (known == name) return icon;
+  return std::nullopt;
+}
 
 void drawIcon(ImDrawList& list, Icon icon, ImVec2 center, float size, ImU32 color) {
   const Pen pen{list, center, size * 0.5f, std::fmax(1.2f, size * 0.11f), color};

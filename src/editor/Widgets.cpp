@@ -115,7 +115,7 @@ bool segmentButton(const Segment& segment, const Icon* icon, float width) {
   return pressed;
 }
 
-int segmentRow(const char* id, std::initializer_list<Segment> choices, const Icon* icons) {
+int segmentRow(const char* id, std::span<const Segment> choices, const Icon* icons) {
   ImGui::PushID(id);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(3), ImGui::GetStyle().ItemSpacing.y));
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, ImGui::GetStyle().FramePadding.y));
@@ -165,12 +165,12 @@ bool iconButton(const char* id, Icon icon, const char* tooltip, bool enabled, fl
   return pressed;
 }
 
-int segments(const char* id, std::initializer_list<Segment> choices) {
+int segments(const char* id, std::span<const Segment> choices) {
   return segmentRow(id, choices, nullptr);
 }
 
-int iconSegments(const char* id, std::initializer_list<Segment> choices, std::initializer_list<Icon> icons) {
-  return segmentRow(id, choices, icons.begin());
+int iconSegments(const char* id, std::span<const Segment> choices, std::span<const Icon> icons) {
+  return segmentRow(id, choices, icons.data());
 }
 
 bool groupHeader(const char* label) {

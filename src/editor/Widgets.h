@@ -3,6 +3,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <span>
 
 #include <imgui.h>
 
@@ -18,8 +19,10 @@ struct Segment {
   bool chosen;
 };
 // Buttons side by side over the full width, one of them lit. Returns which was pressed, or -1.
-int segments(const char* id, std::initializer_list<Segment> choices);
-int iconSegments(const char* id, std::initializer_list<Segment> choices, std::initializer_list<Icon> icons);
+int segments(const char* id, std::span<const Segment> choices);
+inline int segments(const char* id, std::initializer_list<Segment> choices) { return segments(id, std::span<const Segment>(choices.begin(), choices.size())); }
+// An icon each.
+int iconSegments(const char* id, std::span<const Segment> choices, std::span<const Icon> icons);
 
 // Dim, before what stands in the same row.
 void rowLabel(const char* text);

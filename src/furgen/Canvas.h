@@ -1,5 +1,5 @@
-// A small picture onto which strands are drawn as swept discs, softened over a texel. Knows of every
-// texel how much of it is covered and what covers most of it.
+// A small picture onto which strands are drawn as swept discs with edges one texel wide. It has, for each texel, its coverage
+// and the strand that covers most of it.
 #pragma once
 
 #include <cstdint>
@@ -9,21 +9,21 @@
 
 namespace fur::furgen {
 
-// Straight way of a disc, in texels across.
+// A disc swept along a straight line, in texels.
 struct Stroke {
   Vec2 from, way;
   float radius;
-  std::uint16_t strand;  // strokes of one strand, one after the other, cover a texel together as one
+  std::uint16_t strand;  // consecutive strokes of one strand do not cover a texel twice
 };
 
 class Canvas {
  public:
-  // `columns` is a power of two: they wrap round. Rows wrap if `rowsWrap` (then they must be a power of two
-  // too); a row is `pitch` texels high.
+  // Columns wrap round; `columns` is a power of two. Rows wrap if `rowsWrap`, and are then a power of two as well. A row is
+  // `pitch` texels high.
   Canvas(int columns, int rows, bool rowsWrap, float pitch);
 
   void clear();
-  // `id` (not 0) is what owner() tells of texels that this stroke covers most.
+  // `id` (not 0): what owners() has for texels that this stroke covers most.
   void draw(const Stroke& stroke, std::uint32_t id);
 
   int columns() const { return columns_; }
@@ -36,8 +36,7 @@ class Canvas {
   int columns_, rows_;
   bool rowsWrap_;
   float pitch_;
-  // The strands' shares added up; the share and the name of the strand that was drawn last; the largest
-  // share of any.
+  // The sum of all strands' shares, the share of the strand drawn last, and the largest share of any strand.
   std::vector<float> cover_, own_, strongest_;
   std::vector<std::uint16_t> ownStrand_;
   std::vector<std::uint32_t> owner_;

@@ -1,10 +1,9 @@
 // The strands of a fur tile before they are cut into layers (Sheppard 2004, 3.3.3 and 4.2.2, and his
 // future work, 6.5). Units: texels across, volume heights up; a volume height is kHeightTexels texels.
 //
-// A strand is a polyline from the skin to its tip that is free in all three dimensions: a curl may
-// fold back. Between nodes axis and radius run straight, so that everything about a strand is exact at
-// every height, whatever the layers it is cut into. No piece between two nodes crosses one of the
-// kPlanes - 1 planes that part the volume evenly.
+// A strand is a polyline from the skin to its tip and may fold back, as curls do. Position and radius are linear between
+// nodes, so that a strand is exact at every height whatever the number of layers. kPlanes - 1 evenly spaced planes divide
+// the volume; no segment between two nodes crosses one of them.
 #pragma once
 
 #include <cmath>
@@ -53,9 +52,9 @@ inline float torusDelta(float a, float b, float size) {
   return d - size * std::floor(d / size + 0.5f);
 }
 
-// Mean nominal radius of a guard hair in texels; how many guard hairs and how many undercoat strands
-// are tried for (Sheppard Eq. 4.1, scaled with the tile's area).
+// Mean nominal radius of a guard hair in texels.
 float meanRadius(float thickness);
+// How many guard hairs and undercoat strands the grower tries to place (Sheppard Eq. 4.1, scaled with the tile's area).
 int wantedStrands(const FurParameters& parameters);
 int wantedUndercoat(const FurParameters& parameters);
 
@@ -64,12 +63,12 @@ inline float layerHeight(int layer, int layers) {
   return static_cast<float>(layer + 1) / static_cast<float>(layers);
 }
 
-// Grows a coat, a few strands a step. The same parameters give the same coat however often and when
-// step() is called, on every platform, and whatever the number of layers.
+// Grows a coat, a few strands in each step. The same parameters give the same coat on every platform, however the work is
+// divided into steps and whatever the number of layers.
 //
-// At no height do two strands come closer than the sum of their radii there, round the torus. A
-// candidate that would is drawn anew up to 100 times, then given up (Sheppard 4.2.2). Strand i depends
-// on the seed and on the strands before it, so that a denser coat keeps the strands of a sparser one.
+// Strands never intersect, on the torus and at any height: a candidate that would is drawn again up to 100 times and then
+// dropped (Sheppard 4.2.2). Strand i depends on the seed and on the strands before it, so that a denser coat contains the
+// strands of a sparser one.
 class CoatGrower {
  public:
   explicit CoatGrower(const FurParameters& parameters);
@@ -77,10 +76,10 @@ class CoatGrower {
   CoatGrower(CoatGrower&&) noexcept;
   CoatGrower& operator=(CoatGrower&&) noexcept;
 
-  // Tries for the next `strands` strands; returns whether all have been tried for.
+  // Tries to place the next `strands` strands; true when all have been tried.
   bool step(int strands);
   float progress() const;  // 0..1
-  // The coat so far; the grower is empty afterwards.
+  // Moves the coat out; the grower is empty afterwards.
   Coat take();
 
  private:

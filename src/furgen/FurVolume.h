@@ -9,7 +9,7 @@
 
 namespace fur::furgen {
 
-// All of [0, 1] is legal for the floats; only density 0 gives no strands.
+// All floats may have any value in [0, 1]; only density 0 gives no strands.
 struct FurParameters {
   int size = 256;    // texels along one side, a power of two, 64..1024
   int layers = 16;   // 4..128
@@ -60,10 +60,10 @@ struct FurVolume {
   std::vector<std::int8_t> finTangent;  // 3 a texel, as above; x runs along the edge
 };
 
-// The volume is this many texels high, whatever the size of its tile: a larger tile holds more of the same fur.
+// The height of the volume in texels, whatever the size of its tile: a larger tile has more of the same fur.
 inline constexpr float kHeightTexels = 256.0f / 3.0f;
 
-// Never fails for parameters in range; out of range values are clamped. Same bytes on every platform.
+// Values out of range are clamped. The same bytes on every platform.
 FurVolume generateFur(const FurParameters& parameters);
 
 }  // namespace fur::furgen

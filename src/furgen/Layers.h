@@ -10,7 +10,7 @@
 
 namespace fur::furgen {
 
-// One layer of a FurVolume, with the same meaning of every texel.
+// One layer of a FurVolume; texels have the same meaning as there.
 struct LayerMaps {
   std::vector<std::uint8_t> coverage, dominance, variance;
   std::vector<std::int8_t> tangent;
@@ -25,11 +25,11 @@ class LayerPainter {
   ~LayerPainter();
   LayerPainter(LayerPainter&&) noexcept;
 
-  // Layer `layer` of `layers`: what of the coat stands within half a layer's spacing of its height;
-  // of the lowest layer all that lies below, too.
+  // Layer `layer` of `layers`: the part of the coat within half a layer's spacing of its height; for the lowest layer also
+  // all that lies below.
   void paint(int layer, int layers, LayerMaps& out);
-  // A fourth of that, for callers who must not stay away long; true when the layer is whole. The same layer is to
-  // be asked for until then.
+  // A quarter of that work, for callers that have to stay responsive; true when the layer is complete. Until then it must be
+  // called with the same layer.
   bool step(int layer, int layers, LayerMaps& out);
 
  private:

@@ -11,8 +11,8 @@ class NearestFill {
  public:
   explicit NearestFill(int size);
 
-  // `ids` (size * size, row-major): every 0 takes the value of the nearest texel that is not 0,
-  // by Euclidean distance between texel centres on the torus. All 0 stays all 0.
+  // `ids` (size * size, row-major): each 0 gets the value of the nearest texel that is not 0, by Euclidean distance between
+  // texel centres on the torus. All zeros stay as they are.
   void fill(std::uint32_t* ids);
 
  private:
@@ -20,7 +20,7 @@ class NearestFill {
   void joinRow(int y, std::uint32_t* row);
 
   int size_;
-  // Of the nearest non-zero texel in the same column.
+  // To the nearest non-zero texel in the same column, and its value.
   std::vector<std::int32_t> distance_;
   std::vector<std::uint32_t> columnId_;
   // Lower envelope of the parabolas of one row.
@@ -28,7 +28,7 @@ class NearestFill {
   std::vector<float> from_;
 };
 
-// The same for one row that wraps round, `columns` a power of two. False: it is all 0.
+// The same for one row that wraps round; `columns` is a power of two. False when it is all 0.
 bool fillRow(std::uint32_t* row, int columns);
 
 }  // namespace fur::furgen

@@ -1,4 +1,4 @@
-// Which strands stand where: answers whether a new one would touch any, at any height, round the torus.
+// Collision tests between strands on the torus, at every height.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,10 @@ namespace fur::furgen {
 
 class Occupancy {
  public:
-  // `maxRadius`: no strand is wider, in texels.
+  // `maxRadius`: of the widest strand, texels.
   Occupancy(int size, float maxRadius);
 
-  // At the skin alone, which settles most of the cases.
+  // Tests at the skin only, which decides most cases.
   bool collides(const Vec2& root, float radius) const;
   bool collides(const Vec2& root, std::span<const Node> nodes) const;
   void add(const Vec2& root, std::span<const Node> nodes);
@@ -44,7 +44,7 @@ class Occupancy {
   int cells_;
   float cellSize_;
   std::vector<std::int32_t> heads_;   // [slice][y][x]
-  std::vector<float> widest_;         // per slice: the farthest that a piece reaches from its middle, with its radius
+  std::vector<float> widest_;         // per slice: the largest extent of a piece from its middle, radius included
   std::vector<Piece> pieces_;
 };
 

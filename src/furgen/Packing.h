@@ -12,8 +12,8 @@ namespace fur::furgen {
 
 inline std::uint8_t unitByte(float x) { return static_cast<std::uint8_t>(saturate(x) * 255.0f + 0.5f); }
 
-// The unit tangent of a way of (x, y) texels and `rise` volume heights, * 127, turned upwards: light on a
-// strand is the same from its root to its tip and back. z is 1 or more.
+// The unit tangent, times 127, of a step of (x, y) texels and `rise` volume heights. It is flipped to point upwards, as
+// shading is the same for both directions; z is at least 1.
 void packTangent(const Vec2& way, float rise, std::int8_t* out);
 
 // One component of an offset, texels * 64.
@@ -21,8 +21,8 @@ inline std::int16_t packOffset(float texels) {
   return static_cast<std::int16_t>(std::floor(glm::clamp(texels * 64.0f, -32768.0f, 32767.0f) + 0.5f));
 }
 
-// A level of mipmaps as shaders read it. The march asks for coverage again and again, for the strand only where it
-// met one.
+// A mip level as shaders read it. Coverage has a texture of its own, as the march reads it at every step and the others only
+// where it meets a strand.
 struct PackedLevel {
   int width = 0, height = 0;
   std::vector<std::uint8_t> coverage;  // R8
@@ -30,17 +30,16 @@ struct PackedLevel {
   std::vector<std::uint8_t> offset;    // RG8: 0.5 + the way back to the strand's root in widths of the map
 };
 
-// What is packed, see LayerMaps; an empty offset is none.
+// The maps to pack, see LayerMaps. `offset` may be empty.
 struct MapsToPack {
   std::span<const std::uint8_t> coverage, dominance, variance;
   std::span<const std::int8_t> tangent;
   std::span<const std::int16_t> offset;
 };
 
-// Level 0 and its mipmaps down to 1 x 1. A texel of a mipmap carries the mean coverage of what it stands for
-// (the renderer takes fractional coverage as such, so the fur keeps its opacity far away), and the mean of
-// the others over the strands there, weighted by coverage; mean tangents are made unit again. Means
-// are taken of level 0 without rounding between levels.
+// Level 0 and its mipmaps down to 1 x 1. A mipmap's texel has the mean coverage (the renderer uses fractional coverage, so fur
+// keeps its opacity far away), and the means of the other values weighted by coverage; mean tangents are normalised. Means
+// are computed from level 0, without rounding between levels.
 std::vector<PackedLevel> packLevels(int width, int height, const MapsToPack& maps);
 
 }  // namespace fur::furgen

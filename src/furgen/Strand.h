@@ -1,4 +1,4 @@
-// The shape laws of one strand, as plain numbers: what the generator draws with and the shaders repeat.
+// The shape of one strand as formulas, for the generator and, as twins, the shaders.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +13,8 @@ inline float strandThinning(float s) {
   return 1.0f - 1.0f / (5.4f - 4.0f * std::max(s, 0.0f));
 }
 
-// The same with a taper: 0 keeps the radius of the skin up to the tip, 0.5 is the law above, 1 runs to a
-// point. Never rises with s.
+// The same with a taper: 0 keeps the radius up to the tip, 0.5 is the function above, 1 ends in a point. Never rises
+// with s.
 inline float strandThinning(float s, float taper) {
   if (!(s <= 1.0f)) return 0.0f;
   const float root = strandThinning(0.0f), usual = strandThinning(s);
@@ -22,8 +22,8 @@ inline float strandThinning(float s, float taper) {
   return usual + (root * (1.0f - std::max(s, 0.0f)) - usual) * (2.0f * taper - 1.0f);
 }
 
-// Up to which height a strand of that dominance (0.5..1) stands where its type is present to `presence` (1 = fully
-// there, 0 = only the other type): Sheppard Eq. 3.5.
+// The height up to which a strand of that dominance (0.5..1) exists where its type has that presence (1: only this type, 0: only
+// others): Sheppard Eq. 3.5.
 inline float standsUpTo(float presence, float dominance) {
   return std::max(2.0f - 2.0f * (1.0f - presence) / dominance, 0.0f);
 }

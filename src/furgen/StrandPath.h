@@ -1,6 +1,5 @@
-// The way that one strand takes from its root: Sheppard's sine curves (3.3.3), and beyond them waves
-// that neighbours share, frizz, locks and coils. What neighbours share comes from fields that are smooth
-// round the torus, so that they move together and seldom run into each other.
+// The path of one strand from its root: Sheppard's sine curves (3.3.3), and waves, frizz, locks and coils. Waves and coils come
+// from fields that are smooth on the torus, so that neighbours move together and seldom collide.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +10,7 @@
 
 namespace fur::furgen {
 
-// A sum of a few waves, periodic in the tile and as steep whatever its size; values within about -1..1.
+// A sum of a few waves, periodic in the tile, with the same slope for every tile size; values within about -1..1.
 class SmoothField {
  public:
   SmoothField(std::uint32_t seed, std::uint64_t stream, int size);
@@ -35,21 +34,20 @@ class Locks {
   std::vector<Vec2> centres_;
 };
 
-// What chance decides about a strand.
+// The random numbers of one strand.
 struct StrandDraws {
   Vec2 root;
   float radius = 0;  // nominal, texels
   float length = 0;  // volume heights
   float dominance = 1, variance = 0;
   Vec2 magnitude[2], phase[2];  // of the two sine curves of each axis; magnitude in -1..1, radians over a height
-  float bound = 0;              // 0..1: below `stray` no lock holds it
+  float bound = 0;              // 0..1: below `stray` the strand is in no lock
   float tipOpening = 0, turnJitter = 0;
   Vec2 frizzPhase[3];
 };
 
 class StrandPath {
-  // Coils differ by where on their circle they begin and by the direction in which they lie: along and
-  // across that direction in texels, and the height.
+  // A point of a coil: along and across the direction in which the coil lies, in texels, and its height.
   struct CoilSample {
     float along, across, height;
   };
@@ -57,11 +55,10 @@ class StrandPath {
  public:
   explicit StrandPath(const FurParameters& parameters);
 
-  // One strand on its way. It grows node by node, so that a strand which runs into another is given up at
-  // once.
+  // Builds one strand node by node, so that a strand that collides can be dropped at once.
   class Walk {
    public:
-    // Appends the next nodes; false at the tip, when there are none. The first call gives the root.
+    // Appends the next nodes, the root first; false when the tip has been reached.
     bool next(std::vector<Node>& nodes);
 
    private:
@@ -79,14 +76,14 @@ class StrandPath {
     Vec2 frizzAtRoot_{0};
     float wave_ = 0, wavePhase_ = 0, waveAtRoot_ = 0;  // texels, radians
     Vec2 waveWay_{0}, coilWay_{0};
-    const CoilSample* coil_ = nullptr;  // none: the strand stands upright
-    Vec2 toLock_{0};                  // texels; 0 where no lock holds the strand
-    float opening_ = 0;               // of the lock, for this strand
+    const CoilSample* coil_ = nullptr;  // null: no coil
+    Vec2 toLock_{0};                  // from the root to the lock's centre, texels; 0 without a lock
+    float opening_ = 0;               // how far the lock opens at its tip, for this strand
     int step_ = 0;
     Vec3 last_{0};
   };
 
-  // `calm` in [0, 1] takes that much off what is the strand's own: curl and frizz.
+  // `calm`, 0..1: reduces the strand's own curl and frizz by this share.
   Walk start(const StrandDraws& draws, bool undercoat, float calm) const;
 
  private:
@@ -96,7 +93,7 @@ class StrandPath {
   FurParameters parameters_;
   Locks locks_;
   SmoothField wavePhase_, waveTurn_, coilTurn_, coilPhase_;
-  float lockedSpread_;  // how near, against their thinning, the strands of a lock may come
+  float lockedSpread_;  // how far the strands of a lock may be drawn together without touching
   std::vector<CoilSample> coils_;  // [phase][sample]
 };
 

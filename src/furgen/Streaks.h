@@ -1,4 +1,4 @@
-// What a wet sheet of fur shows of its strands: those that lie in line, averaged.
+// Streaks of a wet sheet of fur: strands averaged along the direction in which they lie.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,7 @@ namespace fur::furgen {
 // Texels of a streak, at every level of mipmaps.
 inline constexpr int kStreakTexels = 13;
 
-// Of a level of size x size texels of RGBA8 that repeats, each texel's mean over those in line with it in the direction
-// `turn`, which goes from 0 to 1 over a half turn from +x towards +y.
+// Blurs a repeating map of size x size RGBA8 texels along one direction: `turn` from 0 to 1 is a half turn from +x towards +y.
 std::vector<std::uint8_t> streaks(std::span<const std::uint8_t> level, int size, float turn);
 
 }  // namespace fur::furgen

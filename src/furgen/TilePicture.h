@@ -8,8 +8,8 @@
 
 namespace fur::furgen {
 
-// Coverage and variance in grey; dominance on a scale; tangents as their components * 0.5 + 0.5; root
-// offset as hue by direction and brightness by length; strands each in a hue of their own.
+// Coverage and variance are grey, dominance is a colour scale, tangents are their components * 0.5 + 0.5, the offset to the
+// root has its direction as hue and its length as brightness, and each strand has a hue of its own.
 enum class TileChannel { Coverage, Dominance, Variance, Tangent, Offset, Strand };
 inline constexpr int kTileChannels = 6;
 
@@ -20,7 +20,7 @@ struct TilePicture {
 
 // Texels that no strand covers are shown darker in every channel but Coverage.
 TilePicture pictureOf(const LayerMaps& layer, int size, TileChannel channel);
-// The map has no Offset and no Strand: these give Coverage.
+// A fin map has no Offset and no Strand; Coverage is shown instead.
 TilePicture pictureOf(const FinMaps& fin, int size, TileChannel channel);
 
 }  // namespace fur::furgen

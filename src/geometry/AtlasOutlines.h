@@ -1,4 +1,4 @@
-// Where the charts of the atlas end, as lines over the square map.
+// The outlines of the atlas's charts, as line segments.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace fur::geometry {
 
-// Every edge of the surface that only one triangle has in the atlas, as its two ends: (u, v, u, v). In the order of the
-// triangles; none has no length.
+// Each edge that belongs to only one triangle in the atlas, as (u, v) of its two ends, in the order of the triangles.
+// Edges without length are left out.
 std::vector<Vec4> atlasOutlines(const Surface& surface);
 
 }  // namespace fur::geometry

@@ -1,8 +1,8 @@
 // A square map over the atlas, texel by texel: which triangle lies under it, and where on that triangle.
 //
-// A texel belongs to the triangle that holds its centre; one too fine to hold any takes the texels under its
-// corners. Round every chart runs a gutter of kGutter texels, each of which repeats its nearest texel of a
-// chart: a filtered look-up at a border meets no stranger. Deterministic.
+// A texel belongs to the triangle that contains its centre; a triangle too small to contain any centre gets the texels under
+// its corners. Round each chart runs a gutter of kGutter texels; each repeats the nearest texel of a chart, so that
+// filtering at a border does not mix charts. Deterministic.
 #pragma once
 
 #include <cstdint>
@@ -26,8 +26,8 @@ TexelRect unite(const TexelRect& a, const TexelRect& b);
 // The atlas corners of a triangle, in texels whose centres are whole numbers, counter-clockwise.
 struct AtlasTriangle {
   AtlasTriangle(const Vec2& a, const Vec2& b, const Vec2& c, int size);
-  // Whether a square of 2 * margin texels round the texel's centre meets the triangle; only texels of bounds(margin)
-  // may be asked for. Never for a triangle without area.
+  // Whether a square of 2 * margin texels round the texel's centre meets the triangle; for texels of bounds(margin) only.
+  // False for a triangle without area.
   bool meets(int x, int y, float margin) const;
   // The texels that may meet it, within the map.
   TexelRect bounds(float margin) const;
@@ -46,11 +46,11 @@ class AtlasTexels {
   int size() const { return size_; }
   // size * size, row-major; kNoTriangle (Adjacency.h) in gutters and between charts.
   const std::vector<std::uint32_t>& triangleOf() const { return triangleOf_; }
-  // Texel and the texel of a triangle that it repeats.
+  // Pairs of a gutter texel and the texel that it repeats.
   const std::vector<std::pair<std::uint32_t, std::uint32_t>>& gutter() const { return gutter_; }
 
-  // Calls visit(texel, weights) for every texel of the triangle; weights are barycentric, of the texel's centre
-  // or, where that lies beside the triangle, near it.
+  // Calls visit(texel, weights) for each texel of the triangle. The weights are barycentric, of the texel's centre, or of
+  // a point of the triangle near it where the centre lies outside.
   template <class Visit>
   void forTexelsOf(const Surface& surface, std::uint32_t triangle, Visit visit) const {
     const AtlasTriangle flat = flatten(surface, triangle);

@@ -21,8 +21,7 @@ struct Placement {
 // The gutter, in the unit square: two texels of a 256^2 map between charts, one along the border.
 inline constexpr float kGutter = 2.0f / 256.0f;
 
-// One placement a chart. A surface in so many pieces that they leave no room (some thousands)
-// gets a narrower gutter: halved until they fit.
+// One placement for each chart. The gutter is halved until all charts fit (a surface in thousands of pieces).
 std::vector<Placement> packCharts(const Charts& charts);
 
 }  // namespace fur::geometry

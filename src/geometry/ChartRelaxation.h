@@ -10,9 +10,9 @@
 
 namespace fur::geometry {
 
-// Projection shortens what slopes away; this moves the corners until edges have the length they have
-// on the surface, as nearly as its curvature allows (position-based springs, Müller et al. 2007, "Position
-// Based Dynamics"). A chart that would fold or overlap stays as it was.
+// Projection shortens edges that slope. This moves the corners until edges are as long as on the surface, as far as its
+// curvature allows (position-based springs, Müller et al. 2007, "Position Based Dynamics"). A chart that would fold or
+// overlap is left as it was.
 void relaxCharts(Charts& charts, const std::vector<Vec3>& positions, const std::vector<std::uint32_t>& indices,
                  const Weld& weld);
 

@@ -1,11 +1,11 @@
 // Cuts a surface into charts that lie flat without overlapping, with even density and few seams.
 //
-// Method: regions grow over the surface, each round its own mean normal (as in variational shape
-// approximation, Cohen-Steiner, Alliez, Desbrun 2004), and lie flat by projection along it; regions
-// whose union still lies flat are joined. No triangle of a chart overlaps another. Springs then even out
-// the scale (ChartRelaxation.h), and each chart has the area that its triangles have. A mesh that needs too many comparisons for that (a fan of thousands of
-// triangles round one vertex) ends as single triangles where the work runs out.
-// Not done: no angle-preserving unwrapping; a sphere gets a few round charts, not one.
+// Method: regions grow over the surface, each round its own mean normal (as in variational shape approximation,
+// Cohen-Steiner, Alliez, Desbrun 2004), and are flattened by projection along it; two regions are joined when their union
+// still projects without overlap. Springs then even out the scale (ChartRelaxation.h), and each chart is scaled to
+// the area of its triangles. The number of comparisons is limited: where it runs out (a fan of thousands of triangles
+// round one vertex) the triangles that are left become charts of their own.
+// Not done: angle-preserving unwrapping; a sphere gets a few round charts, not one.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ namespace fur::geometry {
 
 struct Charts {
   std::uint32_t count = 0;
-  std::vector<std::uint32_t> chartOf;  // one a triangle, 0-based, every chart has one or more
+  std::vector<std::uint32_t> chartOf;  // one a triangle, 0-based; no chart is empty
   std::vector<Vec2> corners;           // three a triangle: flat coordinates in model units, counter-clockwise
 };
 

@@ -6,7 +6,8 @@
 
 namespace fur::geometry {
 
-// Of strands of that length; in a crease no more than 0.65 of its radius, before they would cross those of the other side.
+// The thickness of a coat of that fur length at a vertex. In a crease it is at most 0.65 of the crease's radius: beyond that
+// strands of both sides would cross.
 float coatThickness(const SurfaceVertex& vertex, float furLength);
 
 // A ray that grazes a round part of the coat comes out of it again, by the shape of the skin there. Where another part is near, as

@@ -16,8 +16,8 @@
 
 namespace fur::geometry {
 
-// Connected pieces of a face are charts; corners run counter-clockwise but where the surface folds under
-// its face. `mesh` has normals, `across` is as neighboursAcrossSides gives it.
+// Each connected component on a face is a chart. Corners run counter-clockwise except where the surface folds under its
+// face. `mesh` has normals; `across` is from neighboursAcrossSides().
 Charts cubeCharts(const Mesh& mesh, const std::vector<std::uint32_t>& across);
 
 }  // namespace fur::geometry

@@ -9,16 +9,16 @@
 
 namespace fur::geometry {
 
-// Sets SurfaceVertex::curvature from how the vertex normals turn over the triangles round a point: one fit a
-// triangle, means weighted by area (Rusinkiewicz 2004, "Estimating Curvatures and Their Derivatives on Triangle
-// Meshes"), so that vertices of one position share one. `triangles` cover the surface once; `weld` is over all its
-// vertices; gradS must be set. `turned` as in SurfaceSteps.h: how far normals turn along the skin, whichever way that lies.
+// Sets SurfaceVertex::curvature from how vertex normals change over the triangles round a point: a fit for each triangle,
+// averaged by area (Rusinkiewicz 2004, "Estimating Curvatures and Their Derivatives on Triangle Meshes"). Vertices of one
+// position get the same. `triangles` cover the surface once; `weld` is over all its vertices; gradS must be set.
+// `turned`: see SurfaceSteps.h.
 void computeCurvature(Surface& surface, const std::vector<std::uint32_t>& triangles, const Weld& weld, bool turned = false);
 
-// The least rotation from one unit vector to another; between opposite ones none.
+// The smallest rotation from one unit vector to another; the identity for opposite ones.
 glm::dmat3 turnBetween(const glm::dvec3& from, const glm::dvec3& to);
 
-// The axes that `curvature` is given in: along gradS, and across it and the normal.
+// The tangent axes of `curvature`: s along gradS, t = across the normal and s.
 void tangentAxes(const SurfaceVertex& vertex, Vec3& s, Vec3& t);
 
 }  // namespace fur::geometry

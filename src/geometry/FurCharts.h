@@ -10,9 +10,9 @@
 
 namespace fur::geometry {
 
-// `mesh` has unit normals and only triangles with an area. Its own furUv, when there is one for every
-// vertex, all are finite and they have an area: pieces that are connected in them are charts, scaled
-// together so that the median density over the area is one tile a model unit. Else as `mapping` says.
+// `mesh` has unit normals and only triangles with an area. If it has furUv for all vertices, finite and with an area, their
+// connected components are the charts, all scaled by one factor that makes the median density one tile a model unit.
+// Otherwise `mapping` decides.
 Charts furCharts(const Mesh& mesh, const Weld& weld, FurMapping mapping);
 
 }  // namespace fur::geometry

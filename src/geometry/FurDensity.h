@@ -5,11 +5,11 @@
 
 namespace fur::geometry {
 
-// The local scale is the root of the tiles (at repeat 1) on a triangle over its area: 1 is one tile a model
-// unit, 2 packs four times the strands onto the same skin.
+// The local scale is the square root of tiles (at repeat 1) per area of a triangle: at 1 a tile is one model unit long, at 2
+// the same skin has four times the strands.
 struct FurDensity {
   float low = 0, median = 0, high = 0;  // the 5th, 50th and 95th percentile of the local scale, over the area
-  // The same for the factor by which lengths change, both principal directions of every triangle counted.
+  // The 5th and 95th percentile of the factor by which lengths change, over both principal directions of each triangle.
   float lowLength = 0, highLength = 0;
   // The greatest ratio of the two principal directions on one triangle; infinite where one has no area.
   float worstStretch = 1;

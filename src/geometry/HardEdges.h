@@ -1,11 +1,11 @@
-// Fur round hard edges. Where faces meet at an angle and each has its own normals, the outsides of their coats part:
-// between them would be a gap, as wide as the fur is long. As on an animal's rim, or a plush cube, fur near such an edge
-// leans over it instead: all corners that meet at a point share one normal, and from there to kEdgeReach on either side
-// normals turn evenly along the surface (a harmonic map), which needs vertices there. Faces of large triangles get
-// them, and so do edges along which smooth normals turn by more than rays through the coat can follow.
+// Fur at hard edges. Where faces meet at an angle and each has its own normals, their coats would part and leave a gap as wide
+// as the fur is long. Instead, fur near such an edge leans over it, as on a plush cube: all corners at a point share one
+// normal, and from there to kEdgeReach on both sides the normals change evenly along the surface (a harmonic map). This
+// needs vertices inside large triangles, which are inserted; also along edges whose smooth normals turn by more than
+// rays through the coat can follow.
 //
-// Points inserted lie on the triangles, whose shape stays as it is. Only directions of fur change: what a file says of
-// normals, texture coordinates, charts and motion holds for the mesh that it has.
+// Inserted vertices lie on the triangles, so the shape stays as it is; only the directions of fur change. Normals, texture
+// coordinates, charts and animations of a file refer to the mesh as it was.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace fur::geometry {
 
 // How far from a hard edge fur leans, model units: the default fur's length. Rims narrower than twice that lean all over.
 inline constexpr float kEdgeReach = 0.12f;
-// More vertices are not inserted: what is left lies in larger steps.
+// The most vertices that are inserted; beyond that normals change in larger steps.
 inline constexpr std::size_t kMostInserted = 20'000;
 
 // A vertex between two others of lower number: a value there is a + (b - a) t of theirs.
@@ -31,12 +31,12 @@ struct InsertedVertex {
 };
 
 struct RoundedMesh {
-  Mesh mesh;  // positions, uv and indices; normals are those of the fur. Vertices inserted come last
-  std::vector<Vec3> given;  // one a vertex: the normals of its faces
+  Mesh mesh;  // positions, uv and indices; the normals are those of the fur. Inserted vertices come last
+  std::vector<Vec3> given;  // one a vertex: the normals as the mesh had them
   std::vector<InsertedVertex> inserted;
-  bool changed = false;  // else it is the mesh as it was, and the rest is empty
+  bool changed = false;  // false: `mesh` is the mesh as it was, and the rest is empty
   bool sheets = false;   // it has the rim of a sheet
-  // One a triangle: that of the given mesh on which it lies; and three: where its corners are in that.
+  // For each triangle the triangle of the given mesh on which it lies, and its three corners' barycentric weights there.
   std::vector<std::uint32_t> triangleOf;
   std::vector<Vec3> weights;
 };
@@ -44,7 +44,7 @@ struct RoundedMesh {
 // `mesh` has unit normals and only triangles with an area.
 RoundedMesh roundHardEdges(const Mesh& mesh);
 
-// Values of corners, three a triangle of the mesh, as those of the rounded one.
+// Interpolates values of the mesh's corners, three a triangle, for the corners of the rounded mesh.
 template <class T>
 std::vector<T> ofRoundedCorners(const RoundedMesh& rounded, const std::vector<T>& corners) {
   std::vector<T> out;

@@ -25,7 +25,7 @@ struct Bounds {
 
 Bounds bounds(const Mesh& mesh);
 
-// Where a point of a mesh goes when that is fitted.
+// The transform that fitToUnitSphere() applied.
 struct Fit {
   glm::dvec3 centre;
   double scale;

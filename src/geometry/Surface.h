@@ -1,13 +1,13 @@
 // A mesh made ready to carry fur: three texture domains, their gradients, the edges for fins.
 //
 //   uv     the model's own, for its base colour texture; may overlap or repeat
-//   atlas  unique: every surface point has its own texel in [0,1]^2 (wetness, groom). Mesh::atlas, else the model's
-//          uv when they lie in [0,1]^2, no two triangles overlap and all have an area there (AtlasUv.h);
+//   atlas  unique: each surface point has its own texel in [0,1]^2 (wetness, groom). Mesh::atlas if there is one; else the
+//          model's uv if they lie in [0,1]^2, no triangles overlap and all have an area there (AtlasUv.h);
 //          else packed charts with a gutter of two texels of a 256^2 map (ChartPacking.h)
-//   fur    the repeating domain of the fur tile: 1 unit = 1 tile at repeat 1, that is 1 model unit
-//          along the surface as nearly as a flat chart allows. Its charts (FurCharts.h) are the mesh's
-//          own furUv, else what FurMapping says. They overlap (FurOverlap.h), so that no strand is cut
-//          where two of them meet: shells are drawn with furIndices, all else with indices
+//   fur    the repeating domain of the fur tile: 1 unit = 1 tile at repeat 1, about 1 model unit along the
+//          surface. Its charts (FurCharts.h) are the mesh's furUv if it has them, else as FurMapping says. They
+//          overlap (FurOverlap.h), so that no strand is cut at a border: shells are drawn with furIndices,
+//          everything else with indices
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ enum class FurMapping { Charts, Cube };
 
 struct SurfaceVertex {
   Vec3 position;
-  Vec3 normal;  // the way the fur grows: near hard edges between those of their faces (HardEdges.h)
+  Vec3 normal;  // the direction in which fur grows; near hard edges it leans over them (HardEdges.h)
   Vec2 uv;
   Vec2 atlas;
   Vec2 fur;
@@ -38,52 +38,51 @@ struct SurfaceVertex {
   // The shape operator, how the normal turns along the surface: (S_ss, S_st, S_tt) in the axes of
   // Curvature.h, per model unit; positive where the surface is convex.
   Vec3 curvature{0.0f};
-  // Where fur leans: the normal of its face along those axes.
+  // Where fur leans over a hard edge: the face's own normal, its parts along those axes.
   Vec2 lean{0.0f};
   // d(atlas)/d(fur), a 2x2 matrix by columns: (du/ds, dv/ds, du/dt, dv/dt). Invertible.
   Vec4 atlasFromFur;
-  // The strands that are drawn here: those whose own number, evenly spread over 0..1, lies in [x, y).
-  // Interpolated over the triangle and then clamped to 0..1; (-1, 2) is all of them.
+  // The strands drawn here: those whose random number, evenly distributed in 0..1, lies in [x, y). Interpolated
+  // over the triangle and then clamped to 0..1; (-1, 2): all strands (FurOverlap.h).
   Vec2 strands{-1.0f, 2.0f};
   std::uint32_t chart = 0;  // of the atlas; 0-based
-  std::uint32_t source = 0;  // the vertex of the mesh that it is a copy of, and after those of Surface::inserted
+  std::uint32_t source = 0;  // the mesh's vertex that it copies; from the mesh's vertex count on, an index of Surface::inserted
 };
 
-// One edge of the surface with the two faces that meet there (found by position, across UV seams).
+// An edge of the surface and the two faces that meet there (found by position, across uv seams).
 struct SurfaceEdge {
   std::uint32_t a, b;        // vertices (of the first face)
   Vec3 faceNormal0;          // unit
-  Vec3 faceNormal1;          // unit; on a boundary edge -faceNormal0, which makes it a silhouette from everywhere
+  Vec3 faceNormal1;          // unit; on a boundary -faceNormal0, so that it counts as a silhouette from everywhere
   float finStart;            // where this edge starts in the fin map, [0, 1), pseudo-random
-  bool betweenFacets = false;  // hard, and the first of them is flat: its normals are the face's
+  bool betweenFacets = false;  // a hard edge whose first face is flat: its vertex normals are the face's
 };
 
 struct Surface {
-  // The surface itself first, then copies for the fur charts that reach over their borders: position,
-  // normal, uv and atlas of a true vertex, but another chart's fur coordinates.
+  // First the surface itself, then copies for fur charts that overlap: position, normal, uv and atlas of a true vertex with
+  // the fur coordinates of another chart.
   std::vector<SurfaceVertex> vertices;
   std::size_t trueVertexCount = 0;
   std::vector<std::uint32_t> indices;     // the surface, each triangle once
-  std::vector<std::uint32_t> furIndices;  // for shells: of every fur chart all triangles that it has strands on
-  std::vector<std::uint32_t> ownFurIndices;  // those of indices by clusters: shells so far off that overlaps do not show
-  std::vector<FurCluster> furClusters;       // parts of the two
+  std::vector<std::uint32_t> furIndices;  // for shells: the triangles of each fur chart, with copies where charts overlap
+  std::vector<std::uint32_t> ownFurIndices;  // the triangles of `indices` in the order of clusters: for shells too far off for overlaps to show
+  std::vector<FurCluster> furClusters;       // ranges of both
   std::vector<SurfaceEdge> edges;
   std::uint32_t chartCount = 0;
-  bool turned = false;                    // somewhere fur leans over a hard edge
-  bool sheets = false;                    // somewhere it ends as a sheet does, whose other side is bare skin
-  std::vector<InsertedVertex> inserted;   // between vertices of the mesh and each other
-  std::vector<std::uint32_t> meshIndices; // the mesh's own triangles, where vertices were inserted; else those of indices
+  bool turned = false;                    // fur leans over a hard edge somewhere
+  bool sheets = false;                    // it has the rim of a sheet, whose back is bare skin
+  std::vector<InsertedVertex> inserted;   // vertices inserted into the mesh (HardEdges.h)
+  std::vector<std::uint32_t> meshIndices; // the mesh's own triangles; the same as `indices` when nothing was inserted
 
   std::size_t triangleCount() const { return indices.size() / 3; }
 };
 
-// `mesh` has positions in the unit sphere; missing normals are computed, missing or overlapping uv
-// charted. Degenerate triangles are dropped. Fails (bad-file) when no triangle is left. `mapping` does
-// not matter for a mesh with furUv.
+// `mesh` has positions in the unit sphere. Missing normals are computed; missing or overlapping uv get charts. Degenerate
+// triangles are dropped; fails (bad-file) when none is left. `mapping` is ignored for a mesh with furUv.
 Result<Surface> buildSurface(const Mesh& mesh, FurMapping mapping = FurMapping::Charts);
 
-// The surface without what was inserted into the mesh and without copies, as a file is to have it: vertices, with the
-// normals that `mesh` gives them, and indices. `vertexOf`: of each, its vertex of `surface`.
+// The surface as it is written to a file: without inserted vertices and copies, with the normals of `mesh`. `vertexOf`: the
+// vertex of `surface` for each vertex.
 struct OwnSurface {
   Surface surface;
   std::vector<std::uint32_t> vertexOf;

@@ -15,16 +15,16 @@ struct SurfacePoint {
   float distance;          // along the ray (in lengths of its direction), or from the point asked for
 };
 
-// Holds no reference: the surface is passed to the builder only.
+// Keeps no reference to the surface.
 class SurfaceQuery {
  public:
   SurfaceQuery() = default;
   explicit SurfaceQuery(const Surface& surface);
 
-  // The same surface, whose vertices have moved: quicker than anew, and as good while neighbours stay neighbours.
+  // Refits the hierarchy to moved vertices: faster than a new one, and as good while neighbours stay neighbours.
   void follow(const Surface& surface, std::span<const Vec3> positions);
 
-  // The surface lifted off itself: where each corner (of Surface::indices) is instead, no further than `reach` off.
+  // Another position for each corner (of Surface::indices), at most `reach` from its own: the coat's outside, for example.
   struct Lifted {
     float reach = 0;
     virtual Vec3 corner(std::uint32_t index) const = 0;
@@ -33,9 +33,9 @@ class SurfaceQuery {
     ~Lifted() = default;
   };
 
-  // The nearest hit with distance > 0; back faces do not count. `direction` need not be unit.
+  // The nearest hit with distance > 0; back faces are ignored. `direction` need not be unit.
   std::optional<SurfacePoint> castRay(const Vec3& origin, const Vec3& direction, const Lifted* lifted = nullptr) const;
-  // Every triangle that comes within `radius` of `centre`, in ascending order.
+  // All triangles within `radius` of `centre`, in ascending order.
   std::vector<std::uint32_t> trianglesWithin(const Vec3& centre, float radius) const;
 
  private:
@@ -51,13 +51,13 @@ class SurfaceQuery {
 // The point of the surface nearest to `to` within `radius`, on a triangle whose plane does not face away from `normal`.
 std::optional<SurfacePoint> nearestPoint(const Surface& surface, const SurfaceQuery& query, const Vec3& to, float radius,
                                          const Vec3& normal);
-// Barycentric weights of the point of the triangle that is nearest to p.
+// Barycentric weights of the triangle's point nearest to p.
 Vec3 nearestWeights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
 
 Vec3 positionAt(const Surface& surface, const SurfacePoint& point);
 Vec3 normalAt(const Surface& surface, const SurfacePoint& point);
 Vec2 atlasAt(const Surface& surface, const SurfacePoint& point);
-// Of values that the vertices have, one each.
+// Interpolates `values`, one for each vertex.
 Vec3 valueAt(const Surface& surface, const SurfacePoint& point, std::span<const Vec3> values);
 
 }  // namespace fur::geometry

@@ -1,4 +1,4 @@
-// How the coordinates of a surface run over it: gradS, gradT and atlasFromFur of every vertex.
+// The derivatives of a surface's coordinates: gradS, gradT and atlasFromFur of every vertex.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,9 @@
 
 namespace fur::geometry {
 
-// Area-weighted means over `triangles` (three vertices each). The gradients are shared by all vertices of
-// one fur chart at one point: across the model's uv seams, and where a chart goes over its border.
-// `furChartOf` has one chart a vertex, `weld` is over the surface's vertices. `turned`: fur leans over hard edges
-// (HardEdges.h), and each triangle counts as turned to the vertex's normal, so that steps are as long as on the skin.
+// Area-weighted means over `triangles`. All vertices of one fur chart at one position get the same gradients. `furChartOf`:
+// one for each vertex; `weld`: over the surface's vertices. `turned`: fur leans over hard edges (HardEdges.h); then each
+// triangle is first rotated to the vertex's normal, which keeps lengths along the skin.
 void computeSteps(Surface& surface, const std::vector<std::uint32_t>& triangles,
                   const std::vector<std::uint32_t>& furChartOf, const Weld& weld, bool turned = false);
 

@@ -1,5 +1,5 @@
-// Which triangles of a plane overlap: a uniform grid over their bounding box, and an exact test of
-// two triangles by separating axes. Corners that touch and shared edges are no overlap.
+// Finds overlaps of triangles in a plane: a uniform grid over their bounding box, and an exact test of two triangles by
+// separating axes. Touching corners and shared edges do not count as overlap.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ namespace fur::geometry {
 
 using FlatTriangle = std::array<Vec2, 3>;
 
-// True when the insides of a and b overlap by more than `tolerance` (a length in their plane).
+// True when a and b overlap by more than `tolerance` (a length).
 bool trianglesOverlap(const FlatTriangle& a, const FlatTriangle& b, float tolerance);
 
 class TriangleGrid {
@@ -20,10 +20,10 @@ class TriangleGrid {
   // For about `expected` triangles inside [low, high].
   TriangleGrid(const Vec2& low, const Vec2& high, std::size_t expected, float tolerance);
 
-  // Adds the triangle and returns true, or returns false when it overlaps one that is in already.
+  // Adds the triangle and returns true, or returns false when it overlaps one that was added before.
   bool tryAdd(const FlatTriangle& triangle);
 
-  // Meetings of two triangles in a cell so far: what a caller bounds its work by.
+  // Pairs of triangles compared so far, for callers that limit their work.
   std::size_t comparisons() const { return comparisons_; }
 
  private:
@@ -41,7 +41,7 @@ class TriangleGrid {
   std::vector<std::uint32_t> heads_;  // one a cell
   std::vector<Link> links_;
   std::vector<FlatTriangle> triangles_;
-  std::vector<std::uint32_t> lastCompared_;  // the trial that last met this triangle
+  std::vector<std::uint32_t> lastCompared_;  // the trial that last compared this triangle
 };
 
 }  // namespace fur::geometry

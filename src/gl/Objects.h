@@ -1,7 +1,5 @@
 // Move-only owners of OpenGL ES 3.0 objects: labelled, empty when default-constructed, rebuildable
 // from CPU data. This module is the only caller of gl* functions. It holds no scene and no policy.
-//
-// After a lost context call abandon() instead of letting destructors delete: the names are gone.
 #pragma once
 
 #include <cstdint>
@@ -15,10 +13,11 @@
 
 namespace fur::gl {
 
-// While false, destructors forget names instead of deleting them (the context is lost).
+// Whether destructors delete GL objects. Call it with false before destroying the objects of a lost context, whose names are
+// gone.
 void setContextAlive(bool alive);
 
-// One GL name and how to delete it.
+// The name of a GL object and the function that deletes it.
 class Name {
  public:
   using Delete = void (*)(unsigned);
@@ -39,25 +38,25 @@ class Name {
 class Program {
  public:
   Program() = default;
-  // Sources start after the #version line; `defines` is put before them ("#define WET 1\n").
-  // A refused shader is webgl-unavailable with the driver's words.
+  // Sources without the #version line; `defines` ("#define WET 1\n") come first. An error is webgl-unavailable with the
+  // driver's message.
   static Result<Program> link(const char* label, std::string_view vertex, std::string_view fragment,
                               std::string_view defines = {});
-  // The same in two parts: the driver may work on it in between. `label` outlives it.
+  // The same in two parts, so that the driver can compile in between. `label` must outlive the program.
   static Program begin(const char* label, std::string_view vertex, std::string_view fragment, std::string_view defines);
   Status finish();
-  // Names that the program does not use are ignored: a variant may optimise them away.
+  // Names that the program does not use are ignored, as the compiler may remove them.
   void bindBlock(const char* name, unsigned binding) const;
   void bindSampler(const char* name, int unit) const;
-  // Bytes the driver reserves for a block, 0 when unused: compared with sizeof in tests.
+  // The block's size by the driver, bytes; 0 when unused. Tests compare it with sizeof.
   int blockSize(const char* name) const;
-  // Bytes from the start of its block to that member; -1: the program does not have it.
+  // The member's offset in its block by the driver, bytes; -1 when unused.
   int offsetInBlock(const char* member) const;
   void use() const;
 
  private:
   const char* label_ = "";
-  Name name_, vertex_, fragment_;  // the shaders: until it is finished
+  Name name_, vertex_, fragment_;  // the shaders are deleted by finish()
 };
 
 enum class BufferKind { Vertex, Index, Uniform };
@@ -96,7 +95,7 @@ struct Attribute {
 class VertexArray {
  public:
   VertexArray() = default;
-  // divisor 1: one value an instance.
+  // divisor 1: one value for each instance.
   VertexArray(const Buffer& vertices, int strideBytes, std::span<const Attribute> attributes, unsigned divisor,
               const Buffer* indices);
   // Attributes of another buffer.
@@ -111,9 +110,9 @@ class VertexArray {
 // Draws `vertexCount` vertices without attributes (gl_VertexID alone).
 void drawWithoutVertices(int vertexCount, int first = 0);
 
-// RGBA16F is filtered as bytes are, and takes its texels as 32-bit floats.
+// RGBA16F supports filtering; its texels are passed as 32-bit floats.
 enum class TexelFormat { R8, RG8, RGBA8, RGBA16F, RGBA32F };
-// Mipmapped: bilinear within the level that the shader asks for. Crisp: squares when magnified, trilinear else.
+// Mipmapped: bilinear in the level that the shader chooses. Crisp: nearest when magnified, else trilinear.
 enum class Filter { Nearest, Linear, Mipmapped, Trilinear, Crisp };
 
 struct TextureShape {
@@ -127,10 +126,9 @@ struct TextureShape {
 class Texture {
  public:
   Texture() = default;
-  // `texels` may be empty (undefined content). Mipmapped, trilinear and crisp textures get their mipmaps here.
+  // `texels` may be empty (undefined content). Generates the mipmaps of mipmapped, trilinear and crisp textures.
   Texture(const TextureShape& shape, std::span<const std::byte> texels);
-  // Replaces [x, x+width) x [y, y+height) from an image whose rows are `rowTexels` long and whose
-  // texel (x, y) of the whole image is the first one used.
+  // Replaces [x, x+width) x [y, y+height) by the same rectangle of an image whose rows are `rowTexels` long.
   void update(int x, int y, int width, int height, std::span<const std::byte> image, int rowTexels);
   // Replaces one whole level of one layer (0 of a plain texture).
   void updateLevel(int level, int layer, std::span<const std::byte> texels);
@@ -144,14 +142,14 @@ class Texture {
   TextureShape shape_;
 };
 
-// Where a pass draws to. Empty: the framebuffer that the platform gave.
+// A render target. Empty: the platform's framebuffer.
 class Target {
  public:
   Target() = default;
-  // One colour texture, or each of up to four layers of an array as a colour of its own; depth of 24 bits if wanted.
-  // Of 8 bits a channel, which every context can draw into: it is not asked, which would wait for all before.
+  // Draws into a texture, or into up to four layers of an array at once; with 24 bits of depth if wanted. Formats are 8 bits a
+  // channel, which each context supports, so completeness is not checked: that would wait for all earlier work.
   static Target toTexture(const Texture& texture, bool depth = false);
-  // Colour and depth renderbuffers of `samples` (0: plain), for pictures without a window.
+  // Colour and depth renderbuffers with `samples` samples (0: no multisampling), for pictures without a window.
   static Result<Target> offscreen(int width, int height, int samples);
   void bind() const;
   // Resolves `from` into this one (same size).
@@ -161,31 +159,31 @@ class Target {
   Name framebuffer_, color_, depth_;
 };
 
-// Over: colours come multiplied by their alpha. Erase: what is opaque leaves nothing, neither colour nor alpha.
+// Over: premultiplied alpha. Erase: colour and alpha are multiplied by 1 - alpha of the source.
 enum class Blend { None, Add, Over, Erase };
 
 struct DrawState {
   bool depthTest = true, depthWrite = true, cullBack = true;
   Blend blend = Blend::None;
   bool alphaToCoverage = false;
-  bool nearer = false;  // in the depth test, by about the rounding of two programs that draw the same triangle
+  bool nearer = false;  // a depth bias of about the rounding between two programs that draw the same triangle
   bool red = true, green = true, blue = true, alpha = true;  // channels written
 };
 void apply(const DrawState& state);
 
-// `bottom`: the framebuffer has only rows of it, from that one on.
+// `bottom`: the framebuffer shows rows of the picture from that one on.
 void setViewport(int width, int height, int bottom = 0);
-// Until setViewport() only the rows from `bottom` on, so many, of every framebuffer are drawn into and cleared.
+// A scissor: until setViewport() only `count` rows from `bottom` on are drawn into and cleared.
 void drawOnlyRows(int bottom, int count, int width);
-void flush();   // what was asked for so far begins now
-void finish();  // waits until it is done
+void flush();   // starts all commands so far
+void finish();  // waits until they are done
 void clear(const Vec4& color);
-void clearDepth();  // alone
-void clearColor();  // alone, to black
+void clearDepth();  // only depth
+void clearColor();  // only colour, to black
 void bindPlatformFramebuffer();
-// The framebuffer that is bound now becomes the platform's (called once at attach).
+// Makes the currently bound framebuffer the platform's (called once at attach).
 void rememberPlatformFramebuffer();
-// While it lives the framebuffer that was bound stands in for the platform's.
+// During its lifetime the framebuffer that was bound replaces the platform's.
 class PlatformStandIn {
  public:
   PlatformStandIn();
@@ -196,7 +194,7 @@ class PlatformStandIn {
  private:
   int framebuffer_, samples_;
 };
-int platformSamples();  // a pixel of it; 0: no multisampling
+int platformSamples();  // of the platform's framebuffer; 0: no multisampling
 // RGBA8 rows from the top of the bound framebuffer.
 std::vector<std::uint8_t> readPixels(int width, int height);
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/Assert.h"
+#include "core/Fnv1a.h"
 #include "geometry/Adjacency.h"
 #include "geometry/Weld.h"
 
@@ -77,10 +78,9 @@ int GroomMap::typeAt(const Vec2& atlas) const {
 }
 
 std::uint64_t GroomMap::hash() const {
-  std::uint64_t hash = 1469598103934665603ull;
-  for (const Texel& texel : texels_)
-    for (const std::uint8_t byte : texel) hash = (hash ^ byte) * 1099511628211ull;
-  return hash;
+  Fnv1a hash;
+  hash.addAll(texels_);
+  return hash.value();
 }
 
 geometry::TexelRect GroomMap::takeChanged() { return std::exchange(changed_, geometry::TexelRect{}); }

@@ -1,26 +1,25 @@
-// How the fur of a model is dressed: how long it is, which way it is combed, and which kinds of it grow where.
+// The groom of a model: how long its fur is, which way it is combed, and which fur types grow where.
 //
 // GroomMap: a square map over the atlas (geometry/Surface.h), 8 bits a channel:
 //   r        length as a share of the settings' furLength; 0 is bald
-//   g, b, a  presence of the fur types 2, 3 and 4. Type 1 has the rest, 1 - (g + b + a): presences add up to 1
-//            as Sheppard's do (2004, 3.3.2), which are the weights of a triangle's corners. A strand of presence
-//            e and dominance D exists up to h <= max(2 - 2 (1 - e) / D, 0) (furgen::strandExists): where two
-//            types share the skin evenly, the dominant strands of both stand at full height and the others are
-//            gone; of three types none reaches it. With 1 - max in place of 1 - sum three would crowd there.
-// paint: a map of the same size over coat, skin and the model's own picture: r, g, b a colour (sRGB), a how much of it
-// there is; where there is none, the colour of what is next to it. mask: likewise, a: how far the place is protected from
-// brushes and edits; the rest is unused.
-// shape: likewise, what brushes add to the shape of the coat's strands: r curl, g frizz, b how tightly they gather into locks;
-// a the greatest of these.
+//   g, b, a  presence of the fur types 2, 3 and 4. Type 1 has the rest, 1 - (g + b + a): presences add up to 1,
+//            as Sheppard's (2004, 3.3.2), which are barycentric weights. A strand of presence e and dominance D exists
+//            up to h <= max(2 - 2 (1 - e) / D, 0) (furgen::strandExists): where two types have a half each, the
+//            dominant strands of both have their full height and the others are gone; where three types
+//            have a third each, no strand reaches it.
+// paint: a map of the same size. r, g, b: a colour (sRGB) over coat, skin and the model's own picture; a: its opacity. Texels
+// of opacity 0 have the colour of those next to them, for filtering.
+// mask: likewise. a: how far the place is protected from brushes and edits; the rest is unused.
+// shape: likewise, added to the shape of the strands: r curl, g frizz, b locks; a the greatest of the three.
 //
-// comb: where the fur leans at rest, as dynamics::BendField has bends: model space, radians, one a point of the
-// surface (SurfacePoints). Vertices that lie together share it, whichever charts they were split for, so that
-// another fur mapping keeps the groom; each shows the part across its own normal.
+// comb: the bend of the fur at rest, as in dynamics::BendField: model space, radians, one for each point of the surface
+// (SurfacePoints). Vertices of one position share it, so that it survives another fur mapping; each vertex uses the part
+// perpendicular to its own normal.
 //
-// whiskers: hairs that stand out of all that (Whiskers.h).
+// whiskers: single hairs that stand out of the coat (Whiskers.h).
 //
-// GroomBrush.h and GroomFilters.h change a groom by + - * / and square roots alone: the same bytes everywhere.
-// Knows no settings' length, no time and no picture.
+// GroomBrush.h and GroomFilters.h use + - * / and square roots only: the same bytes on every platform.
+// Does not know the fur's length in model units, nor time.
 #pragma once
 
 #include <array>
@@ -36,36 +35,36 @@
 namespace fur::groom {
 
 inline constexpr int kTypes = 4;
-// The most that a comb lays fur down; wind and gravity may take it further (BendField's kMaxBend is 1.35).
+// The largest bend of a comb; wind and gravity may bend fur further (up to dynamics::kMaxBend).
 inline constexpr float kMaxComb = 1.15f;  // radians
 
 class GroomMap {
  public:
   using Texel = std::array<std::uint8_t, 4>;
   static constexpr Texel kPlain{255, 0, 0, 0};  // full length, type 1
-  static constexpr Texel kBlank{0, 0, 0, 0};    // of paint and mask: none
+  static constexpr Texel kBlank{0, 0, 0, 0};    // no paint, no mask, no shape
   static constexpr int kLeastSize = 16, kMostSize = 1024, kUsualSize = 256;
 
-  explicit GroomMap(int size = kUsualSize, const Texel& plain = kPlain);  // clamped to the two above
+  explicit GroomMap(int size = kUsualSize, const Texel& plain = kPlain);  // the size is clamped
 
   int size() const { return size_; }
   const std::vector<Texel>& texels() const { return texels_; }
-  // Of lengths and types g + b + a over 255 is brought down to it.
+  // In a map of lengths and types, g + b + a is limited to 255.
   void set(std::uint32_t texel, Texel value);
-  // size * size of them, or an assertion.
+  // size * size texels.
   void restore(std::vector<Texel> texels);
   // Copies the texels of charts into their gutters.
   void fillGutter(const geometry::AtlasTexels& atlas, const geometry::TexelRect& changed);
 
   bool isPlain() const;
-  // Its four channels, 0..1, filtered as a shader does; and the first of them.
+  // The four channels, 0..1, with bilinear filtering; and the first of them.
   Vec4 at(const Vec2& atlas) const;
   float lengthAt(const Vec2& atlas) const { return at(atlas).x; }
-  // 1..kTypes: the one with the greatest presence.
+  // The type with the greatest presence, 1..kTypes.
   int typeAt(const Vec2& atlas) const;
   // FNV-1a over the bytes.
   std::uint64_t hash() const;
-  // What changed since the last call: what the renderer uploads.
+  // The rectangle that changed since the last call.
   geometry::TexelRect takeChanged();
 
  private:
@@ -77,14 +76,14 @@ class GroomMap {
   geometry::TexelRect changed_;
 };
 
-// The points of a surface: positions that differ, numbered as the triangles first meet them, which no
-// fur mapping changes. Copies for overlapping fur charts belong to the points of what they copy.
+// The points of a surface: its distinct positions, in the order in which the triangles first use them, which does not depend
+// on the fur mapping. Copies for overlapping fur charts belong to the point of the vertex that they copy.
 struct SurfacePoints {
   explicit SurfacePoints(const geometry::Surface& surface);
   std::vector<std::uint32_t> pointOf;  // one a vertex
   std::vector<Vec3> positions, normals;  // one a point; normals are unit means
   std::size_t count() const { return positions.size(); }
-  // The point at each of these, kNoPoint where there is none.
+  // The points at these positions; kNoPoint where there is none.
   std::vector<std::uint32_t> at(const std::vector<Vec3>& places) const;
   static constexpr std::uint32_t kNoPoint = 0xffffffffu;
 };
@@ -98,15 +97,15 @@ struct Groom {
   bool isPlain() const;
 };
 
-// What a groom's maps have in common.
+// All maps of a groom.
 inline constexpr GroomMap Groom::*kMaps[] = {&Groom::map, &Groom::paint, &Groom::mask, &Groom::shape};
-// Another size for all of them: nearest texels.
+// Resizes all maps, by nearest texels.
 void resize(Groom& groom, int size);
 
-// What an image that is painted onto the maps means, see paintFromImage() and readMapPicture(): the latter knows them all.
+// What an image means for a groom: readMapPicture() reads all of these, paintFromImage() the first two.
 enum class ImageOf { Length, Types, Paint, Mask, Shape };
 
-// What the functions of this module know of the model. The map has the size of `atlas`.
+// What the functions of this module need of the model. The groom's maps have the size of `atlas`.
 struct GroomSurface {
   const geometry::Surface& surface;
   const geometry::SurfaceQuery& query;
@@ -114,29 +113,30 @@ struct GroomSurface {
   const SurfacePoints& points;
 };
 
-// A comb from anywhere: what is not finite becomes 0, the rest is brought across the normals and within kMaxComb.
+// Makes a comb from outside valid: bends that are not finite become 0, others perpendicular to the normals and at most kMaxComb.
 std::vector<Vec3> soundComb(std::vector<Vec3> comb, const SurfacePoints& points);
 Groom plainGroom(int mapSize, const SurfacePoints& points);
 
 // One a vertex, for BendField::setRest.
 std::vector<Vec3> restBends(const Groom& groom, const geometry::Surface& surface, const SurfacePoints& points);
-// The longest strand of each type as a share of the coat's length; 0: the type is bald.
+// The length of each type's longest strand as a share of the coat's length; 0: the type is bald.
 using TypeHeights = std::array<float, kTypes>;
 inline constexpr TypeHeights kAllFull{1, 1, 1, 1};
 
-// One a vertex, 0..1: how high the coat stands at most on the triangles round it by the map, the same for all vertices of a
-// point: room for every strand between them. No strand of a type whose presence is e reaches beyond 2 e of its height.
+// For each vertex, 0..1: the greatest height of the coat on the triangles round it, the same for all vertices of a point, so
+// that no strand between them is cut off. A type of presence e has no strand above 2 e of its height.
 std::vector<float> vertexLengths(const GroomMap& map, const geometry::Surface& surface, const SurfacePoints& points,
                                  const TypeHeights& heights = kAllFull);
 
-// Those of the triangles (three indices each) over which a coat of these vertexLengths() stands: fur grows on them or, where
-// it slopes down to the skin, beside them. What is left out costs nothing.
+// The triangles (three indices each) that carry a coat by these vertexLengths(): fur grows on them, or next to them where the
+// coat slopes down to the skin.
 std::vector<std::uint32_t> furryTriangles(const std::vector<std::uint32_t>& indices, std::span<const float> vertexLengths);
-// A bit for each type that is present anywhere: 1 for type 1 (always), 2, 4, 8.
+// A bit for each type that occurs: 1 for type 1 (always set), 2, 4, 8.
 unsigned typesPresent(const GroomMap& map);
-// For people: brightness is length, types 2 to 4 are tinted red, green and blue, under the paint. size * size texels, opaque.
+// A picture for people: brightness is length; types 2 to 4 are tinted red, green and blue; the paint is over it. size * size
+// opaque texels.
 std::vector<GroomMap::Texel> picture(const Groom& groom);
-// Share of the surface's texels that are bald, and their mean length, both 0..1.
+// The share of the surface's texels that are bald, and the mean length of all, both 0..1.
 struct Coverage {
   float bald = 0, length = 1;
   float types[kTypes] = {1, 0, 0, 0};  // of what is not bald

@@ -1,17 +1,15 @@
-// One dab of a brush on the surface. Strokes are dabs close to each other.
+// One dab of a brush on the surface; a stroke is a row of dabs.
 //
-// A brush is a ball: what lies in it and does not face away from its normal is changed, by strength in its middle
-// and by less towards its rim: weight w = strength * falloff(d / radius), with d the distance in space; by less where the
-// groom's mask protects it. Charts and seams do not matter. Nothing happens where there is no surface, or for a brush that
-// is not finite. Each function returns whether anything changed.
+// A brush is a ball in space. It changes what lies in it and does not face away from its normal, with the weight
+// w = strength * falloff(distance / radius), less where the groom's mask protects. Charts and seams do not matter. A brush
+// that is not finite or touches no surface does nothing. Each function returns whether anything changed.
 #pragma once
 
 #include "groom/Groom.h"
 
 namespace fur::groom {
 
-// How a brush fades from its middle to its rim, in the order of the settings' "brushFalloff": (1 - x^2)^2, 1 - x, (1 - x)^2
-// and 1.
+// In the order of the setting "brushFalloff": (1 - x^2)^2, 1 - x, (1 - x)^2 and 1.
 enum class Falloff { Smooth, Linear, Sharp, Flat };
 float falloffAt(Falloff falloff, float squared);  // squared: x^2, within 0..1
 
@@ -23,42 +21,43 @@ struct Brush {
 };
 
 // --- length; lengths stay within 0..1 ---
-bool trim(Groom& groom, const GroomSurface& skin, const Brush& brush);  // towards 0 by the share w
+bool trim(Groom& groom, const GroomSurface& skin, const Brush& brush);  // towards 0 by w
 bool grow(Groom& groom, const GroomSurface& skin, const Brush& brush);  // towards 1
-// What is longer than `share` comes towards it.
+// Fur longer than `share` gets nearer to it by w.
 bool cutTo(Groom& groom, const GroomSurface& skin, const Brush& brush, float share);
 
 // --- types; presences stay a partition of 1 ---
-// 1..kTypes: the share w of what is there becomes that type. 1 is the eraser of the others.
+// Turns the share w of all types into `type`, 1..kTypes. 1 erases the others.
 bool paintType(Groom& groom, const GroomSurface& skin, const Brush& brush, int type);
-// 2..kTypes: the share w of that type becomes type 1.
+// Turns the share w of `type`, 2..kTypes, into type 1.
 bool takeType(Groom& groom, const GroomSurface& skin, const Brush& brush, int type);
 
 // --- shape ---
 enum class ShapeChannel { Curl, Frizz, Locks };  // of Groom::shape
-// Towards all of it by the share w, or towards none.
+// Towards 1 by w; or towards 0.
 bool addShape(Groom& groom, const GroomSurface& skin, const Brush& brush, ShapeChannel channel);
 bool takeShape(Groom& groom, const GroomSurface& skin, const Brush& brush, ShapeChannel channel);
 
-// --- comb; stays across the normal and within kMaxComb ---
-// Towards `direction`, whatever its length; where it points straight into the surface nothing moves.
+// --- comb; stays perpendicular to the normal and within kMaxComb ---
+// Towards `direction`, whose length does not matter; a direction along the normal does nothing.
 bool comb(Groom& groom, const GroomSurface& skin, const Brush& brush, const Vec3& direction);
 bool raise(Groom& groom, const GroomSurface& skin, const Brush& brush);   // towards upright
 bool smooth(Groom& groom, const GroomSurface& skin, const Brush& brush);  // towards the mean of the neighbours
 
 // --- whiskers ---
-// Pulls out those whose roots lie in the ball, whatever the strength, unless the mask protects them.
+// Removes whiskers whose roots lie in the ball, at any strength, unless the mask protects them.
 bool pluck(Groom& groom, const GroomSurface& skin, const Brush& brush);
 
 // --- paint and mask ---
-// The share w of `color` (0xRRGGBB, sRGB) over what is painted; or takes the share w of the paint off.
+// Blends `color` (0xRRGGBB, sRGB) over the paint by w; or removes the share w of the paint.
 bool paint(Groom& groom, const GroomSurface& skin, const Brush& brush, std::uint32_t color);
 bool unpaint(Groom& groom, const GroomSurface& skin, const Brush& brush);
-// Protects by the share w, or gives free; no mask stands in its way.
+// Raises the mask towards 1 by w, or lowers it towards 0. The mask does not protect itself.
 bool protect(Groom& groom, const GroomSurface& skin, const Brush& brush);
 bool unprotect(Groom& groom, const GroomSurface& skin, const Brush& brush);
 
-// What comb() leads to at a point with this normal: kMaxComb along the direction, less where they nearly meet.
+// The bend towards which comb() works at a point with this normal: kMaxComb in the direction, less where it is nearly parallel
+// to the normal.
 Vec3 combedTo(const Vec3& direction, const Vec3& normal);
 
 }  // namespace fur::groom

@@ -1,22 +1,20 @@
-// Selecting by what a groom is, for the brushes: what is selected stays free, the mask protects all else. Each replaces
-// the mask, whole texels or, by type, as far as the type is there.
+// Selections for brushes. What is selected stays free and the mask protects everything else; each selection replaces the mask.
 #pragma once
 
 #include "groom/Groom.h"
 
 namespace fur::groom {
 
-// The part of the surface that hangs together with that triangle, by points that its triangles share.
+// The part of the surface that is connected with that triangle by shared points.
 void selectConnected(Groom& groom, const GroomSurface& skin, std::uint32_t triangle);
 void selectType(Groom& groom, const GroomSurface& skin, int type);  // 1..kTypes
 void selectLength(Groom& groom, const GroomSurface& skin, float shortest, float longest);  // shares, both included
-// Where the paint differs from that at the atlas point by `tolerance` (0..1) at most in each of red, green, blue and how much
-// of it there is. No paint is like no paint.
+// Where red, green, blue and opacity of the paint each differ by at most `tolerance` (0..1) from those at the atlas point.
+// Places without paint match each other.
 void selectPaint(Groom& groom, const GroomSurface& skin, const Vec2& atlas, float tolerance);
 
-// The mask itself: what lies within `radius` (model units) of what is protected is protected, too; the same of what is free;
-// and the mean over that radius. In space, so that charts do not show, and not through to the other side of a thin
-// part. A radius below two texels counts as two.
+// Filters of the mask over a radius (model units; at least two texels): maximum, minimum and mean. Distances are in space, so
+// that charts do not matter, and the other side of a thin part is left out.
 void growMask(Groom& groom, const GroomSurface& skin, float radius);
 void shrinkMask(Groom& groom, const GroomSurface& skin, float radius);
 void smoothMask(Groom& groom, const GroomSurface& skin, float radius);

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "core/Random.h"
+#include "core/Srgb.h"
 #include "dynamics/BendField.h"
-#include "settings/Settings.h"
 
 namespace fur::groom {
 
@@ -77,7 +77,7 @@ std::vector<WhiskerHair> whiskerHairs(std::span<const Whisker> whiskers, const g
     hair.width = w.width;
     hair.give = 1 - w.stiffness;
     hair.normal = normalAt(surface, *at);
-    hair.color = settings::linearColor(w.color);
+    hair.color = linearColor(w.color);
     hair.vertices = Vec3(corners[0], corners[1], corners[2]);
     hair.weights = at->weights;
     hair.atlasU = atlas.x;

@@ -61,16 +61,16 @@ float glossShare(float nDotL) { return saturate(1.6f * nDotL + 0.6f); }
 
 Vec3 shadeStrand(const StrandLook& look, const Vec3& albedo, const Vec3& tangent, const Vec3& light, const Vec3& view,
                  float nDotL, float nDotV, float height, float wetness, const StrandLight& lights, float strand) {
-  const float exponent = std::max(look.exponent * (1.0f + look.wetGloss * (wetness - 1.0f)), 1.0f);
+  const float exponent = std::max(wetSpecularExponent(look.shininess, wetness, look.wetGloss), 1.0f);
   // A lobe's energy falls as its exponent rises; sqrt(p) keeps a strand's total about even.
-  const float strength = look.gloss * std::sqrt(exponent / look.exponent) * glossShare(nDotL);
+  const float strength = look.specular * std::sqrt(exponent / look.shininess) * glossShare(nDotL);
   const Vec2 shifts = lobeShifts(strand);
   const auto lobe = [&](float shift, float p) { return kajiyaLobe(shiftedCosine(tangent, light, view, shift), p); };
   const Vec3 gloss = strength * lights.key * ((0.7f - 0.35f * wetness) * lobe(shifts.x, exponent) + albedo * lobe(shifts.y, 0.5f * exponent));
   const float diffuse = glm::mix(kajiyaDiffuse(tangent, light), std::max(nDotL, 0.0f), look.lambert);
   const float filled = lights.fill * glm::mix(kajiyaDiffuse(tangent, view), std::max(nDotV, 0.0f), look.lambert);
   const Vec3 color = albedo * (lights.key * diffuse + 1.6f * lights.through + filled + lights.sky) + (albedo + 0.3f) * lights.rim + gloss;
-  return color * (1.0f + look.occlusion * (height - 1.0f)) * (1.0f - look.wetDarkening * wetness);
+  return color * occlusionFactor(height, look.occlusion) * hair::wetDarkening(wetness, look.wetDarkening);
 }
 
 Vec3 wetAlbedo(const Vec3& albedo, float wetness) {
@@ -101,24 +101,6 @@ Vec3 strandColor(const Vec3& root, const Vec3& tip, float height, float variance
 Vec3 toneMap(const Vec3& linear, float exposure) {
   const Vec3 x = linear * exposure, over = glm::max(x - 0.6f, Vec3(0.0f));
   return glm::min(x, Vec3(0.6f)) + 0.4f * over / (over + 0.4f);
-}
-
-Vec3 encodeSrgb(const Vec3& linear) {
-  Vec3 out;
-  for (int k = 0; k < 3; ++k) {
-    const float x = saturate(linear[k]);
-    out[k] = x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1.0f / 2.4f) - 0.055f;
-  }
-  return out;
-}
-
-Vec3 decodeSrgb(const Vec3& shown) {
-  Vec3 out;
-  for (int k = 0; k < 3; ++k) {
-    const float x = saturate(shown[k]);
-    out[k] = x <= 0.04045f ? x / 12.92f : std::pow((x + 0.055f) / 1.055f, 2.4f);
-  }
-  return out;
 }
 
 }  // namespace fur::hair

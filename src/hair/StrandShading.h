@@ -27,10 +27,18 @@ float fringe(float normalDotView, float height);
 // Sheppard Eq. 3.3-3.4: F = 1 - N.L, S = clamp((4 h / d - 3 F) / F); F = 0 casts no shadow: 1.
 float furShadow(float height, float density, float nDotL);
 
-// How a coat answers to light; the names are those of the settings.
+// Factors of wet fur (Silva et al. 2010), rho: wetness 0..1.
+// p (1 + sigma_spec (rho - 1)): dry fur has the blunter highlight (Eq. 3).
+inline float wetSpecularExponent(float p, float rho, float sigmaSpec) { return p * (1.0f + sigmaSpec * (rho - 1.0f)); }
+// 1 + sigma_occ (h - 1): less light reaches the roots (Eq. 5).
+inline float occlusionFactor(float h, float sigmaOcc) { return 1.0f + sigmaOcc * (h - 1.0f); }
+// 1 - sigma_wet rho (Eq. 5).
+inline float wetDarkening(float rho, float sigmaWet) { return 1.0f - sigmaWet * rho; }
+
+// How a coat reflects light: the settings of these names; and its density.
 struct StrandLook {
-  float lambert = 0.4f, gloss = 0.45f;
-  float exponent = 60;  // when soaked
+  float lambert = 0.4f, specular = 0.45f;
+  float shininess = 60;  // exponent p, when soaked
   float strandShadow = 0.6f;
   float occlusion = 0.6f, wetDarkening = 0.4f, wetGloss = 0.8f;  // sigma_occ, sigma_wet, sigma_spec
   float density = 0.4f;  // share of the densest layer that strands cover
@@ -71,8 +79,5 @@ Vec3 strandColor(const Vec3& root, const Vec3& tip, float height, float variance
 
 // Linear light to linear light as a screen shows it: straight up to 0.6, then towards 1.
 Vec3 toneMap(const Vec3& linear, float exposure);
-// IEC 61966-2-1, both ways. The shaders' encodeSrgb() is a fit of the first within 0.0015.
-Vec3 encodeSrgb(const Vec3& linear);
-Vec3 decodeSrgb(const Vec3& shown);
 
 }  // namespace fur::hair

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/Srgb.h"
 #include "render/StrandTables.h"
 #include "render/passes/background/BackgroundPass.h"
 #include "render/passes/ball/BallPass.h"
@@ -39,22 +40,22 @@ void fillLights(const Frame& frame, shared::FrameBlock& block) {
   block.lightWorld = Vec4(lightDirection(frame), 0);
   block.light = glm::inverse(frame.worldFromModel) * block.lightWorld;
   block.lightIntensity = kKeyLight * s.lightIntensity;
-  block.keyLight = Vec4(settings::linearColor(s.keyColor) * block.lightIntensity, 1);
+  block.keyLight = Vec4(linearColor(s.keyColor) * block.lightIntensity, 1);
   block.fillLight = (1 - kFillAround) * s.fillLight;
-  block.backLight = Vec4(settings::linearColor(s.rimColor) * (kRimLight * s.rimLight), 1);
+  block.backLight = Vec4(linearColor(s.rimColor) * (kRimLight * s.rimLight), 1);
   // The surroundings light the fur with their own colour, half of it taken out.
-  const Vec3 top = settings::linearColor(s.backgroundTop), bottom = settings::linearColor(s.backgroundBottom);
+  const Vec3 top = linearColor(s.backgroundTop), bottom = linearColor(s.backgroundBottom);
   const Vec3 around(kFillAround * s.fillLight);
-  block.sky = Vec4(s.ambient * glm::mix(Vec3(0.75f), top, 0.5f) * settings::linearColor(s.skyColor) + around, 1);
-  block.floorLight = Vec4(s.ambient * 0.55f * glm::mix(Vec3(0.6f), bottom, 0.5f) * settings::linearColor(s.groundColor) + around, 1);
+  block.sky = Vec4(s.ambient * glm::mix(Vec3(0.75f), top, 0.5f) * linearColor(s.skyColor) + around, 1);
+  block.floorLight = Vec4(s.ambient * 0.55f * glm::mix(Vec3(0.6f), bottom, 0.5f) * linearColor(s.groundColor) + around, 1);
 }
 
 void fillTypes(const Frame& frame, const FurDensities& densities, shared::FurBlock& coat) {
   const Vec3 factor(frame.baseColorFactor);
   for (int type = 0; type < FUR_TYPES; ++type) {
     const settings::Settings look = settings::typeCoat(frame.settings, type);
-    coat.rootColors[type] = Vec4(settings::linearColor(look.rootColor) * factor, 1);
-    coat.tipColors[type] = Vec4(settings::linearColor(look.tipColor) * factor, 1);
+    coat.rootColors[type] = Vec4(linearColor(look.rootColor) * factor, 1);
+    coat.tipColors[type] = Vec4(linearColor(look.tipColor) * factor, 1);
     coat.typeGrows[type] = densities[static_cast<std::size_t>(type)] > 0;
     coat.typeVariance[type] = look.variance;
     coat.typeRise[type] = 1 / std::max(settings::typeHeight(frame.settings, type), 1e-6f);
@@ -66,7 +67,7 @@ void fillShading(const Frame& frame, shared::FurBlock& coat) {
   const settings::Settings& s = frame.settings;
   // Where few strands stand, they hardly darken each other and the skin.
   const float crowding = saturate(coat.density / kCrowdedDensity);
-  coat.skinColor = Vec4(settings::linearColor(s.skinColor) * Vec3(frame.baseColorFactor), 1);
+  coat.skinColor = Vec4(linearColor(s.skinColor) * Vec3(frame.baseColorFactor), 1);
   coat.lobePeak = 0.39894228f / strandLobeWidth(s);
   coat.lambert = s.lambert;
   coat.specular = s.specular;

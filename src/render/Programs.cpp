@@ -105,13 +105,16 @@ void Programs::begin(Shader shader, unsigned variant) {
                                          definesOf(variant)));
 }
 
-Result<const gl::Program*> Programs::use(Shader shader, unsigned variant) {
+const gl::Program* Programs::use(Shader shader, unsigned variant) {
   const auto key = std::pair(shader, variant);
   auto found = programs_.find(key);
   if (found == programs_.end()) {
     begin(shader, variant);
     auto linked = begun_.extract(key);
-    if (Status status = linked.mapped().finish(); !status) return status.error();
+    if (const Status status = linked.mapped().finish(); !status) {
+      error_ = status.error();
+      return nullptr;
+    }
     gl::Program& program = linked.mapped();
     program.bindBlock("FrameBlock", FUR_FRAME_BINDING);
     program.bindBlock("FurBlock", FUR_COAT_BINDING);

@@ -52,14 +52,17 @@ class Programs {
  public:
   // Lets the driver compile it while the program goes on; use() waits for it.
   void begin(Shader shader, unsigned variant);
-  // The program, bound for use. A shader that the driver refuses is the error.
-  Result<const gl::Program*> use(Shader shader, unsigned variant);
+  // The program, bound for use; null where the driver refuses a shader of it, which error() then tells.
+  [[nodiscard]] const gl::Program* use(Shader shader, unsigned variant);
+  const Error& error() const { return error_; }
 
  private:
   std::map<std::pair<Shader, unsigned>, gl::Program> begun_, programs_;
+  Error error_{};
 };
 
-// Every variant that the renderer can ask for: a test compiles them all.
+// The variants that the renderer can ask for (Look.h), of those with paint and with Sheppard's bend a sample: a test compiles
+// them all.
 std::vector<std::pair<Shader, unsigned>> allVariants();
 
 }  // namespace fur::render

@@ -118,65 +118,58 @@ Status Renderer::draw(const Frame& frame) {
   const Drawing drawing{drawn, look, surface_, programs_, uploadedBytes_};
   const FurShadow::Key shadow = furShadowKey(drawn);
   uploadBlocks(drawn, shadow);
-  if (Status status = groundShadow_.update(drawing); !status) return status;
+  if (!groundShadow_.update(drawing)) return programs_.error();
   fur_.bind(frame.wet);
   maps_.bind(frame);
   uploadedBytes_ += strandTables_.use(frame.settings);
-  if (Status status = furShadow_.update(programs_, shadow, surface_.array(), surface_.indexCount()); !status) return status;
+  if (!furShadow_.update(programs_, shadow, surface_.array(), surface_.indexCount())) return programs_.error();
   const bool direct = frame.pixelScale >= 1 && frame.bands <= 1;
   if (!direct)
     if (Status status = small_.begin(drawn.width, drawn.height); !status) return status;
   beginPicture(drawn);
-  if (Status status = drawPasses(drawing); !status || direct) return status;
+  if (!drawPasses(drawing)) return programs_.error();
+  if (direct) return Done{};
   gl::setViewport(frame.width, frame.height);
-  if (frame.band + 1 == frame.bands) return small_.show(programs_);
-  gl::flush();
-  gl::bindPlatformFramebuffer();
-  return Done{};
-}
-
-Status Renderer::drawPasses(const Drawing& drawing) {
-  const auto view = static_cast<View>(drawing.frame.settings.view);
-  if (view == View::Final) return drawFinal(drawing);
-  const bool counts = view == View::Overdraw || view == View::Steps, transparent = drawing.frame.transparent;
-  if (!counts && !transparent)
-    if (Status status = drawBackground(drawing); !status) return status;
-  Status status = counts ? drawCounts(drawing, view) : drawView(drawing, view);
-  if (status && transparent) status = drawBackground(drawing);
-  return status;
-}
-
-Status Renderer::drawFinal(const Drawing& drawing) {
-  if (Status status = drawBall(drawing); !status) return status;
-  if (Status status = drawModel(drawing, kPlain); !status) return status;
-  if (Status status = whiskers_.draw(drawing); !status) return status;
-  if (Status status = ground_.draw(drawing, groundShadow_); !status) return status;
-  if (Status status = drawBackground(drawing); !status) return status;
-  return drops_.draw(drawing);
-}
-
-Status Renderer::drawModel(const Drawing& drawing, unsigned view) {
-  if (Status status = shells_.draw(drawing, view); !status) return status;
-  if (Status status = fins_.draw(drawing, view); !status) return status;
-  return drawSkin(drawing, drawing.look.skin(view));
-}
-
-// The picture leaves its depth behind, then fragments are counted that are no further.
-Status Renderer::drawCounts(const Drawing& drawing, View view) {
-  if (Status status = drawModel(drawing, kPlain); !status) return status;
-  gl::clearColor();
-  return view == View::Steps ? shells_.draw(drawing, kViewSteps) : drawModel(drawing, kViewOverdraw);
-}
-
-Status Renderer::drawView(const Drawing& drawing, View view) {
-  for (const ViewPart& part : kViewParts) {
-    if (part.view != view) continue;
-    if (Status status = drawPart(drawing, part); !status) return status;
+  if (frame.band + 1 < frame.bands) {
+    gl::flush();
+    gl::bindPlatformFramebuffer();
+  } else if (!small_.show(programs_)) {
+    return programs_.error();
   }
   return Done{};
 }
 
-Status Renderer::drawPart(const Drawing& drawing, const ViewPart& part) {
+bool Renderer::drawPasses(const Drawing& drawing) {
+  const auto view = static_cast<View>(drawing.frame.settings.view);
+  if (view == View::Final) return drawFinal(drawing);
+  const bool counts = view == View::Overdraw || view == View::Steps, transparent = drawing.frame.transparent;
+  return (counts || transparent || drawBackground(drawing)) && (counts ? drawCounts(drawing, view) : drawView(drawing, view)) &&
+         (!transparent || drawBackground(drawing));
+}
+
+bool Renderer::drawFinal(const Drawing& drawing) {
+  return drawBall(drawing) && drawModel(drawing, kPlain) && whiskers_.draw(drawing) && ground_.draw(drawing, groundShadow_) &&
+         drawBackground(drawing) && drops_.draw(drawing);
+}
+
+bool Renderer::drawModel(const Drawing& drawing, unsigned view) {
+  return shells_.draw(drawing, view) && fins_.draw(drawing, view) && drawSkin(drawing, drawing.look.skin(view));
+}
+
+// The picture leaves its depth behind, then fragments are counted that are no further.
+bool Renderer::drawCounts(const Drawing& drawing, View view) {
+  if (!drawModel(drawing, kPlain)) return false;
+  gl::clearColor();
+  return view == View::Steps ? shells_.draw(drawing, kViewSteps) : drawModel(drawing, kViewOverdraw);
+}
+
+bool Renderer::drawView(const Drawing& drawing, View view) {
+  for (const ViewPart& part : kViewParts)
+    if (part.view == view && !drawPart(drawing, part)) return false;
+  return true;
+}
+
+bool Renderer::drawPart(const Drawing& drawing, const ViewPart& part) {
   switch (part.part) {
     case Part::Shells: return shells_.draw(drawing, part.bits);
     case Part::Fins: return fins_.draw(drawing, part.bits);

@@ -70,12 +70,12 @@ class Renderer {
 
  private:
   Renderer() = default;
-  Status drawPasses(const Drawing& drawing);
-  Status drawFinal(const Drawing& drawing);
-  Status drawView(const Drawing& drawing, View view);
-  Status drawCounts(const Drawing& drawing, View view);
-  Status drawModel(const Drawing& drawing, unsigned view);
-  Status drawPart(const Drawing& drawing, const ViewPart& part);
+  bool drawPasses(const Drawing& drawing);
+  bool drawFinal(const Drawing& drawing);
+  bool drawView(const Drawing& drawing, View view);
+  bool drawCounts(const Drawing& drawing, View view);
+  bool drawModel(const Drawing& drawing, unsigned view);
+  bool drawPart(const Drawing& drawing, const ViewPart& part);
   FurShadow::Key furShadowKey(const Frame& frame) const;
   void uploadBlocks(const Frame& frame, const FurShadow::Key& shadow);
 

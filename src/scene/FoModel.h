@@ -4,11 +4,10 @@
 //   t colour_u colour_v fur_u fur_v         coordinates of the colour map and of the repeating fur tile
 //   p v1/t1 v2/t2 v3/t3                     a triangle, by numbers counted from 1
 //
-// in this order. What the paper leaves open: colour_v counts from the bottom of the image, as in the .obj
-// that .fo comes from; a fur tile spans 1 of fur_u and fur_v, and its first row is at fur_v 0, so that
-// these two are Mesh::furUv as they are.
+// in this order. Not defined by the paper: colour_v counts from the bottom of the image, as in .obj, on which .fo is based;
+// a fur tile spans 1 of fur_u and fur_v, its first row at fur_v 0, so that they are Mesh::furUv as they are.
 //
-// As a scene::Model, with furUv, importFo() reads it; lengths and types become shares and small numbers (FurData).
+// importFo() reads it as a scene::Model, with furUv, and with lengths and types as FurData has them.
 #pragma once
 
 #include <array>
@@ -32,7 +31,7 @@ struct FoModel {
     Vec2 colour, fur;
     bool operator==(const Texcoord&) const = default;
   };
-  // One of each a vertex.
+  // For each vertex.
   std::vector<Vec3> positions, normals;
   std::vector<float> length;  // 0 is bald
   std::vector<int> furType;
@@ -43,16 +42,15 @@ struct FoModel {
   bool operator==(const FoModel&) const = default;
 };
 
-// Blank lines and comments (#) are allowed too. Errors name file, line and reason. kMaxVertices bounds
-// vertices and texture coordinates, kMaxTriangles the faces.
+// Blank lines and comments (#) are allowed, too. Errors name file, line and reason. Limits: kMaxVertices vertices and as many
+// texture coordinates, kMaxTriangles faces.
 Result<FoModel> readFo(std::span<const std::uint8_t> bytes, const std::string& name);
 
-// Every number must be finite. readFo() of it gives the same floats again, bit for bit.
+// All numbers must be finite. readFo() of the result gives the same floats, bit for bit.
 std::vector<std::uint8_t> writeFo(const FoModel& fo);
 
-// A surface for saving, the fur tile `repeat` times along a model unit. `lengths` and `types`: one a vertex, or
-// empty for length 1 and type 0 everywhere.
-// Vertices that a seam has split are one again where position and normal are the same.
+// A surface for saving; `repeat`: fur tiles along a model unit. `lengths` and `types`: one for each vertex, or empty for
+// length 1 and type 0 everywhere. Vertices with the same position and normal are merged.
 FoModel foFromSurface(const geometry::Surface& surface, float repeat, std::span<const float> lengths = {},
                       std::span<const int> types = {});
 

@@ -1,8 +1,7 @@
-// What a file says about the fur of its mesh.
+// The fur of a mesh in a file.
 //
-// A .glb does in the extension WETFUR_fur (WETFUR_fur.schema.json in this folder): the state of the program, and
-// the groom and the wetness
-// as maps in the mesh's atlas, a comb at its vertices and whiskers where they stand. A .fo has a length and a type at every vertex.
+// A .glb has it in the extension WETFUR_fur (WETFUR_fur.schema.json in this folder): the state of the program, groom and
+// wetness as maps over the mesh's atlas, the comb for each vertex, and whiskers. A .fo has a length and a type for each vertex.
 #pragma once
 
 #include <cstdint>
@@ -20,12 +19,12 @@ struct FurData {
   std::string state;  // for readState(); "" when there is none
   std::vector<groom::GroomMap::Texel> map, paint{}, mask{}, shape{};  // mapSize * mapSize each, or none
   int mapSize = 0;
-  // One a vertex of the mesh, or none.
-  std::vector<Vec3> comb;      // model space, radians, as it was read: neither bounded nor across any normal
+  // One for each vertex of the mesh, or empty.
+  std::vector<Vec3> comb;      // model space, radians; not validated yet: see groom::soundComb()
   std::vector<float> lengths;  // share of the longest, 0..1
   std::vector<int> types;      // 1..groom::kTypes
-  std::vector<groom::Whisker> whiskers{};  // as they were read, their roots in model space; at most kMostWhiskers
-  std::vector<Vec4> wetness{};  // wetnessSize * wetnessSize texels as wet::WetnessMask has them, or none
+  std::vector<groom::Whisker> whiskers{};  // roots in model space; not validated yet; at most kMostWhiskers
+  std::vector<Vec4> wetness{};  // wetnessSize * wetnessSize texels as wet::WetnessMask has them, or empty
   int wetnessSize = 0;
 };
 

@@ -1,4 +1,4 @@
-// A rig at a moment: where every vertex of the mesh is, how its skin faces, and a tangent that turns with the skin.
+// A rig at one time: positions, normals and tangents of the mesh's vertices.
 #pragma once
 
 #include <span>
@@ -8,22 +8,22 @@
 
 namespace fur::scene {
 
-// The value of a channel at a time, `width` numbers; rotations are of length 1. Before its first and after its last time
-// it is what it is there.
+// The value of a channel at a time: `width` numbers; rotations are normalised. Constant before the first and after the last
+// key.
 void sample(const Rig::Channel& channel, float seconds, float* out);
 
 class Pose {
  public:
-  // As the nodes stand without an animation. The rig must outlive the pose.
+  // The rest pose. The rig must outlive the pose.
   explicit Pose(const Rig& rig);
   // `animation` -1: none.
   void set(int animation, float seconds);
 
-  // Model space, one a vertex of the mesh; normals and tangents are unit and across each other.
+  // Model space, one for each vertex of the mesh; normals and tangents are unit and perpendicular.
   std::span<const Vec3> positions() const { return positions_; }
   std::span<const Vec3> normals() const { return normals_; }
   std::span<const Vec3> tangents() const { return tangents_; }
-  // Of a node, to the model.
+  // From a node's space to model space.
   const Mat4& transform(std::size_t node) const { return transforms_[node]; }
 
  private:

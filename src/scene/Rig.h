@@ -1,5 +1,5 @@
-// What moves a model by itself: nodes, skins, morph targets and animations, as glTF 2.0 has them. Plain data, checked by
-// the importer: indices are within bounds, parents come before their children, numbers are finite.
+// Nodes, skins, morph targets and animations, as in glTF 2.0. Plain data, validated by the importer: indices are in range,
+// parents come before their children, numbers are finite.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ struct Rig {
     Vec3 translation{0};
     Quat rotation{1, 0, 0, 0};
     Vec3 scale{1};
-    Mat4 matrix{1.0f};       // instead of the three, when `fixed`
+    Mat4 matrix{1.0f};       // replaces the three above when `fixed`
     bool fixed = false;
     std::uint32_t firstWeight = 0, weights = 0;  // of its mesh's morph targets, in restWeights
   };
@@ -28,21 +28,21 @@ struct Rig {
     std::vector<std::uint32_t> joints;  // nodes
     std::vector<Mat4> inverseBinds;
   };
-  // Vertices of the mesh that move alike.
+  // Vertices of one primitive, which share node, skin and morph targets.
   struct Part {
     std::uint32_t firstVertex = 0, vertices = 0;
     std::uint32_t node = 0;
     int skin = -1;
-    std::uint32_t targets = 0;      // morph targets; each has positions and normals of every vertex, in turn
+    std::uint32_t targets = 0;      // morph targets; each has the positions of all vertices in `deltas`, then the normals
     std::size_t firstDelta = 0;
   };
   struct Channel {
     std::uint32_t node = 0;
     Path path = Path::Translation;
     Interpolation interpolation = Interpolation::Linear;
-    std::uint32_t width = 3;        // numbers of one value
+    std::uint32_t width = 3;        // numbers in one value
     std::vector<float> times;       // ascending, s
-    std::vector<float> values;      // one a time; three of Cubic: tangent in, value, tangent out
+    std::vector<float> values;      // one value for each time; for Cubic three: in-tangent, value, out-tangent
   };
   struct Animation {
     std::string name;               // one line
@@ -55,12 +55,12 @@ struct Rig {
   std::vector<Part> parts;
   std::vector<Animation> animations;
   std::vector<float> restWeights;
-  // One a vertex of the mesh, in the space of its own node; joints of the part's skin.
+  // For each vertex of the mesh, in its node's space; joints are those of the part's skin.
   std::vector<Vec3> positions, normals;
   std::vector<std::array<std::uint16_t, 4>> joints;  // empty without skins, as weights
-  std::vector<Vec4> weights;                         // they add up to 1
+  std::vector<Vec4> weights;                         // with a sum of 1
   std::vector<Vec3> deltas;
-  // From the scene to the model, which fits the unit sphere.
+  // From scene space to model space, the unit sphere.
   Vec3 centre{0};
   float scale = 1;
 

@@ -1,7 +1,6 @@
-// The state of the program as JSON: what links, scene files and scripts carry.
+// The state of the program as JSON, in links, scene files and scripts.
 //   {"version":1, "model":"bunny", "settings":{"furLength":0.1}, "camera":{"yaw":0,"pitch":0.3,"distance":3,"target":[0,0,0]}}
-// Only settings that differ from the defaults are written. No water and no groom: they are binary and travel apart
-// (FurData.h).
+// Only settings that differ from the defaults are written. Water and groom are binary and stored elsewhere (FurData.h).
 #pragma once
 
 #include <optional>
@@ -31,8 +30,8 @@ struct ProgramState {
 
 std::string writeState(const ProgramState& state);
 
-// bad-file for text that is no JSON object, too-large over kMaxStateBytes, unsupported-version for a
-// newer version. Single values that are wrong are skipped with a warning.
+// bad-file when the text is not a JSON object, too-large over kMaxStateBytes, unsupported-version for a newer version. Invalid
+// values are skipped with a warning.
 Result<ProgramState> readState(std::string_view json);
 
 }  // namespace fur::scene

@@ -1,4 +1,4 @@
-// The wetness mask as a scene file has it: eight planes of bytes, packed by PackBits.
+// The wetness mask in a scene file: eight planes of bytes, compressed with PackBits.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,10 @@ namespace fur::scene {
 
 inline constexpr int kLeastWetness = 16, kMostWetness = 2048;  // texels along the mask
 
-// Texels as wet::WetnessMask has them: (clump centre u, v, radius, wetness) in units of the atlas, wetness up to 4. They are
-// rounded to 16 bits each, once: what was read comes out again as it went in.
+// Texels of wet::WetnessMask: (clump centre u, v, radius, wetness), wetness up to 4. Each number is rounded to 16 bits; reading
+// and writing again changes nothing.
 std::vector<std::uint8_t> packWetness(std::span<const Vec4> texels);
-// False when the bytes do not hold that many. All numbers are finite.
+// False when the bytes have more or less texels. The numbers read are finite.
 bool unpackWetness(std::span<const std::uint8_t> packed, std::span<Vec4> texels);
 
 }  // namespace fur::scene

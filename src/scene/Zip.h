@@ -1,4 +1,4 @@
-// ZIP files (ISO/IEC 21320-1) whose content is stored as it is: for what is compressed already.
+// ZIP files (ISO/IEC 21320-1) without compression, for content that is compressed already.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,7 @@ struct NamedFile {
   std::vector<std::uint8_t> bytes;
 };
 
-// Less than 4 GiB, and fewer than 65,536 files. The files' date is the first that the format knows: the same files make
-// the same bytes.
+// Less than 4 GiB and fewer than 65,536 files. All dates are the format's first, so that the same files give the same bytes.
 std::vector<std::uint8_t> writeZip(std::span<const NamedFile> files);
 
 }  // namespace fur::scene

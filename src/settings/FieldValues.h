@@ -1,4 +1,4 @@
-// "field=text field=text", as the tables of presets and light rigs have it.
+// Lists of settings as text, "field=text field=text", for the tables of presets and light rigs.
 #pragma once
 
 #include <string_view>
@@ -13,7 +13,7 @@ struct FieldValue {
 };
 
 std::vector<FieldValue> valuesOf(std::string_view values);
-// An assertion where one does not fit its field.
+// Asserts that all values are valid.
 void setValues(Settings& settings, std::string_view values);
 
 }  // namespace fur::settings

@@ -1,7 +1,7 @@
-// Light by name: each rig a few settings over the defaults of the fields that make the light of a scene.
+// Named light rigs: each is a few settings over the defaults of the fields of light.
 //
-// These are where the key light comes from, its brightness and colour, fill and rim light, sky and ground, exposure and the
-// background, whose colours light the fur, too. A rig decides about all of them and leaves alone what the coat makes of light.
+// These fields are the key light's direction, brightness and colour, fill and rim light, sky and ground, exposure, and the
+// background, whose colours light the fur, too. A rig sets all of them, and no field of how the coat reflects light.
 #pragma once
 
 #include <span>
@@ -18,11 +18,11 @@ struct LightRig {
 };
 
 std::span<const LightRig> lightRigs();
-// Whether rigs decide about this field.
+// Whether rigs set this field.
 bool belongsToLight(const Field& field);
-// False, and a warning that lists the names: there is none of that one.
+// False, with a warning that lists the names, when there is no such rig.
 bool applyLightRig(Settings& settings, std::string_view name, Warnings& warnings);
-// The rig that these settings have; nullptr when it is none of them.
+// The rig whose values these settings have; nullptr when there is none.
 const LightRig* lightRigOf(const Settings& settings);
 
 }  // namespace fur::settings

@@ -3,8 +3,9 @@
 #include <charconv>
 #include <cmath>
 
-#include "core/NumberText.h"
 #include "core/Json.h"
+#include "core/Math.h"
+#include "core/NumberText.h"
 #include "settings/LightRigs.h"
 #include "settings/Presets.h"
 
@@ -178,14 +179,6 @@ std::string fieldTableJson() {
            (describe ? ",\"tooltip\":" + jsonString(describe(field)) : "") + ",\"coat\":" + (belongsToCoat(field) ? "true}" : "false}");
   }
   return out + ']';
-}
-
-Vec3 linearColor(std::uint32_t srgb) {
-  const auto channel = [](std::uint32_t byte) {
-    const float c = static_cast<float>(byte & 255u) / 255.0f;
-    return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f);
-  };
-  return {channel(srgb >> 16), channel(srgb >> 8), channel(srgb)};
 }
 
 }  // namespace fur::settings

@@ -7,7 +7,6 @@
 #include <string>
 #include <string_view>
 
-#include "core/Math.h"
 #include "core/Result.h"
 
 namespace fur::settings {
@@ -92,7 +91,5 @@ const char* tooltipOf(const Field& field);
 std::string fieldTableJson();
 void describeFieldsWith(const char* (*tooltip)(const Field&));
 
-// 0xRRGGBB in sRGB -> linear RGB 0..1 (IEC 61966-2-1).
-Vec3 linearColor(std::uint32_t srgb);
 
 }  // namespace fur::settings

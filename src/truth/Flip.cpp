@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "hair/StrandShading.h"
+#include "core/Srgb.h"
 #include "truth/Parallel.h"
 
 namespace fur::truth {
@@ -117,7 +117,7 @@ Planes planesOf(const Picture& picture) {
   Planes out;
   for (Plane& plane : out.ycc) plane.resize(picture.pixels.size());
   for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
-    const Vec3 ycc = yccFromLinear(hair::decodeSrgb(picture.pixels[i]));
+    const Vec3 ycc = yccFromLinear(decodeSrgb(picture.pixels[i]));
     for (std::size_t k = 0; k < 3; ++k) out.ycc[k][i] = ycc[static_cast<int>(k)];
   }
   return out;
@@ -206,7 +206,7 @@ Difference flip(const Picture& reference, const Picture& test, float pixelsPerDe
 
 std::vector<Vec3> labOf(const Picture& picture) {
   std::vector<Vec3> out;
-  for (const Vec3& pixel : picture.pixels) out.push_back(labFromLinear(hair::decodeSrgb(pixel)));
+  for (const Vec3& pixel : picture.pixels) out.push_back(labFromLinear(decodeSrgb(pixel)));
   return out;
 }
 

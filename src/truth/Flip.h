@@ -1,6 +1,6 @@
 // How different two pictures look: FLIP (Andersson, Nilsson, Akenine-Moller, Oskarsson, Astrom, Fairchild 2020,
-// "FLIP: A Difference Evaluator for Alternating Images", Proc. ACM CGIT 3(2)), for pictures in sRGB. It foretells
-// what a person sees who flips between the two on a screen. Section numbers are the paper's.
+// "FLIP: A Difference Evaluator for Alternating Images", Proc. ACM CGIT 3(2)), for pictures in sRGB. It predicts the difference
+// that a person sees when flipping between the two on a screen. Section numbers are the paper's.
 #pragma once
 
 #include <vector>
@@ -18,7 +18,7 @@ struct Difference {
   float mean = 0;
 };
 
-// Both of one size.
+// Both pictures have the same size.
 Difference flip(const Picture& reference, const Picture& test, float pixelsPerDegree = kPixelsPerDegree);
 
 // CIELAB (1976, D65) of every pixel: lightness 0..100, then a and b.

@@ -1,8 +1,8 @@
-// Where a point of the fur's volume stands in space: tile coordinates and a height in, model space out.
+// Maps tile coordinates and a height in the coat to model space.
 //
-// This is the map that the shells carry out, without their layers: at height h a chart's triangles lie with their
-// corners at dynamics::strandPoint(), and tile coordinates run linearly over them. Points beyond a
-// triangle are looked for in its neighbours of the same chart; beyond the chart its outermost triangle goes on.
+// This is the mapping of the shells, without layers: at height h the corners of a chart's triangles are at
+// dynamics::strandPoint(), and tile coordinates are linear in between. Points outside a triangle are searched in its
+// neighbours of the same chart; beyond the chart's border its outermost triangle is extended.
 #pragma once
 
 #include <array>
@@ -15,8 +15,8 @@
 
 namespace fur::truth {
 
-// A point of a fur chart: a triangle of Surface::furIndices and the weights of its corners, which sum to 1. Beyond
-// the chart's border some are negative.
+// A point of a fur chart: a triangle of Surface::furIndices and barycentric weights, some of which are negative beyond the
+// chart's border.
 struct ChartPoint {
   std::uint32_t triangle = 0;
   Vec3 weights{1, 0, 0};
@@ -24,22 +24,21 @@ struct ChartPoint {
 
 class FurMap {
  public:
-  // `length`: of the fur, model units; `tiles`: tiles per unit of the fur coordinates. Surface and bends are looked
-  // at as long as the map lives.
+  // `length`: of the fur, model units; `tiles`: tiles per unit of the fur coordinates. Surface and bends must outlive the map.
   FurMap(const geometry::Surface& surface, std::span<const Vec4> bends, float length, float tiles,
          dynamics::BendCurve curve = dynamics::BendCurve::Arc);
 
   std::uint32_t triangleCount() const { return static_cast<std::uint32_t>(surface_.furIndices.size() / 3); }
   // Tile coordinates of the triangle's corners.
   std::array<glm::dvec2, 3> corners(std::uint32_t triangle) const;
-  // The spot with those tile coordinates, sought from a triangle near by.
+  // The point with those tile coordinates; the search starts at the triangle `from`.
   ChartPoint find(std::uint32_t from, const glm::dvec2& tile) const;
 
   Vec3 point(const ChartPoint& spot, float h) const;
   Vec3 normal(const ChartPoint& spot) const;  // unit
-  // From, to (SurfaceVertex::strands), not clamped.
+  // SurfaceVertex::strands there, not clamped.
   Vec2 strands(const ChartPoint& spot) const;
-  // Model units that one tile unit is long at that height, the root of what areas grow by.
+  // Model units per tile unit at that height: the square root of the ratio of areas.
   float scale(const ChartPoint& spot, float h) const;
 
  private:

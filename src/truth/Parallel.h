@@ -8,7 +8,7 @@
 
 namespace fur::truth {
 
-// Calls work(i) once for every i below `count`, in no order. What comes out must not depend on it.
+// Calls work(i) once for each i below `count`, in any order.
 template <class Work>
 void inParallel(std::size_t count, const Work& work) {
   std::atomic<std::size_t> next{0};

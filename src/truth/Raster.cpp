@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/Srgb.h"
 #include "hair/StrandShading.h"
 #include "truth/Parallel.h"
 #include "truth/Spans.h"
@@ -271,7 +272,7 @@ void Raster::resolve(const Square& square) {
       if (covered == 0) continue;
       const Vec3 shown = hair::toneMap(sum / static_cast<float>(covered), scene_.frame.exposure);
       const float share = static_cast<float>(covered) / static_cast<float>(samples_ * samples_);
-      pixel = hair::encodeSrgb(glm::mix(hair::decodeSrgb(behind), shown, share));
+      pixel = encodeSrgb(glm::mix(decodeSrgb(behind), shown, share));
     }
   }
 }

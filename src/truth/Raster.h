@@ -1,4 +1,4 @@
-// Tubes and skin to a picture: a z-buffer with many samples a pixel, drawn one small square of the picture at a time.
+// Rasterises tubes and skin: a z-buffer with many samples a pixel, one small square of the picture at a time.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,7 @@
 
 namespace fur::truth {
 
-// `light`: of every node, linear; between them it runs straight along the axis. What comes nearer to the eye than 0.02
-// model units is left out.
+// `light`: of each node, linear light, interpolated along the axis. What is nearer to the eye than 0.02 model units is left out.
 Picture drawPicture(const Scene& scene, const Tubes& tubes, const std::vector<Vec3>& light, const DeepShadow& shadow,
                     int width, int height, const Options& options);
 

@@ -9,19 +9,19 @@
 
 namespace fur::truth {
 
-// Light::Formula puts in place of the shaders' `lit` the share that strands leave on the last part of the way, which
-// rises this part of the coat's height: the height of the shaders' own look (shell.frag, kRise). What lies
-// above is Sheppard's formula's.
+// For Light::Formula: the shaders' `lit` is replaced by the true share of light that strands leave on the last part of its way,
+// which rises by this share of the coat's height, as the shaders' look-up does (shell.frag, kRise). Shadow from above that
+// is Sheppard's formula.
 inline constexpr float kLook = 0.1f;
 
-// The share of light that one strand lets through: 1 - 0.65 strand shadow, what shell.frag takes off at most.
+// The share of light that one strand lets through: 1 - 0.65 times the setting strandShadow, as in shell.frag.
 float shareOfOneStrand(const Scene& scene);
 
-// Linear light from every node to the eye.
+// Linear light from each node to the eye.
 std::vector<Vec3> shadeNodes(const Scene& scene, const Tubes& tubes, const DeepShadow& shadow, Light light);
 
-// Linear light from a point of the skin to the eye; it scatters the same to all sides. The pores are those of a
-// picture in which single roots cannot be told: `roots` is the share of the skin that they cover.
+// Linear light from a point of the skin to the eye; diffuse. Pores are averaged: `roots` is the share of the skin that roots
+// cover.
 Vec3 shadeSkin(const Scene& scene, const Vec3& point, const Vec3& normal, float roots, const DeepShadow& shadow, Light light);
 
 }  // namespace fur::truth

@@ -1,4 +1,4 @@
-// Which samples of a grid a flat shape covers: those whose middle, at whole numbers and a half, lies in it.
+// The samples of a grid that a flat shape covers. Samples are at whole numbers and a half.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace fur::truth {
 
-// A window of the grid, the ends left out.
+// A window of the grid: [x0, x1) x [y0, y1).
 struct Window {
   int x0, y0, x1, y1;
 };
@@ -19,8 +19,8 @@ struct Disc {
   float depth;
 };
 
-// The tapered tube between two discs, as a flat shape: found(x, y, t) for every sample within the radius of the
-// nearest point of the axis, t in 0..1 along it.
+// The tapered tube between two discs, as a flat shape: calls found(x, y, t) for each sample within the radius at the nearest
+// point of the axis, t in 0..1 along it.
 template <class Found>
 void sweep(const Disc& a, const Disc& b, const Window& window, const Found& found) {
   const float widest = std::max(a.radius, b.radius);
@@ -33,7 +33,7 @@ void sweep(const Disc& a, const Disc& b, const Window& window, const Found& foun
   for (int y = y0; y < y1; ++y) {
     const float py = static_cast<float>(y) + 0.5f - a.centre.y;
     float left = low.x, right = high.x;
-    if (tilted) {  // the part of the row that lies as near to the endless axis
+    if (tilted) {  // the part of the row that is near enough to the infinite axis
       const float middle = a.centre.x + py * way.x / way.y, half = widest * length / std::abs(way.y);
       left = std::max(left, middle - half), right = std::min(right, middle + half);
     }
@@ -48,8 +48,8 @@ void sweep(const Disc& a, const Disc& b, const Window& window, const Found& foun
   }
 }
 
-// found(x, y, weights of the corners) for the samples in a triangle, whichever way it turns; of two that share an
-// edge both may find a sample on it.
+// Calls found(x, y, barycentric weights) for the samples in a triangle of either winding. A sample on an edge that two
+// triangles share may be found by both.
 template <class Found>
 void fillTriangle(const Vec3 (&c)[3], const Window& window, const Found& found) {
   const auto cross = [](const Vec3& a, const Vec3& b, float x, float y) { return (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x); };

@@ -1,8 +1,8 @@
 // The strands of a coat on a model, as tapered tubes.
 //
-// A strand stands wherever its root's place in the tile, or that place a whole number of tiles further, falls into a
-// triangle of a fur chart, if the strands that the chart shows there (SurfaceVertex::strands) take in its number.
-// Charts that overlap share out the numbers, so every strand of every place is drawn whole and once.
+// A strand of the tile stands at each place of a fur chart with its root's tile coordinates, plus whole numbers, if the
+// chart's interval there (SurfaceVertex::strands) contains its number. The intervals of overlapping charts are disjoint,
+// so each strand is drawn once.
 #pragma once
 
 #include <cstdint>
@@ -30,11 +30,10 @@ struct Tubes {
   std::vector<TubeNode> nodes;
 };
 
-// Which strand it is among all, evenly spread over 0..1: its variance, folded, as in shell.frag.
+// A strand's number for SurfaceVertex::strands, evenly distributed in 0..1: its variance, folded.
 inline float strandNumber(const furgen::Strand& strand) { return std::abs(2.0f * strand.variance - 1.0f); }
 
-// The strands whose root falls into the triangle and that are shown there: index of the strand, and tile coordinates of
-// its root. A root on the edge between two triangles of a chart belongs to one of them.
+// A strand that stands on a triangle: its index and its root. A root on an edge belongs to one of the two triangles.
 struct Root {
   std::uint32_t strand;
   glm::dvec2 tile;
@@ -52,7 +51,7 @@ class RootFinder {
   std::vector<std::uint32_t> byRow_;  // strands in the order of their root's y
 };
 
-// Nodes that lie within `tolerance` (model units) of a straight tube between their neighbours are left out.
+// Nodes within `tolerance` (model units) of a straight tube between their neighbours are left out.
 Tubes placeStrands(const FurMap& map, const furgen::Coat& coat, float tolerance);
 
 }  // namespace fur::truth

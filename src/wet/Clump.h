@@ -1,5 +1,4 @@
-// The shape and light of wet clumps, as plain numbers: the C++ twins of what the shaders do
-// (Silva et al. 2010, Eq. 1, 3, 5).
+// The shape of wet clumps, as plain numbers: the C++ twins of what the shaders do (Silva et al. 2010, Eq. 1).
 //
 // h: height, 0 skin .. 1 tip   w: shape, 0 = straight leaning strands, 1 = bent in from the root
 // rho: wetness 0..1            N = layers
@@ -34,23 +33,24 @@ inline float clumpPull(float h, float w, float layers, float rho) {
   return clumpProfile(h, w, layers) * glm::clamp(rho, 0.0f, 1.0f) * (1.0f - kSheetOpens * sheetOf(rho));
 }
 
-// The wetness that a clump of that radius (fur lengths) can draw its strands together by: none is drawn further aside than
-// it is long.
+// The wetness that counts for the pull of a clump of that radius (fur lengths): limited so that no strand is displaced by more
+// than kMaxDisplacement of its length.
 inline constexpr float kMaxDisplacement = FUR_MAX_DISPLACEMENT;
 inline float clumpingWetness(float rho, float radius) { return std::min(rho, kMaxDisplacement / std::max(radius, 1e-6f)); }
 
-// How far along a strand of constant length a point at height h lies that has been drawn `aside`, both in fur lengths:
-// the outer strands of a clump end lower, which is what points it.
+// The position along a strand of constant length of a point at height h that is displaced by `aside`, all in fur lengths. So
+// the outer strands of a clump end lower, which makes the clump pointed.
 inline float alongStrand(float h, float aside) { return std::sqrt(h * h + aside * aside); }
 
-// How much shorter a strand of a clump looks; `outward`: of its root from the middle, 1 at the rim, squared. Water holds
-// the outer ones to the middle by their sides, their tips further down: that, too, points it.
+// A factor for the position along a strand: above 1 the strand looks shorter. `outward`: the squared distance of its root from
+// the clump's centre, 1 at the rim. Water holds the tips of outer strands further down, which makes the clump pointed, too.
 inline constexpr float kRimTaper = FUR_RIM_TAPER;
 inline float rimTaper(float rho, float sheet, float outward) {
   return 1.0f + kRimTaper * std::min(rho, 1.0f) * (1.0f - sheet) * std::min(outward, 1.0f);
 }
 
-// How far aside its tip lies (fur lengths) for a coat that leans by `lean` there: wet strands lie down the way they lean.
+// The displacement of a wet strand's tip (fur lengths), in the direction in which the dry coat leans by `lean`: wet strands
+// lie down the way they lean.
 inline float wetLean(float lean, float rho) {
   return (0.75f * rho + 0.1f * sheetOf(rho)) * glm::smoothstep(0.0f, 0.12f, lean);
 }
@@ -60,23 +60,15 @@ inline float upright(float rho) {
   return 1.0f - glm::mix(kClumpsSink * std::min(rho, 1.0f), kSheetSinks, sheetOf(rho));
 }
 
-// s / (1 - s): times (p - c) it leads from the texel p to the root of the strand that stands there.
-// The printed d = f rho r (p - c) has (p - c) in radii of the clump; in texture units r * (p - c) is
-// about 1e-3 and nothing is seen.
+// s / (1 - s): the root of the strand seen at texel p is p + (p - c) times this. The paper prints
+// d = f rho r (p - c) with (p - c) in radii of the clump; in texture units that is about 1e-3, which is not visible.
 inline float clumpShift(float h, float w, float layers, float rho) {
   const float s = clumpPull(h, w, layers, rho);
   return s / (1.0f - s);
 }
 
-// Where the strand rooted at q stands at height h, and the exact way back.
+// The position of the strand rooted at q where it is pulled by s, and the exact inverse.
 inline Vec2 clumpForward(const Vec2& q, const Vec2& centre, float s) { return q - s * (q - centre); }
 inline Vec2 clumpInverse(const Vec2& p, const Vec2& centre, float s) { return p + (p - centre) * (s / (1.0f - s)); }
-
-// p (1 + sigma_spec (rho - 1)): dry fur has the blunter highlight (Eq. 3).
-inline float wetSpecularExponent(float p, float rho, float sigmaSpec) { return p * (1.0f + sigmaSpec * (rho - 1.0f)); }
-// 1 + sigma_occ (h - 1): less light reaches the roots (Eq. 5).
-inline float occlusionFactor(float h, float sigmaOcc) { return 1.0f + sigmaOcc * (h - 1.0f); }
-// 1 - sigma_wet rho (Eq. 5).
-inline float wetDarkening(float rho, float sigmaWet) { return 1.0f - sigmaWet * rho; }
 
 }  // namespace fur::wet

@@ -1,5 +1,5 @@
-// Where clumps form by themselves: points all over the surface, no two nearer than `spacing` and none farther from
-// the next, to which fur that running water or rain wets is drawn. The same model gives the same sites.
+// Clump centres for water that nobody painted: points spread over the surface at a distance of `spacing` (a Poisson disc
+// sampling), to which fur wetted by rain or running water is pulled. The same model gives the same sites.
 #pragma once
 
 #include <cstdint>
@@ -18,9 +18,9 @@ class ClumpSites {
   ClumpSites(const SurfaceTexels& texels, float radius);
 
   float radius() const { return radius_; }
-  // The place in whose middle the nearest site lies, of those that face the same way.
+  // The place of the nearest site whose normal faces the same way.
   std::uint32_t siteOf(const SurfaceTexels& texels, std::uint32_t place);
-  // What Algorithm 1 stores in that texel for a droplet at its site: centre and radius as its chart sees them.
+  // What Algorithm 1 stores in the place's texel for a droplet at its site: centre and radius in the chart's coordinates.
   Vec3 clumpOf(const SurfaceTexels& texels, const geometry::Surface& surface, const geometry::SurfaceQuery& query,
                const SurfaceWetting& wetting, std::uint32_t place);
   const std::vector<std::uint32_t>& sites() const { return sites_; }
@@ -33,8 +33,8 @@ class ClumpSites {
   float radius_ = 0, spacing_ = 0;
   std::vector<std::uint32_t> sites_;          // places
   std::vector<std::uint32_t> heads_, next_;   // buckets of sites by the cell that they lie in
-  std::vector<std::uint32_t> siteOf_;         // one a place, index of a site; kNone: not asked for yet
-  std::uint32_t last_ = SurfaceTexels::kNone;  // the site that was asked for last: its neighbours follow
+  std::vector<std::uint32_t> siteOf_;         // one a place, index of a site; kNone: not looked up yet
+  std::uint32_t last_ = SurfaceTexels::kNone;  // the site looked up last, where the next search begins
   std::vector<SurfaceWetting::Sheet> sheets_;
 };
 

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <utility>
 
+#include "core/Fnv1a.h"
 #include "core/PortableMath.h"
+#include "wet/Drying.h"
 #include "wet/Water.h"
 
 namespace fur::wet {
@@ -64,7 +66,7 @@ void Water::feedHanging(const WetSurface& skin, WetnessMask& mask, const Climate
       };
       drink(drop.place);
       for (const std::uint32_t link : texels_->links()[drop.place]) drink(link);
-      const float dries = std::min(drop.water, climate.dryRate * kRate * 2e-3f);
+      const float dries = std::min(drop.water, kDropDrying * climate.dryRate * kRate);
       accounts_.evaporated += double{drop.water} - (drop.water - dries);
       drop.water -= dries;
       drop.radius = radiusOf(drop.water);
@@ -310,14 +312,12 @@ void Water::restore(ByteReader& from) {
 }
 
 std::uint64_t Water::hash(const WetnessMask& mask) const {
-  std::uint64_t hash = mask.hash();
-  const auto mix = [&hash](const void* data, std::size_t bytes) {
-    for (std::size_t i = 0; i < bytes; ++i) hash = (hash ^ static_cast<const unsigned char*>(data)[i]) * 1099511628211ull;
-  };
-  mix(mask.film().data(), mask.film().size() * sizeof(float));
-  mix(drops_.data(), drops_.size() * sizeof(Drop));
-  mix(puddles_.data(), puddles_.size() * sizeof(float));
-  return hash;
+  Fnv1a hash;
+  hash.add(mask.hash());
+  hash.addAll(mask.film());
+  hash.addAll(drops_);
+  hash.addAll(puddles_);
+  return hash.value();
 }
 
 }  // namespace fur::wet

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <utility>
 
+#include "wet/Drying.h"
 #include "wet/Water.h"
 
 namespace fur::wet {
@@ -213,25 +214,24 @@ bool Water::dry(const Climate& climate, std::uint32_t index, Amounts& now) {
   const SurfaceTexels::Block& block = texels_->blocks()[index];
   const std::size_t count = block.end - block.first;
   const float time = kStep * static_cast<float>(std::min(steps_ - std::exchange(dried_[index], steps_), dryingTurns(climate) + kDryingTurns));
-  const float still = climate.dryRate * (1.0f + 1.5f * std::sqrt(glm::dot(climate.wind, climate.wind)));
+  const float still = climate.dryRate * (1.0f + kWindDrying * std::sqrt(glm::dot(climate.wind, climate.wind)));
   const Vec3 toBlock = block.centre - climate.blowCentre;
   const float reach = block.radius + climate.blowRadius;
   const bool blown = climate.blow > 0.0f && glm::dot(toBlock, toBlock) <= reach * reach;
   if (!blown && !(still > 0.0f)) return false;
-  float rates[kPlaces] = {};
-  for (std::size_t i = 0; i < count; ++i) rates[i] = still * time;
+  float drying[kPlaces] = {};
+  for (std::size_t i = 0; i < count; ++i) drying[i] = still * time;
   for (std::size_t i = 0; blown && i < count; ++i) {
     const Vec3 apart = texels_->places()[block.first + i].position - climate.blowCentre;
     const float left = std::max(1.0f - glm::dot(apart, apart) / (climate.blowRadius * climate.blowRadius), 0.0f);
-    rates[i] += climate.blow * left * left * time;
+    drying[i] += climate.blow * left * left * time;
   }
   const float* const areas = &areas_[block.first];
   float lost[kPlaces] = {};
   int film = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const float held = now.held[i];
-    // Damp fur is dry at the tips, where air takes the most.
-    const float loss = rates[i] * (1.4f - 0.8f * held);
+    const float loss = dryingLoss(held, drying[i]);
     const float heldLeft = std::max(held - loss, 0.0f), filmLeft = std::max(now.film[i] - loss, 0.0f);
     now.held[i] = ((heldLeft < kLeast) & (filmLeft == 0.0f)) ? 0.0f : heldLeft;
     lost[i] = ((held - now.held[i]) + (now.film[i] - filmLeft)) * areas[i];

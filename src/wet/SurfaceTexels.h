@@ -1,7 +1,7 @@
-// The texels of the mask that lie on the model, as places on its surface that water runs between: one owns the
-// water of its place, the texels of gutters repeat it. Ordered by blocks of kBlock x kBlock texels.
+// The texels of the mask that lie on the model, as places on its surface between which water runs. Each place owns one texel;
+// gutter texels repeat it. Places are ordered by blocks of kBlock x kBlock texels.
 //
-// Links lead to the eight neighbours in the map, and across a chart's border to the texel that lies there in space.
+// Links connect a place with its eight neighbours in the map, and across a chart's border with the place next to it in space.
 #pragma once
 
 #include <array>
@@ -26,11 +26,11 @@ class SurfaceTexels {
     std::uint32_t texel, triangle;
   };
   static constexpr int kSides = 8;
-  // Steps in the map to the places that links lead to, in order round it: sides of even numbers lead along u or v.
+  // The steps in the map of the eight links, in order round the texel; even ones go along u or v.
   static constexpr int kSteps[kSides][2] = {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
-  using Links = std::array<std::uint32_t, kSides>;  // kNone: a rim of the surface
-  // A link across a border that leads to two places by turns, first to that of links(): the texels of two charts do not face each
-  // other, and all that lie along a border are to be led to.
+  using Links = std::array<std::uint32_t, kSides>;  // kNone: the surface ends there
+  // A link across a border that leads to two places in turns, first to that of links(). Texels of two charts do not line up,
+  // and each texel along a border has to be reached.
   struct Crossing {
     std::uint32_t from;
     int side;
@@ -43,9 +43,9 @@ class SurfaceTexels {
     float radius;
   };
 
-  // Links across borders are not there until link() has found them all.
+  // Links across borders are missing until link() is done.
   SurfaceTexels(const geometry::Surface& surface, const geometry::AtlasTexels& atlas);
-  // Works through some of the places; true when all are linked. The same links however it is sliced.
+  // Links up to `places` more places; true when all are linked. The result does not depend on the slicing.
   bool link(const geometry::Surface& surface, const geometry::SurfaceQuery& query, std::uint32_t places);
 
   int size() const { return size_; }
@@ -55,20 +55,19 @@ class SurfaceTexels {
   const std::vector<Block>& blocks() const { return blocks_; }
   float meanWidth() const { return meanWidth_; }  // of the places, model units
   std::uint32_t blockOf(std::uint32_t place) const { return blockOf_[place]; }
-  // The place that has the water of a texel, kNone off the model.
+  // The place that owns a texel's water; kNone off the model.
   std::uint32_t placeOf(std::uint32_t texel) const { return placeOf_[texel]; }
   std::uint32_t placeAt(const Vec2& atlas) const;
-  // From texel to texel in u and in v along the place's triangle, model units; 0 where that has no area in the atlas.
+  // The vectors from texel to texel in u and in v along the place's triangle, model units; 0 for a triangle without area.
   std::pair<Vec3, Vec3> stepsAt(const geometry::Surface& surface, std::uint32_t place) const;
-  // A direction along the skin as so many of these steps. Charts are stretched and slanted: what a direction has of each step
-  // alone would lead aside.
+  // The coordinates of a direction along the skin in these two steps, which need not be perpendicular.
   Vec2 partsOf(const geometry::Surface& surface, std::uint32_t place, const Vec3& direction) const;
   // Calls visit(texel) for the gutter texels that repeat the place.
   template <class Visit>
   void forMirrors(std::uint32_t place, Visit visit) const {
     for (std::uint32_t i = mirrorStart_[place]; i < mirrorStart_[place + 1]; ++i) visit(mirrors_[i]);
   }
-  // Calls visit(place) for those within the ball whose normals do not face away from `normal`, in order.
+  // Calls visit(place), in order, for places within the ball whose normals do not face away from `normal`.
   template <class Visit>
   void forPlacesWithin(const Vec3& centre, const Vec3& normal, float radius, Visit visit) const {
     for (const Block& block : blocks_) {

@@ -1,11 +1,10 @@
-// A droplet on the surface of a model: wets every chart that it touches, with one clump centre in
-// space (each chart sees it in its own coordinates).
+// A droplet on the surface of a model. It wets all charts that it touches, with one clump centre in space, which each chart
+// has in its own coordinates.
 //
-// The triangles round the droplet are gathered into sheets: those of one chart that agree where in
-// the atlas the droplet's centre lies, each carrying it there along its own plane. A chart that meets
-// itself along a seam (a globe cut at its date line) so gives two sheets. A droplet is round on the skin: in an
-// atlas that stretches it is an ellipse. Does not follow water
-// round sharp bends: a droplet is a ball, and wets what it touches.
+// The triangles round the droplet are grouped into sheets: triangles of one chart for which the droplet's centre, projected
+// along the triangle's plane, lies at the same point of the atlas. A chart that meets itself along a seam (a globe cut at
+// its date line) gives two sheets. A droplet is round on the skin, so it is an ellipse where the atlas is stretched.
+// It is a ball in space: it wets what lies within its radius, and does not follow the skin round sharp bends.
 #pragma once
 
 #include "geometry/Surface.h"
@@ -16,12 +15,12 @@ namespace fur::wet {
 
 class SurfaceWetting {
  public:
-  // Takes the charts at the mask's size, with their gutters (AtlasTexels.h). The surface and mask given
-  // later must be of the same triangles and size.
+  // Rasterises the charts at the mask's size (AtlasTexels.h). The surface and mask passed later must have the same triangles
+  // and size.
   SurfaceWetting(const geometry::Surface& surface, int maskSize);
 
-  // `centre` on the surface, radius in model units. Charts whose normals face away from `normal`
-  // (the far side of a thin ear) stay as they are. No triangle within the radius: nothing happens.
+  // `centre` on the surface, radius in model units. Triangles whose normals face away from `normal` (the far side of a thin
+  // ear) are skipped.
   void addDroplet(WetnessMask& mask, const geometry::Surface& surface, const geometry::SurfaceQuery& query,
                   const Vec3& centre, const Vec3& normal, float radius, float wetness) const;
   void dryAt(WetnessMask& mask, const geometry::Surface& surface, const geometry::SurfaceQuery& query,
@@ -31,20 +30,19 @@ class SurfaceWetting {
   const std::vector<std::uint16_t>& chartOfTexel() const { return chartOfTexel_; }
   const geometry::AtlasTexels& atlas() const { return atlas_; }
 
-  // One view of a ball round a point of the surface: a chart, where the point lies in it, and how large a model unit
-  // is there.
+  // A ball round a point of the surface as one chart has it: where the point lies in the atlas, and the scale there.
   struct Sheet {
     std::uint16_t chart;
     Vec2 centre;
     float area, scaledArea;
     Vec3 stretch;  // Face::stretch, times area
     float scale() const { return scaledArea / area; }
-    // Droplet::shape of what is round on the skin.
+    // The Droplet::shape of a circle on the skin.
     Vec3 shape() const;
   };
   std::vector<Sheet> sheetsAt(const geometry::Surface& surface, const geometry::SurfaceQuery& query,
                               const Vec3& centre, const Vec3& normal, float radius) const;
-  // As one triangle alone sees it, carried on along its plane. Not of a triangle without area.
+  // The sheet of one triangle, extended along its plane. The triangle must have an area.
   Sheet sheetOf(const geometry::Surface& surface, std::uint32_t triangle, const Vec3& centre) const;
 
  private:

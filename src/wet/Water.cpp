@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "wet/Drying.h"
+
 namespace fur::wet {
 
 bool Water::prepare(const WetSurface& skin, std::uint32_t places) {
@@ -151,7 +153,7 @@ bool Water::step(const WetSurface& skin, WetnessMask& mask, const Climate& clima
     for (std::uint32_t b = 0; b < flags_.size(); ++b)
       if (flags_[b] & kWet && steps_ - dried_[b] >= turns) evaporate(skin, mask, climate, b);
   if (groundMoves_ ? steps_ % kDryingTurns == 0 : steps_ % turns == 0 && groundWet_ && climate.dryRate > 0.0f)
-    seepGround(0.5f * climate.dryRate * kStep * static_cast<float>(groundMoves_ ? kDryingTurns : turns));
+    seepGround(kPuddleDrying * climate.dryRate * kStep * static_cast<float>(groundMoves_ ? kDryingTurns : turns));
   touch(mask);
   return changed_ || groundRevision_ != groundBefore;
 }

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "core/Assert.h"
+#include "core/Fnv1a.h"
+#include "wet/Drying.h"
 
 namespace fur::wet {
 
@@ -117,14 +119,14 @@ bool WetnessMask::lower(std::size_t at, float amount) {
 }
 
 TexelRect WetnessMask::dry(float seconds, float rate) {
-  const float amount = seconds * rate;
-  if (!(amount > 0.0f) || isDry()) return {};
+  const float drying = longDrying(seconds * rate);
+  if (!(drying > 0.0f) || isDry()) return {};
   TexelRect changed;
   for (int y = 0; y < size_; ++y) {
     const std::size_t row = static_cast<std::size_t>(y) * size_;
     int first = size_, last = -1;
     for (int x = 0; x < size_; ++x)
-      if (lower(row + x, amount)) first = std::min(first, x), last = x;
+      if (lower(row + x, dryingLoss(texels_[row + x].w, drying))) first = std::min(first, x), last = x;
     if (last >= 0) changed = unite(changed, {first, y, last + 1, y + 1});
   }
   note(changed);
@@ -195,10 +197,9 @@ Vec4 WetnessMask::at(float u, float v) const {
 }
 
 std::uint64_t WetnessMask::hash() const {
-  std::uint64_t hash = 1469598103934665603ull;
-  const auto* bytes = reinterpret_cast<const unsigned char*>(texels_.data());
-  for (std::size_t i = 0; i < texels_.size() * sizeof(Vec4); ++i) hash = (hash ^ bytes[i]) * 1099511628211ull;
-  return hash;
+  Fnv1a hash;
+  hash.addAll(texels_);
+  return hash.value();
 }
 
 TexelRect WetnessMask::takeChanged() {

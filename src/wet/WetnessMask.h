@@ -1,5 +1,5 @@
 // Where the fur is wet, and to which clump it belongs (Silva et al. 2010, 3.1, Algorithm 1).
-// Does not know the model: a droplet acts in the plane of the atlas. SurfaceWetting carries it over charts.
+// Does not know the model: a droplet acts in the plane of the atlas. SurfaceWetting maps it onto the charts.
 #pragma once
 
 #include <array>
@@ -17,8 +17,8 @@ struct Droplet {
   Vec2 centre{0.5f};
   float radius = 0.05f;
   float wetness = 0.5f;  // 0..1
-  // How the skin is stretched here: what lies within is shape.x du^2 + 2 shape.y du dv + shape.z dv^2 <= radius^2, with
-  // x z - y^2 = 1. Round in the atlas, as the paper has it, is (1, 0, 1).
+  // An ellipse, as the atlas may stretch the skin: shape.x du^2 + 2 shape.y du dv + shape.z dv^2 <= radius^2, with
+  // x z - y^2 = 1. (1, 0, 1) is the paper's circle.
   Vec3 shape{1, 0, 1};
 };
 
@@ -36,34 +36,31 @@ class WetnessMask {
   int size() const { return size_; }
   // Row-major; a texel is (clump centre u, v, clump radius, wetness). All 0 where dry.
   const std::vector<Vec4>& texels() const { return texels_; }
-  // Row-major: the water that stands on the fur beyond what it holds, in units of what it holds at wetness 1. Empty
-  // while there is none. What a droplet brings and Algorithm 1 drops - above 1, or of the clump that it takes the
-  // place of - goes here: no water is lost.
+  // Row-major: the water on the fur beyond what it holds, in units of what it holds at wetness 1. Empty while there is none.
+  // Water that Algorithm 1 drops (above 1, or of a clump that is replaced) goes here, so that no water is lost.
   const std::vector<float>& film() const { return film_; }
   float filmAt(std::size_t texel) const { return film_.empty() ? 0.0f : film_[texel]; }
 
-  // Algorithm 1, read as: a dry texel takes the droplet; a wet one blends when the centres lie
-  // within the droplet's radius, else the droplet starts a clump of its own there.
-  // Where a droplet is no circle in the atlas, each texel's radius is that of its direction from the centre.
-  // A texel counts by its centre; a droplet finer than a texel still wets the texel it falls on.
-  // Non-finite droplets and those of no radius or wetness do nothing. Returns what changed.
-  // `chartOfTexel` (size*size, may be null) limits it to the texels of `chart`: circles must not
-  // spill over a gutter into a stranger.
+  // Algorithm 1: a dry texel takes the droplet; a wet one blends with it when the centres lie within the droplet's radius, else
+  // the droplet starts a new clump there. For an ellipse, each texel stores the radius in its direction from the centre.
+  // A texel counts by its centre; a droplet smaller than a texel wets the texel under it. Droplets that are not finite, or
+  // without radius or wetness, do nothing. Returns the changed rectangle.
+  // `chartOfTexel` (size*size, may be null) limits the droplet to texels of `chart`.
   TexelRect addDroplet(const Droplet& droplet, const std::uint16_t* chartOfTexel = nullptr, std::uint16_t chart = 0);
   // Lowers the wetness within the radius; takes water away, never moves a clump's centre.
   TexelRect dryAt(const Droplet& brush, const std::uint16_t* chartOfTexel = nullptr, std::uint16_t chart = 0);
-  // Lowers the wetness of every wet texel by rate * seconds; a texel that reaches 0 forgets its clump.
+  // Dries all of it as fur dries in still air (Drying.h); a texel that reaches 0 forgets its clump.
   TexelRect dry(float seconds, float rate);
   void clear();
-  // size * size of them; unsound ones (not finite, no radius) become dry.
+  // size * size texels; invalid ones (not finite, no radius) become dry.
   void restore(std::vector<Vec4> texels, std::vector<float> film = {});
-  // One texel, for who follows the water over time (Water.h): touch() tells afterwards where that was.
+  // Sets one texel, for Water.h; the caller reports the changed rectangle with touch().
   void set(std::uint32_t texel, const Vec4& value, float film) {
     wetTexels_ += static_cast<std::size_t>(value.w > 0.0f) - static_cast<std::size_t>(texels_[texel].w > 0.0f);
     texels_[texel] = value;
     setFilm(texel, film);
   }
-  // Likewise where the fur is wet and stays so: its clump stays. `before`: its filmAt().
+  // The same for a texel that is wet and stays wet, which keeps its clump. `before`: its filmAt().
   void setWater(std::uint32_t texel, float wetness, float film, float before) {
     texels_[texel].w = wetness;
     if (film == before) return;
@@ -80,7 +77,7 @@ class WetnessMask {
   }
 
   bool isDry() const { return wetTexels_ == 0 && filmTexels_ == 0; }
-  // Another number whenever anything but set() has changed it; and where that was since the last call.
+  // Changes with every change other than set() and setWater(); and the rectangle of those since the last call.
   std::uint32_t revision() const { return revision_; }
   TexelRect takePainted() { return std::exchange(painted_, TexelRect{}); }
   float meanWetness() const;

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 
+#include "editor/ToolRows.h"
 #include "tests/editor/PanelDriver.h"
 
 namespace fur::editor {
@@ -51,31 +53,34 @@ struct Person : PanelDriver {
   }
 };
 
-TEST(GroomPanel, ItsBrushesAreTools) {
+TEST(GroomPanel, EveryToolThatGroomsHasAButton) {
   Person person;
-  const struct {
-    const char *row, *label;
-    int segment;
-    Tool tool;
-  } buttons[] = {{"combs", "Comb", 0, Tool::Comb},      {"combs", "Smooth", 1, Tool::Smooth}, {"combs", "Raise", 2, Tool::Raise},
-                 {"cuts", "Trim", 0, Tool::Trim},       {"cuts", "Grow", 1, Tool::Grow},      {"cuts", "Cut", 2, Tool::Cut},
-                 {"cuts", "Type", 3, Tool::Type},       {"thins", "Thin", 0, Tool::Thin},     {"paints", "Paint", 0, Tool::Paint},
-                 {"curls", "Curl", 0, Tool::Curl},       {"frizzes", "Frizz", 0, Tool::Frizz}, {"locks", "Gather locks", 0, Tool::Locks},
-                 {"masks", "Mask", 0, Tool::Mask},      {"hairs", "Whisker", 0, Tool::Whisker}, {"hairs", "Pluck", 1, Tool::Pluck}};
-  for (const auto& button : buttons) {
-    person.press(button.row, button.segment, button.label);
-    ASSERT_EQ(person.commands.size(), 1u) << button.label;
-    EXPECT_EQ(std::get<command::SetTool>(person.commands[0]).tool, button.tool);
+  for (std::size_t i = 0; i < app::kToolCount; ++i) {
+    const auto tool = static_cast<Tool>(i);
+    if (!app::grooms(tool)) continue;
+    const app::ToolWords& words = app::wordsOf(tool);
+    const std::vector<Tool> row = toolsIn(words.row);
+    const bool paired = *words.inverseLabel != '\0';  // it has a row of its own
+    const auto place = std::find(row.begin(), row.end(), tool) - row.begin();
+    person.press(paired ? words.label : words.row, paired ? 0 : static_cast<int>(place), words.label);
+    ASSERT_EQ(person.commands.size(), 1u) << words.label;
+    EXPECT_EQ(std::get<command::SetTool>(person.commands[0]).tool, tool);
     person.commands.clear();
   }
+}
+
+TEST(GroomPanel, BrushesOfARowStandInTheTablesOrder) {
+  EXPECT_EQ(toolsIn("combs"), (std::vector{Tool::Comb, Tool::Smooth, Tool::Raise}));
+  EXPECT_EQ(toolsIn("cuts"), (std::vector{Tool::Trim, Tool::Grow, Tool::Cut, Tool::Type}));
+  EXPECT_TRUE(toolsIn("hammers").empty());
 }
 
 TEST(GroomPanel, WhatBrushesAddComesOffAgainByTheButtonsBesideThem) {
   const struct {
     const char *row, *gives, *takes;
     Tool tool;
-  } pairs[] = {{"thins", "Thin", "Thicken", Tool::Thin}, {"paints", "Paint", "Erase paint", Tool::Paint}, {"masks", "Mask", "Unmask", Tool::Mask},
-               {"curls", "Curl", "Uncurl", Tool::Curl}, {"frizzes", "Frizz", "Unfrizz", Tool::Frizz}, {"locks", "Gather locks", "Open locks", Tool::Locks}};
+  } pairs[] = {{"Thin", "Thin", "Thicken", Tool::Thin}, {"Paint", "Paint", "Erase paint", Tool::Paint}, {"Mask", "Mask", "Unmask", Tool::Mask},
+               {"Curl", "Curl", "Uncurl", Tool::Curl}, {"Frizz", "Frizz", "Unfrizz", Tool::Frizz}, {"Gather locks", "Gather locks", "Open locks", Tool::Locks}};
   for (const auto& pair : pairs) {
     Person person;
     person.press(pair.row, 1, pair.takes);

@@ -105,5 +105,19 @@ TEST(FurShadow, FollowsThePrintedFormula) {
   EXPECT_NEAR(furShadow(0.35f, 0.5f, 0.2f), 0.5f, 1e-5f);
 }
 
+TEST(WetLight, IsUnchangedWhereSigmaIsNought) {
+  EXPECT_EQ(wetSpecularExponent(24, 0.3f, 0), 24.0f);
+  EXPECT_EQ(occlusionFactor(0.2f, 0), 1.0f);
+  EXPECT_EQ(wetDarkening(0.7f, 0), 1.0f);
+}
+
+TEST(WetLight, IsSharperDarkerAndBrighterAtTheTip) {
+  EXPECT_FLOAT_EQ(wetSpecularExponent(24, 1, 0.8f), 24.0f);
+  EXPECT_LT(wetSpecularExponent(24, 0, 0.8f), wetSpecularExponent(24, 1, 0.8f));
+  EXPECT_LT(wetDarkening(1, 0.5f), wetDarkening(0, 0.5f));
+  EXPECT_LT(occlusionFactor(0, 0.6f), occlusionFactor(1, 0.6f));
+  EXPECT_FLOAT_EQ(occlusionFactor(1, 0.6f), 1.0f);
+}
+
 }  // namespace
 }  // namespace fur::hair

@@ -50,8 +50,7 @@ TEST(Programs, EveryVariantCompilesAndLinks) {
   test::Stage stage(16, 16);
   Programs programs;
   for (const auto& [shader, variant] : allVariants()) {
-    const auto program = programs.use(shader, variant);
-    EXPECT_TRUE(program) << (program ? "" : program.error().message);
+    EXPECT_TRUE(programs.use(shader, variant)) << programs.error().message;
   }
 }
 
@@ -59,10 +58,10 @@ TEST(Blocks, HaveTheSizeThatTheDriverReserves) {
   test::Stage stage(16, 16);
   Programs programs;
   for (const auto& [shader, variant] : allVariants()) {
-    const auto program = programs.use(shader, variant);
+    const gl::Program* program = programs.use(shader, variant);
     ASSERT_TRUE(program);
     for (const auto& [name, bytes] : {std::pair("FrameBlock", sizeof(shared::FrameBlock)), std::pair("FurBlock", sizeof(shared::FurBlock))}) {
-      const int reserved = program.value()->blockSize(name);
+      const int reserved = program->blockSize(name);
       if (reserved > 0) EXPECT_EQ(static_cast<std::size_t>(reserved), bytes) << name << " in shader " << static_cast<int>(shader);
     }
   }
@@ -86,11 +85,11 @@ TEST(Blocks, HaveEachMemberWhereTheDriverReadsIt) {
   for (const auto& [block, members] : {std::pair("FrameBlock", frameMembers()), std::pair("FurBlock", furMembers())}) {
     std::vector<bool> seen(members.size());
     for (const auto& [shader, variant] : allVariants()) {
-      const auto program = programs.use(shader, variant);
+      const gl::Program* program = programs.use(shader, variant);
       ASSERT_TRUE(program);
-      if (program.value()->blockSize(block) == 0) continue;
+      if (program->blockSize(block) == 0) continue;
       for (std::size_t i = 0; i < members.size(); ++i) {
-        const int offset = program.value()->offsetInBlock(members[i].name);
+        const int offset = program->offsetInBlock(members[i].name);
         if (offset < 0) continue;
         seen[i] = true;
         EXPECT_EQ(static_cast<std::size_t>(offset), members[i].offset) << members[i].name << " in shader " << static_cast<int>(shader);

@@ -41,8 +41,8 @@ shared::FurBlock coatOfLook() {
   shared::FurBlock coat{};
   coat.density = kLook.density;
   coat.lambert = kLook.lambert;
-  coat.specular = kLook.gloss;
-  coat.shininess = kLook.exponent;
+  coat.specular = kLook.specular;
+  coat.shininess = kLook.shininess;
   coat.strandShadow = kLook.strandShadow;
   coat.occlusion = kLook.occlusion;
   coat.layers = kLayers;
@@ -117,7 +117,7 @@ TEST(Twins, WaterOnStrands) {
   EXPECT_LT(largestDifference(15, [](float u, float v) { return hair::wetAlbedo(Vec3(u), v).x; }), kGpuPrecision);
   const auto mirrored = [](float u, float v) {
     const Vec2 shares = hair::waterGloss(onCircle(3 * u), hair::clumpNormal(Vec2(v, 0), 0.4f), onCircle(0.7f), onCircle(-0.4f), 0.9f, 0.4f,
-                                         kLook.wetGloss, kLook.exponent, u);
+                                         kLook.wetGloss, kLook.shininess, u);
     return 0.25f * (shares.x + shares.y);
   };
   EXPECT_LT(largestDifference(16, mirrored), 2 * kGpuPrecision);

@@ -15,7 +15,7 @@ test('every pass has a folder, and every folder of a pass a row in the table of 
 
 test('the table lists the passes in the order in which the renderer draws them', () => {
   const text = readFileSync(join(render, 'Renderer.cpp'), 'utf8');
-  const bodyOf = (name) => text.slice(text.indexOf(`Status Renderer::${name}(`)).split('\n}\n')[0];
+  const bodyOf = (name) => text.slice(text.indexOf(` Renderer::${name}(`)).split('\n}\n')[0];
   // What draws each pass, in the text of a frame with the functions that it calls put in their places.
   const frame = bodyOf('draw').replace('drawPasses(', bodyOf('drawFinal').replace('drawModel(', bodyOf('drawModel')));
   const calls = {

@@ -161,13 +161,5 @@ TEST(Settings, DescribeThemselvesAsJson) {
     EXPECT_NE(json.find("{\"name\":\"" + std::string(field.name) + "\",\"label\":"), std::string::npos) << field.name;
 }
 
-TEST(LinearColor, KeepsBlackWhiteAndTheMiddleOfTheCurve) {
-  EXPECT_EQ(linearColor(0x000000), Vec3(0));
-  EXPECT_NEAR(glm::length(linearColor(0xffffff) - Vec3(1)), 0.0f, 1e-6f);
-  // sRGB 188 is the byte nearest to half the light.
-  EXPECT_NEAR(linearColor(0xbc0000).x, 0.5f, 0.005f);
-  EXPECT_EQ(linearColor(0xbc0000).y, 0.0f);
-}
-
 }  // namespace
 }  // namespace fur::settings

@@ -1,6 +1,6 @@
 #include "truth/Truth.h"
 
-#include "hair/StrandShading.h"
+#include "core/Srgb.h"
 #include "truth/DeepShadow.h"
 #include "truth/OneStrand.h"
 #include "truth/Shading.h"
@@ -92,7 +92,7 @@ TEST(Truth, MoreSamplesChangeNoMeanButSmoothTheEdges) {
   const World world;
   const auto mean = [](const Picture& p) {
     Vec3 sum(0);
-    for (const Vec3& pixel : p.pixels) sum += hair::decodeSrgb(pixel);
+    for (const Vec3& pixel : p.pixels) sum += decodeSrgb(pixel);
     return sum / static_cast<float>(p.pixels.size());
   };
   Options few, many;

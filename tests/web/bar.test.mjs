@@ -3,10 +3,9 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { captions } from '../../web/captions.js';
 import { sceneNames } from '../../web/models.js';
-import { startBrowser, untilStill, withFur } from './support.mjs';
+import { plain, startBrowser, untilStill, withFur } from './support.mjs';
 
 const site = startBrowser();
-const plain = 'quality=low&layers=8&fins=0&breath=0';
 const sizes = [[1280, 800], [1024, 768], [390, 844], [844, 390], [320, 568], [640, 400]];
 
 const controls = (page) => page.$$eval('#bar button, #bar select', (list) => list.filter((one) => one.checkVisibility()).map((one) => {

@@ -29,23 +29,15 @@ const open = (count, { inView = false, ...options } = {}) => site.open('many.htm
     const style = inView ? 'float: left; margin: 2px' : 'margin: 20px auto 60px';
     await tab.route('**/many.html', (route) => route.fulfill({ contentType: 'text/html', body: pageOf(count, style) }));
     await tab.addInitScript(() => {
-      const frame = () => new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve, 40)));
+      const frame = () => new Promise((resolve) => requestAnimationFrame(resolve));
       window.furAt = (i) => document.getElementById(`fur${i}`);
-      /** Until nothing more is drawn. */
-      window.still = async (fur) => {
-        for (let quiet = 0, drawn = -1; quiet < 3; quiet++) {
-          await frame();
-          if (fur.stats.framesDrawn !== drawn) quiet = 0;
-          drawn = fur.stats.framesDrawn;
-        }
-      };
       window.until = async (condition) => { while (!condition()) await frame(); };
       /** Scrolls to it; resolves when it is drawn and still. */
       window.see = async (i) => {
         const fur = furAt(i);
         fur.scrollIntoView({ block: 'center' });
         await until(() => fur.state === 'ready');
-        await still(fur);
+        await untilStill(fur);
         return fur;
       };
       window.scene = (i) => {
@@ -84,7 +76,7 @@ test('twenty-four elements, scrolled to the end and back, show their own picture
       const fur = await see(at);
       if (at % 6 === 1) await fur.groom('length', 0.3);
       fur.setWetness((at % 5) * 0.12);
-      await still(fur);
+      await untilStill(fur);
     }, i);
     before.push({ scene: await page.evaluate((at) => scene(at), i), picture: await shown(page, i) });
     assert.ok(await alive(page) <= limit, `${await alive(page)} contexts at element ${i}`);
@@ -110,7 +102,7 @@ test('more elements in view than the browser has contexts for are all seen, and 
   const page = await open(20, { inView: true });
   await page.evaluate(async () => {
     for (let i = 0; i < 20; i++) await until(() => furAt(i).loaded);
-    for (let i = 0; i < 20; i++) await still(furAt(i));
+    for (let i = 0; i < 20; i++) await untilStill(furAt(i));
   });
   assert.ok(await alive(page) <= 16);
   const first = await page.evaluate(() => {
@@ -123,7 +115,7 @@ test('more elements in view than the browser has contexts for are all seen, and 
   await page.evaluate(async (i) => {
     furAt(i).setWetness(0.6);
     await until(() => furAt(i).state === 'ready');
-    await still(furAt(i));
+    await untilStill(furAt(i));
   }, first);
   assert.ok(difference(dry, await shown(page, first), 24) > 0.1);
   for (let i = 0; i < 20; i++) assert.ok(!isBlank(await shown(page, i)), `element ${i} after that`);
@@ -138,7 +130,7 @@ test('a context that the browser takes for others comes back when its element is
     await page.evaluate(async (at) => {
       const fur = await see(at);
       fur.splash({ u: 0.5, v: 0.5 }, { radius: 0.3, amount: 0.4 });
-      await still(fur);
+      await untilStill(fur);
       fur.paused = at === 1;
     }, i);
     before.push({ scene: await page.evaluate((at) => scene(at), i), picture: await shown(page, i) });
@@ -149,7 +141,7 @@ test('a context that the browser takes for others comes back when its element is
       for (const i of [0, 2]) furAt(i).addEventListener(type, () => told.push(`${type} ${i}`));
     window.others = Array.from({ length: 20 }, () => new OffscreenCanvas(1, 1).getContext('webgl2'));
     await until(() => told.length === 3);
-    await still(furAt(2));
+    await untilStill(furAt(2));
     return { told: told.sort(), states: [furAt(0).state, furAt(2).state], messages: messages() };
   });
   assert.deepEqual(taken, {
@@ -209,12 +201,13 @@ test('what grows with scrolling up and down is given back: no context, texture, 
   await count();
   await scroll();
   const once = await count();
-  for (let i = 0; i < 9; i++) {
+  // Twice as many as the browser has.
+  for (let i = 0; i < 4; i++) {
     await scroll();
     await page.evaluate(() => see(0).then(() => {}));
   }
   const often = await count();
-  assert.ok(often.made > once.made + 50, `${often.made} contexts were made`);
+  assert.ok(often.made >= once.made + 32, `${often.made - once.made} contexts were made`);
   // The collector may not have come to the last ones.
   for (const { reachable } of [once, often]) assert.ok(reachable <= limit + 2, `${reachable} contexts are held`);
   assert.deepEqual({ ...often, made: 0, reachable: 0 }, { ...once, made: 0, reachable: 0 });
@@ -228,7 +221,7 @@ test('an open editor stays open and as it was while its element has no context',
     const fur = await see(0);
     await fur.openEditor();
     fur.setWetness(0.3);
-    await still(fur);
+    await untilStill(fur);
     const before = scene(0);
     for (let i = 1; i < 12; i++) await see(i);
     const away = [fur.state, fur.stats.gpuBytes, fur.editorOpen];

@@ -3,13 +3,13 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { PNG } from 'pngjs';
-import { difference, picture, startBrowser, untilStill, withFur } from './support.mjs';
+import { difference, picture, plain, startBrowser, untilStill, withFur } from './support.mjs';
 
 const site = startBrowser();
 
 test('the editor takes over water, settings, camera and model, and gives them back', async () => {
   const requested = [];
-  const page = await site.open('?quality=low&layers=8&fins=0&dryRate=0&furLength=0.2', {
+  const page = await site.open(`?${plain}&dryRate=0&furLength=0.2`, {
     viewport: { width: 800, height: 400 },
     prepare: (tab) => tab.on('request', (request) => requested.push(request.url())),
   });
@@ -18,14 +18,14 @@ test('the editor takes over water, settings, camera and model, and gives them ba
   await untilStill(page);
   const scene = () => withFur(page, (fur) => [fur.wetnessHash, fur.getState(), fur.tool, fur.stats.triangles]);
   const before = await scene();
-  const plain = await picture(page);
+  const bare = await picture(page);
 
   await page.click('#editor');
   await page.waitForFunction(() => wetFur.editorOpen);
   await untilStill(page);
   assert.deepEqual(await scene(), before);
   assert.equal(await withFur(page, (fur) => fur.canUndo), true, 'what was done before can be undone there');
-  assert.ok(difference(plain, await picture(page), 16) < 0.02, 'a saved picture shows the scene without the panel');
+  assert.ok(difference(bare, await picture(page), 16) < 0.02, 'a saved picture shows the scene without the panel');
   const shot = await page.screenshot({ clip: { x: 500, y: 0, width: 300, height: 400 } });
   await page.click('#editor');
   await page.waitForFunction(() => !wetFur.editorOpen);
@@ -37,7 +37,7 @@ test('the editor takes over water, settings, camera and model, and gives them ba
 });
 
 test('the panel takes the pointer and the keys that are meant for it, the picture takes the others', async () => {
-  const page = await site.open('?quality=low&layers=8&fins=0&src=sphere&editor=1&dryRate=0', { viewport: { width: 800, height: 400 } });
+  const page = await site.open(`?${plain}&src=sphere&editor=1&dryRate=0`, { viewport: { width: 800, height: 400 } });
   await page.waitForFunction(() => wetFur.editorOpen);
   await untilStill(page);
   await page.mouse.move(600, 30);  // the title
@@ -57,7 +57,7 @@ test('the panel takes the pointer and the keys that are meant for it, the pictur
 });
 
 test('on a tall window the panel shows the tile of the coat that is drawn', async () => {
-  const page = await site.open('?quality=low&layers=8&fins=0&src=plane&editor=1&dryRate=0', { viewport: { width: 640, height: 1300 } });
+  const page = await site.open(`?${plain}&src=plane&editor=1&dryRate=0`, { viewport: { width: 640, height: 1300 } });
   await page.waitForFunction(() => wetFur.editorOpen);
   const strands = async () => {
     await untilStill(page);
@@ -75,7 +75,7 @@ test('on a tall window the panel shows the tile of the coat that is drawn', asyn
 });
 
 test('the panel saves the coat as a file that gives the same coat again', async () => {
-  const page = await site.open('?quality=low&layers=8&fins=0&src=plane&editor=1&preset=wool', { viewport: { width: 640, height: 1300 } });
+  const page = await site.open(`?${plain}&src=plane&editor=1&preset=wool`, { viewport: { width: 640, height: 1300 } });
   await page.waitForFunction(() => wetFur.editorOpen);
   await untilStill(page);
   let download;
@@ -99,7 +99,7 @@ test('the panel saves the coat as a file that gives the same coat again', async 
 const panelWidth = (page) => page.evaluate(() => document.documentElement.style.getPropertyValue('--wet-fur-panel-width'));
 
 test('the panel is as wide as its edge was dragged, the bar beside it and the next visit know', async () => {
-  const page = await site.open('?quality=low&layers=8&fins=0&src=sphere&editor=1&dryRate=0', { viewport: { width: 1000, height: 600 } });
+  const page = await site.open(`?${plain}&src=sphere&editor=1&dryRate=0`, { viewport: { width: 1000, height: 600 } });
   const opened = async () => {
     await page.waitForFunction(() => document.querySelector('wet-fur').editorOpen);
     await untilStill(page);
@@ -152,7 +152,7 @@ async function typeNumber(page, press, [first, step], text) {
 }
 
 test('a double click on a slider takes a number from the keyboard', async () => {
-  const page = await site.open('?quality=low&layers=8&fins=0&src=sphere&editor=1&dryRate=0', { viewport: { width: 800, height: 400 } });
+  const page = await site.open(`?${plain}&src=sphere&editor=1&dryRate=0`, { viewport: { width: 800, height: 400 } });
   await page.waitForFunction(() => wetFur.editorOpen);
   await untilStill(page);
   const input = await page.context().newCDPSession(page);
@@ -174,7 +174,7 @@ test('a double click on a slider takes a number from the keyboard', async () => 
 });
 
 test('on a phone a double tap does, and the sheet, open at first, closes and opens by its title', async () => {
-  const page = await site.open('?quality=low&layers=8&fins=0&src=sphere&editor=1&dryRate=0', { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  const page = await site.open(`?${plain}&src=sphere&editor=1&dryRate=0`, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
   await page.waitForFunction(() => wetFur.editorOpen);
   await untilStill(page);
   assert.equal(await panelWidth(page), '0px');

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { PNG } from 'pngjs';
-import { difference, light, picture, spotOnModel, startBrowser, untilStill, withFur } from './support.mjs';
+import { difference, light, picture, plain, spotOnModel, startBrowser, untilStill, withFur } from './support.mjs';
 
 const site = startBrowser();
 
@@ -44,7 +44,7 @@ test('Space combs and trims the middle, for those who use no pointer', async () 
 });
 
 test('the buttons Comb and Trim choose their tools, and Reset takes their work away', async () => {
-  const page = await site.open('?quality=low&layers=8&fins=0&dryRate=0&src=sphere');
+  const page = await site.open(`?${plain}&dryRate=0&src=sphere`);
   for (const tool of ['comb', 'trim']) {
     await page.click(`[data-tool=${tool}]`);
     assert.equal(await withFur(page, (fur) => fur.tool), tool);
@@ -56,7 +56,7 @@ test('the buttons Comb and Trim choose their tools, and Reset takes their work a
 });
 
 test('the editor takes the groom over and gives it back', async () => {
-  const page = await site.open('?quality=low&layers=8&fins=0&dryRate=0&src=sphere', { viewport: { width: 800, height: 400 } });
+  const page = await site.open(`?${plain}&dryRate=0&src=sphere`, { viewport: { width: 800, height: 400 } });
   await stroke(page, 'comb');
   await stroke(page, 'trim');
   await stroke(page, 'whisker');
@@ -145,7 +145,7 @@ test('a map that was saved is dropped back as what it was, by its name', async (
 });
 
 test('paint of the editor shows, stays when the editor is closed, and is in the saved file', async () => {
-  const page = await site.open('?quality=low&layers=8&fins=0&dryRate=0&src=sphere&paintColor=0040ff&groomStrength=1&brushRadius=0.3', { viewport: { width: 800, height: 400 } });
+  const page = await site.open(`?${plain}&dryRate=0&src=sphere&paintColor=0040ff&groomStrength=1&brushRadius=0.3`, { viewport: { width: 800, height: 400 } });
   await page.click('#editor');
   await page.waitForFunction(() => wetFur.editorOpen);
   await stroke(page, 'paint');
@@ -171,7 +171,7 @@ test('paint of the editor shows, stays when the editor is closed, and is in the 
 });
 
 test('a link says that the groom is not in it', async () => {
-  const page = await site.open('?quality=low&layers=8&fins=0&src=sphere', { permissions: ['clipboard-read', 'clipboard-write'] });
+  const page = await site.open(`?${plain}&src=sphere`, { permissions: ['clipboard-read', 'clipboard-write'] });
   await withFur(page, (fur) => fur.groom('length', 0.5));
   await page.click('#share');
   await page.click('#link');

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { makeLink, readLink } from '../../web/link.js';
 import { orbitText, parseOrbit } from '../../web/orbit.js';
-import { light, startBrowser, withFur } from './support.mjs';
+import { light, plain, startBrowser, withFur } from './support.mjs';
 
 const site = startBrowser();
 const page = 'https://example.org/fur/index.html';
@@ -56,7 +56,7 @@ test('unknown parameters and out-of-range settings warn; the page still works', 
 });
 
 test('the copied link restores settings, camera, model and tool', async () => {
-  const first = await site.open(`?quality=low&layers=8&fins=0&src=torus`, { permissions: ['clipboard-read', 'clipboard-write'] });
+  const first = await site.open(`?${plain}&src=torus`, { permissions: ['clipboard-read', 'clipboard-write'] });
   await withFur(first, (fur) => {
     fur.settings.furLength = 0.21;
     fur.settings.tipColor = '#112233';

@@ -3,10 +3,10 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { PNG } from 'pngjs';
-import { difference, picture, startBrowser, untilStill, withFur } from './support.mjs';
+import { difference, picture, plain, startBrowser, untilStill, withFur } from './support.mjs';
 
 const site = startBrowser();
-const query = '?quality=low&layers=8&fins=0&breath=0&dryRate=0&src=sphere&editor=1';
+const query = `?${plain}&dryRate=0&src=sphere&editor=1`;
 const viewport = { width: 640, height: 420 };
 
 /** Rows of the panel from its title down, open sections among them. */

@@ -31,11 +31,67 @@ const patience = 300000;
 
 /** Small, because a software rasteriser draws; light, because most tests are not about the coat or how it breathes. */
 const viewport = { width: 480, height: 360 };
-export const light = 'quality=low&layers=8&fins=0&breath=0&ui=0';
+export const plain = 'quality=low&layers=8&fins=0&breath=0';
+export const light = `${plain}&ui=0`;
+
+/**
+ * For addInitScript(). With `fast`, each frame comes a tenth of a second after the one before, as on a slow machine, but at
+ * once: nobody waits for water to run and fur to settle. `untilStill(fur)` resolves when no frame is drawn any more.
+ */
+function watchTime(fast) {
+  const { requestAnimationFrame: frame, cancelAnimationFrame: cancelFrame, setTimeout: later, clearTimeout: cancelLater } = window;
+  const soon = 400;  // ms: what is asked for later than that draws nothing
+  const expected = new Set();
+  let shown = 0, clock = 0;
+  const clockAt = (time) => {
+    if (time !== shown) clock = Math.max(clock + 100, time);
+    shown = time;
+    return clock;
+  };
+  window.requestAnimationFrame = (work) => {
+    const id = frame((time) => {
+      expected.delete(`frame ${id}`);
+      work(fast ? clockAt(time) : time);
+    });
+    expected.add(`frame ${id}`);
+    return id;
+  };
+  window.cancelAnimationFrame = (id) => {
+    expected.delete(`frame ${id}`);
+    cancelFrame(id);
+  };
+  window.setTimeout = (work, milliseconds = 0, ...given) => {
+    const id = later((...all) => {
+      expected.delete(id);
+      work(...all);
+    }, milliseconds, ...given);
+    if (milliseconds <= soon) expected.add(id);
+    return id;
+  };
+  window.clearTimeout = (id) => {
+    expected.delete(id);
+    cancelLater(id);
+  };
+  const look = () => new Promise((resolve) => { frame(() => later(resolve, 20)); });
+  window.untilStill = async (fur) => {
+    const drawnNow = () => fur.stats?.framesDrawn;
+    // Elsewhere on the page something may go on for ever.
+    const isLong = (since) => performance.now() - since > 600;
+    for (let looks = 0, since = performance.now(), drawn = drawnNow(); looks < 3 && !isLong(since); drawn = drawnNow()) {
+      await look();
+      const isStill = drawnNow() === drawn;
+      if (!isStill) since = performance.now();
+      looks = isStill && expected.size === 0 ? looks + 1 : 0;
+      // Of a second that goes by only the end is drawn.
+      if (fast && looks === 0 && fur.state === 'ready' && !fur.paused) fur.step(0.1, 9);
+    }
+    return drawnNow();
+  };
+}
 
 /**
  * Starts both before the tests of a file and stops them after. Gives { url, open }: `open(path, options)`
- * opens a page in a context of its own and waits for the model.
+ * opens a page in a context of its own and waits for the model. Its frames are tenths of a second, unless `fast` is false.
  */
 export function startBrowser({ headers = {}, subfolder = false } = {}) {
   const site = {};
@@ -63,7 +119,7 @@ export function startBrowser({ headers = {}, subfolder = false } = {}) {
     }));
     open.clear();
   });
-  site.open = async (path, { wait = true, keep = false, prepare, ...options } = {}) => {
+  site.open = async (path, { wait = true, keep = false, fast = true, prepare, ...options } = {}) => {
     await (started ??= start());
     const context = await browser.newContext({ viewport, ...options });
     if (!keep) open.add(context);
@@ -77,6 +133,7 @@ export function startBrowser({ headers = {}, subfolder = false } = {}) {
       window.violations = [];
       document.addEventListener('securitypolicyviolation', (event) => window.violations.push(event.violatedDirective));
     });
+    await context.addInitScript(watchTime, fast);
     await prepare?.(page, context);
     await page.goto(new URL(path, site.url).href);
     if (wait) await page.waitForFunction(() => document.querySelector('wet-fur').loaded);
@@ -164,15 +221,7 @@ export function difference(a, b, tolerance = 0) {
 export const sleep = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
 
 /** Waits until no frame is drawn any more, on a machine of any speed; gives how many were. */
-export const untilStill = (page) => withFur(page, async (fur) => {
-  const frame = () => new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve, 60)));
-  for (let still = 0, drawn = -1; still < 4; still++) {
-    for (let i = 0; i < 2; i++) await frame();
-    if (fur.stats.framesDrawn !== drawn) still = 0;
-    drawn = fur.stats.framesDrawn;
-  }
-  return fur.stats.framesDrawn;
-});
+export const untilStill = (page) => withFur(page, (fur) => window.untilStill(fur));
 
 /** A pixel of the model near the middle of the page, in CSS pixels, with its atlas coordinates. */
 export const spotOnModel = (page) => withFur(page, (fur) => {

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { tentacle } from '../bench/models.mjs';
-import { difference, light, picture, sleep, spotOnModel, startBrowser, untilStill, withFur } from './support.mjs';
+import { difference, light, picture, plain, sleep, spotOnModel, startBrowser, untilStill, withFur } from './support.mjs';
 
 const site = startBrowser();
 
@@ -17,7 +17,7 @@ async function drag(page, from, to) {
 }
 
 test('petted fur lies over, comes back, and leaves nothing to undo', async () => {
-  const page = await site.open('?quality=low&layers=8&fins=0&breath=0&src=sphere&furLength=0.25&brushRadius=0.4');
+  const page = await site.open(`?${plain}&src=sphere&furLength=0.25&brushRadius=0.4`);
   await untilStill(page);
   const before = await picture(page), { x, y } = await spotOnModel(page);
   await page.click('[data-tool=pet]');
@@ -34,7 +34,7 @@ test('petted fur lies over, comes back, and leaves nothing to undo', async () =>
 });
 
 test('a ball can be dragged over the fur, and goes with its tool', async () => {
-  const page = await site.open('?quality=low&layers=8&fins=0&breath=0&src=sphere');
+  const page = await site.open(`?${plain}&src=sphere`);
   await untilStill(page);
   const before = await picture(page), { x, y } = await spotOnModel(page);
   await page.click('[data-tool=ball]');
@@ -90,7 +90,7 @@ test('a model with an animation plays it, holds it and says its name', async () 
 });
 
 test('the bar holds an animation, plays it on and sets its speed, by finger and by keys, on a phone', async () => {
-  const page = await site.open(`?${light.replace('&ui=0', '')}&src=sphere`, { viewport: { width: 390, height: 760 }, hasTouch: true });
+  const page = await site.open(`?${plain}&src=sphere`, { viewport: { width: 390, height: 760 }, hasTouch: true });
   assert.equal(await page.isVisible('#player'), false, 'nothing to play');
   await openTentacle(page);
   const speed = () => withFur(page, (fur) => fur.animationSpeed);
@@ -115,7 +115,7 @@ test('the bar holds an animation, plays it on and sets its speed, by finger and 
 });
 
 test('someone who asked for less motion presses Play to see an animation', async () => {
-  const page = await site.open(`?${light.replace('&ui=0', '')}&src=sphere`, { reducedMotion: 'reduce' });
+  const page = await site.open(`?${plain}&src=sphere`, { reducedMotion: 'reduce' });
   await openTentacle(page);
   const still = await untilStill(page);
   assert.equal((await page.textContent('#hold')).trim(), 'Play');

@@ -63,19 +63,5 @@ TEST(ClumpShift, LeavesAClumpOfNoSizeWhereItIs) {
   EXPECT_EQ(clumpInverse(Vec2(0.3f), Vec2(0.3f), 0.85f), Vec2(0.3f));
 }
 
-TEST(WetLight, IsUnchangedWhereSigmaIsNought) {
-  EXPECT_EQ(wetSpecularExponent(24, 0.3f, 0), 24.0f);
-  EXPECT_EQ(occlusionFactor(0.2f, 0), 1.0f);
-  EXPECT_EQ(wetDarkening(0.7f, 0), 1.0f);
-}
-
-TEST(WetLight, IsSharperDarkerAndBrighterAtTheTip) {
-  EXPECT_FLOAT_EQ(wetSpecularExponent(24, 1, 0.8f), 24.0f);
-  EXPECT_LT(wetSpecularExponent(24, 0, 0.8f), wetSpecularExponent(24, 1, 0.8f));
-  EXPECT_LT(wetDarkening(1, 0.5f), wetDarkening(0, 0.5f));
-  EXPECT_LT(occlusionFactor(0, 0.6f), occlusionFactor(1, 0.6f));
-  EXPECT_FLOAT_EQ(occlusionFactor(1, 0.6f), 1.0f);
-}
-
 }  // namespace
 }  // namespace fur::wet

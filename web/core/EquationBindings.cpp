@@ -1,4 +1,7 @@
-// The formula sheet with plain numbers in and out: the same functions that the program runs.
+// The formula sheet: equations of the papers with plain numbers in and out. They are the functions that the program runs, or
+// the tested twins of what its shaders run, but for four, which it has in forms of its own: Kajiya and Kay's power
+// (hair::kajiyaLobe instead), transmittance and opacity (common_furshadow.glsl), and the shift of a clump, which the
+// program has as clumpPull().
 #include "web/Boundary.h"
 #include "dynamics/BendField.h"
 #include "furgen/Coat.h"
@@ -15,10 +18,10 @@ FUR_EXPORT double fur_eqClumpShift(float h, float w, float layers, float rho) {
   return wet::clumpShift(h, w, layers, rho);
 }
 FUR_EXPORT double fur_eqWetSpecularExponent(float p, float rho, float sigmaSpec) {
-  return wet::wetSpecularExponent(p, rho, sigmaSpec);
+  return hair::wetSpecularExponent(p, rho, sigmaSpec);
 }
-FUR_EXPORT double fur_eqOcclusionFactor(float h, float sigmaOcc) { return wet::occlusionFactor(h, sigmaOcc); }
-FUR_EXPORT double fur_eqWetDarkening(float rho, float sigmaWet) { return wet::wetDarkening(rho, sigmaWet); }
+FUR_EXPORT double fur_eqOcclusionFactor(float h, float sigmaOcc) { return hair::occlusionFactor(h, sigmaOcc); }
+FUR_EXPORT double fur_eqWetDarkening(float rho, float sigmaWet) { return hair::wetDarkening(rho, sigmaWet); }
 FUR_EXPORT double fur_eqStrandThinning(float s, float taper) { return furgen::strandThinning(s, taper); }
 FUR_EXPORT double fur_eqStrandRadius(float thickness) { return furgen::meanRadius(thickness); }
 FUR_EXPORT double fur_eqStrandCount(float density, float thickness, int size) {

@@ -63,6 +63,7 @@ export interface WetnessMask {
   readonly meanWetness: number;
   addDroplet(droplet: { u: number; v: number; radius?: number; wetness?: number }): void;
   dryAt(brush: { u: number; v: number; radius?: number; amount?: number }): void;
+  /** `rate` (default 0.02): wetness that half-wet fur loses in a second. */
   dry(seconds: number, options?: { rate?: number }): void;
   clear(): void;
   at(u: number, v: number): { centreU: number; centreV: number; radius: number; wetness: number };
@@ -115,7 +116,7 @@ export interface Core {
   generateFur(parameters?: FurParameters): FurVolume;
   createWetnessMask(size?: number): WetnessMask;
   /**
-   * A .glb, .gltf, .obj or .fo; the ending of `name` tells the last two apart, without one their content.
+   * A {models}; the ending of `name` tells the last two apart, without one their content.
    * Throws a FurError. `files`: buffers and images beside a .gltf, by the name it uses.
    */
   importModel(

@@ -1,4 +1,7 @@
 // wet-fur: createWetFur and what it returns.
+import type { GroomEdit, Tool, WetFurCommands } from './tables.js';
+
+export type { GroomEdit, Tool, WetFurCommands };
 
 /** Why something failed; `message` names the thing and the limit. */
 export type FurErrorCode =
@@ -11,20 +14,8 @@ export class FurError extends Error {
   constructor(code: FurErrorCode, message: string);
 }
 
-/**
- * 'comb' to 'type' dress the fur: 'smooth', 'raise' and 'comb' lay it, 'trim' and 'grow' change its length, 'type' its kind.
- * 'whisker' plants a whisker or a tuft where it is pressed and aims it while it is dragged; 'pluck' pulls them out.
- * 'paint' lays `paintColor` over the coat, 'cut' cuts what is longer than `cutLength`, 'thin' takes strands out and 'mask'
- * protects from all of these; 'curl', 'frizz' and 'locks' curl strands, kink them and gather them: they work while the
- * editor is open.
- * 'pet' strokes the fur and 'ball' presses a ball into it; it forgets both after a while.
- */
-export type Tool = 'droplet' | 'dry' | 'rain' | 'hose' | 'towel' | 'dryer' | 'comb' | 'smooth' | 'raise' | 'trim' | 'grow' | 'type' | 'whisker' | 'pluck' | 'paint' | 'cut' | 'thin' | 'mask' | 'curl' | 'frizz' | 'locks' | 'pet' | 'ball' | 'grab' | 'none';
 export type GroomType = '1' | '2' | '3' | '4';
 export type FurType = 'bald' | 'rabbit' | 'chinchilla' | 'curlyDog' | 'thickNylon' | 'fineSparse' | 'otter' | 'shortCat' | 'persian' | 'shag' | 'velvet' | 'wool';
-/** All over the model; see WetFurApi.groom. */
-export type GroomEdit = 'clear' | 'length' | 'invert' | 'vary' | 'type' | 'comb' | 'raise' | 'size' | 'paint' | 'clearPaint' | 'clearMask' | 'invertMask' |
-  'selectConnected' | 'selectType' | 'selectLength' | 'selectPaint' | 'growMask' | 'shrinkMask' | 'smoothMask' | 'clearShape';
 export type Quality = 'auto' | 'low' | 'medium' | 'high';
 export type Motion = 'auto' | 'full' | 'reduced';
 export type WheelManner = 'page' | 'focus' | 'zoom';
@@ -143,7 +134,7 @@ export interface FurSettings {
   brushFlow: number;
   /** Radius of a single droplet, and so of the clump that it binds. */
   clumpSize: number;
-  /** Wetness lost per second. */
+  /** Wetness that half-wet fur loses in a second. */
   dryRate: number;
   /** Water dries only where it is wiped, blown or shaken off. */
   stayWet: boolean;
@@ -264,7 +255,7 @@ export interface Preset {
 }
 
 export interface WetFurOptions extends Partial<FurSettings> {
-  /** "bunny", "sphere", "torus", "plane", a scene as "five-coats", or the address of a .glb, .gltf, .obj or .fo. */
+  /** "bunny", "sphere", "torus", "plane", a scene as "five-coats", or the address of a {models}. */
   src?: string;
   /**
    * Chooses a coat, and settings that are given beside it stay over it. Read: '' when the coat is no preset's. The coat grows
@@ -359,7 +350,7 @@ export interface WetFurEventMap {
 }
 
 /** What the element and what createWetFur() returns have in common. */
-export interface WetFurApi {
+export interface WetFurApi extends WetFurCommands {
   readonly loaded: boolean;
   /** Resolves when the first model is shown, rejects with a FurError when it cannot be. */
   readonly ready: Promise<void>;
@@ -374,16 +365,6 @@ export interface WetFurApi {
   /** The newest hundred. */
   readonly warnings: string[];
   readonly modelName: string;
-  /** Names of what the model can play; the setting `animation` counts from 1. */
-  readonly animations: readonly string[];
-  /** 0..1 over the whole model. */
-  readonly meanWetness: number;
-  /** Of the wetness mask: the same strokes give the same hash. */
-  readonly wetnessHash: string;
-  /** Whether any fur is shorter, of another type or combed, or any whisker stands. */
-  readonly groomed: boolean;
-  readonly canUndo: boolean;
-  readonly canRedo: boolean;
   readonly editorOpen: boolean;
   /** As the camera-orbit attribute takes it. */
   readonly cameraOrbitText: string;
@@ -392,11 +373,6 @@ export interface WetFurApi {
   splash(at: { u: number; v: number } | { x: number; y: number }, options?: { radius?: number; amount?: number }): boolean;
   /** As `seconds` of drying would; all at once without. */
   dry(seconds?: number): void;
-  /** The whole model: 0 dries it, more soaks it. */
-  setWetness(amount: number): void;
-  wetnessAt(u: number, v: number): number;
-  /** The model shakes itself, and its water flies off. */
-  shake(): void;
   /** Letters as clumps of wet fur, round CSS pixels of the canvas (default: its middle), `size` pixels high, turned clockwise by `angle` radians. `amount`: how wet they are (default: 0.5; wetter ones run into each other in seconds). */
   stamp(text: string, options?: { x?: number; y?: number; size?: number; angle?: number; amount?: number }): void;
   /** What was done with water since the model came, by every tool: for replay() on the same model. */
@@ -441,12 +417,12 @@ export interface WetFurApi {
   /** Throws a FurError when it cannot be used. */
   setState(state: string | object): void;
   /**
-   * A .glb, .gltf, .obj or .fo. Rejects with a FurError, and then the old scene stays. `files`: buffers and
+   * A {models}. Rejects with a FurError, and then the old scene stays. `files`: buffers and
    * images beside a .gltf.
    */
   loadModel(model: ModelBytes, options?: { name?: string; files?: Iterable<File> }): Promise<void>;
   /**
-   * A type set (.fts, Sheppard 2004): its coat is drawn until a setting changes that grows another. Waits for
+   * A type set ({coats}, Sheppard 2004): its coat is drawn until a setting changes that grows another. Waits for
    * the model. Rejects with a FurError, and then the old coat stays.
    */
   loadTypeSet(typeSet: ModelBytes, options?: { name?: string }): Promise<void>;
@@ -468,7 +444,6 @@ export interface WetFurApi {
    */
   toBlob(options?: { mimeType?: string; quality?: number; width?: number; height?: number; transparent?: boolean }): Promise<Blob>;
   getCameraOrbit(): CameraOrbit | null;
-  resetCamera(): void;
   /** What lies over the picture at its edges, in CSS pixels: the model is shown in the middle of the rest. */
   setPadding(padding: { left?: number; top?: number; right?: number; bottom?: number }): void;
   openEditor(): Promise<void>;

@@ -11,18 +11,15 @@
 
 #include "app/view/OrbitCamera.h"
 #include "app/editor/EditorGroom.h"
-#include "geometry/AtlasOutlines.h"
+#include "app/editor/Lettering.h"
+#include "app/editor/PanelModel.h"
+#include "core/Fnv1a.h"
+#include "scene/Formats.h"
 #include "settings/Presets.h"
 
 namespace fur::app {
 
 namespace {
-
-// FNV-1a (Fowler, Noll, Vo): enough to tell two frames of a panel apart.
-void mix(std::uint64_t& hash, const void* data, std::size_t bytes) {
-  const auto* byte = static_cast<const unsigned char*>(data);
-  for (std::size_t i = 0; i < bytes; ++i) hash = (hash ^ byte[i]) * 0x100000001b3ull;
-}
 
 template <class... F>
 struct Overloaded : F... {
@@ -35,34 +32,19 @@ editor::PointerKind panelKind(PointerKind kind) {
   return kind == PointerKind::Touch ? editor::PointerKind::Touch : editor::PointerKind::Mouse;
 }
 
-gl::Texture pictureTexture(int width, int height, std::span<const std::byte> rgba) {
-  gl::TextureShape shape{gl::TexelFormat::RGBA8, width, height};
-  shape.filter = gl::Filter::Crisp;
-  shape.repeats = true;
-  return {shape, rgba};
-}
-
-gl::Texture textureOf(const furgen::TilePicture& picture) {
-  return pictureTexture(picture.width, picture.height, gl::bytesOf(picture.rgba));
-}
-
-ImTextureID idOf(const gl::Texture& texture) {
-  return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture.id()));
-}
-
 // "rabbit.fts"; a coat that is no preset's is "coat.fts".
 std::string typeSetName(const App& app) {
   const settings::Preset* preset = settings::presetOf(app.settings());
-  return std::string(preset ? preset->name : "coat") + ".fts";
+  return std::string(preset ? preset->name : "coat").append(scene::endingOf(scene::Format::Fts));
 }
 
 // How far colours may be apart that are selected as one.
 constexpr float kPaintTolerance = 0.12f;
 
-std::string modelFileName(const App& app, const char* ending) {
-  const std::string& name = app.modelName();
-  return name.substr(0, name.rfind('.')) + ending;
-}
+// The model's name without its ending.
+std::string stemOf(const App& app) { return app.modelName().substr(0, app.modelName().rfind('.')); }
+
+std::string modelFileName(const App& app, scene::Format format) { return stemOf(app).append(scene::endingOf(format)); }
 
 }  // namespace
 
@@ -111,7 +93,7 @@ Status EditorHost::attach() {
   if (!ImGui_ImplOpenGL3_Init()) return Error{ErrorId::WebglUnavailable, "Dear ImGui found no OpenGL ES 3.0"};
   attached_ = true;
   mostPictureSide_ = mostPictureSide();
-  showVersions();
+  pictures_.showVersions();
   drawnHash_ = 0;
   justAttached_ = true;
   wake();
@@ -126,11 +108,7 @@ void EditorHost::detach() {
   if (studio_.busy()) message("The picture was given up: what it was drawn with went", true);
   studio_.end();
   app_.setCovered(Vec2(0));
-  tile_ = {};
-  fin_ = {};
-  groomPicture_ = {};
-  versionPictures_.clear();
-  groomRevision_ = 0;
+  pictures_.release();
   // Where a context can be lost, in WebGL, deleting what it held is allowed and does nothing.
   ImGui_ImplOpenGL3_Shutdown();
 }
@@ -304,94 +282,15 @@ const char* EditorHost::cursor() const {
 }
 
 editor::EditorModel EditorHost::model() {
-  const App::Stats stats = app_.stats();
-  editor::EditorModel model;
-  model.settings = app_.settings();
-  model.tool = app_.tool();
-  model.modelName = app_.modelName();
-  const std::string names = app_.animations();
-  for (std::size_t at = 0, end; at < names.size(); at = end + 1) {
-    end = names.find('\n', at);
-    model.animations.push_back(names.substr(at, end - at));
-  }
-  model.meanWetness = app_.meanWetness();
-  const wet::Accounts water = app_.water().accounts();
-  model.water = {water.painted + water.rained, water.held, water.film, water.drops, water.dripped, water.evaporated + water.removed};
-  model.canUndo = app_.canUndo();
-  model.canRedo = app_.canRedo();
+  editor::EditorModel model = describe(app_);
   model.fileAccess = fileAccess_;
   model.messages = messages_;
-  model.lostBySaving = app_.lostBySaving();
-  model.vertices = stats.vertices;
-  model.triangles = stats.triangles;
-  model.strands = stats.strands;
-  model.layers = stats.layers;
-  model.finEdges = stats.finEdges;
-  model.cpuBytes = stats.cpuBytes;
-  model.gpuBytes = stats.gpuBytes;
   model.frameSeconds = frameSeconds_;
-  model.coat.progress = app_.coatProgress();
-  model.coat.revision = app_.coatRevision();
-  model.coat.coverage = app_.coverageByHeight();
-  model.coat.tile = idOf(tile_.texture);
-  model.coat.fin = idOf(fin_.texture);
-  model.coat.tileSize = tile_.texture.id() ? tile_.texture.shape().width : 0;
-  model.groom.bald = groomCoverage_.bald;
-  model.groom.length = groomCoverage_.length;
-  std::copy_n(groomCoverage_.types, groom::kTypes, model.groom.types);
-  model.groom.mapSize = app_.groomMap().size();
-  model.groom.whiskers = static_cast<int>(app_.whiskerCount());
-  model.groom.plain = !app_.groomed();
-  model.groom.painted = !app_.groom().paint.isPlain();
-  model.groom.masked = !app_.groom().mask.isPlain();
-  model.groom.map = idOf(groomPicture_);
-  model.versions = versionViews_;
   model.picture = {static_cast<int>(size_.x), static_cast<int>(size_.y), kLeastPictureSide, mostPictureSide_,
                    studio_.busy(), studio_.busy() ? studio_.progress() : 0, turnLeft_ > 0};
-  model.groom.outlines = groomOutlines_;
   model.groom.selects = selects_;
+  pictures_.describe(model);
   return model;
-}
-
-// The map for people, while it is on the screen.
-void EditorHost::refreshGroom() {
-  if (!editor_.showsGroom()) {
-    groomPicture_ = {};
-    groomRevision_ = 0;
-    return;
-  }
-  if (groomRevision_ == app_.groomRevision()) return;
-  groomRevision_ = app_.groomRevision();
-  groomCoverage_ = app_.groomCoverage();
-  if (std::exchange(outlinesOf_, app_.surfaceRevision()) != app_.surfaceRevision()) groomOutlines_ = geometry::atlasOutlines(app_.surface());
-  groomPicture_ = pictureTexture(app_.groomMap().size(), app_.groomMap().size(), gl::bytesOf(groom::picture(app_.groom())));
-  ++picturesMade_;
-}
-
-// Before the frame that shows them: the frame before may still be drawn with the old ones.
-void EditorHost::refreshCoatPictures() {
-  const std::optional<editor::TileView> view = editor_.shownTile();
-  if (!view || app_.coatLayers() == 0) {
-    tile_ = {};
-    fin_ = {};
-    return;
-  }
-  static_assert(static_cast<int>(editor::TileChannel::Strand) == static_cast<int>(furgen::TileChannel::Strand) &&
-                editor::kTileChannels == furgen::kTileChannels);
-  const auto channel = static_cast<furgen::TileChannel>(view->channel);
-  const std::uint64_t revision = app_.coatRevision();
-  const auto stale = [&](const CoatPicture& picture) {
-    return !picture.texture.id() || picture.revision != revision || picture.view.channel != view->channel;
-  };
-  if (stale(fin_)) {
-    fin_ = {textureOf(app_.finPicture(channel)), revision, *view};
-    ++picturesMade_;
-  }
-  if (stale(tile_) || tile_.view.layer != view->layer) {
-    const int layer = std::clamp(view->layer, 0, app_.coatLayers() - 1);
-    tile_ = {textureOf(app_.tilePicture(layer, channel)), revision, *view};
-    ++picturesMade_;
-  }
 }
 
 bool EditorHost::update(float dt) {
@@ -413,8 +312,7 @@ bool EditorHost::update(float dt) {
   if (!input_.empty()) wake();
   if (framesLeft_ > 0) --framesLeft_;
   input_.feed(io);
-  refreshCoatPictures();
-  refreshGroom();
+  pictures_.refresh(editor_);
   const bool groomShown = editor_.showsGroom();
   const std::optional<editor::TileView> pictured = editor_.shownTile();
   ImGui::NewFrame();
@@ -445,19 +343,19 @@ bool EditorHost::active() const {
 }
 
 std::uint64_t EditorHost::pictureHash() const {
-  std::uint64_t hash = 0xcbf29ce484222325ull;
+  Fnv1a hash;
   const ImDrawData* data = ImGui::GetDrawData();
   for (int i = 0; data && i < data->CmdListsCount; ++i) {
     const ImDrawList& list = *data->CmdLists[i];
-    mix(hash, list.VtxBuffer.Data, static_cast<std::size_t>(list.VtxBuffer.size_in_bytes()));
-    mix(hash, list.IdxBuffer.Data, static_cast<std::size_t>(list.IdxBuffer.size_in_bytes()));
+    hash.addBytes(list.VtxBuffer.Data, static_cast<std::size_t>(list.VtxBuffer.size_in_bytes()));
+    hash.addBytes(list.IdxBuffer.Data, static_cast<std::size_t>(list.IdxBuffer.size_in_bytes()));
     for (const ImDrawCmd& command : list.CmdBuffer) {
-      mix(hash, &command.ClipRect, sizeof command.ClipRect);
-      mix(hash, &command.TextureId, sizeof command.TextureId);
+      hash.add(command.ClipRect);
+      hash.add(command.TextureId);
     }
   }
-  mix(hash, &picturesMade_, sizeof picturesMade_);
-  return hash;
+  hash.add(pictures_.revision());
+  return hash.value();
 }
 
 // Where the tool would reach from the pointer.
@@ -473,33 +371,6 @@ void EditorHost::drawRing() {
   };
   draw(false, 204);
   draw(true, 102);  // it may lie behind the model
-}
-
-// Letters as the panel's font has them, across the middle of what the panel leaves free.
-void EditorHost::stamp(const std::string& text) {
-  unsigned char* pixels = nullptr;
-  int across = 0, down = 0;
-  ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&pixels, &across, &down);
-  const ImFont& font = *ImGui::GetFont();
-  const int width = static_cast<int>(font.CalcTextSizeA(font.FontSize, 1e9f, 0, text.c_str()).x) + 2;
-  const int height = static_cast<int>(font.FontSize) + 2;
-  std::vector<std::uint8_t> coverage(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  float pen = 0;
-  for (const char* at = text.c_str(); *at;) {
-    unsigned int character = 0;
-    at += ImTextCharFromUtf8(&character, at, nullptr);
-    const ImFontGlyph& glyph = *font.FindGlyph(static_cast<ImWchar>(character));
-    const int left = static_cast<int>(pen + glyph.X0), top = static_cast<int>(glyph.Y0);
-    const int fromX = static_cast<int>(std::lround(glyph.U0 * static_cast<float>(across)));
-    const int fromY = static_cast<int>(std::lround(glyph.V0 * static_cast<float>(down)));
-    for (int y = 0; y < static_cast<int>(glyph.Y1 - glyph.Y0) && glyph.Visible; ++y)
-      for (int x = 0; x < static_cast<int>(glyph.X1 - glyph.X0); ++x)
-        if (left + x >= 0 && left + x < width && top + y >= 0 && top + y < height)
-          coverage[static_cast<std::size_t>((top + y) * width + left + x)] = pixels[(fromY + y) * across + fromX + x];
-    pen += glyph.AdvanceX;
-  }
-  const Vec2 free = size_ * (Vec2(1) - editor_.covered());
-  app_.stamp(coverage, width, height, 0.5f * free, std::min(0.5f * free.x, 0.28f * free.y * pen / font.FontSize));
 }
 
 // --- pictures ---
@@ -520,25 +391,9 @@ std::optional<Studio::Band> EditorHost::nextBand() {
 }
 
 void EditorHost::setVersions(std::vector<Version> versions) {
-  versions_ = std::move(versions);
-  if (attached_) showVersions();
+  pictures_.setVersions(std::move(versions));
+  if (attached_) pictures_.showVersions();
   wake();
-}
-
-void EditorHost::showVersions() {
-  using editor::kVersionPictureWidth, editor::kVersionPictureHeight;
-  constexpr std::size_t kBytes = std::size_t{4} * kVersionPictureWidth * kVersionPictureHeight;
-  versionViews_.clear();
-  versionPictures_.clear();
-  for (const Version& version : versions_) {
-    editor::VersionView view{version.id, version.name, version.when};
-    if (version.rgba.size() == kBytes) {
-      versionPictures_.push_back(pictureTexture(kVersionPictureWidth, kVersionPictureHeight, gl::bytesOf(version.rgba)));
-      view.picture = idOf(versionPictures_.back());
-    }
-    versionViews_.push_back(std::move(view));
-  }
-  ++picturesMade_;
 }
 
 // Live, as the platform's own time goes by.
@@ -565,7 +420,7 @@ void EditorHost::perform(const editor::Command& command) {
       [&](const SetTool& c) { app_.setTool(c.tool); },
       [&](const SetWetness& c) { app_.setWetness(c.amount); },
       [&](const Shake&) { app_.shake(); },
-      [&](const Stamp& c) { stamp(c.text); },
+      [&](const Stamp& c) { stampLetters(app_, c.text, size_ * (Vec2(1) - editor_.covered())); },
       [&](const LoadShipped& shipped) { request(Kind::LoadShipped, shipped.name); },
       [&](const OpenDialog&) { request(Kind::OpenDialog); },
       [&](const OpenPath& c) { request(Kind::OpenPath, c.path); },
@@ -576,16 +431,16 @@ void EditorHost::perform(const editor::Command& command) {
       [&](const PasteState&) { request(Kind::PasteRequest); },
       [&](const ApplyPreset& c) { app_.applyPreset(c.name); },
       [&](const SaveTypeSet&) { request(Kind::SaveTypeSet, typeSetName(app_)); },
-      [&](const SaveFo&) { request(Kind::SaveFo, modelFileName(app_, ".fo")); },
-      [&](const SaveScene&) { request(Kind::SaveScene, modelFileName(app_, ".glb")); },
+      [&](const SaveFo&) { request(Kind::SaveFo, modelFileName(app_, scene::Format::Fo)); },
+      [&](const SaveScene&) { request(Kind::SaveScene, modelFileName(app_, scene::Format::Glb)); },
       [&](const SaveMaps&) { request(Kind::SaveMaps, app_.mapsName() + "-maps"); },
       [&](const SelectAt& c) { selects_ = c.what; },
       [&](const GroomAll& c) { app_.groomAll(c.edit, c.value, c.direction); },
-      [&](const SavePicture& c) { begin({c.width, c.height, c.transparent}, Kind::SavePicture, modelFileName(app_, ".png")); },
+      [&](const SavePicture& c) { begin({c.width, c.height, c.transparent}, Kind::SavePicture, modelFileName(app_, scene::Format::Png)); },
       [&](const SaveTurntable& c) {
         // Films have even sides.
         begin({c.width / 2 * 2, c.height / 2 * 2, c.transparent, turntableFrames(c.secondsPerTurn), c.secondsPerTurn}, Kind::SaveTurntable,
-              modelFileName(app_, "-turn"));
+              stemOf(app_) + "-turn");
       },
       [&](const TurnOnce& c) {
         turnStart_ = app_.camera();

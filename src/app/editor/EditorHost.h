@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "app/App.h"
+#include "app/editor/PanelPictures.h"
 #include "app/editor/Studio.h"
 #include "editor/Editor.h"
 #include "editor/InputQueue.h"
@@ -92,10 +93,7 @@ class EditorHost {
   void endPicture() { studio_.end(); }
 
   // --- scenes that are kept under names, which the platform does: see PlatformCommand ---
-  struct Version {
-    std::string id, name, when;
-    std::vector<std::uint8_t> rgba;  // editor::kVersionPictureWidth x kVersionPictureHeight; or none
-  };
+  using Version = KeptVersion;
   // Newest first; in place of those before.
   void setVersions(std::vector<Version> versions);
   // Of the scene as it is.
@@ -118,20 +116,11 @@ class EditorHost {
  private:
   enum class Owner { None, Panel, App };
 
-  // A picture of the coat on the GPU, and what it shows.
-  struct CoatPicture {
-    gl::Texture texture;
-    std::uint64_t revision = 0;  // of the coat
-    editor::TileView view;
-  };
-
   struct Context;  // makes this host's ImGui context the current one for a scope
 
   bool covers(Vec2 position) const;
   void wake() { framesLeft_ = kFramesAfterEvent; }
   editor::EditorModel model();
-  void refreshCoatPictures();
-  void refreshGroom();
   bool picksColor(const PointerEvent& event);
   bool selects(const PointerEvent& event);
   bool resizeBrush(std::string_view name, bool down);
@@ -142,9 +131,7 @@ class EditorHost {
   void drawRing();
   void begin(const PictureOrder& order, PlatformCommand::Kind kind, std::string name);
   void turn(float dt);
-  void showVersions();
   void stopTurning() { turnLeft_ = 0; }
-  void stamp(const std::string& text);
   void check(const Status& status);
   std::uint64_t pictureHash() const;
 
@@ -165,14 +152,8 @@ class EditorHost {
   bool attached_ = false, justAttached_ = false;
   int framesLeft_ = kFramesAfterEvent;
   std::uint64_t drawnHash_ = 0, shownHash_ = 0;  // of the panel's triangles and pictures
-  CoatPicture tile_, fin_;
-  gl::Texture groomPicture_;
-  groom::Coverage groomCoverage_;
-  std::vector<Vec4> groomOutlines_;
-  std::uint64_t outlinesOf_ = 0;  // the app's surfaceRevision()
+  PanelPictures pictures_{app_};
   editor::Selects selects_ = editor::Selects::Nothing;  // what the next press on the model does
-  std::uint64_t groomRevision_ = 0;  // of these two; 0: none
-  std::uint64_t picturesMade_ = 0;
   float frameTime_ = 0;
   std::deque<PlatformCommand> platform_;
   std::vector<editor::Message> messages_;
@@ -181,9 +162,6 @@ class EditorHost {
   std::function<std::string()> readClipboard_;
   std::string clipboard_;
   Studio studio_{app_};
-  std::vector<Version> versions_;
-  std::vector<editor::VersionView> versionViews_;
-  std::vector<gl::Texture> versionPictures_;
   int mostPictureSide_ = kMostPictureSide;
   float secondsPerTurn_ = 0, turnLeft_ = 0;  // of a turn that is shown; seconds
   CameraOrbit turnStart_;

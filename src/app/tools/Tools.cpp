@@ -5,7 +5,7 @@ namespace fur::app {
 namespace {
 
 constexpr ToolTraits kTraits[] = {
-#define FUR_TOOL(id, name, on, drag, held, reach, ...) {name, WorksOn::on, Drag::drag, Held::held, reach},
+#define FUR_TOOL(id, name, program, on, drag, held, reach, ...) {name, WorksOn::on, Drag::drag, Held::held, reach},
 #include "app/tools/Tools.inc"
 #undef FUR_TOOL
 };
@@ -21,7 +21,7 @@ std::optional<Tool> toolNamed(std::string_view name) {
 }
 
 const ToolWords& wordsOf(Tool tool) {
-#define FUR_TOOL(id, name, on, drag, held, reach, label, inverse, row, place, icon, keys, tooltip) {label, inverse, row, icon, tooltip},
+#define FUR_TOOL(id, name, program, on, drag, held, reach, label, inverse, row, place, icon, keys, tooltip) {label, inverse, row, icon, tooltip},
   static constexpr ToolWords kWords[] = {
 #include "app/tools/Tools.inc"
   };

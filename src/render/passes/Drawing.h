@@ -10,6 +10,7 @@
 
 namespace fur::render {
 
+// What draws returns false where the driver refuses a shader: programs.error().
 struct Drawing {
   const Frame& frame;  // its size is that of the picture which is drawn, not of the one to which it is enlarged
   const Look& look;

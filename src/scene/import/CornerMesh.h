@@ -1,5 +1,4 @@
-// Faces whose corners refer to positions, texture coordinates and normals by separate numbers, as in .obj
-// and .fo, become a mesh whose vertices hold one of each.
+// Makes a mesh of faces whose corners index positions, texture coordinates and normals separately, as in .obj and .fo.
 #pragma once
 
 #include <array>
@@ -22,21 +21,21 @@ struct CornerLists {
 
 struct CornerWeld {
   std::vector<std::uint32_t> vertexOf;  // one a corner, vertices in order of first appearance
-  std::vector<std::uint32_t> cornerOf;  // one a vertex: the first corner that is it
+  std::vector<std::uint32_t> cornerOf;  // one a vertex: its first corner
 };
 
-// Indices of the corners, sorted by their third, then second, then first number; equals stay in order.
-// `limits`: no number is above its own. Linear in corners and limits, for it sorts by counting.
+// Indices of the corners, stably sorted by their third, then second, then first number. `limits`: the largest value of each
+// number. A counting sort, linear in corners and limits.
 std::vector<std::uint32_t> sortedCorners(const std::vector<Corner>& corners, const Corner& limits);
 
 // Corners are the same vertex when all three numbers are.
 CornerWeld weldCorners(const std::vector<Corner>& corners, const Corner& limits);
 
-// (0, 0) in place of coordinates so large that a float no longer tells neighbouring texels apart.
+// (0, 0) for coordinates so large that a float cannot distinguish neighbouring texels.
 Vec2 usableTexcoord(const Vec2& uv);
 
-// Fills the mesh, fitted to the unit sphere, hasTexcoords and bounds. Without any normals it is smooth but where faces meet at
-// more than 60 degrees. Throws ImportError (too-large).
+// Fills the mesh, fitted to the unit sphere, hasTexcoords and bounds. Without normals, edges of more than 60 degrees are hard
+// and others smooth. Throws ImportError (too-large).
 CornerWeld buildMesh(CornerLists lists, Model& model);
 
 }  // namespace fur::scene

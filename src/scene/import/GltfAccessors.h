@@ -1,4 +1,4 @@
-// Numbers out of a glTF accessor, every one of them checked against the bytes that back it.
+// Reads glTF accessors; every access is checked against the bytes.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,5 @@
-// A .glb or .gltf as JSON and bytes: nothing in it is trusted, every look-up is checked.
-//
-// A glTF library that fills structures first would read views and images before anybody has checked them.
-// All members throw ImportError, which importGltf catches.
+// A .glb or .gltf as JSON and bytes; every look-up is checked. (A glTF library that fills structs first would read views and
+// images before they have been checked.) All members throw ImportError, which importGltf() catches.
 #pragma once
 
 #include <cstdint>
@@ -20,19 +18,17 @@ using Whole = unsigned long long;  // a number of the file, up to 2^53; %llu pri
 
 class GltfFile {
  public:
-  // Reads the container and the JSON, refuses versions and required extensions that we do not read.
-  // Holds on to `bytes` and `others`.
+  // Reads the container and the JSON; rejects unknown versions and required extensions. `bytes` and `others` must outlive it.
   GltfFile(Bytes bytes, const std::string& name, const FileSet& others);
 
   const Json& json() const { return nodes_[0]; }
 
-  // The element of a top-level array; bad-file when there is none. The text calls it `key[index]`.
+  // An element of a top-level array, `key[index]` in error texts; bad-file when there is none.
   const Json& element(const char* key, Whole index) const;
   // How many elements a top-level array has; 0 when it is absent.
   std::size_t count(const char* key) const;
 
-  // Too-large when it has more keys than anything here needs: each look-up walks along them all, and what many others
-  // refer to is looked up as often.
+  // Too-large when the object has far more keys than glTF defines: each look-up is linear in the number of keys.
   void expectFewKeys(const Json& object, const std::string& where) const;
 
   // A non-negative whole number. `where` names the object in the error's text.
@@ -46,10 +42,10 @@ class GltfFile {
     std::size_t stride;  // 0: packed
   };
   View bufferView(Whole index) const;
-  // What a URI stands for: the data in it, or the file that came along; empty pointer when it did not.
+  // The data of a URI: decoded from it, or from a file beside the model's. False when there is none.
   bool resolve(const std::string& uri, std::vector<std::uint8_t>& decoded, Bytes& bytes) const;
 
-  // The reason as std::printf has it; bad: of bad-file.
+  // Throws, with a text as of std::printf; bad() throws bad-file.
   [[noreturn, gnu::format(printf, 3, 4)]] void fail(ErrorId id, const char* format, ...) const;
   [[noreturn, gnu::format(printf, 2, 3)]] void bad(const char* format, ...) const;
 

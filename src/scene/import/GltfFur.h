@@ -7,14 +7,14 @@
 
 namespace fur::scene {
 
-// What the root says; the vertices come later.
+// What the extension at the root has; values of vertices are read with the meshes.
 struct GltfFur {
   bool present = false;
   bool hasMap = false;
   Whole atlasSet = 0;  // of the maps
 };
 
-// Fills state, maps and whiskers of `fur`; whiskers stand where the file has them.
+// Fills state, maps and whiskers of `fur`; whiskers are in the file's units.
 GltfFur readFur(const GltfFile& file, FurData& fur);
 
 }  // namespace fur::scene

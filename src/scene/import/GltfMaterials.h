@@ -1,4 +1,4 @@
-// The one base colour of a model: of its materials, the textured one that covers the most triangles.
+// Chooses the base colour of a model: that of the textured material with the most triangles.
 #pragma once
 
 #include <cstdint>
@@ -19,17 +19,17 @@ class GltfMaterials {
  public:
   explicit GltfMaterials(const GltfFile& file) : file_(file) {}
 
-  // The material of a primitive; of one that shows paint (ScenePicture) the one below that.
+  // The material of a primitive; if it shows paint (ScenePicture), the material under the paint.
   Whole of(const Json& primitive, const std::string& where) const;
-  // Which texture coordinates the material's base colour reads (set 0 without a texture).
+  // The texture coordinates of the material's base colour (set 0 without a texture).
   const TexcoordUse& texcoordUse(Whole material);
   void count(Whole material, std::size_t triangles) { triangles_[material] += triangles; }
-  // Of those that were counted the one whose base colour is the model's, or kNoMaterial.
+  // The material whose base colour is used, or kNoMaterial; after count() for all primitives.
   Whole chosen() const;
   // pbrMetallicRoughness.key of a material, or null.
   const Json* part(Whole material, const char* key) const;
-  // Base colour factor and image of the chosen material. An image over kMaxImageSide is too-large; one
-  // that is missing or unreadable is a warning, and the factor alone remains.
+  // Sets the base colour factor and image of the chosen material. An image over kMaxImageSide is too-large; for one that is
+  // missing or unreadable there is a warning, and only the factor is used.
   void describe(Model& model) const;
 
  private:

@@ -1,4 +1,4 @@
-// Which meshes the default scene shows, and where.
+// The meshes of the default scene and their transforms.
 #pragma once
 
 #include <cstdint>
@@ -16,11 +16,10 @@ struct PlacedMesh {
   Whole node = 0, skin = kNoSkin;
 };
 
-// In the order of the node tree. Without scenes every root node is shown, without nodes every mesh.
-// A node that is reached twice (a cycle, two parents) is bad-file. A skinned mesh stands where its skin
-// puts it, so its node's own transform does not count (glTF 2.0, 3.7.3.3).
+// In the order of the node tree. Without scenes all root nodes are used, without nodes all meshes. A node that is reached twice
+// (a cycle, two parents) is bad-file. The transform of a skinned mesh's node is ignored (glTF 2.0, 3.7.3.3).
 std::vector<PlacedMesh> placedMeshes(const GltfFile& file);
-// The numbers of a node's children, which exist.
+// The indices of a node's children; checked.
 std::vector<Whole> childrenOf(const GltfFile& file, Whole node);
 
 }  // namespace fur::scene

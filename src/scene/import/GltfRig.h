@@ -1,4 +1,4 @@
-// Nodes, skins, morph targets and animations of a glTF file, every number of them checked.
+// Reads nodes, skins, morph targets and animations of a glTF file; everything is checked.
 #pragma once
 
 #include "scene/Rig.h"
@@ -11,9 +11,9 @@ class GltfRig {
  public:
   GltfRig(const GltfFile& file, Rig& rig);
 
-  // Reads nodes and animations when there is anything that moves or is skinned; else false, and nothing else is to be done.
+  // Reads nodes and animations; false when nothing is animated or skinned: then there is no rig.
   bool begin();
-  // A primitive that was placed: `positions` and `normals` in the space of its node.
+  // Adds a primitive; `positions` and `normals` are in the space of its node.
   void addPart(const PlacedMesh& placed, const Json& primitive, std::vector<Vec3> positions, std::vector<Vec3> normals,
                const std::string& where);
 

@@ -1,4 +1,4 @@
-// Size and kind of an image from its first bytes, so that limits are checked before anything is decoded.
+// Format and size of an image from its first bytes, to check limits before decoding.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ struct ImageHeader {
   std::uint32_t width = 0, height = 0;
 };
 
-// Nothing for bytes that are none of the three, or end before the size.
+// Nothing for other formats, or when the bytes end before the size.
 std::optional<ImageHeader> readImageHeader(std::span<const std::uint8_t> bytes);
 
 }  // namespace fur::scene

@@ -1,6 +1,5 @@
-// How importers fail inside: they throw, and guardedImport() makes a Result of it at their border.
-// Texts are put together by one function instead of many small strings: with all that takes to free those
-// when something throws they would be a good part of what a page downloads.
+// Importers throw inside, and guardedImport() makes a Result of it. Texts are made by one printf-like function instead of
+// concatenated strings, as the code that frees these when something throws would be a large part of the download.
 #pragma once
 
 #include <cstdint>
@@ -22,14 +21,14 @@ struct ImportError : std::exception {
   Error error;
 };
 
-// As std::printf has it, of %s, %.<number>s, %d, %u, %zu, and %lld and %llu below 2^63 alone: that is what makes it small.
+// std::printf for %s, %.<number>s, %d, %u, %zu, and %lld and %llu below 2^63 only, which makes it small.
 [[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);
 std::string formatted(const char* format, std::va_list arguments);
 
-// The error that the exception being handled stands for. `name` is the file's.
+// The error of the exception being handled. `name`: of the file.
 Error caughtError(const std::string& name);
 
-// Whatever `work` returns or throws.
+// The result of `work`, or the error that it throws.
 template <class T, class Work>
 Result<T> guardedImport(const std::string& name, Work&& work) {
   try {

@@ -265,6 +265,7 @@ class Importer {
 void readGltf(Bytes bytes, const FileSet& others, Model& model) {
   const GltfFile file(bytes, model.name, others);
   Importer(file, model).run();
+  model.isGltf = true;
 }
 
 }  // namespace fur::scene

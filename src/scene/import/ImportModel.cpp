@@ -1,7 +1,7 @@
-#include <algorithm>
-#include <cctype>
+#include <optional>
 #include <string_view>
 
+#include "scene/Formats.h"
 #include "scene/Model.h"
 #include "scene/import/Readers.h"
 #include "scene/import/StatementReader.h"
@@ -10,7 +10,19 @@ namespace fur::scene {
 
 namespace {
 
-enum class Format { Gltf, Obj, Fo, Unknown };
+using Reader = void (*)(Bytes bytes, const FileSet& others, Model& model);
+
+// Nullptr where the format is none of models.
+Reader readerOf(Format format) {
+  switch (format) {
+#define FUR_MODEL_FORMAT(id, endings, mime, savedAs, reader) case Format::id: return reader;
+#define FUR_FORMAT(id, ...) case Format::id: return nullptr;
+#include "scene/Formats.inc"
+#undef FUR_MODEL_FORMAT
+#undef FUR_FORMAT
+  }
+  return nullptr;
+}
 
 // A .glb begins with "glTF", a .gltf with a brace.
 bool isGltf(Bytes bytes) {
@@ -20,41 +32,29 @@ bool isGltf(Bytes bytes) {
   return text.substr(0, 4) == "glTF" || (start != std::string_view::npos && text[start] == '{');
 }
 
-std::string endingOf(const std::string& name) {
-  std::string ending = name.substr(std::min(name.rfind('.'), name.size()));
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  return ending;
-}
-
 // Both text formats begin with v; the first other statement of a mesh tells them apart.
-Format formatOfStatements(Bytes bytes, const std::string& name) {
+std::optional<Format> formatOfStatements(Bytes bytes, const std::string& name) {
   for (StatementReader reader(bytes, name); reader.next();) {
     const std::string_view keyword = reader.keyword();
     if (keyword == "vt" || keyword == "vn" || keyword == "f") return Format::Obj;
     if (keyword == "t" || keyword == "p") return Format::Fo;
   }
-  return Format::Unknown;
+  return std::nullopt;
 }
 
-Format formatOf(Bytes bytes, const std::string& name) {
-  const std::string ending = endingOf(name);
-  if (isGltf(bytes) || ending == ".glb" || ending == ".gltf") return Format::Gltf;
-  if (ending == ".obj") return Format::Obj;
-  if (ending == ".fo") return Format::Fo;
-  return formatOfStatements(bytes, name);
+std::optional<Format> formatOf(Bytes bytes, const std::string& name) {
+  if (isGltf(bytes)) return Format::Glb;
+  const auto named = formatNamed(name);
+  return named && readerOf(*named) ? named : formatOfStatements(bytes, name);
 }
 
-Result<Model> importAs(Format format, Bytes bytes, const std::string& name, const FileSet& others) {
+Result<Model> importAs(std::optional<Format> format, Bytes bytes, const std::string& name, const FileSet& others) {
   return guardedImport<Model>(name, [&] {
     Model model;
     model.name = name;
-    switch (format == Format::Unknown ? formatOf(bytes, name) : format) {
-      case Format::Gltf: readGltf(bytes, others, model), model.isGltf = true; break;
-      case Format::Obj: readObj(bytes, model); break;
-      case Format::Fo: readFo(bytes, model); break;
-      case Format::Unknown:
-        throw ImportError({ErrorId::BadFile, name + ": this is no model; .glb, .gltf, .obj and .fo files are read"});
-    }
+    if (!format) format = formatOf(bytes, name);
+    if (!format) throw ImportError({ErrorId::BadFile, name + ": this is no model; " + endingsOf(FileKind::Model) + " files are read"});
+    readerOf(*format)(bytes, others, model);
     return model;
   });
 }
@@ -62,11 +62,11 @@ Result<Model> importAs(Format format, Bytes bytes, const std::string& name, cons
 }  // namespace
 
 Result<Model> importModel(std::span<const std::uint8_t> bytes, const std::string& name, const FileSet& others) {
-  return importAs(Format::Unknown, bytes, name, others);
+  return importAs(std::nullopt, bytes, name, others);
 }
 
 Result<Model> importGltf(std::span<const std::uint8_t> bytes, const std::string& name, const FileSet& others) {
-  return importAs(Format::Gltf, bytes, name, others);
+  return importAs(Format::Glb, bytes, name, others);
 }
 
 Result<Model> importObj(std::span<const std::uint8_t> bytes, const std::string& name) {

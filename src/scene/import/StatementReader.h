@@ -1,8 +1,8 @@
-// Text files of statements, one a line, as .obj and .fo are: a keyword and further words. Nothing in
-// them is trusted. Lines end with LF, CR or both; `#` begins a comment where a word could begin; a
-// backslash at the end of a line joins the next one to it. No line is ever copied, however long.
+// Reads text files with one statement a line, such as .obj and .fo: a keyword and further words. Lines end with LF, CR or
+// both; `#` begins a comment where a word could begin; a backslash at the end of a line joins the next one to it. Lines are not
+// copied, however long.
 //
-// Everything that fails throws ImportError with the file, the line and the reason.
+// Errors throw ImportError with the file, the line and the reason.
 #pragma once
 
 #include <cstdint>
@@ -16,34 +16,33 @@ namespace fur::scene {
 
 class StatementReader {
  public:
-  // Refuses files over kMaxFileBytes. Holds on to `bytes` and `name`.
+  // Rejects files over kMaxFileBytes. `bytes` and `name` must outlive it.
   StatementReader(Bytes bytes, const std::string& name);
 
-  // Goes to the next statement, past what is left of this one; false at the end of the file.
+  // Goes to the next statement; false at the end of the file.
   bool next();
   std::string_view keyword() const { return keyword_; }
 
-  // The next word of the statement; empty: there is none.
+  // The next word of the statement; empty at its end.
   std::string_view word();
-  // The next word as a finite number, or as a whole one in the range of int. `what` names it in errors:
-  // "the x of a vertex".
+  // The next word as a finite number, or as an int. `what` names it in errors: "the x of a vertex".
   float number(const char* what);
   int whole(const char* what);
-  // Three numbers of a size that differences of positions stay finite with.
+  // Three numbers, so limited that differences of positions are finite.
   Vec3 position();
   void expectEnd();
 
-  // Reads the digits of a number from the front of `word`, an optional sign first. False: there are none.
-  // What does not fit 32 bits comes out as a number past every limit.
+  // Removes an optional sign and digits from the front of `word`; false when there are no digits. A number that does not fit
+  // 32 bits becomes one beyond all limits.
   static bool takeWhole(std::string_view& word, std::int64_t& out);
-  // For an element that a face refers to by `number`, counted from 1: its index.
+  // The index of an element that a face refers to by `number`, counted from 1, or negative from the end.
   std::uint32_t index(std::int64_t number, std::size_t count, const char* what) const;
 
-  // Fails with bad-file and the reason, as std::printf has it.
+  // Throws bad-file with a text as of std::printf.
   [[noreturn, gnu::format(printf, 2, 3)]] void bad(const char* format, ...) const;
-  // Fails with bad-file: `what` is `word`, and why that will not do. Either may be whatever the file holds.
+  // Throws bad-file: `what` is `word`, and why that is wrong. `word` may have any bytes.
   [[noreturn]] void badWord(const char* what, std::string_view word, const char* why) const;
-  // Fails with too-large when `count` elements leave no room for one more.
+  // Throws too-large when `count` has reached the limit.
   void checkRoom(std::size_t count, std::size_t limit, const char* what) const;
 
  private:

@@ -4,12 +4,11 @@
 
 namespace fur::render {
 
-Status ArrowPass::draw(const Drawing& drawing, unsigned view) const {
-  const auto program = drawing.programs.use(Shader::Arrow, drawing.look.arrows(view));
-  if (!program) return program.error();
+bool ArrowPass::draw(const Drawing& drawing, unsigned view) const {
+  if (!drawing.programs.use(Shader::Arrow, drawing.look.arrows(view))) return false;
   gl::apply({.cullBack = false});
   array_.drawStrips(2 * FUR_ARROW_POINTS, drawing.surface.vertexCount());
-  return Done{};
+  return true;
 }
 
 }  // namespace fur::render

@@ -15,12 +15,11 @@ void fillBackground(const Frame& frame, shared::FrameBlock& block) {
   block.backgroundBottom = shownColor(frame.settings.backgroundBottom);
 }
 
-Status drawBackground(const Drawing& drawing) {
-  const auto program = drawing.programs.use(Shader::Background, kPlain);
-  if (!program) return program.error();
+bool drawBackground(const Drawing& drawing) {
+  if (!drawing.programs.use(Shader::Background, kPlain)) return false;
   gl::apply({.cullBack = false, .blend = drawing.frame.transparent ? gl::Blend::Erase : gl::Blend::None});
   gl::drawWithoutVertices(6 * FUR_BACKGROUND_STRIPS);
-  return Done{};
+  return true;
 }
 
 }  // namespace fur::render

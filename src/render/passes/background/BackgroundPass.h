@@ -7,6 +7,6 @@
 namespace fur::render {
 
 void fillBackground(const Frame& frame, shared::FrameBlock& block);
-Status drawBackground(const Drawing& drawing);
+bool drawBackground(const Drawing& drawing);
 
 }  // namespace fur::render

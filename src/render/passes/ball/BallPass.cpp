@@ -7,13 +7,12 @@ void fillBall(const Frame& frame, shared::FrameBlock& block) {
   block.ballRadius = frame.ball.w;
 }
 
-Status drawBall(const Drawing& drawing) {
-  if (drawing.frame.ball.w <= 0) return Done{};
-  const auto program = drawing.programs.use(Shader::Ball, kPlain);
-  if (!program) return program.error();
+bool drawBall(const Drawing& drawing) {
+  if (drawing.frame.ball.w <= 0) return true;
+  if (!drawing.programs.use(Shader::Ball, kPlain)) return false;
   gl::apply({});
   drawBallTriangles();
-  return Done{};
+  return true;
 }
 
 void drawBallTriangles() { gl::drawWithoutVertices(6 * FUR_BALL_AROUND * FUR_BALL_DOWN); }

@@ -8,7 +8,7 @@ namespace fur::render {
 
 void fillBall(const Frame& frame, shared::FrameBlock& block);
 // Where there is one.
-Status drawBall(const Drawing& drawing);
+bool drawBall(const Drawing& drawing);
 // Its triangles with the program and state that are set: it is in both shadow maps, too.
 void drawBallTriangles();
 

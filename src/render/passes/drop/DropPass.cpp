@@ -47,10 +47,9 @@ std::vector<Instance> instancesOf(std::span<const wet::Drop> drops) {
 
 }  // namespace
 
-Status DropPass::draw(const Drawing& drawing) {
-  if (drawing.frame.drops.empty()) return Done{};
-  const auto program = drawing.programs.use(Shader::Drop, kPlain);
-  if (!program) return program.error();
+bool DropPass::draw(const Drawing& drawing) {
+  if (drawing.frame.drops.empty()) return true;
+  if (!drawing.programs.use(Shader::Drop, kPlain)) return false;
   const std::vector<Instance> instances = instancesOf(drawing.frame.drops);
   if (instances_.bytes() == 0) {
     instances_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(instances), true);
@@ -61,7 +60,7 @@ Status DropPass::draw(const Drawing& drawing) {
   drawing.uploadedBytes += gl::bytesOf(instances).size();
   gl::apply({.depthWrite = false, .cullBack = false, .blend = gl::Blend::Over});
   array_.drawStrips(4, static_cast<int>(instances.size()));
-  return Done{};
+  return true;
 }
 
 }  // namespace fur::render

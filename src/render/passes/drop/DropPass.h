@@ -10,7 +10,7 @@ namespace fur::render {
 class DropPass {
  public:
   // Over a picture that is whole.
-  Status draw(const Drawing& drawing);
+  bool draw(const Drawing& drawing);
   std::size_t bytes() const { return instances_.bytes(); }
 
  private:

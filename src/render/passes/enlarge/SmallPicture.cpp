@@ -24,17 +24,16 @@ Status SmallPicture::begin(int width, int height) {
   return Done{};
 }
 
-Status SmallPicture::show(Programs& programs) const {
+bool SmallPicture::show(Programs& programs) const {
   resolved_.resolve(drawn_, width_, height_);
   gl::bindPlatformFramebuffer();
-  const auto program = programs.use(Shader::Enlarge, kPlain);
-  if (!program) return program.error();
+  if (!programs.use(Shader::Enlarge, kPlain)) return false;
   // The depth that lies there is of no use to anyone, nor the colour.
   gl::clear(Vec4(0, 0, 0, 1));
   gl::apply({.depthTest = false, .depthWrite = false, .cullBack = false});
   texture_.bind(FUR_UNIT_GROUND);
   gl::drawWithoutVertices(3);
-  return Done{};
+  return true;
 }
 
 std::size_t SmallPicture::bytes() const {

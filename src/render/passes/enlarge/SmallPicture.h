@@ -13,7 +13,7 @@ class SmallPicture {
   // its memory for the next frame of the same size.
   Status begin(int width, int height);
   // Enlarges it, with bilinear filtering, to the viewport of the platform's framebuffer.
-  Status show(Programs& programs) const;
+  bool show(Programs& programs) const;
   std::size_t bytes() const;
 
  private:

@@ -64,17 +64,16 @@ void FinPass::select(const Drawing& drawing, float pixels) {
   drawing.uploadedBytes += seen.size() * sizeof(FinEdge);
 }
 
-Status FinPass::draw(const Drawing& drawing, unsigned view) {
+bool FinPass::draw(const Drawing& drawing, unsigned view) {
   const bool lines = view & kViewEdges;
   const Frame& frame = drawing.frame;
-  if (!drawing.look.furry() || !(frame.settings.fins || lines)) return Done{};
+  if (!drawing.look.furry() || !(frame.settings.fins || lines)) return true;
   select(drawing, lines ? 0 : frame.settings.furLength * pixelsPerUnit(frame));
-  if (count_ == 0) return Done{};
-  const auto program = drawing.programs.use(Shader::Fin, drawing.look.fins(view));
-  if (!program) return program.error();
+  if (count_ == 0) return true;
+  if (!drawing.programs.use(Shader::Fin, drawing.look.fins(view))) return false;
   gl::apply(stateOf(view, {.cullBack = false, .alphaToCoverage = !lines, .alpha = false}));
   array_.drawStrips(2 * (FUR_FIN_SEGMENTS + 1), count_);
-  return Done{};
+  return true;
 }
 
 }  // namespace fur::render

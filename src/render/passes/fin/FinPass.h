@@ -17,7 +17,7 @@ class FinPass {
   // The length of fur at every vertex, until the next set(): fins between two of none are left out. {}: 1 everywhere.
   void setLengths(std::span<const float> vertexLengths);
 
-  Status draw(const Drawing& drawing, unsigned view);
+  bool draw(const Drawing& drawing, unsigned view);
   std::size_t bytes() const { return instances_.bytes(); }
 
  private:

@@ -31,17 +31,16 @@ void GroundPass::showPuddles(const Drawing& drawing) {
   drawing.uploadedBytes += puddles.cells.size();
 }
 
-Status GroundPass::draw(const Drawing& drawing, const GroundShadow& shadow) {
+bool GroundPass::draw(const Drawing& drawing, const GroundShadow& shadow) {
   const Frame& frame = drawing.frame;
-  if (!frame.settings.ground || frame.transparent) return Done{};
+  if (!frame.settings.ground || frame.transparent) return true;
   const bool wet = !frame.puddles.empty();
   if (wet) showPuddles(drawing);
   shadow.map().bind(FUR_UNIT_GROUND);
-  const auto program = drawing.programs.use(Shader::Ground, wet ? kWet : kPlain);
-  if (!program) return program.error();
+  if (!drawing.programs.use(Shader::Ground, wet ? kWet : kPlain)) return false;
   gl::apply({.cullBack = false});
   gl::drawWithoutVertices(6 * FUR_GROUND_CELLS * FUR_GROUND_CELLS);
-  return Done{};
+  return true;
 }
 
 }  // namespace fur::render

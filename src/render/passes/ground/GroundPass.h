@@ -11,7 +11,7 @@ void fillGround(const Frame& frame, shared::FrameBlock& block);
 
 class GroundPass {
  public:
-  Status draw(const Drawing& drawing, const GroundShadow& shadow);
+  bool draw(const Drawing& drawing, const GroundShadow& shadow);
   std::size_t bytes() const { return puddles_.bytes(); }
 
  private:

@@ -24,24 +24,21 @@ void GroundShadow::drawNothing() const {
   gl::bindPlatformFramebuffer();
 }
 
-Status GroundShadow::drawModel(const Drawing& drawing) {
+bool GroundShadow::drawModel(const Drawing& drawing) {
   targets_[0].bind();
   gl::clear(Vec4(0));
-  const auto flat = drawing.programs.use(Shader::GroundShadow, kPlain);
-  if (!flat) return flat.error();
+  if (!drawing.programs.use(Shader::GroundShadow, kPlain)) return false;
   gl::apply({.depthTest = false, .depthWrite = false, .cullBack = false, .blend = gl::Blend::Add});
   // Along the light, straight down, and where the eye sees it mirrored.
   drawing.surface.draw(drawing.frame.puddles.empty() ? 2 : 3);
-  if (drawing.frame.ball.w <= 0) return Done{};
-  const auto round = drawing.programs.use(Shader::GroundShadow, kBall);
-  if (!round) return round.error();
+  if (drawing.frame.ball.w <= 0) return true;
+  if (!drawing.programs.use(Shader::GroundShadow, kBall)) return false;
   drawBallTriangles();
-  return Done{};
+  return true;
 }
 
-Status GroundShadow::blur(Programs& programs) {
-  const auto program = programs.use(Shader::Blur, kPlain);
-  if (!program) return program.error();
+bool GroundShadow::blur(Programs& programs) {
+  if (!programs.use(Shader::Blur, kPlain)) return false;
   gl::apply({.depthTest = false, .depthWrite = false, .cullBack = false});
   // Across into [1], down back into [0].
   for (const int from : {0, 1}) {
@@ -49,21 +46,20 @@ Status GroundShadow::blur(Programs& programs) {
     maps_[from].bind(FUR_UNIT_GROUND);
     gl::drawWithoutVertices(3, 3 * from);
   }
-  return Done{};
+  return true;
 }
 
-Status GroundShadow::update(const Drawing& drawing) {
+bool GroundShadow::update(const Drawing& drawing) {
   const Frame& frame = drawing.frame;
-  if (!frame.settings.ground) return Done{};
+  if (!frame.settings.ground) return true;
   const Key key{drawing.surface.revision(), frame.worldFromModel, lightDirection(frame), frame.settings.furLength, frame.groundHeight,
                 frame.ball, frame.puddles.empty() ? Vec3(0) : frame.camera.eye};
-  if (key_ == key) return Done{};
+  if (key_ == key) return true;
   gl::setViewport(kSize, kSize);
-  Status status = drawModel(drawing);
-  if (status) status = blur(drawing.programs);
+  const bool drawn = drawModel(drawing) && blur(drawing.programs);
   gl::bindPlatformFramebuffer();
-  if (status) key_ = key;
-  return status;
+  if (drawn) key_ = key;
+  return drawn;
 }
 
 }  // namespace fur::render

@@ -11,7 +11,7 @@ class GroundShadow {
  public:
   void create();
   // Needs both blocks bound. Leaves the platform's framebuffer bound, and where it has drawn another viewport.
-  Status update(const Drawing& drawing);
+  bool update(const Drawing& drawing);
   const gl::Texture& map() const { return maps_[0]; }
   // Draws nothing that is kept, into a target of its own.
   void drawNothing() const;
@@ -27,8 +27,8 @@ class GroundShadow {
     Vec3 mirrorsTo;  // the eye, where the ground is wet
     bool operator==(const Key&) const = default;
   };
-  Status drawModel(const Drawing& drawing);
-  Status blur(Programs& programs);
+  bool drawModel(const Drawing& drawing);
+  bool blur(Programs& programs);
 
   gl::Texture maps_[2];  // [1]: half blurred
   gl::Target targets_[2];

@@ -73,66 +73,62 @@ void FurShadow::prepare(int size, bool layers) {
   }
 }
 
-Status FurShadow::drawFirst(Programs& programs, const Key& key, bool layers, const gl::VertexArray& surface, int indexCount) {
+bool FurShadow::drawFirst(Programs& programs, const Key& key, bool layers, const gl::VertexArray& surface, int indexCount) {
   firstTarget_[0].bind();
   gl::clear(Vec4(1));
   for (const bool skin : {false, true}) {
     if (skin && !layers) break;
-    auto program = programs.use(Shader::ShadowMap, key.curve | (skin ? +kSkinOnly : +kPlain));
-    if (!program) return program.error();
+    if (!programs.use(Shader::ShadowMap, key.curve | (skin ? +kSkinOnly : +kPlain))) return false;
     if (skin) gl::clearDepth();
     gl::apply({.cullBack = false, .red = !skin, .green = !skin, .blue = skin, .alpha = skin});
     surface.drawIndexed(indexCount, 1);
     // As dark as skin: layers count strands from the coat on, whatever is above it.
     if (key.ball.w <= 0 || skin != layers) continue;
-    program = programs.use(Shader::ShadowMap, kBall);
-    if (!program) return program.error();
+    if (!programs.use(Shader::ShadowMap, kBall)) return false;
     drawBallTriangles();
   }
-  return Done{};
+  return true;
 }
 
-Status FurShadow::blur(Programs& programs) {
+bool FurShadow::blur(Programs& programs) {
   gl::apply({.depthTest = false, .depthWrite = false, .cullBack = false});
   // Across into [1], down back into [0].
-  const auto program = programs.use(Shader::ShadowBlur, kShadowDepth);
-  if (!program) return program.error();
+  if (!programs.use(Shader::ShadowBlur, kShadowDepth)) return false;
   for (const int from : {0, 1}) {
     firstTarget_[1 - from].bind();
     first_[from].bind(FUR_UNIT_SHADOW);
     gl::drawWithoutVertices(3, 3 * from);
   }
-  return Done{};
+  return true;
 }
 
-Status FurShadow::drawLayers(Programs& programs, unsigned curve, const gl::VertexArray& surface, int indexCount) {
-  const auto program = programs.use(Shader::ShadowMap, curve | kShadowLayers);
-  if (!program) return program.error();
+bool FurShadow::drawLayers(Programs& programs, unsigned curve, const gl::VertexArray& surface, int indexCount) {
+  if (!programs.use(Shader::ShadowMap, curve | kShadowLayers)) return false;
   first_[0].bind(FUR_UNIT_SHADOW);
   opacityTarget_.bind();
   gl::clear(Vec4(0));
   gl::apply({.depthTest = false, .depthWrite = false, .cullBack = false, .blend = gl::Blend::Add});
   surface.drawIndexed(indexCount, FUR_SHADOW_SHELLS);
-  return Done{};
+  return true;
 }
 
-Status FurShadow::update(Programs& programs, const Key& key, const gl::VertexArray& surface, int indexCount) {
-  if (key.shadows == Shadows::None) return Done{};
+bool FurShadow::update(Programs& programs, const Key& key, const gl::VertexArray& surface, int indexCount) {
+  if (key.shadows == Shadows::None) return true;
   const bool layers = key.shadows == Shadows::Layers;
   if (key_ != key) {
     const int size = layers ? FUR_OPACITY_SIZE : FUR_SHADOW_SIZE;
     prepare(size, layers);
     gl::setViewport(size, size);
-    Status status = drawFirst(programs, key, layers, surface, indexCount);
-    if (status) status = layers ? drawLayers(programs, key.curve, surface, indexCount) : blur(programs);
+    const bool drawn = drawFirst(programs, key, layers, surface, indexCount) &&
+                       (layers ? drawLayers(programs, key.curve, surface, indexCount) : blur(programs));
     gl::bindPlatformFramebuffer();
-    if (!status) return status;
+    if (!drawn) return false;
     key_ = key;
     ++redraws_;
   }
   first_[0].bind(FUR_UNIT_SHADOW);
   if (layers) opacity_.bind(FUR_UNIT_OPACITY);
-  return Done{};
+  return true;
 }
 
 std::size_t FurShadow::bytes() const {

@@ -49,15 +49,15 @@ class FurShadow {
   };
   // Needs both uniform blocks, the bends and the tile bound; leaves the platform's framebuffer bound, and
   // another viewport. Binds the maps to their units.
-  Status update(Programs& programs, const Key& key, const gl::VertexArray& surface, int indexCount);
+  bool update(Programs& programs, const Key& key, const gl::VertexArray& surface, int indexCount);
   std::size_t bytes() const;
   long redraws() const { return redraws_; }
 
  private:
   void prepare(int size, bool layers);
-  Status drawFirst(Programs& programs, const Key& key, bool layers, const gl::VertexArray& surface, int indexCount);
-  Status blur(Programs& programs);
-  Status drawLayers(Programs& programs, unsigned curve, const gl::VertexArray& surface, int indexCount);
+  bool drawFirst(Programs& programs, const Key& key, bool layers, const gl::VertexArray& surface, int indexCount);
+  bool blur(Programs& programs);
+  bool drawLayers(Programs& programs, unsigned curve, const gl::VertexArray& surface, int indexCount);
 
   gl::Texture first_[2];  // depth of the first surface; [1]: half blurred
   gl::Target firstTarget_[2];

@@ -46,17 +46,16 @@ void ShellPass::order(const Drawing& drawing, float reach, bool overlapping) {
   drawing.uploadedBytes += seen.size() * sizeof(std::uint32_t);
 }
 
-Status ShellPass::draw(const Drawing& drawing, unsigned view) {
-  if (!drawing.look.furry()) return Done{};
+bool ShellPass::draw(const Drawing& drawing, unsigned view) {
+  if (!drawing.look.furry()) return true;
   const Frame& frame = drawing.frame;
-  const auto program = drawing.programs.use(Shader::Shell, drawing.look.shells(view));
-  if (!program) return program.error();
+  if (!drawing.programs.use(Shader::Shell, drawing.look.shells(view))) return false;
   const bool exploded = view & kViewExploded;
   order(drawing, frame.settings.furLength + (exploded ? FUR_EXPLODED_SHELLS * FUR_EXPLODED_GAP : 0), chartsOverlap(frame) && !exploded);
-  if (indexCount_ == 0) return Done{};
+  if (indexCount_ == 0) return true;
   gl::apply(stateOf(view, {.alphaToCoverage = true, .alpha = false}));
   array_.drawIndexed(indexCount_, exploded ? FUR_EXPLODED_SHELLS : view & kViewLayer ? 1 : frame.slabs);
-  return Done{};
+  return true;
 }
 
 }  // namespace fur::render

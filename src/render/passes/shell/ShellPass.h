@@ -17,7 +17,7 @@ class ShellPass {
   void setPatches(geometry::FurPatches patches);
   bool empty() const { return patches_.indices.empty(); }
 
-  Status draw(const Drawing& drawing, unsigned view);
+  bool draw(const Drawing& drawing, unsigned view);
   std::size_t bytes() const { return indices_.bytes(); }
 
  private:

@@ -2,12 +2,11 @@
 
 namespace fur::render {
 
-Status drawSkin(const Drawing& drawing, unsigned variant) {
-  const auto program = drawing.programs.use(Shader::Skin, variant);
-  if (!program) return program.error();
+bool drawSkin(const Drawing& drawing, unsigned variant) {
+  if (!drawing.programs.use(Shader::Skin, variant)) return false;
   gl::apply(stateOf(variant, {.cullBack = !drawing.surface.twoSided()}));
   drawing.surface.draw(1);
-  return Done{};
+  return true;
 }
 
 }  // namespace fur::render

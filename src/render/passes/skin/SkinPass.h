@@ -5,6 +5,6 @@
 
 namespace fur::render {
 
-Status drawSkin(const Drawing& drawing, unsigned variant);
+bool drawSkin(const Drawing& drawing, unsigned variant);
 
 }  // namespace fur::render

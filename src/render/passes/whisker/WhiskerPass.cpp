@@ -28,13 +28,12 @@ std::size_t WhiskerPass::set(std::span<const WhiskerHair> hairs) {
   return hairs_.bytes();
 }
 
-Status WhiskerPass::draw(const Drawing& drawing) const {
-  if (count_ == 0) return Done{};
-  const auto program = drawing.programs.use(Shader::Whisker, drawing.look.whiskers());
-  if (!program) return program.error();
+bool WhiskerPass::draw(const Drawing& drawing) const {
+  if (count_ == 0) return true;
+  if (!drawing.programs.use(Shader::Whisker, drawing.look.whiskers())) return false;
   gl::apply({.cullBack = false, .alphaToCoverage = true, .alpha = false});
   array_.drawStrips(2 * FUR_WHISKER_POINTS, count_);
-  return Done{};
+  return true;
 }
 
 }  // namespace fur::render

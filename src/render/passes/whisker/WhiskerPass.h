@@ -13,7 +13,7 @@ class WhiskerPass {
  public:
   // Those that stand on the surface, until the next call. Returns the bytes that were uploaded.
   std::size_t set(std::span<const groom::WhiskerHair> hairs);
-  Status draw(const Drawing& drawing) const;
+  bool draw(const Drawing& drawing) const;
   std::size_t bytes() const { return hairs_.bytes(); }
 
  private:

@@ -1,0 +1,40 @@
+#include "app/editor/PanelModel.h"
+
+namespace fur::app {
+
+editor::EditorModel describe(const App& app) {
+  const App::Stats stats = app.stats();
+  editor::EditorModel model;
+  model.settings = app.settings();
+  model.tool = app.tool();
+  model.modelName = app.modelName();
+  const std::string names = app.animations();
+  for (std::size_t at = 0, end; at < names.size(); at = end + 1) {
+    end = names.find('\n', at);
+    model.animations.push_back(names.substr(at, end - at));
+  }
+  model.meanWetness = app.meanWetness();
+  const wet::Accounts water = app.water().accounts();
+  model.water = {water.painted + water.rained, water.held, water.film, water.drops, water.dripped, water.evaporated + water.removed};
+  model.canUndo = app.canUndo();
+  model.canRedo = app.canRedo();
+  model.lostBySaving = app.lostBySaving();
+  model.vertices = stats.vertices;
+  model.triangles = stats.triangles;
+  model.strands = stats.strands;
+  model.layers = stats.layers;
+  model.finEdges = stats.finEdges;
+  model.cpuBytes = stats.cpuBytes;
+  model.gpuBytes = stats.gpuBytes;
+  model.coat.progress = app.coatProgress();
+  model.coat.revision = app.coatRevision();
+  model.coat.coverage = app.coverageByHeight();
+  model.groom.mapSize = app.groomMap().size();
+  model.groom.whiskers = static_cast<int>(app.whiskerCount());
+  model.groom.plain = !app.groomed();
+  model.groom.painted = !app.groom().paint.isPlain();
+  model.groom.masked = !app.groom().mask.isPlain();
+  return model;
+}
+
+}  // namespace fur::app

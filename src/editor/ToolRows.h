@@ -1,0 +1,18 @@
+// Rows of the panel that choose a tool. Which tools stand in a row, and under which words, is app/tools/Tools.inc's.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "app/tools/Tools.h"
+#include "editor/EditorModel.h"
+
+namespace fur::editor {
+
+std::vector<Tool> toolsIn(std::string_view row);
+
+// Its tools side by side, the chosen one lit. Returns which was pressed. With icons: over their labels.
+std::optional<Tool> toolRow(const char* row, Tool chosen);
+std::optional<Tool> toolIconRow(const char* row, Tool chosen);
+
+}  // namespace fur::editor

@@ -1,0 +1,154 @@
+// The tables of src/ (Tools.inc and others) for JavaScript: read here as the preprocessor reads them there, and made into a
+// module, typings and the buttons of the page. Data and text go in and come out, so that tests can add a row.
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { root, Stop } from './process.mjs';
+
+/** What web/ imports as '#tables' (package.json). */
+const moduleFile = join(root, 'build/generated/tables.js');
+
+const tables = {
+  tools: {
+    file: 'src/app/tools/Tools.inc', macro: 'FUR_TOOL',
+    columns: ['id', 'name', 'program', 'worksOn', 'drag', 'held', 'reach', 'label', 'inverseLabel', 'row', 'place', 'icon', 'keyText', 'tooltip'],
+  },
+  commands: { file: 'src/app/tools/Commands.inc', macro: 'FUR_COMMAND', columns: ['name', 'result', 'parameters', 'arguments', 'offered', 'doc'] },
+  queries: { file: 'src/app/tools/Commands.inc', macro: 'FUR_QUERY', columns: ['name', 'result', 'offered', 'doc'] },
+  modelFormats: { file: 'src/scene/Formats.inc', macro: 'FUR_MODEL_FORMAT', columns: ['id', 'endings', 'mimeType', 'savedAs', 'reader'] },
+  otherFormats: { file: 'src/scene/Formats.inc', macro: 'FUR_FORMAT', columns: ['id', 'kind', 'endings', 'mimeType', 'savedAs'] },
+  groomEdits: { file: 'src/app/tools/GroomEdits.inc', macro: 'FUR_GROOM_EDIT', columns: ['id', 'name', 'masked', 'doc'] },
+};
+
+/** The arguments of a macro's call, split at commas that stand in no string and no parentheses; strings without quotes. */
+function splitArguments(text) {
+  const out = [];
+  let depth = 0, from = 0;
+  for (const { 0: token, index } of text.matchAll(/"(?:\\.|[^"\\])*"|[(),]/g)) {
+    if (token === '(') ++depth;
+    else if (token === ')') --depth;
+    else if (token === ',' && depth === 0) {
+      out.push(text.slice(from, index));
+      from = index + 1;
+    }
+  }
+  out.push(text.slice(from));
+  return out.map((part) => part.trim()).map((part) => (part.startsWith('"') ? JSON.parse(part) : part));
+}
+
+/** Rows of a table as objects. @param {string} text of the file @param {{ macro: string, columns: string[] }} table */
+export function rowsOf(text, { macro, columns }) {
+  const code = text.replace(/^\s*\/\/.*$/gm, '');
+  const call = new RegExp(`^${macro}\\s*\\(((?:"(?:\\\\.|[^"\\\\])*"|\\([^()]*\\)|[^"()])*)\\)`, 'gm');
+  return [...code.matchAll(call)].map(([whole, given]) => {
+    const values = splitArguments(given);
+    if (values.length !== columns.length) throw new Stop(`${whole}: ${values.length} columns of ${columns.length}`);
+    return Object.fromEntries(columns.map((column, i) => [column, values[i]]));
+  });
+}
+
+/** @param {(file: string) => string} read the text of a file of the tree */
+export function readTables(read = (file) => readFileSync(join(root, file), 'utf8')) {
+  return Object.fromEntries(Object.entries(tables).map(([name, table]) => [name, rowsOf(read(table.file), table)]));
+}
+
+/** Rows of { ending, kind, mimeType }, in the order of the table. */
+export function endings({ modelFormats, otherFormats }) {
+  const formats = [...modelFormats.map((format) => ({ ...format, kind: 'Model' })), ...otherFormats];
+  return formats.flatMap(({ endings: all, kind, mimeType }) => all.split(' ').map((ending) => ({ ending, kind, mimeType })));
+}
+
+/** A text with the endings of models and coats in place of {models} and {coats}. */
+export function withEndings(text, tables) {
+  const listed = (kind) => new Intl.ListFormat('en-GB', { type: 'disjunction' }).format(endings(tables).filter((one) => one.kind === kind).map(({ ending }) => ending));
+  return text.replaceAll('{models}', listed('Model')).replaceAll('{coats}', listed('Coat'));
+}
+
+/** The module '#tables': what the scripts of web/ need of them, and no more. */
+export function moduleText(all) {
+  const { tools, commands, queries } = all;
+  const constant = (name, value) => `export const ${name} = ${JSON.stringify(value)};\n`;
+  const results = (rows) => Object.fromEntries(rows.map(({ name, result }) => [name, result]));
+  return `// Made by tools/tables.mjs.\n${
+    constant('toolNames', tools.map(({ name }) => name))}${
+    constant('keyTexts', Object.fromEntries(tools.filter(({ keyText }) => keyText).map(({ name, keyText }) => [name, keyText])))}${
+    constant('kindOfEnding', Object.fromEntries(endings(all).filter(({ kind }) => kind !== 'Picture').map(({ ending, kind }) => [ending, kind])))}${
+    constant('commands', results(commands))}${
+    constant('queries', results(queries))}${
+    constant('elementCommands', forElements(commands).map(({ name }) => name))}${
+    constant('elementQueries', forElements(queries).map(({ name }) => name))}`;
+}
+
+const forElements = (rows) => rows.filter(({ offered }) => offered === 'Element');
+
+const union = (rows) => rows.map(({ name }) => `\n  | '${name}'`).join('');
+const list = (rows, textOf) => rows.map((row) => ` * - '${row.name}': ${textOf(row)}\n`).join('');
+
+const typesOfResults = { Nothing: 'void', Done: 'void', Truth: 'boolean', Number: 'number', Text: 'string', Hash: 'string', Lines: 'readonly string[]' };
+const typesOfParameters = { 'const char*': 'string', float: 'number', int: 'number', bool: 'boolean' };
+
+/** "(float u, bool on)" is "u: number, on: boolean". */
+function typedParameters(parameters) {
+  return parameters.slice(1, -1).split(',').filter(Boolean).map((parameter) => {
+    const [, type, name] = /^\s*(.*\S)\s*?\s(\w+)\s*$/.exec(parameter);
+    if (!typesOfParameters[type]) throw new Stop(`${parameters}: ${type} has no type in JavaScript`);
+    return `${name}: ${typesOfParameters[type]}`;
+  }).join(', ');
+}
+
+function member({ name, result, parameters, doc }) {
+  const type = typesOfResults[result];
+  if (!type) throw new Stop(`${name}: ${result} has no type in JavaScript`);
+  return `${doc && `  /** ${doc} */\n`}  ${parameters ? `${name}(${typedParameters(parameters)})` : `readonly ${name}`}: ${type};\n`;
+}
+
+/** types/tables.d.ts. */
+export function typingsText({ tools, groomEdits, commands, queries }) {
+  return `// Made by tools/tables.mjs.
+
+/**
+ * What a drag on the model does.
+${list(tools, ({ tooltip, program }) => tooltip + (program === 'Editor' ? ' (while the editor is open)' : ''))} */
+export type Tool =${union(tools)};
+
+/**
+ * What WetFurApi.groom() does all over the model.
+${list(groomEdits, ({ doc }) => doc)} */
+export type GroomEdit =${union(groomEdits)};
+
+/** What WetFurApi passes on to the program as it is. */
+export interface WetFurCommands {
+${forElements(queries).map(member).join('')}
+${forElements(commands).map(member).join('')}}
+`;
+}
+
+function toolButton({ name, label, tooltip, place, icon }, drawingOf) {
+  const drawing = place === 'waters' ? label : `\n      ${drawingOf(icon)}<span>${label}</span>`;
+  return `<button type="button" data-tool="${name}" aria-pressed="false" title="${tooltip}">${drawing}</button>`;
+}
+
+/** The page with a button of every tool that has a place on it. @param {(icon: string) => string} drawingOf the svg of an icon */
+export function pageText(html, tables, drawingOf) {
+  const { tools } = tables;
+  const places = new Set();
+  const filled = withEndings(html, tables).replace(/^( *)<!-- tools: (\w+) -->$/gm, (_, indent, place) => {
+    places.add(place);
+    return tools.filter((tool) => tool.place === place).map((tool) => indent + toolButton(tool, drawingOf)).join('\n');
+  });
+  for (const { name, place } of tools) if (place && !places.has(place)) throw new Stop(`${name}: the page has no place "${place}"`);
+  return filled;
+}
+
+/** The svg of web/icons as it stands in the page, whose style colours it. */
+export function drawingOf(icon) {
+  const text = readFileSync(join(root, 'web/icons', `${icon}.svg`), 'utf8').trim();
+  return text.replace(/<svg[^>]*>/, '<svg viewBox="0 0 24 24" aria-hidden="true">');
+}
+
+/** Brings '#tables' up to date, and returns the tables. */
+export function makeTables() {
+  const all = readTables();
+  mkdirSync(join(moduleFile, '..'), { recursive: true });
+  writeFileSync(moduleFile, moduleText(all));
+  return all;
+}

@@ -1,0 +1,94 @@
+// The editor's program: the scene moves over to it and back, and work that the viewer's program leaves to it.
+import { asFurError, FurError } from './errors.js';
+import { FurApp } from './furapp.js';
+import { instantiateProgram } from './runtime.js';
+
+export class Editing {
+  #session;
+  #frames;
+  #loading;
+  #host;
+  #switching = Promise.resolve();
+
+  /**
+   * @param {import('./session.js').Session} session
+   * @param {{ frames: import('./frames.js').Frames, loading: import('./loading.js').Loading, host: import('./host.js').WetFur, openDialog: () => void }} parts
+   */
+  constructor(session, { frames, loading, host, openDialog }) {
+    this.#session = session;
+    this.#frames = frames;
+    this.#loading = loading;
+    this.#host = { fur: host, wake: () => frames.wake(), openDialog };
+  }
+
+  /** Resolves when it is open or closed; what goes wrong is told as an error. */
+  open(open) {
+    const session = this.#session;
+    session.options.editor = open;
+    this.#switching = this.#switching.then(() => this.#moveTo(open ? 'editor' : 'viewer'))
+      .catch((error) => {
+        session.options.editor = session.panel !== null;
+        const known = asFurError(error, 'wasm-load');
+        session.emit('error', { code: known.code, message: known.message });
+      });
+    return this.#switching;
+  }
+
+  /** The scene moves over to the other program, in a module instance of its own on the same context. */
+  async #moveTo(which) {
+    const session = this.#session;
+    if (which === session.program || !session.loaded) return;
+    const program = await this.#instantiate(which);
+    const { EditorPanel } = which === 'editor' ? await import('./editor.js') : {};
+    if (!session.app) return;
+    const old = session.app;
+    const { tool } = old;
+    const document = { ...this.#loading.document, history: old.saveHistory() };
+    session.panel?.dispose();
+    session.panel = null;
+    session.screen.giveBack();
+    const app = new FurApp(program);
+    this.#loading.adopt(app);
+    this.#loading.putBack(app, document);
+    app.tool = tool;
+    old.destroy();
+    session.program = which;
+    if (EditorPanel) {
+      const { width, height, pixelRatio } = session.screen;
+      session.panel = new EditorPanel(app, session.canvas, this.#host);
+      session.panel.resize(width, height, pixelRatio);
+    }
+    this.#frames.drawNow();
+    await this.#loading.provideImage();
+    this.#frames.drawNow();
+    this.#frames.wake();
+    session.tellState('editor');
+  }
+
+  #instantiate(which) {
+    return instantiateProgram(which, (loaded, total) => this.#loading.progress('editor', loaded, total));
+  }
+
+  /** Work that the viewer's program leaves to the editor's: on a copy of the scene, without a picture. */
+  async inWorkshop(work) {
+    const { app, loaded, program } = this.#session;
+    if (!loaded) throw new FurError('bad-file', 'there is no model yet');
+    if (program === 'editor') return work(app);
+    const copy = new FurApp(await this.#instantiate('editor'));
+    try {
+      this.#loading.putBack(copy, this.#loading.document);
+      return work(copy);
+    } finally {
+      copy.destroy();
+    }
+  }
+
+  /** The same where it changes the groom. */
+  async groomInWorkshop(work) {
+    await this.inWorkshop((app) => {
+      work(app);
+      if (app !== this.#session.app) this.#session.app.restoreGroom(app.groom, true);
+    });
+    this.#frames.afterChange();
+  }
+}

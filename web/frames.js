@@ -1,0 +1,218 @@
+// When pictures are drawn and how well: the loop that runs while something moves, the better picture once nothing does, and
+// pictures on demand. It asks the program what is to be drawn, and changes nothing of the scene but its time.
+import { FurError } from './errors.js';
+import { clampDt } from './options.js';
+import { pictures } from './furapp.js';
+
+/** After so long without a change a picture is drawn better than moving ones are. */
+const stillMilliseconds = 300, busyMilliseconds = 8;
+/** What a frame may spend on a coat that grows: the page answers while it does. */
+const coatSeconds = 0.014;
+const maxFrameSeconds = 0.1;
+/** A coat that takes longer is told of. */
+const coatToldMilliseconds = 500;
+
+/**
+ * @typedef {object} FrameEvents
+ * @property {() => void} onModelStep undo or redo may have asked for another model
+ * @property {() => void} onDrawn
+ * @property {(fraction: number) => void} onCoat how far the coat is that is growing
+ */
+export class Frames {
+  #session;
+  #events;
+  #request = 0;
+  #lastTime = null;
+  #run = 0;  // frames that were painted one after another
+  #stillTimer = 0;
+  #lastPaint = 0;
+  #coat = null;
+
+  /** @param {import('./session.js').Session} session @param {FrameEvents} events */
+  constructor(session, events) {
+    this.#session = session;
+    this.#events = events;
+  }
+
+  get #canRun() {
+    const { phase, screen, options } = this.#session;
+    return phase === 'ready' && screen.visible && !options.paused;
+  }
+
+  /** Something may have changed: draw soon. */
+  wake() {
+    this.#events.onModelStep();
+    if (!this.#request && this.#canRun) this.#request = requestAnimationFrame((time) => this.#onFrame(time));
+  }
+
+  /** What was asked of the program has changed something: told now, drawn soon. */
+  afterChange() {
+    this.#session.flushWarnings();
+    this.#session.tellSettings();
+    this.wake();
+  }
+
+  #onFrame(time) {
+    const { app, panel, context, screen, options } = this.#session;
+    this.#request = 0;
+    if (!this.#canRun || !context.draws()) {
+      this.endRun();
+      return;
+    }
+    // Until the coat has grown again no time goes by.
+    if (context.returning) {
+      app.tick(0, coatSeconds);
+      if (app.coatProgress < 1) return this.wake();
+      app.invalidate();
+    }
+    clearTimeout(this.#stillTimer);
+    const dt = this.#timeSince(time);
+    const changed = [app.tick(dt, options.fixedDt ? undefined : coatSeconds), panel?.update(dt)];
+    this.#events.onModelStep();
+    const paints = changed.some(Boolean);
+    // Steps of a given length are for pictures that come out the same everywhere.
+    if (paints) {
+      this.#paint(options.fixedDt ? pictures.best : pictures.moving);
+      screen.show();
+    }
+    this.#run = paints ? this.#run + 1 : 0;
+    if (paints) this.#lastPaint = time;
+    else if (time - this.#lastPaint > stillMilliseconds) this.#improve();  // fur that dries changes now and then
+    panel?.afterFrame();
+    this.#tellCoat(time);
+    this.#goOn();
+  }
+
+  /** Seconds that this frame advances; the program is told how long the one before took. */
+  #timeSince(time) {
+    const { app, context, options } = this.#session;
+    const since = this.#lastTime === null ? 1 / 60 : (time - this.#lastTime) / 1000;
+    // Only where drawing is all that the time went by with.
+    if (this.#run > 1 && !options.fixedDt) {
+      context.timer.update();
+      app.frameShown(since * 1000, context.timer.milliseconds);
+    }
+    this.#lastTime = time;
+    return options.fixedDt || Math.min(since, maxFrameSeconds);
+  }
+
+  #goOn() {
+    const { app, panel } = this.#session;
+    const goesOn = app.active || Boolean(panel?.active);
+    this.#session.tellChanges(!goesOn);
+    this.#session.flushWarnings();
+    if (goesOn && !this.#request) this.#request = requestAnimationFrame((next) => this.#onFrame(next));
+    if (goesOn) return;
+    this.endRun();
+    this.#improveIn(stillMilliseconds);
+  }
+
+  /** No frame follows the last one at once. */
+  endRun() {
+    this.#lastTime = null;
+    this.#run = 0;
+  }
+
+  /** What was drawn in a hurry is not left standing. */
+  pauseNow() {
+    cancelAnimationFrame(this.#request);
+    this.#request = 0;
+    this.endRun();
+    this.#improve();
+  }
+
+  #improve() {
+    const { app, screen, state } = this.#session;
+    clearTimeout(this.#stillTimer);
+    if (this.#request || state !== 'ready' || !app.improvable) return;
+    // What waits for the graphics processor would wait in front of the next touch.
+    if (screen.busy) return this.#improveIn(busyMilliseconds);
+    if (app.improve()) {
+      this.#afterDrawing();
+      screen.show();
+    }
+    screen.setFence();
+    this.#improveIn(0);
+  }
+  #improveIn(milliseconds) {
+    clearTimeout(this.#stillTimer);
+    if (this.#session.app.improvable) this.#stillTimer = setTimeout(() => this.#improve(), milliseconds);
+  }
+
+  // Only of a coat that takes longer than a person would notice.
+  #tellCoat(time) {
+    const { coatProgress: fraction, coatRevision: revision } = this.#session.app;
+    const done = fraction >= 1;
+    if (!this.#coat || this.#coat.revision !== revision) {
+      if (this.#coat?.told) this.#events.onCoat(1);
+      this.#coat = { revision, since: time, told: false };
+    }
+    if (done) this.#coat.since = time;
+    if (done || time - this.#coat.since < coatToldMilliseconds) return;
+    this.#coat.told = true;
+    this.#events.onCoat(fraction);
+  }
+
+  #paint(picture) {
+    const { app, context } = this.#session;
+    context.returning = false;
+    if (picture === pictures.moving) context.timer.begin();
+    app.draw(picture);
+    context.timer.end();
+    this.#afterDrawing();
+  }
+  #afterDrawing() {
+    this.#session.panel?.draw();
+    this.#events.onDrawn();
+  }
+
+  /** The picture of this moment, in this task. */
+  drawNow() {
+    if (this.#drawMoment()) this.#session.screen.show();
+  }
+  /** The same for nobody to see; false: there is nothing to draw with. */
+  #drawMoment() {
+    const { app, panel, context, loaded } = this.#session;
+    if (!loaded || !context.draws()) return false;
+    app.invalidate();
+    app.tick(0);
+    panel?.update(0);
+    this.#paint(pictures.best);
+    return true;
+  }
+
+  /** n steps of dt seconds and one frame, at once, whatever the page's own clock does. */
+  step(dt, n) {
+    for (let i = 0; i < n; ++i) this.#session.app.tick(clampDt(dt));
+    this.drawNow();
+    this.#session.tellChanges(true);
+  }
+
+  /** A picture of its own size (default: as shown). */
+  async toBlob({ mimeType = 'image/png', quality, width, height, transparent } = {}) {
+    const { app, context, loaded, panel, screen } = this.#session;
+    if (!loaded || !context.draws()) throw new FurError('webgl-unavailable', 'there is no picture to take yet');
+    const shown = [screen.width, screen.height, screen.pixelRatio];
+    const size = [width ?? shown[0], height ?? shown[1]].map((side) => Math.max(1, Math.min(4096, Math.round(side))));
+    this.#session.panel = null;  // not in the picture, nor what it pushes aside
+    app.saved = transparent ? 3 : 1;
+    let blob;
+    try {
+      context.resize(...size, shown[2] * (size[1] / shown[1]));
+      this.#drawMoment();
+      // The browser copies the surface now; only the encoding comes later.
+      blob = screen.gl.canvas.convertToBlob({ type: mimeType, quality });
+    } finally {
+      this.#session.panel = panel;
+      app.saved = 0;
+      context.resize(...shown);
+      this.wake();
+    }
+    return blob.catch(() => { throw new FurError('out-of-memory', `no memory for a picture of ${size.join(' x ')}`); });
+  }
+
+  dispose() {
+    cancelAnimationFrame(this.#request);
+    clearTimeout(this.#stillTimer);
+  }
+}

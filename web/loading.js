@@ -1,0 +1,259 @@
+// How a model comes to be shown: fetched or read, put into the program with what was done on it, and brought back by undo.
+import { asFurError, FurError } from './errors.js';
+import { Documents } from './documents.js';
+import { FurApp } from './furapp.js';
+import { fetchModel, loadInto, provideModelImage, readGiven } from './models.js';
+import { Progress } from './progress.js';
+import { compileProgram, instantiateProgram } from './runtime.js';
+
+/** Lets the browser show what changed before a long piece of work. */
+const breathe = () => new Promise((resolve) => {
+  const timer = setTimeout(resolve, 60);
+  requestAnimationFrame(() => setTimeout(() => {
+    clearTimeout(timer);
+    resolve();
+  }));
+});
+
+export class Loading {
+  #session;
+  #frames;
+  #applied;
+  #onShown;
+  #documents = new Documents();
+  #turn = 0;
+  #abort = null;
+  #told = new Progress();
+  #starting = null;
+  #wantedState = null;
+  #hasOwnLook = false;  // asked for beside the model: what a scene file brings gives way
+  #ready;
+
+  /**
+   * @param {import('./session.js').Session} session
+   * @param {{ frames: import('./frames.js').Frames, applied: import('./applied.js').AppliedOptions, onShown: () => void }} parts
+   */
+  constructor(session, { frames, applied, onShown }) {
+    this.#session = session;
+    this.#frames = frames;
+    this.#applied = applied;
+    this.#onShown = onShown;
+    this.#newReady();
+  }
+
+  get ready() { return this.#ready.promise; }
+
+  progress(stage, loaded, total) {
+    this.#session.emit('progress', { stage, loaded, total, fraction: this.#told.fraction(stage, loaded, total) });
+  }
+
+  // --- from outside ---
+
+  loadSrc(src) { return this.load((signal) => this.#fetch(src, signal)); }
+  async #fetch(src, signal) {
+    return { ...await fetchModel(src, (loaded, total) => this.progress('model', loaded, total), signal), src };
+  }
+
+  async loadTypeSet(given, name) {
+    await this.ready;
+    try {
+      const typeSet = await readGiven(given, name ?? given?.name ?? 'coat.fts');
+      if (!this.#session.app) return;  // disposed of meanwhile
+      this.#session.app.loadTypeSet(typeSet.bytes, typeSet.name);
+      this.#session.typeSet = typeSet;
+      this.#frames.afterChange();
+    } catch (error) {
+      throw this.failed(asFurError(error, error instanceof RangeError ? 'out-of-memory' : 'bad-file'));
+    }
+  }
+
+  /** All there is to keep of the scene, for openDocument(). @returns {import('./documents.js').Document} */
+  get document() {
+    const { app, source, typeSet } = this.#session;
+    return { source, typeSet: app.coatGiven ? typeSet : null, state: app.state, camera: app.camera, groom: app.groom, water: app.water };
+  }
+  openDocument(document) {
+    const { source } = document;
+    return this.load((signal) => (source.bytes || source.primitive ? source : this.#fetch(source.src, signal)), document);
+  }
+
+  async reset(settings) {
+    this.#giveUp();
+    await this.#show(this.#session.source, { state: JSON.stringify({ version: 1, settings }), brings: true });
+  }
+
+  /** Before there is a program it is kept for it. */
+  setState(json) {
+    const { app } = this.#session;
+    if (!app) {
+      this.#wantedState = json;
+      return;
+    }
+    app.state = json;
+    this.#frames.afterChange();
+  }
+
+  #giveUp() {
+    this.#abort?.abort();
+    return ++this.#turn;
+  }
+
+  /** @param {(signal: AbortSignal) => import('./models.js').ModelSource | Promise<import('./models.js').ModelSource>} getSource */
+  async load(getSource, document) {
+    const { loaded, phase } = this.#session;
+    if (phase === 'error' || phase === 'unsupported') this.#newReady();
+    const turn = this.#giveUp();
+    this.#abort = new AbortController();
+    const isStale = () => turn !== this.#turn;
+    this.#told = new Progress();
+    if (!loaded) this.#session.setPhase('loading');
+    try {
+      const pending = (async () => getSource(this.#abort.signal))();
+      pending.catch(() => {});
+      await this.#start();
+      const source = await pending;
+      if (isStale()) return;
+      this.progress('fur', 0, 1);
+      await breathe();
+      if (isStale()) return;
+      await this.#show(source, document);
+    } catch (error) {
+      if (isStale()) return;
+      throw this.failed(asFurError(error, error instanceof RangeError ? 'out-of-memory' : 'bad-file'));
+    }
+  }
+
+  // --- the program ---
+
+  /** The context and the program, once. */
+  async #start() {
+    // A context takes long to come: the program is on its way meanwhile.
+    compileProgram('viewer').catch(() => {});
+    if (!this.#session.app) this.#session.context.open();
+    this.#starting ??= instantiateProgram('viewer', (loaded, total) => this.progress('program', loaded, total))
+      .then((program) => this.adopt(new FurApp(program)))
+      .finally(() => { this.#starting = this.#session.app ? this.#starting : null; });
+    await this.#starting;
+  }
+
+  /** It takes the place of the one that is there. */
+  adopt(app) {
+    const { context, options, phase } = this.#session;
+    if (phase === 'disposed') throw new FurError('wasm-load', 'disposed of while loading');
+    context.open();
+    context.attach(app);
+    this.#session.app = app;
+    this.#hasOwnLook ||= Boolean(this.#wantedState || options.preset);
+    if (this.#wantedState) this.#takeWantedState(app);
+    this.#applied.toProgram();
+    this.#session.flushWarnings();
+  }
+
+  /** Before the model, so that undo does not lead behind it. */
+  #takeWantedState(app) {
+    try {
+      app.state = this.#wantedState;
+    } catch (error) {
+      this.#session.warn(`state: ${error.message}`);
+    }
+    this.#wantedState = null;
+  }
+
+  // --- showing ---
+
+  /** In place of the one that is there, which undo brings back. */
+  async #show(source, document) {
+    const { app, loaded } = this.#session;
+    const first = !loaded;
+    const former = !first && { ...this.document, history: app.saveHistory(true) };
+    if (document) this.putBack(app, { ...document, source });
+    else loadInto(app, source, first && this.#hasOwnLook);
+    if (first) this.#applied.settingsToModel();
+    if (document) app.restoreHistory(new Uint8Array());
+    if (former) {
+      this.#documents.follow(former);
+      app.followModel();
+    }
+    if (first) this.#applied.cameraToModel();
+    await this.#present(source);
+  }
+
+  /** In an app of this or another program. What cannot be read of it is left out with a warning. */
+  putBack(app, { source, typeSet, state, camera, groom, water, history, brings = false }) {
+    const put = (what, work) => {
+      try {
+        work();
+      } catch (error) {
+        this.#session.warn(`${what}: ${error.message}`);
+      }
+    };
+    // Any setting that grows another coat lets go of one from a file.
+    if (app.coatGiven) app.setSetting('seed', app.getSetting('seed') + 1);
+    put('state', () => { app.state = state; });  // before the model, so that undo does not lead behind it
+    if (!camera) app.resetCamera();
+    loadInto(app, source, !brings);
+    if (groom) put('groom', () => app.restoreGroom(groom, false));
+    if (typeSet) put('coat', () => app.loadTypeSet(typeSet.bytes, typeSet.name));
+    if (water) put('water', () => { app.water = water; });
+    if (history) put('history', () => app.restoreHistory(history));
+    if (camera) app.camera = camera;
+    if (typeSet && app === this.#session.app) this.#session.typeSet = typeSet;
+  }
+
+  /** Undo or redo may have come to the end of what was done on this model: then the other one comes. */
+  bringModel() {
+    const { app } = this.#session;
+    const way = app?.takeModelStep();
+    if (!way) return;
+    const document = this.#documents.step(way, { ...this.document, history: app.saveHistory() });
+    if (!document) return this.#session.warn('the other model is no longer kept: there was too much to keep');
+    this.#giveUp();
+    this.putBack(app, document);
+    this.#present(document.source);
+    this.#frames.afterChange();
+  }
+
+  async #present(source) {
+    const session = this.#session;
+    session.source = source;
+    const warning = await this.provideImage();
+    if (warning) session.warn(warning);
+    if (!session.app || session.source !== source) return;  // disposed of meanwhile, or another came
+    session.flushWarnings();
+    session.setPhase('ready');
+    this.#frames.drawNow();
+    this.progress('fur', 1, 1);
+    this.#ready.resolve();
+    session.emit('load', { name: source.name, src: source.src ?? null });
+    this.#frames.wake();
+    this.#onShown();
+  }
+
+  /** The picture of the model that is shown, decoded, if it is shown still by then. Returns a warning or null. */
+  provideImage() {
+    const { app, source } = this.#session;
+    return provideModelImage(app, source, () => this.#session.app === app && this.#session.source === source);
+  }
+
+  /** Tells of an error, and returns it. */
+  failed(error) {
+    const { loaded, panel } = this.#session;
+    if (!loaded) {
+      const hopeless = error.code === 'webgl-unavailable' || error.code === 'wasm-blocked';
+      this.#session.setPhase(hopeless ? 'unsupported' : 'error');
+      this.#ready.reject(error);
+    }
+    panel?.message(error.message, true);
+    this.#session.emit('error', { code: error.code, message: error.message });
+    return error;
+  }
+
+  #newReady() {
+    const ready = {};
+    ready.promise = new Promise((resolve, reject) => Object.assign(ready, { resolve, reject }));
+    ready.promise.catch(() => {});  // nobody need ask for it
+    this.#ready = ready;
+  }
+
+  dispose() { this.#giveUp(); }
+}
