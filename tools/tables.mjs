@@ -16,6 +16,7 @@ const tables = {
   queries: { file: 'src/app/tools/Commands.inc', macro: 'FUR_QUERY', columns: ['name', 'result', 'offered', 'doc'] },
   modelFormats: { file: 'src/scene/Formats.inc', macro: 'FUR_MODEL_FORMAT', columns: ['id', 'endings', 'mimeType', 'savedAs', 'reader'] },
   otherFormats: { file: 'src/scene/Formats.inc', macro: 'FUR_FORMAT', columns: ['id', 'kind', 'endings', 'mimeType', 'savedAs'] },
+  platformCommands: { file: 'src/app/editor/PlatformCommands.inc', macro: 'FUR_PLATFORM_COMMAND', columns: ['id', 'where', 'doc'] },
   groomEdits: { file: 'src/app/tools/GroomEdits.inc', macro: 'FUR_GROOM_EDIT', columns: ['id', 'name', 'masked', 'doc'] },
 };
 

@@ -166,6 +166,12 @@ test('C++ knows a new format by its endings, and which reader it has', () => {
   assert.deepEqual(lines, ['1 1 0', '.glb, .gltf, .obj, .fo, .clay and .pot', 'Save pot (.clay)', 'clay is read']);
 });
 
+test('the editor of the page has an action for each command that it may be asked, and no other', () => {
+  const actions = /#actions = \{([\s\S]*?)\n  \};/.exec(textOf('web/editor.js'))[1];
+  const named = [...actions.matchAll(/^    (\w+): /gm)].map(([, name]) => name).sort();
+  assert.deepEqual(named, readTables().platformCommands.filter(({ where }) => where === 'Everywhere').map(({ id }) => id).sort());
+});
+
 test('C++ knows a new tool and a new edit by their names, and what they do', () => {
   const lines = fromCpp(`
     #include <cstdio>
