@@ -22,6 +22,7 @@ const wants = { pointer: 1, text: 4, number: 8 };
 const layoutKey = 'wet-fur-panel';
 // For the page's style: how much of the right edge the panel hides.
 const widthProperty = '--wet-fur-panel-width';
+
 /**
  * What the panel cannot do itself.
  * @typedef {object} PanelHost
