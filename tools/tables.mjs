@@ -68,15 +68,16 @@ export function withEndings(text, tables) {
 export function moduleText(all) {
   const { tools, commands, queries } = all;
   const constant = (name, value) => `export const ${name} = ${JSON.stringify(value)};\n`;
-  const results = (rows) => Object.fromEntries(rows.map(({ name, result }) => [name, result]));
+  // Names by the kinds of their results.
+  const names = (rows) => Object.fromEntries([...new Set(rows.map(({ result }) => result))].map((kind) => [kind, rows.filter(({ result }) => result === kind).map(({ name }) => name)]));
   return `// Made by tools/tables.mjs.\n${
     constant('toolNames', tools.map(({ name }) => name))}${
     constant('keyTexts', Object.fromEntries(tools.filter(({ keyText }) => keyText).map(({ name, keyText }) => [name, keyText])))}${
     constant('kindOfEnding', Object.fromEntries(endings(all).filter(({ kind }) => kind !== 'Picture').map(({ ending, kind }) => [ending, kind])))}${
-    constant('commands', results(commands))}${
-    constant('queries', results(queries))}${
-    constant('elementCommands', forElements(commands).map(({ name }) => name))}${
-    constant('elementQueries', forElements(queries).map(({ name }) => name))}`;
+    constant('commands', names(commands))}${
+    constant('queries', names(queries))}${
+    constant('elementCommands', names(forElements(commands)))}${
+    constant('elementQueries', names(forElements(queries)))}`;
 }
 
 const forElements = (rows) => rows.filter(({ offered }) => offered === 'Element');

@@ -16,6 +16,11 @@ const accountNames = ['held', 'film', 'drops', 'dripped', 'evaporated', 'removed
 export const modifiersOf = (event) =>
   (event.shiftKey ? 1 : 0) | (event.ctrlKey || event.metaKey ? 2 : 0) | (event.altKey ? 4 : 0);
 
+/** Calls back with each name and the kind of its result. */
+export function forEach(names, work) {
+  for (const [result, some] of Object.entries(names)) for (const name of some) work(name, result);
+}
+
 export class FurApp {
   constructor(program) {
     this.program = program;
@@ -151,10 +156,12 @@ export class FurApp {
   }
 
   static {
-    for (const [name, result] of Object.entries(commands))
+    forEach(commands, (name, result) => {
       this.prototype[name] = function command(...args) { return this.#crossing(`fur_${name}`, result, args); };
-    for (const [name, result] of Object.entries(queries))
+    });
+    forEach(queries, (name, result) => {
       Object.defineProperty(this.prototype, name, { get() { return this.#crossing(`fur_${name}`, result, []); } });
+    });
   }
 }
 

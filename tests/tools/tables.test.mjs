@@ -86,8 +86,8 @@ test('a new edit of the groom is in the typings', () => {
 
 test('a new command is a method of the program, of the element and of the typings', async () => {
   const { commands, queries, elementCommands, elementQueries } = await importText(moduleText(withDummies));
-  assert.deepEqual([commands.strike, commands.swing, queries.dented], ['Number', 'Nothing', 'Truth']);
-  assert.deepEqual([elementCommands.includes('strike'), elementCommands.includes('swing'), elementQueries.includes('dented')], [true, false, true]);
+  assert.deepEqual([commands.Number.at(-1), commands.Nothing.at(-1), queries.Truth.at(-1)], ['strike', 'swing', 'dented']);
+  assert.deepEqual([elementCommands.Number.at(-1), elementCommands.Nothing.includes('swing'), elementQueries.Truth.at(-1)], ['strike', false, 'dented']);
   const typings = typingsText(withDummies);
   assert.match(typings, /  \/\*\* How it rang\. \*\/\n  strike\(u: number, hard: boolean\): number;\n/);
   assert.match(typings, /\n  readonly dented: boolean;\n/);
