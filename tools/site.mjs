@@ -10,7 +10,7 @@ import { drawingOf, makeTables, pageText, typingsText, withEndings } from './tab
 export const dist = join(root, 'dist');
 
 const programs = ['wet-fur.mjs', 'wet-fur.wasm', 'wet-fur-editor.mjs', 'wet-fur-editor.wasm', 'wet-fur-core.mjs', 'wet-fur-core.wasm'];
-const notForSite = new Set(['.cpp', '.h', '.js', '.md']);
+const notForSite = new Set(['.cpp', '.h', '.inc', '.js', '.md']);
 const icons = join(root, 'web/icons');  // they stand in the page
 
 // What a bundler and Node may ask for, by the names of the public surface. Typings lie in types/.

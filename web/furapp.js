@@ -1,6 +1,6 @@
 // app/App.h as JavaScript methods: one handle in one Program. Positions are pixels of the drawing buffer.
-// What crosses as it is (app/tools/Commands.inc) becomes methods and getters at the end of the class.
-import { commands, queries } from '#tables';
+// What crosses as it is (web/Methods.inc) becomes methods and getters at the end of the class.
+import { methods, queries } from '#tables';
 
 export const phases = ['down', 'move', 'up', 'cancel'];
 export const pointerKinds = ['mouse', 'touch', 'pen'];
@@ -156,8 +156,8 @@ export class FurApp {
   }
 
   static {
-    forEach(commands, (name, result) => {
-      this.prototype[name] = function command(...args) { return this.#crossing(`fur_${name}`, result, args); };
+    forEach(methods, (name, result) => {
+      this.prototype[name] = function method(...args) { return this.#crossing(`fur_${name}`, result, args); };
     });
     forEach(queries, (name, result) => {
       Object.defineProperty(this.prototype, name, { get() { return this.#crossing(`fur_${name}`, result, []); } });

@@ -1,6 +1,6 @@
 // One furry model on one canvas: what createWetFur() returns and <wet-fur> stands on. It makes the parts and is what others
 // see of them. Calls go down this list, what happens comes up as events: loading and editing, applied options, frames, session.
-import { elementCommands, elementQueries } from '#tables';
+import { elementMethods, elementQueries } from '#tables';
 import { AppliedOptions } from './applied.js';
 import { BrushRing } from './brushring.js';
 import { Editing } from './editing.js';
@@ -273,11 +273,11 @@ export class WetFur extends EventTarget {
     this.#frames.wake();
   }
 
-  // --- what the program does as it is told (app/tools/Commands.inc) ---
+  // --- what the program does as it is told (web/Methods.inc) ---
 
   static {
-    forEach(elementCommands, (name, result) => {
-      this.prototype[name] = function command(...args) {
+    forEach(elementMethods, (name, result) => {
+      this.prototype[name] = function method(...args) {
         if (!this.loaded) return emptyOf[result];
         const value = this.#app[name](...args);
         if (result === 'Nothing') this.#frames.wake();

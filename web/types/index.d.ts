@@ -1,7 +1,7 @@
 // wet-fur: createWetFur and what it returns.
-import type { GroomEdit, Tool, WetFurCommands } from './tables.js';
+import type { GroomEdit, Tool, WetFurMethods } from './tables.js';
 
-export type { GroomEdit, Tool, WetFurCommands };
+export type { GroomEdit, Tool, WetFurMethods };
 
 /** Why something failed; `message` names the thing and the limit. */
 export type FurErrorCode =
@@ -350,7 +350,7 @@ export interface WetFurEventMap {
 }
 
 /** What the element and what createWetFur() returns have in common. */
-export interface WetFurApi extends WetFurCommands {
+export interface WetFurApi extends WetFurMethods {
   readonly loaded: boolean;
   /** Resolves when the first model is shown, rejects with a FurError when it cannot be. */
   readonly ready: Promise<void>;
