@@ -52,6 +52,8 @@ function(fur_web_program target)
     -sMALLOC=emmalloc -sEXPORTED_FUNCTIONS=_malloc,_free
     -sEXPORTED_RUNTIME_METHODS=GL -sINCOMING_MODULE_JS_API=instantiateWasm,onAbort,print,printErr
     -sGL_SUPPORT_AUTOMATIC_ENABLE_EXTENSIONS=0 -sTEXTDECODER=2
+    # The page makes the contexts, and the browser tells of errors.
+    -sGL_WORKAROUND_SAFARI_GETCONTEXT_BUG=0 -sGL_TRACK_ERRORS=0 -sSUPPORT_ERRNO=0
     $<$<CONFIG:Debug>:-sASSERTIONS=1>
     # After the compiler's own -O3, wasm-opt's adds size but no speed that we could measure. A second round finds more.
     $<$<CONFIG:Release>:-Oz> $<$<CONFIG:Release>:-sBINARYEN_EXTRA_PASSES=-Oz,--converge>

@@ -39,7 +39,7 @@ export const arrows = {
   'src/app': [...pure, ...importers, 'gl', 'render', ...wiring],
   'src/app/editor': [...pure, ...importers, 'gl', 'render', 'editor', 'app', ...wiring, 'imgui'],
   // wet-fur/core offers the pure modules by themselves, without an app around them.
-  'web': ['app', 'app/tools', ...pure, 'emscripten'],
+  'web': ['app', ...pure, 'emscripten'],
   'web/core': [...pure, 'emscripten', 'web'],
   'web/editor': ['app', 'app/editor', 'core', 'imgui', 'emscripten', 'web'],
   // App speaks in scene's terms (files, encoded images) and in names of settings; the platform's context

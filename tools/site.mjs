@@ -10,7 +10,7 @@ import { drawingOf, makeTables, pageText, typingsText, withEndings } from './tab
 export const dist = join(root, 'dist');
 
 const programs = ['wet-fur.mjs', 'wet-fur.wasm', 'wet-fur-editor.mjs', 'wet-fur-editor.wasm', 'wet-fur-core.mjs', 'wet-fur-core.wasm'];
-const notForSite = new Set(['.cpp', '.h', '.js', '.md']);
+const notForSite = new Set(['.cpp', '.h', '.inc', '.js', '.md']);
 const icons = join(root, 'web/icons');  // they stand in the page
 
 // What a bundler and Node may ask for, by the names of the public surface. Typings lie in types/.
@@ -55,7 +55,7 @@ export function missingFiles(folder) {
 async function joinScripts(folder) {
   const { build } = await import('esbuild');
   await build({
-    absWorkingDir: join(root, 'web'), outdir: folder, bundle: true, splitting: true, format: 'esm', target: 'es2022', logLevel: 'warning',
+    absWorkingDir: join(root, 'web'), outdir: folder, bundle: true, splitting: true, format: 'esm', target: 'es2022', logLevel: 'warning', minifySyntax: true,
     entryPoints: [...Object.values(entries).map(([script]) => script), 'page.js', 'embed.js'], chunkNames: 'shared-[hash]',
     // The programs' scripts are fetched when they are needed, again if that has failed.
     external: ['./wet-fur*.mjs', 'node:*'],

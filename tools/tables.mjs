@@ -12,10 +12,11 @@ const tables = {
     file: 'src/app/tools/Tools.inc', macro: 'FUR_TOOL',
     columns: ['id', 'name', 'program', 'worksOn', 'drag', 'held', 'reach', 'label', 'inverseLabel', 'row', 'place', 'icon', 'keyText', 'tooltip'],
   },
-  commands: { file: 'src/app/tools/Commands.inc', macro: 'FUR_COMMAND', columns: ['name', 'result', 'parameters', 'arguments', 'offered', 'doc'] },
-  queries: { file: 'src/app/tools/Commands.inc', macro: 'FUR_QUERY', columns: ['name', 'result', 'offered', 'doc'] },
+  methods: { file: 'web/Methods.inc', macro: 'FUR_METHOD', columns: ['name', 'result', 'parameters', 'arguments', 'offered', 'doc'] },
+  queries: { file: 'web/Methods.inc', macro: 'FUR_QUERY', columns: ['name', 'result', 'offered', 'doc'] },
   modelFormats: { file: 'src/scene/Formats.inc', macro: 'FUR_MODEL_FORMAT', columns: ['id', 'endings', 'mimeType', 'savedAs', 'reader'] },
   otherFormats: { file: 'src/scene/Formats.inc', macro: 'FUR_FORMAT', columns: ['id', 'kind', 'endings', 'mimeType', 'savedAs'] },
+  platformCommands: { file: 'src/app/editor/PlatformCommands.inc', macro: 'FUR_PLATFORM_COMMAND', columns: ['id', 'where', 'doc'] },
   groomEdits: { file: 'src/app/tools/GroomEdits.inc', macro: 'FUR_GROOM_EDIT', columns: ['id', 'name', 'masked', 'doc'] },
 };
 
@@ -65,17 +66,18 @@ export function withEndings(text, tables) {
 
 /** The module '#tables': what the scripts of web/ need of them, and no more. */
 export function moduleText(all) {
-  const { tools, commands, queries } = all;
+  const { tools, methods, queries } = all;
   const constant = (name, value) => `export const ${name} = ${JSON.stringify(value)};\n`;
-  const results = (rows) => Object.fromEntries(rows.map(({ name, result }) => [name, result]));
+  // Names by the kinds of their results.
+  const names = (rows) => Object.fromEntries([...new Set(rows.map(({ result }) => result))].map((kind) => [kind, rows.filter(({ result }) => result === kind).map(({ name }) => name)]));
   return `// Made by tools/tables.mjs.\n${
     constant('toolNames', tools.map(({ name }) => name))}${
     constant('keyTexts', Object.fromEntries(tools.filter(({ keyText }) => keyText).map(({ name, keyText }) => [name, keyText])))}${
     constant('kindOfEnding', Object.fromEntries(endings(all).filter(({ kind }) => kind !== 'Picture').map(({ ending, kind }) => [ending, kind])))}${
-    constant('commands', results(commands))}${
-    constant('queries', results(queries))}${
-    constant('elementCommands', forElements(commands).map(({ name }) => name))}${
-    constant('elementQueries', forElements(queries).map(({ name }) => name))}`;
+    constant('methods', names(methods))}${
+    constant('queries', names(queries))}${
+    constant('elementMethods', names(forElements(methods)))}${
+    constant('elementQueries', names(forElements(queries)))}`;
 }
 
 const forElements = (rows) => rows.filter(({ offered }) => offered === 'Element');
@@ -102,7 +104,7 @@ function member({ name, result, parameters, doc }) {
 }
 
 /** types/tables.d.ts. */
-export function typingsText({ tools, groomEdits, commands, queries }) {
+export function typingsText({ tools, groomEdits, methods, queries }) {
   return `// Made by tools/tables.mjs.
 
 /**
@@ -116,9 +118,9 @@ ${list(groomEdits, ({ doc }) => doc)} */
 export type GroomEdit =${union(groomEdits)};
 
 /** What WetFurApi passes on to the program as it is. */
-export interface WetFurCommands {
+export interface WetFurMethods {
 ${forElements(queries).map(member).join('')}
-${forElements(commands).map(member).join('')}}
+${forElements(methods).map(member).join('')}}
 `;
 }
 

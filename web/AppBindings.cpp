@@ -32,11 +32,11 @@ using Hash = const char*;
 #define FUR_RESULT_Hash(call) web::hexadecimal(call)
 
 #define FUR_WITH_APP(...) (App * app __VA_OPT__(, ) __VA_ARGS__)
-#define FUR_COMMAND(name, result, parameters, arguments, ...) \
+#define FUR_METHOD(name, result, parameters, arguments, ...) \
   FUR_EXPORT crossing::result fur_##name FUR_WITH_APP parameters { return FUR_RESULT_##result(app->name arguments); }
-#define FUR_QUERY(name, result, ...) FUR_COMMAND(name, result, (), ())
-#include "app/tools/Commands.inc"
-#undef FUR_COMMAND
+#define FUR_QUERY(name, result, ...) FUR_METHOD(name, result, (), ())
+#include "web/Methods.inc"
+#undef FUR_METHOD
 #undef FUR_QUERY
 
 // --- life ---

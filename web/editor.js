@@ -22,8 +22,6 @@ const wants = { pointer: 1, text: 4, number: 8 };
 const layoutKey = 'wet-fur-panel';
 // For the page's style: how much of the right edge the panel hides.
 const widthProperty = '--wet-fur-panel-width';
-const commands = { openDialog: 1, loadShipped: 3, copy: 4, paste: 5, saveTypeSet: 6, saveFo: 7, saveScene: 8, savePicture: 9, saveTurntable: 10,
-  keepVersion: 11, openVersion: 12, renameVersion: 13, deleteVersion: 14, saveMaps: 15 };
 
 /**
  * What the panel cannot do itself.
@@ -101,27 +99,27 @@ export class EditorPanel {
     this.#canvas.style.cursor = this.#app.program.text(this.#call('cursor'));
     this.#followTextFocus();
     this.#followLayout();
-    for (let command = this.#call('command'); command !== 0; command = this.#call('command')) this.#carryOut(command);
+    const next = () => this.#app.program.text(this.#call('command'));
+    for (let command = next(); command; command = next()) this.#actions[command](this.#app.program.text(this.#app.program.call('fur_editor_commandText')));
   }
 
-  #carryOut(command) {
-    if (command === commands.openDialog) this.#host.openDialog();
-    const text = () => this.#app.program.text(this.#app.program.call('fur_editor_commandText'));
-    const { fur } = this.#host;
-    if (command === commands.loadShipped) fur.src = text();
-    if (command === commands.copy) this.#copy(text());
-    if (command === commands.saveTypeSet) this.#save(() => fur.saveTypeSet(), text());
-    if (command === commands.saveFo) this.#save(() => fur.saveFo(), text());
-    if (command === commands.saveScene) this.#save(() => fur.save(), text());
-    if (command === commands.saveMaps) this.#save(() => this.#maps(), `${text()}.zip`);
-    if (command === commands.paste) this.#paste();
-    if (command === commands.keepVersion) this.#versions.keep(text());
-    if (command === commands.openVersion) this.#versions.open(text());
-    if (command === commands.renameVersion) this.#versions.rename(...text().split('\n'));
-    if (command === commands.deleteVersion) this.#versions.delete(text());
-    if (command === commands.savePicture) this.#shoot(savePicture, text());
-    if (command === commands.saveTurntable) this.#shoot(saveTurntable, text());
-  }
+  /** What the panel asks of the page (app/editor/PlatformCommands.inc). */
+  #actions = {
+    OpenDialog: () => this.#host.openDialog(),
+    LoadShipped: (name) => { this.#host.fur.src = name; },
+    CopyText: (text) => this.#copy(text),
+    PasteRequest: () => this.#paste(),
+    SaveTypeSet: (name) => this.#save(() => this.#host.fur.saveTypeSet(), name),
+    SaveFo: (name) => this.#save(() => this.#host.fur.saveFo(), name),
+    SaveScene: (name) => this.#save(() => this.#host.fur.save(), name),
+    SaveMaps: (name) => this.#save(() => this.#maps(), `${name}.zip`),
+    SavePicture: (name) => this.#shoot(savePicture, name),
+    SaveTurntable: (name) => this.#shoot(saveTurntable, name),
+    KeepVersion: (name) => this.#versions.keep(name),
+    OpenVersion: (id) => this.#versions.open(id),
+    RenameVersion: (idAndName) => this.#versions.rename(...idAndName.split('\n')),
+    DeleteVersion: (id) => this.#versions.delete(id),
+  };
 
   #copy(text) {
     navigator.clipboard.writeText(text).catch((error) => this.message(`Nothing was copied: ${error.message}`, true));

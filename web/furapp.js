@@ -1,6 +1,6 @@
 // app/App.h as JavaScript methods: one handle in one Program. Positions are pixels of the drawing buffer.
-// What crosses as it is (app/tools/Commands.inc) becomes methods and getters at the end of the class.
-import { commands, queries } from '#tables';
+// What crosses as it is (web/Methods.inc) becomes methods and getters at the end of the class.
+import { methods, queries } from '#tables';
 
 export const phases = ['down', 'move', 'up', 'cancel'];
 export const pointerKinds = ['mouse', 'touch', 'pen'];
@@ -15,6 +15,11 @@ const accountNames = ['held', 'film', 'drops', 'dripped', 'evaporated', 'removed
 /** Bit 0 shift, 1 control (or the command key), 2 alt. */
 export const modifiersOf = (event) =>
   (event.shiftKey ? 1 : 0) | (event.ctrlKey || event.metaKey ? 2 : 0) | (event.altKey ? 4 : 0);
+
+/** Calls back with each name and the kind of its result. */
+export function forEach(names, work) {
+  for (const [result, some] of Object.entries(names)) for (const name of some) work(name, result);
+}
 
 export class FurApp {
   constructor(program) {
@@ -151,10 +156,12 @@ export class FurApp {
   }
 
   static {
-    for (const [name, result] of Object.entries(commands))
-      this.prototype[name] = function command(...args) { return this.#crossing(`fur_${name}`, result, args); };
-    for (const [name, result] of Object.entries(queries))
+    forEach(methods, (name, result) => {
+      this.prototype[name] = function method(...args) { return this.#crossing(`fur_${name}`, result, args); };
+    });
+    forEach(queries, (name, result) => {
       Object.defineProperty(this.prototype, name, { get() { return this.#crossing(`fur_${name}`, result, []); } });
+    });
   }
 }
 

@@ -1,11 +1,12 @@
 // One furry model on one canvas: what createWetFur() returns and <wet-fur> stands on. It makes the parts and is what others
 // see of them. Calls go down this list, what happens comes up as events: loading and editing, applied options, frames, session.
-import { commands, elementCommands, elementQueries, queries } from '#tables';
+import { elementMethods, elementQueries } from '#tables';
 import { AppliedOptions } from './applied.js';
 import { BrushRing } from './brushring.js';
 import { Editing } from './editing.js';
 import { FurError } from './errors.js';
 import { Frames } from './frames.js';
+import { forEach } from './furapp.js';
 import { Input } from './input.js';
 import { pictureOfText } from './lettering.js';
 import { Loading } from './loading.js';
@@ -272,20 +273,20 @@ export class WetFur extends EventTarget {
     this.#frames.wake();
   }
 
-  // --- what the program does as it is told (app/tools/Commands.inc) ---
-
-  #command(name, args) {
-    if (!this.loaded) return emptyOf[commands[name]];
-    const result = this.#app[name](...args);
-    if (commands[name] === 'Nothing') this.#frames.wake();
-    return result;
-  }
+  // --- what the program does as it is told (web/Methods.inc) ---
 
   static {
-    for (const name of elementCommands)
-      this.prototype[name] = function command(...args) { return this.#command(name, args); };
-    for (const name of elementQueries)
-      Object.defineProperty(this.prototype, name, { get() { return this.loaded ? this.#app[name] : emptyOf[queries[name]]; } });
+    forEach(elementMethods, (name, result) => {
+      this.prototype[name] = function method(...args) {
+        if (!this.loaded) return emptyOf[result];
+        const value = this.#app[name](...args);
+        if (result === 'Nothing') this.#frames.wake();
+        return value;
+      };
+    });
+    forEach(elementQueries, (name, result) => {
+      Object.defineProperty(this.prototype, name, { get() { return this.loaded ? this.#app[name] : emptyOf[result]; } });
+    });
   }
 
   // --- what the screen does ---

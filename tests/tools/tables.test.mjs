@@ -11,8 +11,8 @@ import { drawingOf, endings, moduleText, pageText, readTables, rowsOf, typingsTe
 const textOf = (file) => readFileSync(join(root, file), 'utf8');
 const dummies = {
   'src/app/tools/Tools.inc': 'FUR_TOOL(Hammer, "hammer", Viewer, Water, Paint, Repeats, 1.0f, "Hit", "Mend", "touch", "waters", "", "hits, once", "Hammer: (hit) it")\n',
-  'src/app/tools/Commands.inc': 'FUR_COMMAND(strike, Number, (float u, bool hard), ({u, 0}, hard), Element, "How it rang.")\nFUR_QUERY(dented, Truth, Element, "")\n'
-    + 'FUR_COMMAND(swing, Nothing, (), (), Program, "")\n',
+  'web/Methods.inc': 'FUR_METHOD(strike, Number, (float u, bool hard), ({u, 0}, hard), Element, "How it rang.")\nFUR_QUERY(dented, Truth, Element, "")\n'
+    + 'FUR_METHOD(swing, Nothing, (), (), Program, "")\n',
   'src/scene/Formats.inc': 'FUR_MODEL_FORMAT(Clay, ".clay .pot", "model/clay", "pot", readClay)\nFUR_FORMAT(Tin, Coat, ".tin", "image/tin", "foil")\n',
   'src/app/tools/GroomEdits.inc': 'FUR_GROOM_EDIT(Shave, "shave", Kept, "value: how close, all over")\n',
 };
@@ -28,7 +28,7 @@ function fromCpp(program, ...sources) {
       mkdirSync(dirname(copy), { recursive: true });
       writeFileSync(copy, textOf(file) + row);
     }
-    writeFileSync(join(folder, 'dummies.inc'), dummies['src/app/tools/Commands.inc']);
+    writeFileSync(join(folder, 'dummies.inc'), dummies['web/Methods.inc']);
     writeFileSync(join(folder, 'main.cpp'), program);
     // Beside the copies, so that quoted includes find those first.
     for (const source of sources) cpSync(join(root, source), join(folder, source));
@@ -51,12 +51,12 @@ test('rows are read as the preprocessor reads them', () => {
 });
 
 test('every row of the files is read', () => {
-  const { tools, groomEdits, commands, queries, modelFormats, otherFormats } = readTables();
+  const { tools, groomEdits, methods, queries, modelFormats, otherFormats } = readTables();
   const rowsIn = (file) => textOf(file).match(/^FUR_\w+ *\(/gm).length;
   assert.equal(tools.length, rowsIn('src/app/tools/Tools.inc'));
   assert.equal(groomEdits.length, rowsIn('src/app/tools/GroomEdits.inc'));
   assert.equal(modelFormats.length + otherFormats.length, rowsIn('src/scene/Formats.inc'));
-  assert.equal(commands.length + queries.length, rowsIn('src/app/tools/Commands.inc'));
+  assert.equal(methods.length + queries.length, rowsIn('web/Methods.inc'));
 });
 
 test('a new tool is an option of the element, and keys and typings know it', async () => {
@@ -84,19 +84,19 @@ test('a new edit of the groom is in the typings', () => {
   assert.match(typingsText(withDummies), /export type GroomEdit =[^;]*\| 'shave';/);
 });
 
-test('a new command is a method of the program, of the element and of the typings', async () => {
-  const { commands, queries, elementCommands, elementQueries } = await importText(moduleText(withDummies));
-  assert.deepEqual([commands.strike, commands.swing, queries.dented], ['Number', 'Nothing', 'Truth']);
-  assert.deepEqual([elementCommands.includes('strike'), elementCommands.includes('swing'), elementQueries.includes('dented')], [true, false, true]);
+test('a new method is one of the program, of the element and of the typings', async () => {
+  const { methods, queries, elementMethods, elementQueries } = await importText(moduleText(withDummies));
+  assert.deepEqual([methods.Number.at(-1), methods.Nothing.at(-1), queries.Truth.at(-1)], ['strike', 'swing', 'dented']);
+  assert.deepEqual([elementMethods.Number.at(-1), elementMethods.Nothing.includes('swing'), elementQueries.Truth.at(-1)], ['strike', false, 'dented']);
   const typings = typingsText(withDummies);
   assert.match(typings, /  \/\*\* How it rang\. \*\/\n  strike\(u: number, hard: boolean\): number;\n/);
   assert.match(typings, /\n  readonly dented: boolean;\n/);
   assert.doesNotMatch(typings, /swing/);
-  const odd = { ...withDummies, commands: [{ name: 'odd', result: 'Nothing', parameters: '(void* p)', offered: 'Element', doc: '' }] };
+  const odd = { ...withDummies, methods: [{ name: 'odd', result: 'Nothing', parameters: '(void* p)', offered: 'Element', doc: '' }] };
   assert.throws(() => typingsText(odd), /void\* has no type/);
 });
 
-test('a new command calls the method of its name, with its arguments, across the border', () => {
+test('a new method is called by its name, with its arguments, across the border', () => {
   const binding = textOf('web/AppBindings.cpp');
   const macros = binding.slice(binding.indexOf('namespace crossing'), binding.indexOf('// --- life ---'));
   const lines = fromCpp(`
@@ -111,7 +111,7 @@ test('a new command calls the method of its name, with its arguments, across the
       void swing() { std::printf("swung\\n"); }
     };
     template <class Work> auto guarded(Work work) { return work(); }
-    ${macros.replace('"app/tools/Commands.inc"', '"dummies.inc"')}
+    ${macros.replace('"web/Methods.inc"', '"dummies.inc"')}
     int main() {
       App app;
       std::printf("%g %g %d\\n", double(fur_strike(&app, 7, true)), double(fur_strike(&app, 7, false)), fur_dented(&app));
@@ -121,9 +121,9 @@ test('a new command calls the method of its name, with its arguments, across the
 });
 
 test('what the element offers are methods and getters of both of its classes', () => {
-  const { commands, queries } = readTables();
+  const { methods, queries } = readTables();
   const written = textOf('web/host.js') + textOf('web/furapp.js') + textOf('web/types/index.d.ts');
-  for (const { name } of [...commands, ...queries].filter(({ offered }) => offered === 'Element'))
+  for (const { name } of [...methods, ...queries].filter(({ offered }) => offered === 'Element'))
     assert.doesNotMatch(written, new RegExp(`^ {2}(get |set |async |readonly )?${name}\\b *[(:]`, 'm'), `${name} stands in the table, and by hand`);
 });
 
@@ -164,6 +164,12 @@ test('C++ knows a new format by its endings, and which reader it has', () => {
       readerOf(*formatNamed("x.clay"))();
     }`, 'src/scene/Formats.cpp');
   assert.deepEqual(lines, ['1 1 0', '.glb, .gltf, .obj, .fo, .clay and .pot', 'Save pot (.clay)', 'clay is read']);
+});
+
+test('the editor of the page has an action for each command that it may be asked, and no other', () => {
+  const actions = /#actions = \{([\s\S]*?)\n  \};/.exec(textOf('web/editor.js'))[1];
+  const named = [...actions.matchAll(/^    (\w+): /gm)].map(([, name]) => name).sort();
+  assert.deepEqual(named, readTables().platformCommands.filter(({ where }) => where === 'Everywhere').map(({ id }) => id).sort());
 });
 
 test('C++ knows a new tool and a new edit by their names, and what they do', () => {

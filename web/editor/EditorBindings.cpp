@@ -4,7 +4,7 @@
 //   event:  if (!fur_editor_pointer(...)) fur_pointer(...)          likewise wheel and key
 //   frame:  changed = fur_tick(app, dt); changed |= fur_editor_update(app, dt);
 //           if (changed) { fur_draw(app); fur_editor_draw(app); }
-//           then fur_editor_command() until it gives 0
+//           then fur_editor_command() until it gives ""
 //   sleep:  when neither fur_active(app) nor fur_editor_active(app)
 //
 // After context loss: fur_editor_detach(app, 1), then fur_editor_attach(app) in the new context keeps
@@ -154,17 +154,13 @@ FUR_EXPORT float fur_editor_coveredWidth(App* app) {
 
 // --- what the page must do ---
 
-// The next command: 0 none, 1 open a file dialog, 3 load the shipped model fur_editor_commandText(), 4 copy that text to
-// the clipboard, 5 read the clipboard and call fur_editor_paste(), 6 save the coat as .fts, 7 the model as
-// .fo, both under the name in fur_editor_commandText(), 9 and 10 what fur_editor_nextBand() gives until it is the last of the last
-// frame: a picture, and a film of one turn; 15 the maps. (2 is the desktop's: open a path.)
-FUR_EXPORT int fur_editor_command(App* app) {
-  return withHost(app, [](EditorHost& host) {
-    std::optional<app::PlatformCommand> command = host.takeCommand();
-    if (!command) return 0;
-    commandText = std::move(command->text);
-    return static_cast<int>(command->kind);
-  });
+// The name of the next command (app/editor/PlatformCommands.inc), whose text is fur_editor_commandText(); "": there is none.
+FUR_EXPORT const char* fur_editor_command(App* app) {
+  EditorHost* host = hostOf(app);
+  std::optional<app::PlatformCommand> command = host ? host->takeCommand() : std::nullopt;
+  if (!command) return "";
+  commandText = std::move(command->text);
+  return command->name();
 }
 FUR_EXPORT const char* fur_editor_commandText() { return commandText.c_str(); }
 // width, height, frames, frames per second, frame, top, rows, whether it is the frame's last; the rows, straight RGBA from
@@ -184,8 +180,8 @@ FUR_EXPORT const double* fur_editor_nextBand(App* app) {
 FUR_EXPORT void fur_editor_endPicture(App* app) {
   withHost(app, [](EditorHost& host) { return host.endPicture(), 0; });
 }
-// 11 to 14 are what the panel asks for of scenes that are kept under names; these say which there are, newest first: all of
-// them, then fur_editor_showVersions(). The picture has 4 * 144 * 96 bytes.
+// Scenes that are kept under names, newest first: all of them, then fur_editor_showVersions(). The picture has 4 * 144 * 96
+// bytes.
 FUR_EXPORT void fur_editor_addVersion(App* app, const char* id, const char* name, const char* when, const std::uint8_t* rgba) {
   withHost(app, [&](EditorHost&) {
     constexpr int kBytes = 4 * editor::kVersionPictureWidth * editor::kVersionPictureHeight;

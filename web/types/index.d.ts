@@ -1,7 +1,7 @@
 // wet-fur: createWetFur and what it returns.
-import type { GroomEdit, Tool, WetFurCommands } from './tables.js';
+import type { GroomEdit, Tool, WetFurMethods } from './tables.js';
 
-export type { GroomEdit, Tool, WetFurCommands };
+export type { GroomEdit, Tool, WetFurMethods };
 
 /** Why something failed; `message` names the thing and the limit. */
 export type FurErrorCode =
@@ -350,7 +350,7 @@ export interface WetFurEventMap {
 }
 
 /** What the element and what createWetFur() returns have in common. */
-export interface WetFurApi extends WetFurCommands {
+export interface WetFurApi extends WetFurMethods {
   readonly loaded: boolean;
   /** Resolves when the first model is shown, rejects with a FurError when it cannot be. */
   readonly ready: Promise<void>;
@@ -386,12 +386,8 @@ export interface WetFurApi extends WetFurCommands {
   /** The atlas coordinates under CSS pixels of the canvas; null beside the model. */
   pick(at: { x: number; y: number }): { u: number; v: number } | null;
   /**
-   * Dresses the whole model, as one undo step. This, length maps and all that saves fetch the editor's program. `value`: the length as a share of the longest ('length'), how much shorter patches
-   * get ('vary'), 1 to 4 ('type'), how far it is combed ('comb', along `direction` in model space), texels along the
-   * maps ('size'), 0xRRGGBB ('paint'); the others take none. What the mask protects stays as it is.
-   * What is selected stays free and the mask protects all else: the connected part at the place `direction` of model space, a
-   * fur type (1 to 4), lengths from direction[0] to direction[1], paint like that at the place `direction` within `value`. The mask
-   * grows, shrinks and softens by `value` in bounding radii.
+   * Dresses the whole model, as one undo step; what `value` and `direction` are is told with each edit. What the mask protects
+   * stays as it is. This, length maps and all that saves fetch the editor's program.
    */
   groom(edit: GroomEdit, value?: number, direction?: readonly [number, number, number]): Promise<void>;
   /**

@@ -48,6 +48,15 @@ std::string modelFileName(const App& app, scene::Format format) { return stemOf(
 
 }  // namespace
 
+const char* PlatformCommand::name() const {
+  static constexpr const char* kNames[] = {
+#define FUR_PLATFORM_COMMAND(id, ...) #id,
+#include "app/editor/PlatformCommands.inc"
+#undef FUR_PLATFORM_COMMAND
+  };
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
 struct EditorHost::Context {
   explicit Context(const EditorHost& host) : before(ImGui::GetCurrentContext()) {
     ImGui::SetCurrentContext(host.context_);

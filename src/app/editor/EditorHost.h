@@ -31,26 +31,13 @@ namespace fur::app {
 // What only the platform can do.
 struct PlatformCommand {
   enum class Kind {
-    OpenDialog = 1,
-    OpenPath = 2,
-    LoadShipped = 3,  // the model or scene called `text`
-    CopyText = 4,
-    PasteRequest = 5,
-    SaveTypeSet = 6,  // App::saveTypeSet(), under the name in `text`
-    SaveFo = 7,       // the model as .fo, likewise
-    SaveScene = 8,    // App::saveScene(), likewise
-    // nextBand() until it gives the last or none: a picture under the name in `text`; a film or frames of one turn, likewise.
-    SavePicture = 9,
-    SaveTurntable = 10,
-    // The scene as it is is kept, under the name in `text`; one that was kept is shown, by its id; gets another name, "id\nname"; goes.
-    KeepVersion = 11,
-    OpenVersion = 12,
-    RenameVersion = 13,
-    DeleteVersion = 14,
-    SaveMaps = 15     // App::saveMaps(), in a folder or archive of the name in `text`
-  };  // JavaScript knows these
+#define FUR_PLATFORM_COMMAND(id, ...) id,
+#include "app/editor/PlatformCommands.inc"
+#undef FUR_PLATFORM_COMMAND
+  };
   Kind kind;
   std::string text;  // the path, the text to copy, or a name for the file
+  const char* name() const;  // "OpenDialog"
 };
 
 class EditorHost {
