@@ -1,3 +1,4 @@
+#include "shared/Light.h"
 // Light on strands and skin, in the surface's own frame: x along s, y along t, z along the normal.
 
 // Linear to sRGB within 0.0015 without a power: a fit over square roots (I. Taylor 2009,

@@ -7,5 +7,14 @@ const float kBald = 0.004;
 
 vec4 presences(vec3 others) { return vec4(max(1.0 - others.x - others.y - others.z, 0.0), others); }
 
+// How much of a coat stands where the map has that texel: short or sparse fur lets the skin be seen.
+float coatShare(vec4 texel) {
+  float share = min(texel.r / 0.15, 1.0);
+#ifdef TYPES
+  share *= min(2.0 * dot(presences(texel.gba), typeGrows), 1.0);
+#endif
+  return share;
+}
+
 // Up to which height a strand stands; its dominance is 0.5..1.
 float standsUpTo(float presence, float dominance) { return max(2.0 - 2.0 * (1.0 - presence) / dominance, 0.0); }

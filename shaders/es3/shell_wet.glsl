@@ -1,6 +1,8 @@
-// What water makes of the coat that a ray marches through.
+// What water makes of the coat that a ray marches through. shell_dry.glsl has the same functions for dry fur.
 uniform sampler2D mask;
 uniform sampler2DArray streaks;  // strand, the mean of those in line: layers turn by a half
+
+in vec3 vTileOfFur;  // tiles that a fur length covers: along axisS (x, y), along axisT (0, z)
 
 // From here on what the march finds of a sheet does not show (what it finds is weighted by 1 - joined): that many steps.
 const float kWholeSheet = 0.98;
@@ -10,68 +12,131 @@ const int kSheetSteps = 1;  // which fur there is
 const int kSheetSteps = 0;
 #endif
 
-// Of the whole ray, by where it enters: the water there, how much of a sheet the coat is, how high it stands, where its tips lie
-// from their roots (tiles); how many fur lengths a tile is on average, how many tiles the atlas.
-float entryHeld, sheet, coatTop, furLengths, atlasLength;
-float entryChart;  // chartOf() where it enters
-vec2 lie;
+// Of the whole ray, by where it enters.
+float entryHeld, entryChart;      // the water there; chartOf()
+float sheet, joined;              // how much of a sheet the coat is; how much of what is shown
+float coatTop;                    // how high it stands
+float enters, closes;             // where the ray comes to that; what hides all
+vec2 lean, tipTile;               // where its tips are from their roots: fur lengths, tiles
+float furLengths, atlasLength;    // how many fur lengths a tile is on average, how many tiles the atlas
 mat2 tileFromAtlas, furFromTile;  // fur lengths along axisS, axisT (shell.vert)
 
+void enterWater() {
+  tileFromAtlas = inverse(atlasFromTile());
+  atlasLength = sqrt(abs(determinant(tileFromAtlas)));
+  // Charts are stretched, each in its own way: what is drawn aside is drawn aside on the skin.
+  mat2 tileFromFur = mat2(vTileOfFur.xy, 0.0, vTileOfFur.z);
+  furFromTile = inverse(tileFromFur);
+  furLengths = sqrt(abs(determinant(furFromTile)));
+  entryHeld = filteredWetness(mask, vAtlas);
+  entryChart = chartOf(maskAt(mask, vAtlas));
+  sheet = sheetOf(entryHeld);
+  joined = sheet * (2.0 - sheet);
+  coatTop = upright(entryHeld, sheet);
+  lean = wetLean(0.5 * vLean.xy, entryHeld, sheet);
+  tipTile = tileFromFur * lean;
+  // Clumps are denser than dry fur: they close sooner, and longer steps find them.
+  stepSize *= 1.0 + 0.7 * min(entryHeld, 1.0);
+  closes = kClosed * (1.0 - 0.6 * sheet);
+  enters = 0.0;
+  if (vTop > coatTop) {
+    bool comesDown;
+    enters = rayTo(vTop - coatTop, comesDown);
+    if (!comesDown) end = 0.0;
+  }
+}
+
+bool underSheet() { return reachesSkin && joined > kWholeSheet; }
+
 const float kFarOn = 2.0;  // fur lengths
-bool leavesChart(vec2 a) {
-  vec4 texel = maskAt(mask, a);
+// Whether the ray comes to an edge first, behind which there is no such skin, as one that goes on so far may.
+bool leavesSkin() {
+  if (end <= kFarOn) return false;
+  vec4 texel = maskAt(mask, atlasAt(foot));
   texel.x -= entryChart;
   return isBeside(texel);
 }
 
-// The strand that the ray meets at height h over the tile point `at`.
-struct WetStrand {
-  vec2 root;   // tile
-  float along; // itself, 0..1
-  float open;  // 0: none; more than 1 where many are drawn together
-  float pull;  // s
-  vec4 clump;  // w: the water it holds
-  vec2 from;   // of its root from the clump's middle, tiles
-};
-// `a`: the atlas point; `inside`: the last one that lay in the chart.
-WetStrand wetStrandAt(vec2 at, vec2 a, float h, inout vec2 inside) {
-  WetStrand strand;
-  strand.clump = maskAt(mask, a);
-  strand.clump.x -= entryChart;
-  float side = 1.0;
-  if (isBeside(strand.clump)) {
-    // Where a ray along the outline soon is: clumps as inside the chart, mirrored where it left.
-    a = 2.0 * inside - a;
-    side = -1.0;
-    strand.clump = maskAt(mask, a);
-    strand.clump.x -= entryChart;
-    if (isBeside(strand.clump)) strand.clump.a = -1.0;
-  } else {
-    inside = a;
-  }
-  bool clumped = strand.clump.a > 0.0;
-  if (strand.clump.a < 0.0) strand.clump.a = entryHeld;
-  strand.along = h / coatTop;
-  strand.pull = clumped ? clumpPull(strand.along, clumpingWetness(strand.clump.a, strand.clump.z * atlasLength * furLengths), sheet) : 0.0;
-  vec2 from = (a - strand.clump.xy) / (1.0 - strand.pull);
-  strand.from = tileFromAtlas * from * side;
-  vec2 aside = strand.from * strand.pull;
-  strand.root = at + aside;
-  strand.along = alongStrand(strand.along, furFromTile * aside);
-  if (clumped) strand.along *= rimTaper(strand.clump.a, sheet, dot(from, from) / (strand.clump.z * strand.clump.z + 1e-12));
-  // A sheet nearly closes the gaps.
-  float own = mix(ownStrand(mask, strand.clump, entryChart, from), 1.0, 0.7 * sheet) * (1.0 + 2.0 * strand.pull + sheet);
-  strand.open = (clumped ? own : 1.0) * float(strand.along <= 1.0);
-  return strand;
+// The clump at the atlas point `a`, less its chart's number.
+vec4 clumpIn(vec2 a) {
+  vec4 clump = maskAt(mask, a);
+  clump.x -= entryChart;
+  return clump;
 }
-// In a sheet light knows strands by those that lie in line where the ray comes to it, `enters` fur lengths on; `stored`: of
-// the type that was met.
-vec4 strandsInLine(float enters, float stored) {
-  float top = min(vTop, coatTop), turn = floor(atan(lie.y, lie.x + 1e-9) * (FUR_STREAK_TURNS / 3.14159265) + 0.5);
+
+// The strand that the ray meets at height h.
+Strand standingAt(float h, inout March march) {
+  Strand here;
+  vec2 tile = tileAt(march.x, h) - tipTile * (h / coatTop), a = atlasAt(tile);
+  here.clump = clumpIn(a);
+  float side = 1.0;
+  if (isBeside(here.clump)) {
+    // Where a ray along the outline soon is: clumps as inside the chart, mirrored where it left.
+    a = 2.0 * march.inside - a;
+    side = -1.0;
+    here.clump = clumpIn(a);
+    if (isBeside(here.clump)) here.clump.a = -1.0;
+  } else {
+    march.inside = a;
+  }
+  bool clumped = here.clump.a > 0.0;
+  if (here.clump.a < 0.0) here.clump.a = entryHeld;
+  here.along = h / coatTop;
+  here.pull = clumped ? clumpPull(here.along, clumpingWetness(here.clump.a, here.clump.z * atlasLength * furLengths), sheet) : 0.0;
+  vec2 from = (a - here.clump.xy) / (1.0 - here.pull);
+  here.from = tileFromAtlas * from * side;
+  vec2 aside = here.from * here.pull;
+  here.root = tile + aside;
+  here.along = alongStrand(here.along, furFromTile * aside);
+  if (clumped) here.along *= rimTaper(here.clump.a, sheet, dot(from, from) / (here.clump.z * here.clump.z + 1e-12));
+  // A sheet nearly closes the gaps.
+  float own = mix(ownStrand(mask, here.clump, entryChart, from), 1.0, 0.7 * sheet) * (1.0 + 2.0 * here.pull + sheet);
+  here.open = (clumped ? own : 1.0) * float(here.along <= 1.0);
+  return here;
+}
+
+// Strands that water joins are one as far as light is concerned: as many as a pixel has.
+vec4 strandAt(vec4 spot, Strand here) { return textureLod(strand, spot.xyz, spot.w + 1.5 * min(here.clump.a, 1.0)); }
+
+// In a sheet light knows strands by those that lie in line where the ray comes to it; `stored`: of the type that was met.
+vec4 strandsInLine(float stored) {
+  float top = min(vTop, coatTop), turn = floor(atan(tipTile.y, tipTile.x + 1e-9) * (FUR_STREAK_TURNS / 3.14159265) + 0.5);
   // Where they are seen, not where they root: over the length of a strand stretched charts would turn the lines aside.
-  vec3 place = vec3(2.0 * tileAt(enters, top), mod(turn, FUR_STREAK_TURNS));
-#ifdef TYPES
-  place.z += floor(stored / storedLayers) * FUR_STREAK_TURNS;
-#endif
+  vec3 place = vec3(2.0 * tileAt(enters, top), mod(turn, FUR_STREAK_TURNS) + firstLayer(stored) / storedLayers * FUR_STREAK_TURNS);
   return textureLod(streaks, place, max(vLight.w - 0.5, 0.0));
+}
+
+// In a sheet those that lie in line are shown instead of the one that the march met: its chance would be grain there.
+void joinStrands(inout Met met, float furry) {
+  met.x = mix(met.x, enters, joined);
+  met.held = mix(met.here.clump.a, entryHeld, joined);
+  if (sheet <= 0.0) return;
+  vec4 inLine = strandsInLine(met.spot.z);
+  met.strand = mix(met.strand, inLine, joined);
+  met.number = mix(met.number, clamp(0.5 + 3.0 * (inLine.z - 0.5), 0.0, 1.0), joined);
+  met.h = mix(mix(met.h, 0.7, joined * (1.0 - met.closed)), 0.3 + 0.4 * met.number, joined);
+  // Through a sparse coat skin shows all the same.
+  if (reachesSkin) met.closed = mix(met.closed, 1.0, joined * furry * min(3.0 * density, 1.0));
+}
+
+vec2 tiltOf(Met met) {
+  vec2 tilt = furFromTile * (met.strand.xy * 2.0 - 1.0) / furLengths;
+  return tilt / max(length(tilt), 1.0);
+}
+
+// Eq. 4: the strand moves by -d, in fur lengths.
+vec2 clumpTilt(Met met, March march) {
+  float along = heightAt(march.metX) / coatTop, held = clumpingWetness(met.here.clump.a, met.here.clump.z * atlasLength * furLengths);
+  float rises = clumpPull(along - 1.0 / layers, held, sheet) - clumpPull(along, held, sheet);
+  return furFromTile * met.here.from * (rises * layers * (1.0 - joined)) + lean / coatTop;
+}
+
+float shadeOfOne() { return FUR_SHADE_OF_ONE * (1.0 - joined); }
+vec3 soaked(vec3 albedo, float rho) { return wetAlbedo(albedo, rho); }
+
+vec3 waterLight(vec3 color, Met met, vec3 T, vec3 L, vec3 V, float lit) {
+  vec2 outward = met.here.from / max(met.here.clump.z * atlasLength, 1e-6);
+  outward *= (1.0 - joined) / max(length(outward), 1.0);
+  vec3 n = normalize(clumpNormal(outward, sheet) + vec3(0.8 * joined * tiltOf(met), 0.0));
+  return clumpLight(color, T, n, L, V, met.h, met.held, sheet, lit, vView.w, met.number);
 }

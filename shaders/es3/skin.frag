@@ -35,12 +35,7 @@ void main() {
 #ifdef PAINTED
   bare = painted(bare, vUvAtlas.zw, vBare);
 #endif
-  vec4 dressed = textureLod(groom, vUvAtlas.zw, 0.0);
-  float furry = min(dressed.r / 0.15, 1.0);
-#ifdef TYPES
-  furry *= min(2.0 * dot(presences(dressed.gba), typeGrows), 1.0);
-#endif
-  color = mix(bare, color, furry);
+  color = mix(bare, color, coatShare(textureLod(groom, vUvAtlas.zw, 0.0)));
 #endif
 #ifdef WET
   // Between clumps, in their shade.

@@ -10,8 +10,6 @@ namespace fur::truth {
 
 namespace {
 
-// As in shell.vert: below this cosine the way of the light through the coat grows no longer.
-constexpr float kLowestLight = 0.35f;
 // Whether skin shades a point is asked that far above it, model units, and skin counts that lies nearer to the light
 // by that much: so the facets of the lit side do not shade themselves, and roots on the far side get no light.
 constexpr float kSkinOffset = 0.01f, kSkinBias = 0.002f;
@@ -37,13 +35,13 @@ float keyAt(const Scene& scene, const hair::StrandLook& look, const TubeNode& no
     return past > 0 ? past * shadow.shareThrough(node.position, node.radius, tangent, through, kAllTheWay) : 0.0f;
   }
   const float rise = std::min(kLook, 1 - node.height) * scene.coat.furLength;
-  const float lit = shadow.shareThrough(node.position, node.radius, tangent, through, rise / std::max(nDotL, kLowestLight));
+  const float lit = shadow.shareThrough(node.position, node.radius, tangent, through, rise / std::max(nDotL, float(FUR_LOWEST_LIGHT)));
   return hair::keyShare(look, node.height, nDotL, lit);
 }
 
 }  // namespace
 
-float shareOfOneStrand(const Scene& scene) { return 1 - 0.65f * scene.coat.strandShadow; }
+float shareOfOneStrand(const Scene& scene) { return 1 - float(FUR_SHADE_OF_ONE) * scene.coat.strandShadow; }
 
 std::vector<Vec3> shadeNodes(const Scene& scene, const Tubes& tubes, const DeepShadow& shadow, Light light) {
   const hair::StrandLook look = lookOf(scene);

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "shared/Light.h"
 #include "truth/DeepShadow.h"
 #include "truth/Strands.h"
 #include "truth/Truth.h"
@@ -10,11 +11,11 @@
 namespace fur::truth {
 
 // For Light::Formula: the shaders' `lit` is replaced by the true share of light that strands leave on the last part of its way,
-// which rises by this share of the coat's height, as the shaders' look-up does (shell.frag, kRise). Shadow from above that
+// which rises by this share of the coat's height, as the shaders' look-up does (shell.frag, lightOn()). Shadow from above that
 // is Sheppard's formula.
-inline constexpr float kLook = 0.1f;
+inline constexpr float kLook = float(FUR_SHADE_RISE);
 
-// The share of light that one strand lets through: 1 - 0.65 times the setting strandShadow, as in shell.frag.
+// The share of light that one strand lets through: 1 - FUR_SHADE_OF_ONE times the setting strandShadow, as in shell.frag.
 float shareOfOneStrand(const Scene& scene);
 
 // Linear light from each node to the eye.

@@ -1,0 +1,24 @@
+// Dry fur: strands stand where they root. shell_wet.glsl has the same functions for wet fur.
+const float entryHeld = 0.0, enters = 0.0, closes = kClosed;
+const int kSheetSteps = 0;
+
+void enterWater() {}
+bool underSheet() { return false; }
+bool leavesSkin() { return false; }
+
+Strand standingAt(float h, inout March march) {
+  Strand here;
+  here.root = tileAt(march.x, h);
+  here.along = h;
+  here.open = 1.0;
+  here.pull = 0.0;
+  return here;
+}
+
+vec4 strandAt(vec4 spot, Strand here) { return textureLod(strand, spot.xyz, spot.w); }
+void joinStrands(inout Met met, float furry) {}
+vec2 tiltOf(Met met) { return met.strand.xy * 2.0 - 1.0; }
+vec2 clumpTilt(Met met, March march) { return vec2(0.0); }
+float shadeOfOne() { return FUR_SHADE_OF_ONE; }
+vec3 soaked(vec3 albedo, float rho) { return albedo; }
+vec3 waterLight(vec3 color, Met met, vec3 T, vec3 L, vec3 V, float lit) { return color; }

@@ -1,0 +1,56 @@
+// What the groom makes of a strand: brushes have shaped it, and the map says how long it is and of which type.
+#ifdef SHAPED
+#include "common_shape.glsl"
+vec3 shapeAmount;   // of curl, frizz and locks, for the whole ray
+float shapeLength;  // tiles that a strand covers when it lies
+
+void enterShape() {
+  shapeAmount = textureLod(shapeMap, vAtlas + 0.5 * atlasFromTile() * (foot - vTile.xy), 0.0).rgb;
+  shapeAmount *= 1.0 - 0.8 * min(entryHeld, 1.0);  // water draws curls out
+  shapeLength = max(furLength * tilesPerUnit * vLength, 1e-4);
+}
+
+void shape(inout Strand here) {
+  ShapedStrand shaped = shapedStrandAt(here.root, here.along, shapeAmount, shapeLength);
+  here.root = shaped.root;
+  here.open *= shaped.open;
+  here.pull = max(here.pull, shaped.pull);
+}
+
+vec2 shapeTilt(vec4 spot, float h) {
+  float rise = min(0.05, h);
+  ShapedStrand above = shapedStrandAt(spot.xy, h, shapeAmount, shapeLength), lower = shapedStrandAt(spot.xy, h - rise, shapeAmount, shapeLength);
+  return (lower.root - above.root) / max(rise * shapeLength, 1e-4);
+}
+#else
+void enterShape() {}
+void shape(inout Strand here) {}
+vec2 shapeTilt(vec4 spot, float h) { return vec2(0.0); }
+#endif
+
+#ifdef GROOMED
+void enterGroom() { grown = coatShare(textureLod(groom, atlasAt(foot), 0.0)); }
+
+// Vertices know the mean length; the map knows it of every strand.
+void trim(inout Strand here, inout March march) {
+  vec4 texel = textureLod(groom, atlasAt(here.root), 0.0);
+  here.along *= vLength / max(texel.r, 1e-3);
+  here.open *= step(kBald, texel.r);
+  march.furry = coatShare(texel);
+#ifdef TYPES
+  here.grows = presences(texel.gba) * typeGrows;
+#else
+  here.open *= float(here.along <= 1.0);
+#endif
+}
+
+// The strand that is shown is that of the step at which it was met.
+vec4 spotOf(Strand here, March march) { return march.spot; }
+// Skin under fur goes over into bare skin where it thins out.
+vec3 thinned(vec3 skin, vec3 bare, float rho, float lit) { return mix(bareSkin(bare, vLight.z, vView.w, rho, lit), skin, grown); }
+#else
+void enterGroom() { grown = 1.0; }
+void trim(inout Strand here, inout March march) {}
+vec4 spotOf(Strand here, March march) { return vec4(here.root, storedLayer(here.along, between), levelOf(here)); }
+vec3 thinned(vec3 skin, vec3 bare, float rho, float lit) { return skin; }
+#endif

@@ -1,0 +1,13 @@
+// A coat of one fur type. shell_types.glsl has the same functions for several.
+float firstLayer(float stored) { return 0.0; }
+
+// What the strand adds to what is hidden.
+float addStrand(Strand here, inout March march) {
+  vec4 spot = vec4(here.root, storedLayer(here.along, between), levelOf(here));
+  float add = stepCover(coverAt(spot, here.open)) * (1.0 - march.alpha);
+  meet(march, add, here.along, spot);
+  return add;
+}
+
+StrandColors colorsOf(March march) { return StrandColors(rootColors[0].rgb, tipColors[0].rgb, typeVariance.x); }
+vec3 typeColor(March march) { return vec3(1.0); }
