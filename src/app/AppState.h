@@ -74,8 +74,8 @@ struct App::State {
     float radius = 1;
   } extent;
   int measuredFor = -1;  // animation that it and the ground are for
-  int coatSlabs = 1;     // Frame::slabs, for a coat of this length
-  float slabsFor = -1;
+  int shellCount = 1;  // Frame::shellCount, for a coat of this length
+  float shellCountFor = -1;
   // What it plays. The surface stays as it was made; `skin` is where it is shown, one of each a vertex.
   scene::Rig rig;
   std::optional<scene::Pose> pose;  // none for a model without animations
@@ -204,7 +204,7 @@ struct App::State {
   void uploadBends();  // or the forces, where those are shown
   render::Frame frame(int level) const;
   render::Frame frame() const { return frame(bestLevel); }
-  void chooseSlabs();
+  void chooseShellCount();
   Status drawBand(int level, int band, int bands);
   dynamics::BendForces forces() const;
   float wind() const { return reducedMotion ? 0 : settings.wind; }
