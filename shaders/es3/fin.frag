@@ -85,7 +85,7 @@ void main() {
   float level = floor(max(vFin.w, 0.0) + 0.5);
   float sharp = exp2(max(-vFin.w, 0.0));
   float alpha = clamp((textureLod(finCoverage, spot, level).r - 0.5) * sharp + 0.5, 0.0, 1.0) * vFin.z * open;
-  // Slabs show the coat up to its outline; only the tips that stand out over it are missing.
+  // Shells show the coat up to its outline; only the tips beyond it are missing.
   alpha *= smoothstep(FUR_FIN_FOOT, 0.9, h) * (1.0 - smoothstep(0.94, 1.0, h));
 #ifdef WET
   alpha *= 1.0 - sheet;

@@ -32,7 +32,7 @@ void main() {
   vec3 toEye = (eye.xyz - middle) / away;
   // Silhouette (Sheppard 2.1.3): (n1.v)(n2.v) below a threshold; opacity 0 there, 1 edge-on, so that
   // nothing pops. Sheppard's 0.3 (57 degrees off) covers a third of the model with fins that the
-  // slabs show better; 0.06 (76 degrees) is where slabs begin to thin out.
+  // shells show better; 0.06 (76 degrees) is where shells begin to thin out.
   float facing = dot(face0.xyz, toEye) * dot(face1.xyz, toEye);
   float opacity = smoothstep(0.0, 1.0, (FUR_SILHOUETTE - facing) / FUR_SILHOUETTE);
   // Both faces turned away: the edge lies behind the horizon.

@@ -1,5 +1,5 @@
-// Slabs of fur. Instance i lies between the heights i / K and (i + 1) / K of the coat; its triangles are the
-// slab's top and the fragment shader marches down through it along the view ray. Where the ray goes in the
+// Shells: usually one, the coat's outside. Of K (Frame::shellCount) instance i stands at the height 1 - i / K, and the
+// fragment shader marches from there to the skin along the view ray. Where the ray goes in the
 // coat's own space, tile coordinates and height, comes from here as two parabolas: worked out per fragment
 // from derivatives it costs four times as much and breaks at uv seams.
 #include "common.glsl"
@@ -30,7 +30,7 @@ uniform sampler2D mask;
 out float vTop;
 out vec3 vTileOfFur;  // tiles that a fur length covers: along axisS (x, y), along axisT (0, z)
 #else
-flat out float vTop;  // the slab's top, 0..1
+flat out float vTop;  // the shell's height, 0..1
 #endif
 out vec2 vStrands;    // the strands shown: from, to; not clamped
 #if defined(WET) || defined(GROOMED) || defined(PAINTED)
@@ -53,7 +53,7 @@ void main() {
 #elif defined(VIEW_LAYER)
   float top = viewLayer;
 #else
-  float top = 1.0 - float(gl_InstanceID) / slabs;
+  float top = 1.0 - float(gl_InstanceID) / shellCount;
 #endif
 #ifdef WET
   // As far down as fur stands from here to the next vertices: rays that came to it from higher up would come past where the

@@ -89,7 +89,7 @@ struct App::State {
     std::uint64_t surface = 0;
     float length = -1;
     int count = 1;
-  } slabs;  // Frame::slabs, and what it is for
+  } shells;  // Frame::shellCount, and what it is for
   bool saved = false, transparent = false;  // as setSaved() said
   int bottomRow = 0;
   long framesDrawn = 0;
@@ -135,7 +135,7 @@ struct App::State {
   void uploadLengths(const geometry::TexelRect& changed);
   bool showsMask() const;  // with the paint, for who is grooming
   bool showsForces() const { return static_cast<render::View>(settings.view) == render::View::Forces; }
-  void chooseSlabs();
+  void chooseShellCount();
   render::Frame frame(int level) const;
   render::Frame frame() const { return frame(bestLevel); }
   Status drawBand(int level, int band, int bands);

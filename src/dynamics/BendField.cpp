@@ -278,91 +278,125 @@ BendField::RigidVelocity BendField::follow(const Mat4& modelToWorld, float dt) {
   return {lastVelocity_.linear - before.linear, lastVelocity_.constant - before.constant};
 }
 
-// Swing: one step. Jump: to where the forces lead, less what touch has left.
+// Four strands in a step. The parts of advanceBlock() below work on it; all are inlined there.
+struct BendField::FourStrands {
+  std::size_t first;  // vertex
+  Lanes3 position, direction, chord;
+  WetLanes water;
+  Lanes3 force, kick{};    // kick: a change of velocity
+  Lanes3 target;           // bend in equilibrium, with what touch has left
+  Lanes3 targetUntouched;  // without
+  Lanes touched{};         // what touch has left, squared
+  Lanes3 before, bend, speed, left;  // bend before and after; left: from the bend to its target
+};
+
+[[gnu::always_inline]] inline void BendField::findForces(FourStrands& four, const StepForces& common, bool swings) {
+  const Lanes3& p = four.position;
+  four.force = splat(common.gravity) * four.water.weight + common.wind.at(p) * (common.wind.exposure(four.chord) * four.water.catching);
+  if (swings && common.moving) {
+    four.force = four.force + common.drag.at(p);
+    four.kick = common.kick.at(p);
+    if (posed_) {
+      const Lanes3 move = clampLength((p - lastPositions_.lanes(four.first)) * splat(common.perSecond), kMaxSpeed);
+      four.force = four.force + move * splat(common.poseDrag);
+      four.kick = four.kick + (move - lastMoves_.lanes(four.first)) * splat(common.poseKick);
+      lastPositions_.set(four.first, p);
+      lastMoves_.set(four.first, move);
+    }
+  }
+  if (shownForces_.empty()) return;
+  const Lanes3 shown = four.force + four.kick * (four.water.weight * splat(common.forceOfKick));
+  for (std::size_t k = 0; k < std::min(kLanes, count_ - std::min(four.first, count_)); ++k)
+    shownForces_[four.first + k] = Vec4(shown.x[k], shown.y[k], shown.z[k], lengths_[four.first + k]);
+}
+
+// Where the forces and what touch has left lead.
+[[gnu::always_inline]] inline void BendField::findTarget(FourStrands& four, const StepForces& common) {
+  const bool combed = !rests_.empty();
+  const Lanes3 force = combed ? uprighted(four.force, four.chord, four.direction) : four.force;
+  Lanes3 target = clampLength(across(force, four.direction) * splat(common.compliance), 1.0f) * splat(kMaxBend);
+  if (combed) target = clampLength(rests_.lanes(four.first) + target, kMaxBend);
+  four.target = four.targetUntouched = target;
+  if (sets_.empty()) return;
+  const Lanes3 old = sets_.lanes(four.first);
+  const Lanes size = sqrtOf(dot(old, old));
+  Lanes left = (size + kForgotten) * four.water.setLeft - kForgotten;
+  left = left > kStillAngle ? left : splat(0.0f);
+  const Lanes3 now = old * (left / max(size, splat(1e-6f)));
+  sets_.set(four.first, now);
+  four.target = clampLength(target + now, kMostPressed);
+  four.touched = left * left;
+}
+
+[[gnu::always_inline]] inline void BendField::swing(FourStrands& four, const StepForces& common) {
+  const Lanes3& n = four.direction;
+  Lanes3 v = velocities_.lanes(four.first);
+  if (common.moving) v = clampLength(v + across(rests_.empty() ? four.kick : uprighted(four.kick, four.chord, n), n), kMaxSpeed);
+  four.before = bends_.lanes(four.first);
+  const Lanes3 x = four.before - four.target;
+  four.left = x * four.water.xx + v * four.water.xv;
+  four.speed = x * four.water.vx + v * four.water.vv;
+  four.bend = four.target + four.left;
+  const Lanes squared = dot(four.bend, four.bend);
+  // What was pressed flatter may only rise.
+  const Lanes limit = max(dot(four.before, four.before), splat(kMaxBend * kMaxBend));
+  const LaneMask over = squared > limit;
+  if (!any(over)) return;
+  // It has come to the skin, without a bounce.
+  const Lanes3 outward = four.bend * (1.0f / sqrtOf(max(squared, splat(1.0f))));
+  four.bend = select(over, outward * sqrtOf(limit), four.bend);
+  four.speed = select(over, four.speed - outward * max(dot(four.speed, outward), splat(0.0f)), four.speed);
+}
+
+// Whether any of the four is touched.
+[[gnu::always_inline]] inline bool BendField::press(FourStrands& four) {
+  bool touched = false;
+  for (const Press& press : presses_) {
+    const LaneMask held = press.apply(four.bend, four.before, four.position, four.direction, load(&lengths_[four.first]) * lastForces_.furLength);
+    if (!any(held)) continue;
+    touched = true;
+    four.speed = select(held, Lanes3{}, four.speed);
+    four.left = select(held, four.bend - four.before, four.left);
+    four.touched = held ? splat(0.0f) : four.touched;
+    sets_.set(four.first, select(held, four.bend - four.targetUntouched, sets_.lanes(four.first)));
+  }
+  return touched;
+}
+
+// Swing: one step. Jump: to the equilibrium of the forces, with what touch has left.
 void BendField::advanceBlock(const StepForces& common, std::size_t number, Advance how) {
   Block& block = blocks_[number];
-  const bool wet = !wetness_.empty(), set = !sets_.empty(), swings = how == Advance::Swing;
-  const bool combed = !rests_.empty();
+  const bool wet = !wetness_.empty(), swings = how == Advance::Swing, pressed = swings && reached(block);
   // Neighbours are as wet as each other, mostly.
   std::uint32_t levels = 0;
-  WetLanes water = wetLanes(common.wet, reinterpret_cast<const std::uint8_t*>(&levels));
-  const Lanes3 gravity = splat(common.gravity);
-  const bool pressed = swings && reached(block);
+  FourStrands four;
+  four.water = wetLanes(common.wet, reinterpret_cast<const std::uint8_t*>(&levels));
   Lanes worstAngle = splat(0.0f), worstSpeed = splat(0.0f);  // squared
   block.touched = false;
   for (std::size_t i = number * Columns::kBlock; i < (number + 1) * Columns::kBlock; i += kLanes) {
     if (wet && std::memcmp(&levels, &levels_[i], kLanes) != 0) {
       std::memcpy(&levels, &levels_[i], kLanes);
-      water = wetLanes(common.wet, &levels_[i]);
+      four.water = wetLanes(common.wet, &levels_[i]);
     }
-    const Lanes3 p = positions_.lanes(i), n = directions_.lanes(i);
-    const Lanes3 chord = combed ? chords_.lanes(i) : n;
-    Lanes3 force = gravity * water.weight + common.wind.at(p) * (common.wind.exposure(chord) * water.catching);
-    Lanes3 kick{};
-    if (swings && common.moving) {
-      force = force + common.drag.at(p);
-      kick = common.kick.at(p);
-      if (posed_) {
-        const Lanes3 move = clampLength((p - lastPositions_.lanes(i)) * splat(common.perSecond), kMaxSpeed);
-        force = force + move * splat(common.poseDrag);
-        kick = kick + (move - lastMoves_.lanes(i)) * splat(common.poseKick);
-        lastPositions_.set(i, p);
-        lastMoves_.set(i, move);
-      }
-    }
-    if (!shownForces_.empty()) {
-      const Lanes3 shown = force + kick * (water.weight * splat(common.forceOfKick));
-      for (std::size_t k = i; k < std::min(i + kLanes, count_); ++k)
-        shownForces_[k] = Vec4(shown.x[k - i], shown.y[k - i], shown.z[k - i], lengths_[k]);
-    }
-    if (combed) force = uprighted(force, chord, n);
-    Lanes3 target = clampLength(across(force, n) * splat(common.compliance), 1.0f) * splat(kMaxBend);
-    if (combed) target = clampLength(rests_.lanes(i) + target, kMaxBend);
-    const Lanes3 untouched = target;
-    Lanes remembered{};
-    if (set) {
-      const Lanes3 old = sets_.lanes(i);
-      const Lanes size = sqrtOf(dot(old, old));
-      Lanes left = (size + kForgotten) * water.setLeft - kForgotten;
-      left = left > kStillAngle ? left : splat(0.0f);
-      const Lanes3 now = old * (left / max(size, splat(1e-6f)));
-      sets_.set(i, now);
-      target = clampLength(target + now, kMostPressed);
-      remembered = left * left;
-    }
+    four.first = i;
+    four.position = positions_.lanes(i);
+    four.direction = directions_.lanes(i);
+    four.chord = rests_.empty() ? four.direction : chords_.lanes(i);
+    four.kick = Lanes3{};
+    four.touched = splat(0.0f);
+    findForces(four, common, swings);
+    findTarget(four, common);
     if (!swings) {
-      bends_.set(i, target);
+      bends_.set(i, four.target);
       velocities_.set(i, Lanes3{});
       continue;
     }
-    Lanes3 v = velocities_.lanes(i);
-    if (common.moving) v = clampLength(v + across(combed ? uprighted(kick, chord, n) : kick, n), kMaxSpeed);
-    const Lanes3 before = bends_.lanes(i), x = before - target;
-    Lanes3 left = x * water.xx + v * water.xv;
-    Lanes3 speed = x * water.vx + v * water.vv;
-    Lanes3 bend = target + left;
-    const Lanes squared = dot(bend, bend);
-    // What was pressed flatter may only rise.
-    const Lanes limit = max(dot(before, before), splat(kMaxBend * kMaxBend));
-    const LaneMask over = squared > limit;
-    if (any(over)) {  // it has come to the skin, without a bounce
-      const Lanes3 outward = bend * (1.0f / sqrtOf(max(squared, splat(1.0f))));
-      bend = select(over, outward * sqrtOf(limit), bend);
-      speed = select(over, speed - outward * max(dot(speed, outward), splat(0.0f)), speed);
-    }
-    for (const Press& press : pressed ? std::span<const Press>(presses_) : std::span<const Press>()) {
-      const LaneMask held = press.apply(bend, before, p, n, load(&lengths_[i]) * lastForces_.furLength);
-      if (!any(held)) continue;
-      block.touched = true;
-      speed = select(held, Lanes3{}, speed);
-      left = select(held, bend - before, left);
-      remembered = held ? splat(0.0f) : remembered;
-      sets_.set(i, select(held, bend - untouched, sets_.lanes(i)));
-    }
-    worstAngle = max(worstAngle, max(dot(left, left), remembered));
-    worstSpeed = max(worstSpeed, dot(speed, speed));
-    bends_.set(i, bend);
-    velocities_.set(i, speed);
+    swing(four, common);
+    if (pressed) block.touched |= press(four);
+    worstAngle = max(worstAngle, max(dot(four.left, four.left), four.touched));
+    worstSpeed = max(worstSpeed, dot(four.speed, four.speed));
+    bends_.set(i, four.bend);
+    velocities_.set(i, four.speed);
   }
   const bool still = largest(worstAngle) < kStillAngle * kStillAngle && largest(worstSpeed) < kStillSpeed * kStillSpeed;
   block.awake = !still || (swings && common.moving);

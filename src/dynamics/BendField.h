@@ -89,6 +89,11 @@ class BendField {
   bool reached(const Block& block) const;
   bool takeWetness(const std::vector<float>& wetness);
   void jump(const Mat4& modelToWorld, const BendForces& forces, float seconds);
+  struct FourStrands;
+  void findForces(FourStrands& four, const StepForces& common, bool swings);
+  void findTarget(FourStrands& four, const StepForces& common);
+  void swing(FourStrands& four, const StepForces& common);
+  bool press(FourStrands& four);
   void advanceBlock(const StepForces& common, std::size_t block, Advance how);
   void advance(const StepForces& common, Advance how);
 

@@ -109,7 +109,7 @@ shared::FurBlock furBlock(const Frame& frame, int tileSize, int storedLayers, co
   coat.furLength = s.furLength;
   coat.tilesPerUnit = s.repeat * 256.0f / static_cast<float>(tileSize);
   coat.layers = static_cast<float>(s.layers);
-  coat.slabs = static_cast<float>(frame.slabs);
+  coat.shellCount = static_cast<float>(frame.shellCount);
   coat.tileTexels = static_cast<float>(tileSize);
   coat.storedLayers = static_cast<float>(storedLayers);
   coat.stepLength = frame.stepLength;

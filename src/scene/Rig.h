@@ -33,7 +33,7 @@ struct Rig {
     std::uint32_t firstVertex = 0, vertices = 0;
     std::uint32_t node = 0;
     int skin = -1;
-    std::uint32_t targets = 0;      // morph targets; each has the positions of all vertices in `deltas`, then the normals
+    std::uint32_t targets = 0;      // morph targets; for each and each vertex there are two `deltas`: position, normal
     std::size_t firstDelta = 0;
   };
   struct Channel {

@@ -37,7 +37,7 @@ std::vector<Member> furMembers() {
       FUR_MEMBER(FurBlock, rootColors), FUR_MEMBER(FurBlock, tipColors), FUR_MEMBER(FurBlock, typeGrows),
       FUR_MEMBER(FurBlock, typeVariance), FUR_MEMBER(FurBlock, typeRise), FUR_MEMBER(FurBlock, skinColor),
       FUR_MEMBER(FurBlock, furLength), FUR_MEMBER(FurBlock, tilesPerUnit), FUR_MEMBER(FurBlock, layers),
-      FUR_MEMBER(FurBlock, slabs), FUR_MEMBER(FurBlock, tileTexels), FUR_MEMBER(FurBlock, storedLayers),
+      FUR_MEMBER(FurBlock, shellCount), FUR_MEMBER(FurBlock, tileTexels), FUR_MEMBER(FurBlock, storedLayers),
       FUR_MEMBER(FurBlock, density), FUR_MEMBER(FurBlock, stepLength), FUR_MEMBER(FurBlock, lambert),
       FUR_MEMBER(FurBlock, specular), FUR_MEMBER(FurBlock, shininess), FUR_MEMBER(FurBlock, strandShadow),
       FUR_MEMBER(FurBlock, occlusion), FUR_MEMBER(FurBlock, textureAmount), FUR_MEMBER(FurBlock, chartsOverlap),

@@ -72,7 +72,7 @@ FUR_BLOCK(FurBlock) {
   float furLength;     // model units
   float tilesPerUnit;  // fur tiles along a model unit
   float layers;        // N of the coat
-  float slabs;
+  float shellCount;
 
   float tileTexels;    // along a side of the fur tile
   float storedLayers;  // in its textures
@@ -189,7 +189,7 @@ FUR_BLOCK(FurBlock) {
 #define FUR_FIN_ROUND 0.1
 // Fins show the coat where it is twice so many pixels high, and are gone from there down: rays then show all there is.
 #define FUR_FIN_PIXELS 3.0
-// Where a fin begins: below it the slabs show the coat, and better.
+// The height at which a fin begins: below it shells show the coat better.
 #define FUR_FIN_FOOT 0.3
 // Quads of a fin along its height.
 #define FUR_FIN_SEGMENTS 4

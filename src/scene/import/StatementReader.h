@@ -35,7 +35,7 @@ class StatementReader {
   // Removes an optional sign and digits from the front of `word`; false when there are no digits. A number that does not fit
   // 32 bits becomes one beyond all limits.
   static bool takeWhole(std::string_view& word, std::int64_t& out);
-  // The index of an element that a face refers to by `number`, counted from 1, or negative from the end.
+  // The index of an element that a face refers to by `number`, counted from 1; it must be defined already.
   std::uint32_t index(std::int64_t number, std::size_t count, const char* what) const;
 
   // Throws bad-file with a text as of std::printf.

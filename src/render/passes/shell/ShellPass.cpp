@@ -54,7 +54,7 @@ bool ShellPass::draw(const Drawing& drawing, unsigned view) {
   order(drawing, frame.settings.furLength + (exploded ? FUR_EXPLODED_SHELLS * FUR_EXPLODED_GAP : 0), chartsOverlap(frame) && !exploded);
   if (indexCount_ == 0) return true;
   gl::apply(stateOf(view, {.alphaToCoverage = true, .alpha = false}));
-  array_.drawIndexed(indexCount_, exploded ? FUR_EXPLODED_SHELLS : view & kViewLayer ? 1 : frame.slabs);
+  array_.drawIndexed(indexCount_, exploded ? FUR_EXPLODED_SHELLS : view & kViewLayer ? 1 : frame.shellCount);
   return true;
 }
 
