@@ -47,9 +47,10 @@ const drawAll = (fur, { state, wetness, after, distances }) => {
 };
 
 test('every coat is drawn, however wet, for however long, from wherever, in every quality', async () => {
-  // A loop without an end is one of a single ray: few pixels of every case find it as well as many would, and all cases
-  // together follow seven million rays. Another quality grows another coat, which takes longest: so it changes least often.
-  const page = await site.open('?ui=0&autoplay=0', { viewport: { width: 48, height: 36 } });
+  // A loop without an end is one of a single ray, and every loop of the shaders is bounded (tests/render/loops.test.mjs): few
+  // pixels of every case find what is left, all cases together nearly two million rays. Another quality grows another coat,
+  // which takes longest: so it changes least often.
+  const page = await site.open('?ui=0&autoplay=0', { viewport: { width: 24, height: 18 } });
   let begun = 'nothing yet', pictures = 0;
   page.on('console', (message) => {
     if (message.type() !== 'debug') return;

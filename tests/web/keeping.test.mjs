@@ -6,7 +6,7 @@ import { packStrokes, unpackStrokes } from '../../web/strokes.js';
 import { tetrahedron } from './glb.mjs';
 import { sleep, spotOnModel, startBrowser, withFur } from './support.mjs';
 
-const site = startBrowser();
+const site = startBrowser({ reducedMotion: 'reduce' });  // nothing here is about fur that breathes
 const simple = '?quality=low';
 const permissions = ['clipboard-read', 'clipboard-write'];
 

@@ -90,10 +90,10 @@ function watchTime(fast) {
 }
 
 /**
- * Starts both before the tests of a file and stops them after. Gives { url, open }: `open(path, options)`
+ * Starts both before the tests of a file and stops them after; `always` are options of every page. Gives { url, open }: `open(path, options)`
  * opens a page in a context of its own and waits for the model. Its frames are tenths of a second, unless `fast` is false.
  */
-export function startBrowser({ headers = {}, subfolder = false } = {}) {
+export function startBrowser({ headers = {}, subfolder = false, ...always } = {}) {
   const site = {};
   let browser;
   let server;
@@ -121,7 +121,7 @@ export function startBrowser({ headers = {}, subfolder = false } = {}) {
   });
   site.open = async (path, { wait = true, keep = false, fast = true, prepare, ...options } = {}) => {
     await (started ??= start());
-    const context = await browser.newContext({ viewport, ...options });
+    const context = await browser.newContext({ viewport, ...always, ...options });
     if (!keep) open.add(context);
     context.setDefaultTimeout(patience);
     const page = await context.newPage();
