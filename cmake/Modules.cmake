@@ -53,6 +53,7 @@ fur_library(fur_core src/core)
 fur_library(fur_tools src/app/tools fur_core)
 fur_library(fur_geometry src/geometry fur_core)
 fur_library(fur_settings src/settings fur_core)
+target_include_directories(fur_settings PRIVATE "${CMAKE_SOURCE_DIR}")  # assets/Presets.inc
 set(FUR_FIELDS fur_geometry fur_settings)
 fur_library(fur_furgen src/furgen ${FUR_FIELDS})
 fur_library(fur_wet src/wet ${FUR_FIELDS})
@@ -120,13 +121,13 @@ if(EMSCRIPTEN)
   # Much code that runs once a model, once a file or once a frame: the download counts more than its speed. Without
   # -finline-functions Emscripten leaves small functions where they are, which makes a surface take four times as long,
   # and water three times.
-  foreach(module hair groom scene render geometry wet)
+  foreach(module hair groom scene render geometry wet commands)
     if(TARGET fur_${module})
       target_compile_options(fur_${module} PRIVATE "$<$<CONFIG:Release>:-Oz;-finline-functions>")
     endif()
   endforeach()
   # These have no loops over vertices or texels.
-  foreach(module settings gl tools commands stages app)
+  foreach(module settings gl tools stages app)
     if(TARGET fur_${module})
       target_compile_options(fur_${module} PRIVATE "$<$<CONFIG:Release>:-Oz>")
     endif()

@@ -1,8 +1,8 @@
 // npm run build: dist/, with all set-up that takes.
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { makeAssets } from '../assets/makeAssets.mjs';
 import { build, buildFolder } from './cmake.mjs';
-import { makeAssets } from './makeAssets.mjs';
 import { command, root, say } from './process.mjs';
 import { needs, setUp } from './setup.mjs';
 import { assemble, dist } from './site.mjs';

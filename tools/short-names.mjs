@@ -1,7 +1,7 @@
 // Gives the shaders of a web build short names, which the download feels: node tools/short-names.mjs ShaderSources.h
 // rewrites what cmake/EmbedShaders.cmake wrote. Global names are renamed alike in all files, so that stages, blocks and
-// includes still fit; names inside a function begin anew in each. What C++ asks for by name stays: samplers, blocks, and
-// what variants define. So does what is somewhere a member or a swizzle.
+// includes still fit, members of structures likewise; names inside a function begin anew in each. What C++ asks for by name
+// stays: samplers, blocks, and what variants define. So does what is somewhere a swizzle.
 import { readFileSync, writeFileSync } from 'node:fs';
 
 const word = /(?<![\w.#"])[A-Za-z_]\w*/g;
@@ -16,8 +16,11 @@ const structs = matches(all, /struct (\w+)/g);
 const types = [...structs, 'float|int|bool|void|vec[234]|mat[234]|ivec[234]'].join('|');
 const another = new RegExp(`^(?:${types}|in|out|inout|const|flat)$`);
 
-const kept = new Set([...matches(all, /\.([A-Za-z_]\w*)/g), ...matches(all, /sampler\w+ (\w+)/g), ...matches(all, /FUR_BLOCK\((\w+)\)/g),
-  ...matches(all, /(?:#ifdef|#ifndef) (\w+)/g), ...matches(all, /defined\((\w+)\)/g), ...structs, 'main', 'FUR_BLOCK']);
+// Of structures: what stands behind a dot and has a type, and is no swizzle.
+const bodies = [...matches(all, /struct \w+\s*\{([^}]*)\}/g)].join('');
+const members = new Set([...matches(all, /\.([A-Za-z_]\w*)/g)].filter((name) => new RegExp(`\\b${name}\\b`).test(bodies) && !/^[xyzw]+$|^[rgba]+$/.test(name)));
+const kept = new Set([...[...matches(all, /\.([A-Za-z_]\w*)/g)].filter((name) => !members.has(name)), ...matches(all, /sampler\w+ (\w+)/g), ...matches(all, /FUR_BLOCK\((\w+)\)/g),
+  ...matches(all, /(?:#ifdef|#ifndef) (\w+)/g), ...matches(all, /defined\((\w+)\)/g), 'main', 'FUR_BLOCK']);
 
 /** What a text declares, also after commas: "float a=f(b,c),d". */
 function declared(text) {
@@ -55,16 +58,18 @@ for (const text of stages) {
   outside += `${text.slice(at)}\n`;
 }
 const macros = matches(all, /#define (FUR_\w+)/g);
-const globals = [...declared(outside), ...macros].filter((name) => !kept.has(name));
+const globals = [...declared(outside), ...macros, ...structs, ...members].filter((name) => !kept.has(name));
 const taken = new Set([...all.match(word), ...kept]);
-const count = (name) => all.split(new RegExp(`(?<![\\w.#"])${name}(?!\\w)`)).length;
+const count = (name) => all.split(new RegExp(`(?<![\\w#"])${name}(?!\\w)`)).length;
 const pairs = letters.flatMap((a) => [...letters, ...'0123456789'].map((b) => a + b)).filter((name) => !/^(if|do|in)$/.test(name));
 const short = [...letters.slice(26), ...pairs].filter((name) => !taken.has(name));
 const global = new Map([...new Set(globals)].sort((a, b) => count(b) - count(a)).map((name, i) => [name, short[i]]));
 
 function shorten(text) {
   let result = '', at = 0;
-  const rename = (part, local = new Map()) => part.replace(word, (name) => local.get(name) ?? global.get(name) ?? name);
+  const rename = (part, local = new Map()) => part
+    .replace(/\.([A-Za-z_]\w*)/g, (behind, name) => (members.has(name) && global.has(name) ? `.${global.get(name)}` : behind))
+    .replace(word, (name) => local.get(name) ?? global.get(name) ?? name);
   for (const [from, to] of functionsOf(text)) {
     const body = text.slice(from, to);
     const own = [...declared(body)].filter((name) => !kept.has(name) && !global.has(name));

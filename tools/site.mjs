@@ -4,7 +4,7 @@ import { basename, extname, join } from 'node:path';
 import { buildFolder } from './cmake.mjs';
 import { notices } from './notices.mjs';
 import { Stop, root } from './process.mjs';
-import { scenes } from './scenes/scenes.mjs';
+import { scenes } from '../assets/scenes/scenes.mjs';
 import { drawingOf, makeTables, pageText, typingsText, withEndings } from './tables.mjs';
 
 export const dist = join(root, 'dist');

@@ -17,7 +17,17 @@ const tables = {
   modelFormats: { file: 'src/scene/Formats.inc', macro: 'FUR_MODEL_FORMAT', columns: ['id', 'endings', 'mimeType', 'savedAs', 'reader'] },
   otherFormats: { file: 'src/scene/Formats.inc', macro: 'FUR_FORMAT', columns: ['id', 'kind', 'endings', 'mimeType', 'savedAs'] },
   platformCommands: { file: 'src/app/editor/PlatformCommands.inc', macro: 'FUR_PLATFORM_COMMAND', columns: ['id', 'where', 'doc'] },
+  presets: { file: 'assets/Presets.inc', macro: 'FUR_PRESET', columns: ['name', 'label', 'tooltip', 'values'] },
   groomEdits: { file: 'src/app/tools/GroomEdits.inc', macro: 'FUR_GROOM_EDIT', columns: ['id', 'name', 'masked', 'doc'] },
+};
+
+const fieldsFile = 'src/settings/Fields.inc';
+const fieldColumns = {
+  FUR_FLOAT: ['name', 'label', 'group', 'default', 'min', 'max', 'unit', 'tooltip'],
+  FUR_INT: ['name', 'label', 'group', 'default', 'min', 'max', 'unit', 'tooltip'],
+  FUR_BOOL: ['name', 'label', 'group', 'default', 'tooltip'],
+  FUR_COLOR: ['name', 'label', 'group', 'default', 'tooltip'],
+  FUR_CHOICE: ['name', 'label', 'group', 'default', 'options', 'tooltip'],
 };
 
 /** The arguments of a macro's call, split at commas that stand in no string and no parentheses; strings without quotes. */
@@ -38,7 +48,7 @@ function splitArguments(text) {
 
 /** Rows of a table as objects. @param {string} text of the file @param {{ macro: string, columns: string[] }} table */
 export function rowsOf(text, { macro, columns }) {
-  const code = text.replace(/^\s*\/\/.*$/gm, '');
+  const code = text.replace(/^\s*\/\/.*$/gm, '').replace(/"\s*\n\s*"/g, '');
   const call = new RegExp(`^${macro}\\s*\\(((?:"(?:\\\\.|[^"\\\\])*"|\\([^()]*\\)|[^"()])*)\\)`, 'gm');
   return [...code.matchAll(call)].map(([whole, given]) => {
     const values = splitArguments(given);
@@ -47,9 +57,18 @@ export function rowsOf(text, { macro, columns }) {
   });
 }
 
+/** The settings in their order, each with its macro. */
+function fieldsOf(text) {
+  const plain = text.replace(/, kFrequent\)/g, ')');
+  return [...plain.matchAll(/^(FUR_[A-Z]+) *\(.*$/gm)].flatMap(([line, macro]) => {
+    if (!fieldColumns[macro]) throw new Stop(`${fieldsFile}: ${macro} is no kind of setting`);
+    return rowsOf(line, { macro, columns: fieldColumns[macro] }).map((row) => ({ ...row, macro }));
+  });
+}
+
 /** @param {(file: string) => string} read the text of a file of the tree */
 export function readTables(read = (file) => readFileSync(join(root, file), 'utf8')) {
-  return Object.fromEntries(Object.entries(tables).map(([name, table]) => [name, rowsOf(read(table.file), table)]));
+  return { ...Object.fromEntries(Object.entries(tables).map(([name, table]) => [name, rowsOf(read(table.file), table)])), fields: fieldsOf(read(fieldsFile)) };
 }
 
 /** Rows of { ending, kind, mimeType }, in the order of the table. */
@@ -103,9 +122,25 @@ function member({ name, result, parameters, doc }) {
   return `${doc && `  /** ${doc} */\n`}  ${parameters ? `${name}(${typedParameters(parameters)})` : `readonly ${name}`}: ${type};\n`;
 }
 
+const typesOfFields = { FUR_FLOAT: 'number', FUR_INT: 'number', FUR_BOOL: 'boolean', FUR_COLOR: 'Color' };
+/** A choice has a type of its own; those of coats share one. */
+const choiceType = ({ name }) => (/^type\d$/.test(name) ? 'FurType' : name[0].toUpperCase() + name.slice(1));
+const choices = (fields) => [...new Map(fields.filter(({ options }) => options).map((field) => [choiceType(field), field.options]))]
+  .map(([type, options]) => `export type ${type} = ${options.split('|').map((option) => `'${option}'`).join(' | ')};\n`).join('');
+const fieldMember = (field) => `  /** ${field.tooltip}. */\n  ${field.name}: ${typesOfFields[field.macro] ?? choiceType(field)};\n`;
+
 /** types/tables.d.ts. */
-export function typingsText({ tools, groomEdits, methods, queries }) {
+export function typingsText({ tools, groomEdits, methods, queries, fields, presets }) {
   return `// Made by tools/tables.mjs.
+
+/** "#rrggbb", sRGB. */
+export type Color = string;
+${choices(fields)}
+/** Everything a person can change. Out-of-range values are clamped with a warning. */
+export interface FurSettings {
+${fields.map(fieldMember).join('')}}
+
+export type PresetName =${union(presets)};
 
 /**
  * What a drag on the model does.

@@ -115,7 +115,7 @@ export class WetFur extends EventTarget {
   reload() { return this.#session.phase === 'loading' ? this.ready : this.#loading.loadSrc(this.#src); }
 
   /**
-   * A File, Blob, ArrayBuffer or typed array with a .glb, .gltf, .obj or .fo. Rejects with a FurError, and
+   * A File, Blob, ArrayBuffer or typed array with a model (src/scene/Formats.inc). Rejects with a FurError, and
    * then the old scene stays.
    */
   async loadModel(given, options) { await this.#loading.load(() => readModel(given, options)); }

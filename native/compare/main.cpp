@@ -22,7 +22,7 @@ using namespace fur;
 
 constexpr const char* kUsage = R"(usage: wet-fur-compare [model] [options]
   model                 a {models} file, or bunny (default), sphere, torus, plane,
-                        or a scene as five-coats (tools/scenes/scenes.mjs has them all)
+                        or a scene as five-coats (assets/scenes/scenes.mjs has them all)
   --views A,B,...       of near, middle, far, grazing (default: all)
   --layers A,B,...      layers of the real-time picture (default 8,16,32,64)
   --preset NAME         a coat by its name, such as rabbit

@@ -22,7 +22,7 @@ using namespace fur;
 
 constexpr const char* kUsage = R"(usage: wet-fur-render [model] -o out.png [options]
   model                 a {models} file, or bunny (default), sphere, torus, plane,
-                        or a scene as five-coats (tools/scenes/scenes.mjs has them all)
+                        or a scene as five-coats (assets/scenes/scenes.mjs has them all)
   -o, --output FILE     the PNG to write; may be left out when something else is saved
   --type-set FILE       a coat from a {coats} file
   --save-type-set FILE  writes the coat as .fts
@@ -270,7 +270,7 @@ Status drawTurntable(app::App& app, const Options& o, Write write) {
     orbit.yaw += app::OrbitCamera::turned(seconds * static_cast<float>(i), o.turnSeconds);
     app.setCamera(orbit);
     if (Status status = write(native::numberedPath(o.output, i, o.turntable)); !status) return status;
-    app::advance(app, seconds);
+    app::advanceFilm(app, seconds);
   }
   app.setCamera(start);
   return Done{};

@@ -24,7 +24,7 @@ using namespace fur;
 constexpr const char* kUsage =
     "usage: wet-fur [FILE | bunny | sphere | torus | plane | SCENE] [options]\n"
     "  FILE                  {models}, or a coat as {coats}; others can be dropped on the window\n"
-    "  SCENE                 one of tools/scenes/scenes.mjs, as five-coats\n"
+    "  SCENE                 one of assets/scenes/scenes.mjs, as five-coats\n"
     "  --size WxH            of the window, default 1280x800\n"
     "  --preset NAME         a coat by its name, such as rabbit\n"
     "  --light NAME          a light rig: daylight, studio, sunset, overcast, backlit or night\n"

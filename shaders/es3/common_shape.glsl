@@ -13,7 +13,7 @@ bool sameLock(vec2 centre, vec2 other) { return dot(centre - other, centre - oth
 struct ShapedStrand {
   vec2 root;   // tile
   float open;  // 0: between two locks; more than 1 where many strands are drawn together
-  float pull;  // as WetStrand's
+  float pull;  // as Strand has it (shell_march.glsl)
 };
 // The strand at height h over the tile point `at`. `amount`: of the map; `lying`: tiles that it covers when it lies.
 ShapedStrand shapedStrandAt(vec2 at, float h, vec3 amount, float lying) {

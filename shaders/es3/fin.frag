@@ -35,90 +35,125 @@ flat in vec2 vAtlasAlong;
 in vec3 vLightSpace;
 out vec4 fragColor;
 
-void main() {
-  float u = vFin.x, h = vFin.y, rho = 0.0, open = 1.0;
-  vec2 clumpLean = vec2(0.0);
+// The strand that the fragment shows, as water, groom and brushes leave it.
+struct Strand {
+  float u, h;    // along the fin map; height along the strand, 0..1, more: past its tip
+  vec2 lean;     // by which it leans further than the coat: along the edge and across it
+  float open;    // how many stand there, as shell_march.glsl has it
+  int type;
 #ifdef WET
+  float held, sheet;  // water; how much of a sheet the coat is
+  vec2 outward;  // from the middle of its clump, 1 at the rim
+#endif
+};
+
+#ifdef WET
+void drawToClump(inout Strand s) {
   vec4 clump = maskAt(mask, vAtlas);
-  float chart = chartOf(clump);
+  float chart = chartOf(clump), furLengths = 1.0 / max(furLength * tilesPerUnit, 1e-6);
   clump.x -= chart;
-  float held = max(clump.a, 0.0), sheet = sheetOf(held), furLengths = 1.0 / max(furLength * tilesPerUnit, 1e-6);
-  vec2 outward = vec2(0.0);
-  rho = min(held, 1.0);
-  h /= upright(held, sheet);
-  if (held > 0.0) {
-    float drawn = clumpingWetness(held, clump.z * furLengths / max(length(vAtlasAlong), 1e-6));
-    float s = clumpPull(h, drawn, sheet), below = clumpPull(h - 1.0 / layers, drawn, sheet);
-    vec2 fromCentre = (vAtlas - clump.xy) / (1.0 - s), across = vec2(-vAtlasAlong.y, vAtlasAlong.x);
-    open = mix(ownStrand(mask, clump, chart, fromCentre), 1.0, 0.7 * sheet);
-    // In turns of the fin map along the edge and across it; only the first moves the look-up, both tilt the strand.
-    vec2 turns = vec2(dot(fromCentre, vAtlasAlong), dot(fromCentre, across)) / max(dot(vAtlasAlong, vAtlasAlong), 1e-12);
-    u += turns.x * s;
-    h = alongStrand(h, turns * (s * furLengths)) * rimTaper(held, sheet, dot(fromCentre, fromCentre) / (clump.z * clump.z + 1e-12));
-    clumpLean = turns * ((below - s) * layers * furLengths);
-    outward = turns * length(vAtlasAlong) / max(clump.z, 1e-6);
-  }
-  if (h > 1.0) discard;
+  s.held = max(clump.a, 0.0);
+  s.sheet = sheetOf(s.held);
+  s.outward = vec2(0.0);
+  s.h /= upright(s.held, s.sheet);
+  if (s.held <= 0.0) return;
+  float drawn = clumpingWetness(s.held, clump.z * furLengths / max(length(vAtlasAlong), 1e-6));
+  float pull = clumpPull(s.h, drawn, s.sheet), below = clumpPull(s.h - 1.0 / layers, drawn, s.sheet);
+  vec2 fromCentre = (vAtlas - clump.xy) / (1.0 - pull), across = vec2(-vAtlasAlong.y, vAtlasAlong.x);
+  s.open = mix(ownStrand(mask, clump, chart, fromCentre), 1.0, 0.7 * s.sheet);
+  // From the clump's centre, in widths of the fin map: along the edge, which moves the look-up, and across it; both tilt the strand.
+  vec2 apart = vec2(dot(fromCentre, vAtlasAlong), dot(fromCentre, across)) / max(dot(vAtlasAlong, vAtlasAlong), 1e-12);
+  s.u += apart.x * pull;
+  s.h = alongStrand(s.h, apart * (pull * furLengths)) * rimTaper(s.held, s.sheet, dot(fromCentre, fromCentre) / (clump.z * clump.z + 1e-12));
+  s.lean = apart * ((below - pull) * layers * furLengths);
+  s.outward = apart * length(vAtlasAlong) / max(clump.z, 1e-6);
+}
 #endif
-  int type = 0;
+
 #ifdef GROOMED
-  vec4 dressed = textureLod(groom, vAtlas, 0.0);
+// A fin shows one type a pixel, by chance. Whether any fur stands there.
+bool trim(inout Strand s) {
+  vec4 texel = textureLod(groom, vAtlas, 0.0);
 #ifdef TYPES
-  // A fin shows one type a pixel, by chance.
-  vec4 grows = presences(dressed.gba);
+  vec4 grows = presences(texel.gba);
   float chance = otherPixelNoise();
-  for (int i = 0; i < FUR_TYPES - 1 && chance >= grows[i]; ++i) chance -= grows[i], type = i + 1;
-  h *= typeRise[type];
+  for (int i = 0; i < FUR_TYPES - 1 && chance >= grows[i]; ++i) chance -= grows[i], s.type = i + 1;
+  s.h *= typeRise[s.type];
 #endif
-  h *= vLength / max(dressed.r, 1e-3);
-  if (h > 1.0 || dressed.r < kBald || typeGrows[type] <= 0.0) discard;
+  s.h *= vLength / max(texel.r, 1e-3);
+  return s.h <= 1.0 && texel.r >= kBald && typeGrows[s.type] > 0.0;
+}
+#endif
+
+#ifdef SHAPED
+void shape(inout Strand s, float rho) {
+  vec3 amount = textureLod(shapeMap, vAtlas, 0.0).rgb * (1.0 - 0.8 * rho);
+  float tiles = max(furLength * tilesPerUnit * vLength, 1e-4), rise = min(0.05, s.h);
+  ShapedStrand shaped = shapedStrandAt(vec2(s.u, 0.0), s.h, amount, tiles), lower = shapedStrandAt(vec2(s.u, 0.0), s.h - rise, amount, tiles);
+  s.lean += (lower.root - shaped.root) / max(rise * tiles, 1e-4);
+  s.u = shaped.root.x;
+  s.open *= shaped.open;
+}
+#endif
+
+vec3 shade(Strand s, vec4 strand, float rho, vec3 model) {
+  vec2 tilt = strand.xy * 2.0 - 1.0;
+  vec3 tangent = normalize(vec3(tilt + vLean + s.lean, sqrt(max(0.05, 1.0 - dot(tilt, tilt)))));
+  vec3 albedo = strandColor(rootColors[s.type].rgb, tipColors[s.type].rgb, typeVariance[s.type], s.h, strand.z, model);
+#ifdef PAINTED
+  albedo = paintedStrand(albedo, vAtlas, typeVariance[s.type], s.h, strand.z);
+#endif
+  // Nothing stands before an outline: light reaches it from the side, further down than inside the coat.
+  float exposed = mix(s.h, 1.0, 0.4);
+  vec3 L = normalize(vLight.xyz), V = normalize(vView);
+  float lit = 0.75 * furShadowAt(vLightSpace);
+#ifdef WET
+  albedo = wetAlbedo(albedo, rho);
+#endif
+  vec3 color = shadeStrand(albedo, tangent, L, V, exposed, rho, lit, vLight.w, strand.z);
+#ifdef WET
+  color = clumpLight(color, tangent, clumpNormal(s.outward, s.sheet), L, V, s.h, s.held, s.sheet, lit, vLight.w, strand.z);
+#endif
+#ifdef VIEW_SHADOW
+  return vec3(lightShare(lit, exposed, L.z));
+#else
+  return encodeSrgb(toneMap(color));
+#endif
+}
+
+void main() {
+  Strand s;
+  s.u = vFin.x;
+  s.h = vFin.y;
+  s.lean = vec2(0.0);
+  s.open = 1.0;
+  s.type = 0;
+  float rho = 0.0;
+#ifdef WET
+  drawToClump(s);
+  rho = min(s.held, 1.0);
+  if (s.h > 1.0) discard;
+#endif
+#ifdef GROOMED
+  if (!trim(s)) discard;
 #endif
 #ifdef SHAPED
-  vec3 amount = textureLod(shapeMap, vAtlas, 0.0).rgb * (1.0 - 0.8 * rho);
-  float tiles = max(furLength * tilesPerUnit * vLength, 1e-4), rise = min(0.05, h);
-  ShapedStrand shaped = shapedStrandAt(vec2(u, 0.0), h, amount, tiles), lower = shapedStrandAt(vec2(u, 0.0), h - rise, amount, tiles);
-  clumpLean += (lower.root - shaped.root) / max(rise * tiles, 1e-4);
-  u = shaped.root.x;
-  open *= shaped.open;
+  shape(s, rho);
 #endif
-  vec3 spot = vec3(u, min(h, 0.985), float(type));
+  vec3 spot = vec3(s.u, min(s.h, 0.985), float(s.type));
   float level = floor(max(vFin.w, 0.0) + 0.5);
   float sharp = exp2(max(-vFin.w, 0.0));
-  float alpha = clamp((textureLod(finCoverage, spot, level).r - 0.5) * sharp + 0.5, 0.0, 1.0) * vFin.z * open;
+  float alpha = clamp((textureLod(finCoverage, spot, level).r - 0.5) * sharp + 0.5, 0.0, 1.0) * vFin.z * s.open;
   // Shells show the coat up to its outline; only the tips beyond it are missing.
-  alpha *= smoothstep(FUR_FIN_FOOT, 0.9, h) * (1.0 - smoothstep(0.94, 1.0, h));
+  alpha *= smoothstep(FUR_FIN_FOOT, 0.9, s.h) * (1.0 - smoothstep(0.94, 1.0, s.h));
 #ifdef WET
-  alpha *= 1.0 - sheet;
+  alpha *= 1.0 - s.sheet;
 #endif
   // Samples by chance, as in shell.frag.
   alpha += (pixelNoise() - 0.5) / samples;
   vec3 model = modelColor(baseColor, vUv), color = vec3(0.0);
   // Once or not at all: most of a fin is gaps, and a software rasteriser jumps over loops but not over an if.
-  for (int i = 0, once = int(alpha >= 0.5 / samples); i < once; ++i) {
-    vec4 strand = textureLod(finStrand, spot, level);
-    vec2 tilt = strand.xy * 2.0 - 1.0;
-    vec3 tangent = normalize(vec3(tilt + vLean + clumpLean, sqrt(max(0.05, 1.0 - dot(tilt, tilt)))));
-    vec3 albedo = strandColor(rootColors[type].rgb, tipColors[type].rgb, typeVariance[type], h, strand.z, model);
-#ifdef PAINTED
-    albedo = paintedStrand(albedo, vAtlas, typeVariance[type], h, strand.z);
-#endif
-    // Nothing stands before an outline: light reaches it from the side, further down than inside the coat.
-    float exposed = mix(h, 1.0, 0.4);
-    vec3 L = normalize(vLight.xyz), V = normalize(vView);
-    float lit = 0.75 * furShadowAt(vLightSpace);
-#ifdef WET
-    albedo = wetAlbedo(albedo, rho);
-#endif
-    color = shadeStrand(albedo, tangent, L, V, exposed, rho, lit, vLight.w, strand.z);
-#ifdef WET
-    color = clumpLight(color, tangent, clumpNormal(outward, sheet), L, V, h, held, sheet, lit, vLight.w, strand.z);
-#endif
-#ifdef VIEW_SHADOW
-    color = vec3(lightShare(lit, exposed, L.z));
-#else
-    color = encodeSrgb(toneMap(color));
-#endif
-  }
+  for (int i = 0, once = int(alpha >= 0.5 / samples); i < once; ++i) color = shade(s, textureLod(finStrand, spot, level), rho, model);
   if (alpha < 0.5 / samples) discard;
   fragColor = vec4(color, alpha);
 }

@@ -26,39 +26,43 @@ out float vLength;  // of the coat here, a share of the fur length
 flat out vec2 vAtlasAlong;  // atlas step along the edge for one turn of the fin map
 #endif
 
-void main() {
-  vec3 middle = 0.5 * (positionA.xyz + positionB.xyz);
-  float away = length(eye.xyz - middle);
-  vec3 toEye = (eye.xyz - middle) / away;
-  // Silhouette (Sheppard 2.1.3): (n1.v)(n2.v) below a threshold; opacity 0 there, 1 edge-on, so that
-  // nothing pops. Sheppard's 0.3 (57 degrees off) covers a third of the model with fins that the
-  // shells show better; 0.06 (76 degrees) is where shells begin to thin out.
+const vec4 kNowhere = vec4(2.0, 2.0, 2.0, 1.0);
+
+// How much of a fin an edge on the silhouette shows (Sheppard 2.1.3): (n1.v)(n2.v) below a threshold; 0 there, 1 edge-on, so
+// that nothing pops. Sheppard's 0.3 (57 degrees off) covers a third of the model with fins that the shells show better; 0.06
+// (76 degrees) is where shells begin to thin out.
+float silhouette(vec3 toEye) {
   float facing = dot(face0.xyz, toEye) * dot(face1.xyz, toEye);
   float opacity = smoothstep(0.0, 1.0, (FUR_SILHOUETTE - facing) / FUR_SILHOUETTE);
   // Both faces turned away: the edge lies behind the horizon.
-  opacity *= smoothstep(FUR_HORIZON, FUR_HORIZON + 0.3, max(dot(face0.xyz, toEye), dot(face1.xyz, toEye)));
-  // Where the surface curves evenly the shells' rays show the outline, strand by strand. Fins stand in where it is
-  // hollow, sharp or ends.
-  float standsIn = 1.0 - smoothstep(FUR_FIN_FLAT, FUR_FIN_ROUND, normalB.w);
+  return opacity * smoothstep(FUR_HORIZON, FUR_HORIZON + 0.3, max(dot(face0.xyz, toEye), dot(face1.xyz, toEye)));
+}
+
 #ifdef VIEW_EDGES
-  // The edge as a line on the skin: a quad of the strip, the others end where it does. Of one width in any picture.
+// The edge as a line on the skin: a quad of the strip, the others end where it does. Of one width in any picture.
+void drawEdge(float opacity, float standsIn, vec3 toEye, float away) {
   vec3 end = gl_VertexID < 2 ? positionA.xyz : positionB.xyz;
   float width = 0.0022 * away;
   vec3 along = normalize(positionB.xyz - positionA.xyz), beside = normalize(cross(along, toEye));
   end += beside * (gl_VertexID % 2 == 0 ? width : -width) + along * (gl_VertexID < 2 ? -width : width);
   vFin = vec4(opacity, standsIn, 0.0, 0.0);
   // The skin would hide half of it.
-  gl_Position = opacity > 0.0 ? clipFromModel * vec4(end, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
+  gl_Position = opacity > 0.0 ? clipFromModel * vec4(end, 1.0) : kNowhere;
   vec4 near = clipFromModel * vec4(end + 0.03 * toEye, 1.0);
   if (opacity > 0.0) gl_Position.z = near.z / near.w * gl_Position.w;
-  return;
+}
 #endif
-  opacity *= standsIn * smoothstep(FUR_FIN_PIXELS, 2.0 * FUR_FIN_PIXELS, furLength * pixelsPerUnit / away);
-  if (opacity <= 0.0) {
-    gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
-    return;
-  }
 
+// Shells cover a pixel faintly and still write depth, on a round body well before its outline: fins are compared as if that
+// much nearer.
+vec4 inFrontOfShells(vec3 p) {
+  vec4 nearer = clipFromModel * vec4(p + normalize(eye.xyz - p) * (2.5 * furLength), 1.0);
+  vec4 clip = clipFromModel * vec4(p, 1.0);
+  clip.z = nearer.z / nearer.w * clip.w;
+  return clip;
+}
+
+void standFin(float opacity) {
   float side = float(gl_VertexID & 1);
   float h = mix(FUR_FIN_FOOT, 1.0, float(gl_VertexID >> 1) / float(FUR_FIN_SEGMENTS));
   vec3 root = mix(positionA.xyz, positionB.xyz, side);
@@ -66,12 +70,7 @@ void main() {
   vec4 groomed = bendOf(int(side < 0.5 ? positionA.w : positionB.w));
   vec3 bend = groomed.xyz;
   vec3 p = strandPoint(root, normal, bend, h, furLength * groomed.w);
-  // Shells cover a pixel faintly and still write depth, on a round body well before its outline: fins
-  // are compared as if that much nearer.
-  vec4 nearer = clipFromModel * vec4(p + normalize(eye.xyz - p) * (2.5 * furLength), 1.0);
-  vec4 clip = clipFromModel * vec4(p, 1.0);
-  clip.z = nearer.z / nearer.w * clip.w;
-  gl_Position = clip;
+  gl_Position = inFrontOfShells(p);
   vLightSpace = lightSpace(p);
 
   vec3 edge = positionB.xyz - positionA.xyz;
@@ -97,5 +96,22 @@ void main() {
 #endif
 #ifdef WET
   vAtlasAlong = (atlas.zw - atlas.xy) / max(edgeLength * tilesPerUnit, 1e-6);
+#endif
+}
+
+void main() {
+  vec3 middle = 0.5 * (positionA.xyz + positionB.xyz);
+  float away = length(eye.xyz - middle);
+  vec3 toEye = (eye.xyz - middle) / away;
+  float opacity = silhouette(toEye);
+  // Where the surface curves evenly the shells' rays show the outline, strand by strand. Fins stand in where it is
+  // hollow, sharp or ends.
+  float standsIn = 1.0 - smoothstep(FUR_FIN_FLAT, FUR_FIN_ROUND, normalB.w);
+#ifdef VIEW_EDGES
+  drawEdge(opacity, standsIn, toEye, away);
+#else
+  opacity *= standsIn * smoothstep(FUR_FIN_PIXELS, 2.0 * FUR_FIN_PIXELS, furLength * pixelsPerUnit / away);
+  if (opacity > 0.0) standFin(opacity);
+  else gl_Position = kNowhere;
 #endif
 }

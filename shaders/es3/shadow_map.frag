@@ -2,6 +2,7 @@
 #include "common.glsl"
 #ifdef SHADOW_LAYERS
 #include "common_furshadow.glsl"
+#include "common_layers.glsl"
 uniform sampler2DArray coverage;
 in vec2 vTile;
 flat in float vHeight;
@@ -16,8 +17,7 @@ const float kShell = 0.09;
 void main() {
   float z = gl_FragCoord.z * shadowRange - unpack(packedDepths(ivec2(gl_FragCoord.xy)).rg) * shadowRange;
   float lod = log2(shadowRange * tilesPerUnit * tileTexels / float(kShadowSize));
-  float layer = floor(vHeight * (storedLayers - 1.0) + 0.5);
-  float opacity = kShell * textureLod(coverage, vec3(vTile, layer), lod).r;
+  float opacity = kShell * textureLod(coverage, vec3(vTile, floor(vHeight * (storedLayers - 1.0) + 0.5)), lod).r;
   // Half a layer on, or rounding would count the first surface as lying before itself.
   float deep = z / shadowLayerDepth + 0.5;
   const vec4 four = vec4(0.0, 1.0, 2.0, 3.0);

@@ -5,6 +5,7 @@
 #include "common_clump.glsl"
 #include "common_noise.glsl"
 #include "common_furshadow.glsl"
+#include "common_layers.glsl"
 #include "shell_ray.glsl"
 #include "shell_march.glsl"
 #ifdef GROOMED
@@ -78,9 +79,9 @@ float enterCoat() {
   return first;
 }
 
-// Goes down the ray until strands have closed. On a software rasteriser the loop itself costs as much as its look-ups: few
-// variables and one way out. A fragment costs FUR_MOST_STEPS steps at most, whatever the numbers are, of so many look-ups each:
-// coverage 1; GROOMED 1 more; TYPES 2 a type instead of coverage; WET 2 more, beside a chart 3.
+// Steps along the ray until strands hide what is behind them, FUR_MOST_STEPS times at most. Look-ups in a step: 1; GROOMED 1 more;
+// TYPES 2 for each type instead of the 1; WET 2 more, 3 outside its chart. On a software rasteriser the loop itself costs as much
+// as they do: few variables and one way out.
 March marchCoat(float first) {
   March march = marchFrom(first + enters, enters);
   int mostSteps = FUR_MOST_STEPS;

@@ -42,23 +42,23 @@ out float vLength;    // of the coat here, a share of the fur length
 #endif
 out vec3 vLightSpace, vLightRay;  // in the fur's own shadow map: where the ray enters, and a fur length of it
 
-void main() {
-  vec3 position = positionFrom.xyz, normal = normalTo.xyz, gradS = gradSCurvature.xyz;
-  vStrands = chartsOverlap > 0.5 ? vec2(positionFrom.w, normalTo.w) : vec2(-1.0, 2.0);
-  vec4 groomed = bendOf(gl_VertexID);
-  vec3 bend = groomed.xyz;
+// Where the shell stands, a share of the coat's height.
+float shellHeight() {
 #if defined(VIEW_EXPLODED)
   // The middle of each share of the coat, the outermost first.
-  float top = 1.0 - (float(gl_InstanceID) + 0.5) / float(FUR_EXPLODED_SHELLS);
+  return 1.0 - (float(gl_InstanceID) + 0.5) / float(FUR_EXPLODED_SHELLS);
 #elif defined(VIEW_LAYER)
-  float top = viewLayer;
+  return viewLayer;
 #else
-  float top = 1.0 - float(gl_InstanceID) / shellCount;
+  return 1.0 - float(gl_InstanceID) / shellCount;
 #endif
+}
+
 #ifdef WET
-  // As far down as fur stands from here to the next vertices: rays that came to it from higher up would come past where the
-  // body turns away, and hang there. Clumps stand beside dry fur, so they are as high as the driest near them; near a hard edge,
-  // where it all turns away, as on average (around.w).
+// The share of its height that the coat keeps. By the wetness around the vertex, not only at it: rays from a shell that is higher
+// than the fur would miss the outline, and pieces of fur would hang in the air. Clumps stand beside dry fur: they are as high as
+// the driest fur around them; near a hard edge as high as on average (around.w).
+float wetHeight() {
   float sheets = 0.0, clumps = 0.0, fewest = 1.0, inCharts = 1e-6;
   for (int i = 0; i < 9; ++i) {
     float held = clumpAt(mask, around.xy + around.z * vec2(i % 3 - 1, i / 3 - 1)).a;
@@ -74,22 +74,101 @@ void main() {
 #ifdef VIEW_LAYER
   clumps = 0.0;  // a layer is where it is said to be
 #endif
-  top *= 1.0 - FUR_SHEET_SINKS * sheets - FUR_CLUMPS_SINK * clumps;
+  return 1.0 - FUR_SHEET_SINKS * sheets - FUR_CLUMPS_SINK * clumps;
+}
 #endif
-  // In a crease the coat ends before its strands would cross those of the other side.
-  mat2 S = mat2(furCurvature.z, furCurvature.w, furCurvature.w, gradSCurvature.w);
-  float meanS = 0.5 * (S[0][0] + S[1][1]), apart = 0.5 * (S[0][0] - S[1][1]);
-  float hollow = sqrt(apart * apart + S[0][1] * S[0][1]) - meanS;
-  float len = max(min(furLength * groomed.w, 0.65 / max(hollow, 1e-6)), 1e-4);
-  vTop = top;
-  vec3 p = strandPoint(position, normal, bend, top, len);
+
 #ifdef VIEW_EXPLODED
-  // Each ends further to the left than the one below it, so that all can be seen.
+// Moves a shell off the one below it. Each ends further to the left than that one, so that all can be seen.
+vec3 moveShell(vec3 position, vec3 normal) {
   float shell = float(FUR_EXPLODED_SHELLS - gl_InstanceID);
   vec3 right = normalize(cross(up.xyz, eye.xyz) + vec3(1e-4, 0.0, 0.0));
   float beforeEnd = 0.85 - 1.4 * shell / float(FUR_EXPLODED_SHELLS) - dot(position, right);
   vStrands = vec2(-1.0, beforeEnd * 700.0 / length(eye.xyz - position));
-  p += normal * (FUR_EXPLODED_GAP * shell);
+  return normal * (FUR_EXPLODED_GAP * shell);
+}
+#endif
+
+// The skin at the vertex: two unit axes in it, its normal, and the matrix of its curvature along the axes.
+struct Skin {
+  vec3 axisS, axisT, normal;
+  mat2 curvature;
+  mat2 tileFromAxes;  // tiles for a model unit along each axis
+  float coat;         // length of the fur, model units
+};
+
+Skin skinAtVertex(float grown) {
+  Skin skin;
+  vec3 gradS = gradSCurvature.xyz;
+  mat2 S = mat2(furCurvature.z, furCurvature.w, furCurvature.w, gradSCurvature.w);
+  skin.normal = normalTo.xyz;
+  skin.curvature = S;
+  // In a crease the coat ends before its strands would cross those of the other side.
+  float meanS = 0.5 * (S[0][0] + S[1][1]), apart = 0.5 * (S[0][0] - S[1][1]);
+  float hollow = sqrt(apart * apart + S[0][1] * S[0][1]) - meanS;
+  skin.coat = max(min(furLength * grown, 0.65 / max(hollow, 1e-6)), 1e-4);
+  skin.axisS = normalize(gradS + vec3(1e-8, 0.0, 0.0));
+  skin.axisT = cross(skin.normal, skin.axisS);
+  skin.tileFromAxes = tilesPerUnit *
+      mat2(dot(gradS, skin.axisS), dot(gradT, skin.axisS), dot(gradS, skin.axisT), dot(gradT, skin.axisT));
+  return skin;
+}
+
+vec2 along(Skin skin, vec3 v) { return vec2(dot(skin.axisS, v), dot(skin.axisT, v)); }
+vec3 inFrame(Skin skin, vec3 v) { return vec3(along(skin, v), dot(skin.normal, v)); }
+
+// The ray's way through the coat from the height `top`, as two parabolas.
+void castRay(Skin skin, vec3 ray, vec3 bend, float top) {
+  float len = skin.coat;
+  // A bent coat is lower: arc.x of its length; and its strands stand arc.y h^2 aside.
+  float theta = length(bend);
+  vec2 arc = arcBend(theta, 1.0);
+  vec2 aside = theta > 1e-5 ? along(skin, bend) * (arc.y / theta) : vec2(0.0);
+  // Above a curved skin the same way covers less of it: (I + z S)^-1. In a crease it would cover all of it.
+  float z = len * arc.x * top;
+  mat2 A = inverse(mat2(1.0) + z * skin.curvature);
+  float down = dot(ray, skin.normal);
+  vec2 way = along(skin, ray);
+  vec2 foot = A * way, turning = skin.curvature * foot;
+  // Height of the ray: falls with the slope, rises with the curvature, and falls with the skin where fur leans over it;
+  // foot of the ray: see render/README.md.
+  vec2 path = vec2(down + dot(leaning, foot), 0.5 * len * dot(way, turning));
+  // Near a hard edge normals lean by `leaning` off the face's. On the way to the middle of the face they turn to the face's and no
+  // further, and the ray goes on down from there: its curvature is limited so that it still comes to the skin.
+  float inwards = dot(leaning, way), onFace = inwards + down * sqrt(max(1.0 - dot(leaning, leaning), 0.0));
+  float more = onFace - path.x, descent = -path.x - 0.5 * more;
+  if (inwards > 0.0 && descent > 0.0) path.y = min(path.y, 0.5 * max(more, 0.0) * descent);
+  vPath = vec4(path / arc.x, turning * len);
+  vec2 stride = skin.tileFromAxes * (len * foot), turn = skin.tileFromAxes * (A * turning * (-down * len * len));
+  vTile = vec4(furCurvature.xy * tilesPerUnit, stride);
+  vTurn = vec4(turn, skin.tileFromAxes * (A * aside * len));
+  vLean = vec4(2.0 * aside, uvAtlas.xy);
+#ifdef WET
+  vTileOfFur = len * vec3(skin.tileFromAxes[0], skin.tileFromAxes[1].y);
+#endif
+}
+
+void lightRay(Skin skin, vec3 toEye, float distance) {
+  vec3 toLight = light.xyz;
+  float texelsPerPixel = distance / pixelsPerUnit * tilesPerUnit * length(gradSCurvature.xyz) * tileTexels;
+  vLight = vec4(inFrame(skin, toLight), log2(texelsPerPixel));
+  vView = vec4(inFrame(skin, toEye), dot(skin.normal, up.xyz));
+  vec3 slide = toLight * (skin.coat / max(dot(skin.normal, toLight), 0.35));
+  slide -= skin.normal * dot(skin.normal, slide);
+  vLightStep = tilesPerUnit * vec2(dot(gradSCurvature.xyz, slide), dot(gradT, slide));
+}
+
+void main() {
+  vStrands = chartsOverlap > 0.5 ? vec2(positionFrom.w, normalTo.w) : vec2(-1.0, 2.0);
+  vec4 groomed = bendOf(gl_VertexID);
+  vTop = shellHeight();
+#ifdef WET
+  vTop *= wetHeight();
+#endif
+  Skin skin = skinAtVertex(groomed.w);
+  vec3 p = strandPoint(positionFrom.xyz, skin.normal, groomed.xyz, vTop, skin.coat);
+#ifdef VIEW_EXPLODED
+  p += moveShell(positionFrom.xyz, skin.normal);
 #endif
   gl_Position = clipFromModel * vec4(p, 1.0);
   vLightSpace = lightSpace(p);
@@ -97,44 +176,9 @@ void main() {
   vec3 ray = p - eye.xyz;
   float distance = length(ray);
   ray /= distance;
-  vLightRay = lightSpace(p + ray * len) - vLightSpace;
-  vec3 axisS = normalize(gradS + vec3(1e-8, 0.0, 0.0));
-  vec3 axisT = cross(normal, axisS);
-  mat2 tileFromAxes = tilesPerUnit * mat2(dot(gradS, axisS), dot(gradT, axisS), dot(gradS, axisT), dot(gradT, axisT));
-
-  // A bent coat is lower: arc.x of its length; and its strands stand arc.y h^2 aside.
-  float theta = length(bend);
-  vec2 arc = arcBend(theta, 1.0);
-  vec2 aside = theta > 1e-5 ? vec2(dot(axisS, bend), dot(axisT, bend)) * (arc.y / theta) : vec2(0.0);
-  // Above a curved skin the same way covers less of it: (I + z S)^-1. In a crease it would cover all of it.
-  float z = len * arc.x * top;
-  mat2 A = inverse(mat2(1.0) + z * S);
-  float down = dot(ray, normal);
-  vec2 along = vec2(dot(axisS, ray), dot(axisT, ray));
-  vec2 foot = A * along, turning = S * foot;
-  // Height of the ray: falls with the slope, rises with the curvature, and falls with the skin where fur leans over it;
-  // foot of the ray: see render/README.md.
-  vec2 path = vec2(down + dot(leaning, foot), 0.5 * len * dot(along, turning));
-  // Away from a hard edge normals turn no further than to the face's: there the ray goes on down.
-  float inwards = dot(leaning, along), more = inwards + down * sqrt(max(1.0 - dot(leaning, leaning), 0.0)) - path.x;
-  float sinks = -path.x - 0.5 * more;
-  if (inwards > 0.0 && sinks > 0.0) path.y = min(path.y, 0.5 * max(more, 0.0) * sinks);
-  vPath = vec4(path / arc.x, turning * len);
-  vec2 stride = tileFromAxes * (len * foot), turn = tileFromAxes * (A * turning * (-down * len * len));
-  vTile = vec4(furCurvature.xy * tilesPerUnit, stride);
-  vTurn = vec4(turn, tileFromAxes * (A * aside * len));
-#ifdef WET
-  vTileOfFur = len * vec3(tileFromAxes[0], tileFromAxes[1].y);
-#endif
-
-  float texelsPerPixel = distance / pixelsPerUnit * tilesPerUnit * length(gradS) * tileTexels;
-  vec3 toLight = light.xyz, toEye = -ray;
-  vLight = vec4(dot(axisS, toLight), dot(axisT, toLight), dot(normal, toLight), log2(texelsPerPixel));
-  vView = vec4(dot(axisS, toEye), dot(axisT, toEye), dot(normal, toEye), dot(normal, up.xyz));
-  vLean = vec4(2.0 * aside, uvAtlas.xy);
-  vec3 lightSlide = toLight * (len / max(dot(normal, toLight), 0.35));
-  lightSlide -= normal * dot(normal, lightSlide);
-  vLightStep = tilesPerUnit * vec2(dot(gradS, lightSlide), dot(gradT, lightSlide));
+  vLightRay = lightSpace(p + ray * skin.coat) - vLightSpace;
+  castRay(skin, ray, groomed.xyz, vTop);
+  lightRay(skin, -ray, distance);
 #ifdef GROOMED
   vLength = groomed.w;
 #endif

@@ -31,7 +31,7 @@ vec2 shapeTilt(vec4 spot, float h) { return vec2(0.0); }
 #ifdef GROOMED
 void enterGroom() { grown = coatShare(textureLod(groom, atlasAt(foot), 0.0)); }
 
-// Vertices know the mean length; the map knows it of every strand.
+// Vertices have room for the longest strand round them; the map knows the length of every strand.
 void trim(inout Strand here, inout March march) {
   vec4 texel = textureLod(groom, atlasAt(here.root), 0.0);
   here.along *= vLength / max(texel.r, 1e-3);

@@ -72,10 +72,6 @@ int stepsTo(float end, float x, float stepSize, int most) {
   return end > x ? clamp(int(min(ceil((end - x) / stepSize), float(most))), 0, most) : 0;
 }
 
-// Layers of the tile's textures: `between` is added before rounding down; which arrays do, by themselves, to the nearest.
-float storedLayer(float h, float between) { return h * storedLayers + between - 0.5; }
-float nearestLayer(float stored) { return clamp(floor(stored + 0.5), 0.0, storedLayers - 1.0); }
-
 // The chart's share where charts overlap, see geometry/FurClusters.h: blended in order.
 float chartShare() {
   vec2 strands = clamp(vStrands, 0.0, 1.0);

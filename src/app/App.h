@@ -304,4 +304,7 @@ class App {
   std::unique_ptr<State> state_;
 };
 
+// Lets the time between two frames of a film pass, seconds, in equal steps of at most 1/60 s: the same on every machine.
+void advanceFilm(App& app, float seconds);
+
 }  // namespace fur::app

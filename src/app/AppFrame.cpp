@@ -84,12 +84,12 @@ void App::State::upload() {
 void App::State::uploadGroom(bool whole) {
   const groom::Groom& now = groom.groom();
   const geometry::TexelRect all{0, 0, now.map.size(), now.map.size()};
-  const auto changedOf = [&](std::size_t map) {
+  const auto changedOf = [&](groom::MapKind map) {
     const geometry::TexelRect rect = groom.takeChanged(map);
     return whole ? all : rect;
   };
-  if (const geometry::TexelRect rect = changedOf(0); !rect.empty()) uploadLengths(rect);
-  geometry::TexelRect rect = unite(changedOf(1), changedOf(2));
+  if (const geometry::TexelRect rect = changedOf(groom::kLengthMap); !rect.empty()) uploadLengths(rect);
+  geometry::TexelRect rect = unite(changedOf(groom::kPaintMap), changedOf(groom::kMaskMap));
   const bool shows = showsMask();
   if (std::exchange(uploaded.showsMask, shows) != shows) rect = all;
   if (!rect.empty()) {
@@ -97,7 +97,7 @@ void App::State::uploadGroom(bool whole) {
     const bool paints = shows || groom.hasPaint(), before = std::exchange(uploaded.painted, paints);
     if (paints || before) renderer->updatePaint(shows ? GroomStage::editorBrushes()->paintUnderMask(now) : now.paint, rect);
   }
-  if (rect = changedOf(3); !rect.empty()) {
+  if (rect = changedOf(groom::kShapeMap); !rect.empty()) {
     const bool before = std::exchange(uploaded.shaped, groom.hasShape());
     if (uploaded.shaped || before) renderer->updateShape(now.shape, rect);
   }
@@ -119,8 +119,8 @@ void App::State::uploadLengths(const geometry::TexelRect& changed) {
 
 // --- frames ---
 
-// Each further shell costs 0.4 of a frame; by pictures a coat has visible holes without them from kCrowded on: on a torus with
-// fur of 0.3, 0.2 % of all pixels show skin in the hole of the ring instead of fur.
+// Each further shell costs 0.4 of a frame. Without them pictures have visible holes where fur length times grazing share exceeds
+// kCrowded: on a torus with fur of 0.3, 0.2 % of all pixels show skin in the hole of the ring instead of fur.
 void App::State::chooseShellCount() {
   constexpr float kCrowded = 0.024f;
   constexpr int kCrowdedShells = 3;
@@ -207,7 +207,7 @@ Status App::drawPart(const PicturePart& part) {
   s.view.width = width;
   s.view.height = height;
   s.drawnLevel = level;
-  // What is shown is as it was.
+  // A picture for a file shows nobody what has changed since the last frame.
   s.noticed = s.pictureRevision() - (unseen ? 1 : 0);
   return status;
 }

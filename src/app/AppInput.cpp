@@ -88,7 +88,7 @@ void App::State::paintTo(Vec2 pixel) {
 
 // The tool that is held still works there: water by its own clock, brushes of the groom by one of the same steps.
 void App::State::workWithHand(float seconds) {
-  if (!works()) return;
+  if (!toolActsWhileStill()) return;
   const auto hit = pick(heldPixel());
   if (water.stroking()) return water.hold(hit, hit ? hand.pressure : 0);
   constexpr float kStep = wet::Water::kStep;

@@ -38,7 +38,7 @@ struct Hand {
   Vec2 lastPosition{0}, lastDab{0};
   float lastSpan = 0;
   float pressure = 1;  // of the pen
-  Vec2 cursor{0};      // that keys move: from the middle of what is free of the picture, in its heights
+  Vec2 cursor{0};      // moved by keys: from the middle of the part of the picture that nothing covers, in heights of the picture
   float keyHold = 0;   // seconds that a key still holds the tool at the cursor
   // Of a brush of the groom that is held still: seconds that are due, steps since its last dab.
   float due = 0;
@@ -61,7 +61,7 @@ struct App::State {
   Warnings warnings;
   float idleTime = 0;  // seconds since somebody was there
   bool reducedMotion = false;
-  bool stands = false;  // as setStanding() said
+  bool paused = false;  // as setStanding() said
 
   // Settings and camera before the model came that brought its own, and the settings that it brought.
   struct Look {
@@ -77,7 +77,8 @@ struct App::State {
   const settings::Field* lastField = nullptr;
   std::optional<settings::Settings> changeBefore;  // between beginChange() and endChange()
 
-  // Drawing. `changed` counts what is seen and no stage knows; `noticed` is what tick() or draw() has last told.
+  // Drawing. `changed` counts visible changes that belong to no stage; `noticed`: the picture's revision that tick() or draw()
+  // reported last.
   std::optional<render::Renderer> renderer;
   struct Uploaded {
     std::uint64_t surface = 0, pose = 0, bends = 0, image = 0;
@@ -149,8 +150,8 @@ struct App::State {
   Vec2 cursorPixel() const { return view.size() * view.camera.middle() + hand.cursor * static_cast<float>(view.height); }
   Vec2 heldPixel() const { return hand.keyHold > 0 ? cursorPixel() : hand.lastPosition; }
   bool held() const { return hand.drag == Drag::Paint || hand.keyHold > 0; }
-  // A stroke is on whose tool goes on, or dabs again and again, where it is held.
-  bool works() const { return held() && (water.stroking() || groom.stroking()) && (goesOn(hand.tool) || repeats(hand.tool)); }
+  // While a stroke is on whose tool keeps acting where the pointer stands still.
+  bool toolActsWhileStill() const { return held() && (water.stroking() || groom.stroking()) && (goesOn(hand.tool) || repeats(hand.tool)); }
   void holdByKey();
   void letGo();
   bool pointerDown(const PointerEvent& event);

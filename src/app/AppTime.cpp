@@ -1,4 +1,4 @@
-// What time does: the stages are updated one after another, each from those before it.
+// What time does: the stages are updated one after another (README.md).
 #include <algorithm>
 #include <cmath>
 
@@ -87,14 +87,15 @@ void App::State::settleMotion() {
 void App::State::advance(float seconds, double coatBudget) {
   sinceSettingChange += seconds;
   idleTime += seconds;
-  groom.update(groomInputs());
-  workOnCoat(coatBudget);
   if (turns() && idleTime > kRestBeforeTurning && seconds > 0) {
     view.camera.turn(OrbitCamera::turned(seconds, OrbitCamera::kTurnSeconds));
     ++changed;
   }
   if (view.camera.update(seconds)) ++changed;
   if (seconds > 0) updateShape(seconds);
+  groom.update(groomInputs());
+  workOnCoat(coatBudget);
+  // Water goes where the model is now; motion feels the water of the last step.
   motion.update(motionInputs(seconds));
   workWithHand(seconds);
   water.update(waterInputs(seconds, coatBudget));
@@ -108,7 +109,7 @@ std::uint64_t App::State::pictureRevision() const {
 // --- App's side --------------------------------------------------------------------------------
 
 bool App::tick(float seconds, float coatBudget) {
-  if (!state_->stands) state_->advance(std::max(seconds, 0.0f), coatBudget);
+  if (!state_->paused) state_->advance(std::max(seconds, 0.0f), coatBudget);
   return state_->noticeChanges();
 }
 
@@ -119,19 +120,18 @@ void App::settle() {
 
 bool App::active() const {
   State& s = *state_;
-  return s.pictureRevision() != s.noticed || s.view.camera.moving() || s.turns() || s.works() || s.shape.active(s.shapeInputs(0)) ||
+  return s.pictureRevision() != s.noticed || s.view.camera.moving() || s.turns() || s.toolActsWhileStill() || s.shape.active(s.shapeInputs(0)) ||
          s.groom.active(s.groomInputs()) || s.coat.active(s.coatInputs()) || s.motion.active(s.motionInputs(0)) ||
          s.water.active(s.waterInputs(0, 0));
 }
 
 void App::setReducedMotion(bool reduced) { state_->reducedMotion = reduced; }
-void App::setStanding(bool stands) { state_->stands = stands; }
+void App::setStanding(bool stands) { state_->paused = stands; }
 void App::invalidate() { ++state_->changed; }
 
 void App::finishCoat() { state_->finishCoat(); }
 
-// Seconds between two frames of a film, in steps that are the same on every machine.
-void advance(App& app, float seconds) {
+void advanceFilm(App& app, float seconds) {
   constexpr float kStep = 1.0f / 60;
   const int steps = std::max(1, static_cast<int>(std::ceil(seconds / kStep - 1e-3f)));
   for (int i = 0; i < steps; ++i) app.tick(seconds / static_cast<float>(steps));

@@ -1,7 +1,6 @@
 #include "dynamics/BendField.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 #include <utility>
@@ -9,6 +8,7 @@
 #include "core/Assert.h"
 #include "core/PortableMath.h"
 #include "dynamics/RigidMotion.h"
+#include "dynamics/WetTable.h"
 
 namespace fur::dynamics {
 
@@ -23,21 +23,13 @@ constexpr float kTeleport = 1.5f;
 constexpr float kDrag = 0.12f;      // force per model radius per second
 constexpr float kKick = 7.0f;       // radians per second per model radius per second
 constexpr float kMaxSpeed = 25.0f;  // rad/s
-constexpr float kDryDamping = 0.4f;  // of critical: a quarter of overshoot, gone after one swing
-constexpr float kWetDamping = 0.9f;
-constexpr float kWaterMass = 1.5f;   // of soaked fur, in masses of dry fur
-constexpr float kWetWind = 0.5f;     // share of the wind that a soaked coat no longer catches
 
-// How long touched fur takes to forget: e-folding time, and the lean from which on it goes evenly, to an end.
-constexpr float kSoftMemory = 1.0f, kStiffMemory = 0.25f;  // s
-constexpr float kWetMemory = 20.0f;  // times as long again when soaked
+// The lean from which on touched fur forgets evenly, to an end.
 constexpr float kForgotten = 0.03f;  // rad
 
 // Below these nobody sees a strand of a tenth of the picture's height move.
 constexpr float kStillAngle = 5e-4f;  // rad
 constexpr float kStillSpeed = 5e-3f;  // rad/s
-
-constexpr int kWetLevels = 64;
 
 // The farthest that a point of the unit ball goes between two transforms, or a little more.
 float farthestMove(const Mat4& from, const Mat4& to) {
@@ -45,58 +37,6 @@ float farthestMove(const Mat4& from, const Mat4& to) {
   for (int c = 0; c < 3; ++c) turned += glm::dot(Vec3(to[c] - from[c]), Vec3(to[c] - from[c]));
   // |R - I| in the Frobenius norm is sqrt(2) times the move of a point on the equator.
   return glm::length(Vec3(to[3] - from[3])) + std::sqrt(0.5f * turned);
-}
-
-float powerOf(float base, float exponent) { return portableExp(exponent * portableLog(base)); }
-
-float swingOf(float stiffness) { return 6.0f * powerOf(4.0f, stiffness); }  // rad/s: 1 to 4 swings a second
-float massOf(float weight) { return 0.6f + 0.8f * unitOr0(weight); }         // of dry fur
-
-// What wetness makes of a vertex. One step of x'' = -omega^2 x - 2 zeta omega x', exactly: any dt is stable, and n steps
-// of dt lead where one step of n dt does.
-struct WetRow {
-  float xx, xv, vx, vv;
-  float setLeft;  // of what touch has left
-  float weight, catching;  // factors of gravity and of wind
-};
-struct WetLanes {
-  Lanes xx, xv, vx, vv, setLeft, weight, catching;
-};
-
-using WetTable = std::array<WetRow, kWetLevels + 1>;
-
-WetTable wetTable(const BendForces& forces, float dt) {
-  WetTable table;
-  const float stiffness = unitOr0(forces.stiffness);
-  const float omega = swingOf(stiffness);
-  const float memory = kSoftMemory * powerOf(kStiffMemory / kSoftMemory, stiffness);
-  for (int level = 0; level <= kWetLevels; ++level) {
-    const float wet = static_cast<float>(level) / kWetLevels;
-    const float mass = massOf(forces.weight) * (1.0f + kWaterMass * wet);
-    const float speed = omega / std::sqrt(mass), zeta = kDryDamping + (kWetDamping - kDryDamping) * wet;
-    const float turning = speed * std::sqrt(1.0f - zeta * zeta);
-    const float decay = portableExp(-std::min(zeta * speed * dt, 80.0f));
-    const float c = portableCos(turning * dt), s = portableSin(turning * dt);
-    const float lean = zeta * speed / turning * s;
-    table[static_cast<std::size_t>(level)] = {decay * (c + lean),
-                                              decay * s / turning,
-                                              -decay * speed * speed / turning * s,
-                                              decay * (c - lean),
-                                              portableExp(-std::min(dt / (memory * (1.0f + kWetMemory * wet * wet)), 80.0f)),
-                                              1.0f + kWaterMass * wet,
-                                              1.0f - kWetWind * wet};
-  }
-  return table;
-}
-
-WetLanes wetLanes(const WetTable& table, const std::uint8_t* levels) {
-  const WetRow* rows[kLanes];
-  for (std::size_t k = 0; k < kLanes; ++k) rows[k] = &table[levels[k]];
-  const auto of = [&](float WetRow::*part) {
-    return Lanes{rows[0]->*part, rows[1]->*part, rows[2]->*part, rows[3]->*part};
-  };
-  return {of(&WetRow::xx), of(&WetRow::xv), of(&WetRow::vx), of(&WetRow::vv),
-          of(&WetRow::setLeft), of(&WetRow::weight), of(&WetRow::catching)};
 }
 
 // An affine map of rest positions to model-space vectors.
@@ -142,7 +82,7 @@ struct BendField::StepForces {
   WetTable wet;
 
   StepForces(const Mat4& modelToWorld, const BendForces& forces, const Wind& windNow, float dt)
-      : wind(windNow, modelToWorld), wet(wetTable(forces, dt)) {
+      : wind(windNow, modelToWorld), wet(wetTable(forces.stiffness, forces.weight, dt)) {
     const Mat3 toModel = glm::transpose(rotationOf(modelToWorld));
     // Sheppard 5.2.1 gives every coat a floor of weight, the rest is the type's own.
     gravity = toModel * finiteOr0(forces.gravity) * (0.5f + unitOr0(forces.weight));

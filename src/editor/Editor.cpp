@@ -24,7 +24,7 @@ bool isModel(const EditorModel& model, std::string_view name) {
   return std::string_view(model.modelName).substr(0, model.modelName.find('.')) == name;
 }
 
-// Those of tools/scenes/scenes.mjs.
+// Those of assets/scenes/scenes.mjs.
 struct ShippedScene {
   const char *name, *label;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <queue>
 
@@ -324,7 +325,7 @@ class Lapper {
   std::vector<std::uint32_t> across_, firstOfPoint_, trianglesOfPoint_, visitedBy_, firstCorner_;
   std::vector<float> distance_;  // of the chart at work
   std::vector<float> reached_;   // F of all charts so far
-  std::vector<bool> hard_, ownShown_;
+  std::vector<std::uint8_t> hard_, ownShown_;
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <queue>
 #include <utility>
 
@@ -335,7 +336,7 @@ class Rounding {
   void share() {
     findFans();
     std::vector<Vec3> sums(parent_.size(), Vec3(0)), inwards(parent_.size(), Vec3(0));
-    std::vector<bool> several(parent_.size(), false);
+    std::vector<std::uint8_t> several(parent_.size());
     for (std::size_t i = 0; i < indices().size(); ++i) {
       const std::uint32_t v = indices()[i], fan = parent_[v];
       const float angle = angleAt(i);
@@ -417,7 +418,7 @@ class Rounding {
 
   RoundedMesh out_;
   std::vector<Vec3> given_;  // one a vertex: of its face
-  std::vector<bool> rim_;    // one a vertex: on a side that ends a sheet, if that has one triangle
+  std::vector<std::uint8_t> rim_;    // one a vertex: on a side that ends a sheet, if that has one triangle
   std::vector<Vec3> outwards_;
   Weld weld_;
   std::vector<TriangleSide> sorted_;

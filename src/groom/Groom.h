@@ -98,6 +98,7 @@ struct Groom {
 };
 
 // All maps of a groom.
+enum MapKind : std::size_t { kLengthMap, kPaintMap, kMaskMap, kShapeMap };
 inline constexpr GroomMap Groom::*kMaps[] = {&Groom::map, &Groom::paint, &Groom::mask, &Groom::shape};
 // Resizes all maps, by nearest texels.
 void resize(Groom& groom, int size);

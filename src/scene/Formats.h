@@ -32,7 +32,7 @@ std::string_view endingOf(Format format);
 std::optional<Format> formatNamed(std::string_view fileName);
 // Whether the name's ending is one of that kind.
 bool isNamedAs(FileKind kind, std::string_view fileName);
-// ".glb, .gltf, .obj and .fo"; `joint`: before the last.
+// As ".glb, .gltf and .obj"; `joint`: before the last.
 std::string endingsOf(FileKind kind, std::string_view joint = " and ");
 // "Save scene (.glb)", for a button.
 std::string saveLabel(Format format);

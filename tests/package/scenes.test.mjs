@@ -6,7 +6,7 @@ import { test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import validator from 'gltf-validator';
 import { root } from '../../tools/process.mjs';
-import { scenes } from '../../tools/scenes/scenes.mjs';
+import { scenes } from '../../assets/scenes/scenes.mjs';
 import { dist } from '../../tools/site.mjs';
 import { sceneNames } from '../../web/models.js';
 

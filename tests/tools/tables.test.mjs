@@ -14,6 +14,8 @@ const dummies = {
   'web/Methods.inc': 'FUR_METHOD(strike, Number, (float u, bool hard), ({u, 0}, hard), Element, "How it rang.")\nFUR_QUERY(dented, Truth, Element, "")\n'
     + 'FUR_METHOD(swing, Nothing, (), (), Program, "")\n',
   'src/scene/Formats.inc': 'FUR_MODEL_FORMAT(Clay, ".clay .pot", "model/clay", "pot", readClay)\nFUR_FORMAT(Tin, Coat, ".tin", "image/tin", "foil")\n',
+  'src/settings/Fields.inc': 'FUR_CHOICE(weather, "Weather", "Water", 0, "fair|foul", "What it is like (\\"outside\\")", kFrequent)\n',
+  'assets/Presets.inc': 'FUR_PRESET("yak", "Yak", "Very long",\n           "furLength=0.4 "\n           "wave=1")\n',
   'src/app/tools/GroomEdits.inc': 'FUR_GROOM_EDIT(Shave, "shave", Kept, "value: how close, all over")\n',
 };
 const withDummies = readTables((file) => textOf(file) + (dummies[file] ?? ''));
@@ -57,6 +59,8 @@ test('every row of the files is read', () => {
   assert.equal(groomEdits.length, rowsIn('src/app/tools/GroomEdits.inc'));
   assert.equal(modelFormats.length + otherFormats.length, rowsIn('src/scene/Formats.inc'));
   assert.equal(methods.length + queries.length, rowsIn('web/Methods.inc'));
+  assert.equal(readTables().fields.length, rowsIn('src/settings/Fields.inc'));
+  assert.equal(readTables().presets.length, rowsIn('assets/Presets.inc'));
 });
 
 test('a new tool is an option of the element, and keys and typings know it', async () => {
@@ -78,6 +82,14 @@ test('a new tool has its button on the page, where the table puts it', () => {
 test('every tool of the bar has a drawing', () => {
   for (const { icon, place, name } of readTables().tools)
     if (place === 'start' || place === 'bar') assert.ok(existsSync(join(root, `web/icons/${icon}.svg`)), name);
+});
+
+test('a new setting and a new coat are in the typings', () => {
+  const typings = typingsText(withDummies);
+  assert.match(typings, /export type Weather = 'fair' \| 'foul';/);
+  assert.match(typings, /\/\*\* What it is like \("outside"\)\. \*\/\n {2}weather: Weather;\n/);
+  assert.match(typings, /export type PresetName =[^;]*\| 'yak';/);
+  assert.deepEqual(withDummies.presets.at(-1).values, 'furLength=0.4 wave=1');
 });
 
 test('a new edit of the groom is in the typings', () => {
@@ -146,9 +158,7 @@ test('C++ knows a new format by its endings, and which reader it has', () => {
     #include <cstdio>
     #include "scene/Formats.h"
     using namespace fur::scene;
-    void readGltf() {}
-    void readObj() {}
-    void readFo() {}
+    ${[...new Set(readTables().modelFormats.map(({ reader }) => `void ${reader}() {}`))].join('\n')}
     void readClay() { std::printf("clay is read\\n"); }
     void (*readerOf(Format format))() {
       switch (format) {
@@ -163,7 +173,8 @@ test('C++ knows a new format by its endings, and which reader it has', () => {
       std::printf("%s\\n%s\\n", endingsOf(FileKind::Model).c_str(), saveLabel(Format::Clay).c_str());
       readerOf(*formatNamed("x.clay"))();
     }`, 'src/scene/Formats.cpp');
-  assert.deepEqual(lines, ['1 1 0', '.glb, .gltf, .obj, .fo, .clay and .pot', 'Save pot (.clay)', 'clay is read']);
+  const models = endings(readTables()).filter(({ kind }) => kind === 'Model').map(({ ending }) => ending);
+  assert.deepEqual(lines, ['1 1 0', `${models.join(', ')}, .clay and .pot`, 'Save pot (.clay)', 'clay is read']);
 });
 
 test('the editor of the page has an action for each command that it may be asked, and no other', () => {

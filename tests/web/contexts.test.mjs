@@ -201,13 +201,13 @@ test('what grows with scrolling up and down is given back: no context, texture, 
   await count();
   await scroll();
   const once = await count();
-  // Half as many again as the browser has.
+  // More than the browser has.
   for (let i = 0; i < 3; i++) {
     await scroll();
     await page.evaluate(() => see(0).then(() => {}));
   }
   const often = await count();
-  assert.ok(often.made >= once.made + 24, `${often.made - once.made} contexts were made`);
+  assert.ok(often.made > once.made + 16, `${often.made - once.made} contexts were made`);
   // The collector may not have come to the last ones.
   for (const { reachable } of [once, often]) assert.ok(reachable <= limit + 2, `${reachable} contexts are held`);
   assert.deepEqual({ ...often, made: 0, reachable: 0 }, { ...once, made: 0, reachable: 0 });

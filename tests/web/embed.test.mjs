@@ -80,7 +80,7 @@ test('letters are stamped, the model shakes them off, strokes are painted again,
   assert.ok(seen.shaken.held + seen.shaken.film < 0.9 * (seen.still.held + seen.still.film));
   for (const accounts of [seen.still, seen.shaken]) assert.ok(Math.abs(balance(accounts)) < 1e-5, JSON.stringify(accounts));
   assert.equal(seen.refused, 'bad-file');
-  assert.deepEqual(JSON.parse(seen.strokes).map(([what]) => what), [100, 104, 105]);  // letters, shaking, undo
+  assert.deepEqual(JSON.parse(seen.strokes).map(([what]) => what), ['splash', 'shake', 'undo']);  // letters are splashes
   assert.deepEqual(page.problems, []);
 });
 

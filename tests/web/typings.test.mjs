@@ -1,4 +1,4 @@
-// The hand-written typings: a strict program compiles against them, and they list every setting.
+// The typings: a strict program compiles against them, and they list every setting as the program has it.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
@@ -17,7 +17,7 @@ test('a strict TypeScript program compiles against the typings', () => {
 test('the typings list the fields of the settings table, all and no others', async () => {
   const { loadCore } = await import(pathToFileURL(join(dist, 'core.js')).href);
   const { settingsTable } = await loadCore();
-  const text = readFileSync(join(dist, 'types/index.d.ts'), 'utf8');
+  const text = readFileSync(join(dist, 'types/tables.d.ts'), 'utf8');
   const block = /export interface FurSettings \{([\s\S]*?)\n\}/.exec(text)[1];
   const types = { float: 'number', int: 'number', bool: 'boolean', color: 'Color' };
   // A choice has a type of its own that lists the options.

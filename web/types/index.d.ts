@@ -1,7 +1,7 @@
 // wet-fur: createWetFur and what it returns.
-import type { GroomEdit, Tool, WetFurMethods } from './tables.js';
+import type { Color, FurSettings, GroomEdit, PresetName, Tool, WetFurMethods } from './tables.js';
 
-export type { GroomEdit, Tool, WetFurMethods };
+export type * from './tables.js';
 
 /** Why something failed; `message` names the thing and the limit. */
 export type FurErrorCode =
@@ -14,205 +14,10 @@ export class FurError extends Error {
   constructor(code: FurErrorCode, message: string);
 }
 
-export type GroomType = '1' | '2' | '3' | '4';
-export type FurType = 'bald' | 'rabbit' | 'chinchilla' | 'curlyDog' | 'thickNylon' | 'fineSparse' | 'otter' | 'shortCat' | 'persian' | 'shag' | 'velvet' | 'wool';
 export type Quality = 'auto' | 'low' | 'medium' | 'high';
 export type Motion = 'auto' | 'full' | 'reduced';
 export type WheelManner = 'page' | 'focus' | 'zoom';
-export type View = 'final' | 'skin' | 'shells' | 'fins' | 'layer' | 'exploded' | 'silhouette' | 'coverage' | 'tangents' |
-  'normals' | 'dominance' | 'types' | 'offset' | 'wetness' | 'clumps' | 'shadow' | 'overdraw' | 'steps' |
-  'bends' | 'forces' | 'layout';
-/** Texels. */
-export type TileSize = '64' | '128' | '256' | '512' | '1024';
-export type FurMapping = 'charts' | 'cube';
-export type Shadows = 'none' | 'depth' | 'layers';
-export type BendCurve = 'arc' | 'polynomial';
-export type BrushFalloff = 'smooth' | 'linear' | 'sharp' | 'flat';
-export type Mirror = 'none' | 'x' | 'y' | 'z';
-export type StrandModel = 'kajiya' | 'marschner';
-/** "#rrggbb", sRGB. */
-export type Color = string;
 export type ModelBytes = ArrayBuffer | ArrayBufferView | Blob;
-
-/** Everything a person can change. Out-of-range values are clamped with a warning. */
-export interface FurSettings {
-  /** How many strands grow; 0 is bald. */
-  density: number;
-  /** Root radius of a strand; thicker coats have fewer strands. */
-  thickness: number;
-  /** How much shorter than the longest a strand may be. */
-  lengthVariation: number;
-  /** Amplitude of the waves along a strand. */
-  curl: number;
-  /** Blunt strands at 0, needles at 1. */
-  taper: number;
-  /** Length of the longest strand. */
-  furLength: number;
-  /** How often 256 texels of the fur tile fit along one bounding radius: more is finer. */
-  repeat: number;
-  /** Texels along the fur tile: larger tiles hold more strands and repeat less visibly. */
-  tileSize: TileSize;
-  /** How the fur tile is put on the model: charts follow its shape, a cube projects it from six sides. A model with fur coordinates of its own keeps them. */
-  furMapping: FurMapping;
-  /** Layers of the fur volume: more are smoother and slower. */
-  layers: number;
-  /** The same seed grows the same coat. */
-  seed: number;
-  /** Draw strands side-on along the silhouette. */
-  fins: boolean;
-  /** Long waves that neighbouring strands share. */
-  wave: number;
-  /** Curls in three dimensions: from about a third up they fold back on themselves. */
-  coil: number;
-  /** Fine kinks of single strands. */
-  frizz: number;
-  /** How tightly strands gather into locks. */
-  clump: number;
-  /** Strands in a lock, from a few to a whole tuft. */
-  lockSize: number;
-  /** How far the strands of a lock wind round each other, as in yarn. */
-  roll: number;
-  /** Share of strands that no lock holds. */
-  stray: number;
-  /** How far locks open again at their tips. */
-  tipBreak: number;
-  /** Fine short strands between the guard hairs; 1 is three to two. */
-  undercoat: number;
-  /** Of the longest undercoat strand, as a share of the longest guard hair. */
-  undercoatLength: number;
-  /** Colour at the skin end of a strand. */
-  rootColor: Color;
-  /** Colour at the tip of a strand. */
-  tipColor: Color;
-  /** Colour of the skin between the strands. */
-  skinColor: Color;
-  /** Difference in brightness from strand to strand. */
-  variance: number;
-  /** How much of the model's own base colour tints the fur. */
-  textureAmount: number;
-  /** Compass direction the light comes from, 0 = +z. */
-  lightYaw: number;
-  /** Angle of the light above the horizon. */
-  lightPitch: number;
-  /** Brightness of the key light. */
-  lightIntensity: number;
-  /** Colour of the key light. */
-  keyColor: Color;
-  /** Light direction counts from where the camera looks. */
-  lightFollowsCamera: boolean;
-  /** White light from the camera that softens shadows. */
-  fillLight: number;
-  /** Light from behind the model that shines through the edge of the fur. */
-  rimLight: number;
-  /** Colour of the rim light. */
-  rimColor: Color;
-  /** Brightness of the light from sky and ground. */
-  ambient: number;
-  /** Tint of the light from above. */
-  skyColor: Color;
-  /** Tint of the light from below. */
-  groundColor: Color;
-  /** Share of plain surface shading beside the strands' own (Sheppard 5.3.1). */
-  lambert: number;
-  /** Strength of the highlight across the strands. */
-  specular: number;
-  /** Exponent p of the highlight on soaked fur (Kajiya and Kay); dry fur is blunter. */
-  shininess: number;
-  /** How a strand shines: as a dull thread with two highlights (Kajiya and Kay), or as a rod of tinted glass that light passes through (Marschner). */
-  strandModel: StrandModel;
-  /** How much strands darken what lies below them (Sheppard Eq. 3.4). */
-  strandShadow: number;
-  /** Shadow that fur casts on itself at a distance, softer with depth: by the depth below its outer surface, or by counting the strands on the way. */
-  shadows: Shadows;
-  /** sigma_occ: less light reaches the roots (Silva Eq. 5). */
-  occlusion: number;
-  /** Brightness of the whole picture. */
-  exposure: number;
-  /** Radius of the spray of droplets, and of all brushes. */
-  brushRadius: number;
-  /** Wetness that one droplet brings. */
-  brushFlow: number;
-  /** Radius of a single droplet, and so of the clump that it binds. */
-  clumpSize: number;
-  /** Wetness that half-wet fur loses in a second. */
-  dryRate: number;
-  /** Water dries only where it is wiped, blown or shaken off. */
-  stayWet: boolean;
-  /** How hard it rains on the model. */
-  rain: number;
-  /** w: 0 = straight leaning strands, 1 = strands bent in from the root (Silva Eq. 1). */
-  clumpShape: number;
-  /** sigma_wet: how much darker soaked fur is (Silva Eq. 5). */
-  wetDarkening: number;
-  /** sigma_spec: how much blunter the highlight of dry fur is than that of soaked fur (Silva Eq. 3). */
-  wetGloss: number;
-  /** How much one pass of the comb, the scissors or the type brush does. */
-  groomStrength: number;
-  /** How a brush that grooms fades from its middle to its rim. */
-  brushFalloff: BrushFalloff;
-  /** Brushes also work on the other side of the model, across its middle along this axis; x is left and right. */
-  mirror: Mirror;
-  /** What the brush Paint paints; Alt+click on the model picks the colour there. */
-  paintColor: Color;
-  /** What the brush Cut leaves of longer fur, as a share of the longest. */
-  cutLength: number;
-  /** The brushes Paint, Thin, Mask, Curl, Frizz and Locks take away instead. */
-  brushErases: boolean;
-  /** What the type brush paints; 1 takes the others away. */
-  groomType: GroomType;
-  /** The coat that grows where the type brush painted 2: its strands and colours, on the same tile, no longer than Length. */
-  type2: FurType;
-  /** The coat that grows where the type brush painted 3: its strands and colours, on the same tile, no longer than Length. */
-  type3: FurType;
-  /** The coat that grows where the type brush painted 4: its strands and colours, on the same tile, no longer than Length. */
-  type4: FurType;
-  /** Length of the longest hair of what the whisker tool plants; those that stand keep theirs, as with all below. */
-  whiskerLength: number;
-  /** Width of a hair at its root; it tapers to nothing. */
-  whiskerWidth: number;
-  /** Hairs that one click plants: more make a tuft. */
-  whiskerHairs: number;
-  /** How far the hairs of a tuft fan out. */
-  whiskerSpread: number;
-  /** How little a hair leans with the coat round it: 1 stands whatever wind and comb do. */
-  whiskerStiffness: number;
-  /** Colour of the hairs. */
-  whiskerColor: Color;
-  /** How far its own weight bends the fur. */
-  gravity: number;
-  /** How strongly a strand returns to its rest direction. */
-  stiffness: number;
-  /** Strength of the wind. */
-  wind: number;
-  /** Compass direction the wind blows to, 0 = +z. */
-  windYaw: number;
-  /** How much the wind comes and goes. */
-  gust: number;
-  /** Strength of the eddies that run along with the wind. */
-  turbulence: number;
-  /** How a strand is bent: an arc that keeps its length, or Sheppard's (2004) polynomial, which does not; for comparison. */
-  bendCurve: BendCurve;
-  /** How much idle fur stirs where no wind blows, for some seconds after somebody was there. */
-  breath: number;
-  /** Radius of the ball that the tool Ball presses into the fur. */
-  ballSize: number;
-  /** Which of the model's animations plays; 0: none. */
-  animation: number;
-  /** How fast it plays; 0 holds it. */
-  animationSpeed: number;
-  /** How strongly the fur answers to the model's own motion. */
-  inertia: number;
-  /** Upper colour of the gradient behind the model. */
-  backgroundTop: Color;
-  /** Lower colour of the gradient behind the model. */
-  backgroundBottom: Color;
-  /** Draw the soft shadow under the model. */
-  ground: boolean;
-  /** What is drawn: the picture, or one part of it for study. */
-  view: View;
-  /** Show: layer: how high that layer stands, from the skin to the tips. */
-  viewLayer: number;
-}
 
 /** One row of the settings table. */
 export type SettingsField = {
@@ -238,10 +43,6 @@ export interface CameraOrbit {
   distance: number;
   target: [number, number, number];
 }
-
-export type PresetName =
-  | 'rabbit' | 'chinchilla' | 'curlyDog' | 'thickNylon' | 'fineSparse'
-  | 'otter' | 'shortCat' | 'persian' | 'shag' | 'velvet' | 'wool';
 
 /** A light by its name: where the key light comes from, all lights' brightness and colours, exposure and background. */
 export type LightRig = 'daylight' | 'studio' | 'sunset' | 'overcast' | 'backlit' | 'night';

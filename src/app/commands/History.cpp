@@ -14,7 +14,7 @@ std::size_t bytesIn(const std::vector<T>& values) {
 
 std::size_t bytesOf(const Step& step) {
   if (const auto* mask = std::get_if<MaskStep>(&step)) return sizeof(Step) + bytesIn(mask->before.texels) + bytesIn(mask->after.texels) + bytesIn(mask->before.film) + bytesIn(mask->after.film) +
-           mask->wet.size() / 8;
+           bytesIn(mask->wet);
   const auto* groom = std::get_if<GroomStep>(&step);
   if (!groom) return sizeof(Step);
   std::size_t bytes = sizeof(Step) + bytesIn(groom->points) + bytesIn(groom->combBefore) + bytesIn(groom->combAfter) +
@@ -48,9 +48,7 @@ void carry(Io& io, S& step) {
   if constexpr (std::is_same_v<Kind, SettingsStep>) {
     io(step.before, step.after);
   } else if constexpr (std::is_same_v<Kind, MaskStep>) {
-    std::vector<std::uint8_t> wet(step.wet.begin(), step.wet.end());
-    io(step.rect, step.before.texels, step.before.film, step.after.texels, step.after.film, wet);
-    if constexpr (!std::is_const_v<S>) step.wet.assign(wet.begin(), wet.end());
+    io(step.rect, step.before.texels, step.before.film, step.after.texels, step.after.film, step.wet);
   } else if constexpr (std::is_same_v<Kind, GroomStep>) {
     for (auto& map : step.maps) io(map.rect, map.before, map.after);
     io(step.sizeBefore, step.sizeAfter, step.points, step.combBefore, step.combAfter, step.whiskersBefore, step.whiskersAfter);
@@ -61,11 +59,14 @@ void carry(Io& io, S& step) {
 constexpr Command kCommandOf[] = {Command::Settings, Command::Water, Command::Groom, Command::Model};
 static_assert(std::size(kCommandOf) == std::variant_size_v<Step>);
 
-// An empty one; none: there is no step of that name.
-std::optional<Step> stepNamed(std::string_view name) {
-  for (const Step& step : {Step(SettingsStep{}), Step(MaskStep{}), Step(GroomStep{}), Step(ModelStep{})})
-    if (name == nameOf(commandOf(step))) return step;
-  return std::nullopt;
+// Makes it an empty one of that name; false: there is none.
+bool become(Step& step, std::string_view name) {
+  if (name == nameOf(Command::Settings)) step.emplace<SettingsStep>();
+  else if (name == nameOf(Command::Water)) step.emplace<MaskStep>();
+  else if (name == nameOf(Command::Groom)) step.emplace<GroomStep>();
+  else if (name == nameOf(Command::Model)) step.emplace<ModelStep>();
+  else return false;
+  return true;
 }
 
 }  // namespace
@@ -78,8 +79,9 @@ std::optional<MaskStep> maskStep(const MaskImage& before, const wet::WetnessMask
   const std::vector<float>& filmAfter = after.film().empty() ? none : after.film();
   if (!none.empty()) rect = unite(rect, difference(size, filmBefore, filmAfter));
   if (rect.empty()) return std::nullopt;
-  MaskStep step{rect, {cut(size, before.texels, rect), {}}, {cut(size, after.texels(), rect), {}}, std::vector<bool>(before.texels.size())};
-  for (std::size_t i = 0; i < before.texels.size(); ++i) step.wet[i] = before.texels[i].w > 0 || (!before.film.empty() && before.film[i] > 0);
+  MaskStep step{rect, {cut(size, before.texels, rect), {}}, {cut(size, after.texels(), rect), {}}, std::vector<std::uint32_t>((before.texels.size() + 31) / 32)};
+  for (std::size_t i = 0; i < before.texels.size(); ++i)
+    if (before.texels[i].w > 0 || (!before.film.empty() && before.film[i] > 0)) step.wet[i / 32] |= 1u << i % 32;
   if (none.empty()) return step;
   step.before.film = cut(size, filmBefore, rect);
   step.after.film = cut(size, filmAfter, rect);
@@ -96,7 +98,7 @@ void apply(const MaskStep& step, bool undo, wet::WetnessMask& mask) {
   }
   std::vector<Vec4> texels = withRect(size, mask.texels(), step.rect, side.texels);
   for (std::size_t i = 0; undo && i < texels.size(); ++i) {
-    if (step.wet[i]) continue;
+    if (step.wet[i / 32] >> i % 32 & 1) continue;
     texels[i] = Vec4(0);
     if (!film.empty()) film[i] = 0;
   }
@@ -201,9 +203,9 @@ bool History::restore(std::span<const std::uint8_t> bytes) {
   std::vector<Step> steps;
   if (!bytes.empty()) from(count, done);
   for (; count > 0 && from.sound(); --count) {
-    const auto read = stepNamed(from.text());
-    if (!read) return false;
-    std::visit([&](auto& one) { carry(from, one); }, steps.emplace_back(*read));
+    Step& step = steps.emplace_back();
+    if (!become(step, from.text())) return false;
+    std::visit([&](auto& one) { carry(from, one); }, step);
   }
   if (!from.sound() || !from.atEnd() || done > steps.size()) return false;
   ++revision_;

@@ -27,12 +27,12 @@ struct MaskImage {
   std::vector<float> film;
 };
 
-// The changed rectangle only, row-major. `wet`: which texels were wet before. Water runs on after a stroke: taken back,
-// nothing is wet that was not.
+// The changed rectangle only, row-major. `wet`: which texels were wet before, 32 in a number. Water runs on after a
+// stroke: taken back, nothing is wet that was not.
 struct MaskStep {
   wet::TexelRect rect;
   MaskImage before, after;
-  std::vector<bool> wet;
+  std::vector<std::uint32_t> wet;
 };
 
 // The changed rectangle of each map (groom::kMaps), row-major, or all of them when their size has changed; and the points

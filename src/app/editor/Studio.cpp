@@ -91,7 +91,7 @@ Result<Studio::Band> Studio::next() {
   if (rowsDone_ == 0 && turns) {
     const float seconds = std::abs(order.secondsPerTurn) / static_cast<float>(order.frames);
     app_.setStanding(false);
-    if (frame_ > 0) advance(app_, seconds);
+    if (frame_ > 0) advanceFilm(app_, seconds);
     app_.setStanding(true);
     CameraOrbit orbit = start_;
     orbit.yaw += OrbitCamera::turned(seconds * static_cast<float>(frame_), order.secondsPerTurn);

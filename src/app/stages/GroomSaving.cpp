@@ -2,6 +2,7 @@
 #include <cstring>
 
 #include "app/stages/GroomStage.h"
+#include "core/Fnv1a.h"
 #include "groom/GroomFilters.h"
 
 namespace fur::app {
@@ -65,19 +66,11 @@ void GroomStage::read(const ShapeStage& shape, const scene::FurData& fur, Warnin
 
 std::uint64_t GroomStage::hash(const ShapeStage& shape) {
   groomSurface(shape);
-  std::uint64_t hash = 0;
-  for (const auto map : groom::kMaps) hash = (hash ^ (groom_.*map).hash()) * 1099511628211ull;
-  const auto add = [&hash](std::uint32_t bits) { hash = (hash ^ bits) * 1099511628211ull; };
-  for (const Vec3& comb : groom_.comb)
-    for (int k = 0; k < 3; ++k) {
-      const float number = comb[k] + 0.0f;  // -0 is 0
-      std::uint32_t bits;
-      std::memcpy(&bits, &number, sizeof bits);
-      add(bits);
-    }
-  for (const groom::Whisker& whisker : groom_.whiskers)
-    for (const std::uint32_t word : wordsOf(whisker)) add(word);
-  return hash;
+  Fnv1a hash;
+  for (const auto map : groom::kMaps) hash.add((groom_.*map).hash());
+  for (const Vec3& comb : groom_.comb) hash.add(comb + 0.0f);  // -0 is 0
+  for (const groom::Whisker& whisker : groom_.whiskers) hash.addAll(wordsOf(whisker));
+  return hash.value();
 }
 
 // The layout, the maps' size, the number of whiskers and a bit for each map that is there; those, comb, whiskers.

@@ -99,7 +99,7 @@ void GroomStage::readLengths(const ShapeStage& shape) {
   if (hasLengths()) vertexLengths_ = groom::vertexLengths(groom_.map, shape.surface(), shape.points(), heights_);
 }
 
-geometry::TexelRect GroomStage::takeChanged(std::size_t map) { return std::exchange(changed_[map], {}); }
+geometry::TexelRect GroomStage::takeChanged(groom::MapKind map) { return std::exchange(changed_[map], {}); }
 
 // Hairs stand on the surface as it was made; they go along with their triangles.
 std::vector<groom::WhiskerHair> GroomStage::hairs(const ShapeStage& shape) const {

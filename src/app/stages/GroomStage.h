@@ -56,8 +56,8 @@ class GroomStage {
   bool hasPaint() const { return !plain_[1]; }
   bool hasMask() const { return !plain_[2]; }
   bool hasShape() const { return !plain_[3]; }
-  // What has changed of one of groom::kMaps since the last call; everything after another model or size.
-  geometry::TexelRect takeChanged(std::size_t map);
+  // What has changed of a map since the last call; everything after another model or size.
+  geometry::TexelRect takeChanged(groom::MapKind map);
   // All whiskers' hairs on the skin as it is shown.
   std::vector<groom::WhiskerHair> hairs(const ShapeStage& shape) const;
 

@@ -73,8 +73,8 @@ class WaterStage {
   // 0..1, one a vertex of the surface; vertices of one point have the same.
   const std::vector<float>& vertexWetness(const ShapeStage& shape);
   float meanWetness(const ShapeStage& shape);
-  // How wet the ground is, 0..255, as render::Frame has it; empty: dry. As of readPuddles(), which gives it another revision
-  // when one sees that it is another.
+  // How wet the ground is, 0..255, as render::Frame has it; empty: dry. Of the last readPuddles(), which changes its
+  // revision when the change is visible.
   void readPuddles();
   const std::vector<std::uint8_t>& puddles() const { return puddles_; }
   std::uint32_t puddlesRevision() const { return puddlesRevision_; }

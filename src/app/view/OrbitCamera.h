@@ -50,7 +50,4 @@ class OrbitCamera {
   bool ignoreCovered_ = false;
 };
 
-// Lets the seconds between two frames of a film go by, in steps that are the same on every machine.
-void advance(App& app, float seconds);
-
 }  // namespace fur::app

@@ -1,6 +1,7 @@
 #include "scene/import/GltfNodes.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace fur::scene {
 
@@ -42,7 +43,7 @@ std::vector<Whole> nodeList(const GltfFile& file, const Json& object, const char
 }
 
 std::vector<Whole> rootsOfAllNodes(const GltfFile& file) {
-  std::vector<bool> isChild(file.count("nodes"), false);
+  std::vector<std::uint8_t> isChild(file.count("nodes"));
   for (Whole node = 0; node < isChild.size(); ++node) {
     const std::string where = formatted("nodes[%llu]", node);
     for (const Whole child : nodeList(file, file.element("nodes", node), "children", where)) {
@@ -76,7 +77,7 @@ std::vector<PlacedMesh> placedMeshes(const GltfFile& file) {
   }
   struct Visit { Whole node; glm::dmat4 parent; };
   std::vector<Visit> stack;
-  std::vector<bool> seen(file.count("nodes"), false);
+  std::vector<std::uint8_t> seen(file.count("nodes"));
   // Last in, first out: children are pushed back to front to keep their order.
   const auto push = [&](std::vector<Whole> nodes, const glm::dmat4& parent) {
     std::reverse(nodes.begin(), nodes.end());

@@ -1,4 +1,6 @@
-// The formats behind importModel(): each fills a model that has only its name, or throws. `others`: what came along.
+// The readers behind importModel(), which turns what they throw into errors: each fills a model that has only its name, or
+// throws, also when the file is larger than kMaxFileBytes. `others`: what came along. Their sources must stand in this folder:
+// as wasm it alone has exceptions.
 #pragma once
 
 #include "scene/Model.h"

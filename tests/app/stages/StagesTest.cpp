@@ -137,7 +137,7 @@ TEST(CoatStage, SendsAllAgainToAReceiverThatHasForgotten) {
 TEST(GroomStage, TellsWhatAStrokeChangedAndUndoesIt) {
   Model model;
   const std::uint64_t before = model.groom.revision(), hash = model.groom.hash(model.shape);
-  for (std::size_t map = 0; map < std::size(groom::kMaps); ++map) (void)model.groom.takeChanged(map);
+  for (const auto map : {groom::kLengthMap, groom::kPaintMap, groom::kMaskMap, groom::kShapeMap}) (void)model.groom.takeChanged(map);
   model.groom.beginStroke(model.shape);
   model.settings.groomStrength = 1;
   model.groom.dab(model.shape, model.settings, Tool::Trim, {0, Vec3(1, 0, 0), 0}, model.warnings);
@@ -149,9 +149,9 @@ TEST(GroomStage, TellsWhatAStrokeChangedAndUndoesIt) {
   EXPECT_FALSE(model.groom.update({model.shape, model.settings}));
   EXPECT_TRUE(model.groom.hasLengths());
   EXPECT_EQ(model.groom.vertexLengths().size(), model.shape.surface().vertices.size());
-  EXPECT_FALSE(model.groom.takeChanged(0).empty());
-  EXPECT_TRUE(model.groom.takeChanged(0).empty());
-  EXPECT_TRUE(model.groom.takeChanged(1).empty());
+  EXPECT_FALSE(model.groom.takeChanged(groom::kLengthMap).empty());
+  EXPECT_TRUE(model.groom.takeChanged(groom::kLengthMap).empty());
+  EXPECT_TRUE(model.groom.takeChanged(groom::kPaintMap).empty());
   model.groom.apply(model.shape, *step, true);
   model.groom.update({model.shape, model.settings});
   EXPECT_FALSE(model.groom.hasLengths());

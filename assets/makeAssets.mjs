@@ -1,4 +1,4 @@
-// node tools/makeAssets.mjs <program> <out folder>
+// node assets/makeAssets.mjs <program> <out folder>
 //
 // Makes the models that are shipped: the bunny with the program wet-fur-make-assets, its wasm build (a .js file,
 // run by this same Node) or the native one, the wet scenes likewise, and the others. Nothing is done for a model newer than its sources.
@@ -57,7 +57,7 @@ export function makeAssets(program, outFolder) {
 if (process.argv[1] && resolve(process.argv[1]) === fileURLToPath(import.meta.url)) {
   const [program, outFolder] = process.argv.slice(2);
   if (!program || !outFolder) {
-    console.error('usage: node tools/makeAssets.mjs <wet-fur-make-assets program> <out folder>');
+    console.error('usage: node assets/makeAssets.mjs <wet-fur-make-assets program> <out folder>');
     process.exit(2);
   }
   makeAssets(program, outFolder);
