@@ -68,7 +68,7 @@ const global = new Map([...new Set(globals)].sort((a, b) => count(b) - count(a))
 function shorten(text) {
   let result = '', at = 0;
   const rename = (part, local = new Map()) => part
-    .replace(/\.([A-Za-z_]\w*)/g, (behind, name) => (members.has(name) && global.has(name) ? `.${global.get(name)}` : behind))
+    .replace(/(?<!"[\w/]*)\.([A-Za-z_]\w*)/g, (behind, name) => (members.has(name) && global.has(name) ? `.${global.get(name)}` : behind))
     .replace(word, (name) => local.get(name) ?? global.get(name) ?? name);
   for (const [from, to] of functionsOf(text)) {
     const body = text.slice(from, to);
