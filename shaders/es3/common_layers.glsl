@@ -1,4 +1,5 @@
-// Where the layers of the fur tile are in its textures.
+// The layer of the fur tile that is shown at a height, in shells and shadows alike: layer l from l / N to (l + 1) / N. It was cut
+// half a layer higher, and furgen/Coat.h says why.
 // `between`: less than half a layer, by which the border between two is moved.
 float storedLayer(float h, float between) { return h * storedLayers + between - 0.5; }
 // What arrays do by themselves, where one texture holds the layers of one fur type.

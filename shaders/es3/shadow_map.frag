@@ -17,7 +17,7 @@ const float kShell = 0.09;
 void main() {
   float z = gl_FragCoord.z * shadowRange - unpack(packedDepths(ivec2(gl_FragCoord.xy)).rg) * shadowRange;
   float lod = log2(shadowRange * tilesPerUnit * tileTexels / float(kShadowSize));
-  float opacity = kShell * textureLod(coverage, vec3(vTile, floor(vHeight * (storedLayers - 1.0) + 0.5)), lod).r;
+  float opacity = kShell * textureLod(coverage, vec3(vTile, nearestLayer(storedLayer(vHeight, 0.0))), lod).r;
   // Half a layer on, or rounding would count the first surface as lying before itself.
   float deep = z / shadowLayerDepth + 0.5;
   const vec4 four = vec4(0.0, 1.0, 2.0, 3.0);

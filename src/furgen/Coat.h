@@ -58,7 +58,9 @@ float meanRadius(float thickness);
 int wantedStrands(const FurParameters& parameters);
 int wantedUndercoat(const FurParameters& parameters);
 
-// Height of a layer, 1 / layers .. 1.
+// The height about which a layer is cut, 1 / layers .. 1. It is shown half a layer lower, from layer / layers on
+// (shaders/es3/common_layers.glsl): a ray that comes down into a layer meets what reaches into it from above. By FLIP against the
+// reference 16 layers are as good that way as 64, 0.138 on a rabbit; cut where they are shown they come to 0.149.
 inline float layerHeight(int layer, int layers) {
   return static_cast<float>(layer + 1) / static_cast<float>(layers);
 }
