@@ -41,6 +41,14 @@ add_library(fur_test_options INTERFACE)
 target_compile_options(fur_test_options INTERFACE -Wno-dangling-else)
 # What they test is compiled as it ships; of the tests themselves compiling takes longer than running.
 target_compile_options(fur_test_options INTERFACE "$<$<CONFIG:Release>:-O1>")
+if(FUR_SANITIZE)
+  # Undefined behaviour is looked for in what they test. In the tests themselves that check takes a third of the build.
+  target_compile_options(fur_test_options INTERFACE -fno-sanitize=undefined -g0)
+  # What compares with readers of others compiles those.
+  foreach(source core/JsonTest scene/TinyGltfTest settings/PresetsTest)
+    fur_source_options("${CMAKE_SOURCE_DIR}/tests/${source}.cpp" "-fno-sanitize=all;-O0")
+  endforeach()
+endif()
 target_link_libraries(fur_test_options INTERFACE fur_options fur_gtest third_party_test_headers)
 
 if(FUR_CPU_TESTS)

@@ -76,7 +76,7 @@ function plan(files) {
   // Their pictures and hashes are compared with those of the native programs.
   const comparesWithGl = files.includes('tests/web/page.test.mjs');
   const programs = [
-    ...has('cpu', 'wasm') ? ['wet-fur-tests'] : [], ...has('gl') || comparesWithGl ? ['wet-fur-gl-tests'] : [],
+    ...has('cpu', 'wasm') && !all ? ['wet-fur-tests'] : [], ...has('gl') || comparesWithGl ? ['wet-fur-gl-tests'] : [],
     ...has('golden', 'native') ? ['wet-fur-render', 'wet-fur-compare', 'wet-fur'] : [],
   ];
   return { all, kinds, others, programs: all ? [...programs, 'all'] : programs, site: has('package', 'page'), wasm: has('wasm'), page: has('page') };
@@ -85,6 +85,8 @@ function plan(files) {
 async function main() {
   const { all, kinds, others, programs, site, wasm, page } = plan(testFiles(process.argv.slice(2)));
   const filter = (files) => (all ? '' : filterOf(files));
+  // All of them run under the sanitizers natively, and optimized as wasm: no need to build them a third time.
+  const nativeTests = all ? 'native-asan' : 'native-release';
   const packages = [
     ...programs.length > 0 ? [needs.nativeTests, needs.native] : [], ...site || wasm ? [needs.web] : [], ...wasm ? [needs.wasmTests] : [],
     ...page ? [needs.browser] : [],
@@ -95,19 +97,19 @@ async function main() {
 
   // Those of the pure modules need no models.
   if (programs.length) await stage('native build', () => { programs.join() === 'wet-fur-tests' ? build('native-release', programs) : buildNative(...programs); });
-  if (kinds.cpu.length) await stage('CPU tests, native', () => program('native-release', 'wet-fur-tests', filter(kinds.cpu)));
+  if (kinds.cpu.length && !all) await stage('CPU tests, native', () => program('native-release', 'wet-fur-tests', filter(kinds.cpu)));
   if (kinds.gl.length) await stage('GL tests, native', () => program('native-release', 'wet-fur-gl-tests', filter(kinds.gl)));
   if (kinds.golden.length) await stage('golden pictures, native', () => nodeTests(kinds.golden));
   if (kinds.native.length) await stage('the native programs', () => nodeTests(kinds.native));
   if (all) {
     await stage('sanitizer build', () => build('native-asan', ['wet-fur-tests']));
-    await stage('CPU tests under the address and undefined-behaviour sanitizers', () => program('native-asan', 'wet-fur-tests'));
+    await stage('CPU tests, native, under the address and undefined-behaviour sanitizers', () => program('native-asan', 'wet-fur-tests'));
   }
 
   // In one run: while one core links a program the other compiles what the next is made of.
   if (site || wasm) await stage('WebAssembly build', () => build('web-release', [...site ? siteTargets : [], ...wasm ? ['wet-fur-tests'] : []], { keepGoing: true }));
   if (site) await stage('dist/', buildSite);
-  if (wasm) await stage('CPU tests, WebAssembly under Node', () => nodeTests(kinds.wasm));
+  if (wasm) await stage('CPU tests, WebAssembly under Node', () => nodeTests(kinds.wasm, { FUR_NATIVE_TESTS: join(buildFolder(nativeTests), 'wet-fur-tests') }));
   if (kinds.package.length) await stage('package: typings, entries, size', () => nodeTests(kinds.package));
   if (page) await stage('the page in Chromium', () => nodeTests(byLength(kinds.page), { FUR_CHROMIUM: chromiumPath() ?? '' }));
 

@@ -35,8 +35,8 @@ void main() {
   vec4 groomed = bendOf(gl_VertexID);
 #ifdef GROOMED
   // Vertices have room for the longest strand round them; the shadow is that of the fur that stands there.
-  vec4 dressed = textureLod(groom, uvAtlas.zw, 0.0);
-  groomed.w = min(groomed.w, dressed.r * min(2.0 * dot(presences(dressed.gba), typeGrows), 1.0));
+  vec4 texel = textureLod(groom, uvAtlas.zw, 0.0);
+  groomed.w = min(groomed.w, texel.r * min(2.0 * dot(presences(texel.gba), typeGrows), 1.0));
 #endif
   vec3 at = lightSpace(strandPoint(position, normal, groomed.xyz, h, furLength * groomed.w));
 #endif

@@ -6,6 +6,7 @@ import { describe, test } from 'node:test';
 import { root } from '../../tools/process.mjs';
 
 const program = join(root, 'build/web-release/node/wet-fur-tests.js');
+const nativeProgram = process.env.FUR_NATIVE_TESTS ?? join(root, 'build/native-release/wet-fur-tests');
 const runProgram = (...args) => spawnSync(process.execPath, [program, '--gtest_color=no', ...args], { encoding: 'utf8', maxBuffer: 1 << 26 });
 
 /** Every so many'th test; the shares run side by side. */
@@ -63,7 +64,7 @@ for (const [suite, names] of Object.entries(suites)) {
 const printedBy = ({ stdout }) => Object.fromEntries([...stdout.matchAll(/^on every platform: (.*) ([0-9a-f]{16})$/gm)].map(([, name, hash]) => [name, hash]));
 
 test('seeds and recordings give the same bytes as in the native program', () => {
-  const native = spawnSync(join(root, 'build/native-release/wet-fur-tests'), ['--gtest_filter=*OnEveryPlatform'], { encoding: 'utf8' });
+  const native = spawnSync(nativeProgram, ['--gtest_filter=*OnEveryPlatform'], { encoding: 'utf8' });
   assert.equal(native.status, 0, native.stderr);
   assert.ok(Object.keys(printedBy(native)).length >= 8, native.stdout);
   assert.deepEqual(printedBy(result), printedBy(native));

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { startBrowser, withFur } from './support.mjs';
 
-const site = startBrowser();
+const site = startBrowser({ rasteriser: 'swiftshader' });  // with which pictures have been endless
 // Of sixteen pictures, each of a twentieth of a second. What does not come back in this time never will.
 const patience = 120000;
 

@@ -5,7 +5,7 @@ import { test } from 'node:test';
 import { judge, mapFile, running, scenes, settling, size, solidOf } from '../golden/golden.mjs';
 import { picture, startBrowser, withFur } from './support.mjs';
 
-const site = startBrowser();
+const site = startBrowser({ rasteriser: 'swiftshader' });  // another one than draws for the native tests
 // Multisampling is decided when a page opens: one page for scenes with and one for those without.
 const pages = new Map();
 const pageFor = ({ samples = 0 }) => {

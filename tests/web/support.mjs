@@ -13,9 +13,30 @@ export const root = fileURLToPath(new URL('../../', import.meta.url));
 export const dist = process.env.FUR_DIST ?? join(root, 'dist');
 
 const flags = [
-  '--headless=new', '--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-quic',
-  '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync',
+  '--headless=new', '--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync',
 ];
+/** Who draws, on the CPU: Chromium's own rasteriser, or Mesa's where there is one, which takes two thirds of the time. */
+const rasterisers = {
+  swiftshader: ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
+  mesa: ['--use-gl=angle', '--use-angle=gles-egl', '--ignore-gpu-blocklist'],
+};
+
+/** A browser that draws with Mesa if that is asked for and there; else with Chromium's own. */
+async function launch(wanted) {
+  const open = (name) => chromium.launch({ executablePath: chromiumPath(), args: [...flags, ...rasterisers[name]] });
+  const browser = await open(wanted);
+  if (wanted === 'swiftshader') return browser;
+  const page = await browser.newPage();
+  const renderer = await page.evaluate(() => {
+    const gl = document.createElement('canvas').getContext('webgl2');
+    const info = gl?.getExtension('WEBGL_debug_renderer_info');
+    return info ? gl.getParameter(info.UNMASKED_RENDERER_WEBGL) : '';
+  });
+  await page.close();
+  if (/llvmpipe/.test(renderer)) return browser;
+  await browser.close();
+  return open('swiftshader');
+}
 
 function chromiumPath() {
   const named = process.env.FUR_CHROMIUM || process.env.CHROMIUM;
@@ -90,10 +111,11 @@ function watchTime(fast) {
 }
 
 /**
- * Starts both before the tests of a file and stops them after; `always` are options of every page. Gives { url, open }: `open(path, options)`
- * opens a page in a context of its own and waits for the model. Its frames are tenths of a second, unless `fast` is false.
+ * Starts both before the tests of a file and stops them after; `always` are options of every page. Gives { url, open }:
+ * `open(path, options)` opens a page in a context of its own and waits for the model. Its frames are tenths of a second, unless
+ * `fast` is false.
  */
-export function startBrowser({ headers = {}, subfolder = false, ...always } = {}) {
+export function startBrowser({ headers = {}, subfolder = false, rasteriser = 'mesa', ...always } = {}) {
   const site = {};
   let browser;
   let server;
@@ -101,7 +123,7 @@ export function startBrowser({ headers = {}, subfolder = false, ...always } = {}
   const start = async () => {
     // From the folder above, dist/ is a sub-folder of the host.
     server = await serve({ folder: subfolder ? dirname(dist) : dist, extraHeaders: headers });
-    browser = await chromium.launch({ executablePath: chromiumPath(), args: flags });
+    browser = await launch(rasteriser);
     site.url = subfolder ? `${server.url}${basename(dist)}/` : server.url;
   };
   let started;
