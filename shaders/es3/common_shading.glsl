@@ -97,13 +97,13 @@ float glossShare(float nDotL) { return clamp(1.6 * nDotL + 0.6, 0.0, 1.0); }
 
 // Kajiya & Kay 1989 with a small Lambert term (Sheppard 5.3.1) and the factors of Silva et al. 2010:
 //   C = occ wet (C_d + C_s)                                  Eq. 2
-//   exponent p (1 + sigma_spec (rho - 1))                    Eq. 3
+//   exponent p (1 + sigma_spec (rho - 1))                    Eq. 3: from dryShininess to shininess
 //   occ = 1 + sigma_occ (h - 1), wet = 1 - sigma_wet rho     Eq. 5
 // C_s: a white lobe, mirrored on the scales, and a wider one that went through the strand and has its colour;
 // or Marschner's model, which has all light that goes through strands. L and V point away from the strand.
 // `lit` is the share of the light that reaches the spot, `strand` the strand's random number (its variance).
 vec3 shadeStrand(vec3 albedo, vec3 T, vec3 L, vec3 V, float h, float rho, float lit, float upness, float strand) {
-  float exponent = max(shininess * (1.0 + wetGloss * (rho - 1.0)), 1.0);
+  float exponent = max(mix(dryShininess, shininess, rho), 1.0);
   vec3 key = keyLight.rgb * lightShare(lit, h, L.z);
   vec2 along = vec2(dot(T, L), dot(T, V)), across = sqrt(max(vec2(0.0), 1.0 - along * along));
   vec2 diffuse = mix(across, max(vec2(L.z, V.z), 0.0), lambert);  // of the key light, of the fill light

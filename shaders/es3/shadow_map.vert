@@ -26,7 +26,7 @@ void main() {
 #ifdef SHADOW_LAYERS
   float h = float(gl_InstanceID + 1) / float(FUR_SHADOW_SHELLS);
   vTile = furCoord * tilesPerUnit;
-  vHeight = h;
+  vHeight = (float(gl_InstanceID) + 0.5) / float(FUR_SHADOW_SHELLS);  // the shell stands for what lies between the one below and it
 #elif defined(SKIN_ONLY)
   const float h = 0.0;
 #else

@@ -61,7 +61,7 @@ float glossShare(float nDotL) { return saturate(1.6f * nDotL + 0.6f); }
 
 Vec3 shadeStrand(const StrandLook& look, const Vec3& albedo, const Vec3& tangent, const Vec3& light, const Vec3& view,
                  float nDotL, float nDotV, float height, float wetness, const StrandLight& lights, float strand) {
-  const float exponent = std::max(wetSpecularExponent(look.shininess, wetness, look.wetGloss), 1.0f);
+  const float exponent = std::max(glm::mix(look.dryShininess, look.shininess, wetness), 1.0f);
   // A lobe's energy falls as its exponent rises; sqrt(p) keeps a strand's total about even.
   const float strength = look.specular * std::sqrt(exponent / look.shininess) * glossShare(nDotL);
   const Vec2 shifts = lobeShifts(strand);

@@ -38,7 +38,7 @@ inline float wetDarkening(float rho, float sigmaWet) { return 1.0f - sigmaWet * 
 // How a coat reflects light: the settings of these names; and its density.
 struct StrandLook {
   float lambert = 0.4f, specular = 0.45f;
-  float shininess = 60;  // exponent p, when soaked
+  float shininess = 60, dryShininess = 12;  // exponent p when soaked, and when dry (Eq. 3)
   float strandShadow = 0.6f;
   float occlusion = 0.6f, wetDarkening = 0.4f, wetGloss = 0.8f;  // sigma_occ, sigma_wet, sigma_spec
   float density = 0.4f;  // share of the densest layer that strands cover

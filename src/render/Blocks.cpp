@@ -33,6 +33,7 @@ void fillCamera(const Frame& frame, shared::FrameBlock& block) {
   block.bottomRow = static_cast<float>(frame.bottomRow);
   block.exposure = frame.settings.exposure;
   block.viewLayer = frame.settings.viewLayer;
+  block.stepLength = frame.stepLength;
 }
 
 void fillLights(const Frame& frame, shared::FrameBlock& block) {
@@ -72,6 +73,7 @@ void fillShading(const Frame& frame, shared::FurBlock& coat) {
   coat.lambert = s.lambert;
   coat.specular = s.specular;
   coat.shininess = s.shininess;
+  coat.dryShininess = dryShininess(s);
   coat.strandShadow = s.strandShadow * crowding;
   coat.occlusion = s.occlusion * crowding;
   coat.textureAmount = s.textureAmount;
@@ -112,7 +114,6 @@ shared::FurBlock furBlock(const Frame& frame, int tileSize, int storedLayers, co
   coat.shellCount = static_cast<float>(frame.shellCount);
   coat.tileTexels = static_cast<float>(tileSize);
   coat.storedLayers = static_cast<float>(storedLayers);
-  coat.stepLength = frame.stepLength;
   coat.chartsOverlap = chartsOverlap(frame);
   coat.clumpShape = s.clumpShape;
   coat.maskTexels = static_cast<float>(maskSize);

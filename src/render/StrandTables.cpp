@@ -8,9 +8,9 @@ namespace fur::render {
 static_assert(hair::kStrandTableM == FUR_STRAND_M);
 static_assert(hair::kStrandTableN.x == FUR_STRAND_N_X && hair::kStrandTableN.y == FUR_STRAND_N_Y);
 
-float strandLobeWidth(const settings::Settings& settings) {
-  return hair::lobeWidth(settings.shininess * (1 - settings.wetGloss));
-}
+// Silva et al. 2010, Eq. 3 for rho = 0.
+float dryShininess(const settings::Settings& settings) { return settings.shininess * (1 - settings.wetGloss); }
+float strandLobeWidth(const settings::Settings& settings) { return hair::lobeWidth(dryShininess(settings)); }
 
 std::size_t StrandTables::use(const settings::Settings& settings) {
   if (settings.strandModel == 0) return 0;

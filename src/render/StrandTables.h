@@ -6,7 +6,9 @@
 
 namespace fur::render {
 
-// beta_R of a coat: the lobes of its dry strands; the shaders narrow them where strands are wet.
+// The exponent of the highlight on dry strands, in both models of light.
+float dryShininess(const settings::Settings& settings);
+// beta_R of Marschner's lobes on dry strands; the shaders narrow them where strands are wet.
 float strandLobeWidth(const settings::Settings& settings);
 
 class StrandTables {

@@ -18,7 +18,8 @@ constexpr std::size_t kTubesAPiece = 1024;
 
 hair::StrandLook lookOf(const Scene& scene) {
   const render::shared::FurBlock& c = scene.coat;
-  return {c.lambert, c.specular, c.shininess, c.strandShadow, c.occlusion, c.wetDarkening, c.wetGloss, c.density};
+  return {.lambert = c.lambert, .specular = c.specular, .shininess = c.shininess, .dryShininess = c.dryShininess, .strandShadow = c.strandShadow,
+          .occlusion = c.occlusion, .wetDarkening = c.wetDarkening, .wetGloss = c.wetGloss, .density = c.density};
 }
 
 Vec3 skyLight(const Scene& scene, const Vec3& normal) {

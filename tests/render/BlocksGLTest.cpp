@@ -30,6 +30,7 @@ std::vector<Member> frameMembers() {
       FUR_MEMBER(FrameBlock, groundHeight), FUR_MEMBER(FrameBlock, groundHalfSide), FUR_MEMBER(FrameBlock, groundDarkness),
       FUR_MEMBER(FrameBlock, ballRadius), FUR_MEMBER(FrameBlock, shadowExtinction), FUR_MEMBER(FrameBlock, shadowBias),
       FUR_MEMBER(FrameBlock, shadowLayerDepth), FUR_MEMBER(FrameBlock, shadowSurface), FUR_MEMBER(FrameBlock, shadowRange),
+      FUR_MEMBER(FrameBlock, stepLength),
   };
 }
 std::vector<Member> furMembers() {
@@ -38,11 +39,11 @@ std::vector<Member> furMembers() {
       FUR_MEMBER(FurBlock, typeVariance), FUR_MEMBER(FurBlock, typeRise), FUR_MEMBER(FurBlock, skinColor),
       FUR_MEMBER(FurBlock, furLength), FUR_MEMBER(FurBlock, tilesPerUnit), FUR_MEMBER(FurBlock, layers),
       FUR_MEMBER(FurBlock, shellCount), FUR_MEMBER(FurBlock, tileTexels), FUR_MEMBER(FurBlock, storedLayers),
-      FUR_MEMBER(FurBlock, density), FUR_MEMBER(FurBlock, stepLength), FUR_MEMBER(FurBlock, lambert),
-      FUR_MEMBER(FurBlock, specular), FUR_MEMBER(FurBlock, shininess), FUR_MEMBER(FurBlock, strandShadow),
-      FUR_MEMBER(FurBlock, occlusion), FUR_MEMBER(FurBlock, textureAmount), FUR_MEMBER(FurBlock, chartsOverlap),
-      FUR_MEMBER(FurBlock, lobePeak), FUR_MEMBER(FurBlock, clumpShape), FUR_MEMBER(FurBlock, wetDarkening),
-      FUR_MEMBER(FurBlock, wetGloss), FUR_MEMBER(FurBlock, maskTexels),
+      FUR_MEMBER(FurBlock, density), FUR_MEMBER(FurBlock, maskTexels), FUR_MEMBER(FurBlock, lambert),
+      FUR_MEMBER(FurBlock, specular), FUR_MEMBER(FurBlock, shininess), FUR_MEMBER(FurBlock, dryShininess),
+      FUR_MEMBER(FurBlock, strandShadow), FUR_MEMBER(FurBlock, occlusion), FUR_MEMBER(FurBlock, textureAmount),
+      FUR_MEMBER(FurBlock, chartsOverlap), FUR_MEMBER(FurBlock, clumpShape), FUR_MEMBER(FurBlock, wetDarkening),
+      FUR_MEMBER(FurBlock, wetGloss), FUR_MEMBER(FurBlock, lobePeak),
   };
 }
 

@@ -19,7 +19,8 @@ namespace {
 using Twin = std::function<float(float, float)>;
 
 // The settings under which those functions are compared that read them.
-const hair::StrandLook kLook{0.4f, 0.45f, 60, 0.6f, 0.7f, 0.4f, 0.8f, 0.5f};
+const hair::StrandLook kLook{.lambert = 0.4f, .specular = 0.45f, .shininess = 60, .dryShininess = 12, .strandShadow = 0.6f,
+                                .occlusion = 0.7f, .wetDarkening = 0.4f, .wetGloss = 0.8f, .density = 0.5f};
 constexpr float kLightIntensity = 2.2f, kExposure = 1.3f;
 constexpr float kFillLight = 0.35f;
 const Vec3 kKeyLight(2.0f, 1.5f, 1.0f), kBackLight(0.8f, 0.6f, 0.4f);
@@ -43,6 +44,7 @@ shared::FurBlock coatOfLook() {
   coat.lambert = kLook.lambert;
   coat.specular = kLook.specular;
   coat.shininess = kLook.shininess;
+  coat.dryShininess = kLook.dryShininess;
   coat.strandShadow = kLook.strandShadow;
   coat.occlusion = kLook.occlusion;
   coat.layers = kLayers;

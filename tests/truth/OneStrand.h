@@ -70,6 +70,7 @@ inline render::shared::FurBlock furOf(float length, float tiles) {
   block.lambert = 0.4f;
   block.specular = 0.2f;
   block.shininess = 60;
+  block.dryShininess = 12;
   block.strandShadow = 0.6f;
   block.occlusion = 0.2f;
   block.clumpShape = 0.6f;

@@ -58,6 +58,7 @@ FUR_BLOCK(FrameBlock) {
   float shadowLayerDepth; // layers: how far apart they are, model units
   float shadowSurface;    // height of the first surface, 0..1
   float shadowRange;      // depth that the map spans, model units
+  float stepLength;       // of a march's steps, 1 as is good for the picture
 };
 
 // The coat. One a change of the settings. Arrays and vec4s of "type" hold one of each fur type.
@@ -77,22 +78,22 @@ FUR_BLOCK(FurBlock) {
   float tileTexels;    // along a side of the fur tile
   float storedLayers;  // in its textures
   float density;       // share of its densest layer that strands cover
-  float stepLength;    // of a march's steps, 1 as is good for the picture
+  float maskTexels;    // along a side of the wetness mask
 
   float lambert;       // share of it in the light on a strand
   float specular;
   float shininess;     // exponent p when soaked (Silva et al. 2010, Eq. 3)
-  float strandShadow;
+  float dryShininess;  // and when dry
 
+  float strandShadow;
   float occlusion;     // sigma_occ (Eq. 5)
   float textureAmount; // share of the model's picture
   float chartsOverlap; // 0 or 1
-  float lobePeak;      // 1 / (beta_R sqrt(2 pi)) of Marschner's lobes
 
   float clumpShape;    // w (Eq. 1)
   float wetDarkening;  // sigma_wet (Eq. 5)
   float wetGloss;      // sigma_spec (Eq. 3)
-  float maskTexels;    // along a side of the wetness mask
+  float lobePeak;      // 1 / (beta_R sqrt(2 pi)) of Marschner's lobes
 };
 
 #define FUR_FRAME_BINDING 0
