@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/AppState.h"
+#include "core/NoteChange.h"
 #include "geometry/CoatThickness.h"
 
 namespace fur::app {
@@ -66,14 +67,14 @@ void App::setFieldOfView(float radians) {
 bool App::State::showsMask() const { return GroomStage::editorBrushes() && !saved && grooms(hand.tool) && groom.hasMask(); }
 
 void App::State::upload() {
-  const bool whole = std::exchange(uploaded.surface, shape.surfaceRevision()) != shape.surfaceRevision();
+  const bool whole = noteChange(uploaded.surface, shape.surfaceRevision());
   if (whole) renderer->setSurface(shape.surface(), shape.firstTangents());
-  if (std::exchange(uploaded.image, imageRevision) != imageRevision)
+  if (noteChange(uploaded.image, imageRevision))
     renderer->setBaseColor(document.imageWidth, document.imageHeight, document.image);
   for (const wet::MaskTexels& part : water.takeTexels(shape, whole)) renderer->updateMask(part);
-  if (std::exchange(uploaded.bends, motion.bendsRevision()) != motion.bendsRevision() || whole) renderer->updateBends(motion.shown());
+  if (noteChange(uploaded.bends, motion.bendsRevision()) || whole) renderer->updateBends(motion.shown());
   uploadGroom(whole);
-  const bool posed = std::exchange(uploaded.pose, shape.poseRevision()) != shape.poseRevision() || whole;
+  const bool posed = noteChange(uploaded.pose, shape.poseRevision()) || whole;
   if (const auto* skin = shape.skin(); skin && posed) renderer->setSkin({skin->positions, skin->normals, skin->tangents});
   if (whole || (posed && shape.skin()) || uploaded.whiskers != groom.groom().whiskers) {
     uploaded.whiskers = groom.groom().whiskers;
@@ -91,7 +92,7 @@ void App::State::uploadGroom(bool whole) {
   if (const geometry::TexelRect rect = changedOf(groom::kLengthMap); !rect.empty()) uploadLengths(rect);
   geometry::TexelRect rect = unite(changedOf(groom::kPaintMap), changedOf(groom::kMaskMap));
   const bool shows = showsMask();
-  if (std::exchange(uploaded.showsMask, shows) != shows) rect = all;
+  if (noteChange(uploaded.showsMask, shows)) rect = all;
   if (!rect.empty()) {
     // What has been painted before is taken away, too.
     const bool paints = shows || groom.hasPaint(), before = std::exchange(uploaded.painted, paints);

@@ -16,6 +16,7 @@
 #include "app/stages/WaterStage.h"
 #include "app/view/QualityGovernor.h"
 #include "app/view/View.h"
+#include "core/NoteChange.h"
 #include "render/Renderer.h"
 
 namespace fur::app {
@@ -128,7 +129,7 @@ struct App::State {
   void advance(float seconds, double coatBudget);
   // Of all that is seen; another number whenever any of it has changed.
   std::uint64_t pictureRevision() const;
-  bool noticeChanges() { return std::exchange(noticed, pictureRevision()) != noticed; }
+  bool noticeChanges() { return noteChange(noticed, pictureRevision()); }
 
   // --- AppFrame.cpp ---
   void upload();

@@ -2,6 +2,8 @@
 
 #include <iterator>
 
+#include "app/tools/RowNamed.h"
+
 namespace fur::app {
 
 namespace {
@@ -25,11 +27,7 @@ std::string_view nameOf(Command command) { return kRows[static_cast<std::size_t>
 
 bool isRecorded(Command command) { return kRows[static_cast<std::size_t>(command)].kept == Kept::Recorded; }
 
-std::optional<Command> commandNamed(std::string_view name) {
-  for (std::size_t i = 0; i < std::size(kRows); ++i)
-    if (name == kRows[i].name) return static_cast<Command>(i);
-  return std::nullopt;
-}
+std::optional<Command> commandNamed(std::string_view name) { return rowNamed<Command>(kRows, name); }
 
 std::optional<Command> commandNumbered(double number) {
   for (std::size_t i = 0; i < std::size(kRows); ++i)

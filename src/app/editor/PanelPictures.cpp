@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/NoteChange.h"
 #include "geometry/AtlasOutlines.h"
 
 namespace fur::app {
@@ -65,7 +66,7 @@ void PanelPictures::refreshGroom(bool shown) {
   if (groomRevision_ == app_.groomRevision()) return;
   groomRevision_ = app_.groomRevision();
   groomCoverage_ = app_.groomCoverage();
-  if (std::exchange(outlinesOf_, app_.surfaceRevision()) != app_.surfaceRevision()) groomOutlines_ = geometry::atlasOutlines(app_.surface());
+  if (noteChange(outlinesOf_, app_.surfaceRevision())) groomOutlines_ = geometry::atlasOutlines(app_.surface());
   groom_ = pictureTexture(app_.groomMap().size(), app_.groomMap().size(), gl::bytesOf(groom::picture(app_.groom())));
   ++made_;
 }

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "app/stages/Mirror.h"
+#include "core/NoteChange.h"
 #include "groom/GroomFilters.h"
 #include "groom/MapPictures.h"
 #include "groom/Selection.h"
@@ -57,7 +58,7 @@ void GroomStage::reset() {
 }
 
 groom::GroomSurface GroomStage::groomSurface(const ShapeStage& shape) {
-  if (std::exchange(atlasFor_, shape.surfaceRevision()) != shape.surfaceRevision()) atlas_.reset();
+  if (noteChange(atlasFor_, shape.surfaceRevision())) atlas_.reset();
   if (!atlas_ || atlas_->size() != groom_.map.size()) atlas_.emplace(shape.surface(), groom_.map.size());
   if (groom_.comb.empty()) groom_.comb.assign(shape.points().count(), Vec3(0));
   return {shape.surface(), shape.query(), *atlas_, shape.points()};
@@ -75,9 +76,8 @@ bool GroomStage::active(const Inputs& inputs) const {
 
 bool GroomStage::update(const Inputs& inputs) {
   if (!active(inputs)) return false;
-  const bool otherSurface = std::exchange(surfaceFor_, inputs.shape.surfaceRevision()) != inputs.shape.surfaceRevision();
-  const groom::TypeHeights heights = heightsOf(inputs.settings);
-  const bool otherHeights = std::exchange(heights_, heights) != heights;
+  const bool otherSurface = noteChange(surfaceFor_, inputs.shape.surfaceRevision());
+  const bool otherHeights = noteChange(heights_, heightsOf(inputs.settings));
   updatedFor_ = revision_;
   ++verticesRevision_;
   for (std::size_t i = 0; i < changed_.size(); ++i) {

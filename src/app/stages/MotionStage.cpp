@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/NoteChange.h"
 #include "core/PortableMath.h"
 
 namespace fur::app {
@@ -54,7 +55,7 @@ void MotionStage::reset() {
 // The bends take over what shape and groom have changed.
 void MotionStage::follow(const Inputs& inputs) {
   const ShapeStage& shape = inputs.shape;
-  const bool otherSurface = std::exchange(surfaceFor_, shape.surfaceRevision()) != shape.surfaceRevision();
+  const bool otherSurface = noteChange(surfaceFor_, shape.surfaceRevision());
   if (otherSurface) {
     std::vector<Vec3> positions, normals;
     for (const geometry::SurfaceVertex& v : shape.surface().vertices) {
@@ -63,9 +64,9 @@ void MotionStage::follow(const Inputs& inputs) {
     }
     bends_.reset(positions, normals, {shape.firstTangents().begin(), shape.firstTangents().end()});
   }
-  if (std::exchange(groomFor_, inputs.groom.verticesRevision()) != inputs.groom.verticesRevision() || otherSurface)
+  if (noteChange(groomFor_, inputs.groom.verticesRevision()) || otherSurface)
     bends_.setRest(inputs.groom.rests(), inputs.groom.vertexLengths());
-  if (std::exchange(poseFor_, shape.poseRevision()) != shape.poseRevision() && shape.skin())
+  if (noteChange(poseFor_, shape.poseRevision()) && shape.skin())
     bends_.setPose(shape.skin()->positions, shape.skin()->normals, shape.skin()->tangents);
   bends_.showForces(inputs.showForces);
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/NoteChange.h"
 #include "core/Numbering.h"
 #include "geometry/Weld.h"
 
@@ -174,7 +175,7 @@ bool ShapeStage::update(const Inputs& inputs) {
 
 const geometry::SurfaceQuery& ShapeStage::shownQuery() const {
   if (!pose_) return query_;
-  if (std::exchange(posedQueryFor_, revision()) != revision()) {
+  if (noteChange(posedQueryFor_, revision())) {
     posedQuery_ = query_;
     posedQuery_.follow(surface_, skin_.positions);
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/Clock.h"
+#include "core/NoteChange.h"
 #include "core/PortableMath.h"
 #include "geometry/Adjacency.h"
 
@@ -37,12 +38,12 @@ void WaterStage::reset() {
 }
 
 const wet::SurfaceWetting& WaterStage::wetting(const ShapeStage& shape) {
-  if (std::exchange(wettingFor_, shape.surfaceRevision()) != shape.surfaceRevision() || !wetting_) wetting_.emplace(shape.surface(), mask_.size());
+  if (noteChange(wettingFor_, shape.surfaceRevision()) || !wetting_) wetting_.emplace(shape.surface(), mask_.size());
   return *wetting_;
 }
 
 void WaterStage::layDown(const GroomStage& groom) {
-  if (std::exchange(layFor_, groom.verticesRevision()) == groom.verticesRevision()) return;
+  if (!noteChange(layFor_, groom.verticesRevision())) return;
   std::vector<Vec3> lay;
   lay.reserve(groom.rests().size());
   for (const Vec3& rest : groom.rests()) lay.push_back(rest / groom::kMaxComb);
@@ -138,7 +139,7 @@ float WaterStage::meanWetness(const ShapeStage& shape) {
 }
 
 void WaterStage::readPuddles() {
-  if (std::exchange(puddlesFor_, water_.groundRevision()) == water_.groundRevision()) return;
+  if (!noteChange(puddlesFor_, water_.groundRevision())) return;
   std::vector<std::uint8_t> now;
   bool wet = false, seen = false;
   for (const float amount : water_.ground()) {

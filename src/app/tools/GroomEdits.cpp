@@ -1,5 +1,7 @@
 #include "app/tools/GroomEdits.h"
 
+#include "app/tools/RowNamed.h"
+
 namespace fur::app {
 
 namespace {
@@ -22,10 +24,6 @@ bool keepsMasked(GroomEdit edit) { return kRows[static_cast<std::size_t>(edit)].
 
 std::string_view nameOf(GroomEdit edit) { return kRows[static_cast<std::size_t>(edit)].name; }
 
-std::optional<GroomEdit> groomEditNamed(std::string_view name) {
-  for (std::size_t i = 0; i < kGroomEditCount; ++i)
-    if (name == kRows[i].name) return static_cast<GroomEdit>(i);
-  return std::nullopt;
-}
+std::optional<GroomEdit> groomEditNamed(std::string_view name) { return rowNamed<GroomEdit>(kRows, name); }
 
 }  // namespace fur::app

@@ -1,5 +1,7 @@
 #include "app/tools/Tools.h"
 
+#include "app/tools/RowNamed.h"
+
 namespace fur::app {
 
 namespace {
@@ -14,11 +16,7 @@ constexpr ToolTraits kTraits[] = {
 
 const ToolTraits& traitsOf(Tool tool) { return kTraits[static_cast<std::size_t>(tool)]; }
 
-std::optional<Tool> toolNamed(std::string_view name) {
-  for (std::size_t i = 0; i < kToolCount; ++i)
-    if (name == kTraits[i].name) return static_cast<Tool>(i);
-  return std::nullopt;
-}
+std::optional<Tool> toolNamed(std::string_view name) { return rowNamed<Tool>(kTraits, name); }
 
 const ToolWords& wordsOf(Tool tool) {
 #define FUR_TOOL(id, name, program, on, drag, held, reach, label, inverse, row, place, icon, keys, tooltip) {label, inverse, row, icon, tooltip},
