@@ -163,7 +163,7 @@ test('the whole screen is taken and given back; without a way to it there is no 
   await page.click('#fullscreen');
   await page.waitForFunction(() => !document.fullscreenElement && document.getElementById('fullscreen').ariaPressed === 'false');
   const without = await site.open(`?${plain}&src=plane`, {
-    prepare: (tab) => tab.addInitScript(() => Object.defineProperty(Document.prototype, 'fullscreenEnabled', { value: false })),
+    scripts: [() => Object.defineProperty(Document.prototype, 'fullscreenEnabled', { value: false })],
   });
   assert.equal(await without.isVisible('#fullscreen'), false);
 });

@@ -21,32 +21,34 @@ ${Array.from({ length: count }, (_, i) => `<wet-fur id="fur${i}" src="${sources[
   });
 </script>`;
 
+/** What tests say in the page. */
+function addWords() {
+  const frame = () => new Promise((resolve) => requestAnimationFrame(resolve));
+  window.furAt = (i) => document.getElementById(`fur${i}`);
+  window.until = async (condition) => { while (!condition()) await frame(); };
+  /** Scrolls to it; resolves when it is drawn and still. */
+  window.see = async (i) => {
+    const fur = furAt(i);
+    fur.scrollIntoView({ block: 'center' });
+    await until(() => fur.state === 'ready');
+    await untilStill(fur);
+    return fur;
+  };
+  window.scene = (i) => {
+    const fur = furAt(i);
+    return { water: fur.wetnessHash, state: fur.getState(), groomed: fur.groomed, undo: fur.canUndo, wetness: fur.meanWetness };
+  };
+  window.messages = () => [...document.querySelectorAll('wet-fur')]
+    .map((fur) => fur.shadowRoot.querySelector('.message')).filter((box) => box.checkVisibility()).length;
+}
+
 /** A page of so many of them: one under the other, or, with `inView`, side by side. */
 const open = (count, { inView = false, ...options } = {}) => site.open('many.html', {
   wait: false, viewport: inView ? { width: 640, height: 400 } : { width: 240, height: 200 }, ...options,
-  prepare: async (tab) => {
-    await tab.addInitScript(recordContexts);
+  scripts: [recordContexts, addWords],
+  prepare: (page) => {
     const style = inView ? 'float: left; margin: 2px' : 'margin: 20px auto 60px';
-    await tab.route('**/many.html', (route) => route.fulfill({ contentType: 'text/html', body: pageOf(count, style) }));
-    await tab.addInitScript(() => {
-      const frame = () => new Promise((resolve) => requestAnimationFrame(resolve));
-      window.furAt = (i) => document.getElementById(`fur${i}`);
-      window.until = async (condition) => { while (!condition()) await frame(); };
-      /** Scrolls to it; resolves when it is drawn and still. */
-      window.see = async (i) => {
-        const fur = furAt(i);
-        fur.scrollIntoView({ block: 'center' });
-        await until(() => fur.state === 'ready');
-        await untilStill(fur);
-        return fur;
-      };
-      window.scene = (i) => {
-        const fur = furAt(i);
-        return { water: fur.wetnessHash, state: fur.getState(), groomed: fur.groomed, undo: fur.canUndo, wetness: fur.meanWetness };
-      };
-      window.messages = () => [...document.querySelectorAll('wet-fur')]
-        .map((fur) => fur.shadowRoot.querySelector('.message')).filter((box) => box.checkVisibility()).length;
-    });
+    return page.route('**/many.html', (route) => route.fulfill({ contentType: 'text/html', body: pageOf(count, style) }));
   },
 });
 

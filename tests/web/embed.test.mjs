@@ -9,18 +9,13 @@ const centreOf = (page, index) => page.evaluate((i) => {
   return [box.left + box.width / 2, box.top + box.height / 2];
 }, index);
 /** Lighter than the page's own coats: a software rasteriser draws them. */
-const open = (options) => site.open('embed.html', {
-  ...options,
-  prepare: async (tab) => {
-    await options.prepare?.(tab);
-    await tab.addInitScript(() => addEventListener('DOMContentLoaded', () => {
-      for (const fur of document.querySelectorAll('wet-fur')) {
-        fur.quality = 'low';
-        Object.assign(fur.settings, { layers: 8, fins: false });
-      }
-    }));
-  },
+const lighten = () => addEventListener('DOMContentLoaded', () => {
+  for (const fur of document.querySelectorAll('wet-fur')) {
+    fur.quality = 'low';
+    Object.assign(fur.settings, { layers: 8, fins: false });
+  }
 });
+const open = ({ scripts = [], ...options }) => site.open('embed.html', { ...options, scripts: [...scripts, lighten] });
 const scrollY = (page) => page.evaluate(() => Math.round(window.scrollY));
 
 test('the page scrolls over an element with the wheel until it is clicked', async () => {
@@ -105,10 +100,8 @@ test('two elements share the program and nothing else; one that is removed gives
   let fetches = 0;
   const page = await open({
     viewport: { width: 480, height: 600 },
-    prepare: async (tab) => {
-      await tab.addInitScript(recordContexts);
-      tab.on('request', (request) => { if (request.url().endsWith('.wasm')) fetches++; });
-    },
+    scripts: [recordContexts],
+    prepare: (tab) => tab.on('request', (request) => { if (request.url().endsWith('.wasm')) fetches++; }),
   });
   await page.evaluate(() => document.getElementById('ring').scrollIntoView({ block: 'center' }));
   await page.waitForFunction(() => document.getElementById('ring').loaded);

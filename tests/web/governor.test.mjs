@@ -9,7 +9,7 @@ const site = startBrowser();
 const patience = 300000;
 
 /** Every draw of triangles of the page is repeated window.repeats times: real work, not a wait. */
-const repeatDraws = (page) => page.addInitScript(() => {
+const repeatDraws = () => {
   window.repeats = 1;
   const { drawElementsInstanced } = WebGL2RenderingContext.prototype;
   WebGL2RenderingContext.prototype.drawElementsInstanced = function repeated(...args) {
@@ -19,7 +19,7 @@ const repeatDraws = (page) => page.addInitScript(() => {
       drawElementsInstanced.apply(this, args);
     }
   };
-});
+};
 
 const open = (query, options) => site.open(`?ui=0&layers=16&src=sphere&dryRate=0&${query}`, { fast: false, ...options });
 const stats = (page) => withFur(page, (fur) => fur.stats);
@@ -39,7 +39,7 @@ const frameTime = (page) => withFur(page, async () => {
 });
 
 test('work is taken out of the picture while it is too slow, and comes back', { timeout: 1200000 }, async (t) => {
-  const page = await open('wind=1&motion=full&quality=auto', { prepare: repeatDraws });
+  const page = await open('wind=1&motion=full&quality=auto', { scripts: [repeatDraws] });
   // A budget that this machine holds with ease, whatever machine it is.
   await withFur(page, (fur) => { fur.frameBudget = 1000; });
   const easy = await frameTime(page);
@@ -72,7 +72,7 @@ test('a picture that stays is drawn once more, as well as it can be', { timeout:
 });
 
 test('a machine on which one whole frame takes long shows all of a picture that stays, in its own time', { timeout: 1200000 }, async (t) => {
-  const page = await open('wind=1&motion=full&quality=auto', { viewport: { width: 240, height: 180 }, prepare: repeatDraws });
+  const page = await open('wind=1&motion=full&quality=auto', { viewport: { width: 240, height: 180 }, scripts: [repeatDraws] });
   await withFur(page, (fur) => { fur.frameBudget = 4; });
   await page.waitForFunction(() => wetFur.stats.level > 2, null, { timeout: patience });
   // More and more work, until the best picture is out of reach at once. The time of a frame is that of some before it.
@@ -107,7 +107,7 @@ test('steps and saved pictures are the best there are, however slow the machine'
 });
 
 test('low, medium and high stay what they are', { timeout: 600000 }, async () => {
-  const page = await open('wind=1&motion=full&quality=low', { prepare: repeatDraws });
+  const page = await open('wind=1&motion=full&quality=low', { scripts: [repeatDraws] });
   await withFur(page, (fur) => { fur.frameBudget = 4; });
   await page.evaluate(() => { window.repeats = 4; });
   const { framesDrawn } = await stats(page);

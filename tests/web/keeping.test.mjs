@@ -151,7 +151,7 @@ test('a link wins over what is kept, which it leaves alone and offers', async ()
 
 test('a browser that keeps nothing says so once, asks before the page is left, and breaks nothing else', async () => {
   const page = await site.open(simple, {
-    prepare: (tab) => tab.addInitScript(() => { IDBFactory.prototype.open = () => { throw new DOMException('not in private windows', 'SecurityError'); }; }),
+    scripts: [() => { IDBFactory.prototype.open = () => { throw new DOMException('not in private windows', 'SecurityError'); }; }],
   });
   assert.equal(await message(page, 'does not keep').count(), 0, 'there is nothing to keep yet');
   await work(page);

@@ -7,6 +7,7 @@ import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 import { PNG } from 'pngjs';
 import { serve } from '../../tools/serve.mjs';
+import { Pages } from './pages.mjs';
 
 export const root = fileURLToPath(new URL('../../', import.meta.url));
 /** The folder under test; another one than dist/ when FUR_DIST names it. */
@@ -56,8 +57,8 @@ export const plain = 'quality=low&layers=8&fins=0&breath=0';
 export const light = `${plain}&ui=0`;
 
 /**
- * For addInitScript(). With `fast`, each frame comes a tenth of a second after the one before, as on a slow machine, but at
- * once: nobody waits for water to run and fur to settle. `untilStill(fur)` resolves when no frame is drawn any more.
+ * Runs before the page's scripts. With `fast`, each frame comes a tenth of a second after the one before, as on a slow
+ * machine, but at once: nobody waits for water to run and fur to settle. `untilStill(fur)` resolves when no frame is drawn any more.
  */
 function watchTime(fast) {
   const { requestAnimationFrame: frame, cancelAnimationFrame: cancelFrame, setTimeout: later, clearTimeout: cancelLater } = window;
@@ -110,21 +111,30 @@ function watchTime(fast) {
   };
 }
 
+/** Notes what the page's policy stops. */
+function noteViolations() {
+  window.violations = [];
+  document.addEventListener('securitypolicyviolation', (event) => window.violations.push(event.violatedDirective));
+}
+
 /**
  * Starts both before the tests of a file and stops them after; `always` are options of every page. Gives { url, open }:
- * `open(path, options)` opens a page in a context of its own and waits for the model. Its frames are tenths of a second, unless
- * `fast` is false.
+ * `open(path, options)` opens a page in a context that no other page of the test has, and waits for the model. Its frames are
+ * tenths of a second, unless `fast` is false. Functions in `scripts` run before the page's own scripts; `prepare(page)` sets
+ * routes and listeners. After a test its pages are used for others, but those with `keep`.
  */
 export function startBrowser({ headers = {}, subfolder = false, rasteriser = 'mesa', ...always } = {}) {
   const site = {};
   let browser;
   let server;
+  let pages;
   const open = new Set();
   const start = async () => {
     // From the folder above, dist/ is a sub-folder of the host.
     server = await serve({ folder: subfolder ? dirname(dist) : dist, extraHeaders: headers });
     browser = await launch(rasteriser);
     site.url = subfolder ? `${server.url}${basename(dist)}/` : server.url;
+    pages = new Pages(browser, new URL(site.url).origin);
   };
   let started;
   before(() => { started ??= start(); return started; });
@@ -133,30 +143,18 @@ export function startBrowser({ headers = {}, subfolder = false, rasteriser = 'me
     await server?.close();
   });
   // A page that is left open goes on drawing at the cost of the next.
-  afterEach(async () => {
-    await Promise.all([...open].map(async (context) => {
-      // What a test answers itself may still be asked for.
-      await Promise.all(context.pages().map((page) => page.unrouteAll({ behavior: 'ignoreErrors' })));
-      await context.close();
-    }));
+  afterEach(async ({ passed }) => {
+    const used = [...open];
     open.clear();
+    await Promise.all(used.map((one) => (passed ? pages.giveBack(one) : pages.close(one))));
   });
-  site.open = async (path, { wait = true, keep = false, fast = true, prepare, ...options } = {}) => {
+  site.open = async (path, { wait = true, keep = false, fast = true, scripts = [], prepare, ...options } = {}) => {
     await (started ??= start());
-    const context = await browser.newContext({ viewport, ...always, ...options });
-    if (!keep) open.add(context);
-    context.setDefaultTimeout(patience);
-    const page = await context.newPage();
-    const problems = [];
-    page.problems = problems;
-    page.on('pageerror', (error) => problems.push(`uncaught: ${error.message}`));
-    page.on('console', (message) => { if (message.type() === 'error') problems.push(`console: ${message.text()}`); });
-    await page.addInitScript(() => {
-      window.violations = [];
-      document.addEventListener('securitypolicyviolation', (event) => window.violations.push(event.violatedDirective));
-    });
-    await context.addInitScript(watchTime, fast);
-    await prepare?.(page, context);
+    const taken = await pages.take({ viewport, ...always, ...options, scripts: [noteViolations, `(${watchTime})(${fast})`, ...scripts] });
+    if (!keep) open.add(taken);
+    const { page } = taken;
+    page.context().setDefaultTimeout(patience);
+    await prepare?.(page);
     await page.goto(new URL(path, site.url).href);
     if (wait) await page.waitForFunction(() => document.querySelector('wet-fur').loaded);
     return page;
@@ -165,7 +163,7 @@ export function startBrowser({ headers = {}, subfolder = false, rasteriser = 'me
 }
 
 /**
- * For addInitScript(): notes every context that elements make, and what is in it. `contextsAlive()` and `contextsOf()` count
+ * For `scripts`: notes every context that elements make, and what is in it. `contextsAlive()` and `contextsOf()` count
  * those that are left and all; `contextsHeld()` what they and their JavaScript objects hold; `programMemory()` the bytes of
  * the programs; `newestContext()` is the last that was made.
  */

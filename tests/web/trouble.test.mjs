@@ -14,12 +14,12 @@ const visibleMessage = async (page) => {
 test('without WebGL2 the page says so', async () => {
   const page = await site.open('?ui=0', {
     wait: false,
-    prepare: (tab) => tab.addInitScript(() => {
+    scripts: [() => {
       const original = OffscreenCanvas.prototype.getContext;
       OffscreenCanvas.prototype.getContext = function getContext(type, ...rest) {
         return type === 'webgl2' ? null : original.call(this, type, ...rest);
       };
-    }),
+    }],
   });
   assert.match(await visibleMessage(page), /WebGL2/);
   assert.equal(await withFur(page, (fur) => fur.state), 'unsupported');
@@ -40,7 +40,7 @@ test('where the policy blocks WebAssembly the page says so', async () => {
 });
 
 test('without WebAssembly the page says so', async () => {
-  const page = await site.open('', { wait: false, prepare: (tab) => tab.addInitScript(() => { delete globalThis.WebAssembly; }) });
+  const page = await site.open('', { wait: false, scripts: [() => { delete globalThis.WebAssembly; }] });
   assert.match(await visibleMessage(page), /WebAssembly/);
 });
 
@@ -79,10 +79,10 @@ test('a src that is not there is a network error that says what would be, and le
 
 test('progress counts the bytes and only ever rises', async () => {
   const page = await site.open(`?${light}`, {
-    prepare: (tab) => tab.addInitScript(() => {
+    scripts: [() => {
       window.seen = [];
       addEventListener('progress', (event) => { if (event.detail) window.seen.push(event.detail); }, true);
-    }),
+    }],
   });
   const seen = await page.evaluate(() => window.seen);
   const program = seen.filter((one) => one.stage === 'program');
@@ -92,7 +92,7 @@ test('progress counts the bytes and only ever rises', async () => {
 });
 
 test('a lost context comes back with water, settings and camera as they were', async () => {
-  const page = await site.open(`?${light}&dryRate=0&furLength=0.2`, { prepare: (tab) => tab.addInitScript(recordContexts) });
+  const page = await site.open(`?${light}&dryRate=0&furLength=0.2`, { scripts: [recordContexts] });
   await withFur(page, (fur) => { fur.splash({ x: 240, y: 200 }); fur.cameraOrbit = '1 0.3 3'; });
   await untilStill(page);
   const before = await picture(page);
@@ -112,7 +112,7 @@ test('a lost context comes back with water, settings and camera as they were', a
 });
 
 test('while the browser has no context to give the page says so, and it comes back by itself', async () => {
-  const page = await site.open(`?${light}`, { prepare: (tab) => tab.addInitScript(recordContexts) });
+  const page = await site.open(`?${light}`, { scripts: [recordContexts] });
   await withFur(page, (fur) => {
     fur.setWetness(0.4);
     const original = OffscreenCanvas.prototype.getContext;
@@ -135,7 +135,7 @@ test('while the browser has no context to give the page says so, and it comes ba
 });
 
 test('a type set is still the coat after its context was lost', async () => {
-  const page = await site.open(`?${light}&src=torus`, { prepare: (tab) => tab.addInitScript(recordContexts) });
+  const page = await site.open(`?${light}&src=torus`, { scripts: [recordContexts] });
   const seen = await withFur(page, async (fur) => {
     const given = await fur.saveTypeSet();
     await fur.loadTypeSet(given);
