@@ -63,7 +63,7 @@ export const light = `${plain}&ui=0`;
 function watchTime(fast) {
   const { requestAnimationFrame: frame, cancelAnimationFrame: cancelFrame, setTimeout: later, clearTimeout: cancelLater } = window;
   const soon = 400;  // ms: what is asked for later than that draws nothing
-  const expected = new Set();
+  const frames = new Set(), timers = new Set();  // that are asked for
   let shown = 0, clock = 0;
   const clockAt = (time) => {
     if (time !== shown) clock = Math.max(clock + 100, time);
@@ -72,26 +72,26 @@ function watchTime(fast) {
   };
   window.requestAnimationFrame = (work) => {
     const id = frame((time) => {
-      expected.delete(`frame ${id}`);
+      frames.delete(id);
       work(fast ? clockAt(time) : time);
     });
-    expected.add(`frame ${id}`);
+    frames.add(id);
     return id;
   };
   window.cancelAnimationFrame = (id) => {
-    expected.delete(`frame ${id}`);
+    frames.delete(id);
     cancelFrame(id);
   };
   window.setTimeout = (work, milliseconds = 0, ...given) => {
     const id = later((...all) => {
-      expected.delete(id);
+      timers.delete(id);
       work(...all);
     }, milliseconds, ...given);
-    if (milliseconds <= soon) expected.add(id);
+    if (milliseconds <= soon) timers.add(id);
     return id;
   };
   window.clearTimeout = (id) => {
-    expected.delete(id);
+    timers.delete(id);
     cancelLater(id);
   };
   const look = () => new Promise((resolve) => { frame(() => later(resolve, 20)); });
@@ -103,9 +103,9 @@ function watchTime(fast) {
       await look();
       const isStill = drawnNow() === drawn;
       if (!isStill) since = performance.now();
-      looks = isStill && expected.size === 0 ? looks + 1 : 0;
-      // Of a second that goes by only the end is drawn.
-      if (fast && looks === 0 && fur.state === 'ready' && !fur.paused) fur.step(0.1, 9);
+      looks = isStill && frames.size + timers.size === 0 ? looks + 1 : 0;
+      // Of a second that goes by only the end is drawn. What waits for a timer a step would put off.
+      if (fast && frames.size > 0 && fur.state === 'ready' && !fur.paused) fur.step(0.1, 9);
     }
     return drawnNow();
   };
