@@ -6,7 +6,7 @@ import { difference, light, picture, startBrowser, untilStill, withFur } from '.
 const site = startBrowser();
 
 test('every view is drawn in WebGL, wet and with fins, and leaves the picture as it was', async () => {
-  const page = await site.open(`?${light}&view=exploded&viewLayer=0.3&fins=1&dryRate=0`);
+  const page = await site.open(`?${light}&view=exploded&viewLayer=0.3&fins=1&shadows=depth&dryRate=0`);
   assert.deepEqual(await withFur(page, (fur) => [fur.view, fur.viewLayer]), ['exploded', 0.3]);
   const views = await withFur(page, (fur) => {
     fur.pause();
