@@ -30,14 +30,13 @@ const drawAll = (fur, { state, wetness, after, distances }) => {
   fur.setWetness(wetness);
   for (const [seconds, step] of after) {
     time += seconds;
-    const now = `${state}, ${time} s`;
-    console.debug(now);  // the last words of a page that hangs
-    if (seconds) fur.step(step, Math.round(seconds / step));
+    let steps = seconds && Math.round(seconds / step);
     for (const [name, distance] of Object.entries(distances)) {
-      const picture = `${now}, ${name}`;
-      console.debug(picture);
+      const picture = `${state}, ${time} s, ${name}`;
+      console.debug(picture);  // the last words of a page that hangs
       fur.cameraOrbit = `0.6 0.2 ${distance}`;
-      fur.step(0, 0);
+      fur.step(step, steps);
+      steps = 0;
       pixel.drawImage(fur.shadowRoot.querySelector('canvas'), 0, 0);
       pixel.getImageData(0, 0, 1, 1);
       if (fur.state !== 'ready') lost.push(picture);
