@@ -66,7 +66,9 @@ fur_program(wet-fur-make-assets SOURCES assets/*.cpp LINK fur_scene fur_wet)
 if(EMSCRIPTEN)
   fur_node_program(wet-fur-make-assets -sNODERAWFS=1)
   fur_web_program(wet-fur SOURCES web/*.cpp LINK fur_app)
-  fur_web_program(wet-fur-editor SOURCES web/*.cpp web/editor/*.cpp LINK fur_app_editor)
+  # The same with long hair, for models that have some.
+  fur_web_program(wet-fur-hair SOURCES web/*.cpp web/hair/*.cpp LINK fur_app)
+  fur_web_program(wet-fur-editor SOURCES web/*.cpp web/hair/*.cpp web/editor/*.cpp LINK fur_app_editor)
   # What a visitor of the viewer need not download, and those who draw nothing need not take with the rest.
   fur_web_program(wet-fur-core SOURCES web/Boundary.cpp web/SettingsBindings.cpp web/core/*.cpp LINK fur_scene fur_hair)
   target_link_options(wet-fur-core PRIVATE -sEXPORTED_RUNTIME_METHODS=HEAPU8)

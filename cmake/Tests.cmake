@@ -62,12 +62,18 @@ if(FUR_CPU_TESTS)
   endif()
 endif()
 
-# tests/bench/water.cpp; no test, and not built with them.
-add_executable(wet-fur-water-bench EXCLUDE_FROM_ALL "${CMAKE_SOURCE_DIR}/tests/bench/water.cpp")
-target_link_libraries(wet-fur-water-bench PRIVATE fur_wet)
-if(EMSCRIPTEN)
-  fur_node_program(wet-fur-water-bench)
-endif()
+# tests/bench/water.cpp and hair.cpp; no tests, and not built with them.
+foreach(bench water:wet hair:hair)
+  string(REPLACE ":" ";" bench "${bench}")
+  list(GET bench 0 name)
+  list(GET bench 1 module)
+  add_executable(wet-fur-${name}-bench EXCLUDE_FROM_ALL "${CMAKE_SOURCE_DIR}/tests/bench/${name}.cpp")
+  target_include_directories(wet-fur-${name}-bench PRIVATE "${CMAKE_SOURCE_DIR}" "${CMAKE_SOURCE_DIR}/tests")
+  target_link_libraries(wet-fur-${name}-bench PRIVATE fur_${module})
+  if(EMSCRIPTEN)
+    fur_node_program(wet-fur-${name}-bench)
+  endif()
+endforeach()
 
 if(FUR_GL_TESTS AND NOT EMSCRIPTEN AND TARGET third_party_egl AND TARGET fur_app)
   # The tests draw through the context of the windowless program, and test its image reader.

@@ -19,7 +19,7 @@ export function buildNative(...programs) {
 }
 
 /** The programs of dist/, and the one that makes its models. */
-export const siteTargets = ['wet-fur-make-assets', 'wet-fur', 'wet-fur-editor', 'wet-fur-core'];
+export const siteTargets = ['wet-fur-make-assets', 'wet-fur', 'wet-fur-hair', 'wet-fur-editor', 'wet-fur-core'];
 
 /** Brings dist/ up to date. */
 export async function buildSite() {

@@ -23,19 +23,20 @@ export const arrows = {
   'src/groom': [...fields, 'dynamics'],
   'src/wet': [...fields, 'shared/Wet.h'],
   'src/dynamics': fields,
-  'src/hair': fields,
+  // Scalps are maps as a groom's are; of dynamics the wind and four numbers at a time.
+  'src/hair': [...fields, 'groom', 'dynamics/Wind.h', 'dynamics/Lanes.h'],
   'src/scene': [...pure, ...importers],
   // The reference renderer reads the very numbers that the shaders are given, and no more of render.
   'src/truth': [...fields, 'furgen', 'dynamics', 'hair', 'shared'],
   'src/gl': ['core', 'gles', 'emscripten'],
   // Of wet and hair only what a picture is made of: never a solver.
-  'src/render': [...fields, 'furgen', 'groom', 'scene', 'wet/Drop.h', 'wet/MaskTexels.h', 'wet/Puddles.h', 'hair/Marschner.h', 'gl', 'shared'],
+  'src/render': [...fields, 'furgen', 'groom', 'scene', 'wet/Drop.h', 'wet/MaskTexels.h', 'wet/Puddles.h', 'hair/Marschner.h', 'hair/HairValues.h', 'hair/MemberStrands.h', 'hair/Wisps.h', 'gl', 'shared'],
   // The table of tools, which the panel reads as well as the app.
   'src/app/tools': ['core'],
   'src/app/commands': [...fields, 'groom', 'wet', 'app/tools'],
   // A stage knows no renderer and no GL.
   'src/app/stages': [...pure, 'app/tools', 'app/commands'],
-  'src/editor': ['core', 'settings', 'scene', 'app/tools', 'imgui'],
+  'src/editor': ['core', 'settings', 'scene', 'hair/HairFields.h', 'hair/HairValues.h', 'app/tools', 'imgui'],
   'src/app': [...pure, ...importers, 'gl', 'render', ...wiring],
   'src/app/editor': [...pure, ...importers, 'gl', 'render', 'editor', 'app', ...wiring, 'imgui'],
   // wet-fur/core offers the pure modules by themselves, without an app around them.

@@ -9,7 +9,7 @@ import { drawingOf, makeTables, pageText, typingsText, withEndings } from './tab
 
 export const dist = join(root, 'dist');
 
-const programs = ['wet-fur.mjs', 'wet-fur.wasm', 'wet-fur-editor.mjs', 'wet-fur-editor.wasm', 'wet-fur-core.mjs', 'wet-fur-core.wasm'];
+const programs = ['wet-fur.mjs', 'wet-fur.wasm', 'wet-fur-hair.mjs', 'wet-fur-hair.wasm', 'wet-fur-editor.mjs', 'wet-fur-editor.wasm', 'wet-fur-core.mjs', 'wet-fur-core.wasm'];
 const notForSite = new Set(['.cpp', '.h', '.inc', '.js', '.md']);
 const icons = join(root, 'web/icons');  // they stand in the page
 

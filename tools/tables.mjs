@@ -18,10 +18,11 @@ const tables = {
   otherFormats: { file: 'src/scene/Formats.inc', macro: 'FUR_FORMAT', columns: ['id', 'kind', 'endings', 'mimeType', 'savedAs'] },
   platformCommands: { file: 'src/app/editor/PlatformCommands.inc', macro: 'FUR_PLATFORM_COMMAND', columns: ['id', 'where', 'doc'] },
   presets: { file: 'assets/Presets.inc', macro: 'FUR_PRESET', columns: ['name', 'label', 'tooltip', 'values'] },
+  hairEdits: { file: 'src/app/tools/HairEdits.inc', macro: 'FUR_HAIR_EDIT', columns: ['id', 'name', 'doc'] },
   groomEdits: { file: 'src/app/tools/GroomEdits.inc', macro: 'FUR_GROOM_EDIT', columns: ['id', 'name', 'masked', 'doc'] },
 };
 
-const fieldsFile = 'src/settings/Fields.inc';
+const fieldsFile = 'src/settings/Fields.inc', hairFieldsFile = 'src/hair/HairFields.inc';
 const fieldColumns = {
   FUR_FLOAT: ['name', 'label', 'group', 'default', 'min', 'max', 'unit', 'tooltip'],
   FUR_INT: ['name', 'label', 'group', 'default', 'min', 'max', 'unit', 'tooltip'],
@@ -68,7 +69,7 @@ function fieldsOf(text) {
 
 /** @param {(file: string) => string} read the text of a file of the tree */
 export function readTables(read = (file) => readFileSync(join(root, file), 'utf8')) {
-  return { ...Object.fromEntries(Object.entries(tables).map(([name, table]) => [name, rowsOf(read(table.file), table)])), fields: fieldsOf(read(fieldsFile)) };
+  return { ...Object.fromEntries(Object.entries(tables).map(([name, table]) => [name, rowsOf(read(table.file), table)])), fields: fieldsOf(read(fieldsFile)), hairFields: fieldsOf(read(hairFieldsFile)) };
 }
 
 /** Rows of { ending, kind, mimeType }, in the order of the table. */
@@ -130,15 +131,19 @@ const choices = (fields) => [...new Map(fields.filter(({ options }) => options).
 const fieldMember = (field) => `  /** ${field.tooltip}. */\n  ${field.name}: ${typesOfFields[field.macro] ?? choiceType(field)};\n`;
 
 /** types/tables.d.ts. */
-export function typingsText({ tools, groomEdits, methods, queries, fields, presets }) {
+export function typingsText({ tools, groomEdits, hairEdits, methods, queries, fields, hairFields, presets }) {
   return `// Made by tools/tables.mjs.
 
 /** "#rrggbb", sRGB. */
 export type Color = string;
-${choices(fields)}
+${choices([...fields, ...hairFields])}
 /** Everything a person can change. Out-of-range values are clamped with a warning. */
 export interface FurSettings {
 ${fields.map(fieldMember).join('')}}
+
+/** The numbers of one scalp's long hair. */
+export interface HairValues {
+${hairFields.map(fieldMember).join('')}}
 
 export type PresetName =${union(presets)};
 
@@ -151,6 +156,11 @@ export type Tool =${union(tools)};
  * What WetFurApi.groom() does all over the model.
 ${list(groomEdits, ({ doc }) => doc)} */
 export type GroomEdit =${union(groomEdits)};
+
+/**
+ * What WetFurApi.hair() does to long hair.
+${list(hairEdits, ({ doc }) => doc)} */
+export type HairEdit =${union(hairEdits)};
 
 /** What WetFurApi passes on to the program as it is. */
 export interface WetFurMethods {

@@ -152,6 +152,12 @@ FUR_EXPORT int fur_restoreWater(App* app, const std::uint8_t* bytes, std::uint32
 }
 // --- groom ---
 
+FUR_EXPORT std::uint32_t fur_saveHair(App* app) {
+  return guarded([&] { return web::keepSaved(app->saveHair()); });
+}
+FUR_EXPORT int fur_restoreHair(App* app, const std::uint8_t* bytes, std::uint32_t size, int undoable) {
+  return guarded([&] { return web::report(app->restoreHair({bytes, size}, undoable != 0)); });
+}
 FUR_EXPORT int fur_restoreGroom(App* app, const std::uint8_t* bytes, std::uint32_t size, int undoable) {
   return guarded([&] { return web::report(app->restoreGroom({bytes, size}, undoable != 0)); });
 }

@@ -123,6 +123,7 @@ function importModel(program, bytes, { name = 'model', files = {} } = {}) {
 function equationsOf(program) {
   const number = (name) => (...args) => program.call(name, ...args.flat());
   const truth = (name) => (...args) => program.call(name, ...args.flat()) !== 0;
+  const vector = (name) => (...args) => program.numbers(program.call(name, ...args.flat()), 3);
   const pair = (name) => (...args) => program.numbers(program.call(name, ...args), 2);
   return Object.freeze({
     clumpProfile: number('fur_eqClumpProfile'),
@@ -143,6 +144,9 @@ function equationsOf(program) {
     marschnerN: number('fur_eqMarschnerN'),
     transmittance: number('fur_eqTransmittance'),
     opacityLookup: (layers, z, dz) => program.call('fur_eqOpacityLookup', Float64Array.from(layers), layers.length, z, dz),
+    verletStep: vector('fur_eqVerletStep'),
+    springStiffness: number('fur_eqSpringStiffness'),
+    tiltStiffness: number('fur_eqTiltStiffness'),
   });
 }
 

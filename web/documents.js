@@ -9,6 +9,7 @@ const mostBytes = 64 * 1024 * 1024;
  * @property {{ name: string, bytes: Uint8Array } | null} typeSet the coat, where it comes from a file
  * @property {string} state
  * @property {Uint8Array} groom
+ * @property {Uint8Array} [hair]
  * @property {Uint8Array} water
  * @property {object} [camera] to the last digit
  * @property {Uint8Array} [history]
@@ -17,7 +18,7 @@ const mostBytes = 64 * 1024 * 1024;
 /** What several of them share counts once. */
 function bytesOf(documents) {
   const parts = documents.flatMap((one) => (one
-    ? [one.groom, one.water, one.history, one.typeSet?.bytes, one.source.bytes, ...one.source.files.values()] : []));
+    ? [one.groom, one.hair, one.water, one.history, one.typeSet?.bytes, one.source.bytes, ...one.source.files.values()] : []));
   return [...new Set(parts)].reduce((sum, part) => sum + (part?.byteLength ?? 0), 0);
 }
 

@@ -25,7 +25,7 @@ export class Editing {
   open(open) {
     const session = this.#session;
     session.options.editor = open;
-    this.#switching = this.#switching.then(() => this.#moveTo(open ? 'editor' : 'viewer'))
+    this.#switching = this.#switching.then(() => this.#moveTo(open ? 'editor' : this.#session.hadHair || this.#session.app?.haired ? 'hair' : 'viewer'))
       .catch((error) => {
         session.options.editor = session.panel !== null;
         const known = asFurError(error, 'wasm-load');
@@ -34,28 +34,16 @@ export class Editing {
     return this.#switching;
   }
 
-  /** The scene moves over to the other program, in a module instance of its own on the same context. */
   async #moveTo(which) {
     const session = this.#session;
     if (which === session.program || !session.loaded) return;
-    const program = await this.#instantiate(which);
     const { EditorPanel } = which === 'editor' ? await import('./editor.js') : {};
-    if (!session.app) return;
-    const old = session.app;
-    const { tool } = old;
-    const document = { ...this.#loading.document, history: old.saveHistory() };
-    session.panel?.dispose();
-    session.panel = null;
-    session.screen.giveBack();
-    const app = new FurApp(program);
-    this.#loading.adopt(app);
-    this.#loading.putBack(app, document);
-    app.tool = tool;
-    old.destroy();
-    session.program = which;
+    const { tool } = session.app;
+    if (!await this.#loading.moveTo(which, 'editor')) return;
+    session.app.tool = tool;
     if (EditorPanel) {
       const { width, height, pixelRatio } = session.screen;
-      session.panel = new EditorPanel(app, session.canvas, this.#host);
+      session.panel = new EditorPanel(session.app, session.canvas, this.#host);
       session.panel.resize(width, height, pixelRatio);
     }
     this.#frames.drawNow();
@@ -81,6 +69,20 @@ export class Editing {
     } finally {
       copy.destroy();
     }
+  }
+
+  /** The same where it changes long hair. */
+  async hairInWorkshop(work) {
+    const done = await this.inWorkshop((app) => {
+      work(app);
+      return app === this.#session.app ? null : { hair: app.hair, warnings: app.takeWarnings() };
+    });
+    if (done) {
+      if (done.hair.byteLength) await this.#moveTo(this.#session.program === 'viewer' ? 'hair' : this.#session.program);
+      this.#session.app.restoreHair(done.hair, true);
+      for (const warning of done.warnings) this.#session.warn(warning);
+    }
+    this.#frames.afterChange();
   }
 
   /** The same where it changes the groom. */

@@ -104,12 +104,16 @@ export class FurApp {
   /** As bytes, for another program with the same model. */
   get groom() { return this.#saved('fur_saveGroom'); }
   restoreGroom(bytes, undoable) { this.#callOrThrow('fur_restoreGroom', bytes, bytes.byteLength, undoable ? 1 : 0); }
+  /** The same of long hair; without any there are none. */
+  get hair() { return this.haired ? this.#saved('fur_saveHair') : new Uint8Array(); }
+  restoreHair(bytes, undoable) { this.#callOrThrow('fur_restoreHair', bytes, bytes.byteLength, undoable ? 1 : 0); }
   // These are in the editor's program only.
   saveTypeSet() { return this.#saved('fur_saveTypeSet'); }
   saveFo() { return this.#saved('fur_saveFo'); }
   get lostBySaving() { return this.program.lines(this.#call('fur_lostBySaving')); }
   saveScene() { return this.#saved('fur_saveScene'); }
   groomAll(edit, value, [x, y, z]) { this.#call('fur_groomAll', edit, value, x, y, z); }
+  editHair(edit, value, [x, y, z]) { this.#call('fur_editHair', edit, value, x, y, z); }
   groomFromImage(what, name, { width, height, data }) { this.#callOrThrow('fur_groomFromImage', what, name, width, height, data); }
   /** {u, v} of the surface under the pixel, or null. */
   pick(x, y) {

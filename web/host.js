@@ -219,6 +219,16 @@ export class WetFur extends EventTarget {
     this.#app.clearGroom();
     this.#frames.afterChange();
   }
+  /** Long hair: the edits of app/tools/HairEdits.inc. */
+  async hair(edit, value = 1, direction = [0, 0, 0]) {
+    await this.ready;
+    return this.#editing.hairInWorkshop((app) => app.editHair(edit, value, direction));
+  }
+  setHairValue(scalp, name, value) {
+    this.#app?.setHairValue(scalp, name, String(value));
+    this.#frames.afterChange();
+  }
+  get scalps() { return this.loaded ? JSON.parse(this.#app.scalps) : []; }
   /** An image in the model's texture coordinates: black is bald. */
   async loadLengthMap(image) { await this.#loadGroomImage(0, 'length', image); }
   /** The same: red, green and blue are the presence of the fur types 2, 3 and 4. */

@@ -33,8 +33,9 @@ export async function preload(onBytes) {
 }
 
 /** Where the files lie when they are not beside the scripts; call it before the first element loads. */
-export function configure({ wasmUrl, editorWasmUrl, coreWasmUrl, modelsUrl } = {}) {
+export function configure({ wasmUrl, hairWasmUrl, editorWasmUrl, coreWasmUrl, modelsUrl } = {}) {
   if (wasmUrl) setWasmUrl('viewer', wasmUrl);
+  if (hairWasmUrl) setWasmUrl('hair', hairWasmUrl);
   if (editorWasmUrl) setWasmUrl('editor', editorWasmUrl);
   if (coreWasmUrl) setWasmUrl('core', coreWasmUrl);
   if (modelsUrl) setModelsUrl(modelsUrl);

@@ -70,7 +70,7 @@ export class Loading {
   /** All there is to keep of the scene, for openDocument(). @returns {import('./documents.js').Document} */
   get document() {
     const { app, source, typeSet } = this.#session;
-    return { source, typeSet: app.coatGiven ? typeSet : null, state: app.state, camera: app.camera, groom: app.groom, water: app.water };
+    return { source, typeSet: app.coatGiven ? typeSet : null, state: app.state, camera: app.camera, groom: app.groom, hair: app.hair, water: app.water };
   }
   openDocument(document) {
     const { source } = document;
@@ -116,7 +116,7 @@ export class Loading {
       this.progress('fur', 0, 1);
       await breathe();
       if (isStale()) return;
-      await this.#show(source, document);
+      await this.#showWithHair(source, document);
     } catch (error) {
       if (isStale()) return;
       throw this.failed(asFurError(error, error instanceof RangeError ? 'out-of-memory' : 'bad-file'));
@@ -134,6 +134,28 @@ export class Loading {
       .then((program) => this.adopt(new FurApp(program)))
       .finally(() => { this.#starting = this.#session.app ? this.#starting : null; });
     await this.#starting;
+  }
+
+  /**
+   * The scene, if there is one, moves over to another program, in a module instance of its own on the same context. Whether it
+   * has: it may be disposed of meanwhile. @param {'viewer' | 'hair' | 'editor'} which @param {string} part that progress is told of
+   */
+  async moveTo(which, part) {
+    const session = this.#session;
+    const program = await instantiateProgram(which, (loaded, total) => this.progress(part, loaded, total));
+    const old = session.app;
+    if (!old) return false;
+    const document = session.loaded && { ...this.document, history: old.saveHistory() };
+    session.panel?.dispose();
+    session.panel = null;
+    session.screen.giveBack();
+    const app = new FurApp(program);
+    this.adopt(app);
+    if (document) this.putBack(app, document);
+    old.destroy();
+    session.program = which;
+    session.hadHair ||= which === 'hair' || Boolean(document?.hair?.byteLength);
+    return true;
   }
 
   /** It takes the place of the one that is there. */
@@ -161,6 +183,18 @@ export class Loading {
 
   // --- showing ---
 
+  /** The same; where there is long hair, which the viewer's program does not grow, in the one that does. */
+  async #showWithHair(source, document) {
+    const grows = () => this.#session.program !== 'viewer';
+    if (document?.hair?.byteLength && !grows()) await this.moveTo('hair', 'program');
+    try {
+      await this.#show(source, document);
+    } catch (error) {
+      if (error.code !== 'long-hair' || grows() || !await this.moveTo('hair', 'program')) throw error;
+      await this.#show(source, document);
+    }
+  }
+
   /** In place of the one that is there, which undo brings back. */
   async #show(source, document) {
     const { app, loaded } = this.#session;
@@ -179,7 +213,7 @@ export class Loading {
   }
 
   /** In an app of this or another program. What cannot be read of it is left out with a warning. */
-  putBack(app, { source, typeSet, state, camera, groom, water, history, brings = false }) {
+  putBack(app, { source, typeSet, state, camera, groom, hair, water, history, brings = false }) {
     const put = (what, work) => {
       try {
         work();
@@ -193,6 +227,7 @@ export class Loading {
     if (!camera) app.resetCamera();
     loadInto(app, source, !brings);
     if (groom) put('groom', () => app.restoreGroom(groom, false));
+    if (hair) put('hair', () => app.restoreHair(hair, false));
     if (typeSet) put('coat', () => app.loadTypeSet(typeSet.bytes, typeSet.name));
     if (water) put('water', () => { app.water = water; });
     if (history) put('history', () => app.restoreHistory(history));

@@ -15,6 +15,8 @@ const programs = {
     glue: () => import('./wet-fur-editor.mjs'),
     script: './wet-fur-editor.mjs',
   },
+  // The viewer with long hair.
+  hair: { wasm: new URL('./wet-fur-hair.wasm', import.meta.url), glue: () => import('./wet-fur-hair.mjs'), script: './wet-fur-hair.mjs' },
   // Its glue is core.js's to import: pages without it need not even name it.
   core: { wasm: new URL('./wet-fur-core.wasm', import.meta.url), script: './wet-fur-core.mjs' },
 };
@@ -68,7 +70,7 @@ async function importGlue(which) {
 
 /**
  * Fetches and compiles; the work is shared by every caller, and thrown away when it failed.
- * @param {'viewer'|'editor'|'core'} which
+ * @param {'viewer'|'hair'|'editor'|'core'} which
  * @param {(loaded: number, total: number) => void} [onBytes] total is 0 when unknown
  */
 export function compileProgram(which, onBytes) {

@@ -18,8 +18,10 @@ export class Session {
   app = null;
   /** @type {import('./editor.js').EditorPanel | null} */
   panel = null;
-  /** Which program `app` is in: 'viewer' or 'editor'. */
+  /** Which program `app` is in: 'viewer', 'hair' (the viewer with long hair) or 'editor'. */
   program = 'viewer';
+  /** Whether a model here has had long hair: undo may lead back to it. */
+  hadHair = false;
   /** The model that is shown. @type {import('./models.js').ModelSource | null} */
   source = null;
   /** The file of the coat that is shown, while it comes from one. */

@@ -33,6 +33,9 @@ constexpr const char* kUsage = R"(usage: wet-fur-render [model] -o out.png [opti
   --type-map FILE       one whose red, green and blue are the presence of the fur types 2 to 4
   --groom EDIT[,VALUE[,X,Y,Z]]  all over the model (several allowed, in order): length, invert, vary, type, comb, raise,
                         size, selectType and others, as the element's groom() has them
+  --hair EDIT[,VALUE[,X,Y,Z]]  long hair (several allowed, in order): addScalp, cover, plant and others, as the element's
+                        hair() has them
+  --hair-value NAME=VALUE  a value of the selected scalp's hair (several allowed, in order with --hair)
   --size WxH            pixels, 16x16 to 8192x8192 (default 1280x720)
   --transparent         without background and ground, with the alpha of strands at the outline
   --turntable N         N pictures, 2 to 3600, of one turn of the camera, out-000.png and so on; between them goes by what
@@ -59,6 +62,14 @@ struct GroomStep {
   Vec3 direction{0, -1, 0};
 };
 
+// An edit, or a value of the selected scalp.
+struct HairStep {
+  std::optional<app::HairEdit> edit;
+  std::string name{}, text{};
+  float value = 1;
+  Vec3 direction{0};
+};
+
 struct Hold {
   std::string tool;
   float seconds = 0;
@@ -76,6 +87,7 @@ struct Options {
   std::vector<Hold> holds;
   std::vector<float> camera;
   std::vector<GroomStep> grooms;
+  std::vector<HairStep> hairs;
   std::vector<std::pair<std::string, std::string>> fields;
 };
 
@@ -92,12 +104,14 @@ bool readNumbers(const std::string& text, char separator, std::vector<float>& ou
   return true;
 }
 
-bool readGroom(const std::string& text, std::vector<GroomStep>& out) {
+// EDIT[,VALUE[,X,Y,Z]] as a step of `out`; `named`: the edit of a name.
+template <class Step, class Named>
+bool readEdit(const std::string& text, Named named, std::vector<Step>& out) {
   const std::size_t comma = std::min(text.find(','), text.size());
-  const auto edit = app::groomEditNamed(text.substr(0, comma));
+  const auto edit = named(text.substr(0, comma));
   std::vector<float> n;
   if (!edit || (comma < text.size() && !readNumbers(text.substr(comma + 1), ',', n))) return false;
-  GroomStep step{*edit};
+  Step step{*edit};
   if (!n.empty()) step.value = n[0];
   if (n.size() == 4) step.direction = {n[1], n[2], n[3]};
   out.push_back(step);
@@ -164,7 +178,13 @@ std::string readOption(const std::string& name, const std::string& value, Option
   } else if (name == "--hold") {
     if (!readHold(value, o.holds)) return "--hold " + value + ": expected TOOL,SECONDS or TOOL,SECONDS,X,Y";
   } else if (name == "--groom") {
-    if (!readGroom(value, o.grooms)) return "--groom " + value + ": expected EDIT, EDIT,VALUE or EDIT,VALUE,X,Y,Z";
+    if (!readEdit(value, app::groomEditNamed, o.grooms)) return "--groom " + value + ": expected EDIT, EDIT,VALUE or EDIT,VALUE,X,Y,Z";
+  } else if (name == "--hair") {
+    if (!readEdit(value, app::hairEditNamed, o.hairs)) return "--hair " + value + ": expected EDIT, EDIT,VALUE or EDIT,VALUE,X,Y,Z";
+  } else if (name == "--hair-value") {
+    const std::size_t equals = value.find('=');
+    if (equals == std::string::npos) return "--hair-value " + value + ": expected NAME=VALUE";
+    o.hairs.push_back({{}, value.substr(0, equals), value.substr(equals + 1)});
   } else if (name.rfind("--", 0) == 0 && settings::findField(name.substr(2))) {
     o.fields.emplace_back(name.substr(2), value);
   } else {
@@ -197,6 +217,10 @@ Status setUp(app::App& app, const Options& o, const char* program) {
   if (!o.typeMap.empty())
     if (Status status = native::loadGroomImage(app, groom::ImageOf::Types, o.typeMap); !status) return status;
   for (const GroomStep& step : o.grooms) app.groomAll(step.edit, step.value, step.direction);
+  for (const HairStep& step : o.hairs) {
+    if (step.edit) app.editHair(*step.edit, step.value, step.direction);
+    else if (Status status = app.setHairValue(static_cast<int>(app.selectedScalp()), step.name, step.text); !status) return status;
+  }
   // After the settings: a change of theirs would grow a coat in its place.
   return o.typeSet.empty() ? Status(Done{}) : native::loadTypeSet(app, o.typeSet);
 }

@@ -131,12 +131,12 @@ class Session {
   struct Kept {
     std::string scene, state;
     app::CameraOrbit camera;
-    std::vector<std::uint8_t> groom, water, history;
+    std::vector<std::uint8_t> groom, hair, water, history;
     std::vector<std::uint8_t> typeSet;  // of a coat that was read from a file
-    std::size_t bytes() const { return groom.size() + water.size() + history.size() + typeSet.size(); }
+    std::size_t bytes() const { return groom.size() + hair.size() + water.size() + history.size() + typeSet.size(); }
   };
   Kept keep(bool leaves) const {
-    return {shown_, app_.state(), app_.camera(), app_.saveGroom(), app_.saveWater(), app_.saveHistory(leaves),
+    return {shown_, app_.state(), app_.camera(), app_.saveGroom(), app_.saveHair(), app_.saveWater(), app_.saveHistory(leaves),
             app_.coatGiven() ? app_.saveTypeSet() : std::vector<std::uint8_t>()};
   }
 
@@ -181,6 +181,7 @@ class Session {
     check(app_.setState(next.state));
     if (!next.typeSet.empty()) check(app_.loadTypeSet(next.typeSet, "coat.fts"));
     check(app_.restoreGroom(next.groom));
+    check(app_.restoreHair(next.hair));
     check(app_.restoreWater(next.water));
     check(app_.restoreHistory(next.history));
     app_.setCamera(next.camera);

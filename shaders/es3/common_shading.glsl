@@ -102,8 +102,7 @@ float glossShare(float nDotL) { return clamp(1.6 * nDotL + 0.6, 0.0, 1.0); }
 // C_s: a white lobe, mirrored on the scales, and a wider one that went through the strand and has its colour;
 // or Marschner's model, which has all light that goes through strands. L and V point away from the strand.
 // `lit` is the share of the light that reaches the spot, `strand` the strand's random number (its variance).
-vec3 shadeStrand(vec3 albedo, vec3 T, vec3 L, vec3 V, float h, float rho, float lit, float upness, float strand) {
-  float exponent = max(mix(dryShininess, shininess, rho), 1.0);
+vec3 shadeStrand(vec3 albedo, vec3 T, vec3 L, vec3 V, float h, float rho, float lit, float upness, float strand, float exponent) {
   vec3 key = keyLight.rgb * lightShare(lit, h, L.z);
   vec2 along = vec2(dot(T, L), dot(T, V)), across = sqrt(max(vec2(0.0), 1.0 - along * along));
   vec2 diffuse = mix(across, max(vec2(L.z, V.z), 0.0), lambert);  // of the key light, of the fill light
@@ -122,6 +121,10 @@ vec3 shadeStrand(vec3 albedo, vec3 T, vec3 L, vec3 V, float h, float rho, float 
   gloss += (albedo + 0.3) * fringe(V.z, h);
   vec3 color = albedo * (key * diffuse.x + fillLight * diffuse.y + skyLight(upness)) + gloss;
   return color * (1.0 + occlusion * (h - 1.0)) * (1.0 - wetDarkening * rho);
+}
+// The same with the coat's own exponent.
+vec3 shadeStrand(vec3 albedo, vec3 T, vec3 L, vec3 V, float h, float rho, float lit, float upness, float strand) {
+  return shadeStrand(albedo, T, L, V, h, rho, lit, upness, strand, max(mix(dryShininess, shininess, rho), 1.0));
 }
 
 // Wet strands: C++ twins in hair/StrandShading.h, which says more.

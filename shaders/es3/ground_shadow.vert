@@ -1,6 +1,7 @@
 // The model, or the ball, flattened on the ground: the first instance along the light, the second straight down, the third to
 // where a wet ground mirrors it.
 #include "common.glsl"
+#include "common_ground.glsl"
 #ifdef BALL
 #include "common_ball.glsl"
 #else
@@ -15,16 +16,5 @@ void main() {
   // Fur is part of what casts the shadow; its thin outer part lets light through.
   vec3 world = (worldFromModel * vec4(position + normal * (0.6 * furLength), 1.0)).xyz;
 #endif
-  vec2 spot = world.xz;
-  vShadow = vec3(0.0, 1.0, 0.0);
-  float height = world.y - groundHeight;
-  if (gl_InstanceID == 0) {
-    spot -= lightWorld.xz * (height / max(lightWorld.y, 0.15));
-    vShadow = vec3(1.0, 0.0, 0.0);
-  } else if (gl_InstanceID == 2) {
-    vec3 eyeWorld = (worldFromModel * vec4(eye.xyz, 1.0)).xyz;
-    spot = mix(spot, eyeWorld.xz, height / (height + eyeWorld.y - groundHeight));
-    vShadow = vec3(0.0, 0.0, 1.0);
-  }
-  gl_Position = vec4((spot - groundCentre) / groundHalfSide, 0.0, 1.0);
+  gl_Position = onGround(world, gl_InstanceID, vShadow);
 }

@@ -67,6 +67,7 @@ void App::State::setModel(geometry::Mesh mesh, geometry::Surface surface, Docume
   groom.reset();
   water.reset();
   motion.reset();
+  hair->reset();
   history.clear();
   hand.cursor = Vec2(0);
   hand.drag = Drag::None;
@@ -109,6 +110,7 @@ Status App::loadModel(std::span<const std::uint8_t> bytes, const std::string& na
   s.setModel(std::move(model->mesh), std::move(*surface), std::move(from), std::move(model->rig));
   if (!model->fur.wetness.empty()) s.water.readMask(model->fur.wetness, model->fur.wetnessSize);
   s.groom.read(s.shape, model->fur, s.warnings);
+  if (!model->fur.hair.scalps.empty()) s.hair->setStyle(std::move(model->fur.hair));
   s.settleMotion();
   if (keepState) return Done{};
   if (model->fur.state.empty()) {
@@ -197,6 +199,7 @@ void App::beginChange() {
 
 void App::endChange() {
   State& s = *state_;
+  if (s.changeBefore) s.endStroke();
   const auto before = std::exchange(s.changeBefore, std::nullopt);
   if (!before || *before == s.settings) return;
   s.history.push(SettingsStep{*before, s.settings});
@@ -240,6 +243,8 @@ void App::State::applyStep(const Step& step, bool undo) {
     water.apply(*m, undo);
   } else if (const auto* g = std::get_if<GroomStep>(&step)) {
     groom.apply(shape, *g, undo);
+  } else if (const auto* h = std::get_if<HairStep>(&step)) {
+    hair->apply(*h, undo);
   }
 }
 

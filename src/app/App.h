@@ -18,11 +18,13 @@
 
 #include "app/stages/Touch.h"
 #include "app/tools/GroomEdits.h"
+#include "app/tools/HairEdits.h"
 #include "app/tools/Tools.h"
 #include "core/Result.h"
 #include "furgen/TilePicture.h"
 #include "geometry/Surface.h"
 #include "groom/GroomBrush.h"
+#include "hair/Scalp.h"
 #include "scene/Model.h"
 #include "scene/Zip.h"
 #include "settings/Settings.h"
@@ -224,6 +226,24 @@ class App {
   std::vector<std::uint8_t> saveGroom() const;
   Status restoreGroom(std::span<const std::uint8_t> bytes, bool undoable = false);
   void clearGroom();  // GroomEdit::Clear
+
+  // --- long hair (hair/Scalp.h); belongs to the model ---
+  // One undo step; what cannot be done is a warning. Values and direction: HairEdits.inc.
+  void editHair(HairEdit edit, float value = 1, const Vec3& direction = Vec3(0));
+  // A value of a scalp (hair/HairFields.inc) from text, or its "name"; an undo step. bad-file where there is no such scalp or value.
+  Status setHairValue(int scalp, std::string_view name, std::string_view text);
+  // All values of a scalp; between beginChange() and endChange() one undo step with what comes there.
+  void setHairValues(std::size_t scalp, const hair::HairValues& values);
+  std::size_t wispCount(std::size_t scalp) const;
+  // JSON: [{"name","guides","wisps","selected","values":{all of them}}].
+  std::string scalps() const;
+  const hair::Hairstyle& hairstyle() const;
+  std::uint64_t hairRevision() const;  // another one whenever the hairstyle has changed
+  bool haired() const;                 // there is a scalp, or a sphere for one
+  std::size_t selectedScalp() const;
+  // Scalps, guides and values for restoreHair() of a program with the same model.
+  std::vector<std::uint8_t> saveHair() const;
+  Status restoreHair(std::span<const std::uint8_t> bytes, bool undoable = false);
 
   // --- input; each returns whether the app used the event ---
   bool pointer(const PointerEvent& event);

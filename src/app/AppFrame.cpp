@@ -80,6 +80,24 @@ void App::State::upload() {
     uploaded.whiskers = groom.groom().whiskers;
     renderer->setWhiskers(groom.hairs(shape));
   }
+  uploadHair();
+}
+
+void App::State::uploadHair() {
+  const std::size_t count = hair->scalpCount();
+  if (uploaded.scalps.size() != count) {
+    renderer->setScalps(count);
+    uploaded.scalps.assign(count, {});
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const HairStage::Growth& growth = hair->growth(i);
+    const hair::Scalp& scalp = hair->style().scalps[i];
+    if (noteChange(uploaded.scalps[i].growth, hair->growthRevision(i))) {
+      renderer->growHair(i, {scalp.values, growth.wisps, growth.members, growth.strips, static_cast<int>(scalp.guides.count()), scalp.guides.nodes});
+      uploaded.scalps[i].nodes = 0;
+    }
+    if (noteChange(uploaded.scalps[i].nodes, hair->nodesRevision(i))) renderer->moveHair(i, hair->nodes(i));
+  }
 }
 
 void App::State::uploadGroom(bool whole) {

@@ -51,17 +51,20 @@ std::pair<Vec2, float> centreAndSpan(const std::map<int, Vec2>& pointers) {
 
 void App::State::beginStroke() {
   if (grooms(hand.tool)) return beginGroomStroke();
+  if (worksOnHair(hand.tool)) return beginHairStroke();
   if (const auto what = strokeOf(hand.tool)) beginWaterStroke(*what, settings.brushRadius, settings.brushFlow);
 }
 
 void App::State::endStroke() {
   hand.keyHold = 0;
   if (auto step = groom.endStroke()) history.push(std::move(*step));
+  if (auto step = hair->endStroke()) history.push(std::move(*step));
   if (auto step = water.endStroke()) history.push(std::move(*step));
 }
 
 bool App::State::dabAt(Vec2 pixel) {
   const auto hit = pick(pixel);
+  if (hair->stroking()) return dabHair(pixel, hit);
   if (hit) dabAt(*hit);
   return hit.has_value();
 }
@@ -72,6 +75,19 @@ void App::State::dabAt(const geometry::SurfacePoint& at) {
   if (!water.stroking()) return;
   if (goesOn(hand.tool)) water.hold(at, hand.pressure);
   else water.dab(shape, settings, at, hand.pressure);
+}
+
+bool App::State::dabHair(Vec2 pixel, const std::optional<geometry::SurfacePoint>& hit) {
+  hand.sinceDab = 0;
+  const Ray ray = rayThrough(pixel);
+  hair->dab({hand.tool, ray.origin, glm::normalize(ray.direction), hit, groom.groomSurface(shape), groom.groom().mask, settings, shape});
+  return true;
+}
+
+bool App::State::onHair(Vec2 pixel) const {
+  if (!worksOnHair(hand.tool)) return false;
+  const Ray ray = rayThrough(pixel);
+  return hair->pick(ray.origin, glm::normalize(ray.direction), settings.brushRadius).has_value();
 }
 
 void App::State::paintTo(Vec2 pixel) {
@@ -93,7 +109,7 @@ void App::State::workWithHand(float seconds) {
   if (water.stroking()) return water.hold(hit, hit ? hand.pressure : 0);
   constexpr float kStep = wet::Water::kStep;
   for (hand.due = std::min(hand.due + seconds, 1.0f); hand.due > kStep * 0.999f; hand.due -= kStep)
-    if (++hand.sinceDab >= WaterStage::kDabSteps && hit && hand.pressure > 0) dabAt(*hit);
+    if (++hand.sinceDab >= WaterStage::kDabSteps && hand.pressure > 0) dabAt(heldPixel());
 }
 
 // Has a tool that goes on work at the cursor for a moment.
@@ -190,7 +206,7 @@ bool App::State::pointerDown(const PointerEvent& event) {
     std::tie(hand.lastPosition, hand.lastSpan) = centreAndSpan(hand.pointers);
     return hand.drag != Drag::None;
   }
-  const bool onModel = pick(event.position).has_value() || onBall(rayThrough(event.position));
+  const bool onModel = pick(event.position).has_value() || onBall(rayThrough(event.position)) || onHair(event.position);
   hand.drag = dragFor(event, hand.tool, onModel, view.cameraControls);
   hand.lastPosition = hand.lastDab = event.position;
   if (hand.drag == Drag::Grab) motion.body().grab();

@@ -11,6 +11,7 @@
 #include "app/commands/History.h"
 #include "app/stages/CoatStage.h"
 #include "app/stages/GroomStage.h"
+#include "app/stages/HairStage.h"
 #include "app/stages/MotionStage.h"
 #include "app/stages/ShapeStage.h"
 #include "app/stages/WaterStage.h"
@@ -55,6 +56,7 @@ struct App::State {
   CoatStage coat;
   WaterStage water;
   MotionStage motion;
+  std::unique_ptr<HairStage> hair = HairStage::make();
 
   View view;
   Hand hand;
@@ -85,6 +87,10 @@ struct App::State {
     std::uint64_t surface = 0, pose = 0, bends = 0, image = 0;
     std::vector<groom::Whisker> whiskers{};
     bool showsMask = false, painted = false, shaped = false;
+    struct Scalp {
+      std::uint64_t growth = 0, nodes = 0;
+    };
+    std::vector<Scalp> scalps{};
   } uploaded;
   std::uint64_t changed = 1, noticed = 0, imageRevision = 1;
   struct {
@@ -121,6 +127,8 @@ struct App::State {
   CoatStage::Inputs coatInputs() const { return {.settings = settings, .types = groom.types()}; }
   WaterStage::Inputs waterInputs(float seconds, double budget) const;
   MotionStage::Inputs motionInputs(float seconds);
+  HairStage::Inputs hairInputs(float seconds);
+  bool haired() const { return !hair->style().scalps.empty(); }
   bool turns() const { return view.autoRotate && !reducedMotion && hand.pointers.empty(); }
   bool updateShape(float seconds);
   void workOnCoat(double budget);
@@ -134,6 +142,7 @@ struct App::State {
   // --- AppFrame.cpp ---
   void upload();
   void uploadGroom(bool whole);
+  void uploadHair();
   void uploadLengths(const geometry::TexelRect& changed);
   bool showsMask() const;  // with the paint, for who is grooming
   bool showsForces() const { return static_cast<render::View>(settings.view) == render::View::Forces; }
@@ -152,7 +161,7 @@ struct App::State {
   Vec2 heldPixel() const { return hand.keyHold > 0 ? cursorPixel() : hand.lastPosition; }
   bool held() const { return hand.drag == Drag::Paint || hand.keyHold > 0; }
   // While a stroke is on whose tool keeps acting where the pointer stands still.
-  bool toolActsWhileStill() const { return held() && (water.stroking() || groom.stroking()) && (goesOn(hand.tool) || repeats(hand.tool)); }
+  bool toolActsWhileStill() const { return held() && (water.stroking() || groom.stroking() || hair->stroking()) && (goesOn(hand.tool) || repeats(hand.tool)); }
   void holdByKey();
   void letGo();
   bool pointerDown(const PointerEvent& event);
@@ -165,6 +174,8 @@ struct App::State {
   void endStroke();
   // One dab of the tool where the pixel hits; false when it misses.
   bool dabAt(Vec2 pixel);
+  bool dabHair(Vec2 pixel, const std::optional<geometry::SurfacePoint>& hit);
+  bool onHair(Vec2 pixel) const;  // the tool works on guides, and one is there
   void dabAt(const geometry::SurfacePoint& at);
   // Dabs along the way, so that the speed of the hand changes nothing.
   void paintTo(Vec2 pixel);
@@ -183,6 +194,9 @@ struct App::State {
 
   // --- AppGroom.cpp ---
   void beginGroomStroke();
+
+  // --- AppHair.cpp ---
+  void beginHairStroke();
 
   // --- AppSaving.cpp ---
   Vec3 pictureAt(const geometry::SurfacePoint& at) const;

@@ -55,6 +55,12 @@ WaterStage::Inputs App::State::waterInputs(float seconds, double budget) const {
   return inputs;
 }
 
+HairStage::Inputs App::State::hairInputs(float seconds) {
+  return {.shape = shape, .settings = settings, .worldFromModel = worldFromModel(), .wind = motion.windNow(),
+          .contacts = motion.touch().contacts(),
+          .wetness = water.mask().isDry() || !haired() ? std::span<const float>() : water.vertexWetness(shape), .seconds = seconds};
+}
+
 bool App::State::updateShape(float seconds) {
   const CameraOrbit before = startView();
   const bool moved = shape.update(shapeInputs(seconds));
@@ -81,6 +87,7 @@ void App::State::settleMotion() {
   updateShape(0);
   groom.update(groomInputs());
   motion.settle(motionInputs(0));
+  hair->settle(hairInputs(0));
   ++changed;
 }
 
@@ -97,13 +104,14 @@ void App::State::advance(float seconds, double coatBudget) {
   workOnCoat(coatBudget);
   // Water goes where the model is now; motion feels the water of the last step.
   motion.update(motionInputs(seconds));
+  hair->update(hairInputs(seconds));
   workWithHand(seconds);
   water.update(waterInputs(seconds, coatBudget));
   if (hand.keyHold > 0 && (hand.keyHold -= seconds) <= 0) endStroke();
 }
 
 std::uint64_t App::State::pictureRevision() const {
-  return changed + shape.revision() + groom.revision() + coat.revision() + water.revision() + motion.revision();
+  return changed + shape.revision() + groom.revision() + coat.revision() + water.revision() + motion.revision() + hair->revision();
 }
 
 // --- App's side --------------------------------------------------------------------------------
@@ -121,7 +129,7 @@ void App::settle() {
 bool App::active() const {
   State& s = *state_;
   return s.pictureRevision() != s.noticed || s.view.camera.moving() || s.turns() || s.toolActsWhileStill() || s.shape.active(s.shapeInputs(0)) ||
-         s.groom.active(s.groomInputs()) || s.coat.active(s.coatInputs()) || s.motion.active(s.motionInputs(0)) ||
+         s.groom.active(s.groomInputs()) || s.coat.active(s.coatInputs()) || s.motion.active(s.motionInputs(0)) || s.hair->active(s.hairInputs(0)) ||
          s.water.active(s.waterInputs(0, 0));
 }
 

@@ -131,6 +131,9 @@ void Editor::drawContent(const EditorModel& model, bool saves) {
   drawScene(model);
   for (Command& command : coat_.draw(model, edited, {.tooltips = !touch_, .roomy = layout_.roomy()})) emit(std::move(command));
   for (Command& command : groom_.draw(model, edited, !touch_)) emit(std::move(command));
+  std::vector<Command> ofHair = hair_.draw(model, edited, !touch_);
+  if (hair_.changesValues()) beginChange();
+  for (Command& command : ofHair) emit(std::move(command));
   drawWater(model);
   drawSettings(edited, model.animations);
   if (edited != model.settings) change(model, edited);
@@ -149,12 +152,14 @@ void Editor::change(const EditorModel& model, const settings::Settings& edited) 
     emit(command::Undo{});
     return;
   }
-  if (!changing_) {
-    beforeChange_ = model.settings;
-    emit(command::BeginChange{});
-  }
-  changing_ = true;
+  if (!changing_) beforeChange_ = model.settings;
+  beginChange();
   emit(command::SetSettings{edited});
+}
+
+void Editor::beginChange() {
+  if (!changing_) emit(command::BeginChange{});
+  changing_ = true;
 }
 
 void Editor::drawTitle(const EditorModel& model) {

@@ -16,6 +16,7 @@
 #include "editor/EditorModel.h"
 #include "editor/Frequent.h"
 #include "editor/GroomPanel.h"
+#include "editor/HairPanel.h"
 #include "editor/InputQueue.h"
 #include "editor/PanelLayout.h"
 #include "editor/PicturePanel.h"
@@ -60,6 +61,7 @@ class Editor {
   void drawTitle(const EditorModel& model);
   void drawMessages(const EditorModel& model);
   void drawContent(const EditorModel& model, bool saves);
+  void beginChange();
   void change(const EditorModel& model, const settings::Settings& edited);
   void drawScene(const EditorModel& model);
   void drawShippedScenes(const EditorModel& model);
@@ -73,6 +75,7 @@ class Editor {
 
   CoatPanel coat_;
   GroomPanel groom_;
+  HairPanel hair_;
   PicturePanel picture_;
   VersionsPanel versions_;
   std::vector<Command> commands_;

@@ -12,13 +12,16 @@
 #include <imgui.h>
 
 #include "app/tools/GroomEdits.h"
+#include "app/tools/HairEdits.h"
 #include "app/tools/Tools.h"
 #include "core/Math.h"
+#include "hair/HairValues.h"
 #include "settings/Settings.h"
 
 namespace fur::editor {
 
 using app::GroomEdit;
+using app::HairEdit;
 using app::Tool;
 
 // How a person can bring a file: through a dialog of the platform, or by typing its path.
@@ -67,6 +70,18 @@ struct GroomView {
   Selects selects = Selects::Nothing;
 };
 
+// A scalp of the model's long hair.
+struct ScalpView {
+  std::string name;
+  std::size_t guides = 0, wisps = 0;
+  hair::HairValues values;
+};
+struct HairView {
+  std::vector<ScalpView> scalps;
+  std::size_t selected = 0;  // the one that tools work on
+  std::size_t bodies = 0;    // spheres and capsules that hair does not enter
+};
+
 // Where the water is and went, as wet::Accounts has it; dried: evaporated and wiped off.
 struct WaterView {
   double came = 0, held = 0, film = 0, drops = 0, dripped = 0, dried = 0;
@@ -107,6 +122,7 @@ struct EditorModel {
   std::span<const float> frameSeconds;  // the last frames, oldest first
   CoatView coat;
   GroomView groom;
+  HairView hair;
   PictureView picture;
   std::span<const VersionView> versions;  // newest first
 };
@@ -155,6 +171,19 @@ struct GroomAll {       // app::App::groomAll()
   float value = 1;
   Vec3 direction{0};
 };
+struct EditHair {       // app::App::editHair()
+  HairEdit edit = HairEdit::AddScalp;
+  float value = 1;
+  Vec3 direction{0};
+};
+struct SetHairValues {
+  std::size_t scalp;
+  hair::HairValues values;
+};
+struct RenameScalp {
+  std::size_t scalp;
+  std::string name;
+};
 struct SavePicture {
   int width, height;
   bool transparent;
@@ -191,6 +220,7 @@ using Command = std::variant<command::BeginChange, command::EndChange, command::
                              command::OpenDialog, command::OpenPath, command::ResetCamera, command::Undo,
                              command::Redo, command::CopyState, command::PasteState, command::ApplyPreset,
                              command::SaveTypeSet, command::SaveFo, command::SaveScene, command::SaveMaps, command::SelectAt, command::GroomAll,
+                             command::EditHair, command::SetHairValues, command::RenameScalp,
                              command::SavePicture, command::SaveTurntable, command::TurnOnce, command::StopPicture,
                              command::KeepVersion, command::OpenVersion, command::RenameVersion, command::DeleteVersion,
                              command::DismissMessage>;

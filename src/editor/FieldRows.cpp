@@ -13,6 +13,7 @@
 namespace fur::editor {
 
 using settings::Field;
+using settings::FieldRow;
 using settings::FieldType;
 using settings::Settings;
 
@@ -48,7 +49,7 @@ void resetGroup(Settings& settings, std::string_view group) {
 }
 
 // As printf formats: "%.2f /s". A percent sign in a unit would need doubling; none has one.
-std::string numberFormat(const Field& field, double range) {
+std::string numberFormat(const FieldRow& field, double range) {
   const int decimals = range >= 90 ? 0 : range >= 10 ? 1 : range > 0.5 ? 2 : 3;
   std::string unit = field.unit;
   // Model radii are explained by the tooltip; beside every number they would only be noise.
@@ -56,53 +57,71 @@ std::string numberFormat(const Field& field, double range) {
   return "%." + std::to_string(decimals) + "f" + (unit.empty() || unit.front() == '/' ? unit : ' ' + unit);
 }
 
-void editAngle(Settings& settings, const Field& field) {
+// Each draws the widget of a value; a new one where the person has changed it.
+using Changed = std::optional<double>;
+
+Changed editAngle(const FieldRow& field, double value) {
   constexpr double kDegrees = 180.0 / 3.14159265358979;
-  float degrees = static_cast<float>(field.get(settings) * kDegrees);
+  float degrees = static_cast<float>(value * kDegrees);
   if (fillSlider("##value", degrees, static_cast<float>(field.low * kDegrees),
                  static_cast<float>(field.high * kDegrees), "%.0f\xc2\xb0", false))
-    assign(settings, field, degrees / kDegrees);
+    return degrees / kDegrees;
+  return {};
 }
 
-void editFloat(Settings& settings, const Field& field) {
-  if (std::string_view(field.unit) == "rad") return editAngle(settings, field);
-  float value = static_cast<float>(field.get(settings));
+Changed editFloat(const FieldRow& field, double from) {
+  if (std::string_view(field.unit) == "rad") return editAngle(field, from);
+  float value = static_cast<float>(from);
   const bool logarithmic = field.low > 0 && field.high / field.low >= kLogarithmicRatio;
   if (fillSlider("##value", value, static_cast<float>(field.low), static_cast<float>(field.high),
                  numberFormat(field, field.high - field.low).c_str(), logarithmic))
-    assign(settings, field, value);
+    return value;
+  return {};
 }
 
-void editInt(Settings& settings, const Field& field) {
-  int value = static_cast<int>(field.get(settings));
+Changed editInt(const FieldRow& field, double from) {
+  int value = static_cast<int>(from);
   const int low = static_cast<int>(field.low), high = static_cast<int>(field.high);
   const bool changed =
       field.high - field.low > kMostSliderSteps
           ? ImGui::DragInt("##value", &value, 0.2f, low, high, "%d", ImGuiSliderFlags_AlwaysClamp)
           : fillSlider("##value", value, low, high);
-  if (changed) assign(settings, field, value);
+  return changed ? Changed(value) : Changed();
 }
 
-void editColor(Settings& settings, const Field& field) {
-  const auto rgb = static_cast<std::uint32_t>(field.get(settings));
+Changed editColor(double from) {
+  const auto rgb = static_cast<std::uint32_t>(from);
   float channels[3];
   for (int i = 0; i < 3; ++i) channels[i] = static_cast<float>((rgb >> (16 - 8 * i)) & 255u) / 255.0f;
   constexpr ImGuiColorEditFlags kFlags = ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_InputRGB |
                                          ImGuiColorEditFlags_NoLabel | ImGuiColorEditFlags_NoOptions;
-  if (!ImGui::ColorEdit3("##value", channels, kFlags)) return;
+  if (!ImGui::ColorEdit3("##value", channels, kFlags)) return {};
   std::uint32_t packed = 0;
   for (const float channel : channels)
     packed = packed << 8u | static_cast<std::uint32_t>(channel * 255.0f + 0.5f);
-  assign(settings, field, packed);
+  return packed;
 }
 
-void editChoice(Settings& settings, const Field& field) {
-  const int chosen = static_cast<int>(field.get(settings));
-  if (!ImGui::BeginCombo("##value", std::string(settings::optionName(field, chosen)).c_str())) return;
+Changed editChoice(const FieldRow& field, double from) {
+  const int chosen = static_cast<int>(from);
+  if (!ImGui::BeginCombo("##value", std::string(settings::optionName(field, chosen)).c_str())) return {};
+  Changed changed;
   for (int index = 0; index <= static_cast<int>(field.high); ++index)
-    if (ImGui::Selectable(std::string(settings::optionName(field, index)).c_str(), index == chosen))
-      assign(settings, field, index);
+    if (ImGui::Selectable(std::string(settings::optionName(field, index)).c_str(), index == chosen)) changed = index;
   ImGui::EndCombo();
+  return changed;
+}
+
+Changed editValue(const FieldRow& field, double value) {
+  switch (field.type) {
+    case FieldType::Float: return editFloat(field, value);
+    case FieldType::Int: return editInt(field, value);
+    case FieldType::Color: return editColor(value);
+    case FieldType::Choice: return editChoice(field, value);
+    case FieldType::Bool: break;
+  }
+  bool on = value != 0;
+  return ImGui::Checkbox("##value", &on) ? Changed(on) : Changed();
 }
 
 // By its name; and a button that holds it.
@@ -130,37 +149,24 @@ void editAnimation(Settings& settings, const Field& field, std::span<const std::
 
 void editValue(Settings& settings, const Field& field, std::span<const std::string> animations) {
   if (!animations.empty() && std::string_view(field.name) == "animation") return editAnimation(settings, field, animations);
-  switch (field.type) {
-    case FieldType::Float:
-      return editFloat(settings, field);
-    case FieldType::Int:
-      return editInt(settings, field);
-    case FieldType::Color:
-      return editColor(settings, field);
-    case FieldType::Choice:
-      return editChoice(settings, field);
-    case FieldType::Bool: {
-      bool on = field.get(settings) != 0;
-      if (ImGui::Checkbox("##value", &on)) assign(settings, field, on);
-    }
-  }
+  if (const Changed changed = editValue(field, field.get(settings))) assign(settings, field, *changed);
 }
 
-std::string unitText(const Field& field) {
+std::string unitText(const FieldRow& field) {
   const std::string unit = field.unit;
   if (unit == "r") return " model radii";
   if (unit == "/r") return " per model radius";
   return unit.empty() || unit.front() == '/' ? unit : ' ' + unit;
 }
 
-void rowTooltip(const Field& field) {
+void rowTooltip(const FieldRow& field, const char* tooltip, const char* menu) {
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(px(280));
-  ImGui::TextUnformatted(settings::tooltipOf(field));
+  ImGui::TextUnformatted(tooltip);
   if (field.type == FieldType::Float || field.type == FieldType::Int)
     ImGui::TextDisabled("%g to %g%s, default %s. Double click to type.", field.low, field.high,
-                        unitText(field).c_str(), settings::fieldText(Settings{}, field).c_str());
-  ImGui::TextDisabled("Right click to reset it, or to have it among those frequently used or not.");
+                        unitText(field).c_str(), settings::valueText(field, field.standard).c_str());
+  ImGui::TextDisabled("%s", menu);
   ImGui::TextDisabled("%s", field.name);
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
@@ -204,7 +210,7 @@ void drawRow(Settings& settings, Frequent& frequent, const Field& field, bool to
   ImGui::EndGroup();
   if (held || ((onLabel || ImGui::IsItemHovered()) && ImGui::IsMouseReleased(ImGuiMouseButton_Right)))
     ImGui::OpenPopup("menu");
-  if (onLabel && tooltips) rowTooltip(field);
+  if (onLabel && tooltips) rowTooltip(field, settings::tooltipOf(field), "Right click to reset it, or to have it among those frequently used or not.");
   rowMenu(settings, frequent, field);
   if (!isStandard(settings, field)) {
     ImGui::SameLine(left + width - icon);
@@ -213,6 +219,30 @@ void drawRow(Settings& settings, Frequent& frequent, const Field& field, bool to
   }
   ImGui::PopID();
 }
+
+}  // namespace
+
+std::optional<double> drawValue(const FieldRow& field, double value, const char* tooltip) {
+  ImGui::PushID(field.name);
+  const float width = ImGui::GetContentRegionAvail().x, left = ImGui::GetCursorPosX(), icon = px(18);
+  const bool standard = value == field.standard;
+  ImGui::AlignTextToFramePadding();
+  ImGui::PushStyleColor(ImGuiCol_Text, standard ? color::kDim : color::kText);
+  ImGui::TextUnformatted(field.label);
+  ImGui::PopStyleColor();
+  if (*tooltip && ImGui::IsItemHovered()) rowTooltip(field, tooltip, "The arrow resets it.");
+  ImGui::SameLine(left + width * kLabelShare);
+  ImGui::SetNextItemWidth(width * (1 - kLabelShare) - icon - px(2));
+  Changed changed = editValue(field, value);
+  if (!standard) {
+    ImGui::SameLine(left + width - icon);
+    if (iconButton("##reset", Icon::Reset, "", true, icon)) changed = field.standard;
+  }
+  ImGui::PopID();
+  return changed;
+}
+
+namespace {
 
 void drawLightPad(Settings& settings) {
   const Field &yaw = *settings::findField("lightYaw"), &pitch = *settings::findField("lightPitch");

@@ -2,6 +2,7 @@
 // a field by name except the light's direction, which can also be dragged, and the animation, which has names.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -22,6 +23,10 @@ bool matchesFilter(const settings::Field& field, std::string_view filter);
 // `settings`. `animations`: names of what the model can play. Returns how many rows were drawn or would be in an open group.
 int drawFields(settings::Settings& settings, Frequent& frequent, std::string_view filter, bool tooltips,
                std::span<const std::string> animations = {});
+
+// One row of any table: name, widget, and what takes it back to its default. The new value where the person has changed it, not
+// clamped yet. `tooltip`: "" for none.
+std::optional<double> drawValue(const settings::FieldRow& field, double value, const char* tooltip);
 
 // The section of the fields that are used frequently; they are in their groups, too. In either place a row's menu, by the
 // right button or a finger that is held on its name, adds it to the section and takes it out.

@@ -27,6 +27,9 @@ Fit fitToUnitSphere(Mesh& mesh) {
     const glm::dvec3 d = glm::dvec3(p) - centre;
     squared = std::max(squared, glm::dot(d, d));
   }
+  // A mesh that was fitted before stays as it is, to the bit: what was planted on it by chance would come elsewhere.
+  constexpr double kFitted = 1e-6;
+  if (glm::length(centre) < kFitted && std::abs(squared - 1.0) < kFitted) return {glm::dvec3(0.0), 1.0};
   const Fit fit{centre, squared > 0.0 ? 1.0 / std::sqrt(squared) : 1.0};
   for (Vec3& p : mesh.positions) p = fit.of(p);
   return fit;

@@ -103,6 +103,11 @@ void drawWithoutVertices(int vertexCount, int first) {
   glDrawArrays(GL_TRIANGLES, first, vertexCount);
 }
 
+void drawInstancesWithoutVertices(Shape shape, int vertexCount, int instances) {
+  glBindVertexArray(0);
+  glDrawArraysInstanced(shape == Shape::Strip ? GL_TRIANGLE_STRIP : GL_TRIANGLES, 0, vertexCount, instances);
+}
+
 // --- state -------------------------------------------------------------------------------------
 
 namespace {
@@ -188,6 +193,12 @@ std::vector<std::uint8_t> readPixels(int width, int height) {
     std::copy_n(upward.begin() + static_cast<std::ptrdiff_t>(row) * y, row,
                 downward.begin() + static_cast<std::ptrdiff_t>(row) * (height - 1 - y));
   return downward;
+}
+
+std::vector<std::uint32_t> readWholeNumbers(int width, int height) {
+  std::vector<std::uint32_t> numbers(std::size_t{4} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  glReadPixels(0, 0, width, height, GL_RGBA_INTEGER, GL_UNSIGNED_INT, numbers.data());
+  return numbers;
 }
 
 Result<Capabilities> queryCapabilities() {

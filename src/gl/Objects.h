@@ -109,9 +109,12 @@ class VertexArray {
 
 // Draws `vertexCount` vertices without attributes (gl_VertexID alone).
 void drawWithoutVertices(int vertexCount, int first = 0);
+// Instances of those: triangles, or one strip each.
+enum class Shape { Triangles, Strip };
+void drawInstancesWithoutVertices(Shape shape, int vertexCount, int instances);
 
 // RGBA16F supports filtering; its texels are passed as 32-bit floats.
-enum class TexelFormat { R8, RG8, RGBA8, RGBA16F, RGBA32F };
+enum class TexelFormat { R8, RG8, RGBA8, RGBA16F, RGBA32F, RGBA32UI };
 // Mipmapped: bilinear in the level that the shader chooses. Crisp: nearest when magnified, else trilinear.
 enum class Filter { Nearest, Linear, Mipmapped, Trilinear, Crisp };
 
@@ -121,6 +124,7 @@ struct TextureShape {
   int layers = 0;  // 0: a plain 2D texture
   Filter filter = Filter::Linear;
   bool repeats = false;
+  int levels = 0;  // of mipmaps; 0: all there are
 };
 
 class Texture {
@@ -142,12 +146,15 @@ class Texture {
   TextureShape shape_;
 };
 
+// No texture is bound to the unit: where what was is drawn into.
+void unbindTexture(int unit);
+
 // A render target. Empty: the platform's framebuffer.
 class Target {
  public:
   Target() = default;
   // Draws into a texture, or into up to four layers of an array at once; with 24 bits of depth if wanted. Formats are 8 bits a
-  // channel, which each context supports, so completeness is not checked: that would wait for all earlier work.
+  // channel, or whole numbers, which each context supports, so completeness is not checked: that would wait for all earlier work.
   static Target toTexture(const Texture& texture, bool depth = false);
   // Colour and depth renderbuffers with `samples` samples (0: no multisampling), for pictures without a window.
   static Result<Target> offscreen(int width, int height, int samples);
@@ -197,6 +204,8 @@ class PlatformStandIn {
 int platformSamples();  // of the platform's framebuffer; 0: no multisampling
 // RGBA8 rows from the top of the bound framebuffer.
 std::vector<std::uint8_t> readPixels(int width, int height);
+// The numbers of an RGBA32UI texture that is bound as target, four a texel, rows from below.
+std::vector<std::uint32_t> readWholeNumbers(int width, int height);
 
 struct Capabilities {
   std::string renderer;

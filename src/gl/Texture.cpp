@@ -19,6 +19,7 @@ Layout layoutOf(TexelFormat format) {
     case TexelFormat::RGBA8: break;
     case TexelFormat::RGBA16F: return {GL_RGBA16F, GL_RGBA, GL_FLOAT, 16};
     case TexelFormat::RGBA32F: return {GL_RGBA32F, GL_RGBA, GL_FLOAT, 16};
+    case TexelFormat::RGBA32UI: return {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT, 16};
   }
   return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
 }
@@ -34,6 +35,7 @@ bool hasLevels(const TextureShape& shape) {
 
 int levelCount(const TextureShape& shape) {
   if (!hasLevels(shape)) return 1;
+  if (shape.levels > 0) return shape.levels;
   int levels = 1;
   for (int side = std::max(shape.width, shape.height); side > 1; side /= 2) ++levels;
   return levels;
@@ -100,6 +102,11 @@ void Texture::updateLevel(int level, int layer, std::span<const std::byte> texel
 void Texture::bind(int unit) const {
   glActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));
   glBindTexture(targetOf(shape_), name_.id());
+}
+
+void unbindTexture(int unit) {
+  glActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));
+  glBindTexture(GL_TEXTURE_2D, 0);
 }
 
 std::size_t Texture::bytes() const {

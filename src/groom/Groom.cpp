@@ -85,17 +85,21 @@ std::uint64_t GroomMap::hash() const {
 
 geometry::TexelRect GroomMap::takeChanged() { return std::exchange(changed_, geometry::TexelRect{}); }
 
+GroomMap resized(const GroomMap& map, int size) {
+  GroomMap out(size, GroomMap::kBlank);
+  const auto from = static_cast<std::size_t>(map.size()), to = static_cast<std::size_t>(out.size());
+  std::vector<GroomMap::Texel> texels;
+  texels.reserve(to * to);
+  for (std::size_t y = 0; y < to; ++y)
+    for (std::size_t x = 0; x < to; ++x)
+      texels.push_back(map.texels()[(2 * y + 1) * from / (2 * to) * from + (2 * x + 1) * from / (2 * to)]);
+  out.restore(std::move(texels));
+  return out;
+}
+
 void resize(Groom& groom, int size) {
   const Groom before = std::exchange(groom, {GroomMap(size), groom.comb, groom.whiskers});
-  const auto from = static_cast<std::size_t>(before.map.size()), to = static_cast<std::size_t>(groom.map.size());
-  for (const auto map : kMaps) {
-    std::vector<GroomMap::Texel> texels;
-    texels.reserve(to * to);
-    for (std::size_t y = 0; y < to; ++y)
-      for (std::size_t x = 0; x < to; ++x)
-        texels.push_back((before.*map).texels()[(2 * y + 1) * from / (2 * to) * from + (2 * x + 1) * from / (2 * to)]);
-    (groom.*map).restore(std::move(texels));
-  }
+  for (const auto map : kMaps) (groom.*map).restore(resized(before.*map, groom.map.size()).texels());
 }
 
 SurfacePoints::SurfacePoints(const geometry::Surface& surface) {

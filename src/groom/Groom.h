@@ -100,7 +100,9 @@ struct Groom {
 // All maps of a groom.
 enum MapKind : std::size_t { kLengthMap, kPaintMap, kMaskMap, kShapeMap };
 inline constexpr GroomMap Groom::*kMaps[] = {&Groom::map, &Groom::paint, &Groom::mask, &Groom::shape};
-// Resizes all maps, by nearest texels.
+// A map of another size, by nearest texels.
+GroomMap resized(const GroomMap& map, int size);
+// Resizes all maps so.
 void resize(Groom& groom, int size);
 
 // What an image means for a groom: readMapPicture() reads all of these, paintFromImage() the first two.

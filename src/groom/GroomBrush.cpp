@@ -52,28 +52,31 @@ std::vector<std::uint32_t> trianglesUnder(const GroomSurface& skin, const Brush&
 // What a brush of the weight w makes of a texel; `given` is the brush's own. No template: the code of a dab is there once.
 using TexelChange = GroomMap::Texel (*)(GroomMap::Texel texel, float weight, std::uint32_t given);
 
-bool dabTexels(Groom& groom, const GroomSurface& skin, const Brush& brush, TexelChange change, std::uint32_t given = 0,
-               GroomMap Groom::*painted = &Groom::map) {
+// `mask`: what it protects stays; `rim`: so far round it `change` is called with the weight 0 where the last channel is 0.
+bool dabMap(GroomMap& map, const GroomMap* mask, float rim, const GroomSurface& skin, const Brush& brush, TexelChange change, std::uint32_t given) {
   if (!usable(brush)) return false;
   geometry::TexelRect changed;
-  GroomMap& map = groom.*painted;
   const int size = map.size();
-  const bool isMask = painted == &Groom::mask, isPaint = painted == &Groom::paint;
   Brush reach = brush;
-  if (isPaint) reach.radius += kRim;
+  reach.radius += rim;
   for (const std::uint32_t t : trianglesUnder(skin, reach))
     skin.atlas.forTexelsOf(skin.surface, t, [&](std::uint32_t texel, const Vec3& weights) {
       const geometry::SurfacePoint point{t, weights, 0.0f};
       float weight = weightOf(brush, positionAt(skin.surface, point));
-      if (!isMask) weight *= static_cast<float>(255 - groom.mask.texels()[texel][3]) / 255.0f;
-      const bool rim = isPaint && map.texels()[texel][3] == 0 && weightOf(reach, positionAt(skin.surface, point)) > 0;
-      if ((weight < kLeastWeight && !rim) || glm::dot(normalAt(skin.surface, point), brush.normal) <= 0.0f) return;
+      if (mask) weight *= static_cast<float>(255 - mask->texels()[texel][3]) / 255.0f;
+      const bool inRim = rim > 0 && map.texels()[texel][3] == 0 && weightOf(reach, positionAt(skin.surface, point)) > 0;
+      if ((weight < kLeastWeight && !inRim) || glm::dot(normalAt(skin.surface, point), brush.normal) <= 0.0f) return;
       const GroomMap::Texel before = map.texels()[texel];
       map.set(texel, change(before, weight, given));
       if (map.texels()[texel] != before) changed.include(static_cast<int>(texel) % size, static_cast<int>(texel) / size);
     });
   if (!changed.empty()) map.fillGutter(skin.atlas, changed);
   return !changed.empty();
+}
+
+bool dabTexels(Groom& groom, const GroomSurface& skin, const Brush& brush, TexelChange change, std::uint32_t given = 0,
+               GroomMap Groom::*painted = &Groom::map) {
+  return dabMap(groom.*painted, painted == &Groom::mask ? nullptr : &groom.mask, painted == &Groom::paint ? kRim : 0, skin, brush, change, given);
 }
 
 std::uint32_t vertexOf(const GroomSurface& skin, std::uint32_t triangle, std::size_t k) {
@@ -252,6 +255,14 @@ bool unprotect(Groom& groom, const GroomSurface& skin, const Brush& brush) {
     return texel;
   };
   return dabTexels(groom, skin, brush, change, 0, &Groom::mask);
+}
+
+bool paintChannel(GroomMap& map, const GroomMap& mask, const GroomSurface& skin, const Brush& brush, std::size_t channel, std::uint8_t value) {
+  const auto change = [](GroomMap::Texel texel, float weight, std::uint32_t packed) {
+    texel[packed >> 8] = towards(texel[packed >> 8], static_cast<int>(packed & 255u), weight);
+    return texel;
+  };
+  return dabMap(map, &mask, 0, skin, brush, change, static_cast<std::uint32_t>(channel) << 8 | value);
 }
 
 bool addShape(Groom& groom, const GroomSurface& skin, const Brush& brush, ShapeChannel channel) {

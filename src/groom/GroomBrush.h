@@ -56,6 +56,10 @@ bool unpaint(Groom& groom, const GroomSurface& skin, const Brush& brush);
 bool protect(Groom& groom, const GroomSurface& skin, const Brush& brush);
 bool unprotect(Groom& groom, const GroomSurface& skin, const Brush& brush);
 
+// --- another map of the groom's size ---
+// Moves a channel of it towards `value` by w; `mask`: the groom's.
+bool paintChannel(GroomMap& map, const GroomMap& mask, const GroomSurface& skin, const Brush& brush, std::size_t channel, std::uint8_t value);
+
 // The bend towards which comb() works at a point with this normal: kMaxComb in the direction, less where it is nearly parallel
 // to the normal.
 Vec3 combedTo(const Vec3& direction, const Vec3& normal);

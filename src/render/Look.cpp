@@ -50,4 +50,7 @@ unsigned Look::bareSkin(unsigned view) const { return view ? view : final_ & ~(k
 
 unsigned Look::whiskers() const { return bend_ | (final_ & ~(kTextured | kFurOnly | kPainted | kShaped)); }
 
+// Its guides bend it, and it has colours of its own.
+unsigned Look::hair() const { return final_ & (kWet | kMarschner | kShadowDepth | kShadowLayers); }
+
 }  // namespace fur::render

@@ -18,6 +18,7 @@ class Look {
   unsigned skin(unsigned view) const;      // under the fur, where there is any
   unsigned bareSkin(unsigned view) const;  // alone
   unsigned whiskers() const;
+  unsigned hair() const;
   unsigned arrows(unsigned view) const { return view ? view : bend_; }
   // Of a coat in the fur's shadow map.
   unsigned bend() const { return bend_; }

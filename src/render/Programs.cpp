@@ -27,6 +27,9 @@ const char* fragmentOf(Shader shader, unsigned variant) {
     case Shader::Drop: return shaders::kDropFrag;
     case Shader::Ball: return shaders::kBallFrag;
     case Shader::Arrow: return shaders::kArrowFrag;
+    case Shader::Hair: return shaders::kHairFrag;
+    case Shader::HairPoints: return shaders::kHairPointsFrag;
+    case Shader::HairShadow: return shaders::kHairShadowFrag;
     case Shader::ShadowBlur: break;
   }
   return shaders::kShadowBlurFrag;
@@ -52,6 +55,9 @@ Source sourceOf(Shader shader) {
     case Shader::ShadowMap: return {"shadow_map", shaders::kShadowMapVert};
     case Shader::Ball: return {"ball", shaders::kBallVert};
     case Shader::Arrow: return {"arrow", shaders::kArrowVert};
+    case Shader::Hair: return {"hair", shaders::kHairVert};
+    case Shader::HairPoints: return {"hair_points", shaders::kScreenVert};
+    case Shader::HairShadow: return {"hair_shadow", shaders::kHairShadowVert};
     case Shader::ShadowBlur: break;
   }
   return {"shadow_blur", shaders::kScreenVert};
@@ -88,6 +94,8 @@ std::string definesOf(unsigned variant) {
       {kViewLayout, "VIEW_LAYOUT"},
       {kPainted, "PAINTED"},
       {kShaped, "SHAPED"},
+      {kStrips, "STRIPS"},
+      {kOnGround, "ON_GROUND"},
   };
   std::string text;
   for (const auto& [bit, name] : kNames)
@@ -118,6 +126,7 @@ const gl::Program* Programs::use(Shader shader, unsigned variant) {
     gl::Program& program = linked.mapped();
     program.bindBlock("FrameBlock", FUR_FRAME_BINDING);
     program.bindBlock("FurBlock", FUR_COAT_BINDING);
+    program.bindBlock("HairBlock", FUR_HAIR_BINDING);
     program.bindSampler("coverage", FUR_UNIT_COVERAGE);
     program.bindSampler("strand", FUR_UNIT_STRAND);
     program.bindSampler("offset", FUR_UNIT_OFFSET);
@@ -138,6 +147,11 @@ const gl::Program* Programs::use(Shader shader, unsigned variant) {
     program.bindSampler("strandN", FUR_UNIT_STRAND_N);
     program.bindSampler("firstSurfaces", FUR_UNIT_SHADOW);
     program.bindSampler("opacities", FUR_UNIT_OPACITY);
+    program.bindSampler("hairNodes", FUR_UNIT_HAIR_NODES);
+    program.bindSampler("wisps", FUR_UNIT_WISPS);
+    program.bindSampler("hairPoints", FUR_UNIT_HAIR_POINTS);
+    program.bindSampler("memberStrands", FUR_UNIT_MEMBER_STRANDS);
+    program.bindSampler("strips", FUR_UNIT_STRIPS);
     found = programs_.insert(std::move(linked)).position;
   }
   found->second.use();
@@ -155,6 +169,7 @@ std::vector<std::pair<Shader, unsigned>> allVariants() {
       {Shader::ShadowMap, kBall},   {Shader::GroundShadow, kBall},
       {Shader::Skin, kViewClumps},  {Shader::Skin, kViewDim},     {Shader::Fin, kViewEdges},
       {Shader::Arrow, kPlain},      {Shader::Arrow, kPolynomial}, {Shader::Arrow, kViewForces},
+      {Shader::HairPoints, kPlain}, {Shader::HairShadow, kPlain}, {Shader::HairShadow, kShadowLayers}, {Shader::HairShadow, kOnGround},
       {Shader::ShadowMap, kPolynomial}, {Shader::ShadowMap, kPolynomial | kShadowLayers},
       {Shader::ShadowMap, kGroomed}, {Shader::ShadowMap, kGroomed | kShadowLayers}, {Shader::ShadowMap, kGroomed | kSkinOnly},
       {Shader::Skin, kPainted}, {Shader::Skin, kPainted | kTextured},
@@ -182,7 +197,10 @@ std::vector<std::pair<Shader, unsigned>> allVariants() {
       for (const unsigned groom : {+kPlain, +kGroomed, kGroomed | kTypes})
         for (const unsigned wet : {kPlain, kWet}) all.emplace_back(Shader::Skin, look | shadow | groom | wet | kUnderFur);
     }
-    for (const unsigned look : {+kPlain, +kWet, +kMarschner, kWet | kMarschner}) all.emplace_back(Shader::Whisker, look | shadow);
+    for (const unsigned look : {+kPlain, +kWet, +kMarschner, kWet | kMarschner}) {
+      all.emplace_back(Shader::Whisker, look | shadow);
+      for (const unsigned shape : {+kPlain, +kStrips}) all.emplace_back(Shader::Hair, look | shadow | shape);
+    }
     for (const unsigned look : {+kPlain, +kUnderFur}) all.emplace_back(Shader::Skin, look | shadow | kViewShadow);
     for (const unsigned groom : kGrooms) {
       for (const unsigned look : {+kPlain, +kWet})

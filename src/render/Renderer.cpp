@@ -77,7 +77,8 @@ FurShadow::Key Renderer::furShadowKey(const Frame& frame) const {
   const Vec3 light(glm::inverse(frame.worldFromModel) * Vec4(lightDirection(frame), 0));
   return {static_cast<Shadows>(s.shadows), lightFromModel(light, shadowRadius(s.furLength, frame.reach)),
           volumeShadow(s, fur_.density(), frame.reach),
-          curveVariant(s) | (frame.groomed || frame.types ? kGroomed : kPlain), surface_.revision() + maps_.revision() + fur_.revision(),
+          curveVariant(s) | (frame.groomed || frame.types ? kGroomed : kPlain),
+          surface_.revision() + maps_.revision() + fur_.revision() + hair_.revision(),
           frame.ball, frame.ball.w > 0 ? frame.worldFromModel : Mat4(1.0f)};
 }
 
@@ -118,11 +119,11 @@ Status Renderer::draw(const Frame& frame) {
   const Drawing drawing{drawn, look, surface_, programs_, uploadedBytes_};
   const FurShadow::Key shadow = furShadowKey(drawn);
   uploadBlocks(drawn, shadow);
-  if (!groundShadow_.update(drawing)) return programs_.error();
+  if (!hair_.update(programs_) || !groundShadow_.update(drawing, hair_)) return programs_.error();
   fur_.bind(frame.wet);
   maps_.bind(frame);
   uploadedBytes_ += strandTables_.use(frame.settings);
-  if (!furShadow_.update(programs_, shadow, surface_.array(), surface_.indexCount())) return programs_.error();
+  if (!furShadow_.update(programs_, shadow, surface_.array(), surface_.indexCount(), hair_)) return programs_.error();
   const bool direct = frame.pixelScale >= 1 && frame.bands <= 1;
   if (!direct)
     if (Status status = small_.begin(drawn.width, drawn.height); !status) return status;
@@ -148,7 +149,7 @@ bool Renderer::drawPasses(const Drawing& drawing) {
 }
 
 bool Renderer::drawFinal(const Drawing& drawing) {
-  return drawBall(drawing) && drawModel(drawing, kPlain) && whiskers_.draw(drawing) && ground_.draw(drawing, groundShadow_) &&
+  return drawBall(drawing) && drawModel(drawing, kPlain) && hair_.draw(drawing) && whiskers_.draw(drawing) && ground_.draw(drawing, groundShadow_) &&
          drawBackground(drawing) && drops_.draw(drawing);
 }
 
@@ -182,7 +183,7 @@ bool Renderer::drawPart(const Drawing& drawing, const ViewPart& part) {
 
 std::size_t Renderer::gpuBytes() const {
   return surface_.bytes() + maps_.bytes() + fur_.bytes() + strandTables_.bytes() + groundShadow_.bytes() + furShadow_.bytes() + shells_.bytes() +
-         fins_.bytes() + whiskers_.bytes() + ground_.bytes() + drops_.bytes() + small_.bytes();
+         fins_.bytes() + hair_.bytes() + whiskers_.bytes() + ground_.bytes() + drops_.bytes() + small_.bytes();
 }
 
 std::size_t Renderer::takeUploadedBytes() { return std::exchange(uploadedBytes_, 0); }

@@ -23,6 +23,7 @@
 #include "render/passes/ground/GroundShadow.h"
 #include "render/passes/shadow/FurShadow.h"
 #include "render/passes/shell/ShellPass.h"
+#include "render/passes/hair/HairPass.h"
 #include "render/passes/whisker/WhiskerPass.h"
 
 namespace fur::render {
@@ -39,6 +40,10 @@ class Renderer {
   // between two of none are left out. What is bald costs nothing. Until the next setSurface().
   void setFurry(geometry::FurPatches patches, std::span<const float> vertexLengths);
   void setWhiskers(std::span<const groom::WhiskerHair> hairs) { uploadedBytes_ += whiskers_.set(hairs); }
+  // Long hair: so many scalps; what grows on one; where the nodes of its guides are, model space, guide after guide.
+  void setScalps(std::size_t count) { hair_.setScalps(count); }
+  void growHair(std::size_t scalp, const HairGrowth& growth) { uploadedBytes_ += hair_.grow(scalp, growth); }
+  void moveHair(std::size_t scalp, std::span<const hair::GuideNode> nodes) { uploadedBytes_ += hair_.move(scalp, nodes); }
 
   // A coat comes in pieces, while the one before stays in the picture: beginFur(), each layer and the fin
   // map with their mipmaps in any order, showFur(). beginFur() anew drops what came.
@@ -93,6 +98,7 @@ class Renderer {
   ShellPass shells_;
   FinPass fins_;
   ArrowPass arrows_;
+  HairPass hair_;
   WhiskerPass whiskers_;
   GroundPass ground_;
   DropPass drops_;

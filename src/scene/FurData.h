@@ -10,6 +10,7 @@
 
 #include "core/Math.h"
 #include "groom/Groom.h"
+#include "hair/Scalp.h"
 
 namespace fur::scene {
 
@@ -26,6 +27,7 @@ struct FurData {
   std::vector<groom::Whisker> whiskers{};  // roots in model space; not validated yet; at most kMostWhiskers
   std::vector<Vec4> wetness{};  // wetnessSize * wetnessSize texels as wet::WetnessMask has them, or empty
   int wetnessSize = 0;
+  hair::Hairstyle hair{};  // positions in model space
 };
 
 }  // namespace fur::scene

@@ -8,12 +8,13 @@ import { dist } from '../../tools/site.mjs';
 
 // Fur round hard edges took 8 KB of these; the way back to former models, painted coats, picking the coat's outside, the camera's
 // attributes and pictures refined in bands another 10; strands that brushes have shaped, light rigs and water that looks like it
-// another 4, of which tooltips that only the editor shows gave 2 back.
-const budgetBytes = 274 * 1024;
+// another 4, of which tooltips that only the editor shows gave 2 back. Drawing long hair is 13; all that grows and moves it is in a
+// program of its own, which only models with hair fetch.
+const budgetBytes = 286 * 1024;
 
-// The scripts that `entry` imports, at once or later, but for the editor's.
+// The scripts that `entry` imports, at once or later, but for the editor's and those of long hair.
 function scriptsFrom(entry, seen = new Set()) {
-  if (seen.has(entry) || /editor|\.d\.ts$/.test(entry)) return seen;
+  if (seen.has(entry) || /editor|wet-fur-hair|\.d\.ts$/.test(entry)) return seen;
   assert.ok(existsSync(join(dist, entry)), entry);
   seen.add(entry);
   for (const [, name] of readFileSync(join(dist, entry), 'utf8').matchAll(/(?:from|import)\s*\(?\s*["'`](\.[^"'`]+)["'`]/g)) {
@@ -22,7 +23,7 @@ function scriptsFrom(entry, seen = new Set()) {
   return seen;
 }
 
-test('the viewer downloads at most 274 KB, gzipped', (t) => {
+test('the viewer downloads at most 286 KB, gzipped', (t) => {
   const files = [...new Set(['index.js', 'element.js'].flatMap((entry) => [...scriptsFrom(entry)])), 'wet-fur.wasm'];
   const sizes = files.map((name) => [name, gzipSync(readFileSync(join(dist, name)), { level: 9 }).length]);
   const total = sizes.reduce((sum, [, size]) => sum + size, 0);

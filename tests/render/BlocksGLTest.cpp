@@ -3,6 +3,7 @@
 
 #include "render/Programs.h"
 #include "shared/Blocks.h"
+#include "shared/Hair.h"
 #include "tests/render/Picture.h"
 
 namespace fur::render {
@@ -16,7 +17,7 @@ struct Member {
   std::size_t offset, size;
 };
 
-// In the order of shared/Blocks.h.
+// In the order of shared/Blocks.h and Hair.h.
 std::vector<Member> frameMembers() {
   return {
       FUR_MEMBER(FrameBlock, clipFromModel), FUR_MEMBER(FrameBlock, clipFromWorld), FUR_MEMBER(FrameBlock, worldFromModel),
@@ -46,6 +47,17 @@ std::vector<Member> furMembers() {
       FUR_MEMBER(FurBlock, wetGloss), FUR_MEMBER(FurBlock, lobePeak),
   };
 }
+std::vector<Member> hairMembers() {
+  return {
+      FUR_MEMBER(HairBlock, hairRootColor), FUR_MEMBER(HairBlock, hairTipColor), FUR_MEMBER(HairBlock, nodesLow),
+      FUR_MEMBER(HairBlock, nodesSpan), FUR_MEMBER(HairBlock, guideNodes), FUR_MEMBER(HairBlock, cubicGuides),
+      FUR_MEMBER(HairBlock, curl), FUR_MEMBER(HairBlock, curls), FUR_MEMBER(HairBlock, tipWidth),
+      FUR_MEMBER(HairBlock, hairDepth), FUR_MEMBER(HairBlock, strandWidth), FUR_MEMBER(HairBlock, hairVariance),
+      FUR_MEMBER(HairBlock, firstWisp), FUR_MEMBER(HairBlock, strandsDrawn), FUR_MEMBER(HairBlock, pointStep),
+      FUR_MEMBER(HairBlock, hairOpacity), FUR_MEMBER(HairBlock, hairShininess), FUR_MEMBER(HairBlock, widening),
+      FUR_MEMBER(HairBlock, hairExtinction), FUR_MEMBER(HairBlock, hairShadowBias),
+  };
+}
 
 TEST(Programs, EveryVariantCompilesAndLinks) {
   test::Stage stage(16, 16);
@@ -61,7 +73,8 @@ TEST(Blocks, HaveTheSizeThatTheDriverReserves) {
   for (const auto& [shader, variant] : allVariants()) {
     const gl::Program* program = programs.use(shader, variant);
     ASSERT_TRUE(program);
-    for (const auto& [name, bytes] : {std::pair("FrameBlock", sizeof(shared::FrameBlock)), std::pair("FurBlock", sizeof(shared::FurBlock))}) {
+    for (const auto& [name, bytes] : {std::pair("FrameBlock", sizeof(shared::FrameBlock)), std::pair("FurBlock", sizeof(shared::FurBlock)),
+                                       std::pair("HairBlock", sizeof(shared::HairBlock))}) {
       const int reserved = program->blockSize(name);
       if (reserved > 0) EXPECT_EQ(static_cast<std::size_t>(reserved), bytes) << name << " in shader " << static_cast<int>(shader);
     }
@@ -69,7 +82,8 @@ TEST(Blocks, HaveTheSizeThatTheDriverReserves) {
 }
 
 TEST(Blocks, HaveNoPaddingBetweenTheirMembersWhichAreAllListedHere) {
-  for (const auto& [members, bytes] : {std::pair(frameMembers(), sizeof(shared::FrameBlock)), std::pair(furMembers(), sizeof(shared::FurBlock))}) {
+  for (const auto& [members, bytes] : {std::pair(frameMembers(), sizeof(shared::FrameBlock)), std::pair(furMembers(), sizeof(shared::FurBlock)),
+                                       std::pair(hairMembers(), sizeof(shared::HairBlock))}) {
     std::size_t end = 0;
     for (const Member& member : members) {
       EXPECT_EQ(member.offset, end) << member.name;
@@ -83,7 +97,7 @@ TEST(Blocks, HaveNoPaddingBetweenTheirMembersWhichAreAllListedHere) {
 TEST(Blocks, HaveEachMemberWhereTheDriverReadsIt) {
   test::Stage stage(16, 16);
   Programs programs;
-  for (const auto& [block, members] : {std::pair("FrameBlock", frameMembers()), std::pair("FurBlock", furMembers())}) {
+  for (const auto& [block, members] : {std::pair("FrameBlock", frameMembers()), std::pair("FurBlock", furMembers()), std::pair("HairBlock", hairMembers())}) {
     std::vector<bool> seen(members.size());
     for (const auto& [shader, variant] : allVariants()) {
       const gl::Program* program = programs.use(shader, variant);

@@ -42,7 +42,7 @@ class Lit {
     frameBlock_.bindAsBlock(FUR_FRAME_BINDING);
     FurShadow::Key key = key_;
     key.scene = scene;
-    EXPECT_TRUE(shadow_.update(programs_, key, surface_, static_cast<int>(indices_.size()))) << programs_.error().message;
+    EXPECT_TRUE(shadow_.update(programs_, key, surface_, static_cast<int>(indices_.size()), HairPass())) << programs_.error().message;
   }
 
   // Calls `check` with points of that height and what the shaders say of them.

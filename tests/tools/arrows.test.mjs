@@ -8,8 +8,8 @@ import { arrows, checkTree, violationsIn } from '../../tools/check-arrows.mjs';
 const whats = (path, text) => violationsIn(path, text).map(({ line, what }) => `${line} ${what}`);
 
 test('an include along an arrow passes, one against it is named with its line and what is allowed', () => {
-  assert.deepEqual(whats('src/hair/A.cpp', '#include "geometry/Mesh.h"\n#include "hair/B.h"\n#include <vector>\n'), []);
-  const [found] = violationsIn('src/hair/A.cpp', '#include <vector>\n#include "furgen/FurVolume.h"\n');
+  assert.deepEqual(whats('src/dynamics/A.cpp', '#include "geometry/Mesh.h"\n#include "dynamics/B.h"\n#include <vector>\n'), []);
+  const [found] = violationsIn('src/dynamics/A.cpp', '#include <vector>\n#include "furgen/FurVolume.h"\n');
   assert.equal(found.line, 2);
   assert.match(found.what, /furgen\/FurVolume\.h/);
   assert.deepEqual(found.allowed, ['core', 'geometry', 'settings']);
@@ -78,10 +78,10 @@ test('a tree is checked file by file, and a second __EMSCRIPTEN__ in src/gl is f
   put('src/gl/Api.h', '#ifdef __EMSCRIPTEN__\n#endif\n');
   assert.deepEqual(checkTree(tree), []);
   put('src/gl/Other.cpp', '#ifdef __EMSCRIPTEN__\n#endif\n');
-  put('src/hair/deep/Bad.cpp', '\n#include "app/App.h"\n');
+  put('src/dynamics/deep/Bad.cpp', '\n#include "app/App.h"\n');
   const lines = checkTree(tree);
   assert.equal(lines.length, 2);
-  assert.match(lines[0], /^src\/hair\/deep\/Bad\.cpp:2: includes app\/App\.h; src\/hair may use: core, geometry, settings$/);
+  assert.match(lines[0], /^src\/dynamics\/deep\/Bad\.cpp:2: includes app\/App\.h; src\/dynamics may use: core, geometry, settings$/);
 });
 
 test('every module of src has its arrows', async () => {

@@ -12,7 +12,7 @@ const textOf = (file) => readFileSync(join(root, file), 'utf8');
 const dummies = {
   'src/app/tools/Tools.inc': 'FUR_TOOL(Hammer, "hammer", Viewer, Water, Paint, Repeats, 1.0f, "Hit", "Mend", "touch", "waters", "", "hits, once", "Hammer: (hit) it")\n',
   'web/Methods.inc': 'FUR_METHOD(strike, Number, (float u, bool hard), ({u, 0}, hard), Element, "How it rang.")\nFUR_QUERY(dented, Truth, Element, "")\n'
-    + 'FUR_METHOD(swing, Nothing, (), (), Program, "")\n',
+    + 'FUR_METHOD(wobble, Nothing, (), (), Program, "")\n',
   'src/scene/Formats.inc': 'FUR_MODEL_FORMAT(Clay, ".clay .pot", "model/clay", "pot", readClay)\nFUR_FORMAT(Tin, Coat, ".tin", "image/tin", "foil")\n',
   'src/settings/Fields.inc': 'FUR_CHOICE(weather, "Weather", "Water", 0, "fair|foul", "What it is like (\\"outside\\")", kFrequent)\n',
   'assets/Presets.inc': 'FUR_PRESET("yak", "Yak", "Very long",\n           "furLength=0.4 "\n           "wave=1")\n',
@@ -98,12 +98,12 @@ test('a new edit of the groom is in the typings', () => {
 
 test('a new method is one of the program, of the element and of the typings', async () => {
   const { methods, queries, elementMethods, elementQueries } = await importText(moduleText(withDummies));
-  assert.deepEqual([methods.Number.at(-1), methods.Nothing.at(-1), queries.Truth.at(-1)], ['strike', 'swing', 'dented']);
-  assert.deepEqual([elementMethods.Number.at(-1), elementMethods.Nothing.includes('swing'), elementQueries.Truth.at(-1)], ['strike', false, 'dented']);
+  assert.deepEqual([methods.Number.at(-1), methods.Nothing.at(-1), queries.Truth.at(-1)], ['strike', 'wobble', 'dented']);
+  assert.deepEqual([elementMethods.Number.at(-1), elementMethods.Nothing.includes('wobble'), elementQueries.Truth.at(-1)], ['strike', false, 'dented']);
   const typings = typingsText(withDummies);
   assert.match(typings, /  \/\*\* How it rang\. \*\/\n  strike\(u: number, hard: boolean\): number;\n/);
   assert.match(typings, /\n  readonly dented: boolean;\n/);
-  assert.doesNotMatch(typings, /swing/);
+  assert.doesNotMatch(typings, /wobble/);
   const odd = { ...withDummies, methods: [{ name: 'odd', result: 'Nothing', parameters: '(void* p)', offered: 'Element', doc: '' }] };
   assert.throws(() => typingsText(odd), /void\* has no type/);
 });
@@ -120,16 +120,16 @@ test('a new method is called by its name, with its arguments, across the border'
     struct App {
       float strike(Place at, bool hard) { return hard ? at.x : at.y; }
       bool dented() { return true; }
-      void swing() { std::printf("swung\\n"); }
+      void wobble() { std::printf("wobbled\\n"); }
     };
     template <class Work> auto guarded(Work work) { return work(); }
     ${macros.replace('"web/Methods.inc"', '"dummies.inc"')}
     int main() {
       App app;
       std::printf("%g %g %d\\n", double(fur_strike(&app, 7, true)), double(fur_strike(&app, 7, false)), fur_dented(&app));
-      fur_swing(&app);
+      fur_wobble(&app);
     }`);
-  assert.deepEqual(lines, ['7 0 1', 'swung']);
+  assert.deepEqual(lines, ['7 0 1', 'wobbled']);
 });
 
 test('what the element offers are methods and getters of both of its classes', () => {

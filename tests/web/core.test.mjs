@@ -153,4 +153,9 @@ test('the formula sheet answers with the numbers of the papers', () => {
   assert.ok(e.marschnerN(1, 0, Math.PI, 1.55, 0) > e.marschnerN(1, 0, Math.PI, 1.55, 0.5));
   near(e.transmittance(3, 0.5), Math.exp(-1.5));
   near(e.opacityLookup([0, 0.2, 0.6], 0.15, 0.1), 0.4);
+  assert.deepEqual(e.verletStep([1, 2, 3], [0, 2, 4], [0, -8, 0], 0.5, 0.5), [1.5, 0, 2.5]);
+  near(e.springStiffness(6, 0.5, 4, 2), 1.5);
+  near(e.springStiffness(6, 0.5, 4, 3), 0.75);
+  near(e.tiltStiffness(8, 2, 1), 8);
+  near(e.tiltStiffness(8, 2, -1), 2);
 });

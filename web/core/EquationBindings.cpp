@@ -7,6 +7,7 @@
 #include "furgen/Coat.h"
 #include "furgen/Strand.h"
 #include "hair/Marschner.h"
+#include "hair/Springs.h"
 #include "hair/StrandShading.h"
 #include "hair/VolumeShadow.h"
 #include "wet/Clump.h"
@@ -62,3 +63,10 @@ FUR_EXPORT double fur_eqTransmittance(float k, float sigma) { return hair::trans
 FUR_EXPORT double fur_eqOpacityLookup(const double* layers, int count, float z, float dz) {
   return hair::opacityLookup({layers, static_cast<std::size_t>(count)}, z, dz);
 }
+FUR_EXPORT const double* fur_eqVerletStep(float px, float py, float pz, float qx, float qy, float qz, float ax, float ay, float az,
+                                           float damping, float dt) {
+  const Vec3 next = hair::verletStep(Vec3(px, py, pz), Vec3(qx, qy, qz), Vec3(ax, ay, az), damping, dt);
+  return web::numbers({next.x, next.y, next.z});
+}
+FUR_EXPORT double fur_eqSpringStiffness(float k, float distance, float c, int a) { return hair::springStiffness(k, distance, c, a); }
+FUR_EXPORT double fur_eqTiltStiffness(float k, float alpha, float zDotZh) { return hair::tiltStiffness(k, alpha, zDotZh); }

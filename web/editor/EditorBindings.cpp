@@ -231,6 +231,13 @@ FUR_EXPORT int fur_groomAll(App* app, const char* edit, float value, float x, fl
     return 1;
   });
 }
+// `edit`: the name of an app::HairEdit; others do nothing.
+FUR_EXPORT int fur_editHair(App* app, const char* edit, float value, float x, float y, float z) {
+  return guarded([&] {
+    if (const auto known = app::hairEditNamed(edit)) app->editHair(*known, value, {x, y, z});
+    return 1;
+  });
+}
 // `name`: of the file, see App::groomFromFile().
 FUR_EXPORT int fur_groomFromImage(App* app, int what, const char* name, int width, int height, const std::uint8_t* rgba) {
   return guarded([&] {

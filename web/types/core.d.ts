@@ -101,6 +101,12 @@ export interface Equations {
   transmittance(k: number, sigma: number): number;
   /** sigma(z) from the opacity before each layer, layer i at i dz. */
   opacityLookup(layerOpacities: ArrayLike<number>, z: number, dz: number): number;
+  /** p + damping (p - pPrev) + dt^2 acceleration: damping is the share of its velocity that is kept, 1 is undamped (Halen & Wester 4.1). */
+  verletStep(p: Vector, pPrev: Vector, acceleration: Vector, damping: number, dt: number): [number, number, number];
+  /** k / (L c)^a at the distance L from the root; a: 1, 2 or 3. */
+  springStiffness(k: number, L: number, c: number, a: number): number;
+  /** ((z.z_h + 1) / 2) (k - alpha) + alpha: of a spring on a head that is tilted. */
+  tiltStiffness(k: number, alpha: number, zDotZh: number): number;
 }
 
 export interface ImportedModel {

@@ -1,5 +1,5 @@
 // wet-fur: createWetFur and what it returns.
-import type { Color, FurSettings, GroomEdit, PresetName, Tool, WetFurMethods } from './tables.js';
+import type { Color, FurSettings, GroomEdit, HairEdit, HairValues, PresetName, Tool, WetFurMethods } from './tables.js';
 
 export type * from './tables.js';
 
@@ -192,6 +192,15 @@ export interface WetFurApi extends WetFurMethods {
    */
   groom(edit: GroomEdit, value?: number, direction?: readonly [number, number, number]): Promise<void>;
   /**
+   * Long hair, as one undo step; what `value` and `direction` are is told with each edit. Warnings tell what could not be done. This
+   * fetches the editor's program.
+   */
+  hair(edit: HairEdit, value?: number, direction?: readonly [number, number, number]): Promise<void>;
+  /** A value of a scalp's hair, by its number; one undo step. Throws a FurError where there is no such scalp or value. */
+  setHairValue<Name extends keyof HairValues>(scalp: number, name: Name | 'name', value: HairValues[Name] | string): void;
+  /** The scalps of the model. */
+  readonly scalps: readonly { name: string; guides: number; wisps: number; selected: boolean; values: HairValues }[];
+  /**
    * An image in the model's texture coordinates: its brightness becomes the length of the fur. A File that the editor's "Save
    * maps" wrote (length, types, paint, mask or shape, by its name) goes back where it came from.
    */
@@ -267,7 +276,7 @@ export function createWetFur(canvas: HTMLCanvasElement, options?: WetFurOptions)
 export function preload(onBytes?: (loaded: number, total: number) => void): Promise<void>;
 
 /** Where the files lie when they are not beside the scripts; `coreWasmUrl` is what wet-fur/core loads. */
-export function configure(places: { wasmUrl?: string | URL; editorWasmUrl?: string | URL; coreWasmUrl?: string | URL; modelsUrl?: string | URL }): void;
+export function configure(places: { wasmUrl?: string | URL; hairWasmUrl?: string | URL; editorWasmUrl?: string | URL; coreWasmUrl?: string | URL; modelsUrl?: string | URL }): void;
 
 /** Whether this browser can draw it; false outside a browser. */
 export function isSupported(): boolean;

@@ -98,6 +98,7 @@ FUR_BLOCK(FurBlock) {
 
 #define FUR_FRAME_BINDING 0
 #define FUR_COAT_BINDING 1
+#define FUR_HAIR_BINDING 2
 
 // Surface vertices (shells, skin, ground shadow).
 #define FUR_POSITION 0        // w: strands from (SurfaceVertex::strands)
@@ -151,6 +152,11 @@ FUR_BLOCK(FurBlock) {
 #define FUR_UNIT_PAINT 16
 #define FUR_UNIT_SHAPE 17
 #define FUR_UNIT_LOCK_CENTRES 18
+#define FUR_UNIT_HAIR_NODES 19
+#define FUR_UNIT_WISPS 20
+#define FUR_UNIT_HAIR_POINTS 21
+#define FUR_UNIT_MEMBER_STRANDS 22
+#define FUR_UNIT_STRIPS 23
 
 // Directions over a half turn in which strands are averaged into streaks (furgen/Streaks.h).
 #define FUR_STREAK_TURNS 32.0

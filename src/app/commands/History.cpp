@@ -15,6 +15,7 @@ std::size_t bytesIn(const std::vector<T>& values) {
 std::size_t bytesOf(const Step& step) {
   if (const auto* mask = std::get_if<MaskStep>(&step)) return sizeof(Step) + bytesIn(mask->before.texels) + bytesIn(mask->after.texels) + bytesIn(mask->before.film) + bytesIn(mask->after.film) +
            bytesIn(mask->wet);
+  if (const auto* hair = std::get_if<HairStep>(&step)) return sizeof(Step) + bytesIn(hair->before) + bytesIn(hair->after);
   const auto* groom = std::get_if<GroomStep>(&step);
   if (!groom) return sizeof(Step);
   std::size_t bytes = sizeof(Step) + bytesIn(groom->points) + bytesIn(groom->combBefore) + bytesIn(groom->combAfter) +
@@ -49,6 +50,8 @@ void carry(Io& io, S& step) {
     io(step.before, step.after);
   } else if constexpr (std::is_same_v<Kind, MaskStep>) {
     io(step.rect, step.before.texels, step.before.film, step.after.texels, step.after.film, step.wet);
+  } else if constexpr (std::is_same_v<Kind, HairStep>) {
+    io(step.before, step.after);
   } else if constexpr (std::is_same_v<Kind, GroomStep>) {
     for (auto& map : step.maps) io(map.rect, map.before, map.after);
     io(step.sizeBefore, step.sizeAfter, step.points, step.combBefore, step.combAfter, step.whiskersBefore, step.whiskersAfter);
@@ -56,7 +59,7 @@ void carry(Io& io, S& step) {
 }
 
 // Of each alternative of Step.
-constexpr Command kCommandOf[] = {Command::Settings, Command::Water, Command::Groom, Command::Model};
+constexpr Command kCommandOf[] = {Command::Settings, Command::Water, Command::Groom, Command::Hair, Command::Model};
 static_assert(std::size(kCommandOf) == std::variant_size_v<Step>);
 
 // Makes it an empty one of that name; false: there is none.
@@ -64,6 +67,7 @@ bool become(Step& step, std::string_view name) {
   if (name == nameOf(Command::Settings)) step.emplace<SettingsStep>();
   else if (name == nameOf(Command::Water)) step.emplace<MaskStep>();
   else if (name == nameOf(Command::Groom)) step.emplace<GroomStep>();
+  else if (name == nameOf(Command::Hair)) step.emplace<HairStep>();
   else if (name == nameOf(Command::Model)) step.emplace<ModelStep>();
   else return false;
   return true;

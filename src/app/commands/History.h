@@ -49,9 +49,14 @@ struct GroomStep {
   std::vector<groom::Whisker> whiskersBefore{}, whiskersAfter{};
 };
 
+// All hair before and after, as HairStage::save() has it.
+struct HairStep {
+  std::vector<std::uint8_t> before, after;
+};
+
 struct ModelStep {};
 
-using Step = std::variant<SettingsStep, MaskStep, GroomStep, ModelStep>;
+using Step = std::variant<SettingsStep, MaskStep, GroomStep, HairStep, ModelStep>;
 // The name that a step has in bytes.
 Command commandOf(const Step& step);
 

@@ -445,6 +445,9 @@ void EditorHost::perform(const editor::Command& command) {
       [&](const SaveMaps&) { request(Kind::SaveMaps, app_.mapsName() + "-maps"); },
       [&](const SelectAt& c) { selects_ = c.what; },
       [&](const GroomAll& c) { app_.groomAll(c.edit, c.value, c.direction); },
+      [&](const EditHair& c) { app_.editHair(c.edit, c.value, c.direction); },
+      [&](const SetHairValues& c) { app_.setHairValues(c.scalp, c.values); },
+      [&](const RenameScalp& c) { (void)app_.setHairValue(static_cast<int>(c.scalp), "name", c.name); },
       [&](const SavePicture& c) { begin({c.width, c.height, c.transparent}, Kind::SavePicture, modelFileName(app_, scene::Format::Png)); },
       [&](const SaveTurntable& c) {
         // Films have even sides.

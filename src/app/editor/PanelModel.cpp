@@ -34,6 +34,12 @@ editor::EditorModel describe(const App& app) {
   model.groom.plain = !app.groomed();
   model.groom.painted = !app.groom().paint.isPlain();
   model.groom.masked = !app.groom().mask.isPlain();
+  model.hair.selected = app.selectedScalp();
+  model.hair.bodies = app.hairstyle().bodies.size();
+  for (std::size_t i = 0; i < app.hairstyle().scalps.size(); ++i) {
+    const hair::Scalp& scalp = app.hairstyle().scalps[i];
+    model.hair.scalps.push_back({scalp.name, scalp.guides.count(), app.wispCount(i), scalp.values});
+  }
   return model;
 }
 

@@ -79,6 +79,7 @@ bool MotionStage::update(const Inputs& inputs) {
   const bool moved = body_.update(inputs.seconds);
   revision_ += moved;
   if (wind(inputs) > 0 || breath(inputs) > 0) windClock_ += inputs.seconds;
+  wind_ = forces(inputs).wind;
   if (!(inputs.seconds > 0) || !(moved || active(inputs))) return moved;
   follow(inputs);
   touch_.update(inputs.seconds);
@@ -92,6 +93,7 @@ bool MotionStage::update(const Inputs& inputs) {
 
 void MotionStage::settle(const Inputs& inputs) {
   follow(inputs);
+  wind_ = forces(inputs).wind;
   bends_.settle(worldFromModel(), forces(inputs), inputs.water.vertexWetness(inputs.shape));
   felt_ = felt(inputs);
   ++revision_;

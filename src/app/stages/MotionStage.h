@@ -46,6 +46,8 @@ class MotionStage {
   const Touch& touch() const { return touch_; }
   Mat4 worldFromModel() const { return body_.worldFromModel(); }
 
+  // The wind at the last update, world space.
+  const dynamics::Wind& windNow() const { return wind_; }
   std::span<const Vec4> bends() const { return bends_.bends(); }
   // What the picture takes: the forces where those are shown, else the bends.
   std::span<const Vec4> shown() const { return bends_.forces().empty() ? bends_.bends() : bends_.forces(); }
@@ -72,6 +74,7 @@ class MotionStage {
   Touch touch_;
   ModelMotion body_;
   double windClock_ = 0;
+  dynamics::Wind wind_;
   std::optional<Felt> felt_;  // by the last step
   std::uint64_t surfaceFor_ = 0, poseFor_ = 0, groomFor_ = 0;  // that bends_ follows
   std::uint64_t revision_ = 0, bendsRevision_ = 0;

@@ -22,7 +22,7 @@ inline constexpr std::size_t kToolCount = 0
 // What pointers that are down do. Of a tool: Paint, Touch, Grab or Orbit.
 enum class Drag { None, Paint, Touch, Orbit, Grab, Spin, Light, Pinch };
 // What a tool changes of what is kept.
-enum class WorksOn { Nothing, Water, Groom };
+enum class WorksOn { Nothing, Water, Groom, Hair };
 // What a tool does while it is held where it is. Works: it goes on all the time. Repeats: one dab follows the other.
 enum class Held { Nothing, Works, Repeats };
 
@@ -36,6 +36,7 @@ struct ToolTraits {
 const ToolTraits& traitsOf(Tool tool);
 
 inline bool grooms(Tool tool) { return traitsOf(tool).on == WorksOn::Groom; }
+inline bool worksOnHair(Tool tool) { return traitsOf(tool).on == WorksOn::Hair; }
 inline bool worksOnWater(Tool tool) { return traitsOf(tool).on == WorksOn::Water; }
 inline bool paints(Tool tool) { return traitsOf(tool).drag == Drag::Paint; }
 inline bool goesOn(Tool tool) { return traitsOf(tool).held == Held::Works; }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/Json.h"
+#include "hair/HairFields.h"
 #include "scene/Model.h"
 #include "scene/PackBits.h"
 #include "scene/WetnessPlanes.h"
@@ -83,6 +84,37 @@ std::string attributesOf(Writer& writer, const geometry::Mesh& mesh, const FurDa
   return out;
 }
 
+// Four planes of bytes, packed; the number of their view.
+std::string addMap(Writer& writer, const std::vector<groom::GroomMap::Texel>& map) {
+  std::vector<std::uint8_t> planes;
+  for (std::size_t k = 0; k < 4; ++k)
+    for (const auto& texel : map) planes.push_back(texel[k]);
+  return std::to_string(writer.addView(packBits(planes), ""));
+}
+
+template <class T>
+std::string addBytes(Writer& writer, const std::vector<T>& values) {
+  return std::to_string(writer.addView({reinterpret_cast<const std::uint8_t*>(values.data()), values.size() * sizeof(T)}, ""));
+}
+
+std::string scalpJson(Writer& writer, const hair::Scalp& scalp) {
+  std::string out = "{\"name\":" + jsonString(scalp.name) + ",\"values\":" + hair::writeHairValues(scalp.values) +
+                    ",\"map\":{\"size\":" + std::to_string(scalp.map.size()) + ",\"bufferView\":" + addMap(writer, scalp.map.texels()) + "}";
+  if (scalp.guides.count() > 0)
+    out += ",\"guides\":{\"nodes\":" + std::to_string(scalp.guides.nodes) + ",\"positions\":" + addBytes(writer, scalp.guides.positions) +
+           ",\"flags\":" + addBytes(writer, scalp.guides.flags) + "}";
+  return out + "}";
+}
+
+// `atlas` names its texture coordinates and closes the object.
+std::string hairJson(Writer& writer, const hair::Hairstyle& hair, const std::string& atlas) {
+  std::string out = ",\"hair\":{\"scalps\":[";
+  for (const hair::Scalp& scalp : hair.scalps) out += (&scalp == hair.scalps.data() ? "" : ",") + scalpJson(writer, scalp);
+  out += "]";
+  if (!hair.bodies.empty()) out += ",\"bodies\":" + addBytes(writer, hair.bodies);
+  return out + atlas;
+}
+
 // WETFUR_fur of the root; "" when there is nothing to say.
 std::string furExtension(Writer& writer, const geometry::Mesh& mesh, const FurData& fur) {
   const bool hasAtlas = mesh.atlas.size() == mesh.positions.size();
@@ -91,25 +123,21 @@ std::string furExtension(Writer& writer, const geometry::Mesh& mesh, const FurDa
   const bool hasMap = !(fur.map.empty() && fur.paint.empty() && fur.mask.empty() && fur.shape.empty()) && hasAtlas;
   const bool isWet = !fur.wetness.empty() && hasAtlas;
   const std::string atlas = mesh.uv.empty() ? ",\"texCoord\":0}" : ",\"texCoord\":1}";
-  if (fur.state.empty() && !hasMap && !isWet && fur.comb.empty() && fur.whiskers.empty() && mesh.furUv.empty()) return "";
+  const bool hasHair = !fur.hair.scalps.empty() && hasAtlas;
+  if (fur.state.empty() && !hasMap && !isWet && !hasHair && fur.comb.empty() && fur.whiskers.empty() && mesh.furUv.empty()) return "";
   std::string out = "\"WETFUR_fur\":{\"version\":" + std::to_string(kFurVersion);
   if (!fur.state.empty()) out += ",\"state\":" + fur.state;
   if (hasMap) {
-    const auto viewOf = [&](const std::vector<groom::GroomMap::Texel>& map) {
-      std::vector<std::uint8_t> planes;
-      for (std::size_t k = 0; k < 4; ++k)
-        for (const auto& texel : map) planes.push_back(texel[k]);
-      return std::to_string(writer.addView(packBits(planes), ""));
-    };
     const std::vector<groom::GroomMap::Texel> plain(static_cast<std::size_t>(fur.mapSize) * static_cast<std::size_t>(fur.mapSize), groom::GroomMap::kPlain);
-    out += ",\"groom\":{\"size\":" + std::to_string(fur.mapSize) + ",\"bufferView\":" + viewOf(fur.map.empty() ? plain : fur.map);
+    out += ",\"groom\":{\"size\":" + std::to_string(fur.mapSize) + ",\"bufferView\":" + addMap(writer, fur.map.empty() ? plain : fur.map);
     for (const auto& [name, map] : over)
-      if (!map->empty()) out += std::string(",\"") + name + "\":" + viewOf(*map);
+      if (!map->empty()) out += std::string(",\"") + name + "\":" + addMap(writer, *map);
     out += atlas;
   }
   if (isWet)
     out += ",\"wetness\":{\"size\":" + std::to_string(fur.wetnessSize) + ",\"bufferView\":" +
            std::to_string(writer.addView(packWetness(fur.wetness), "")) + atlas;
+  if (hasHair) out += hairJson(writer, fur.hair, atlas);
   if (!fur.whiskers.empty()) {
     const auto* from = reinterpret_cast<const std::uint8_t*>(fur.whiskers.data());
     out += ",\"whiskers\":{\"bufferView\":" + std::to_string(writer.addView({from, fur.whiskers.size() * groom::kWhiskerBytes}, "")) + "}";

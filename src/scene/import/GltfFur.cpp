@@ -2,6 +2,7 @@
 
 #include "scene/PackBits.h"
 #include "scene/StateJson.h"
+#include "scene/import/GltfHair.h"
 #include "scene/WetnessPlanes.h"
 
 namespace fur::scene {
@@ -80,6 +81,14 @@ GltfFur readFur(const GltfFile& file, FurData& fur) {
     readWetness(file, *wetness, fur);
     const Whole set = file.whole(*wetness, "texCoord", "WETFUR_fur.wetness");
     if (out.hasMap && set != out.atlasSet) file.bad("WETFUR_fur: groom and wetness have not the same texCoord");
+    out.hasMap = true;
+    out.atlasSet = set;
+  }
+  if (const Json* hair = found->find("hair")) {
+    if (!hairReader()) file.fail(ErrorId::LongHair, "it has long hair, which this program does not grow");
+    fur.hair = hairReader()->read(file, *hair, out.warnings);
+    const Whole set = file.whole(*hair, "texCoord", "WETFUR_fur.hair");
+    if (out.hasMap && set != out.atlasSet) file.bad("WETFUR_fur: groom and hair have not the same texCoord");
     out.hasMap = true;
     out.atlasSet = set;
   }

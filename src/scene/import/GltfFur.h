@@ -12,6 +12,7 @@ struct GltfFur {
   bool present = false;
   bool hasMap = false;
   Whole atlasSet = 0;  // of the maps
+  Warnings warnings;
 };
 
 // Fills state, maps and whiskers of `fur`; whiskers are in the file's units.

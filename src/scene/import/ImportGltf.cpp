@@ -7,6 +7,7 @@
 #include "scene/import/GltfAccessors.h"
 #include "scene/import/GltfFile.h"
 #include "scene/import/GltfFur.h"
+#include "scene/import/GltfHair.h"
 #include "scene/import/GltfMaterials.h"
 #include "scene/import/GltfNodes.h"
 #include "scene/import/GltfRig.h"
@@ -27,6 +28,7 @@ class Importer {
 
   void run() {
     fur_ = readFur(file_, model_.fur);
+    for (const std::string& warning : fur_.warnings) warn(warning);
     rigged_ = rig_.begin();
     for (const PlacedMesh& placed : placedMeshes(file_)) addMesh(placed);
     if (rigged_) placeSkins();
@@ -41,6 +43,7 @@ class Importer {
     model_.rig.scale = static_cast<float>(fit.scale);
     if (!model_.rig.moves()) model_.rig = {};
     for (groom::Whisker& whisker : model_.fur.whiskers) whisker.root = fit.of(whisker.root);
+    if (hairReader()) hairReader()->fit(file_, model_.fur.hair, fit);
   }
 
  private:
@@ -238,7 +241,8 @@ class Importer {
     mesh.atlas.clear();
     model_.fur.map.clear();
     model_.fur.wetness.clear();
-    warn("groom and wetness are left out: their texture coordinates are missing, overlap or lie outside of the map");
+    model_.fur.hair = {};
+    warn("groom, wetness and hair are left out: their texture coordinates are missing, overlap or lie outside of the map");
   }
 
   void append(const geometry::Mesh& part) {

@@ -31,10 +31,10 @@ TEST(Tools, NamesThatWereEverGivenOutAreStillKnown) {
     EXPECT_TRUE(toolNamed(name)) << name;
 }
 
-TEST(Tools, WhatWorksOnWaterOrGroomPaintsAndNothingElseDoes) {
+TEST(Tools, WhatWorksOnWaterGroomOrHairPaintsAndNothingElseDoes) {
   for (std::size_t i = 0; i < kToolCount; ++i) {
     const Tool tool = toolAt(i);
-    EXPECT_EQ(paints(tool), grooms(tool) || worksOnWater(tool)) << named(tool);
+    EXPECT_EQ(paints(tool), grooms(tool) || worksOnWater(tool) || worksOnHair(tool)) << named(tool);
     if (goesOn(tool)) EXPECT_TRUE(worksOnWater(tool)) << named(tool);
     if (repeats(tool)) EXPECT_TRUE(paints(tool) && traitsOf(tool).reach > 0) << named(tool);
   }

@@ -79,7 +79,9 @@ export async function withoutAPicture(): Promise<number> {
   mask.dry(1, { rate: 0.1 });
   const model = core.importModel(new ArrayBuffer(8), { name: 'fox.glb' });
   const [along, across] = core.equations.arcBend(0.4, 1);
+  const [x, y, z]: [number, number, number] = core.equations.verletStep([0, 1, 0], [0, 1, 0], [0, -9.8, 0], 0.98, 1 / 120);
+  const stiffness: number = core.equations.springStiffness(200, 0.3, 6, 2) + core.equations.tiltStiffness(1, 0.35, 0.5);
   // @ts-expect-error a vector has three parts
   core.equations.kajiyaDiffuse([0, 1], [0, 1, 0]);
-  return tangent.length + mask.data.length + model.vertexCount + along + across + mask.hash().length;
+  return tangent.length + mask.data.length + model.vertexCount + along + across + x + y + z + stiffness + mask.hash().length;
 }

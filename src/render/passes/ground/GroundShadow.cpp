@@ -24,13 +24,16 @@ void GroundShadow::drawNothing() const {
   gl::bindPlatformFramebuffer();
 }
 
-bool GroundShadow::drawModel(const Drawing& drawing) {
+bool GroundShadow::drawModel(const Drawing& drawing, const HairPass& hair) {
   targets_[0].bind();
   gl::clear(Vec4(0));
   if (!drawing.programs.use(Shader::GroundShadow, kPlain)) return false;
-  gl::apply({.depthTest = false, .depthWrite = false, .cullBack = false, .blend = gl::Blend::Add});
+  const gl::DrawState added{.depthTest = false, .depthWrite = false, .cullBack = false, .blend = gl::Blend::Add};
+  gl::apply(added);
   // Along the light, straight down, and where the eye sees it mirrored.
-  drawing.surface.draw(drawing.frame.puddles.empty() ? 2 : 3);
+  const int ways = drawing.frame.puddles.empty() ? 2 : 3;
+  drawing.surface.draw(ways);
+  if (!hair.drawShadow(drawing.programs, kOnGround, added, ways)) return false;
   if (drawing.frame.ball.w <= 0) return true;
   if (!drawing.programs.use(Shader::GroundShadow, kBall)) return false;
   drawBallTriangles();
@@ -49,14 +52,14 @@ bool GroundShadow::blur(Programs& programs) {
   return true;
 }
 
-bool GroundShadow::update(const Drawing& drawing) {
+bool GroundShadow::update(const Drawing& drawing, const HairPass& hair) {
   const Frame& frame = drawing.frame;
   if (!frame.settings.ground) return true;
-  const Key key{drawing.surface.revision(), frame.worldFromModel, lightDirection(frame), frame.settings.furLength, frame.groundHeight,
+  const Key key{drawing.surface.revision(), hair.revision(), frame.worldFromModel, lightDirection(frame), frame.settings.furLength, frame.groundHeight,
                 frame.ball, frame.puddles.empty() ? Vec3(0) : frame.camera.eye};
   if (key_ == key) return true;
   gl::setViewport(kSize, kSize);
-  const bool drawn = drawModel(drawing) && blur(drawing.programs);
+  const bool drawn = drawModel(drawing, hair) && blur(drawing.programs);
   gl::bindPlatformFramebuffer();
   if (drawn) key_ = key;
   return drawn;

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "render/passes/Drawing.h"
+#include "render/passes/hair/HairPass.h"
 
 namespace fur::render {
 
@@ -11,7 +12,7 @@ class GroundShadow {
  public:
   void create();
   // Needs both blocks bound. Leaves the platform's framebuffer bound, and where it has drawn another viewport.
-  bool update(const Drawing& drawing);
+  bool update(const Drawing& drawing, const HairPass& hair);
   const gl::Texture& map() const { return maps_[0]; }
   // Draws nothing that is kept, into a target of its own.
   void drawNothing() const;
@@ -19,7 +20,7 @@ class GroundShadow {
 
  private:
   struct Key {
-    unsigned long surface;
+    unsigned long surface, hair;
     Mat4 worldFromModel;
     Vec3 light;
     float length, height;
@@ -27,7 +28,7 @@ class GroundShadow {
     Vec3 mirrorsTo;  // the eye, where the ground is wet
     bool operator==(const Key&) const = default;
   };
-  bool drawModel(const Drawing& drawing);
+  bool drawModel(const Drawing& drawing, const HairPass& hair);
   bool blur(Programs& programs);
 
   gl::Texture maps_[2];  // [1]: half blurred

@@ -73,7 +73,7 @@ void FurShadow::prepare(int size, bool layers) {
   }
 }
 
-bool FurShadow::drawFirst(Programs& programs, const Key& key, bool layers, const gl::VertexArray& surface, int indexCount) {
+bool FurShadow::drawFirst(Programs& programs, const Key& key, bool layers, const gl::VertexArray& surface, int indexCount, const HairPass& hair) {
   firstTarget_[0].bind();
   gl::clear(Vec4(1));
   for (const bool skin : {false, true}) {
@@ -82,6 +82,8 @@ bool FurShadow::drawFirst(Programs& programs, const Key& key, bool layers, const
     if (skin) gl::clearDepth();
     gl::apply({.cullBack = false, .red = !skin, .green = !skin, .blue = skin, .alpha = skin});
     surface.drawIndexed(indexCount, 1);
+    // Hair is part of the first surface.
+    if (!skin && !hair.drawShadow(programs, kPlain, {.cullBack = false, .blue = false, .alpha = false})) return false;
     // As dark as skin: layers count strands from the coat on, whatever is above it.
     if (key.ball.w <= 0 || skin != layers) continue;
     if (!programs.use(Shader::ShadowMap, kBall)) return false;
@@ -102,25 +104,26 @@ bool FurShadow::blur(Programs& programs) {
   return true;
 }
 
-bool FurShadow::drawLayers(Programs& programs, unsigned curve, const gl::VertexArray& surface, int indexCount) {
+bool FurShadow::drawLayers(Programs& programs, unsigned curve, const gl::VertexArray& surface, int indexCount, const HairPass& hair) {
   if (!programs.use(Shader::ShadowMap, curve | kShadowLayers)) return false;
   first_[0].bind(FUR_UNIT_SHADOW);
   opacityTarget_.bind();
   gl::clear(Vec4(0));
-  gl::apply({.depthTest = false, .depthWrite = false, .cullBack = false, .blend = gl::Blend::Add});
+  const gl::DrawState added{.depthTest = false, .depthWrite = false, .cullBack = false, .blend = gl::Blend::Add};
+  gl::apply(added);
   surface.drawIndexed(indexCount, FUR_SHADOW_SHELLS);
-  return true;
+  return hair.drawShadow(programs, kShadowLayers, added);
 }
 
-bool FurShadow::update(Programs& programs, const Key& key, const gl::VertexArray& surface, int indexCount) {
+bool FurShadow::update(Programs& programs, const Key& key, const gl::VertexArray& surface, int indexCount, const HairPass& hair) {
   if (key.shadows == Shadows::None) return true;
   const bool layers = key.shadows == Shadows::Layers;
   if (key_ != key) {
     const int size = layers ? FUR_OPACITY_SIZE : FUR_SHADOW_SIZE;
     prepare(size, layers);
     gl::setViewport(size, size);
-    const bool drawn = drawFirst(programs, key, layers, surface, indexCount) &&
-                       (layers ? drawLayers(programs, key.curve, surface, indexCount) : blur(programs));
+    const bool drawn = drawFirst(programs, key, layers, surface, indexCount, hair) &&
+                       (layers ? drawLayers(programs, key.curve, surface, indexCount, hair) : blur(programs));
     gl::bindPlatformFramebuffer();
     if (!drawn) return false;
     key_ = key;

@@ -11,6 +11,7 @@
 
 #include "gl/Objects.h"
 #include "render/Programs.h"
+#include "render/passes/hair/HairPass.h"
 #include "settings/Settings.h"
 #include "shared/Blocks.h"
 
@@ -49,15 +50,15 @@ class FurShadow {
   };
   // Needs both uniform blocks, the bends and the tile bound; leaves the platform's framebuffer bound, and
   // another viewport. Binds the maps to their units.
-  bool update(Programs& programs, const Key& key, const gl::VertexArray& surface, int indexCount);
+  bool update(Programs& programs, const Key& key, const gl::VertexArray& surface, int indexCount, const HairPass& hair);
   std::size_t bytes() const;
   long redraws() const { return redraws_; }
 
  private:
   void prepare(int size, bool layers);
-  bool drawFirst(Programs& programs, const Key& key, bool layers, const gl::VertexArray& surface, int indexCount);
+  bool drawFirst(Programs& programs, const Key& key, bool layers, const gl::VertexArray& surface, int indexCount, const HairPass& hair);
   bool blur(Programs& programs);
-  bool drawLayers(Programs& programs, unsigned curve, const gl::VertexArray& surface, int indexCount);
+  bool drawLayers(Programs& programs, unsigned curve, const gl::VertexArray& surface, int indexCount, const HairPass& hair);
 
   gl::Texture first_[2];  // depth of the first surface; [1]: half blurred
   gl::Target firstTarget_[2];

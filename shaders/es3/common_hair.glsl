@@ -1,0 +1,25 @@
+// Long hair (src/hair/Wisps.h): where a wisp runs, how thick it is, and where its strands are in it.
+#include "shared/Hair.h"
+
+// A node of a guide or a point of a wisp: 16 bytes a texel (render/passes/hair/HairScalp.cpp).
+struct HairNode {
+  vec3 position;   // model space
+  float wetness;
+  vec4 turn;       // a quaternion: takes x, y, z to across, along and out of the hair
+};
+
+HairNode unpackNode(uvec4 texel) {
+  vec2 xy = unpackUnorm2x16(texel.x), zw = unpackUnorm2x16(texel.y);
+  return HairNode(nodesLow.xyz + nodesSpan.xyz * vec3(xy, zw.x), zw.y, vec4(unpackSnorm2x16(texel.z), unpackSnorm2x16(texel.w)));
+}
+
+uvec4 packNode(HairNode node) {
+  vec3 at = clamp((node.position - nodesLow.xyz) / nodesSpan.xyz, 0.0, 1.0);
+  return uvec4(packUnorm2x16(at.xy), packUnorm2x16(vec2(at.z, node.wetness)), packSnorm2x16(node.turn.xy), packSnorm2x16(node.turn.zw));
+}
+
+vec3 turned(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
+
+// Half the width of a wisp whose width at the root is `width`, at height t; its depth is hairDepth of that. Water draws its strands
+// together, the more the nearer the tip.
+float halfWidth(float width, float t, float wetness) { return 0.5 * width * mix(1.0, tipWidth, t) * (1.0 - FUR_WET_GATHERS * wetness * t * (2.0 - t)); }

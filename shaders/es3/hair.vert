@@ -1,0 +1,67 @@
+// Long hair: strips, an instance a wisp; or strands one by one, an instance a strand.
+#include "common.glsl"
+#include "common_hair.glsl"
+#include "common_hair_point.glsl"
+#ifdef STRIPS
+#include "hair_strip.glsl"
+#else
+#include "common_hair_member.glsl"
+#endif
+
+out vec4 vBand;     // strands: x: pixels from the middle line  y: pixels that it is wide; strips: xy: place in the picture, times w
+                    // z: height, 0 root to 1 tip  w: wetness
+out vec4 vTangent;  // model space; w: its random number
+out vec4 vView;     // to the eye; w: strips: that by which vBand.xy is divided; strands: how near to the front of its wisp, 0..1
+out vec3 vNormal;   // of the skin at its root
+out vec3 vLightSpace;
+#ifdef STRIPS
+out vec4 vAcross;   // unit; w: what a slope of its strands is in the model
+flat out float vKind;
+#endif
+
+#ifndef STRIPS
+void strand(int instance) {
+  int strands = int(strandsDrawn), wisp = int(firstWisp) + instance / strands, member = instance % strands;
+  vec3 shape = wispShape(wisp);
+  vec4 ends = texelFetch(memberStrands, ivec2(2 * member, int(shape.z)), 0), waves = texelFetch(memberStrands, ivec2(2 * member + 1, int(shape.z)), 0);
+  float segments = float(FUR_WISP_SEGMENTS) / pointStep;
+  float t = min(float(gl_VertexID >> 1) / segments, waves.x);
+  HairNode middle = wispPoint(wisp, t);
+  vec2 at = memberOffset(ends, waves, t);
+  vec3 p = memberPoint(middle, at, shape.x, t);
+  vec3 tangent = turned(middle.turn, vec3(0.0, 1.0, 0.0));
+
+  vec3 toEye = eye.xyz - p;
+  float pixel = length(toEye) / pixelsPerUnit;
+  float width = widening * strandWidth * memberWidth(waves.x, t) / pixel;
+  float way = (float(gl_VertexID & 1) - 0.5) * (width + 3.0);
+  vec3 side = cross(tangent, toEye);
+  vec3 edge = p + side * (way * pixel * inversesqrt(max(dot(side, side), 1e-12)));
+  gl_Position = clipFromModel * vec4(edge, 1.0);
+  vBand = vec4(way, width, t, middle.wetness);
+  vTangent = vec4(tangent, waves.w);
+  vec3 outward = normalize(toEye);
+  vec3 z = turned(middle.turn, vec3(at.x, 0.0, at.y));
+  vView = vec4(toEye, 0.5 + 0.5 * clamp(dot(z, outward), -1.0, 1.0));
+  vNormal = wispNormal(wisp);
+  vLightSpace = lightSpace(p);
+}
+#endif
+
+void main() {
+#ifdef STRIPS
+  StripVertex v = stripVertex(gl_VertexID, int(firstWisp) + gl_InstanceID, eye.xyz, 1.0);
+  gl_Position = clipFromModel * vec4(v.position, 1.0);
+  // The picture narrows with the strip, over both of a segment's triangles alike.
+  float w = max(length(v.across), 1e-6);
+  vBand = vec4(vec2(0.5 + 0.5 * v.side, v.t) * w, v.t, v.middle.wetness);
+  vTangent = vec4(turned(v.middle.turn, vec3(0.0, 1.0, 0.0)), v.shape.y);
+  vView = vec4(eye.xyz - v.position, w);
+  vNormal = wispNormal(int(firstWisp) + gl_InstanceID);
+  vLightSpace = lightSpace(v.position);
+  vAcross = vec4(v.across / w, v.perHeight);
+  vKind = v.shape.z;
+#else
+  strand(gl_InstanceID);
+#endif
+}

@@ -1,0 +1,26 @@
+// What hair keeps of the light: depth of its first surface in two bytes; opacity for every layer that lies deeper; or its
+// shadow on the ground.
+#include "common.glsl"
+#include "common_furshadow.glsl"
+#include "common_hair.glsl"
+in vec3 vPicture;
+flat in float vKind;
+uniform mediump sampler2DArray strips;
+
+float stripCoverage() { return texture(strips, vec3(vPicture.xy / vPicture.z, vKind)).r; }
+
+#if defined(ON_GROUND)
+flat in vec3 vShadow;
+out vec4 fragColor;
+void main() { fragColor = vec4(vShadow * stripCoverage(), 0.0); }
+#elif defined(SHADOW_LAYERS)
+#include "common_opacity.glsl"
+void main() { addOpacity(hairOpacity * stripCoverage()); }
+#else
+#include "common_depth.glsl"
+out vec4 fragColor;
+void main() {
+  if (stripCoverage() < 0.5) discard;
+  fragColor = packedDepth();
+}
+#endif

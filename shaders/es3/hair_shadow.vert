@@ -1,0 +1,23 @@
+// Strips as the light sees them, for the fur's own shadow map; or flattened on the ground, once for each of its channels.
+#include "common.glsl"
+#include "hair_strip.glsl"
+out vec3 vPicture;  // xy: place in the strip's picture, times z
+flat out float vKind;
+#ifdef ON_GROUND
+#include "common_ground.glsl"
+flat out vec3 vShadow;
+#endif
+
+void main() {
+  int perStrip = 6 * int(float(FUR_WISP_SEGMENTS) / pointStep);
+  StripVertex v = stripVertex(gl_VertexID % perStrip, gl_InstanceID, light.xyz, 0.0);
+  float w = max(length(v.across), 1e-6);
+  vPicture = vec3(vec2(0.5 + 0.5 * v.side, v.t) * w, w);
+  vKind = v.shape.z;
+#ifdef ON_GROUND
+  gl_Position = onGround((worldFromModel * vec4(v.position, 1.0)).xyz, gl_VertexID / perStrip, vShadow);
+#else
+  vec3 at = lightSpace(v.position);
+  gl_Position = vec4(vec3(at.xy, at.z / shadowRange) * 2.0 - 1.0, 1.0);
+#endif
+}

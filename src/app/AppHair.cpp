@@ -1,0 +1,62 @@
+// What programs do with long hair.
+#include <cmath>
+
+#include "app/AppState.h"
+
+namespace fur::app {
+
+void App::State::beginHairStroke() {
+  endStroke();
+  hair->beginStroke();
+}
+
+void App::editHair(HairEdit edit, float value, const Vec3& direction) {
+  State& s = *state_;
+  if (!std::isfinite(value) || !std::isfinite(direction.x + direction.y + direction.z)) return;
+  s.beginHairStroke();
+  groom::GroomSurface skin = s.groom.groomSurface(s.shape);
+  const std::vector<Vec3> comb = s.groom.upright() ? std::vector<Vec3>() : groom::restBends(s.groom.groom(), s.shape.surface(), s.shape.points());
+  s.hair->edit(s.shape, skin, comb, {edit, value, direction, s.settings.furLength}, s.warnings);
+  s.endStroke();
+}
+
+Status App::setHairValue(int scalp, std::string_view name, std::string_view text) {
+  State& s = *state_;
+  s.beginHairStroke();
+  const Status status = s.hair->setValue(static_cast<std::size_t>(std::max(scalp, 0)), name, text, s.warnings);
+  s.endStroke();
+  return status;
+}
+
+void App::setHairValues(std::size_t scalp, const hair::HairValues& values) {
+  State& s = *state_;
+  const bool alone = !s.changeBefore;
+  if (alone || !s.hair->stroking()) s.beginHairStroke();
+  s.hair->setValues(scalp, values);
+  if (alone) s.endStroke();
+}
+
+std::size_t App::wispCount(std::size_t scalp) const { return scalp < state_->hair->scalpCount() ? state_->hair->growth(scalp).wisps.size() : 0; }
+
+std::string App::scalps() const { return state_->hair->describe(); }
+
+const hair::Hairstyle& App::hairstyle() const { return state_->hair->style(); }
+std::uint64_t App::hairRevision() const { return state_->hair->styleRevision(); }
+bool App::haired() const {
+  const hair::Hairstyle& style = state_->hair->style();
+  return !style.scalps.empty() || !style.bodies.empty();
+}
+std::size_t App::selectedScalp() const { return state_->hair->selected(); }
+std::vector<std::uint8_t> App::saveHair() const { return state_->hair->save(); }
+
+Status App::restoreHair(std::span<const std::uint8_t> bytes, bool undoable) {
+  State& s = *state_;
+  s.endStroke();
+  if (undoable) s.hair->beginStroke();
+  const bool restored = s.hair->restore(bytes);
+  s.endStroke();
+  if (restored) return Done{};
+  return Error{ErrorId::BadFile, "hair of " + std::to_string(bytes.size()) + " bytes is not of this program"};
+}
+
+}  // namespace fur::app

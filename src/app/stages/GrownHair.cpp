@@ -1,0 +1,198 @@
+#include "app/stages/GrownHair.h"
+
+#include <algorithm>
+
+#include "core/Fnv1a.h"
+#include "core/NoteChange.h"
+#include "hair/PlantGuides.h"
+
+namespace fur::app {
+
+namespace {
+
+hair::MotionValues motionValues(const hair::HairValues& values, const settings::Settings& settings) {
+  hair::MotionValues out;
+  out.model = static_cast<hair::Model>(settings.hairModel);
+  out.stiffness = values.stiffness;
+  out.softening = values.softening + 1;
+  out.damping = values.damping;
+  out.weight = values.weight;
+  out.gravity = settings.gravity;
+  out.volume = settings.hairVolume;
+  return out;
+}
+
+// `asMade` where the skin is now: its tangent keeps its angle to the triangle's first edge.
+hair::RootFrame frameAsShown(const ShapeStage& shape, const geometry::SurfacePoint& at, const hair::RootFrame& asMade) {
+  const auto* skin = shape.skin();
+  if (!skin) return asMade;
+  const std::uint32_t* corner = &shape.surface().indices[std::size_t{3} * at.triangle];
+  const auto& vertices = shape.surface().vertices;
+  const auto edgeOn = [](const Vec3& edge, const Vec3& normal) { return normalizeOr(edge - normal * glm::dot(normal, edge), axesOn(normal).first); };
+  const Vec3 before = edgeOn(vertices[corner[1]].position - vertices[corner[0]].position, asMade.normal);
+  const Vec3 normal = shape.shownNormal(at), now = edgeOn(skin->positions[corner[1]] - skin->positions[corner[0]], normal);
+  const float along = glm::dot(asMade.tangent, before), aside = glm::dot(asMade.tangent, glm::cross(asMade.normal, before));
+  return {shape.shownPosition(at), normal, now * along + glm::cross(normal, now) * aside};
+}
+
+std::vector<hair::Collider> collidersOf(const hair::Hairstyle& style, const HairStage::Inputs& inputs) {
+  std::vector<hair::Collider> all;
+  const auto world = [&](const Vec3& p) { return Vec3(inputs.worldFromModel * Vec4(p, 1)); };
+  for (const hair::Body& body : style.bodies) all.push_back({world(body.a), world(body.b), body.radius});
+  for (const dynamics::Contact& contact : inputs.contacts)
+    if (contact.radius > 0) all.push_back({contact.to, contact.to, contact.radius});
+  return all;
+}
+
+std::uint64_t rootsHash(const hair::Guides& guides) {
+  Fnv1a hash;
+  for (std::size_t g = 0; g < guides.count(); ++g) hash.add(guides.root(g));
+  return hash.value();
+}
+
+}  // namespace
+
+void GrownHair::reset() {
+  style_ = {};
+  ++styleRevision_;
+  selected_ = 0;
+  before_.reset();
+  scalps_.clear();
+  stale_ = settled_ = false;
+  ++revision_;
+}
+
+void GrownHair::setStyle(hair::Hairstyle style) {
+  style_ = std::move(style);
+  touch();
+}
+
+void GrownHair::touch() {
+  stale_ = true;
+  ++revision_;
+  ++styleRevision_;
+}
+
+void GrownHair::grow(const ShapeStage& shape) {
+  scalps_.resize(style_.scalps.size());
+  for (std::size_t i = 0; i < scalps_.size(); ++i) grow(style_.scalps[i], scalps_[i], shape);
+  stale_ = false;
+}
+
+void GrownHair::grow(const hair::Scalp& scalp, LiveScalp& live, const ShapeStage& shape) {
+  live.asMade = hair::rootFrames(shape.surface(), shape.query(), scalp.guides);
+  live.roots.clear();
+  for (const hair::RootFrame& root : live.asMade) {
+    constexpr float kReach = 1e-2f;  // the frames stand on the surface
+    live.roots.push_back(geometry::nearestPoint(shape.surface(), shape.query(), root.position, kReach, root.normal).value_or(geometry::SurfacePoint{0, Vec3(1, 0, 0), 0}));
+  }
+  // Hair goes on swinging where only its looks have changed.
+  const bool otherSurface = noteChange(live.surfaceFor, shape.surfaceRevision());
+  if (live.guides != scalp.guides || otherSurface) {
+    live.guides = scalp.guides;
+    live.simulation.reset(scalp.guides, live.asMade);
+    settled_ = false;
+  }
+  // What the wisps were planted for: a comb changes none of it.
+  const std::uint64_t roots = rootsHash(scalp.guides), map = scalp.map.hash();
+  const bool sameLooks = live.values == scalp.values && !live.growth.members.empty();
+  if (sameLooks && live.plantedFor == std::pair(roots, map) && !otherSurface) {
+    hair::followGuides(live.growth.wisps, scalp.guides, live.asMade, hair::shapeOf(scalp.values));
+  } else {
+    live.growth.wisps = hair::plantWisps({shape.surface(), scalp.map}, scalp.guides, live.asMade, scalp.values);
+    live.plantedFor = {roots, map};
+  }
+  if (!sameLooks) {
+    live.growth.members = hair::memberStrands(scalp.values.strands, scalp.values);
+    live.growth.strips = hair::drawStrips(live.growth.members, scalp.values.strandWidth, scalp.values.mostWidth, scalp.values.tipWidth);
+  }
+  live.values = scalp.values;
+  ++live.grown;
+}
+
+std::vector<hair::RootFrame> GrownHair::rootsNow(const LiveScalp& live, const Inputs& inputs) const {
+  std::vector<hair::RootFrame> roots;
+  roots.reserve(live.roots.size());
+  const Mat3 turn(inputs.worldFromModel);
+  for (std::size_t i = 0; i < live.roots.size(); ++i) {
+    const hair::RootFrame model = frameAsShown(inputs.shape, live.roots[i], live.asMade[i]);
+    roots.push_back({Vec3(inputs.worldFromModel * Vec4(model.position, 1)), turn * model.normal, turn * model.tangent});
+  }
+  return roots;
+}
+
+// The water at a guide's root, for each of its nodes; nothing where all is dry.
+std::vector<float> GrownHair::wetnessNow(const LiveScalp& live, const Inputs& inputs) {
+  std::vector<float> wetness;
+  if (inputs.wetness.empty()) return wetness;
+  for (const geometry::SurfacePoint& at : live.roots) {
+    const std::uint32_t* corner = &inputs.shape.surface().indices[std::size_t{3} * at.triangle];
+    float here = 0;
+    for (int k = 0; k < 3; ++k) here += at.weights[k] * inputs.wetness[corner[k]];
+    wetness.insert(wetness.end(), static_cast<std::size_t>(live.guides.nodes), saturate(here));
+  }
+  return wetness;
+}
+
+void GrownHair::showNodes(LiveScalp& live, const Inputs& inputs) {
+  const auto nodes = live.simulation.nodes();
+  live.nodes.assign(nodes.begin(), nodes.end());
+  const Mat4 modelFromWorld = glm::inverse(inputs.worldFromModel);
+  const Quat turn = glm::quat_cast(Mat3(modelFromWorld));
+  for (hair::GuideNode& node : live.nodes) {
+    node.position = Vec3(modelFromWorld * Vec4(node.position, 1));
+    node.frame = turn * node.frame;
+  }
+  ++live.moved;
+}
+
+bool GrownHair::active(const Inputs& inputs) const {
+  if (stale_ || surfaceFor_ != inputs.shape.surfaceRevision()) return !style_.scalps.empty();
+  return std::any_of(scalps_.begin(), scalps_.end(), [](const LiveScalp& live) { return !live.simulation.atRest(); });
+}
+
+// What acts on all scalps alike.
+hair::Surroundings GrownHair::surroundings(const Inputs& inputs, std::span<const hair::Collider> colliders) {
+  hair::Surroundings around;
+  around.up = normalizeOr(Vec3(inputs.worldFromModel[1]), Vec3(0, 1, 0));
+  around.wind = &inputs.wind;
+  around.colliders = colliders;
+  return around;
+}
+
+bool GrownHair::update(const Inputs& inputs) {
+  const std::uint64_t before = revision_;
+  if (noteChange(surfaceFor_, inputs.shape.surfaceRevision()) || stale_) grow(inputs.shape);
+  if (!settled_ && !scalps_.empty()) settle(inputs);
+  const std::vector<hair::Collider> colliders = collidersOf(style_, inputs);
+  hair::Surroundings around = surroundings(inputs, colliders);
+  for (std::size_t i = 0; i < scalps_.size(); ++i) {
+    LiveScalp& live = scalps_[i];
+    const std::vector<hair::RootFrame> roots = rootsNow(live, inputs);
+    const std::vector<float> wetness = wetnessNow(live, inputs);
+    around.roots = roots;
+    around.wetness = wetness;
+    if (!live.simulation.advance(inputs.seconds, motionValues(style_.scalps[i].values, inputs.settings), around)) continue;
+    showNodes(live, inputs);
+    ++revision_;
+  }
+  return revision_ != before;
+}
+
+void GrownHair::settle(const Inputs& inputs) {
+  if (noteChange(surfaceFor_, inputs.shape.surfaceRevision()) || stale_) grow(inputs.shape);
+  const std::vector<hair::Collider> colliders = collidersOf(style_, inputs);
+  hair::Surroundings around = surroundings(inputs, colliders);
+  for (std::size_t i = 0; i < scalps_.size(); ++i) {
+    const std::vector<hair::RootFrame> roots = rootsNow(scalps_[i], inputs);
+    const std::vector<float> wetness = wetnessNow(scalps_[i], inputs);
+    around.roots = roots;
+    around.wetness = wetness;
+    scalps_[i].simulation.settle(motionValues(style_.scalps[i].values, inputs.settings), around);
+    showNodes(scalps_[i], inputs);
+  }
+  settled_ = true;
+  revision_ += !scalps_.empty();
+}
+
+}  // namespace fur::app

@@ -1,0 +1,84 @@
+// Long hair that grows: HairStage for programs that have it.
+#pragma once
+
+#include "app/stages/HairStage.h"
+#include "hair/Simulation.h"
+
+namespace fur::app {
+
+class GrownHair final : public HairStage {
+ public:
+  void reset() override;
+  bool update(const Inputs& inputs) override;
+  void settle(const Inputs& inputs) override;
+  bool active(const Inputs& inputs) const override;
+
+  void setStyle(hair::Hairstyle style) override;
+  std::string describe() const override;
+
+  void beginStroke() override;
+  std::optional<HairStep> endStroke() override;
+  void apply(const HairStep& step, bool undo) override;
+  std::optional<Vec3> pick(const Vec3& origin, const Vec3& direction, float reach) const override;
+  void dab(const Dab& dab) override;
+  void edit(const ShapeStage& shape, const groom::GroomSurface& skin, std::span<const Vec3> comb, const Edit& edit, Warnings& warnings) override;
+  void setValues(std::size_t scalp, const hair::HairValues& values) override;
+  Status setValue(std::size_t scalp, std::string_view name, std::string_view text, Warnings& warnings) override;
+
+  std::vector<std::uint8_t> save() const override;
+  [[nodiscard]] bool restore(std::span<const std::uint8_t> bytes) override;
+
+  std::size_t scalpCount() const override { return scalps_.size(); }
+  const Growth& growth(std::size_t scalp) const override { return scalps_[scalp].growth; }
+  std::uint64_t growthRevision(std::size_t scalp) const override { return scalps_[scalp].grown; }
+  std::span<const hair::GuideNode> nodes(std::size_t scalp) const override { return scalps_[scalp].nodes; }
+  std::uint64_t nodesRevision(std::size_t scalp) const override { return scalps_[scalp].moved; }
+
+ private:
+  struct LiveScalp {
+    std::vector<geometry::SurfacePoint> roots;  // of its guides, on the surface
+    std::vector<hair::RootFrame> asMade;        // their frames there
+    hair::Simulation simulation;
+    hair::Guides guides;           // that it simulates
+    std::uint64_t surfaceFor = 0;  // and on which surface
+    Growth growth;
+    hair::HairValues values;       // that it grew by
+    std::pair<std::uint64_t, std::uint64_t> plantedFor{};  // roots of the guides and map
+    std::vector<hair::GuideNode> nodes;
+    std::uint64_t grown = 0, moved = 0;
+  };
+  static constexpr groom::GroomMap::Texel kFreshScalp{0, 255, 255, 255};
+  void touch();
+  struct Near {
+    std::size_t guide, node;
+    Vec3 shown, rest;
+    float distance;  // along the ray
+  };
+  // The node above its root, of the selected scalp, that is shown nearest to the eye among those within reach of the ray.
+  std::optional<Near> nearestNode(const Vec3& origin, const Vec3& direction, float reach) const;
+  bool paintScalp(const Dab& dab);
+  bool shapeGuides(const Dab& dab);
+  void editGuides(const ShapeStage& shape, const Edit& edit, Warnings& warnings);
+  bool editAll(const groom::GroomSurface& skin, const Edit& edit, Warnings& warnings);
+  void grow(const ShapeStage& shape);
+  void grow(const hair::Scalp& scalp, LiveScalp& live, const ShapeStage& shape);
+  std::vector<hair::RootFrame> rootsNow(const LiveScalp& live, const Inputs& inputs) const;
+  static std::vector<float> wetnessNow(const LiveScalp& live, const Inputs& inputs);
+  void showNodes(LiveScalp& live, const Inputs& inputs);
+  static hair::Surroundings surroundings(const Inputs& inputs, std::span<const hair::Collider> colliders);
+
+  std::vector<LiveScalp> scalps_;  // one for each of the style's
+  // The stroke of a tool that works on guides: where it was (rest shape), the distance of the plane that it works in, and the guide
+  // and node where it began.
+  struct Stroke {
+    Vec3 last;
+    Vec3 planePoint, planeNormal;
+    Near first;
+  };
+  std::optional<Stroke> guideStroke_;
+  bool stale_ = false;             // style_ has changed since they grew
+  bool settled_ = false;
+  std::uint64_t surfaceFor_ = 0;
+};
+
+}  // namespace fur::app

@@ -1,0 +1,116 @@
+// Long hair: the scalps of the model, what grows on them, and how it moves. Reads shape and motion (where the model is, wind,
+// touch); its growth and nodes go to the picture.
+//
+// Hair is a fifth of a program, and most models have none: this class alone has no hair, ever. Programs that grow it say so
+// (app/LongHair.h), and have GrownHair in its place.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/commands/History.h"
+#include "app/stages/ShapeStage.h"
+#include "app/tools/HairEdits.h"
+#include "app/tools/Tools.h"
+#include "core/Result.h"
+#include "dynamics/Contact.h"
+#include "dynamics/Wind.h"
+#include "hair/MemberStrands.h"
+#include "hair/Scalp.h"
+#include "hair/Wisps.h"
+#include "settings/Settings.h"
+
+namespace fur::app {
+
+class HairStage {
+ public:
+  struct Inputs {
+    const ShapeStage& shape;
+    const settings::Settings& settings;
+    Mat4 worldFromModel{1.0f};
+    dynamics::Wind wind;                            // world space
+    std::span<const dynamics::Contact> contacts{};  // ball and hand
+    std::span<const float> wetness{};               // of the surface's vertices, 0..1; empty: dry
+    float seconds = 0;                              // that have passed
+  };
+  // What grows on a scalp.
+  struct Growth {
+    std::vector<hair::Wisp> wisps;  // in an order by chance
+    std::vector<hair::MemberStrand> members;
+    hair::StripPicture strips;
+  };
+
+  // What make() gives from then on.
+  static void growWith(std::unique_ptr<HairStage> (*maker)());
+  static std::unique_ptr<HairStage> make();
+  virtual ~HairStage() = default;
+
+  virtual void reset() {}  // of another model: no hair
+  // Whether anything that can be seen has changed.
+  virtual bool update(const Inputs&) { return false; }
+  // Hangs at once as it does at rest.
+  virtual void settle(const Inputs&) {}
+  virtual bool active(const Inputs&) const { return false; }
+  std::uint64_t revision() const { return revision_; }
+
+  const hair::Hairstyle& style() const { return style_; }
+  virtual void setStyle(hair::Hairstyle) {}
+  std::uint64_t styleRevision() const { return styleRevision_; }
+  std::size_t selected() const { return selected_; }  // the scalp that tools work on
+  // JSON: [{"name","guides","wisps","selected","values":{all of them}}].
+  virtual std::string describe() const { return "[]"; }
+
+  // --- strokes: every change is one, and ends in the step that undoes it ---
+  virtual void beginStroke() {}
+  bool stroking() const { return before_.has_value(); }
+  virtual std::optional<HairStep> endStroke() { return std::nullopt; }
+  virtual void apply(const HairStep&, bool) {}
+  // Whether the ray (model space, `direction` unit) comes near a guide that is shown, and where first.
+  virtual std::optional<Vec3> pick(const Vec3& /*origin*/, const Vec3& /*direction*/, float /*reach*/) const { return std::nullopt; }
+  // Within a stroke: a dab of the tool where a ray (model space) goes, on both sides where the settings say so.
+  struct Dab {
+    Tool tool;
+    Vec3 origin, direction;  // unit
+    std::optional<geometry::SurfacePoint> skin;  // that it meets
+    const groom::GroomSurface& surface;
+    const groom::GroomMap& mask;  // the groom's
+    const settings::Settings& settings;
+    const ShapeStage& shape;
+  };
+  virtual void dab(const Dab&) {}
+  // Within a stroke: see HairEdits.inc; numbers are finite. `comb`: bends of the coat at rest, one a vertex, or none.
+  struct Edit {
+    HairEdit what;
+    float value;
+    Vec3 direction;
+    float coat = 0;  // height of the coat, on which hair lies; model units
+  };
+  virtual void edit(const ShapeStage&, const groom::GroomSurface&, std::span<const Vec3> /*comb*/, const Edit&, Warnings&) {}
+  virtual void setValues(std::size_t /*scalp*/, const hair::HairValues&) {}
+  // Within a stroke: a value of HairFields.inc, or "name".
+  virtual Status setValue(std::size_t scalp, std::string_view name, std::string_view text, Warnings& warnings);
+
+  // --- files ---
+  virtual std::vector<std::uint8_t> save() const { return {}; }
+  // False: they are not bytes of save(), and nothing has changed.
+  [[nodiscard]] virtual bool restore(std::span<const std::uint8_t> bytes) { return bytes.empty(); }
+
+  // --- of each scalp, as of the last update() ---
+  virtual std::size_t scalpCount() const { return 0; }
+  virtual const Growth& growth(std::size_t scalp) const;
+  virtual std::uint64_t growthRevision(std::size_t) const { return 0; }
+  // Of its guides, model space, guide after guide.
+  virtual std::span<const hair::GuideNode> nodes(std::size_t) const { return {}; }
+  virtual std::uint64_t nodesRevision(std::size_t) const { return 0; }
+
+ protected:
+  hair::Hairstyle style_;
+  std::size_t selected_ = 0;
+  std::optional<std::vector<std::uint8_t>> before_;  // the stroke at work
+  std::uint64_t revision_ = 0, styleRevision_ = 1;
+};
+
+}  // namespace fur::app

@@ -1,0 +1,35 @@
+// A scalp: where on the model long hair grows, its guides and its numbers. A model has up to kMostScalps: a mane, a tail, a forelock.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "groom/Groom.h"
+#include "hair/Guides.h"
+#include "hair/HairValues.h"
+
+namespace fur::hair {
+
+inline constexpr std::size_t kMostScalps = 8;
+
+struct Scalp {
+  std::string name = "hair";
+  HairValues values;
+  // Over the model's atlas: r density, g width, b length, a rotation (Wisps.h). Black is no scalp.
+  groom::GroomMap map{groom::GroomMap::kUsualSize, groom::GroomMap::kBlank};
+  Guides guides;
+};
+
+// A sphere (a == b) or capsule that hair does not enter; model space, goes with the model.
+struct Body {
+  Vec3 a{0}, b{0};
+  float radius = 0.1f;
+  bool operator==(const Body&) const = default;
+};
+
+struct Hairstyle {
+  std::vector<Scalp> scalps;
+  std::vector<Body> bodies;
+};
+
+}  // namespace fur::hair

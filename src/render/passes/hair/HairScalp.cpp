@@ -1,0 +1,145 @@
+#include "render/passes/hair/HairScalp.h"
+
+#include <algorithm>
+
+#include "core/Srgb.h"
+
+namespace fur::render {
+
+namespace {
+
+static_assert(FUR_WISP_SEGMENTS == hair::kStripSegments && FUR_WISP_KINDS == hair::kWispKinds);
+static_assert(hair::kStripReach == static_cast<float>(FUR_STRIP_REACH) && hair::kWetGathers == static_cast<float>(FUR_WET_GATHERS));
+static_assert(sizeof(hair::MemberStrand) == 2 * sizeof(Vec4));
+
+std::uint32_t packed(float low, float high, float most) {
+  const auto whole = [&](float x) { return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::floor(x * most + 0.5f))) & 0xffffu; };
+  return whole(low) | whole(high) << 16;
+}
+// As packUnorm2x16() and packSnorm2x16() of GLSL.
+std::uint32_t packUnorm(float low, float high) { return packed(saturate(low), saturate(high), 65535); }
+std::uint32_t packSnorm(float low, float high) { return packed(glm::clamp(low, -1.0f, 1.0f), glm::clamp(high, -1.0f, 1.0f), 32767); }
+
+// FUR_WISP_TEXELS vectors a wisp.
+std::vector<Vec4> texelsOf(std::span<const hair::Wisp> wisps) {
+  std::vector<Vec4> texels;
+  texels.reserve(wisps.size() * FUR_WISP_TEXELS);
+  for (const hair::Wisp& w : wisps) {
+    texels.emplace_back(w.offset, w.width);
+    texels.emplace_back(w.weights, w.length);
+    texels.emplace_back(w.magnet, w.rotation);
+    texels.emplace_back(static_cast<float>(w.guides[0]), static_cast<float>(w.guides[1]), static_cast<float>(w.guides[2]), w.random);
+    texels.emplace_back(w.normal, static_cast<float>(w.splits));
+  }
+  return texels;
+}
+
+gl::Texture stripTexture(const hair::StripPicture& picture) {
+  using Picture = hair::StripPicture;
+  gl::Texture texture({gl::TexelFormat::RGBA8, Picture::kWidth, Picture::kHeight, FUR_WISP_KINDS, gl::Filter::Trilinear, false, Picture::kLevels}, {});
+  for (std::size_t kind = 0; kind < FUR_WISP_KINDS; ++kind)
+    for (std::size_t level = 0; level < Picture::kLevels; ++level)
+      texture.updateLevel(static_cast<int>(level), static_cast<int>(kind), gl::bytesOf(picture.levels[kind][level]));
+  return texture;
+}
+
+}  // namespace
+
+void HairScalp::fillBlock(const hair::HairValues& values, int nodes) {
+  block_.hairRootColor = Vec4(linearColor(values.rootColor), 1);
+  block_.hairTipColor = Vec4(linearColor(values.tipColor), 1);
+  block_.guideNodes = static_cast<float>(nodes);
+  block_.cubicGuides = values.curve == 0;
+  block_.curl = values.curl;
+  block_.curls = values.curls;
+  block_.tipWidth = values.tipWidth;
+  block_.hairDepth = values.depth;
+  block_.strandWidth = values.strandWidth;
+  block_.hairVariance = values.variance;
+  block_.hairShininess = values.shininess;
+  block_.widening = 1;
+  // A wisp's depth in front of a strand takes about two thirds of its light.
+  block_.hairOpacity = 0.12f;
+  block_.hairShadowBias = 0.5f * values.mostWidth * values.depth;
+  block_.hairExtinction = 1.442695f / std::max(2 * values.mostWidth, 0.02f);
+}
+
+std::size_t HairScalp::grow(const HairGrowth& growth) {
+  wispCount_ = static_cast<int>(growth.wisps.size());
+  strandCount_ = static_cast<int>(growth.members.size()) / FUR_WISP_KINDS;
+  guideCount_ = growth.guides;
+  nodesEach_ = growth.nodes;
+  fillBlock(growth.values, growth.nodes);
+  if (wispCount_ == 0) return 0;
+  blockBuffer_ = gl::Buffer(gl::BufferKind::Uniform, gl::bytesOf(block_), true);
+  const std::vector<Vec4> wisps = texelsOf(growth.wisps);
+  wisps_ = gl::Texture({gl::TexelFormat::RGBA32F, FUR_WISP_TEXELS, wispCount_, 0, gl::Filter::Nearest}, gl::bytesOf(wisps));
+  members_ = gl::Texture({gl::TexelFormat::RGBA32F, 2 * strandCount_, FUR_WISP_KINDS, 0, gl::Filter::Nearest}, std::as_bytes(growth.members));
+  strips_ = stripTexture(growth.strips);
+  nodes_ = gl::Texture({gl::TexelFormat::RGBA32UI, nodesEach_, guideCount_, 0, gl::Filter::Nearest}, {});
+  points_ = gl::Texture({gl::TexelFormat::RGBA32UI, FUR_WISP_SEGMENTS + 1, wispCount_, 0, gl::Filter::Nearest}, {});
+  pointsTarget_ = gl::Target::toTexture(points_);
+  width_ = margin_ = 0;
+  for (const hair::Wisp& w : growth.wisps) {
+    width_ = std::max(width_, w.width);
+    margin_ = std::max(margin_, glm::length(w.offset) + w.width * (0.5f * hair::kStripReach + growth.values.curl));
+  }
+  return wisps_.bytes() + members_.bytes() + strips_.bytes();
+}
+
+std::size_t HairScalp::move(std::span<const hair::GuideNode> nodes) {
+  if (wispCount_ == 0) return 0;
+  Vec3 low = nodes[0].position, high = low;
+  for (const hair::GuideNode& node : nodes) {
+    low = glm::min(low, node.position);
+    high = glm::max(high, node.position);
+  }
+  low -= margin_, high += margin_;
+  const Vec3 span = high - low;
+  block_.nodesLow = Vec4(low, 1);
+  block_.nodesSpan = Vec4(span, 0);
+  bounds_ = Vec4(0.5f * (low + high), 0.5f * glm::length(span));
+  std::vector<std::uint32_t> texels;
+  texels.reserve(4 * nodes.size());
+  for (const hair::GuideNode& node : nodes) {
+    const Vec3 at = (node.position - low) / span;
+    texels.push_back(packUnorm(at.x, at.y));
+    texels.push_back(packUnorm(at.z, node.wetness));
+    texels.push_back(packSnorm(node.frame.x, node.frame.y));
+    texels.push_back(packSnorm(node.frame.z, node.frame.w));
+  }
+  nodes_.update(0, 0, nodesEach_, guideCount_, gl::bytesOf(texels), nodesEach_);
+  stale_ = true;
+  return 4 * texels.size();
+}
+
+void HairScalp::bind(const shared::HairBlock& drawn) const {
+  blockBuffer_.update(gl::bytesOf(drawn));
+  blockBuffer_.bindAsBlock(FUR_HAIR_BINDING);
+  nodes_.bind(FUR_UNIT_HAIR_NODES);
+  wisps_.bind(FUR_UNIT_WISPS);
+  points_.bind(FUR_UNIT_HAIR_POINTS);
+  members_.bind(FUR_UNIT_MEMBER_STRANDS);
+  strips_.bind(FUR_UNIT_STRIPS);
+}
+
+bool HairScalp::update(Programs& programs) {
+  if (!stale_ || wispCount_ == 0) return true;
+  if (!programs.use(Shader::HairPoints, kPlain)) return false;
+  bind(block_);
+  pointsTarget_.bind();
+  gl::setViewport(FUR_WISP_SEGMENTS + 1, wispCount_);
+  gl::apply({.depthTest = false, .depthWrite = false, .cullBack = false});
+  // Nobody may read what is drawn into.
+  gl::unbindTexture(FUR_UNIT_HAIR_POINTS);
+  gl::drawWithoutVertices(3);
+  gl::bindPlatformFramebuffer();
+  stale_ = false;
+  return true;
+}
+
+std::size_t HairScalp::bytes() const {
+  return nodes_.bytes() + wisps_.bytes() + points_.bytes() + members_.bytes() + strips_.bytes();
+}
+
+}  // namespace fur::render

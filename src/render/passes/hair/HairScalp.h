@@ -1,0 +1,44 @@
+// The long hair of one scalp in GL objects (Halen & Wester 2007, 5.5). Per frame only the nodes of its guides are uploaded, 16 bytes
+// each; a small draw then brings the points of all wisps up to date in a texture, which strips, strands and shadows read.
+#pragma once
+
+#include "gl/Objects.h"
+#include "render/Hair.h"
+#include "render/Programs.h"
+#include "shared/Hair.h"
+
+namespace fur::render {
+
+class HairScalp {
+ public:
+  // Both return the bytes that were uploaded.
+  std::size_t grow(const HairGrowth& growth);
+  std::size_t move(std::span<const hair::GuideNode> nodes);  // model space, guide after guide
+
+  // Brings the points up to date after move(); leaves the platform's framebuffer bound, and another viewport.
+  bool update(Programs& programs);
+  // Binds all that the shaders of hair read. `block`: how much of it is drawn, in the members for that.
+  void bind(const shared::HairBlock& drawn) const;
+  const shared::HairBlock& block() const { return block_; }
+
+  int wisps() const { return wispCount_; }
+  int strands() const { return strandCount_; }  // of a wisp
+  float width() const { return width_; }        // of its widest wisp
+  // The ball round all nodes, wisps included; model space.
+  Vec4 bounds() const { return bounds_; }
+  std::size_t bytes() const;
+
+ private:
+  void fillBlock(const hair::HairValues& values, int nodes);
+
+  gl::Texture nodes_, wisps_, points_, members_, strips_;
+  gl::Target pointsTarget_;
+  mutable gl::Buffer blockBuffer_;
+  shared::HairBlock block_{};
+  int wispCount_ = 0, strandCount_ = 0, guideCount_ = 0, nodesEach_ = 0;
+  float width_ = 0, margin_ = 0;  // margin_: how far wisps reach beyond the nodes
+  Vec4 bounds_{0};
+  bool stale_ = false;
+};
+
+}  // namespace fur::render

@@ -1,0 +1,134 @@
+// Long hair in pictures and files.
+#include "app/LongHair.h"
+#include "tests/render/Picture.h"
+
+namespace fur::app {
+namespace {
+
+[[maybe_unused]] const bool growsHair = (growLongHair(), true);
+
+struct Salon : test::Room {
+  Salon() : Room(160, {{"layers", "8"}, {"tileSize", "64"}, {"breath", "0"}, {"furLength", "0.02"}}) {}
+  void grow() {
+    app.editHair(HairEdit::AddScalp);
+    app.editHair(HairEdit::Cover, 1);
+    EXPECT_TRUE(app.setHairValue(0, "guideLength", "0.5"));
+    app.editHair(HairEdit::Plant, 60);
+    app.settle();
+  }
+  test::Picture picture() {
+    app.tick(0);
+    return stage.draw(app);
+  }
+};
+
+TEST(AppHair, IsSeenAndUndoTakesItOutOfThePicture) {
+  Salon salon;
+  const test::Picture bare = salon.picture();
+  salon.grow();
+  EXPECT_GT(salon.picture().differingShare(bare, 8), 0.2f);
+  for (int i = 0; i < 4; ++i) EXPECT_TRUE(salon.app.undo());
+  EXPECT_FALSE(salon.app.haired());
+  EXPECT_EQ(salon.picture().differingShare(bare, 0), 0);
+  for (int i = 0; i < 4; ++i) EXPECT_TRUE(salon.app.redo());
+  EXPECT_GT(salon.picture().differingShare(bare, 8), 0.2f);
+}
+
+// Strips show pictures of the very strands: means over the hair agree, single pixels need not.
+TEST(AppHair, LooksAlikeAsStripsAndAsStrands) {
+  Salon salon;
+  salon.grow();
+  salon.app.setField("hairDetail", "strips");
+  const test::Picture strips = salon.picture();
+  salon.app.setField("hairDetail", "strands");
+  const test::Picture strands = salon.picture();
+  EXPECT_GT(strands.differingShare(strips, 0), 0.01f);
+  EXPECT_NEAR(strands.brightness(), strips.brightness(), 6);
+}
+
+TEST(AppHair, UploadsTheNodesOfGuidesAndNothingWhileItSleeps) {
+  Salon salon;
+  salon.grow();
+  salon.picture();
+  const std::size_t still = (salon.picture(), salon.app.stats().uploadedBytes);
+  salon.app.setField("wind", "1");
+  for (int i = 0; i < 20; ++i) salon.app.tick(1 / 60.0f);
+  salon.stage.draw(salon.app);
+  const std::size_t moving = salon.app.stats().uploadedBytes;
+  // The coat's own bends are in it, 16 bytes a vertex.
+  const std::size_t bends = salon.app.bends().size() * sizeof(Vec4), nodes = salon.app.hairstyle().scalps[0].guides.positions.size();
+  EXPECT_EQ(moving - still, bends + 16 * nodes);
+}
+
+TEST(AppHair, GoesIntoASceneAndComesBackTheSame) {
+  Salon salon;
+  salon.grow();
+  salon.app.editHair(HairEdit::AddSphere, 0.9f);
+  EXPECT_TRUE(salon.app.setHairValue(0, "name", "mane"));
+  const std::vector<std::uint8_t> scene = salon.app.saveScene();
+  const hair::Hairstyle before = salon.app.hairstyle();
+  const test::Picture picture = salon.picture();
+  ASSERT_TRUE(salon.app.loadModel(scene, "saved.glb"));
+  salon.app.settle();
+  ASSERT_EQ(salon.app.hairstyle().scalps.size(), 1u);
+  const hair::Scalp& scalp = salon.app.hairstyle().scalps[0];
+  EXPECT_EQ(scalp.name, "mane");
+  EXPECT_EQ(scalp.values, before.scalps[0].values);
+  EXPECT_EQ(scalp.map.hash(), before.scalps[0].map.hash());
+  EXPECT_EQ(salon.app.hairstyle().bodies.size(), 1u);
+  ASSERT_EQ(scalp.guides.positions.size(), before.scalps[0].guides.positions.size());
+  for (std::size_t i = 0; i < scalp.guides.positions.size(); ++i)
+    EXPECT_LT(glm::distance(scalp.guides.positions[i], before.scalps[0].guides.positions[i]), 1e-5f);
+  EXPECT_LT(salon.picture().differingShare(picture, 24), 0.02f);
+}
+
+TEST(AppHair, BytesOfItGoToAnotherAppWithTheSameModel) {
+  Salon salon;
+  salon.grow();
+  const auto bytes = salon.app.saveHair();
+  const test::Picture picture = salon.picture();
+  salon.app.editHair(HairEdit::Clear);
+  EXPECT_GT(salon.picture().differingShare(picture, 8), 0.2f);
+  ASSERT_TRUE(salon.app.restoreHair(bytes, true));
+  salon.app.settle();
+  EXPECT_EQ(salon.picture().differingShare(picture, 8), 0);
+  const std::uint8_t noise[] = {9, 9, 9, 9};
+  const Status refused = salon.app.restoreHair(noise);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().id, ErrorId::BadFile);
+  EXPECT_EQ(salon.app.saveHair(), bytes);
+}
+
+TEST(AppHair, GetsWetWithTheSkinThatItGrowsFromAndDriesWithIt) {
+  Salon salon;
+  salon.app.setField("stayWet", "true");
+  salon.grow();
+  const test::Picture dry = salon.picture();
+  salon.app.setWetness(1);
+  for (int i = 0; i < 60; ++i) salon.app.tick(1 / 60.0f);
+  EXPECT_LT(salon.picture().brightness(), dry.brightness() - 4);
+  salon.app.setWetness(0);
+  for (int i = 0; i < 600 && salon.app.active(); ++i) salon.app.tick(1 / 60.0f);
+  EXPECT_LT(salon.picture().differingShare(dry, 24), 0.05f);
+}
+
+TEST(AppHair, DarkensTheCoatAndTheGroundBelowIt) {
+  Salon salon;
+  salon.app.setCamera({.yaw = 0.4f, .pitch = 0.5f, .distance = 6});
+  const test::Picture bare = salon.picture();
+  salon.app.editHair(HairEdit::AddScalp);
+  salon.app.setField("brushRadius", "0.5");
+  salon.app.editHair(HairEdit::Cover, 1);
+  EXPECT_TRUE(salon.app.setHairValue(0, "guideLength", "0.7"));
+  salon.app.editHair(HairEdit::Plant, 60);
+  salon.app.settle();
+  const test::Picture haired = salon.picture();
+  // The corner of the ground away from the light: wider shadow, no hair.
+  double before = 0, after = 0;
+  for (int y = 110; y < 150; ++y)
+    for (int x = 100; x < 159; ++x) before += bare.at(x, y)[1], after += haired.at(x, y)[1];
+  EXPECT_LT(after, 0.97 * before);
+}
+
+}  // namespace
+}  // namespace fur::app

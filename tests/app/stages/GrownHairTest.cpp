@@ -1,0 +1,282 @@
+// Long hair without a context: what a person does to it, how it is kept, and how it moves with the model.
+#include "app/stages/GrownHair.h"
+
+#include <gtest/gtest.h>
+
+#include "geometry/Primitives.h"
+#include "groom/Groom.h"
+
+namespace fur::app {
+namespace {
+
+struct Head {
+  Head() {
+    geometry::Mesh mesh = geometry::makeSphere();
+    mesh.uv.clear();
+    auto surface = geometry::buildSurface(mesh, geometry::FurMapping::Charts);
+    shape.setModel(std::move(mesh), std::move(*surface), {});
+    atlas.emplace(shape.surface(), groom.map.size());
+  }
+  groom::GroomSurface skin() const { return {shape.surface(), shape.query(), *atlas, shape.points()}; }
+  GrownHair::Inputs inputs(float seconds, const Mat4& worldFromModel = Mat4(1)) const {
+    return {.shape = shape, .settings = settings, .worldFromModel = worldFromModel, .wind = {}, .seconds = seconds};
+  }
+  std::optional<HairStep> edit(HairEdit what, float value = 1, const Vec3& direction = Vec3(0)) {
+    hair.beginStroke();
+    hair.edit(shape, skin(), {}, {what, value, direction}, warnings);
+    return hair.endStroke();
+  }
+  std::optional<HairStep> paint(const Vec3& towards) {
+    hair.beginStroke();
+    dab(Tool::Scalp, 3.0f * towards, -towards);
+    return hair.endStroke();
+  }
+  void dab(Tool tool, const Vec3& origin, const Vec3& direction) {
+    hair.dab({tool, origin, direction, shape.query().castRay(origin, direction), skin(), groom.mask, settings, shape});
+  }
+  // A stroke along a row of rays in -z; the step that it makes.
+  std::optional<HairStep> stroke(Tool tool, const Vec2& from, const Vec2& to) {
+    hair.beginStroke();
+    for (int i = 0; i <= 10; ++i) {
+      dab(tool, Vec3(glm::mix(from, to, static_cast<float>(i) / 10), 4), Vec3(0, 0, -1));
+      hair.update(inputs(0));
+    }
+    return hair.endStroke();
+  }
+  const hair::Guides& guides() const { return hair.style().scalps[0].guides; }
+  void growEverywhere() {
+    edit(HairEdit::AddScalp);
+    edit(HairEdit::Cover, 1);
+    edit(HairEdit::Plant, 40);
+    hair.update(inputs(0));
+  }
+  Vec3 tip() const { return hair.nodes(0)[static_cast<std::size_t>(hair.style().scalps[0].guides.nodes) - 1].position; }
+
+  ShapeStage shape;
+  settings::Settings settings;
+  groom::Groom groom{groom::GroomMap(), {}, {}};
+  std::optional<geometry::AtlasTexels> atlas;
+  GrownHair hair;
+  Warnings warnings;
+};
+
+TEST(GrownHair, GrowsWhereItsScalpIsPaintedAndNowhereElse) {
+  Head head;
+  head.edit(HairEdit::AddScalp);
+  head.settings.brushRadius = 0.5f;
+  head.settings.groomStrength = 1;
+  ASSERT_TRUE(head.paint({0, 1, 0}));
+  head.edit(HairEdit::Plant, 20);
+  EXPECT_TRUE(head.hair.update(head.inputs(0)));
+  ASSERT_EQ(head.hair.scalpCount(), 1u);
+  EXPECT_GT(head.hair.growth(0).wisps.size(), 100u);
+  for (const hair::Wisp& wisp : head.hair.growth(0).wisps) EXPECT_LT(glm::distance(wisp.root, Vec3(0, 1, 0)), 0.55f);
+  EXPECT_EQ(head.hair.nodes(0).size(), head.hair.style().scalps[0].guides.positions.size());
+}
+
+TEST(GrownHair, EveryEditIsOneStepThatUndoTakesBackAndRedoBringsAgain) {
+  Head head;
+  head.growEverywhere();
+  for (const auto& [what, value] : {std::pair(HairEdit::AddScalp, 1.0f), {HairEdit::Cover, 0.5f}, {HairEdit::AddSphere, 0.5f},
+                                    {HairEdit::ClearBodies, 0.0f}, {HairEdit::Remove, 0.0f}, {HairEdit::Plant, 30.0f}, {HairEdit::Clear, 0.0f}}) {
+    const auto before = head.hair.save();
+    const auto step = head.edit(what, value);
+    ASSERT_TRUE(step) << nameOf(what);
+    const auto after = head.hair.save();
+    EXPECT_NE(before, after) << nameOf(what);
+    head.hair.apply(*step, true);
+    EXPECT_EQ(head.hair.save(), before) << nameOf(what);
+    head.hair.apply(*step, false);
+    EXPECT_EQ(head.hair.save(), after) << nameOf(what);
+  }
+  EXPECT_TRUE(head.warnings.empty());
+}
+
+TEST(GrownHair, EditsThatHaveNothingToWorkOnSayWhyAndLeaveNoStep) {
+  Head head;
+  EXPECT_FALSE(head.edit(HairEdit::Plant, 20));
+  ASSERT_EQ(head.warnings.size(), 1u);
+  EXPECT_NE(head.warnings[0].find("no scalp yet"), std::string::npos);
+  head.edit(HairEdit::AddScalp);
+  EXPECT_FALSE(head.edit(HairEdit::Plant, 20));  // nothing is painted
+  EXPECT_FALSE(head.edit(HairEdit::Plant, 1e9f));
+  EXPECT_EQ(head.warnings.size(), 3u);
+  for (std::size_t i = 1; i < hair::kMostScalps; ++i) EXPECT_TRUE(head.edit(HairEdit::AddScalp));
+  EXPECT_FALSE(head.edit(HairEdit::AddScalp));
+  EXPECT_NE(head.warnings.back().find("at most 8 scalps"), std::string::npos);
+}
+
+TEST(GrownHair, IsTheSameAfterItWasSavedAndRestored) {
+  Head head, other;
+  head.growEverywhere();
+  ASSERT_TRUE(head.hair.setValue(0, "curl", "0.7", head.warnings));
+  ASSERT_TRUE(head.hair.setValue(0, "rootColor", "#102030", head.warnings));
+  ASSERT_TRUE(head.hair.setValue(0, "name", "mane", head.warnings));
+  head.edit(HairEdit::AddSphere, 0.4f, {0, 0.1f, 0});
+  ASSERT_TRUE(other.hair.restore(head.hair.save()));
+  EXPECT_EQ(other.hair.save(), head.hair.save());
+  EXPECT_EQ(other.hair.style().scalps[0].name, "mane");
+  EXPECT_EQ(other.hair.style().scalps[0].values, head.hair.style().scalps[0].values);
+  EXPECT_EQ(other.hair.style().bodies, head.hair.style().bodies);
+  head.hair.update(head.inputs(0));
+  other.hair.update(other.inputs(0));
+  EXPECT_EQ(other.hair.growth(0).wisps, head.hair.growth(0).wisps);
+}
+
+TEST(GrownHair, RefusesBytesThatAreCutOrOfAnotherKindAndStaysAsItIs) {
+  Head head;
+  head.growEverywhere();
+  const std::vector<std::uint8_t> bytes = head.hair.save();
+  for (std::size_t size = 1; size < bytes.size(); size += 1 + bytes.size() / 97)
+    EXPECT_FALSE(head.hair.restore(std::span(bytes).first(size))) << size;
+  std::vector<std::uint8_t> longer = bytes;
+  longer.push_back(0);
+  EXPECT_FALSE(head.hair.restore(longer));
+  std::vector<std::uint8_t> other = bytes;
+  other[0] ^= 0xff;
+  EXPECT_FALSE(head.hair.restore(other));
+  EXPECT_EQ(head.hair.save(), bytes);
+}
+
+TEST(GrownHair, ValuesOfAnUnknownNameOrScalpAreErrorsThatNameThem) {
+  Head head;
+  head.growEverywhere();
+  const Status name = head.hair.setValue(0, "sharpness", "1", head.warnings);
+  ASSERT_FALSE(name);
+  EXPECT_NE(name.error().message.find("sharpness"), std::string::npos);
+  const Status scalp = head.hair.setValue(3, "curl", "1", head.warnings);
+  ASSERT_FALSE(scalp);
+  EXPECT_NE(scalp.error().message.find("scalp 3"), std::string::npos);
+  EXPECT_TRUE(head.hair.setValue(0, "curl", "7", head.warnings));  // clamped, with a warning
+  EXPECT_EQ(head.hair.style().scalps[0].values.curl, 1);
+  EXPECT_EQ(head.warnings.size(), 1u);
+}
+
+TEST(GrownHair, SwingsWhenTheModelMovesAndThenSleeps) {
+  Head head;
+  head.growEverywhere();
+  const Vec3 before = head.tip();
+  EXPECT_FALSE(head.hair.active(head.inputs(0)));
+  const Mat4 moved = glm::translate(Mat4(1), Vec3(0.3f, 0, 0));
+  // It stays behind: seen from the model it goes the other way.
+  EXPECT_TRUE(head.hair.update(head.inputs(1 / 30.0f, moved)));
+  EXPECT_LT(head.tip().x, before.x - 0.05f);
+  int steps = 0;
+  while (head.hair.active(head.inputs(0, moved)) && steps < 3000) head.hair.update(head.inputs(1 / 60.0f, moved)), ++steps;
+  EXPECT_LT(steps, 3000);
+  EXPECT_LT(glm::distance(head.tip(), before), 0.02f);
+  const std::uint64_t revision = head.hair.revision();
+  EXPECT_FALSE(head.hair.update(head.inputs(1 / 60.0f, moved)));
+  EXPECT_EQ(head.hair.revision(), revision);
+}
+
+TEST(GrownHair, GoesOnSwingingWhereOnlyItsLooksChange) {
+  Head head;
+  head.growEverywhere();
+  const Mat4 moved = glm::translate(Mat4(1), Vec3(0.3f, 0, 0));
+  head.hair.update(head.inputs(1 / 30.0f, moved));
+  const Vec3 swinging = head.tip();
+  ASSERT_TRUE(head.hair.setValue(0, "tipColor", "#ff0000", head.warnings));
+  head.hair.update(head.inputs(0, moved));
+  EXPECT_EQ(head.tip(), swinging);
+  EXPECT_TRUE(head.hair.active(head.inputs(0, moved)));
+}
+
+TEST(GrownHair, IsShapedByToolsWhereItIsSeenEachStrokeAStepOfUndo) {
+  for (const Tool tool : {Tool::HairComb, Tool::HairMove, Tool::HairCut, Tool::HairLength, Tool::HairCurl, Tool::HairTwist, Tool::HairCopy, Tool::HairHold,
+                          Tool::HairHide}) {
+    Head head;
+    head.settings.brushRadius = tool == Tool::HairMove ? 0.6f : 0.3f;  // which takes hold within half of that
+    head.settings.groomStrength = 1;
+    head.growEverywhere();
+    // Shapes to copy and to twist.
+    if (tool == Tool::HairCopy || tool == Tool::HairTwist) ASSERT_TRUE(head.stroke(Tool::HairCurl, {-0.2f, 0.1f}, {0, 0.1f}));
+    const auto before = head.hair.save();
+    const auto step = head.stroke(tool, {-0.2f, 0.1f}, {0.2f, 0.1f});
+    ASSERT_TRUE(step) << nameOf(tool);
+    head.hair.apply(*step, true);
+    EXPECT_EQ(head.hair.save(), before) << nameOf(tool);
+  }
+}
+
+TEST(GrownHair, KeepsItsLengthUnderTheCombAndFollowsIt) {
+  Head head;
+  head.settings.brushRadius = 0.4f;
+  head.settings.groomStrength = 1;
+  head.growEverywhere();
+  const hair::Guides before = head.guides();
+  ASSERT_TRUE(head.stroke(Tool::HairComb, {-0.2f, 0}, {0.3f, 0}));
+  const hair::Guides& after = head.guides();
+  float most = 0, moved = 0;
+  for (std::size_t g = 0; g < before.count(); ++g) {
+    most = std::max(most, std::abs(hair::lengthOf(after.of(g)) - hair::lengthOf(before.of(g))) / hair::lengthOf(before.of(g)));
+    moved = std::max(moved, (after.of(g).back() - before.of(g).back()).x);
+  }
+  EXPECT_LT(most, 0.01f);
+  EXPECT_GT(moved, 0.1f);
+}
+
+TEST(GrownHair, HangsOutsideOfTheSkinAndLosesNoLength) {
+  Head head;
+  head.growEverywhere();
+  const hair::Guides before = head.guides();
+  ASSERT_TRUE(head.edit(HairEdit::Hang, 1));
+  for (std::size_t g = 0; g < before.count(); ++g) {
+    const auto chain = head.guides().of(g);
+    EXPECT_NEAR(hair::lengthOf(chain), hair::lengthOf(before.of(g)), 1e-4f);
+    // The model is the unit sphere; its triangles lie a little inside.
+    for (const Vec3& node : chain) EXPECT_GT(glm::length(node), 0.97f);
+    EXPECT_LE(chain.back().y, before.of(g).back().y + 1e-4f);
+  }
+}
+
+TEST(GrownHair, IsWorkedOnThroughTheMirrorAsWell) {
+  Head head;
+  head.settings.brushRadius = 0.3f;
+  head.settings.groomStrength = 1;
+  head.settings.mirror = 1;
+  head.growEverywhere();
+  ASSERT_TRUE(head.edit(HairEdit::Mirror, 1));
+  head.hair.update(head.inputs(0));
+  ASSERT_TRUE(head.stroke(Tool::HairComb, {0.3f, 0}, {0.5f, 0}));
+  // Each guide has its twin on the other side.
+  for (std::size_t g = 0; g < head.guides().count(); ++g) {
+    const Vec3 tip = head.guides().of(g).back();
+    float nearest = 1;
+    for (std::size_t other = 0; other < head.guides().count(); ++other)
+      nearest = std::min(nearest, glm::distance(head.guides().of(other).back(), tip * Vec3(-1, 1, 1)));
+    EXPECT_LT(nearest, 1e-3f) << g;
+  }
+}
+
+TEST(GrownHair, PlantsWispsAnewOnlyWhereRootsMapOrValuesAreOthers) {
+  Head head;
+  head.growEverywhere();
+  const std::vector<hair::Wisp> before = head.hair.growth(0).wisps;
+  const auto sameRoots = [&] {
+    const auto& now = head.hair.growth(0).wisps;
+    return now.size() == before.size() && std::equal(now.begin(), now.end(), before.begin(), [](const auto& a, const auto& b) { return a.root == b.root && a.weights == b.weights; });
+  };
+  head.edit(HairEdit::Hang, 1);
+  head.hair.update(head.inputs(0));
+  EXPECT_TRUE(sameRoots());
+  EXPECT_NE(head.hair.growth(0).wisps, before);  // they follow guides of another shape
+  ASSERT_TRUE(head.hair.setValue(0, "seed", "9", head.warnings));
+  head.hair.update(head.inputs(0));
+  EXPECT_FALSE(sameRoots());
+}
+
+TEST(HairStage, OfAProgramWithoutHairHasNone) {
+  HairStage none;
+  Warnings warnings;
+  EXPECT_EQ(none.scalpCount(), 0u);
+  EXPECT_EQ(none.describe(), "[]");
+  EXPECT_TRUE(none.save().empty());
+  EXPECT_TRUE(none.restore({}));
+  const std::uint8_t some[] = {1, 2, 3};
+  EXPECT_FALSE(none.restore(some));
+  EXPECT_FALSE(none.setValue(0, "curl", "1", warnings));
+}
+
+}  // namespace
+}  // namespace fur::app

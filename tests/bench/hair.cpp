@@ -1,0 +1,78 @@
+// How long a step of guides takes, by model and by what acts on them, and to show them. Built for Node as wet-fur-hair-bench.js of the wasm preset,
+// or natively. The best of some rounds of a second each, taken in turn, so that what else the machine does meets all alike.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <vector>
+
+#include "tests/hair/Mane.h"
+
+using namespace fur;
+using namespace fur::hair;
+
+namespace {
+
+constexpr int kStepsEach = 4;  // in a frame
+
+struct Case {
+  const char* what = "";
+  int across, nodes;
+  Model model;
+  bool storm, colliders, volume, adaptive, calm = false;
+  double best = 1e9, bestShown = 1e9;  // microseconds a frame
+};
+
+double microseconds(std::chrono::steady_clock::duration time) { return std::chrono::duration<double, std::micro>(time).count(); }
+
+// A second of frames; and of as many frames without a step between the least.
+void run(Case& one) {
+  Shaken hair{Mane(one.across, one.nodes)};
+  hair.values.model = one.model;
+  hair.values.volume = one.volume ? 0.5f : 0.0f;
+  hair.values.adaptive = one.adaptive;
+  if (one.calm) hair.wind = {Vec3(0.12f, 0, 0.05f), 0.3f, 0, 0};
+  if (one.storm) hair.wind = {Vec3(0.5f, 0.1f, 0.2f), 0.6f, 0.4f, 0};
+  if (one.colliders)
+    for (int i = 0; i < 4; ++i) {
+      const Vec3 at(0.3f * static_cast<float>(i) - 0.4f, 0.9f, 0.1f * static_cast<float>(i));
+      hair.colliders.push_back({at, at, 0.15f});
+    }
+  if (one.calm) hair.run(2);
+  double sum = 0;
+  constexpr int kFrames = 30;
+  for (int frame = 0; frame < kFrames; ++frame) {
+    const float t = static_cast<float>(frame) / 30.0f;
+    if (!one.calm) hair.place(glm::rotate(kHere, 0.5f * portableSin(6 * t), Vec3(0.2f, 1, 0.1f)));
+    hair.wind.time = t;
+    auto begun = std::chrono::steady_clock::now();
+    hair.advance(0.01f * kStep);
+    one.bestShown = std::min(one.bestShown, microseconds(std::chrono::steady_clock::now() - begun));
+    begun = std::chrono::steady_clock::now();
+    hair.advance(kStepsEach * kStep * 0.9975f);
+    sum += microseconds(std::chrono::steady_clock::now() - begun);
+  }
+  one.best = std::min(one.best, sum / kFrames);
+}
+
+}  // namespace
+
+int main() {
+  constexpr Model kModels[] = {Model::Spring, Model::Cascade, Model::Forest};
+  constexpr const char* kNames[] = {"spring", "cascade", "forest"};
+  std::vector<Case> cases;
+  for (int m = 0; m < 3; ++m) {
+    cases.push_back({"121 x 8, alone", 11, 8, kModels[m], false, false, false, false});
+    cases.push_back({"121 x 8, crowding", 11, 8, kModels[m], false, false, true, false});
+    cases.push_back({"121 x 8, crowding, wind", 11, 8, kModels[m], true, false, true, false});
+    cases.push_back({"121 x 16, crowding, wind", 11, 16, kModels[m], true, false, true, false});
+    cases.push_back({"529 x 8, crowding, wind", 23, 8, kModels[m], true, false, true, false});
+    cases.push_back({"529 x 16, crowding, wind, 4 spheres", 23, 16, kModels[m], true, true, true, false});
+    cases.push_back({"529 x 16, crowding, a breath of wind", 23, 16, kModels[m], false, false, true, false, true});
+    cases.push_back({"the same, adaptive", 23, 16, kModels[m], false, false, true, true, true});
+  }
+  for (int round = 0; round < 7; ++round)
+    for (Case& one : cases) run(one);
+  for (const Case& one : cases)
+    std::printf("%-8s %-38s %8.1f us a step %8.1f us to show\n", kNames[static_cast<int>(one.model)], one.what,
+                (one.best - one.bestShown) / kStepsEach, one.bestShown);
+}
