@@ -90,6 +90,12 @@ Status loadTypeSet(app::App& app, const std::string& path) {
   return app.loadTypeSet(bytes.value(), fs::path(path).filename().string());
 }
 
+Status loadHair(app::App& app, const std::string& path) {
+  const auto bytes = readFile(path);
+  if (!bytes) return bytes.error();
+  return app.loadHair(bytes.value(), fs::path(path).filename().string());
+}
+
 Status loadGroomImage(app::App& app, groom::ImageOf what, const std::string& path) {
   const auto bytes = readFile(path);
   if (!bytes) return bytes.error();
@@ -109,12 +115,13 @@ Status writeFiles(const std::string& folder, std::span<const scene::NamedFile> f
 }
 
 bool isModel(const std::string& nameOrPath) {
-  return !scene::isNamedAs(scene::FileKind::Coat, nameOrPath) && !scene::isNamedAs(scene::FileKind::Picture, nameOrPath);
+  return !scene::isNamedAs(scene::FileKind::Coat, nameOrPath) && !scene::isNamedAs(scene::FileKind::Hair, nameOrPath) && !scene::isNamedAs(scene::FileKind::Picture, nameOrPath);
 }
 
 Status loadScene(app::App& app, const std::string& nameOrPath, const std::string& programPath) {
   if (nameOrPath == "sphere" || nameOrPath == "torus" || nameOrPath == "plane") return app.loadPrimitive(nameOrPath);
   if (scene::isNamedAs(scene::FileKind::Coat, nameOrPath)) return loadTypeSet(app, nameOrPath);
+  if (scene::isNamedAs(scene::FileKind::Hair, nameOrPath)) return loadHair(app, nameOrPath);
   if (scene::isNamedAs(scene::FileKind::Picture, nameOrPath)) return loadGroomImage(app, groom::ImageOf::Length, nameOrPath);
   std::error_code ignored;
   const bool shipped = !fs::path(nameOrPath).has_extension() && !fs::exists(nameOrPath, ignored);

@@ -24,6 +24,7 @@ Status writePng(const std::string& path, int width, int height, const std::vecto
 
 // A type set (.fts) by path takes the place of the coat.
 Status loadTypeSet(app::App& app, const std::string& path);
+Status loadHair(app::App& app, const std::string& path);  // a .hair file
 
 // An image by path becomes the length map of the groom, or the map that it was saved as (App::groomFromFile()).
 Status loadGroomImage(app::App& app, groom::ImageOf what, const std::string& path);
@@ -33,7 +34,7 @@ bool isModel(const std::string& nameOrPath);
 
 // A model by path, or "sphere", "torus", "plane", or the name of one that is shipped, as "bunny" or "five-coats"
 // (models/NAME.glb beside the program or below its parent folders). Decodes its picture too; one that cannot be
-// decoded is a warning. A path of a type set goes to loadTypeSet(), of a picture is a length map.
+// decoded is a warning. A path of a type set goes to loadTypeSet(), of strands to loadHair(), of a picture is a length map.
 Status loadScene(app::App& app, const std::string& nameOrPath, const std::string& programPath);
 
 }  // namespace fur::native

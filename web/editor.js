@@ -110,6 +110,7 @@ export class EditorPanel {
     CopyText: (text) => this.#copy(text),
     PasteRequest: () => this.#paste(),
     SaveTypeSet: (name) => this.#save(() => this.#host.fur.saveTypeSet(), name),
+    SaveHair: (name) => this.#save(() => this.#host.fur.saveHair(), name),
     SaveFo: (name) => this.#save(() => this.#host.fur.saveFo(), name),
     SaveScene: (name) => this.#save(() => this.#host.fur.save(), name),
     SaveMaps: (name) => this.#save(() => this.#maps(), `${name}.zip`),

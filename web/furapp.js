@@ -110,6 +110,8 @@ export class FurApp {
   // These are in the editor's program only.
   saveTypeSet() { return this.#saved('fur_saveTypeSet'); }
   saveFo() { return this.#saved('fur_saveFo'); }
+  saveHairFile() { return this.#saved('fur_saveHairFile'); }
+  loadHair(bytes, name) { this.#callOrThrow('fur_loadHair', bytes, bytes.byteLength, name); }
   get lostBySaving() { return this.program.lines(this.#call('fur_lostBySaving')); }
   saveScene() { return this.#saved('fur_saveScene'); }
   groomAll(edit, value, [x, y, z]) { this.#call('fur_groomAll', edit, value, x, y, z); }

@@ -4,13 +4,13 @@ import { elementMethods, elementQueries } from '#tables';
 import { AppliedOptions } from './applied.js';
 import { BrushRing } from './brushring.js';
 import { Editing } from './editing.js';
-import { FurError } from './errors.js';
+import { asFurError, FurError } from './errors.js';
 import { Frames } from './frames.js';
 import { forEach } from './furapp.js';
 import { Input } from './input.js';
 import { pictureOfText } from './lettering.js';
 import { Loading } from './loading.js';
-import { acceptedFiles, decodeImage, readModel, sortFiles } from './models.js';
+import { acceptedFiles, decodeImage, readGiven, readModel, sortFiles } from './models.js';
 import { optionDefaults, settingsObject } from './options.js';
 import { orbitText } from './orbit.js';
 import { Session } from './session.js';
@@ -128,6 +128,8 @@ export class WetFur extends EventTarget {
   /** The coat as .fts, the model with its fur coordinates as .fo, the whole scene as .glb: Uint8Arrays. */
   saveTypeSet() { return this.#editing.inWorkshop((app) => app.saveTypeSet()); }
   saveFo() { return this.#editing.inWorkshop((app) => app.saveFo()); }
+  /** The strands of the selected scalp as .hair. */
+  saveHair() { return this.#editing.inWorkshop((app) => app.saveHairFile()); }
   save() {
     return this.#editing.inWorkshop((app) => {
       for (const what of app.lostBySaving) this.#session.warn(`save() leaves out ${what}`);
@@ -149,11 +151,12 @@ export class WetFur extends EventTarget {
   #openDialog() {
     const input = Object.assign(document.createElement('input'), { type: 'file', accept: acceptedFiles, multiple: true });
     input.addEventListener('change', async () => {
-      const { model, typeSet, image, others } = sortFiles(input.files);
+      const { model, typeSet, hair, image, others } = sortFiles(input.files);
       try {
         if (image) await this.loadLengthMap(image);
         else if (model ?? others[0]) await this.loadModel(model ?? others[0], { files: others });
         if (typeSet) await this.loadTypeSet(typeSet);
+        if (hair) await this.loadHair(hair);
       } catch {
         // The error event carries it.
       }
@@ -223,6 +226,16 @@ export class WetFur extends EventTarget {
   async hair(edit, value = 1, direction = [0, 0, 0]) {
     await this.ready;
     return this.#editing.hairInWorkshop((app) => app.editHair(edit, value, direction));
+  }
+  /** Strands of a .hair file as guides. Rejects with a FurError, and then the hair stays as it was. */
+  async loadHair(given, { name } = {}) {
+    await this.ready;
+    try {
+      const { bytes, name: file } = await readGiven(given, name ?? given?.name ?? 'strands.hair');
+      await this.#editing.hairInWorkshop((app) => app.loadHair(bytes, file));
+    } catch (error) {
+      throw this.#loading.failed(asFurError(error, error instanceof RangeError ? 'out-of-memory' : 'bad-file'));
+    }
   }
   setHairValue(scalp, name, value) {
     this.#app?.setHairValue(scalp, name, String(value));

@@ -14,19 +14,20 @@ export const modelNames = Object.freeze([...shippedModels, ...primitives]);
 const kindOf = ({ name }) => kindOfEnding[/\.\w+$/.exec(name)?.[0].toLowerCase()];
 /** What a file dialog offers: models, coats, what a model refers to, and whatever pictures the browser reads. */
 export const acceptedFiles = [...Object.keys(kindOfEnding), 'image/*'].join();
-/** Endings of models and coats, for people. */
-export const readEndings = Object.keys(kindOfEnding).filter((ending) => /Model|Coat/.test(kindOfEnding[ending]));
+/** Endings of models, coats and hair, for people. */
+export const readEndings = Object.keys(kindOfEnding).filter((ending) => /Model|Coat|Hair/.test(kindOfEnding[ending]));
 
 /**
- * Which of the files that were picked or dropped together is the model, which the coat; undefined for none. A
+ * Which of the files that were picked or dropped together is the model, which the coat, which the hair; undefined for none. A
  * picture that comes alone is a length map.
  */
 export function sortFiles(files) {
   const list = [...files];
   const model = list.find((file) => kindOf(file) === 'Model');
   const typeSet = list.find((file) => kindOf(file) === 'Coat');
+  const hair = list.find((file) => kindOf(file) === 'Hair');
   const image = list.length === 1 && /^image\//.test(list[0].type) ? list[0] : undefined;
-  return { model, typeSet, image, others: list.filter((file) => file !== model && file !== typeSet) };
+  return { model, typeSet, hair, image, others: list.filter((file) => file !== model && file !== typeSet && file !== hair) };
 }
 
 /** Pictures are made smaller than this: beyond it fur shows no difference. */

@@ -161,12 +161,13 @@ let shownSrc = null;
 let startState = '{}';
 
 async function openFiles(files) {
-  const { model, typeSet, image, others } = sortFiles(files);
-  if (!model && !typeSet && !image && others.length > 0)
+  const { model, typeSet, hair, image, others } = sortFiles(files);
+  if (!model && !typeSet && !hair && !image && others.length > 0)
     messages.error(`${others[0].name}: not a ${either(readEndings)} file`);
   try {
     if (model) await fur.loadModel(model, { files: others });
     if (typeSet) await fur.loadTypeSet(typeSet);
+    if (hair) await fur.loadHair(hair);
     if (image) await fur.loadLengthMap(image);
   } catch {
     // The error event says it.

@@ -33,6 +33,8 @@ constexpr const char* kUsage = R"(usage: wet-fur-render [model] -o out.png [opti
   --type-map FILE       one whose red, green and blue are the presence of the fur types 2 to 4
   --groom EDIT[,VALUE[,X,Y,Z]]  all over the model (several allowed, in order): length, invert, vary, type, comb, raise,
                         size, selectType and others, as the element's groom() has them
+  --hair-file FILE      strands from a .hair file, as guides; before --hair
+  --save-hair FILE      writes the selected scalp's strands as .hair
   --hair EDIT[,VALUE[,X,Y,Z]]  long hair (several allowed, in order): addScalp, cover, plant and others, as the element's
                         hair() has them
   --hair-value NAME=VALUE  a value of the selected scalp's hair (several allowed, in order with --hair)
@@ -77,7 +79,7 @@ struct Hold {
 };
 
 struct Options {
-  std::string model = "bunny", output, stateFile, preset, light, typeSet, savedTypeSet, savedFo, savedScene, maps, lengthMap, typeMap;
+  std::string model = "bunny", output, stateFile, preset, light, typeSet, hairFile, savedHair, savedTypeSet, savedFo, savedScene, maps, lengthMap, typeMap;
   int width = 1280, height = 720, samples = 4, turntable = 0;
   bool transparent = false;
   float turnSeconds = 12;
@@ -141,6 +143,8 @@ std::string readOption(const std::string& name, const std::string& value, Option
   else if (name == "--state") o.stateFile = value;
   else if (name == "--type-set") o.typeSet = value;
   else if (name == "--save-type-set") o.savedTypeSet = value;
+  else if (name == "--hair-file") o.hairFile = value;
+  else if (name == "--save-hair") o.savedHair = value;
   else if (name == "--save-fo") o.savedFo = value;
   else if (name == "--save-scene") o.savedScene = value;
   else if (name == "--maps") o.maps = value;
@@ -196,7 +200,7 @@ std::string readOption(const std::string& name, const std::string& value, Option
 std::string readOptions(int count, char** values, Options& o) {
   if (std::string wrong = native::readArguments(count, values, o, readOption, {"--transparent"}); !wrong.empty()) return wrong;
   if (o.turntable > 0 && o.output.empty()) return "--turntable: no output: -o out.png";
-  return o.output.empty() && o.savedTypeSet.empty() && o.savedFo.empty() && o.savedScene.empty() && o.maps.empty() ? "no output: -o out.png" : "";
+  return o.output.empty() && o.savedTypeSet.empty() && o.savedFo.empty() && o.savedScene.empty() && o.savedHair.empty() && o.maps.empty() ? "no output: -o out.png" : "";
 }
 
 Status setUp(app::App& app, const Options& o, const char* program) {
@@ -217,6 +221,8 @@ Status setUp(app::App& app, const Options& o, const char* program) {
   if (!o.typeMap.empty())
     if (Status status = native::loadGroomImage(app, groom::ImageOf::Types, o.typeMap); !status) return status;
   for (const GroomStep& step : o.grooms) app.groomAll(step.edit, step.value, step.direction);
+  if (!o.hairFile.empty())
+    if (Status status = native::loadHair(app, o.hairFile); !status) return status;
   for (const HairStep& step : o.hairs) {
     if (step.edit) app.editHair(*step.edit, step.value, step.direction);
     else if (Status status = app.setHairValue(static_cast<int>(app.selectedScalp()), step.name, step.text); !status) return status;
@@ -261,11 +267,16 @@ void hold(app::App& app, const Hold& hold, Vec2 middle) {
   app.pointer(event);
 }
 
-Status save(const app::App& app, const Options& o) {
+Status save(app::App& app, const Options& o) {
   if (!o.savedTypeSet.empty())
     if (Status status = native::writeFile(o.savedTypeSet, app.saveTypeSet()); !status) return status;
   if (!o.savedFo.empty())
     if (Status status = native::writeFile(o.savedFo, app.saveFo()); !status) return status;
+  if (!o.savedHair.empty()) {
+    const auto bytes = app.saveHairFile();
+    if (!bytes) return bytes.error();
+    if (Status status = native::writeFile(o.savedHair, bytes.value()); !status) return status;
+  }
   if (!o.maps.empty())
     if (Status status = native::writeFiles(o.maps, app.saveMaps()); !status) return status;
   if (o.savedScene.empty()) return Done{};
@@ -358,7 +369,7 @@ int main(int count, char** values) {
   if (const Status status = picture ? drawPicture(options, values[0]) : saveOnly(options, values[0]); !status) {
     return native::fail(status.error());
   }
-  for (const std::string& saved : {options.savedTypeSet, options.savedFo, options.savedScene, options.maps})
+  for (const std::string& saved : {options.savedTypeSet, options.savedFo, options.savedScene, options.savedHair, options.maps})
     if (!saved.empty()) std::printf("%s\n", saved.c_str());
   return 0;
 }

@@ -239,6 +239,10 @@ class Session {
         case Kind::SaveFo:
           save(command->text, app_.saveFo());
           break;
+        case Kind::SaveHair:
+          if (const auto bytes = app_.saveHairFile()) save(command->text, bytes.value());
+          else check(bytes.error());
+          break;
         case Kind::SaveScene:
           saveScene(command->text);
           break;

@@ -237,6 +237,10 @@ class App {
   std::size_t wispCount(std::size_t scalp) const;
   // JSON: [{"name","guides","wisps","selected","values":{all of them}}].
   std::string scalps() const;
+  // Strands of a .hair file (scene/HairFile.h), as guides of the selected scalp or of a new one; one undo step. And all strands of
+  // the selected scalp as they are now.
+  Status loadHair(std::span<const std::uint8_t> bytes, const std::string& name);
+  Result<std::vector<std::uint8_t>> saveHairFile();
   const hair::Hairstyle& hairstyle() const;
   std::uint64_t hairRevision() const;  // another one whenever the hairstyle has changed
   bool haired() const;                 // there is a scalp, or a sphere for one

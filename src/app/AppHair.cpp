@@ -28,6 +28,19 @@ Status App::setHairValue(int scalp, std::string_view name, std::string_view text
   return status;
 }
 
+Status App::loadHair(std::span<const std::uint8_t> bytes, const std::string& name) {
+  State& s = *state_;
+  s.beginHairStroke();
+  const Status status = s.hair->readFile(s.shape, s.groom.groomSurface(s.shape), bytes, name);
+  s.endStroke();
+  return status;
+}
+
+Result<std::vector<std::uint8_t>> App::saveHairFile() {
+  state_->hair->update(state_->hairInputs(0));  // no time may have gone by since it came
+  return state_->hair->writeFile();
+}
+
 void App::setHairValues(std::size_t scalp, const hair::HairValues& values) {
   State& s = *state_;
   const bool alone = !s.changeBefore;

@@ -161,6 +161,7 @@ struct ApplyPreset {
 };
 struct SaveTypeSet {};  // the coat as .fts
 struct SaveFo {};       // the model as .fo
+struct SaveHair {};     // the selected scalp's strands as .hair
 struct SaveScene {};    // all of it as .glb
 struct SaveMaps {};     // the groom's maps, wetness and layout as pictures
 struct SelectAt {
@@ -219,7 +220,7 @@ using Command = std::variant<command::BeginChange, command::EndChange, command::
                              command::SetWetness, command::Shake, command::Stamp, command::LoadShipped,
                              command::OpenDialog, command::OpenPath, command::ResetCamera, command::Undo,
                              command::Redo, command::CopyState, command::PasteState, command::ApplyPreset,
-                             command::SaveTypeSet, command::SaveFo, command::SaveScene, command::SaveMaps, command::SelectAt, command::GroomAll,
+                             command::SaveTypeSet, command::SaveFo, command::SaveHair, command::SaveScene, command::SaveMaps, command::SelectAt, command::GroomAll,
                              command::EditHair, command::SetHairValues, command::RenameScalp,
                              command::SavePicture, command::SaveTurntable, command::TurnOnce, command::StopPicture,
                              command::KeepVersion, command::OpenVersion, command::RenameVersion, command::DeleteVersion,

@@ -9,6 +9,7 @@
 #include "editor/ToolRows.h"
 #include "editor/Widgets.h"
 #include "hair/HairFields.h"
+#include "scene/Formats.h"
 
 namespace fur::editor {
 
@@ -28,6 +29,7 @@ std::vector<Command> HairPanel::draw(const EditorModel& model, settings::Setting
     drawGuides(model, edited);
     drawBodies(model.hair);
     drawValues(model.hair);
+    drawSaving(model.hair.scalps[model.hair.selected]);
   }
   ImGui::Dummy(ImVec2(0, px(2)));
   return std::exchange(commands_, {});
@@ -112,6 +114,14 @@ void HairPanel::drawGuides(const EditorModel& model, settings::Settings& edited)
   if (more == 0) edit(HairEdit::Mirror, 1);
   if (more == 1) edit(HairEdit::ShowAll);
   if (more == 2) edit(HairEdit::FreeAll);
+}
+
+// At the end, as a file is made of what is there.
+void HairPanel::drawSaving(const ScalpView& scalp) {
+  ImGui::BeginDisabled(scalp.wisps == 0);
+  if (ImGui::Button(scene::saveLabel(scene::Format::Hair).c_str(), ImVec2(-1, 0))) commands_.push_back(command::SaveHair{});
+  ImGui::EndDisabled();
+  hint("All strands of this scalp, for other programs. A .hair file that is opened becomes guides of this scalp, or of a new one");
 }
 
 void HairPanel::drawBodies(const HairView& hair) {

@@ -22,6 +22,7 @@ class HairPanel {
   void givesOrTakes(Tool tool, const EditorModel& model, settings::Settings& edited);
   void drawGuides(const EditorModel& model, settings::Settings& edited);
   void drawBodies(const HairView& hair);
+  void drawSaving(const ScalpView& scalp);
   void drawValues(const HairView& hair);
   void hint(const char* text) const;
   void edit(HairEdit what, float value = 1, const Vec3& direction = Vec3(0)) { commands_.push_back(command::EditHair{what, value, direction}); }

@@ -39,9 +39,10 @@ std::vector<MemberStrand> memberStrands(int count, const HairValues& values);
 Vec2 memberOffset(const MemberStrand& strand, float t);
 // Its width there as a share of that at its root: it tapers, the more the nearer its tip, and is 0 beyond.
 float memberWidth(const MemberStrand& strand, float t);
-// The width of a wisp at height t as a share of that at its root.
-// Water (0..1) draws its strands together, the more the nearer the tip.
+// By so much of its width a soaked wisp is thinner at its tip.
 inline constexpr float kWetGathers = 0.65f;
+// The width of a wisp at height t as a share of that at its root; water (0..1) draws its strands together, the more the nearer
+// the tip.
 inline float wispWidth(float tipWidth, float t, float wetness = 0) { return glm::mix(1.0f, tipWidth, t) * (1 - kWetGathers * wetness * t * (2 - t)); }
 
 // What a strip shows, an array layer a kind: RGBA8, x across the wisp, -kStripReach..kStripReach, y from root to tip. r: coverage;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "groom/Groom.h"
@@ -11,6 +12,9 @@
 namespace fur::hair {
 
 inline constexpr std::size_t kMostScalps = 8;
+
+// A name of at most 64 bytes, whole characters of UTF-8.
+std::string soundName(std::string_view name);
 
 struct Scalp {
   std::string name = "hair";

@@ -75,8 +75,11 @@ FurShadow::Key Renderer::furShadowKey(const Frame& frame) const {
   settings::Settings s = frame.settings;
   if (shells_.empty()) s.furLength = 0;
   const Vec3 light(glm::inverse(frame.worldFromModel) * Vec4(lightDirection(frame), 0));
-  return {static_cast<Shadows>(s.shadows), lightFromModel(light, shadowRadius(s.furLength, frame.reach)),
-          volumeShadow(s, fur_.density(), frame.reach),
+  // In steps, so that texels stay where they are while hair swings.
+  constexpr float kStep = 0.25f;
+  const float reach = std::max(frame.reach, std::ceil(hair_.reach() / kStep) * kStep);
+  return {static_cast<Shadows>(s.shadows), lightFromModel(light, shadowRadius(s.furLength, reach)),
+          volumeShadow(s, fur_.density(), reach),
           curveVariant(s) | (frame.groomed || frame.types ? kGroomed : kPlain),
           surface_.revision() + maps_.revision() + fur_.revision() + hair_.revision(),
           frame.ball, frame.ball.w > 0 ? frame.worldFromModel : Mat4(1.0f)};

@@ -8,7 +8,7 @@
 
 namespace fur::scene {
 
-enum class FileKind { Model, Coat, Picture, Companion };
+enum class FileKind { Model, Coat, Hair, Picture, Companion };
 
 enum class Format {
 #define FUR_MODEL_FORMAT(id, ...) id,

@@ -112,6 +112,29 @@ TEST(AppHair, GetsWetWithTheSkinThatItGrowsFromAndDriesWithIt) {
   EXPECT_LT(salon.picture().differingShare(dry, 24), 0.05f);
 }
 
+TEST(AppHair, IsLitToItsTipsWhereTheEyeIsAtTheLight) {
+  Salon salon;
+  for (const auto& [name, value] : {std::pair("lightYaw", "0"), std::pair("lightPitch", "0.05")}) salon.app.setField(name, value);
+  salon.app.setCamera({.yaw = 0, .pitch = 0.05f, .distance = 7});
+  salon.app.editHair(HairEdit::AddScalp);
+  salon.app.editHair(HairEdit::Cover, 1);
+  EXPECT_TRUE(salon.app.setHairValue(0, "guideLength", "1.2"));
+  salon.app.editHair(HairEdit::Plant, 100);
+  salon.app.settle();
+  const test::Picture shaded = salon.picture();
+  salon.app.setField("shadows", "none");
+  const test::Picture open = salon.picture();
+  int dark = 0, hair = 0;
+  for (std::size_t i = 0; i < open.rgba.size(); i += 4) {
+    hair += open.rgba[i] > open.rgba[i + 2] + 30;
+    dark += shaded.rgba[i] < 0.6f * open.rgba[i];
+  }
+  ASSERT_GT(hair, 4000);
+  // At the edges of strips, as a texel of the map is larger than a pixel here and holds what lies before: one in thirty. Twice as
+  // much is dark where hair comes out of the map.
+  EXPECT_LT(dark, 0.05 * hair) << hair;
+}
+
 TEST(AppHair, DarkensTheCoatAndTheGroundBelowIt) {
   Salon salon;
   salon.app.setCamera({.yaw = 0.4f, .pitch = 0.5f, .distance = 6});

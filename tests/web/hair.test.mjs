@@ -82,6 +82,21 @@ test('hair goes over to the editor and back', async () => {
   assert.deepEqual(await scalps(page), before);
 });
 
+test('strands go into a .hair file, and come from one', async () => {
+  const first = await open();
+  await grow(first.page);
+  const bytes = await withFur(first.page, async (fur) => Array.from(await fur.saveHair()));
+  assert.equal(String.fromCharCode(...bytes.slice(0, 4)), 'HAIR');
+  const { page } = await open();
+  await withFur(page, (fur, all) => fur.loadHair(new File([new Uint8Array(all)], 'locks.hair')), bytes);
+  const [scalp] = await scalps(page);
+  assert.deepEqual([scalp.name, scalp.guides], ['locks', 128]);
+  const failure = await withFur(page, (fur) => fur.loadHair(new File([new Uint8Array(40)], 'zeros.hair')).catch(({ code, message }) => ({ code, message })));
+  assert.equal(failure.code, 'bad-file');
+  assert.match(failure.message, /zeros\.hair/);
+  assert.equal((await scalps(page)).length, 1);
+});
+
 test('what cannot be done is told and changes nothing', async () => {
   const { page } = await open();
   await withFur(page, (fur) => {

@@ -231,6 +231,16 @@ FUR_EXPORT int fur_groomAll(App* app, const char* edit, float value, float x, fl
     return 1;
   });
 }
+FUR_EXPORT int fur_loadHair(App* app, const std::uint8_t* bytes, std::uint32_t size, const char* name) {
+  return guarded([&] { return web::report(app->loadHair({bytes, size}, name)); });
+}
+// 0: the error tells why.
+FUR_EXPORT std::uint32_t fur_saveHairFile(App* app) {
+  return guarded([&] {
+    const auto bytes = app->saveHairFile();
+    return bytes ? web::keepSaved(bytes.value()) : static_cast<std::uint32_t>(web::report(bytes.error()));
+  });
+}
 // `edit`: the name of an app::HairEdit; others do nothing.
 FUR_EXPORT int fur_editHair(App* app, const char* edit, float value, float x, float y, float z) {
   return guarded([&] {

@@ -196,6 +196,13 @@ export interface WetFurApi extends WetFurMethods {
    * fetches the editor's program.
    */
   hair(edit: HairEdit, value?: number, direction?: readonly [number, number, number]): Promise<void>;
+  /**
+   * Strands of a .hair file (Cem Yuksel's) as guides of the selected scalp, or of a new one; one undo step. Rejects with a FurError,
+   * and then the hair stays as it was.
+   */
+  loadHair(hair: ModelBytes, options?: { name?: string }): Promise<void>;
+  /** All strands of the selected scalp, as they hang at rest, as .hair. This fetches the editor's program. */
+  saveHair(): Promise<Uint8Array>;
   /** A value of a scalp's hair, by its number; one undo step. Throws a FurError where there is no such scalp or value. */
   setHairValue<Name extends keyof HairValues>(scalp: number, name: Name | 'name', value: HairValues[Name] | string): void;
   /** The scalps of the model. */

@@ -441,6 +441,7 @@ void EditorHost::perform(const editor::Command& command) {
       [&](const ApplyPreset& c) { app_.applyPreset(c.name); },
       [&](const SaveTypeSet&) { request(Kind::SaveTypeSet, typeSetName(app_)); },
       [&](const SaveFo&) { request(Kind::SaveFo, modelFileName(app_, scene::Format::Fo)); },
+      [&](const SaveHair&) { request(Kind::SaveHair, modelFileName(app_, scene::Format::Hair)); },
       [&](const SaveScene&) { request(Kind::SaveScene, modelFileName(app_, scene::Format::Glb)); },
       [&](const SaveMaps&) { request(Kind::SaveMaps, app_.mapsName() + "-maps"); },
       [&](const SelectAt& c) { selects_ = c.what; },

@@ -25,6 +25,8 @@ class GrownHair final : public HairStage {
   void setValues(std::size_t scalp, const hair::HairValues& values) override;
   Status setValue(std::size_t scalp, std::string_view name, std::string_view text, Warnings& warnings) override;
 
+  Status readFile(const ShapeStage& shape, const groom::GroomSurface& skin, std::span<const std::uint8_t> bytes, const std::string& name) override;
+  Result<std::vector<std::uint8_t>> writeFile() const override;
   std::vector<std::uint8_t> save() const override;
   [[nodiscard]] bool restore(std::span<const std::uint8_t> bytes) override;
 

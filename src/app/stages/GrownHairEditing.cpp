@@ -175,7 +175,7 @@ std::string GrownHair::describe() const {
 Status GrownHair::setValue(std::size_t scalp, std::string_view name, std::string_view text, Warnings& warnings) {
   if (scalp >= style_.scalps.size()) return Error{ErrorId::BadFile, "there is no scalp " + std::to_string(scalp) + "; there are " + std::to_string(style_.scalps.size())};
   if (name == "name") {
-    style_.scalps[scalp].name = text.substr(0, 64);
+    style_.scalps[scalp].name = hair::soundName(text);
     return Done{};
   }
   const hair::HairField* field = hair::findHairField(name);

@@ -16,6 +16,12 @@ Status HairStage::setValue(std::size_t scalp, std::string_view, std::string_view
   return Error{ErrorId::BadFile, "there is no scalp " + std::to_string(scalp)};
 }
 
+Status HairStage::readFile(const ShapeStage&, const groom::GroomSurface&, std::span<const std::uint8_t>, const std::string& name) {
+  return Error{ErrorId::LongHair, name + ": this program does not grow long hair"};
+}
+
+Result<std::vector<std::uint8_t>> HairStage::writeFile() const { return Error{ErrorId::BadFile, "there is no hair to save"}; }
+
 const HairStage::Growth& HairStage::growth(std::size_t) const {
   static const Growth none;
   return none;

@@ -94,6 +94,10 @@ class HairStage {
   virtual Status setValue(std::size_t scalp, std::string_view name, std::string_view text, Warnings& warnings);
 
   // --- files ---
+  // Within a stroke: the strands of a .hair file become the guides of the selected scalp, or of a new one.
+  virtual Status readFile(const ShapeStage&, const groom::GroomSurface&, std::span<const std::uint8_t>, const std::string& name);
+  // All strands of the selected scalp, as they are now, as .hair. bad-file where there are none.
+  virtual Result<std::vector<std::uint8_t>> writeFile() const;
   virtual std::vector<std::uint8_t> save() const { return {}; }
   // False: they are not bytes of save(), and nothing has changed.
   [[nodiscard]] virtual bool restore(std::span<const std::uint8_t> bytes) { return bytes.empty(); }

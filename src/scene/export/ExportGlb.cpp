@@ -123,7 +123,7 @@ std::string furExtension(Writer& writer, const geometry::Mesh& mesh, const FurDa
   const bool hasMap = !(fur.map.empty() && fur.paint.empty() && fur.mask.empty() && fur.shape.empty()) && hasAtlas;
   const bool isWet = !fur.wetness.empty() && hasAtlas;
   const std::string atlas = mesh.uv.empty() ? ",\"texCoord\":0}" : ",\"texCoord\":1}";
-  const bool hasHair = !fur.hair.scalps.empty() && hasAtlas;
+  const bool hasHair = !(fur.hair.scalps.empty() && fur.hair.bodies.empty()) && hasAtlas;
   if (fur.state.empty() && !hasMap && !isWet && !hasHair && fur.comb.empty() && fur.whiskers.empty() && mesh.furUv.empty()) return "";
   std::string out = "\"WETFUR_fur\":{\"version\":" + std::to_string(kFurVersion);
   if (!fur.state.empty()) out += ",\"state\":" + fur.state;

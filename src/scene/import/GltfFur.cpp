@@ -88,7 +88,7 @@ GltfFur readFur(const GltfFile& file, FurData& fur) {
     if (!hairReader()) file.fail(ErrorId::LongHair, "it has long hair, which this program does not grow");
     fur.hair = hairReader()->read(file, *hair, out.warnings);
     const Whole set = file.whole(*hair, "texCoord", "WETFUR_fur.hair");
-    if (out.hasMap && set != out.atlasSet) file.bad("WETFUR_fur: groom and hair have not the same texCoord");
+    if (out.hasMap && set != out.atlasSet) file.bad("WETFUR_fur: hair has another texCoord than groom or wetness");
     out.hasMap = true;
     out.atlasSet = set;
   }

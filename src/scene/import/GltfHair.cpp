@@ -55,7 +55,7 @@ hair::Guides readGuides(const GltfFile& file, const Json& guides, const std::str
 hair::Scalp readScalp(const GltfFile& file, const Json& scalp, const std::string& where, Warnings& warnings) {
   if (!scalp.isObject()) file.bad("%s is not an object", where.c_str());
   hair::Scalp out;
-  if (const Json* name = scalp.find("name")) out.name = name->text().substr(0, 64);
+  if (const Json* name = scalp.find("name")) out.name = hair::soundName(name->text());
   if (const Json* values = scalp.find("values")) {
     if (!values->isObject()) file.bad("%s.values is not an object", where.c_str());
     out.values = hair::readHairValues(*values, warnings);

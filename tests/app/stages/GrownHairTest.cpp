@@ -152,6 +152,16 @@ TEST(GrownHair, ValuesOfAnUnknownNameOrScalpAreErrorsThatNameThem) {
   EXPECT_EQ(head.warnings.size(), 1u);
 }
 
+TEST(GrownHair, KeepsNamesOfAtMost64BytesWithoutCuttingACharacter) {
+  Head head;
+  head.growEverywhere();
+  std::string name(63, 'm');
+  const std::string kept = name;
+  name += "\xc3\xa4hne";
+  ASSERT_TRUE(head.hair.setValue(0, "name", name, head.warnings));
+  EXPECT_EQ(head.hair.style().scalps[0].name, kept);
+}
+
 TEST(GrownHair, SwingsWhenTheModelMovesAndThenSleeps) {
   Head head;
   head.growEverywhere();
@@ -264,6 +274,40 @@ TEST(GrownHair, PlantsWispsAnewOnlyWhereRootsMapOrValuesAreOthers) {
   ASSERT_TRUE(head.hair.setValue(0, "seed", "9", head.warnings));
   head.hair.update(head.inputs(0));
   EXPECT_FALSE(sameRoots());
+}
+
+TEST(GrownHair, GoesIntoAHairFileStrandByStrandAndComesBackAsGuides) {
+  Head head, other;
+  head.growEverywhere();
+  const auto bytes = head.hair.writeFile();
+  ASSERT_TRUE(bytes);
+  other.hair.beginStroke();
+  ASSERT_TRUE(other.hair.readFile(other.shape, other.skin(), bytes.value(), "locks.hair"));
+  EXPECT_TRUE(other.hair.endStroke());
+  ASSERT_EQ(other.hair.style().scalps.size(), 1u);
+  EXPECT_EQ(other.hair.style().scalps[0].name, "locks");
+  EXPECT_EQ(other.guides().count(), 128u);  // of 9,900 strands
+  other.hair.update(other.inputs(0));
+  EXPECT_GT(other.hair.growth(0).wisps.size(), 100u);
+  float mean = 0;
+  for (std::size_t g = 0; g < other.guides().count(); ++g) mean += hair::lengthOf(other.guides().of(g)) / 128;
+  EXPECT_NEAR(mean, head.hair.style().scalps[0].values.guideLength, 0.25f);
+}
+
+TEST(GrownHair, RefusesAHairFileThatIsNoneAndStaysAsItIs) {
+  Head head;
+  head.growEverywhere();
+  const auto before = head.hair.save();
+  std::vector<std::uint8_t> lie(40, 0);
+  std::copy_n("HAIR\x40\x42\x0f\x00", 8, lie.begin());  // a million strands in 40 bytes
+  head.hair.beginStroke();
+  const Status refused = head.hair.readFile(head.shape, head.skin(), lie, "lie.hair");
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().message.find("lie.hair"), std::string::npos);
+  EXPECT_FALSE(head.hair.endStroke());
+  EXPECT_EQ(head.hair.save(), before);
+  Head bald;
+  EXPECT_FALSE(bald.hair.writeFile());
 }
 
 TEST(HairStage, OfAProgramWithoutHairHasNone) {

@@ -63,22 +63,11 @@ bool HairPass::empty() const {
   return std::all_of(scalps_.begin(), scalps_.end(), [](const HairScalp& scalp) { return scalp.wisps() == 0; });
 }
 
-Vec4 HairPass::bounds() const {
-  Vec4 all(0);
-  for (const HairScalp& scalp : scalps_) {
-    if (scalp.wisps() == 0) continue;
-    const Vec4 one = scalp.bounds();
-    if (all.w == 0) {
-      all = one;
-      continue;
-    }
-    const Vec3 way = Vec3(one) - Vec3(all);
-    const float apart = glm::length(way);
-    if (apart + one.w <= all.w) continue;
-    const float radius = std::max(0.5f * (apart + all.w + one.w), one.w);
-    all = Vec4(Vec3(all) + normalizeOr(way, Vec3(0)) * (radius - all.w), radius);
-  }
-  return all;
+float HairPass::reach() const {
+  float most = 0;
+  for (const HairScalp& scalp : scalps_)
+    if (scalp.wisps() > 0) most = std::max(most, scalp.reach());
+  return most;
 }
 
 bool HairPass::update(Programs& programs) {

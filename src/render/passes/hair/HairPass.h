@@ -22,8 +22,8 @@ class HairPass {
   bool empty() const;
   // Another number after every change.
   unsigned long revision() const { return revision_; }
-  // The ball round all hair, model space; radius 0 without any.
-  Vec4 bounds() const;
+  // How far from the model's origin any comes; 0 without any.
+  float reach() const;
 
   // Before anything draws hair; see HairScalp::update().
   bool update(Programs& programs);

@@ -90,7 +90,9 @@ std::size_t HairScalp::grow(const HairGrowth& growth) {
 std::size_t HairScalp::move(std::span<const hair::GuideNode> nodes) {
   if (wispCount_ == 0) return 0;
   Vec3 low = nodes[0].position, high = low;
+  reach_ = 0;
   for (const hair::GuideNode& node : nodes) {
+    reach_ = std::max(reach_, glm::length(node.position) + margin_);
     low = glm::min(low, node.position);
     high = glm::max(high, node.position);
   }

@@ -1,0 +1,54 @@
+// Long hair from and into .hair files (scene/HairFile.h).
+#include <algorithm>
+
+#include "app/stages/GrownHair.h"
+#include "scene/HairFile.h"
+
+namespace fur::app {
+
+namespace {
+
+// Strands of a file become so many guides.
+constexpr int kGuidesOfFile = 128;
+
+bool covers(const groom::GroomMap& map) {
+  return std::any_of(map.texels().begin(), map.texels().end(), [](const groom::GroomMap::Texel& texel) { return texel[0] > 0; });
+}
+
+}  // namespace
+
+Status GrownHair::readFile(const ShapeStage& shape, const groom::GroomSurface& skin, std::span<const std::uint8_t> bytes, const std::string& name) {
+  const auto file = scene::readHair(bytes, name);
+  if (!file) return file.error();
+  hair::Scalp scalp;
+  // On the selected scalp, where that is painted; else on a new one all over the model.
+  const bool onSelected = !style_.scalps.empty() && covers(style_.scalps[selected_].map);
+  if (onSelected) scalp = style_.scalps[selected_];
+  else if (style_.scalps.size() >= hair::kMostScalps)
+    return Error{ErrorId::TooLarge, name + ": a model has at most " + std::to_string(hair::kMostScalps) + " scalps"};
+  else scalp.map = groom::GroomMap(skin.atlas.size(), {255, 255, 255, 255});
+  const scene::HairAsGuides as{.nodes = scalp.values.nodes, .count = kGuidesOfFile};
+  auto guides = scene::guidesOf(file.value(), as, name, {shape.surface(), scalp.map}, shape.query());
+  if (!guides) return guides.error();
+  scalp.guides = std::move(*guides);
+  if (onSelected) {
+    style_.scalps[selected_] = std::move(scalp);
+  } else {
+    scalp.name = hair::soundName(std::string_view(name).substr(0, name.rfind('.')));
+    style_.scalps.push_back(std::move(scalp));
+    selected_ = style_.scalps.size() - 1;
+  }
+  touch();
+  return Done{};
+}
+
+Result<std::vector<std::uint8_t>> GrownHair::writeFile() const {
+  if (selected_ >= scalps_.size() || scalps_[selected_].growth.wisps.empty()) return Error{ErrorId::BadFile, "there is no hair to save: no scalp has wisps"};
+  const hair::Scalp& scalp = style_.scalps[selected_];
+  const LiveScalp& live = scalps_[selected_];
+  const auto file = scene::hairOfWisps(live.growth.wisps, live.nodes, scalp.guides.nodes, scalp.values);
+  if (!file) return file.error();
+  return scene::writeHair(file.value());
+}
+
+}  // namespace fur::app
