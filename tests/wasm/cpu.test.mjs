@@ -1,22 +1,38 @@
 // The CPU tests, built to WebAssembly, under Node: one test here for each of theirs.
 import assert from 'node:assert/strict';
 import { spawn, spawnSync } from 'node:child_process';
+import { closeSync, mkdtempSync, openSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { describe, test } from 'node:test';
+import { after, describe, test } from 'node:test';
 import { root } from '../../tools/process.mjs';
 
 const program = join(root, 'build/web-release/node/wet-fur-tests.js');
 const nativeProgram = process.env.FUR_NATIVE_TESTS ?? join(root, 'build/native-release/wet-fur-tests');
-const runProgram = (...args) => spawnSync(process.execPath, [program, '--gtest_color=no', ...args], { encoding: 'utf8', maxBuffer: 1 << 26 });
+const scratch = mkdtempSync(join(tmpdir(), 'wet-fur-'));
+after(() => rmSync(scratch, { recursive: true }));
 
-/** Every so many'th test; the shares run side by side. */
+// What it prints goes into a file: Node may end a program before all of it has gone through a pipe.
+function runProgram(...args) {
+  const path = join(scratch, 'listed'), file = openSync(path, 'w');
+  const { status, stderr } = spawnSync(process.execPath, [program, '--gtest_color=no', ...args], { encoding: 'utf8', stdio: ['ignore', file, 'pipe'] });
+  closeSync(file);
+  return { status, stderr, stdout: readFileSync(path, 'utf8') };
+}
+
+/** Every so many'th suite; the shares run side by side. The program does not see the environment, in which GoogleTest has shares. */
 function runShare(share) {
-  const child = spawn(process.execPath, [program, '--gtest_color=no'], { env: { ...process.env, GTEST_TOTAL_SHARDS: String(shares), GTEST_SHARD_INDEX: String(share) } });
-  const result = { stdout: '', stderr: '' };
-  for (const stream of ['stdout', 'stderr']) child[stream].setEncoding('utf8').on('data', (text) => { result[stream] += text; });
+  const path = join(scratch, `share${share}`), file = openSync(path, 'w');
+  const filter = Object.keys(suites).filter((_, i) => i % shares === share).map((suite) => `${suite}.*`).join(':');
+  const child = spawn(process.execPath, [program, '--gtest_color=no', `--gtest_filter=${filter}`], { stdio: ['ignore', file, 'pipe'] });
+  let stderr = '';
+  child.stderr.setEncoding('utf8').on('data', (text) => { stderr += text; });
   return new Promise((resolve) => {
-    child.on('error', (error) => resolve({ ...result, stderr: error.message, status: 1 }));
-    child.on('close', (status) => resolve({ ...result, status }));
+    child.on('error', (error) => resolve({ stdout: '', stderr: error.message, status: 1 }));
+    child.on('close', (status) => {
+      closeSync(file);
+      resolve({ stdout: readFileSync(path, 'utf8'), stderr, status });
+    });
   });
 }
 
@@ -48,6 +64,11 @@ function verdictOf(name) {
   const end = /^\[\s+(OK|FAILED|SKIPPED)\s+\] /m.exec(rest);
   return end ? { verdict: end[1], text: rest.slice(0, end.index) } : { verdict: 'CRASHED', text: rest + result.stderr };
 }
+
+test('every test that ran is listed here', () => {
+  const ran = [...result.stdout.matchAll(/^\[==========\] (\d+) tests? from .* ran\./gm)].reduce((sum, [, count]) => sum + Number(count), 0);
+  assert.equal(Object.values(suites).flat().length, ran);
+});
 
 for (const [suite, names] of Object.entries(suites)) {
   describe(suite, () => {
