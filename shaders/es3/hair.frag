@@ -4,6 +4,7 @@
 #include "common_noise.glsl"
 #include "common_furshadow.glsl"
 #include "common_hair.glsl"
+#include "common_line.glsl"
 
 in vec4 vBand;
 in vec4 vTangent;
@@ -37,7 +38,7 @@ void main() {
   float alpha = seen.r, strand = fract(seen.b + vTangent.w), front = seen.a;
   T = normalize(T) + vAcross.xyz * (8.0 * (seen.g - 0.5) * vAcross.w);
 #else
-  float alpha = clamp(0.5 * vBand.y + 0.5 - abs(vBand.x), 0.0, min(vBand.y, 1.0)), strand = vTangent.w, front = vView.w;
+  float alpha = lineCoverage(vBand.x, vBand.y), strand = vTangent.w, front = vView.w;
 #endif
   float chance = fract(pixelNoise() + 7.0 * strand);
 #ifndef STRIPS

@@ -6,6 +6,7 @@
 #include "hair_strip.glsl"
 #else
 #include "common_hair_member.glsl"
+#include "common_line.glsl"
 #endif
 
 out vec4 vBand;     // strands: x: pixels from the middle line  y: pixels that it is wide; strips: xy: place in the picture, times w
@@ -19,7 +20,14 @@ out vec4 vAcross;   // unit; w: what a slope of its strands is in the model
 flat out float vKind;
 #endif
 
-#ifndef STRIPS
+#ifdef STRIPS
+// Half the wisp's width over its length: what a slope of its strands is in the model.
+float slopeScale(StripVertex v, int wisp) {
+  float near = v.t < 0.5 ? v.t + 1.0 / float(FUR_WISP_SEGMENTS) : v.t - 1.0 / float(FUR_WISP_SEGMENTS);
+  float reach = halfWidth(v.shape.x, v.t, v.middle.wetness);
+  return reach / max(distance(wispPoint(wisp, near).position, v.middle.position) * float(FUR_WISP_SEGMENTS), 1e-4);
+}
+#else
 void strand(int instance) {
   int strands = int(strandsDrawn), wisp = int(firstWisp) + instance / strands, member = instance % strands;
   vec3 shape = wispShape(wisp);
@@ -34,11 +42,9 @@ void strand(int instance) {
   vec3 toEye = eye.xyz - p;
   float pixel = length(toEye) / pixelsPerUnit;
   float width = widening * strandWidth * memberWidth(waves.x, t) / pixel;
-  float way = (float(gl_VertexID & 1) - 0.5) * (width + 3.0);
-  vec3 side = cross(tangent, toEye);
-  vec3 edge = p + side * (way * pixel * inversesqrt(max(dot(side, side), 1e-12)));
-  gl_Position = clipFromModel * vec4(edge, 1.0);
-  vBand = vec4(way, width, t, middle.wetness);
+  float reach = lineReach(gl_VertexID, width);
+  gl_Position = clipFromModel * vec4(lineEdge(p, tangent, toEye, reach, pixel), 1.0);
+  vBand = vec4(reach, width, t, middle.wetness);
   vTangent = vec4(tangent, waves.w);
   vec3 outward = normalize(toEye);
   vec3 z = turned(middle.turn, vec3(at.x, 0.0, at.y));
@@ -50,16 +56,15 @@ void strand(int instance) {
 
 void main() {
 #ifdef STRIPS
-  StripVertex v = stripVertex(gl_VertexID, int(firstWisp) + gl_InstanceID, eye.xyz, 1.0);
+  int wisp = int(firstWisp) + gl_InstanceID;
+  StripVertex v = stripVertex(gl_VertexID, wisp, eye.xyz, 1.0);
   gl_Position = clipFromModel * vec4(v.position, 1.0);
-  // The picture narrows with the strip, over both of a segment's triangles alike.
-  float w = max(length(v.across), 1e-6);
-  vBand = vec4(vec2(0.5 + 0.5 * v.side, v.t) * w, v.t, v.middle.wetness);
+  vBand = vec4(v.picture.xy, v.t, v.middle.wetness);
   vTangent = vec4(turned(v.middle.turn, vec3(0.0, 1.0, 0.0)), v.shape.y);
-  vView = vec4(eye.xyz - v.position, w);
-  vNormal = wispNormal(int(firstWisp) + gl_InstanceID);
+  vView = vec4(eye.xyz - v.position, v.picture.z);
+  vNormal = wispNormal(wisp);
   vLightSpace = lightSpace(v.position);
-  vAcross = vec4(v.across / w, v.perHeight);
+  vAcross = vec4(v.across / v.picture.z, slopeScale(v, wisp));
   vKind = v.shape.z;
 #else
   strand(gl_InstanceID);

@@ -11,8 +11,7 @@ flat out vec3 vShadow;
 void main() {
   int perStrip = 6 * int(float(FUR_WISP_SEGMENTS) / pointStep);
   StripVertex v = stripVertex(gl_VertexID % perStrip, gl_InstanceID, light.xyz, 0.0);
-  float w = max(length(v.across), 1e-6);
-  vPicture = vec3(vec2(0.5 + 0.5 * v.side, v.t) * w, w);
+  vPicture = v.picture;
   vKind = v.shape.z;
 #ifdef ON_GROUND
   gl_Position = onGround((worldFromModel * vec4(v.position, 1.0)).xyz, gl_VertexID / perStrip, vShadow);

@@ -8,8 +8,8 @@ struct StripVertex {
   vec3 across;  // from the strip's middle to its edge
   float side;   // -1 or 1
   float t;
-  float perHeight;  // half the wisp's width over its length: what a slope of its strands is in the model
-  vec3 shape;   // wispShape()
+  vec3 picture;  // xy: place in its picture, times z, so that it narrows with the strip over both of a segment's triangles alike
+  vec3 shape;  // wispShape()
 };
 
 // `eyeOrDirection`: the eye where `isPoint` is 1; where it is 0 the direction, any length, from which it is seen. A wisp has a depth
@@ -37,7 +37,7 @@ StripVertex stripVertex(int vertex, int wisp, vec3 eyeOrDirection, float isPoint
   // Without a jump where the strip turns over: its texture stays where the wisp's own left is.
   if (pa < 0.0) v.across = -v.across;
   v.position = v.middle.position + v.across * v.side * FUR_STRIP_REACH;
-  float near = v.t < 0.5 ? v.t + 1.0 / float(FUR_WISP_SEGMENTS) : v.t - 1.0 / float(FUR_WISP_SEGMENTS);
-  v.perHeight = reach / max(distance(wispPoint(wisp, near).position, v.middle.position) * float(FUR_WISP_SEGMENTS), 1e-4);
+  float w = max(length(v.across), 1e-6);
+  v.picture = vec3(vec2(0.5 + 0.5 * v.side, v.t) * w, w);
   return v;
 }

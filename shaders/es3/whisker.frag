@@ -3,6 +3,7 @@
 #include "common_shading.glsl"
 #include "common_noise.glsl"
 #include "common_furshadow.glsl"
+#include "common_line.glsl"
 
 in vec4 vBand;
 in vec4 vTangent;
@@ -12,8 +13,7 @@ in vec3 vLightSpace;
 out vec4 fragColor;
 
 void main() {
-  // How much of a pixel a line covers whose middle passes at this distance, as if the pixel stood along it.
-  float alpha = clamp(0.5 * vBand.y + 0.5 - abs(vBand.x), 0.0, min(vBand.y, 1.0));
+  float alpha = lineCoverage(vBand.x, vBand.y);
   // Its foot stands among strands.
   float h = clamp(vBand.z, 0.0, 1.0);
   alpha *= smoothstep(0.2, 1.0, h);

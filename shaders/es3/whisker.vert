@@ -1,6 +1,7 @@
 // Whiskers: one instance a hair, bent as the coat round its root is (twin: hairPoints() in groom/Whiskers.h).
 #include "common.glsl"
 #include "common_bend.glsl"
+#include "common_line.glsl"
 #ifdef WET
 #include "common_clump.glsl"
 uniform sampler2D mask;
@@ -33,10 +34,8 @@ void main() {
   vec3 toEye = eye.xyz - p;
   float pixel = length(toEye) / pixelsPerUnit;
   float width = rootWidth.w * (1.0 - t) / pixel;
-  // As far as the line's share of a pixel reaches, and on to where no sample of such a pixel lies.
-  float reach = (float(gl_VertexID & 1) - 0.5) * (width + 3.0);
-  vec3 side = cross(tangent, toEye);
-  vec3 edge = p + side * (reach * pixel * inversesqrt(max(dot(side, side), 1e-12)));
+  float reach = lineReach(gl_VertexID, width);
+  vec3 edge = lineEdge(p, tangent, toEye, reach, pixel);
   // Shells have the depth of the coat's outside and not of the strands that are seen: as much nearer, it comes out from
   // among those.
   float depth = furLength * coatHere.w;

@@ -110,7 +110,7 @@ Status App::loadModel(std::span<const std::uint8_t> bytes, const std::string& na
   s.setModel(std::move(model->mesh), std::move(*surface), std::move(from), std::move(model->rig));
   if (!model->fur.wetness.empty()) s.water.readMask(model->fur.wetness, model->fur.wetnessSize);
   s.groom.read(s.shape, model->fur, s.warnings);
-  if (const hair::Hairstyle& brought = model->fur.hair; !(brought.scalps.empty() && brought.bodies.empty())) s.hair->setStyle(std::move(model->fur.hair));
+  if (!model->fur.hair.empty()) s.hair->setStyle(std::move(model->fur.hair));
   s.settleMotion();
   if (keepState) return Done{};
   if (model->fur.state.empty()) {

@@ -242,7 +242,6 @@ class App {
   Status loadHair(std::span<const std::uint8_t> bytes, const std::string& name);
   Result<std::vector<std::uint8_t>> saveHairFile();
   const hair::Hairstyle& hairstyle() const;
-  std::uint64_t hairRevision() const;  // another one whenever the hairstyle has changed
   bool haired() const;                 // there is a scalp, or a sphere for one
   std::size_t selectedScalp() const;
   // Scalps, guides and values for restoreHair() of a program with the same model.

@@ -185,6 +185,7 @@ int App::State::levelFor(Picture picture) const {
 Status App::State::drawBand(int level, int band, int bands) {
   FUR_ASSERT(renderer.has_value(), "App::draw()", "an attached context", "none");
   groom.update(groomInputs());
+  hair->update(hairInputs(0));
   if (!coat.shown()) finishCoat();
   chooseShellCount();
   water.readPuddles();

@@ -54,11 +54,7 @@ std::size_t App::wispCount(std::size_t scalp) const { return scalp < state_->hai
 std::string App::scalps() const { return state_->hair->describe(); }
 
 const hair::Hairstyle& App::hairstyle() const { return state_->hair->style(); }
-std::uint64_t App::hairRevision() const { return state_->hair->styleRevision(); }
-bool App::haired() const {
-  const hair::Hairstyle& style = state_->hair->style();
-  return !style.scalps.empty() || !style.bodies.empty();
-}
+bool App::haired() const { return !state_->hair->style().empty(); }
 std::size_t App::selectedScalp() const { return state_->hair->selected(); }
 std::vector<std::uint8_t> App::saveHair() const { return state_->hair->save(); }
 

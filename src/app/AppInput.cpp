@@ -62,8 +62,9 @@ void App::State::endStroke() {
   if (auto step = water.endStroke()) history.push(std::move(*step));
 }
 
-bool App::State::dabAt(Vec2 pixel) {
-  const auto hit = pick(pixel);
+bool App::State::dabAt(Vec2 pixel) { return dabAt(pixel, pick(pixel)); }
+
+bool App::State::dabAt(Vec2 pixel, const std::optional<geometry::SurfacePoint>& hit) {
   if (hair->stroking()) return dabHair(pixel, hit);
   if (hit) dabAt(*hit);
   return hit.has_value();
@@ -87,7 +88,7 @@ bool App::State::dabHair(Vec2 pixel, const std::optional<geometry::SurfacePoint>
 bool App::State::onHair(Vec2 pixel) const {
   if (!worksOnHair(hand.tool)) return false;
   const Ray ray = rayThrough(pixel);
-  return hair->pick(ray.origin, glm::normalize(ray.direction), settings.brushRadius).has_value();
+  return hair->meets(ray.origin, glm::normalize(ray.direction), settings.brushRadius);
 }
 
 void App::State::paintTo(Vec2 pixel) {
@@ -109,7 +110,7 @@ void App::State::workWithHand(float seconds) {
   if (water.stroking()) return water.hold(hit, hit ? hand.pressure : 0);
   constexpr float kStep = wet::Water::kStep;
   for (hand.due = std::min(hand.due + seconds, 1.0f); hand.due > kStep * 0.999f; hand.due -= kStep)
-    if (++hand.sinceDab >= WaterStage::kDabSteps && hand.pressure > 0) dabAt(heldPixel());
+    if (++hand.sinceDab >= WaterStage::kDabSteps && hand.pressure > 0) dabAt(heldPixel(), hit);
 }
 
 // Has a tool that goes on work at the cursor for a moment.

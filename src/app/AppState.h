@@ -128,7 +128,6 @@ struct App::State {
   WaterStage::Inputs waterInputs(float seconds, double budget) const;
   MotionStage::Inputs motionInputs(float seconds);
   HairStage::Inputs hairInputs(float seconds);
-  bool haired() const { return !hair->style().scalps.empty(); }
   bool turns() const { return view.autoRotate && !reducedMotion && hand.pointers.empty(); }
   bool updateShape(float seconds);
   void workOnCoat(double budget);
@@ -174,6 +173,7 @@ struct App::State {
   void endStroke();
   // One dab of the tool where the pixel hits; false when it misses.
   bool dabAt(Vec2 pixel);
+  bool dabAt(Vec2 pixel, const std::optional<geometry::SurfacePoint>& hit);  // what it hits is known
   bool dabHair(Vec2 pixel, const std::optional<geometry::SurfacePoint>& hit);
   bool onHair(Vec2 pixel) const;  // the tool works on guides, and one is there
   void dabAt(const geometry::SurfacePoint& at);

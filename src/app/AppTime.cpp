@@ -58,7 +58,7 @@ WaterStage::Inputs App::State::waterInputs(float seconds, double budget) const {
 HairStage::Inputs App::State::hairInputs(float seconds) {
   return {.shape = shape, .settings = settings, .worldFromModel = worldFromModel(), .wind = motion.windNow(),
           .contacts = motion.touch().contacts(),
-          .wetness = water.mask().isDry() || !haired() ? std::span<const float>() : water.vertexWetness(shape), .seconds = seconds};
+          .wetness = water.mask().isDry() || hair->style().scalps.empty() ? std::span<const float>() : water.vertexWetness(shape), .seconds = seconds};
 }
 
 bool App::State::updateShape(float seconds) {

@@ -65,13 +65,8 @@ void HairPanel::drawName(const HairView& hair) {
 
 // A tool and its inverse, side by side.
 void HairPanel::givesOrTakes(Tool tool, const EditorModel& model, settings::Settings& edited) {
-  const app::ToolWords& words = app::wordsOf(tool);
-  const auto chosen = [&](bool erases) { return model.tool == tool && edited.brushErases == erases; };
-  const int pressed = segments(words.label, {{words.label, chosen(false)}, {words.inverseLabel, chosen(true)}});
-  hint(words.tooltip);
-  if (pressed < 0) return;
-  commands_.push_back(command::SetTool{tool});
-  edited.brushErases = pressed == 1;
+  drawToolAndInverse(tool, model, edited, commands_);
+  hint(app::wordsOf(tool).tooltip);
 }
 
 void HairPanel::drawBrush(const EditorModel& model, settings::Settings& edited) {

@@ -42,4 +42,13 @@ std::optional<Tool> toolIconRow(const char* row, Tool chosen) {
   return pressedOf(tools, iconSegments(row, segmentsOf(tools, chosen), icons));
 }
 
+void drawToolAndInverse(Tool tool, const EditorModel& model, settings::Settings& edited, std::vector<Command>& commands) {
+  const app::ToolWords& words = app::wordsOf(tool);
+  const auto chosen = [&](bool erases) { return model.tool == tool && edited.brushErases == erases; };
+  const int pressed = segments(words.label, {{words.label, chosen(false)}, {words.inverseLabel, chosen(true)}});
+  if (pressed < 0) return;
+  commands.push_back(command::SetTool{tool});
+  edited.brushErases = pressed == 1;
+}
+
 }  // namespace fur::editor

@@ -15,4 +15,8 @@ std::vector<Tool> toolsIn(std::string_view row);
 std::optional<Tool> toolRow(const char* row, Tool chosen);
 std::optional<Tool> toolIconRow(const char* row, Tool chosen);
 
+// A tool and its inverse, side by side. A press chooses the tool, a command, and which of the two in `edited`. The last item is that for
+// a tooltip.
+void drawToolAndInverse(Tool tool, const EditorModel& model, settings::Settings& edited, std::vector<Command>& commands);
+
 }  // namespace fur::editor

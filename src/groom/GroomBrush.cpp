@@ -27,12 +27,6 @@ bool usable(const Brush& brush) {
   return std::isfinite(sum.x + sum.y + sum.z + brush.strength) && std::isfinite(brush.radius) && brush.radius > 0.0f;
 }
 
-float weightOf(const Brush& brush, const Vec3& at) {
-  const Vec3 way = at - brush.centre;
-  const float squared = glm::dot(way, way) / (brush.radius * brush.radius);
-  return squared < 1.0f ? saturate(brush.strength) * falloffAt(brush.falloff, squared) : 0.0f;
-}
-
 std::uint8_t towards(std::uint8_t from, int to, float weight) {
   const float step = static_cast<float>(to - from) * weight;
   return static_cast<std::uint8_t>(from + static_cast<int>(step < 0.0f ? std::floor(step) : std::ceil(step)));
@@ -122,6 +116,12 @@ bool dabPoints(Groom& groom, const GroomSurface& skin, const Brush& brush, const
 }
 
 }  // namespace
+
+float weightOf(const Brush& brush, const Vec3& at) {
+  const Vec3 way = at - brush.centre;
+  const float squared = glm::dot(way, way) / (brush.radius * brush.radius);
+  return squared < 1.0f ? saturate(brush.strength) * falloffAt(brush.falloff, squared) : 0.0f;
+}
 
 float falloffAt(Falloff falloff, float squared) {
   const float left = 1.0f - std::sqrt(squared), smooth = 1.0f - squared;

@@ -20,6 +20,9 @@ struct Brush {
   Falloff falloff = Falloff::Smooth;
 };
 
+// Its weight w at a place, 0 outside of the ball.
+float weightOf(const Brush& brush, const Vec3& at);
+
 // --- length; lengths stay within 0..1 ---
 bool trim(Groom& groom, const GroomSurface& skin, const Brush& brush);  // towards 0 by w
 bool grow(Groom& groom, const GroomSurface& skin, const Brush& brush);  // towards 1

@@ -19,16 +19,10 @@ bool isUsable(const groom::Brush& brush) {
   return isFinite(brush.centre) && std::isfinite(brush.radius) && std::isfinite(brush.strength) && brush.radius > 0 && brush.strength > 0;
 }
 
-float weightAt(const groom::Brush& brush, const Vec3& place) {
-  const Vec3 away = (place - brush.centre) / brush.radius;
-  const float squared = glm::dot(away, away);
-  return squared < 1 ? saturate(brush.strength) * groom::falloffAt(brush.falloff, squared) : 0.0f;
-}
-
 float weightOfLine(const groom::Brush& brush, std::span<const Vec3> chain) {
   float most = 0;
   for (std::size_t i = 1; i < chain.size(); ++i)
-    most = std::max(most, weightAt(brush, glm::mix(chain[i - 1], chain[i], nearestShare(brush.centre, chain[i - 1], chain[i]))));
+    most = std::max(most, groom::weightOf(brush, glm::mix(chain[i - 1], chain[i], nearestShare(brush.centre, chain[i - 1], chain[i]))));
   return most;
 }
 

@@ -13,9 +13,7 @@ namespace fur::hair {
 inline bool isFinite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 bool isUsable(const groom::Brush& brush);
 
-// strength * falloff(distance / radius), 0 outside.
-float weightAt(const groom::Brush& brush, const Vec3& place);
-// The greatest along the line through the nodes.
+// The greatest weight along the line through the nodes.
 float weightOfLine(const groom::Brush& brush, std::span<const Vec3> chain);
 // The length of the chain up to where it enters the ball; all of it where it does not.
 float lengthBefore(const groom::Brush& brush, std::span<const Vec3> chain);

@@ -82,7 +82,7 @@ bool comb(Guides& guides, const groom::Brush& brush, const Vec3& move) {
     const std::vector<float> lengths = segmentLengths(chain);
     bool changed = false;
     for (std::size_t i = 1; i < chain.size(); ++i) {
-      const float w = weightAt(brush, chain[i]);
+      const float w = groom::weightOf(brush, chain[i]);
       chain[i] += move * w;
       changed |= w > 0;
     }

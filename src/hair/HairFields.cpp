@@ -2,36 +2,14 @@
 
 namespace fur::hair {
 
-namespace {
-
-using settings::FieldType;
-using settings::greatestOption;
-
-constexpr double kMaxColor = 0xffffff;
-
-}  // namespace
-
 const std::array<HairField, kHairFieldCount>& hairFields() {
-#define FUR_FLOAT(name, label, group, value, low, high, unit, tip, ...) \
-  HairField{{#name, label, group, FieldType::Float, value, low, high, unit, "", bool{__VA_ARGS__}}, FUR_FIELD_ACCESS(HairValues, name, float)},
-#define FUR_INT(name, label, group, value, low, high, unit, tip, ...) \
-  HairField{{#name, label, group, FieldType::Int, value, low, high, unit, "", bool{__VA_ARGS__}}, FUR_FIELD_ACCESS(HairValues, name, int)},
-#define FUR_BOOL(name, label, group, value, tip, ...) \
-  HairField{{#name, label, group, FieldType::Bool, value, 0, 1, "", "", bool{__VA_ARGS__}}, FUR_FIELD_ACCESS(HairValues, name, bool)},
-#define FUR_COLOR(name, label, group, value, tip, ...) \
-  HairField{{#name, label, group, FieldType::Color, value, 0, kMaxColor, "", "", bool{__VA_ARGS__}}, \
-            FUR_FIELD_ACCESS(HairValues, name, std::uint32_t)},
-#define FUR_CHOICE(name, label, group, value, options, tip, ...) \
-  HairField{{#name, label, group, FieldType::Choice, value, 0, greatestOption(options), "", options, bool{__VA_ARGS__}}, \
-            FUR_FIELD_ACCESS(HairValues, name, int)},
   static const std::array<HairField, kHairFieldCount> table = {{
-#include "hair/HairFields.inc"
+#define FUR_FIELDS "hair/HairFields.inc"
+#define FUR_VALUES HairValues
+#include "settings/fields/Rows.inc"
+#undef FUR_FIELDS
+#undef FUR_VALUES
   }};
-#undef FUR_FLOAT
-#undef FUR_INT
-#undef FUR_BOOL
-#undef FUR_COLOR
-#undef FUR_CHOICE
   return table;
 }
 

@@ -12,17 +12,9 @@ namespace fur::hair {
 using HairField = settings::FieldOf<HairValues>;
 
 inline constexpr std::size_t kHairFieldCount = 0
-#define FUR_FLOAT(...) +1
-#define FUR_INT(...) +1
-#define FUR_BOOL(...) +1
-#define FUR_COLOR(...) +1
-#define FUR_CHOICE(...) +1
-#include "hair/HairFields.inc"
-#undef FUR_FLOAT
-#undef FUR_INT
-#undef FUR_BOOL
-#undef FUR_COLOR
-#undef FUR_CHOICE
+#define FUR_FIELDS "hair/HairFields.inc"
+#include "settings/fields/Count.inc"
+#undef FUR_FIELDS
     ;
 
 const std::array<HairField, kHairFieldCount>& hairFields();

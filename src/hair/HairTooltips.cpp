@@ -4,19 +4,11 @@
 namespace fur::hair {
 
 const char* tooltipOf(const HairField& field) {
-#define FUR_FLOAT(name, label, group, value, low, high, unit, tip, ...) tip,
-#define FUR_INT(name, label, group, value, low, high, unit, tip, ...) tip,
-#define FUR_BOOL(name, label, group, value, tip, ...) tip,
-#define FUR_COLOR(name, label, group, value, tip, ...) tip,
-#define FUR_CHOICE(name, label, group, value, options, tip, ...) tip,
   static constexpr const char* kTooltips[] = {
-#include "hair/HairFields.inc"
+#define FUR_FIELDS "hair/HairFields.inc"
+#include "settings/fields/Tooltips.inc"
+#undef FUR_FIELDS
   };
-#undef FUR_FLOAT
-#undef FUR_INT
-#undef FUR_BOOL
-#undef FUR_COLOR
-#undef FUR_CHOICE
   return kTooltips[&field - hairFields().data()];
 }
 

@@ -6,17 +6,9 @@
 namespace fur::hair {
 
 struct HairValues {
-#define FUR_FLOAT(name, label, group, value, low, high, unit, tip, ...) float name = value;
-#define FUR_INT(name, label, group, value, low, high, unit, tip, ...) int name = value;
-#define FUR_BOOL(name, label, group, value, tip, ...) bool name = value;
-#define FUR_COLOR(name, label, group, value, tip, ...) std::uint32_t name = value;  // 0xRRGGBB, sRGB
-#define FUR_CHOICE(name, label, group, value, options, tip, ...) int name = value;
-#include "hair/HairFields.inc"
-#undef FUR_FLOAT
-#undef FUR_INT
-#undef FUR_BOOL
-#undef FUR_COLOR
-#undef FUR_CHOICE
+#define FUR_FIELDS "hair/HairFields.inc"
+#include "settings/fields/Members.inc"
+#undef FUR_FIELDS
   bool operator==(const HairValues&) const = default;
 };
 

@@ -11,7 +11,7 @@
 
 namespace fur::hair {
 
-inline constexpr std::size_t kMostScalps = 8;
+inline constexpr std::size_t kMostScalps = 8, kMostBodies = 64;
 
 // A name of at most 64 bytes, whole characters of UTF-8.
 std::string soundName(std::string_view name);
@@ -32,8 +32,9 @@ struct Body {
 };
 
 struct Hairstyle {
-  std::vector<Scalp> scalps;
-  std::vector<Body> bodies;
+  std::vector<Scalp> scalps;  // up to kMostScalps
+  std::vector<Body> bodies;  // up to kMostBodies
+  bool empty() const { return scalps.empty() && bodies.empty(); }
 };
 
 }  // namespace fur::hair

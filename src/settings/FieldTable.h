@@ -1,5 +1,6 @@
 // Tables of fields: rows that describe the members of a struct of plain values, such as Settings. Every value is read and
-// written as a double (bool 0/1, colour 0xRRGGBB, choice its index), which holds each type exactly.
+// written as a double (bool 0/1, colour 0xRRGGBB, choice its index), which holds each type exactly. The files of settings/fields make
+// struct, rows and tooltips of a list of fields.
 #pragma once
 
 #include <string>
@@ -70,9 +71,5 @@ std::string fieldJson(const Values& values, const FieldOf<Values>& field) { retu
 
 // The last of a choice's options is its greatest value.
 double greatestOption(const char* options);
-
-// Rows of FieldOf<Values> for the macros that a list of fields is written with.
-#define FUR_FIELD_ACCESS(Values, name, Type) \
-  [](const Values& s) { return static_cast<double>(s.name); }, [](Values& s, double v) { s.name = static_cast<Type>(v); }
 
 }  // namespace fur::settings

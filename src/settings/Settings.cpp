@@ -6,32 +6,14 @@
 
 namespace fur::settings {
 
-namespace {
-
-constexpr double kMaxColor = 0xffffff;
-
-}  // namespace
-
 const std::array<Field, kFieldCount>& fields() {
-#define FUR_FLOAT(name, label, group, value, low, high, unit, tip, ...) \
-  Field{{#name, label, group, FieldType::Float, value, low, high, unit, "", bool{__VA_ARGS__}}, FUR_FIELD_ACCESS(Settings, name, float)},
-#define FUR_INT(name, label, group, value, low, high, unit, tip, ...) \
-  Field{{#name, label, group, FieldType::Int, value, low, high, unit, "", bool{__VA_ARGS__}}, FUR_FIELD_ACCESS(Settings, name, int)},
-#define FUR_BOOL(name, label, group, value, tip, ...) \
-  Field{{#name, label, group, FieldType::Bool, value, 0, 1, "", "", bool{__VA_ARGS__}}, FUR_FIELD_ACCESS(Settings, name, bool)},
-#define FUR_COLOR(name, label, group, value, tip, ...) \
-  Field{{#name, label, group, FieldType::Color, value, 0, kMaxColor, "", "", bool{__VA_ARGS__}}, FUR_FIELD_ACCESS(Settings, name, std::uint32_t)},
-#define FUR_CHOICE(name, label, group, value, options, tip, ...) \
-  Field{{#name, label, group, FieldType::Choice, value, 0, greatestOption(options), "", options, bool{__VA_ARGS__}}, \
-        FUR_FIELD_ACCESS(Settings, name, int)},
   static const std::array<Field, kFieldCount> table = {{
-#include "settings/Fields.inc"
+#define FUR_FIELDS "settings/Fields.inc"
+#define FUR_VALUES Settings
+#include "settings/fields/Rows.inc"
+#undef FUR_FIELDS
+#undef FUR_VALUES
   }};
-#undef FUR_FLOAT
-#undef FUR_INT
-#undef FUR_BOOL
-#undef FUR_COLOR
-#undef FUR_CHOICE
   return table;
 }
 

@@ -13,34 +13,18 @@
 namespace fur::settings {
 
 struct Settings {
-#define FUR_FLOAT(name, label, group, value, low, high, unit, tip, ...) float name = value;
-#define FUR_INT(name, label, group, value, low, high, unit, tip, ...) int name = value;
-#define FUR_BOOL(name, label, group, value, tip, ...) bool name = value;
-#define FUR_COLOR(name, label, group, value, tip, ...) std::uint32_t name = value;  // 0xRRGGBB, sRGB
-#define FUR_CHOICE(name, label, group, value, options, tip, ...) int name = value;
-#include "settings/Fields.inc"
-#undef FUR_FLOAT
-#undef FUR_INT
-#undef FUR_BOOL
-#undef FUR_COLOR
-#undef FUR_CHOICE
+#define FUR_FIELDS "settings/Fields.inc"
+#include "settings/fields/Members.inc"
+#undef FUR_FIELDS
   bool operator==(const Settings&) const = default;
 };
 
 using Field = FieldOf<Settings>;
 
 inline constexpr std::size_t kFieldCount = 0
-#define FUR_FLOAT(...) +1
-#define FUR_INT(...) +1
-#define FUR_BOOL(...) +1
-#define FUR_COLOR(...) +1
-#define FUR_CHOICE(...) +1
-#include "settings/Fields.inc"
-#undef FUR_FLOAT
-#undef FUR_INT
-#undef FUR_BOOL
-#undef FUR_COLOR
-#undef FUR_CHOICE
+#define FUR_FIELDS "settings/Fields.inc"
+#include "settings/fields/Count.inc"
+#undef FUR_FIELDS
     ;
 
 const std::array<Field, kFieldCount>& fields();

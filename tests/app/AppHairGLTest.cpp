@@ -34,6 +34,17 @@ TEST(AppHair, IsSeenAndUndoTakesItOutOfThePicture) {
   EXPECT_GT(salon.picture().differingShare(bare, 8), 0.2f);
 }
 
+TEST(AppHair, IsDrawnAsItIsNowThoughNoTimeHasGoneByAfterAnEdit) {
+  Salon salon;
+  const test::Picture bare = salon.picture();
+  salon.grow();
+  EXPECT_GT(salon.stage.draw(salon.app).differingShare(bare, 8), 0.2f);
+  salon.app.editHair(HairEdit::Remove);
+  EXPECT_EQ(salon.stage.draw(salon.app).differingShare(bare, 0), 0);
+  salon.app.undo();
+  EXPECT_GT(salon.stage.draw(salon.app).differingShare(bare, 8), 0.2f);
+}
+
 // Strips show pictures of the very strands: means over the hair agree, single pixels need not.
 TEST(AppHair, LooksAlikeAsStripsAndAsStrands) {
   Salon salon;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "app/stages/Brushes.h"
 #include "app/stages/Mirror.h"
 #include "core/NoteChange.h"
 #include "groom/GroomFilters.h"
@@ -145,7 +146,7 @@ void GroomStage::dab(const ShapeStage& shape, const settings::Settings& settings
   const geometry::Surface& surface = shape.surface();
   const Vec3 centre = positionAt(surface, at);
   const std::optional<Vec3> way = lastDab_ ? std::optional(centre - *lastDab_) : std::nullopt;
-  groom::Brush size{centre, normalAt(surface, at), settings.brushRadius, settings.groomStrength, static_cast<groom::Falloff>(settings.brushFalloff)};
+  groom::Brush size = brushAt(settings, centre, normalAt(surface, at));
   brush(tool, groom_, groomSurface(shape), size, settings, way);
   if (other) {
     size.centre = positionAt(surface, *other);

@@ -53,13 +53,11 @@ std::uint64_t rootsHash(const hair::Guides& guides) {
 }  // namespace
 
 void GrownHair::reset() {
-  style_ = {};
-  ++styleRevision_;
   selected_ = 0;
   before_.reset();
   scalps_.clear();
-  stale_ = settled_ = false;
-  ++revision_;
+  settled_ = false;
+  setStyle({});
 }
 
 void GrownHair::setStyle(hair::Hairstyle style) {
@@ -70,7 +68,6 @@ void GrownHair::setStyle(hair::Hairstyle style) {
 void GrownHair::touch() {
   stale_ = true;
   ++revision_;
-  ++styleRevision_;
 }
 
 void GrownHair::grow(const ShapeStage& shape) {
@@ -151,46 +148,45 @@ bool GrownHair::active(const Inputs& inputs) const {
   return std::any_of(scalps_.begin(), scalps_.end(), [](const LiveScalp& live) { return !live.simulation.atRest(); });
 }
 
-// What acts on all scalps alike.
-hair::Surroundings GrownHair::surroundings(const Inputs& inputs, std::span<const hair::Collider> colliders) {
+void GrownHair::growWhereStale(const ShapeStage& shape) {
+  if (noteChange(surfaceFor_, shape.surfaceRevision()) || stale_) grow(shape);
+}
+
+// Calls work(scalp, values of its motion, what acts on it) for each.
+template <class Work>
+void GrownHair::forScalps(const Inputs& inputs, Work work) {
+  const std::vector<hair::Collider> colliders = collidersOf(style_, inputs);
   hair::Surroundings around;
   around.up = normalizeOr(Vec3(inputs.worldFromModel[1]), Vec3(0, 1, 0));
   around.wind = &inputs.wind;
   around.colliders = colliders;
-  return around;
-}
-
-bool GrownHair::update(const Inputs& inputs) {
-  const std::uint64_t before = revision_;
-  if (noteChange(surfaceFor_, inputs.shape.surfaceRevision()) || stale_) grow(inputs.shape);
-  if (!settled_ && !scalps_.empty()) settle(inputs);
-  const std::vector<hair::Collider> colliders = collidersOf(style_, inputs);
-  hair::Surroundings around = surroundings(inputs, colliders);
-  for (std::size_t i = 0; i < scalps_.size(); ++i) {
-    LiveScalp& live = scalps_[i];
-    const std::vector<hair::RootFrame> roots = rootsNow(live, inputs);
-    const std::vector<float> wetness = wetnessNow(live, inputs);
-    around.roots = roots;
-    around.wetness = wetness;
-    if (!live.simulation.advance(inputs.seconds, motionValues(style_.scalps[i].values, inputs.settings), around)) continue;
-    showNodes(live, inputs);
-    ++revision_;
-  }
-  return revision_ != before;
-}
-
-void GrownHair::settle(const Inputs& inputs) {
-  if (noteChange(surfaceFor_, inputs.shape.surfaceRevision()) || stale_) grow(inputs.shape);
-  const std::vector<hair::Collider> colliders = collidersOf(style_, inputs);
-  hair::Surroundings around = surroundings(inputs, colliders);
   for (std::size_t i = 0; i < scalps_.size(); ++i) {
     const std::vector<hair::RootFrame> roots = rootsNow(scalps_[i], inputs);
     const std::vector<float> wetness = wetnessNow(scalps_[i], inputs);
     around.roots = roots;
     around.wetness = wetness;
-    scalps_[i].simulation.settle(motionValues(style_.scalps[i].values, inputs.settings), around);
-    showNodes(scalps_[i], inputs);
+    work(scalps_[i], motionValues(style_.scalps[i].values, inputs.settings), around);
   }
+}
+
+bool GrownHair::update(const Inputs& inputs) {
+  const std::uint64_t before = revision_;
+  growWhereStale(inputs.shape);
+  if (!settled_ && !scalps_.empty()) settle(inputs);
+  forScalps(inputs, [&](LiveScalp& live, const hair::MotionValues& values, const hair::Surroundings& around) {
+    if (!live.simulation.advance(inputs.seconds, values, around)) return;
+    showNodes(live, inputs);
+    ++revision_;
+  });
+  return revision_ != before;
+}
+
+void GrownHair::settle(const Inputs& inputs) {
+  growWhereStale(inputs.shape);
+  forScalps(inputs, [&](LiveScalp& live, const hair::MotionValues& values, const hair::Surroundings& around) {
+    live.simulation.settle(values, around);
+    showNodes(live, inputs);
+  });
   settled_ = true;
   revision_ += !scalps_.empty();
 }

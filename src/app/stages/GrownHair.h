@@ -19,7 +19,7 @@ class GrownHair final : public HairStage {
   void beginStroke() override;
   std::optional<HairStep> endStroke() override;
   void apply(const HairStep& step, bool undo) override;
-  std::optional<Vec3> pick(const Vec3& origin, const Vec3& direction, float reach) const override;
+  bool meets(const Vec3& origin, const Vec3& direction, float reach) const override { return nearestNode(origin, direction, reach).has_value(); }
   void dab(const Dab& dab) override;
   void edit(const ShapeStage& shape, const groom::GroomSurface& skin, std::span<const Vec3> comb, const Edit& edit, Warnings& warnings) override;
   void setValues(std::size_t scalp, const hair::HairValues& values) override;
@@ -67,7 +67,9 @@ class GrownHair final : public HairStage {
   std::vector<hair::RootFrame> rootsNow(const LiveScalp& live, const Inputs& inputs) const;
   static std::vector<float> wetnessNow(const LiveScalp& live, const Inputs& inputs);
   void showNodes(LiveScalp& live, const Inputs& inputs);
-  static hair::Surroundings surroundings(const Inputs& inputs, std::span<const hair::Collider> colliders);
+  void growWhereStale(const ShapeStage& shape);
+  template <class Work>
+  void forScalps(const Inputs& inputs, Work work);
 
   std::vector<LiveScalp> scalps_;  // one for each of the style's
   // The stroke of a tool that works on guides: where it was (rest shape), the distance of the plane that it works in, and the guide

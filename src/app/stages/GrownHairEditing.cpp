@@ -1,14 +1,11 @@
 // What a person does to long hair: strokes of tools, edits of all of it, and what goes into files and undo.
 #include <algorithm>
-#include <cmath>
 
 #include "app/stages/GrownHair.h"
-#include "app/stages/Mirror.h"
 #include "core/Bytes.h"
-#include "groom/GroomBrush.h"
 #include "hair/HairFields.h"
 #include "hair/PlantGuides.h"
-#include "scene/PackBits.h"
+#include "scene/MapPlanes.h"
 
 namespace fur::app {
 
@@ -16,26 +13,7 @@ namespace {
 
 // Of what save() gives, which browsers keep from visit to visit: another one whenever that changes.
 constexpr std::uint32_t kLayout = 1;
-constexpr std::size_t kMostBodies = 64;
 constexpr float kLargestBody = 10;  // model units
-
-std::vector<std::uint8_t> packed(const groom::GroomMap& map) {
-  std::vector<std::uint8_t> planes;
-  for (std::size_t k = 0; k < 4; ++k)
-    for (const auto& texel : map.texels()) planes.push_back(texel[k]);
-  return scene::packBits(planes);
-}
-
-bool unpack(std::span<const std::uint8_t> bytes, groom::GroomMap& map) {
-  const std::size_t texels = map.texels().size();
-  std::vector<std::uint8_t> planes(4 * texels);
-  if (!scene::unpackBits(bytes, planes)) return false;
-  std::vector<groom::GroomMap::Texel> out(texels);
-  for (std::size_t i = 0; i < texels; ++i)
-    for (std::size_t k = 0; k < 4; ++k) out[i][k] = planes[k * texels + i];
-  map.restore(std::move(out));
-  return true;
-}
 
 bool read(ByteReader& from, hair::Scalp& scalp) {
   std::uint32_t size = 0;
@@ -52,18 +30,21 @@ bool read(ByteReader& from, hair::Scalp& scalp) {
   scalp.guides.nodes = nodes;
   const bool fits = nodes >= hair::kLeastNodes && nodes <= hair::kMostNodes && scalp.guides.count() <= hair::kMostGuides &&
                     scalp.guides.positions.size() == scalp.guides.count() * static_cast<std::size_t>(nodes);
-  return fits && unpack(map, scalp.map) && hair::makeSound(scalp.guides);
+  std::vector<groom::GroomMap::Texel> texels(scalp.map.texels().size());
+  if (!fits || !scene::unpackMap(map, texels) || !hair::makeSound(scalp.guides)) return false;
+  scalp.map.restore(std::move(texels));
+  return true;
 }
 
 }  // namespace
 
 std::vector<std::uint8_t> GrownHair::save() const {
-  if (style_.scalps.empty() && style_.bodies.empty()) return {};
+  if (style_.empty()) return {};
   ByteWriter to;
   to(kLayout, static_cast<std::uint32_t>(style_.scalps.size()), static_cast<std::uint32_t>(selected_));
   for (const hair::Scalp& scalp : style_.scalps)
     to(std::string_view(scalp.name), std::string_view(hair::writeHairValues(scalp.values)), static_cast<std::uint32_t>(scalp.map.size()),
-       packed(scalp.map), static_cast<std::int32_t>(scalp.guides.nodes), scalp.guides.flags, scalp.guides.positions);
+       scene::packMap(scalp.map.texels()), static_cast<std::int32_t>(scalp.guides.nodes), scalp.guides.flags, scalp.guides.positions);
   to(style_.bodies);
   return std::move(to.bytes);
 }
@@ -82,7 +63,7 @@ bool GrownHair::restore(std::span<const std::uint8_t> bytes) {
   for (; count > 0; --count)
     if (!read(from, style.scalps.emplace_back())) return false;
   from(style.bodies);
-  if (!from.sound() || !from.atEnd() || style.bodies.size() > kMostBodies) return false;
+  if (!from.sound() || !from.atEnd() || style.bodies.size() > hair::kMostBodies) return false;
   setStyle(std::move(style));
   selected_ = std::min<std::size_t>(selected, style_.scalps.empty() ? 0 : style_.scalps.size() - 1);
   return true;
@@ -120,7 +101,7 @@ bool GrownHair::editAll(const groom::GroomSurface& skin, const Edit& edit, Warni
       selected_ = style_.scalps.size() - 1;
       return true;
     case HairEdit::AddSphere:
-      if (style_.bodies.size() >= kMostBodies) warnings.push_back("a model has at most " + std::to_string(kMostBodies) + " spheres and capsules");
+      if (style_.bodies.size() >= hair::kMostBodies) warnings.push_back("a model has at most " + std::to_string(hair::kMostBodies) + " spheres and capsules");
       else if (edit.value > 0) style_.bodies.push_back({edit.direction, edit.direction, std::min(edit.value, kLargestBody)});
       return true;
     case HairEdit::ClearBodies:

@@ -1,7 +1,5 @@
 // Tools that work on long hair where they are: the brush that paints scalps, and those that shape guides.
-#include <algorithm>
-#include <array>
-
+#include "app/stages/Brushes.h"
 #include "app/stages/GrownHair.h"
 #include "app/stages/Mirror.h"
 #include "groom/GroomBrush.h"
@@ -19,15 +17,6 @@ constexpr float kLonger = 1.06f, kTurns = 0.35f, kTwist = 0.15f;
 constexpr float kGrip = 0.5f;
 // Hanging hair lies on the coat, which gives way a little, and stays so far outside of bare skin, model units.
 constexpr float kOnCoat = 0.75f, kClearance = 0.015f;
-
-groom::Brush brushAt(const settings::Settings& settings, const Vec3& centre) {
-  groom::Brush brush;
-  brush.centre = centre;
-  brush.radius = settings.brushRadius;
-  brush.strength = settings.groomStrength;
-  brush.falloff = static_cast<groom::Falloff>(settings.brushFalloff);
-  return brush;
-}
 
 // A ball round all there is, so that edits of all guides are dabs, too.
 groom::Brush everywhere(float strength) {
@@ -50,9 +39,10 @@ std::optional<Vec3> onPlane(const Vec3& origin, const Vec3& direction, const Vec
 
 std::optional<GrownHair::Near> GrownHair::nearestNode(const Vec3& origin, const Vec3& direction, float reach) const {
   std::optional<Near> best;
-  if (selected_ >= scalps_.size() || stale_) return best;
+  if (selected_ >= scalps_.size()) return best;
   const LiveScalp& live = scalps_[selected_];
   const hair::Guides& guides = style_.scalps[selected_].guides;
+  // Several dabs come between two updates: it is seen as it was at the last one.
   if (live.nodes.size() != guides.positions.size()) return best;
   for (std::size_t i = 0; i < live.nodes.size(); ++i) {
     const std::size_t guide = i / static_cast<std::size_t>(guides.nodes), node = i % static_cast<std::size_t>(guides.nodes);
@@ -66,19 +56,13 @@ std::optional<GrownHair::Near> GrownHair::nearestNode(const Vec3& origin, const 
   return best;
 }
 
-std::optional<Vec3> GrownHair::pick(const Vec3& origin, const Vec3& direction, float reach) const {
-  const auto near = nearestNode(origin, direction, reach);
-  return near ? std::optional(near->shown) : std::nullopt;
-}
-
 bool GrownHair::paintScalp(const Dab& dab) {
   hair::Scalp& scalp = style_.scalps[selected_];
   const settings::Settings& settings = dab.settings;
   if (!dab.skin) return false;
   if (scalp.map.size() != dab.surface.atlas.size()) scalp.map = groom::resized(scalp.map, dab.surface.atlas.size());
   const auto paint = [&](const geometry::SurfacePoint& point) {
-    groom::Brush brush = brushAt(settings, positionAt(dab.shape.surface(), point));
-    brush.normal = normalAt(dab.shape.surface(), point);
+    const groom::Brush brush = brushAt(settings, positionAt(dab.shape.surface(), point), normalAt(dab.shape.surface(), point));
     return groom::paintChannel(scalp.map, dab.mask, dab.surface, brush, static_cast<std::size_t>(settings.scalpMap), settings.brushErases ? 0 : 255);
   };
   bool changed = paint(*dab.skin);
@@ -106,7 +90,7 @@ bool GrownHair::shapeGuides(const Dab& dab) {
     stroke.planePoint = *now;
   }
   const auto apply = [&](const Vec3& centre, const Vec3& way) {
-    const groom::Brush brush = brushAt(settings, centre);
+    const groom::Brush brush = brushAt(settings, centre, stroke.planeNormal);
     const bool erases = settings.brushErases;
     switch (dab.tool) {
       case Tool::HairComb: return hair::comb(guides, brush, way);

@@ -58,7 +58,6 @@ class HairStage {
 
   const hair::Hairstyle& style() const { return style_; }
   virtual void setStyle(hair::Hairstyle) {}
-  std::uint64_t styleRevision() const { return styleRevision_; }
   std::size_t selected() const { return selected_; }  // the scalp that tools work on
   // JSON: [{"name","guides","wisps","selected","values":{all of them}}].
   virtual std::string describe() const { return "[]"; }
@@ -68,8 +67,8 @@ class HairStage {
   bool stroking() const { return before_.has_value(); }
   virtual std::optional<HairStep> endStroke() { return std::nullopt; }
   virtual void apply(const HairStep&, bool) {}
-  // Whether the ray (model space, `direction` unit) comes near a guide that is shown, and where first.
-  virtual std::optional<Vec3> pick(const Vec3& /*origin*/, const Vec3& /*direction*/, float /*reach*/) const { return std::nullopt; }
+  // Whether the ray (model space, `direction` unit) comes near a guide of the selected scalp that is not hidden.
+  virtual bool meets(const Vec3& /*origin*/, const Vec3& /*direction*/, float /*reach*/) const { return false; }
   // Within a stroke: a dab of the tool where a ray (model space) goes, on both sides where the settings say so.
   struct Dab {
     Tool tool;
@@ -114,7 +113,7 @@ class HairStage {
   hair::Hairstyle style_;
   std::size_t selected_ = 0;
   std::optional<std::vector<std::uint8_t>> before_;  // the stroke at work
-  std::uint64_t revision_ = 0, styleRevision_ = 1;
+  std::uint64_t revision_ = 0;
 };
 
 }  // namespace fur::app

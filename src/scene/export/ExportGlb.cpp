@@ -5,8 +5,8 @@
 
 #include "core/Json.h"
 #include "hair/HairFields.h"
+#include "scene/MapPlanes.h"
 #include "scene/Model.h"
-#include "scene/PackBits.h"
 #include "scene/WetnessPlanes.h"
 
 namespace fur::scene {
@@ -84,13 +84,8 @@ std::string attributesOf(Writer& writer, const geometry::Mesh& mesh, const FurDa
   return out;
 }
 
-// Four planes of bytes, packed; the number of their view.
-std::string addMap(Writer& writer, const std::vector<groom::GroomMap::Texel>& map) {
-  std::vector<std::uint8_t> planes;
-  for (std::size_t k = 0; k < 4; ++k)
-    for (const auto& texel : map) planes.push_back(texel[k]);
-  return std::to_string(writer.addView(packBits(planes), ""));
-}
+// The number of the view that holds it.
+std::string addMap(Writer& writer, const std::vector<groom::GroomMap::Texel>& map) { return std::to_string(writer.addView(packMap(map), "")); }
 
 template <class T>
 std::string addBytes(Writer& writer, const std::vector<T>& values) {
@@ -123,7 +118,7 @@ std::string furExtension(Writer& writer, const geometry::Mesh& mesh, const FurDa
   const bool hasMap = !(fur.map.empty() && fur.paint.empty() && fur.mask.empty() && fur.shape.empty()) && hasAtlas;
   const bool isWet = !fur.wetness.empty() && hasAtlas;
   const std::string atlas = mesh.uv.empty() ? ",\"texCoord\":0}" : ",\"texCoord\":1}";
-  const bool hasHair = !(fur.hair.scalps.empty() && fur.hair.bodies.empty()) && hasAtlas;
+  const bool hasHair = !fur.hair.empty() && hasAtlas;
   if (fur.state.empty() && !hasMap && !isWet && !hasHair && fur.comb.empty() && fur.whiskers.empty() && mesh.furUv.empty()) return "";
   std::string out = "\"WETFUR_fur\":{\"version\":" + std::to_string(kFurVersion);
   if (!fur.state.empty()) out += ",\"state\":" + fur.state;

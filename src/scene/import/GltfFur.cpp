@@ -1,6 +1,6 @@
 #include "scene/import/GltfFur.h"
 
-#include "scene/PackBits.h"
+#include "scene/MapPlanes.h"
 #include "scene/StateJson.h"
 #include "scene/import/GltfHair.h"
 #include "scene/WetnessPlanes.h"
@@ -23,16 +23,11 @@ int readSquare(const GltfFile& file, const Json& map, const std::string& where, 
 }
 
 void readMap(const GltfFile& file, const Json& groom, const char* view, FurData& fur, std::vector<groom::GroomMap::Texel>& map) {
-  std::vector<std::uint8_t> planes;
   fur.mapSize = readSquare(file, groom, "WETFUR_fur.groom", groom::GroomMap::kLeastSize, groom::GroomMap::kMostSize,
                            [&](Bytes bytes, std::size_t texels) {
-                             planes.resize(4 * texels);
-                             return unpackBits(bytes, planes);
+                             map.resize(texels);
+                             return unpackMap(bytes, map);
                            }, view);
-  const std::size_t texels = planes.size() / 4;
-  map.resize(texels);
-  for (std::size_t i = 0; i < texels; ++i)
-    for (std::size_t k = 0; k < 4; ++k) map[i][k] = planes[k * texels + i];
 }
 
 void readWetness(const GltfFile& file, const Json& wetness, FurData& fur) {

@@ -5,14 +5,13 @@
 #include <cstring>
 
 #include "hair/HairFields.h"
+#include "scene/MapPlanes.h"
 #include "scene/Model.h"
-#include "scene/PackBits.h"
 
 namespace fur::scene {
 
 namespace {
 
-constexpr std::size_t kMostBodies = 64;
 constexpr float kMostBody = 1e3f;  // radius and place, in radii of the model
 
 groom::GroomMap readScalpMap(const GltfFile& file, const Json& scalp, const std::string& where) {
@@ -20,12 +19,9 @@ groom::GroomMap readScalpMap(const GltfFile& file, const Json& scalp, const std:
   if (size < Whole{groom::GroomMap::kLeastSize} || size > Whole{groom::GroomMap::kMostSize})
     file.bad("%s.size is %llu; a map has %d to %d", where.c_str(), size, groom::GroomMap::kLeastSize, groom::GroomMap::kMostSize);
   const auto texels = static_cast<std::size_t>(size * size);
-  std::vector<std::uint8_t> planes(4 * texels);
-  if (!unpackBits(file.bufferView(file.whole(scalp, "bufferView", where)).bytes, planes))
-    file.bad("%s does not hold a map of %llu x %llu texels", where.c_str(), size, size);
   std::vector<groom::GroomMap::Texel> map(texels);
-  for (std::size_t i = 0; i < texels; ++i)
-    for (std::size_t k = 0; k < 4; ++k) map[i][k] = planes[k * texels + i];
+  if (!unpackMap(file.bufferView(file.whole(scalp, "bufferView", where)).bytes, map))
+    file.bad("%s does not hold a map of %llu x %llu texels", where.c_str(), size, size);
   groom::GroomMap out(static_cast<int>(size), groom::GroomMap::kBlank);
   out.restore(std::move(map));
   return out;
@@ -70,8 +66,8 @@ hair::Scalp readScalp(const GltfFile& file, const Json& scalp, const std::string
 std::vector<hair::Body> readBodies(const GltfFile& file, const Json& hair) {
   const Bytes bytes = file.bufferView(file.whole(hair, "bodies", "WETFUR_fur.hair")).bytes;
   const bool whole = bytes.size() % sizeof(hair::Body) == 0;
-  if (!whole || bytes.size() > kMostBodies * sizeof(hair::Body))
-    file.fail(whole ? ErrorId::TooLarge : ErrorId::BadFile, "WETFUR_fur.hair.bodies does not hold up to %zu bodies of 28 bytes", kMostBodies);
+  if (!whole || bytes.size() > hair::kMostBodies * sizeof(hair::Body))
+    file.fail(whole ? ErrorId::TooLarge : ErrorId::BadFile, "WETFUR_fur.hair.bodies does not hold up to %zu bodies of 28 bytes", hair::kMostBodies);
   std::vector<hair::Body> bodies(bytes.size() / sizeof(hair::Body));
   std::memcpy(bodies.data(), bytes.data(), bytes.size());
   for (std::size_t i = 0; i < bodies.size(); ++i) {

@@ -226,6 +226,22 @@ TEST(GrownHair, KeepsItsLengthUnderTheCombAndFollowsIt) {
   EXPECT_GT(moved, 0.1f);
 }
 
+TEST(GrownHair, TakesEveryDabOfAFastStrokeThoughNoTimeGoesByBetween) {
+  const auto lengthAfter = [](int dabs) {
+    Head head;
+    head.settings.brushRadius = 0.3f;
+    head.settings.groomStrength = 1;
+    head.growEverywhere();
+    head.hair.beginStroke();
+    for (int i = 0; i < dabs; ++i) head.dab(Tool::HairLength, Vec3(0, 0.1f, 4), Vec3(0, 0, -1));
+    head.hair.endStroke();
+    float sum = 0;
+    for (std::size_t g = 0; g < head.guides().count(); ++g) sum += hair::lengthOf(head.guides().of(g));
+    return sum;
+  };
+  EXPECT_GT(lengthAfter(4), lengthAfter(1) + 0.05f);
+}
+
 TEST(GrownHair, HangsOutsideOfTheSkinAndLosesNoLength) {
   Head head;
   head.growEverywhere();

@@ -12,14 +12,6 @@ static_assert(FUR_WISP_SEGMENTS == hair::kStripSegments && FUR_WISP_KINDS == hai
 static_assert(hair::kStripReach == static_cast<float>(FUR_STRIP_REACH) && hair::kWetGathers == static_cast<float>(FUR_WET_GATHERS));
 static_assert(sizeof(hair::MemberStrand) == 2 * sizeof(Vec4));
 
-std::uint32_t packed(float low, float high, float most) {
-  const auto whole = [&](float x) { return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::floor(x * most + 0.5f))) & 0xffffu; };
-  return whole(low) | whole(high) << 16;
-}
-// As packUnorm2x16() and packSnorm2x16() of GLSL.
-std::uint32_t packUnorm(float low, float high) { return packed(saturate(low), saturate(high), 65535); }
-std::uint32_t packSnorm(float low, float high) { return packed(glm::clamp(low, -1.0f, 1.0f), glm::clamp(high, -1.0f, 1.0f), 32767); }
-
 // FUR_WISP_TEXELS vectors a wisp.
 std::vector<Vec4> texelsOf(std::span<const hair::Wisp> wisps) {
   std::vector<Vec4> texels;
@@ -105,10 +97,10 @@ std::size_t HairScalp::move(std::span<const hair::GuideNode> nodes) {
   texels.reserve(4 * nodes.size());
   for (const hair::GuideNode& node : nodes) {
     const Vec3 at = (node.position - low) / span;
-    texels.push_back(packUnorm(at.x, at.y));
-    texels.push_back(packUnorm(at.z, node.wetness));
-    texels.push_back(packSnorm(node.frame.x, node.frame.y));
-    texels.push_back(packSnorm(node.frame.z, node.frame.w));
+    texels.push_back(glm::packUnorm2x16({at.x, at.y}));
+    texels.push_back(glm::packUnorm2x16({at.z, node.wetness}));
+    texels.push_back(glm::packSnorm2x16({node.frame.x, node.frame.y}));
+    texels.push_back(glm::packSnorm2x16({node.frame.z, node.frame.w}));
   }
   nodes_.update(0, 0, nodesEach_, guideCount_, gl::bytesOf(texels), nodesEach_);
   stale_ = true;
