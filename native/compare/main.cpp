@@ -13,6 +13,7 @@
 #include "native/Files.h"
 #include "native/headless/EglContext.h"
 #include "render/Blocks.h"
+#include "render/Hair.h"
 #include "truth/Flip.h"
 #include "truth/Truth.h"
 
@@ -198,11 +199,12 @@ class Comparison {
     app_.settle();
     const furgen::Coat* coat = app_.grownCoat();
     if (!coat) return Error{ErrorId::BadFile, "a coat of a type set has no strands to draw"};
+    const std::vector<truth::LongHair> hair = longHair();
     const auto begun = std::chrono::steady_clock::now();
     const render::Frame frame = app_.frame();
     truth::Scene scene{app_.surface(), *coat, app_.bends(), render::frameBlock(frame),
                        render::furBlock(frame, coat->parameters.size, frame.settings.layers, {truth::densestSection(*coat)}, 1),
-                       static_cast<dynamics::BendCurve>(frame.settings.bendCurve)};
+                       static_cast<dynamics::BendCurve>(frame.settings.bendCurve), hair};
     const truth::Picture reference = truth::render(scene, o_.width, o_.height, o_.truth);
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begun;
     if (Status status = save(reference, std::string(view.name) + "-truth"); !status) return status;
@@ -235,6 +237,15 @@ class Comparison {
     std::printf(" |  %.4f %.4f %5.1f %+6.1f", f.flip, f.flipOnModel, f.distance, f.lighter);
     if (Status status = save(picture, stem); !status) return status;
     return save(truth::heatPicture(difference), stem + "-flip");
+  }
+
+  std::vector<truth::LongHair> longHair() const {
+    std::vector<truth::LongHair> out;
+    for (std::size_t scalp = 0; scalp < app_.hairstyle().scalps.size(); ++scalp) {
+      const render::HairGrowth growth = app_.hairGrowth(scalp);
+      out.push_back({growth.wisps, growth.members, app_.hairNodes(scalp), growth.nodes, growth.values});
+    }
+    return out;
   }
 
   // The background alone.

@@ -36,6 +36,7 @@ struct Coat;
 }
 namespace fur::render {
 struct Frame;
+struct HairGrowth;
 }
 
 namespace fur::app {
@@ -293,6 +294,9 @@ class App {
   render::Frame frame() const;
   const furgen::Coat* grownCoat() const;
   std::span<const Vec4> bends() const;
+  // What grows on a scalp of hairstyle(), and where its guides' nodes are, model space.
+  render::HairGrowth hairGrowth(std::size_t scalp) const;
+  std::span<const hair::GuideNode> hairNodes(std::size_t scalp) const;
 
   // --- quality (app/QualityGovernor.h) ---
   // The best level to draw with, and whether moving and still pictures may have cheaper ones: as many as it takes to

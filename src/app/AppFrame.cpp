@@ -83,6 +83,12 @@ void App::State::upload() {
   uploadHair();
 }
 
+render::HairGrowth App::State::hairGrowth(std::size_t scalp) const {
+  const HairStage::Growth& growth = hair->growth(scalp);
+  const hair::Scalp& of = hair->style().scalps[scalp];
+  return {of.values, growth.wisps, growth.members, growth.strips, static_cast<int>(of.guides.count()), of.guides.nodes};
+}
+
 void App::State::uploadHair() {
   const std::size_t count = hair->scalpCount();
   if (uploaded.scalps.size() != count) {
@@ -90,10 +96,8 @@ void App::State::uploadHair() {
     uploaded.scalps.assign(count, {});
   }
   for (std::size_t i = 0; i < count; ++i) {
-    const HairStage::Growth& growth = hair->growth(i);
-    const hair::Scalp& scalp = hair->style().scalps[i];
     if (noteChange(uploaded.scalps[i].growth, hair->growthRevision(i))) {
-      renderer->growHair(i, {scalp.values, growth.wisps, growth.members, growth.strips, static_cast<int>(scalp.guides.count()), scalp.guides.nodes});
+      renderer->growHair(i, hairGrowth(i));
       uploaded.scalps[i].nodes = 0;
     }
     if (noteChange(uploaded.scalps[i].nodes, hair->nodesRevision(i))) renderer->moveHair(i, hair->nodes(i));
@@ -207,6 +211,8 @@ Status App::State::drawBand(int level, int band, int bands) {
 render::Frame App::frame() const { return state_->frame(); }
 const furgen::Coat* App::grownCoat() const { return state_->coat.coat().grown(); }
 std::span<const Vec4> App::bends() const { return state_->motion.bends(); }
+render::HairGrowth App::hairGrowth(std::size_t scalp) const { return state_->hairGrowth(scalp); }
+std::span<const hair::GuideNode> App::hairNodes(std::size_t scalp) const { return state_->hair->nodes(scalp); }
 
 Status App::draw(Picture picture) {
   State& s = *state_;

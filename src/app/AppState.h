@@ -142,6 +142,7 @@ struct App::State {
   void upload();
   void uploadGroom(bool whole);
   void uploadHair();
+  render::HairGrowth hairGrowth(std::size_t scalp) const;
   void uploadLengths(const geometry::TexelRect& changed);
   bool showsMask() const;  // with the paint, for who is grooming
   bool showsForces() const { return static_cast<render::View>(settings.view) == render::View::Forces; }

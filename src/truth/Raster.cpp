@@ -52,9 +52,9 @@ struct Lists {
 
 class Raster {
  public:
-  Raster(const Scene& scene, const Tubes& tubes, const std::vector<Vec3>& light, const DeepShadow& shadow, int width,
+  Raster(const Scene& scene, const Tubes& tubes, const std::vector<Vec3>& light, const Shadows& shadows, int width,
          int height, const Options& options)
-      : scene_(scene), tubes_(tubes), light_(light), shadow_(shadow), options_(options), samples_(options.samples),
+      : scene_(scene), tubes_(tubes), light_(light), shadows_(shadows), options_(options), samples_(options.samples),
         size_(width * samples_, height * samples_), perUnit_(scene.frame.pixelsPerUnit * static_cast<float>(samples_)),
         squares_((width + kSquare - 1) / kSquare, (height + kSquare - 1) / kSquare) {
     picture_.width = width, picture_.height = height;
@@ -113,7 +113,7 @@ class Raster {
   const Scene& scene_;
   const Tubes& tubes_;
   const std::vector<Vec3>& light_;
-  const DeepShadow& shadow_;
+  const Shadows& shadows_;
   const Options options_;
   int samples_;
   IVec2 size_;     // of the picture in samples
@@ -225,7 +225,7 @@ Vec3 Raster::skinColor(std::uint32_t triangle, const Vec3& weights) const {
     point += weights[static_cast<int>(k)] * v.position;
     normal += weights[static_cast<int>(k)] * v.normal;
   }
-  return shadeSkin(scene_, point, normalizeOr(normal, Vec3(scene_.frame.up)), rootCover_, shadow_, options_.light);
+  return shadeSkin(scene_, point, normalizeOr(normal, Vec3(scene_.frame.up)), rootCover_, shadows_, options_.light);
 }
 
 void Raster::drawSquare(int index) {
@@ -279,9 +279,9 @@ void Raster::resolve(const Square& square) {
 
 }  // namespace
 
-Picture drawPicture(const Scene& scene, const Tubes& tubes, const std::vector<Vec3>& light, const DeepShadow& shadow,
+Picture drawPicture(const Scene& scene, const Tubes& tubes, const std::vector<Vec3>& light, const Shadows& shadows,
                     int width, int height, const Options& options) {
-  return Raster(scene, tubes, light, shadow, width, height, options).draw();
+  return Raster(scene, tubes, light, shadows, width, height, options).draw();
 }
 
 }  // namespace fur::truth

@@ -1,10 +1,7 @@
 #include "truth/Shading.h"
 
-#include <algorithm>
 #include <cmath>
 
-#include "hair/StrandShading.h"
-#include "truth/Parallel.h"
 
 namespace fur::truth {
 
@@ -14,7 +11,18 @@ namespace {
 // by that much: so the facets of the lit side do not shade themselves, and roots on the far side get no light.
 constexpr float kSkinOffset = 0.01f, kSkinBias = 0.002f;
 constexpr float kAllTheWay = 1e9f;
-constexpr std::size_t kTubesAPiece = 1024;
+
+// The share of the key light that comes to a node.
+float keyAt(const Scene& scene, const hair::StrandLook& look, const TubeNode& node, const Vec3& tangent, const Shadows& shadows, Light light) {
+  if (light == Light::Traced) return shadows.onAllTheWay(scene, node, tangent);
+  const float nDotL = glm::dot(node.normal, Vec3(scene.frame.light)), rise = std::min(kLook, 1 - node.height) * scene.coat.furLength;
+  const float lit = shadows.coat.shareThrough(node.position, node.radius, tangent, shareOfOneStrand(scene), rise / std::max(nDotL, float(FUR_LOWEST_LIGHT)));
+  return hair::keyShare(look, node.height, nDotL, lit * shadows.throughHair(scene, node.position, node.radius, tangent));
+}
+
+}  // namespace
+
+float shareOfOneStrand(const Scene& scene) { return 1 - float(FUR_SHADE_OF_ONE) * scene.coat.strandShadow; }
 
 hair::StrandLook lookOf(const Scene& scene) {
   const render::shared::FurBlock& c = scene.coat;
@@ -27,61 +35,55 @@ Vec3 skyLight(const Scene& scene, const Vec3& normal) {
   return glm::mix(Vec3(scene.frame.floorLight), Vec3(scene.frame.sky), 0.5f + 0.5f * upness);
 }
 
-// The share of the key light that comes to a node.
-float keyAt(const Scene& scene, const hair::StrandLook& look, const TubeNode& node, const Vec3& tangent,
-            const DeepShadow& shadow, Light light) {
-  const float through = shareOfOneStrand(scene), nDotL = glm::dot(node.normal, Vec3(scene.frame.light));
-  if (light == Light::Traced) {
-    const float past = shadow.sharePastSkin(node.position + node.normal * kSkinOffset, kSkinBias);
-    return past > 0 ? past * shadow.shareThrough(node.position, node.radius, tangent, through, kAllTheWay) : 0.0f;
-  }
-  const float rise = std::min(kLook, 1 - node.height) * scene.coat.furLength;
-  const float lit = shadow.shareThrough(node.position, node.radius, tangent, through, rise / std::max(nDotL, float(FUR_LOWEST_LIGHT)));
-  return hair::keyShare(look, node.height, nDotL, lit);
+Vec3 tangentAt(const Tubes& tubes, const Tube& tube, std::uint32_t node) {
+  const std::uint32_t next = std::min(node + 1, tube.firstNode + tube.nodeCount - 1), last = node > tube.firstNode ? node - 1 : node;
+  return normalizeOr(tubes.nodes[next].position - tubes.nodes[last].position, tubes.nodes[node].normal);
 }
 
-}  // namespace
+float Shadows::throughHair(const Scene& scene, const Vec3& point, float radius, const Vec3& tangent) const {
+  return hair ? hair->shareThrough(point, radius, tangent, shareOfOneStrand(scene), kAllTheWay) : 1.0f;
+}
 
-float shareOfOneStrand(const Scene& scene) { return 1 - float(FUR_SHADE_OF_ONE) * scene.coat.strandShadow; }
+float Shadows::onAllTheWay(const Scene& scene, const TubeNode& node, const Vec3& tangent) const {
+  const float past = coat.sharePastSkin(node.position + node.normal * kSkinOffset, kSkinBias);
+  if (past <= 0) return 0;
+  return past * coat.shareThrough(node.position, node.radius, tangent, shareOfOneStrand(scene), kAllTheWay) *
+         throughHair(scene, node.position, node.radius, tangent);
+}
 
-std::vector<Vec3> shadeNodes(const Scene& scene, const Tubes& tubes, const DeepShadow& shadow, Light light) {
+std::vector<Vec3> shadeNodes(const Scene& scene, const Tubes& tubes, const Shadows& shadows, Light light) {
   const hair::StrandLook look = lookOf(scene);
   const Vec3 toLight(scene.frame.light), eye(scene.frame.eye);
   std::vector<Vec3> out(tubes.nodes.size());
-  const auto shadeTube = [&](const Tube& tube) {
-    const TubeNode* nodes = &tubes.nodes[tube.firstNode];
-    for (std::uint32_t k = 0; k < tube.nodeCount; ++k) {
-      const TubeNode& node = nodes[k];
-      const Vec3 way = nodes[std::min(k + 1, tube.nodeCount - 1)].position - nodes[k > 0 ? k - 1 : 0].position;
-      const Vec3 tangent = normalizeOr(way, node.normal), view = normalizeOr(eye - node.position, node.normal);
+  forTubes(tubes, [&](const Tube& tube) {
+    for (std::uint32_t k = tube.firstNode; k < tube.firstNode + tube.nodeCount; ++k) {
+      const TubeNode& node = tubes.nodes[k];
+      const Vec3 tangent = tangentAt(tubes, tube, k), view = normalizeOr(eye - node.position, node.normal);
       const Vec3 albedo = hair::strandColor(Vec3(scene.coat.rootColors[0]), Vec3(scene.coat.tipColors[0]), node.height, tube.variance, scene.coat.typeVariance.x);
-      const float share = keyAt(scene, look, node, tangent, shadow, light), nDotV = glm::dot(node.normal, view);
+      const float share = keyAt(scene, look, node, tangent, shadows, light), nDotV = glm::dot(node.normal, view);
       hair::StrandLight lights;
       lights.key = Vec3(scene.frame.keyLight) * share;
       lights.through = lights.key * hair::rimLight(glm::dot(toLight, view), nDotV, node.height);
       lights.fill = scene.frame.fillLight;
       lights.rim = Vec3(scene.frame.backLight) * hair::fringe(nDotV, node.height);
       lights.sky = skyLight(scene, node.normal);
-      out[tube.firstNode + k] = hair::shadeStrand(look, albedo, tangent, toLight, view, glm::dot(node.normal, toLight), nDotV,
-                                                  node.height, 0, lights, tube.variance);
+      out[k] = hair::shadeStrand(look, albedo, tangent, toLight, view, glm::dot(node.normal, toLight), nDotV, node.height, 0, lights, tube.variance);
     }
-  };
-  inParallel((tubes.tubes.size() + kTubesAPiece - 1) / kTubesAPiece, [&](std::size_t piece) {
-    const std::size_t end = std::min((piece + 1) * kTubesAPiece, tubes.tubes.size());
-    for (std::size_t t = piece * kTubesAPiece; t < end; ++t) shadeTube(tubes.tubes[t]);
   });
   return out;
 }
 
-Vec3 shadeSkin(const Scene& scene, const Vec3& point, const Vec3& normal, float roots, const DeepShadow& shadow, Light light) {
+Vec3 shadeSkin(const Scene& scene, const Vec3& point, const Vec3& normal, float roots, const Shadows& shadows, Light light) {
   const hair::StrandLook look = lookOf(scene);
   const bool furry = roots > 0;
   const float nDotL = glm::dot(normal, Vec3(scene.frame.light));
   float share = 1;
-  if (light == Light::Traced)
-    share = shadow.sharePastSkin(point + normal * kSkinOffset, kSkinBias) * shadow.shareThrough(point, 0, normal, shareOfOneStrand(scene), kAllTheWay);
-  else if (furry)
-    share = glm::mix(1.0f, hair::furShadow(0, look.density, nDotL), look.strandShadow);
+  if (light == Light::Traced) {
+    share = shadows.onAllTheWay(scene, {point, 0, normal, 0}, normal);
+  } else {
+    if (furry) share = glm::mix(1.0f, hair::furShadow(0, look.density, nDotL), look.strandShadow);
+    share *= shadows.throughHair(scene, point, 0, normal);
+  }
   const Vec3 albedo = Vec3(scene.coat.skinColor) * (1 - 0.5f * roots);
   const Vec3 color = albedo * (Vec3(scene.frame.keyLight) * (std::max(nDotL, 0.0f) * share) + skyLight(scene, normal));
   return color * (furry ? 1 - look.occlusion : 1.0f);

@@ -70,6 +70,15 @@ void placeStrand(const FurMap& map, const furgen::Coat& coat, const Root& root, 
 
 }  // namespace
 
+void Tubes::append(const Tubes& others) {
+  const auto first = static_cast<std::uint32_t>(nodes.size());
+  for (Tube tube : others.tubes) {
+    tube.firstNode += first;
+    tubes.push_back(tube);
+  }
+  nodes.insert(nodes.end(), others.nodes.begin(), others.nodes.end());
+}
+
 RootFinder::RootFinder(const FurMap& map, const furgen::Coat& coat) : map_(map), coat_(coat), byRow_(coat.strands.size()) {
   std::iota(byRow_.begin(), byRow_.end(), 0u);
   std::sort(byRow_.begin(), byRow_.end(), [&](auto a, auto b) { return coat.strands[a].root.y < coat.strands[b].root.y; });
@@ -111,9 +120,7 @@ Tubes placeStrands(const FurMap& map, const furgen::Coat& coat, float tolerance)
   });
   Tubes all;
   for (Tubes& part : parts) {
-    const auto first = static_cast<std::uint32_t>(all.nodes.size());
-    for (Tube tube : part.tubes) all.tubes.push_back({tube.firstNode + first, tube.nodeCount, tube.variance});
-    all.nodes.insert(all.nodes.end(), part.nodes.begin(), part.nodes.end());
+    all.append(part);
     part = {};
   }
   return all;

@@ -18,16 +18,19 @@ struct TubeNode {
   float radius;   // model units
   Vec3 normal;    // of the surface that it stands over, unit
   float height;   // 0..1
+  float front = 1;  // of long hair: how near to the eye it lies in its wisp, 0..1
 };
 
 struct Tube {
   std::uint32_t firstNode, nodeCount;  // two or more, root to tip
   float variance;                      // of its strand
+  std::uint32_t scalp = 0;             // of long hair
 };
 
 struct Tubes {
   std::vector<Tube> tubes;
   std::vector<TubeNode> nodes;
+  void append(const Tubes& others);
 };
 
 // A strand's number for SurfaceVertex::strands, evenly distributed in 0..1: its variance, folded.

@@ -1,7 +1,9 @@
 #include "truth/Truth.h"
 
 #include <algorithm>
+#include <optional>
 
+#include "truth/Hair.h"
 #include "truth/Raster.h"
 
 namespace fur::truth {
@@ -14,8 +16,17 @@ Picture render(const Scene& scene, int width, int height, const Options& options
   if (scene.coat.furLength > 0)
     tubes = placeStrands(FurMap(scene.surface, scene.bends, scene.coat.furLength, scene.coat.tilesPerUnit, scene.curve), scene.strands,
                          tolerance);
-  const DeepShadow shadow(scene.surface, tubes, Vec3(scene.frame.light), options.shadowTexels);
-  return drawPicture(scene, tubes, shadeNodes(scene, tubes, shadow, options.light), shadow, width, height, options);
+  const Vec3 light(scene.frame.light);
+  const DeepShadow coatShadow(scene.surface, tubes, light, options.shadowTexels);
+  const Tubes hair = placeHair(scene);
+  std::optional<DeepShadow> hairShadow;
+  if (!hair.tubes.empty()) hairShadow.emplace(scene.surface, hair, light, options.shadowTexels);
+  const Shadows shadows{coatShadow, hairShadow ? &*hairShadow : nullptr};
+  std::vector<Vec3> lit = shadeNodes(scene, tubes, shadows, options.light);
+  const std::vector<Vec3> hairLit = shadeHair(scene, hair, shadows, options.light);
+  tubes.append(hair);
+  lit.insert(lit.end(), hairLit.begin(), hairLit.end());
+  return drawPicture(scene, tubes, lit, shadows, width, height, options);
 }
 
 }  // namespace fur::truth

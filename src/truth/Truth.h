@@ -1,8 +1,9 @@
-// The reference renderer: the picture that shells and fins stand in for. It draws every strand of the coat on the
-// model as a thin tapered tube, supersampled, in seconds on the CPU, without layers and textures.
+// The reference renderer: the picture that shells, fins, strips and ribbons stand in for. It draws every strand of the coat and of
+// long hair on the model as a thin tapered tube, supersampled, in seconds on the CPU, without layers and textures.
 //
 //   FurMap         from the tile's volume to space: the mapping of the shells
 //   Strands        one tube for each strand of the coat wherever its root falls on the model
+//   Hair           one tube for each strand of long hair, and light on it
 //   DeepShadow     how many strands the light crosses on its way to a point
 //   Shading        light on the tubes' nodes and on the skin
 //   Raster         tubes and skin to a picture
@@ -27,9 +28,20 @@
 #include "dynamics/BendField.h"
 #include "furgen/Coat.h"
 #include "geometry/Surface.h"
+#include "hair/MemberStrands.h"
+#include "hair/Wisps.h"
 #include "shared/Blocks.h"
 
 namespace fur::truth {
+
+// What grows on one scalp, as it hangs.
+struct LongHair {
+  std::span<const hair::Wisp> wisps;
+  std::span<const hair::MemberStrand> members;  // as many of each kind
+  std::span<const hair::GuideNode> nodes;       // model space, guide after guide
+  int nodesEach = 0;
+  const hair::HairValues& values;
+};
 
 // What is drawn. `frame` and `coat` are the shaders' uniform blocks (shared/Blocks.h); the layers in `coat` are not used.
 struct Scene {
@@ -39,6 +51,7 @@ struct Scene {
   render::shared::FrameBlock frame;
   render::shared::FurBlock coat;
   dynamics::BendCurve curve = dynamics::BendCurve::Arc;
+  std::span<const LongHair> hair{};
 };
 
 enum class Light {

@@ -1,11 +1,15 @@
 // The reference and the real-time picture are of the same strands, the same camera and the same light.
+#include "app/LongHair.h"
 #include "render/Blocks.h"
+#include "render/Hair.h"
 #include "tests/render/Picture.h"
 #include "truth/Flip.h"
 #include "truth/Truth.h"
 
 namespace fur::truth {
 namespace {
+
+[[maybe_unused]] const bool growsHair = (app::growLongHair(), true);
 
 constexpr int kWidth = 240, kHeight = 200;
 
@@ -36,8 +40,13 @@ struct Desk {
     Options options;
     options.samples = 4;
     options.shadowTexels = 1024;
+    std::vector<LongHair> hair;
+    if (app.haired()) {
+      const render::HairGrowth growth = app.hairGrowth(0);
+      hair.push_back({growth.wisps, growth.members, app.hairNodes(0), growth.nodes, growth.values});
+    }
     return render({app.surface(), coat, app.bends(), render::frameBlock(frame),
-                   render::furBlock(frame, coat.parameters.size, 64, {densestSection(coat)}, 1)},
+                   render::furBlock(frame, coat.parameters.size, 64, {densestSection(coat)}, 1), dynamics::BendCurve::Arc, hair},
                   kWidth, kHeight, options);
   }
 };
@@ -62,6 +71,27 @@ TEST(Truth, IsAsBrightAsTheRealTimePicture) {
   Desk desk;
   // A tenth of the range: the reference averages in linear light, the other in sRGB.
   EXPECT_LT(glm::distance(meanOf(desk.reference()), meanOf(desk.realTime())), 0.1f);
+}
+
+TEST(Truth, ShowsTheSameHairAsTheRealTimePictureNearAndFar) {
+  Desk desk;
+  desk.app.setField("furLength", "0");
+  desk.app.editHair(app::HairEdit::AddScalp);
+  desk.app.editHair(app::HairEdit::Cover, 1);
+  EXPECT_TRUE(desk.app.setHairValue(0, "wisps", "120"));
+  desk.app.editHair(app::HairEdit::Plant, 60);
+  for (const auto& [detail, distance] : {std::pair("strands", 1.7f), {"strips", 4.0f}}) {
+    desk.app.setField("hairDetail", detail);
+    desk.app.setCamera({-0.75f, 0.4f, distance, Vec3(0)});
+    desk.app.settle();
+    const Picture realTime = desk.realTime();
+    const float same = flip(desk.reference(), realTime).mean;
+    EXPECT_TRUE(desk.app.setHairValue(0, "seed", "2"));
+    desk.app.settle();
+    const float others = flip(desk.reference(), realTime).mean;
+    EXPECT_TRUE(desk.app.setHairValue(0, "seed", "1"));
+    EXPECT_LT(same, 0.8f * others) << detail << ": " << same << " against " << others;
+  }
 }
 
 }  // namespace
