@@ -4,18 +4,20 @@
 // A node of a guide or a point of a wisp: 16 bytes a texel (render/passes/hair/HairScalp.cpp).
 struct HairNode {
   vec3 position;   // model space
-  float wetness;
+  float wetness;   // 0..1, in 255 steps as is the next
+  float visible;   // share of the light from all around that comes there; of points alone
   vec4 turn;       // a quaternion: takes x, y, z to across, along and out of the hair
 };
 
 HairNode unpackNode(uvec4 texel) {
-  vec2 xy = unpackUnorm2x16(texel.x), zw = unpackUnorm2x16(texel.y);
-  return HairNode(nodesLow.xyz + nodesSpan.xyz * vec3(xy, zw.x), zw.y, vec4(unpackSnorm2x16(texel.z), unpackSnorm2x16(texel.w)));
+  vec2 xy = unpackUnorm2x16(texel.x), shares = vec2(texel.y >> 24u, texel.y >> 16u & 255u) / 255.0;
+  return HairNode(nodesLow.xyz + nodesSpan.xyz * vec3(xy, unpackUnorm2x16(texel.y).x), shares.x, shares.y, vec4(unpackSnorm2x16(texel.z), unpackSnorm2x16(texel.w)));
 }
 
 uvec4 packNode(HairNode node) {
   vec3 at = clamp((node.position - nodesLow.xyz) / nodesSpan.xyz, 0.0, 1.0);
-  return uvec4(packUnorm2x16(at.xy), packUnorm2x16(vec2(at.z, node.wetness)), packSnorm2x16(node.turn.xy), packSnorm2x16(node.turn.zw));
+  uvec2 shares = uvec2(255.0 * clamp(vec2(node.wetness, node.visible), 0.0, 1.0) + 0.5);
+  return uvec4(packUnorm2x16(at.xy), packUnorm2x16(vec2(at.z, 0.0)) | shares.x << 24u | shares.y << 16u, packSnorm2x16(node.turn.xy), packSnorm2x16(node.turn.zw));
 }
 
 vec3 turned(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }

@@ -15,7 +15,7 @@ HairNode wispPoint(int wisp, float t) {
   if (part > 0.0) {
     HairNode next = unpackNode(texelFetch(hairPoints, ivec2(int(at) + 1, wisp), 0));
     if (dot(here.turn, next.turn) < 0.0) next.turn = -next.turn;
-    here = HairNode(mix(here.position, next.position, part), mix(here.wetness, next.wetness, part), mix(here.turn, next.turn, part));
+    here = HairNode(mix(here.position, next.position, part), mix(here.wetness, next.wetness, part), mix(here.visible, next.visible, part), mix(here.turn, next.turn, part));
   }
   here.turn = normalize(here.turn);
   return here;

@@ -101,17 +101,17 @@ float glossShare(float nDotL) { return clamp(1.6 * nDotL + 0.6, 0.0, 1.0); }
 //   occ = 1 + sigma_occ (h - 1), wet = 1 - sigma_wet rho     Eq. 5
 // C_s: a white lobe, mirrored on the scales, and a wider one that went through the strand and has its colour;
 // or Marschner's model, which has all light that goes through strands. L and V point away from the strand.
-// `lit` is the share of the light that reaches the spot, `strand` the strand's random number (its variance).
-vec3 shadeStrand(vec3 albedo, vec3 T, vec3 L, vec3 V, float h, float rho, float lit, float upness, float strand, float exponent) {
+// `lit` is the share of the light that reaches the spot, `strand` the strand's random number (its variance), `shine` the gloss.
+vec3 shadeStrand(vec3 albedo, vec3 T, vec3 L, vec3 V, float h, float rho, float lit, float upness, float strand, float exponent, float shine) {
   vec3 key = keyLight.rgb * lightShare(lit, h, L.z);
   vec2 along = vec2(dot(T, L), dot(T, V)), across = sqrt(max(vec2(0.0), 1.0 - along * along));
   vec2 diffuse = mix(across, max(vec2(L.z, V.z), 0.0), lambert);  // of the key light, of the fill light
 #ifdef MARSCHNER
   // The setting 0.5 is the strand as it is.
-  vec3 gloss = 2.0 * specular * glossShare(L.z) * key * marschnerStrand(albedo, along, across, dot(L, V), exponent);
+  vec3 gloss = 2.0 * shine * glossShare(L.z) * key * marschnerStrand(albedo, along, across, dot(L, V), exponent);
 #else
   // A lobe's energy falls as its exponent rises; sqrt(p) keeps a strand's total about even.
-  float strength = specular * sqrt(exponent / shininess) * glossShare(L.z);
+  float strength = shine * sqrt(exponent / shininess) * glossShare(L.z);
   vec4 cosines = vec4(across.x * across.y, along.x * along.y, along * across.yx);
   vec2 shifts = lobeShifts(strand);
   vec3 gloss = (strength * key) * ((0.7 - 0.35 * rho) * kajiyaLobe(shiftedCosine(cosines, shifts.x), exponent) +
@@ -122,9 +122,9 @@ vec3 shadeStrand(vec3 albedo, vec3 T, vec3 L, vec3 V, float h, float rho, float 
   vec3 color = albedo * (key * diffuse.x + fillLight * diffuse.y + skyLight(upness)) + gloss;
   return color * (1.0 + occlusion * (h - 1.0)) * (1.0 - wetDarkening * rho);
 }
-// The same with the coat's own exponent.
+// The same with the coat's own exponent and gloss.
 vec3 shadeStrand(vec3 albedo, vec3 T, vec3 L, vec3 V, float h, float rho, float lit, float upness, float strand) {
-  return shadeStrand(albedo, T, L, V, h, rho, lit, upness, strand, max(mix(dryShininess, shininess, rho), 1.0));
+  return shadeStrand(albedo, T, L, V, h, rho, lit, upness, strand, max(mix(dryShininess, shininess, rho), 1.0), specular);
 }
 
 // Wet strands: C++ twins in hair/StrandShading.h, which says more.

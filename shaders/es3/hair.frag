@@ -4,12 +4,11 @@
 #include "common_noise.glsl"
 #include "common_furshadow.glsl"
 #include "common_hair.glsl"
-#include "common_line.glsl"
 
 in vec4 vBand;
 in vec4 vTangent;
 in vec4 vView;
-in vec3 vNormal;
+in vec4 vNormal;
 in vec3 vLightSpace;
 #ifdef STRIPS
 in vec4 vAcross;
@@ -38,14 +37,11 @@ void main() {
   float alpha = seen.r, strand = fract(seen.b + vTangent.w), front = seen.a;
   T = normalize(T) + vAcross.xyz * (8.0 * (seen.g - 0.5) * vAcross.w);
 #else
-  float alpha = lineCoverage(vBand.x, vBand.y), strand = vTangent.w, front = vView.w;
+  float strand = vTangent.w, front = vView.w;
+  // Where strands are thinner than a pixel there are fewer, a pixel wide: each ends where it is thinner than its own chance has it.
+  float alpha = step(fract(61.0 * strand), vBand.y);
 #endif
   float chance = fract(pixelNoise() + 7.0 * strand);
-#ifndef STRIPS
-  // Samples are given out in one order: of strands thinner than a pixel each would get those that the others have, and hair of
-  // many would be seen through. So they have all samples or none, each by a chance of its own.
-  if (vBand.y < 1.0) alpha = step(chance, alpha);
-#endif
   // A whole number of samples, by chance: drivers differ in what they make of the shares between.
   alpha = floor(alpha * samples + chance) / samples;
   if (alpha == 0.0) discard;
@@ -53,19 +49,21 @@ void main() {
   vec3 V = normalize(vView.xyz), L = light.xyz;
   T = normalize(T);
   // Hair is turned the way of the skin that it grows from; where it stands up from it, towards the light.
-  vec3 z = normalize(vNormal - T * dot(T, vNormal) + 0.35 * (L - T * dot(T, L)) + 1e-4 * V);
+  vec3 z = normalize(vNormal.xyz - T * dot(T, vNormal.xyz) + 0.35 * (L - T * dot(T, L)) + 1e-4 * V);
   z = normalize(z - T * dot(T, z));
   mat3 frame = transpose(mat3(T, cross(z, T), z));
   vec3 albedo = strandColor(hairRootColor.rgb, hairTipColor.rgb, hairVariance, h, strand, vec3(1.0));
-  // What lies behind others of its wisp gets less light; so do roots, among all others.
-  float height = mix(0.55, 1.0, front) * mix(0.5, 1.0, smoothstep(0.0, 0.25, h));
+  // What lies behind others of its wisp gets less light; so does what lies deep among all.
+  float height = mix(0.55, 1.0, front) * mix(1.0, vNormal.w, hairOcclusion);
   float lit = hairShadowAt(vLightSpace);
 #ifdef WET
   albedo = wetAlbedo(albedo, vBand.w);
 #endif
-  vec3 color = shadeStrand(albedo, frame * T, frame * L, frame * V, height, vBand.w, lit, dot(z, up.xyz), strand, mix(hairShininess, 2.0 * hairShininess, vBand.w));
+  // A strand is not as even as its wisp: it shines here and there.
+  vec3 tangent = normalize(vec3(1.0, 0.0, 0.12 * sin(6.2831853 * (strand + 3.0 * h))));
+  vec3 color = shadeStrand(albedo, tangent, frame * L, frame * V, height, vBand.w, lit, dot(z, up.xyz), strand, mix(hairShininess, 2.0 * hairShininess, vBand.w), hairGloss);
 #ifdef WET
-  vec2 mirrored = waterGloss(frame * T, vec3(0.0, 0.0, 1.0), frame * L, frame * V, vBand.w, 0.0, strand);
+  vec2 mirrored = waterGloss(tangent, vec3(0.0, 0.0, 1.0), frame * L, frame * V, vBand.w, 0.0, strand);
   // A strand mirrors on its own: half of what a clump of fur does, whose strands lie in one film.
   color += 0.5 * (mirrored.x * lit * keyLight.rgb + mirrored.y * skyLight(dot(z, up.xyz)));
 #endif

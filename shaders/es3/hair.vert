@@ -9,11 +9,11 @@
 #include "common_line.glsl"
 #endif
 
-out vec4 vBand;     // strands: x: pixels from the middle line  y: pixels that it is wide; strips: xy: place in the picture, times w
+out vec4 vBand;     // strands: y: pixels that it is wide; strips: xy: place in the picture, times w
                     // z: height, 0 root to 1 tip  w: wetness
 out vec4 vTangent;  // model space; w: its random number
 out vec4 vView;     // to the eye; w: strips: that by which vBand.xy is divided; strands: how near to the front of its wisp, 0..1
-out vec3 vNormal;   // of the skin at its root
+out vec4 vNormal;   // of the skin at its root; w: share of the light from all around
 out vec3 vLightSpace;
 #ifdef STRIPS
 out vec4 vAcross;   // unit; w: what a slope of its strands is in the model
@@ -42,14 +42,16 @@ void strand(int instance) {
   vec3 toEye = eye.xyz - p;
   float pixel = length(toEye) / pixelsPerUnit;
   float width = widening * strandWidth * memberWidth(waves.x, t) / pixel;
-  float reach = lineReach(gl_VertexID, width);
+  // As wide as it is, and a pixel at least: then samples find out what it covers, each where it lies. As alpha all strands would
+  // get the same samples, and hair would be seen through.
+  float reach = (float(gl_VertexID & 1) - 0.5) * max(width, 1.0);
   gl_Position = clipFromModel * vec4(lineEdge(p, tangent, toEye, reach, pixel), 1.0);
-  vBand = vec4(reach, width, t, middle.wetness);
+  vBand = vec4(0.0, width, t, middle.wetness);
   vTangent = vec4(tangent, waves.w);
   vec3 outward = normalize(toEye);
   vec3 z = turned(middle.turn, vec3(at.x, 0.0, at.y));
   vView = vec4(toEye, 0.5 + 0.5 * clamp(dot(z, outward), -1.0, 1.0));
-  vNormal = wispNormal(wisp);
+  vNormal = vec4(wispNormal(wisp), middle.visible);
   vLightSpace = lightSpace(p);
 }
 #endif
@@ -62,7 +64,7 @@ void main() {
   vBand = vec4(v.picture.xy, v.t, v.middle.wetness);
   vTangent = vec4(turned(v.middle.turn, vec3(0.0, 1.0, 0.0)), v.shape.y);
   vView = vec4(eye.xyz - v.position, v.picture.z);
-  vNormal = wispNormal(wisp);
+  vNormal = vec4(wispNormal(wisp), v.middle.visible);
   vLightSpace = lightSpace(v.position);
   vAcross = vec4(v.across / v.picture.z, slopeScale(v, wisp));
   vKind = v.shape.z;

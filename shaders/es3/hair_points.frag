@@ -3,6 +3,7 @@
 #include "common_hair.glsl"
 uniform highp usampler2D hairNodes;  // a column a node, a row a guide
 uniform highp sampler2D wisps;
+uniform mediump sampler2D ambient;  // hair/AmbientOcclusion.h
 out uvec4 fragColor;
 
 vec4 wispTexel(int at) { return texelFetch(wisps, ivec2(at, int(gl_FragCoord.y)), 0); }
@@ -78,7 +79,7 @@ HairNode wispPoint(float t) {
   vec3 across = x - along * dot(x, along);
   squared = dot(across, across);
   across = squared > 1e-24 ? across * inversesqrt(squared) : z;
-  return HairNode(position, wetness, quaternionOf(across, along, cross(across, along)));
+  return HairNode(position, wetness, texelFetch(ambient, ivec2(gl_FragCoord), 0).r, quaternionOf(across, along, cross(across, along)));
 }
 
 void main() { fragColor = packNode(wispPoint((gl_FragCoord.x - 0.5) / float(FUR_WISP_SEGMENTS))); }

@@ -86,7 +86,7 @@ void App::State::upload() {
 render::HairGrowth App::State::hairGrowth(std::size_t scalp) const {
   const HairStage::Growth& growth = hair->growth(scalp);
   const hair::Scalp& of = hair->style().scalps[scalp];
-  return {of.values, growth.wisps, growth.members, growth.strips, static_cast<int>(of.guides.count()), of.guides.nodes};
+  return {of.values, growth.wisps, growth.members, growth.strips, growth.ambient, static_cast<int>(of.guides.count()), of.guides.nodes};
 }
 
 void App::State::uploadHair() {

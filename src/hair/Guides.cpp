@@ -38,6 +38,13 @@ void frameNodes(std::span<const Vec3> positions, const RootFrame& root, std::spa
   }
 }
 
+std::vector<GuideNode> restNodes(const Guides& guides, std::span<const RootFrame> roots) {
+  std::vector<GuideNode> out(guides.positions.size());
+  const auto each = static_cast<std::size_t>(guides.nodes);
+  for (std::size_t g = 0; g < guides.count(); ++g) frameNodes(guides.of(g), roots[g], std::span(out).subspan(g * each, each));
+  return out;
+}
+
 bool makeSound(Guides& guides) {
   const auto nodes = static_cast<std::size_t>(guides.nodes);
   if (guides.nodes < kLeastNodes || guides.nodes > kMostNodes || guides.count() > kMostGuides) return false;

@@ -53,6 +53,8 @@ struct GuideNode {
 // The frames of one chain of nodes by parallel transport from its root's; nodes at one place keep the frame before. `out` has as
 // many nodes as `positions`.
 void frameNodes(std::span<const Vec3> positions, const RootFrame& root, std::span<GuideNode> out);
+// Those of all guides as they are made, one root a guide.
+std::vector<GuideNode> restNodes(const Guides& guides, std::span<const RootFrame> roots);
 
 // Makes guides from outside valid: false when a number is not finite or beyond kFarthestNode, or they have not the nodes that
 // `guides.nodes` says; otherwise segments of no length become short ones.

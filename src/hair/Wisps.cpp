@@ -84,8 +84,7 @@ std::vector<Wisp> plantWisps(const ScalpSurface& scalp, const Guides& guides, st
 
 void followGuides(std::span<Wisp> wisps, const Guides& guides, std::span<const RootFrame> roots, const WispShape& shape) {
   const auto each = static_cast<std::size_t>(guides.nodes);
-  std::vector<GuideNode> nodes(guides.positions.size());
-  for (std::size_t g = 0; g < guides.count(); ++g) frameNodes(guides.of(g), roots[g], std::span(nodes).subspan(g * each, each));
+  const std::vector<GuideNode> nodes = restNodes(guides, roots);
   for (Wisp& wisp : wisps) {
     Vec3 root(0);
     for (std::size_t k = 0; k < 3; ++k) root += guides.root(wisp.guides[k]) * wisp.weights[static_cast<int>(k)];

@@ -15,6 +15,7 @@ struct HairGrowth {
   std::span<const hair::Wisp> wisps;  // in an order by chance: the first are the first to be drawn strand by strand
   std::span<const hair::MemberStrand> members;  // strands of a set, one set after another
   const hair::StripPicture& strips;
+  std::span<const std::uint8_t> ambient;  // hair/AmbientOcclusion.h, of each point of each wisp
   int guides = 0, nodes = 0;  // and nodes of each guide
 };
 

@@ -152,6 +152,7 @@ const gl::Program* Programs::use(Shader shader, unsigned variant) {
     program.bindSampler("hairPoints", FUR_UNIT_HAIR_POINTS);
     program.bindSampler("memberStrands", FUR_UNIT_MEMBER_STRANDS);
     program.bindSampler("strips", FUR_UNIT_STRIPS);
+    program.bindSampler("ambient", FUR_UNIT_HAIR_AMBIENT);
     found = programs_.insert(std::move(linked)).position;
   }
   found->second.use();

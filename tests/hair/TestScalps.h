@@ -44,11 +44,4 @@ Guides guidesAt(const std::vector<Vec3>& places, Lean lean, int nodes = 8) {
   return out;
 }
 
-inline std::vector<GuideNode> nodesOf(const Guides& guides, std::span<const RootFrame> roots) {
-  std::vector<GuideNode> out(guides.positions.size());
-  const auto each = static_cast<std::size_t>(guides.nodes);
-  for (std::size_t g = 0; g < guides.count(); ++g) frameNodes(guides.of(g), roots[g], std::span(out).subspan(g * each, each));
-  return out;
-}
-
 }  // namespace fur::hair::test

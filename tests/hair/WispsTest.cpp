@@ -17,7 +17,6 @@ namespace {
 
 using test::Scalp;
 using test::guidesAt;
-using test::nodesOf;
 using Texel = groom::GroomMap::Texel;
 
 constexpr float kFar = 0.5f;  // how far the guides of a Setting stand from the middle
@@ -32,7 +31,7 @@ struct Setting {
   }
   void plant() {
     roots = scalp.roots(guides);
-    nodes = nodesOf(guides, roots);
+    nodes = restNodes(guides, roots);
     wisps = plantWisps(scalp.scalp(), guides, roots, values);
   }
   WispPoint at(const Wisp& wisp, float t) const { return wispPoint(wisp, nodes, guides.nodes, shapeOf(values), t); }
@@ -100,7 +99,7 @@ TEST(Wisps, OneGuideOrTwoAreEnoughAndNoneHasNone) {
     const auto wisps = plantWisps(plane.scalp(), guides, roots, values);
     ASSERT_EQ(wisps.size(), 50u);
     for (const Wisp& wisp : wisps) {
-      const Vec3 tip = wispPoint(wisp, nodesOf(guides, roots), guides.nodes, shapeOf(values), 1).position;
+      const Vec3 tip = wispPoint(wisp, restNodes(guides, roots), guides.nodes, shapeOf(values), 1).position;
       EXPECT_LT(glm::length(tip - wisp.root - Vec3(0.2f, 1, 0)), 1e-4f);
     }
   }
@@ -118,7 +117,7 @@ TEST(Wisps, BetweenGuidesThatLeanMoreAndMoreSoDoWisps) {
   HairValues values = plain();
   values.wisps = 300, values.curve = 1;
   const auto roots = plane.roots(guides);
-  const auto nodes = nodesOf(guides, roots);
+  const auto nodes = restNodes(guides, roots);
   for (const Wisp& wisp : plantWisps(plane.scalp(), guides, roots, values)) {
     if (std::min({wisp.weights.x, wisp.weights.y, wisp.weights.z}) <= 0) continue;
     const Vec3 tip = wispPoint(wisp, nodes, guides.nodes, shapeOf(values), 1).position;

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "hair/AmbientOcclusion.h"
 #include "hair/MemberStrands.h"
 #include "hair/Wisps.h"
 #include "render/ShaderSources.h"
@@ -22,6 +23,8 @@ constexpr int kVertices = 6 * FUR_WISP_SEGMENTS;  // of a strip
 constexpr float kGpuPrecision = 5e-4f;
 // Four numbers of a frame are off by up to half of 1/32767 each; a quaternion that is off by 1/32767 turns by twice that.
 constexpr float kPackedTurn = 2 / 32767.0f;
+// Wetness has 255 steps, and is rounded in the node and in the point; and by so much is a wisp's half width off, as a share of it.
+constexpr float kPackedWetness = 1.1f / 255, kPackedGather = hair::kWetGathers * kPackedWetness;
 
 hair::HairValues ordinary() {
   hair::HairValues values;
@@ -40,17 +43,18 @@ struct Head {
     }
     const auto roots = sphere.roots(guides);
     wisps = hair::plantWisps(sphere.scalp(), guides, roots, values);
-    nodes = hair::test::nodesOf(guides, roots);
+    nodes = hair::restNodes(guides, roots);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       nodes[i].wetness = static_cast<float>(i % 7) / 6;
       if (i % 2) nodes[i].frame = nodes[i].frame * -1.0f;  // the same frame
     }
     members = hair::memberStrands(values.strands, values);
     strips = hair::drawStrips(members, values.strandWidth, values.mostWidth, values.tipWidth);
+    ambient = hair::ambientVisibility(sphere.scalp().surface, wisps, nodes, guides.nodes, values);
     upload();
   }
   void upload() {
-    scalp.grow({values, wisps, members, strips, static_cast<int>(guides.count()), guides.nodes});
+    scalp.grow({values, wisps, members, strips, ambient, static_cast<int>(guides.count()), guides.nodes});
     scalp.move(nodes);
     EXPECT_TRUE(scalp.update(programs)) << programs.error().message;
   }
@@ -102,6 +106,7 @@ struct Head {
   std::vector<hair::Wisp> wisps;
   std::vector<hair::MemberStrand> members;
   hair::StripPicture strips;
+  std::vector<std::uint8_t> ambient;
   HairScalp scalp;
 };
 
@@ -154,8 +159,7 @@ void expectTwins(const hair::HairValues& values) {
     ASSERT_LT(glm::distance(Vec3(positions[i]), point.position), precision.position) << "wisp " << wisp << " at " << t;
     ASSERT_LT(glm::distance(Vec3(along[i]), point.along), precision.along) << "wisp " << wisp << " at " << t;
     ASSERT_LT(glm::distance(Vec3(across[i]), point.across), precision.across) << "wisp " << wisp << " at " << t;
-    // Rounded in the node and in the point.
-    ASSERT_NEAR(positions[i].w, point.wetness, 1.1f / 65535);
+    ASSERT_NEAR(positions[i].w, point.wetness, kPackedWetness);
     ASSERT_EQ(along[i].w, head.wisps[wisp].random);
     ASSERT_EQ(across[i].w, static_cast<float>(hair::wispKind(head.wisps[wisp].random)));
   }
@@ -209,7 +213,7 @@ TEST(HairTwins, StrandsLieInTheirWisp) {
     const float t = heightOf(i % (FUR_WISP_SEGMENTS + 1)), width = head.wisps[wisp].width;
     const Precision precision(head, wisp, t);
     const Vec3 place = hair::memberPoint(head.point(wisp, t), {0.7f, -0.4f}, width, hair::shapeOf(head.values), t);
-    ASSERT_LT(glm::distance(Vec3(drawn[i]), place), precision.position + 0.5f * width * (precision.across + precision.along));
+    ASSERT_LT(glm::distance(Vec3(drawn[i]), place), precision.position + 0.5f * width * (precision.across + precision.along + kPackedGather));
   }
 }
 
@@ -266,7 +270,7 @@ TEST(HairStrips, HaveTheirLeftAgainstAcrossAndFaceTheEye) {
     ASSERT_LT(std::abs(glm::dot(across, point.along)), off);
     const Vec3 way = normalizeOr(glm::cross(point.along, Head::kEye - point.position), Vec3(0));
     const float a = half * glm::dot(way, point.across), b = half * head.values.depth * glm::dot(way, point.out);
-    ASSERT_NEAR(std::abs(glm::dot(across, way)), std::sqrt(a * a + b * b), half * precision.across);
+    ASSERT_NEAR(std::abs(glm::dot(across, way)), std::sqrt(a * a + b * b), half * precision.across + 0.5f * head.wisps[wisp].width * kPackedGather);
     const Vec3 place = point.position + across * (strip.sides[v].w * hair::kStripReach);
     ASSERT_LT(glm::distance(Vec3(strip.places[v]), place), precision.position);
   }

@@ -234,7 +234,7 @@ struct Hair {
     values.wisps = 20, values.strands = 7, values.rootColor = 0xff0000, values.tipColor = 0x0000ff, values.variance = 0;
     guides = hair::plantGuides(sphere.scalp(), values, 12).value();
     const auto roots = sphere.roots(guides);
-    nodes = hair::test::nodesOf(guides, roots);
+    nodes = hair::restNodes(guides, roots);
     wisps = hair::plantWisps(sphere.scalp(), guides, roots, values);
   }
   Result<HairFile> file() const { return hairOfWisps(wisps, nodes, guides.nodes, values, HairUp::Y); }

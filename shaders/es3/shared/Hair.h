@@ -31,6 +31,10 @@ FUR_BLOCK(HairBlock) {
   float widening;      // of strands, as fewer than all are drawn
   float hairExtinction; // log2(e) k of the fur's shadow on hair
   float hairShadowBias; // so far behind the first surface it begins, model units
+
+  float hairOcclusion; // how far what lies about hair takes light from all around it
+  float hairGloss;     // strength of the highlight
+  float hairUnused0, hairUnused1;
 };
 
 // Texels of a wisp: its offset and width at the root; weights of its guides and length; what its magnet adds to those weights

@@ -41,6 +41,7 @@ class HairStage {
     std::vector<hair::Wisp> wisps;  // in an order by chance
     std::vector<hair::MemberStrand> members;
     hair::StripPicture strips;
+    std::vector<std::uint8_t> ambient;  // hair/AmbientOcclusion.h
   };
 
   // What make() gives from then on.

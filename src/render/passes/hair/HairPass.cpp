@@ -93,6 +93,7 @@ bool HairPass::drawStrands(const Drawing& drawing, const HairScalp& scalp, int w
   block.strandsDrawn = static_cast<float>(strands);
   block.widening = static_cast<float>(scalp.strands()) / static_cast<float>(strands);
   block.pointStep = step;
+  block.hairOcclusion = drawing.frame.settings.hairOcclusion;
   scalp.bind(block);
   gl::apply({.cullBack = false, .alphaToCoverage = true, .alpha = false});
   gl::drawInstancesWithoutVertices(gl::Shape::Strip, 2 * (segmentsOf(step) + 1), wisps * strands);
@@ -105,6 +106,7 @@ bool HairPass::drawStrips(const Drawing& drawing, const HairScalp& scalp, int fi
   shared::HairBlock block = scalp.block();
   block.firstWisp = static_cast<float>(first);
   block.pointStep = step;
+  block.hairOcclusion = drawing.frame.settings.hairOcclusion;
   scalp.bind(block);
   gl::apply({.cullBack = false, .alphaToCoverage = true, .alpha = false});
   gl::drawInstancesWithoutVertices(gl::Shape::Triangles, 6 * segmentsOf(step), scalp.wisps() - first);

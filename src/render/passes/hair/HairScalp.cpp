@@ -49,6 +49,7 @@ void HairScalp::fillBlock(const hair::HairValues& values, int nodes) {
   block_.strandWidth = values.strandWidth;
   block_.hairVariance = values.variance;
   block_.hairShininess = values.shininess;
+  block_.hairGloss = values.gloss;
   block_.widening = 1;
   // A wisp's depth in front of a strand takes about two thirds of its light.
   block_.hairOpacity = 0.12f;
@@ -68,6 +69,7 @@ std::size_t HairScalp::grow(const HairGrowth& growth) {
   wisps_ = gl::Texture({gl::TexelFormat::RGBA32F, FUR_WISP_TEXELS, wispCount_, 0, gl::Filter::Nearest}, gl::bytesOf(wisps));
   members_ = gl::Texture({gl::TexelFormat::RGBA32F, 2 * strandCount_, FUR_WISP_KINDS, 0, gl::Filter::Nearest}, std::as_bytes(growth.members));
   strips_ = stripTexture(growth.strips);
+  ambient_ = gl::Texture({gl::TexelFormat::R8, FUR_WISP_SEGMENTS + 1, wispCount_, 0, gl::Filter::Nearest}, std::as_bytes(growth.ambient));
   nodes_ = gl::Texture({gl::TexelFormat::RGBA32UI, nodesEach_, guideCount_, 0, gl::Filter::Nearest}, {});
   points_ = gl::Texture({gl::TexelFormat::RGBA32UI, FUR_WISP_SEGMENTS + 1, wispCount_, 0, gl::Filter::Nearest}, {});
   pointsTarget_ = gl::Target::toTexture(points_);
@@ -76,7 +78,7 @@ std::size_t HairScalp::grow(const HairGrowth& growth) {
     width_ = std::max(width_, w.width);
     margin_ = std::max(margin_, glm::length(w.offset) + w.width * (0.5f * hair::kStripReach + growth.values.curl));
   }
-  return wisps_.bytes() + members_.bytes() + strips_.bytes();
+  return wisps_.bytes() + members_.bytes() + strips_.bytes() + ambient_.bytes();
 }
 
 std::size_t HairScalp::move(std::span<const hair::GuideNode> nodes) {
@@ -98,7 +100,7 @@ std::size_t HairScalp::move(std::span<const hair::GuideNode> nodes) {
   for (const hair::GuideNode& node : nodes) {
     const Vec3 at = (node.position - low) / span;
     texels.push_back(glm::packUnorm2x16({at.x, at.y}));
-    texels.push_back(glm::packUnorm2x16({at.z, node.wetness}));
+    texels.push_back(glm::packUnorm2x16({at.z, 0}) | static_cast<std::uint32_t>(255 * saturate(node.wetness) + 0.5f) << 24);
     texels.push_back(glm::packSnorm2x16({node.frame.x, node.frame.y}));
     texels.push_back(glm::packSnorm2x16({node.frame.z, node.frame.w}));
   }
@@ -115,6 +117,7 @@ void HairScalp::bind(const shared::HairBlock& drawn) const {
   points_.bind(FUR_UNIT_HAIR_POINTS);
   members_.bind(FUR_UNIT_MEMBER_STRANDS);
   strips_.bind(FUR_UNIT_STRIPS);
+  ambient_.bind(FUR_UNIT_HAIR_AMBIENT);
 }
 
 bool HairScalp::update(Programs& programs) {
@@ -133,7 +136,7 @@ bool HairScalp::update(Programs& programs) {
 }
 
 std::size_t HairScalp::bytes() const {
-  return nodes_.bytes() + wisps_.bytes() + points_.bytes() + members_.bytes() + strips_.bytes();
+  return nodes_.bytes() + wisps_.bytes() + points_.bytes() + members_.bytes() + strips_.bytes() + ambient_.bytes();
 }
 
 }  // namespace fur::render

@@ -33,7 +33,7 @@ class HairScalp {
  private:
   void fillBlock(const hair::HairValues& values, int nodes);
 
-  gl::Texture nodes_, wisps_, points_, members_, strips_;
+  gl::Texture nodes_, wisps_, points_, members_, strips_, ambient_;
   gl::Target pointsTarget_;
   mutable gl::Buffer blockBuffer_;
   shared::HairBlock block_{};
