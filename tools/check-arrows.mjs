@@ -30,7 +30,7 @@ export const arrows = {
   'src/truth': [...fields, 'furgen', 'dynamics', 'hair', 'shared'],
   'src/gl': ['core', 'gles', 'emscripten'],
   // Of wet and hair only what a picture is made of: never a solver.
-  'src/render': [...fields, 'furgen', 'groom', 'scene', 'wet/Drop.h', 'wet/MaskTexels.h', 'wet/Puddles.h', 'hair/Marschner.h', 'hair/HairValues.h', 'hair/MemberStrands.h', 'hair/Wisps.h', 'gl', 'shared'],
+  'src/render': [...fields, 'furgen', 'groom', 'scene', 'wet/Drop.h', 'wet/MaskTexels.h', 'wet/Puddles.h', 'hair/HairView.h', 'hair/Marschner.h', 'hair/HairValues.h', 'hair/MemberStrands.h', 'hair/Wisps.h', 'gl', 'shared'],
   // The table of tools, which the panel reads as well as the app.
   'src/app/tools': ['core'],
   'src/app/commands': [...fields, 'groom', 'wet', 'app/tools'],

@@ -251,6 +251,8 @@ class App {
 
   // --- input; each returns whether the app used the event ---
   bool pointer(const PointerEvent& event);
+  // Where a pointer is that is not down; none: it is elsewhere. Only tools of hair look at it.
+  void hover(std::optional<Vec2> pixel);
   bool wheel(float notches, Vec2 position);  // positive: away from the person, zooms out
   bool key(const KeyEvent& event);
   void setCameraControls(bool enabled);

@@ -73,6 +73,7 @@ void App::State::upload() {
     renderer->setBaseColor(document.imageWidth, document.imageHeight, document.image);
   for (const wet::MaskTexels& part : water.takeTexels(shape, whole)) renderer->updateMask(part);
   if (noteChange(uploaded.bends, motion.bendsRevision()) || whole) renderer->updateBends(motion.shown());
+  renderer->viewHair(hairView = hair->view(hairLook()));
   uploadGroom(whole);
   const bool posed = noteChange(uploaded.pose, shape.poseRevision()) || whole;
   if (const auto* skin = shape.skin(); skin && posed) renderer->setSkin({skin->positions, skin->normals, skin->tangents});
@@ -114,11 +115,12 @@ void App::State::uploadGroom(bool whole) {
   if (const geometry::TexelRect rect = changedOf(groom::kLengthMap); !rect.empty()) uploadLengths(rect);
   geometry::TexelRect rect = unite(changedOf(groom::kPaintMap), changedOf(groom::kMaskMap));
   const bool shows = showsMask();
-  if (noteChange(uploaded.showsMask, shows)) rect = all;
+  const bool scalp = showsScalp();
+  if (noteChange(uploaded.overPaint, shows ? 1 : scalp ? 1 + hairView->colorRevision : 0)) rect = all;
   if (!rect.empty()) {
     // What has been painted before is taken away, too.
-    const bool paints = shows || groom.hasPaint(), before = std::exchange(uploaded.painted, paints);
-    if (paints || before) renderer->updatePaint(shows ? GroomStage::editorBrushes()->paintUnderMask(now) : now.paint, rect);
+    const bool paints = shows || scalp || groom.hasPaint(), before = std::exchange(uploaded.painted, paints);
+    if (paints || before) renderer->updatePaint(shows ? GroomStage::editorBrushes()->paintUnderMask(now) : hair->paintUnderView(now.paint), rect);
   }
   if (rect = changedOf(groom::kShapeMap); !rect.empty()) {
     const bool before = std::exchange(uploaded.shaped, groom.hasShape());
@@ -171,7 +173,7 @@ render::Frame App::State::frame(int level) const {
   f.reach = glm::length(shape.extent().centre) + shape.extent().radius;
   f.wet = !water.mask().isDry();
   f.groomed = groom.hasLengths();
-  f.painted = groom.hasPaint() || showsMask();
+  f.painted = groom.hasPaint() || showsMask() || showsScalp();
   f.shaped = groom.hasShape();
   f.types = coat.shownTypes() > 1;
   if (const auto ball = motion.touch().ball()) f.ball = Vec4(ball->centre, ball->radius);

@@ -10,6 +10,24 @@ void App::State::beginHairStroke() {
   hair->beginStroke();
 }
 
+HairStage::Look App::State::hairLook() const {
+  HairStage::Look look{.settings = settings, .tool = hand.tool, .saved = saved, .pixelRatio = view.pixelRatio, .mapSize = groom.groom().paint.size(),
+                       .worldFromModel = worldFromModel()};
+  const std::optional<Vec2> pixel = hand.pointers.empty() ? hand.hover : std::optional(hand.lastPosition);
+  if (!pixel || !worksOnHair(hand.tool)) return look;
+  const Ray ray = rayThrough(*pixel);
+  look.points = true;
+  look.origin = ray.origin;
+  look.direction = glm::normalize(ray.direction);
+  return look;
+}
+
+void App::hover(std::optional<Vec2> pixel) {
+  State& s = *state_;
+  s.hand.hover = pixel;
+  if (worksOnHair(s.hand.tool)) s.changed += s.hair->pointsElsewhere(s.hairLook());
+}
+
 void App::editHair(HairEdit edit, float value, const Vec3& direction) {
   State& s = *state_;
   if (!std::isfinite(value) || !std::isfinite(direction.x + direction.y + direction.z)) return;
@@ -54,7 +72,7 @@ std::size_t App::wispCount(std::size_t scalp) const { return scalp < state_->hai
 std::string App::scalps() const { return state_->hair->describe(); }
 
 const hair::Hairstyle& App::hairstyle() const { return state_->hair->style(); }
-bool App::haired() const { return !state_->hair->style().empty(); }
+bool App::haired() const { return state_->haired(); }
 std::size_t App::selectedScalp() const { return state_->hair->selected(); }
 std::vector<std::uint8_t> App::saveHair() const { return state_->hair->save(); }
 

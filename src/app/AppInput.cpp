@@ -318,8 +318,8 @@ void App::setTool(Tool tool) {
   s.endStroke();
   s.otherChanges += s.hand.tool != tool;
   s.hand.tool = tool;
-  // The mask shows while one grooms.
-  s.changed += s.groom.hasMask();
+  // The mask shows while one grooms, guides and scalps while one works on them.
+  s.changed += s.groom.hasMask() || s.haired();
   s.motion.touch().lift();
   s.refreshTouch();
 }

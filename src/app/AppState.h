@@ -41,6 +41,7 @@ struct Hand {
   float lastSpan = 0;
   float pressure = 1;  // of the pen
   Vec2 cursor{0};      // moved by keys: from the middle of the part of the picture that nothing covers, in heights of the picture
+  std::optional<Vec2> hover{};  // where a pointer is that may be up
   float keyHold = 0;   // seconds that a key still holds the tool at the cursor
   // Of a brush of the groom that is held still: seconds that are due, steps since its last dab.
   float due = 0;
@@ -86,12 +87,14 @@ struct App::State {
   struct Uploaded {
     std::uint64_t surface = 0, pose = 0, bends = 0, image = 0;
     std::vector<groom::Whisker> whiskers{};
-    bool showsMask = false, painted = false, shaped = false;
+    std::uint64_t overPaint = 0;  // what lies over it: 0 nothing, 1 the mask, above 1 a map of hair
+    bool painted = false, shaped = false;
     struct Scalp {
       std::uint64_t growth = 0, nodes = 0;
     };
     std::vector<Scalp> scalps{};
   } uploaded;
+  const hair::HairView* hairView = nullptr;
   std::uint64_t changed = 1, noticed = 0, imageRevision = 1;
   struct {
     std::uint64_t surface = 0;
@@ -143,6 +146,9 @@ struct App::State {
   void uploadGroom(bool whole);
   void uploadHair();
   render::HairGrowth hairGrowth(std::size_t scalp) const;
+  HairStage::Look hairLook() const;
+  // The map that the brush Scalp paints lies over the coat.
+  bool showsScalp() const { return hairView && !hairView->instead && !hairView->mapColors.empty(); }
   void uploadLengths(const geometry::TexelRect& changed);
   bool showsMask() const;  // with the paint, for who is grooming
   bool showsForces() const { return static_cast<render::View>(settings.view) == render::View::Forces; }
@@ -198,6 +204,7 @@ struct App::State {
 
   // --- AppHair.cpp ---
   void beginHairStroke();
+  bool haired() const { return !hair->style().empty(); }
 
   // --- AppSaving.cpp ---
   Vec3 pictureAt(const geometry::SurfacePoint& at) const;

@@ -1,12 +1,14 @@
 #include "app/LongHair.h"
 
 #include "app/stages/GrownHair.h"
+#include "render/passes/hairview/HairViews.h"
 #include "scene/Model.h"
 
 namespace fur::app {
 
 void growLongHair() {
   HairStage::growWith([]() -> std::unique_ptr<HairStage> { return std::make_unique<GrownHair>(); });
+  render::HairViews::showWith(render::makeHairViews);
   scene::readLongHair();
 }
 

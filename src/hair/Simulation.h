@@ -71,6 +71,11 @@ class Simulation {
   bool atRest() const { return asleep_; }
   // Guide after guide, world space.
   std::span<const GuideNode> nodes() const { return shown_; }
+  // Where springs pull the nodes, likewise: to the rest shape as it stands (Spring), or on from the segments before them as
+  // they are (Cascade, Forest); without what is raised against gravity, which takes it back. Where nothing pulls it is the node's place.
+  std::vector<Vec3> references() const;
+  // Of each guide, 1: it moves by forces of its own; 0: it is static, or follows its neighbours (AdaptiveDetail.h).
+  std::vector<std::uint8_t> simulated() const;
   // Nodes that were moved by forces since reset(), with what fills up blocks: what the work grows with.
   std::size_t nodeSteps() const { return nodeSteps_; }
 

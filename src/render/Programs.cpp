@@ -2,7 +2,7 @@
 
 #include "render/ShaderSources.h"
 #include "render/ShaderText.h"
-#include "shared/Blocks.h"
+#include "shared/Hair.h"
 
 namespace fur::render {
 
@@ -113,46 +113,50 @@ void Programs::begin(Shader shader, unsigned variant) {
                                          definesOf(variant)));
 }
 
+bool Programs::finish(gl::Program& program) {
+  if (const Status status = program.finish(); !status) {
+    error_ = status.error();
+    return false;
+  }
+  program.bindBlock("FrameBlock", FUR_FRAME_BINDING);
+  program.bindBlock("FurBlock", FUR_COAT_BINDING);
+  program.bindBlock("HairBlock", FUR_HAIR_BINDING);
+  program.bindSampler("coverage", FUR_UNIT_COVERAGE);
+  program.bindSampler("strand", FUR_UNIT_STRAND);
+  program.bindSampler("offset", FUR_UNIT_OFFSET);
+  program.bindSampler("finCoverage", FUR_UNIT_FIN_COVERAGE);
+  program.bindSampler("finStrand", FUR_UNIT_FIN_STRAND);
+  program.bindSampler("mask", FUR_UNIT_MASK);
+  program.bindSampler("bends", FUR_UNIT_BEND);
+  program.bindSampler("groom", FUR_UNIT_GROOM);
+  program.bindSampler("paint", FUR_UNIT_PAINT);
+  program.bindSampler("shapeMap", FUR_UNIT_SHAPE);
+  program.bindSampler("lockCentres", FUR_UNIT_LOCK_CENTRES);
+  program.bindSampler("baseColor", FUR_UNIT_BASE_COLOR);
+  program.bindSampler("shadowMap", FUR_UNIT_GROUND);
+  program.bindSampler("puddles", FUR_UNIT_PUDDLES);
+  program.bindSampler("streaks", FUR_UNIT_STREAKS);
+  program.bindSampler("source", FUR_UNIT_GROUND);
+  program.bindSampler("strandM", FUR_UNIT_STRAND_M);
+  program.bindSampler("strandN", FUR_UNIT_STRAND_N);
+  program.bindSampler("firstSurfaces", FUR_UNIT_SHADOW);
+  program.bindSampler("opacities", FUR_UNIT_OPACITY);
+  program.bindSampler("hairNodes", FUR_UNIT_HAIR_NODES);
+  program.bindSampler("wisps", FUR_UNIT_WISPS);
+  program.bindSampler("hairPoints", FUR_UNIT_HAIR_POINTS);
+  program.bindSampler("memberStrands", FUR_UNIT_MEMBER_STRANDS);
+  program.bindSampler("strips", FUR_UNIT_STRIPS);
+  program.bindSampler("ambient", FUR_UNIT_HAIR_AMBIENT);
+  return true;
+}
+
 const gl::Program* Programs::use(Shader shader, unsigned variant) {
   const auto key = std::pair(shader, variant);
   auto found = programs_.find(key);
   if (found == programs_.end()) {
     begin(shader, variant);
     auto linked = begun_.extract(key);
-    if (const Status status = linked.mapped().finish(); !status) {
-      error_ = status.error();
-      return nullptr;
-    }
-    gl::Program& program = linked.mapped();
-    program.bindBlock("FrameBlock", FUR_FRAME_BINDING);
-    program.bindBlock("FurBlock", FUR_COAT_BINDING);
-    program.bindBlock("HairBlock", FUR_HAIR_BINDING);
-    program.bindSampler("coverage", FUR_UNIT_COVERAGE);
-    program.bindSampler("strand", FUR_UNIT_STRAND);
-    program.bindSampler("offset", FUR_UNIT_OFFSET);
-    program.bindSampler("finCoverage", FUR_UNIT_FIN_COVERAGE);
-    program.bindSampler("finStrand", FUR_UNIT_FIN_STRAND);
-    program.bindSampler("mask", FUR_UNIT_MASK);
-    program.bindSampler("bends", FUR_UNIT_BEND);
-    program.bindSampler("groom", FUR_UNIT_GROOM);
-    program.bindSampler("paint", FUR_UNIT_PAINT);
-    program.bindSampler("shapeMap", FUR_UNIT_SHAPE);
-    program.bindSampler("lockCentres", FUR_UNIT_LOCK_CENTRES);
-    program.bindSampler("baseColor", FUR_UNIT_BASE_COLOR);
-    program.bindSampler("shadowMap", FUR_UNIT_GROUND);
-    program.bindSampler("puddles", FUR_UNIT_PUDDLES);
-    program.bindSampler("streaks", FUR_UNIT_STREAKS);
-    program.bindSampler("source", FUR_UNIT_GROUND);
-    program.bindSampler("strandM", FUR_UNIT_STRAND_M);
-    program.bindSampler("strandN", FUR_UNIT_STRAND_N);
-    program.bindSampler("firstSurfaces", FUR_UNIT_SHADOW);
-    program.bindSampler("opacities", FUR_UNIT_OPACITY);
-    program.bindSampler("hairNodes", FUR_UNIT_HAIR_NODES);
-    program.bindSampler("wisps", FUR_UNIT_WISPS);
-    program.bindSampler("hairPoints", FUR_UNIT_HAIR_POINTS);
-    program.bindSampler("memberStrands", FUR_UNIT_MEMBER_STRANDS);
-    program.bindSampler("strips", FUR_UNIT_STRIPS);
-    program.bindSampler("ambient", FUR_UNIT_HAIR_AMBIENT);
+    if (!finish(linked.mapped())) return nullptr;
     found = programs_.insert(std::move(linked)).position;
   }
   found->second.use();

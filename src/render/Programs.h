@@ -56,6 +56,8 @@ class Programs {
   void begin(Shader shader, unsigned variant);
   // The program, bound for use; null where the driver refuses a shader of it, which error() then tells.
   [[nodiscard]] const gl::Program* use(Shader shader, unsigned variant);
+  // Ends what gl::Program::begin() began, of a pass that brings its own shaders; false as above.
+  [[nodiscard]] bool finish(gl::Program& program);
   const Error& error() const { return error_; }
 
  private:

@@ -145,15 +145,16 @@ Status Renderer::draw(const Frame& frame) {
 
 bool Renderer::drawPasses(const Drawing& drawing) {
   const auto view = static_cast<View>(drawing.frame.settings.view);
-  if (view == View::Final) return drawFinal(drawing);
+  const bool ofHair = view == View::Final && hairViews_ && hairViews_->instead();
+  if (view == View::Final && !ofHair) return drawFinal(drawing);
   const bool counts = view == View::Overdraw || view == View::Steps, transparent = drawing.frame.transparent;
-  return (counts || transparent || drawBackground(drawing)) && (counts ? drawCounts(drawing, view) : drawView(drawing, view)) &&
+  return (counts || transparent || drawBackground(drawing)) && (counts ? drawCounts(drawing, view) : ofHair ? hairViews_->draw(drawing, hair_) : drawView(drawing, view)) &&
          (!transparent || drawBackground(drawing));
 }
 
 bool Renderer::drawFinal(const Drawing& drawing) {
-  return drawBall(drawing) && drawModel(drawing, kPlain) && hair_.draw(drawing) && whiskers_.draw(drawing) && ground_.draw(drawing, groundShadow_) &&
-         drawBackground(drawing) && drops_.draw(drawing);
+  return drawBall(drawing) && drawModel(drawing, kPlain) && (hairViews_ ? hairViews_->draw(drawing, hair_) : hair_.draw(drawing)) && whiskers_.draw(drawing) &&
+         ground_.draw(drawing, groundShadow_) && drawBackground(drawing) && drops_.draw(drawing) && (!hairViews_ || hairViews_->drawLines(drawing));
 }
 
 bool Renderer::drawModel(const Drawing& drawing, unsigned view) {
@@ -186,7 +187,7 @@ bool Renderer::drawPart(const Drawing& drawing, const ViewPart& part) {
 
 std::size_t Renderer::gpuBytes() const {
   return surface_.bytes() + maps_.bytes() + fur_.bytes() + strandTables_.bytes() + groundShadow_.bytes() + furShadow_.bytes() + shells_.bytes() +
-         fins_.bytes() + hair_.bytes() + whiskers_.bytes() + ground_.bytes() + drops_.bytes() + small_.bytes();
+         fins_.bytes() + hair_.bytes() + (hairViews_ ? hairViews_->bytes() : 0) + whiskers_.bytes() + ground_.bytes() + drops_.bytes() + small_.bytes();
 }
 
 std::size_t Renderer::takeUploadedBytes() { return std::exchange(uploadedBytes_, 0); }

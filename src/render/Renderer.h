@@ -24,6 +24,7 @@
 #include "render/passes/shadow/FurShadow.h"
 #include "render/passes/shell/ShellPass.h"
 #include "render/passes/hair/HairPass.h"
+#include "render/passes/hairview/HairViews.h"
 #include "render/passes/whisker/WhiskerPass.h"
 
 namespace fur::render {
@@ -44,6 +45,9 @@ class Renderer {
   void setScalps(std::size_t count) { hair_.setScalps(count); }
   void growHair(std::size_t scalp, const HairGrowth& growth) { uploadedBytes_ += hair_.grow(scalp, growth); }
   void moveHair(std::size_t scalp, std::span<const hair::GuideNode> nodes) { uploadedBytes_ += hair_.move(scalp, nodes); }
+
+  // What views and tools show of it; nullptr: nothing. Looked at while frames are drawn. Without HairViews it is not shown.
+  void viewHair(const hair::HairView* view) { if (hairViews_) hairViews_->show(view); }
 
   // A coat comes in pieces, while the one before stays in the picture: beginFur(), each layer and the fin
   // map with their mipmaps in any order, showFur(). beginFur() anew drops what came.
@@ -99,6 +103,7 @@ class Renderer {
   FinPass fins_;
   ArrowPass arrows_;
   HairPass hair_;
+  std::unique_ptr<HairViews> hairViews_ = HairViews::make();
   WhiskerPass whiskers_;
   GroundPass ground_;
   DropPass drops_;

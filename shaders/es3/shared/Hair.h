@@ -37,6 +37,12 @@ FUR_BLOCK(HairBlock) {
   float hairUnused0, hairUnused1;
 };
 
+// Of views: lines, an instance each; and colours, of wisps or over the atlas.
+#define FUR_LINE_FROM 0  // model space; w: width, pixels
+#define FUR_LINE_TO 1    // w: hair::ViewLine::lift
+#define FUR_LINE_COLOR 2
+#define FUR_UNIT_HAIR_COLORS 25
+
 // Texels of a wisp: its offset and width at the root; weights of its guides and length; what its magnet adds to those weights
 // and its rotation; numbers of its guides and its random number; the skin's normal and its splits.
 #define FUR_WISP_OFFSET 0

@@ -370,7 +370,9 @@ std::uint64_t EditorHost::pictureHash() const {
 // Where the tool would reach from the pointer.
 void EditorHost::drawRing() {
   const ImVec2 at = ImGui::GetIO().MousePos;
-  if (scale_.touch || !ImGui::IsMousePosValid() || covers({at.x, at.y})) return;
+  const bool elsewhere = scale_.touch || !ImGui::IsMousePosValid() || covers({at.x, at.y});
+  app_.hover(elsewhere ? std::nullopt : std::optional(Vec2(at.x, at.y)));
+  if (elsewhere) return;
   const auto draw = [&](bool ofMirror, int opacity) {
     std::vector<ImVec2> ring;
     for (const Vec2& point : app_.brushRing({at.x, at.y}, ofMirror)) ring.emplace_back(point.x, point.y);

@@ -25,6 +25,10 @@ class GrownHair final : public HairStage {
   void setValues(std::size_t scalp, const hair::HairValues& values) override;
   Status setValue(std::size_t scalp, std::string_view name, std::string_view text, Warnings& warnings) override;
 
+  const hair::HairView* view(const Look& look) override;
+  const groom::GroomMap& paintUnderView(const groom::GroomMap& paint) override;
+  bool pointsElsewhere(const Look& look) override;
+
   Status readFile(const ShapeStage& shape, const groom::GroomSurface& skin, std::span<const std::uint8_t> bytes, const std::string& name) override;
   Result<std::vector<std::uint8_t>> writeFile() const override;
   std::vector<std::uint8_t> save() const override;
@@ -71,6 +75,16 @@ class GrownHair final : public HairStage {
   template <class Work>
   void forScalps(const Inputs& inputs, Work work);
 
+  std::optional<Near> pointedNode(const Look& look) const;
+  void viewLines(const Look& look);
+  void viewGuides(std::size_t scalp, const Look& look);
+  void viewPointed(const Look& look);
+  void viewSprings(std::size_t scalp, const Look& look);
+  void viewBodies(const Look& look);
+  void viewColors(const Look& look);
+  std::vector<hair::ViewColor> mapColors(const Look& look) const;
+  std::vector<hair::ViewColor> wispColors(std::size_t scalp, const Look& look) const;
+
   std::vector<LiveScalp> scalps_;  // one for each of the style's
   // The stroke of a tool that works on guides: where it was (rest shape), the distance of the plane that it works in, and the guide
   // and node where it began.
@@ -80,6 +94,11 @@ class GrownHair final : public HairStage {
     Near first;
   };
   std::optional<Stroke> guideStroke_;
+  hair::HairView view_;
+  bool mapOver_ = false;  // its map lies over the coat
+  groom::GroomMap paintUnderView_;
+  std::uint64_t linesFor_ = 0, colorsFor_ = 0;  // hashes of what view_ is made of
+  std::pair<std::size_t, std::size_t> pointedAt_{};  // guide and node
   bool stale_ = false;             // style_ has changed since they grew
   bool settled_ = false;
   std::uint64_t surfaceFor_ = 0;

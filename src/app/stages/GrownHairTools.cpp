@@ -13,8 +13,6 @@ namespace {
 
 // What one dab at full strength does.
 constexpr float kLonger = 1.06f, kTurns = 0.35f, kTwist = 0.15f;
-// A node can be taken hold of so near to the pointer, in brush radii.
-constexpr float kGrip = 0.5f;
 // Hanging hair lies on the coat, which gives way a little, and stays so far outside of bare skin, model units.
 constexpr float kOnCoat = 0.75f, kClearance = 0.015f;
 
@@ -75,7 +73,7 @@ bool GrownHair::shapeGuides(const Dab& dab) {
   const settings::Settings& settings = dab.settings;
   const bool moves = dab.tool == Tool::HairComb || dab.tool == Tool::HairMove;
   if (!guideStroke_ || !moves) {
-    const auto near = nearestNode(dab.origin, dab.direction, settings.brushRadius * (dab.tool == Tool::HairMove ? kGrip : 1));
+    const auto near = nearestNode(dab.origin, dab.direction, reachOf(dab.tool, settings));
     if (!near) return false;
     if (!guideStroke_) guideStroke_ = Stroke{near->rest, near->shown, -dab.direction, *near};
     guideStroke_->last = near->rest;

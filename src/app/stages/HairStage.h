@@ -18,6 +18,7 @@
 #include "core/Result.h"
 #include "dynamics/Contact.h"
 #include "dynamics/Wind.h"
+#include "hair/HairView.h"
 #include "hair/MemberStrands.h"
 #include "hair/Scalp.h"
 #include "hair/Wisps.h"
@@ -92,6 +93,25 @@ class HairStage {
   virtual void setValues(std::size_t /*scalp*/, const hair::HairValues&) {}
   // Within a stroke: a value of HairFields.inc, or "name".
   virtual Status setValue(std::size_t scalp, std::string_view name, std::string_view text, Warnings& warnings);
+
+  // --- views ---
+  // What a person looks at and points at.
+  struct Look {
+    const settings::Settings& settings;
+    Tool tool;
+    bool saved = false;     // a picture for a file, on which tools show nothing
+    float pixelRatio = 1;
+    int mapSize = 0;        // of the groom's maps
+    Mat4 worldFromModel{1.0f};
+    bool points = false;    // at `direction` (unit) from `origin`, model space
+    Vec3 origin{0}, direction{0};
+  };
+  // What views and tools show now, until the next call; nullptr: nothing.
+  virtual const hair::HairView* view(const Look&) { return nullptr; }
+  // The coat's paint with the colours of that view over it.
+  virtual const groom::GroomMap& paintUnderView(const groom::GroomMap& paint) { return paint; }
+  // Whether the pointer is at another node than when it was last asked, so that view() changes.
+  virtual bool pointsElsewhere(const Look&) { return false; }
 
   // --- files ---
   // Within a stroke: the strands of a .hair file become the guides of the selected scalp, or of a new one.

@@ -25,6 +25,8 @@ class HairPass {
   // How far from the model's origin any comes; 0 without any.
   float reach() const;
 
+  const std::vector<HairScalp>& scalps() const { return scalps_; }
+
   // Before anything draws hair; see HairScalp::update().
   bool update(Programs& programs);
   bool draw(const Drawing& drawing) const;
