@@ -243,7 +243,7 @@ class Comparison {
     std::vector<truth::LongHair> out;
     for (std::size_t scalp = 0; scalp < app_.hairstyle().scalps.size(); ++scalp) {
       const render::HairGrowth growth = app_.hairGrowth(scalp);
-      out.push_back({growth.wisps, growth.members, app_.hairNodes(scalp), growth.nodes, growth.values});
+      out.push_back({growth.wisps, growth.members, app_.hairNodes(scalp), growth.nodes, growth.values, growth.ambient, base_.hairOcclusion});
     }
     return out;
   }

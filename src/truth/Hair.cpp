@@ -36,8 +36,18 @@ std::vector<Place> placesOf(const LongHair& hair, const hair::Wisp& wisp) {
   return out;
 }
 
-void placeWisp(const Scene& scene, std::uint32_t scalp, const hair::Wisp& wisp, Tubes& out) {
+// The light from all around that comes to a wisp's middle line.
+float ambientAt(const LongHair& hair, std::size_t wisp, float t) {
+  if (hair.ambient.empty()) return 1;
+  const float at = t * hair::kStripSegments;
+  const std::size_t below = std::min(static_cast<std::size_t>(at), static_cast<std::size_t>(hair::kStripSegments - 1));
+  const std::uint8_t* points = &hair.ambient[wisp * (hair::kStripSegments + 1)];
+  return glm::mix(static_cast<float>(points[below]), static_cast<float>(points[below + 1]), at - static_cast<float>(below)) / 255.0f;
+}
+
+void placeWisp(const Scene& scene, std::uint32_t scalp, std::size_t number, Tubes& out) {
   const LongHair& hair = scene.hair[scalp];
+  const hair::Wisp& wisp = hair.wisps[number];
   const hair::WispShape shape = hair::shapeOf(hair.values);
   const std::vector<Place> places = placesOf(hair, wisp);
   const std::size_t each = hair.members.size() / hair::kWispKinds;
@@ -53,15 +63,13 @@ void placeWisp(const Scene& scene, std::uint32_t scalp, const hair::Wisp& wisp, 
         const TubeNode& last = out.nodes.back();
         p = glm::mix(last.position, p, (t - last.height) / (place.t - last.height));
       }
-      out.nodes.push_back({p, 0.5f * hair.values.strandWidth * hair::memberWidth(member, t), wisp.normal, t, front});
+      out.nodes.push_back({p, 0.5f * hair.values.strandWidth * hair::memberWidth(member, t), wisp.normal, t,
+                           glm::mix(0.55f, 1.0f, front) * glm::mix(1.0f, ambientAt(hair, number, t), hair.occlusion)});
       if (t == member.length) break;
     }
     out.tubes.push_back({first, static_cast<std::uint32_t>(out.nodes.size()) - first, member.random, scalp});
   }
 }
-
-// How much of the light from all around comes there, for what lies before it in its wisp and for roots among all others.
-float heightOf(const TubeNode& node) { return glm::mix(0.55f, 1.0f, node.front) * glm::mix(0.5f, 1.0f, glm::smoothstep(0.0f, 0.25f, node.height)); }
 
 Vec3 shadeNode(const Scene& scene, const hair::StrandLook& look, const LongHair& of, const TubeNode& node, const Vec3& tangent, float strand,
                float lit, Light light) {
@@ -69,7 +77,7 @@ Vec3 shadeNode(const Scene& scene, const hair::StrandLook& look, const LongHair&
   // Turned the way of the skin that it grows from; where it stands up from it, towards the light.
   const Vec3 leant = node.normal + 0.35f * toLight + 1e-4f * view;
   const Vec3 z = normalizeOr(leant - tangent * glm::dot(tangent, leant), node.normal);
-  const float nDotL = glm::dot(z, toLight), nDotV = glm::dot(z, view), height = heightOf(node);
+  const float nDotL = glm::dot(z, toLight), nDotV = glm::dot(z, view), height = node.share;
   const Vec3 albedo = hair::strandColor(linearColor(of.values.rootColor), linearColor(of.values.tipColor), node.height, strand, of.values.variance);
   hair::StrandLight lights;
   lights.key = Vec3(scene.frame.keyLight) * (light == Light::Traced ? lit : hair::keyShare(look, height, nDotL, lit));
@@ -77,7 +85,9 @@ Vec3 shadeNode(const Scene& scene, const hair::StrandLook& look, const LongHair&
   lights.fill = scene.frame.fillLight;
   lights.rim = Vec3(scene.frame.backLight) * hair::fringe(nDotV, height);
   lights.sky = skyLight(scene, z);
-  return hair::shadeStrand(look, albedo, tangent, toLight, view, nDotL, nDotV, height, 0, lights, strand);
+  // A strand is not as even as its wisp.
+  const Vec3 tilted = glm::normalize(tangent + z * (0.12f * std::sin(2 * kPi * (strand + 3 * node.height))));
+  return hair::shadeStrand(look, albedo, tilted, toLight, view, nDotL, nDotV, height, 0, lights, strand);
 }
 
 }  // namespace
@@ -89,7 +99,7 @@ Tubes placeHair(const Scene& scene) {
     std::vector<Tubes> parts((wisps.size() + kWispsAPiece - 1) / kWispsAPiece);
     inParallel(parts.size(), [&](std::size_t piece) {
       const std::size_t end = std::min((piece + 1) * kWispsAPiece, wisps.size());
-      for (std::size_t i = piece * kWispsAPiece; i < end; ++i) placeWisp(scene, scalp, wisps[i], parts[piece]);
+      for (std::size_t i = piece * kWispsAPiece; i < end; ++i) placeWisp(scene, scalp, i, parts[piece]);
     });
     for (const Tubes& part : parts) all.append(part);
   }
@@ -102,6 +112,7 @@ std::vector<Vec3> shadeHair(const Scene& scene, const Tubes& tubes, const Shadow
     const LongHair& of = scene.hair[tube.scalp];
     hair::StrandLook look = lookOf(scene);
     look.dryShininess = of.values.shininess;
+    look.specular = of.values.gloss;
     for (std::uint32_t k = tube.firstNode; k < tube.firstNode + tube.nodeCount; ++k) {
       const TubeNode& node = tubes.nodes[k];
       const Vec3 tangent = tangentAt(tubes, tube, k);

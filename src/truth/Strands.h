@@ -18,7 +18,7 @@ struct TubeNode {
   float radius;   // model units
   Vec3 normal;    // of the surface that it stands over, unit
   float height;   // 0..1
-  float front = 1;  // of long hair: how near to the eye it lies in its wisp, 0..1
+  float share = 1;  // of long hair: what other hair leaves of the light from all around
 };
 
 struct Tube {

@@ -41,6 +41,8 @@ struct LongHair {
   std::span<const hair::GuideNode> nodes;       // model space, guide after guide
   int nodesEach = 0;
   const hair::HairValues& values;
+  std::span<const std::uint8_t> ambient{};  // hair/AmbientOcclusion.h; none: all light comes everywhere
+  float occlusion = 0;                      // the setting hairOcclusion
 };
 
 // What is drawn. `frame` and `coat` are the shaders' uniform blocks (shared/Blocks.h); the layers in `coat` are not used.

@@ -43,7 +43,7 @@ struct Desk {
     std::vector<LongHair> hair;
     if (app.haired()) {
       const render::HairGrowth growth = app.hairGrowth(0);
-      hair.push_back({growth.wisps, growth.members, app.hairNodes(0), growth.nodes, growth.values});
+      hair.push_back({growth.wisps, growth.members, app.hairNodes(0), growth.nodes, growth.values, growth.ambient, frame.settings.hairOcclusion});
     }
     return render({app.surface(), coat, app.bends(), render::frameBlock(frame),
                    render::furBlock(frame, coat.parameters.size, 64, {densestSection(coat)}, 1), dynamics::BendCurve::Arc, hair},
