@@ -193,6 +193,43 @@ TEST(FurShadow, ALoneLayerOfStrandsDoesNotShadowItself) {
   });
 }
 
+TEST(FurShadow, LooksOpacityUpAsItsTwin) {
+  // Sixteen layers alike in all texels, from a first surface at 0.3 of a range of 2 on; depth runs along x.
+  test::Stage stage(FUR_TWIN_SIZE, FUR_TWIN_SIZE);
+  constexpr int kLayers = 4 * FUR_SHADOW_TARGETS;
+  std::vector<double> sigma;
+  std::vector<std::uint8_t> texels;
+  for (int i = 0; i < kLayers; ++i) sigma.push_back(static_cast<double>(i * i) / 255.0);
+  for (int target = 0; target < FUR_SHADOW_TARGETS; ++target)
+    for (int texel = 0; texel < FUR_OPACITY_SIZE * FUR_OPACITY_SIZE; ++texel)
+      for (int k = 0; k < 4; ++k) texels.push_back(static_cast<std::uint8_t>((4 * target + k) * (4 * target + k)));
+  std::vector<std::uint8_t> depths;
+  for (int texel = 0; texel < FUR_OPACITY_SIZE * FUR_OPACITY_SIZE; ++texel) depths.insert(depths.end(), {76, 127, 255, 255});
+  const gl::Texture opacities({gl::TexelFormat::RGBA8, FUR_OPACITY_SIZE, FUR_OPACITY_SIZE, FUR_SHADOW_TARGETS, gl::Filter::Nearest}, std::as_bytes(std::span(texels)));
+  const gl::Texture first({gl::TexelFormat::RGBA8, FUR_OPACITY_SIZE, FUR_OPACITY_SIZE, 0, gl::Filter::Nearest}, std::as_bytes(std::span(depths)));
+  shared::FrameBlock frame{};
+  frame.lightFromModel = Mat4(0.0f);
+  frame.lightFromModel[0] = Vec4(0, 0, 1, 0);     // depth: 1 + x
+  frame.lightFromModel[3] = Vec4(0.5f, 0.5f, 1, 1);
+  frame.shadowRange = 2, frame.shadowLayerDepth = 0.08f, frame.shadowExtinction = 1.442695f;
+  const gl::Buffer block(gl::BufferKind::Uniform, gl::bytesOf(frame), true);
+  block.bindAsBlock(FUR_FRAME_BINDING);
+  opacities.bind(FUR_UNIT_OPACITY);
+  first.bind(FUR_UNIT_SHADOW);
+  const auto program = gl::Program::link("lookup", stageText(shaders::kScreenVert), stageText(shaders::kTwinsFrag), "#define FUNCTION 11\n#define SHADOW_LAYERS 1\n");
+  ASSERT_TRUE(program);
+  program.value().bindSampler("firstSurfaces", FUR_UNIT_SHADOW);
+  program.value().bindSampler("opacities", FUR_UNIT_OPACITY);
+  const test::Picture picture = test::drawTwin(stage, program.value());
+  const float surface = 2 * (76.0f + 127.0f / 255.0f) / 255.0f;
+  for (int x = 0; x < FUR_TWIN_SIZE; ++x) {
+    const float depth = 2 * static_cast<float>(x) / (FUR_TWIN_SIZE - 1);
+    // A layer less deep than it lies.
+    const float z = depth - surface - frame.shadowLayerDepth;
+    EXPECT_NEAR(test::twinValue(picture, x, 3), hair::transmittance(1, hair::opacityLookup(sigma, z, frame.shadowLayerDepth)), 1e-3f) << depth;
+  }
+}
+
 TEST(FurShadow, DeepensWithTheFurAbove) {
   const std::uint8_t full[8] = {255, 255, 255, 255, 255, 255, 255, 255};
   for (const Shadows shadows : {Shadows::Depth, Shadows::Layers}) {

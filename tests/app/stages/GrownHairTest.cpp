@@ -77,7 +77,14 @@ TEST(GrownHair, GrowsWhereItsScalpIsPaintedAndNowhereElse) {
 TEST(GrownHair, EveryEditIsOneStepThatUndoTakesBackAndRedoBringsAgain) {
   Head head;
   head.growEverywhere();
-  for (const auto& [what, value] : {std::pair(HairEdit::AddScalp, 1.0f), {HairEdit::Cover, 0.5f}, {HairEdit::AddSphere, 0.5f},
+  // Some to let swing and to show again.
+  head.settings.brushRadius = 0.3f;
+  head.settings.groomStrength = 1;
+  ASSERT_TRUE(head.stroke(Tool::HairHold, {-0.2f, 0.1f}, {0.2f, 0.1f}));
+  ASSERT_TRUE(head.stroke(Tool::HairHide, {-0.2f, 0.1f}, {0.2f, 0.1f}));
+  for (const auto& [what, value] : {std::pair(HairEdit::ShowAll, 0.0f), {HairEdit::FreeAll, 0.0f}, {HairEdit::Hang, 0.7f}, {HairEdit::Curl, 2.0f},
+                                    {HairEdit::Twist, 1.0f}, {HairEdit::Straighten, 0.5f}, {HairEdit::Lengthen, 1.5f}, {HairEdit::Mirror, 1.0f},
+                                    {HairEdit::AddScalp, 1.0f}, {HairEdit::Select, 0.0f}, {HairEdit::Select, 1.0f}, {HairEdit::Cover, 0.5f}, {HairEdit::AddSphere, 0.5f},
                                     {HairEdit::ClearBodies, 0.0f}, {HairEdit::Remove, 0.0f}, {HairEdit::Plant, 30.0f}, {HairEdit::Clear, 0.0f}}) {
     const auto before = head.hair.save();
     const auto step = head.edit(what, value);
@@ -193,12 +200,13 @@ TEST(GrownHair, GoesOnSwingingWhereOnlyItsLooksChange) {
 }
 
 TEST(GrownHair, IsShapedByToolsWhereItIsSeenEachStrokeAStepOfUndo) {
-  for (const Tool tool : {Tool::HairComb, Tool::HairMove, Tool::HairCut, Tool::HairLength, Tool::HairCurl, Tool::HairTwist, Tool::HairCopy, Tool::HairHold,
-                          Tool::HairHide}) {
+  for (const Tool tool : {Tool::Scalp, Tool::HairComb, Tool::HairMove, Tool::HairCut, Tool::HairLength, Tool::HairCurl, Tool::HairTwist, Tool::HairCopy,
+                          Tool::HairHold, Tool::HairHide}) {
     Head head;
     head.settings.brushRadius = tool == Tool::HairMove ? 0.6f : 0.3f;  // which takes hold within half of that
     head.settings.groomStrength = 1;
     head.growEverywhere();
+    if (tool == Tool::Scalp) head.edit(HairEdit::Cover, 0);
     // Shapes to copy and to twist.
     if (tool == Tool::HairCopy || tool == Tool::HairTwist) ASSERT_TRUE(head.stroke(Tool::HairCurl, {-0.2f, 0.1f}, {0, 0.1f}));
     const auto before = head.hair.save();
