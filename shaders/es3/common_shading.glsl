@@ -100,31 +100,31 @@ float glossShare(float nDotL) { return clamp(1.6 * nDotL + 0.6, 0.0, 1.0); }
 //   exponent p (1 + sigma_spec (rho - 1))                    Eq. 3: from dryShininess to shininess
 //   occ = 1 + sigma_occ (h - 1), wet = 1 - sigma_wet rho     Eq. 5
 // C_s: a white lobe, mirrored on the scales, and a wider one that went through the strand and has its colour;
-// or Marschner's model, which has all light that goes through strands. L and V point away from the strand.
+// or Marschner's model, which has all light that goes through strands. L and V point away from the strand; of both: `along`: cosines
+// to T, `normal`: to the surface's normal, `facing`: to each other.
 // `lit` is the share of the light that reaches the spot, `strand` the strand's random number (its variance), `shine` the gloss.
-vec3 shadeStrand(vec3 albedo, vec3 T, vec3 L, vec3 V, float h, float rho, float lit, float upness, float strand, float exponent, float shine) {
-  vec3 key = keyLight.rgb * lightShare(lit, h, L.z);
-  vec2 along = vec2(dot(T, L), dot(T, V)), across = sqrt(max(vec2(0.0), 1.0 - along * along));
-  vec2 diffuse = mix(across, max(vec2(L.z, V.z), 0.0), lambert);  // of the key light, of the fill light
+vec3 shadeStrand(vec3 albedo, vec2 along, vec2 normal, float facing, float h, float rho, float lit, float upness, float strand, float exponent, float shine) {
+  vec3 key = keyLight.rgb * lightShare(lit, h, normal.x);
+  vec2 across = sqrt(max(vec2(0.0), 1.0 - along * along)), diffuse = mix(across, max(normal, 0.0), lambert);  // of the key light, of the fill light
 #ifdef MARSCHNER
   // The setting 0.5 is the strand as it is.
-  vec3 gloss = 2.0 * shine * glossShare(L.z) * key * marschnerStrand(albedo, along, across, dot(L, V), exponent);
+  vec3 gloss = 2.0 * shine * glossShare(normal.x) * key * marschnerStrand(albedo, along, across, facing, exponent);
 #else
   // A lobe's energy falls as its exponent rises; sqrt(p) keeps a strand's total about even.
-  float strength = shine * sqrt(exponent / shininess) * glossShare(L.z);
+  float strength = shine * sqrt(exponent / shininess) * glossShare(normal.x);
   vec4 cosines = vec4(across.x * across.y, along.x * along.y, along * across.yx);
   vec2 shifts = lobeShifts(strand);
   vec3 gloss = (strength * key) * ((0.7 - 0.35 * rho) * kajiyaLobe(shiftedCosine(cosines, shifts.x), exponent) +
                                    albedo * kajiyaLobe(shiftedCosine(cosines, shifts.y), 0.5 * exponent));
-  gloss += albedo * (1.6 * keyLight.rgb * lit * rimLight(dot(L, V), V.z, h));
+  gloss += albedo * (1.6 * keyLight.rgb * lit * rimLight(facing, normal.y, h));
 #endif
-  gloss += (albedo + 0.3) * fringe(V.z, h);
+  gloss += (albedo + 0.3) * fringe(normal.y, h);
   vec3 color = albedo * (key * diffuse.x + fillLight * diffuse.y + skyLight(upness)) + gloss;
   return color * (1.0 + occlusion * (h - 1.0)) * (1.0 - wetDarkening * rho);
 }
 // The same with the coat's own exponent and gloss.
 vec3 shadeStrand(vec3 albedo, vec3 T, vec3 L, vec3 V, float h, float rho, float lit, float upness, float strand) {
-  return shadeStrand(albedo, T, L, V, h, rho, lit, upness, strand, max(mix(dryShininess, shininess, rho), 1.0), specular);
+  return shadeStrand(albedo, vec2(dot(T, L), dot(T, V)), vec2(L.z, V.z), dot(L, V), h, rho, lit, upness, strand, max(mix(dryShininess, shininess, rho), 1.0), specular);
 }
 
 // Wet strands: C++ twins in hair/StrandShading.h, which says more.
@@ -134,10 +134,10 @@ vec3 clumpNormal(vec2 outward, float sheet) {
   return normalize(vec3(outward * (1.0 - 0.85 * sheet), mix(sqrt(max(1.0 - dot(outward, outward), 0.0)), 1.0, sheet) + 0.25));
 }
 
-// What water mirrors, as shares: x of the light, y of the sky.
-vec2 waterGloss(vec3 T, vec3 n, vec3 L, vec3 V, float held, float sheet, float strand) {
-  vec3 H = normalize(L + V);
-  float away = 1.0 - clamp(dot(n, V), 0.0, 1.0), faces = max(dot(n, H), 0.0), slope = dot(T, H);
+// What water mirrors, as shares: x of the light, y of the sky. Cosines as of shadeStrand(), `normal` to the clump's.
+vec2 waterGloss(vec2 along, vec2 normal, float facing, float nDotL, float held, float sheet, float strand) {
+  vec2 middle = vec2(normal.x + normal.y, along.x + along.y) * inversesqrt(max(2.0 + 2.0 * facing, 1e-6));  // of L + V
+  float away = 1.0 - clamp(normal.y, 0.0, 1.0), faces = max(middle.x, 0.0), slope = middle.y;
   float fresnel = away * away, film = min(held, 1.25);
   fresnel = 0.04 + 0.6 * fresnel * fresnel * away;
   // From strand to strand it lies elsewhere and is as strong as chance has it: fine lines instead of a band.
@@ -145,7 +145,10 @@ vec2 waterGloss(vec3 T, vec3 n, vec3 L, vec3 V, float held, float sheet, float s
   own *= mix(1.0, own, sheet);
   float glint = kajiyaLobe(faces, 1.3 * shininess) * (1.0 - 0.7 * slope * slope) * (mix(0.3, 0.1, sheet) + 3.0 * own) +
                 kajiyaLobe(sqrt(max(1.0 - shifted * shifted, 0.0)), 5.0 * shininess) * faces * faces * (0.1 + 1.2 * own);
-  return film * film * wetGloss * vec2(glossShare(L.z) * glint * mix(1.6, 0.5, sheet), fresnel * mix(0.5, 0.2 + 2.4 * strand, sheet));
+  return film * film * wetGloss * vec2(glossShare(nDotL) * glint * mix(1.6, 0.5, sheet), fresnel * mix(0.5, 0.2 + 2.4 * strand, sheet));
+}
+vec2 waterGloss(vec3 T, vec3 n, vec3 L, vec3 V, float held, float sheet, float strand) {
+  return waterGloss(vec2(dot(T, L), dot(T, V)), vec2(dot(n, L), dot(n, V)), dot(L, V), L.z, held, sheet, strand);
 }
 
 // A strand's light `color` as that of one in a clump: clumps are round and stand close, so their far sides and feet get

@@ -1,4 +1,4 @@
-// Long hair: strips, an instance a wisp; or strands one by one, an instance a strand.
+// Long hair: strips; or strands one by one. All of them are one instance: some drivers take long for each.
 #include "common.glsl"
 #include "common_hair.glsl"
 #include "common_hair_point.glsl"
@@ -7,18 +7,27 @@
 #else
 #include "common_hair_member.glsl"
 #include "common_line.glsl"
+#include "hair_light.glsl"
 #endif
 
 out vec4 vBand;     // strands: y: pixels that it is wide; strips: xy: place in the picture, times w
                     // z: height, 0 root to 1 tip  w: wetness
-out vec4 vTangent;  // model space; w: its random number
-out vec4 vView;     // to the eye; w: strips: that by which vBand.xy is divided; strands: how near to the front of its wisp, 0..1
-out vec4 vNormal;   // of the skin at its root; w: share of the light from all around
-out vec3 vLightSpace;
+// All that light on a strand depends on is cosines, which change little from vertex to vertex.
+out vec4 vAlong;    // of its tangent: to the light, to the eye, to above; strips: w: to the way that hair is turned
+out vec4 vUp;       // of the way that it is turned, across the strand and unit; of strips not yet; w: of the light to the eye
+out vec4 vStrand;   // x: its random number  y: how near to the front of its wisp, 0..1 (strands)  z: share of the light from all around
 #ifdef STRIPS
-out vec4 vAcross;   // unit; w: what a slope of its strands is in the model
+out vec4 vAcross;   // as vAlong, of the unit vector across the strip
+out vec4 vShape;    // x: that by which vBand.xy is divided  y: what a slope of its strands is in the model  z: vUp's square
+out vec3 vLightSpace;
 flat out float vKind;
+#else
+out float vLit;     // how much light comes through the fur
 #endif
+
+// Hair is turned the way of the skin that it grows from; where it stands up from it, towards the light.
+vec3 turnedTo(int wisp, vec3 V) { return wispNormal(wisp) + 0.35 * light.xyz + 1e-4 * V; }
+vec4 cosinesOf(vec3 T, vec3 V, vec3 way) { return vec4(dot(T, light.xyz), dot(T, V), dot(T, up.xyz), dot(T, way)); }
 
 #ifdef STRIPS
 // Half the wisp's width over its length: what a slope of its strands is in the model.
@@ -28,12 +37,14 @@ float slopeScale(StripVertex v, int wisp) {
   return reach / max(distance(wispPoint(wisp, near).position, v.middle.position) * float(FUR_WISP_SEGMENTS), 1e-4);
 }
 #else
-void strand(int instance) {
-  int strands = int(strandsDrawn), wisp = int(firstWisp) + instance / strands, member = instance % strands;
+// A ribbon begins and ends with a vertex twice: triangles of no area between it and the next.
+void strand() {
+  float segments = float(FUR_WISP_SEGMENTS) / pointStep;
+  int each = 2 * int(segments) + 4, strands = int(strandsDrawn), instance = gl_VertexID / each;
+  int vertex = clamp(gl_VertexID % each - 1, 0, each - 3), wisp = int(firstWisp) + instance / strands, member = instance % strands;
   vec3 shape = wispShape(wisp);
   vec4 ends = texelFetch(memberStrands, ivec2(2 * member, int(shape.z)), 0), waves = texelFetch(memberStrands, ivec2(2 * member + 1, int(shape.z)), 0);
-  float segments = float(FUR_WISP_SEGMENTS) / pointStep;
-  float t = min(float(gl_VertexID >> 1) / segments, waves.x);
+  float t = min(float(vertex >> 1) / segments, waves.x);
   HairNode middle = wispPoint(wisp, t);
   vec2 at = memberOffset(ends, waves, t);
   vec3 p = memberPoint(middle, at, shape.x, t);
@@ -44,31 +55,39 @@ void strand(int instance) {
   float width = widening * strandWidth * memberWidth(waves.x, t) / pixel;
   // As wide as it is, and a pixel at least: then samples find out what it covers, each where it lies. As alpha all strands would
   // get the same samples, and hair would be seen through.
-  float reach = (float(gl_VertexID & 1) - 0.5) * max(width, 1.0);
+  float reach = (float(vertex & 1) - 0.5) * max(width, 1.0);
   gl_Position = clipFromModel * vec4(lineEdge(p, tangent, toEye, reach, pixel), 1.0);
   vBand = vec4(0.0, width, t, middle.wetness);
-  vTangent = vec4(tangent, waves.w);
-  vec3 outward = normalize(toEye);
+#ifndef PLAIN
+  vec3 V = normalize(toEye), way = turnedTo(wisp, V);
+  way = normalize(way - tangent * dot(tangent, way));
+  vAlong = cosinesOf(tangent, V, way);
+  vUp = vec4(cosinesOf(way, V, way).xyz, dot(light.xyz, V));
   vec3 z = turned(middle.turn, vec3(at.x, 0.0, at.y));
-  vView = vec4(toEye, 0.5 + 0.5 * clamp(dot(z, outward), -1.0, 1.0));
-  vNormal = vec4(wispNormal(wisp), middle.visible);
-  vLightSpace = lightSpace(p);
+  vStrand = vec4(waves.w, 0.5 + 0.5 * clamp(dot(z, V), -1.0, 1.0), middle.visible, 0.0);
+  vLit = hairShadowAt(lightSpace(p));
+#endif
 }
 #endif
 
 void main() {
 #ifdef STRIPS
-  int wisp = int(firstWisp) + gl_InstanceID;
-  StripVertex v = stripVertex(gl_VertexID, wisp, eye.xyz, 1.0);
+  int perStrip = 6 * int(float(FUR_WISP_SEGMENTS) / pointStep), wisp = int(firstWisp) + gl_VertexID / perStrip;
+  StripVertex v = stripVertex(gl_VertexID % perStrip, wisp, eye.xyz, 1.0);
   gl_Position = clipFromModel * vec4(v.position, 1.0);
   vBand = vec4(v.picture.xy, v.t, v.middle.wetness);
-  vTangent = vec4(turned(v.middle.turn, vec3(0.0, 1.0, 0.0)), v.shape.y);
-  vView = vec4(eye.xyz - v.position, v.picture.z);
-  vNormal = vec4(wispNormal(wisp), v.middle.visible);
+  vShape.x = v.picture.z;
+#ifndef PLAIN
+  vec3 V = normalize(eye.xyz - v.position), way = turnedTo(wisp, V);
+  vAlong = cosinesOf(turned(v.middle.turn, vec3(0.0, 1.0, 0.0)), V, way);
+  vAcross = cosinesOf(v.across / v.picture.z, V, way);
+  vUp = vec4(cosinesOf(way, V, way).xyz, dot(light.xyz, V));
+  vShape.yz = vec2(slopeScale(v, wisp), dot(way, way));
+  vStrand = vec4(v.shape.y, 0.0, v.middle.visible, 0.0);
   vLightSpace = lightSpace(v.position);
-  vAcross = vec4(v.across / v.picture.z, slopeScale(v, wisp));
+#endif
   vKind = v.shape.z;
 #else
-  strand(gl_InstanceID);
+  strand();
 #endif
 }

@@ -10,11 +10,11 @@ flat out vec3 vShadow;
 
 void main() {
   int perStrip = 6 * int(float(FUR_WISP_SEGMENTS) / pointStep);
-  StripVertex v = stripVertex(gl_VertexID % perStrip, gl_InstanceID, light.xyz, 0.0);
+  StripVertex v = stripVertex(gl_VertexID % perStrip, gl_VertexID / perStrip, light.xyz, 0.0);
   vPicture = v.picture;
   vKind = v.shape.z;
 #ifdef ON_GROUND
-  gl_Position = onGround((worldFromModel * vec4(v.position, 1.0)).xyz, gl_VertexID / perStrip, vShadow);
+  gl_Position = onGround((worldFromModel * vec4(v.position, 1.0)).xyz, gl_InstanceID, vShadow);
 #else
   vec3 at = lightSpace(v.position);
   gl_Position = vec4(vec3(at.xy, at.z / shadowRange) * 2.0 - 1.0, 1.0);

@@ -1,4 +1,4 @@
-// A wisp as a strip of triangles (Halen & Wester 2007, 5.4): six vertices a segment, an instance a wisp.
+// A wisp as a strip of triangles (Halen & Wester 2007, 5.4): six vertices a segment.
 #include "common_hair.glsl"
 #include "common_hair_point.glsl"
 

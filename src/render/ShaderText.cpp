@@ -1,5 +1,6 @@
 #include "render/ShaderText.h"
 
+#include <cstdint>
 #include <iterator>
 
 #include "render/ShaderSources.h"
@@ -9,7 +10,7 @@ namespace fur::render {
 namespace {
 
 // `seen`: one bit for each of kIncluded.
-void append(std::string& text, std::string_view source, unsigned& seen) {
+void append(std::string& text, std::string_view source, std::uint64_t& seen) {
   constexpr std::string_view kInclude = "#include \"";
   while (!source.empty()) {
     const std::size_t end = source.find('\n');
@@ -21,8 +22,8 @@ void append(std::string& text, std::string_view source, unsigned& seen) {
     }
     const std::string_view name = line.substr(kInclude.size(), line.size() - kInclude.size() - 1);
     for (std::size_t i = 0; i < std::size(shaders::kIncluded); ++i) {
-      if (name != shaders::kIncluded[i].name || (seen & 1u << i)) continue;
-      seen |= 1u << i;
+      if (name != shaders::kIncluded[i].name || (seen >> i & 1u)) continue;
+      seen |= std::uint64_t{1} << i;
       append(text, shaders::kIncluded[i].text, seen);
     }
   }
@@ -31,9 +32,9 @@ void append(std::string& text, std::string_view source, unsigned& seen) {
 }  // namespace
 
 std::string stageText(std::string_view source) {
-  static_assert(std::size(shaders::kIncluded) <= 32);
+  static_assert(std::size(shaders::kIncluded) <= 64);
   std::string text;
-  unsigned seen = 0;
+  std::uint64_t seen = 0;
   append(text, source, seen);
   return text;
 }

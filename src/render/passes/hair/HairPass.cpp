@@ -29,7 +29,7 @@ int strandWisps(const HairScalp& scalp, const Frame& frame, float pixelsPerModel
 
 // Points of a wisp from one that is drawn to the next: 1, 2 or 4.
 float pointStep(const HairScalp& scalp, float pixelsPerModelUnit) {
-  const float pixels = 2 * scalp.bounds().w * pixelsPerModelUnit / FUR_WISP_SEGMENTS;
+  const float pixels = scalp.length() * pixelsPerModelUnit / FUR_WISP_SEGMENTS;
   return pixels > kSegmentPixels ? 1 : pixels > 0.5f * kSegmentPixels ? 2 : 4;
 }
 
@@ -96,7 +96,7 @@ bool HairPass::drawStrands(const Drawing& drawing, const HairScalp& scalp, int w
   block.hairOcclusion = drawing.frame.settings.hairOcclusion;
   scalp.bind(block);
   gl::apply({.cullBack = false, .alphaToCoverage = true, .alpha = false});
-  gl::drawInstancesWithoutVertices(gl::Shape::Strip, 2 * (segmentsOf(step) + 1), wisps * strands);
+  gl::drawInstancesWithoutVertices(gl::Shape::Strip, (2 * segmentsOf(step) + 4) * wisps * strands, 1);
   return true;
 }
 
@@ -109,7 +109,7 @@ bool HairPass::drawStrips(const Drawing& drawing, const HairScalp& scalp, int fi
   block.hairOcclusion = drawing.frame.settings.hairOcclusion;
   scalp.bind(block);
   gl::apply({.cullBack = false, .alphaToCoverage = true, .alpha = false});
-  gl::drawInstancesWithoutVertices(gl::Shape::Triangles, 6 * segmentsOf(step), scalp.wisps() - first);
+  gl::drawInstancesWithoutVertices(gl::Shape::Triangles, 6 * segmentsOf(step) * (scalp.wisps() - first), 1);
   return true;
 }
 
@@ -123,7 +123,7 @@ bool HairPass::drawShadow(Programs& programs, unsigned variant, const gl::DrawSt
     block.pointStep = kStep;
     scalp.bind(block);
     gl::apply(state);
-    gl::drawInstancesWithoutVertices(gl::Shape::Triangles, 6 * segmentsOf(kStep) * copies, scalp.wisps());
+    gl::drawInstancesWithoutVertices(gl::Shape::Triangles, 6 * segmentsOf(kStep) * scalp.wisps(), copies);
   }
   return true;
 }

@@ -84,7 +84,12 @@ std::size_t HairScalp::grow(const HairGrowth& growth) {
 std::size_t HairScalp::move(std::span<const hair::GuideNode> nodes) {
   if (wispCount_ == 0) return 0;
   Vec3 low = nodes[0].position, high = low;
-  reach_ = 0;
+  reach_ = length_ = 0;
+  for (std::size_t first = 0; first < nodes.size(); first += static_cast<std::size_t>(nodesEach_)) {
+    float length = 0;
+    for (std::size_t i = first + 1; i < first + static_cast<std::size_t>(nodesEach_); ++i) length += glm::distance(nodes[i - 1].position, nodes[i].position);
+    length_ = std::max(length_, length);
+  }
   for (const hair::GuideNode& node : nodes) {
     reach_ = std::max(reach_, glm::length(node.position) + margin_);
     low = glm::min(low, node.position);

@@ -26,6 +26,8 @@ class HairScalp {
   float width() const { return width_; }        // of its widest wisp
   // The ball round all nodes, wisps included; model space.
   Vec4 bounds() const { return bounds_; }
+  // Of its longest guide.
+  float length() const { return length_; }
   // How far from the model's origin they come.
   float reach() const { return reach_; }
   std::size_t bytes() const;
@@ -40,7 +42,7 @@ class HairScalp {
   int wispCount_ = 0, strandCount_ = 0, guideCount_ = 0, nodesEach_ = 0;
   float width_ = 0, margin_ = 0;  // margin_: how far wisps reach beyond the nodes
   Vec4 bounds_{0};
-  float reach_ = 0;
+  float reach_ = 0, length_ = 0;
   bool stale_ = false;
 };
 
