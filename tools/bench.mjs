@@ -1,5 +1,5 @@
-// npm run bench: frame times (tests/bench/run.mjs), the generator's (tests/bench/coat.mjs) and ten slow seconds
-// (tests/bench/governor.mjs), of the built site.
+// npm run bench: frame times (tests/bench/run.mjs), those of long hair (tests/bench/hair.mjs), the generator's (tests/bench/coat.mjs)
+// and ten slow seconds (tests/bench/governor.mjs), of the built site.
 import { join } from 'node:path';
 import { buildSite } from './build.mjs';
 import { command, root, run } from './process.mjs';
@@ -9,6 +9,7 @@ await command(async () => {
   setUp({ packages: [needs.browser] });
   await buildSite();
   run(process.execPath, [join(root, 'tests/bench/coat.mjs')]);
+  run(process.execPath, [join(root, 'tests/bench/hair.mjs')], { env: { FUR_CHROMIUM: chromiumPath() } });
   run(process.execPath, [join(root, 'tests/bench/governor.mjs')], { env: { FUR_CHROMIUM: chromiumPath() } });
   run(process.execPath, [join(root, 'tests/bench/run.mjs'), ...process.argv.slice(2)], { env: { FUR_CHROMIUM: chromiumPath() } });
 });

@@ -1,3 +1,3 @@
-// ?page=limit or ?page=fur
+// ?page=limit, fur or hair
 const name = new URLSearchParams(location.search).get('page');
-await import(name === 'limit' ? './limit.js' : './fur.js');
+await import(`./${name}.js`);

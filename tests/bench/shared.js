@@ -22,6 +22,18 @@ export function makeCanvas() {
   return canvas;
 }
 
+/** { gl }: the last context that the element has made. What it draws in is not the canvas's own: it is noted as it is made. */
+export function noteContext() {
+  const noted = { gl: null };
+  const { getContext } = OffscreenCanvas.prototype;
+  OffscreenCanvas.prototype.getContext = function note(type, ...rest) {
+    const context = getContext.call(this, type, ...rest);
+    if (type === 'webgl2') noted.gl = context;
+    return context;
+  };
+  return noted;
+}
+
 /** Defines window.bench(n): n times milliseconds, each until a pixel of the frame has been read back. */
 export function install(gl, frame, info = {}, drawn = false) {
   const pixel = new Uint8Array(4);
