@@ -1,7 +1,10 @@
-// wet-fur-make-assets IN OUT.glb [WATER]: makes a model that can be shipped from bare positions and triangles.
+// wet-fur-make-assets IN OUT.glb [WATER | --hair HAIR]: makes a model that can be shipped from bare positions and triangles.
 //
 // IN holds little-endian 32-bit words: vertex count V, triangle count T, 3 V floats (positions), 3 T
-// vertex indices. OUT is the same surface in the unit sphere with smooth normals and its own uv atlas.
+// vertex indices, and 3 V floats (normals) or nothing. OUT is the same surface in the unit sphere with smooth normals and its own
+// uv atlas.
+//
+// HAIR makes a scene of it that has long hair: lines of text, the scene's state as JSON and steps as Dress.h has them.
 //
 // WATER makes a wet scene of it: drop count D; 8 D floats, a drop each: where its way begins, in which direction it goes, its
 // radius and wetness; then the scene's state as JSON. A drop wets the surface where its way first meets it.
@@ -12,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "assets/Dress.h"
 #include "geometry/Surface.h"
 #include "geometry/SurfaceQuery.h"
 #include "scene/Model.h"
@@ -30,11 +34,15 @@ bool readFile(const char* path, std::vector<std::uint32_t>& words) {
 
 bool meshFrom(const std::vector<std::uint32_t>& words, fur::geometry::Mesh& mesh) {
   if (words.size() < 2) return false;
-  const std::uint64_t vertices = words[0], triangles = words[1];
-  if (words.size() != 2 + 3 * (vertices + triangles)) return false;
+  const std::uint64_t vertices = words[0], triangles = words[1], bare = 2 + 3 * (vertices + triangles);
+  if (words.size() != bare && words.size() != bare + 3 * vertices) return false;
   mesh.positions.resize(vertices);
   std::memcpy(mesh.positions.data(), &words[2], vertices * sizeof(fur::Vec3));
-  mesh.indices.assign(words.begin() + static_cast<std::ptrdiff_t>(2 + 3 * vertices), words.end());
+  mesh.indices.assign(words.begin() + static_cast<std::ptrdiff_t>(2 + 3 * vertices), words.begin() + static_cast<std::ptrdiff_t>(bare));
+  if (words.size() > bare) {
+    mesh.normals.resize(vertices);
+    std::memcpy(mesh.normals.data(), &words[bare], vertices * sizeof(fur::Vec3));
+  }
   for (const std::uint32_t index : mesh.indices) {
     if (index >= vertices) return false;
   }
@@ -78,6 +86,15 @@ bool wetBy(const std::vector<std::uint32_t>& words, const fur::geometry::Surface
   return true;
 }
 
+bool readLines(const char* path, std::vector<std::string>& lines) {
+  std::FILE* file = std::fopen(path, "rb");
+  if (!file) return false;
+  lines.assign(1, "");
+  for (int c = std::fgetc(file); c != EOF; c = std::fgetc(file)) c == '\n' ? lines.emplace_back() : lines.back() += static_cast<char>(c);
+  std::fclose(file);
+  return true;
+}
+
 int fail(const std::string& message) {
   std::fprintf(stderr, "wet-fur-make-assets: %s\n", message.c_str());
   return 1;
@@ -86,7 +103,8 @@ int fail(const std::string& message) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 3 && argc != 4) return fail("expected IN and OUT.glb, and WATER for a wet one");
+  const bool haired = argc == 5 && argv[3] == std::string("--hair");
+  if (argc != 3 && argc != 4 && !haired) return fail("expected IN and OUT.glb, and WATER for a wet one or --hair HAIR");
   std::vector<std::uint32_t> words;
   fur::geometry::Mesh mesh;
   if (!readFile(argv[1], words)) return fail(std::string(argv[1]) + " cannot be read");
@@ -101,6 +119,13 @@ int main(int argc, char** argv) {
   fur::scene::FurData data;
   std::vector<std::uint32_t> water;
   if (argc == 4 && (!readFile(argv[3], water) || !wetBy(water, surface.value(), data))) return fail(std::string(argv[3]) + " cannot be read");
+  std::vector<std::string> lines;
+  if (haired) {
+    if (!readLines(argv[4], lines)) return fail(std::string(argv[4]) + " cannot be read");
+    data.state = lines[0];
+    lines.erase(lines.begin());
+    if (const auto status = dress(mesh, surface.value(), lines, data); !status) return fail(status.error().message);
+  }
   const std::vector<std::uint8_t> glb = fur::scene::exportScene(withAtlas(surface.value(), argc == 3), name, data, {{}, fur::Vec4(1)});
   std::FILE* file = std::fopen(argv[2], "wb");
   if (!file) return fail(std::string(argv[2]) + " cannot be written");

@@ -1,25 +1,26 @@
 // node assets/makeAssets.mjs <program> <out folder>
 //
 // Makes the models that are shipped: the bunny with the program wet-fur-make-assets, its wasm build (a .js file,
-// run by this same Node) or the native one, the wet scenes likewise, and the others. Nothing is done for a model newer than its sources.
+// run by this same Node) or the native one, scenes that are wet or have long hair likewise, and the others. Nothing is done for a model newer than its sources.
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdirSync, mkdtempSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { makeScenes, scenes, waterBytes } from './scenes/scenes.mjs';
+import { hairText, makeScenes, scenes, waterBytes } from './scenes/scenes.mjs';
 import { meshOf, sphere } from './scenes/shapes.mjs';
 
 const require = createRequire(import.meta.url);
 
-function meshBytes({ positions, cells }) {
-  const bytes = new DataView(new ArrayBuffer(8 + 12 * (positions.length + cells.length)));
+function meshBytes({ positions, normals = [], cells }) {
+  const bytes = new DataView(new ArrayBuffer(8 + 12 * (positions.length + cells.length + normals.length)));
   bytes.setUint32(0, positions.length, true);
   bytes.setUint32(4, cells.length, true);
   let at = 8;
   for (const value of positions.flat()) bytes.setFloat32(at, value, true), (at += 4);
   for (const value of cells.flat()) bytes.setUint32(at, value, true), (at += 4);
+  for (const value of normals.flat()) bytes.setFloat32(at, value, true), (at += 4);
   return bytes;
 }
 
@@ -36,18 +37,20 @@ export function makeAssets(program, outFolder) {
   program = resolve(program);
   mkdirSync(outFolder, { recursive: true });
   makeScenes(resolve(outFolder));
-  const sources = [program, ...[import.meta.url, new URL('scenes/scenes.mjs', import.meta.url), new URL('scenes/shapes.mjs', import.meta.url)].map((url) => fileURLToPath(url))];
-  const waiting = [{ name: 'bunny', shape: 'bunny' }, ...scenes.filter(({ drops }) => drops)]
+  const sources = [program, ...['makeAssets', 'scenes/scenes', 'scenes/shapes', 'scenes/head', 'scenes/hairstyles'].map((name) => fileURLToPath(new URL(`${name}.mjs`, import.meta.url)))];
+  const waiting = [{ name: 'bunny', shape: 'bunny' }, ...scenes.filter(({ body }) => !body)]
     .filter(({ name }) => !isNewer(join(resolve(outFolder), `${name}.glb`), [...sources, require.resolve('bunny')]));
   if (!waiting.length) return;
   const scratch = mkdtempSync(join(tmpdir(), 'wet-fur-'));
   try {
     const command = /\.(c|m)?js$/.test(program) ? [process.execPath, program] : [program];
     for (const scene of waiting) {
-      const mesh = join(scratch, 'mesh'), water = join(scratch, 'water');
-      writeFileSync(mesh, meshBytes(shapes[scene.shape]()));
-      if (scene.drops) writeFileSync(water, waterBytes(scene));
-      execFileSync(command[0], [...command.slice(1), mesh, join(resolve(outFolder), `${scene.name}.glb`), ...(scene.drops ? [water] : [])], { stdio: 'inherit' });
+      const mesh = join(scratch, 'mesh'), more = join(scratch, 'more');
+      writeFileSync(mesh, meshBytes((scene.mesh ?? shapes[scene.shape])()));
+      if (scene.drops) writeFileSync(more, waterBytes(scene));
+      if (scene.steps) writeFileSync(more, hairText(scene));
+      const options = scene.drops ? [more] : scene.steps ? ['--hair', more] : [];
+      execFileSync(command[0], [...command.slice(1), mesh, join(resolve(outFolder), `${scene.name}.glb`), ...options], { stdio: 'inherit' });
     }
   } finally {
     rmSync(scratch, { recursive: true });

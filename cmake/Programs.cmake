@@ -62,7 +62,7 @@ function(fur_web_program target)
 endfunction()
 
 # Makes the models that are shipped. Built for both targets, so that the web app alone needs no native compiler.
-fur_program(wet-fur-make-assets SOURCES assets/*.cpp LINK fur_scene fur_wet)
+fur_program(wet-fur-make-assets SOURCES assets/*.cpp LINK fur_stages)
 if(EMSCRIPTEN)
   fur_node_program(wet-fur-make-assets -sNODERAWFS=1)
   fur_web_program(wet-fur SOURCES web/*.cpp LINK fur_app)

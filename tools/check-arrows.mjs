@@ -49,7 +49,8 @@ export const arrows = {
   'native/headless': ['app', 'core', 'settings', 'scene', 'gl', 'egl', 'native'],
   'native/compare': ['app', ...pure, 'gl', 'render', 'truth', 'native', 'native/headless'],
   'native/window': ['app', 'app/editor', 'core', 'settings', 'scene', 'gl', 'imgui', 'glfw', 'native'],
-  assets: pure.concat(importers),
+  // Models with long hair are dressed by the stages that programs have.
+  assets: [...pure, ...importers, ...wiring],
 };
 
 const outside = [

@@ -15,4 +15,7 @@ export const captions = Object.freeze({
   'wet-straight': 'Clumps tied by water whose strands lean in straight (clump shape 0).',
   'wet-bent': 'Clumps tied by water whose strands bend in from the root (clump shape 1).',
   'wet-tile': 'A patch of fur, dry and with drops on it, seen from above.',
+  'hair-short': 'Short hair on a head: it lies forwards, and hardly swings.',
+  'hair-shoulder': 'Hair that is parted and falls to the shoulders; turn or blow on it and it swings.',
+  'hair-pony': 'Hair that is drawn tight to a tie at the back, and falls from it as a tail.',
 });

@@ -3,6 +3,7 @@ import { statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { furGlb } from './furGlb.mjs';
+import { hairstyles } from './hairstyles.mjs';
 import { facets, meshOf, rod, sphere } from './shapes.mjs';
 
 const clamp = (x) => Math.max(0, Math.min(1, x));
@@ -188,6 +189,7 @@ const wetTile = {
 export const scenes = [
   fiveCoats, shells(8), shells(16), shells(32), fins('fins-everywhere', 0.02), fins('fins-outline', 0), fading, variance, interpolation,
   wetBunny, halfWet, wetLetters, shaped('wet-straight', 0), shaped('wet-bent', 1), wetTile,
+  ...hairstyles,
 ];
 
 const stateOf = ({ settings, camera }) => ({ version: 1, settings, camera: { target: [0, 0, 0], ...camera } });
@@ -199,6 +201,9 @@ export function waterBytes(scene) {
   drops.forEach(({ from, way, radius, wetness }, i) => [...from, ...way, radius, wetness].forEach((x, k) => bytes.setFloat32(4 + 32 * i + 4 * k, x, true)));
   return Buffer.concat([Buffer.from(bytes.buffer), Buffer.from(text.padEnd(Math.ceil(text.length / 4) * 4))]);
 }
+
+/** What it reads as HAIR. */
+export const hairText = (scene) => [JSON.stringify(stateOf(scene)), ...scene.steps()].join('\n');
 
 /** Writes every dry scene as `folder`/name.glb, unless they are newer than what they are made of. */
 export function makeScenes(folder) {

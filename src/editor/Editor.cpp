@@ -44,6 +44,9 @@ constexpr ShippedScene kScenes[] = {
     {"wet-straight", "Straight clumps"},
     {"wet-bent", "Bent clumps"},
     {"wet-tile", "Dry and wet"},
+    {"hair-short", "Short hair"},
+    {"hair-shoulder", "Shoulder-long hair"},
+    {"hair-pony", "Pony tail"},
 };
 
 void caption(const char* text) {

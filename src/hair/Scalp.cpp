@@ -12,4 +12,19 @@ std::string soundName(std::string_view name) {
   return std::string(name.substr(0, size));
 }
 
+void paintDensity(groom::GroomMap& map, const groom::GroomSurface& skin, const Vec3& centre, float radius, float density) {
+  if (!(radius > 0)) return;
+  constexpr float kRim = 0.12f;  // share of the radius
+  const geometry::AtlasTexels& atlas = skin.atlas;
+  for (std::uint32_t t = 0; t < skin.surface.triangleCount(); ++t)
+    atlas.forTexelsOf(skin.surface, t, [&](std::uint32_t texel, const Vec3& weights) {
+      const float far = glm::distance(positionAt(skin.surface, geometry::SurfacePoint{t, weights, 0}), centre) / radius;
+      groom::GroomMap::Texel value = map.texels()[texel];
+      const float now = glm::mix(static_cast<float>(value[0]), 255 * saturate(density), saturate((1 - far) / kRim));
+      value[0] = static_cast<std::uint8_t>(now + 0.5f);
+      map.set(texel, value);
+    });
+  map.fillGutter(atlas, {0, 0, map.size(), map.size()});
+}
+
 }  // namespace fur::hair

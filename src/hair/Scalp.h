@@ -24,6 +24,9 @@ struct Scalp {
   Guides guides;
 };
 
+// Moves the density towards `density` in a ball (model space), all of the way but for the outermost eighth of its radius.
+void paintDensity(groom::GroomMap& map, const groom::GroomSurface& skin, const Vec3& centre, float radius, float density);
+
 // A sphere (a == b) or capsule that hair does not enter; model space, goes with the model.
 struct Body {
   Vec3 a{0}, b{0};

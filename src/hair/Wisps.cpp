@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/Assert.h"
 #include "core/PortableMath.h"
@@ -56,14 +57,40 @@ Wisp wispOf(const Dart& dart, const Vec4& map, const Following& following, const
   wisp.normal = dart.normal;
   wisp.atlas = dart.atlas;
   wisp.guides = following.guides;
-  wisp.weights = following.weights;
-  wisp.magnet = values.magnet * (anyWeights(random) - following.weights);
+  wisp.weightsByPlace = following.weights;
+  wisp.magnetByPlace = values.magnet * (anyWeights(random) - following.weights);
   wisp.rotation = values.rotation * map.w * random.uniform(-1, 1);
   wisp.width = glm::mix(values.leastWidth, values.mostWidth, map.y);
   const float length = glm::mix(values.leastLength, 1.0f, map.z) * (1 - values.lengthVariation * random.uniform());
   wisp.length = glm::clamp(length, kLeastWispLength, 1.0f);
   wisp.random = random.uniform();
   return wisp;
+}
+
+// The way a guide leaves the skin, along the skin: 0 for one that stands upright, of length 1 for one that lies.
+Vec3 leanOf(std::span<const Vec3> chain, const Vec3& normal) {
+  const Vec3 way = normalizeOr(chain[std::max<std::size_t>(chain.size() / 3, 1)] - chain[0], normal);
+  return way - normal * glm::dot(way, normal);
+}
+
+// By more than 60 degrees; guides that hardly lean do not.
+bool leanApart(const Vec3& a, const Vec3& b) {
+  const float both = glm::length(a) * glm::length(b);
+  return both > 0.1f && glm::dot(a, b) < 0.5f * both;
+}
+
+// Between guides that lean apart hair would run through the head: they leave their shares to the one that has most.
+void followOneSide(Wisp& wisp, const std::vector<Vec3>& leans) {
+  wisp.weights = wisp.weightsByPlace;
+  wisp.magnet = wisp.magnetByPlace;
+  int most = 0;
+  for (int k = 1; k < 3; ++k)
+    if (wisp.weights[k] > wisp.weights[most]) most = k;
+  for (int k = 0; k < 3; ++k) {
+    if (k == most || !leanApart(leans[wisp.guides[static_cast<std::size_t>(k)]], leans[wisp.guides[static_cast<std::size_t>(most)]])) continue;
+    wisp.weights[most] += std::exchange(wisp.weights[k], 0.0f);
+    wisp.magnet[most] += std::exchange(wisp.magnet[k], 0.0f);
+  }
 }
 
 }  // namespace
@@ -85,7 +112,10 @@ std::vector<Wisp> plantWisps(const ScalpSurface& scalp, const Guides& guides, st
 void followGuides(std::span<Wisp> wisps, const Guides& guides, std::span<const RootFrame> roots, const WispShape& shape) {
   const auto each = static_cast<std::size_t>(guides.nodes);
   const std::vector<GuideNode> nodes = restNodes(guides, roots);
+  std::vector<Vec3> leans(guides.count());
+  for (std::size_t g = 0; g < guides.count(); ++g) leans[g] = leanOf(guides.of(g), roots[g].normal);
   for (Wisp& wisp : wisps) {
+    followOneSide(wisp, leans);
     Vec3 root(0);
     for (std::size_t k = 0; k < 3; ++k) root += guides.root(wisp.guides[k]) * wisp.weights[static_cast<int>(k)];
     wisp.offset = glm::conjugate(rootFrameOf(wisp, nodes, each)) * (wisp.root - root);

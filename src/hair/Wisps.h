@@ -32,8 +32,9 @@ struct Wisp {
   Vec3 normal{0, 1, 0};                     // of the skin there
   Vec2 atlas{0};
   std::array<std::uint32_t, 3> guides{};    // those that it follows; one may stand there more than once
-  Vec3 weights{1, 0, 0};                    // their shares, 0..1, of sum 1 (WispGuides.h)
+  Vec3 weights{1, 0, 0};                    // their shares, 0..1, of sum 1
   Vec3 magnet{0};                           // what is added to the weights at its tip; of sum 0, so that weights stay within 0..1
+  Vec3 weightsByPlace{1, 0, 0}, magnetByPlace{0};  // the same by where guides stand (WispGuides.h), whatever their shape
   Vec3 offset{0};                           // its root less the weighted roots of its guides, in their blended frame at the root
   float rotation = 0;                       // radians about the hair: 0 has the strip's width along the frame's x
   float width = 0.05f;                      // at the root, model units
@@ -74,7 +75,8 @@ WispShape shapeOf(const HairValues& values);
 
 // The wisps of a scalp; none without guides. `roots`: one a guide (PlantGuides.h). Of more or fewer wisps the first are the same.
 std::vector<Wisp> plantWisps(const ScalpSurface& scalp, const Guides& guides, std::span<const RootFrame> roots, const HairValues& values);
-// After the same guides have got another shape: offsets and splits anew, all else stays. The same as planting again, without it.
+// After the same guides have got another shape: weights, offsets and splits anew, all else stays. The same as planting again,
+// without it. Of guides that lean apart, as at a parting, a wisp follows those that lean as the nearest does.
 void followGuides(std::span<Wisp> wisps, const Guides& guides, std::span<const RootFrame> roots, const WispShape& shape);
 
 // A point of a wisp's middle line at height t, 0 at its root to 1 at its tip: the twin of wispPoint() in hair_points.frag, as

@@ -45,6 +45,17 @@ TEST(AppHair, IsDrawnAsItIsNowThoughNoTimeHasGoneByAfterAnEdit) {
   EXPECT_GT(salon.stage.draw(salon.app).differingShare(bare, 8), 0.2f);
 }
 
+TEST(AppHair, GoesWhileAnotherCoatGrows) {
+  Salon salon;
+  const test::Picture bare = salon.picture();
+  salon.grow();
+  salon.app.editHair(HairEdit::Clear);
+  salon.app.setField("layers", "6");
+  salon.app.setField("layers", "8");
+  salon.app.settle();
+  EXPECT_LT(salon.picture().differingShare(bare, 8), 0.1f);
+}
+
 // Strips show pictures of the very strands: means over the hair agree, single pixels need not.
 TEST(AppHair, LooksAlikeAsStripsAndAsStrands) {
   Salon salon;

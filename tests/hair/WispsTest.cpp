@@ -303,5 +303,30 @@ TEST(Wisps, TheyAreTheSameOnEveryPlatform) {
   fur::test::printOnEveryPlatform("wisps", hash.value());
 }
 
+TEST(Wisps, FollowOneSideOfAPartingAndBothAgainWhereItIsGone) {
+  Scalp plane(geometry::makePlane(8));
+  HairValues values;
+  values.wisps = 200, values.magnet = 0.5f;
+  std::vector<Vec3> places;
+  for (int k = 0; k < 64; ++k) places.emplace_back(-0.7f + 0.2f * static_cast<float>(k % 8), 0, -0.7f + 0.2f * static_cast<float>(k / 8));
+  Guides parted = test::guidesAt(places, [](const Vec3& p) { return Vec3(p.x < 0 ? -0.4f : 0.4f, 0.2f, 0); });
+  const Guides upright = test::guidesAt(places, [](const Vec3&) { return Vec3(0, 0.5f, 0); });
+  auto wisps = plantWisps(plane.scalp(), parted, plane.roots(parted), values);
+  int between = 0;
+  for (const Wisp& wisp : wisps)
+    for (const float t : {0.0f, 1.0f}) {
+      float sides[2] = {0, 0};
+      const Vec3 weights = wisp.weights + t * wisp.magnet;
+      for (std::size_t k = 0; k < 3; ++k) sides[parted.root(wisp.guides[k]).x < 0] += weights[static_cast<int>(k)];
+      EXPECT_NEAR(sides[0] + sides[1], 1, 1e-5);
+      EXPECT_LT(std::min(sides[0], sides[1]), 1e-5f);
+      between += wisp.weights != wisp.weightsByPlace;
+    }
+  EXPECT_GT(between, 10);
+  followGuides(wisps, upright, plane.roots(upright), shapeOf(values));
+  EXPECT_EQ(wisps, plantWisps(plane.scalp(), upright, plane.roots(upright), values));
+  for (const Wisp& wisp : wisps) EXPECT_EQ(wisp.weights, wisp.weightsByPlace);
+}
+
 }  // namespace
 }  // namespace fur::hair

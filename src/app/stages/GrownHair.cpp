@@ -67,6 +67,8 @@ void GrownHair::setStyle(hair::Hairstyle style) {
 }
 
 void GrownHair::touch() {
+  // None is left over that a picture would take for another.
+  if (scalps_.size() > style_.scalps.size()) scalps_.clear();
   stale_ = true;
   ++revision_;
 }

@@ -118,12 +118,17 @@ void GrownHair::edit(const ShapeStage& shape, const groom::GroomSurface& skin, s
   if (edit.what == HairEdit::Select) selected_ = static_cast<std::size_t>(glm::clamp(edit.value, 0.0f, static_cast<float>(style_.scalps.size() - 1)));
   if (edit.what == HairEdit::Remove) {
     style_.scalps.erase(style_.scalps.begin() + static_cast<std::ptrdiff_t>(selected_));
+    if (selected_ < scalps_.size()) scalps_.erase(scalps_.begin() + static_cast<std::ptrdiff_t>(selected_));
     selected_ = selected_ > 0 ? selected_ - 1 : 0;
   }
   if (edit.what == HairEdit::Cover) {
     groom::GroomMap::Texel texel = kFreshScalp;
     texel[0] = static_cast<std::uint8_t>(saturate(edit.value) * 255 + 0.5f);
     scalp.map.restore(std::vector<groom::GroomMap::Texel>(scalp.map.texels().size(), texel));
+  }
+  if (edit.what == HairEdit::Paint || edit.what == HairEdit::Erase) {
+    if (scalp.map.size() != skin.atlas.size()) scalp.map = groom::resized(scalp.map, skin.atlas.size());
+    hair::paintDensity(scalp.map, skin, edit.direction, edit.value, edit.what == HairEdit::Paint ? 1.0f : 0.0f);
   }
   if (edit.what == HairEdit::Plant) {
     const int count = edit.value >= 1 && edit.value <= static_cast<float>(hair::kMostGuides) ? static_cast<int>(edit.value) : 0;

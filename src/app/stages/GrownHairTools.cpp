@@ -117,16 +117,21 @@ void GrownHair::dab(const Dab& dab) {
 void GrownHair::editGuides(const ShapeStage& shape, const Edit& edit, Warnings& warnings) {
   hair::Guides& guides = style_.scalps[selected_].guides;
   const auto roots = [&] { return hair::rootFrames(shape.surface(), shape.query(), guides); };
+  const float clearance = kClearance + kOnCoat * edit.coat;
   switch (edit.what) {
     case HairEdit::Hang:
-      hair::hang(guides, shape.surface(), shape.query(), edit.direction == Vec3(0) ? Vec3(0, -1, 0) : edit.direction, edit.value, kClearance + kOnCoat * edit.coat);
+      hair::hang(guides, shape.surface(), shape.query(), edit.direction == Vec3(0) ? Vec3(0, -1, 0) : edit.direction, edit.value, clearance);
       break;
+    case HairEdit::Part: hair::part(guides, roots(), edit.direction, edit.value); break;
+    case HairEdit::Gather: hair::gather(guides, shape.surface(), shape.query(), edit.direction, edit.value, clearance); break;
+    case HairEdit::Cut: hair::cut(guides, {edit.direction, Vec3(0, 1, 0), edit.value, 1}); break;
     case HairEdit::Straighten: hair::straighten(guides, everywhere(edit.value)); break;
     case HairEdit::Lengthen: hair::lengthen(guides, everywhere(1), edit.value); break;
     case HairEdit::Curl: hair::curl(guides, roots(), everywhere(1), edit.value); break;
     case HairEdit::Twist: hair::twist(guides, everywhere(1), edit.value); break;
     case HairEdit::ShowAll: hair::setFlag(guides, hair::kHidden, false); break;
     case HairEdit::FreeAll: hair::setFlag(guides, hair::kStatic, false); break;
+    case HairEdit::HoldAll: hair::setFlag(guides, hair::kStatic, true); break;
     case HairEdit::Mirror: {
       auto both = hair::mirrored(guides, {Vec3(0), Vec3(edit.value < 0 ? -1 : 1, 0, 0)});
       if (both) guides = std::move(*both);

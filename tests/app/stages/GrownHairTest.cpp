@@ -289,7 +289,7 @@ TEST(GrownHair, PlantsWispsAnewOnlyWhereRootsMapOrValuesAreOthers) {
   const std::vector<hair::Wisp> before = head.hair.growth(0).wisps;
   const auto sameRoots = [&] {
     const auto& now = head.hair.growth(0).wisps;
-    return now.size() == before.size() && std::equal(now.begin(), now.end(), before.begin(), [](const auto& a, const auto& b) { return a.root == b.root && a.weights == b.weights; });
+    return now.size() == before.size() && std::equal(now.begin(), now.end(), before.begin(), [](const auto& a, const auto& b) { return a.root == b.root && a.weightsByPlace == b.weightsByPlace; });
   };
   head.edit(HairEdit::Hang, 1);
   head.hair.update(head.inputs(0));
