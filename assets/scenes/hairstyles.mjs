@@ -64,7 +64,7 @@ const short = style('hair-short', '#4a3222', { yaw: 0.5, pitch: 0.1, distance: 2
 const shoulder = style('hair-shoulder', '#8a6a45', { yaw: 0.45, pitch: 0.1, distance: 3.1 }, () => [
   ...scalp('shoulder', { guideLength: size(3.3), nodes: 16, wisps: 1800, strands: 32, strandWidth: 0.002, leastWidth: 0.025, mostWidth: 0.045, tipWidth: 0.7,
     rootColor: '#5f4226', tipColor: '#c29a62', variance: 0.4, lengthVariation: 0.12, magnet: 0.3 }),
-  'shade #6b4a2b 0.8', 'plant,320', edit('part', 0.95, place([0.12, 1, 0])), 'hang,0.7,0,-1,-0.6', 'hang,0.45', edit('cut', 6, place([0, -1.4 - 6 * head().radius, 0])),
+  'shade #6b4a2b 0.8', 'plant,320', edit('part', 0.95, place([0.12, 1, 0])), 'hang,0.7,0,-1,-0.6', 'hang,0.6', edit('cut', 6, place([0, -1.4 - 6 * head().radius, 0])),
 ]);
 
 const tie = [0, 0.74, -1.14];

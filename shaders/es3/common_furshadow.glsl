@@ -6,10 +6,9 @@ uniform sampler2D firstSurfaces;  // rg: depth of the first surface, 16 bits ove
 
 #ifdef SHADOW_LAYERS
 uniform mediump sampler2DArray opacities;  // 16 layers of opacity on the way so far, four to a texel
-const int kShadowSize = FUR_OPACITY_SIZE;
-#else
-const int kShadowSize = FUR_SHADOW_SIZE;
 #endif
+
+int shadowSize() { return textureSize(firstSurfaces, 0).x; }
 
 vec4 packedDepths(ivec2 at) { return texelFetch(firstSurfaces, at, 0); }
 float unpack(vec2 depth) { return dot(depth, vec2(1.0, 1.0 / 255.0)); }
@@ -34,7 +33,7 @@ float shadowTexel(ivec2 at, float depth) {
 
 // Between four texels by hand: layers begin elsewhere in each.
 float betweenTexels(vec3 at) {
-  vec2 texel = clamp(at.xy * float(kShadowSize) - 0.5, 0.0, float(kShadowSize) - 1.01);
+  vec2 texel = clamp(at.xy * float(shadowSize()) - 0.5, 0.0, float(shadowSize()) - 1.01);
   ivec2 i = ivec2(texel);
   vec2 part = texel - vec2(i);
   vec2 left = vec2(shadowTexel(i, at.z), shadowTexel(i + ivec2(0, 1), at.z));

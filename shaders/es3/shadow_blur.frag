@@ -20,7 +20,7 @@ void main() {
   float centre = unpack(packedDepths(at).rg), k = kMean * shadowRange, sum = 0.0, total = 0.0;
   for (int i = -kReach; i <= kReach; ++i) {
     float weight = exp2(-0.24 * float(i * i));
-    ivec2 near = clamp(at + i * direction, ivec2(0), ivec2(kShadowSize - 1));
+    ivec2 near = clamp(at + i * direction, ivec2(0), ivec2(shadowSize() - 1));
     sum += weight * exp2(min(k * (unpack(packedDepths(near).rg) - centre), kMean * kFarther));
     total += weight;
   }

@@ -12,7 +12,7 @@ flat in float vHeight;
 const float kShell = 0.09;
 
 void main() {
-  float lod = log2(shadowRange * tilesPerUnit * tileTexels / float(kShadowSize));
+  float lod = log2(shadowRange * tilesPerUnit * tileTexels / float(shadowSize()));
   addOpacity(kShell * textureLod(coverage, vec3(vTile, nearestLayer(storedLayer(vHeight, 0.0))), lod).r);
 }
 #else

@@ -78,7 +78,8 @@ FurShadow::Key Renderer::furShadowKey(const Frame& frame) const {
   // In steps, so that texels stay where they are while hair swings.
   constexpr float kStep = 0.25f;
   const float reach = std::max(frame.reach, std::ceil(hair_.reach() / kStep) * kStep);
-  return {static_cast<Shadows>(s.shadows), lightFromModel(light, shadowRadius(s.furLength, reach)),
+  // "32" of the setting is its first choice.
+  return {static_cast<Shadows>(s.shadows), 32 << s.shadowSize, lightFromModel(light, shadowRadius(s.furLength, reach)),
           volumeShadow(s, fur_.density(), reach),
           curveVariant(s) | (frame.groomed || frame.types ? kGroomed : kPlain),
           surface_.revision() + maps_.revision() + fur_.revision() + hair_.revision(),

@@ -166,10 +166,7 @@ FUR_BLOCK(FurBlock) {
 #define FUR_GROUND_CELLS 16
 #define FUR_BACKGROUND_STRIPS 16
 
-// Texels along the fur's own shadow map and along its opacity layers (a texel is their penumbra), their targets of
-// four layers each, the shells that fill them.
-#define FUR_SHADOW_SIZE 256
-#define FUR_OPACITY_SIZE 256
+// Opacity layers of the fur's own shadow map: their targets of four layers each, the shells that fill them.
 #define FUR_SHADOW_TARGETS 4
 #define FUR_SHADOW_SHELLS 8
 

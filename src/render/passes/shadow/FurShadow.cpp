@@ -119,9 +119,8 @@ bool FurShadow::update(Programs& programs, const Key& key, const gl::VertexArray
   if (key.shadows == Shadows::None) return true;
   const bool layers = key.shadows == Shadows::Layers;
   if (key_ != key) {
-    const int size = layers ? FUR_OPACITY_SIZE : FUR_SHADOW_SIZE;
-    prepare(size, layers);
-    gl::setViewport(size, size);
+    prepare(key.size, layers);
+    gl::setViewport(key.size, key.size);
     const bool drawn = drawFirst(programs, key, layers, surface, indexCount, hair) &&
                        (layers ? drawLayers(programs, key.curve, surface, indexCount, hair) : blur(programs));
     gl::bindPlatformFramebuffer();

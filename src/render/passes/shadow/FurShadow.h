@@ -3,8 +3,9 @@
 //   depth   the depth-difference map: T = exp(-k dz), dz the way from the first fur surface on
 //   layers  opacity shadow maps: 16 layers, laid from the first surface on (Yuksel & Keyser 2008 do so),
 //           which count the strands on the way: T = exp(-k sigma(z))
-// Redrawn only when its key changes. shaders/es3/common_furshadow.glsl looks it up; hair/VolumeShadow.h has
-// the formulas. It does not know of wet clumps, and the ground keeps a shadow of its own.
+// A texel is the penumbra: the setting shadowSize says how many there are. Redrawn only when its key changes.
+// shaders/es3/common_furshadow.glsl looks it up; hair/VolumeShadow.h has the formulas. It does not know of wet clumps, and the
+// ground keeps a shadow of its own.
 #pragma once
 
 #include <optional>
@@ -39,6 +40,7 @@ class FurShadow {
  public:
   struct Key {
     Shadows shadows;
+    int size;             // texels along the map
     Mat4 lightFromModel;
     VolumeShadow volume;
     unsigned curve;       // curveVariant()
