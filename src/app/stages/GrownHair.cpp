@@ -42,6 +42,12 @@ std::vector<hair::Collider> collidersOf(const hair::Hairstyle& style, const Hair
   for (const hair::Body& body : style.bodies) all.push_back({world(body.a), world(body.b), body.radius});
   for (const dynamics::Contact& contact : inputs.contacts)
     if (contact.radius > 0) all.push_back({contact.to, contact.to, contact.radius});
+  if (inputs.settings.ground) {
+    // A ball so large that it is level: 0.007 lower two units from the middle.
+    constexpr float kLevel = 300;
+    const Vec3 below(0, inputs.shape.groundHeight() - kLevel, 0);
+    all.push_back({below, below, kLevel});
+  }
   return all;
 }
 

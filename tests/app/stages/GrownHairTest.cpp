@@ -283,6 +283,30 @@ TEST(GrownHair, IsWorkedOnThroughTheMirrorAsWell) {
   }
 }
 
+TEST(GrownHair, LiesOnTheGroundAndHangsThroughItOnlyWhereNoneIsDrawn) {
+  Head head;
+  head.edit(HairEdit::AddScalp);
+  head.edit(HairEdit::Paint, 1, Vec3(0, 1, 0));
+  ASSERT_TRUE(head.hair.setValue(0, "guideLength", "2.8", head.warnings));
+  head.edit(HairEdit::Plant, 40);
+  head.edit(HairEdit::Hang, 1);
+  const auto lowest = [&] {
+    float low = 0;
+    for (const hair::GuideNode& node : head.hair.nodes(0)) low = std::min(low, node.position.y);
+    return low - head.shape.groundHeight();
+  };
+  head.settings.ground = false;
+  head.hair.settle(head.inputs(0));
+  EXPECT_LT(lowest(), -0.3f);
+  head.settings.ground = true;
+  for (int i = 0; i < 120; ++i) head.hair.update(head.inputs(1.0f / 60));
+  EXPECT_GT(lowest(), -0.03f);
+  head.hair.settle(head.inputs(0));
+  EXPECT_GT(lowest(), -0.03f);
+  for (int i = 0; i < 240; ++i) head.hair.update(head.inputs(1.0f / 60));
+  EXPECT_FALSE(head.hair.active(head.inputs(0))) << "it sleeps there";
+}
+
 TEST(GrownHair, PlantsWispsAnewOnlyWhereRootsMapOrValuesAreOthers) {
   Head head;
   head.growEverywhere();
