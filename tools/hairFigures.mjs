@@ -1,4 +1,5 @@
-// npm run hair: docs/hair*.jpg, the heads with long hair and what figures of Halen and Wester (2007) show, side by side.
+// npm run hair [-- NAME ...]: docs/hair*.jpg, the heads with long hair and what figures of Halen and Wester (2007) show, side by side;
+// all of them, or those of these names.
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { buildNative } from './build.mjs';
@@ -24,7 +25,7 @@ const figures = {
   // Figure 5.7.4.
   'hair-occlusion': {
     columns: 2,
-    pictures: [['Without occlusion', '0'], ['With', '1']].map(([label, share]) => [label, 'hair-shoulder', front, '--lightIntensity', '0.4', '--ambient', '1.1', '--fillLight', '0', '--hairOcclusion', share]),
+    pictures: [['Without occlusion', '0'], ['With', '1']].map(([label, share]) => [label, 'hair-shoulder', '0.4,-0.1,2.3,0,0.1,0', '--lightIntensity', '0.1', '--ambient', '1.5', '--fillLight', '0', '--hairOcclusion', share]),
   },
   // Figure 5.8.2.
   'hair-light': {
@@ -55,7 +56,9 @@ await command(async () => {
   setUp({ packages: [needs.headless, needs.browser], npm: true });
   const program = buildNative('wet-fur-render'), folder = join(root, 'build/hair');
   mkdirSync(folder, { recursive: true });
-  for (const [name, { columns, pictures }] of Object.entries(figures)) {
+  const names = process.argv.length > 2 ? process.argv.slice(2) : Object.keys(figures);
+  for (const name of names) {
+    const { columns, pictures } = figures[name];
     const drawn = pictures.map(([label, scene, camera, ...options], i) => {
       const file = join(folder, `${name}-${i}.png`);
       run(program, [scene, '-o', file, '--size', `${2 * size.width}x${2 * size.height}`, '--camera', camera, ...options], { quiet: true });
