@@ -28,7 +28,10 @@ for (const name of names) {
     const serious = issues.messages.filter(({ severity }) => severity < 2);
     assert.deepEqual(serious, []);
     const { loadCore } = await import(pathToFileURL(join(dist, 'core.js')).href);
-    const model = (await loadCore()).importModel(fileOf(name), { name: `${name}.glb` });
+    const core = await loadCore(), read = () => core.importModel(fileOf(name), { name: `${name}.glb` });
+    // Of those the core says whose they are; tests/native/hairscenes.test.mjs reads them.
+    if (name.startsWith('hair-')) return assert.throws(read, /long hair/);
+    const model = read();
     assert.deepEqual([...model.warnings], []);
     assert.ok(model.hasTexcoords);
   });
