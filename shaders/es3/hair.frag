@@ -3,9 +3,6 @@
 #include "common_shading.glsl"
 #include "common_noise.glsl"
 #include "common_hair.glsl"
-#ifdef STRIPS
-#include "hair_light.glsl"
-#endif
 
 in vec4 vBand;
 in vec4 vAlong;
@@ -14,10 +11,7 @@ in vec4 vStrand;
 #ifdef STRIPS
 in vec4 vAcross;
 in vec4 vShape;
-in vec3 vLightSpace;
 flat in float vKind;
-#else
-in float vLit;
 #endif
 #if defined(STRIPS) || defined(PLAIN)
 uniform mediump sampler2DArray strips;  // hair/MemberStrands.h: coverage, slope, random number, nearness
@@ -64,11 +58,7 @@ void main() {
   vec3 albedo = strandColor(hairRootColor.rgb, hairTipColor.rgb, hairVariance, h, strand, vec3(1.0));
   // What lies behind others of its wisp gets less light; so does what lies deep among all.
   float height = mix(0.55, 1.0, front) * mix(1.0, vStrand.z, hairOcclusion);
-#ifdef STRIPS
-  float lit = hairShadowAt(vLightSpace);
-#else
-  float lit = vLit;
-#endif
+  float lit = vStrand.w;
 #ifdef WET
   albedo = wetAlbedo(albedo, vBand.w);
 #endif

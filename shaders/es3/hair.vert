@@ -7,8 +7,8 @@
 #else
 #include "common_hair_member.glsl"
 #include "common_line.glsl"
-#include "hair_light.glsl"
 #endif
+#include "hair_light.glsl"
 
 out vec4 vBand;     // strands: y: pixels that it is wide; strips: xy: place in the picture, times w
                     // z: height, 0 root to 1 tip  w: wetness
@@ -16,13 +16,11 @@ out vec4 vBand;     // strands: y: pixels that it is wide; strips: xy: place in 
 out vec4 vAlong;    // of its tangent: to the light, to the eye, to above; strips: w: to the way that hair is turned
 out vec4 vUp;       // of the way that it is turned, across the strand and unit; of strips not yet; w: of the light to the eye
 out vec4 vStrand;   // x: its random number  y: how near to the front of its wisp, 0..1 (strands)  z: share of the light from all around
+                    // w: how much light comes through the fur
 #ifdef STRIPS
 out vec4 vAcross;   // as vAlong, of the unit vector across the strip
 out vec4 vShape;    // x: that by which vBand.xy is divided  y: what a slope of its strands is in the model  z: vUp's square
-out vec3 vLightSpace;
 flat out float vKind;
-#else
-out float vLit;     // how much light comes through the fur
 #endif
 
 // Hair is turned the way of the skin that it grows from; where it stands up from it, towards the light.
@@ -64,8 +62,7 @@ void strand() {
   vAlong = cosinesOf(tangent, V, way);
   vUp = vec4(cosinesOf(way, V, way).xyz, dot(light.xyz, V));
   vec3 z = turned(middle.turn, vec3(at.x, 0.0, at.y));
-  vStrand = vec4(waves.w, 0.5 + 0.5 * clamp(dot(z, V), -1.0, 1.0), middle.visible, 0.0);
-  vLit = hairShadowAt(lightSpace(p));
+  vStrand = vec4(waves.w, 0.5 + 0.5 * clamp(dot(z, V), -1.0, 1.0), middle.visible, hairShadowAt(lightSpace(p)));
 #endif
 }
 #endif
@@ -83,8 +80,7 @@ void main() {
   vAcross = cosinesOf(v.across / v.picture.z, V, way);
   vUp = vec4(cosinesOf(way, V, way).xyz, dot(light.xyz, V));
   vShape.yz = vec2(slopeScale(v, wisp), dot(way, way));
-  vStrand = vec4(v.shape.y, 0.0, v.middle.visible, 0.0);
-  vLightSpace = lightSpace(v.position);
+  vStrand = vec4(v.shape.y, 0.0, v.middle.visible, hairShadowAt(lightSpace(v.position)));
 #endif
   vKind = v.shape.z;
 #else
