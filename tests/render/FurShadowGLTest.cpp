@@ -89,7 +89,7 @@ class Lit {
     vertexBuffer_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(vertices_), false);
     indexBuffer_ = gl::Buffer(gl::BufferKind::Index, gl::bytesOf(indices_), false);
     surface_ = gl::VertexArray(vertexBuffer_, sizeof(Vertex), kAttributes, 0, &indexBuffer_);
-    key_ = {static_cast<Shadows>(settings_.shadows), lightFromModel(glm::normalize(light), shadowRadius(settings_.furLength)),
+    key_ = {static_cast<Shadows>(settings_.shadows), 256, lightFromModel(glm::normalize(light), shadowRadius(settings_.furLength)),
             volumeShadow(settings_, 0.5f), kPlain, 0, Vec4(0), Mat4(1)};
     key_.fill(frame_);
     shared::FurBlock coat{};
@@ -196,17 +196,17 @@ TEST(FurShadow, ALoneLayerOfStrandsDoesNotShadowItself) {
 TEST(FurShadow, LooksOpacityUpAsItsTwin) {
   // Sixteen layers alike in all texels, from a first surface at 0.3 of a range of 2 on; depth runs along x.
   test::Stage stage(FUR_TWIN_SIZE, FUR_TWIN_SIZE);
-  constexpr int kLayers = 4 * FUR_SHADOW_TARGETS;
+  constexpr int kLayers = 4 * FUR_SHADOW_TARGETS, kTexels = 16;
   std::vector<double> sigma;
   std::vector<std::uint8_t> texels;
   for (int i = 0; i < kLayers; ++i) sigma.push_back(static_cast<double>(i * i) / 255.0);
   for (int target = 0; target < FUR_SHADOW_TARGETS; ++target)
-    for (int texel = 0; texel < FUR_OPACITY_SIZE * FUR_OPACITY_SIZE; ++texel)
+    for (int texel = 0; texel < kTexels * kTexels; ++texel)
       for (int k = 0; k < 4; ++k) texels.push_back(static_cast<std::uint8_t>((4 * target + k) * (4 * target + k)));
   std::vector<std::uint8_t> depths;
-  for (int texel = 0; texel < FUR_OPACITY_SIZE * FUR_OPACITY_SIZE; ++texel) depths.insert(depths.end(), {76, 127, 255, 255});
-  const gl::Texture opacities({gl::TexelFormat::RGBA8, FUR_OPACITY_SIZE, FUR_OPACITY_SIZE, FUR_SHADOW_TARGETS, gl::Filter::Nearest}, std::as_bytes(std::span(texels)));
-  const gl::Texture first({gl::TexelFormat::RGBA8, FUR_OPACITY_SIZE, FUR_OPACITY_SIZE, 0, gl::Filter::Nearest}, std::as_bytes(std::span(depths)));
+  for (int texel = 0; texel < kTexels * kTexels; ++texel) depths.insert(depths.end(), {76, 127, 255, 255});
+  const gl::Texture opacities({gl::TexelFormat::RGBA8, kTexels, kTexels, FUR_SHADOW_TARGETS, gl::Filter::Nearest}, std::as_bytes(std::span(texels)));
+  const gl::Texture first({gl::TexelFormat::RGBA8, kTexels, kTexels, 0, gl::Filter::Nearest}, std::as_bytes(std::span(depths)));
   shared::FrameBlock frame{};
   frame.lightFromModel = Mat4(0.0f);
   frame.lightFromModel[0] = Vec4(0, 0, 1, 0);     // depth: 1 + x
