@@ -36,7 +36,7 @@ export const arrows = {
   'src/app/commands': [...fields, 'groom', 'wet', 'app/tools'],
   // A stage knows no renderer and no GL.
   'src/app/stages': [...pure, 'app/tools', 'app/commands'],
-  'src/editor': ['core', 'settings', 'scene', 'hair/HairFields.h', 'hair/HairValues.h', 'app/tools', 'imgui'],
+  'src/editor': ['core', 'settings', 'scene', 'hair/Body.h', 'hair/HairFields.h', 'hair/HairValues.h', 'app/tools', 'imgui'],
   'src/app': [...pure, ...importers, 'gl', 'render', ...wiring],
   'src/app/editor': [...pure, ...importers, 'gl', 'render', 'editor', 'app', ...wiring, 'imgui'],
   // wet-fur/core offers the pure modules by themselves, without an app around them.

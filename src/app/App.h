@@ -235,6 +235,10 @@ class App {
   Status setHairValue(int scalp, std::string_view name, std::string_view text);
   // All values of a scalp; between beginChange() and endChange() one undo step with what comes there.
   void setHairValues(std::size_t scalp, const hair::HairValues& values);
+  // A sphere or capsule that hair does not enter, of hairstyle().bodies; likewise.
+  void setBody(std::size_t body, const hair::Body& to);
+  int selectedBody() const;  // -1: none
+  bool hasBones() const;     // the model can be posed by a rig
   std::size_t wispCount(std::size_t scalp) const;
   // JSON: [{"name","guides","wisps","selected","values":{all of them}}].
   std::string scalps() const;

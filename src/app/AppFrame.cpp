@@ -73,7 +73,7 @@ void App::State::upload() {
     renderer->setBaseColor(document.imageWidth, document.imageHeight, document.image);
   for (const wet::MaskTexels& part : water.takeTexels(shape, whole)) renderer->updateMask(part);
   if (noteChange(uploaded.bends, motion.bendsRevision()) || whole) renderer->updateBends(motion.shown());
-  renderer->viewHair(hairView = hair->view(hairLook()));
+  renderer->viewHair(hairView = hair->view(hairLook(hand.pointers.empty() ? hand.hover : hand.lastPosition)));
   uploadGroom(whole);
   const bool posed = noteChange(uploaded.pose, shape.poseRevision()) || whole;
   if (const auto* skin = shape.skin(); skin && posed) renderer->setSkin({skin->positions, skin->normals, skin->tangents});

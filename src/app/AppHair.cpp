@@ -10,14 +10,14 @@ void App::State::beginHairStroke() {
   hair->beginStroke();
 }
 
-HairStage::Look App::State::hairLook() const {
+HairStage::Look App::State::hairLook(const std::optional<Vec2>& pixel) const {
   HairStage::Look look{.settings = settings, .tool = hand.tool, .saved = saved, .pixelRatio = view.pixelRatio, .mapSize = groom.groom().paint.size(),
                        .worldFromModel = worldFromModel()};
-  const std::optional<Vec2> pixel = hand.pointers.empty() ? hand.hover : std::optional(hand.lastPosition);
-  if (!pixel || !worksOnHair(hand.tool)) return look;
-  const Ray ray = rayThrough(*pixel);
-  look.points = true;
-  look.origin = ray.origin;
+  if (!worksOnHair(hand.tool)) return look;
+  look.pixel = view.unitsPerPixel(1);
+  look.points = pixel.has_value();
+  const Ray ray = rayThrough(pixel.value_or(Vec2(0)));
+  look.eye = look.origin = ray.origin;
   look.direction = glm::normalize(ray.direction);
   return look;
 }
@@ -25,8 +25,19 @@ HairStage::Look App::State::hairLook() const {
 void App::hover(std::optional<Vec2> pixel) {
   State& s = *state_;
   s.hand.hover = pixel;
-  if (worksOnHair(s.hand.tool)) s.changed += s.hair->pointsElsewhere(s.hairLook());
+  if (worksOnHair(s.hand.tool)) s.changed += s.hair->pointsElsewhere(s.hairLook(pixel));
 }
+
+void App::setBody(std::size_t body, const hair::Body& to) {
+  State& s = *state_;
+  const bool alone = !s.changeBefore;
+  if (alone || !s.hair->stroking()) s.beginHairStroke();
+  s.hair->setBody(body, to);
+  if (alone) s.endStroke();
+}
+
+int App::selectedBody() const { return state_->hair->selectedBody(); }
+bool App::hasBones() const { return state_->shape.pose() != nullptr; }
 
 void App::editHair(HairEdit edit, float value, const Vec3& direction) {
   State& s = *state_;

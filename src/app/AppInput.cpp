@@ -81,14 +81,14 @@ void App::State::dabAt(const geometry::SurfacePoint& at) {
 bool App::State::dabHair(Vec2 pixel, const std::optional<geometry::SurfacePoint>& hit) {
   hand.sinceDab = 0;
   const Ray ray = rayThrough(pixel);
-  hair->dab({hand.tool, ray.origin, glm::normalize(ray.direction), hit, groom.groomSurface(shape), groom.groom().mask, settings, shape});
+  hair->dab({hand.tool, ray.origin, glm::normalize(ray.direction), hit, groom.groomSurface(shape), groom.groom().mask, settings, shape,
+             view.unitsPerPixel(view.pixelRatio)});
   return true;
 }
 
 bool App::State::onHair(Vec2 pixel) const {
   if (!worksOnHair(hand.tool)) return false;
-  const Ray ray = rayThrough(pixel);
-  return hair->meets(ray.origin, glm::normalize(ray.direction), settings.brushRadius);
+  return hair->meets(hairLook(pixel));
 }
 
 void App::State::paintTo(Vec2 pixel) {
@@ -96,6 +96,7 @@ void App::State::paintTo(Vec2 pixel) {
     const Ray ray = rayThrough(pixel);
     return groom.aimWhiskers(shape, settings, ray.origin, ray.direction);
   }
+  if (hand.tool == Tool::HairShape) return (void)dabHair(pixel, std::nullopt);
   const float spacing = std::max(2.0f, kSpacing * settings.brushRadius / view.unitsPerPixel(std::max(0.2f, view.distance())));
   for (Vec2 way = pixel - hand.lastDab; glm::length(way) >= spacing; way = pixel - hand.lastDab) {
     hand.lastDab += way * (spacing / glm::length(way));
@@ -207,7 +208,9 @@ bool App::State::pointerDown(const PointerEvent& event) {
     std::tie(hand.lastPosition, hand.lastSpan) = centreAndSpan(hand.pointers);
     return hand.drag != Drag::None;
   }
-  const bool onModel = pick(event.position).has_value() || onBall(rayThrough(event.position)) || onHair(event.position);
+  // Beside bodies the tool that drags them turns the view, also on the model.
+  const bool onModel = onHair(event.position) ||
+                       (hand.tool != Tool::HairShape && (pick(event.position).has_value() || onBall(rayThrough(event.position))));
   hand.drag = dragFor(event, hand.tool, onModel, view.cameraControls);
   hand.lastPosition = hand.lastDab = event.position;
   if (hand.drag == Drag::Grab) motion.body().grab();

@@ -146,7 +146,7 @@ struct App::State {
   void uploadGroom(bool whole);
   void uploadHair();
   render::HairGrowth hairGrowth(std::size_t scalp) const;
-  HairStage::Look hairLook() const;
+  HairStage::Look hairLook(const std::optional<Vec2>& pixel) const;  // the tool points at that pixel
   // The map that the brush Scalp paints lies over the coat.
   bool showsScalp() const { return hairView && !hairView->instead && !hairView->mapColors.empty(); }
   void uploadLengths(const geometry::TexelRect& changed);
@@ -182,7 +182,7 @@ struct App::State {
   bool dabAt(Vec2 pixel);
   bool dabAt(Vec2 pixel, const std::optional<geometry::SurfacePoint>& hit);  // what it hits is known
   bool dabHair(Vec2 pixel, const std::optional<geometry::SurfacePoint>& hit);
-  bool onHair(Vec2 pixel) const;  // the tool works on guides, and one is there
+  bool onHair(Vec2 pixel) const;  // the tool works on guides or bodies, and one is there
   void dabAt(const geometry::SurfacePoint& at);
   // Dabs along the way, so that the speed of the hand changes nothing.
   void paintTo(Vec2 pixel);

@@ -15,6 +15,7 @@
 #include "app/tools/HairEdits.h"
 #include "app/tools/Tools.h"
 #include "core/Math.h"
+#include "hair/Body.h"
 #include "hair/HairValues.h"
 #include "settings/Settings.h"
 
@@ -54,8 +55,8 @@ struct CoatView {
   int tileSize = 0;  // texels
 };
 
-// What the next press on the model selects.
-enum class Selects { Nothing, Connected, Paint };
+// What the next press on the model selects, or where it puts a collision shape.
+enum class Selects { Nothing, Connected, Paint, Sphere, Capsule };
 
 // The groom of the model, shares of its surface as groom::Coverage has them.
 struct GroomView {
@@ -73,13 +74,15 @@ struct GroomView {
 // A scalp of the model's long hair.
 struct ScalpView {
   std::string name;
-  std::size_t guides = 0, wisps = 0;
+  std::size_t guides = 0, wisps = 0, held = 0, hidden = 0;  // of its guides
   hair::HairValues values;
 };
 struct HairView {
   std::vector<ScalpView> scalps;
   std::size_t selected = 0;  // the one that tools work on
-  std::size_t bodies = 0;    // spheres and capsules that hair does not enter
+  std::vector<hair::Body> bodies;  // spheres and capsules that hair does not enter
+  int selectedBody = -1;
+  bool bones = false;              // the model has some
 };
 
 // Where the water is and went, as wet::Accounts has it; dried: evaporated and wiped off.
@@ -166,6 +169,7 @@ struct SaveScene {};    // all of it as .glb
 struct SaveMaps {};     // the groom's maps, wetness and layout as pictures
 struct SelectAt {
   Selects what;
+  float radius = 0;  // of a sphere or capsule
 };
 struct GroomAll {       // app::App::groomAll()
   GroomEdit edit = GroomEdit::Clear;
@@ -180,6 +184,10 @@ struct EditHair {       // app::App::editHair()
 struct SetHairValues {
   std::size_t scalp;
   hair::HairValues values;
+};
+struct SetBody {
+  std::size_t index;
+  hair::Body body;
 };
 struct RenameScalp {
   std::size_t scalp;
@@ -221,7 +229,7 @@ using Command = std::variant<command::BeginChange, command::EndChange, command::
                              command::OpenDialog, command::OpenPath, command::ResetCamera, command::Undo,
                              command::Redo, command::CopyState, command::PasteState, command::ApplyPreset,
                              command::SaveTypeSet, command::SaveFo, command::SaveHair, command::SaveScene, command::SaveMaps, command::SelectAt, command::GroomAll,
-                             command::EditHair, command::SetHairValues, command::RenameScalp,
+                             command::EditHair, command::SetHairValues, command::SetBody, command::RenameScalp,
                              command::SavePicture, command::SaveTurntable, command::TurnOnce, command::StopPicture,
                              command::KeepVersion, command::OpenVersion, command::RenameVersion, command::DeleteVersion,
                              command::DismissMessage>;

@@ -27,10 +27,10 @@ std::vector<Command> HairPanel::draw(const EditorModel& model, settings::Setting
     drawName(model.hair);
     drawBrush(model, edited);
     drawGuides(model, edited);
-    drawBodies(model.hair);
     drawValues(model.hair);
     drawSaving(model.hair.scalps[model.hair.selected]);
   }
+  drawBodies(model);
   ImGui::Dummy(ImVec2(0, px(2)));
   return std::exchange(commands_, {});
 }
@@ -104,11 +104,32 @@ void HairPanel::drawGuides(const EditorModel& model, settings::Settings& edited)
   if (all == 3) edit(HairEdit::Lengthen, 1 / kLonger);
   ImGui::Dummy(ImVec2(0, 0));
   ImGui::SameLine(px(80));
-  const int more = segments("guideMores", {{"Mirror", false}, {"Show all", false}, {"Free all", false}});
-  hint("Mirror: the guides at +x, and the same at -x. Show all: those that were hidden. Free all: all swing");
+  const int more = segments("guideMores", {{"Mirror", false}});
+  hint("Mirror: the guides at +x, and the same at -x");
   if (more == 0) edit(HairEdit::Mirror, 1);
-  if (more == 1) edit(HairEdit::ShowAll);
-  if (more == 2) edit(HairEdit::FreeAll);
+  drawGuideCounts(scalp);
+}
+
+// What tools leave alone, and what does not swing.
+void HairPanel::drawGuideCounts(const ScalpView& scalp) {
+  char text[96];
+  std::snprintf(text, sizeof text, "%zu shown, %zu hidden; %zu held still", scalp.guides - scalp.hidden, scalp.hidden, scalp.held);
+  rowLabel("Of them");
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(text);
+  hint("Tools work on guides that are shown; hidden ones are protected from them. Held guides keep their shape and do not swing");
+  ImGui::Dummy(ImVec2(0, 0));
+  ImGui::SameLine(px(80));
+  const int swing = segments("guideSwings", {{"Hold all still", false}, {"Let all swing", false}});
+  hint("Hold all still: those that are shown. Let all swing: hidden ones as well");
+  if (swing == 0) edit(HairEdit::HoldAll);
+  if (swing == 1) edit(HairEdit::FreeAll);
+  ImGui::Dummy(ImVec2(0, 0));
+  ImGui::SameLine(px(80));
+  const int shown = segments("guideShows", {{"Show all", false}, {"Invert hidden", false}});
+  hint("Invert hidden: shows what is hidden, and hides what is shown. The tool Hide hides what one paints over");
+  if (shown == 0) edit(HairEdit::ShowAll);
+  if (shown == 1) edit(HairEdit::InvertHidden);
 }
 
 // At the end, as a file is made of what is there.
@@ -119,20 +140,83 @@ void HairPanel::drawSaving(const ScalpView& scalp) {
   hint("All strands of this scalp, for other programs. A .hair file that is opened becomes guides of this scalp, or of a new one");
 }
 
-void HairPanel::drawBodies(const HairView& hair) {
-  rowLabel("Sphere");
-  const float button = px(64), gap = px(3);
-  ImGui::SetNextItemWidth(-2 * (button + gap));
-  fillSlider("##sphere", sphereRadius_, 0.05f, 1.5f, "%.2f", false);
-  ImGui::SameLine(0, gap);
-  if (ImGui::Button("Add##sphere", ImVec2(button, 0))) edit(HairEdit::AddSphere, sphereRadius_);
-  hint("Hair does not enter it; it goes round the middle of the model");
-  ImGui::SameLine(0, gap);
-  ImGui::BeginDisabled(hair.bodies == 0);
-  char text[32];
-  std::snprintf(text, sizeof text, "Clear %zu###clearBodies", hair.bodies);
-  if (ImGui::Button(text, ImVec2(-1, 0))) edit(HairEdit::ClearBodies);
+void HairPanel::drawBodies(const EditorModel& model) {
+  const HairView& hair = model.hair;
+  ImGui::TextDisabled("Collision shapes");
+  hint("Spheres and capsules that hair does not enter: a head, a neck, shoulders. They go with the model");
+  if (const auto tool = toolRow("bodies", model.tool)) commands_.push_back(command::SetTool{*tool});
+  hint(app::wordsOf(Tool::HairShape).tooltip);
+  rowLabel("Radius");
+  ImGui::SetNextItemWidth(-1);
+  fillSlider("##bodyRadius", bodyRadius_, 0.05f, 1.5f, "%.2f", false);
+  hint("Of those that are added next");
+  rowLabel("Add inside");
+  const int inside = segments("bodyCentres", {{"Sphere", false}, {"Capsule", false}});
+  hint("Round the middle of the model; then drag it where it belongs");
+  if (inside >= 0) {
+    edit(inside == 0 ? HairEdit::AddSphere : HairEdit::AddCapsule, bodyRadius_);
+    commands_.push_back(command::SetTool{Tool::HairShape});
+  }
+  rowLabel("Add at click");
+  const Selects waits = model.groom.selects;
+  const int placed = segments("bodyPlaces", {{"Sphere", waits == Selects::Sphere}, {"Capsule", waits == Selects::Capsule}});
+  hint("Then click on the model where its middle is to be (Esc: not)");
+  if (placed == 0) commands_.push_back(command::SelectAt{waits == Selects::Sphere ? Selects::Nothing : Selects::Sphere, bodyRadius_});
+  if (placed == 1) commands_.push_back(command::SelectAt{waits == Selects::Capsule ? Selects::Nothing : Selects::Capsule, bodyRadius_});
+  ImGui::BeginDisabled(!hair.bones);
+  if (ImGui::Button("Fit to bones", ImVec2(-1, 0))) edit(HairEdit::FitBones);
   ImGui::EndDisabled();
+  hint(hair.bones ? "A capsule for each bone, as thick as what it holds, which goes with it; in place of all others" : "This model has no bones");
+  if (hair.bodies.empty()) return;
+  if (hair.selectedBody >= 0) drawBody(static_cast<std::size_t>(hair.selectedBody), hair.bodies[static_cast<std::size_t>(hair.selectedBody)]);
+  char text[48];
+  std::snprintf(text, sizeof text, "Clear all %zu###clearBodies", hair.bodies.size());
+  const float gap = px(3), half = (ImGui::GetContentRegionAvail().x - gap) * 0.5f;
+  ImGui::BeginDisabled(hair.selectedBody < 0);
+  if (ImGui::Button("Remove##body", ImVec2(half, 0))) edit(HairEdit::RemoveBody);
+  ImGui::EndDisabled();
+  ImGui::SameLine(0, gap);
+  if (ImGui::Button(text, ImVec2(-1, 0))) edit(HairEdit::ClearBodies);
+}
+
+// The numbers of the one that is selected.
+void HairPanel::drawBody(std::size_t index, const hair::Body& body) {
+  constexpr float kFar = 3;
+  const bool capsule = body.a != body.b;
+  Vec3 middle = 0.5f * (body.a + body.b), reach = 0.5f * (body.b - body.a);
+  hair::Body next = body;
+  const float gap = px(3);
+  const auto row = [&](const char* label, Vec3& values, const char* what) {
+    rowLabel(label);
+    const float width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
+    bool changed = false;
+    for (int k = 0; k < 3; ++k) {
+      ImGui::PushID(k);
+      ImGui::PushID(label);
+      if (k > 0) ImGui::SameLine(0, gap);
+      ImGui::SetNextItemWidth(width);
+      changed |= fillSlider("##value", values[k], -kFar, kFar, "%.2f", false);
+      hint(what);
+      ImGui::PopID();
+      ImGui::PopID();
+    }
+    return changed;
+  };
+  char text[48];
+  std::snprintf(text, sizeof text, "%s %zu%s", capsule ? "Capsule" : "Sphere", index + 1, body.bone >= 0 ? ", goes with a bone" : "");
+  ImGui::TextUnformatted(text);
+  ImGui::PushID(static_cast<int>(index));
+  bool changed = row("Middle", middle, "Where its middle is: x, y, z, in radii of the model");
+  if (capsule) changed |= row("Half axis", reach, "From its middle to the centre of its far end: x, y, z");
+  rowLabel("Its radius");
+  ImGui::SetNextItemWidth(-1);
+  changed |= fillSlider("##itsRadius", next.radius, hair::kLeastBody, 2, "%.2f", true);
+  ImGui::PopID();
+  if (!changed) return;
+  next.a = middle - reach;
+  next.b = middle + reach;
+  changed_ = true;
+  commands_.push_back(command::SetBody{index, next});
 }
 
 void HairPanel::drawValues(const HairView& hair) {
@@ -146,8 +230,9 @@ void HairPanel::drawValues(const HairView& hair) {
     if (changed) settings::setField(values, field, *changed, clamped);
   }
   ImGui::PopID();
-  changed_ = values != hair.scalps[hair.selected].values;
-  if (changed_) commands_.push_back(command::SetHairValues{hair.selected, values});
+  if (values == hair.scalps[hair.selected].values) return;
+  changed_ = true;
+  commands_.push_back(command::SetHairValues{hair.selected, values});
 }
 
 }  // namespace fur::editor

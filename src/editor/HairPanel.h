@@ -21,7 +21,9 @@ class HairPanel {
   void drawBrush(const EditorModel& model, settings::Settings& edited);
   void givesOrTakes(Tool tool, const EditorModel& model, settings::Settings& edited);
   void drawGuides(const EditorModel& model, settings::Settings& edited);
-  void drawBodies(const HairView& hair);
+  void drawGuideCounts(const ScalpView& scalp);
+  void drawBodies(const EditorModel& model);
+  void drawBody(std::size_t index, const hair::Body& body);
   void drawSaving(const ScalpView& scalp);
   void drawValues(const HairView& hair);
   void hint(const char* text) const;
@@ -30,7 +32,7 @@ class HairPanel {
   std::vector<Command> commands_;
   bool tooltips_ = false, changed_ = false;
   int guides_ = 64;           // that "Plant" plants
-  float sphereRadius_ = 0.5f;
+  float bodyRadius_ = 0.4f;   // that the next sphere or capsule has
   char name_[65] = {};        // of the scalp `named_`, while it is typed
   std::size_t named_ = static_cast<std::size_t>(-1);
 };

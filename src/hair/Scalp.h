@@ -6,12 +6,13 @@
 #include <vector>
 
 #include "groom/Groom.h"
+#include "hair/Body.h"
 #include "hair/Guides.h"
 #include "hair/HairValues.h"
 
 namespace fur::hair {
 
-inline constexpr std::size_t kMostScalps = 8, kMostBodies = 64;
+inline constexpr std::size_t kMostScalps = 8;
 
 // A name of at most 64 bytes, whole characters of UTF-8.
 std::string soundName(std::string_view name);
@@ -26,13 +27,6 @@ struct Scalp {
 
 // Moves the density towards `density` in a ball (model space), all of the way but for the outermost eighth of its radius.
 void paintDensity(groom::GroomMap& map, const groom::GroomSurface& skin, const Vec3& centre, float radius, float density);
-
-// A sphere (a == b) or capsule that hair does not enter; model space, goes with the model.
-struct Body {
-  Vec3 a{0}, b{0};
-  float radius = 0.1f;
-  bool operator==(const Body&) const = default;
-};
 
 struct Hairstyle {
   std::vector<Scalp> scalps;  // up to kMostScalps

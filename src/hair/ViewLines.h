@@ -3,9 +3,9 @@
 
 #include <span>
 
-#include "hair/HairView.h"
+#include "hair/Body.h"
 #include "hair/Guides.h"
-#include "hair/Scalp.h"
+#include "hair/HairView.h"
 
 namespace fur::hair {
 

@@ -177,6 +177,11 @@ bool EditorHost::selects(const PointerEvent& event) {
   if (what == editor::Selects::Nothing) return false;
   const auto place = app_.placeAt(event.position);
   if (!place) return false;
+  if (what == editor::Selects::Sphere || what == editor::Selects::Capsule) {
+    app_.editHair(what == editor::Selects::Sphere ? HairEdit::AddSphere : HairEdit::AddCapsule, bodyRadius_, *place);
+    app_.setTool(Tool::HairShape);
+    return true;
+  }
   const bool paint = what == editor::Selects::Paint;
   app_.groomAll(paint ? GroomEdit::SelectPaint : GroomEdit::SelectConnected, paint ? kPaintTolerance : 1, *place);
   return true;
@@ -211,6 +216,11 @@ bool EditorHost::key(std::string_view name, bool down, const editor::Modifiers& 
   if (shortcut && (saves || !text)) {
     if (down && saves) editor_.save();
     else if (down) perform(*shortcut);
+    wake();
+    return true;
+  }
+  if (!text && (name == "Delete" || name == "Backspace") && app_.tool() == Tool::HairShape && app_.selectedBody() >= 0) {
+    if (down) app_.editHair(HairEdit::RemoveBody);
     wake();
     return true;
   }
@@ -446,7 +456,11 @@ void EditorHost::perform(const editor::Command& command) {
       [&](const SaveHair&) { request(Kind::SaveHair, modelFileName(app_, scene::Format::Hair)); },
       [&](const SaveScene&) { request(Kind::SaveScene, modelFileName(app_, scene::Format::Glb)); },
       [&](const SaveMaps&) { request(Kind::SaveMaps, app_.mapsName() + "-maps"); },
-      [&](const SelectAt& c) { selects_ = c.what; },
+      [&](const SelectAt& c) {
+        selects_ = c.what;
+        bodyRadius_ = c.radius;
+      },
+      [&](const SetBody& c) { app_.setBody(c.index, c.body); },
       [&](const GroomAll& c) { app_.groomAll(c.edit, c.value, c.direction); },
       [&](const EditHair& c) { app_.editHair(c.edit, c.value, c.direction); },
       [&](const SetHairValues& c) { app_.setHairValues(c.scalp, c.values); },

@@ -141,6 +141,7 @@ class EditorHost {
   std::uint64_t drawnHash_ = 0, shownHash_ = 0;  // of the panel's triangles and pictures
   PanelPictures pictures_{app_};
   editor::Selects selects_ = editor::Selects::Nothing;  // what the next press on the model does
+  float bodyRadius_ = 0;                                // of a sphere or capsule that it puts there
   float frameTime_ = 0;
   std::deque<PlatformCommand> platform_;
   std::vector<editor::Message> messages_;

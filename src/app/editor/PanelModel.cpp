@@ -1,5 +1,7 @@
 #include "app/editor/PanelModel.h"
 
+#include <algorithm>
+
 namespace fur::app {
 
 editor::EditorModel describe(const App& app) {
@@ -35,10 +37,15 @@ editor::EditorModel describe(const App& app) {
   model.groom.painted = !app.groom().paint.isPlain();
   model.groom.masked = !app.groom().mask.isPlain();
   model.hair.selected = app.selectedScalp();
-  model.hair.bodies = app.hairstyle().bodies.size();
+  model.hair.bodies = app.hairstyle().bodies;
+  model.hair.selectedBody = app.selectedBody();
+  model.hair.bones = app.hasBones();
   for (std::size_t i = 0; i < app.hairstyle().scalps.size(); ++i) {
     const hair::Scalp& scalp = app.hairstyle().scalps[i];
-    model.hair.scalps.push_back({scalp.name, scalp.guides.count(), app.wispCount(i), scalp.values});
+    const auto flagged = [&](hair::GuideFlag flag) {
+      return static_cast<std::size_t>(std::count_if(scalp.guides.flags.begin(), scalp.guides.flags.end(), [=](std::uint8_t flags) { return (flags & flag) != 0; }));
+    };
+    model.hair.scalps.push_back({scalp.name, scalp.guides.count(), app.wispCount(i), flagged(hair::kStatic), flagged(hair::kHidden), scalp.values});
   }
   return model;
 }

@@ -36,10 +36,10 @@ hair::RootFrame frameAsShown(const ShapeStage& shape, const geometry::SurfacePoi
   return {shape.shownPosition(at), normal, now * along + glm::cross(normal, now) * aside};
 }
 
-std::vector<hair::Collider> collidersOf(const hair::Hairstyle& style, const HairStage::Inputs& inputs) {
+std::vector<hair::Collider> collidersOf(std::span<const hair::Body> bodies, const HairStage::Inputs& inputs) {
   std::vector<hair::Collider> all;
   const auto world = [&](const Vec3& p) { return Vec3(inputs.worldFromModel * Vec4(p, 1)); };
-  for (const hair::Body& body : style.bodies) all.push_back({world(body.a), world(body.b), body.radius});
+  for (const hair::Body& body : bodies) all.push_back({world(body.a), world(body.b), body.radius});
   for (const dynamics::Contact& contact : inputs.contacts)
     if (contact.radius > 0) all.push_back({contact.to, contact.to, contact.radius});
   if (inputs.settings.ground) {
@@ -61,6 +61,7 @@ std::uint64_t rootsHash(const hair::Guides& guides) {
 
 void GrownHair::reset() {
   selected_ = 0;
+  selectedBody_ = -1;
   before_.reset();
   scalps_.clear();
   settled_ = false;
@@ -69,6 +70,7 @@ void GrownHair::reset() {
 
 void GrownHair::setStyle(hair::Hairstyle style) {
   style_ = std::move(style);
+  selectedBody_ = std::min(selectedBody_, static_cast<int>(style_.bodies.size()) - 1);
   touch();
 }
 
@@ -165,7 +167,8 @@ void GrownHair::growWhereStale(const ShapeStage& shape) {
 // Calls work(scalp, values of its motion, what acts on it) for each.
 template <class Work>
 void GrownHair::forScalps(const Inputs& inputs, Work work) {
-  const std::vector<hair::Collider> colliders = collidersOf(style_, inputs);
+  placeBodies(inputs.shape);
+  const std::vector<hair::Collider> colliders = collidersOf(bodies_, inputs);
   hair::Surroundings around;
   around.up = normalizeOr(Vec3(inputs.worldFromModel[1]), Vec3(0, 1, 0));
   around.wind = &inputs.wind;

@@ -1,6 +1,7 @@
 // Long hair that grows: HairStage for programs that have it.
 #pragma once
 
+#include "app/stages/BodyGrip.h"
 #include "app/stages/HairStage.h"
 #include "hair/Simulation.h"
 
@@ -19,10 +20,11 @@ class GrownHair final : public HairStage {
   void beginStroke() override;
   std::optional<HairStep> endStroke() override;
   void apply(const HairStep& step, bool undo) override;
-  bool meets(const Vec3& origin, const Vec3& direction, float reach) const override { return nearestNode(origin, direction, reach).has_value(); }
+  bool meets(const Look& look) const override;
   void dab(const Dab& dab) override;
   void edit(const ShapeStage& shape, const groom::GroomSurface& skin, std::span<const Vec3> comb, const Edit& edit, Warnings& warnings) override;
   void setValues(std::size_t scalp, const hair::HairValues& values) override;
+  void setBody(std::size_t body, const hair::Body& to) override;
   Status setValue(std::size_t scalp, std::string_view name, std::string_view text, Warnings& warnings) override;
 
   const hair::HairView* view(const Look& look) override;
@@ -66,6 +68,11 @@ class GrownHair final : public HairStage {
   bool shapeGuides(const Dab& dab);
   void editGuides(const ShapeStage& shape, const Edit& edit, Warnings& warnings);
   bool editAll(const groom::GroomSurface& skin, const Edit& edit, Warnings& warnings);
+  bool editBodies(const ShapeStage& shape, const Edit& edit, Warnings& warnings);
+  void addBody(const hair::Body& body, Warnings& warnings);
+  hair::Body* body();  // that is selected
+  void placeBodies(const ShapeStage& shape);
+  bool dragBody(const Dab& dab);
   void grow(const ShapeStage& shape);
   void grow(const hair::Scalp& scalp, LiveScalp& live, const ShapeStage& shape);
   std::vector<hair::RootFrame> rootsNow(const LiveScalp& live, const Inputs& inputs) const;
@@ -94,6 +101,17 @@ class GrownHair final : public HairStage {
     Near first;
   };
   std::optional<Stroke> guideStroke_;
+  // Bodies where the model's pose has them, as of the last update; and the way there from where they are as made.
+  std::vector<hair::Body> bodies_;
+  std::vector<Mat4> bodyMotions_;
+  std::vector<Mat4> restInverses_;   // of the rig's nodes
+  std::uint64_t restFor_ = 0;        // and for which surface
+  // The stroke of the tool that drags bodies: what it has taken hold of, and where in the plane through that place that faces the eye.
+  struct BodyStroke {
+    BodyGrip grip;
+    Vec3 at, normal;
+  };
+  std::optional<BodyStroke> bodyStroke_;
   hair::HairView view_;
   bool mapOver_ = false;  // its map lies over the coat
   groom::GroomMap paintUnderView_;

@@ -12,8 +12,7 @@ namespace fur::app {
 namespace {
 
 // Of what save() gives, which browsers keep from visit to visit: another one whenever that changes.
-constexpr std::uint32_t kLayout = 1;
-constexpr float kLargestBody = 10;  // model units
+constexpr std::uint32_t kLayout = 2;
 
 bool read(ByteReader& from, hair::Scalp& scalp) {
   std::uint32_t size = 0;
@@ -72,6 +71,7 @@ bool GrownHair::restore(std::span<const std::uint8_t> bytes) {
 void GrownHair::beginStroke() {
   before_ = save();
   guideStroke_.reset();
+  bodyStroke_.reset();
 }
 
 std::optional<HairStep> GrownHair::endStroke() {
@@ -93,6 +93,7 @@ bool GrownHair::editAll(const groom::GroomSurface& skin, const Edit& edit, Warni
     case HairEdit::Clear:
       style_ = {};
       selected_ = 0;
+      selectedBody_ = -1;
       return true;
     case HairEdit::AddScalp:
       if (style_.scalps.size() >= hair::kMostScalps) return warnings.push_back("a model has at most " + std::to_string(hair::kMostScalps) + " scalps"), true;
@@ -100,19 +101,12 @@ bool GrownHair::editAll(const groom::GroomSurface& skin, const Edit& edit, Warni
       style_.scalps.back().name = "hair " + std::to_string(style_.scalps.size());
       selected_ = style_.scalps.size() - 1;
       return true;
-    case HairEdit::AddSphere:
-      if (style_.bodies.size() >= hair::kMostBodies) warnings.push_back("a model has at most " + std::to_string(hair::kMostBodies) + " spheres and capsules");
-      else if (edit.value > 0) style_.bodies.push_back({edit.direction, edit.direction, std::min(edit.value, kLargestBody)});
-      return true;
-    case HairEdit::ClearBodies:
-      style_.bodies.clear();
-      return true;
     default: return false;
   }
 }
 
 void GrownHair::edit(const ShapeStage& shape, const groom::GroomSurface& skin, std::span<const Vec3> comb, const Edit& edit, Warnings& warnings) {
-  if (editAll(skin, edit, warnings)) return touch();
+  if (editAll(skin, edit, warnings) || editBodies(shape, edit, warnings)) return touch();
   if (style_.scalps.empty()) return warnings.push_back("there is no scalp yet: add one first");
   hair::Scalp& scalp = style_.scalps[selected_];
   if (edit.what == HairEdit::Select) selected_ = static_cast<std::size_t>(glm::clamp(edit.value, 0.0f, static_cast<float>(style_.scalps.size() - 1)));

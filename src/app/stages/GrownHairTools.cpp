@@ -25,14 +25,6 @@ groom::Brush everywhere(float strength) {
   return brush;
 }
 
-// Where a ray meets a plane; none where it runs along it or away.
-std::optional<Vec3> onPlane(const Vec3& origin, const Vec3& direction, const Vec3& point, const Vec3& normal) {
-  const float slope = glm::dot(direction, normal);
-  if (std::abs(slope) < 1e-4f) return std::nullopt;
-  const float t = glm::dot(point - origin, normal) / slope;
-  return t > 0 ? std::optional(origin + direction * t) : std::nullopt;
-}
-
 }  // namespace
 
 std::optional<GrownHair::Near> GrownHair::nearestNode(const Vec3& origin, const Vec3& direction, float reach) const {
@@ -110,6 +102,10 @@ bool GrownHair::shapeGuides(const Dab& dab) {
 }
 
 void GrownHair::dab(const Dab& dab) {
+  if (dab.tool == Tool::HairShape) {
+    if (dragBody(dab)) touch();
+    return;
+  }
   if (style_.scalps.empty()) return;
   if (dab.tool == Tool::Scalp ? paintScalp(dab) : shapeGuides(dab)) touch();
 }
@@ -130,8 +126,11 @@ void GrownHair::editGuides(const ShapeStage& shape, const Edit& edit, Warnings& 
     case HairEdit::Curl: hair::curl(guides, roots(), everywhere(1), edit.value); break;
     case HairEdit::Twist: hair::twist(guides, everywhere(1), edit.value); break;
     case HairEdit::ShowAll: hair::setFlag(guides, hair::kHidden, false); break;
+    case HairEdit::InvertHidden:
+      for (std::uint8_t& flags : guides.flags) flags ^= hair::kHidden;
+      break;
+    case HairEdit::HoldAll: hair::setFlag(guides, everywhere(1), hair::kStatic, true); break;
     case HairEdit::FreeAll: hair::setFlag(guides, hair::kStatic, false); break;
-    case HairEdit::HoldAll: hair::setFlag(guides, hair::kStatic, true); break;
     case HairEdit::Mirror: {
       auto both = hair::mirrored(guides, {Vec3(0), Vec3(edit.value < 0 ? -1 : 1, 0, 0)});
       if (both) guides = std::move(*both);

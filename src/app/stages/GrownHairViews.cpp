@@ -19,13 +19,17 @@ bool toolShows(const HairStage::Look& look) { return !look.saved && worksOnHair(
 bool mapShows(const HairStage::Look& look) {
   return replaces(look) ? shownBy(look.settings) == Shows::Scalp : toolShows(look) && look.tool == Tool::Scalp;
 }
+bool bodiesShow(const HairStage::Look& look) {
+  const Shows shows = shownBy(look.settings);
+  return replaces(look) ? shows == Shows::Springs || shows == Shows::Shapes : toolShows(look) && look.tool == Tool::HairShape;
+}
 bool guidesShow(const HairStage::Look& look) {
   const Shows shows = shownBy(look.settings);
   return replaces(look) ? shows == Shows::Guides || shows == Shows::Influence || shows == Shows::Shapes : toolShows(look);
 }
 
-constexpr Vec3 kAwake(1.0f, 0.72f, 0.2f), kAsleep(0.93f, 0.9f, 0.78f), kHeld(0.25f, 0.68f, 1.0f), kHiddenGuide(0.45f, 0.46f, 0.5f), kOther(0.55f, 0.58f, 0.62f);
-constexpr Vec3 kPointed(1.0f, 1.0f, 1.0f), kBody(0.95f, 0.45f, 0.85f);
+constexpr Vec3 kAwake(1.0f, 0.72f, 0.2f), kAsleep(0.5f, 0.8f, 0.3f), kHeld(0.25f, 0.68f, 1.0f), kHiddenGuide(0.45f, 0.46f, 0.5f), kOther(0.55f, 0.58f, 0.62f);
+constexpr Vec3 kPointed(1.0f, 1.0f, 1.0f), kBody(0.95f, 0.45f, 0.85f), kSelectedBody(1.0f, 0.85f, 0.3f);
 // Guides are seen through so much hair, model units; and through the skin next to their roots.
 constexpr float kThroughHair = 0.3f, kAtSkin = 0.03f;
 
@@ -46,6 +50,11 @@ const hair::HairView* GrownHair::view(const Look& look) {
   lines.add(revision_), lines.add(selected_), lines.add(view_.instead), lines.add(look.tool);
   lines.add(near ? near->guide * hair::kMostNodes + near->node + 1 : 0);
   for (const float number : {static_cast<float>(look.settings.hairView), look.pixelRatio, look.settings.brushRadius}) lines.add(number);
+  if (bodiesShow(look)) {
+    lines.addAll(bodies_);
+    lines.add(selectedBody_);
+    if (look.tool == Tool::HairShape) lines.add(look.eye);
+  }
   if (noteChange(linesFor_, lines.value())) viewLines(look);
   for (const int number : {static_cast<int>(selected_), int{mapShows(look)}, view_.instead ? look.settings.hairView : 0, look.settings.scalpMap, look.mapSize})
     colors.add(number);
@@ -56,7 +65,7 @@ const hair::HairView* GrownHair::view(const Look& look) {
 }
 
 std::optional<GrownHair::Near> GrownHair::pointedNode(const Look& look) const {
-  if (!look.points || !toolShows(look) || look.tool == Tool::Scalp) return std::nullopt;
+  if (!look.points || !toolShows(look) || look.tool == Tool::Scalp || look.tool == Tool::HairShape) return std::nullopt;
   return nearestNode(look.origin, look.direction, reachOf(look.tool, look.settings));
 }
 
@@ -77,7 +86,7 @@ void GrownHair::viewLines(const Look& look) {
     else if (guidesShow(look) && (replaces(look) || i == selected_)) viewGuides(i, look);
   }
   if (!replaces(look)) viewPointed(look);
-  if (springs || (replaces(look) && shownBy(look.settings) == Shows::Shapes)) viewBodies(look);
+  if (bodiesShow(look)) viewBodies(look);
 }
 
 void GrownHair::viewGuides(std::size_t scalp, const Look& look) {
@@ -90,7 +99,8 @@ void GrownHair::viewGuides(std::size_t scalp, const Look& look) {
     const bool hidden = of.guides.flags[g] & hair::kHidden;
     if (hidden && !instead && look.tool != Tool::HairHide) continue;
     hair::GuideStyle style;
-    const Vec3 color = shows == Shows::Influence && instead ? hair::colorOfNumber(static_cast<std::uint32_t>(g)) : guideColor(of.guides.flags[g], live.simulation.atRest(), scalp == selected_);
+    const Vec3 color = shows == Shows::Influence && instead ? hair::colorOfNumber(static_cast<std::uint32_t>(g))
+                                                                : guideColor(of.guides.flags[g], live.simulation.atRest(), scalp == selected_);
     style.color = Vec4(color, instead ? 1.0f : 0.75f);
     style.width = look.pixelRatio * (hidden ? 1.0f : instead ? 1.8f : 1.2f);
     style.dots = nodes && !hidden ? look.pixelRatio * (instead ? 4.5f : 3.0f) : 0;
@@ -133,7 +143,18 @@ void GrownHair::viewSprings(std::size_t scalp, const Look& look) {
 }
 
 void GrownHair::viewBodies(const Look& look) {
-  for (const hair::Body& body : style_.bodies) hair::addBody(view_.lines, body, Vec4(kBody, 1), 1.4f * look.pixelRatio);
+  const bool edits = !look.saved && look.tool == Tool::HairShape;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const hair::Body& body = bodies_[i];
+    const bool selected = edits && static_cast<int>(i) == selectedBody_;
+    hair::addBody(view_.lines, body, Vec4(selected ? kSelectedBody : kBody, 1), (selected ? 2.0f : 1.4f) * look.pixelRatio);
+    if (!selected) continue;
+    // Its handles are never hidden.
+    constexpr float kOnTop = 1e3f;
+    for (const Vec3& at : {body.a, body.b, radiusHandle(body, look.eye)})
+      for (const auto& [width, color] : {std::pair(11.0f, Vec4(0, 0, 0, 0.6f)), {8.0f, Vec4(kSelectedBody, 1)}})
+        view_.lines.push_back({at, width * look.pixelRatio, at, kOnTop, color});
+  }
 }
 
 // --- colours ---

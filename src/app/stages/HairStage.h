@@ -45,6 +45,20 @@ class HairStage {
     std::vector<std::uint8_t> ambient;  // hair/AmbientOcclusion.h
   };
 
+  // What a person looks at and points at.
+  struct Look {
+    const settings::Settings& settings;
+    Tool tool;
+    bool saved = false;     // a picture for a file, on which tools show nothing
+    float pixelRatio = 1;
+    int mapSize = 0;        // of the groom's maps
+    Mat4 worldFromModel{1.0f};
+    bool points = false;    // at `direction` (unit) from `origin`, model space
+    Vec3 origin{0}, direction{0};
+    Vec3 eye{0, 0, 3};      // model space
+    float pixel = 0.002f;   // model units that one covers at distance 1
+  };
+
   // What make() gives from then on.
   static void growWith(std::unique_ptr<HairStage> (*maker)());
   static std::unique_ptr<HairStage> make();
@@ -58,6 +72,7 @@ class HairStage {
   virtual bool active(const Inputs&) const { return false; }
   std::uint64_t revision() const { return revision_; }
 
+  int selectedBody() const { return selectedBody_; }  // of style().bodies; -1: none
   const hair::Hairstyle& style() const { return style_; }
   virtual void setStyle(hair::Hairstyle) {}
   std::size_t selected() const { return selected_; }  // the scalp that tools work on
@@ -69,8 +84,8 @@ class HairStage {
   bool stroking() const { return before_.has_value(); }
   virtual std::optional<HairStep> endStroke() { return std::nullopt; }
   virtual void apply(const HairStep&, bool) {}
-  // Whether the ray (model space, `direction` unit) comes near a guide of the selected scalp that is not hidden.
-  virtual bool meets(const Vec3& /*origin*/, const Vec3& /*direction*/, float /*reach*/) const { return false; }
+  // Whether the tool has something to take hold of where it points: a guide of the selected scalp that is not hidden, or a body.
+  virtual bool meets(const Look&) const { return false; }
   // Within a stroke: a dab of the tool where a ray (model space) goes, on both sides where the settings say so.
   struct Dab {
     Tool tool;
@@ -80,6 +95,7 @@ class HairStage {
     const groom::GroomMap& mask;  // the groom's
     const settings::Settings& settings;
     const ShapeStage& shape;
+    float pixel = 0.002f;  // model units that one covers at distance 1
   };
   virtual void dab(const Dab&) {}
   // Within a stroke: see HairEdits.inc; numbers are finite. `comb`: bends of the coat at rest, one a vertex, or none.
@@ -91,21 +107,11 @@ class HairStage {
   };
   virtual void edit(const ShapeStage&, const groom::GroomSurface&, std::span<const Vec3> /*comb*/, const Edit&, Warnings&) {}
   virtual void setValues(std::size_t /*scalp*/, const hair::HairValues&) {}
+  virtual void setBody(std::size_t /*body*/, const hair::Body&) {}
   // Within a stroke: a value of HairFields.inc, or "name".
   virtual Status setValue(std::size_t scalp, std::string_view name, std::string_view text, Warnings& warnings);
 
   // --- views ---
-  // What a person looks at and points at.
-  struct Look {
-    const settings::Settings& settings;
-    Tool tool;
-    bool saved = false;     // a picture for a file, on which tools show nothing
-    float pixelRatio = 1;
-    int mapSize = 0;        // of the groom's maps
-    Mat4 worldFromModel{1.0f};
-    bool points = false;    // at `direction` (unit) from `origin`, model space
-    Vec3 origin{0}, direction{0};
-  };
   // What views and tools show now, until the next call; nullptr: nothing.
   virtual const hair::HairView* view(const Look&) { return nullptr; }
   // The coat's paint with the colours of that view over it.
@@ -133,6 +139,7 @@ class HairStage {
  protected:
   hair::Hairstyle style_;
   std::size_t selected_ = 0;
+  int selectedBody_ = -1;
   std::optional<std::vector<std::uint8_t>> before_;  // the stroke at work
   std::uint64_t revision_ = 0;
 };

@@ -58,6 +58,8 @@ class ShapeStage {
 
   // nullptr for a model without animations: it is shown as it was made.
   const Skin* skin() const { return pose_ ? &skin_ : nullptr; }
+  // nullptr likewise.
+  const scene::Pose* pose() const { return pose_ ? &*pose_ : nullptr; }
   // Of each vertex, as it was made; empty for a model without animations.
   std::span<const Vec3> firstTangents() const { return firstTangents_; }
   // As shown.

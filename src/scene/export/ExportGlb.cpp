@@ -106,7 +106,11 @@ std::string hairJson(Writer& writer, const hair::Hairstyle& hair, const std::str
   std::string out = ",\"hair\":{\"scalps\":[";
   for (const hair::Scalp& scalp : hair.scalps) out += (&scalp == hair.scalps.data() ? "" : ",") + scalpJson(writer, scalp);
   out += "]";
-  if (!hair.bodies.empty()) out += ",\"bodies\":" + addBytes(writer, hair.bodies);
+  // Without their bones: the file has none.
+  std::vector<float> bodies;
+  for (const hair::Body& body : hair.bodies)
+    for (const float number : {body.a.x, body.a.y, body.a.z, body.b.x, body.b.y, body.b.z, body.radius}) bodies.push_back(number);
+  if (!bodies.empty()) out += ",\"bodies\":" + addBytes(writer, bodies);
   return out + atlas;
 }
 

@@ -12,6 +12,7 @@ namespace fur::scene {
 
 namespace {
 
+constexpr std::size_t kBodyBytes = 28;  // ends and radius
 constexpr float kMostBody = 1e3f;  // radius and place, in radii of the model
 
 groom::GroomMap readScalpMap(const GltfFile& file, const Json& scalp, const std::string& where) {
@@ -65,12 +66,14 @@ hair::Scalp readScalp(const GltfFile& file, const Json& scalp, const std::string
 
 std::vector<hair::Body> readBodies(const GltfFile& file, const Json& hair) {
   const Bytes bytes = file.bufferView(file.whole(hair, "bodies", "WETFUR_fur.hair")).bytes;
-  const bool whole = bytes.size() % sizeof(hair::Body) == 0;
-  if (!whole || bytes.size() > hair::kMostBodies * sizeof(hair::Body))
+  const bool whole = bytes.size() % kBodyBytes == 0;
+  if (!whole || bytes.size() > hair::kMostBodies * kBodyBytes)
     file.fail(whole ? ErrorId::TooLarge : ErrorId::BadFile, "WETFUR_fur.hair.bodies does not hold up to %zu bodies of 28 bytes", hair::kMostBodies);
-  std::vector<hair::Body> bodies(bytes.size() / sizeof(hair::Body));
-  std::memcpy(bodies.data(), bytes.data(), bytes.size());
+  std::vector<hair::Body> bodies(bytes.size() / kBodyBytes);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
+    float numbers[kBodyBytes / sizeof(float)];
+    std::memcpy(numbers, bytes.data() + i * kBodyBytes, kBodyBytes);
+    bodies[i] = {Vec3(numbers[0], numbers[1], numbers[2]), Vec3(numbers[3], numbers[4], numbers[5]), numbers[6]};
     const Vec3 sum = bodies[i].a + bodies[i].b;
     if (!std::isfinite(sum.x + sum.y + sum.z + bodies[i].radius) || !(bodies[i].radius > 0))
       file.bad("WETFUR_fur.hair.bodies[%zu] has a number that is not finite, or no radius", i);
@@ -100,7 +103,7 @@ void fitHair(const GltfFile& file, hair::Hairstyle& hair, const geometry::Fit& f
   }
   for (std::size_t i = 0; i < hair.bodies.size(); ++i) {
     hair::Body& body = hair.bodies[i];
-    body = {fit.of(body.a), fit.of(body.b), static_cast<float>(double{body.radius} * fit.scale)};
+    body = {fit.of(body.a), fit.of(body.b), static_cast<float>(double{body.radius} * fit.scale), body.bone};
     if (!within(body.a, kMostBody) || !within(body.b, kMostBody) || !(body.radius <= kMostBody))
       file.bad("WETFUR_fur.hair.bodies[%zu] is larger or farther from the model than %d times its radius", i, static_cast<int>(kMostBody));
   }

@@ -85,7 +85,8 @@ TEST(GrownHair, EveryEditIsOneStepThatUndoTakesBackAndRedoBringsAgain) {
   for (const auto& [what, value] : {std::pair(HairEdit::ShowAll, 0.0f), {HairEdit::FreeAll, 0.0f}, {HairEdit::Hang, 0.7f}, {HairEdit::Curl, 2.0f},
                                     {HairEdit::Twist, 1.0f}, {HairEdit::Straighten, 0.5f}, {HairEdit::Lengthen, 1.5f}, {HairEdit::Mirror, 1.0f},
                                     {HairEdit::AddScalp, 1.0f}, {HairEdit::Select, 0.0f}, {HairEdit::Select, 1.0f}, {HairEdit::Cover, 0.5f}, {HairEdit::AddSphere, 0.5f},
-                                    {HairEdit::ClearBodies, 0.0f}, {HairEdit::Remove, 0.0f}, {HairEdit::Plant, 30.0f}, {HairEdit::Clear, 0.0f}}) {
+                                    {HairEdit::ClearBodies, 0.0f}, {HairEdit::AddCapsule, 0.5f}, {HairEdit::ClearBodies, 0.0f}, {HairEdit::Remove, 0.0f},
+                                    {HairEdit::Plant, 30.0f}, {HairEdit::HoldAll, 0.0f}, {HairEdit::InvertHidden, 0.0f}, {HairEdit::Clear, 0.0f}}) {
     const auto before = head.hair.save();
     const auto step = head.edit(what, value);
     ASSERT_TRUE(step) << nameOf(what);
