@@ -10,6 +10,7 @@
 #endif
 #include "hair_light.glsl"
 
+invariant gl_Position;  // with hair_depth.frag as with hair.frag
 out vec4 vBand;     // strands: y: pixels that it is wide; strips: xy: place in the picture, times w
                     // z: height, 0 root to 1 tip  w: wetness
 // All that light on a strand depends on is cosines, which change little from vertex to vertex.
@@ -28,6 +29,10 @@ vec3 turnedTo(int wisp, vec3 V) { return wispNormal(wisp) + 0.35 * light.xyz + 1
 vec4 cosinesOf(vec3 T, vec3 V, vec3 way) { return vec4(dot(T, light.xyz), dot(T, V), dot(T, up.xyz), dot(T, way)); }
 
 #ifdef STRIPS
+uniform highp sampler2D wispOrder;  // from back to front, two bytes each
+
+int wispDrawn(int i) { return hairBlend == 0.0 ? i : int(dot(texelFetch(wispOrder, ivec2(i, 0), 0).rg, vec2(255.0, 65280.0)) + 0.5); }
+
 // Half the wisp's width over its length: what a slope of its strands is in the model.
 float slopeScale(StripVertex v, int wisp) {
   float near = v.t < 0.5 ? v.t + 1.0 / float(FUR_WISP_SEGMENTS) : v.t - 1.0 / float(FUR_WISP_SEGMENTS);
@@ -69,7 +74,7 @@ void strand() {
 
 void main() {
 #ifdef STRIPS
-  int perStrip = 6 * int(float(FUR_WISP_SEGMENTS) / pointStep), wisp = int(firstWisp) + gl_VertexID / perStrip;
+  int perStrip = 6 * int(float(FUR_WISP_SEGMENTS) / pointStep), wisp = wispDrawn(int(firstWisp) + gl_VertexID / perStrip);
   StripVertex v = stripVertex(gl_VertexID % perStrip, wisp, eye.xyz, 1.0);
   gl_Position = clipFromModel * vec4(v.position, 1.0);
   vBand = vec4(v.picture.xy, v.t, v.middle.wetness);

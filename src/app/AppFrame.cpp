@@ -87,7 +87,7 @@ void App::State::upload() {
 render::HairGrowth App::State::hairGrowth(std::size_t scalp) const {
   const HairStage::Growth& growth = hair->growth(scalp);
   const hair::Scalp& of = hair->style().scalps[scalp];
-  return {of.values, growth.wisps, growth.members, growth.strips, growth.ambient, static_cast<int>(of.guides.count()), of.guides.nodes};
+  return {of.values, growth.wisps, growth.members, growth.strips, growth.ambient, growth.baseTangents, static_cast<int>(of.guides.count()), of.guides.nodes};
 }
 
 void App::State::uploadHair() {
@@ -162,6 +162,7 @@ render::Frame App::State::frame(int level) const {
   f.settings.shadows = std::min(f.settings.shadows, quality.shadows);
   f.pixelScale = quality.pixelScale;
   f.stepLength = quality.stepLength;
+  f.hairShare = quality.hairShare;
   f.shellCount = shells.count;
   f.worldFromModel = worldFromModel();
   f.camera = view.pose();

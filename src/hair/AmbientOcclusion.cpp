@@ -12,8 +12,8 @@ namespace {
 
 constexpr int kPoints = kStripSegments + 1;
 constexpr int kMostCells = 32;  // along a side
-// Hairs scatter most of their light forward: of what they block so much is lost.
-constexpr float kLost = 0.6f;
+// Hairs scatter some of their light forward: of what they block so much is lost.
+constexpr float kLost = 0.8f;
 // Bare skin gets the light of half of all directions.
 constexpr float kOfSkin = 0.5f;
 

@@ -30,6 +30,8 @@ struct Frame {
   int shellCount = 1;
   // The march's steps are this many times as long as is good for the picture: 1 and more.
   float stepLength = 1;
+  // Long hair has this share of its strands, as much wider: above 0, up to 1.
+  float hairShare = 1;
   // The picture is drawn in this share of its width and of its height, then enlarged: above 0, up to 1.
   float pixelScale = 1;
   // The picture is drawn in so many bands, one a call, out of sight: the framebuffer has it after the last. Band 0 is the lowest.

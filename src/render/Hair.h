@@ -1,6 +1,8 @@
 // Long hair as the renderer takes it: plain values and what is to be drawn of each scalp.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <span>
 
 #include "hair/HairValues.h"
@@ -16,6 +18,7 @@ struct HairGrowth {
   std::span<const hair::MemberStrand> members;  // strands of a set, one set after another
   const hair::StripPicture& strips;
   std::span<const std::uint8_t> ambient;  // hair/AmbientOcclusion.h, of each point of each wisp
+  std::span<const std::array<std::uint8_t, 4>> baseTangents;  // hair/BaseTangents.h, of each vertex of the surface
   int guides = 0, nodes = 0;  // and nodes of each guide
 };
 

@@ -1,5 +1,8 @@
 #include "render/Programs.h"
 
+#include <array>
+
+#include "core/Assert.h"
 #include "render/ShaderSources.h"
 #include "render/ShaderText.h"
 #include "shared/Hair.h"
@@ -7,6 +10,15 @@
 namespace fur::render {
 
 namespace {
+
+constexpr std::size_t kOfHair = static_cast<std::size_t>(Shader::Hair);
+std::array<const ProvidedShader*, static_cast<std::size_t>(Shader::HairSkin) - kOfHair + 1> provided{};
+
+const ProvidedShader& providedText(Shader shader) {
+  const ProvidedShader* text = provided[static_cast<std::size_t>(shader) - kOfHair];
+  FUR_ASSERT(text, "Programs::use()", "a program that has this shader", static_cast<int>(shader));
+  return *text;
+}
 
 // Apart from the vertex shaders, and named first: the linker keeps this order, in which fragment shaders, which
 // share most of their text, lie within the 32 KB that the download's compression looks back.
@@ -27,9 +39,11 @@ const char* fragmentOf(Shader shader, unsigned variant) {
     case Shader::Drop: return shaders::kDropFrag;
     case Shader::Ball: return shaders::kBallFrag;
     case Shader::Arrow: return shaders::kArrowFrag;
-    case Shader::Hair: return shaders::kHairFrag;
-    case Shader::HairPoints: return shaders::kHairPointsFrag;
-    case Shader::HairShadow: return shaders::kHairShadowFrag;
+    case Shader::Hair:
+    case Shader::HairPoints:
+    case Shader::HairShadow:
+    case Shader::HairDepth:
+    case Shader::HairSkin: return providedText(shader).fragment;
     case Shader::ShadowBlur: break;
   }
   return shaders::kShadowBlurFrag;
@@ -55,9 +69,11 @@ Source sourceOf(Shader shader) {
     case Shader::ShadowMap: return {"shadow_map", shaders::kShadowMapVert};
     case Shader::Ball: return {"ball", shaders::kBallVert};
     case Shader::Arrow: return {"arrow", shaders::kArrowVert};
-    case Shader::Hair: return {"hair", shaders::kHairVert};
-    case Shader::HairPoints: return {"hair_points", shaders::kScreenVert};
-    case Shader::HairShadow: return {"hair_shadow", shaders::kHairShadowVert};
+    case Shader::Hair:
+    case Shader::HairPoints:
+    case Shader::HairShadow:
+    case Shader::HairDepth:
+    case Shader::HairSkin: return {providedText(shader).label, providedText(shader).vertex};
     case Shader::ShadowBlur: break;
   }
   return {"shadow_blur", shaders::kScreenVert};
@@ -105,6 +121,8 @@ std::string definesOf(unsigned variant) {
 
 }  // namespace
 
+void Programs::provide(Shader shader, const ProvidedShader& text) { provided[static_cast<std::size_t>(shader) - kOfHair] = &text; }
+
 void Programs::begin(Shader shader, unsigned variant) {
   const auto key = std::pair(shader, variant);
   if (programs_.contains(key) || begun_.contains(key)) return;
@@ -147,6 +165,8 @@ bool Programs::finish(gl::Program& program) {
   program.bindSampler("memberStrands", FUR_UNIT_MEMBER_STRANDS);
   program.bindSampler("strips", FUR_UNIT_STRIPS);
   program.bindSampler("ambient", FUR_UNIT_HAIR_AMBIENT);
+  program.bindSampler("wispOrder", FUR_UNIT_WISP_ORDER);
+  program.bindSampler("baseTangents", FUR_UNIT_BASE_TANGENTS);
   return true;
 }
 
@@ -175,6 +195,7 @@ std::vector<std::pair<Shader, unsigned>> allVariants() {
       {Shader::Skin, kViewClumps},  {Shader::Skin, kViewDim},     {Shader::Fin, kViewEdges},
       {Shader::Arrow, kPlain},      {Shader::Arrow, kPolynomial}, {Shader::Arrow, kViewForces},
       {Shader::HairPoints, kPlain}, {Shader::HairShadow, kPlain}, {Shader::HairShadow, kShadowLayers}, {Shader::HairShadow, kOnGround},
+      {Shader::HairDepth, kPlain}, {Shader::HairDepth, kStrips},
       {Shader::ShadowMap, kPolynomial}, {Shader::ShadowMap, kPolynomial | kShadowLayers},
       {Shader::ShadowMap, kGroomed}, {Shader::ShadowMap, kGroomed | kShadowLayers}, {Shader::ShadowMap, kGroomed | kSkinOnly},
       {Shader::Skin, kPainted}, {Shader::Skin, kPainted | kTextured},
@@ -205,6 +226,7 @@ std::vector<std::pair<Shader, unsigned>> allVariants() {
     for (const unsigned look : {+kPlain, +kWet, +kMarschner, kWet | kMarschner}) {
       all.emplace_back(Shader::Whisker, look | shadow);
       for (const unsigned shape : {+kPlain, +kStrips}) all.emplace_back(Shader::Hair, look | shadow | shape);
+      if (!(look & kWet)) all.emplace_back(Shader::HairSkin, look | shadow);
     }
     for (const unsigned look : {+kPlain, +kUnderFur}) all.emplace_back(Shader::Skin, look | shadow | kViewShadow);
     for (const unsigned groom : kGrooms) {

@@ -9,7 +9,7 @@
 
 namespace fur::render {
 
-enum class Shader { Background, Ground, GroundShadow, Blur, Skin, Shell, ShadowMap, ShadowBlur, Fin, Enlarge, Whisker, Drop, Ball, Arrow, Hair, HairPoints, HairShadow };
+enum class Shader { Background, Ground, GroundShadow, Blur, Skin, Shell, ShadowMap, ShadowBlur, Fin, Enlarge, Whisker, Drop, Ball, Arrow, Hair, HairPoints, HairShadow, HairDepth, HairSkin };
 
 // Bits of a variant; each is a #define in the shader.
 enum Variant : unsigned {
@@ -46,12 +46,20 @@ enum Variant : unsigned {
   kPainted = 1u << 27,      // Shell, Fin, Skin: somebody has painted them
   kShaped = 1u << 28,       // Shell, Fin: brushes have changed the shape of strands; groomed, too
   kViewLayout = 1u << 29,   // Skin; of a view once more
-  kStrips = 1u << 30,       // Hair: wisps as strips
+  kStrips = 1u << 30,       // Hair, HairDepth: wisps as strips
   kOnGround = 1u << 31,     // HairShadow: on the ground
+};
+
+// The text of a shader that not every program has (render/ShaderSources.h).
+struct ProvidedShader {
+  const char *label, *vertex, *fragment;
 };
 
 class Programs {
  public:
+  // From then on `shader`, one of hair, has that text; before, it cannot be used. Kept by reference.
+  static void provide(Shader shader, const ProvidedShader& text);
+
   // Lets the driver compile it while the program goes on; use() waits for it.
   void begin(Shader shader, unsigned variant);
   // The program, bound for use; null where the driver refuses a shader of it, which error() then tells.

@@ -68,6 +68,49 @@ TEST(AppHair, LooksAlikeAsStripsAndAsStrands) {
   EXPECT_NEAR(strands.brightness(), strips.brightness(), 6);
 }
 
+TEST(AppHair, IsTheSamePictureWhereItsDepthIsDrawnFirst) {
+  Salon salon;
+  salon.grow();
+  const test::Picture plain = salon.picture();
+  salon.app.setField("hairTransparency", "depthFirst");
+  EXPECT_EQ(salon.picture().differingShare(plain, 0), 0);
+}
+
+TEST(AppHair, LooksAlikeBlendedFromBackToFront) {
+  Salon salon;
+  salon.grow();
+  salon.app.setField("hairDetail", "strips");
+  const test::Picture plain = salon.picture();
+  salon.app.setField("hairTransparency", "blended");
+  const test::Picture blended = salon.picture();
+  EXPECT_GT(blended.differingShare(plain, 0), 0.01f);
+  EXPECT_NEAR(blended.brightness(), plain.brightness(), 3);
+  // Edges alone differ: most pixels are about the same.
+  EXPECT_LT(blended.differingShare(plain, 32), 0.2f);
+}
+
+TEST(AppHair, HidesTheSkinUnderItAsFarAsItIsAskedTo) {
+  Salon salon;
+  salon.app.setField("furLength", "0");
+  salon.app.setField("skinColor", "#ff0000");
+  salon.grow();
+  // Without a wisp the skin is all there is to see.
+  EXPECT_TRUE(salon.app.setHairValue(0, "wisps", "20"));
+  const test::Picture covered = salon.picture();
+  EXPECT_TRUE(salon.app.setHairValue(0, "skinCover", "0"));
+  EXPECT_GT(salon.picture().brightness(), covered.brightness() + 4);
+}
+
+TEST(AppHair, IsDarkerWhereOtherHairKeepsOffTheLight) {
+  Salon salon;
+  salon.grow();
+  EXPECT_TRUE(salon.app.setHairValue(0, "wisps", "2000"));
+  salon.app.setField("hairOcclusion", "0");
+  const test::Picture open = salon.picture();
+  salon.app.setField("hairOcclusion", "1");
+  EXPECT_LT(salon.picture().brightness(), open.brightness() - 1);
+}
+
 TEST(AppHair, UploadsTheNodesOfGuidesAndNothingWhileItSleeps) {
   Salon salon;
   salon.grow();

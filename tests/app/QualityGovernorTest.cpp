@@ -278,6 +278,7 @@ TEST(QualityGovernor, EveryLevelTakesWorkAway) {
   for (std::size_t i = 1; i < levels.size(); ++i) {
     EXPECT_LE(levels[i].pixelScale, levels[i - 1].pixelScale);
     EXPECT_GE(levels[i].stepLength, levels[i - 1].stepLength);
+    EXPECT_LE(levels[i].hairShare, levels[i - 1].hairShare);
     EXPECT_LE(levels[i].fins, levels[i - 1].fins);
     EXPECT_LE(levels[i].shadows, levels[i - 1].shadows);
     EXPECT_LT(levels[i].cost, levels[i - 1].cost);

@@ -54,7 +54,7 @@ struct Head {
     upload();
   }
   void upload() {
-    scalp.grow({values, wisps, members, strips, ambient, static_cast<int>(guides.count()), guides.nodes});
+    scalp.grow({values, wisps, members, strips, ambient, {}, static_cast<int>(guides.count()), guides.nodes});
     scalp.move(nodes);
     EXPECT_TRUE(scalp.update(programs)) << programs.error().message;
   }

@@ -79,6 +79,8 @@ TEST(Truth, ShowsTheSameHairAsTheRealTimePictureNearAndFar) {
   desk.app.editHair(app::HairEdit::AddScalp);
   desk.app.editHair(app::HairEdit::Cover, 1);
   EXPECT_TRUE(desk.app.setHairValue(0, "wisps", "120"));
+  // The reference has strands alone.
+  EXPECT_TRUE(desk.app.setHairValue(0, "skinCover", "0"));
   desk.app.editHair(app::HairEdit::Plant, 60);
   for (const auto& [detail, distance] : {std::pair("strands", 1.7f), {"strips", 4.0f}}) {
     desk.app.setField("hairDetail", detail);

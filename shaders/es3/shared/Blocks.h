@@ -157,7 +157,6 @@ FUR_BLOCK(FurBlock) {
 #define FUR_UNIT_HAIR_POINTS 21
 #define FUR_UNIT_MEMBER_STRANDS 22
 #define FUR_UNIT_STRIPS 23
-#define FUR_UNIT_HAIR_AMBIENT 24
 
 // Directions over a half turn in which strands are averaged into streaks (furgen/Streaks.h).
 #define FUR_STREAK_TURNS 32.0

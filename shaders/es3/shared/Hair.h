@@ -34,8 +34,15 @@ FUR_BLOCK(HairBlock) {
 
   float hairOcclusion; // how far what lies about hair takes light from all around it
   float hairGloss;     // strength of the highlight
-  float hairUnused0, hairUnused1;
+  float hairBlend;     // 0: covers samples; 1: what covers half a pixel and more; 2: the rest, blended; wisps are in order where it is not 0
+  float skinCover;     // of the skin under it, as hair that lies on it
 };
+
+#define FUR_UNIT_HAIR_AMBIENT 24
+#define FUR_UNIT_WISP_ORDER 26
+#define FUR_UNIT_BASE_TANGENTS 27
+// Vertices in a row of the texture of base tangents (hair/BaseTangents.h).
+#define FUR_BASE_TANGENTS_ROW 1024
 
 // Of views: lines, an instance each; and colours, of wisps or over the atlas.
 #define FUR_LINE_FROM 0  // model space; w: width, pixels

@@ -5,6 +5,7 @@
 #include "core/Fnv1a.h"
 #include "core/NoteChange.h"
 #include "hair/AmbientOcclusion.h"
+#include "hair/BaseTangents.h"
 #include "hair/PlantGuides.h"
 
 namespace fur::app {
@@ -110,7 +111,9 @@ void GrownHair::grow(const hair::Scalp& scalp, LiveScalp& live, const ShapeStage
     live.growth.wisps = hair::plantWisps({shape.surface(), scalp.map}, scalp.guides, live.asMade, scalp.values);
     live.plantedFor = {roots, map};
   }
-  live.growth.ambient = hair::ambientVisibility(shape.surface(), live.growth.wisps, hair::restNodes(scalp.guides, live.asMade), scalp.guides.nodes, scalp.values);
+  const std::vector<hair::GuideNode> rest = hair::restNodes(scalp.guides, live.asMade);
+  live.growth.ambient = hair::ambientVisibility(shape.surface(), live.growth.wisps, rest, scalp.guides.nodes, scalp.values);
+  live.growth.baseTangents = hair::baseTangents({shape.surface(), scalp.map}, live.growth.wisps, rest, scalp.guides.nodes, scalp.values);
   if (!sameLooks) {
     live.growth.members = hair::memberStrands(scalp.values.strands, scalp.values);
     live.growth.strips = hair::drawStrips(live.growth.members, scalp.values.strandWidth, scalp.values.mostWidth, scalp.values.tipWidth);

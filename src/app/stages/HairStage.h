@@ -43,6 +43,7 @@ class HairStage {
     std::vector<hair::MemberStrand> members;
     hair::StripPicture strips;
     std::vector<std::uint8_t> ambient;  // hair/AmbientOcclusion.h
+    std::vector<std::array<std::uint8_t, 4>> baseTangents;  // hair/BaseTangents.h
   };
 
   // What a person looks at and points at.

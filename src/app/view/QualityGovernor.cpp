@@ -54,15 +54,15 @@ std::span<const QualityLevel, kQualityLevels> qualityLevels() {
   // Costs: the bunny on a software rasteriser, between 1280 x 960 without and 800 x 600 with multisampling (where
   // vertices and the resolve weigh more).
   static constexpr QualityLevel kLevels[kQualityLevels] = {
-      // scale step fins shadows cost
-      {1.00f, 1.00f, true, 2, 1.00f},
-      {1.00f, 1.25f, true, 2, 0.92f},
-      {0.85f, 1.25f, true, 2, 0.67f},
-      {0.75f, 1.25f, true, 1, 0.53f},
-      {0.65f, 1.50f, true, 1, 0.41f},
-      {0.55f, 1.50f, true, 1, 0.31f},
-      {0.50f, 1.75f, false, 1, 0.24f},
-      {0.40f, 2.00f, false, 0, 0.16f},
+      // scale step hair fins shadows cost
+      {1.00f, 1.00f, 1.0f, true, 2, 1.00f},
+      {1.00f, 1.25f, 0.8f, true, 2, 0.92f},
+      {0.85f, 1.25f, 0.7f, true, 2, 0.67f},
+      {0.75f, 1.25f, 0.6f, true, 1, 0.53f},
+      {0.65f, 1.50f, 0.5f, true, 1, 0.41f},
+      {0.55f, 1.50f, 0.4f, true, 1, 0.31f},
+      {0.50f, 1.75f, 0.35f, false, 1, 0.24f},
+      {0.40f, 2.00f, 0.3f, false, 0, 0.16f},
   };
   return kLevels;
 }

@@ -17,7 +17,7 @@ namespace fur::app {
 // What is left out; the columns are render::Frame's. `fins` allows them where the settings ask for them, `shadows` is
 // the most of the settings' choice (0 none, 1 by depth, 2 by layers).
 struct QualityLevel {
-  float pixelScale, stepLength;
+  float pixelScale, stepLength, hairShare;
   bool fins;
   int shadows;
   float cost;  // of a frame, as a share of the first level's: a first guess (measured, see the table)

@@ -16,29 +16,36 @@ float distanceTo(const Vec4& ball, const Frame& frame) {
   return std::max(glm::length(Vec3(ball) - eyeInModel(frame)) - ball.w, 0.05f);
 }
 
-// How many wisps are drawn strand by strand.
-int strandWisps(const HairScalp& scalp, const Frame& frame, float pixelsPerModelUnit) {
-  switch (static_cast<HairDetail>(frame.settings.hairDetail)) {
-    case HairDetail::Strips: return 0;
-    case HairDetail::Strands: return scalp.wisps();
-    case HairDetail::Auto: break;
+// How much of a scalp's hair is drawn, by its size on screen and the share of it that the frame asks for.
+class Detail {
+ public:
+  Detail(const HairScalp& scalp, const Frame& frame)
+      : scalp_(scalp), pixels_(pixelsPerUnit(frame) / distanceTo(scalp.bounds(), frame)), share_(frame.hairShare),
+        drawnAs_(static_cast<HairDetail>(frame.settings.hairDetail)) {}
+
+  // Wisps that are drawn strand by strand.
+  int strandWisps() const {
+    if (drawnAs_ != HairDetail::Auto) return drawnAs_ == HairDetail::Strands ? scalp_.wisps() : 0;
+    const float near = saturate((share_ * scalp_.width() * pixels_ - kFirstStrands) / (kAllStrands - kFirstStrands));
+    return static_cast<int>(std::lround(near * static_cast<float>(scalp_.wisps())));
   }
-  const float near = saturate((scalp.width() * pixelsPerModelUnit - kFirstStrands) / (kAllStrands - kFirstStrands));
-  return static_cast<int>(std::lround(near * static_cast<float>(scalp.wisps())));
-}
+  // Points of a wisp from one that is drawn to the next: 1, 2 or 4.
+  float pointStep() const {
+    const float along = share_ * scalp_.length() * pixels_ / FUR_WISP_SEGMENTS;
+    return along > kSegmentPixels ? 1 : along > 0.5f * kSegmentPixels ? 2 : 4;
+  }
+  // Of a wisp: where strands are thinner than a pixel there are fewer, as much wider (Cook et al. 2007, stochastic simplification).
+  int strands() const {
+    const float share = share_ * std::min(scalp_.block().strandWidth * pixels_, 1.0f);
+    return std::clamp(static_cast<int>(std::ceil(share * static_cast<float>(scalp_.strands()))), 1, scalp_.strands());
+  }
 
-// Points of a wisp from one that is drawn to the next: 1, 2 or 4.
-float pointStep(const HairScalp& scalp, float pixelsPerModelUnit) {
-  const float pixels = scalp.length() * pixelsPerModelUnit / FUR_WISP_SEGMENTS;
-  return pixels > kSegmentPixels ? 1 : pixels > 0.5f * kSegmentPixels ? 2 : 4;
-}
-
-// Of a wisp: where strands are thinner than a pixel there are fewer, as much wider (Cook et al. 2007, stochastic simplification).
-int drawnStrands(const HairScalp& scalp, float pixelsPerModelUnit) {
-  constexpr float kPixels = 1;
-  const float share = std::min(scalp.block().strandWidth * pixelsPerModelUnit / kPixels, 1.0f);
-  return std::clamp(static_cast<int>(std::ceil(share * static_cast<float>(scalp.strands()))), 1, scalp.strands());
-}
+ private:
+  const HairScalp& scalp_;
+  float pixels_;  // that a model unit covers at the nearest of it
+  float share_;
+  HairDetail drawnAs_;
+};
 
 int segmentsOf(float step) { return static_cast<int>(FUR_WISP_SEGMENTS / step); }
 
@@ -74,42 +81,64 @@ bool HairPass::update(Programs& programs) {
   return std::all_of(scalps_.begin(), scalps_.end(), [&](HairScalp& scalp) { return scalp.update(programs); });
 }
 
-bool HairPass::draw(const Drawing& drawing) const {
-  for (const HairScalp& scalp : scalps_) {
+bool HairPass::draw(const Drawing& drawing) {
+  const auto transparency = static_cast<HairTransparency>(drawing.frame.settings.hairTransparency);
+  if (transparency == HairTransparency::DepthFirst)
+    for (const HairScalp& scalp : scalps_)
+      if (!drawWisps(drawing, scalp, Shader::HairDepth, 0)) return false;
+  for (HairScalp& scalp : scalps_) {
     if (scalp.wisps() == 0) continue;
-    const float pixels = pixelsPerUnit(drawing.frame) / distanceTo(scalp.bounds(), drawing.frame);
-    const int strands = strandWisps(scalp, drawing.frame, pixels);
-    const float step = pointStep(scalp, pixels);
-    if (!drawStrands(drawing, scalp, strands, step, pixels) || !drawStrips(drawing, scalp, strands, step)) return false;
+    if (!drawSkin(drawing, scalp)) return false;
+    if (transparency != HairTransparency::Blended) {
+      if (!drawWisps(drawing, scalp, Shader::Hair, 0)) return false;
+      continue;
+    }
+    scalp.sortFrom(eyeInModel(drawing.frame));
+    if (!drawWisps(drawing, scalp, Shader::Hair, 1) || !drawWisps(drawing, scalp, Shader::Hair, 2)) return false;
   }
   return true;
 }
 
-bool HairPass::drawStrands(const Drawing& drawing, const HairScalp& scalp, int wisps, float step, float pixels) const {
-  if (wisps == 0) return true;
-  if (!drawing.programs.use(Shader::Hair, drawing.look.hair())) return false;
+bool HairPass::drawSkin(const Drawing& drawing, const HairScalp& scalp) const {
+  if (!scalp.hasSkin()) return true;
+  if (!drawing.programs.use(Shader::HairSkin, drawing.look.hair() & ~kWet)) return false;
   shared::HairBlock block = scalp.block();
-  const int strands = drawnStrands(scalp, pixels);
-  block.strandsDrawn = static_cast<float>(strands);
-  block.widening = static_cast<float>(scalp.strands()) / static_cast<float>(strands);
-  block.pointStep = step;
   block.hairOcclusion = drawing.frame.settings.hairOcclusion;
   scalp.bind(block);
-  gl::apply({.cullBack = false, .alphaToCoverage = true, .alpha = false});
-  gl::drawInstancesWithoutVertices(gl::Shape::Strip, (2 * segmentsOf(step) + 4) * wisps * strands, 1);
+  gl::apply({.cullBack = !drawing.surface.twoSided(), .alphaToCoverage = true, .nearer = true, .alpha = false});
+  drawing.surface.draw(1);
   return true;
 }
 
-bool HairPass::drawStrips(const Drawing& drawing, const HairScalp& scalp, int first, float step) const {
-  if (first == scalp.wisps()) return true;
-  if (!drawing.programs.use(Shader::Hair, drawing.look.hair() | kStrips)) return false;
+// Strands, then strips; `blend`: hairBlend in shared/Hair.h.
+bool HairPass::drawWisps(const Drawing& drawing, const HairScalp& scalp, Shader shader, float blend) const {
+  if (scalp.wisps() == 0) return true;
+  const Detail detail(scalp, drawing.frame);
+  const unsigned look = shader == Shader::Hair ? drawing.look.hair() : +kPlain;
+  const bool depthOnly = shader == Shader::HairDepth, shaded = drawing.frame.settings.hairTransparency == static_cast<int>(HairTransparency::DepthFirst) && !depthOnly;
   shared::HairBlock block = scalp.block();
-  block.firstWisp = static_cast<float>(first);
-  block.pointStep = step;
+  block.pointStep = detail.pointStep();
   block.hairOcclusion = drawing.frame.settings.hairOcclusion;
+  block.strandsDrawn = static_cast<float>(detail.strands());
+  block.widening = static_cast<float>(scalp.strands()) / static_cast<float>(detail.strands());
+  block.hairBlend = blend;
+  const int segments = segmentsOf(block.pointStep);
+  const gl::DrawState state{.depthWrite = !shaded && blend < 2, .cullBack = false, .blend = blend == 2 ? gl::Blend::Over : gl::Blend::None,
+                            .alphaToCoverage = blend == 0, .red = !depthOnly, .green = !depthOnly, .blue = !depthOnly, .alpha = false};
+  // Where wisps are in order all of them are strips.
+  const int strandWisps = blend == 0 ? detail.strandWisps() : 0;
+  if (strandWisps > 0) {
+    if (!drawing.programs.use(shader, look)) return false;
+    scalp.bind(block);
+    gl::apply(state);
+    gl::drawInstancesWithoutVertices(gl::Shape::Strip, (2 * segments + 4) * strandWisps * detail.strands(), 1);
+  }
+  if (strandWisps == scalp.wisps()) return true;
+  if (!drawing.programs.use(shader, look | kStrips)) return false;
+  block.firstWisp = static_cast<float>(strandWisps);
   scalp.bind(block);
-  gl::apply({.cullBack = false, .alphaToCoverage = true, .alpha = false});
-  gl::drawInstancesWithoutVertices(gl::Shape::Triangles, 6 * segmentsOf(step) * (scalp.wisps() - first), 1);
+  gl::apply(state);
+  gl::drawInstancesWithoutVertices(gl::Shape::Triangles, 6 * segments * (scalp.wisps() - strandWisps), 1);
   return true;
 }
 

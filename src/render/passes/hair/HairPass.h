@@ -12,6 +12,8 @@ namespace fur::render {
 
 // In the order of the setting `hairDetail`.
 enum class HairDetail { Auto, Strips, Strands };
+// And of `hairTransparency`.
+enum class HairTransparency { Coverage, DepthFirst, Blended };
 
 class HairPass {
  public:
@@ -29,14 +31,14 @@ class HairPass {
 
   // Before anything draws hair; see HairScalp::update().
   bool update(Programs& programs);
-  bool draw(const Drawing& drawing) const;
+  bool draw(const Drawing& drawing);
   // Into the fur's shadow map or the ground's, whose target is bound: in the program of that variant, `copies` times.
   bool drawShadow(Programs& programs, unsigned variant, const gl::DrawState& state, int copies = 1) const;
   std::size_t bytes() const;
 
  private:
-  bool drawStrands(const Drawing& drawing, const HairScalp& scalp, int wisps, float step, float pixels) const;
-  bool drawStrips(const Drawing& drawing, const HairScalp& scalp, int first, float step) const;
+  bool drawSkin(const Drawing& drawing, const HairScalp& scalp) const;
+  bool drawWisps(const Drawing& drawing, const HairScalp& scalp, Shader shader, float blend) const;
 
   std::vector<HairScalp> scalps_;
   unsigned long revision_ = 0;

@@ -35,6 +35,15 @@ gl::Texture stripTexture(const hair::StripPicture& picture) {
   return texture;
 }
 
+// A texel a vertex; empty where the skin is not shaded as hair.
+gl::Texture baseTangentTexture(const HairGrowth& growth) {
+  if (growth.values.skinCover <= 0 || growth.baseTangents.empty()) return {};
+  std::vector<std::array<std::uint8_t, 4>> texels(growth.baseTangents.begin(), growth.baseTangents.end());
+  const std::size_t rows = (texels.size() + FUR_BASE_TANGENTS_ROW - 1) / FUR_BASE_TANGENTS_ROW;
+  texels.resize(rows * FUR_BASE_TANGENTS_ROW);
+  return gl::Texture({gl::TexelFormat::RGBA8, FUR_BASE_TANGENTS_ROW, static_cast<int>(rows), 0, gl::Filter::Nearest}, gl::bytesOf(texels));
+}
+
 }  // namespace
 
 void HairScalp::fillBlock(const hair::HairValues& values, int nodes) {
@@ -50,6 +59,7 @@ void HairScalp::fillBlock(const hair::HairValues& values, int nodes) {
   block_.hairVariance = values.variance;
   block_.hairShininess = values.shininess;
   block_.hairGloss = values.gloss;
+  block_.skinCover = values.skinCover;
   block_.widening = 1;
   // A wisp's depth in front of a strand takes about two thirds of its light.
   block_.hairOpacity = 0.12f;
@@ -70,6 +80,9 @@ std::size_t HairScalp::grow(const HairGrowth& growth) {
   members_ = gl::Texture({gl::TexelFormat::RGBA32F, 2 * strandCount_, FUR_WISP_KINDS, 0, gl::Filter::Nearest}, std::as_bytes(growth.members));
   strips_ = stripTexture(growth.strips);
   ambient_ = gl::Texture({gl::TexelFormat::R8, FUR_WISP_SEGMENTS + 1, wispCount_, 0, gl::Filter::Nearest}, std::as_bytes(growth.ambient));
+  baseTangents_ = baseTangentTexture(growth);
+  order_ = {};
+  grown_.assign(growth.wisps.begin(), growth.wisps.end());
   nodes_ = gl::Texture({gl::TexelFormat::RGBA32UI, nodesEach_, guideCount_, 0, gl::Filter::Nearest}, {});
   points_ = gl::Texture({gl::TexelFormat::RGBA32UI, FUR_WISP_SEGMENTS + 1, wispCount_, 0, gl::Filter::Nearest}, {});
   pointsTarget_ = gl::Target::toTexture(points_);
@@ -78,7 +91,7 @@ std::size_t HairScalp::grow(const HairGrowth& growth) {
     width_ = std::max(width_, w.width);
     margin_ = std::max(margin_, glm::length(w.offset) + w.width * (0.5f * hair::kStripReach + growth.values.curl));
   }
-  return wisps_.bytes() + members_.bytes() + strips_.bytes() + ambient_.bytes();
+  return wisps_.bytes() + members_.bytes() + strips_.bytes() + ambient_.bytes() + baseTangents_.bytes();
 }
 
 std::size_t HairScalp::move(std::span<const hair::GuideNode> nodes) {
@@ -90,6 +103,8 @@ std::size_t HairScalp::move(std::span<const hair::GuideNode> nodes) {
     for (std::size_t i = first + 1; i < first + static_cast<std::size_t>(nodesEach_); ++i) length += glm::distance(nodes[i - 1].position, nodes[i].position);
     length_ = std::max(length_, length);
   }
+  middles_.clear();
+  for (std::size_t i = static_cast<std::size_t>(nodesEach_ / 2); i < nodes.size(); i += static_cast<std::size_t>(nodesEach_)) middles_.push_back(nodes[i].position);
   for (const hair::GuideNode& node : nodes) {
     reach_ = std::max(reach_, glm::length(node.position) + margin_);
     low = glm::min(low, node.position);
@@ -123,6 +138,23 @@ void HairScalp::bind(const shared::HairBlock& drawn) const {
   members_.bind(FUR_UNIT_MEMBER_STRANDS);
   strips_.bind(FUR_UNIT_STRIPS);
   ambient_.bind(FUR_UNIT_HAIR_AMBIENT);
+  if (order_.bytes() > 0) order_.bind(FUR_UNIT_WISP_ORDER);
+  if (hasSkin()) baseTangents_.bind(FUR_UNIT_BASE_TANGENTS);
+}
+
+void HairScalp::sortFrom(const Vec3& eye) {
+  std::vector<std::pair<float, std::uint16_t>> far;
+  far.reserve(grown_.size());
+  for (const hair::Wisp& w : grown_) {
+    Vec3 middle(0);
+    for (std::size_t k = 0; k < 3; ++k) middle += middles_[w.guides[k]] * w.weights[static_cast<int>(k)];
+    far.emplace_back(-glm::distance(middle + w.offset, eye), static_cast<std::uint16_t>(far.size()));
+  }
+  std::sort(far.begin(), far.end());
+  std::vector<std::array<std::uint8_t, 2>> order;
+  for (const auto& [depth, wisp] : far) order.push_back({static_cast<std::uint8_t>(wisp & 255), static_cast<std::uint8_t>(wisp >> 8)});
+  if (order_.bytes() == 0) order_ = gl::Texture({gl::TexelFormat::RG8, wispCount_, 1, 0, gl::Filter::Nearest}, {});
+  order_.update(0, 0, wispCount_, 1, gl::bytesOf(order), wispCount_);
 }
 
 bool HairScalp::update(Programs& programs) {
@@ -141,7 +173,7 @@ bool HairScalp::update(Programs& programs) {
 }
 
 std::size_t HairScalp::bytes() const {
-  return nodes_.bytes() + wisps_.bytes() + points_.bytes() + members_.bytes() + strips_.bytes() + ambient_.bytes();
+  return nodes_.bytes() + wisps_.bytes() + points_.bytes() + members_.bytes() + strips_.bytes() + ambient_.bytes() + baseTangents_.bytes() + order_.bytes();
 }
 
 }  // namespace fur::render

@@ -20,6 +20,9 @@ class HairScalp {
   // Binds all that the shaders of hair read. `block`: how much of it is drawn, in the members for that.
   void bind(const shared::HairBlock& drawn) const;
   const shared::HairBlock& block() const { return block_; }
+  // Has the shaders draw strips from the farthest wisp to the nearest.
+  void sortFrom(const Vec3& eye);
+  bool hasSkin() const { return baseTangents_.bytes() > 0; }
 
   int wisps() const { return wispCount_; }
   int strands() const { return strandCount_; }  // of a wisp
@@ -35,9 +38,11 @@ class HairScalp {
  private:
   void fillBlock(const hair::HairValues& values, int nodes);
 
-  gl::Texture nodes_, wisps_, points_, members_, strips_, ambient_;
+  gl::Texture nodes_, wisps_, points_, members_, strips_, ambient_, baseTangents_, order_;
   gl::Target pointsTarget_;
   mutable gl::Buffer blockBuffer_;
+  std::vector<hair::Wisp> grown_;  // for sortFrom()
+  std::vector<Vec3> middles_;      // of guides, as shown
   shared::HairBlock block_{};
   int wispCount_ = 0, strandCount_ = 0, guideCount_ = 0, nodesEach_ = 0;
   float width_ = 0, margin_ = 0;  // margin_: how far wisps reach beyond the nodes

@@ -33,7 +33,7 @@ class DrawnHairViews final : public HairViews {
  public:
   void show(const hair::HairView* view) override { view_ = view; }
   bool instead() const override { return view_ && view_->instead; }
-  bool draw(const Drawing& drawing, const HairPass& hair) override;
+  bool draw(const Drawing& drawing, HairPass& hair) override;
   bool drawLines(const Drawing& drawing) override;
   std::size_t bytes() const override;
 
@@ -95,7 +95,7 @@ void DrawnHairViews::uploadColors(const Drawing& drawing) {
   drawing.uploadedBytes += map_.bytes();
 }
 
-bool DrawnHairViews::draw(const Drawing& drawing, const HairPass& hair) {
+bool DrawnHairViews::draw(const Drawing& drawing, HairPass& hair) {
   if (!view_) return hair.draw(drawing);
   uploadColors(drawing);
   const bool tinted = !view_->wispColors.empty();

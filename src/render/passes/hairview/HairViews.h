@@ -22,7 +22,7 @@ class HairViews {
   // Whether draw() draws instead of the final picture.
   virtual bool instead() const = 0;
   // The hair in the picture; or all that is seen instead of it but for the background.
-  virtual bool draw(const Drawing& drawing, const HairPass& hair) = 0;
+  virtual bool draw(const Drawing& drawing, HairPass& hair) = 0;
   // Over the picture, after all else.
   virtual bool drawLines(const Drawing& drawing) = 0;
   virtual std::size_t bytes() const = 0;
