@@ -3,7 +3,8 @@
 #                          so that the download carries what shaders share once
 #   #ifdef __cplusplus     blocks and #pragma once are dropped: shared/ headers are C++ as well
 #   // comments, blank lines, blanks around signs  are dropped
-# shell.vert becomes kShellVert, ground_shadow.frag kGroundShadowFrag; kIncluded lists what can be included.
+# shell.vert becomes kShellVert, ground_shadow.frag kGroundShadowFrag; kIncluded lists what can be included;
+# kHairIncluded those of long hair, which not every program carries.
 cmake_minimum_required(VERSION 3.20)
 
 # CMake's lists split at ; and do not split inside [ ]: these stand aside while lines are a list.
@@ -69,6 +70,7 @@ list(SORT stages)
 set(output "// Made by cmake/EmbedShaders.cmake from shaders/es3.\n#pragma once\n\nnamespace fur::render::shaders {\n")
 set(names "")
 set(included "")
+set(hair_included "")
 foreach(stage IN LISTS stages)
   get_filename_component(file_name "${stage}" NAME)
   string(REGEX REPLACE "[._-]" ";" words "${file_name}")
@@ -93,10 +95,15 @@ foreach(stage IN LISTS stages)
   string(APPEND output "\ninline constexpr char ${name}[] = R\"glsl(${stage_text})glsl\";\n")
   if(NOT stage MATCHES "(vert|frag)$")
     file(RELATIVE_PATH path "${SHADERS}" "${stage}")
-    string(APPEND included "    {\"${path}\", ${name}},\n")
+    set(list included)
+    if(path MATCHES "[Hh]air")
+      set(list hair_included)
+    endif()
+    string(APPEND ${list} "    {\"${path}\", ${name}},\n")
   endif()
 endforeach()
 string(APPEND output "\nstruct Included {\n  const char *name, *text;\n};\n")
 string(APPEND output "inline constexpr Included kIncluded[] = {\n${included}};\n")
+string(APPEND output "inline constexpr Included kHairIncluded[] = {\n${hair_included}};\n")
 string(APPEND output "\n}  // namespace fur::render::shaders\n")
 file(WRITE "${OUTPUT}" "${output}")

@@ -1,7 +1,6 @@
 #include "render/ShaderText.h"
 
-#include <cstdint>
-#include <iterator>
+#include <set>
 
 #include "render/ShaderSources.h"
 
@@ -9,8 +8,10 @@ namespace fur::render {
 
 namespace {
 
-// `seen`: one bit for each of kIncluded.
-void append(std::string& text, std::string_view source, std::uint64_t& seen) {
+std::span<const shaders::Included> others;
+
+// `seen`: the files that are in the text.
+void append(std::string& text, std::string_view source, std::set<std::string_view>& seen) {
   constexpr std::string_view kInclude = "#include \"";
   while (!source.empty()) {
     const std::size_t end = source.find('\n');
@@ -21,22 +22,21 @@ void append(std::string& text, std::string_view source, std::uint64_t& seen) {
       continue;
     }
     const std::string_view name = line.substr(kInclude.size(), line.size() - kInclude.size() - 1);
-    for (std::size_t i = 0; i < std::size(shaders::kIncluded); ++i) {
-      if (name != shaders::kIncluded[i].name || (seen >> i & 1u)) continue;
-      seen |= std::uint64_t{1} << i;
-      append(text, shaders::kIncluded[i].text, seen);
-    }
+    for (const std::span<const shaders::Included> files : {std::span<const shaders::Included>(shaders::kIncluded), others})
+      for (const shaders::Included& file : files)
+        if (name == file.name && seen.insert(name).second) append(text, file.text, seen);
   }
 }
 
 }  // namespace
 
 std::string stageText(std::string_view source) {
-  static_assert(std::size(shaders::kIncluded) <= 64);
   std::string text;
-  std::uint64_t seen = 0;
+  std::set<std::string_view> seen;
   append(text, source, seen);
   return text;
 }
+
+void includeAlso(std::span<const shaders::Included> files) { others = files; }
 
 }  // namespace fur::render

@@ -2,10 +2,12 @@
 
 #include "render/Programs.h"
 #include "render/ShaderSources.h"
+#include "render/ShaderText.h"
 
 namespace fur::render {
 
 void provideHairShaders() {
+  includeAlso(shaders::kHairIncluded);
   static constexpr ProvidedShader kHair{"hair", shaders::kHairVert, shaders::kHairFrag}, kDepth{"hair_depth", shaders::kHairVert, shaders::kHairDepthFrag},
       kPoints{"hair_points", shaders::kScreenVert, shaders::kHairPointsFrag}, kShadow{"hair_shadow", shaders::kHairShadowVert, shaders::kHairShadowFrag},
       kSkin{"hair_skin", shaders::kHairSkinVert, shaders::kHairSkinFrag};
