@@ -143,7 +143,7 @@ if(EMSCRIPTEN)
   target_compile_options(fur_dynamics PRIVATE "$<$<CONFIG:Release>:-Os;-finline-functions>" -msimd128)
   # Every guide, every step: four at a time. -O2 would be a third faster and 5 KB of download more.
   target_compile_options(fur_hair PRIVATE -msimd128)
-  foreach(source AdaptiveDetail CascadeModel Colliders Crowding ForestModel Lengths ShownNodes SimulationStep SpringModel)
+  foreach(source AdaptiveDetail CascadeModel Colliders Crowding ForestModel HairWaterStep Lengths ShownNodes SimulationStep SpringModel)
     fur_source_options("${CMAKE_SOURCE_DIR}/src/hair/${source}.cpp" "$<$<CONFIG:Release>:-Os;-finline-functions>;-msimd128")
   endforeach()
   foreach(source scene/Pose render/MovingVertices render/passes/fin/MovingEdges)

@@ -139,10 +139,10 @@ FUR_EXPORT const char* fur_getTool(App* app) { return web::text(std::string(app:
 FUR_EXPORT void fur_stamp(App* app, const std::uint8_t* coverage, int width, int height, float x, float y, float across, float amount) {
   app->stamp({coverage, std::size_t(width) * std::size_t(height)}, width, height, {x, y}, across, amount);
 }
-// held, film, drops, dripped, evaporated, removed, painted, rained
+// held, film, drops, hair, dripped, evaporated, removed, painted, rained
 FUR_EXPORT const double* fur_waterAccounts(App* app) {
   const wet::Accounts a = app->water().accounts();
-  return web::numbers({a.held, a.film, a.drops, a.dripped, a.evaporated, a.removed, a.painted, a.rained});
+  return web::numbers({a.held, a.film, a.drops, a.hair, a.dripped, a.evaporated, a.removed, a.painted, a.rained});
 }
 FUR_EXPORT std::uint32_t fur_saveWater(App* app) {
   return guarded([&] { return web::keepSaved(app->saveWater()); });

@@ -10,7 +10,7 @@ const statNames = [
   'level', 'pixels', 'frameTime',
 ];
 
-const accountNames = ['held', 'film', 'drops', 'dripped', 'evaporated', 'removed', 'painted', 'rained'];
+const accountNames = ['held', 'film', 'drops', 'hair', 'dripped', 'evaporated', 'removed', 'painted', 'rained'];
 
 /** Bit 0 shift, 1 control (or the command key), 2 alt. */
 export const modifiersOf = (event) =>

@@ -35,6 +35,17 @@ float drawnAlpha(HairSeen seen) {
   return hairBlend == 1.0 ? core : (1.0 - core) * seen.alpha;
 }
 
+#ifdef WET
+// What water mirrors on a strand, as shares: x of the light, y of the sky. A strand is round and no surface: it mirrors light where it
+// lies across the way between light and eye, by chance far from where its neighbours do. So a bend of all of them, as above their
+// roots, shows thin streaks and no spot. Roots lie below others. `along`: T.L, T.V; `facing`: the normal and L.
+vec2 strandGloss(vec2 along, float facing, float lightDotView, float held, float h, float strand) {
+  float own = fract(13.0 * strand), slope = (along.x + along.y) * inversesqrt(max(2.0 + 2.0 * lightDotView, 1e-4)) + 1.1 * (strand - 0.5);
+  float glint = kajiyaLobe(sqrt(max(1.0 - slope * slope, 0.0)), 4.0 * shininess) * (0.1 + 1.2 * own * own * own);
+  return held * wetGloss * smoothstep(0.05, 0.3, h) * vec2(glossShare(facing) * glint, 0.03 * (1.0 - along.y * along.y));
+}
+#endif
+
 void main() {
   HairSeen seen = hairSeen();
   float alpha = drawnAlpha(seen), strand = seen.strand, h = vBand.z;
@@ -58,11 +69,12 @@ void main() {
   // A strand is not as even as its wisp: it shines here and there.
   float tilt = 0.12 * sin(6.2831853 * (strand + 3.0 * h));
   vec2 tilted = (along.xy + tilt * normal.xy) * inversesqrt(1.0 + tilt * tilt);
-  vec3 color = shadeStrand(albedo, tilted, normal.xy, vUp.w, height, vBand.w, lit, normal.z, strand, mix(hairShininess, 2.0 * hairShininess, vBand.w), hairGloss);
+  // Water narrows the highlight (Silva et al. 2010, Eq. 3), but where all strands bend above their roots: there it would be a spot.
+  float narrows = mix(0.35, 2.0, smoothstep(0.2, 0.6, h));
+  vec3 color = shadeStrand(albedo, tilted, normal.xy, vUp.w, height, vBand.w, lit, normal.z, strand, hairShininess * mix(1.0, narrows, min(1.5 * vBand.w, 1.0)), hairGloss);
 #ifdef WET
-  vec2 mirrored = waterGloss(tilted, normal.xy, vUp.w, normal.x, vBand.w, 0.0, strand);
-  // A strand mirrors on its own: half of what a clump of fur does, whose strands lie in one film.
-  color += 0.5 * (mirrored.x * lit * keyLight.rgb + mirrored.y * skyLight(normal.z));
+  vec2 mirrored = strandGloss(tilted, normal.x, vUp.w, vBand.w, h, strand);
+  color += mirrored.x * lit * keyLight.rgb + mirrored.y * skyLight(normal.z);
 #endif
   fragColor = vec4(encodeSrgb(toneMap(color)) * (hairBlend == 2.0 ? alpha : 1.0), alpha);
 }

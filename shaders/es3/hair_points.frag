@@ -32,6 +32,12 @@ GuidePoint guidePoint(float guide, float node) {
   return p;
 }
 
+// The shares of three guides where hair is wet: its nearest guide takes most of it.
+vec3 drawnWeights(vec3 weights) {
+  vec3 squares = max(weights, 0.0) * max(weights, 0.0);
+  return squares * squares / dot(squares, squares);
+}
+
 vec4 blendFrames(vec4 a, vec4 b, vec4 c, vec3 weights) {
   return normalize(a * weights.x + b * (dot(a, b) < 0.0 ? -weights.y : weights.y) + c * (dot(a, c) < 0.0 ? -weights.z : weights.z));
 }
@@ -52,18 +58,22 @@ HairNode wispPoint(float t) {
   vec4 offsetWidth = wispTexel(FUR_WISP_OFFSET), weightsLength = wispTexel(FUR_WISP_WEIGHTS);
   vec4 magnetRotation = wispTexel(FUR_WISP_MAGNET), guides = wispTexel(FUR_WISP_GUIDES);
   float perHeight = weightsLength.w * (guideNodes - 1.0), width = offsetWidth.w;
-  vec3 weights = weightsLength.xyz + magnetRotation.xyz * t, position = vec3(0.0), way = vec3(0.0);
+  vec3 dry = weightsLength.xyz + magnetRotation.xyz * t, position = vec3(0.0), way = vec3(0.0);
+  GuidePoint points[3];
+  vec4 roots[3];
   float wetness = 0.0;
-  vec4 turns[3], roots[3];
   for (int k = 0; k < 3; ++k) {
-    GuidePoint guide = guidePoint(guides[k], perHeight * t);
-    position += guide.position * weights[k];
-    way += guide.way * (weights[k] * perHeight) + guide.position * magnetRotation[k];
-    wetness += guide.wetness * weights[k];
-    turns[k] = guide.turn;
+    points[k] = guidePoint(guides[k], perHeight * t);
     roots[k] = nodeOf(guides[k], 0).turn;
+    wetness += points[k].wetness * dry[k];
   }
-  vec4 turn = blendFrames(turns[0], turns[1], turns[2], weights);
+  vec3 drawn = drawnWeights(dry) - dry, weights = dry + drawn * (FUR_WET_DRAWS * wetness * t * (2.0 - t));
+  vec3 changes = magnetRotation.xyz + drawn * (FUR_WET_DRAWS * wetness * (2.0 - 2.0 * t));
+  for (int k = 0; k < 3; ++k) {
+    position += points[k].position * weights[k];
+    way += points[k].way * (weights[k] * perHeight) + points[k].position * changes[k];
+  }
+  vec4 turn = blendFrames(points[0].turn, points[1].turn, points[2].turn, weights);
   float cosine = cos(magnetRotation.w), sine = sin(magnetRotation.w);
   vec3 x = turned(turn, vec3(cosine, 0.0, sine)), z = turned(turn, vec3(-sine, 0.0, cosine));
 

@@ -29,6 +29,7 @@ const settings::Field* onlyDifference(const settings::Settings& a, const setting
 }  // namespace
 
 App::App() : state_(std::make_unique<State>()) {
+  state_->water.setHair(*state_->hair);
   state_->view.camera.jump(state_->startView());
   geometry::Mesh square = geometry::makePlane(1);
   auto surface = geometry::buildSurface(square, state_->mapping());

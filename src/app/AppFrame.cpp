@@ -173,13 +173,14 @@ render::Frame App::State::frame(int level) const {
   f.groundHeight = shape.groundHeight();
   f.reach = glm::length(shape.extent().centre) + shape.extent().radius;
   f.wet = !water.mask().isDry();
+  f.wetHair = hair->isWet();
   f.groomed = groom.hasLengths();
   f.painted = groom.hasPaint() || showsMask() || showsScalp();
   f.shaped = groom.hasShape();
   f.types = coat.shownTypes() > 1;
   if (const auto ball = motion.touch().ball()) f.ball = Vec4(ball->centre, ball->radius);
   f.baseColorFactor = document.baseColorFactor;
-  f.drops = water.water().drops();
+  f.drops = hair->withHanging(water.water().drops());
   f.puddles = {water.puddles(), water.puddlesRevision()};
   return f;
 }

@@ -66,6 +66,11 @@ bool App::State::dabAt(Vec2 pixel) { return dabAt(pixel, pick(pixel)); }
 
 bool App::State::dabAt(Vec2 pixel, const std::optional<geometry::SurfacePoint>& hit) {
   if (hair->stroking()) return dabHair(pixel, hit);
+  if (const auto met = water.stroking() ? hairAt(pixel, hit) : std::nullopt) {
+    if (goesOn(hand.tool)) water.hold(met->root, hand.pressure, met->height);
+    else water.dab(shape, settings, met->root, hand.pressure, met->height);
+    return true;
+  }
   if (hit) dabAt(*hit);
   return hit.has_value();
 }
@@ -86,7 +91,13 @@ bool App::State::dabHair(Vec2 pixel, const std::optional<geometry::SurfacePoint>
   return true;
 }
 
-bool App::State::onHair(Vec2 pixel) const {
+std::optional<HairStage::Met> App::State::hairAt(Vec2 pixel, const std::optional<geometry::SurfacePoint>& hit) {
+  const Ray ray = rayThrough(pixel);
+  return hair->meet(shape, ray.origin, glm::normalize(ray.direction), hit);
+}
+
+bool App::State::onHair(Vec2 pixel) {
+  if (strokeOf(hand.tool)) return hairAt(pixel, std::nullopt).has_value();
   if (!worksOnHair(hand.tool)) return false;
   return hair->meets(hairLook(pixel));
 }
@@ -108,7 +119,10 @@ void App::State::paintTo(Vec2 pixel) {
 void App::State::workWithHand(float seconds) {
   if (!toolActsWhileStill()) return;
   const auto hit = pick(heldPixel());
-  if (water.stroking()) return water.hold(hit, hit ? hand.pressure : 0);
+  if (water.stroking()) {
+    if (const auto met = hairAt(heldPixel(), hit)) return water.hold(met->root, hand.pressure, met->height);
+    return water.hold(hit, hit ? hand.pressure : 0);
+  }
   constexpr float kStep = wet::Water::kStep;
   for (hand.due = std::min(hand.due + seconds, 1.0f); hand.due > kStep * 0.999f; hand.due -= kStep)
     if (++hand.sinceDab >= WaterStage::kDabSteps && hand.pressure > 0) dabAt(heldPixel(), hit);

@@ -127,6 +127,7 @@ std::vector<std::uint8_t> App::saveScene() const {
   }
   fur.whiskers = groom.whiskers;
   fur.hair = s.hair->style();
+  s.hair->addWetness(fur.hair);
   fur.wetnessSize = s.water.mask().size();
   if (!s.water.mask().isDry()) fur.wetness = s.water.mask().texels();
   return scene::exportScene(mesh, s.document.name, fur, {s.document.sourceImage.bytes.empty() ? s.document.pendingImage : s.document.sourceImage, s.document.baseColorFactor, s.paintedPicture()});

@@ -182,7 +182,9 @@ struct App::State {
   bool dabAt(Vec2 pixel);
   bool dabAt(Vec2 pixel, const std::optional<geometry::SurfacePoint>& hit);  // what it hits is known
   bool dabHair(Vec2 pixel, const std::optional<geometry::SurfacePoint>& hit);
-  bool onHair(Vec2 pixel) const;  // the tool works on guides or bodies, and one is there
+  bool onHair(Vec2 pixel);  // the tool works on guides or bodies, or on what is wet, and one is there
+  // The long hair that a pixel shows, where that is nearer than the fur there.
+  std::optional<HairStage::Met> hairAt(Vec2 pixel, const std::optional<geometry::SurfacePoint>& hit);
   void dabAt(const geometry::SurfacePoint& at);
   // Dabs along the way, so that the speed of the hand changes nothing.
   void paintTo(Vec2 pixel);
@@ -194,7 +196,7 @@ struct App::State {
   // --- AppWater.cpp ---
   void beginWaterStroke(Command what, float radius, float flow);
   // A stroke of one point.
-  void strokeOnce(Command what, float radius, float flow, const geometry::SurfacePoint& at = {});
+  void strokeOnce(Command what, float radius, float flow, const geometry::SurfacePoint& at = {}, float height = 0);
   void note(Command what) { water.note(what, settings.clumpSize); }
   // A point of a recorded stroke.
   void strokeAgain(const WaterStroke& stroke, const WaterStroke::Point& point);

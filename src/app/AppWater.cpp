@@ -18,9 +18,10 @@ void App::State::beginWaterStroke(Command what, float radius, float flow) {
   water.beginStroke({what, radius, flow, settings.clumpSize, eye});
 }
 
-void App::State::strokeOnce(Command what, float radius, float flow, const geometry::SurfacePoint& at) {
+void App::State::strokeOnce(Command what, float radius, float flow, const geometry::SurfacePoint& at, float height) {
+  hair->update(hairInputs(0));  // no time may have gone by since it came
   beginWaterStroke(what, radius, flow);
-  water.strokeAt(shape, at);
+  water.strokeAt(shape, at, 1, height);
   endStroke();
 }
 
@@ -30,6 +31,7 @@ void App::splashAt(float u, float v, float radius, float amount) {
 
 bool App::splashPixel(Vec2 pixel, float radius, float amount) {
   const auto hit = state_->pick(pixel);
+  if (const auto met = state_->hairAt(pixel, hit)) return state_->strokeOnce(Command::Splash, radius, amount, met->root, met->height), true;
   if (hit) state_->strokeOnce(Command::Splash, radius, amount, *hit);
   return hit.has_value();
 }
@@ -101,8 +103,8 @@ Status App::replay(std::string_view json) {
 
 void App::State::strokeAgain(const WaterStroke& stroke, const WaterStroke::Point& point) {
   if (&point == stroke.points.data()) water.beginStroke({stroke.what, stroke.radius, stroke.flow, stroke.clump, stroke.eye});
-  if (goesOn(toolOf(stroke.what))) water.hold(point.at, point.pressure);
-  else water.strokeAt(shape, point.at, point.pressure);
+  if (goesOn(toolOf(stroke.what))) water.hold(point.at, point.pressure, point.height);
+  else water.strokeAt(shape, point.at, point.pressure, point.height);
 }
 
 // --- what there is ---

@@ -85,7 +85,7 @@ struct HairView {
   bool bones = false;              // the model has some
 };
 
-// Where the water is and went, as wet::Accounts has it; dried: evaporated and wiped off.
+// Where the water is and went, as wet::Accounts has it; held: in long hair, too; dried: evaporated and wiped off.
 struct WaterView {
   double came = 0, held = 0, film = 0, drops = 0, dripped = 0, dried = 0;
 };

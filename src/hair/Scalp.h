@@ -23,6 +23,7 @@ struct Scalp {
   // Over the model's atlas: r density, g width, b length, a rotation (Wisps.h). Black is no scalp.
   groom::GroomMap map{groom::GroomMap::kUsualSize, groom::GroomMap::kBlank};
   Guides guides;
+  std::vector<std::uint8_t> wetness;  // in files, of each node: 200 is soaked, 250 the most. Empty: dry
 };
 
 // Moves the density towards `density` in a ball (model space), all of the way but for the outermost eighth of its radius.

@@ -157,6 +157,11 @@ GuidePoint guidePoint(std::span<const GuideNode> chain, float node, bool cubic) 
   return out;
 }
 
+Vec3 drawnWeights(const Vec3& weights) {
+  const Vec3 above = glm::max(weights, Vec3(0)), squares = above * above;
+  return squares * squares / glm::dot(squares, squares);
+}
+
 Curl curlAt(const WispShape& shape, float random, float t) {
   if (shape.curl <= 0) return {};
   const float u = saturate(t / kCurlGrown), radius = shape.curl * u * u * (3 - 2 * u), grows = shape.curl * 6 * u * (1 - u) / kCurlGrown;
@@ -168,15 +173,19 @@ Curl curlAt(const WispShape& shape, float random, float t) {
 WispPoint wispPoint(const Wisp& wisp, std::span<const GuideNode> nodes, int nodesEach, const WispShape& shape, float t) {
   const auto each = static_cast<std::size_t>(nodesEach);
   const float perHeight = wisp.length * static_cast<float>(nodesEach - 1);
-  const Vec3 weights = wisp.weights + wisp.magnet * t;
+  const Vec3 dry = wisp.weights + wisp.magnet * t;
   GuidePoint guide[3];
   Vec3 position(0), step(0);
   WispPoint out;
   for (int k = 0; k < 3; ++k) {
     guide[k] = guidePoint(nodes.subspan(wisp.guides[static_cast<std::size_t>(k)] * each, each), perHeight * t, shape.cubic);
+    out.wetness += guide[k].wetness * dry[k];
+  }
+  const Vec3 drawn = drawnWeights(dry) - dry, weights = dry + drawn * (kWetDraws * out.wetness * t * (2 - t));
+  const Vec3 changes = wisp.magnet + drawn * (kWetDraws * out.wetness * (2 - 2 * t));
+  for (int k = 0; k < 3; ++k) {
     position += guide[k].position * weights[k];
-    step += (guide[k].step * weights[k]) * perHeight + guide[k].position * wisp.magnet[k];
-    out.wetness += guide[k].wetness * weights[k];
+    step += (guide[k].step * weights[k]) * perHeight + guide[k].position * changes[k];
   }
   const Quat frame = blendFrames({guide[0].frame, guide[1].frame, guide[2].frame}, weights);
   const float cosine = portableCos(wisp.rotation), sine = portableSin(wisp.rotation);

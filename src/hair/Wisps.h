@@ -100,6 +100,9 @@ GuidePoint guidePoint(std::span<const GuideNode> chain, float node, bool cubic);
 Quat mixFrames(const Quat& a, const Quat& b, float share);
 // The frame of three; unit.
 Quat blendFrames(const Quat (&frames)[3], const Vec3& weights);
+// The shares of three guides where hair is wet: water draws wisps together to their nearest guide, by kWetDraws at the tip.
+Vec3 drawnWeights(const Vec3& weights);
+inline constexpr float kWetDraws = 0.8f;
 // The helix of a curl about the middle line, in the frame's x and z and in widths: where it is, and how that changes with t. Its
 // radius grows from nothing at the root.
 struct Curl {

@@ -41,6 +41,7 @@ struct Frame {
   bool transparent = false;
   int bottomRow = 0;  // the lowest that the framebuffer has: of a picture in parts, each in a framebuffer of its own
   bool wet = false;           // any texel of the mask is: picks the shaders that look at it
+  bool wetHair = false;       // long hair is: likewise
   bool groomed = false;       // the groom's map says more than full length of one type: likewise
   bool types = false;         // and more than one fur type
   bool painted = false;       // there is paint: likewise

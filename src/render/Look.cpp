@@ -32,7 +32,7 @@ constexpr unsigned kNotOfSkin = kWet | kMarschner | kShaped;
 }  // namespace
 
 Look::Look(const Frame& frame, bool furry, bool textured)
-    : furry_(furry), final_(finalLook(frame, textured)), bend_(curveVariant(frame.settings)) {}
+    : furry_(furry), wetHair_(frame.wetHair), final_(finalLook(frame, textured)), bend_(curveVariant(frame.settings)) {}
 
 unsigned Look::shells(unsigned view) const { return bend_ | shown(final_, view); }
 
@@ -51,6 +51,6 @@ unsigned Look::bareSkin(unsigned view) const { return view ? view : final_ & ~(k
 unsigned Look::whiskers() const { return bend_ | (final_ & ~(kTextured | kFurOnly | kPainted | kShaped)); }
 
 // Its guides bend it, and it has colours of its own.
-unsigned Look::hair() const { return final_ & (kWet | kMarschner | kShadowDepth | kShadowLayers); }
+unsigned Look::hair() const { return (final_ & (kMarschner | kShadowDepth | kShadowLayers)) | (wetHair_ ? kWet : kPlain); }
 
 }  // namespace fur::render

@@ -24,7 +24,7 @@ class Look {
   unsigned bend() const { return bend_; }
 
  private:
-  bool furry_;
+  bool furry_, wetHair_;
   unsigned final_;  // all bits but those of `bend_`
   unsigned bend_;   // how strands bend
 };

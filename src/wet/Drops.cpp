@@ -32,11 +32,6 @@ constexpr float kJetWidth = 1.7f, kFallsApart = 0.2f;
 constexpr float kRing = 0.35f, kCrown = 0.03f, kWave = 0.1f, kSpray = 0.2f, kSprayRadius = 0.009f, kSpraySpeed = 0.12f;
 constexpr int kSprayDrops = 8;
 
-
-float radiusOf(float amount) {
-  return amount > 0.0f ? portableExp(portableLog(amount * (kDepth * 0.75f / kPi)) / 3.0f) : 0.0f;
-}
-
 // Where a place of the skin is shown, and which way it faces there; model space.
 std::pair<Vec3, Vec3> shownAt(const WetSurface& skin, const SurfaceTexels::Place& place) {
   if (skin.positions.empty()) return {place.position, place.normal};
@@ -47,6 +42,10 @@ std::pair<Vec3, Vec3> shownAt(const WetSurface& skin, const SurfaceTexels::Place
 }  // namespace
 
 // --- drops --------------------------------------------------------------------------------------
+
+float Water::dropRadius(float amount) {
+  return amount > 0.0f ? portableExp(portableLog(amount * (kDepth * 0.75f / kPi)) / 3.0f) : 0.0f;
+}
 
 // Hanging drops drink the film round them until they are too heavy.
 void Water::feedHanging(const WetSurface& skin, WetnessMask& mask, const Climate& climate) {
@@ -69,7 +68,7 @@ void Water::feedHanging(const WetSurface& skin, WetnessMask& mask, const Climate
       const float dries = std::min(drop.water, kDropDrying * climate.dryRate * kRate);
       accounts_.evaporated += double{drop.water} - (drop.water - dries);
       drop.water -= dries;
-      drop.radius = radiusOf(drop.water);
+      drop.radius = dropRadius(drop.water);
       // At the tips, which a wet clump lets hang.
       const auto [root, normal] = shownAt(skin, place);
       const Vec3 out = normalizeOr(normal + 0.7f * down_, normal);
@@ -113,6 +112,7 @@ void Water::fall(const WetSurface& skin, const Climate& climate) {
       const Vec3 way = drop.velocity * kRate;
       const auto hit = shown.castRay(toModel * (drop.position - middle), toModel * way);
       const Vec3 to = drop.position + way;
+      if (skin.hair && meetHair(*skin.hair, drop, hit && hit->distance <= 1.0f ? way * hit->distance : way)) continue;
       if (hit && hit->distance <= 1.0f) {
         const Vec3 at = positionAt(skin.surface, *hit), normal = normalAt(skin.surface, *hit);
         splash(at, normal, (drop.jet > 0.0f ? 1.6f : 1.0f) * climate.clumpSize, drop.water, texels_->placeAt(atlasAt(skin.surface, *hit)));
@@ -136,6 +136,18 @@ void Water::fall(const WetSurface& skin, const Climate& climate) {
     drops_[kept++] = drop;
   }
   drops_.resize(kept);
+}
+
+// Hair on the way takes of the drop; true: all of it.
+bool Water::meetHair(WetHair& hair, Drop& drop, const Vec3& way) {
+  const float taken = hair.take(drop.position, way, drop.water);
+  if (!(taken > 0.0f)) return false;
+  accounts_.hair += taken;
+  drop.water -= taken;
+  drop.radius = dropRadius(drop.water);
+  if (drop.jet > 0.0f) spray(drop.position + way, Vec3(0, 1, 0), kSpraySpeed * glm::length(drop.velocity));
+  drop.jet = 0;
+  return !(drop.water > 0.0f);
 }
 
 // What is seen to fly off where a jet comes down; its water stays there.
@@ -203,7 +215,7 @@ void Water::rain(const Climate& climate) {
     // Where it would hit in this wind.
     const Vec3 over(reach * portableCos(angle), kRainHeight, reach * portableSin(angle));
     if (drops_.size() >= kMostDrops) continue;
-    drops_.push_back({middle + over - climate.wind * 0.3f, radiusOf(amount), Vec3(0, -kRainSpeed, 0) + climate.wind, amount});
+    drops_.push_back({middle + over - climate.wind * 0.3f, dropRadius(amount), Vec3(0, -kRainSpeed, 0) + climate.wind, amount});
     accounts_.rained += amount;
   }
 }
@@ -257,7 +269,7 @@ Vec3 Water::velocityFor(const Vec3& way, float seconds, const Vec3& wind) {
 void Water::launch(const Vec3& position, const Vec3& velocity, float amount, float jet) {
   if (!(amount > 0.0f) || drops_.size() >= kMostDrops) return;
   accounts_.painted += amount;
-  drops_.push_back({position, (jet > 0.0f ? kJetWidth : 1.0f) * radiusOf(amount), velocity, amount, Drop::kNoPlace, jet});
+  drops_.push_back({position, (jet > 0.0f ? kJetWidth : 1.0f) * dropRadius(amount), velocity, amount, Drop::kNoPlace, jet});
 }
 
 void Water::wipe(const WetSurface& skin, WetnessMask& mask, const Vec3& centre, const Vec3& normal, float radius, float share) {
@@ -300,7 +312,8 @@ void Water::save(ByteWriter& to) const {
   // What is in the mask counts as painted where it is noticed.
   Accounts without = accounts_;
   const Accounts all = accounts();
-  without.painted -= all.held + all.film;
+  without.painted -= all.held + all.film + all.hair;
+  without.hair = 0;
   for (const float amount : incoming_) without.painted += amount;
   to(drops_, puddles_, incoming_, groundWet_, groundMoves_, random_, rainDue_, steps_, without);
 }

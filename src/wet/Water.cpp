@@ -79,6 +79,13 @@ void Water::notice(const WetSurface& skin, WetnessMask& mask) {
   (gain > 0 || first ? accounts_.painted : accounts_.removed) += gain > 0 || first ? gain : -gain;
 }
 
+// As notice(), of water that others have brought to hair or taken from it.
+void Water::noticeHair(const WetHair& hair) {
+  const double gain = hair.water() - accounts_.hair;
+  (gain > 0 ? accounts_.painted : accounts_.removed) += std::abs(gain);
+  accounts_.hair += gain;
+}
+
 void Water::give(std::uint32_t place, float amount) {
   incoming_[place] += amount;
   flags_[texels_->blockOf(place)] |= kReceived;
@@ -139,7 +146,15 @@ bool Water::step(const WetSurface& skin, WetnessMask& mask, const Climate& clima
   ++steps_;
   rain(climate);
   shake(skin, mask, climate);
+  if (skin.hair) noticeHair(*skin.hair);
   fall(skin, climate);
+  if (skin.hair) {
+    const std::size_t before = drops_.size();
+    const double dried = skin.hair->step(climate, drops_);
+    accounts_.evaporated += dried;
+    accounts_.hair -= dried;
+    for (std::size_t i = before; i < drops_.size(); ++i) accounts_.hair -= drops_[i].water;
+  }
   const std::uint32_t turn = steps_ % kTurns;
   for (std::uint32_t b = turn; b < flags_.size(); b += kTurns)
     if (flags_[b] & kMoving && aimed_[b] != aim_) aim(skin, b);

@@ -23,6 +23,7 @@
 #include "wet/Puddles.h"
 #include "wet/SurfaceTexels.h"
 #include "wet/SurfaceWetting.h"
+#include "wet/WetHair.h"
 #include "wet/WetnessMask.h"
 
 namespace fur::wet {
@@ -35,6 +36,7 @@ struct WetSurface {
   // For an animated model: the current positions and normals of its vertices, and a query over them. Empty: the rest pose.
   std::span<const Vec3> positions{}, normals{};
   const geometry::SurfaceQuery* shown = nullptr;
+  WetHair* hair = nullptr;  // that grows on it; none
 };
 
 struct Climate {
@@ -51,10 +53,11 @@ struct Climate {
   float blowRadius = 0, blow = 0;
 };
 
-// painted + rained = held + film + drops + dripped + evaporated + removed.
+// painted + rained = held + film + drops + hair + dripped + evaporated + removed.
 struct Accounts {
   double painted = 0, rained = 0;                // water that was added; undo reduces `painted`
   double held = 0, film = 0, drops = 0;          // in the fur, on it, in the air or hanging from it
+  double hair = 0;                               // in long hair, and hanging from it
   double dripped = 0, evaporated = 0, removed = 0;  // lost to the ground, to the air, and wiped off
 };
 
@@ -99,6 +102,7 @@ class Water {
   void clear();
 
   std::span<const Drop> drops() const { return drops_; }
+  static float dropRadius(float amount);
   // The puddles on the ground (Puddles.h): water per square unit for each cell; the revision changes with them.
   std::span<const float> ground() const { return puddles_; }
   std::uint32_t groundRevision() const { return groundRevision_; }
@@ -123,6 +127,8 @@ class Water {
   };
 
   void notice(const WetSurface& skin, WetnessMask& mask);
+  void noticeHair(const WetHair& hair);
+  bool meetHair(WetHair& hair, Drop& drop, const Vec3& way);
   void aim(const WetSurface& skin, std::uint32_t block);
   void flow(std::uint32_t block);
   void crossBorders(std::uint32_t block);

@@ -177,6 +177,117 @@ TEST(AppHair, GetsWetWithTheSkinThatItGrowsFromAndDriesWithIt) {
   EXPECT_LT(salon.picture().differingShare(dry, 24), 0.05f);
 }
 
+double missing(const App& app) {
+  const wet::Accounts a = app.water().accounts();
+  return a.painted + a.rained - (a.held + a.film + a.drops + a.hair + a.dripped + a.evaporated + a.removed);
+}
+
+void run(App& app, float seconds) {
+  for (int i = 0; i < static_cast<int>(60 * seconds); ++i) app.tick(1 / 60.0f);
+}
+
+TEST(AppHair, WaterBalancesWhileItRainsIsShakenAndDries) {
+  Salon salon;
+  salon.grow();
+  salon.app.setField("rain", "1");
+  run(salon.app, 1.5f);
+  salon.app.setField("rain", "0");
+  const wet::Accounts rained = salon.app.water().accounts();
+  EXPECT_GT(rained.hair, 0.05 * rained.rained);
+  EXPECT_NEAR(missing(salon.app), 0, 1e-4 * rained.rained);
+  salon.app.shake();
+  run(salon.app, 1.2f);
+  const wet::Accounts shaken = salon.app.water().accounts();
+  EXPECT_LT(shaken.hair, 0.8 * rained.hair);
+  salon.app.setField("dryRate", "0.2");
+  run(salon.app, 2);
+  EXPECT_LT(salon.app.water().accounts().hair, shaken.hair);
+  EXPECT_GT(salon.app.water().accounts().evaporated, shaken.evaporated);
+  EXPECT_NEAR(missing(salon.app), 0, 1e-4 * rained.rained);
+}
+
+TEST(AppHair, UndoOfAWetStrokeTakesItsWaterOutOfHairAndRedoBringsItBack) {
+  Salon salon;
+  salon.app.setField("stayWet", "true");
+  salon.grow();
+  salon.app.setWetness(0.5f);
+  run(salon.app, 0.1f);
+  const auto hair = [&] { return run(salon.app, 0.05f), salon.app.water().accounts().hair; };
+  const double half = hair();
+  ASSERT_TRUE(salon.app.splashPixel({80, 80}, 0.8f, 1));
+  const double more = hair();
+  EXPECT_GT(more, 1.01 * half);
+  EXPECT_TRUE(salon.app.undo());
+  EXPECT_NEAR(hair(), half, 1e-3 * half);
+  EXPECT_TRUE(salon.app.redo());
+  EXPECT_NEAR(hair(), more, 1e-2 * more);
+  salon.app.setWetness(0);
+  EXPECT_EQ(hair(), 0);
+  EXPECT_NEAR(missing(salon.app), 0, 1e-4 * more);
+}
+
+TEST(AppHair, ToolsOfWaterMeetItBesideTheSkin) {
+  Salon salon;
+  salon.grow();
+  std::optional<Vec2> beside;
+  for (float x = 159; x > 80 && !beside; x -= 2)
+    if (!salon.app.pick({x, 90}) && salon.app.splashPixel({x, 90}, 0.1f, 0.8f)) beside = Vec2(x, 90);
+  ASSERT_TRUE(beside);
+  run(salon.app, 0.05f);
+  EXPECT_GT(salon.app.water().accounts().hair, 0);
+  EXPECT_EQ(salon.app.meanWetness(), 0);
+  // It is in the record, and done again it wets the same hair.
+  const std::string strokes = salon.app.recordedStrokes();
+  salon.app.setWetness(0);
+  run(salon.app, 0.05f);
+  ASSERT_TRUE(salon.app.replay(strokes));
+  run(salon.app, 0.05f);
+  EXPECT_GT(salon.app.water().accounts().hair, 0);
+  salon.app.setTool(Tool::Hose);
+  const double before = salon.app.water().accounts().hair;
+  PointerEvent event{.phase = PointerPhase::Down, .position = *beside};
+  event.buttons = 1;
+  EXPECT_TRUE(salon.app.pointer(event));
+  run(salon.app, 0.5f);
+  event.phase = PointerPhase::Up;
+  salon.app.pointer(event);
+  EXPECT_GT(salon.app.water().accounts().hair, 1.2 * before);
+}
+
+TEST(AppHair, WaterInItGoesToAnotherAppAndIntoAScene) {
+  Salon salon, other;
+  salon.app.setField("stayWet", "true");
+  salon.grow();
+  salon.app.setWetness(0.6f);
+  run(salon.app, 0.05f);
+  ASSERT_TRUE(other.app.restoreHair(salon.app.saveHair()));
+  ASSERT_TRUE(other.app.restoreWater(salon.app.saveWater()));
+  const double before = salon.app.water().accounts().hair;
+  run(other.app, 0.05f);
+  EXPECT_GT(before, 0.01);
+  EXPECT_NEAR(other.app.water().accounts().hair, before, 1e-3 * before);
+  const auto scene = salon.app.saveScene();
+  ASSERT_TRUE(other.app.loadModel(scene, "saved.glb"));
+  run(other.app, 0.05f);
+  // A byte a node.
+  EXPECT_NEAR(other.app.water().accounts().hair, before, 0.02 * before);
+}
+
+TEST(AppHair, UploadsNothingWhileWetHairIsAtRest) {
+  Salon salon;
+  salon.app.setField("stayWet", "true");
+  salon.grow();
+  salon.app.setWetness(0.6f);
+  for (int i = 0; i < 1200 && salon.app.active(); ++i) {
+    salon.app.tick(1 / 60.0f);
+    if (i % 60 == 0) salon.stage.draw(salon.app);
+  }
+  salon.stage.draw(salon.app);
+  salon.stage.draw(salon.app);
+  EXPECT_EQ(salon.app.stats().uploadedBytes, (salon.app.tick(1), salon.stage.draw(salon.app), salon.app.stats().uploadedBytes));
+  EXPECT_FALSE(salon.app.active());
+}
+
 TEST(AppHair, IsLitToItsTipsWhereTheEyeIsAtTheLight) {
   Salon salon;
   for (const auto& [name, value] : {std::pair("lightYaw", "0"), std::pair("lightPitch", "0.05")}) salon.app.setField(name, value);

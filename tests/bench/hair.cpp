@@ -1,10 +1,12 @@
-// How long a step of guides takes, by model and by what acts on them, and to show them. Built for Node as wet-fur-hair-bench.js of the wasm preset,
+// How long a step of guides takes, by model and by what acts on them, and to show them; and a step of the water in them, soaked
+// and in the rain. Built for Node as wet-fur-hair-bench.js of the wasm preset,
 // or natively. The best of some rounds of a second each, taken in turn, so that what else the machine does meets all alike.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <vector>
 
+#include "hair/HairWater.h"
 #include "tests/hair/Mane.h"
 
 using namespace fur;
@@ -54,6 +56,52 @@ void run(Case& one) {
   one.best = std::min(one.best, sum / kFrames);
 }
 
+struct WaterCase {
+  const char* what = "";
+  int across, nodes, wisps;
+  double best = 1e9, bestRain = 1e9, bestGrid = 1e9;  // microseconds a step, a step of rain, to find where hair lies
+};
+
+// Soaked hair that swings, runs and dries: as much work as there is.
+void run(WaterCase& one) {
+  Shaken hair{Mane(one.across, one.nodes)};
+  HairWater water;
+  std::vector<Wisp> wisps;
+  const auto guides = static_cast<std::uint32_t>(hair.mane.guides.count());
+  const std::vector<float> lengths(guides, hair.mane.length);
+  for (int w = 0; w < one.wisps; ++w) {
+    Wisp wisp;
+    wisp.guides = {static_cast<std::uint32_t>(w) % guides, static_cast<std::uint32_t>(w + 1) % guides, static_cast<std::uint32_t>(w + 2) % guides};
+    wisp.weights = {0.6f, 0.3f, 0.1f};
+    wisps.push_back(wisp);
+  }
+  const auto shown = [&] { return ShownHair{wisps, hair.nodes(), one.nodes, {}}; };
+  water.assign(shown(), lengths);
+  water.soak(1);
+  const HairAir air{0.02f, Vec3(0), 0, 0};
+  std::vector<HairDrop> left;
+  double sum = 0, rain = 0, grid = 0;
+  constexpr int kFrames = 30;
+  for (int frame = 0; frame < kFrames; ++frame) {
+    hair.place(glm::rotate(kHere, 0.5f * portableSin(0.2f * static_cast<float>(frame)), Vec3(0.2f, 1, 0.1f)));
+    hair.advance(HairWater::kStep);
+    auto begun = std::chrono::steady_clock::now();
+    water.move(hair.nodes(), HairWater::kStep);
+    water.step(shown(), air, left, 1000);
+    sum += microseconds(std::chrono::steady_clock::now() - begun);
+    begun = std::chrono::steady_clock::now();
+    water.meet(shown(), Vec3(9, 9, 9), Vec3(0, 1, 0));
+    grid += microseconds(std::chrono::steady_clock::now() - begun);
+    begun = std::chrono::steady_clock::now();
+    // As many drops as there are in the air.
+    for (int i = 0; i < 250; ++i) water.take(shown(), Vec3(0.005f * static_cast<float>(i) - 0.6f, 0.8f, 0), Vec3(0, -0.08f, 0), 1.6e-3f);
+    rain += microseconds(std::chrono::steady_clock::now() - begun);
+  }
+  one.best = std::min(one.best, sum / kFrames);
+  one.bestRain = std::min(one.bestRain, rain / kFrames);
+  one.bestGrid = std::min(one.bestGrid, grid / kFrames);
+}
+
 }  // namespace
 
 int main() {
@@ -75,4 +123,9 @@ int main() {
   for (const Case& one : cases)
     std::printf("%-8s %-38s %8.1f us a step %8.1f us to show\n", kNames[static_cast<int>(one.model)], one.what,
                 (one.best - one.bestShown) / kStepsEach, one.bestShown);
+  WaterCase waters[] = {{"121 x 8, 600 wisps", 11, 8, 600}, {"529 x 16, 2500 wisps", 23, 16, 2500}};
+  for (int round = 0; round < 7; ++round)
+    for (WaterCase& one : waters) run(one);
+  for (const WaterCase& one : waters)
+    std::printf("water    %-38s %8.1f us a step %8.1f us for 250 drops of rain %8.1f us to find where it lies\n", one.what, one.best, one.bestRain, one.bestGrid);
 }

@@ -123,11 +123,14 @@ struct Precision {
     const float guideLength = w.length * static_cast<float>(head.guides.nodes - 1) * segment;
     // Of nodes, of which a wisp is the mean; of the curve's tangents between them, which are as long as a segment, and at most a
     // quarter of one aside; and of the point itself. Frames turn those tangents, the way from the guides and the curl.
-    position = step * (0.5f + 0.25f + 0.5f) + kPackedTurn * (0.25f * segment + glm::length(w.offset) + radius) + kGpuPrecision * radius;
+    // Water moves a point to its nearest guide, by a wetness that is off by up to half of 1/255.
+    const auto [drawn, drawnWay] = drawnTo(head, w, t);
+    const float wetness = hair::kWetDraws * 0.5f / 255;
+    position = wetness * t * (2 - t) * glm::length(drawn) + step * (0.5f + 0.25f + 0.5f) + kPackedTurn * (0.25f * segment + glm::length(w.offset) + radius) + kGpuPrecision * radius;
     // The way that a point takes with t. A cubic is at most half as steep again as the line between two nodes, and its tangents
-    // count for at most 1 together; the magnet moves whole guides.
-    const float way = 1.5f * step * guideLength / segment + kPackedTurn * guideLength + step * glm::length(w.magnet) +
-                      (kGpuPrecision + kPackedTurn) * radius * rate;
+    // count for at most 1 together; magnet and water move whole guides.
+    const float way = 1.5f * step * guideLength / segment + kPackedTurn * guideLength + step * (glm::length(w.magnet) + 2 * hair::kWetDraws) +
+                      (kGpuPrecision + kPackedTurn) * radius * rate + wetness * ((2 - 2 * t) * glm::length(drawn) + t * (2 - t) * glm::length(drawnWay));
     constexpr float kAside = 1e-2f;
     const float speed = glm::length(head.point(wisp, t + kAside).position - head.point(wisp, t - kAside).position) / (2 * kAside);
     along = way / speed + kPackedTurn;
@@ -138,12 +141,26 @@ struct Precision {
   float position, along, across;
 
  private:
+  // What all the water there can be moves a point by, and that as t grows.
+  static std::pair<Vec3, Vec3> drawnTo(const Head& head, const hair::Wisp& w, float t) {
+    const float nodes = w.length * static_cast<float>(head.guides.nodes - 1);
+    const Vec3 dry = w.weights + w.magnet * t, moves = hair::drawnWeights(dry) - dry;
+    std::pair<Vec3, Vec3> sum{Vec3(0), Vec3(0)};
+    for (int k = 0; k < 3; ++k) {
+      const auto at = hair::guidePoint(std::span(head.nodes).subspan(w.guides[static_cast<std::size_t>(k)] * head.each(), head.each()), nodes * t, head.values.curve == 0);
+      sum.first += at.position * moves[k];
+      sum.second += at.step * (moves[k] * nodes);
+    }
+    return sum;
+  }
   static Vec3 frameX(const Head& head, const hair::Wisp& w, float t) {
     const float node = w.length * static_cast<float>(head.guides.nodes - 1) * t;
     Quat frames[3];
     for (std::size_t k = 0; k < 3; ++k)
       frames[k] = hair::guidePoint(std::span(head.nodes).subspan(w.guides[k] * head.each(), head.each()), node, head.values.curve == 0).frame;
-    return hair::blendFrames(frames, w.weights + w.magnet * t) * Vec3(std::cos(w.rotation), 0, std::sin(w.rotation));
+    const Vec3 dry = w.weights + w.magnet * t;
+    const float wet = hair::kWetDraws * head.point(static_cast<std::size_t>(&w - head.wisps.data()), t).wetness * t * (2 - t);
+    return hair::blendFrames(frames, dry + (hair::drawnWeights(dry) - dry) * wet) * Vec3(std::cos(w.rotation), 0, std::sin(w.rotation));
   }
 };
 

@@ -31,6 +31,7 @@ struct Scene {
     mane.guides.nodes = 5;
     mane.guides.flags = {0, hair::kStatic, hair::kHidden};
     for (int i = 0; i < 15; ++i) mane.guides.positions.emplace_back(0.1f * static_cast<float>(i / 5), 0.05f * static_cast<float>(i % 5), 0.3f);
+    for (int i = 0; i < 15; ++i) mane.wetness.push_back(static_cast<std::uint8_t>(17 * i));
     fur.hair.scalps = {mane, {}};
     fur.hair.bodies = {{Vec3(0.1f, 0.2f, 0.3f), Vec3(0.1f, 0.2f, 0.3f), 0.5f}, {Vec3(0), Vec3(1, 0, 0), 0.25f}};
   }
@@ -49,6 +50,7 @@ void expectSame(const hair::Hairstyle& read, const hair::Hairstyle& written, flo
     EXPECT_EQ(read.scalps[i].map.texels(), written.scalps[i].map.texels());
     EXPECT_EQ(read.scalps[i].guides.nodes, written.scalps[i].guides.nodes);
     EXPECT_EQ(read.scalps[i].guides.flags, written.scalps[i].guides.flags);
+    EXPECT_EQ(read.scalps[i].wetness, written.scalps[i].wetness);
     ASSERT_EQ(read.scalps[i].guides.positions.size(), written.scalps[i].guides.positions.size());
     for (std::size_t k = 0; k < read.scalps[i].guides.positions.size(); ++k)
       EXPECT_LT(glm::distance(read.scalps[i].guides.positions[k], written.scalps[i].guides.positions[k]), off);
@@ -230,6 +232,11 @@ TEST(HairData, GuidesThatDoNotAddUpAreNamed) {
   expectBad(file, where + " is not an object");
   file.scalp = R"({"map":{"size":16,"bufferView":2},"guides":{"nodes":4,"positions":2}})";
   expectBad(file, where + ".flags is missing");
+  file = withGuides(2, two);
+  const std::size_t end = file.scalp.rfind("}}");
+  ASSERT_NE(end, std::string::npos);
+  file.scalp.insert(end, ",\"wetness\":2");
+  expectBad(file, where + ".wetness does not hold a byte for each of 8 nodes");
 }
 
 TEST(HairData, GuidesLeadToPlacesAroundTheModel) {

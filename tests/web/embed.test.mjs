@@ -55,7 +55,7 @@ test('a finger that starts on an element scrolls the page and wets nothing; a ta
 
 test('letters are stamped, the model shakes them off, strokes are painted again, and all water is accounted for', async () => {
   const page = await open({ viewport: { width: 480, height: 600 } });
-  const balance = (w) => w.painted + w.rained - (w.held + w.film + w.drops + w.dripped + w.evaporated + w.removed);
+  const balance = (w) => w.painted + w.rained - (w.held + w.film + w.drops + w.hair + w.dripped + w.evaporated + w.removed);
   const seen = await withFur(page, (fur) => {
     Object.assign(fur, { paused: true, dryRate: 0 });
     fur.stamp('WET', { size: 60 });

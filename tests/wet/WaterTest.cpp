@@ -68,7 +68,7 @@ geometry::Mesh torus() {
 }
 
 double imbalance(const Accounts& a) {
-  return a.painted + a.rained - (a.held + a.film + a.drops + a.dripped + a.evaporated + a.removed);
+  return a.painted + a.rained - (a.held + a.film + a.drops + a.hair + a.dripped + a.evaporated + a.removed);
 }
 
 TEST(SurfaceTexels, CoverTheSurfaceOnce) {

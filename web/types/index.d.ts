@@ -122,6 +122,8 @@ export interface WaterAccounts {
   held: number;
   film: number;
   drops: number;
+  /** In long hair, and hanging from it. */
+  hair: number;
   dripped: number;
   evaporated: number;
   removed: number;
@@ -182,7 +184,7 @@ export interface WetFurApi extends WetFurMethods {
   replay(strokes: string, options?: { undoable?: boolean }): void;
   /** The model as it came, dry, with the look that it brought or the default; one step of undo. */
   reset(settings?: Partial<FurSettings>): Promise<void>;
-  /** Where the water is and went: painted + rained = held + film + drops + dripped + evaporated + removed. */
+  /** Where the water is and went: painted + rained = held + film + drops + hair + dripped + evaporated + removed. */
   readonly waterAccounts: WaterAccounts | null;
   /** The atlas coordinates under CSS pixels of the canvas; null beside the model. */
   pick(at: { x: number; y: number }): { u: number; v: number } | null;

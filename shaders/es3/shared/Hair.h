@@ -63,6 +63,8 @@ FUR_BLOCK(HairBlock) {
 #define FUR_WISP_KINDS 4
 // By so much of its width a soaked wisp is thinner at its tip.
 #define FUR_WET_GATHERS 0.65
+// By so much a soaked wisp leaves where it is dry for its nearest guide, at its tip: wet hair draws together to locks.
+#define FUR_WET_DRAWS 0.8
 // A strip is so much wider than its wisp.
 #define FUR_STRIP_REACH 1.25
 

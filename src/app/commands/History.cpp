@@ -14,7 +14,7 @@ std::size_t bytesIn(const std::vector<T>& values) {
 
 std::size_t bytesOf(const Step& step) {
   if (const auto* mask = std::get_if<MaskStep>(&step)) return sizeof(Step) + bytesIn(mask->before.texels) + bytesIn(mask->after.texels) + bytesIn(mask->before.film) + bytesIn(mask->after.film) +
-           bytesIn(mask->wet);
+           bytesIn(mask->wet) + bytesIn(mask->hairBefore) + bytesIn(mask->hairAfter);
   if (const auto* hair = std::get_if<HairStep>(&step)) return sizeof(Step) + bytesIn(hair->before) + bytesIn(hair->after);
   const auto* groom = std::get_if<GroomStep>(&step);
   if (!groom) return sizeof(Step);
@@ -49,7 +49,7 @@ void carry(Io& io, S& step) {
   if constexpr (std::is_same_v<Kind, SettingsStep>) {
     io(step.before, step.after);
   } else if constexpr (std::is_same_v<Kind, MaskStep>) {
-    io(step.rect, step.before.texels, step.before.film, step.after.texels, step.after.film, step.wet);
+    io(step.rect, step.before.texels, step.before.film, step.after.texels, step.after.film, step.wet, step.hairBefore, step.hairAfter);
   } else if constexpr (std::is_same_v<Kind, HairStep>) {
     io(step.before, step.after);
   } else if constexpr (std::is_same_v<Kind, GroomStep>) {
@@ -75,14 +75,15 @@ bool become(Step& step, std::string_view name) {
 
 }  // namespace
 
-std::optional<MaskStep> maskStep(const MaskImage& before, const wet::WetnessMask& after) {
+std::optional<MaskStep> maskStep(const MaskImage& before, const wet::WetnessMask& after, bool always) {
   const int size = after.size();
   geometry::TexelRect rect = difference(size, before.texels, after.texels());
   const std::vector<float> none(before.film.empty() && after.film().empty() ? 0 : after.texels().size());
   const std::vector<float>& filmBefore = before.film.empty() ? none : before.film;
   const std::vector<float>& filmAfter = after.film().empty() ? none : after.film();
   if (!none.empty()) rect = unite(rect, difference(size, filmBefore, filmAfter));
-  if (rect.empty()) return std::nullopt;
+  if (rect.empty() && !always) return std::nullopt;
+  if (rect.empty()) rect = {0, 0, 0, 0};
   MaskStep step{rect, {cut(size, before.texels, rect), {}}, {cut(size, after.texels(), rect), {}}, std::vector<std::uint32_t>((before.texels.size() + 31) / 32)};
   for (std::size_t i = 0; i < before.texels.size(); ++i)
     if (before.texels[i].w > 0 || (!before.film.empty() && before.film[i] > 0)) step.wet[i / 32] |= 1u << i % 32;

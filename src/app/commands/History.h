@@ -33,6 +33,7 @@ struct MaskStep {
   wet::TexelRect rect;
   MaskImage before, after;
   std::vector<std::uint32_t> wet;
+  std::vector<float> hairBefore{}, hairAfter{};  // wet::WetHair::state(), where that has changed
 };
 
 // The changed rectangle of each map (groom::kMaps), row-major, or all of them when their size has changed; and the points
@@ -60,8 +61,8 @@ using Step = std::variant<SettingsStep, MaskStep, GroomStep, HairStep, ModelStep
 // The name that a step has in bytes.
 Command commandOf(const Step& step);
 
-// The step that turns `before` into `after` (both size x size); none when they are equal.
-std::optional<MaskStep> maskStep(const MaskImage& before, const wet::WetnessMask& after);
+// The step that turns `before` into `after` (both size x size); none when they are equal, but for `always`.
+std::optional<MaskStep> maskStep(const MaskImage& before, const wet::WetnessMask& after, bool always = false);
 std::optional<GroomStep> groomStep(const groom::Groom& before, const groom::Groom& after);
 // Puts one side of the step in place.
 void apply(const MaskStep& step, bool undo, wet::WetnessMask& mask);

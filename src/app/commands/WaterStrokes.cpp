@@ -1,6 +1,7 @@
 #include "app/commands/WaterStrokes.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/Json.h"
 #include "core/NumberText.h"
@@ -43,8 +44,10 @@ std::optional<WaterStroke> readStroke(const Json& read, std::size_t triangles) {
   stroke.eye = {at(4, -1e4f, 1e4f), at(5, -1e4f, 1e4f), at(6, -1e4f, 1e4f)};
   for (std::size_t i = kHead; i < count; i += kPoint) {
     const float y = at(i + 2, -1e-3f, 1), z = at(i + 3, -1e-3f, 1.001f);
+    const float both = at(i + 4, 0, 2001), thousandths = std::floor(0.5f * both);
     stroke.points.push_back({static_cast<std::uint32_t>(std::max(n[i], 0.0)),
-                             {static_cast<std::uint32_t>(std::max(n[i + 1], 0.0)), Vec3(1 - y - z, y, z), 0}, at(i + 4, 0, 1)});
+                             {static_cast<std::uint32_t>(std::max(n[i + 1], 0.0)), Vec3(1 - y - z, y, z), 0},
+                             std::min(both - 2 * thousandths, 1.0f), 0.001f * thousandths});
   }
   return stroke;
 }
@@ -61,7 +64,7 @@ std::string writeStrokes(const std::vector<WaterStroke>& strokes) {
     for (const WaterStroke::Point& point : stroke.points) {
       add(point.step);
       add(point.at.triangle);
-      for (const float value : {point.at.weights.y, point.at.weights.z, point.pressure}) add(value);
+      for (const float value : {point.at.weights.y, point.at.weights.z, point.pressure + 2 * std::round(1000 * point.height)}) add(value);
     }
     out += ']';
   }

@@ -19,7 +19,8 @@ struct WaterStroke {
   struct Point {
     std::uint32_t step;
     geometry::SurfacePoint at;
-    float pressure;  // of a pen, 0..1
+    float pressure;    // of a pen, 0..1
+    float height = 0;  // above 0: on the long hair that grows there, at that share of its length
   };
   Command what = Command::Droplet;
   float radius = 0, flow = 0, clump = 0;  // of the brush; radius of clumps. Model units
@@ -28,7 +29,7 @@ struct WaterStroke {
 };
 
 // JSON: [[name, radius, flow, clump, eye x, y, z, step, triangle, weight, weight, pressure, ...], ...]; the last five are a
-// point, as many times as there are points.
+// point, as many times as there are points. To the pressure of one on long hair, 0..1, twice the thousandths of its height are added.
 std::string writeStrokes(const std::vector<WaterStroke>& strokes);
 // The way back, on a surface of so many triangles; commands may also be numbers (Commands.inc). bad-file unless all is sound.
 Result<std::vector<WaterStroke>> readStrokes(std::string_view json, std::size_t triangles);

@@ -17,7 +17,7 @@ editor::EditorModel describe(const App& app) {
   }
   model.meanWetness = app.meanWetness();
   const wet::Accounts water = app.water().accounts();
-  model.water = {water.painted + water.rained, water.held, water.film, water.drops, water.dripped, water.evaporated + water.removed};
+  model.water = {water.painted + water.rained, water.held + water.hair, water.film, water.drops, water.dripped, water.evaporated + water.removed};
   model.canUndo = app.canUndo();
   model.canRedo = app.canRedo();
   model.lostBySaving = app.lostBySaving();

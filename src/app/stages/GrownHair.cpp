@@ -65,6 +65,7 @@ void GrownHair::reset() {
   selectedBody_ = -1;
   before_.reset();
   scalps_.clear();
+  givenState_.reset();
   settled_ = false;
   setStyle({});
 }
@@ -72,6 +73,7 @@ void GrownHair::reset() {
 void GrownHair::setStyle(hair::Hairstyle style) {
   style_ = std::move(style);
   selectedBody_ = std::min(selectedBody_, static_cast<int>(style_.bodies.size()) - 1);
+  takeWetness();
   touch();
 }
 
@@ -85,6 +87,7 @@ void GrownHair::touch() {
 void GrownHair::grow(const ShapeStage& shape) {
   scalps_.resize(style_.scalps.size());
   for (std::size_t i = 0; i < scalps_.size(); ++i) grow(style_.scalps[i], scalps_[i], shape);
+  takeState();
   stale_ = false;
 }
 
@@ -119,6 +122,7 @@ void GrownHair::grow(const hair::Scalp& scalp, LiveScalp& live, const ShapeStage
     live.growth.strips = hair::drawStrips(live.growth.members, scalp.values.strandWidth, scalp.values.mostWidth, scalp.values.tipWidth);
   }
   live.values = scalp.values;
+  growWater(live);
   ++live.grown;
 }
 
@@ -133,27 +137,16 @@ std::vector<hair::RootFrame> GrownHair::rootsNow(const LiveScalp& live, const In
   return roots;
 }
 
-// The water at a guide's root, for each of its nodes; nothing where all is dry.
-std::vector<float> GrownHair::wetnessNow(const LiveScalp& live, const Inputs& inputs) {
-  std::vector<float> wetness;
-  if (inputs.wetness.empty()) return wetness;
-  for (const geometry::SurfacePoint& at : live.roots) {
-    const std::uint32_t* corner = &inputs.shape.surface().indices[std::size_t{3} * at.triangle];
-    float here = 0;
-    for (int k = 0; k < 3; ++k) here += at.weights[k] * inputs.wetness[corner[k]];
-    wetness.insert(wetness.end(), static_cast<std::size_t>(live.guides.nodes), saturate(here));
-  }
-  return wetness;
-}
-
 void GrownHair::showNodes(LiveScalp& live, const Inputs& inputs) {
   const auto nodes = live.simulation.nodes();
   live.nodes.assign(nodes.begin(), nodes.end());
   const Mat4 modelFromWorld = glm::inverse(inputs.worldFromModel);
   const Quat turn = glm::quat_cast(Mat3(modelFromWorld));
-  for (hair::GuideNode& node : live.nodes) {
+  for (std::size_t i = 0; i < live.nodes.size(); ++i) {
+    hair::GuideNode& node = live.nodes[i];
     node.position = Vec3(modelFromWorld * Vec4(node.position, 1));
     node.frame = turn * node.frame;
+    node.wetness = live.seen.empty() ? 0 : live.seen[i];
   }
   ++live.moved;
 }
@@ -178,9 +171,8 @@ void GrownHair::forScalps(const Inputs& inputs, Work work) {
   around.colliders = colliders;
   for (std::size_t i = 0; i < scalps_.size(); ++i) {
     const std::vector<hair::RootFrame> roots = rootsNow(scalps_[i], inputs);
-    const std::vector<float> wetness = wetnessNow(scalps_[i], inputs);
     around.roots = roots;
-    around.wetness = wetness;
+    around.wetness = scalps_[i].felt;
     work(scalps_[i], motionValues(style_.scalps[i].values, inputs.settings), around);
   }
 }
@@ -188,9 +180,15 @@ void GrownHair::forScalps(const Inputs& inputs, Work work) {
 bool GrownHair::update(const Inputs& inputs) {
   const std::uint64_t before = revision_;
   growWhereStale(inputs.shape);
+  worldFromModel_ = inputs.worldFromModel;
   if (!settled_ && !scalps_.empty()) settle(inputs);
+  std::vector<bool> wetted;
+  for (LiveScalp& live : scalps_) wetted.push_back(wetnessNow(live, inputs));
   forScalps(inputs, [&](LiveScalp& live, const hair::MotionValues& values, const hair::Surroundings& around) {
-    if (!live.simulation.advance(inputs.seconds, values, around)) return;
+    const bool moved = live.simulation.advance(inputs.seconds, values, around);
+    if (moved) live.water.move(live.simulation.nodes(), inputs.seconds);
+    else if (inputs.seconds > 0) live.water.rest();
+    if (!moved && !wetted[static_cast<std::size_t>(&live - scalps_.data())]) return;
     showNodes(live, inputs);
     ++revision_;
   });
@@ -199,8 +197,11 @@ bool GrownHair::update(const Inputs& inputs) {
 
 void GrownHair::settle(const Inputs& inputs) {
   growWhereStale(inputs.shape);
+  worldFromModel_ = inputs.worldFromModel;
+  for (LiveScalp& live : scalps_) wetnessNow(live, inputs);
   forScalps(inputs, [&](LiveScalp& live, const hair::MotionValues& values, const hair::Surroundings& around) {
     live.simulation.settle(values, around);
+    live.water.move(live.simulation.nodes(), 0);
     showNodes(live, inputs);
   });
   settled_ = true;

@@ -3,11 +3,12 @@
 
 #include "app/stages/BodyGrip.h"
 #include "app/stages/HairStage.h"
+#include "hair/HairWater.h"
 #include "hair/Simulation.h"
 
 namespace fur::app {
 
-class GrownHair final : public HairStage {
+class GrownHair final : public HairStage, private wet::WetHair {
  public:
   void reset() override;
   bool update(const Inputs& inputs) override;
@@ -30,6 +31,16 @@ class GrownHair final : public HairStage {
   const hair::HairView* view(const Look& look) override;
   const groom::GroomMap& paintUnderView(const groom::GroomMap& paint) override;
   bool pointsElsewhere(const Look& look) override;
+
+  wet::WetHair* wetHair() override { return this; }
+  bool isWet() const override;
+  void wetBy(const WaterStroke& stroke, const ShapeStage& shape, const geometry::SurfacePoint& at, float pressure, float height) override;
+  Vec3 placeOf(const ShapeStage& shape, const geometry::SurfacePoint& at, float height) const override;
+  std::vector<float> waterState() const override;
+  void setWaterState(std::vector<float> state) override;
+  std::optional<Met> meet(const ShapeStage& shape, const Vec3& origin, const Vec3& direction, const std::optional<geometry::SurfacePoint>& hit) override;
+  std::span<const wet::Drop> withHanging(std::span<const wet::Drop> drops) override;
+  void addWetness(hair::Hairstyle& style) const override;
 
   Status readFile(const ShapeStage& shape, const groom::GroomSurface& skin, std::span<const std::uint8_t> bytes, const std::string& name) override;
   Result<std::vector<std::uint8_t>> writeFile() const override;
@@ -54,6 +65,10 @@ class GrownHair final : public HairStage {
     std::pair<std::uint64_t, std::uint64_t> plantedFor{};  // roots of the guides and map
     std::vector<hair::GuideNode> nodes;
     std::uint64_t grown = 0, moved = 0;
+    hair::HairWater water;
+    std::vector<float> felt, seen;  // wetness of its nodes as the motion has it, and as it is shown
+    // In world space, as the simulation has it.
+    hair::ShownHair shown() const { return {growth.wisps, simulation.nodes(), guides.nodes, hair::shapeOf(values)}; }
   };
   static constexpr groom::GroomMap::Texel kFreshScalp{0, 255, 255, 255};
   void touch();
@@ -76,7 +91,18 @@ class GrownHair final : public HairStage {
   void grow(const ShapeStage& shape);
   void grow(const hair::Scalp& scalp, LiveScalp& live, const ShapeStage& shape);
   std::vector<hair::RootFrame> rootsNow(const LiveScalp& live, const Inputs& inputs) const;
-  static std::vector<float> wetnessNow(const LiveScalp& live, const Inputs& inputs);
+  // --- GrownHairWater.cpp ---
+  double water() const override;
+  bool active(const wet::Climate& climate) const override;
+  float take(const Vec3& from, const Vec3& way, float water) override;
+  double step(const wet::Climate& climate, std::vector<wet::Drop>& drops) override;
+  void wetNear(const Vec3& centre, float radius, float amount);
+  void growWater(LiveScalp& live);
+  void takeState();
+  void takeWetness();
+  // The wetness of its nodes, with that of the skin at its roots; whether it is to be shown anew.
+  static bool wetnessNow(LiveScalp& live, const Inputs& inputs);
+
   void showNodes(LiveScalp& live, const Inputs& inputs);
   void growWhereStale(const ShapeStage& shape);
   template <class Work>
@@ -93,6 +119,9 @@ class GrownHair final : public HairStage {
   std::vector<hair::ViewColor> wispColors(std::size_t scalp, const Look& look) const;
 
   std::vector<LiveScalp> scalps_;  // one for each of the style's
+  Mat4 worldFromModel_{1.0f};      // of the last update
+  std::optional<std::vector<float>> givenState_;  // for hair that has yet to grow
+  std::vector<wet::Drop> drops_;   // of withHanging()
   // The stroke of a tool that works on guides: where it was (rest shape), the distance of the plane that it works in, and the guide
   // and node where it began.
   struct Stroke {

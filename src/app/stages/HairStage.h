@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/commands/History.h"
+#include "app/commands/WaterStrokes.h"
 #include "app/stages/ShapeStage.h"
 #include "app/tools/HairEdits.h"
 #include "app/tools/Tools.h"
@@ -23,6 +24,7 @@
 #include "hair/Scalp.h"
 #include "hair/Wisps.h"
 #include "settings/Settings.h"
+#include "wet/WetHair.h"
 
 namespace fur::app {
 
@@ -34,7 +36,7 @@ class HairStage {
     Mat4 worldFromModel{1.0f};
     dynamics::Wind wind;                            // world space
     std::span<const dynamics::Contact> contacts{};  // ball and hand
-    std::span<const float> wetness{};               // of the surface's vertices, 0..1; empty: dry
+    std::span<const float> wetness{};               // of the surface's vertices, 0..1; empty: dry. Roots lie in it
     float seconds = 0;                              // that have passed
   };
   // What grows on a scalp.
@@ -119,6 +121,30 @@ class HairStage {
   virtual const groom::GroomMap& paintUnderView(const groom::GroomMap& paint) { return paint; }
   // Whether the pointer is at another node than when it was last asked, so that view() changes.
   virtual bool pointsElsewhere(const Look&) { return false; }
+
+  // --- water (wet/WetHair.h) ---
+  // The hair as water meets it; none where none ever grows.
+  virtual wet::WetHair* wetHair() { return nullptr; }
+  virtual bool isWet() const { return false; }
+  // What a point of a stroke of water does to it. Where it is `height` above 0 up the hair that is rooted there, else on the skin.
+  virtual void wetBy(const WaterStroke&, const ShapeStage&, const geometry::SurfacePoint& /*at*/, float /*pressure*/, float /*height*/) {}
+  // The place of such a point as it is shown; model space.
+  virtual Vec3 placeOf(const ShapeStage& shape, const geometry::SurfacePoint& at, float /*height*/) const { return shape.shownPosition(at); }
+  // All of its water, for undo and files. Empty: it is dry; of other hair: it becomes dry.
+  virtual std::vector<float> waterState() const { return {}; }
+  virtual void setWaterState(std::vector<float>) {}
+  // Where a ray (model space, `direction` unit) meets hair: its root on the surface, the share of its length up to there, and how far
+  // along the ray.
+  struct Met {
+    geometry::SurfacePoint root;
+    float height, distance;
+  };
+  // `hit`: what the ray meets of the fur otherwise, which hides what is behind it.
+  virtual std::optional<Met> meet(const ShapeStage&, const Vec3& /*origin*/, const Vec3& /*direction*/, const std::optional<geometry::SurfacePoint>& /*hit*/) { return std::nullopt; }
+  // Those drops and what hangs from hair; world space. Until the next call.
+  virtual std::span<const wet::Drop> withHanging(std::span<const wet::Drop> drops) { return drops; }
+  // Adds the wetness of each scalp to a copy of the style, for files.
+  virtual void addWetness(hair::Hairstyle&) const {}
 
   // --- files ---
   // Within a stroke: the strands of a .hair file become the guides of the selected scalp, or of a new one.

@@ -19,7 +19,7 @@ constexpr float kWindSpeed = 1.5f;
 // Wetness a second under the middle of a hair dryer.
 constexpr float kDryerRate = 1.6f;
 // Of save(), which browsers keep from visit to visit: another one whenever that changes.
-constexpr std::uint32_t kLayout = 3;
+constexpr std::uint32_t kLayout = 4;
 
 }  // namespace
 
@@ -63,7 +63,7 @@ wet::Climate WaterStage::climate(const Inputs& inputs) const {
   c.shaking = inputs.shaking;
   if (!holds(Tool::Dryer)) return c;
   const WaterStroke& stroke = strokes_.back();
-  c.blowCentre = positionAt(inputs.shape.surface(), held_->at);
+  c.blowCentre = held_->height > 0 ? placeOfHeld(inputs.shape) : positionAt(inputs.shape.surface(), held_->at);
   c.blowRadius = traitsOf(Tool::Dryer).reach * stroke.radius;
   c.blow = kDryerRate * stroke.flow * held_->pressure;
   return c;
@@ -73,11 +73,12 @@ bool WaterStage::update(const Inputs& inputs) {
   layDown(inputs.groom);
   wet::WetSurface on{inputs.shape.surface(), inputs.shape.query(), wetting(inputs.shape)};
   if (const auto* skin = inputs.shape.skin()) on.positions = skin->positions, on.normals = skin->normals;
+  on.hair = wetHair();
   const std::uint64_t before = revision_;
   bool changed = false;
   // A hair early rather than a step late, as Water::step().
   for (due_ = std::min(due_ + inputs.seconds, 1.0f); due_ > wet::Water::kStep * 0.999f; due_ -= wet::Water::kStep) {
-    if (!working() && !water_.active(mask_, climate(inputs))) continue;
+    if (!working() && !flows(climate(inputs))) continue;
     for (const double begun = secondsNow(); !water_.prepare(on, kPlacesAtOnce);)
       if (secondsNow() - begun >= inputs.budget) {
         due_ = 0;
@@ -85,7 +86,7 @@ bool WaterStage::update(const Inputs& inputs) {
       }
     if (working()) work(inputs);
     const wet::Climate now = climate(inputs);
-    if (!water_.active(mask_, now)) continue;
+    if (!flows(now)) continue;
     if (inputs.shape.skin() && !water_.drops().empty()) on.shown = &inputs.shape.shownQuery();
     changed |= water_.step(on, mask_, now);
     ++steps_;
@@ -176,7 +177,7 @@ std::vector<std::uint8_t> WaterStage::save() const {
   ByteWriter to;
   to(kLayout, mask_.texels(), mask_.film());
   water_.save(to);
-  to(steps_);
+  to(steps_, hair_ ? hair_->waterState() : std::vector<float>());
   saveStrokes(to, strokes_);
   return std::move(to.bytes);
 }
@@ -189,8 +190,9 @@ bool WaterStage::restore(std::span<const std::uint8_t> bytes) {
   std::uint32_t layout = 0, steps = 0;
   from(layout, texels, film);
   if (layout != kLayout) return false;
+  std::vector<float> hair;
   water.restore(from);
-  from(steps);
+  from(steps, hair);
   std::vector<WaterStroke> strokes = restoreStrokes(from);
   const std::size_t all = mask_.texels().size();
   if (!from.sound() || !from.atEnd() || texels.size() != all || (!film.empty() && film.size() != all)) return false;
@@ -199,6 +201,7 @@ bool WaterStage::restore(std::span<const std::uint8_t> bytes) {
   puddlesFor_ = water_.groundRevision() - 1;
   steps_ = steps;
   strokes_ = std::move(strokes);
+  if (hair_) hair_->setWaterState(std::move(hair));
   restoreMask(std::move(texels), std::move(film));
   return true;
 }

@@ -9,6 +9,7 @@
 #include "app/commands/History.h"
 #include "app/commands/WaterStrokes.h"
 #include "app/stages/GroomStage.h"
+#include "app/stages/HairStage.h"
 #include "app/stages/ShapeStage.h"
 #include "core/Random.h"
 #include "settings/Settings.h"
@@ -37,21 +38,24 @@ class WaterStage {
   };
 
   void reset();  // of another model
+  // What it wets beside skin and coat; none until then.
+  void setHair(HairStage& hair) { hair_ = &hair; }
   // Time goes by: it dries, runs and falls, and the tool that is held works. Whether anything has changed.
   bool update(const Inputs& inputs);
-  bool active(const Inputs& inputs) const { return working() || water_.active(mask_, climate(inputs)); }
+  bool active(const Inputs& inputs) const { return working() || flows(climate(inputs)); }
   std::uint64_t revision() const { return revision_; }
 
   // --- strokes: each ends in the step that undoes it ---
   // `head`: all of the stroke but its points.
   void beginStroke(WaterStroke head);
   bool stroking() const { return before_.has_value(); }
-  // A stroke, or a part of it, at a point: what the command does there, or all over.
-  void strokeAt(const ShapeStage& shape, const geometry::SurfacePoint& at, float pressure = 1);
+  // A stroke, or a part of it, at a point: what the command does there, or all over. `height` above 0: on the long hair that is
+  // rooted there, at that share of its length.
+  void strokeAt(const ShapeStage& shape, const geometry::SurfacePoint& at, float pressure = 1, float height = 0);
   // The same on both sides where the settings say so.
-  void dab(const ShapeStage& shape, const settings::Settings& settings, const geometry::SurfacePoint& at, float pressure);
+  void dab(const ShapeStage& shape, const settings::Settings& settings, const geometry::SurfacePoint& at, float pressure, float height = 0);
   // Where the tool of the stroke is held during the next update(); none: off the model.
-  void hold(std::optional<geometry::SurfacePoint> at, float pressure);
+  void hold(std::optional<geometry::SurfacePoint> at, float pressure, float height = 0);
   // A tool is held that goes on.
   bool working() const { return before_ && held_; }
   bool holds(Tool tool) const { return working() && toolOf(strokes_.back().what) == tool; }
@@ -92,27 +96,33 @@ class WaterStage {
  private:
   struct Held {
     geometry::SurfacePoint at;
-    float pressure;
+    float pressure, height;
   };
+  wet::WetHair* wetHair() const { return hair_ ? hair_->wetHair() : nullptr; }
+  bool flows(const wet::Climate& climate) const { return water_.active(mask_, climate) || (wetHair() && wetHair()->active(climate)); }
+  // Of the point where the tool is held, as it is shown; model space.
+  Vec3 placeOfHeld(const ShapeStage& shape) const { return hair_ ? hair_->placeOf(shape, held_->at, held_->height) : shape.shownPosition(held_->at); }
   // What the texels of the mask lie on.
   const wet::SurfaceWetting& wetting(const ShapeStage& shape);
   wet::Climate climate(const Inputs& inputs) const;
   void layDown(const GroomStage& groom);
   void work(const Inputs& inputs);
   void pourFromHose(const Inputs& inputs);
-  void mark(const geometry::SurfacePoint& at, float pressure) { strokes_.back().points.push_back({steps_, at, pressure}); }
+  void mark(const geometry::SurfacePoint& at, float pressure, float height = 0) { strokes_.back().points.push_back({steps_, at, pressure, height}); }
   void scatter(const ShapeStage& shape, const Vec3& centre, const Vec3& normal, float radius, float clump, float amount);
   void soak(const ShapeStage& shape, float amount, float clump);
   void touch();
 
   wet::WetnessMask mask_{kMaskSize};
   wet::Water water_;
+  HairStage* hair_ = nullptr;
   std::optional<wet::SurfaceWetting> wetting_;  // made when first needed: read it through wetting()
   std::uint64_t wettingFor_ = 0, layFor_ = 0;   // revisions of surface and groom
   std::uint64_t revision_ = 1;
 
   std::vector<WaterStroke> strokes_;
   std::optional<MaskImage> before_;  // the stroke at work
+  std::vector<float> hairBefore_;
   std::optional<Held> held_;
   int sinceDab_ = 0;   // steps
   Random random_{1};

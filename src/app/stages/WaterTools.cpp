@@ -28,6 +28,7 @@ void WaterStage::beginStroke(WaterStroke head) {
   strokes_.push_back(std::move(head));
   random_ = Random(strokes_.size());
   before_ = MaskImage{mask_.texels(), mask_.film()};
+  if (hair_) hairBefore_ = hair_->waterState();
   held_.reset();
 }
 
@@ -45,30 +46,40 @@ std::optional<MaskStep> WaterStage::endStroke() {
     if (stroke.points.empty()) strokes_.pop_back();
     else if (goesOn(toolOf(stroke.what))) mark(stroke.points.back().at, 0);
   }
-  return maskStep(*before, mask_);
+  std::vector<float> hair = hair_ ? hair_->waterState() : std::vector<float>();
+  const bool wetHair = hair != hairBefore_;
+  auto step = maskStep(*before, mask_, wetHair);
+  if (wetHair) {
+    step->hairBefore = std::exchange(hairBefore_, {});
+    step->hairAfter = std::move(hair);
+  }
+  return step;
 }
 
 void WaterStage::apply(const MaskStep& step, bool undo) {
   app::apply(step, undo, mask_);
+  if (hair_ && (!step.hairBefore.empty() || !step.hairAfter.empty())) hair_->setWaterState(undo ? step.hairBefore : step.hairAfter);
   if (mask_.isDry()) water_.clear();  // what hangs and falls came of it
   touch();
 }
 
-void WaterStage::hold(std::optional<geometry::SurfacePoint> at, float pressure) {
-  if (at) held_ = Held{*at, pressure};
-  else held_ = Held{held_ ? held_->at : geometry::SurfacePoint{}, 0};
+void WaterStage::hold(std::optional<geometry::SurfacePoint> at, float pressure, float height) {
+  if (at) held_ = Held{*at, pressure, height};
+  else held_ = held_ ? Held{held_->at, 0, held_->height} : Held{{}, 0, 0};
 }
 
-void WaterStage::dab(const ShapeStage& shape, const settings::Settings& settings, const geometry::SurfacePoint& at, float pressure) {
+void WaterStage::dab(const ShapeStage& shape, const settings::Settings& settings, const geometry::SurfacePoint& at, float pressure, float height) {
   sinceDab_ = 0;
-  strokeAt(shape, at, pressure);
-  if (const auto other = mirrored(settings, shape, at)) strokeAt(shape, *other, pressure);
+  strokeAt(shape, at, pressure, height);
+  if (const auto other = mirrored(settings, shape, at)) strokeAt(shape, *other, pressure, height);
 }
 
-void WaterStage::strokeAt(const ShapeStage& shape, const geometry::SurfacePoint& at, float pressure) {
+void WaterStage::strokeAt(const ShapeStage& shape, const geometry::SurfacePoint& at, float pressure, float height) {
   const WaterStroke& stroke = strokes_.back();
   if (goesOn(toolOf(stroke.what))) return;
-  mark(at, pressure);
+  mark(at, pressure, height);
+  if (hair_) hair_->wetBy(stroke, shape, at, pressure, height);
+  if (height > 0) return touch();
   const geometry::Surface& surface = shape.surface();
   const float flow = stroke.flow * pressure;
   const auto centre = [&] { return positionAt(surface, at); };
@@ -151,14 +162,14 @@ void WaterStage::work(const Inputs& inputs) {
   WaterStroke& stroke = strokes_.back();
   if (!goesOn(toolOf(stroke.what))) {
     // Dabs of a hand that moves count, too.
-    if (++sinceDab_ >= kDabSteps && held_->pressure > 0) dab(inputs.shape, inputs.settings, held_->at, held_->pressure);
+    if (++sinceDab_ >= kDabSteps && held_->pressure > 0) dab(inputs.shape, inputs.settings, held_->at, held_->pressure, held_->height);
     return;
   }
   auto& points = stroke.points;
   if (!points.empty() && points.back().step == steps_) points.pop_back();
   if (points.empty() || points.back().at.triangle != held_->at.triangle || points.back().at.weights != held_->at.weights ||
-      points.back().pressure != held_->pressure)
-    mark(held_->at, held_->pressure);
+      points.back().pressure != held_->pressure || points.back().height != held_->height)
+    mark(held_->at, held_->pressure, held_->height);
   if (stroke.what == Command::Hose) pourFromHose(inputs);
 }
 
@@ -167,14 +178,14 @@ void WaterStage::work(const Inputs& inputs) {
 void WaterStage::pourFromHose(const Inputs& inputs) {
   const WaterStroke& stroke = strokes_.back();
   const Mat3 toWorld(inputs.worldFromModel);
-  const Vec3 skin = inputs.shape.shownPosition(held_->at), normal = inputs.shape.shownNormal(held_->at);
+  const Vec3 skin = placeOfHeld(inputs.shape), normal = inputs.shape.shownNormal(held_->at);
   const Vec3 up = glm::transpose(toWorld) * Vec3(0, 1, 0), eye = normalizeOr(stroke.eye - skin, up);
   const Vec3 right = normalizeOr(glm::cross(up, eye), normal);
   Vec3 nozzle;
   for (const float side : {1.0f, -1.0f, 0.0f}) {
     const Vec3 from = 0.7f * eye + 0.8f * side * right;
     // Where fur at the outline is seen its root may face away.
-    nozzle = kHoseLength * glm::normalize(from + normal * std::max(kHoseSlope - glm::dot(from, normal), 0.0f));
+    nozzle = kHoseLength * glm::normalize(held_->height > 0 ? from : from + normal * std::max(kHoseSlope - glm::dot(from, normal), 0.0f));
     const auto hit = inputs.shape.shownQuery().castRay(skin + 0.1f * nozzle, nozzle);
     if (!hit || hit->distance > 1.0f) break;
   }

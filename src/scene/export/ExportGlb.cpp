@@ -97,7 +97,8 @@ std::string scalpJson(Writer& writer, const hair::Scalp& scalp) {
                     ",\"map\":{\"size\":" + std::to_string(scalp.map.size()) + ",\"bufferView\":" + addMap(writer, scalp.map.texels()) + "}";
   if (scalp.guides.count() > 0)
     out += ",\"guides\":{\"nodes\":" + std::to_string(scalp.guides.nodes) + ",\"positions\":" + addBytes(writer, scalp.guides.positions) +
-           ",\"flags\":" + addBytes(writer, scalp.guides.flags) + "}";
+           ",\"flags\":" + addBytes(writer, scalp.guides.flags) +
+           (scalp.wetness.empty() ? "" : ",\"wetness\":" + addBytes(writer, scalp.wetness)) + "}";
   return out + "}";
 }
 

@@ -49,6 +49,13 @@ hair::Guides readGuides(const GltfFile& file, const Json& guides, const std::str
   return out;
 }
 
+std::vector<std::uint8_t> readHairWetness(const GltfFile& file, const Json& guides, std::size_t nodes, const std::string& where) {
+  if (!guides.find("wetness")) return {};
+  const Bytes wetness = file.bufferView(file.whole(guides, "wetness", where)).bytes;
+  if (wetness.size() != nodes) file.bad("%s.wetness does not hold a byte for each of %zu nodes", where.c_str(), nodes);
+  return {wetness.begin(), wetness.end()};
+}
+
 hair::Scalp readScalp(const GltfFile& file, const Json& scalp, const std::string& where, Warnings& warnings) {
   if (!scalp.isObject()) file.bad("%s is not an object", where.c_str());
   hair::Scalp out;
@@ -60,7 +67,10 @@ hair::Scalp readScalp(const GltfFile& file, const Json& scalp, const std::string
   const Json* map = scalp.find("map");
   if (!map || !map->isObject()) file.bad("%s.map is not an object", where.c_str());
   out.map = readScalpMap(file, *map, where + ".map");
-  if (const Json* guides = scalp.find("guides")) out.guides = readGuides(file, *guides, where + ".guides");
+  if (const Json* guides = scalp.find("guides")) {
+    out.guides = readGuides(file, *guides, where + ".guides");
+    out.wetness = readHairWetness(file, *guides, out.guides.positions.size(), where + ".guides");
+  }
   return out;
 }
 

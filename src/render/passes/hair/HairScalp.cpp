@@ -9,7 +9,8 @@ namespace fur::render {
 namespace {
 
 static_assert(FUR_WISP_SEGMENTS == hair::kStripSegments && FUR_WISP_KINDS == hair::kWispKinds);
-static_assert(hair::kStripReach == static_cast<float>(FUR_STRIP_REACH) && hair::kWetGathers == static_cast<float>(FUR_WET_GATHERS));
+static_assert(hair::kStripReach == static_cast<float>(FUR_STRIP_REACH) && hair::kWetGathers == static_cast<float>(FUR_WET_GATHERS) &&
+              hair::kWetDraws == static_cast<float>(FUR_WET_DRAWS));
 static_assert(sizeof(hair::MemberStrand) == 2 * sizeof(Vec4));
 
 // FUR_WISP_TEXELS vectors a wisp.
