@@ -179,6 +179,7 @@ bool Simulation::advance(float seconds, const MotionValues& values, const Surrou
   if (stirred) {
     stale_ = stale_ || asleep_ || blown || now_.values != last_.values;
     asleep_ = false;
+    undisturbed_ = 0;
     lookedAt_.clear();
   }
   const bool pause = seconds > kLongest;

@@ -117,6 +117,7 @@ class Simulation {
   std::size_t nodeSteps_ = 0;
   double pending_ = 0;                  // steps that are due, less than one
   std::uint32_t steps_ = 0;             // since it woke
+  std::uint32_t undisturbed_ = 0;       // steps since anything but itself has moved it
   std::vector<Lanes3> lookedAt_;        // positions when it was last asked whether anything moves
   bool asleep_ = true, hasRoots_ = false, stale_ = false;
 };

@@ -13,6 +13,8 @@ namespace {
 // Hair whose nodes all stay within this for so long is at rest: nobody sees it move.
 constexpr float kStill = 2e-4f;  // model units
 constexpr std::uint32_t kStillSteps = 60;
+// Heavy hair that is pressed on a collider may fold one way and the other for ever: so long after anything has moved it, it lies, s.
+constexpr float kLongestUnrest = 15;
 constexpr std::uint32_t kFeltSteps = 4;  // from one look at wind and crowding to the next: they change slowly
 
 // Chosen by eye for a mane of half the model's radius.
@@ -173,7 +175,9 @@ void Simulation::fallAsleep() {
       const Lanes3 move = guides_.positions[i] - lookedAt_[i];
       farthest = max(farthest, dot(move, move));
     }
-  asleep_ = !lookedAt_.empty() && largest(farthest) < kStill * kStill && !now_.wind.varies();
+  undisturbed_ += kStillSteps;
+  const bool still = !lookedAt_.empty() && largest(farthest) < kStill * kStill;
+  asleep_ = (still || static_cast<float>(undisturbed_) * kStep > kLongestUnrest) && !now_.wind.varies();
   lookedAt_ = guides_.positions;
   if (asleep_) lieStill();
 }

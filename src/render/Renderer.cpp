@@ -77,12 +77,12 @@ FurShadow::Key Renderer::furShadowKey(const Frame& frame) const {
   const Vec3 light(glm::inverse(frame.worldFromModel) * Vec4(lightDirection(frame), 0));
   // In steps, so that texels stay where they are while hair swings.
   constexpr float kStep = 0.25f;
-  const float reach = std::max(frame.reach, std::ceil(hair_.reach() / kStep) * kStep);
+  const float reach = std::max(frame.reach, std::ceil(hair_->reach() / kStep) * kStep);
   // "32" of the setting is its first choice.
   return {static_cast<Shadows>(s.shadows), 32 << s.shadowSize, lightFromModel(light, shadowRadius(s.furLength, reach)),
           volumeShadow(s, fur_.density(), reach),
           curveVariant(s) | (frame.groomed || frame.types ? kGroomed : kPlain),
-          surface_.revision() + maps_.revision() + fur_.revision() + hair_.revision(),
+          surface_.revision() + maps_.revision() + fur_.revision() + hair_->revision(),
           frame.ball, frame.ball.w > 0 ? frame.worldFromModel : Mat4(1.0f)};
 }
 
@@ -123,11 +123,11 @@ Status Renderer::draw(const Frame& frame) {
   const Drawing drawing{drawn, look, surface_, programs_, uploadedBytes_};
   const FurShadow::Key shadow = furShadowKey(drawn);
   uploadBlocks(drawn, shadow);
-  if (!hair_.update(programs_) || !groundShadow_.update(drawing, hair_)) return programs_.error();
+  if (!hair_->update(programs_) || !groundShadow_.update(drawing, *hair_)) return programs_.error();
   fur_.bind(frame.wet);
   maps_.bind(frame);
   uploadedBytes_ += strandTables_.use(frame.settings);
-  if (!furShadow_.update(programs_, shadow, surface_.array(), surface_.indexCount(), hair_)) return programs_.error();
+  if (!furShadow_.update(programs_, shadow, surface_.array(), surface_.indexCount(), *hair_)) return programs_.error();
   const bool direct = frame.pixelScale >= 1 && frame.bands <= 1;
   if (!direct)
     if (Status status = small_.begin(drawn.width, drawn.height); !status) return status;
@@ -149,12 +149,12 @@ bool Renderer::drawPasses(const Drawing& drawing) {
   const bool ofHair = view == View::Final && hairViews_ && hairViews_->instead();
   if (view == View::Final && !ofHair) return drawFinal(drawing);
   const bool counts = view == View::Overdraw || view == View::Steps, transparent = drawing.frame.transparent;
-  return (counts || transparent || drawBackground(drawing)) && (counts ? drawCounts(drawing, view) : ofHair ? hairViews_->draw(drawing, hair_) : drawView(drawing, view)) &&
+  return (counts || transparent || drawBackground(drawing)) && (counts ? drawCounts(drawing, view) : ofHair ? hairViews_->draw(drawing, *hair_) : drawView(drawing, view)) &&
          (!transparent || drawBackground(drawing));
 }
 
 bool Renderer::drawFinal(const Drawing& drawing) {
-  return drawBall(drawing) && drawModel(drawing, kPlain) && (hairViews_ ? hairViews_->draw(drawing, hair_) : hair_.draw(drawing)) && whiskers_.draw(drawing) &&
+  return drawBall(drawing) && drawModel(drawing, kPlain) && (hairViews_ ? hairViews_->draw(drawing, *hair_) : hair_->draw(drawing)) && whiskers_.draw(drawing) &&
          ground_.draw(drawing, groundShadow_) && drawBackground(drawing) && drops_.draw(drawing) && (!hairViews_ || hairViews_->drawLines(drawing));
 }
 
@@ -188,7 +188,7 @@ bool Renderer::drawPart(const Drawing& drawing, const ViewPart& part) {
 
 std::size_t Renderer::gpuBytes() const {
   return surface_.bytes() + maps_.bytes() + fur_.bytes() + strandTables_.bytes() + groundShadow_.bytes() + furShadow_.bytes() + shells_.bytes() +
-         fins_.bytes() + hair_.bytes() + (hairViews_ ? hairViews_->bytes() : 0) + whiskers_.bytes() + ground_.bytes() + drops_.bytes() + small_.bytes();
+         fins_.bytes() + hair_->bytes() + (hairViews_ ? hairViews_->bytes() : 0) + whiskers_.bytes() + ground_.bytes() + drops_.bytes() + small_.bytes();
 }
 
 std::size_t Renderer::takeUploadedBytes() { return std::exchange(uploadedBytes_, 0); }

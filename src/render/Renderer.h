@@ -42,9 +42,9 @@ class Renderer {
   void setFurry(geometry::FurPatches patches, std::span<const float> vertexLengths);
   void setWhiskers(std::span<const groom::WhiskerHair> hairs) { uploadedBytes_ += whiskers_.set(hairs); }
   // Long hair: so many scalps; what grows on one; where the nodes of its guides are, model space, guide after guide.
-  void setScalps(std::size_t count) { hair_.setScalps(count); }
-  void growHair(std::size_t scalp, const HairGrowth& growth) { uploadedBytes_ += hair_.grow(scalp, growth); }
-  void moveHair(std::size_t scalp, std::span<const hair::GuideNode> nodes) { uploadedBytes_ += hair_.move(scalp, nodes); }
+  void setScalps(std::size_t count) { hair_->setScalps(count); }
+  void growHair(std::size_t scalp, const HairGrowth& growth) { uploadedBytes_ += hair_->grow(scalp, growth); }
+  void moveHair(std::size_t scalp, std::span<const hair::GuideNode> nodes) { uploadedBytes_ += hair_->move(scalp, nodes); }
 
   // What views and tools show of it; nullptr: nothing. Looked at while frames are drawn. Without HairViews it is not shown.
   void viewHair(const hair::HairView* view) { if (hairViews_) hairViews_->show(view); }
@@ -102,7 +102,7 @@ class Renderer {
   ShellPass shells_;
   FinPass fins_;
   ArrowPass arrows_;
-  HairPass hair_;
+  std::unique_ptr<HairPass> hair_ = HairPass::make();
   std::unique_ptr<HairViews> hairViews_ = HairViews::make();
   WhiskerPass whiskers_;
   GroundPass ground_;

@@ -1,12 +1,11 @@
-// Draws long hair (hair/Wisps.h): near as strands, each a ribbon of its true width, far as strips, a picture of the same strands
-// on each wisp (Halen & Wester 2007). Between them wisp after wisp changes from one to the other, so that nothing pops. One draw a
-// scalp and representation. Without hair nothing is kept, compiled or drawn.
+// Draws long hair; this class alone draws none, ever. Programs that grow hair have DrawnHair in its place (drawWith()).
 #pragma once
 
-#include <vector>
+#include <memory>
+#include <span>
 
+#include "render/Hair.h"
 #include "render/passes/Drawing.h"
-#include "render/passes/hair/HairScalp.h"
 
 namespace fur::render {
 
@@ -15,32 +14,36 @@ enum class HairDetail { Auto, Strips, Strands };
 // And of `hairTransparency`.
 enum class HairTransparency { Coverage, DepthFirst, Blended };
 
+class HairScalp;
+
 class HairPass {
  public:
-  void setScalps(std::size_t count);
-  std::size_t grow(std::size_t scalp, const HairGrowth& growth);
-  std::size_t move(std::size_t scalp, std::span<const hair::GuideNode> nodes);
+  // What make() gives from then on.
+  static void drawWith(std::unique_ptr<HairPass> (*maker)());
+  static std::unique_ptr<HairPass> make();
+  virtual ~HairPass() = default;
 
-  bool empty() const;
+  // The last two return the bytes that were uploaded.
+  virtual void setScalps(std::size_t) {}
+  virtual std::size_t grow(std::size_t /*scalp*/, const HairGrowth&) { return 0; }
+  virtual std::size_t move(std::size_t /*scalp*/, std::span<const hair::GuideNode>) { return 0; }
+
+  virtual bool empty() const { return true; }
   // Another number after every change.
   unsigned long revision() const { return revision_; }
   // How far from the model's origin any comes; 0 without any.
-  float reach() const;
-
-  const std::vector<HairScalp>& scalps() const { return scalps_; }
+  virtual float reach() const { return 0; }
+  virtual std::size_t scalpCount() const { return 0; }
+  virtual const HairScalp* scalp(std::size_t) const { return nullptr; }
 
   // Before anything draws hair; see HairScalp::update().
-  bool update(Programs& programs);
-  bool draw(const Drawing& drawing);
+  virtual bool update(Programs&) { return true; }
+  virtual bool draw(const Drawing&) { return true; }
   // Into the fur's shadow map or the ground's, whose target is bound: in the program of that variant, `copies` times.
-  bool drawShadow(Programs& programs, unsigned variant, const gl::DrawState& state, int copies = 1) const;
-  std::size_t bytes() const;
+  virtual bool drawShadow(Programs&, unsigned /*variant*/, const gl::DrawState&, int /*copies*/ = 1) const { return true; }
+  virtual std::size_t bytes() const { return 0; }
 
- private:
-  bool drawSkin(const Drawing& drawing, const HairScalp& scalp) const;
-  bool drawWisps(const Drawing& drawing, const HairScalp& scalp, Shader shader, float blend) const;
-
-  std::vector<HairScalp> scalps_;
+ protected:
   unsigned long revision_ = 0;
 };
 

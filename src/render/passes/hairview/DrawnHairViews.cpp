@@ -5,6 +5,7 @@
 #include "core/NoteChange.h"
 #include "render/ShaderSources.h"
 #include "render/ShaderText.h"
+#include "render/passes/hair/HairScalp.h"
 #include "render/passes/hairview/HairViews.h"
 #include "render/passes/skin/SkinPass.h"
 
@@ -113,8 +114,8 @@ bool DrawnHairViews::drawMap(const Drawing& drawing) {
 }
 
 bool DrawnHairViews::drawWisps(const Drawing& drawing, const HairPass& hair) {
-  for (std::size_t i = 0; i < hair.scalps().size(); ++i) {
-    const HairScalp& scalp = hair.scalps()[i];
+  for (std::size_t i = 0; i < hair.scalpCount(); ++i) {
+    const HairScalp& scalp = *hair.scalp(i);
     if (scalp.wisps() == 0 || !colored(i)) continue;
     if (!use(drawing.programs, kWisp)) return false;
     shared::HairBlock block = scalp.block();
