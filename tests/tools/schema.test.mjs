@@ -30,6 +30,6 @@ test('of hair there is as much as is read', () => {
   assert.equal(nodes.maximum, constant('src/hair/Guides.h', 'kMostNodes'));
   assert.match(flags.description, new RegExp(`of up to ${constant('src/hair/Guides.h', 'kMostGuides')}\\.`));
   assert.match(positions.description, new RegExp(`At most ${constant('src/hair/Guides.h', 'kFarthestNode')} bounding radii`));
-  assert.match(bodies.description, new RegExp(`up to ${constant('src/hair/Scalp.h', 'kMostBodies')} spheres`));
+  assert.match(bodies.description, new RegExp(`up to ${constant('src/hair/Body.h', 'kMostBodies')} spheres`));
   assert.match(bodies.description, new RegExp(`within ${constant('src/scene/import/GltfHair.cpp', 'kMostBody')} bounding radii`));
 });
