@@ -57,13 +57,19 @@ struct WetMane : Shaken {
   }
 };
 
+// The same bits on every platform, which glm::rotate() is not.
+Mat4 aboutY(float angle) {
+  const float c = portableCos(angle), s = portableSin(angle);
+  return Mat4(c, 0, -s, 0, 0, 1, 0, 0, s, 0, c, 0, 0, 0, 0, 1);
+}
+
 // Rain, then shaking, then drying.
 std::uint64_t session(WetMane& hair) {
   Random chance(3);
   hair.air.dryRate = 0.05f;
   for (int i = 0; i < 400; ++i) {
     if (i < 150) hair.rain(chance, 20);
-    if (i >= 150 && i < 220) hair.place(glm::rotate(kHere, 0.4f * portableSin(0.5f * static_cast<float>(i - 150)), Vec3(0, 1, 0)));
+    if (i >= 150 && i < 220) hair.place(kHere * aboutY(0.4f * portableSin(0.5f * static_cast<float>(i - 150))));
     hair.step();
   }
   Fnv1a hash;
