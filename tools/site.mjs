@@ -1,6 +1,6 @@
 // dist/: the npm package and the static site in one folder, from what has been built.
 import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, renameSync, rmSync, writeFileSync } from 'node:fs';
-import { basename, extname, join } from 'node:path';
+import { extname, join } from 'node:path';
 import { buildFolder } from './cmake.mjs';
 import { notices } from './notices.mjs';
 import { Stop, root } from './process.mjs';
@@ -101,9 +101,6 @@ export async function assemble() {
   await joinScripts(next);
   await minifyScripts(next);
   cpSync(join(root, 'build/models'), join(next, 'models'), { recursive: true });
-  for (const folder of existsSync(join(root, 'assets')) ? readdirSync(join(root, 'assets')) : []) {
-    cpSync(join(root, 'assets', folder), join(next, basename(folder)), { recursive: true });
-  }
   for (const name of ['LICENSE', 'README.md', 'CHANGELOG.md']) cpSync(join(root, name), join(next, name));
   writeFileSync(join(next, 'THIRD-PARTY-NOTICES.txt'), notices());
   writeFileSync(join(next, 'package.json'), `${JSON.stringify(manifest(), null, 2)}\n`);

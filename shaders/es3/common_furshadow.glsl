@@ -44,15 +44,17 @@ float betweenTexels(vec3 at) {
 #endif
 #endif
 
-// at: lightSpace() of the point (common.glsl).
-float furShadowAt(vec3 at) {
+// at: lightSpace() of the point (common.glsl). By depth: of so much extinction, from so far behind the first surface on.
+float lightThrough(vec3 at, float extinction, float bias) {
 #if defined(SHADOW_LAYERS)
   return betweenTexels(at);
 #elif defined(SHADOW_DEPTH)
   // The mean that shadow_blur.frag prepared. What is packed so is a sum, which filters as its parts do.
   float first = unpack(textureLod(firstSurfaces, at.xy, 0.0).rg);
-  return exp2(-shadowExtinction * max(at.z - first * shadowRange - shadowBias, 0.0));
+  return exp2(-extinction * max(at.z - first * shadowRange - bias, 0.0));
 #else
   return 1.0;
 #endif
 }
+
+float furShadowAt(vec3 at) { return lightThrough(at, shadowExtinction, shadowBias); }

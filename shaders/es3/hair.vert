@@ -8,7 +8,7 @@
 #include "common_hair_member.glsl"
 #include "common_line.glsl"
 #endif
-#include "hair_light.glsl"
+#include "common_furshadow.glsl"
 
 invariant gl_Position;  // with hair_depth.frag as with hair.frag
 out vec4 vBand;     // strands: y: pixels that it is wide; strips: xy: place in the picture, times w
@@ -23,6 +23,9 @@ out vec4 vAcross;   // as vAlong, of the unit vector across the strip
 out vec4 vShape;    // x: that by which vBand.xy is divided  y: what a slope of its strands is in the model  z: vUp's square
 flat out float vKind;
 #endif
+
+// How much light comes there; through hair further than through fur: a wisp is dark only where many lie before it.
+float hairShadowAt(vec3 at) { return lightThrough(at, hairExtinction, hairShadowBias); }
 
 // Hair is turned the way of the skin that it grows from; where it stands up from it, towards the light.
 vec3 turnedTo(int wisp, vec3 V) { return wispNormal(wisp) + 0.35 * light.xyz + 1e-4 * V; }

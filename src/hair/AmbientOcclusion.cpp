@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/PortableMath.h"
+#include "hair/CellCorners.h"
 
 namespace fur::hair {
 
@@ -17,11 +18,6 @@ constexpr float kLost = 0.8f;
 // Bare skin gets the light of half of all directions.
 constexpr float kOfSkin = 0.5f;
 
-struct Cells {
-  int x = 0, y = 0, z = 0;
-  std::size_t index(int i, int j, int k) const { return (static_cast<std::size_t>(k) * static_cast<std::size_t>(y) + static_cast<std::size_t>(j)) * static_cast<std::size_t>(x) + static_cast<std::size_t>(i); }
-};
-
 // A box of cubes round all points, with one beyond them on each side.
 class Grid {
  public:
@@ -33,7 +29,7 @@ class Grid {
     low_ = low - 1.5f * cell_;
     const auto count = [&](float side) { return std::min(static_cast<int>(side / cell_) + 4, kMostCells); };
     cells_ = {count(span.x), count(span.y), count(span.z)};
-    const std::size_t all = cells_.index(0, 0, cells_.z);
+    const std::size_t all = cells_.all();
     extinction_.assign(all, 0);
     solid_.assign(all, 0);
     light_.assign(all, 0);
@@ -92,18 +88,12 @@ class Grid {
   // The eight cells whose middles are round a point that lies inside.
   template <class Visit>
   void atCorners(const Vec3& at, Visit visit) const {
-    const Vec3 p = glm::clamp((at - low_) / cell_ - 0.5f, Vec3(0), Vec3(cells_.x, cells_.y, cells_.z) - 1.001f);
-    const int x = static_cast<int>(p.x), y = static_cast<int>(p.y), z = static_cast<int>(p.z);
-    const Vec3 high = p - Vec3(x, y, z), low = 1.0f - high;
-    for (int corner = 0; corner < 8; ++corner) {
-      const int i = corner & 1, j = corner >> 1 & 1, k = corner >> 2;
-      visit(cells_.index(x + i, y + j, z + k), (i ? high.x : low.x) * (j ? high.y : low.y) * (k ? high.z : low.z));
-    }
+    forCorners(cells_, (at - low_) / cell_ - 0.5f, visit);
   }
 
   float cell_ = 1;
   Vec3 low_{0};
-  Cells cells_;
+  CellCounts cells_;
   std::vector<float> extinction_, light_;
   std::vector<std::uint8_t> solid_;
 };

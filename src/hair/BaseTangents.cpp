@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "hair/CellCorners.h"
 #include "hair/PlantGuides.h"
 
 namespace fur::hair {
@@ -17,30 +18,20 @@ class Ways {
     const Vec3 span = high - low;
     cell_ = std::max(std::max({span.x, span.y, span.z}) / (kSide - 3), 1e-4f);
     low_ = low - cell_;
-    ways_.assign(std::size_t{kSide} * kSide * kSide, Vec3(0));
+    ways_.assign(kCells.all(), Vec3(0));
   }
   void add(const Vec3& at, const Vec3& way) {
-    atCorners(at, [&](std::size_t c, float weight) { ways_[c] += weight * way; });
+    forCorners(kCells, (at - low_) / cell_, [&](std::size_t c, float weight) { ways_[c] += weight * way; });
   }
   Vec3 at(const Vec3& place) const {
     Vec3 sum(0);
-    atCorners(place, [&](std::size_t c, float weight) { sum += weight * ways_[c]; });
+    forCorners(kCells, (place - low_) / cell_, [&](std::size_t c, float weight) { sum += weight * ways_[c]; });
     return sum;
   }
 
  private:
   static constexpr int kSide = 24;
-
-  template <class Visit>
-  void atCorners(const Vec3& at, Visit visit) const {
-    const Vec3 p = glm::clamp((at - low_) / cell_, Vec3(0), Vec3(kSide - 1.001f));
-    const int x = static_cast<int>(p.x), y = static_cast<int>(p.y), z = static_cast<int>(p.z);
-    const Vec3 high = p - Vec3(x, y, z), low = 1.0f - high;
-    for (int corner = 0; corner < 8; ++corner) {
-      const int i = corner & 1, j = corner >> 1 & 1, k = corner >> 2;
-      visit(static_cast<std::size_t>(((z + k) * kSide + y + j) * kSide + x + i), (i ? high.x : low.x) * (j ? high.y : low.y) * (k ? high.z : low.z));
-    }
-  }
+  static constexpr CellCounts kCells{kSide, kSide, kSide};
 
   float cell_ = 1;
   Vec3 low_{0};

@@ -12,7 +12,7 @@ namespace fur::render {
 namespace {
 
 constexpr std::size_t kOfHair = static_cast<std::size_t>(Shader::Hair);
-std::array<const ProvidedShader*, static_cast<std::size_t>(Shader::HairSkin) - kOfHair + 1> provided{};
+std::array<const ProvidedShader*, static_cast<std::size_t>(Shader::HiddenHairLine) - kOfHair + 1> provided{};
 
 const ProvidedShader& providedText(Shader shader) {
   const ProvidedShader* text = provided[static_cast<std::size_t>(shader) - kOfHair];
@@ -43,7 +43,11 @@ const char* fragmentOf(Shader shader, unsigned variant) {
     case Shader::HairPoints:
     case Shader::HairShadow:
     case Shader::HairDepth:
-    case Shader::HairSkin: return providedText(shader).fragment;
+    case Shader::HairSkin:
+    case Shader::HairMap:
+    case Shader::HairWisp:
+    case Shader::HairLine:
+    case Shader::HiddenHairLine: return providedText(shader).fragment;
     case Shader::ShadowBlur: break;
   }
   return shaders::kShadowBlurFrag;
@@ -52,6 +56,7 @@ const char* fragmentOf(Shader shader, unsigned variant) {
 struct Source {
   const char* label;
   const char* vertex;
+  std::string defines{};
 };
 
 Source sourceOf(Shader shader) {
@@ -73,7 +78,11 @@ Source sourceOf(Shader shader) {
     case Shader::HairPoints:
     case Shader::HairShadow:
     case Shader::HairDepth:
-    case Shader::HairSkin: return {providedText(shader).label, providedText(shader).vertex};
+    case Shader::HairSkin:
+    case Shader::HairMap:
+    case Shader::HairWisp:
+    case Shader::HairLine:
+    case Shader::HiddenHairLine: return {providedText(shader).label, providedText(shader).vertex, providedText(shader).defines};
     case Shader::ShadowBlur: break;
   }
   return {"shadow_blur", shaders::kScreenVert};
@@ -128,7 +137,7 @@ void Programs::begin(Shader shader, unsigned variant) {
   if (programs_.contains(key) || begun_.contains(key)) return;
   const Source source = sourceOf(shader);
   begun_.emplace(key, gl::Program::begin(source.label, stageText(source.vertex), stageText(fragmentOf(shader, variant)),
-                                         definesOf(variant)));
+                                         source.defines + definesOf(variant)));
 }
 
 bool Programs::finish(gl::Program& program) {
@@ -167,6 +176,7 @@ bool Programs::finish(gl::Program& program) {
   program.bindSampler("ambient", FUR_UNIT_HAIR_AMBIENT);
   program.bindSampler("wispOrder", FUR_UNIT_WISP_ORDER);
   program.bindSampler("baseTangents", FUR_UNIT_BASE_TANGENTS);
+  program.bindSampler("hairColors", FUR_UNIT_HAIR_COLORS);
   return true;
 }
 
@@ -196,6 +206,7 @@ std::vector<std::pair<Shader, unsigned>> allVariants() {
       {Shader::Arrow, kPlain},      {Shader::Arrow, kPolynomial}, {Shader::Arrow, kViewForces},
       {Shader::HairPoints, kPlain}, {Shader::HairShadow, kPlain}, {Shader::HairShadow, kShadowLayers}, {Shader::HairShadow, kOnGround},
       {Shader::HairDepth, kPlain}, {Shader::HairDepth, kStrips},
+      {Shader::HairMap, kPlain},    {Shader::HairWisp, kPlain},   {Shader::HairLine, kPlain},    {Shader::HiddenHairLine, kPlain},
       {Shader::ShadowMap, kPolynomial}, {Shader::ShadowMap, kPolynomial | kShadowLayers},
       {Shader::ShadowMap, kGroomed}, {Shader::ShadowMap, kGroomed | kShadowLayers}, {Shader::ShadowMap, kGroomed | kSkinOnly},
       {Shader::Skin, kPainted}, {Shader::Skin, kPainted | kTextured},

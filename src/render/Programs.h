@@ -9,7 +9,7 @@
 
 namespace fur::render {
 
-enum class Shader { Background, Ground, GroundShadow, Blur, Skin, Shell, ShadowMap, ShadowBlur, Fin, Enlarge, Whisker, Drop, Ball, Arrow, Hair, HairPoints, HairShadow, HairDepth, HairSkin };
+enum class Shader { Background, Ground, GroundShadow, Blur, Skin, Shell, ShadowMap, ShadowBlur, Fin, Enlarge, Whisker, Drop, Ball, Arrow, Hair, HairPoints, HairShadow, HairDepth, HairSkin, HairMap, HairWisp, HairLine, HiddenHairLine };
 
 // Bits of a variant; each is a #define in the shader.
 enum Variant : unsigned {
@@ -53,6 +53,7 @@ enum Variant : unsigned {
 // The text of a shader that not every program has (render/ShaderSources.h).
 struct ProvidedShader {
   const char *label, *vertex, *fragment;
+  const char* defines = "";
 };
 
 class Programs {
@@ -64,11 +65,11 @@ class Programs {
   void begin(Shader shader, unsigned variant);
   // The program, bound for use; null where the driver refuses a shader of it, which error() then tells.
   [[nodiscard]] const gl::Program* use(Shader shader, unsigned variant);
-  // Ends what gl::Program::begin() began, of a pass that brings its own shaders; false as above.
-  [[nodiscard]] bool finish(gl::Program& program);
   const Error& error() const { return error_; }
 
  private:
+  [[nodiscard]] bool finish(gl::Program& program);
+
   std::map<std::pair<Shader, unsigned>, gl::Program> begun_, programs_;
   Error error_{};
 };

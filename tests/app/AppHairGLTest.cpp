@@ -1,25 +1,11 @@
 // Long hair in pictures and files.
-#include "app/LongHair.h"
-#include "tests/render/Picture.h"
+#include "tests/app/Salon.h"
 
 namespace fur::app {
 namespace {
 
-[[maybe_unused]] const bool growsHair = (growLongHair(), true);
-
-struct Salon : test::Room {
-  Salon() : Room(160, {{"layers", "8"}, {"tileSize", "64"}, {"breath", "0"}, {"furLength", "0.02"}}) {}
-  void grow() {
-    app.editHair(HairEdit::AddScalp);
-    app.editHair(HairEdit::Cover, 1);
-    EXPECT_TRUE(app.setHairValue(0, "guideLength", "0.5"));
-    app.editHair(HairEdit::Plant, 60);
-    app.settle();
-  }
-  test::Picture picture() {
-    app.tick(0);
-    return stage.draw(app);
-  }
+struct Salon : test::Salon {
+  Salon() : test::Salon(160, 60) {}
 };
 
 TEST(AppHair, IsSeenAndUndoTakesItOutOfThePicture) {

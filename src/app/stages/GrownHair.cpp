@@ -108,15 +108,20 @@ void GrownHair::grow(const hair::Scalp& scalp, LiveScalp& live, const ShapeStage
   // What the wisps were planted for: a comb changes none of it.
   const std::uint64_t roots = rootsHash(scalp.guides), map = scalp.map.hash();
   const bool sameLooks = live.values == scalp.values && !live.growth.members.empty();
-  if (sameLooks && live.plantedFor == std::pair(roots, map) && !otherSurface) {
+  const bool sameWisps = sameLooks && live.plantedFor == std::pair(roots, map) && !otherSurface;
+  if (sameWisps) {
     hair::followGuides(live.growth.wisps, scalp.guides, live.asMade, hair::shapeOf(scalp.values));
   } else {
     live.growth.wisps = hair::plantWisps({shape.surface(), scalp.map}, scalp.guides, live.asMade, scalp.values);
     live.plantedFor = {roots, map};
   }
-  const std::vector<hair::GuideNode> rest = hair::restNodes(scalp.guides, live.asMade);
-  live.growth.ambient = hair::ambientVisibility(shape.surface(), live.growth.wisps, rest, scalp.guides.nodes, scalp.values);
-  live.growth.baseTangents = hair::baseTangents({shape.surface(), scalp.map}, live.growth.wisps, rest, scalp.guides.nodes, scalp.values);
+  // Dabs change little of the light: it waits for the stroke's end.
+  live.lightStale = sameWisps && stroking();
+  if (!live.lightStale) {
+    const std::vector<hair::GuideNode> rest = hair::restNodes(scalp.guides, live.asMade);
+    live.growth.ambient = hair::ambientVisibility(shape.surface(), live.growth.wisps, rest, scalp.guides.nodes, scalp.values);
+    live.growth.baseTangents = hair::baseTangents({shape.surface(), scalp.map}, live.growth.wisps, rest, scalp.guides.nodes, scalp.values);
+  }
   if (!sameLooks) {
     live.growth.members = hair::memberStrands(scalp.values.strands, scalp.values);
     live.growth.strips = hair::drawStrips(live.growth.members, scalp.values.strandWidth, scalp.values.mostWidth, scalp.values.tipWidth);

@@ -61,6 +61,7 @@ class GrownHair final : public HairStage, private wet::WetHair {
     hair::Guides guides;           // that it simulates
     std::uint64_t surfaceFor = 0;  // and on which surface
     Growth growth;
+    bool lightStale = false;       // its occlusion and base tangents are of the hair as it was before the stroke at work
     hair::HairValues values;       // that it grew by
     std::pair<std::uint64_t, std::uint64_t> plantedFor{};  // roots of the guides and map
     std::vector<hair::GuideNode> nodes;

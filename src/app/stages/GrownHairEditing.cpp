@@ -77,6 +77,7 @@ void GrownHair::beginStroke() {
 std::optional<HairStep> GrownHair::endStroke() {
   const auto before = std::exchange(before_, std::nullopt);
   if (!before) return std::nullopt;
+  if (std::any_of(scalps_.begin(), scalps_.end(), [](const LiveScalp& live) { return live.lightStale; })) touch();
   HairStep step{*before, save()};
   if (step.before == step.after) return std::nullopt;
   return step;

@@ -251,6 +251,24 @@ TEST(GrownHair, TakesEveryDabOfAFastStrokeThoughNoTimeGoesByBetween) {
   EXPECT_GT(lengthAfter(4), lengthAfter(1) + 0.05f);
 }
 
+TEST(GrownHair, WorksOutItsOcclusionWhenAStrokeEndsAndNotAtEachDab) {
+  Head head;
+  head.settings.brushRadius = 0.5f;
+  head.settings.groomStrength = 1;
+  head.growEverywhere();
+  const std::vector<std::uint8_t> before = head.hair.growth(0).ambient;
+  head.hair.beginStroke();
+  for (int i = 0; i < 8; ++i) {
+    head.dab(Tool::HairLength, Vec3(0, 0.1f, 4), Vec3(0, 0, -1));
+    head.hair.update(head.inputs(0));
+    ASSERT_EQ(head.hair.growth(0).ambient, before);
+  }
+  head.hair.endStroke();
+  EXPECT_TRUE(head.hair.active(head.inputs(0)));
+  head.hair.update(head.inputs(0));
+  EXPECT_NE(head.hair.growth(0).ambient, before);
+}
+
 TEST(GrownHair, HangsOutsideOfTheSkinAndLosesNoLength) {
   Head head;
   head.growEverywhere();

@@ -47,6 +47,8 @@ class Detail {
   HairDetail drawnAs_;
 };
 
+HairTransparency transparencyOf(const Frame& frame) { return static_cast<HairTransparency>(frame.settings.hairTransparency); }
+
 int segmentsOf(float step) { return static_cast<int>(FUR_WISP_SEGMENTS / step); }
 
 }  // namespace
@@ -82,7 +84,7 @@ bool DrawnHair::update(Programs& programs) {
 }
 
 bool DrawnHair::draw(const Drawing& drawing) {
-  const auto transparency = static_cast<HairTransparency>(drawing.frame.settings.hairTransparency);
+  const HairTransparency transparency = transparencyOf(drawing.frame);
   if (transparency == HairTransparency::DepthFirst)
     for (const HairScalp& scalp : scalps_)
       if (!drawWisps(drawing, scalp, Shader::HairDepth, 0)) return false;
@@ -115,7 +117,8 @@ bool DrawnHair::drawWisps(const Drawing& drawing, const HairScalp& scalp, Shader
   if (scalp.wisps() == 0) return true;
   const Detail detail(scalp, drawing.frame);
   const unsigned look = shader == Shader::Hair ? drawing.look.hair() : +kPlain;
-  const bool depthOnly = shader == Shader::HairDepth, shaded = drawing.frame.settings.hairTransparency == static_cast<int>(HairTransparency::DepthFirst) && !depthOnly;
+  const bool depthOnly = shader == Shader::HairDepth;
+  const bool depthDrawn = transparencyOf(drawing.frame) == HairTransparency::DepthFirst && !depthOnly;
   shared::HairBlock block = scalp.block();
   block.pointStep = detail.pointStep();
   block.hairOcclusion = drawing.frame.settings.hairOcclusion;
@@ -123,7 +126,7 @@ bool DrawnHair::drawWisps(const Drawing& drawing, const HairScalp& scalp, Shader
   block.widening = static_cast<float>(scalp.strands()) / static_cast<float>(detail.strands());
   block.hairBlend = blend;
   const int segments = segmentsOf(block.pointStep);
-  const gl::DrawState state{.depthWrite = !shaded && blend < 2, .cullBack = false, .blend = blend == 2 ? gl::Blend::Over : gl::Blend::None,
+  const gl::DrawState state{.depthWrite = !depthDrawn && blend < 2, .cullBack = false, .blend = blend == 2 ? gl::Blend::Over : gl::Blend::None,
                             .alphaToCoverage = blend == 0, .red = !depthOnly, .green = !depthOnly, .blue = !depthOnly, .alpha = false};
   // Where wisps are in order all of them are strips.
   const int strandWisps = blend == 0 ? detail.strandWisps() : 0;

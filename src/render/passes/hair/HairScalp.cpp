@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/Sort.h"
 #include "core/Srgb.h"
 
 namespace fur::render {
@@ -149,9 +150,9 @@ void HairScalp::sortFrom(const Vec3& eye) {
   for (const hair::Wisp& w : grown_) {
     Vec3 middle(0);
     for (std::size_t k = 0; k < 3; ++k) middle += middles_[w.guides[k]] * w.weights[static_cast<int>(k)];
-    far.emplace_back(-glm::distance(middle + w.offset, eye), static_cast<std::uint16_t>(far.size()));
+    far.emplace_back(-glm::distance(middle, eye), static_cast<std::uint16_t>(far.size()));
   }
-  std::sort(far.begin(), far.end());
+  sortStably(far.begin(), far.end());
   std::vector<std::array<std::uint8_t, 2>> order;
   for (const auto& [depth, wisp] : far) order.push_back({static_cast<std::uint8_t>(wisp & 255), static_cast<std::uint8_t>(wisp >> 8)});
   if (order_.bytes() == 0) order_ = gl::Texture({gl::TexelFormat::RG8, wispCount_, 1, 0, gl::Filter::Nearest}, {});

@@ -7,15 +7,19 @@
 namespace fur::render {
 
 void provideHairShaders() {
+  static constexpr std::pair<Shader, ProvidedShader> kTexts[] = {
+      {Shader::Hair, {"hair", shaders::kHairVert, shaders::kHairFrag}},
+      {Shader::HairDepth, {"hair_depth", shaders::kHairVert, shaders::kHairDepthFrag}},
+      {Shader::HairPoints, {"hair_points", shaders::kScreenVert, shaders::kHairPointsFrag}},
+      {Shader::HairShadow, {"hair_shadow", shaders::kHairShadowVert, shaders::kHairShadowFrag}},
+      {Shader::HairSkin, {"hair_skin", shaders::kHairSkinVert, shaders::kHairSkinFrag}},
+      {Shader::HairMap, {"hair_map", shaders::kHairMapVert, shaders::kHairMapFrag}},
+      {Shader::HairWisp, {"hair_wisp", shaders::kHairWispVert, shaders::kHairWispFrag}},
+      {Shader::HairLine, {"hair_line", shaders::kHairLineVert, shaders::kHairLineFrag}},
+      {Shader::HiddenHairLine, {"hair_line", shaders::kHairLineVert, shaders::kHairLineFrag, "#define HIDDEN 1\n"}},
+  };
   includeAlso(shaders::kHairIncluded);
-  static constexpr ProvidedShader kHair{"hair", shaders::kHairVert, shaders::kHairFrag}, kDepth{"hair_depth", shaders::kHairVert, shaders::kHairDepthFrag},
-      kPoints{"hair_points", shaders::kScreenVert, shaders::kHairPointsFrag}, kShadow{"hair_shadow", shaders::kHairShadowVert, shaders::kHairShadowFrag},
-      kSkin{"hair_skin", shaders::kHairSkinVert, shaders::kHairSkinFrag};
-  Programs::provide(Shader::Hair, kHair);
-  Programs::provide(Shader::HairDepth, kDepth);
-  Programs::provide(Shader::HairPoints, kPoints);
-  Programs::provide(Shader::HairShadow, kShadow);
-  Programs::provide(Shader::HairSkin, kSkin);
+  for (const auto& [shader, text] : kTexts) Programs::provide(shader, text);
 }
 
 }  // namespace fur::render

@@ -1,10 +1,6 @@
 #include <cmath>
-#include <iterator>
-#include <optional>
 
 #include "core/NoteChange.h"
-#include "render/ShaderSources.h"
-#include "render/ShaderText.h"
 #include "render/passes/hair/HairScalp.h"
 #include "render/passes/hairview/HairViews.h"
 #include "render/passes/skin/SkinPass.h"
@@ -19,17 +15,6 @@ constexpr gl::Attribute kAttributes[] = {
     {FUR_LINE_FROM, 4, offsetof(ViewLine, a)}, {FUR_LINE_TO, 4, offsetof(ViewLine, b)}, {FUR_LINE_COLOR, 4, offsetof(ViewLine, color)}};
 static_assert(sizeof(ViewLine) == 12 * sizeof(float));
 
-// A shader that only programs with this pass have.
-struct Own {
-  const char *label, *vertex, *fragment;
-  const char* defines = "";
-};
-enum OwnShader : std::size_t { kLine, kHiddenLine, kMap, kWisp };
-constexpr Own kOwn[] = {{"hair_line", shaders::kHairLineVert, shaders::kHairLineFrag},
-                        {"hair_line", shaders::kHairLineVert, shaders::kHairLineFrag, "#define HIDDEN 1\n"},
-                        {"hair_map", shaders::kHairMapVert, shaders::kHairMapFrag},
-                        {"hair_wisp", shaders::kHairWispVert, shaders::kHairWispFrag}};
-
 class DrawnHairViews final : public HairViews {
  public:
   void show(const hair::HairView* view) override { view_ = view; }
@@ -39,35 +24,20 @@ class DrawnHairViews final : public HairViews {
   std::size_t bytes() const override;
 
  private:
-  bool use(Programs& programs, OwnShader shader);
   void uploadLines(const Drawing& drawing);
   void uploadColors(const Drawing& drawing);
   bool colored(std::size_t scalp) const { return scalp < wispColors_.size() && wispColors_[scalp].bytes() > 0; }
   bool drawMap(const Drawing& drawing);
   bool drawWisps(const Drawing& drawing, const HairPass& hair);
-  bool drawLines(const Drawing& drawing, OwnShader shader, bool depthTest);
+  bool drawLines(const Drawing& drawing, Shader shader, bool depthTest);
 
   const hair::HairView* view_ = nullptr;
-  std::optional<gl::Program> programs_[std::size(kOwn)];
   std::uint64_t linesFor_ = 0, colorsFor_ = 0;
   gl::Buffer lines_;
   gl::VertexArray array_;
   gl::Texture map_;
   std::vector<gl::Texture> wispColors_;
 };
-
-bool DrawnHairViews::use(Programs& programs, OwnShader shader) {
-  auto& program = programs_[shader];
-  if (!program) {
-    const Own& own = kOwn[shader];
-    gl::Program made = gl::Program::begin(own.label, stageText(own.vertex), stageText(own.fragment), own.defines);
-    if (!programs.finish(made)) return false;
-    made.bindSampler("hairColors", FUR_UNIT_HAIR_COLORS);
-    program = std::move(made);
-  }
-  program->use();
-  return true;
-}
 
 void DrawnHairViews::uploadLines(const Drawing& drawing) {
   if (view_->lines.empty() || !noteChange(linesFor_, view_->lineRevision)) return;
@@ -106,7 +76,7 @@ bool DrawnHairViews::draw(const Drawing& drawing, HairPass& hair) {
 
 bool DrawnHairViews::drawMap(const Drawing& drawing) {
   if (map_.bytes() == 0) return drawSkin(drawing, drawing.look.bareSkin(kViewDim));
-  if (!use(drawing.programs, kMap)) return false;
+  if (!drawing.programs.use(Shader::HairMap, kPlain)) return false;
   map_.bind(FUR_UNIT_HAIR_COLORS);
   gl::apply({.cullBack = !drawing.surface.twoSided()});
   drawing.surface.draw(1);
@@ -117,7 +87,7 @@ bool DrawnHairViews::drawWisps(const Drawing& drawing, const HairPass& hair) {
   for (std::size_t i = 0; i < hair.scalpCount(); ++i) {
     const HairScalp& scalp = *hair.scalp(i);
     if (scalp.wisps() == 0 || !colored(i)) continue;
-    if (!use(drawing.programs, kWisp)) return false;
+    if (!drawing.programs.use(Shader::HairWisp, kPlain)) return false;
     shared::HairBlock block = scalp.block();
     block.pointStep = 1;
     scalp.bind(block);
@@ -131,11 +101,11 @@ bool DrawnHairViews::drawWisps(const Drawing& drawing, const HairPass& hair) {
 bool DrawnHairViews::drawLines(const Drawing& drawing) {
   if (!view_ || view_->lines.empty()) return true;
   uploadLines(drawing);
-  return drawLines(drawing, kHiddenLine, false) && drawLines(drawing, kLine, true);
+  return drawLines(drawing, Shader::HiddenHairLine, false) && drawLines(drawing, Shader::HairLine, true);
 }
 
-bool DrawnHairViews::drawLines(const Drawing& drawing, OwnShader shader, bool depthTest) {
-  if (!use(drawing.programs, shader)) return false;
+bool DrawnHairViews::drawLines(const Drawing& drawing, Shader shader, bool depthTest) {
+  if (!drawing.programs.use(shader, kPlain)) return false;
   gl::apply({.depthTest = depthTest, .depthWrite = false, .cullBack = false, .blend = gl::Blend::Over});
   array_.drawStrips(4, static_cast<int>(view_->lines.size()));
   return true;
