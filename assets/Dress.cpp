@@ -22,6 +22,7 @@ class Dresser {
   Status doStep(const std::string& step) {
     if (step.rfind("dab ", 0) == 0) return dab(step);
     if (step.rfind("shade ", 0) == 0) return shade(step);
+    if (step.rfind("soften ", 0) == 0) return soften(step);
     if (step.rfind("whisker ", 0) == 0) return whisker(step);
     Warnings warnings;
     Status status = step.find('=') != std::string::npos ? setValue(step, warnings) : edit(step, warnings);
@@ -75,6 +76,34 @@ class Dresser {
     if (read != 9 || !near || !groom::makeSound(one)) return wrong(step, "whisker #RRGGBB LENGTH WIDTH X Y Z DX DY DZ, on the surface");
     at = positionAt(shape_.surface(), *near);
     groom_.whiskers.push_back(one);
+    return Done{};
+  }
+
+  Status soften(const std::string& step) {
+    float reach = 0;
+    if (std::sscanf(step.c_str(), "soften %f", &reach) != 1 || reach <= 0 || hair_.selected() >= hair_.style().scalps.size())
+      return wrong(step, "soften DISTANCE, and a scalp");
+    hair::Hairstyle style = hair_.style();
+    groom::GroomMap& map = style.scalps[hair_.selected()].map;
+    std::vector<std::pair<std::uint32_t, Vec3>> covered;
+    std::vector<Vec3> border;
+    for (std::uint32_t t = 0; t < shape_.surface().triangleCount(); ++t)
+      atlas_.forTexelsOf(shape_.surface(), t, [&](std::uint32_t texel, const Vec3& weights) {
+        const Vec3 at = positionAt(shape_.surface(), geometry::SurfacePoint{t, weights, 0});
+        const std::uint8_t density = map.texels()[texel][0];
+        if (density > 0) covered.emplace_back(texel, at);
+        if (density > 0 && density < 128) border.push_back(at);
+      });
+    for (const auto& [texel, at] : covered) {
+      float far = reach;
+      for (const Vec3& p : border) far = std::min(far, glm::distance(p, at));
+      const float share = glm::smoothstep(0.0f, reach, far);
+      const groom::GroomMap::Texel was = map.texels()[texel];
+      const auto scaled = [&](std::uint8_t value) { return static_cast<std::uint8_t>(static_cast<float>(value) * share + 0.5f); };
+      map.set(texel, {scaled(was[0]), scaled(was[1]), scaled(was[2]), was[3]});
+    }
+    map.fillGutter(atlas_, {0, 0, map.size(), map.size()});
+    hair_.setStyle(std::move(style));
     return Done{};
   }
 

@@ -13,5 +13,6 @@
 //   guideLength=0.5                   a value of the selected scalp, as --hair-value
 //   dab #RRGGBB STRENGTH RADIUS X Y Z paint in a ball, on skin that faces the way it lies
 //   shade #RRGGBB STRENGTH            paint where the selected scalp is
+//   soften DISTANCE                   wisps of the selected scalp get sparse, thin and short up to so far from its border
 //   whisker #RRGGBB LENGTH WIDTH X Y Z DX DY DZ
 fur::Status dress(const fur::geometry::Mesh& mesh, const fur::geometry::Surface& surface, const std::vector<std::string>& steps, fur::scene::FurData& out);

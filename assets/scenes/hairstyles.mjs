@@ -1,6 +1,6 @@
 // The head with three hair styles, made by the edits that programs have for long hair (src/app/tools/HairEdits.inc). Written in
 // decimetres as the head is; models are in bounding radii.
-import { browAt, headMesh, lidAt } from './head.mjs';
+import { browAt, headMesh, lidAt, skinNear } from './head.mjs';
 
 let made;
 /** Made once, when it is first asked for. */
@@ -48,7 +48,7 @@ const bodies = [
 ].map(ballOf('addSphere'));
 
 const settings = {
-  density: 0, furLength: 0, skinColor: '#d9a58a', specular: 0.3, ambient: 0.6, fillLight: 0.35, lightYaw: -0.6, lightPitch: 0.85, backgroundTop: '#7d8b99',
+  density: 0, furLength: 0, skinColor: '#d9a58a', specular: 0.06, ambient: 0.6, fillLight: 0.35, lightYaw: -0.6, lightPitch: 0.85, backgroundTop: '#7d8b99',
   backgroundBottom: '#d9d5cf',
 };
 const style = (name, browColor, camera, steps, more = {}) => ({ name, mesh: head, settings: { ...settings, ...more }, camera: { target: [0, 0.1, 0], ...camera }, steps: () => [...face(browColor), ...bodies, ...steps()] });
@@ -67,14 +67,20 @@ const shoulder = style('hair-shoulder', '#8a6a45', { yaw: 0.45, pitch: 0.1, dist
   'shade #6b4a2b 0.8', 'plant,320', edit('part', 0.95, place([0.12, 1, 0])), 'hang,0.7,0,-1,-0.6', 'hang,0.6', edit('cut', 6, place([0, -1.4 - 6 * head().radius, 0])),
 ]);
 
-const tie = [0, 0.74, -1.14];
 const pony = style('hair-pony', '#1f1712', { yaw: 2.3, pitch: 0.15, distance: 3.1 }, () => {
-  const looks = { strandWidth: 0.002, rootColor: '#17110d', tipColor: '#3a281c', variance: 0.3 };
+  const looks = { strandWidth: 0.0014, rootColor: '#17110d', tipColor: '#3a281c', variance: 0.3 };
+  const { at, normal } = skinNear([0, 0.74, -1]), tie = at.map((x, i) => x + 0.08 * normal[i]), atTie = (name, radius) => ballOf(name)([...at, radius]);
+  const wider = [...grows.map(([x, y, z, radius]) => ballOf('paint')([x, y, z, radius + 0.12])), ...bare.map(ballOf('erase'))];  // thin at its border
   return [
-    ...scalp('pulled back', { ...looks, guideLength: 0.3, nodes: 10, wisps: 4000, strands: 12, leastWidth: 0.006, mostWidth: 0.014, tipWidth: 0.7, magnet: 0.1, lengthVariation: 0, stray: 0.05, frizz: 0.05 }),
-    'shade #17110d 0.85', 'plant,300', edit('gather', 1, place(tie)), 'holdAll',
-    ...scalp('tail', { ...looks, guideLength: size(2.4), nodes: 16, wisps: 260, strands: 48, leastWidth: 0.04, mostWidth: 0.06, depth: 1, tipWidth: 0.5, magnet: 0.5, lengthVariation: 0.35, tipVariation: 0.6 }, [ballOf('paint')([0, 0.7, -0.98, 0.1])]),
-    'plant,40', 'hang,0.6',
+    ...scalp('pulled back', { ...looks, guideLength: 0.3, nodes: 10, wisps: 4000, strands: 14, leastWidth: 0.002, mostWidth: 0.012, leastLength: 0.2, tipWidth: 0.7,
+      magnet: 0.1, lengthVariation: 0, stray: 0.05, frizz: 0.05 }, wider),
+    `soften ${size(0.35)}`, 'shade #17110d 0.85', 'plant,300', edit('gather', 1, place(tie)), 'holdAll',
+    ...scalp('tail', { ...looks, guideLength: size(2.4), nodes: 16, wisps: 420, strands: 32, leastWidth: 0.03, mostWidth: 0.05, depth: 1, tipWidth: 0.5, magnet: 0.4,
+      lengthVariation: 0.35, tipVariation: 0.6 }, [atTie('paint', 0.13)]),
+    'plant,40', 'hang,0.6', 'bundle,1',
+    ...scalp('band', { guideLength: size(0.2), nodes: 4, wisps: 120, strands: 32, strandWidth: 0.003, leastWidth: 0.04, mostWidth: 0.04, depth: 1, tipWidth: 1, curl: 0.4, curls: 1,
+      lengthVariation: 0.1, stray: 0, rootColor: '#5a1522', tipColor: '#8a2436', gloss: 0.1 }, [atTie('paint', 0.19), atTie('erase', 0.12)]),
+    'plant,24', 'bundle,1', 'holdAll',
   ];
 }, { hairVolume: 0.2 });
 

@@ -104,9 +104,10 @@ void HairPanel::drawGuides(const EditorModel& model, settings::Settings& edited)
   if (all == 3) edit(HairEdit::Lengthen, 1 / kLonger);
   ImGui::Dummy(ImVec2(0, 0));
   ImGui::SameLine(px(80));
-  const int more = segments("guideMores", {{"Mirror", false}});
-  hint("Mirror: the guides at +x, and the same at -x");
+  const int more = segments("guideMores", {{"Mirror", false}, {"Bundle", false}});
+  hint("Mirror: the guides at +x, and the same at -x. Bundle: they run side by side as one round bundle, as a tail");
   if (more == 0) edit(HairEdit::Mirror, 1);
+  if (more == 1) edit(HairEdit::Bundle, 1);
   drawGuideCounts(scalp);
 }
 

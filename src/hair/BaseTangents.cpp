@@ -9,7 +9,7 @@ namespace fur::hair {
 
 namespace {
 
-// The mean way of the wisps that grow about a place, on a coarse grid.
+// The mean way of the wisps that grow about a place, on a coarse grid; long ones count for more, as short ones hardly leave the skin.
 class Ways {
  public:
   explicit Ways(std::span<const Wisp> wisps) {
@@ -50,7 +50,7 @@ std::vector<std::array<std::uint8_t, 4>> baseTangents(const ScalpSurface& scalp,
   if (wisps.empty()) return out;
   Ways ways(wisps);
   for (const Wisp& wisp : wisps)
-    ways.add(wisp.root, normalizeOr(wispPoint(wisp, nodes, nodesEach, shapeOf(values), kBase).position - wisp.root, wisp.normal));
+    ways.add(wisp.root, wispPoint(wisp, nodes, nodesEach, shapeOf(values), kBase).position - wisp.root);
   for (std::size_t v = 0; v < out.size(); ++v) {
     const float density = scalp.scalp.at(vertices[v].atlas).x;
     if (density <= 0) continue;

@@ -126,4 +126,28 @@ bool gather(Guides& guides, const geometry::Surface& surface, const geometry::Su
   });
 }
 
+bool bundle(Guides& guides, float share) {
+  if (!(share > 0)) return false;
+  const auto each = static_cast<std::size_t>(guides.nodes);
+  std::vector<Vec3> mean(each, Vec3(0));
+  float count = 0;
+  forShown(guides, [&](std::size_t, std::span<Vec3> chain) {
+    for (std::size_t i = 0; i < each; ++i) mean[i] += chain[i];
+    ++count;
+    return false;
+  });
+  for (Vec3& p : mean) p /= std::max(count, 1.0f);
+  // The cross-section turns with the mean, and no more than that.
+  std::vector<Quat> turns{Quat(1, 0, 0, 0)};
+  for (std::size_t i = 2; i < each; ++i) {
+    const Vec3 before = normalizeOr(mean[i - 1] - mean[i - 2], Vec3(0, 1, 0));
+    turns.push_back(Quat(before, normalizeOr(mean[i] - mean[i - 1], before)) * turns.back());
+  }
+  return forShown(guides, [&](std::size_t, std::span<Vec3> chain) {
+    const Vec3 off = chain[0] - mean[0];
+    for (std::size_t i = 1; i < each; ++i) chain[i] = glm::mix(chain[i], mean[i] + turns[i - 1] * off, std::min(share, 1.0f));
+    return true;
+  });
+}
+
 }  // namespace fur::hair

@@ -19,4 +19,8 @@ bool part(Guides& guides, std::span<const RootFrame> roots, const Vec3& line, fl
 // Guides go along the skin to `place`, the shortest way, and end at that share of it; their nodes are evenly spaced.
 bool gather(Guides& guides, const geometry::Surface& surface, const geometry::SurfaceQuery& query, const Vec3& place, float share, float clearance);
 
+// Guides run side by side as one round bundle along the mean of them, as far from each other as their roots are; `share` of the way
+// there.
+bool bundle(Guides& guides, float share);
+
 }  // namespace fur::hair

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "hair/Scalp.h"
 #include "hair/TestScalps.h"
 
@@ -67,6 +69,29 @@ TEST(Hanging, GatheredHairRunsAlongTheSkinAndEndsAtOnePlace) {
       EXPECT_NEAR(glm::distance(chain[i], chain[i - 1]), lengthOf(chain) / 9, 0.02f);
     }
   }
+}
+
+TEST(Hanging, ABundleIsAsRoundAtItsTipsAsAtItsRoots) {
+  Guides guides;
+  guides.nodes = 8;
+  for (int g = 0; g < 12; ++g) {
+    // Out of a disc in x and y, along z, then down.
+    const float angle = 2 * glm::pi<float>() * static_cast<float>(g) / 12;
+    for (int i = 0; i < guides.nodes; ++i) {
+      const float bent = glm::half_pi<float>() * static_cast<float>(i) / 7;
+      guides.positions.push_back(Vec3(0.1f * std::cos(angle), 0.1f * std::sin(angle) + std::cos(bent), std::sin(bent)));
+    }
+    guides.flags.push_back(0);
+  }
+  ASSERT_TRUE(bundle(guides, 1));
+  for (std::size_t node : {std::size_t{0}, std::size_t{4}, std::size_t{7}}) {
+    Vec3 middle(0);
+    for (std::size_t g = 0; g < guides.count(); ++g) middle += guides.of(g)[node] / 12.0f;
+    for (std::size_t g = 0; g < guides.count(); ++g) EXPECT_NEAR(glm::distance(guides.of(g)[node], middle), 0.1f, 1e-4f);
+  }
+  const Vec3 across = guides.of(3)[7] - guides.of(9)[7];
+  EXPECT_GT(std::abs(across.z), 0.15f) << "where it hangs it is as deep as it is wide";
+  EXPECT_FALSE(bundle(guides, 0));
 }
 
 TEST(Hanging, HiddenGuidesAndSharesOfNothingChangeNothing) {

@@ -120,6 +120,7 @@ void GrownHair::editGuides(const ShapeStage& shape, const Edit& edit, Warnings& 
       break;
     case HairEdit::Part: hair::part(guides, roots(), edit.direction, edit.value); break;
     case HairEdit::Gather: hair::gather(guides, shape.surface(), shape.query(), edit.direction, edit.value, clearance); break;
+    case HairEdit::Bundle: hair::bundle(guides, edit.value); break;
     case HairEdit::Cut: hair::cut(guides, {edit.direction, Vec3(0, 1, 0), edit.value, 1}); break;
     case HairEdit::Straighten: hair::straighten(guides, everywhere(edit.value)); break;
     case HairEdit::Lengthen: hair::lengthen(guides, everywhere(1), edit.value); break;
