@@ -57,4 +57,14 @@ float lightThrough(vec3 at, float extinction, float bias) {
 #endif
 }
 
+// Skin looks its shadow up so far above itself. Opacity layers are thinner than a texel of the map is deep on a slope, and skin would
+// shade itself in rings. Depth maps are blurred and begin further behind.
+vec3 shadowOffset(vec3 normal) {
+#ifdef SHADOW_LAYERS
+  return normal * (1.5 * shadowRange / float(shadowSize()));
+#else
+  return vec3(0.0);
+#endif
+}
+
 float furShadowAt(vec3 at) { return lightThrough(at, shadowExtinction, shadowBias); }

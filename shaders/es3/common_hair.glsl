@@ -22,6 +22,10 @@ uvec4 packNode(HairNode node) {
 
 vec3 turned(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
 
+// In the fur's shadow map hair lies nearer to the light by that much, model units: coat and skin get darker from some way behind
+// the first surface on, and would be lit as in the open right under a wisp. One takes about half of the light.
+float shadowLift() { return shadowLayerDepth > 0.0 ? shadowLayerDepth : shadowBias + 1.1 / shadowExtinction; }
+
 // Half the width of a wisp whose width at the root is `width`, at height t; its depth is hairDepth of that. Water draws its strands
 // together, the more the nearer the tip.
 float halfWidth(float width, float t, float wetness) { return 0.5 * width * mix(1.0, tipWidth, t) * (1.0 - FUR_WET_GATHERS * wetness * t * (2.0 - t)); }

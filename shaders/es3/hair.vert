@@ -25,7 +25,7 @@ flat out float vKind;
 #endif
 
 // How much light comes there; through hair further than through fur: a wisp is dark only where many lie before it.
-float hairShadowAt(vec3 at) { return lightThrough(at, hairExtinction, hairShadowBias); }
+float hairShadowAt(vec3 at) { return lightThrough(at - vec3(0.0, 0.0, shadowLift()), hairExtinction, hairShadowBias); }
 
 // Hair is turned the way of the skin that it grows from; where it stands up from it, towards the light.
 vec3 turnedTo(int wisp, vec3 V) { return wispNormal(wisp) + 0.35 * light.xyz + 1e-4 * V; }

@@ -17,6 +17,7 @@ void main() {
   gl_Position = onGround((worldFromModel * vec4(v.position, 1.0)).xyz, gl_InstanceID, vShadow);
 #else
   vec3 at = lightSpace(v.position);
+  at.z = max(at.z - shadowLift(), 0.0);
   gl_Position = vec4(vec3(at.xy, at.z / shadowRange) * 2.0 - 1.0, 1.0);
 #endif
 }

@@ -27,8 +27,10 @@ void main() {
   float alpha = wholeSamples(smoothstep(0.1, 0.6, skinCover * vDensity * (0.5 + strand)), fract(pixelNoise() + 7.0 * strand));
   if (alpha == 0.0) discard;
   vec3 albedo = strandColor(hairRootColor.rgb, hairTipColor.rgb, hairVariance, 0.1, strand, vec3(1.0));
+  // Where hair parts or stands up its tangents turn from one vertex to the next, and gloss would draw the triangles.
+  float lies = dot(vTangent, vTangent), gloss = hairGloss * lies * lies;
   // Under all others.
   float lit = furShadowAt(vLightSpace), height = mix(1.0, 0.5, hairOcclusion);
-  vec3 color = shadeStrand(albedo, vec2(dot(T, L), dot(T, V)), vec2(dot(n, L), dot(n, V)), dot(L, V), height, 0.0, lit, dot(n, up.xyz), strand, hairShininess, hairGloss);
+  vec3 color = shadeStrand(albedo, vec2(dot(T, L), dot(T, V)), vec2(dot(n, L), dot(n, V)), dot(L, V), height, 0.0, lit, dot(n, up.xyz), strand, hairShininess, gloss);
   fragColor = vec4(encodeSrgb(toneMap(color)), alpha);
 }

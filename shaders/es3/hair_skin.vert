@@ -1,5 +1,6 @@
 // The skin under long hair, as hair that lies on it (Halen & Wester 2007, 5.8).
 #include "common.glsl"
+#include "common_furshadow.glsl"
 #include "shared/Hair.h"
 layout(location = FUR_POSITION) in vec3 position;
 layout(location = FUR_NORMAL) in vec3 normal;
@@ -7,7 +8,7 @@ uniform highp sampler2D baseTangents;  // hair/BaseTangents.h
 
 out vec3 vPosition;
 out vec3 vNormal;
-out vec3 vTangent;  // unit at vertices
+out vec3 vTangent;  // as long as hair lies along the skin there, 0..1
 out vec3 vLightSpace;
 out float vDensity;
 
@@ -24,7 +25,7 @@ void main() {
   vec3 x = evenTangent(normal);
   vPosition = position;
   vNormal = normal;
-  vTangent = normalize(x * along.x + cross(normal, x) * along.y + 1e-4 * x);
-  vLightSpace = lightSpace(position);
+  vTangent = normalize(x * along.x + cross(normal, x) * along.y + 1e-4 * x) * max(2.0 * way.z - 1.0, 0.01);
+  vLightSpace = lightSpace(position + shadowOffset(normal));
   vDensity = way.w;
 }

@@ -24,7 +24,7 @@ out vec3 vLightSpace;
 void main() {
   gl_Position = clipFromModel * vec4(position, 1.0);
   vNormal = normal;
-  vLightSpace = lightSpace(position);
+  vLightSpace = lightSpace(position + shadowOffset(normal));
   vUvAtlas = uvAtlas;
   // Shells show the skin themselves where a ray reaches it. This one is seen where a ray has left the coat of one
   // part of the body and goes on deep in that of another: there it stands for the strands that are missing.

@@ -315,5 +315,31 @@ TEST(AppHair, DarkensTheCoatAndTheGroundBelowIt) {
   EXPECT_LT(after, 0.97 * before);
 }
 
+TEST(AppHair, DarkensTheSkinRightBelowIt) {
+  Salon salon;
+  for (const auto& [name, value] : {std::pair("furLength", "0"), std::pair("density", "0"), std::pair("skinColor", "#808080"), std::pair("ambient", "0.2")})
+    salon.app.setField(name, value);
+  salon.app.setCamera({.yaw = 0.4f, .pitch = 0.4f, .distance = 2.8f});
+  const test::Picture bare = salon.picture();
+  salon.app.editHair(HairEdit::AddScalp);
+  salon.app.editHair(HairEdit::Cover, 1);
+  // Blue, and close to the skin.
+  for (const auto& [name, value] : {std::pair("wisps", "1500"), std::pair("rootColor", "#0000ff"), std::pair("tipColor", "#0000ff"), std::pair("gloss", "0"), std::pair("skinCover", "0")})
+    EXPECT_TRUE(salon.app.setHairValue(0, name, value));
+  salon.app.editHair(HairEdit::Plant, 60);
+  salon.app.editHair(HairEdit::Hang, 1);
+  salon.app.settle();
+  const test::Picture haired = salon.picture();
+  float skin = 0, lit = 0;
+  for (int y = 50; y < 110; ++y)
+    for (int x = 50; x < 110; ++x) {
+      if (haired.at(x, y)[0] < 0.8f * haired.at(x, y)[2]) continue;
+      ++skin;
+      lit += static_cast<float>(haired.at(x, y)[0]) / static_cast<float>(bare.at(x, y)[0]);
+    }
+  ASSERT_GT(skin, 300);
+  EXPECT_LT(lit / skin, 0.85f) << "in the open: 1";
+}
+
 }  // namespace
 }  // namespace fur::app
