@@ -29,3 +29,6 @@ float shadowLift() { return shadowLayerDepth > 0.0 ? shadowLayerDepth : shadowBi
 // Half the width of a wisp whose width at the root is `width`, at height t; its depth is hairDepth of that. Water draws its strands
 // together, the more the nearer the tip.
 float halfWidth(float width, float t, float wetness) { return 0.5 * width * mix(1.0, tipWidth, t) * (1.0 - FUR_WET_GATHERS * wetness * t * (2.0 - t)); }
+
+// By how much a strand's tangent leans to the way that it is turned, -0.12 to 0.12. C++ twin in hair/StrandShading.h.
+float strandTilt(float strand, float h) { return 0.48 * abs(fract(strand + 3.0 * h) - 0.5) - 0.12; }

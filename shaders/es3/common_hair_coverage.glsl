@@ -5,7 +5,6 @@
 in vec4 vBand;
 in vec4 vStrand;
 #ifdef STRIPS
-in vec4 vShape;
 flat in float vKind;
 uniform mediump sampler2DArray strips;  // hair/MemberStrands.h: coverage, slope, random number, nearness
 #endif
@@ -19,7 +18,7 @@ struct HairSeen {
 
 HairSeen hairSeen() {
 #ifdef STRIPS
-  vec4 seen = texture(strips, vec3(vBand.xy / vShape.x, vKind));
+  vec4 seen = texture(strips, vec3(vBand.xy / vStrand.y, vKind));
   return HairSeen(seen.r, seen.g, fract(seen.b + vStrand.x), seen.a);
 #else
   // Where strands are thinner than a pixel there are fewer, a pixel wide: each ends where it is thinner than its own chance has it.

@@ -85,15 +85,24 @@ vec3 fringe(float normalDotView, float h) {
 #include "common_marschner.glsl"
 #endif
 
-// The share of the light that gets to height h of the coat: `lit` gets to that spot, strands take of it (Sheppard), and
-// the body shades its own far side (object over fur, clamp(N.L + 0.5)).
+// The body shades its own far side (object over fur).
+float bodyShare(float nDotL) { return clamp(nDotL + 0.5, 0.0, 1.0); }
+// The share of the light that gets to height h of the coat: `lit` gets to that spot, strands take of it (Sheppard).
 float lightShare(float lit, float h, float nDotL) {
-  return lit * clamp(nDotL + 0.5, 0.0, 1.0) * mix(1.0, furShadow(h, density, nDotL), strandShadow);
+  return lit * bodyShare(nDotL) * mix(1.0, furShadow(h, density, nDotL), strandShadow);
 }
 
 // Kajiya and Kay's lobes know no surface: past the terminator of a coat they would glow where strands of the lit side
 // stand in the light's way. C++ twin in hair/StrandShading.h.
 float glossShare(float nDotL) { return clamp(1.6 * nDotL + 0.6, 0.0, 1.0); }
+
+// What arrives at a strand, linear. C++ twin in hair/StrandShading.h.
+struct StrandLight {
+  vec3 key;      // of the key light
+  vec3 through;  // of it, through the coat's edge (rimLight())
+  vec3 rim;      // of the light behind what the eye sees (fringe())
+  vec3 sky;      // from all around
+};
 
 // Kajiya & Kay 1989 with a small Lambert term (Sheppard 5.3.1) and the factors of Silva et al. 2010:
 //   C = occ wet (C_d + C_s)                                  Eq. 2
@@ -102,29 +111,30 @@ float glossShare(float nDotL) { return clamp(1.6 * nDotL + 0.6, 0.0, 1.0); }
 // C_s: a white lobe, mirrored on the scales, and a wider one that went through the strand and has its colour;
 // or Marschner's model, which has all light that goes through strands. L and V point away from the strand; of both: `along`: cosines
 // to T, `normal`: to the surface's normal, `facing`: to each other.
-// `lit` is the share of the light that reaches the spot, `strand` the strand's random number (its variance), `shine` the gloss.
-vec3 shadeStrand(vec3 albedo, vec2 along, vec2 normal, float facing, float h, float rho, float lit, float upness, float strand, float exponent, float shine) {
-  vec3 key = keyLight.rgb * lightShare(lit, h, normal.x);
+// `strand`: its random number (its variance); `shine`: its gloss by the share of it that glossShare() leaves.
+vec3 shadeStrand(StrandLight lights, vec3 albedo, vec2 along, vec2 normal, float facing, float h, float rho, float strand, float exponent, float shine) {
   vec2 across = sqrt(max(vec2(0.0), 1.0 - along * along)), diffuse = mix(across, max(normal, 0.0), lambert);  // of the key light, of the fill light
 #ifdef MARSCHNER
   // The setting 0.5 is the strand as it is.
-  vec3 gloss = 2.0 * shine * glossShare(normal.x) * key * marschnerStrand(albedo, along, across, facing, exponent);
+  vec3 gloss = 2.0 * shine * lights.key * marschnerStrand(albedo, along, across, facing, exponent);
 #else
   // A lobe's energy falls as its exponent rises; sqrt(p) keeps a strand's total about even.
-  float strength = shine * sqrt(exponent / shininess) * glossShare(normal.x);
+  float strength = shine * sqrt(exponent / shininess);
   vec4 cosines = vec4(across.x * across.y, along.x * along.y, along * across.yx);
   vec2 shifts = lobeShifts(strand);
-  vec3 gloss = (strength * key) * ((0.7 - 0.35 * rho) * kajiyaLobe(shiftedCosine(cosines, shifts.x), exponent) +
-                                   albedo * kajiyaLobe(shiftedCosine(cosines, shifts.y), 0.5 * exponent));
-  gloss += albedo * (1.6 * keyLight.rgb * lit * rimLight(facing, normal.y, h));
+  vec3 gloss = (strength * lights.key) * ((0.7 - 0.35 * rho) * kajiyaLobe(shiftedCosine(cosines, shifts.x), exponent) +
+                                          albedo * kajiyaLobe(shiftedCosine(cosines, shifts.y), 0.5 * exponent));
+  gloss += albedo * (1.6 * lights.through);
 #endif
-  gloss += (albedo + 0.3) * fringe(normal.y, h);
-  vec3 color = albedo * (key * diffuse.x + fillLight * diffuse.y + skyLight(upness)) + gloss;
+  gloss += (albedo + 0.3) * lights.rim;
+  vec3 color = albedo * (lights.key * diffuse.x + fillLight * diffuse.y + lights.sky) + gloss;
   return color * (1.0 + occlusion * (h - 1.0)) * (1.0 - wetDarkening * rho);
 }
-// The same with the coat's own exponent and gloss.
+// Of a coat, with the exponent and gloss of its settings. `lit` is the share of the light that reaches the spot.
 vec3 shadeStrand(vec3 albedo, vec3 T, vec3 L, vec3 V, float h, float rho, float lit, float upness, float strand) {
-  return shadeStrand(albedo, vec2(dot(T, L), dot(T, V)), vec2(L.z, V.z), dot(L, V), h, rho, lit, upness, strand, max(mix(dryShininess, shininess, rho), 1.0), specular);
+  float facing = dot(L, V), exponent = max(mix(dryShininess, shininess, rho), 1.0);
+  StrandLight lights = StrandLight(keyLight.rgb * lightShare(lit, h, L.z), keyLight.rgb * lit * rimLight(facing, V.z, h), fringe(V.z, h), skyLight(upness));
+  return shadeStrand(lights, albedo, vec2(dot(T, L), dot(T, V)), vec2(L.z, V.z), facing, h, rho, strand, exponent, specular * glossShare(L.z));
 }
 
 // Wet strands: C++ twins in hair/StrandShading.h, which says more.

@@ -5,10 +5,8 @@
 #include "common_hair_coverage.glsl"
 
 in vec4 vAlong;
-in vec4 vUp;
-#ifdef STRIPS
-in vec4 vAcross;
-#endif
+in vec4 vTurned;
+in vec4 vLight;
 #if defined(PLAIN) && !defined(STRIPS)
 uniform mediump sampler2DArray strips;
 #endif
@@ -18,7 +16,7 @@ out vec4 fragColor;
 // For benches alone (tests/bench/hair.js): the least that the same geometry takes.
 void main() {
 #ifdef STRIPS
-  vec4 seen = texture(strips, vec3(vBand.xy / vShape.x, vKind));
+  vec4 seen = texture(strips, vec3(vBand.xy / vStrand.y, vKind));
   float alpha = seen.r;
 #else
   vec4 seen = texture(strips, vec3(0.5, vBand.z, 0.0));
@@ -30,9 +28,12 @@ void main() {
 #else
 // What is drawn of what it covers; 0: nothing.
 float drawnAlpha(HairSeen seen) {
-  if (hairBlend == 0.0) return wholeSamples(seen.alpha, hairChance(seen));
+#ifdef BLENDED
   float core = step(0.5, seen.alpha);
   return hairBlend == 1.0 ? core : (1.0 - core) * seen.alpha;
+#else
+  return wholeSamples(seen.alpha, hairChance(seen));
+#endif
 }
 
 #ifdef WET
@@ -51,31 +52,32 @@ void main() {
   float alpha = drawnAlpha(seen), strand = seen.strand, h = vBand.z;
   if (alpha == 0.0) discard;
 
-  // The strand seen there slopes in its strip: t + slope a, of length sqrt(1 + slope^2), and n - t (t.n) as it is turned.
-  vec4 along = vAlong;
-  vec3 normal = vUp.xyz;
+  // The strand seen there: the tangent T, or in a strip T + slope A where A lies across it; and it is not as even as its wisp, so that
+  // it shines here and there.
+  float tilt = strandTilt(strand, h), slope = 0.0;
+  vec2 along = vAlong.xy + tilt * vTurned.xy;
 #ifdef STRIPS
-  float slope = 8.0 * (seen.slope - 0.5) * vShape.y;
-  along = (along + slope * vAcross) * inversesqrt(1.0 + slope * slope);
-  normal = (normal - along.w * along.xyz) * inversesqrt(max(vShape.z - along.w * along.w, 1e-4));
+  slope = 8.0 * (seen.slope - 0.5) * vStrand.w;
+  along += slope * vAlong.zw;
 #endif
+  along *= inversesqrt(1.0 + slope * slope + tilt * tilt);
   vec3 albedo = strandColor(hairRootColor.rgb, hairTipColor.rgb, hairVariance, h, strand, vec3(1.0));
   // What lies behind others of its wisp gets less light; so does what lies deep among all.
-  float height = mix(0.55, 1.0, seen.front) * mix(1.0, vStrand.z, hairOcclusion);
-  float lit = vStrand.w;
+  float open = mix(0.55, 1.0, seen.front) * mix(1.0, vStrand.z, hairOcclusion), edge = vLight.w * open;
+  StrandLight lights = StrandLight(keyLight.rgb * vLight.x, keyLight.rgb * (vLight.z * open), backLight.rgb * (edge * edge), skyLight(vTurned.z));
 #ifdef WET
-  albedo = wetAlbedo(albedo, vBand.w);
-#endif
-  // A strand is not as even as its wisp: it shines here and there.
-  float tilt = 0.12 * sin(6.2831853 * (strand + 3.0 * h));
-  vec2 tilted = (along.xy + tilt * normal.xy) * inversesqrt(1.0 + tilt * tilt);
   // Water narrows the highlight (Silva et al. 2010, Eq. 3), but where all strands bend above their roots: there it would be a spot.
-  float narrows = mix(0.35, 2.0, smoothstep(0.2, 0.6, h));
-  vec3 color = shadeStrand(albedo, tilted, normal.xy, vUp.w, height, vBand.w, lit, normal.z, strand, hairShininess * mix(1.0, narrows, min(1.5 * vBand.w, 1.0)), hairGloss);
-#ifdef WET
-  vec2 mirrored = strandGloss(tilted, normal.x, vUp.w, vBand.w, h, strand);
-  color += mirrored.x * lit * keyLight.rgb + mirrored.y * skyLight(normal.z);
+  float held = vBand.w, narrows = mix(0.35, 2.0, smoothstep(0.2, 0.6, h));
+  vec3 color = shadeStrand(lights, wetAlbedo(albedo, held), along, vTurned.xy, vTurned.w, open, held, strand, hairShininess * mix(1.0, narrows, min(1.5 * held, 1.0)), vLight.y);
+  vec2 mirrored = strandGloss(along, vTurned.x, vTurned.w, held, h, strand);
+  color += mirrored.x * vLight.x * keyLight.rgb + mirrored.y * skyLight(vTurned.z);
+#else
+  vec3 color = shadeStrand(lights, albedo, along, vTurned.xy, vTurned.w, open, 0.0, strand, hairShininess, vLight.y);
 #endif
-  fragColor = vec4(encodeSrgb(toneMap(color)) * (hairBlend == 2.0 ? alpha : 1.0), alpha);
+  color = encodeSrgb(toneMap(color));
+#ifdef BLENDED
+  if (hairBlend == 2.0) color *= alpha;
+#endif
+  fragColor = vec4(color, alpha);
 }
 #endif

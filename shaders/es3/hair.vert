@@ -9,32 +9,44 @@
 #include "common_line.glsl"
 #endif
 #include "common_furshadow.glsl"
+#include "common_shading.glsl"
 
 invariant gl_Position;  // with hair_depth.frag as with hair.frag
-out vec4 vBand;     // strands: y: pixels that it is wide; strips: xy: place in the picture, times w
+out vec4 vBand;     // strands: y: pixels that it is wide; strips: xy: place in the picture, times vStrand.y
                     // z: height, 0 root to 1 tip  w: wetness
+out vec4 vStrand;   // x: its random number  z: share of the light from all around
+                    // y: how near to the front of its wisp, 0..1; of strips that by which vBand.xy is divided, and w: what a slope of
+                    // their strands is in the model
 // All that light on a strand depends on is cosines, which change little from vertex to vertex.
-out vec4 vAlong;    // of its tangent: to the light, to the eye, to above; strips: w: to the way that hair is turned
-out vec4 vUp;       // of the way that it is turned, across the strand and unit; of strips not yet; w: of the light to the eye
-out vec4 vStrand;   // x: its random number  y: how near to the front of its wisp, 0..1 (strands)  z: share of the light from all around
-                    // w: how much light comes through the fur
+out vec4 vAlong;    // of its tangent: to the light, to the eye; of strips, of the unit vector across them as well
+out vec4 vTurned;   // of the way that it is turned, across it and unit: to the light, to the eye, to above; w: of the light to the eye
+out vec4 vLight;    // shares that come there: of the key light; of it as gloss; of it through edges; of the light behind, as its root
 #ifdef STRIPS
-out vec4 vAcross;   // as vAlong, of the unit vector across the strip
-out vec4 vShape;    // x: that by which vBand.xy is divided  y: what a slope of its strands is in the model  z: vUp's square
 flat out float vKind;
 #endif
 
 // How much light comes there; through hair further than through fur: a wisp is dark only where many lie before it.
 float hairShadowAt(vec3 at) { return lightThrough(at - vec3(0.0, 0.0, shadowLift()), hairExtinction, hairShadowBias); }
 
-// Hair is turned the way of the skin that it grows from; where it stands up from it, towards the light.
-vec3 turnedTo(int wisp, vec3 V) { return wispNormal(wisp) + 0.35 * light.xyz + 1e-4 * V; }
-vec4 cosinesOf(vec3 T, vec3 V, vec3 way) { return vec4(dot(T, light.xyz), dot(T, V), dot(T, up.xyz), dot(T, way)); }
+// A strand's tangent and the light at p. Hair is turned the way of the skin that it grows from; where it stands up from it, towards
+// the light.
+void lightAt(vec3 p, vec3 tangent, vec3 V, int wisp) {
+  vec3 L = light.xyz, way = wispNormal(wisp) + 0.35 * L + 1e-4 * V;
+  way = normalize(way - tangent * dot(tangent, way));
+  vAlong = vec4(dot(tangent, L), dot(tangent, V), 0.0, 0.0);
+  vTurned = vec4(dot(way, L), dot(way, V), dot(way, up.xyz), dot(L, V));
+  float lit = hairShadowAt(lightSpace(p));
+  vLight = vec4(lit * bodyShare(vTurned.x), hairGloss * glossShare(vTurned.x), lit * rimLight(vTurned.w, vTurned.y, 1.0), rimLight(-1.0, vTurned.y, 1.0));
+}
 
 #ifdef STRIPS
+#ifdef BLENDED
 uniform highp sampler2D wispOrder;  // from back to front, two bytes each
 
-int wispDrawn(int i) { return hairBlend == 0.0 ? i : int(dot(texelFetch(wispOrder, ivec2(i, 0), 0).rg, vec2(255.0, 65280.0)) + 0.5); }
+int wispDrawn(int i) { return int(dot(texelFetch(wispOrder, ivec2(i, 0), 0).rg, vec2(255.0, 65280.0)) + 0.5); }
+#else
+int wispDrawn(int i) { return i; }
+#endif
 
 // Half the wisp's width over its length: what a slope of its strands is in the model.
 float slopeScale(StripVertex v, int wisp) {
@@ -65,12 +77,9 @@ void strand() {
   gl_Position = clipFromModel * vec4(lineEdge(p, tangent, toEye, reach, pixel), 1.0);
   vBand = vec4(0.0, width, t, middle.wetness);
 #ifndef PLAIN
-  vec3 V = normalize(toEye), way = turnedTo(wisp, V);
-  way = normalize(way - tangent * dot(tangent, way));
-  vAlong = cosinesOf(tangent, V, way);
-  vUp = vec4(cosinesOf(way, V, way).xyz, dot(light.xyz, V));
-  vec3 z = turned(middle.turn, vec3(at.x, 0.0, at.y));
-  vStrand = vec4(waves.w, 0.5 + 0.5 * clamp(dot(z, V), -1.0, 1.0), middle.visible, hairShadowAt(lightSpace(p)));
+  vec3 V = normalize(toEye), z = turned(middle.turn, vec3(at.x, 0.0, at.y));
+  lightAt(p, tangent, V, wisp);
+  vStrand = vec4(waves.w, 0.5 + 0.5 * clamp(dot(z, V), -1.0, 1.0), middle.visible, 0.0);
 #endif
 }
 #endif
@@ -81,14 +90,12 @@ void main() {
   StripVertex v = stripVertex(gl_VertexID % perStrip, wisp, eye.xyz, 1.0);
   gl_Position = clipFromModel * vec4(v.position, 1.0);
   vBand = vec4(v.picture.xy, v.t, v.middle.wetness);
-  vShape.x = v.picture.z;
+  vStrand.y = v.picture.z;
 #ifndef PLAIN
-  vec3 V = normalize(eye.xyz - v.position), way = turnedTo(wisp, V);
-  vAlong = cosinesOf(turned(v.middle.turn, vec3(0.0, 1.0, 0.0)), V, way);
-  vAcross = cosinesOf(v.across / v.picture.z, V, way);
-  vUp = vec4(cosinesOf(way, V, way).xyz, dot(light.xyz, V));
-  vShape.yz = vec2(slopeScale(v, wisp), dot(way, way));
-  vStrand = vec4(v.shape.y, 0.0, v.middle.visible, hairShadowAt(lightSpace(v.position)));
+  vec3 V = normalize(eye.xyz - v.position), across = v.across / v.picture.z;
+  lightAt(v.position, turned(v.middle.turn, vec3(0.0, 1.0, 0.0)), V, wisp);
+  vAlong.zw = vec2(dot(across, light.xyz), dot(across, V));
+  vStrand.xzw = vec3(v.shape.y, v.middle.visible, slopeScale(v, wisp));
 #endif
   vKind = v.shape.z;
 #else

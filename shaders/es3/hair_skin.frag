@@ -30,7 +30,9 @@ void main() {
   // Where hair parts or stands up its tangents turn from one vertex to the next, and gloss would draw the triangles.
   float lies = dot(vTangent, vTangent), gloss = hairGloss * lies * lies;
   // Under all others.
-  float lit = furShadowAt(vLightSpace), height = mix(1.0, 0.5, hairOcclusion);
-  vec3 color = shadeStrand(albedo, vec2(dot(T, L), dot(T, V)), vec2(dot(n, L), dot(n, V)), dot(L, V), height, 0.0, lit, dot(n, up.xyz), strand, hairShininess, gloss);
+  float lit = furShadowAt(vLightSpace), open = mix(1.0, 0.5, hairOcclusion), facing = dot(L, V);
+  vec2 normal = vec2(dot(n, L), dot(n, V));
+  StrandLight lights = StrandLight(keyLight.rgb * (lit * bodyShare(normal.x)), keyLight.rgb * (lit * rimLight(facing, normal.y, open)), fringe(normal.y, open), skyLight(dot(n, up.xyz)));
+  vec3 color = shadeStrand(lights, albedo, vec2(dot(T, L), dot(T, V)), normal, facing, open, 0.0, strand, hairShininess, gloss * glossShare(normal.x));
   fragColor = vec4(encodeSrgb(toneMap(color)), alpha);
 }

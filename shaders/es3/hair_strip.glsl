@@ -12,6 +12,9 @@ struct StripVertex {
   vec3 shape;  // wispShape()
 };
 
+// The width of a wisp as a share of its own: far away fewer are drawn, as much wider; the last of them thinner, so that none pops.
+float wispShare(int wisp) { return wispWidening * clamp(10.0 - 10.0 * float(wisp) / wispsDrawn, 0.0, 1.0); }
+
 // `eyeOrDirection`: the eye where `isPoint` is 1; where it is 0 the direction, any length, from which it is seen. A wisp has a depth
 // as well: its strip lies in the cross-section along the diameter that is its outline from there, so that it never is seen edge-on.
 StripVertex stripVertex(int vertex, int wisp, vec3 eyeOrDirection, float isPoint) {
@@ -26,6 +29,7 @@ StripVertex stripVertex(int vertex, int wisp, vec3 eyeOrDirection, float isPoint
   v.side = float(at & 1) * 2.0 - 1.0;
   v.t = float(segment + (at >> 1) * int(pointStep)) / float(FUR_WISP_SEGMENTS);
   v.shape = wispShape(wisp);
+  v.shape.x *= wispShare(wisp);
   v.middle = wispPoint(wisp, v.t);
   float reach = halfWidth(v.shape.x, v.t, v.middle.wetness);
   vec3 a = turned(v.middle.turn, vec3(reach, 0.0, 0.0)), b = turned(v.middle.turn, vec3(0.0, 0.0, reach * hairDepth));

@@ -51,10 +51,12 @@ float furShadow(float height, float density, float nDotL) {
   return saturate((4.0f * height / density - 3.0f * f) / f);
 }
 
+float bodyShare(float nDotL) { return saturate(nDotL + 0.5f); }
+
+float strandTilt(float strand, float height) { return 0.48f * std::abs(glm::fract(strand + 3 * height) - 0.5f) - 0.12f; }
+
 float keyShare(const StrandLook& look, float height, float nDotL, float lit) {
-  // The body shades its own far side: object over fur, clamp(N.L + 0.5).
-  const float body = saturate(nDotL + 0.5f);
-  return lit * body * glm::mix(1.0f, furShadow(height, look.density, nDotL), look.strandShadow);
+  return lit * bodyShare(nDotL) * glm::mix(1.0f, furShadow(height, look.density, nDotL), look.strandShadow);
 }
 
 float glossShare(float nDotL) { return saturate(1.6f * nDotL + 0.6f); }

@@ -44,6 +44,8 @@ struct StrandLook {
   float density = 0.4f;  // share of the densest layer that strands cover
 };
 
+// The share of the light that a body's curve leaves: it shades its own far side (object over fur).
+float bodyShare(float nDotL);
 // The share of the key light that comes to height h of the coat on a body whose normal has that cosine to the light;
 // `lit` is what the strands next to it leave.
 float keyShare(const StrandLook& look, float height, float nDotL, float lit);
@@ -58,6 +60,8 @@ struct StrandLight {
   Vec3 rim{0};      // of the light behind what the eye sees (fringe())
   Vec3 sky{0};      // from all round
 };
+// By how much the tangent of a strand of long hair leans to the way that it is turned, -0.12 to 0.12: it is not as even as its wisp.
+float strandTilt(float strand, float height);
 // Light from strand to eye, all vectors in one frame: Kajiya & Kay 1989 with a Lambert term and the factors of Silva et
 // al. 2010, Eq. 2-5; two lobes, a white one and a wider one of the strand's colour. `strand`: its random number.
 Vec3 shadeStrand(const StrandLook& look, const Vec3& albedo, const Vec3& tangent, const Vec3& light, const Vec3& view,

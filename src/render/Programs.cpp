@@ -40,6 +40,7 @@ const char* fragmentOf(Shader shader, unsigned variant) {
     case Shader::Ball: return shaders::kBallFrag;
     case Shader::Arrow: return shaders::kArrowFrag;
     case Shader::Hair:
+    case Shader::BlendedHair:
     case Shader::HairPoints:
     case Shader::HairShadow:
     case Shader::HairDepth:
@@ -75,6 +76,7 @@ Source sourceOf(Shader shader) {
     case Shader::Ball: return {"ball", shaders::kBallVert};
     case Shader::Arrow: return {"arrow", shaders::kArrowVert};
     case Shader::Hair:
+    case Shader::BlendedHair:
     case Shader::HairPoints:
     case Shader::HairShadow:
     case Shader::HairDepth:
@@ -237,6 +239,7 @@ std::vector<std::pair<Shader, unsigned>> allVariants() {
     for (const unsigned look : {+kPlain, +kWet, +kMarschner, kWet | kMarschner}) {
       all.emplace_back(Shader::Whisker, look | shadow);
       for (const unsigned shape : {+kPlain, +kStrips}) all.emplace_back(Shader::Hair, look | shadow | shape);
+      all.emplace_back(Shader::BlendedHair, look | shadow | kStrips);
       if (!(look & kWet)) all.emplace_back(Shader::HairSkin, look | shadow);
     }
     for (const unsigned look : {+kPlain, +kUnderFur}) all.emplace_back(Shader::Skin, look | shadow | kViewShadow);

@@ -9,7 +9,7 @@
 
 namespace fur::render {
 
-enum class Shader { Background, Ground, GroundShadow, Blur, Skin, Shell, ShadowMap, ShadowBlur, Fin, Enlarge, Whisker, Drop, Ball, Arrow, Hair, HairPoints, HairShadow, HairDepth, HairSkin, HairMap, HairWisp, HairLine, HiddenHairLine };
+enum class Shader { Background, Ground, GroundShadow, Blur, Skin, Shell, ShadowMap, ShadowBlur, Fin, Enlarge, Whisker, Drop, Ball, Arrow, Hair, BlendedHair, HairPoints, HairShadow, HairDepth, HairSkin, HairMap, HairWisp, HairLine, HiddenHairLine };
 
 // Bits of a variant; each is a #define in the shader.
 enum Variant : unsigned {
@@ -46,7 +46,7 @@ enum Variant : unsigned {
   kPainted = 1u << 27,      // Shell, Fin, Skin: somebody has painted them
   kShaped = 1u << 28,       // Shell, Fin: brushes have changed the shape of strands; groomed, too
   kViewLayout = 1u << 29,   // Skin; of a view once more
-  kStrips = 1u << 30,       // Hair, HairDepth: wisps as strips
+  kStrips = 1u << 30,       // Hair, BlendedHair, HairDepth: wisps as strips
   kOnGround = 1u << 31,     // HairShadow: on the ground
 };
 

@@ -21,6 +21,15 @@ Frame asDrawn(const Frame& frame) {
   return drawn;
 }
 
+// Texels along the map of the fur's shadow: as many as the setting has, but none smaller than half a pixel. `radius`: of what it shows.
+int shadowTexels(const Frame& frame, float radius) {
+  constexpr int kFewest = 32;
+  const float pixels = 2 * radius * pixelsPerUnit(frame) / std::max(glm::length(eyeInModel(frame)) - radius, 0.1f);
+  int texels = kFewest << frame.settings.shadowSize;  // "32" of the setting is its first choice
+  while (texels > kFewest && static_cast<float>(texels) > 2 * pixels) texels /= 2;
+  return texels;
+}
+
 // The viewport, or the band of it, empty.
 void beginPicture(const Frame& frame) {
   gl::setViewport(frame.width, frame.height, frame.bottomRow);
@@ -78,8 +87,8 @@ FurShadow::Key Renderer::furShadowKey(const Frame& frame) const {
   // In steps, so that texels stay where they are while hair swings.
   constexpr float kStep = 0.25f;
   const float reach = std::max(frame.reach, std::ceil(hair_->reach() / kStep) * kStep);
-  // "32" of the setting is its first choice.
-  return {static_cast<Shadows>(s.shadows), 32 << s.shadowSize, lightFromModel(light, shadowRadius(s.furLength, reach)),
+  const float radius = shadowRadius(s.furLength, reach);
+  return {static_cast<Shadows>(s.shadows), shadowTexels(frame, radius), lightFromModel(light, radius),
           volumeShadow(s, fur_.density(), reach),
           curveVariant(s) | (frame.groomed || frame.types ? kGroomed : kPlain),
           surface_.revision() + maps_.revision() + fur_.revision() + hair_->revision(),
@@ -123,7 +132,7 @@ Status Renderer::draw(const Frame& frame) {
   const Drawing drawing{drawn, look, surface_, programs_, uploadedBytes_};
   const FurShadow::Key shadow = furShadowKey(drawn);
   uploadBlocks(drawn, shadow);
-  if (!hair_->update(programs_) || !groundShadow_.update(drawing, *hair_)) return programs_.error();
+  if (!hair_->update(programs_, drawn) || !groundShadow_.update(drawing, *hair_)) return programs_.error();
   fur_.bind(frame.wet);
   maps_.bind(frame);
   uploadedBytes_ += strandTables_.use(frame.settings);

@@ -80,13 +80,12 @@ Vec3 shadeNode(const Scene& scene, const hair::StrandLook& look, const LongHair&
   const float nDotL = glm::dot(z, toLight), nDotV = glm::dot(z, view), height = node.share;
   const Vec3 albedo = hair::strandColor(linearColor(of.values.rootColor), linearColor(of.values.tipColor), node.height, strand, of.values.variance);
   hair::StrandLight lights;
-  lights.key = Vec3(scene.frame.keyLight) * (light == Light::Traced ? lit : hair::keyShare(look, height, nDotL, lit));
+  lights.key = Vec3(scene.frame.keyLight) * (light == Light::Traced ? lit : lit * hair::bodyShare(nDotL));
   lights.through = Vec3(scene.frame.keyLight) * (lit * hair::rimLight(glm::dot(toLight, view), nDotV, height));
   lights.fill = scene.frame.fillLight;
   lights.rim = Vec3(scene.frame.backLight) * hair::fringe(nDotV, height);
   lights.sky = skyLight(scene, z);
-  // A strand is not as even as its wisp.
-  const Vec3 tilted = glm::normalize(tangent + z * (0.12f * std::sin(2 * kPi * (strand + 3 * node.height))));
+  const Vec3 tilted = glm::normalize(tangent + z * hair::strandTilt(strand, node.height));
   return hair::shadeStrand(look, albedo, tilted, toLight, view, nDotL, nDotV, height, 0, lights, strand);
 }
 

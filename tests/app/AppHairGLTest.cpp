@@ -54,6 +54,22 @@ TEST(AppHair, LooksAlikeAsStripsAndAsStrands) {
   EXPECT_NEAR(strands.brightness(), strips.brightness(), 6);
 }
 
+// Far away fewer wisps are drawn, as much wider; strands are always of all.
+TEST(AppHair, TakesAsMuchOfAPictureFarAwayAsAllItsWispsDo) {
+  Salon salon;
+  salon.app.setField("furLength", "0");
+  salon.app.setCamera({0.5f, 0.3f, 9.0f, Vec3(0)});
+  const float bare = salon.picture().brightness();
+  salon.grow();
+  salon.app.setField("hairDetail", "strands");
+  const float all = salon.picture().brightness();
+  salon.app.setField("hairDetail", "strips");
+  const float fewer = salon.picture().brightness();
+  EXPECT_GT(std::abs(bare - all), 1);
+  // A sixth of the difference that hair makes: what strips differ by near, too.
+  EXPECT_NEAR(fewer, all, std::abs(bare - all) / 6);
+}
+
 TEST(AppHair, IsTheSamePictureWhereItsDepthIsDrawnFirst) {
   Salon salon;
   salon.grow();

@@ -57,6 +57,7 @@ std::vector<Member> hairMembers() {
       FUR_MEMBER(HairBlock, hairOpacity), FUR_MEMBER(HairBlock, hairShininess), FUR_MEMBER(HairBlock, widening),
       FUR_MEMBER(HairBlock, hairExtinction), FUR_MEMBER(HairBlock, hairShadowBias),
       FUR_MEMBER(HairBlock, hairOcclusion), FUR_MEMBER(HairBlock, hairGloss), FUR_MEMBER(HairBlock, hairBlend), FUR_MEMBER(HairBlock, skinCover),
+      FUR_MEMBER(HairBlock, wispsDrawn), FUR_MEMBER(HairBlock, wispWidening),
   };
 }
 

@@ -37,11 +37,12 @@ class Lit {
     update();
   }
 
-  void update(unsigned long scene = 1) {
+  void update(unsigned long scene = 1, int size = 256) {
     coatBlock_.bindAsBlock(FUR_COAT_BINDING);
     frameBlock_.bindAsBlock(FUR_FRAME_BINDING);
     FurShadow::Key key = key_;
     key.scene = scene;
+    key.size = size;
     EXPECT_TRUE(shadow_.update(programs_, key, surface_, static_cast<int>(indices_.size()), HairPass())) << programs_.error().message;
   }
 
@@ -254,6 +255,19 @@ TEST(FurShadow, IsRedrawnOnlyWhenItsSceneChanges) {
   EXPECT_EQ(lit.shadow().redraws(), 1);
   lit.update(2);
   EXPECT_EQ(lit.shadow().redraws(), 2);
+}
+
+TEST(FurShadow, InLayersIsAsLargeAsItIsAskedToBeAfterwards) {
+  const auto shares = [](Lit& lit) {
+    std::vector<float> out;
+    lit.probe(0.3f, [&](const Vec3&, float light) { out.push_back(light); });
+    return out;
+  };
+  Lit fresh(Shadows::Layers, {0.3f, 1, 0}, 0.1f, true, kBare), resized(Shadows::Layers, {0.3f, 1, 0}, 0.1f, true, kBare);
+  resized.update(2, 32);
+  EXPECT_NE(shares(resized), shares(fresh));
+  resized.update(3, 256);
+  EXPECT_EQ(shares(resized), shares(fresh));
 }
 
 TEST(LightFromModel, HoldsTheSphereAndMeasuresDepthInModelUnits) {

@@ -36,6 +36,9 @@ FUR_BLOCK(HairBlock) {
   float hairGloss;     // strength of the highlight
   float hairBlend;     // 0: covers samples; 1: what covers half a pixel and more; 2: the rest, blended; wisps are in order where it is not 0
   float skinCover;     // of the skin under it, as hair that lies on it
+
+  float wispsDrawn;    // as strips, the last of them thinner
+  float wispWidening;  // of them, as fewer than all are drawn
 };
 
 #define FUR_UNIT_HAIR_AMBIENT 24

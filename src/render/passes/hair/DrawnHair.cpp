@@ -9,47 +9,38 @@ namespace {
 
 // Pixels that a wisp is wide where the first one is drawn strand by strand, and where all are.
 constexpr float kFirstStrands = 10, kAllStrands = 24;
+// Where wisps are thinner than so many pixels there are fewer, but for so small a share of them.
+constexpr float kThinWisp = 3, kLeastWisps = 1.0f / 16;
 // Pixels along a wisp for each of its segments that is drawn.
 constexpr float kSegmentPixels = 6;
+// A shadow map's texels are coarse.
+constexpr int kShadowStep = 2;
 
 float distanceTo(const Vec4& ball, const Frame& frame) {
   return std::max(glm::length(Vec3(ball) - eyeInModel(frame)) - ball.w, 0.05f);
 }
 
-// How much of a scalp's hair is drawn, by its size on screen and the share of it that the frame asks for.
-class Detail {
- public:
-  Detail(const HairScalp& scalp, const Frame& frame)
-      : scalp_(scalp), pixels_(pixelsPerUnit(frame) / distanceTo(scalp.bounds(), frame)), share_(frame.hairShare),
-        drawnAs_(static_cast<HairDetail>(frame.settings.hairDetail)) {}
-
-  // Wisps that are drawn strand by strand.
-  int strandWisps() const {
-    if (drawnAs_ != HairDetail::Auto) return drawnAs_ == HairDetail::Strands ? scalp_.wisps() : 0;
-    const float near = saturate((share_ * scalp_.width() * pixels_ - kFirstStrands) / (kAllStrands - kFirstStrands));
-    return static_cast<int>(std::lround(near * static_cast<float>(scalp_.wisps())));
-  }
-  // Points of a wisp from one that is drawn to the next: 1, 2 or 4.
-  float pointStep() const {
-    const float along = share_ * scalp_.length() * pixels_ / FUR_WISP_SEGMENTS;
-    return along > kSegmentPixels ? 1 : along > 0.5f * kSegmentPixels ? 2 : 4;
-  }
-  // Of a wisp: where strands are thinner than a pixel there are fewer, as much wider (Cook et al. 2007, stochastic simplification).
-  int strands() const {
-    const float share = share_ * std::min(scalp_.block().strandWidth * pixels_, 1.0f);
-    return std::clamp(static_cast<int>(std::ceil(share * static_cast<float>(scalp_.strands()))), 1, scalp_.strands());
-  }
-
- private:
-  const HairScalp& scalp_;
-  float pixels_;  // that a model unit covers at the nearest of it
-  float share_;
-  HairDetail drawnAs_;
-};
-
 HairTransparency transparencyOf(const Frame& frame) { return static_cast<HairTransparency>(frame.settings.hairTransparency); }
 
-int segmentsOf(float step) { return static_cast<int>(FUR_WISP_SEGMENTS / step); }
+// By its size on screen and the share of it that the frame asks for.
+HairLevel levelOf(const HairScalp& scalp, const Frame& frame) {
+  const float pixels = pixelsPerUnit(frame) / distanceTo(scalp.bounds(), frame);  // that a model unit covers at the nearest of it
+  const float share = frame.hairShare, wide = share * scalp.width() * pixels;
+  const auto drawnAs = static_cast<HairDetail>(frame.settings.hairDetail);
+  const auto wisps = static_cast<float>(scalp.wisps());
+  HairLevel level;
+  if (drawnAs != HairDetail::Auto) level.strandWisps = drawnAs == HairDetail::Strands ? scalp.wisps() : 0;
+  else level.strandWisps = static_cast<int>(std::lround(saturate((wide - kFirstStrands) / (kAllStrands - kFirstStrands)) * wisps));
+  // Where strands are thinner than a pixel there are fewer, as much wider (Cook et al. 2007, stochastic simplification).
+  const float strands = share * std::min(scalp.block().strandWidth * pixels, 1.0f) * static_cast<float>(scalp.strands());
+  level.strands = std::clamp(static_cast<int>(std::ceil(strands)), 1, scalp.strands());
+  // So it is with wisps.
+  level.wispShare = drawnAs == HairDetail::Strands ? 1 : glm::clamp(wide / kThinWisp, kLeastWisps, 1.0f);
+  const float along = share * scalp.length() * pixels / FUR_WISP_SEGMENTS / kSegmentPixels;
+  level.step = along > 1 ? 1 : along > 0.5f ? 2 : along > 0.25f ? 4 : 8;
+  return level;
+}
+
 
 }  // namespace
 
@@ -79,8 +70,17 @@ float DrawnHair::reach() const {
   return most;
 }
 
-bool DrawnHair::update(Programs& programs) {
-  return std::all_of(scalps_.begin(), scalps_.end(), [&](HairScalp& scalp) { return scalp.update(programs); });
+bool DrawnHair::update(Programs& programs, const Frame& frame) {
+  for (HairScalp& scalp : scalps_) {
+    if (scalp.wisps() == 0) continue;
+    const HairLevel level = levelOf(scalp, frame);
+    // Shadows, which are not drawn anew at each step of the camera, have about as many wisps.
+    const auto octaves = [](float wispShare) { return std::floor(2 * std::log2(wispShare)); };
+    if (octaves(level.wispShare) != octaves(scalp.level().wispShare)) ++revision_;
+    scalp.setLevel(level);
+    if (!scalp.update(programs)) return false;
+  }
+  return true;
 }
 
 bool DrawnHair::draw(const Drawing& drawing) {
@@ -96,13 +96,14 @@ bool DrawnHair::draw(const Drawing& drawing) {
       continue;
     }
     scalp.sortFrom(eyeInModel(drawing.frame));
-    if (!drawWisps(drawing, scalp, Shader::Hair, 1) || !drawWisps(drawing, scalp, Shader::Hair, 2)) return false;
+    if (!drawWisps(drawing, scalp, Shader::BlendedHair, 1) || !drawWisps(drawing, scalp, Shader::BlendedHair, 2)) return false;
   }
   return true;
 }
 
 bool DrawnHair::drawSkin(const Drawing& drawing, const HairScalp& scalp) const {
-  if (!scalp.hasSkin()) return true;
+  // A coat has skin of its own.
+  if (!scalp.hasSkin() || drawing.look.furry()) return true;
   if (!drawing.programs.use(Shader::HairSkin, drawing.look.hair() & ~kWet)) return false;
   shared::HairBlock block = scalp.block();
   block.hairOcclusion = drawing.frame.settings.hairOcclusion;
@@ -115,47 +116,43 @@ bool DrawnHair::drawSkin(const Drawing& drawing, const HairScalp& scalp) const {
 // Strands, then strips; `blend`: hairBlend in shared/Hair.h.
 bool DrawnHair::drawWisps(const Drawing& drawing, const HairScalp& scalp, Shader shader, float blend) const {
   if (scalp.wisps() == 0) return true;
-  const Detail detail(scalp, drawing.frame);
-  const unsigned look = shader == Shader::Hair ? drawing.look.hair() : +kPlain;
+  const HairLevel& level = scalp.level();
   const bool depthOnly = shader == Shader::HairDepth;
+  const unsigned look = depthOnly ? +kPlain : drawing.look.hair();
   const bool depthDrawn = transparencyOf(drawing.frame) == HairTransparency::DepthFirst && !depthOnly;
   shared::HairBlock block = scalp.block();
-  block.pointStep = detail.pointStep();
   block.hairOcclusion = drawing.frame.settings.hairOcclusion;
-  block.strandsDrawn = static_cast<float>(detail.strands());
-  block.widening = static_cast<float>(scalp.strands()) / static_cast<float>(detail.strands());
   block.hairBlend = blend;
-  const int segments = segmentsOf(block.pointStep);
+  const int segments = FUR_WISP_SEGMENTS / level.step;
   const gl::DrawState state{.depthWrite = !depthDrawn && blend < 2, .cullBack = false, .blend = blend == 2 ? gl::Blend::Over : gl::Blend::None,
                             .alphaToCoverage = blend == 0, .red = !depthOnly, .green = !depthOnly, .blue = !depthOnly, .alpha = false};
   // Where wisps are in order all of them are strips.
-  const int strandWisps = blend == 0 ? detail.strandWisps() : 0;
+  const int strandWisps = blend == 0 ? level.strandWisps : 0;
   if (strandWisps > 0) {
     if (!drawing.programs.use(shader, look)) return false;
     scalp.bind(block);
     gl::apply(state);
-    gl::drawInstancesWithoutVertices(gl::Shape::Strip, (2 * segments + 4) * strandWisps * detail.strands(), 1);
+    gl::drawInstancesWithoutVertices(gl::Shape::Strip, (2 * segments + 4) * strandWisps * level.strands, 1);
   }
-  if (strandWisps == scalp.wisps()) return true;
+  if (strandWisps >= scalp.wispsDrawn()) return true;
   if (!drawing.programs.use(shader, look | kStrips)) return false;
   block.firstWisp = static_cast<float>(strandWisps);
   scalp.bind(block);
   gl::apply(state);
-  gl::drawInstancesWithoutVertices(gl::Shape::Triangles, 6 * segments * (scalp.wisps() - strandWisps), 1);
+  gl::drawInstancesWithoutVertices(gl::Shape::Triangles, 6 * segments * (scalp.wispsDrawn() - strandWisps), 1);
   return true;
 }
 
 bool DrawnHair::drawShadow(Programs& programs, unsigned variant, const gl::DrawState& state, int copies) const {
-  // A map's texels are coarse.
-  constexpr float kStep = 2;
   for (const HairScalp& scalp : scalps_) {
     if (scalp.wisps() == 0) continue;
     if (!programs.use(Shader::HairShadow, variant)) return false;
     shared::HairBlock block = scalp.block();
-    block.pointStep = kStep;
+    const int step = std::max(scalp.level().step, kShadowStep);
+    block.pointStep = static_cast<float>(step);
     scalp.bind(block);
     gl::apply(state);
-    gl::drawInstancesWithoutVertices(gl::Shape::Triangles, 6 * segmentsOf(kStep) * scalp.wisps(), copies);
+    gl::drawInstancesWithoutVertices(gl::Shape::Triangles, 6 * (FUR_WISP_SEGMENTS / step) * scalp.wispsDrawn(), copies);
   }
   return true;
 }

@@ -37,7 +37,7 @@ class HairPass {
   virtual const HairScalp* scalp(std::size_t) const { return nullptr; }
 
   // Before anything draws hair; see HairScalp::update().
-  virtual bool update(Programs&) { return true; }
+  virtual bool update(Programs&, const Frame&) { return true; }
   virtual bool draw(const Drawing&) { return true; }
   // Into the fur's shadow map or the ground's, whose target is bound: in the program of that variant, `copies` times.
   virtual bool drawShadow(Programs&, unsigned /*variant*/, const gl::DrawState&, int /*copies*/ = 1) const { return true; }

@@ -46,6 +46,9 @@ gl::Texture baseTangentTexture(const HairGrowth& growth) {
   return gl::Texture({gl::TexelFormat::RGBA8, FUR_BASE_TANGENTS_ROW, static_cast<int>(rows), 0, gl::Filter::Nearest}, gl::bytesOf(texels));
 }
 
+// wispShare() in hair_strip.glsl thins the last tenth: by so much more are drawn than are to be seen.
+constexpr float kFadingWisps = 1.12f;
+
 }  // namespace
 
 void HairScalp::fillBlock(const hair::HairValues& values, int nodes) {
@@ -62,7 +65,6 @@ void HairScalp::fillBlock(const hair::HairValues& values, int nodes) {
   block_.hairShininess = values.shininess;
   block_.hairGloss = values.gloss;
   block_.skinCover = values.skinCover;
-  block_.widening = 1;
   // A wisp's depth in front of a strand takes about two thirds of its light.
   block_.hairOpacity = 0.12f;
   block_.hairShadowBias = 0.5f * values.mostWidth * values.depth;
@@ -76,6 +78,7 @@ std::size_t HairScalp::grow(const HairGrowth& growth) {
   nodesEach_ = growth.nodes;
   fillBlock(growth.values, growth.nodes);
   if (wispCount_ == 0) return 0;
+  setLevel({.strands = strandCount_});
   blockBuffer_ = gl::Buffer(gl::BufferKind::Uniform, gl::bytesOf(block_), true);
   const std::vector<Vec4> wisps = texelsOf(growth.wisps);
   wisps_ = gl::Texture({gl::TexelFormat::RGBA32F, FUR_WISP_TEXELS, wispCount_, 0, gl::Filter::Nearest}, gl::bytesOf(wisps));
@@ -127,7 +130,7 @@ std::size_t HairScalp::move(std::span<const hair::GuideNode> nodes) {
     texels.push_back(glm::packSnorm2x16({node.frame.z, node.frame.w}));
   }
   nodes_.update(0, 0, nodesEach_, guideCount_, gl::bytesOf(texels), nodesEach_);
-  stale_ = true;
+  wispsReady_ = 0;
   return 4 * texels.size();
 }
 
@@ -144,10 +147,24 @@ void HairScalp::bind(const shared::HairBlock& drawn) const {
   if (hasSkin()) baseTangents_.bind(FUR_UNIT_BASE_TANGENTS);
 }
 
+void HairScalp::setLevel(const HairLevel& level) {
+  level_ = level;
+  block_.pointStep = static_cast<float>(level.step);
+  block_.strandsDrawn = static_cast<float>(level.strands);
+  block_.widening = static_cast<float>(strandCount_) / static_cast<float>(level.strands);
+  block_.wispsDrawn = kFadingWisps * level.wispShare * static_cast<float>(wispCount_);
+  block_.wispWidening = 1 / level.wispShare;
+}
+
+int HairScalp::wispsDrawn() const {
+  return std::min(static_cast<int>(std::ceil(kFadingWisps * level_.wispShare * static_cast<float>(wispCount_))), wispCount_);
+}
+
 void HairScalp::sortFrom(const Vec3& eye) {
   std::vector<std::pair<float, std::uint16_t>> far;
-  far.reserve(grown_.size());
-  for (const hair::Wisp& w : grown_) {
+  const int drawn = wispsDrawn();
+  far.reserve(static_cast<std::size_t>(drawn));
+  for (const hair::Wisp& w : std::span(grown_).first(static_cast<std::size_t>(drawn))) {
     Vec3 middle(0);
     for (std::size_t k = 0; k < 3; ++k) middle += middles_[w.guides[k]] * w.weights[static_cast<int>(k)];
     far.emplace_back(-glm::distance(middle, eye), static_cast<std::uint16_t>(far.size()));
@@ -156,21 +173,21 @@ void HairScalp::sortFrom(const Vec3& eye) {
   std::vector<std::array<std::uint8_t, 2>> order;
   for (const auto& [depth, wisp] : far) order.push_back({static_cast<std::uint8_t>(wisp & 255), static_cast<std::uint8_t>(wisp >> 8)});
   if (order_.bytes() == 0) order_ = gl::Texture({gl::TexelFormat::RG8, wispCount_, 1, 0, gl::Filter::Nearest}, {});
-  order_.update(0, 0, wispCount_, 1, gl::bytesOf(order), wispCount_);
+  order_.update(0, 0, drawn, 1, gl::bytesOf(order), drawn);
 }
 
 bool HairScalp::update(Programs& programs) {
-  if (!stale_ || wispCount_ == 0) return true;
+  if (wispsReady_ >= wispsDrawn()) return true;
   if (!programs.use(Shader::HairPoints, kPlain)) return false;
   bind(block_);
   pointsTarget_.bind();
-  gl::setViewport(FUR_WISP_SEGMENTS + 1, wispCount_);
+  gl::setViewport(FUR_WISP_SEGMENTS + 1, wispsDrawn());
   gl::apply({.depthTest = false, .depthWrite = false, .cullBack = false});
   // Nobody may read what is drawn into.
   gl::unbindTexture(FUR_UNIT_HAIR_POINTS);
   gl::drawWithoutVertices(3);
   gl::bindPlatformFramebuffer();
-  stale_ = false;
+  wispsReady_ = wispsDrawn();
   return true;
 }
 

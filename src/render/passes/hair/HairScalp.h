@@ -9,15 +9,27 @@
 
 namespace fur::render {
 
+// How much of a scalp's hair is drawn.
+struct HairLevel {
+  int strandWisps = 0;   // drawn strand by strand
+  int strands = 1;       // of each of them
+  float wispShare = 1;   // of wisps, in (0, 1]
+  int step = 1;          // points of a wisp from one that is drawn to the next: 1, 2, 4 or 8
+};
+
 class HairScalp {
  public:
   // Both return the bytes that were uploaded.
   std::size_t grow(const HairGrowth& growth);
   std::size_t move(std::span<const hair::GuideNode> nodes);  // model space, guide after guide
 
-  // Brings the points up to date after move(); leaves the platform's framebuffer bound, and another viewport.
+  // What is drawn until the next one is set.
+  void setLevel(const HairLevel& level);
+  const HairLevel& level() const { return level_; }
+  int wispsDrawn() const;
+  // Brings the points of those wisps up to date after move(); leaves the platform's framebuffer bound, and another viewport.
   bool update(Programs& programs);
-  // Binds all that the shaders of hair read. `block`: how much of it is drawn, in the members for that.
+  // Binds all that the shaders of hair read.
   void bind(const shared::HairBlock& drawn) const;
   const shared::HairBlock& block() const { return block_; }
   // Has the shaders draw strips from the farthest wisp to the nearest.
@@ -48,7 +60,8 @@ class HairScalp {
   float width_ = 0, margin_ = 0;  // margin_: how far wisps reach beyond the nodes
   Vec4 bounds_{0};
   float reach_ = 0, length_ = 0;
-  bool stale_ = false;
+  HairLevel level_;
+  int wispsReady_ = 0;  // whose points are up to date
 };
 
 }  // namespace fur::render

@@ -9,6 +9,7 @@ namespace fur::render {
 void provideHairShaders() {
   static constexpr std::pair<Shader, ProvidedShader> kTexts[] = {
       {Shader::Hair, {"hair", shaders::kHairVert, shaders::kHairFrag}},
+      {Shader::BlendedHair, {"hair", shaders::kHairVert, shaders::kHairFrag, "#define BLENDED 1\n"}},
       {Shader::HairDepth, {"hair_depth", shaders::kHairVert, shaders::kHairDepthFrag}},
       {Shader::HairPoints, {"hair_points", shaders::kScreenVert, shaders::kHairPointsFrag}},
       {Shader::HairShadow, {"hair_shadow", shaders::kHairShadowVert, shaders::kHairShadowFrag}},

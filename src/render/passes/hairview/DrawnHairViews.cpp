@@ -93,7 +93,7 @@ bool DrawnHairViews::drawWisps(const Drawing& drawing, const HairPass& hair) {
     scalp.bind(block);
     wispColors_[i].bind(FUR_UNIT_HAIR_COLORS);
     gl::apply({.cullBack = false, .alphaToCoverage = true, .alpha = false});
-    gl::drawInstancesWithoutVertices(gl::Shape::Triangles, 6 * FUR_WISP_SEGMENTS, scalp.wisps());
+    gl::drawInstancesWithoutVertices(gl::Shape::Triangles, 6 * FUR_WISP_SEGMENTS, scalp.wispsDrawn());
   }
   return true;
 }

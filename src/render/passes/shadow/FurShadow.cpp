@@ -67,7 +67,7 @@ void FurShadow::prepare(int size, bool layers) {
       first_[i] = gl::Texture({format, size, size, 0, layers ? gl::Filter::Nearest : gl::Filter::Linear}, {});
       firstTarget_[i] = gl::Target::toTexture(first_[i], i == 0);
     }
-  if (layers && !opacity_.bytes()) {
+  if (layers && (!opacity_.bytes() || opacity_.shape().width != size)) {
     opacity_ = gl::Texture({gl::TexelFormat::RGBA8, size, size, FUR_SHADOW_TARGETS, gl::Filter::Nearest}, {});
     opacityTarget_ = gl::Target::toTexture(opacity_);
   }
