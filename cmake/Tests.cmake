@@ -45,7 +45,7 @@ if(FUR_SANITIZE)
   # Undefined behaviour is looked for in what they test. In the tests themselves that check takes a third of the build.
   target_compile_options(fur_test_options INTERFACE -fno-sanitize=undefined -g0)
   # What compares with readers of others compiles those.
-  foreach(source core/JsonTest scene/TinyGltfTest settings/PresetsTest)
+  foreach(source core/JsonTest scene/DocumentTest scene/TinyGltfTest settings/PresetsTest)
     fur_source_options("${CMAKE_SOURCE_DIR}/tests/${source}.cpp" "-fno-sanitize=all;-O0")
   endforeach()
 endif()
@@ -76,8 +76,8 @@ foreach(bench water:wet hair:hair)
 endforeach()
 
 if(FUR_GL_TESTS AND NOT EMSCRIPTEN AND TARGET third_party_egl AND TARGET fur_app)
-  # The tests draw through the context of the windowless program, and test its image reader.
-  list(APPEND FUR_GL_TESTS "${CMAKE_SOURCE_DIR}/native/headless/EglContext.cpp" "${CMAKE_SOURCE_DIR}/native/ImageDecode.cpp")
+  # The tests draw through the context of the windowless program.
+  list(APPEND FUR_GL_TESTS "${CMAKE_SOURCE_DIR}/native/headless/EglContext.cpp")
   add_executable(wet-fur-gl-tests EXCLUDE_FROM_ALL ${FUR_GL_TESTS})
   target_include_directories(wet-fur-gl-tests PRIVATE "${CMAKE_SOURCE_DIR}" "${CMAKE_SOURCE_DIR}/tests")
   target_link_libraries(wet-fur-gl-tests PRIVATE fur_app fur_truth third_party_egl fur_test_options)

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "native/ImageDecode.h"
+#include "scene/ImageDecode.h"
 #include "scene/Formats.h"
 #include "scene/Png.h"
 
@@ -99,7 +99,7 @@ Status loadHair(app::App& app, const std::string& path) {
 Status loadGroomImage(app::App& app, groom::ImageOf what, const std::string& path) {
   const auto bytes = readFile(path);
   if (!bytes) return bytes.error();
-  const auto image = decodeImage(bytes.value());
+  const auto image = scene::decodeImage(bytes.value());
   if (!image) return Error{image.error().id, path + ": " + image.error().message};
   app.groomFromFile(what, fs::path(path).filename().string(), image.value().width, image.value().height, image.value().rgba);
   return Done{};
@@ -132,7 +132,7 @@ Status loadScene(app::App& app, const std::string& nameOrPath, const std::string
   if (Status status = app.loadModel(bytes.value(), name, neighbours(path)); !status) return status;
   const scene::EncodedImage& encoded = app.pendingImage();
   if (encoded.bytes.empty()) return Done{};
-  if (auto image = decodeImage(encoded.bytes))
+  if (auto image = scene::decodeImage(encoded.bytes))
     app.provideImage(image->width, image->height, std::move(image->rgba));
   else
     app.addWarning(name + ": " + image.error().message);

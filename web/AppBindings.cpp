@@ -56,6 +56,10 @@ FUR_EXPORT int fur_loadModel(App* app, const std::uint8_t* bytes, std::uint32_t 
 FUR_EXPORT int fur_loadTypeSet(App* app, const std::uint8_t* bytes, std::uint32_t size, const char* name) {
   return guarded([&] { return web::report(app->loadTypeSet({bytes, size}, name)); });
 }
+// The .fts that the model's file brought, as fur_saveGroom() gives its bytes.
+FUR_EXPORT std::uint32_t fur_ownTypeSet(App* app) {
+  return guarded([&] { return web::keepSaved(app->ownTypeSet()); });
+}
 // The number of the bytes that this makes; they lie at fur_savedBytes() until they are forgotten.
 FUR_EXPORT std::uint32_t fur_saveGroom(App* app) {
   return guarded([&] { return web::keepSaved(app->saveGroom()); });

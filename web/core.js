@@ -110,14 +110,32 @@ function importModel(program, bytes, { name = 'model', files = {} } = {}) {
   const model = program.callOrThrow('fur_importModel', given, given.byteLength, name);
   const info = program.numbers(program.call('fur_modelInfo', model), 9);
   const warnings = program.lines(program.call('fur_modelWarnings', model));
+  const image = imageOf(program, model);
   program.call('fur_modelFree', model);
   return {
     vertexCount: info[0],
     triangleCount: info[1],
     hasTexcoords: info[2] !== 0,
     bounds: { low: info.slice(3, 6), high: info.slice(6, 9) },
+    image,
     warnings,
   };
+}
+
+function imageOf(program, model) {
+  const mimeType = program.text(program.call('fur_modelImageType', model));
+  if (!mimeType) return null;
+  const [byteLength, width, height] = program.numbers(program.call('fur_modelImageInfo', model), 3);
+  return { mimeType, width, height, bytes: program.array(Uint8Array, program.call('fur_modelImageBytes', model), byteLength) };
+}
+
+function decodeImage(program, bytes) {
+  const given = toBytes(bytes);
+  const image = program.callOrThrow('fur_decodeImage', given, given.byteLength);
+  const width = program.call('fur_imageWidth', image), height = program.call('fur_imageHeight', image);
+  const data = program.array(Uint8ClampedArray, program.call('fur_imagePixels', image), 4 * width * height);
+  program.call('fur_imageFree', image);
+  return { width, height, data };
 }
 
 function equationsOf(program) {
@@ -157,6 +175,7 @@ export async function loadCore() {
     generateFur: (parameters) => generateFur(program, parameters),
     createWetnessMask: (size = 256) => new WetnessMask(program, size),
     importModel: (bytes, options) => importModel(program, bytes, options),
+    decodeImage: (bytes) => decodeImage(program, bytes),
     equations: equationsOf(program),
     settingsTable: JSON.parse(program.text(program.call('fur_settingsTable'))),
   });

@@ -65,7 +65,7 @@ export class Editing {
     const copy = new FurApp(await this.#instantiate('editor'));
     try {
       this.#loading.putBack(copy, this.#loading.document);
-      return work(copy);
+      return await work(copy);
     } finally {
       copy.destroy();
     }
@@ -78,11 +78,16 @@ export class Editing {
       return app === this.#session.app ? null : { hair: app.hair, warnings: app.takeWarnings() };
     });
     if (done) {
-      if (done.hair.byteLength) await this.#moveTo(this.#session.program === 'viewer' ? 'hair' : this.#session.program);
-      this.#session.app.restoreHair(done.hair, true);
+      await this.takeHair(done.hair, true);
       for (const warning of done.warnings) this.#session.warn(warning);
     }
     this.#frames.afterChange();
+  }
+
+  /** Long hair in place of what there is, as FurApp.hair has it; where there is some, in a program that grows it. */
+  async takeHair(bytes, undoable) {
+    if (bytes.byteLength) await this.#moveTo(this.#session.program === 'viewer' ? 'hair' : this.#session.program);
+    this.#session.app.restoreHair(bytes, undoable);
   }
 
   /** The same where it changes the groom. */

@@ -86,7 +86,7 @@ export function buildShadow(root) {
     make('slot', { name: 'progress-bar' }, make('div', { class: 'progress' }, track, caption)));
   const coatBar = make('div', { class: 'bar' });
   const growing = make('div', {
-    class: 'track growing', part: 'coat-progress', role: 'progressbar', 'aria-label': 'Growing the coat', hidden: '',
+    class: 'track growing', part: 'coat-progress', role: 'progressbar', hidden: '',
   }, coatBar);
   const message = make('p');
   const fallback = make('slot', { name: 'fallback', hidden: '' });
@@ -106,7 +106,8 @@ export function buildShadow(root) {
   // Program and model come side by side; what is said is about the one still on its way.
   let program = null;
   parts.showProgress = (detail) => {
-    if (detail.stage === 'coat') {
+    if (detail.stage === 'coat' || detail.stage === 'save') {
+      growing.setAttribute('aria-label', detail.stage === 'save' ? 'Saving the scene' : 'Growing the coat');
       growing.hidden = detail.fraction >= 1;
       coatBar.style.transform = `scaleX(${detail.fraction})`;
       growing.setAttribute('aria-valuenow', String(Math.round(detail.fraction * 100)));

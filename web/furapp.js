@@ -101,6 +101,8 @@ export class FurApp {
   /** All of it, and what was done with it, as bytes for another program with the same model. */
   get water() { return this.#saved('fur_saveWater'); }
   set water(bytes) { this.#callOrThrow('fur_restoreWater', bytes, bytes.byteLength); }
+  /** The type set (.fts) that the model's file brought; empty without. */
+  get ownTypeSet() { return this.#saved('fur_ownTypeSet'); }
   /** As bytes, for another program with the same model. */
   get groom() { return this.#saved('fur_saveGroom'); }
   restoreGroom(bytes, undoable) { this.#callOrThrow('fur_restoreGroom', bytes, bytes.byteLength, undoable ? 1 : 0); }

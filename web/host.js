@@ -9,7 +9,7 @@ import { Frames } from './frames.js';
 import { forEach } from './furapp.js';
 import { Input } from './input.js';
 import { pictureOfText } from './lettering.js';
-import { Loading } from './loading.js';
+import { breathe, Loading } from './loading.js';
 import { acceptedFiles, decodeImage, readGiven, readModel, sortFiles } from './models.js';
 import { optionDefaults, settingsObject } from './options.js';
 import { orbitText } from './orbit.js';
@@ -130,16 +130,34 @@ export class WetFur extends EventTarget {
   saveFo() { return this.#editing.inWorkshop((app) => app.saveFo()); }
   /** The strands of the selected scalp as .hair. */
   saveHair() { return this.#editing.inWorkshop((app) => app.saveHairFile()); }
-  save() {
-    return this.#editing.inWorkshop((app) => {
-      for (const what of app.lostBySaving) this.#session.warn(`save() leaves out ${what}`);
-      return app.saveScene();
-    });
+  async save() {
+    const tell = async (done) => {
+      this.#loading.progress('save', done, 3);
+      if (done < 3) await breathe();
+    };
+    try {
+      await tell(1);
+      return await this.#editing.inWorkshop(async (app) => {
+        for (const what of app.lostBySaving) this.#session.warn(`save() leaves out ${what}`);
+        await tell(2);
+        return app.saveScene();
+      });
+    } finally {
+      await tell(3);
+    }
   }
   lostBySaving() { return this.#editing.inWorkshop((app) => app.lostBySaving); }
 
   /** All there is to keep of the scene, for openDocument() of another visit. @internal */
   get document() { return this.#loading.document; }
+  /** Groom and long hair that the file brought, each false for none; null: not known. @internal */
+  get cameWith() { return this.#session.cameWith; }
+  /** Groom and long hair as there, on the model that is shown; undo does not lead behind them. @internal */
+  async takeParts({ groom, hair }) {
+    if (groom) this.#app.restoreGroom(groom, false);
+    if (hair) await this.#editing.takeHair(hair, false);
+    this.#frames.afterChange();
+  }
   /** Shows it; of a shipped model `source` need only name it as `src`. @internal */
   openDocument(document) { return this.#loading.openDocument(document); }
 

@@ -2,9 +2,9 @@
 // Every value comes from a stranger: keys are allow-listed, values bounded, and what is refused warns.
 import { modelNames } from './models.js';
 import { choices } from './options.js';
-import { fromBase64Url, toBase64Url } from './strokes.js';
+import { fromBase64Url, toBase64Url } from './packed.js';
 
-/** Of state and strokes together. */
+/** Of all that is in it of the scene. */
 const maxStateCharacters = 8 * 1024;
 const maxParameters = 100;
 const maxValueCharacters = 512;
@@ -43,10 +43,15 @@ function readState(text, warn) {
   }
 }
 
+const readPacked = (text, warn) => (text.length <= maxStateCharacters ? text : warn(`is longer than ${maxStateCharacters} characters`));
+const packedKeys = ['state', 'groom', 'hair', 'strokes'];
+
 const readers = {
   src: (text, warn, pageUrl) => (isAllowedSrc(text, pageUrl) ? text : warn('is neither a model of this page nor a file of its server')),
   state: readState,
-  strokes: (text, warn) => (text.length <= maxStateCharacters ? text : warn(`is longer than ${maxStateCharacters} characters`)),
+  strokes: readPacked,
+  groom: readPacked,
+  hair: readPacked,
   preset: (text) => text,  // the program knows the names
   light: (text) => text,  // likewise
   tool: oneOf(choices.tool),
@@ -62,7 +67,7 @@ const readers = {
 
 /**
  * @param {string} pageUrl the page's whole address
- * @returns {{ src?: string, state?: string, strokes?: string, preset?: string, light?: string, tool?: string, quality?: string, motion?: string, camera?: string, dt?: number,
+ * @returns {{ src?: string, state?: string, strokes?: string, groom?: string, hair?: string, preset?: string, light?: string, tool?: string, quality?: string, motion?: string, camera?: string, dt?: number,
  *   frames?: number, ui?: boolean, editor?: boolean, autoplay?: boolean, settings: [string, string][], warnings: string[] }}
  *   `settings` holds the keys that are none of these: fields of the settings table, or unknown; the program knows which.
  */
@@ -72,7 +77,7 @@ export function readLink(pageUrl) {
   if (entries.length > maxParameters) out.warnings.push(`only the first ${maxParameters} of ${entries.length} parameters are read`);
   for (const [key, text] of entries.slice(0, maxParameters)) {
     const warn = (why) => void out.warnings.push(`${key.slice(0, 64)}: "${text.slice(0, 64)}" ${why}`);
-    if (key !== 'state' && key !== 'strokes' && text.length > maxValueCharacters) warn(`is longer than ${maxValueCharacters} characters`);
+    if (!packedKeys.includes(key) && text.length > maxValueCharacters) warn(`is longer than ${maxValueCharacters} characters`);
     else if (!Object.hasOwn(readers, key)) out.settings.push([key, text]);
     else {
       const value = readers[key](text, warn, pageUrl);
@@ -84,15 +89,21 @@ export function readLink(pageUrl) {
 
 /**
  * The page's address with this scene in it; readLink gives it back.
- * @param {string | null} [strokes] as packStrokes() makes them; left out where state and strokes are too long together
+ * @param {{ groom?: string | null, hair?: string | null, strokes?: string | null }} parts as packed.js and packStrokes() make them; those
+ * that do not fit beside what comes before them are left out
  */
-export function makeLink(pageUrl, { src, state, tool, strokes }) {
+export function makeLink(pageUrl, { src, state, tool, ...parts }) {
   const url = new URL(pageUrl);
   url.search = url.hash = '';
   if (src && src !== 'bunny') url.searchParams.set('src', src);
   if (tool && tool !== 'droplet') url.searchParams.set('tool', tool);
-  const packed = toBase64Url(new TextEncoder().encode(state));
-  url.searchParams.set('state', packed);
-  if (strokes && packed.length + strokes.length <= maxStateCharacters) url.searchParams.set('strokes', strokes);
+  let length = 0;
+  const add = (key, text) => {
+    if (!text || (length > 0 && length + text.length > maxStateCharacters)) return;
+    length += text.length;
+    url.searchParams.set(key, text);
+  };
+  add('state', toBase64Url(new TextEncoder().encode(state)));
+  for (const key of packedKeys) if (key !== 'state') add(key, parts[key]);
   return url.href;
 }

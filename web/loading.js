@@ -7,7 +7,7 @@ import { Progress } from './progress.js';
 import { compileProgram, instantiateProgram } from './runtime.js';
 
 /** Lets the browser show what changed before a long piece of work. */
-const breathe = () => new Promise((resolve) => {
+export const breathe = () => new Promise((resolve) => {
   const timer = setTimeout(resolve, 60);
   requestAnimationFrame(() => setTimeout(() => {
     clearTimeout(timer);
@@ -200,8 +200,13 @@ export class Loading {
     const { app, loaded } = this.#session;
     const first = !loaded;
     const former = !first && { ...this.document, history: app.saveHistory(true) };
+    this.#session.cameWith = null;
     if (document) this.putBack(app, { ...document, source });
-    else loadInto(app, source, first && this.#hasOwnLook);
+    else {
+      loadInto(app, source, first && this.#hasOwnLook);
+      this.#session.cameWith = { groom: app.groomed && app.groom, hair: app.haired && app.hair };
+      if (app.coatGiven && app.ownTypeSet.byteLength) this.#session.typeSet = { name: source.name, bytes: app.ownTypeSet };
+    }
     if (first) this.#applied.settingsToModel();
     if (document) app.restoreHistory(new Uint8Array());
     if (former) {
@@ -243,6 +248,7 @@ export class Loading {
     const document = this.#documents.step(way, { ...this.document, history: app.saveHistory() });
     if (!document) return this.#session.warn('the other model is no longer kept: there was too much to keep');
     this.#giveUp();
+    this.#session.cameWith = null;
     this.putBack(app, document);
     this.#present(document.source);
     this.#frames.afterChange();

@@ -9,6 +9,7 @@ import { howToPlace, Letters } from './letters.js';
 import { makeLink, readLink } from './link.js';
 import { Messages } from './messages.js';
 import { acceptedFiles, modelNames, readEndings, sceneNames, sortFiles } from './models.js';
+import { packBytes, packGroom, sameBytes } from './packed.js';
 import { packStrokes } from './strokes.js';
 import { Toolbar } from './toolbar.js';
 import { Visit } from './visit.js';
@@ -224,20 +225,35 @@ function stateToShare() {
   return JSON.stringify(state);
 }
 
-/** What neither a link nor an embed code can carry; water is left to them. */
-const notCarried = () => [!shownSrc && 'the file itself', fur.groomed && 'the groom', fur.fur.coatGiven && "the file's coat"].filter(Boolean);
+/** What neither a link nor an embed code can carry. */
+const notCarried = () => [!shownSrc && 'the file itself', fur.fur.coatGiven && "the file's coat"].filter(Boolean);
+/** What lies on the model that is shown, but for water; packed for a link. */
+async function packedParts() {
+  const parts = {}, missing = [];
+  const add = async (part, has, pack, what) => {
+    const now = fur.fur.document[part], before = fur.fur.cameWith?.[part];
+    if (!has || (before && sameBytes(now, before))) return;  // the model brings it
+    parts[part] = shownSrc ? await pack(now) : null;
+    missing.push([part, what]);
+  };
+  await add('groom', fur.groomed, packGroom, 'the groom');
+  await add('hair', fur.haired, packBytes, 'the long hair');
+  return { parts, missingFrom: (link) => missing.filter(([part]) => !link.includes(`&${part}=`)).map(([, what]) => what) };
+}
 
 async function copyLink() {
   // A scene may bring water that is gone now; on other models water that has dried is nothing to paint again.
   const wet = fur.meanWetness > 0, recorded = fur.recordedStrokes;
   const strokes = shownSrc && (wet || sceneNames.includes(shownSrc)) ? await packStrokes(recorded) : null;
-  const link = makeLink(location.href, { src: shownSrc, state: stateToShare(), tool: fur.tool, strokes });
-  const missing = notCarried();
+  const { parts, missingFrom } = await packedParts();
+  const link = makeLink(location.href, { src: shownSrc, state: stateToShare(), tool: fur.tool, strokes, ...parts });
+  const missing = [...notCarried(), ...missingFrom(link)];
   if (wet && !shownSrc) missing.push('the water');
   else if (wet && recorded !== '[]' && !link.includes('&strokes=')) missing.push('the water, of which there is too much for a link');
   try {
     await navigator.clipboard.writeText(link);
-    messages.note(missing.length > 0 ? `Link copied, without ${listed(missing)}` : 'Link copied');
+    if (missing.length === 0) messages.note('Link copied');
+    else messages.offer(`Link copied, without ${listed(missing)}`, 'Save all as a file', saveScene);
   } catch {
     messages.copyable('Copy this link:', link);
   }
@@ -249,7 +265,7 @@ async function copyEmbedCode() {
     tool: fur.tool, orbit: fur.cameraOrbitText, alt: fur.alt,
   });
   const copied = await navigator.clipboard.writeText(code).then(() => true, () => false);
-  const missing = notCarried();
+  const missing = [...notCarried(), ...(await packedParts()).missingFrom(code)];
   if (fur.meanWetness > 0) missing.push('the water');
   const without = missing.length > 0 ? `, without ${listed(missing)}` : '', beside = shownSrc ? '' : '; put your file beside the page';
   messages.copyable(`${copied ? 'Embed code copied' : 'Copy this embed code'}${without}${beside}:`, code);

@@ -1,5 +1,6 @@
 // What was done with water, packed for a link: recordedStrokes with fewer digits, in columns, deflated, as base64url.
 // It comes from a stranger: what is unpacked is bounded, in size and in the time that painting it again takes.
+import { deflated, inflated } from './packed.js';
 
 const headNumbers = 7, spotNumbers = 5;
 // Per unit: radius, flow, clump size, eye; step, triangle, two weights, pressure.
@@ -14,8 +15,6 @@ function sinceSoaked(strokes) {
   const last = strokes.findLastIndex(([what]) => what === 'soak');
   return strokes.slice(last + 1).some(([what]) => what === 'undo' || what === 'redo') ? strokes : strokes.slice(Math.max(last, 0));
 }
-
-const piped = (bytes, through) => new Blob([bytes]).stream().pipeThrough(through);
 
 /** @param {string} recorded recordedStrokes @returns {Promise<string | null>} null: they take too long, or the browser cannot */
 export async function packStrokes(recorded) {
@@ -37,26 +36,13 @@ export async function packStrokes(recorded) {
     return out;
   });
   if (columns.length === 0 || steps > mostSteps) return null;
-  const bytes = new Uint8Array(await new Response(piped(JSON.stringify(columns), new CompressionStream('deflate-raw'))).arrayBuffer());
-  return toBase64Url(bytes);
-}
-
-async function inflated(bytes) {
-  const parts = [];
-  let size = 0;
-  for (const reader = piped(bytes, new DecompressionStream('deflate-raw')).getReader(); ;) {
-    const { done, value } = await reader.read();
-    if (done) return new Blob(parts).text();
-    size += value.byteLength;
-    if (size > mostText) throw new RangeError('too long');
-    parts.push(value);
-  }
+  return deflated(JSON.stringify(columns));
 }
 
 /** The way back, for replay(). Throws for what packStrokes() did not make. */
 export async function unpackStrokes(text) {
   let step = 0, triangle = 0;
-  const strokes = JSON.parse(await inflated(fromBase64Url(text))).map(([head, ...columns]) => {
+  const strokes = JSON.parse(await (await inflated(text, mostText)).text()).map(([head, ...columns]) => {
     const stroke = [head[0], ...headScale.map((scale, i) => head[i + 1] / scale)];
     columns[0].forEach((pause, at) => {
       step += Math.min(Math.max(pause, 0), longestPause);
@@ -67,12 +53,4 @@ export async function unpackStrokes(text) {
   });
   if (!(step <= mostSteps)) throw new RangeError('too long');
   return JSON.stringify(strokes);
-}
-
-export function toBase64Url(bytes) {
-  return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join('')).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
-}
-
-export function fromBase64Url(text) {
-  return Uint8Array.from(atob(text.replaceAll('-', '+').replaceAll('_', '/')), (c) => c.charCodeAt(0));
 }

@@ -2,12 +2,13 @@
 import { Autosave } from './autosave.js';
 import { listed } from './download.js';
 import { compileProgram } from './runtime.js';
+import { unpackBytes } from './packed.js';
 import { unpackStrokes } from './strokes.js';
 
 /** Where another model would fare no better. */
 const hopeless = ['webgl-unavailable', 'wasm-blocked', 'wasm-load', 'out-of-memory'];
 /** Of what a link holds, that which is about the scene. */
-const sceneKeys = ['src', 'state', 'strokes', 'preset', 'light', 'camera'];
+const sceneKeys = ['src', 'state', 'groom', 'hair', 'strokes', 'preset', 'light', 'camera'];
 
 /** What the address says of the scene, '' for nothing. */
 const sceneOf = (link) => {
@@ -61,7 +62,7 @@ export class Visit {
   }
 
   async #openLink(apply) {
-    const fur = this.#fur, { src, strokes } = this.#link;
+    const fur = this.#fur, { src } = this.#link;
     const shown = new Promise((resolve) => fur.addEventListener('load', resolve, { once: true }));
     apply(this.#link);
     fur.src = src ?? 'bunny';
@@ -73,7 +74,20 @@ export class Visit {
       fur.src = 'bunny';
     });
     await shown;
-    if (strokes && isAsLinked) await this.#paint(strokes, false);
+    if (isAsLinked) await this.#takeParts(false);
+  }
+
+  /** What lies on the model: the groom first, over which water runs. */
+  async #takeParts(undoable) {
+    for (const [part, what] of [['groom', 'groom'], ['hair', 'long hair']]) {
+      if (!this.#link[part]) continue;
+      try {
+        await this.#fur.fur.takeParts({ [part]: await unpackBytes(this.#link[part]) });
+      } catch {
+        this.#messages.error(`The link's ${what} could not be read.`);
+      }
+    }
+    if (this.#link.strokes) await this.#paint(this.#link.strokes, undoable);
   }
 
   async #paint(strokes, undoable) {
@@ -86,14 +100,14 @@ export class Visit {
 
   /** As the link says or as the page is at first; undo leads back. */
   async #startAfresh(apply) {
-    const { src = 'bunny', state = '{"version":1}', strokes } = this.#link;
+    const { src = 'bunny', state = '{"version":1}' } = this.#link;
     try {
       await this.#fur.fur.openDocument({ source: { src }, state, brings: !this.#link.state });
     } catch {
       return;  // the error event carries it
     }
     apply(this.#link);
-    if (strokes) await this.#paint(strokes, true);
+    await this.#takeParts(true);
     await this.#autosave.forget();
   }
 

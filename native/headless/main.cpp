@@ -364,7 +364,7 @@ int main(int count, char** values) {
   if (const std::string wrong = readOptions(count, values, options); !wrong.empty()) {
     return native::refuse(wrong);
   }
-  app::App::findLossesWith(scene::lostBySaving);
+  app::App::keepDocuments(&scene::kDocumentKeeping);
   const bool picture = !options.output.empty();
   if (const Status status = picture ? drawPicture(options, values[0]) : saveOnly(options, values[0]); !status) {
     return native::fail(status.error());

@@ -5,7 +5,7 @@
 #include <ctime>
 
 #include "native/Files.h"
-#include "native/ImageDecode.h"
+#include "scene/ImageDecode.h"
 
 namespace fur::native {
 
@@ -78,7 +78,7 @@ std::vector<app::EditorHost::Version> Versions::list() const {
     app::EditorHost::Version version{id, textOf(entry.path() / kName), whenOf(id), {}};
     if (version.name.empty()) version.name = id;
     if (const auto png = readFile((entry.path() / kPicture).string()))
-      if (auto image = decodeImage(png.value())) version.rgba = std::move(image->rgba);
+      if (auto image = scene::decodeImage(png.value())) version.rgba = std::move(image->rgba);
     versions.push_back(std::move(version));
   }
   std::sort(versions.begin(), versions.end(), [](const auto& a, const auto& b) { return a.id > b.id; });

@@ -387,7 +387,7 @@ int main(int count, char** values) {
   if (const std::string wrong = readOptions(count, values, options); !wrong.empty()) {
     return native::refuse(wrong);
   }
-  app::App::findLossesWith(scene::lostBySaving);
+  app::App::keepDocuments(&scene::kDocumentKeeping);
   auto window = native::Window::open("wet-fur", options.width, options.height);
   if (!window) return native::fail(window.error());
   Session session(**window, options, values[0]);

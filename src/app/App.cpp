@@ -5,6 +5,7 @@
 #include "app/AppState.h"
 #include "geometry/Primitives.h"
 #include "scene/StateJson.h"
+#include "scene/TypeSet.h"
 
 namespace fur::app {
 
@@ -93,11 +94,6 @@ Status App::loadPrimitive(std::string_view name) {
   return Done{};
 }
 
-namespace {
-scene::FindLosses* findLosses = nullptr;
-}
-void App::findLossesWith(scene::FindLosses* find) { findLosses = find; }
-
 Status App::loadModel(std::span<const std::uint8_t> bytes, const std::string& name, const scene::FileSet& others,
                       bool keepState) {
   auto model = scene::importModel(bytes, name, others);
@@ -105,14 +101,22 @@ Status App::loadModel(std::span<const std::uint8_t> bytes, const std::string& na
   State& s = *state_;
   auto surface = geometry::buildSurface(model->mesh, s.mapping());
   if (!surface) return Error{surface.error().id, name + ": " + surface.error().message};
+  GivenCoat coat;
+  if (!model->fur.typeSet.empty()) {
+    auto volume = scene::readTypeSet(model->fur.typeSet, name);
+    if (!volume) return volume.error();
+    coat = std::make_shared<const furgen::FurVolume>(std::move(*volume));
+  }
   for (const std::string& warning : model->warnings) s.warnings.push_back(warning);
-  Document from{.name = model->name, .pendingImage = std::move(model->baseColor), .baseColorFactor = model->baseColorFactor};
-  if (findLosses) from.lostOfFile = findLosses(*model, bytes, others);
+  Document from{.name = model->name, .pendingImage = std::move(model->baseColor), .baseColorFactor = model->baseColorFactor, .typeSet = std::move(model->fur.typeSet)};
+  if (model->isGltf) s.keepFile(from, bytes, others);
   s.setModel(std::move(model->mesh), std::move(*surface), std::move(from), std::move(model->rig));
   if (!model->fur.wetness.empty()) s.water.readMask(model->fur.wetness, model->fur.wetnessSize);
   s.groom.read(s.shape, model->fur, s.warnings);
   if (!model->fur.hair.empty()) s.hair->setStyle(std::move(model->fur.hair));
   s.settleMotion();
+  // Of a mask as this program has them; else what `wetness` says of it remains.
+  if (!model->fur.water.empty() && !s.water.restore(model->fur.water)) addWarning(name + ": its drops and running water are left out");
   if (keepState) return Done{};
   if (model->fur.state.empty()) {
     s.restoreOwnLook();
@@ -121,6 +125,7 @@ Status App::loadModel(std::span<const std::uint8_t> bytes, const std::string& na
   if (!s.ownLook) s.ownLook = State::Look{s.settings, camera()};
   // The importer has read it once: it is sound. Undo does not lead behind it.
   const Status status = setState(model->fur.state);
+  if (coat || coatGiven()) s.giveCoat(std::move(coat));
   s.settingsOfFile = s.settings;
   s.history.clear();
   return status;

@@ -96,12 +96,12 @@ class App {
   std::string animations() const;
   // The model as .fo, with its fur coordinates at the repeat of the settings, lengths and types.
   std::vector<std::uint8_t> saveFo() const;
-  // Model, picture, groom, what is wet, settings and camera as .glb, which other programs show without fur.
+  // Model, picture, groom, coat, what is wet, settings and camera as .glb, which other programs show without fur. A glTF document
+  // goes back whole in programs that said so with keepDocuments(), before the model came; without, the viewer's download is spared it.
   std::vector<std::uint8_t> saveScene() const;
-  // What that leaves out of the scene and of the file that the model came from, each in some words. Programs that save
-  // say so before, with scene::lostBySaving(); without, the viewer's download is spared it.
+  // What that leaves out, each in some words.
   Warnings lostBySaving() const;
-  static void findLossesWith(scene::FindLosses* find);
+  static void keepDocuments(const scene::DocumentKeeping* with);
 
   // --- settings, state ---
   const settings::Settings& settings() const;
@@ -154,6 +154,7 @@ class App {
   // leaves the coat as it was.
   Status loadTypeSet(std::span<const std::uint8_t> bytes, const std::string& name);
   bool coatGiven() const;  // it came from one
+  const std::vector<std::uint8_t>& ownTypeSet() const;  // the .fts that a saved scene brought; empty without
   // The coat as .fts: 256 x 256 texels and 16 layers whatever the settings, as the format has it.
   std::vector<std::uint8_t> saveTypeSet() const;
   // The settings of a preset (settings/Presets.h), as one undo step. False, and a warning

@@ -29,11 +29,16 @@ furgen::TilePicture App::finPicture(furgen::TileChannel channel) const { return 
 Status App::loadTypeSet(std::span<const std::uint8_t> bytes, const std::string& name) {
   auto volume = scene::readTypeSet(bytes, name);
   if (!volume) return volume.error();
-  State& s = *state_;
-  s.coat.give(std::make_shared<const furgen::FurVolume>(std::move(*volume)), s.coatInputs());
-  s.finishCoat();
+  state_->giveCoat(std::make_shared<const furgen::FurVolume>(std::move(*volume)));
   return Done{};
 }
+
+void App::State::giveCoat(GivenCoat volume) {
+  coat.give(std::move(volume), coatInputs());
+  finishCoat();
+}
+
+const std::vector<std::uint8_t>& App::ownTypeSet() const { return state_->document.typeSet; }
 
 bool App::coatGiven() const { return state_->coat.given(state_->coatInputs()) != nullptr; }
 

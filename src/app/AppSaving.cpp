@@ -6,6 +6,7 @@
 #include "core/Srgb.h"
 #include "scene/FoModel.h"
 #include "scene/Png.h"
+#include "scene/TypeSet.h"
 
 namespace fur::app {
 
@@ -20,6 +21,12 @@ std::vector<T> ofVertices(const std::vector<T>& values, const std::vector<std::u
   std::vector<T> out;
   for (std::size_t i = 0; !values.empty() && i < vertices.size(); ++i) out.push_back(values[vertices[i]]);
   return out;
+}
+
+std::vector<std::uint8_t> writtenTypeSet(const furgen::FurVolume& volume) {
+  auto bytes = scene::writeTypeSet(volume);
+  FUR_ASSERT(bytes, "App::saveScene()", "a volume of the format's shape", bytes.error().message);
+  return std::move(*bytes);
 }
 
 // Half-way up a strand; linear.
@@ -95,42 +102,74 @@ std::vector<std::uint8_t> App::saveFo() const {
   return scene::writeFo(scene::foFromSurface(own.surface, s.settings.repeat, ofVertices(lengths, own.vertexOf), ofVertices(types, own.vertexOf)));
 }
 
-Warnings App::lostBySaving() const {
-  const State& s = *state_;
-  Warnings lost = s.document.lostOfFile;
-  if (coatGiven()) lost.push_back("the coat that was read from a .fts file");
-  return lost;
+namespace {
+const scene::DocumentKeeping* keeping = nullptr;
+}
+void App::keepDocuments(const scene::DocumentKeeping* with) { keeping = with; }
+
+void App::State::keepFile(Document& from, std::span<const std::uint8_t> bytes, const scene::FileSet& others) const {
+  if (!keeping) return;
+  auto file = std::make_shared<const scene::SourceFile>(scene::SourceFile{from.name, {bytes.begin(), bytes.end()}, others});
+  if (!keeping->isDocument(*file)) return;
+  from.beside = keeping->beside(*file);
+  from.file = std::move(file);
 }
 
-std::vector<std::uint8_t> App::saveScene() const {
-  State& s = *state_;
-  const groom::Groom& groom = s.groom.groom();
-  const geometry::OwnSurface own = geometry::ownSurface(s.shape.surface(), s.shape.mesh());
+Warnings App::lostBySaving() const { return state_->document.beside; }
+
+// All but the comb, which is for the vertices that are written.
+scene::FurData App::State::furData() const {
+  const groom::Groom& from = groom.groom();
+  scene::FurData fur;
+  fur.mapSize = from.map.size();
+  if (!from.map.isPlain()) fur.map = from.map.texels();
+  if (!from.paint.isPlain()) fur.paint = from.paint.texels();
+  if (!from.shape.isPlain()) fur.shape = from.shape.texels();
+  if (!from.mask.isPlain()) fur.mask = from.mask.texels();
+  fur.whiskers = from.whiskers;
+  fur.hair = hair->style();
+  hair->addWetness(fur.hair);
+  for (hair::Body& body : fur.hair.bodies) body.bone = body.bone < 0 || !document.file ? -1 : static_cast<int>(shape.rig().nodes[static_cast<std::size_t>(body.bone)].source);
+  fur.wetnessSize = water.mask().size();
+  if (!water.mask().isDry()) fur.wetness = water.mask().texels();
+  if (water.isWet()) fur.water = water.save(true);
+  if (const auto given = coat.given(coatInputs())) fur.typeSet = writtenTypeSet(*given);
+  return fur;
+}
+
+// One a vertex of the mesh.
+std::vector<Vec3> App::State::combOfMesh() const {
+  const groom::SurfacePoints& points = shape.points();
+  std::vector<Vec3> comb(shape.mesh().positions.size(), Vec3(0));
+  const std::vector<geometry::SurfaceVertex>& vertices = shape.surface().vertices;
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    if (vertices[i].source < comb.size()) comb[vertices[i].source] = groom.groom().comb[points.pointOf[i]];
+  return comb;
+}
+
+std::vector<std::uint8_t> App::State::saveMesh(scene::FurData fur) const {
+  const geometry::OwnSurface own = geometry::ownSurface(shape.surface(), shape.mesh());
   geometry::Mesh mesh;
   mesh.indices = own.surface.indices;
   for (const geometry::SurfaceVertex& v : own.surface.vertices) {
     mesh.positions.push_back(v.position);
     mesh.normals.push_back(v.normal);
-    if (!s.shape.mesh().uv.empty()) mesh.uv.push_back(v.uv);
+    if (!shape.mesh().uv.empty()) mesh.uv.push_back(v.uv);
     mesh.atlas.push_back(v.atlas);
-    if (!s.shape.mesh().furUv.empty()) mesh.furUv.push_back(v.fur);
+    if (!shape.mesh().furUv.empty()) mesh.furUv.push_back(v.fur);
   }
-  scene::FurData fur;
+  if (!groom.upright()) fur.comb = ofVertices(groom::restBends(groom.groom(), shape.surface(), shape.points()), own.vertexOf);
+  return scene::exportScene(mesh, document.name, fur,
+                            {document.sourceImage.bytes.empty() ? document.pendingImage : document.sourceImage, document.baseColorFactor, paintedPicture()});
+}
+
+std::vector<std::uint8_t> App::saveScene() const {
+  const State& s = *state_;
+  scene::FurData fur = s.furData();
   fur.state = state();
-  fur.mapSize = groom.map.size();
-  if (!groom.map.isPlain()) fur.map = groom.map.texels();
-  if (!groom.paint.isPlain()) fur.paint = groom.paint.texels();
-  if (!groom.shape.isPlain()) fur.shape = groom.shape.texels();
-  if (!groom.mask.isPlain()) fur.mask = groom.mask.texels();
-  if (!s.groom.upright()) {
-    fur.comb = ofVertices(groom::restBends(groom, s.shape.surface(), s.shape.points()), own.vertexOf);
-  }
-  fur.whiskers = groom.whiskers;
-  fur.hair = s.hair->style();
-  s.hair->addWetness(fur.hair);
-  fur.wetnessSize = s.water.mask().size();
-  if (!s.water.mask().isDry()) fur.wetness = s.water.mask().texels();
-  return scene::exportScene(mesh, s.document.name, fur, {s.document.sourceImage.bytes.empty() ? s.document.pendingImage : s.document.sourceImage, s.document.baseColorFactor, s.paintedPicture()});
+  if (!s.document.file) return s.saveMesh(std::move(fur));
+  if (!s.groom.upright()) fur.comb = s.combOfMesh();
+  return keeping->write(*s.document.file, scene::furSurface(s.shape.surface(), s.shape.mesh()), fur);
 }
 
 }  // namespace fur::app

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 
 #include "app/App.h"
@@ -26,10 +27,12 @@ namespace fur::app {
 struct Document {
   std::string name;
   scene::EncodedImage pendingImage{}, sourceImage{};  // to be decoded; decoded, kept for saving
-  Warnings lostOfFile{};                              // by saving
+  std::shared_ptr<const scene::SourceFile> file{};    // a document to be saved whole
+  Warnings beside{};                                  // that the saved one still needs
   Vec4 baseColorFactor{1.0f};
   int imageWidth = 0, imageHeight = 0;
   std::vector<std::uint8_t> image{};  // RGBA8
+  std::vector<std::uint8_t> typeSet{};  // a .fts whose coat it came with
 };
 
 // Pointers that are down, and the tool.
@@ -115,6 +118,7 @@ struct App::State {
   CameraOrbit startView() const { return OrbitCamera::fitting(shape.extent().centre, shape.extent().radius); }
   void setModel(geometry::Mesh mesh, geometry::Surface surface, Document from, scene::Rig rig = {});
   void surfaceChanged(const CameraOrbit& viewBefore);
+  void giveCoat(GivenCoat volume);  // nullptr: the grown one again
   // A view that showed all of the model still does; glides there or is there at once.
   void keepInView(const CameraOrbit& before, bool atOnce);
   void restoreOwnLook();
@@ -211,6 +215,10 @@ struct App::State {
   // --- AppSaving.cpp ---
   Vec3 pictureAt(const geometry::SurfacePoint& at) const;
   std::vector<std::uint8_t> paintedPicture() const;
+  void keepFile(Document& from, std::span<const std::uint8_t> bytes, const scene::FileSet& others) const;
+  scene::FurData furData() const;
+  std::vector<Vec3> combOfMesh() const;
+  std::vector<std::uint8_t> saveMesh(scene::FurData fur) const;
 };
 
 }  // namespace fur::app

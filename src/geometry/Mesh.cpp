@@ -18,6 +18,14 @@ Bounds bounds(const Mesh& mesh) {
   return box;
 }
 
+bool hasArea(const Mesh& mesh, std::size_t triangle) {
+  constexpr double kLeastDoubleArea = 1e-12;
+  const std::uint32_t* corner = &mesh.indices[3 * triangle];
+  const glm::dvec3 a = mesh.positions[corner[0]];
+  const glm::dvec3 cross = glm::cross(glm::dvec3(mesh.positions[corner[1]]) - a, glm::dvec3(mesh.positions[corner[2]]) - a);
+  return glm::dot(cross, cross) > kLeastDoubleArea * kLeastDoubleArea;
+}
+
 Fit fitToUnitSphere(Mesh& mesh) {
   // In double: the squares of coordinates near the limits of float would overflow.
   const Bounds box = bounds(mesh);

@@ -8,11 +8,21 @@
 
 namespace fur::geometry {
 
+// The atlas of a mesh whose vertices may have several places in it.
+struct AtlasLayout {
+  std::uint32_t chartCount = 0;
+  std::vector<std::uint32_t> chartOf;  // one a triangle
+  std::vector<Vec2> corners;           // three a triangle
+
+  bool empty() const { return corners.empty(); }
+};
+
 struct Mesh {
   std::vector<Vec3> positions;
   std::vector<Vec3> normals;  // empty, or one unit vector a vertex
   std::vector<Vec2> uv;       // empty, or one a vertex; (0, 0) is the first texel of an image (glTF)
   std::vector<Vec2> atlas;    // empty, or one a vertex: what Surface's atlas is to be; isUniqueAtlas() holds for it (AtlasUv.h)
+  AtlasLayout layout{};       // empty, or the same of each triangle, before `atlas`
   std::vector<Vec2> furUv;    // empty, or one a vertex: its own coordinates for the fur tile, at any scale
   std::vector<std::uint32_t> indices;  // 3 a triangle, counter-clockwise seen from outside
 
@@ -24,6 +34,9 @@ struct Bounds {
 };
 
 Bounds bounds(const Mesh& mesh);
+
+// Whether a triangle's area is more than rounding noise, for positions of size 1.
+bool hasArea(const Mesh& mesh, std::size_t triangle);
 
 // The transform that fitToUnitSphere() applied.
 struct Fit {

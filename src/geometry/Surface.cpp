@@ -17,21 +17,23 @@ namespace fur::geometry {
 
 namespace {
 
-// Below this a triangle's normal is rounding noise (positions are of size 1).
-constexpr double kLeastDoubleArea = 1e-12;
-
-std::vector<std::uint32_t> trianglesWithArea(const Mesh& mesh) {
-  std::vector<std::uint32_t> kept;
-  kept.reserve(mesh.indices.size());
-  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-    const glm::dvec3 a = mesh.positions[mesh.indices[i]];
-    const glm::dvec3 cross = glm::cross(glm::dvec3(mesh.positions[mesh.indices[i + 1]]) - a,
-                                        glm::dvec3(mesh.positions[mesh.indices[i + 2]]) - a);
-    if (!(glm::dot(cross, cross) > kLeastDoubleArea * kLeastDoubleArea)) continue;
-    kept.insert(kept.end(), mesh.indices.begin() + static_cast<std::ptrdiff_t>(i),
-                mesh.indices.begin() + static_cast<std::ptrdiff_t>(i + 3));
+// Leaves out triangles without an area, and what the layout says of them.
+void keepTrianglesWithArea(Mesh& mesh) {
+  AtlasLayout& layout = mesh.layout;
+  const bool laidOut = layout.corners.size() == mesh.indices.size() && layout.chartOf.size() == mesh.triangleCount();
+  if (!laidOut) layout = {};
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
+    if (!hasArea(mesh, t)) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      mesh.indices[3 * kept + k] = mesh.indices[3 * t + k];
+      if (laidOut) layout.corners[3 * kept + k] = layout.corners[3 * t + k];
+    }
+    if (laidOut) layout.chartOf[kept] = layout.chartOf[t];
+    ++kept;
   }
-  return kept;
+  mesh.indices.resize(3 * kept);
+  if (laidOut) layout.corners.resize(3 * kept), layout.chartOf.resize(kept);
 }
 
 std::vector<Vec3> unitNormals(const Mesh& mesh) {
@@ -52,13 +54,6 @@ std::vector<Vec3> unitNormals(const Mesh& mesh) {
   }
   return normals;
 }
-
-// The atlas before any vertex is split: coordinates and chart for every corner of every triangle.
-struct AtlasLayout {
-  std::uint32_t chartCount = 0;
-  std::vector<std::uint32_t> chartOf;  // one a triangle
-  std::vector<Vec2> corners;           // three a triangle
-};
 
 AtlasLayout ownLayout(const Mesh& mesh, const std::vector<Vec2>& uv, const Weld& weld) {
   AtlasLayout layout;
@@ -147,14 +142,15 @@ Weld weldVertices(const Surface& surface) {
 
 Result<Surface> buildSurface(const Mesh& mesh, FurMapping mapping) {
   Mesh whole = mesh;
-  whole.indices = trianglesWithArea(mesh);
+  keepTrianglesWithArea(whole);
   if (whole.indices.empty()) return Error{ErrorId::BadFile, "the model has no triangle with an area"};
   whole.normals = unitNormals(whole);
 
   const Weld weld = weldPositions(whole.positions);
   Charts fur = furCharts(whole, weld, mapping);
   AtlasLayout atlas;
-  if (whole.atlas.size() == whole.positions.size()) atlas = ownLayout(whole, whole.atlas, weld);
+  if (!whole.layout.empty()) atlas = whole.layout;
+  else if (whole.atlas.size() == whole.positions.size()) atlas = ownLayout(whole, whole.atlas, weld);
   else if (isUniqueAtlas(whole, whole.indices)) atlas = ownLayout(whole, whole.uv, weld);
   else if (mapping == FurMapping::Charts && whole.furUv.empty()) atlas = packedLayout(fur);
   else atlas = packedLayout(makeCharts(whole.positions, whole.indices, weld));

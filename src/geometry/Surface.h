@@ -1,7 +1,7 @@
 // A mesh made ready to carry fur: three texture domains, their gradients, the edges for fins.
 //
 //   uv     the model's own, for its base colour texture; may overlap or repeat
-//   atlas  unique: each surface point has its own texel in [0,1]^2 (wetness, groom). Mesh::atlas if there is one; else the
+//   atlas  unique: each surface point has its own texel in [0,1]^2 (wetness, groom). Mesh::layout or atlas if there is one; else the
 //          model's uv if they lie in [0,1]^2, no triangles overlap and all have an area there (AtlasUv.h);
 //          else packed charts with a gutter of two texels of a 256^2 map (ChartPacking.h)
 //   fur    the repeating domain of the fur tile: 1 unit = 1 tile at repeat 1, about 1 model unit along the

@@ -128,10 +128,13 @@ std::vector<std::uint32_t> SurfacePoints::at(const std::vector<Vec3>& places) co
 std::vector<Vec3> soundComb(std::vector<Vec3> comb, const SurfacePoints& points) {
   FUR_ASSERT(comb.size() == points.count(), "groom::soundComb()", "one a point", comb.size());
   for (std::size_t i = 0; i < comb.size(); ++i) {
-    const Vec3 across = comb[i] - points.normals[i] * glm::dot(comb[i], points.normals[i]);
+    // One that is sound but for rounding stays as it is, to the bit.
+    constexpr float kRounding = 1e-5f;
+    const float up = glm::dot(comb[i], points.normals[i]);
+    const Vec3 across = std::abs(up) < kRounding ? comb[i] : comb[i] - points.normals[i] * up;
     const float squared = glm::dot(across, across);
     if (!(squared < 1e12f)) comb[i] = Vec3(0);  // nor what is not finite
-    else comb[i] = squared > kMaxComb * kMaxComb ? across * (kMaxComb / std::sqrt(squared)) : across;
+    else comb[i] = squared > kMaxComb * kMaxComb * (1 + kRounding) ? across * (kMaxComb / std::sqrt(squared)) : across;
   }
   return comb;
 }

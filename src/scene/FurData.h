@@ -1,7 +1,7 @@
 // The fur of a mesh in a file.
 //
 // A .glb has it in the extension WETFUR_fur (WETFUR_fur.schema.json in this folder): the state of the program, groom and
-// wetness as maps over the mesh's atlas, the comb for each vertex, and whiskers. A .fo has a length and a type for each vertex.
+// wetness as maps over the mesh's atlas, the comb for each vertex, whiskers, long hair, water, and a coat that was read. A .fo has a length and a type for each vertex.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,9 @@
 
 namespace fur::scene {
 
-inline constexpr int kFurVersion = 1;  // of WETFUR_fur
+inline constexpr int kFurVersion = 2;  // of WETFUR_fur
+
+inline constexpr std::size_t kMostWaterBytes = 16u << 20;
 
 struct FurData {
   std::string state;  // for readState(); "" when there is none
@@ -27,6 +29,8 @@ struct FurData {
   std::vector<groom::Whisker> whiskers{};  // roots in model space; not validated yet; at most kMostWhiskers
   std::vector<Vec4> wetness{};  // wetnessSize * wetnessSize texels as wet::WetnessMask has them, or empty
   int wetnessSize = 0;
+  std::vector<std::uint8_t> water{};    // all of it as app::WaterStage saves it; not validated yet; at most kMostWaterBytes
+  std::vector<std::uint8_t> typeSet{};  // a .fts whose coat is drawn; not validated yet
   hair::Hairstyle hair{};  // positions in model space
 };
 

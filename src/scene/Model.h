@@ -9,6 +9,7 @@
 
 #include "core/Result.h"
 #include "geometry/Mesh.h"
+#include "geometry/Surface.h"
 #include "scene/FurData.h"
 #include "scene/Rig.h"
 
@@ -63,10 +64,35 @@ Result<Model> importObj(std::span<const std::uint8_t> bytes, const std::string& 
 // become the last one, with a warning.
 Result<Model> importFo(std::span<const std::uint8_t> bytes, const std::string& name);
 
-// Parts of a glTF file that exportScene() does not write, each as a phrase with counts and names ("2 of 3 materials"); `bytes`
-// and `others` are the files the model was read from. Empty for other formats.
-using FindLosses = Warnings(const Model& model, std::span<const std::uint8_t> bytes, const FileSet& others);
-FindLosses lostBySaving;
+// A glTF document as it was read.
+struct SourceFile {
+  std::string name;
+  std::vector<std::uint8_t> bytes;
+  FileSet others;
+};
+
+// How fur lies on a document, whose primitives stay as they are: where the corners of its triangles are in the atlas.
+struct FurSurface {
+  std::size_t vertices = 0;            // of the model's mesh
+  std::vector<std::uint32_t> indices;  // three a triangle of the model's mesh, into the two below
+  std::vector<Vec2> atlas;
+  std::vector<std::uint32_t> charts;
+};
+
+FurSurface furSurface(const geometry::Surface& surface, const geometry::Mesh& mesh);
+
+// Documents are saved whole: nodes, skins, morph targets, animations, cameras, lights, materials, extras and unknown extensions as
+// they were, with another WETFUR_fur. For programs that save; without, the viewer's download is spared it.
+struct DocumentKeeping {
+  // Whether there is more in it than exportScene() writes.
+  bool (*isDocument)(const SourceFile& source);
+  // Files beside it that the saved one still needs, each as a phrase.
+  Warnings (*beside)(const SourceFile& source);
+  // A .glb of a document that has been read before. Of `fur`, the comb is one a vertex of the model's mesh; positions are in model
+  // space, and bodies have the file's nodes for bones.
+  std::vector<std::uint8_t> (*write)(const SourceFile& source, const FurSurface& surface, const FurData& fur);
+};
+extern const DocumentKeeping kDocumentKeeping;
 
 // A .glb with positions, normals, uv and indices only.
 std::vector<std::uint8_t> exportGlb(const geometry::Mesh& mesh, const std::string& name);

@@ -320,8 +320,25 @@ void Water::save(ByteWriter& to) const {
 
 void Water::restore(ByteReader& from) {
   reset();
-  from(drops_, puddles_, incoming_, groundWet_, groundMoves_, random_, rainDue_, steps_, accounts_);
+  std::uint8_t groundWet = 0, groundMoves = 0;  // a bool has two values, a byte of a file more
+  from(drops_, puddles_, incoming_, groundWet, groundMoves, random_, rainDue_, steps_, accounts_);
+  groundWet_ = groundWet != 0;
+  groundMoves_ = groundMoves != 0;
   drops_.resize(std::min(drops_.size(), kMostDrops));
+  if (!isSound()) from.fail();
+}
+
+bool Water::isSound() const {
+  const auto bounded = [](double value) { return std::abs(value) <= double{kMostAmount}; };
+  const Accounts& a = accounts_;
+  const double lost = a.dripped + a.evaporated + a.removed;
+  return rainDue_ >= 0 && rainDue_ <= 1 && std::isfinite(a.painted + a.rained + a.drops + lost) &&
+         std::all_of(puddles_.begin(), puddles_.end(), bounded) && std::all_of(incoming_.begin(), incoming_.end(), bounded) &&
+         std::all_of(drops_.begin(), drops_.end(), [&](const Drop& drop) {
+           const Vec3 &p = drop.position, &v = drop.velocity;
+           const float numbers[] = {p.x, p.y, p.z, drop.radius, v.x, v.y, v.z, drop.water, drop.jet, drop.splash};
+           return std::all_of(std::begin(numbers), std::end(numbers), bounded);
+         });
 }
 
 std::uint64_t Water::hash(const WetnessMask& mask) const {

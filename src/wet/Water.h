@@ -78,7 +78,10 @@ class Water {
   // and the tools do nothing.
   bool prepare(const WetSurface& skin, std::uint32_t places = 0xffffffffu);
   bool ready() const { return ready_; }
-  // All state but the mask. Restore into a Water that is not prepared yet, for the same model and mask.
+  // More than there ever is in one place, or than a drop has of anything.
+  static constexpr float kMostAmount = 1e5f;
+  // All state but the mask. Restore into a Water that is not prepared yet, for the same model and mask. The reader fails where
+  // numbers are not finite or out of bounds.
   void save(ByteWriter& to) const;
   void restore(ByteReader& from);
 
@@ -126,6 +129,7 @@ class Water {
     float held[kPlaces], film[kPlaces];
   };
 
+  bool isSound() const;
   void notice(const WetSurface& skin, WetnessMask& mask);
   void noticeHair(const WetHair& hair);
   bool meetHair(WetHair& hair, Drop& drop, const Vec3& way);

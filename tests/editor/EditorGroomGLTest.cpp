@@ -1,7 +1,7 @@
 // The brushes that programs with an editor have, at work on a sphere.
 #include "app/editor/EditorGroom.h"
 
-#include "native/ImageDecode.h"
+#include "scene/ImageDecode.h"
 #include "tests/render/Picture.h"
 
 namespace fur::app {
@@ -307,7 +307,7 @@ TEST(EditorGroom, SavedMapsComeBackByTheNamesOfTheirFiles) {
                                              "sphere-map-shape.png", "sphere-map-comb.png", "sphere-map-wetness.png", "sphere-map-layout.png"}));
   studio.app.clearGroom();
   for (const std::size_t i : {0, 1, 2, 4, 3}) {
-    auto image = native::decodeImage(files[i].bytes);
+    auto image = scene::decodeImage(files[i].bytes);
     ASSERT_TRUE(image) << files[i].name;
     // As somebody drops it: what it is asked to be is a length map.
     studio.app.groomFromFile(groom::ImageOf::Length, files[i].name, image->width, image->height, image->rgba);

@@ -184,7 +184,7 @@ TEST(FurData, HostileOnesAreTypedErrors) {
   EXPECT_EQ(idOf(withExtension("7")), ErrorId::BadFile);
   EXPECT_EQ(idOf(withExtension("{}")), ErrorId::BadFile);
   EXPECT_EQ(idOf(withExtension(R"({"version":"1"})")), ErrorId::BadFile);
-  EXPECT_EQ(idOf(withExtension(R"({"version":2})")), ErrorId::UnsupportedVersion);
+  EXPECT_EQ(idOf(withExtension(R"({"version":3})")), ErrorId::UnsupportedVersion);
   EXPECT_EQ(idOf(withExtension(R"({"version":1,"state":[]})")), ErrorId::BadFile);
   EXPECT_EQ(idOf(withExtension(R"({"version":1,"state":{"version":9}})")), ErrorId::UnsupportedVersion);
   EXPECT_EQ(idOf(withExtension(R"({"version":1,"groom":3})")), ErrorId::BadFile);

@@ -288,7 +288,7 @@ TEST(HairData, BodiesThatAreNotSoundAreNamed) {
 TEST(HairData, HasTheCoordinatesOfTheGroom) {
   HairyFile file;
   file.groom = R"(,"groom":{"size":16,"bufferView":2,"texCoord":1})";
-  expectBad(file, "WETFUR_fur: hair has another texCoord than groom or wetness");
+  expectBad(file, "WETFUR_fur.hair has another texCoord than the maps before it");
   file.groom = R"(,"groom":{"size":16,"bufferView":2,"texCoord":0})";
   EXPECT_TRUE(file.read());
 }

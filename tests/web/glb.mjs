@@ -44,7 +44,14 @@ export function tetrahedron({ change = () => {}, positions, indices, uri } = {})
   return { json, binary, glb: () => glb(json, binary) };
 }
 
-/** A model with much that a saved scene is without. */
+/** A .gltf whose image did not come along. */
+export const incomplete = (() => {
+  const { json, binary } = tetrahedron({ change: (made) => { made.images = [{ uri: 'gone.png' }]; } });
+  json.buffers[0].uri = `data:;base64,${binary.toString('base64')}`;
+  return Buffer.from(JSON.stringify(json));
+})();
+
+/** A model with much that is not fur. */
 export const furnished = tetrahedron({
   change: (json) => {
     json.materials = [{}, { extensions: { KHR_materials_clearcoat: {} } }];

@@ -170,10 +170,41 @@ test('paint of the editor shows, stays when the editor is closed, and is in the 
   assert.deepEqual(page.problems, []);
 });
 
-test('a link says that the groom is not in it', async () => {
+test('a link takes the groom along; where it does not fit it says so and offers the file', async () => {
   const page = await site.open(`?${plain}&src=sphere`, { permissions: ['clipboard-read', 'clipboard-write'] });
+  const copy = async () => {
+    await page.click('#share');
+    await page.click('#link');
+    await page.waitForSelector('#messages .message');
+    const said = await page.textContent('#messages .message p');
+    await page.click('#messages [aria-label=Dismiss]');
+    return [said, new URL(await page.evaluate(() => navigator.clipboard.readText())).search];
+  };
   await withFur(page, (fur) => fur.groom('length', 0.5));
-  await page.click('#share');
-  await page.click('#link');
-  await page.waitForSelector('#messages .message:has-text("without the groom")');
+  const [said, link] = await copy();
+  assert.equal(said, 'Link copied');
+  const groomOf = (fur) => [...fur.fur.document.groom];
+  const second = await site.open(link);
+  assert.deepEqual(await withFur(second, groomOf), await withFur(page, groomOf));
+  assert.equal(await withFur(second, (fur) => fur.canUndo), false);
+  await second.close();
+  await withFur(page, (fur) => {
+    const { groom } = fur.fur.document;
+    let seed = 1;
+    for (let i = 16; i < 16 + 40000; i++) groom[i] = (seed = (seed * 1664525 + 1013904223) % 2 ** 32) >>> 24;
+    fur.fur.takeParts({ groom });
+  });
+  assert.equal((await copy())[0], 'Link copied, without the groom');
+});
+
+test('a groom in a link that is none, or unfolds to too much, is told, and the rest of it is shown', async () => {
+  const { deflated, mostUnpacked } = await import('../../web/packed.js');
+  const bomb = await deflated(new Uint8Array(mostUnpacked + 1));
+  assert.ok(bomb.length < 8192);
+  for (const groom of ['AAAA', bomb, await deflated(new Uint8Array(64))]) {
+    const page = await site.open(`?${plain}&src=plane&groom=${groom}`);
+    await page.waitForSelector('#messages .message:has-text("groom could not be read")');
+    assert.equal(await withFur(page, (fur) => fur.groomed), false);
+    await page.close();
+  }
 });

@@ -1,6 +1,7 @@
 // The modules without GL as plain C functions: what wet-fur/core stands on, in browsers and Node.
 #include "web/Boundary.h"
 #include "furgen/FurVolume.h"
+#include "scene/ImageDecode.h"
 #include "settings/Settings.h"
 #include "wet/WetnessMask.h"
 
@@ -115,8 +116,29 @@ FUR_EXPORT const double* fur_modelInfo(scene::Model* m) {
                        m->bounds.low.x, m->bounds.low.y, m->bounds.low.z, m->bounds.high.x, m->bounds.high.y,
                        m->bounds.high.z});
 }
+// Of the base colour image, as it is encoded: bytes, width, height.
+FUR_EXPORT const char* fur_modelImageType(scene::Model* m) { return m->baseColor.mimeType.c_str(); }
+FUR_EXPORT const double* fur_modelImageInfo(scene::Model* m) {
+  return web::numbers({double(m->baseColor.bytes.size()), double(m->baseColor.width), double(m->baseColor.height)});
+}
+FUR_EXPORT const std::uint8_t* fur_modelImageBytes(scene::Model* m) { return m->baseColor.bytes.data(); }
 FUR_EXPORT const char* fur_modelWarnings(scene::Model* m) {
   std::string lines;
   for (const std::string& warning : m->warnings) lines += warning + '\n';
   return web::text(lines);
 }
+
+// --- images ---
+
+FUR_EXPORT scene::Image* fur_decodeImage(const std::uint8_t* bytes, std::uint32_t size) {
+  return guarded([&]() -> scene::Image* {
+    Result<scene::Image> image = scene::decodeImage({bytes, size});
+    if (image) return new scene::Image(std::move(*image));
+    web::setError(image.error());
+    return nullptr;
+  });
+}
+FUR_EXPORT int fur_imageWidth(scene::Image* image) { return image->width; }
+FUR_EXPORT int fur_imageHeight(scene::Image* image) { return image->height; }
+FUR_EXPORT const std::uint8_t* fur_imagePixels(scene::Image* image) { return image->rgba.data(); }
+FUR_EXPORT void fur_imageFree(scene::Image* image) { delete image; }

@@ -27,8 +27,8 @@ std::map<App*, std::unique_ptr<EditorHost>> hosts;  // the handle is the App's, 
 std::string commandText;
 std::vector<EditorHost::Version> versions;  // those that were added and are not shown yet
 
-// This program saves, so its models are asked.
-const bool asksForLosses = (App::findLossesWith(scene::lostBySaving), true);
+// This program saves.
+const bool keepsDocuments = (App::keepDocuments(&scene::kDocumentKeeping), true);
 
 // And has a panel.
 const bool describesFields = (settings::describeFieldsWith(settings::tooltipOf), true);

@@ -115,6 +115,8 @@ export interface ImportedModel {
   hasTexcoords: boolean;
   /** In the file's units. */
   bounds: { low: [number, number, number]; high: [number, number, number] };
+  /** Its base colour image, for decodeImage(). */
+  image: { mimeType: string; width: number; height: number; bytes: Uint8Array } | null;
   warnings: string[];
 }
 
@@ -128,6 +130,8 @@ export interface Core {
   importModel(
     bytes: ArrayBuffer | ArrayBufferView,
     options?: { name?: string; files?: Record<string, ArrayBuffer | ArrayBufferView> }): ImportedModel;
+  /** The pixels of a PNG or JPEG, RGBA from the top, as ImageData has them. Throws a FurError. */
+  decodeImage(bytes: ArrayBuffer | ArrayBufferView): { width: number; height: number; data: Uint8ClampedArray };
   readonly equations: Equations;
   readonly settingsTable: readonly SettingsField[];
 }

@@ -135,7 +135,7 @@ export interface WetFurEventMap {
   /** `src` is null for a file that loadModel() was given. */
   load: CustomEvent<{ name: string; src: string | null }>;
   /** Bytes of a stage (total 0: unknown), and how far all of it is, 0..1. */
-  progress: CustomEvent<{ stage: 'program' | 'model' | 'fur' | 'editor' | 'coat'; loaded: number; total: number; fraction: number }>;
+  progress: CustomEvent<{ stage: 'program' | 'model' | 'fur' | 'editor' | 'coat' | 'save'; loaded: number; total: number; fraction: number }>;
   error: CustomEvent<{ code: FurErrorCode; message: string }>;
   warning: CustomEvent<{ message: string }>;
   'camera-change': CustomEvent<{ orbit: CameraOrbit }>;
@@ -246,11 +246,11 @@ export interface WetFurApi extends WetFurMethods {
   /** The model with its fur coordinates as .fo (Sheppard 2004). */
   saveFo(): Promise<Uint8Array>;
   /**
-   * Model, groom, what is wet, settings and camera as .glb; other programs show it bare. What that leaves out of the
-   * scene or of the model's file is told by an event `warning` each.
+   * The whole scene as .glb; other programs show it bare. A model that came as glTF comes back with all that was in its file.
+   * What the saved one still needs beside it is told by an event `warning` each.
    */
   save(): Promise<Uint8Array>;
-  /** What save() would leave out, each in some words, as "2 of 3 materials"; none when the saved scene has it all. */
+  /** What save() would leave out, each in some words; none when the saved scene has it all. */
   lostBySaving(): Promise<string[]>;
   /**
    * The picture of this moment drawn with everything, without panel and signs of tools; as shown or of its own size, of at

@@ -21,6 +21,14 @@ constexpr float kDryerRate = 1.6f;
 // Of save(), which browsers keep from visit to visit: another one whenever that changes.
 constexpr std::uint32_t kLayout = 4;
 
+// What files may hold: more is no water.
+bool areAmounts(std::span<const float> values) {
+  return std::all_of(values.begin(), values.end(), [](float value) { return value >= 0 && value <= wet::Water::kMostAmount; });
+}
+bool isTexel(const Vec4& texel) {
+  return std::abs(texel.x) <= 4 && std::abs(texel.y) <= 4 && texel.z >= 0 && texel.z <= 4 && texel.w >= 0 && texel.w <= wet::Water::kMostAmount;
+}
+
 }  // namespace
 
 void WaterStage::touch() { ++revision_; }
@@ -173,12 +181,18 @@ void WaterStage::readMask(const std::vector<Vec4>& from, int size) {
   restoreMask(std::move(texels));
 }
 
-std::vector<std::uint8_t> WaterStage::save() const {
+bool WaterStage::isWet() const {
+  const auto isSome = [](float amount) { return amount > 0; };
+  const auto any = [&](const auto& amounts) { return std::any_of(amounts.begin(), amounts.end(), isSome); };
+  return !mask_.isDry() || any(mask_.film()) || !water_.drops().empty() || any(water_.ground()) || (hair_ && any(hair_->waterState()));
+}
+
+std::vector<std::uint8_t> WaterStage::save(bool forFile) const {
   ByteWriter to;
   to(kLayout, mask_.texels(), mask_.film());
   water_.save(to);
   to(steps_, hair_ ? hair_->waterState() : std::vector<float>());
-  saveStrokes(to, strokes_);
+  saveStrokes(to, forFile ? std::vector<WaterStroke>() : strokes_);
   return std::move(to.bytes);
 }
 
@@ -196,6 +210,7 @@ bool WaterStage::restore(std::span<const std::uint8_t> bytes) {
   std::vector<WaterStroke> strokes = restoreStrokes(from);
   const std::size_t all = mask_.texels().size();
   if (!from.sound() || !from.atEnd() || texels.size() != all || (!film.empty() && film.size() != all)) return false;
+  if (!areAmounts(film) || !areAmounts(hair) || !std::all_of(texels.begin(), texels.end(), isTexel)) return false;
   water_ = std::move(water);
   layFor_ = 0;
   puddlesFor_ = water_.groundRevision() - 1;

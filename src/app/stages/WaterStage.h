@@ -71,6 +71,7 @@ class WaterStage {
 
   // --- what there is ---
   const wet::WetnessMask& mask() const { return mask_; }
+  bool isWet() const;  // anything is: the mask, hair, the ground, or a drop is on its way
   const wet::Water& water() const { return water_; }
   // What the picture takes of the mask, where it has changed since the last call, or all of it.
   std::vector<wet::MaskTexels> takeTexels(const ShapeStage& shape, bool all);
@@ -88,8 +89,8 @@ class WaterStage {
   void restoreMask(std::vector<Vec4> texels, std::vector<float> film = {});
   // Of a mask of another size, row-major.
   void readMask(const std::vector<Vec4>& texels, int size);
-  // All water and what was done with it, to go on in another program with the same model.
-  std::vector<std::uint8_t> save() const;
+  // All water and, unless it is for a file, what was done with it, to go on in another program with the same model.
+  std::vector<std::uint8_t> save(bool forFile = false) const;
   // False: these are no bytes of save() for this model, and nothing has changed.
   [[nodiscard]] bool restore(std::span<const std::uint8_t> bytes);
 

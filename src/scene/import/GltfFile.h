@@ -42,6 +42,7 @@ class GltfFile {
     std::size_t stride;  // 0: packed
   };
   View bufferView(Whole index) const;
+  Bytes buffer(Whole index) const;
   // The data of a URI: decoded from it, or from a file beside the model's. False when there is none.
   bool resolve(const std::string& uri, std::vector<std::uint8_t>& decoded, Bytes& bytes) const;
 
@@ -54,7 +55,6 @@ class GltfFile {
   void checkShape(Bytes text) const;
   void checkVersion() const;
   const std::vector<const Json*>& list(const char* key) const;
-  Bytes buffer(Whole index) const;
   [[noreturn]] void failWith(ErrorId id, const std::string& what) const;
 
   std::string name_;

@@ -1,6 +1,9 @@
 #include "scene/import/GltfFur.h"
 
+#include <algorithm>
+
 #include "scene/MapPlanes.h"
+#include "scene/PackBits.h"
 #include "scene/StateJson.h"
 #include "scene/import/GltfHair.h"
 #include "scene/WetnessPlanes.h"
@@ -48,6 +51,29 @@ void readWhiskers(const GltfFile& file, const Json& whiskers, FurData& fur) {
   fur.whiskers = groom::readWhiskers(bytes);
 }
 
+// See waterJson() in FurExtension.cpp.
+void readWater(const GltfFile& file, const Json& water, FurData& fur) {
+  const char* where = "WETFUR_fur.water";
+  if (!water.isObject()) file.bad("%s is not an object", where);
+  const Whole bytes = file.whole(water, "bytes", where);
+  if (bytes > kMostWaterBytes) file.fail(ErrorId::TooLarge, "%s.bytes is %llu; the limit is %zu", where, bytes, kMostWaterBytes);
+  const std::size_t words = (static_cast<std::size_t>(bytes) + 3) / 4;
+  std::vector<std::uint8_t> planes(4 * words);
+  if (!unpackBits(file.bufferView(file.whole(water, "bufferView", where)).bytes, planes)) file.bad("%s does not hold %llu bytes", where, bytes);
+  fur.water.resize(static_cast<std::size_t>(bytes));
+  for (std::size_t i = 0; i < fur.water.size(); ++i) fur.water[i] = planes[i % 4 * words + i / 4];
+}
+
+// All maps lie in the same texture coordinates.
+void noteAtlas(const GltfFile& file, const Json& part, const char* name, GltfFur& out) {
+  if (!out.surface) {
+    const Whole set = file.whole(part, "texCoord", name);
+    if (out.hasMap && set != out.atlasSet) file.bad("%s has another texCoord than the maps before it", name);
+    out.atlasSet = set;
+  }
+  out.hasMap = true;
+}
+
 }  // namespace
 
 GltfFur readFur(const GltfFile& file, FurData& fur) {
@@ -60,6 +86,7 @@ GltfFur readFur(const GltfFile& file, FurData& fur) {
   if (version > Whole{kFurVersion})
     file.fail(ErrorId::UnsupportedVersion, "WETFUR_fur has version %llu; this program reads up to %d", version, kFurVersion);
   out.present = true;
+  out.surface = found->find("surface");
   if (const Json* state = found->find("state")) {
     fur.state = state->source();
     if (auto read = readState(fur.state); !read) file.fail(read.error().id, "WETFUR_fur: %s", read.error().message.c_str());
@@ -69,23 +96,21 @@ GltfFur readFur(const GltfFile& file, FurData& fur) {
     if (groom->find("paint")) readMap(file, *groom, "paint", fur, fur.paint);
     if (groom->find("mask")) readMap(file, *groom, "mask", fur, fur.mask);
     if (groom->find("shape")) readMap(file, *groom, "shape", fur, fur.shape);
-    out.hasMap = true;
-    out.atlasSet = file.whole(*groom, "texCoord", "WETFUR_fur.groom");
+    noteAtlas(file, *groom, "WETFUR_fur.groom", out);
   }
   if (const Json* wetness = found->find("wetness")) {
     readWetness(file, *wetness, fur);
-    const Whole set = file.whole(*wetness, "texCoord", "WETFUR_fur.wetness");
-    if (out.hasMap && set != out.atlasSet) file.bad("WETFUR_fur: groom and wetness have not the same texCoord");
-    out.hasMap = true;
-    out.atlasSet = set;
+    noteAtlas(file, *wetness, "WETFUR_fur.wetness", out);
   }
+  if (const Json* water = found->find("water")) readWater(file, *water, fur);
   if (const Json* hair = found->find("hair")) {
     if (!hairReader()) file.fail(ErrorId::LongHair, "it has long hair, which this program does not grow");
     fur.hair = hairReader()->read(file, *hair, out.warnings);
-    const Whole set = file.whole(*hair, "texCoord", "WETFUR_fur.hair");
-    if (out.hasMap && set != out.atlasSet) file.bad("WETFUR_fur: hair has another texCoord than groom or wetness");
-    out.hasMap = true;
-    out.atlasSet = set;
+    noteAtlas(file, *hair, "WETFUR_fur.hair", out);
+  }
+  if (found->find("typeSet")) {
+    const Bytes bytes = file.bufferView(file.whole(*found, "typeSet", "WETFUR_fur")).bytes;
+    fur.typeSet.assign(bytes.begin(), bytes.end());
   }
   if (const Json* whiskers = found->find("whiskers")) readWhiskers(file, *whiskers, fur);
   return out;

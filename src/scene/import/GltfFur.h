@@ -10,12 +10,13 @@ namespace fur::scene {
 // What the extension at the root has; values of vertices are read with the meshes.
 struct GltfFur {
   bool present = false;
+  const Json* surface = nullptr;  // where the maps lie, for readSurface(); null: in texture coordinates
   bool hasMap = false;
-  Whole atlasSet = 0;  // of the maps
+  Whole atlasSet = 0;  // of the maps, if they lie in texture coordinates
   Warnings warnings;
 };
 
-// Fills state, maps and whiskers of `fur`; whiskers are in the file's units.
+// Fills `fur` but for the comb; without a surface whiskers and hair are in the file's units.
 GltfFur readFur(const GltfFile& file, FurData& fur);
 
 }  // namespace fur::scene

@@ -74,6 +74,18 @@ hair::Scalp readScalp(const GltfFile& file, const Json& scalp, const std::string
   return out;
 }
 
+// The nodes of the file that bodies go with; -1: none.
+void readBones(const GltfFile& file, const Json& bones, std::vector<hair::Body>& bodies) {
+  if (!bones.isArray() || bones.count() != bodies.size()) file.bad("WETFUR_fur.hair.bones does not have %zu numbers", bodies.size());
+  std::size_t i = 0;
+  for (const Json& bone : bones) {
+    const double number = bone.number();
+    if (!(number >= -1 && number < static_cast<double>(file.count("nodes")) && number == std::floor(number)))
+      file.bad("WETFUR_fur.hair.bones[%zu] is no node of the file", i);
+    bodies[i++].bone = static_cast<std::int32_t>(number);
+  }
+}
+
 std::vector<hair::Body> readBodies(const GltfFile& file, const Json& hair) {
   const Bytes bytes = file.bufferView(file.whole(hair, "bodies", "WETFUR_fur.hair")).bytes;
   const bool whole = bytes.size() % kBodyBytes == 0;
@@ -88,6 +100,7 @@ std::vector<hair::Body> readBodies(const GltfFile& file, const Json& hair) {
     if (!std::isfinite(sum.x + sum.y + sum.z + bodies[i].radius) || !(bodies[i].radius > 0))
       file.bad("WETFUR_fur.hair.bodies[%zu] has a number that is not finite, or no radius", i);
   }
+  if (const Json* bones = hair.find("bones")) readBones(file, *bones, bodies);
   return bodies;
 }
 

@@ -66,6 +66,7 @@ void GltfRig::readNodes() {
     nodeOf_[index] = static_cast<std::uint32_t>(k);
     for (const Whole child : children[index]) order.push_back(child);
     Rig::Node node;
+    node.source = static_cast<std::uint32_t>(index);
     node.parent = parents[index] < 0 ? -1 : static_cast<int>(nodeOf_[static_cast<std::size_t>(parents[index])]);
     const Json& json = file_.element("nodes", index);
     const std::string where = formatted("nodes[%llu]", index);

@@ -11,6 +11,7 @@
 #include "scene/import/GltfMaterials.h"
 #include "scene/import/GltfNodes.h"
 #include "scene/import/GltfRig.h"
+#include "scene/import/GltfSurface.h"
 #include "scene/import/Readers.h"
 
 namespace fur::scene {
@@ -35,15 +36,14 @@ class Importer {
     if (model_.mesh.indices.empty()) file_.bad("there are no triangles in it");
     if (!anyTexcoords_) model_.mesh.uv.clear();
     model_.hasTexcoords = anyTexcoords_ && !missingTexcoords_;
-    checkFur();
+    checkTexcoords();
     materials_.describe(model_);
     model_.bounds = geometry::bounds(model_.mesh);
     const geometry::Fit fit = geometry::fitToUnitSphere(model_.mesh);
     model_.rig.centre = Vec3(fit.centre);
     model_.rig.scale = static_cast<float>(fit.scale);
     if (!model_.rig.moves()) model_.rig = {};
-    for (groom::Whisker& whisker : model_.fur.whiskers) whisker.root = fit.of(whisker.root);
-    if (hairReader()) hairReader()->fit(file_, model_.fur.hair, fit);
+    placeFur(fit);
   }
 
  private:
@@ -216,8 +216,9 @@ class Importer {
 
   void readFurAttributes(const Json& attributes, const glm::dmat4& transform, std::size_t vertices, const std::string& where) {
     if (!fur_.present) return;
-    if (fur_.hasMap) readOwn(model_.mesh.atlas, attributes, formatted("TEXCOORD_%llu", fur_.atlasSet), vertices, where);
+    if (fur_.hasMap && !fur_.surface) readOwn(model_.mesh.atlas, attributes, formatted("TEXCOORD_%llu", fur_.atlasSet), vertices, where);
     readOwn(model_.mesh.furUv, attributes, "_WETFUR_TILE", vertices, where);
+    if (fur_.surface) return;
     const std::vector<float> combs = ownValues(attributes, "_WETFUR_COMB", 3, vertices, where);
     if (!combs.empty()) model_.fur.comb.resize(model_.mesh.positions.size(), Vec3(0));
     for (std::size_t i = 0; i < combs.size(); i += 3) {
@@ -228,21 +229,47 @@ class Importer {
   }
 
   // All primitives have them, or none counts; a map needs coordinates of its own for every point.
-  void checkFur() {
+  void checkTexcoords() {
     geometry::Mesh& mesh = model_.mesh;
     if (!mesh.furUv.empty()) mesh.furUv.resize(mesh.positions.size(), Vec2(0));
     for (Vec2& uv : mesh.furUv) uv = usableTexcoord(uv);
     if (!model_.fur.comb.empty()) model_.fur.comb.resize(mesh.positions.size(), Vec3(0));
-    if (!fur_.hasMap) return;
+    if (!fur_.hasMap || fur_.surface) return;
     geometry::Mesh flat;
     flat.positions = mesh.positions;
     flat.uv = mesh.atlas;
     if (flat.uv.size() == flat.positions.size() && geometry::isUniqueAtlas(flat, mesh.indices)) return;
-    mesh.atlas.clear();
-    model_.fur.map.clear();
-    model_.fur.wetness.clear();
-    model_.fur.hair = {};
-    warn("groom, wetness and hair are left out: their texture coordinates are missing, overlap or lie outside of the map");
+    leaveOutFur("their texture coordinates are missing, overlap or lie outside of the map");
+  }
+
+  void leaveOutFur(const char* why) {
+    model_.mesh.atlas.clear();
+    FurData kept;
+    kept.state = std::move(model_.fur.state);
+    kept.comb = std::move(model_.fur.comb);
+    kept.typeSet = std::move(model_.fur.typeSet);
+    if (!fur_.surface) kept.whiskers = std::move(model_.fur.whiskers);
+    model_.fur = std::move(kept);
+    warn(std::string("groom, wetness and hair are left out: ") + why);
+  }
+
+  // The mesh has been fitted. On a document everything is in model space.
+  void placeFur(const geometry::Fit& fit) {
+    const bool onDocument = fur_.surface != nullptr;
+    if (onDocument && !readSurface(file_, *fur_.surface, model_)) leaveOutFur("the model is another than when they were saved");
+    for (groom::Whisker& whisker : model_.fur.whiskers)
+      if (!onDocument) whisker.root = fit.of(whisker.root);
+    if (!hairReader()) return;
+    hairReader()->fit(file_, model_.fur.hair, onDocument ? geometry::Fit{glm::dvec3(0), 1} : fit);
+    for (hair::Body& body : model_.fur.hair.bodies) body.bone = boneOf(body.bone);
+  }
+
+  // Of a node of the file.
+  std::int32_t boneOf(std::int32_t node) const {
+    const auto& nodes = model_.rig.nodes;
+    for (std::size_t i = 0; node >= 0 && i < nodes.size(); ++i)
+      if (nodes[i].source == static_cast<std::uint32_t>(node)) return static_cast<std::int32_t>(i);
+    return -1;
   }
 
   void append(const geometry::Mesh& part) {

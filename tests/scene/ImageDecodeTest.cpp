@@ -1,4 +1,4 @@
-#include "native/ImageDecode.h"
+#include "scene/ImageDecode.h"
 
 #include "scene/Png.h"
 
@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace fur::native {
+namespace fur::scene {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -106,7 +106,7 @@ TEST(ImageDecode, ReadsThePngsThatWeWrite) {
       // Runs of all lengths, gradients and noise.
       for (std::size_t i = 0; i < pixels.size(); ++i)
         pixels[i] = static_cast<std::uint8_t>(i % 3000 < 1200 ? 77 : i % 3000 < 2000 ? i / 5 : i * i * 2654435761u >> 13u);
-      auto image = decodeImage(scene::writePng(width, height, channels, pixels));
+      auto image = decodeImage(writePng(width, height, channels, pixels));
       ASSERT_TRUE(image) << image.error().message;
       ASSERT_EQ(image->width, width);
       ASSERT_EQ(image->height, height);
@@ -118,4 +118,4 @@ TEST(ImageDecode, ReadsThePngsThatWeWrite) {
 }
 
 }  // namespace
-}  // namespace fur::native
+}  // namespace fur::scene

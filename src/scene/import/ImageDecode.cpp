@@ -1,4 +1,4 @@
-#include "native/ImageDecode.h"
+#include "scene/ImageDecode.h"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@
 #define STBI_NO_STDIO
 #include <stb/stb_image.h>
 
-namespace fur::native {
+namespace fur::scene {
 
 namespace {
 
@@ -28,17 +28,17 @@ Result<Image> decodeImage(std::span<const std::uint8_t> bytes) {
   constexpr std::array<std::uint8_t, 3> kJpeg = {0xff, 0xd8, 0xff};
   if (!startsWith(bytes, kPng) && !startsWith(bytes, kJpeg))
     return Error{ErrorId::BadFile, "the image is neither PNG nor JPEG"};
-  if (bytes.size() > scene::kMaxFileBytes) return Error{ErrorId::TooLarge, "the image has more than 256 MiB"};
+  if (bytes.size() > kMaxFileBytes) return Error{ErrorId::TooLarge, "the image has more than 256 MiB"};
   const int size = static_cast<int>(bytes.size());
 
   Image image;
   int channels = 0;
   if (!stbi_info_from_memory(bytes.data(), size, &image.width, &image.height, &channels))
     return Error{ErrorId::BadFile, "the image's header is damaged"};
-  if (std::max(image.width, image.height) > scene::kMaxImageSide)
+  if (std::max(image.width, image.height) > kMaxImageSide)
     return Error{ErrorId::TooLarge, "the image is " + std::to_string(image.width) + " x " +
                                         std::to_string(image.height) + ", the limit of a side is " +
-                                        std::to_string(scene::kMaxImageSide)};
+                                        std::to_string(kMaxImageSide)};
 
   const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
       stbi_load_from_memory(bytes.data(), size, &image.width, &image.height, &channels, 4), stbi_image_free);
@@ -49,4 +49,4 @@ Result<Image> decodeImage(std::span<const std::uint8_t> bytes) {
   return image;
 }
 
-}  // namespace fur::native
+}  // namespace fur::scene

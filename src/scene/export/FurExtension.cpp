@@ -1,0 +1,90 @@
+#include "scene/export/FurExtension.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/Json.h"
+#include "hair/HairFields.h"
+#include "scene/MapPlanes.h"
+#include "scene/PackBits.h"
+#include "scene/WetnessPlanes.h"
+
+namespace fur::scene {
+
+namespace {
+
+// The number of the view that holds it.
+std::string addMap(GlbWriter& writer, const std::vector<groom::GroomMap::Texel>& map) { return std::to_string(writer.addView(packMap(map))); }
+
+template <class T>
+std::string addBytes(GlbWriter& writer, const std::vector<T>& values) { return std::to_string(writer.addBytes(values)); }
+
+std::string scalpJson(GlbWriter& writer, const hair::Scalp& scalp) {
+  std::string out = "{\"name\":" + jsonString(scalp.name) + ",\"values\":" + hair::writeHairValues(scalp.values) +
+                    ",\"map\":{\"size\":" + std::to_string(scalp.map.size()) + ",\"bufferView\":" + addMap(writer, scalp.map.texels()) + "}";
+  if (scalp.guides.count() > 0)
+    out += ",\"guides\":{\"nodes\":" + std::to_string(scalp.guides.nodes) + ",\"positions\":" + addBytes(writer, scalp.guides.positions) +
+           ",\"flags\":" + addBytes(writer, scalp.guides.flags) +
+           (scalp.wetness.empty() ? "" : ",\"wetness\":" + addBytes(writer, scalp.wetness)) + "}";
+  return out + "}";
+}
+
+// With the nodes of the file that they go with, if any does.
+std::string bodiesJson(GlbWriter& writer, const std::vector<hair::Body>& bodies) {
+  std::vector<float> numbers;
+  std::string bones;
+  for (const hair::Body& body : bodies) {
+    for (const float number : {body.a.x, body.a.y, body.a.z, body.b.x, body.b.y, body.b.z, body.radius}) numbers.push_back(number);
+    bones += (bones.empty() ? "" : ",") + std::to_string(body.bone);
+  }
+  std::string out = ",\"bodies\":" + addBytes(writer, numbers);
+  const bool boned = std::any_of(bodies.begin(), bodies.end(), [](const hair::Body& body) { return body.bone >= 0; });
+  return boned ? out + ",\"bones\":[" + bones + "]" : out;
+}
+
+std::string hairJson(GlbWriter& writer, const hair::Hairstyle& hair, const std::string& atlas) {
+  std::string out = ",\"hair\":{\"scalps\":[";
+  for (const hair::Scalp& scalp : hair.scalps) out += (&scalp == hair.scalps.data() ? "" : ",") + scalpJson(writer, scalp);
+  out += "]";
+  if (!hair.bodies.empty()) out += bodiesJson(writer, hair.bodies);
+  return out + atlas + "}";
+}
+
+std::string groomJson(GlbWriter& writer, const FurData& fur, const std::string& atlas) {
+  const std::pair<const char*, const std::vector<groom::GroomMap::Texel>*> over[] = {
+      {"paint", &fur.paint}, {"mask", &fur.mask}, {"shape", &fur.shape}};
+  const std::vector<groom::GroomMap::Texel> plain(static_cast<std::size_t>(fur.mapSize) * static_cast<std::size_t>(fur.mapSize), groom::GroomMap::kPlain);
+  std::string out = ",\"groom\":{\"size\":" + std::to_string(fur.mapSize) + ",\"bufferView\":" + addMap(writer, fur.map.empty() ? plain : fur.map);
+  for (const auto& [name, map] : over)
+    if (!map->empty()) out += std::string(",\"") + name + "\":" + addMap(writer, *map);
+  return out + atlas + "}";
+}
+
+// The bytes of numbers of four bytes, plane by plane: what is dry takes no room.
+std::string waterJson(GlbWriter& writer, const std::vector<std::uint8_t>& water) {
+  const std::size_t words = (water.size() + 3) / 4;
+  std::vector<std::uint8_t> planes(4 * words);
+  for (std::size_t i = 0; i < water.size(); ++i) planes[i % 4 * words + i / 4] = water[i];
+  return ",\"water\":{\"bytes\":" + std::to_string(water.size()) + ",\"bufferView\":" + addBytes(writer, packBits(planes)) + "}";
+}
+
+}  // namespace
+
+std::string furExtension(GlbWriter& writer, const FurData& fur, const FurPlace& place) {
+  std::string out = "{\"version\":" + std::to_string(place.version);
+  if (!fur.state.empty()) out += ",\"state\":" + fur.state;
+  const bool hasMap = !(fur.map.empty() && fur.paint.empty() && fur.mask.empty() && fur.shape.empty());
+  if (hasMap && place.hasAtlas) out += groomJson(writer, fur, place.ofMaps);
+  if (!fur.wetness.empty() && place.hasAtlas)
+    out += ",\"wetness\":{\"size\":" + std::to_string(fur.wetnessSize) + ",\"bufferView\":" + addBytes(writer, packWetness(fur.wetness)) + place.ofMaps + "}";
+  if (!fur.water.empty() && place.hasAtlas) out += waterJson(writer, fur.water);
+  if (!fur.hair.empty() && place.hasAtlas) out += hairJson(writer, fur.hair, place.ofMaps);
+  if (!fur.whiskers.empty()) {
+    const auto* from = reinterpret_cast<const std::uint8_t*>(fur.whiskers.data());
+    out += ",\"whiskers\":{\"bufferView\":" + std::to_string(writer.addView({from, fur.whiskers.size() * groom::kWhiskerBytes})) + "}";
+  }
+  if (!fur.typeSet.empty()) out += ",\"typeSet\":" + addBytes(writer, fur.typeSet);
+  return out + place.ofRoot + "}";
+}
+
+}  // namespace fur::scene
