@@ -56,11 +56,18 @@ export const furnished = tetrahedron({
   change: (json) => {
     json.materials = [{}, { extensions: { KHR_materials_clearcoat: {} } }];
     json.meshes[0].primitives[0].material = 0;
-    json.nodes.push({ camera: 0 });
+    json.nodes.push({ camera: 0, extras: { whole: 1, part: 0.5, none: null } });
+    json.scenes[0].nodes.push(1);
     json.cameras = [{ type: 'perspective', name: 'front', perspective: { yfov: 1, znear: 1 } }];
     json.skins = [{ joints: [1] }];
-    json.animations = [{ name: 'walk', channels: [], samplers: [] }];
-    json.extensions = { KHR_lights_punctual: { lights: [{ type: 'point' }] } };
+    json.animations = [{ name: 'walk', channels: [{ sampler: 0, target: { node: 1, path: 'translation' } }], samplers: [{ input: 2, output: 3 }] }];
+    const moving = bufferOf(new Float32Array([0, 1, 0, 0, 0, 0, 1, 0]));
+    json.accessors.push({ bufferView: 2, componentType: 5126, count: 2, type: 'SCALAR', min: [0], max: [1] },
+      { bufferView: 2, byteOffset: 8, componentType: 5126, count: 2, type: 'VEC3' });
+    json.bufferViews.push({ buffer: 1, byteLength: moving.length });
+    json.buffers.push({ byteLength: moving.length, uri: `data:application/octet-stream;base64,${moving.toString('base64')}` });
+    json.extensionsUsed = ['KHR_lights_punctual', 'KHR_materials_clearcoat', 'EXT_unheard_of'];
+    json.extensions = { KHR_lights_punctual: { lights: [{ type: 'point' }] }, EXT_unheard_of: { deep: [1, 1.5] } };
     json.extras = { by: 'somebody' };
   },
 }).glb();
