@@ -4,7 +4,8 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { pathToFileURL } from 'node:url';
-import { badModels, hugeImage, tetrahedron } from './glb.mjs';
+import { PNG } from 'pngjs';
+import { badModels, hugeImage, pngHeader, tetrahedron, withImage } from './glb.mjs';
 import { dist } from './support.mjs';
 
 const load = (name) => import(pathToFileURL(join(dist, name)).href);
@@ -104,6 +105,20 @@ test('a .gltf takes its buffer from the files beside it', () => {
   const text = Buffer.from(JSON.stringify(json));
   assert.equal(core.importModel(text, { name: 'four.gltf', files: { 'four.bin': binary } }).triangleCount, 4);
   assert.throws(() => core.importModel(text, { name: 'four.gltf' }), /four\.bin/);
+});
+
+test('a texture is decoded without a browser', () => {
+  const png = new PNG({ width: 2, height: 1 });
+  png.data.set([1, 2, 3, 255, 250, 251, 252, 128]);
+  const { image } = core.importModel(withImage(PNG.sync.write(png)), { name: 'textured.glb' });
+  assert.deepEqual([image.mimeType, image.width, image.height], ['image/png', 2, 1]);
+  assert.deepEqual({ ...core.decodeImage(image.bytes) }, { width: 2, height: 1, data: Uint8ClampedArray.from(png.data) });
+  assert.equal(core.importModel(tetrahedron().glb()).image, null);
+});
+
+test('an image that is none, or too large, is a FurError', () => {
+  for (const [bytes, code] of [[Buffer.from('RIFF????WEBP'), 'bad-file'], [pngHeader(2), 'bad-file'], [Buffer.alloc(0), 'bad-file']])
+    assert.throws(() => core.decodeImage(bytes), (error) => error instanceof FurError && error.code === code);
 });
 
 for (const [what, bytes] of Object.entries({ ...badModels, 'an image of 20,000 pixels': hugeImage })) {

@@ -83,8 +83,9 @@ export function pngHeader(side) {
   return bytes;
 }
 
-function withImage(side) {
-  const image = `data:image/png;base64,${pngHeader(side).toString('base64')}`;
+/** A model with that PNG as its colour. */
+export function withImage(png) {
+  const image = `data:image/png;base64,${png.toString('base64')}`;
   return tetrahedron({
     change: (json) => {
       json.images = [{ uri: image }];
@@ -106,4 +107,4 @@ export const badModels = {
   'NaN positions': tetrahedron({ positions: [NaN, 1, 0, -1, -1, 1, 1, -1, 1, 0, -1, -1] }).glb(),
   'a missing external buffer': tetrahedron({ uri: 'away.bin' }).glb(),
 };
-export const hugeImage = withImage(20000);
+export const hugeImage = withImage(pngHeader(20000));

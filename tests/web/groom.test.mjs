@@ -173,11 +173,10 @@ test('paint of the editor shows, stays when the editor is closed, and is in the 
 test('a link takes the groom along; where it does not fit it says so and offers the file', async () => {
   const page = await site.open(`?${plain}&src=sphere`, { permissions: ['clipboard-read', 'clipboard-write'] });
   const copy = async () => {
+    await page.evaluate(() => document.querySelector('#messages').replaceChildren());
     await page.click('#share');
     await page.click('#link');
-    await page.waitForSelector('#messages .message');
-    const said = await page.textContent('#messages .message p');
-    await page.click('#messages [aria-label=Dismiss]');
+    const said = await (await page.waitForSelector('#messages .message p')).textContent();
     return [said, new URL(await page.evaluate(() => navigator.clipboard.readText())).search];
   };
   await withFur(page, (fur) => fur.groom('length', 0.5));
@@ -185,6 +184,7 @@ test('a link takes the groom along; where it does not fit it says so and offers 
   assert.equal(said, 'Link copied');
   const groomOf = (fur) => [...fur.fur.document.groom];
   const second = await site.open(link);
+  await second.waitForFunction(() => wetFur.groomed);  // it unfolds while the sphere is shown
   assert.deepEqual(await withFur(second, groomOf), await withFur(page, groomOf));
   assert.equal(await withFur(second, (fur) => fur.canUndo), false);
   await second.close();
