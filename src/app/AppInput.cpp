@@ -35,6 +35,23 @@ Drag dragFor(const PointerEvent& event, Tool tool, bool onModel, bool cameraCont
   return !onModel || ofTool == Drag::Orbit ? elsewhere : ofTool;
 }
 
+// What a brush of the coat does to long hair.
+Tool brushOfHair(Tool tool) {
+  switch (tool) {
+    case Tool::Comb: return Tool::HairComb;
+    case Tool::Trim:
+    case Tool::Cut: return Tool::HairCut;
+    case Tool::Grow: return Tool::HairLength;
+    default: return tool;
+  }
+}
+
+// Whether the tool does something to hair that it meets beside the skin.
+bool meetsHair(Tool tool) {
+  const Drag drag = traitsOf(tool).drag;
+  return strokeOf(tool) || brushOfHair(tool) != tool || drag == Drag::Touch || drag == Drag::Grab;
+}
+
 // The middle of all pointers, and how far they are from it, added up.
 std::pair<Vec2, float> centreAndSpan(const std::map<int, Vec2>& pointers) {
   Vec2 centre(0);
@@ -49,7 +66,15 @@ std::pair<Vec2, float> centreAndSpan(const std::map<int, Vec2>& pointers) {
 
 // --- strokes -----------------------------------------------------------------------------------
 
-void App::State::beginStroke() {
+void App::State::beginStroke(Vec2 pixel) {
+  hand.working = hand.tool;
+  if (const Tool brush = brushOfHair(hand.tool); brush != hand.tool)
+    if (const auto met = hairAt(pixel, pick(pixel))) {
+      beginHairStroke();
+      hair->select(met->scalp);
+      hand.working = brush;
+      return;
+    }
   if (grooms(hand.tool)) return beginGroomStroke();
   if (worksOnHair(hand.tool)) return beginHairStroke();
   if (const auto what = strokeOf(hand.tool)) beginWaterStroke(*what, settings.brushRadius, settings.brushFlow);
@@ -86,7 +111,7 @@ void App::State::dabAt(const geometry::SurfacePoint& at) {
 bool App::State::dabHair(Vec2 pixel, const std::optional<geometry::SurfacePoint>& hit) {
   hand.sinceDab = 0;
   const Ray ray = rayThrough(pixel);
-  hair->dab({hand.tool, ray.origin, glm::normalize(ray.direction), hit, groom.groomSurface(shape), groom.groom().mask, settings, shape,
+  hair->dab({hand.working, ray.origin, glm::normalize(ray.direction), hit, groom.groomSurface(shape), groom.groom().mask, settings, shape,
              view.unitsPerPixel(view.pixelRatio)});
   return true;
 }
@@ -97,9 +122,8 @@ std::optional<HairStage::Met> App::State::hairAt(Vec2 pixel, const std::optional
 }
 
 bool App::State::onHair(Vec2 pixel) {
-  if (strokeOf(hand.tool)) return hairAt(pixel, std::nullopt).has_value();
-  if (!worksOnHair(hand.tool)) return false;
-  return hair->meets(hairLook(pixel));
+  if (worksOnHair(hand.tool)) return hair->meets(hairLook(pixel));
+  return meetsHair(hand.tool) && hairAt(pixel, std::nullopt).has_value();
 }
 
 void App::State::paintTo(Vec2 pixel) {
@@ -131,7 +155,7 @@ void App::State::workWithHand(float seconds) {
 // Has a tool that goes on work at the cursor for a moment.
 void App::State::holdByKey() {
   if (hand.keyHold <= 0) {
-    beginStroke();
+    beginStroke(cursorPixel());
     dabAt(cursorPixel());
   }
   hand.keyHold = kKeyHold;
@@ -151,15 +175,20 @@ bool App::State::onBall(const Ray& ray) const {
 void App::State::touchAt(Vec2 pixel) {
   const Mat4 toWorld = worldFromModel();
   const auto hit = pick(pixel);
-  const auto above = [&](float height) { return Vec3(toWorld * Vec4(shape.shownPosition(*hit) + shape.shownNormal(*hit) * height, 1)); };
+  const Ray ray = rayThrough(pixel);
+  const auto met = hairAt(pixel, hit);
+  // Above the skin, or on the near side of hair.
+  const auto above = [&](float height) {
+    const Vec3 place = met ? ray.origin + glm::normalize(ray.direction) * (met->distance - height) : shape.shownPosition(*hit) + shape.shownNormal(*hit) * height;
+    return Vec3(toWorld * Vec4(place, 1));
+  };
   Touch& touch = motion.touch();
   if (hand.tool == Tool::Pet) {
-    if (!hit) return touch.lift();
+    if (!hit && !met) return touch.lift();
     return touch.stroke(above(kHandHeight * settings.brushRadius), settings.brushRadius);
   }
-  if (hit) return touch.pull(above(settings.ballSize + (1 - kPressed) * settings.furLength));
+  if (hit || met) return touch.pull(above(settings.ballSize + (1 - kPressed) * settings.furLength));
   // Beside the model: in the plane through it that faces the eye.
-  const Ray ray = rayThrough(pixel);
   const render::CameraPose camera = view.pose();
   const Vec3 origin(toWorld * Vec4(ray.origin, 1)), direction = Mat3(toWorld) * ray.direction;
   const Vec3 facing = glm::normalize(camera.eye - camera.target);
@@ -230,7 +259,7 @@ bool App::State::pointerDown(const PointerEvent& event) {
   if (hand.drag == Drag::Grab) motion.body().grab();
   if (hand.drag == Drag::Touch) touchAt(event.position);
   if (hand.drag == Drag::Paint) {
-    beginStroke();
+    beginStroke(event.position);
     dabAt(event.position);
   }
   return hand.drag != Drag::None;
@@ -295,7 +324,7 @@ bool App::State::useToolAtCursor() {
     holdByKey();
     return true;
   }
-  beginStroke();
+  beginStroke(at);
   // A comb needs a way to go: down the picture.
   if (hand.tool == Tool::Comb) dabAt(at - Vec2(0, kCursorStep * static_cast<float>(view.height)));
   const bool hit = dabAt(at);
@@ -364,16 +393,27 @@ std::vector<Vec2> App::brushRing(Vec2 pixel, bool ofMirror) const {
   const float reach = traitsOf(s.hand.tool).reach;
   if (reach <= 0) return ring;
   auto hit = s.pick(pixel);
+  const float radius = s.settings.brushRadius * reach;
+  const Mat4 toClip = s.view.clipFromWorld() * s.worldFromModel();
+  const auto corner = [](int k) { return 2 * kPi * static_cast<float>(k) / kCorners; };
+  // On hair it faces the eye.
+  if (const auto met = meetsHair(s.hand.tool) ? s.hairAt(pixel, hit) : std::nullopt) {
+    if (ofMirror) return ring;
+    const Ray ray = s.rayThrough(pixel);
+    const Vec3 way = glm::normalize(ray.direction);
+    const auto [side, up] = axesOn(-way);
+    for (int k = 0; k < kCorners; ++k)
+      ring.push_back(s.view.pixelAt(toClip * Vec4(ray.origin + way * met->distance + radius * (portableCos(corner(k)) * side + portableSin(corner(k)) * up), 1)));
+    return ring;
+  }
   if (hit && ofMirror) hit = mirrored(s.settings, s.shape, *hit);
   if (!hit) return ring;
   const Picking picking = s.picking();
-  const float radius = s.settings.brushRadius * reach;
   const Vec3 centre = s.shape.shownPosition(*hit), normal = s.shape.shownNormal(*hit);
   const Vec3 lifted = picking.seenAt(*hit) - centre;
   const auto [side, up] = axesOn(normal);
-  const Mat4 toClip = s.view.clipFromWorld() * s.worldFromModel();
   for (int k = 0; k < kCorners; ++k) {
-    const float angle = 2 * kPi * static_cast<float>(k) / kCorners;
+    const float angle = corner(k);
     Vec3 at = centre + radius * (portableCos(angle) * side + portableSin(angle) * up);
     // On the fur over the skin there.
     if (const auto skin = s.shape.shownQuery().castRay(at + radius * normal, -normal); skin && skin->distance < 2 * radius) at = picking.seenAt(*skin);

@@ -38,6 +38,7 @@ struct Document {
 // Pointers that are down, and the tool.
 struct Hand {
   Tool tool = Tool::Droplet;
+  Tool working = Tool::Droplet;  // the one of the stroke: brushes of the coat are others on long hair
   std::map<int, Vec2> pointers{};
   Drag drag = Drag::None;
   Vec2 lastPosition{0}, lastDab{0};
@@ -180,13 +181,13 @@ struct App::State {
   // Whether the key is one of them.
   bool moveCursor(std::string_view key);
   bool moveCamera(std::string_view key);
-  void beginStroke();  // with the tool
+  void beginStroke(Vec2 pixel);  // with the tool, which begins there
   void endStroke();
   // One dab of the tool where the pixel hits; false when it misses.
   bool dabAt(Vec2 pixel);
   bool dabAt(Vec2 pixel, const std::optional<geometry::SurfacePoint>& hit);  // what it hits is known
   bool dabHair(Vec2 pixel, const std::optional<geometry::SurfacePoint>& hit);
-  bool onHair(Vec2 pixel);  // the tool works on guides or bodies, or on what is wet, and one is there
+  bool onHair(Vec2 pixel);  // the tool works on guides, bodies or hair, and one is there
   // The long hair that a pixel shows, where that is nearer than the fur there.
   std::optional<HairStage::Met> hairAt(Vec2 pixel, const std::optional<geometry::SurfacePoint>& hit);
   void dabAt(const geometry::SurfacePoint& at);

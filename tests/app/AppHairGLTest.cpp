@@ -256,6 +256,62 @@ TEST(AppHair, ToolsOfWaterMeetItBesideTheSkin) {
   EXPECT_GT(salon.app.water().accounts().hair, 1.2 * before);
 }
 
+// A pixel that shows hair and no skin.
+std::optional<Vec2> besideTheSkin(Salon& salon) {
+  salon.app.setTool(Tool::Droplet);
+  for (float x = 159; x > 80; x -= 2)
+    if (const Vec2 at(x, 90); !salon.app.pick(at) && !salon.app.brushRing(at).empty()) return at;
+  return std::nullopt;
+}
+void drag(App& app, Vec2 from, Vec2 to) {
+  app.pointer({PointerPhase::Down, PointerKind::Mouse, 1, from, 1});
+  for (int k = 1; k <= 8; ++k) app.pointer({PointerPhase::Move, PointerKind::Mouse, 1, from + (to - from) * (static_cast<float>(k) / 8), 1});
+  app.pointer({PointerPhase::Up, PointerKind::Mouse, 1, to, 0});
+}
+
+TEST(AppHair, BrushesOfTheCoatCombAndTrimItWhereTheyMeetIt) {
+  for (const Tool tool : {Tool::Comb, Tool::Trim}) {
+    Salon salon;
+    salon.grow();
+    const auto beside = besideTheSkin(salon);
+    ASSERT_TRUE(beside);
+    const auto before = salon.app.hairstyle().scalps[0].guides.positions;
+    const float yaw = salon.app.camera().yaw;
+    salon.app.setTool(tool);
+    EXPECT_FALSE(salon.app.brushRing(*beside).empty());
+    drag(salon.app, *beside, *beside + Vec2(0, 20));
+    EXPECT_EQ(salon.app.camera().yaw, yaw);
+    EXPECT_NE(salon.app.hairstyle().scalps[0].guides.positions, before);
+    EXPECT_TRUE(salon.app.undo());
+    EXPECT_EQ(salon.app.hairstyle().scalps[0].guides.positions, before);
+  }
+}
+
+TEST(AppHair, IsPettedAndPressedBesideTheSkin) {
+  for (const Tool tool : {Tool::Pet, Tool::Ball}) {
+    Salon salon;
+    salon.grow();
+    // Wide enough to meet guides, which are some way from each other.
+    salon.app.setField("brushRadius", "0.4");
+    salon.app.setField("ballSize", "0.4");
+    const auto beside = besideTheSkin(salon);
+    ASSERT_TRUE(beside);
+    run(salon.app, 0.2f);
+    const auto nodes = [&] { return std::vector<hair::GuideNode>(salon.app.hairNodes(0).begin(), salon.app.hairNodes(0).end()); };
+    const auto before = nodes();
+    const float yaw = salon.app.camera().yaw;
+    salon.app.setTool(tool);
+    salon.app.pointer({PointerPhase::Down, PointerKind::Mouse, 1, *beside, 1});
+    run(salon.app, 0.3f);
+    salon.app.pointer({PointerPhase::Move, PointerKind::Mouse, 1, *beside + Vec2(0, 10), 1});
+    run(salon.app, 0.3f);
+    EXPECT_EQ(salon.app.camera().yaw, yaw);
+    float most = 0;
+    for (std::size_t i = 0; i < before.size(); ++i) most = std::max(most, glm::distance(nodes()[i].position, before[i].position));
+    EXPECT_GT(most, 0.01f);
+  }
+}
+
 TEST(AppHair, WaterInItGoesToAnotherAppAndIntoAScene) {
   Salon salon, other;
   salon.app.setField("stayWet", "true");

@@ -137,7 +137,8 @@ std::optional<HairStage::Met> GrownHair::meet(const ShapeStage& shape, const Vec
   // The hair that is rooted at the very spot may lie on it.
   const float farthest = hit ? glm::dot(shape.shownPosition(*hit) - origin, direction) : 1e9f;
   const Vec3 from(worldFromModel_ * Vec4(origin, 1)), along = Mat3(worldFromModel_) * direction;
-  for (LiveScalp& live : scalps_) {
+  for (std::size_t i = 0; i < scalps_.size(); ++i) {
+    LiveScalp& live = scalps_[i];
     const auto spot = live.water.meet(live.shown(), from, along);
     if (!spot) continue;
     const float distance = glm::dot(spot->position - from, along);
@@ -145,7 +146,7 @@ std::optional<HairStage::Met> GrownHair::meet(const ShapeStage& shape, const Vec
     constexpr float kReach = 1e-2f;  // wisps grow on the surface
     const hair::Wisp& wisp = live.growth.wisps[spot->wisp];
     const auto root = geometry::nearestPoint(shape.surface(), shape.query(), wisp.root, kReach, wisp.normal);
-    if (root) best = Met{*root, spot->height, distance};
+    if (root) best = Met{*root, spot->height, distance, i};
   }
   return best;
 }

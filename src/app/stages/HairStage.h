@@ -79,6 +79,7 @@ class HairStage {
   const hair::Hairstyle& style() const { return style_; }
   virtual void setStyle(hair::Hairstyle) {}
   std::size_t selected() const { return selected_; }  // the scalp that tools work on
+  void select(std::size_t scalp) { selected_ = scalp; }
   // JSON: [{"name","guides","wisps","selected","values":{all of them}}].
   virtual std::string describe() const { return "[]"; }
 
@@ -133,11 +134,12 @@ class HairStage {
   // All of its water, for undo and files. Empty: it is dry; of other hair: it becomes dry.
   virtual std::vector<float> waterState() const { return {}; }
   virtual void setWaterState(std::vector<float>) {}
-  // Where a ray (model space, `direction` unit) meets hair: its root on the surface, the share of its length up to there, and how far
-  // along the ray.
+  // Where a ray (model space, `direction` unit) meets hair: its root on the surface, the share of its length up to there, how far
+  // along the ray, and what scalp it is of.
   struct Met {
     geometry::SurfacePoint root;
     float height, distance;
+    std::size_t scalp;
   };
   // `hit`: what the ray meets of the fur otherwise, which hides what is behind it.
   virtual std::optional<Met> meet(const ShapeStage&, const Vec3& /*origin*/, const Vec3& /*direction*/, const std::optional<geometry::SurfacePoint>& /*hit*/) { return std::nullopt; }
