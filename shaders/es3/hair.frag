@@ -68,7 +68,9 @@ void main() {
 #ifdef WET
   // Water narrows the highlight (Silva et al. 2010, Eq. 3), but where all strands bend above their roots: there it would be a spot.
   float held = vBand.w, narrows = mix(0.35, 2.0, smoothstep(0.2, 0.6, h));
-  vec3 color = shadeStrand(lights, wetAlbedo(albedo, held), along, vTurned.xy, vTurned.w, open, held, strand, hairShininess * mix(1.0, narrows, min(1.5 * held, 1.0)), vLight.y);
+  // Wet strands cling together and mirror as one: what each by itself shines along a bend goes with the first water.
+  float shine = vLight.y * (1.0 - 0.6 * min(2.0 * held, 1.0));
+  vec3 color = shadeStrand(lights, wetAlbedo(albedo, held), along, vTurned.xy, vTurned.w, open, held, strand, hairShininess * mix(1.0, narrows, min(1.5 * held, 1.0)), shine);
   vec2 mirrored = strandGloss(along, vTurned.x, vTurned.w, held, h, strand);
   color += mirrored.x * vLight.x * keyLight.rgb + mirrored.y * skyLight(vTurned.z);
 #else

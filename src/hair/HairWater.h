@@ -2,11 +2,11 @@
 // of it where it is shaken.
 //
 // Each node of a guide has a wetness: its water as a share of what soaks the hair that follows the guide there, 1 being soaked,
-// kFull where water runs down it as well. A drop hangs on each guide at most. Amounts are in units of what soaks a square model unit
+// kFull where water runs down it as well. Up to three drops hang from the wisps that follow a guide. Amounts are in units of what soaks a square model unit
 // of fur (wet/Water.h), and are conserved: what comes is what was taken, what goes is a drop or has dried.
 //
 // Hair dries the faster the thinner it is: tips first. What it does not hold runs to the lower node; at the lowest it gathers in
-// the drop, which falls from the tip of a wisp there when it is too heavy. Where a node is jerked harder than water clings, drops fly
+// drops at the tips of wisps there, which fall when they are too heavy. Where a node is jerked harder than water clings, drops fly
 // off with its velocity.
 //
 // Steps are fixed; the same calls give the same bits on every platform. Nothing is done for dry hair. Positions are in world space.
@@ -81,9 +81,9 @@ class HairWater {
   double evaporate(const ShownHair& hair, const HairAir& air, std::size_t guide);
   bool run(const ShownHair& hair, std::size_t guide);
   bool gather(const ShownHair& hair, std::size_t guide);
-  void drip(const ShownHair& hair, std::size_t guide, std::vector<HairDrop>& drops);
+  void drip(const ShownHair& hair, std::size_t guide, float share, std::vector<HairDrop>& drops);
   bool throwOut(const ShownHair& hair, std::size_t guide, std::vector<HairDrop>& drops);
-  WispSpot dropSpot(const ShownHair& hair, std::size_t guide) const;
+  WispSpot dropSpot(const ShownHair& hair, std::size_t guide, std::uint32_t which) const;
   void wake() { wet_ = moves_ = true; }
 
   std::size_t nodes_ = 0;
@@ -95,7 +95,7 @@ class HairWater {
   struct Drop {
     float water = 0;
     std::uint16_t node = 0;    // where it hangs
-    std::uint32_t chosen = 0;  // of the wisps that follow the guide: another one for each drop
+    std::uint32_t chosen = 0;  // of the wisps that follow the guide: the one from which a drop falls next; others hang from those after it
   };
   std::vector<Drop> drops_;
   std::vector<std::uint16_t> last_;  // its last node that holds water

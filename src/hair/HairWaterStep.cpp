@@ -1,6 +1,7 @@
 // What happens to water in hair within a step (HairWater.h).
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/PortableMath.h"
 #include "hair/HairWater.h"
@@ -12,10 +13,12 @@ namespace {
 // Wetness that stays where it is; what is more runs, so fast where hair is plumb.
 constexpr float kClings = 0.6f, kRuns = 1.2f;  // model units / s
 constexpr float kMostRuns = 0.5f;              // share of it in a step
-// Water creeps along hair where wetness differs by more from node to node: a share of that in a second.
-constexpr float kCreepsFrom = 0.08f, kCreeps = 1.5f;
-// At the lowest node it goes into the drop: a share in a second. Amount that is too heavy to hang, and that is let go of at once.
+// Water creeps along hair where wetness differs by more from node to node: a share of that in a second, faster downwards.
+constexpr float kCreepsFrom = 0.08f, kCreeps = 1.5f, kCreepsDown = 6.0f;
+// At the lowest node it hangs: a share in a second. Amount of a drop that is too heavy to, and of all that is let go of at once.
 constexpr float kGathers = 2.5f, kFalls = 1.2e-3f, kLargest = 4e-3f;
+// It hangs from some wisps, each with a third of what the one before has; the first is the next to fall.
+constexpr float kHangs[] = {0.7f, 0.21f, 0.09f};
 // Dry hair is so much faster than fur: at the root, and more of it to the tip, where air comes to it from all sides.
 constexpr float kDriesRoot = 0.5f, kDriesTip = 1.5f;
 constexpr float kDropDries = 2e-3f;  // as a drop that hangs from fur: square model units of half-wet fur that lose as much
@@ -66,7 +69,7 @@ bool HairWater::run(const ShownHair& hair, std::size_t guide) {
     const std::size_t from = fall > 0.0f ? a : b, to = fall > 0.0f ? b : a;
     const float flows = std::max(wetness_[from] - kClings, 0.0f) * std::min(kRuns * kStep * std::abs(fall) / length, kMostRuns) * capacity_[from];
     const float least = std::min(capacity_[a], capacity_[b]), apart = wetness_[from] - wetness_[to];
-    const float creeps = std::max(std::abs(apart) - kCreepsFrom, 0.0f) * (kCreeps * kStep * least);
+    const float creeps = std::max(std::abs(apart) - kCreepsFrom, 0.0f) * ((apart > 0.0f ? kCreepsDown : kCreeps) * kStep * least);
     // From `from` to `to`; back where water creeps up.
     const float wanted = flows + (apart > 0.0f ? creeps : -creeps);
     const std::size_t giver = wanted > 0.0f ? from : to, taker = wanted > 0.0f ? to : from;
@@ -97,26 +100,26 @@ bool HairWater::gather(const ShownHair& hair, std::size_t guide) {
   return moves;
 }
 
-WispSpot HairWater::dropSpot(const ShownHair& hair, std::size_t guide) const {
+WispSpot HairWater::dropSpot(const ShownHair& hair, std::size_t guide, std::uint32_t which) const {
   const std::uint32_t from = followersOf_[guide], count = followersOf_[guide + 1] - from;
   const Drop& drop = drops_[guide];
   if (count == 0) return {0, 0, hair.nodes[guide * nodes_ + drop.node].position};
-  WispSpot spot{followers_[from + drop.chosen % count], 0, {}};
+  WispSpot spot{followers_[from + (drop.chosen + which) % count], 0, {}};
   const Wisp& wisp = hair.wisps[spot.wisp];
   spot.height = drop.node >= last_[guide] ? 0.98f : std::min(static_cast<float>(drop.node) / (static_cast<float>(nodes_ - 1) * wisp.length), 0.98f);
   spot.position = wispPoint(wisp, hair.nodes, hair.nodesEach, hair.shape, spot.height).position;
   return spot;
 }
 
-void HairWater::drip(const ShownHair& hair, std::size_t guide, std::vector<HairDrop>& drops) {
+void HairWater::drip(const ShownHair& hair, std::size_t guide, float share, std::vector<HairDrop>& drops) {
   Drop& drop = drops_[guide];
   const std::size_t node = guide * nodes_ + drop.node;
-  HairDrop out{dropSpot(hair, guide).position, jerks_.empty() ? Vec3(0) : velocities_[node], drop.water};
+  HairDrop out{dropSpot(hair, guide, 0).position, jerks_.empty() ? Vec3(0) : velocities_[node], share * drop.water};
   // Down into the skin where hair stands on it.
   if (drop.node == 0) out.velocity += hair.nodes[node].frame * Vec3(0, -1, 0);
   drops.push_back(out);
-  drop.water = 0;
-  drop.chosen += 1 + random_.next() % 7;
+  drop.water -= out.water;
+  ++drop.chosen;
 }
 
 bool HairWater::throwOut(const ShownHair& hair, std::size_t guide, std::vector<HairDrop>& drops) {
@@ -133,7 +136,7 @@ bool HairWater::throwOut(const ShownHair& hair, std::size_t guide, std::vector<H
     moves = true;
   }
   if (!moves || drop.water < kSpray) return moves;
-  drip(hair, guide, drops);
+  drip(hair, guide, 1, drops);
   Vec3& velocity = drops.back().velocity;
   // In braces: their order is the same with every compiler.
   const Vec3 aside{random_.uniform(-1, 1), random_.uniform(-1, 1), random_.uniform(-1, 1)};
@@ -157,7 +160,8 @@ double HairWater::step(const ShownHair& hair, const HairAir& air, std::vector<Ha
     moves |= run(hair, guide);
     moves |= gather(hair, guide);
     if (drops.size() >= end) continue;
-    if (drops_[guide].water > (drops_[guide].node == 0 ? kSpray : kFalls)) drip(hair, guide, drops), moves = true;
+    const float share = drops_[guide].node == 0 ? 1.0f : kHangs[0];
+    if (share * drops_[guide].water > (drops_[guide].node == 0 ? kSpray : kFalls)) drip(hair, guide, share, drops), moves = true;
     else if (!jerks_.empty()) moves |= throwOut(hair, guide, drops);
   }
   moves_ = moves || !jerks_.empty();
@@ -184,10 +188,11 @@ void HairWater::dry(float drying) {
 }
 
 std::vector<HairWater::Hanging> HairWater::hanging(const ShownHair& hair) const {
-  constexpr float kSeen = 1e-4f;
+  constexpr float kSeen = 2e-4f;
   std::vector<Hanging> out;
   for (std::size_t g = 0; wet_ && g < drops_.size(); ++g)
-    if (drops_[g].water > kSeen) out.push_back({drops_[g].water, dropSpot(hair, g)});
+    for (std::uint32_t k = 0; k < std::size(kHangs); ++k)
+      if (const float water = kHangs[k] * drops_[g].water; water > kSeen) out.push_back({water, dropSpot(hair, g, k)});
   return out;
 }
 

@@ -13,8 +13,9 @@ namespace {
 // Hair whose nodes all stay within this for so long is at rest: nobody sees it move.
 constexpr float kStill = 2e-4f;  // model units
 constexpr std::uint32_t kStillSteps = 60;
-// Heavy hair that is pressed on a collider may fold one way and the other for ever: so long after anything has moved it, it lies, s.
-constexpr float kLongestUnrest = 15;
+// Heavy hair that is pressed on a collider may fold one way and the other for ever: so long after anything has moved it, it begins to
+// move as in syrup, and then lies, s.
+constexpr float kLongSwing = 5, kLongestUnrest = 15;
 constexpr std::uint32_t kFeltSteps = 4;  // from one look at wind and crowding to the next: they change slowly
 
 // Chosen by eye for a mane of half the model's radius.
@@ -22,9 +23,11 @@ constexpr float kGravity = 40;         // model units / s^2 at gravity 1
 constexpr float kWind = 25;            // model units / s^2 at wind 1, of hair of middling weight
 constexpr float kUpsideDown = 0.35f;   // alpha / k of the tilt term
 
-StepValues stepValues(const MotionValues& values, const Vec3& up) {
+// `undisturbed`: seconds since anything has moved the hair.
+StepValues stepValues(const MotionValues& values, const Vec3& up, float undisturbed) {
   // From a floating swing to one that ends at once; water swings less still.
-  const float dry = 1.5f + 20.0f * values.damping * values.damping, wet = 3.0f * dry + 6.0f;
+  const float syrup = 20.0f * std::max(undisturbed - kLongSwing, 0.0f);
+  const float dry = 1.5f + 20.0f * values.damping * values.damping + syrup, wet = 3.0f * dry + 6.0f;
   StepValues out;
   out.keepDry = portableExp(-dry * kStep);
   out.keepWet = portableExp(-wet * kStep);
@@ -158,7 +161,7 @@ void Simulation::feel(float share) {
 
 // `share`: how far between what was given to the last call and what is given to this; `stepShare`: of that, a step.
 void Simulation::step(float share, float stepShare) {
-  const StepValues values = stepValues(now_.values, last_.up + (now_.up - last_.up) * share);
+  const StepValues values = stepValues(now_.values, last_.up + (now_.up - last_.up) * share, static_cast<float>(undisturbed_) * kStep);
   if (stale_ || steps_ % kFeltSteps == 0) feel(share);
   obstacles_ = obstaclesBetween(last_.colliders, now_.colliders, share, stepShare);
   for (std::size_t cluster = 0; cluster < detail_.clusters(); ++cluster) stepCluster(cluster, values, share);

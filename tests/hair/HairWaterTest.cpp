@@ -129,7 +129,12 @@ TEST(HairWater, RunsDownAndDripsFromTheTips) {
   hair.water.move(hair.nodes_(), 0);
   hair.water.soak(1);
   const float above = hair.mean(1);
-  for (int i = 0; i < 300; ++i) hair.step();
+  std::size_t hung = 0;
+  for (int i = 0; i < 300; ++i) {
+    hair.step();
+    hung = std::max(hung, hair.water.hanging(hair.shown()).size());
+  }
+  EXPECT_GT(hung, hair.mane.guides.count()) << "several from each guide's wisps";
   EXPECT_LT(hair.mean(1), above);
   EXPECT_GT(hair.mean(hair.each() - 1), hair.mean(1) - 1e-3f);
   ASSERT_FALSE(hair.left.empty());
@@ -141,6 +146,20 @@ TEST(HairWater, RunsDownAndDripsFromTheTips) {
   }
   // What hangs is there to be drawn, and falls no lighter than that.
   for (const HairWater::Hanging& hanging : hair.water.hanging(hair.shown())) EXPECT_LT(hanging.water, 2e-3f);
+}
+
+TEST(HairWater, CreepsDownwardsFasterThanUpwards) {
+  WetMane hair;
+  for (std::size_t i = 0; i < hair.mane.guides.positions.size(); ++i) hair.mane.guides.positions[i] = hair.mane.roots[i / hair.each()].position - Vec3(0, 0.08f * static_cast<float>(i % hair.each()), 0);
+  hair.simulation = hair.mane.simulation();
+  hair.water.move(hair.nodes_(), 0);
+  std::vector<float> state = hair.water.state();
+  for (std::size_t g = 0; g < hair.mane.guides.count(); ++g) state[g * hair.each() + 4] = 0.5f;
+  hair.water.setState(state);
+  for (int i = 0; i < 60; ++i) hair.step();
+  EXPECT_GT(hair.mean(3), 0.02f);
+  EXPECT_GT(hair.mean(5), 1.2f * hair.mean(3));
+  EXPECT_GT(hair.mean(6), 0.02f);
 }
 
 TEST(HairWater, LetsNothingGoWhileThereIsNoRoomForDrops) {
