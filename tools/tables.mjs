@@ -78,10 +78,10 @@ export function endings({ modelFormats, otherFormats }) {
   return formats.flatMap(({ endings: all, kind, mimeType }) => all.split(' ').map((ending) => ({ ending, kind, mimeType })));
 }
 
-/** A text with the endings of models and coats in place of {models} and {coats}. */
+/** A text with the endings of models and coats in place of {models}, {coats} and {hair}. */
 export function withEndings(text, tables) {
   const listed = (kind) => new Intl.ListFormat('en-GB', { type: 'disjunction' }).format(endings(tables).filter((one) => one.kind === kind).map(({ ending }) => ending));
-  return text.replaceAll('{models}', listed('Model')).replaceAll('{coats}', listed('Coat'));
+  return text.replaceAll('{models}', listed('Model')).replaceAll('{coats}', listed('Coat')).replaceAll('{hair}', listed('Hair'));
 }
 
 /** The module '#tables': what the scripts of web/ need of them, and no more. */

@@ -116,8 +116,8 @@ export class FurApp {
   loadHair(bytes, name) { this.#callOrThrow('fur_loadHair', bytes, bytes.byteLength, name); }
   get lostBySaving() { return this.program.lines(this.#call('fur_lostBySaving')); }
   saveScene() { return this.#saved('fur_saveScene'); }
-  groomAll(edit, value, [x, y, z]) { this.#call('fur_groomAll', edit, value, x, y, z); }
-  editHair(edit, value, [x, y, z]) { this.#call('fur_editHair', edit, value, x, y, z); }
+  groomAll(edit, value, [x, y, z]) { this.#callOrThrow('fur_groomAll', edit, value, x, y, z); }
+  editHair(edit, value, [x, y, z]) { this.#callOrThrow('fur_editHair', edit, value, x, y, z); }
   groomFromImage(what, name, { width, height, data }) { this.#callOrThrow('fur_groomFromImage', what, name, width, height, data); }
   /** {u, v} of the surface under the pixel, or null. */
   pick(x, y) {

@@ -65,6 +65,7 @@ void App::State::setModel(geometry::Mesh mesh, geometry::Surface surface, Docume
   const CameraOrbit before = startView();
   endStroke();
   document = std::move(from);
+  cameraOfFile.reset();
   ++imageRevision;
   groom.reset();
   water.reset();
@@ -127,6 +128,7 @@ Status App::loadModel(std::span<const std::uint8_t> bytes, const std::string& na
   const Status status = setState(model->fur.state);
   if (coat || coatGiven()) s.giveCoat(std::move(coat));
   s.settingsOfFile = s.settings;
+  s.cameraOfFile = camera();
   s.history.clear();
   return status;
 }
@@ -221,7 +223,7 @@ bool App::setField(std::string_view name, std::string_view text) {
 
 CameraOrbit App::camera() const { return state_->view.camera.goal(); }
 void App::setCamera(const CameraOrbit& orbit) { state_->view.camera.jump(orbit), ++state_->changed; }
-void App::resetCamera() { state_->view.camera.setGoal(state_->startView()); }
+void App::resetCamera() { state_->view.camera.setGoal(state_->cameraOfFile.value_or(state_->startView())); }
 
 std::string App::state() const {
   const CameraOrbit& c = state_->view.camera.goal();

@@ -80,7 +80,10 @@ void App::setHairValues(std::size_t scalp, const hair::HairValues& values) {
 
 std::size_t App::wispCount(std::size_t scalp) const { return scalp < state_->hair->scalpCount() ? state_->hair->growth(scalp).wisps.size() : 0; }
 
-std::string App::scalps() const { return state_->hair->describe(); }
+std::string App::scalps() const {
+  state_->changed += state_->hair->update(state_->hairInputs(0));  // no time may have gone by since an edit
+  return state_->hair->describe();
+}
 
 const hair::Hairstyle& App::hairstyle() const { return state_->hair->style(); }
 bool App::haired() const { return state_->haired(); }

@@ -77,6 +77,7 @@ struct App::State {
     CameraOrbit camera;
   };
   std::optional<Look> ownLook;
+  std::optional<CameraOrbit> cameraOfFile{};  // where the camera goes home to, if not to startView()
   settings::Settings settingsOfFile;
   // Undo.
   int modelStep = 0;          // for App::takeModelStep()

@@ -235,7 +235,7 @@ void Editor::drawScene(const EditorModel& model) {
   }
   drawShippedScenes(model);
   if (model.fileAccess == FileAccess::Dialog) {
-    if (ImGui::Button("Open a model, a coat or a length map", ImVec2(-1, 0))) emit(command::OpenDialog{});
+    if (ImGui::Button("Open a model, a coat, hair or a length map", ImVec2(-1, 0))) emit(command::OpenDialog{});
     return;
   }
   ImGui::SetNextItemWidth(-px(56));

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <utility>
 
+#include "core/NoteChange.h"
 #include "editor/FieldRows.h"
 #include "editor/Theme.h"
 #include "editor/ToolRows.h"
@@ -87,7 +88,8 @@ void HairPanel::drawGuides(const EditorModel& model, settings::Settings& edited)
   rowLabel("Guides");
   const float button = px(64), gap = px(3);
   ImGui::SetNextItemWidth(-button - gap);
-  fillSlider("##guides", guides_, 3, 512);
+  if (noteChange(shownGuides_, scalp.guides) && scalp.guides > 0) guides_ = static_cast<int>(scalp.guides);
+  fillSlider("##guides", guides_, 3, 1024);
   ImGui::SameLine(0, gap);
   if (ImGui::Button(scalp.guides ? "Replant" : "Plant", ImVec2(-1, 0))) edit(HairEdit::Plant, static_cast<float>(guides_));
   hint("Guides shape the hair and swing; all wisps follow three of them. They grow along the skin's normal, or as the coat is combed");

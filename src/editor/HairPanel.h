@@ -32,6 +32,7 @@ class HairPanel {
   std::vector<Command> commands_;
   bool tooltips_ = false, changed_ = false;
   int guides_ = 64;           // that "Plant" plants
+  std::size_t shownGuides_ = 0;  // of the scalp that was shown last
   float bodyRadius_ = 0.4f;   // that the next sphere or capsule has
   char name_[65] = {};        // of the scalp `named_`, while it is typed
   std::size_t named_ = static_cast<std::size_t>(-1);

@@ -115,4 +115,6 @@ test('what cannot be done is told and changes nothing', async () => {
     }
   });
   assert.deepEqual([failure?.code, /nonsense/.test(failure?.message)], ['bad-file', true]);
+  const refused = await withFur(page, (fur) => Promise.all([fur.hair('plantt', 60), fur.hair('plant', NaN), fur.groom('comb-it')].map((edit) => edit.then(() => null, ({ code }) => code))));
+  assert.deepEqual(refused, ['bad-file', 'bad-file', 'bad-file']);
 });

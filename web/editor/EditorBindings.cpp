@@ -9,9 +9,11 @@
 //
 // After context loss: fur_editor_detach(app, 1), then fur_editor_attach(app) in the new context keeps
 // the panel as it was. Before fur_destroy(app): fur_editor_detach(app, 0).
+#include <cmath>
 #include <map>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "app/editor/EditorHost.h"
 #include "web/Boundary.h"
@@ -52,6 +54,13 @@ int withHost(App* app, Work&& work) {
 }
 
 editor::Modifiers modifiersOf(int bits) { return {(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0}; }
+
+// Of a call that names an edit of its table; `numbers`: their sum.
+Status checkEdit(const char* what, const char* edit, bool known, float numbers) {
+  if (!known) return Error{ErrorId::BadFile, std::string("there is no edit of ") + what + " \"" + std::string(std::string_view(edit).substr(0, 64)) + '"'};
+  if (!std::isfinite(numbers)) return Error{ErrorId::BadFile, std::string(edit) + ": its numbers must be finite"};
+  return Done{};
+}
 
 }  // namespace
 
@@ -224,10 +233,12 @@ FUR_EXPORT std::uint32_t fur_saveScene(App* app) {
 FUR_EXPORT std::uint32_t fur_saveMaps(App* app) {
   return guarded([&] { return web::keepSaved(scene::writeZip(app->saveMaps())); });
 }
-// `edit`: the name of an app::GroomEdit; others do nothing.
+// `edit`: the name of an app::GroomEdit.
 FUR_EXPORT int fur_groomAll(App* app, const char* edit, float value, float x, float y, float z) {
   return guarded([&] {
-    if (const auto known = app::groomEditNamed(edit)) app->groomAll(*known, value, {x, y, z});
+    const auto known = app::groomEditNamed(edit);
+    if (Status status = checkEdit("groom", edit, known.has_value(), value + x + y + z); !status) return web::report(status);
+    app->groomAll(*known, value, {x, y, z});
     return 1;
   });
 }
@@ -241,10 +252,12 @@ FUR_EXPORT std::uint32_t fur_saveHairFile(App* app) {
     return bytes ? web::keepSaved(bytes.value()) : static_cast<std::uint32_t>(web::report(bytes.error()));
   });
 }
-// `edit`: the name of an app::HairEdit; others do nothing.
+// `edit`: the name of an app::HairEdit.
 FUR_EXPORT int fur_editHair(App* app, const char* edit, float value, float x, float y, float z) {
   return guarded([&] {
-    if (const auto known = app::hairEditNamed(edit)) app->editHair(*known, value, {x, y, z});
+    const auto known = app::hairEditNamed(edit);
+    if (Status status = checkEdit("hair", edit, known.has_value(), value + x + y + z); !status) return web::report(status);
+    app->editHair(*known, value, {x, y, z});
     return 1;
   });
 }

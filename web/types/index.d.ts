@@ -190,12 +190,12 @@ export interface WetFurApi extends WetFurMethods {
   pick(at: { x: number; y: number }): { u: number; v: number } | null;
   /**
    * Dresses the whole model, as one undo step; what `value` and `direction` are is told with each edit. What the mask protects
-   * stays as it is. This, length maps and all that saves fetch the editor's program.
+   * stays as it is. Rejects with a FurError where there is no such edit. This, length maps and all that saves fetch the editor's program.
    */
   groom(edit: GroomEdit, value?: number, direction?: readonly [number, number, number]): Promise<void>;
   /**
-   * Long hair, as one undo step; what `value` and `direction` are is told with each edit. Warnings tell what could not be done. This
-   * fetches the editor's program.
+   * Long hair, as one undo step; what `value` and `direction` are is told with each edit. Warnings tell what could not be done; it
+   * rejects with a FurError where there is no such edit. This fetches the editor's program.
    */
   hair(edit: HairEdit, value?: number, direction?: readonly [number, number, number]): Promise<void>;
   /**

@@ -110,7 +110,11 @@ void GrownHair::edit(const ShapeStage& shape, const groom::GroomSurface& skin, s
   if (editAll(skin, edit, warnings) || editBodies(shape, edit, warnings)) return touch();
   if (style_.scalps.empty()) return warnings.push_back("there is no scalp yet: add one first");
   hair::Scalp& scalp = style_.scalps[selected_];
-  if (edit.what == HairEdit::Select) selected_ = static_cast<std::size_t>(glm::clamp(edit.value, 0.0f, static_cast<float>(style_.scalps.size() - 1)));
+  if (edit.what == HairEdit::Select) {
+    const auto last = static_cast<float>(style_.scalps.size() - 1);
+    if (edit.value < 0 || edit.value > last) warnings.push_back("that scalp is not there: they are counted from 0, and there are " + std::to_string(style_.scalps.size()));
+    selected_ = static_cast<std::size_t>(glm::clamp(edit.value, 0.0f, last));
+  }
   if (edit.what == HairEdit::Remove) {
     style_.scalps.erase(style_.scalps.begin() + static_cast<std::ptrdiff_t>(selected_));
     if (selected_ < scalps_.size()) scalps_.erase(scalps_.begin() + static_cast<std::ptrdiff_t>(selected_));

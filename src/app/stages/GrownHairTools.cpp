@@ -14,7 +14,7 @@ namespace {
 // What one dab at full strength does.
 constexpr float kLonger = 1.06f, kTurns = 0.35f, kTwist = 0.15f;
 // Hanging hair lies on the coat, which gives way a little, and stays so far outside of bare skin, model units.
-constexpr float kOnCoat = 0.75f, kClearance = 0.015f;
+constexpr float kOnCoat = 1.15f, kClearance = 0.015f;
 
 // A ball round all there is, so that edits of all guides are dabs, too.
 groom::Brush everywhere(float strength) {
