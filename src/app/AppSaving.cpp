@@ -108,11 +108,8 @@ const scene::DocumentKeeping* keeping = nullptr;
 void App::keepDocuments(const scene::DocumentKeeping* with) { keeping = with; }
 
 void App::State::keepFile(Document& from, std::span<const std::uint8_t> bytes, const scene::FileSet& others) const {
-  if (!keeping) return;
-  auto file = std::make_shared<const scene::SourceFile>(scene::SourceFile{from.name, {bytes.begin(), bytes.end()}, others});
-  if (!keeping->isDocument(*file)) return;
-  from.beside = keeping->beside(*file);
-  from.file = std::move(file);
+  if (keeping) from.file = keeping->keep(bytes, from.name, others);
+  if (from.file) from.beside = keeping->beside(*from.file);
 }
 
 Warnings App::lostBySaving() const { return state_->document.beside; }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -84,8 +85,8 @@ FurSurface furSurface(const geometry::Surface& surface, const geometry::Mesh& me
 // Documents are saved whole: nodes, skins, morph targets, animations, cameras, lights, materials, extras and unknown extensions as
 // they were, with another WETFUR_fur. For programs that save; without, the viewer's download is spared it.
 struct DocumentKeeping {
-  // Whether there is more in it than exportScene() writes.
-  bool (*isDocument)(const SourceFile& source);
+  // nullptr where there is no more in it than exportScene() writes.
+  std::shared_ptr<const SourceFile> (*keep)(std::span<const std::uint8_t> bytes, const std::string& name, const FileSet& others);
   // Files beside it that the saved one still needs, each as a phrase.
   Warnings (*beside)(const SourceFile& source);
   // A .glb of a document that has been read before. Of `fur`, the comb is one a vertex of the model's mesh; positions are in model

@@ -111,7 +111,7 @@ Saved saved(SourceFile source) {
 
 TEST(Document, ComesBackWithEverythingThatWasInIt) {
   const Saved file = saved({"fox.glb", furnished(), {}});
-  EXPECT_TRUE(kDocumentKeeping.isDocument(file.source));
+  EXPECT_TRUE(kDocumentKeeping.keep(file.source.bytes, "fox.glb", {}));
   EXPECT_EQ(kDocumentKeeping.beside(file.source), Warnings{});
   EXPECT_EQ(lost(file.source.bytes, file.bytes), Warnings{"/buffers/0/byteLength"});
   // To the digit.
@@ -266,10 +266,10 @@ TEST(Document, AViewThatSomethingElseUsesStays) {
 TEST(Document, WhatThisProgramWroteOfAMeshIsWrittenAnew) {
   auto model = importGltf(furnished(), "fox.glb");
   const FileBytes ours = exportScene(model->mesh, "fox", {}, {{}, Vec4(1)});
-  EXPECT_FALSE(kDocumentKeeping.isDocument({"fox.glb", ours, {}}));
+  EXPECT_FALSE(kDocumentKeeping.keep(ours, "fox.glb", {}));
   Document changed = Document::parse(jsonOf(ours));
   changed["animations"] = Document::array();
-  EXPECT_TRUE(kDocumentKeeping.isDocument({"fox.glb", glb(changed.dump(), binaryOf(ours)), {}}));
+  EXPECT_TRUE(kDocumentKeeping.keep(glb(changed.dump(), binaryOf(ours)), "fox.glb", {}));
 }
 
 }  // namespace

@@ -117,7 +117,7 @@ test('a texture is decoded without a browser', () => {
 });
 
 test('an image that is none, or too large, is a FurError', () => {
-  for (const [bytes, code] of [[Buffer.from('RIFF????WEBP'), 'bad-file'], [pngHeader(2), 'bad-file'], [Buffer.alloc(0), 'bad-file']])
+  for (const [bytes, code] of [[Buffer.from('RIFF????WEBP'), 'bad-file'], [pngHeader(2), 'bad-file'], [pngHeader(20000), 'too-large'], [Buffer.alloc(0), 'bad-file']])
     assert.throws(() => core.decodeImage(bytes), (error) => error instanceof FurError && error.code === code);
 });
 

@@ -250,9 +250,10 @@ bool isOurs(const GltfFile& file) {
   return !own || !own->find("surface");
 }
 
-bool isDocument(const SourceFile& source) {
-  auto ours = guardedImport<bool>(source.name, [&] { return isOurs(GltfFile(source.bytes, source.name, source.others)); });
-  return ours && !*ours;
+std::shared_ptr<const SourceFile> keep(Bytes bytes, const std::string& name, const FileSet& others) {
+  auto ours = guardedImport<bool>(name, [&] { return isOurs(GltfFile(bytes, name, others)); });
+  if (!ours || *ours) return nullptr;
+  return std::make_shared<const SourceFile>(SourceFile{name, {bytes.begin(), bytes.end()}, others});
 }
 
 Warnings besideDocument(const SourceFile& source) {
@@ -290,6 +291,6 @@ FurSurface furSurface(const geometry::Surface& surface, const geometry::Mesh& me
   return out;
 }
 
-const DocumentKeeping kDocumentKeeping{isDocument, besideDocument, exportDocument};
+const DocumentKeeping kDocumentKeeping{keep, besideDocument, exportDocument};
 
 }  // namespace fur::scene

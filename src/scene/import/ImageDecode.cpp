@@ -6,6 +6,8 @@
 #include <string>
 
 #include "scene/Model.h"
+#include "scene/import/ImageHeader.h"
+#include "scene/import/ImportError.h"
 
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_ONLY_PNG
@@ -33,12 +35,12 @@ Result<Image> decodeImage(std::span<const std::uint8_t> bytes) {
 
   Image image;
   int channels = 0;
+  const auto header = readImageHeader(bytes);
+  if (header && std::max(header->width, header->height) > std::uint32_t{kMaxImageSide})
+    return Error{ErrorId::TooLarge, formatted("the image is %u x %u, the limit of a side is %d", header->width, header->height, kMaxImageSide)};
   if (!stbi_info_from_memory(bytes.data(), size, &image.width, &image.height, &channels))
     return Error{ErrorId::BadFile, "the image's header is damaged"};
-  if (std::max(image.width, image.height) > kMaxImageSide)
-    return Error{ErrorId::TooLarge, "the image is " + std::to_string(image.width) + " x " +
-                                        std::to_string(image.height) + ", the limit of a side is " +
-                                        std::to_string(kMaxImageSide)};
+  if (std::max(image.width, image.height) > kMaxImageSide) return Error{ErrorId::BadFile, "the image's header is damaged"};
 
   const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
       stbi_load_from_memory(bytes.data(), size, &image.width, &image.height, &channels, 4), stbi_image_free);
