@@ -8,7 +8,7 @@ namespace fur::app {
 namespace {
 
 // Of a recorded text: steps of waiting at most, ten minutes. A broken text must not hold the program up.
-constexpr double kLongestWait = 36000;
+constexpr double kMostWaitingSteps = 36000;
 
 }  // namespace
 
@@ -85,7 +85,7 @@ Status App::replay(std::string_view json) {
     s.settings.clumpSize = stroke.clump;
     for (const WaterStroke::Point& point : stroke.points) {
       // Not where the water rests: its clock stands.
-      const double until = begun + std::min(point.step - first, kLongestWait);
+      const double until = begun + std::min(point.step - first, kMostWaitingSteps);
       for (double before = -1; s.water.steps() < until && s.water.steps() != before;) {
         before = s.water.steps();
         tick(wet::Water::kStep);

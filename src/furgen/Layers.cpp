@@ -6,6 +6,7 @@
 #include "furgen/Canvas.h"
 #include "furgen/NearestFill.h"
 #include "furgen/Packing.h"
+#include "furgen/Strand.h"
 
 namespace fur::furgen {
 
@@ -13,8 +14,6 @@ namespace {
 
 // Pieces of a strand inside one layer that deviate less than this from their chord are drawn as one, texels.
 constexpr float kStraight = 0.2f;
-
-float mix(float a, float b, float t) { return a + (b - a) * t; }
 
 // A point of a strand's axis, texels from its root.
 struct AxisPoint {

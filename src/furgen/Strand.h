@@ -5,6 +5,8 @@
 
 namespace fur::furgen {
 
+inline float mix(float a, float b, float t) { return a + (b - a) * t; }
+
 // Radius at s = h / strandLength, relative to the strand's nominal radius: 0.81 at the skin, 0.29 at
 // the tip, 0 past it (Sheppard Eq. 3.6). s is linear in the height: the listing of his figure 4.4
 // squares it, which kills strands after two or three layers.

@@ -31,8 +31,6 @@ float smoothstep(float low, float high, float x) {
   return t * t * (3.0f - 2.0f * t);
 }
 
-float mix(float a, float b, float t) { return a + (b - a) * t; }
-
 float strandsPerLock(float lockSize) { return 6.0f + 54.0f * lockSize * lockSize; }
 
 }  // namespace

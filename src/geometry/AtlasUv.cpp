@@ -11,9 +11,6 @@ namespace {
 
 constexpr float kTolerance = 0.1f / 1024.0f;
 
-// As in Charts.cpp: uv that take more than this are not worth keeping.
-constexpr std::size_t kComparisonsPerTriangle = 100;
-
 }  // namespace
 
 bool isUniqueAtlas(const Mesh& mesh, const std::vector<std::uint32_t>& indices) {

@@ -14,8 +14,6 @@ constexpr int kRounds = 80;
 constexpr int kRoundsPerCheck = 8;
 // Part of an edge's error that one move corrects: stiffer springs overshoot and fold steep rims.
 constexpr float kStiffness = 0.4f;
-// Rounding of coordinates of size 1 or less, times four (as in Charts.cpp).
-constexpr float kTouching = 5e-7f;
 
 struct Spring {
   std::uint32_t a, b;

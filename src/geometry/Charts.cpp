@@ -13,7 +13,7 @@ namespace fur::geometry {
 
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffffu;
+constexpr std::uint32_t kNoRegion = 0xffffffffu;
 
 // cos 60 degrees: a region takes triangles up to here from its mean (smoothed) normal.
 constexpr float kGrowLimit = 0.5f;
@@ -27,13 +27,6 @@ constexpr float kScrapArea = 0.002f;
 // across it both would be stretched.
 constexpr float kSharp = 0.643f;
 constexpr int kRelaxations = 4;
-
-// Pairs of triangles that may be compared, for each triangle. A few dozen is usual; a fan of many
-// thousands round one vertex would take all pairs, and ends as single triangles instead.
-constexpr std::size_t kComparisonsPerTriangle = 100;
-
-// Rounding of coordinates of size 1 or less, times four.
-constexpr float kTouching = 5e-7f;
 
 struct Region {
   Vec3 axis{0.0f};
@@ -58,7 +51,7 @@ class ChartMaker {
       : positions_(positions), indices_(indices) {
     across_ = neighboursAcrossSides(sortedSides(indices, weld), indices.size() / 3);
     measureFaces();
-    regionOf_.assign(areas_.size(), kNone);
+    regionOf_.assign(areas_.size(), kNoRegion);
   }
 
   Charts make() {
@@ -136,7 +129,7 @@ class ChartMaker {
   void pushNeighbours(Front& front, std::uint32_t triangle, std::uint32_t region, const Vec3& axis, const Vec3& from) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t other = across_[3 * triangle + k];
-      if (other == kNoTriangle || regionOf_[other] != kNone) continue;
+      if (other == kNoTriangle || regionOf_[other] != kNoRegion) continue;
       if (glm::dot(smooth_[other], axis) < kGrowLimit) continue;
       front.push({costOf(other, axis, from), other, region});
     }
@@ -145,7 +138,7 @@ class ChartMaker {
   // Regions one after the other, each round the normal of its seed, until none is left over.
   void seedUntilCovered() {
     for (std::uint32_t seed = 0; seed < regionOf_.size(); ++seed) {
-      if (regionOf_[seed] != kNone) continue;
+      if (regionOf_[seed] != kNoRegion) continue;
       const auto region = static_cast<std::uint32_t>(regions_.size());
       const Vec3 axis = smooth_[seed], from = centre(seed);
       Front front;
@@ -155,7 +148,7 @@ class ChartMaker {
       while (!front.empty()) {
         const std::uint32_t triangle = front.top().triangle;
         front.pop();
-        if (regionOf_[triangle] != kNone) continue;
+        if (regionOf_[triangle] != kNoRegion) continue;
         take(triangle, region);
         pushNeighbours(front, triangle, region, axis, from);
       }
@@ -206,7 +199,7 @@ class ChartMaker {
       seeds.push_back({axis, middleOf(region, axis)});
     }
     regions_.clear();
-    std::fill(regionOf_.begin(), regionOf_.end(), kNone);
+    std::fill(regionOf_.begin(), regionOf_.end(), kNoRegion);
     Front front;
     for (const auto& [axis, seed] : seeds) {
       const auto region = static_cast<std::uint32_t>(regions_.size());
@@ -217,7 +210,7 @@ class ChartMaker {
     while (!front.empty()) {
       const Candidate best = front.top();
       front.pop();
-      if (regionOf_[best.triangle] != kNone) continue;
+      if (regionOf_[best.triangle] != kNoRegion) continue;
       take(best.triangle, best.region);
       const auto& [axis, seed] = seeds[best.region];
       pushNeighbours(front, best.triangle, best.region, axis, centre(seed));
@@ -244,8 +237,8 @@ class ChartMaker {
   void layFlat() {
     std::vector<Region> pending;
     pending.swap(regions_);
-    std::fill(regionOf_.begin(), regionOf_.end(), kNone);
-    std::vector<std::uint32_t> groupOf(regionOf_.size(), kNone);
+    std::fill(regionOf_.begin(), regionOf_.end(), kNoRegion);
+    std::vector<std::uint32_t> groupOf(regionOf_.size(), kNoRegion);
     for (std::uint32_t group = 0; group < pending.size(); ++group) {
       for (const std::uint32_t t : pending[group].triangles) groupOf[t] = group;
     }
@@ -254,7 +247,7 @@ class ChartMaker {
       std::vector<std::uint32_t> rest = pending[group].triangles;
       while (!rest.empty() && !overBudget()) {
         growFlat(rest, group, groupOf);
-        std::erase_if(rest, [&](std::uint32_t t) { return regionOf_[t] != kNone; });
+        std::erase_if(rest, [&](std::uint32_t t) { return regionOf_[t] != kNoRegion; });
       }
       for (const std::uint32_t t : rest) {
         regions_.push_back({normals_[t], 0.0f, {}});
@@ -274,13 +267,13 @@ class ChartMaker {
     const std::size_t before = comparisons_;
     for (std::size_t i = 0; i < queue.size() && !overBudget(); ++i) {
       const std::uint32_t t = queue[i];
-      if (regionOf_[t] != kNone) continue;
+      if (regionOf_[t] != kNoRegion) continue;
       comparisons_ = before + grid.comparisons();
       if (glm::dot(normals_[t], axis) < kFlatLimit || !grid.tryAdd(flat(t, frame))) continue;
       take(t, region);
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t other = across_[3 * t + k];
-        if (other != kNoTriangle && groupOf[other] == group && regionOf_[other] == kNone) queue.push_back(other);
+        if (other != kNoTriangle && groupOf[other] == group && regionOf_[other] == kNoRegion) queue.push_back(other);
       }
     }
   }

@@ -13,7 +13,7 @@ namespace fur::geometry {
 
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffffu;
+constexpr std::uint32_t kNoCorner = 0xffffffffu;
 constexpr float kFar = std::numeric_limits<float>::infinity();
 
 // No chart of lower index is near. Any number well below 0 does, and none so low that it costs the
@@ -55,8 +55,8 @@ class Lapper {
     for (std::uint32_t t = 0; t < count; ++t) trianglesOfChart_[chartOf[t]].push_back(t);
     listTrianglesOfPoints();
     distance_.assign(weld.count, kFar);
-    firstCorner_.assign(weld.count, kNone);
-    visitedBy_.assign(count, kNone);
+    firstCorner_.assign(weld.count, kNoCorner);
+    visitedBy_.assign(count, kNoCorner);
   }
 
   FurOverlap run() {
@@ -107,7 +107,7 @@ class Lapper {
     measure(chart);
     unfold(chart);
     for (const auto& [p, g] : laps_[chart].near) distance_[p] = kFar;
-    for (const FlatCorner& corner : laps_[chart].corners) firstCorner_[corner.point] = kNone;
+    for (const FlatCorner& corner : laps_[chart].corners) firstCorner_[corner.point] = kNoCorner;
   }
 
   // Distances from the chart's border over triangles of higher index (Dijkstra, along edges), for the points
@@ -143,7 +143,7 @@ class Lapper {
 
   std::uint32_t cornerAt(std::uint32_t chart, std::uint32_t p, const Vec2& fur, float tolerance) {
     std::vector<FlatCorner>& corners = laps_[chart].corners;
-    for (std::uint32_t i = firstCorner_[p]; i != kNone; i = corners[i].next) {
+    for (std::uint32_t i = firstCorner_[p]; i != kNoCorner; i = corners[i].next) {
       const Vec2 apart = corners[i].fur - fur;
       if (glm::dot(apart, apart) <= tolerance * tolerance) return i;
     }
@@ -178,7 +178,7 @@ class Lapper {
         if (visitedBy_[t] == chart) return;
         std::size_t here = 0;
         while (point(t, here) != p) ++here;
-        const Vec2 at = firstCorner_[p] == kNone ? Vec2(0.0f) : laps_[chart].corners[firstCorner_[p]].fur;
+        const Vec2 at = firstCorner_[p] == kNoCorner ? Vec2(0.0f) : laps_[chart].corners[firstCorner_[p]].fur;
         const Vec3 edge = position(t, here + 1) - position(t, here);
         const Vec2 to = at + Vec2(std::sqrt(glm::dot(edge, edge)), 0.0f);
         queue.assign(1, {t, here, cornerAt(chart, p, at, 0.0f), cornerAt(chart, point(t, here + 1), to, 0.0f),

@@ -7,7 +7,7 @@ namespace fur::geometry {
 
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffffu;
+constexpr std::uint32_t kNoLink = 0xffffffffu;
 
 // Is there an edge of `a` that has `b` on its outer side, but for `tolerance`?
 bool separatedByAnEdge(const FlatTriangle& a, const FlatTriangle& b, double tolerance) {
@@ -41,7 +41,7 @@ TriangleGrid::TriangleGrid(const Vec2& low, const Vec2& high, std::size_t expect
   const float side = std::sqrt(extent.x * extent.y / cells);
   size_ = glm::clamp(IVec2(glm::min(extent / side, Vec2(4096.0f))) + 1, IVec2(1), IVec2(4096));
   cellsPerUnit_ = Vec2(size_) / extent;
-  heads_.assign(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y), kNone);
+  heads_.assign(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y), kNoLink);
   triangles_.reserve(expected);
   lastCompared_.reserve(expected);
 }
@@ -91,7 +91,7 @@ bool TriangleGrid::tryAdd(const FlatTriangle& triangle) {
   const auto self = static_cast<std::uint32_t>(triangles_.size());
   const std::uint32_t mark = ++trials_;
   const bool free = visitCells(triangle, [&](std::size_t cell) {
-    for (std::uint32_t link = heads_[cell]; link != kNone; link = links_[link].next) {
+    for (std::uint32_t link = heads_[cell]; link != kNoLink; link = links_[link].next) {
       const std::uint32_t other = links_[link].triangle;
       ++comparisons_;
       if (lastCompared_[other] == mark) continue;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -11,6 +12,13 @@
 namespace fur::geometry {
 
 using FlatTriangle = std::array<Vec2, 3>;
+
+// Pairs of triangles that may be compared, for each triangle. A few dozen is usual; a fan of many thousands round one vertex
+// would take all pairs: charts end as single triangles there, and uv of a file are not worth keeping.
+inline constexpr std::size_t kComparisonsPerTriangle = 100;
+
+// Rounding of coordinates of size 1 or less, times four.
+inline constexpr float kTouching = 5e-7f;
 
 // True when a and b overlap by more than `tolerance` (a length).
 bool trianglesOverlap(const FlatTriangle& a, const FlatTriangle& b, float tolerance);

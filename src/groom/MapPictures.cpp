@@ -18,7 +18,7 @@ constexpr std::string_view kMark = "-map-";
 constexpr float kHalfLine = 1.0f;
 constexpr std::uint8_t kLine[] = {255, 96, 0};
 
-std::uint8_t toByte(float share) { return static_cast<std::uint8_t>(saturate(share) * 255.0f + 0.5f); }
+std::uint8_t channelOf(float share) { return static_cast<std::uint8_t>(saturate(share) * 255.0f + 0.5f); }
 
 // `count` channels of the map from `first` on.
 MapPicture channelsOf(const char* name, const GroomMap& map, std::size_t first, std::size_t count) {
@@ -57,9 +57,9 @@ MapPicture combPicture(const Groom& groom, const GroomSurface& skin) {
       if (much <= 0.0f) return;
       const Vec3 way = normalizeOr(Vec3(glm::dot(bend, u), glm::dot(bend, v), 0), Vec3(0));
       std::uint8_t* pixel = &out.pixels[std::size_t{3} * texel];
-      pixel[0] = toByte(0.5f + 0.5f * way.x);
-      pixel[1] = toByte(0.5f + 0.5f * way.y);
-      pixel[2] = toByte(much / kMaxComb);
+      pixel[0] = channelOf(0.5f + 0.5f * way.x);
+      pixel[1] = channelOf(0.5f + 0.5f * way.y);
+      pixel[2] = channelOf(much / kMaxComb);
     });
   }
   for (const auto& [texel, source] : skin.atlas.gutter()) std::copy_n(&out.pixels[std::size_t{3} * source], 3, &out.pixels[std::size_t{3} * texel]);
@@ -92,7 +92,7 @@ MapPicture layoutPicture(const geometry::Surface& surface, int size) {
     for (int y = bound(low.y); y < bound(high.y); ++y)
       for (int x = bound(low.x); x < bound(high.x); ++x) {
         std::uint8_t& alpha = out.pixels[4 * (static_cast<std::size_t>(y) * side + static_cast<std::size_t>(x)) + 3];
-        alpha = std::max(alpha, toByte(kHalfLine + 0.5f - distanceTo(Vec2(x, y), a, b)));
+        alpha = std::max(alpha, channelOf(kHalfLine + 0.5f - distanceTo(Vec2(x, y), a, b)));
       }
   }
   return out;

@@ -13,7 +13,7 @@ constexpr float kSkin = 2e-4f;      // hair keeps this far away, model units: wh
 constexpr int kRounds = 4;          // over all obstacles, for where one turns a segment into another
 constexpr float kFriction = 0.15f;  // of the sliding, lost in a step
 
-bool finite(const Vec3& v) { return std::isfinite(v.x + v.y + v.z) && glm::dot(v, v) < 1e12f; }
+bool isNear(const Vec3& v) { return std::isfinite(v.x + v.y + v.z) && glm::dot(v, v) < 1e12f; }
 
 // What of an obstacle's axis is nearest, and how far along.
 struct Nearest {
@@ -116,7 +116,7 @@ void noteContacts(std::span<const Obstacle> obstacles, const Lanes3& p, LaneMask
 std::vector<Collider> soundColliders(std::span<const Collider> colliders) {
   std::vector<Collider> out;
   for (const Collider& c : colliders)
-    if (finite(c.a) && finite(c.b) && c.radius > 0 && c.radius < 1e3f) out.push_back(c);
+    if (isNear(c.a) && isNear(c.b) && c.radius > 0 && c.radius < 1e3f) out.push_back(c);
   return out;
 }
 

@@ -11,9 +11,8 @@ namespace fur::hair {
 namespace {
 
 // Where two segments have turned back on each other further than this, their lengths would hold them there.
-constexpr float kLeastCosine = -0.5f;
+constexpr float kLeastBendCosine = -0.5f;
 
-bool finite(const Vec3& v) { return std::isfinite(v.x + v.y + v.z); }
 
 // Node 0 and 1 go with the root. Of the others: the acceleration that holds up the rest shape under gravity (0, -1, 0) where the
 // segments pull but do not push. Hair that hangs straight down needs none, and swings as a pendulum does; hair that stands needs
@@ -107,7 +106,7 @@ void GuideBlocks::assign(const Guides& from, std::span<const RootFrame> rootsAsM
       lengths[at][lane] = length;
       lengthInverses[at][lane] = 1.0f / std::max(length, 1e-6f);
       const Vec3 along = (chain[i] - chain[i - 1]) * lengthInverses[at][lane];
-      leastCosines[at][lane] = std::max(-1.0f, std::min(kLeastCosine, glm::dot(along, lastAlong) - 0.1f));
+      leastCosines[at][lane] = std::max(-1.0f, std::min(kLeastBendCosine, glm::dot(along, lastAlong) - 0.1f));
       lastAlong = along;
       fromRoot[at][lane] = fromRoot[at - 1][lane] + length;
       reach[block][lane] += length;

@@ -18,8 +18,6 @@ Quat turnedOnTo(const Quat& frame, const Vec3& from, const Vec3& to) {
   return glm::normalize(Quat(w > 1e-6f ? w : 0.0f, axis.x, axis.y, axis.z) * frame);
 }
 
-bool finite(const Vec3& v) { return std::isfinite(v.x + v.y + v.z); }
-
 }  // namespace
 
 void frameNodes(std::span<const Vec3> positions, const RootFrame& root, std::span<GuideNode> out) {

@@ -6,6 +6,7 @@
 // frame of its root (RootFrame).
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -17,6 +18,8 @@ namespace fur::hair {
 inline constexpr int kLeastNodes = 4, kMostNodes = 32;
 inline constexpr std::size_t kMostGuides = 1024;  // of a scalp
 inline constexpr float kFarthestNode = 1e6f;      // along each axis, model units
+
+inline bool finite(const Vec3& v) { return std::isfinite(v.x + v.y + v.z); }
 
 enum GuideFlag : std::uint8_t {
   kStatic = 1,  // it is not simulated: it stands on the skin in its rest shape

@@ -21,7 +21,6 @@ constexpr double kNearlyDue = 1e-3;
 // c of k / (L c)^a, 1 / model unit: chosen by eye for a mane of half the model's radius.
 constexpr float kSoftens = 6;
 
-bool finite(const Vec3& v) { return std::isfinite(v.x + v.y + v.z); }
 float unitOr(float x, float fallback) { return x >= 0.0f && x <= 1.0f ? x : x > 1.0f ? 1.0f : x < 0.0f ? 0.0f : fallback; }
 
 MotionValues sound(MotionValues values) {

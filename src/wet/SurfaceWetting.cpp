@@ -17,12 +17,12 @@ namespace {
 // is; so many answers are enough.
 constexpr std::size_t kMaxSheets = 8;
 
-const geometry::SurfaceVertex& corner(const geometry::Surface& surface, std::size_t triangle, int k) {
+const geometry::SurfaceVertex& cornerOf(const geometry::Surface& surface, std::size_t triangle, int k) {
   return surface.vertices[surface.indices[triangle * 3 + static_cast<std::size_t>(k)]];
 }
 
 std::uint16_t chartOf(const geometry::Surface& surface, std::size_t triangle) {
-  const std::uint32_t chart = corner(surface, triangle, 0).chart;
+  const std::uint32_t chart = cornerOf(surface, triangle, 0).chart;
   return chart < SurfaceWetting::kNoChart ? static_cast<std::uint16_t>(chart) : SurfaceWetting::kNoChart;
 }
 
@@ -40,9 +40,9 @@ SurfaceWetting::SurfaceWetting(const geometry::Surface& surface, int maskSize)
 }
 
 SurfaceWetting::Face SurfaceWetting::mapFace(const geometry::Surface& surface, std::size_t triangle) {
-  const auto& a = corner(surface, triangle, 0);
-  const auto& b = corner(surface, triangle, 1);
-  const auto& c = corner(surface, triangle, 2);
+  const auto& a = cornerOf(surface, triangle, 0);
+  const auto& b = cornerOf(surface, triangle, 1);
+  const auto& c = cornerOf(surface, triangle, 2);
   const Vec3 ab = b.position - a.position, ac = c.position - a.position, up = glm::cross(ab, ac);
   const Vec2 uvAb = b.atlas - a.atlas, uvAc = c.atlas - a.atlas;
   const float squared = glm::dot(up, up), atlasArea = std::abs(cross2(uvAb, uvAc));
@@ -87,7 +87,7 @@ std::vector<SurfaceWetting::Sheet> SurfaceWetting::sheetsAt(const geometry::Surf
   std::vector<std::pair<float, std::uint32_t>> near;
   for (const std::uint32_t t : query.trianglesWithin(centre, radius)) {
     if (faces_[t].area <= 0.0f || glm::dot(faces_[t].normal, normal) <= 0.0f) continue;
-    const Vec3 a = corner(surface, t, 0).position, b = corner(surface, t, 1).position, c = corner(surface, t, 2).position;
+    const Vec3 a = cornerOf(surface, t, 0).position, b = cornerOf(surface, t, 1).position, c = cornerOf(surface, t, 2).position;
     const Vec3 weights = geometry::nearestWeights(centre, a, b, c);
     const Vec3 way = centre - (a * weights.x + b * weights.y + c * weights.z);
     near.emplace_back(glm::dot(way, way), t);

@@ -8,8 +8,8 @@ namespace {
 
 constexpr float kSlice = 1e-6f;  // seconds: one piece of work a tick
 
-struct Desk : test::Room {
-  Desk() : Room(120, {{"layers", "8"}}) {}
+struct CoatRoom : test::Room {
+  CoatRoom() : Room(120, {{"layers", "8"}}) {}
 
   // Ticks in slices until the coat is whole; returns how many it took.
   int growInSlices() {
@@ -24,13 +24,13 @@ TEST(AppCoat, GrowsInSlicesWhileTheOldOneStaysAndEndsAsIfGrownAtOnce) {
   test::Picture atOnce;
   std::vector<std::uint8_t> layer;
   {
-    Desk desk;
+    CoatRoom desk;
     desk.app.setField("curl", "0.9");
     desk.app.tick(0);
     atOnce = desk.stage.draw(desk.app);
     layer = desk.firstLayer();
   }
-  Desk desk;
+  CoatRoom desk;
   const auto before = desk.firstLayer();
   desk.app.setField("curl", "0.9");
   desk.app.tick(0, kSlice);
@@ -43,7 +43,7 @@ TEST(AppCoat, GrowsInSlicesWhileTheOldOneStaysAndEndsAsIfGrownAtOnce) {
 }
 
 TEST(AppCoat, ProgressRisesToOneAndNotBefore) {
-  Desk desk;
+  CoatRoom desk;
   const auto revision = desk.app.coatRevision();
   desk.app.setField("density", "0.4");
   float last = -1;
@@ -58,7 +58,7 @@ TEST(AppCoat, ProgressRisesToOneAndNotBefore) {
 }
 
 TEST(AppCoat, ASliderThatIsDraggedShowsCoatsOnTheWayAndEndsWithTheNewest) {
-  Desk desk;
+  CoatRoom desk;
   const auto first = desk.app.coatRevision();
   for (int i = 0; i < 120; ++i) {
     desk.app.setField("density", std::to_string(0.2 + 0.005 * i));
@@ -66,14 +66,14 @@ TEST(AppCoat, ASliderThatIsDraggedShowsCoatsOnTheWayAndEndsWithTheNewest) {
   }
   EXPECT_GT(desk.app.coatRevision(), first) << "a coat came while the slider moved";
   desk.growInSlices();
-  Desk other;
+  CoatRoom other;
   other.app.setField("density", std::to_string(0.2 + 0.005 * 119));
   other.app.tick(0);
   EXPECT_EQ(desk.firstLayer(), other.firstLayer());
 }
 
 TEST(AppCoat, AGeneratorSettingAsksForNoFrameBeforeItsCoatIsThere) {
-  Desk desk;
+  CoatRoom desk;
   desk.app.setField("curl", "0.9");
   EXPECT_FALSE(desk.app.tick(0, kSlice));
   desk.growInSlices();
@@ -84,7 +84,7 @@ TEST(AppCoat, AGeneratorSettingAsksForNoFrameBeforeItsCoatIsThere) {
 }
 
 TEST(AppCoat, ATypeSetStaysUntilAGeneratorSettingChanges) {
-  Desk desk;
+  CoatRoom desk;
   desk.app.setField("coil", "0.6");
   desk.app.tick(0);
   const auto bytes = desk.app.saveTypeSet();
@@ -104,7 +104,7 @@ TEST(AppCoat, ATypeSetStaysUntilAGeneratorSettingChanges) {
 }
 
 TEST(AppCoat, ABadTypeSetLeavesTheCoatAsItWas) {
-  Desk desk;
+  CoatRoom desk;
   const auto before = desk.firstLayer();
   const auto revision = desk.app.coatRevision();
   const std::uint8_t bytes[] = {1, 2, 3};
@@ -117,7 +117,7 @@ TEST(AppCoat, ABadTypeSetLeavesTheCoatAsItWas) {
 }
 
 TEST(AppCoat, APresetIsOneUndoStep) {
-  Desk desk;
+  CoatRoom desk;
   const settings::Settings before = desk.app.settings();
   ASSERT_TRUE(desk.app.applyPreset("wool"));
   EXPECT_NE(desk.app.settings(), before);

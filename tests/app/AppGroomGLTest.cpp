@@ -4,8 +4,8 @@
 namespace fur::app {
 namespace {
 
-struct Salon : test::Room {
-  Salon() : Room(160, {{"layers", "8"}, {"tileSize", "64"}, {"dryRate", "0"}}) {}
+struct GroomRoom : test::Room {
+  GroomRoom() : Room(160, {{"layers", "8"}, {"tileSize", "64"}, {"dryRate", "0"}}) {}
 };
 
 constexpr Tool kTools[] = {Tool::Comb, Tool::Smooth, Tool::Raise, Tool::Trim, Tool::Grow, Tool::Type, Tool::Whisker, Tool::Pluck};
@@ -18,7 +18,7 @@ void prepare(App& app) {
 
 TEST(AppGroom, EveryToolIsOneUndoStepAStroke) {
   for (const Tool tool : kTools) {
-    Salon salon;
+    GroomRoom salon;
     prepare(salon.app);
     salon.stroke(Tool::Comb, {60, 90}, {100, 60});
     salon.stroke(Tool::Whisker, {70, 82}, {60, 60});
@@ -36,7 +36,7 @@ TEST(AppGroom, EveryToolIsOneUndoStepAStroke) {
 
 TEST(AppGroom, HeldStillBrushesGoOnButForThoseThatNeedAWay) {
   for (const Tool tool : kTools) {
-    Salon salon;
+    GroomRoom salon;
     prepare(salon.app);
     salon.stroke(Tool::Whisker, {70, 82}, {60, 60});
     const auto before = salon.app.groomHash();
@@ -89,7 +89,7 @@ TEST(AppGroom, WhatChangesNothingIsNoStep) {
 }
 
 TEST(AppGroom, ABaldModelHasNoFurInThePicture) {
-  Salon salon;
+  GroomRoom salon;
   salon.app.setField("ground", "false");  // which the view of the skin leaves out
   const test::Picture furry = salon.settled();
   salon.app.groomAll(GroomEdit::Length, 0);
@@ -103,7 +103,7 @@ TEST(AppGroom, ABaldModelHasNoFurInThePicture) {
 }
 
 TEST(AppGroom, ACombBendsThePictureAndRaisingBringsItBack) {
-  Salon salon;
+  GroomRoom salon;
   const test::Picture upright = salon.settled();
   salon.app.groomAll(GroomEdit::Comb);
   EXPECT_GT(salon.settled().differingShare(upright, 16), 0.1f);
@@ -112,7 +112,7 @@ TEST(AppGroom, ACombBendsThePictureAndRaisingBringsItBack) {
 }
 
 TEST(AppGroom, CombedFurSwingsOverAndComesToRest) {
-  Salon salon;
+  GroomRoom salon;
   salon.app.groomAll(GroomEdit::Comb);
   EXPECT_TRUE(salon.app.active());
   int ticks = 0;
@@ -122,7 +122,7 @@ TEST(AppGroom, CombedFurSwingsOverAndComesToRest) {
 }
 
 TEST(AppGroom, AnotherFurMappingKeepsTheGroomAndItsUndo) {
-  Salon salon;
+  GroomRoom salon;
   const auto plain = salon.app.groomHash();
   salon.stroke(Tool::Comb, {50, 80}, {110, 85});
   salon.stroke(Tool::Trim, {50, 80}, {110, 85});
@@ -136,7 +136,7 @@ TEST(AppGroom, AnotherFurMappingKeepsTheGroomAndItsUndo) {
 }
 
 TEST(AppGroom, MovesOverToAnotherProgramAsBytes) {
-  Salon salon;
+  GroomRoom salon;
   salon.stroke(Tool::Comb, {50, 80}, {110, 85});
   salon.stroke(Tool::Type, {50, 80}, {110, 85});
   salon.stroke(Tool::Whisker, {60, 80}, {40, 70});
@@ -166,7 +166,7 @@ Vec3 colorAt(const test::Picture& picture, int x, int y) {
 }
 
 TEST(AppGroom, EachFurTypeGrowsWhereItIsPaintedAndElsewhereNothingChanges) {
-  Salon salon;
+  GroomRoom salon;
   salon.app.setField("brushRadius", "0.3");
   salon.app.setField("groomStrength", "1");
   salon.app.setField("type2", "otter");
@@ -183,7 +183,7 @@ TEST(AppGroom, EachFurTypeGrowsWhereItIsPaintedAndElsewhereNothingChanges) {
 }
 
 TEST(AppGroom, WhereTypesMeetStrandsOfBothStand) {
-  Salon salon;
+  GroomRoom salon;
   salon.app.setField("type2", "otter");
   salon.app.setField("furLength", "0.07");  // as long as the otter's
   salon.app.setField("view", "types");
@@ -203,7 +203,7 @@ TEST(AppGroom, WhereTypesMeetStrandsOfBothStand) {
 }
 
 TEST(AppGroom, ABaldTypeShowsTheSkin) {
-  Salon salon;
+  GroomRoom salon;
   salon.app.setField("type4", "bald");
   salon.app.setField("skinColor", "#00c000");
   const std::uint8_t all[] = {0, 0, 255, 255};
@@ -217,7 +217,7 @@ TEST(AppGroom, ABaldTypeShowsTheSkin) {
 }
 
 TEST(AppGroom, AWetCoatDoesNotCrackWhereChartsMeet) {
-  Salon salon;
+  GroomRoom salon;
   for (int i = 0; i < 6; ++i) salon.app.splashPixel({60.0f + 8 * static_cast<float>(i), 80}, 0.3f, 0.8f);
   salon.app.settle();
   const auto& vertices = salon.app.surface().vertices;
@@ -235,7 +235,7 @@ TEST(AppGroom, AWetCoatDoesNotCrackWhereChartsMeet) {
 }
 
 TEST(AppGroom, ASavedSceneOpensAsItWas) {
-  Salon salon;
+  GroomRoom salon;
   salon.app.setField("tipColor", "#336699");
   salon.app.setCamera({0.8f, 0.2f, 3.5f, Vec3(0)});
   salon.stroke(Tool::Comb, {50, 80}, {110, 85});
@@ -265,7 +265,7 @@ TEST(AppGroom, ASavedSceneOpensAsItWas) {
 
 TEST(AppGroom, WhatASavedSceneLeavesOutIsToldBefore) {
   App::keepDocuments(&scene::kDocumentKeeping);
-  Salon salon;
+  GroomRoom salon;
   EXPECT_EQ(salon.app.lostBySaving(), Warnings{});
   const std::string text = R"({"asset":{"version":"2.0"},"images":[{"uri":"gone.png"}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
     "nodes":[{"mesh":0}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],
@@ -284,7 +284,7 @@ TEST(AppGroom, WhatASavedSceneLeavesOutIsToldBefore) {
 
 // As a program does that keeps models: web/host.js, native/window.
 TEST(AppGroom, UndoAndRedoLeadFromModelToModelAndBackToEachOnesSteps) {
-  Salon salon;
+  GroomRoom salon;
   App& app = salon.app;
   ASSERT_TRUE(app.loadPrimitive("sphere"));
   EXPECT_FALSE(app.canUndo());
@@ -330,7 +330,7 @@ TEST(AppGroom, UndoAndRedoLeadFromModelToModelAndBackToEachOnesSteps) {
 }
 
 TEST(AppGroom, AHistoryThatIsCutShortIsRefused) {
-  Salon salon;
+  GroomRoom salon;
   salon.app.groomAll(GroomEdit::Length, 0.5f);
   const auto bytes = salon.app.saveHistory();
   EXPECT_FALSE(salon.app.restoreHistory(std::span(bytes).first(bytes.size() - 1)));
@@ -373,7 +373,7 @@ TEST(AppGroom, TheLookThatASceneBringsGoesWithItUnlessItWasChanged) {
 }
 
 TEST(AppGroom, LengthsAndTypesGoThroughAFo) {
-  Salon salon;
+  GroomRoom salon;
   for (int i = 0; i < 4; ++i) salon.stroke(Tool::Trim, {80, 50}, {85, 110});
   for (int i = 0; i < 8; ++i) salon.stroke(Tool::Type, {50, 80}, {110, 85});
   const groom::Coverage before = salon.app.groomCoverage();
@@ -387,7 +387,7 @@ TEST(AppGroom, LengthsAndTypesGoThroughAFo) {
 }
 
 TEST(AppGroom, AnotherContextDrawsTheSameGroom) {
-  Salon salon;
+  GroomRoom salon;
   salon.stroke(Tool::Trim, {50, 80}, {110, 85});
   salon.app.groomAll(GroomEdit::Comb, 0.5f);
   salon.stroke(Tool::Whisker, {40, 80}, {10, 60});
@@ -399,7 +399,7 @@ TEST(AppGroom, AnotherContextDrawsTheSameGroom) {
 
 TEST(AppGroom, SpaceGroomsTheMiddleOfTheView) {
   for (const Tool tool : {Tool::Comb, Tool::Trim, Tool::Whisker}) {
-    Salon salon;
+    GroomRoom salon;
     salon.app.setTool(tool);
     const auto before = salon.app.groomHash();
     EXPECT_TRUE(salon.app.key({" "}));
@@ -410,7 +410,7 @@ TEST(AppGroom, SpaceGroomsTheMiddleOfTheView) {
 }
 
 TEST(AppGroom, AWhiskerIsPlantedWhereTheStrokeBeginsAndPointsWhereItEnds) {
-  Salon salon;
+  GroomRoom salon;
   salon.stroke(Tool::Whisker, {80, 80}, {20, 80});
   EXPECT_EQ(salon.app.whiskerCount(), 1u) << "a drag aims, it plants no row";
   const auto left = salon.app.groomHash();
@@ -427,7 +427,7 @@ TEST(AppGroom, AWhiskerIsPlantedWhereTheStrokeBeginsAndPointsWhereItEnds) {
 }
 
 TEST(AppGroom, WhiskersEndAtTheirLimitWithAWarning) {
-  Salon salon;
+  GroomRoom salon;
   for (std::size_t i = 0; i < groom::kMostWhiskers; ++i) salon.stroke(Tool::Whisker, {80, 80}, {80, 80});
   EXPECT_EQ(salon.app.whiskerCount(), groom::kMostWhiskers);
   EXPECT_TRUE(salon.app.takeWarnings().empty());
@@ -439,7 +439,7 @@ TEST(AppGroom, WhiskersEndAtTheirLimitWithAWarning) {
 }
 
 TEST(AppGroom, WaterStaysWaterWhateverTheTool) {
-  Salon salon;
+  GroomRoom salon;
   salon.app.setTool(Tool::Comb);
   salon.app.splashPixel({80, 80}, 0.1f, 0.5f);
   EXPECT_GT(salon.app.meanWetness(), 0);

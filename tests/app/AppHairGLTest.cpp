@@ -4,12 +4,12 @@
 namespace fur::app {
 namespace {
 
-struct Salon : test::Salon {
-  Salon() : test::Salon(160, 60) {}
+struct HairSalon : test::Salon {
+  HairSalon() : test::Salon(160, 60) {}
 };
 
 TEST(AppHair, IsSeenAndUndoTakesItOutOfThePicture) {
-  Salon salon;
+  HairSalon salon;
   const test::Picture bare = salon.picture();
   salon.grow();
   EXPECT_GT(salon.picture().differingShare(bare, 8), 0.2f);
@@ -21,7 +21,7 @@ TEST(AppHair, IsSeenAndUndoTakesItOutOfThePicture) {
 }
 
 TEST(AppHair, IsDrawnAsItIsNowThoughNoTimeHasGoneByAfterAnEdit) {
-  Salon salon;
+  HairSalon salon;
   const test::Picture bare = salon.picture();
   salon.grow();
   EXPECT_GT(salon.stage.draw(salon.app).differingShare(bare, 8), 0.2f);
@@ -32,7 +32,7 @@ TEST(AppHair, IsDrawnAsItIsNowThoughNoTimeHasGoneByAfterAnEdit) {
 }
 
 TEST(AppHair, GoesWhileAnotherCoatGrows) {
-  Salon salon;
+  HairSalon salon;
   const test::Picture bare = salon.picture();
   salon.grow();
   salon.app.editHair(HairEdit::Clear);
@@ -44,7 +44,7 @@ TEST(AppHair, GoesWhileAnotherCoatGrows) {
 
 // Strips show pictures of the very strands: means over the hair agree, single pixels need not.
 TEST(AppHair, LooksAlikeAsStripsAndAsStrands) {
-  Salon salon;
+  HairSalon salon;
   salon.grow();
   salon.app.setField("hairDetail", "strips");
   const test::Picture strips = salon.picture();
@@ -71,7 +71,7 @@ TEST(AppHair, TakesAsMuchOfAPictureFarAwayAsAllItsWispsDo) {
 }
 
 TEST(AppHair, IsTheSamePictureWhereItsDepthIsDrawnFirst) {
-  Salon salon;
+  HairSalon salon;
   salon.grow();
   const test::Picture plain = salon.picture();
   salon.app.setField("hairTransparency", "depthFirst");
@@ -79,7 +79,7 @@ TEST(AppHair, IsTheSamePictureWhereItsDepthIsDrawnFirst) {
 }
 
 TEST(AppHair, LooksAlikeBlendedFromBackToFront) {
-  Salon salon;
+  HairSalon salon;
   salon.grow();
   salon.app.setField("hairDetail", "strips");
   const test::Picture plain = salon.picture();
@@ -92,7 +92,7 @@ TEST(AppHair, LooksAlikeBlendedFromBackToFront) {
 }
 
 TEST(AppHair, HidesTheSkinUnderItAsFarAsItIsAskedTo) {
-  Salon salon;
+  HairSalon salon;
   salon.app.setField("furLength", "0");
   salon.app.setField("skinColor", "#ff0000");
   salon.grow();
@@ -104,7 +104,7 @@ TEST(AppHair, HidesTheSkinUnderItAsFarAsItIsAskedTo) {
 }
 
 TEST(AppHair, IsDarkerWhereOtherHairKeepsOffTheLight) {
-  Salon salon;
+  HairSalon salon;
   salon.grow();
   EXPECT_TRUE(salon.app.setHairValue(0, "wisps", "2000"));
   salon.app.setField("hairOcclusion", "0");
@@ -114,7 +114,7 @@ TEST(AppHair, IsDarkerWhereOtherHairKeepsOffTheLight) {
 }
 
 TEST(AppHair, UploadsTheNodesOfGuidesAndNothingWhileItSleeps) {
-  Salon salon;
+  HairSalon salon;
   salon.grow();
   salon.picture();
   const std::size_t still = (salon.picture(), salon.app.stats().uploadedBytes);
@@ -128,7 +128,7 @@ TEST(AppHair, UploadsTheNodesOfGuidesAndNothingWhileItSleeps) {
 }
 
 TEST(AppHair, GoesIntoASceneAndComesBackTheSame) {
-  Salon salon;
+  HairSalon salon;
   salon.grow();
   salon.app.editHair(HairEdit::AddSphere, 0.9f);
   EXPECT_TRUE(salon.app.setHairValue(0, "name", "mane"));
@@ -150,7 +150,7 @@ TEST(AppHair, GoesIntoASceneAndComesBackTheSame) {
 }
 
 TEST(AppHair, BytesOfItGoToAnotherAppWithTheSameModel) {
-  Salon salon;
+  HairSalon salon;
   salon.grow();
   const auto bytes = salon.app.saveHair();
   const test::Picture picture = salon.picture();
@@ -167,7 +167,7 @@ TEST(AppHair, BytesOfItGoToAnotherAppWithTheSameModel) {
 }
 
 TEST(AppHair, GetsWetWithTheSkinThatItGrowsFromAndDriesWithIt) {
-  Salon salon;
+  HairSalon salon;
   salon.app.setField("stayWet", "true");
   salon.grow();
   const test::Picture dry = salon.picture();
@@ -189,7 +189,7 @@ void run(App& app, float seconds) {
 }
 
 TEST(AppHair, WaterBalancesWhileItRainsIsShakenAndDries) {
-  Salon salon;
+  HairSalon salon;
   salon.grow();
   salon.app.setField("rain", "1");
   run(salon.app, 1.5f);
@@ -209,7 +209,7 @@ TEST(AppHair, WaterBalancesWhileItRainsIsShakenAndDries) {
 }
 
 TEST(AppHair, UndoOfAWetStrokeTakesItsWaterOutOfHairAndRedoBringsItBack) {
-  Salon salon;
+  HairSalon salon;
   salon.app.setField("stayWet", "true");
   salon.grow();
   salon.app.setWetness(0.5f);
@@ -229,7 +229,7 @@ TEST(AppHair, UndoOfAWetStrokeTakesItsWaterOutOfHairAndRedoBringsItBack) {
 }
 
 TEST(AppHair, ToolsOfWaterMeetItBesideTheSkin) {
-  Salon salon;
+  HairSalon salon;
   salon.grow();
   std::optional<Vec2> beside;
   for (float x = 159; x > 80 && !beside; x -= 2)
@@ -313,7 +313,7 @@ TEST(AppHair, IsPettedAndPressedBesideTheSkin) {
 }
 
 TEST(AppHair, WaterInItGoesToAnotherAppAndIntoAScene) {
-  Salon salon, other;
+  HairSalon salon, other;
   salon.app.setField("stayWet", "true");
   salon.grow();
   salon.app.setWetness(0.6f);
@@ -332,7 +332,7 @@ TEST(AppHair, WaterInItGoesToAnotherAppAndIntoAScene) {
 }
 
 TEST(AppHair, UploadsNothingWhileWetHairIsAtRest) {
-  Salon salon;
+  HairSalon salon;
   salon.app.setField("stayWet", "true");
   salon.grow();
   salon.app.setWetness(0.6f);
@@ -347,7 +347,7 @@ TEST(AppHair, UploadsNothingWhileWetHairIsAtRest) {
 }
 
 TEST(AppHair, IsLitToItsTipsWhereTheEyeIsAtTheLight) {
-  Salon salon;
+  HairSalon salon;
   for (const auto& [name, value] : {std::pair("lightYaw", "0"), std::pair("lightPitch", "0.05")}) salon.app.setField(name, value);
   salon.app.setCamera({.yaw = 0, .pitch = 0.05f, .distance = 7});
   salon.app.editHair(HairEdit::AddScalp);
@@ -370,7 +370,7 @@ TEST(AppHair, IsLitToItsTipsWhereTheEyeIsAtTheLight) {
 }
 
 TEST(AppHair, DarkensTheCoatAndTheGroundBelowIt) {
-  Salon salon;
+  HairSalon salon;
   salon.app.setCamera({.yaw = 0.4f, .pitch = 0.5f, .distance = 6});
   const test::Picture bare = salon.picture();
   salon.app.editHair(HairEdit::AddScalp);

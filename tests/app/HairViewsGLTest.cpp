@@ -4,8 +4,8 @@
 namespace fur::app {
 namespace {
 
-struct Salon : test::Salon {
-  Salon() : test::Salon(120, 30) {}
+struct ViewSalon : test::Salon {
+  ViewSalon() : test::Salon(120, 30) {}
   test::Picture view(const char* name) {
     app.setField("hairView", name);
     return picture();
@@ -13,7 +13,7 @@ struct Salon : test::Salon {
 };
 
 TEST(HairViews, EachShowsSomethingElseAndTheFinalPictureComesBackAsItWas) {
-  Salon salon;
+  ViewSalon salon;
   salon.grow();
   salon.app.editHair(HairEdit::AddSphere, 1.2f);
   salon.settled();
@@ -27,7 +27,7 @@ TEST(HairViews, EachShowsSomethingElseAndTheFinalPictureComesBackAsItWas) {
 }
 
 TEST(HairViews, ShowNothingWithoutHairAndUploadNothingForAPictureWithoutThem) {
-  Salon salon;
+  ViewSalon salon;
   const test::Picture bare = salon.picture();
   EXPECT_EQ(salon.view("guides").differingShare(bare, 0), 0);
   salon.app.setField("hairView", "final");
@@ -40,7 +40,7 @@ TEST(HairViews, ShowNothingWithoutHairAndUploadNothingForAPictureWithoutThem) {
 }
 
 TEST(HairViews, GuidesComeOverTheHairWhileAToolWorksOnThemButNotIntoPicturesForFiles) {
-  Salon salon;
+  ViewSalon salon;
   salon.grow();
   const test::Picture plain = salon.picture();
   salon.app.setTool(Tool::HairComb);
@@ -59,7 +59,7 @@ TEST(HairViews, GuidesComeOverTheHairWhileAToolWorksOnThemButNotIntoPicturesForF
 }
 
 TEST(HairViews, TheMapLiesOverTheCoatWhileItIsPainted) {
-  Salon salon;
+  ViewSalon salon;
   const test::Picture bare = salon.picture();
   salon.app.editHair(HairEdit::AddScalp);
   salon.app.editHair(HairEdit::Cover, 0.5f);

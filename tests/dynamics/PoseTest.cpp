@@ -15,7 +15,7 @@ struct Moved {
   void give(BendField& field) const { field.setPose(positions, directions, tangents); }
 };
 
-std::vector<Vec3> combed(const FurBall& ball) {
+std::vector<Vec3> combedEvenly(const FurBall& ball) {
   std::vector<Vec3> rests;
   for (const Vec3& n : ball.directions) rests.push_back((Vec3(0, -1, 0) + n * n.y) * 0.6f);
   return rests;
@@ -39,13 +39,13 @@ TEST(Pose, ACombTurnsWithTheSkin) {
   const Mat4 turn = glm::rotate(kStill, 1.1f, glm::normalize(Vec3(0.3f, 1, -0.5f)));
   for (const bool combedFirst : {true, false}) {
     BendField field = ball.field();
-    if (combedFirst) field.setRest(combed(ball), {});
+    if (combedFirst) field.setRest(combedEvenly(ball), {});
     Moved(ball, turn).give(field);
     // A comb is told as it is on the shape of reset().
-    if (!combedFirst) field.setRest(combed(ball), {});
+    if (!combedFirst) field.setRest(combedEvenly(ball), {});
     field.settle(kStill, noForces(), {});
     for (std::size_t i = 0; i < ball.positions.size(); ++i)
-      ASSERT_LT(glm::length(Vec3(field.bends()[i]) - Mat3(turn) * combed(ball)[i]), 1e-5f) << i;
+      ASSERT_LT(glm::length(Vec3(field.bends()[i]) - Mat3(turn) * combedEvenly(ball)[i]), 1e-5f) << i;
   }
 }
 
@@ -82,7 +82,7 @@ TEST(Pose, FurTrailsBehindASkinThatStartsToMoveAndRestsWhenItStops) {
 TEST(Pose, StaysFiniteAndBoundedWhateverTheShapeDoes) {
   const FurBall ball;
   BendField field = ball.field();
-  field.setRest(combed(ball), {});
+  field.setRest(combedEvenly(ball), {});
   Random random(8);
   for (int k = 0; k < 500; ++k) {
     Mat4 by = glm::rotate(kStill, random.uniform(-3, 3), glm::normalize(Vec3(random.uniform(-1, 1), 1, random.uniform(-1, 1))));

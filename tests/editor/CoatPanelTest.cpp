@@ -21,8 +21,8 @@ const std::vector<float>& shares(int layers) {
 }
 
 // A person who looks at a coat of 32 layers.
-struct Person : PanelDriver {
-  explicit Person(Vec2 screen = kTall, ThemeScale scale = {}) : PanelDriver(screen, scale) {
+struct CoatPerson : PanelDriver {
+  explicit CoatPerson(Vec2 screen = kTall, ThemeScale scale = {}) : PanelDriver(screen, scale) {
     editor.setCollapsed(false);
     model.coat.coverage = shares(32);
     model.coat.tileSize = 256;
@@ -68,7 +68,7 @@ struct Person : PanelDriver {
 };
 
 TEST(CoatPanel, AChosenPresetIsOneCommand) {
-  Person person;
+  CoatPerson person;
   person.choose("##preset", "Wool");
   ASSERT_EQ(person.commands.size(), 1u);
   EXPECT_EQ(std::get<command::ApplyPreset>(person.commands[0]).name, "wool");
@@ -76,7 +76,7 @@ TEST(CoatPanel, AChosenPresetIsOneCommand) {
 }
 
 TEST(CoatPanel, EveryPresetCanBeChosen) {
-  Person person({800, 700});
+  CoatPerson person({800, 700});
   for (const settings::Preset& preset : settings::presets()) {
     person.choose("##preset", preset.label);
     EXPECT_EQ(settings::presetOf(person.model.settings), &preset) << preset.name;
@@ -84,7 +84,7 @@ TEST(CoatPanel, EveryPresetCanBeChosen) {
 }
 
 TEST(CoatPanel, TheSeedIsSteppedAndKeptInItsRange) {
-  Person person;
+  CoatPerson person;
   const auto lower = person.findBeside("##seed", "##lower"), higher = person.findBeside("##seed", "##higher");
   ASSERT_TRUE(lower && higher);
   person.click(*higher);
@@ -99,7 +99,7 @@ TEST(CoatPanel, TheSeedIsSteppedAndKeptInItsRange) {
 }
 
 TEST(CoatPanel, TheDiceGiveASeedThatHasNotBeenThere) {
-  Person person;
+  CoatPerson person;
   const auto dice = person.find(person.id("##dice"));
   ASSERT_TRUE(dice);
   std::set<int> seeds{person.model.settings.seed};
@@ -113,7 +113,7 @@ TEST(CoatPanel, TheDiceGiveASeedThatHasNotBeenThere) {
 }
 
 TEST(CoatPanel, TheUprightSliderLeadsFromSkinToTip) {
-  Person person;
+  CoatPerson person;
   const auto at = person.find(person.id("##layer"));
   ASSERT_TRUE(at);
   EXPECT_EQ(person.shown().layer, 16) << "half way up at first";
@@ -126,7 +126,7 @@ TEST(CoatPanel, TheUprightSliderLeadsFromSkinToTip) {
 }
 
 TEST(CoatPanel, APressOnTheCoverageShowsThatLayer) {
-  Person person;
+  CoatPerson person;
   const auto at = person.find(person.id("##coverage"));
   ASSERT_TRUE(at);
   person.moveTo(*at, 1);
@@ -137,7 +137,7 @@ TEST(CoatPanel, APressOnTheCoverageShowsThatLayer) {
 }
 
 TEST(CoatPanel, TheShownHeightStaysWhenTheNumberOfLayersChanges) {
-  Person person;
+  CoatPerson person;
   const auto at = person.find(person.id("##layer"));
   ASSERT_TRUE(at);
   person.moveTo(*at, 1);
@@ -155,14 +155,14 @@ TEST(CoatPanel, TheShownHeightStaysWhenTheNumberOfLayersChanges) {
 }
 
 TEST(CoatPanel, AChannelIsChosenByItsName) {
-  Person person;
+  CoatPerson person;
   EXPECT_EQ(person.shown().channel, TileChannel::Coverage);
   person.choose("##channel", "Tangent");
   EXPECT_EQ(person.shown().channel, TileChannel::Tangent);
 }
 
 TEST(CoatPanel, AsksForNoPictureWhileTheyAreClosed) {
-  Person person;
+  CoatPerson person;
   EXPECT_TRUE(person.editor.shownTile());
   person.setOpen(kPictures, false);
   EXPECT_FALSE(person.editor.shownTile());
@@ -177,14 +177,14 @@ TEST(CoatPanel, AsksForNoPictureWhileTheyAreClosed) {
 }
 
 TEST(CoatPanel, LeavesThePicturesClosedWhereRoomIsShort) {
-  EXPECT_TRUE(Person({1280, 1300}).editor.shownTile());
-  EXPECT_FALSE(Person({1280, 800}).editor.shownTile());
-  EXPECT_FALSE(Person({390, 844}, {1, true}).editor.shownTile());
-  EXPECT_FALSE(Person({1280, 1300}, {2, false}).editor.shownTile()) << "650 CSS pixels high";
+  EXPECT_TRUE(CoatPerson({1280, 1300}).editor.shownTile());
+  EXPECT_FALSE(CoatPerson({1280, 800}).editor.shownTile());
+  EXPECT_FALSE(CoatPerson({390, 844}, {1, true}).editor.shownTile());
+  EXPECT_FALSE(CoatPerson({1280, 1300}, {2, false}).editor.shownTile()) << "650 CSS pixels high";
 }
 
 TEST(CoatPanel, ShowsProgressOnlyWhenGrowingTakesItsTime) {
-  Person person;
+  CoatPerson person;
   const auto still = person.pictureHash();
   person.model.coat.progress = 0.4f;
   person.frames(25);  // at 1/60 s
@@ -205,7 +205,7 @@ TEST(CoatPanel, ShowsProgressOnlyWhenGrowingTakesItsTime) {
 }
 
 TEST(CoatPanel, SavingIsLeftToTheProgram) {
-  Person person;
+  CoatPerson person;
   const auto typeSet = person.find(person.id("Save coat (.fts)")), fo = person.find(person.id("Save model (.fo)"));
   ASSERT_TRUE(typeSet && fo);
   person.click(*typeSet);
@@ -215,7 +215,7 @@ TEST(CoatPanel, SavingIsLeftToTheProgram) {
 }
 
 TEST(CoatPanel, AFingerOnThePicturesScrolls) {
-  Person person({390, 844}, {1, true});
+  CoatPerson person({390, 844}, {1, true});
   person.setOpen(kPictures, true);
   const ImRect rect = person.panel()->Rect();
   const Vec2 at(rect.Min.x + 100, rect.GetCenter().y);
@@ -240,7 +240,7 @@ TEST(CoatPanel, LiesStillAndInsideThePanelOnScreensOfAnyHeight) {
   // A scrollbar that narrows what makes it necessary would come and go for ever.
   for (const float ratio : {1.0f, 2.0f})
     for (float height = 300; height < 1500; height += 37) {
-      Person person(Vec2(1280, height) * ratio, {ratio, false});
+      CoatPerson person(Vec2(1280, height) * ratio, {ratio, false});
       person.setOpen(kPictures, true);
       const auto first = person.pictureHash();
       person.frames(1);

@@ -7,12 +7,12 @@
 namespace fur::app {
 namespace {
 
-struct Studio : test::Room {
-  Studio() : Room(160, {{"layers", "8"}, {"tileSize", "64"}, {"dryRate", "0"}, {"groomStrength", "1"}, {"brushRadius", "0.25"}, {"ground", "false"}}) {
+struct GroomRoom : test::Room {
+  GroomRoom() : Room(160, {{"layers", "8"}, {"tileSize", "64"}, {"dryRate", "0"}, {"groomStrength", "1"}, {"brushRadius", "0.25"}, {"ground", "false"}}) {
     GroomStage::setEditorBrushes(&kEditorGroom);
     app.setCamera({0, 0, 3, Vec3(0)});
   }
-  ~Studio() { GroomStage::setEditorBrushes(nullptr); }
+  ~GroomRoom() { GroomStage::setEditorBrushes(nullptr); }
 
   Vec4 paintAt(Vec2 pixel) { return app.groom().paint.at(*app.pick(pixel)); }
 };
@@ -29,7 +29,7 @@ constexpr Vec2 kRight{105, 80}, kLeft{55, 80}, kMiddle{80, 80};
 
 TEST(EditorGroom, EveryBrushIsOneUndoStepAStroke) {
   for (const Tool tool : {Tool::Paint, Tool::Cut, Tool::Thin, Tool::Mask, Tool::Curl, Tool::Frizz, Tool::Locks}) {
-    Studio studio;
+    GroomRoom studio;
     const auto before = studio.app.groomHash();
     studio.stroke(tool, {60, 70}, {100, 90});
     const auto after = studio.app.groomHash();
@@ -42,7 +42,7 @@ TEST(EditorGroom, EveryBrushIsOneUndoStepAStroke) {
 }
 
 TEST(EditorGroom, TheViewerAloneHasNoneOfThem) {
-  Studio studio;
+  GroomRoom studio;
   GroomStage::setEditorBrushes(nullptr);
   const auto before = studio.app.groomHash();
   studio.stroke(Tool::Paint, {60, 70}, {100, 90});
@@ -50,7 +50,7 @@ TEST(EditorGroom, TheViewerAloneHasNoneOfThem) {
 }
 
 TEST(EditorGroom, PaintShowsOnStrandsAndOnBareSkinAndGoesWithUndo) {
-  Studio studio;
+  GroomRoom studio;
   studio.app.setField("paintColor", "#0040ff");
   studio.app.setTool(Tool::None);
   const test::Picture plain = studio.settled();
@@ -70,7 +70,7 @@ TEST(EditorGroom, PaintShowsOnStrandsAndOnBareSkinAndGoesWithUndo) {
 }
 
 TEST(EditorGroom, PaintGoesThroughASavedSceneAndToAnotherProgram) {
-  Studio studio;
+  GroomRoom studio;
   studio.stroke(Tool::Paint, {70, 80}, {90, 80});
   studio.stroke(Tool::Mask, {70, 50}, {90, 50});
   const auto paint = studio.app.groom().paint.hash(), mask = studio.app.groom().mask.hash();
@@ -87,7 +87,7 @@ TEST(EditorGroom, PaintGoesThroughASavedSceneAndToAnotherProgram) {
 
 TEST(EditorGroom, ShapesChangeStrandsWhereTheBrushWasAndGoByItAgain) {
   for (const Tool tool : {Tool::Curl, Tool::Frizz, Tool::Locks}) {
-    Studio studio;
+    GroomRoom studio;
     const test::Picture plain = studio.settled();
     studio.app.setField("brushFalloff", "flat");
     studio.stroke(tool, {70, 80}, {90, 80});
@@ -112,7 +112,7 @@ TEST(EditorGroom, ShapesChangeStrandsWhereTheBrushWasAndGoByItAgain) {
 }
 
 TEST(EditorGroom, AnotherContextShowsTheSamePaintAndNoneAfterItIsCleared) {
-  Studio studio;
+  GroomRoom studio;
   const test::Picture plain = studio.settled();
   studio.stroke(Tool::Paint, {70, 80}, {90, 80});
   const test::Picture painted = studio.settled();
@@ -129,7 +129,7 @@ TEST(EditorGroom, AnotherContextShowsTheSamePaintAndNoneAfterItIsCleared) {
 }
 
 TEST(EditorGroom, AColourIsPickedFromPaintAndFromTheCoat) {
-  Studio studio;
+  GroomRoom studio;
   studio.app.setField("rootColor", "#804020");
   studio.app.setField("tipColor", "#804020");
   EXPECT_EQ(studio.app.colorAt(kMiddle), 0x804020u);
@@ -142,7 +142,7 @@ TEST(EditorGroom, AColourIsPickedFromPaintAndFromTheCoat) {
 
 TEST(EditorGroom, AMirroredStrokeIsOnBothSidesAndOneStep) {
   for (const Tool tool : {Tool::Paint, Tool::Trim, Tool::Comb, Tool::Mask}) {
-    Studio studio;
+    GroomRoom studio;
     studio.app.setField("mirror", "x");
     const auto before = studio.app.groomHash();
     studio.stroke(tool, kRight, {110, 95});
@@ -174,7 +174,7 @@ TEST(EditorGroom, AMirroredStrokeIsOnBothSidesAndOneStep) {
 }
 
 TEST(EditorGroom, TheRingOfAMirroredBrushIsWhereItWorksToo) {
-  Studio studio;
+  GroomRoom studio;
   studio.app.setTool(Tool::Trim);
   const auto middleOf = [](const std::vector<Vec2>& ring) {
     Vec2 sum(0);
@@ -190,7 +190,7 @@ TEST(EditorGroom, TheRingOfAMirroredBrushIsWhereItWorksToo) {
 }
 
 TEST(EditorGroom, MirroredWhiskersPointBothWays) {
-  Studio studio;
+  GroomRoom studio;
   studio.app.setField("mirror", "x");
   studio.stroke(Tool::Whisker, kRight, {150, 60});
   const auto& whiskers = studio.app.groom().whiskers;
@@ -204,7 +204,7 @@ TEST(EditorGroom, MirroredWhiskersPointBothWays) {
 }
 
 TEST(EditorGroom, MirroredWaterIsRecordedAsItWas) {
-  Studio studio;
+  GroomRoom studio;
   studio.app.setField("mirror", "x");
   studio.stroke(Tool::Droplet, kRight, {110, 95});
   // The wettest spot of those round there.
@@ -231,7 +231,7 @@ TEST(EditorGroom, MirroredWaterIsRecordedAsItWas) {
 }
 
 TEST(EditorGroom, TheMaskShowsOnlyWhileOneGrooms) {
-  Studio studio;
+  GroomRoom studio;
   studio.app.setTool(Tool::None);
   const test::Picture plain = studio.settled();
   studio.stroke(Tool::Mask, {70, 80}, {90, 80});
@@ -245,7 +245,7 @@ TEST(EditorGroom, TheMaskShowsOnlyWhileOneGrooms) {
 }
 
 TEST(EditorGroom, ThinningTakesStrandsByTheTypeThatIsBald) {
-  Studio studio;
+  GroomRoom studio;
   studio.stroke(Tool::Thin, {70, 80}, {90, 80});
   EXPECT_GT(studio.app.groomCoverage().types[3], 0.01f) << "type 4 is bald at first";
   studio.app.setField("brushErases", "true");
@@ -254,7 +254,7 @@ TEST(EditorGroom, ThinningTakesStrandsByTheTypeThatIsBald) {
 }
 
 TEST(EditorGroom, EverySelectionIsOneUndoStep) {
-  Studio studio;
+  GroomRoom studio;
   studio.stroke(Tool::Paint, {70, 80}, {90, 80});
   studio.app.groomAll(GroomEdit::Vary, 0.8f);
   studio.stroke(Tool::Mask, {70, 60}, {90, 60});
@@ -282,7 +282,7 @@ TEST(EditorGroom, EverySelectionIsOneUndoStep) {
 }
 
 TEST(EditorGroom, WhatIsNotSelectedKeepsItsFur) {
-  Studio studio;
+  GroomRoom studio;
   studio.app.setField("paintColor", "#ff0000");
   studio.stroke(Tool::Paint, {70, 80}, {90, 80});
   const auto place = studio.app.placeAt(kMiddle);
@@ -294,7 +294,7 @@ TEST(EditorGroom, WhatIsNotSelectedKeepsItsFur) {
 }
 
 TEST(EditorGroom, SavedMapsComeBackByTheNamesOfTheirFiles) {
-  Studio studio;
+  GroomRoom studio;
   studio.app.groomAll(GroomEdit::Vary, 0.8f);
   studio.stroke(Tool::Paint, {70, 80}, {90, 80});
   studio.stroke(Tool::Curl, {70, 100}, {90, 100});

@@ -12,7 +12,7 @@ constexpr int kWidth = 800, kHeight = 500;
 constexpr int kPanelLeft = kWidth - 12 - 336;  // its margin and width
 constexpr Vec2 kOnModel{200, 250}, kOnPanel{600, 34};
 
-struct Desk {
+struct HostDesk {
   int height;
   test::Stage stage{kWidth, height};
   App app;
@@ -20,14 +20,14 @@ struct Desk {
   bool attached = false;
   double seconds = 0;  // on the person's clock
 
-  explicit Desk(int pixels = kHeight) : height(pixels) {
+  explicit HostDesk(int pixels = kHeight) : height(pixels) {
     stage.attach(app);
     app.setField("layers", "4");
     attached = static_cast<bool>(host.attach());
     host.resize(kWidth, height, 1);
     settle();
   }
-  ~Desk() {
+  ~HostDesk() {
     host.detach();
     app.detach(false);
   }
@@ -63,7 +63,7 @@ struct Desk {
 };
 
 TEST(EditorHost, SleepsWhenNothingHappens) {
-  Desk desk;
+  HostDesk desk;
   ASSERT_TRUE(desk.attached);
   EXPECT_FALSE(desk.host.active());
   desk.picture();
@@ -75,7 +75,7 @@ TEST(EditorHost, SleepsWhenNothingHappens) {
 }
 
 TEST(EditorHost, DrawsThePanelAndNothingElse) {
-  Desk desk;
+  HostDesk desk;
   const test::Picture without = desk.stage.draw(desk.app);
   const test::Picture with = desk.picture();
   int inside = 0, outside = 0;
@@ -89,7 +89,7 @@ TEST(EditorHost, DrawsThePanelAndNothingElse) {
 }
 
 TEST(EditorHost, LeavesTheRendererItsState) {
-  Desk desk;
+  HostDesk desk;
   const test::Picture before = desk.stage.draw(desk.app);
   desk.picture();
   EXPECT_EQ(desk.stage.draw(desk.app).differingShare(before, 0), 0);
@@ -99,7 +99,7 @@ TEST(EditorHost, LeavesTheRendererItsState) {
 constexpr Vec2 kPictureSection{600, 92}, kSavePicture{600, 208}, kTurnOnce{520, 295}, kSaveFrames{700, 295};
 
 TEST(EditorHost, WhileAPictureIsDrawnTheSceneStandsStillAndTakesNoInput) {
-  Desk desk;
+  HostDesk desk;
   desk.click(kPictureSection);
   desk.send(PointerPhase::Down, kSavePicture, 1);
   desk.send(PointerPhase::Up, kSavePicture, 0);
@@ -120,7 +120,7 @@ TEST(EditorHost, WhileAPictureIsDrawnTheSceneStandsStillAndTakesNoInput) {
 }
 
 TEST(EditorHost, EscapeGivesUpAFilmAndTheViewIsAsItWas) {
-  Desk desk;
+  HostDesk desk;
   desk.click(kPictureSection);
   const CameraOrbit before = desk.app.camera();
   desk.send(PointerPhase::Down, kSaveFrames, 1);
@@ -137,7 +137,7 @@ TEST(EditorHost, EscapeGivesUpAFilmAndTheViewIsAsItWas) {
 }
 
 TEST(EditorHost, TurnsOnceLiveAndStopsWhenThePictureIsTouched) {
-  Desk desk;
+  HostDesk desk;
   desk.click(kPictureSection);
   const float before = desk.app.camera().yaw;
   desk.send(PointerPhase::Down, kTurnOnce, 1);
@@ -164,7 +164,7 @@ TEST(EditorHost, TurnsOnceLiveAndStopsWhenThePictureIsTouched) {
 }
 
 TEST(EditorHost, TakesThePointerOverThePanelOnly) {
-  Desk desk;
+  HostDesk desk;
   EXPECT_FALSE(desk.click(kOnModel));
   EXPECT_TRUE(desk.click(kOnPanel));
   EXPECT_FALSE(desk.host.wheel(1, kOnModel));
@@ -172,7 +172,7 @@ TEST(EditorHost, TakesThePointerOverThePanelOnly) {
 }
 
 TEST(EditorHost, APressKeepsItsOwnerUntilItIsLetGo) {
-  Desk desk;
+  HostDesk desk;
   desk.send(PointerPhase::Down, kOnPanel, 1);
   EXPECT_TRUE(desk.send(PointerPhase::Move, kOnModel, 1));
   EXPECT_TRUE(desk.send(PointerPhase::Up, kOnModel, 0));
@@ -182,7 +182,7 @@ TEST(EditorHost, APressKeepsItsOwnerUntilItIsLetGo) {
 }
 
 TEST(EditorHost, ASecondFingerIsNotThePanels) {
-  Desk desk;
+  HostDesk desk;
   desk.send(PointerPhase::Down, kOnModel, 1, 1);
   EXPECT_TRUE(desk.send(PointerPhase::Down, kOnPanel, 1, 2));
   EXPECT_FALSE(desk.send(PointerPhase::Move, kOnModel, 1, 1));
@@ -190,7 +190,7 @@ TEST(EditorHost, ASecondFingerIsNotThePanels) {
 }
 
 TEST(EditorHost, TheModelStandsInTheMiddleOfWhatThePanelLeaves) {
-  Desk desk;
+  HostDesk desk;
   // The sphere's silhouette on the middle row: as far from the left edge as from the panel.
   const auto hits = [&](int x) { return desk.app.pick({x, kHeight / 2}).has_value(); };
   int left = 0, right = kPanelLeft;
@@ -207,7 +207,7 @@ TEST(EditorHost, TheModelStandsInTheMiddleOfWhatThePanelLeaves) {
 }
 
 TEST(EditorHost, UndoAndRedoReachTheApp) {
-  Desk desk;
+  HostDesk desk;
   desk.app.setField("curl", "0.9");
   EXPECT_TRUE(desk.host.key("z", true, {false, true, false}));
   EXPECT_FLOAT_EQ(desk.app.settings().curl, settings::Settings{}.curl);
@@ -216,7 +216,7 @@ TEST(EditorHost, UndoAndRedoReachTheApp) {
 }
 
 TEST(EditorHost, BracketsSizeTheBrushAndWithShiftItsStrength) {
-  Desk desk;
+  HostDesk desk;
   desk.app.setTool(Tool::Trim);
   const settings::Settings before = desk.app.settings();
   EXPECT_TRUE(desk.host.key("]", true, {}));
@@ -235,7 +235,7 @@ TEST(EditorHost, BracketsSizeTheBrushAndWithShiftItsStrength) {
 }
 
 TEST(EditorHost, AltTakesTheColourFromTheModelInsteadOfPainting) {
-  Desk desk;
+  HostDesk desk;
   desk.app.setTool(Tool::Paint);
   desk.app.setField("rootColor", "#205080");
   desk.app.setField("tipColor", "#205080");
@@ -251,7 +251,7 @@ TEST(EditorHost, AltTakesTheColourFromTheModelInsteadOfPainting) {
 }
 
 TEST(EditorHost, LeavesKeysToTheAppUntilThePanelHasTheFocus) {
-  Desk desk;
+  HostDesk desk;
   EXPECT_FALSE(desk.host.key("ArrowLeft", true, {}));
   EXPECT_FALSE(desk.host.wantsText());
   desk.click({600, 220});  // somewhere among the rows
@@ -263,7 +263,7 @@ TEST(EditorHost, LeavesKeysToTheAppUntilThePanelHasTheFocus) {
 }
 
 TEST(EditorHost, PastedTextThatIsNoStateIsAnErrorOnThePanel) {
-  Desk desk;
+  HostDesk desk;
   desk.picture();
   const settings::Settings before = desk.app.settings();
   desk.host.paste("no state at all");
@@ -272,14 +272,14 @@ TEST(EditorHost, PastedTextThatIsNoStateIsAnErrorOnThePanel) {
 }
 
 TEST(EditorHost, PastedStateIsTakenOver) {
-  Desk desk;
+  HostDesk desk;
   const std::string before = desk.app.state();
   desk.app.setField("curl", "0.9");
   desk.host.paste(before);
   EXPECT_FLOAT_EQ(desk.app.settings().curl, settings::Settings{}.curl);
 }
 
-void expectBackAfterALostContext(Desk& desk) {
+void expectBackAfterALostContext(HostDesk& desk) {
   const test::Picture before = desk.picture();
   desk.host.detach();
   desk.app.detach(true);
@@ -291,7 +291,7 @@ void expectBackAfterALostContext(Desk& desk) {
 }
 
 TEST(EditorHost, ComesBackAsItWasAfterALostContext) {
-  Desk desk;
+  HostDesk desk;
   expectBackAfterALostContext(desk);
 }
 
@@ -310,7 +310,7 @@ int whiteOnPanel(const test::Picture& picture) {
 }
 
 TEST(EditorHost, ShowsTheTileOfTheCoat) {
-  Desk desk(kTall);
+  HostDesk desk(kTall);
   // The layer half way up, in the tile and from the side: of 256 x 256 texels some hundreds are strands.
   const int strands = whiteOnPanel(desk.picture());
   EXPECT_GT(strands, 1000);
@@ -321,26 +321,26 @@ TEST(EditorHost, ShowsTheTileOfTheCoat) {
 }
 
 TEST(EditorHost, SleepsWithTheTileOpen) {
-  Desk desk(kTall);
+  HostDesk desk(kTall);
   desk.picture();
   EXPECT_FALSE(desk.host.active());
   EXPECT_FALSE(desk.host.update(1 / 60.0f)) << "the panel looks as it was drawn";
 }
 
 TEST(EditorHost, ANewCoatMakesThePanelLookDifferent) {
-  Desk desk(kTall);
+  HostDesk desk(kTall);
   desk.picture();
   desk.app.setField("seed", "77");
   EXPECT_GT(desk.settle(), 0);
 }
 
 TEST(EditorHost, ShowsTheTileAgainAfterALostContext) {
-  Desk desk(kTall);
+  HostDesk desk(kTall);
   expectBackAfterALostContext(desk);
 }
 
 TEST(EditorHost, APresetIsOneStepBack) {
-  Desk desk;
+  HostDesk desk;
   const settings::Settings before = desk.app.settings();
   ASSERT_TRUE(desk.app.applyPreset("wool"));
   EXPECT_EQ(settings::presetOf(desk.app.settings()), settings::findPreset("wool"));
@@ -351,7 +351,7 @@ TEST(EditorHost, APresetIsOneStepBack) {
 }
 
 TEST(EditorHost, TwoOnOneProgramDoNotMixUp) {
-  Desk desk;
+  HostDesk desk;
   App other;
   ASSERT_TRUE(other.attach());
   {

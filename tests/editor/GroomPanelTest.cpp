@@ -11,8 +11,8 @@
 namespace fur::editor {
 namespace {
 
-struct Person : PanelDriver {
-  Person() : PanelDriver({1280, 3600}) {
+struct GroomPerson : PanelDriver {
+  GroomPerson() : PanelDriver({1280, 3600}) {
     editor.setCollapsed(false);
     model.groom.plain = false;
     frames(3);
@@ -54,7 +54,7 @@ struct Person : PanelDriver {
 };
 
 TEST(GroomPanel, EveryToolThatGroomsHasAButton) {
-  Person person;
+  GroomPerson person;
   for (std::size_t i = 0; i < app::kToolCount; ++i) {
     const auto tool = static_cast<Tool>(i);
     if (!app::grooms(tool)) continue;
@@ -82,7 +82,7 @@ TEST(GroomPanel, WhatBrushesAddComesOffAgainByTheButtonsBesideThem) {
   } pairs[] = {{"Thin", "Thin", "Thicken", Tool::Thin}, {"Paint", "Paint", "Erase paint", Tool::Paint}, {"Mask", "Mask", "Unmask", Tool::Mask},
                {"Curl", "Curl", "Uncurl", Tool::Curl}, {"Frizz", "Frizz", "Unfrizz", Tool::Frizz}, {"Gather locks", "Gather locks", "Open locks", Tool::Locks}};
   for (const auto& pair : pairs) {
-    Person person;
+    GroomPerson person;
     person.press(pair.row, 1, pair.takes);
     EXPECT_TRUE(person.model.settings.brushErases) << pair.takes;
     EXPECT_EQ(person.count<command::SetTool>(), 1);
@@ -92,7 +92,7 @@ TEST(GroomPanel, WhatBrushesAddComesOffAgainByTheButtonsBesideThem) {
 }
 
 TEST(GroomPanel, FalloffAndMirrorAreSettings) {
-  Person person;
+  GroomPerson person;
   person.press("falloffs", 3, "Flat");
   EXPECT_EQ(person.model.settings.brushFalloff, 3);
   person.press("mirrors", 1, "X");
@@ -102,7 +102,7 @@ TEST(GroomPanel, FalloffAndMirrorAreSettings) {
 }
 
 TEST(GroomPanel, SelectingShowsTheMaskToThoseWhoDoNotGroomYet) {
-  Person person;
+  GroomPerson person;
   person.model.tool = Tool::Droplet;
   person.press("selects", 2, "Type");
   ASSERT_EQ(person.count<command::SetTool>(), 1);
@@ -110,7 +110,7 @@ TEST(GroomPanel, SelectingShowsTheMaskToThoseWhoDoNotGroomYet) {
 }
 
 TEST(GroomPanel, SelectionsAreEditsOrWaitForAClick) {
-  Person person;
+  GroomPerson person;
   person.model.tool = Tool::Comb;
   const std::pair<const char*, GroomEdit> changes[] = {{"Grow", GroomEdit::GrowMask}, {"Shrink", GroomEdit::ShrinkMask}, {"Smooth", GroomEdit::SmoothMask}};
   for (int i = 0; i < 3; ++i) {
@@ -138,7 +138,7 @@ TEST(GroomPanel, SelectionsAreEditsOrWaitForAClick) {
 }
 
 TEST(GroomPanel, WhatItDoesAllOverIsOneCommandEach) {
-  Person person;
+  GroomPerson person;
   person.press("lengths", 2, "1/2");
   command::GroomAll edit = person.only();
   EXPECT_EQ(edit.edit, GroomEdit::Length);
@@ -174,7 +174,7 @@ TEST(GroomPanel, WhatItDoesAllOverIsOneCommandEach) {
 }
 
 TEST(GroomPanel, ThereIsNothingToClearInAPlainGroom) {
-  Person person;
+  GroomPerson person;
   const auto clear = person.find(person.id("Clear"));
   ASSERT_TRUE(clear);
   person.click(*clear);
@@ -186,7 +186,7 @@ TEST(GroomPanel, ThereIsNothingToClearInAPlainGroom) {
 }
 
 TEST(GroomPanel, BrushSettingsAreUndoSteps) {
-  Person person;
+  GroomPerson person;
   person.press("types", 2, "3");
   EXPECT_EQ(person.model.settings.groomType, 2);
   EXPECT_EQ(person.count<command::BeginChange>(), 1);
@@ -200,7 +200,7 @@ TEST(GroomPanel, BrushSettingsAreUndoSteps) {
 }
 
 TEST(GroomPanel, AsksForThePictureOfTheMapOnlyWhileItShows) {
-  Person person;
+  GroomPerson person;
   EXPECT_TRUE(person.editor.showsGroom());
   person.open(false);
   EXPECT_FALSE(person.editor.showsGroom());

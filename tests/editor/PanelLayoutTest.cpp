@@ -7,8 +7,8 @@
 namespace fur::editor {
 namespace {
 
-struct Person : PanelDriver {
-  explicit Person(Vec2 screen = {1280, 800}, ThemeScale scale = {}) : PanelDriver(screen, scale) {}
+struct LayoutPerson : PanelDriver {
+  explicit LayoutPerson(Vec2 screen = {1280, 800}, ThemeScale scale = {}) : PanelDriver(screen, scale) {}
   ImRect rect() const { return panel()->Rect(); }
   void drag(Vec2 from, Vec2 by) {
     seconds += 10;
@@ -24,7 +24,7 @@ struct Person : PanelDriver {
 
 TEST(PanelLayout, TheColumnIsDraggedWiderByItsEdge) {
   for (const float ratio : {1.0f, 2.0f}) {
-    Person person(Vec2(1280, 800) * ratio, {ratio, false});
+    LayoutPerson person(Vec2(1280, 800) * ratio, {ratio, false});
     const ImRect before = person.rect();
     person.drag(person.edge(), Vec2(-100, 0) * ratio);
     EXPECT_EQ(person.rect().Min.x, before.Min.x - 100 * ratio);
@@ -36,7 +36,7 @@ TEST(PanelLayout, TheColumnIsDraggedWiderByItsEdge) {
 }
 
 TEST(PanelLayout, ThePictureAndTheRowsKeepTheirRoom) {
-  Person person;
+  LayoutPerson person;
   person.drag(person.edge(), {-2000, 0});
   EXPECT_LE(person.editor.covered().x, 0.6f);
   EXPECT_GE(person.editor.covered().x, 0.5f);
@@ -45,14 +45,14 @@ TEST(PanelLayout, ThePictureAndTheRowsKeepTheirRoom) {
 }
 
 TEST(PanelLayout, ADoubleClickOnTheEdgeGivesTheFirstWidthBack) {
-  Person person;
+  LayoutPerson person;
   person.drag(person.edge(), {-100, 0});
   person.doubleClick(person.edge());
   EXPECT_EQ(person.rect().GetWidth(), 336);
 }
 
 TEST(PanelLayout, TheEdgeFollowsTheArrowKeysWhileItHasTheFocus) {
-  Person person;
+  LayoutPerson person;
   ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
   ImGuiContext& context = *ImGui::GetCurrentContext();
   ImGui::FocusWindow(person.panel());
@@ -66,8 +66,8 @@ TEST(PanelLayout, TheEdgeFollowsTheArrowKeysWhileItHasTheFocus) {
   EXPECT_EQ(context.NavId, person.panel()->GetID("##edge"));
 }
 
-struct PhonePerson : Person {
-  explicit PhonePerson() : Person({390, 844}, {1, true}) {}
+struct PhonePerson : LayoutPerson {
+  explicit PhonePerson() : LayoutPerson({390, 844}, {1, true}) {}
 };
 
 TEST(PanelLayout, TheSheetIsDraggedHigherByItsTitle) {
@@ -105,9 +105,9 @@ TEST(PanelLayout, ATapOnTheSheetsTitleClosesAndOpensIt) {
 }
 
 TEST(PanelLayout, ItsSizesAreKeptAsAText) {
-  Person person;
+  LayoutPerson person;
   person.drag(person.edge(), {-64, 0});
-  Person another;
+  LayoutPerson another;
   another.editor.setLayout(person.editor.layout());
   another.frames(3);
   EXPECT_EQ(another.rect().GetWidth(), 400);
@@ -125,7 +125,7 @@ TEST(PanelLayout, TextsThatAreNoneOfItsOwnChangeNothingOrAreClamped) {
 }
 
 TEST(PanelLayout, ANarrowerScreenKeepsItsShareOfAWidePanel) {
-  Person person({700, 800});
+  LayoutPerson person({700, 800});
   person.editor.setLayout("width 720 sheet 0.4");
   person.frames(3);
   EXPECT_LE(person.editor.covered().x, 0.6f);

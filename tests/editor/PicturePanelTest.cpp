@@ -5,8 +5,8 @@
 namespace fur::editor {
 namespace {
 
-struct Person : PanelDriver {
-  Person() {
+struct PicturePerson : PanelDriver {
+  PicturePerson() {
     model.picture.shownWidth = 1280;
     model.picture.shownHeight = 800;
     openGroup("Picture");
@@ -33,7 +33,7 @@ struct Person : PanelDriver {
 };
 
 TEST(PicturePanel, APictureIsAsLargeAsWhatIsSeenUntilAnotherSizeIsChosen) {
-  Person person;
+  PicturePerson person;
   person.press("Save picture (.png)");
   const auto* seen = person.last<command::SavePicture>();
   ASSERT_TRUE(seen);
@@ -48,7 +48,7 @@ TEST(PicturePanel, APictureIsAsLargeAsWhatIsSeenUntilAnotherSizeIsChosen) {
 }
 
 TEST(PicturePanel, NumbersOfOnesOwnAreTakenUpToWhatTheMachineDraws) {
-  Person person;
+  PicturePerson person;
   person.model.picture.mostSide = 4096;
   person.write("##pictureWidth", "4096");
   person.press("Save picture (.png)");
@@ -62,7 +62,7 @@ TEST(PicturePanel, NumbersOfOnesOwnAreTakenUpToWhatTheMachineDraws) {
 }
 
 TEST(PicturePanel, ATurnGoesTheWayAndTakesTheTimeThatWasChosen) {
-  Person person;
+  PicturePerson person;
   person.model.fileAccess = FileAccess::Path;
   person.press("###turn");
   ASSERT_TRUE(person.last<command::TurnOnce>());
@@ -74,7 +74,7 @@ TEST(PicturePanel, ATurnGoesTheWayAndTakesTheTimeThatWasChosen) {
 }
 
 TEST(PicturePanel, WhileOneIsDrawnOnlyToStopItIsOffered) {
-  Person person;
+  PicturePerson person;
   person.model.picture.busy = true;
   person.frames(2);
   EXPECT_FALSE(person.find(person.id("Save picture (.png)")));

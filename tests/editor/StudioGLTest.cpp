@@ -9,9 +9,9 @@
 namespace fur::app {
 namespace {
 
-struct Desk : test::Scene {
+struct StudioDesk : test::Scene {
   Studio studio{app};
-  Desk() : Scene(240, 180) { app.setField("layers", "8"); }
+  StudioDesk() : Scene(240, 180) { app.setField("layers", "8"); }
 
   // All frames, one after the other.
   std::vector<test::Picture> take(const PictureOrder& order) {
@@ -32,7 +32,7 @@ struct Desk : test::Scene {
 };
 
 TEST(Studio, APictureOfTheShownSizeIsWhatIsShown) {
-  Desk desk;
+  StudioDesk desk;
   desk.app.settle();
   const auto frames = desk.take({240, 180});
   ASSERT_EQ(frames.size(), 1u);
@@ -40,7 +40,7 @@ TEST(Studio, APictureOfTheShownSizeIsWhatIsShown) {
 }
 
 TEST(Studio, LargePicturesComeInBands) {
-  Desk desk;
+  StudioDesk desk;
   desk.app.settle();
   desk.app.setField("ground", "false");
   ASSERT_TRUE(desk.studio.begin({512, 8192}));
@@ -54,7 +54,7 @@ TEST(Studio, LargePicturesComeInBands) {
 }
 
 TEST(Studio, RefusesASizeThatTheMachineDoesNotDraw) {
-  Desk desk;
+  StudioDesk desk;
   for (const auto& [width, height] : {std::pair(8193, 100), {100, 100000}, {15, 100}, {100, 0}}) {
     const Status status = desk.studio.begin({width, height});
     ASSERT_FALSE(status) << width << 'x' << height;
@@ -65,7 +65,7 @@ TEST(Studio, RefusesASizeThatTheMachineDoesNotDraw) {
 }
 
 TEST(Studio, ATurnGoesRoundInEvenStepsAndEndsWhereItBegan) {
-  Desk desk;
+  StudioDesk desk;
   desk.app.setField("furLength", "0.02");
   desk.app.setCamera({0.3f, 0.2f, 3, Vec3(0)});
   ASSERT_TRUE(desk.studio.begin({32, 32, false, 8, 4}));
@@ -80,7 +80,7 @@ TEST(Studio, ATurnGoesRoundInEvenStepsAndEndsWhereItBegan) {
 }
 
 TEST(Studio, TimeGoesByBetweenFramesOfATurnAndNotForAPicture) {
-  Desk desk;
+  StudioDesk desk;
   desk.app.setField("dryRate", "1");
   desk.app.setWetness(1);
   desk.app.tick(0);
@@ -92,7 +92,7 @@ TEST(Studio, TimeGoesByBetweenFramesOfATurnAndNotForAPicture) {
 }
 
 TEST(Studio, GivenUpTheSceneIsAsItWas) {
-  Desk desk;
+  StudioDesk desk;
   const CameraOrbit before = desk.app.camera();
   ASSERT_TRUE(desk.studio.begin({32, 32, false, 8, 4}));
   for (int i = 0; i < 3; ++i) ASSERT_TRUE(static_cast<bool>(desk.studio.next()));
@@ -105,7 +105,7 @@ TEST(Studio, GivenUpTheSceneIsAsItWas) {
 // What grooming tools show of the mask is for who grooms.
 TEST(Studio, TheMaskIsInNoPicture) {
   GroomStage::setEditorBrushes(&kEditorGroom);
-  Desk desk;
+  StudioDesk desk;
   desk.app.settle();
   const test::Picture plain = desk.take({240, 180})[0];
   desk.app.groomAll(GroomEdit::InvertMask);

@@ -5,9 +5,9 @@
 namespace fur::editor {
 namespace {
 
-struct Person : PanelDriver {
+struct VersionsPerson : PanelDriver {
   std::vector<VersionView> kept{{"b", "Wet", "today"}, {"a", "Dry", "yesterday"}};
-  Person() {
+  VersionsPerson() {
     model.versions = kept;
     openGroup("Versions");
   }
@@ -26,7 +26,7 @@ struct Person : PanelDriver {
 };
 
 TEST(VersionsPanel, KeepsUnderTheNameThatWasTypedOrTheNextNumber) {
-  Person person;
+  VersionsPerson person;
   person.press("Keep");
   ASSERT_TRUE(person.last<command::KeepVersion>());
   EXPECT_EQ(person.last<command::KeepVersion>()->name, "Version 3");
@@ -39,14 +39,14 @@ TEST(VersionsPanel, KeepsUnderTheNameThatWasTypedOrTheNextNumber) {
 }
 
 TEST(VersionsPanel, GoesBackToTheOneWhoseButtonWasPressed) {
-  Person person;
+  VersionsPerson person;
   person.choose("a", "buttons", 0, "Go back");
   ASSERT_TRUE(person.last<command::OpenVersion>());
   EXPECT_EQ(person.last<command::OpenVersion>()->id, "a");
 }
 
 TEST(VersionsPanel, DeletesOnlyAfterItHasAsked) {
-  Person person;
+  VersionsPerson person;
   person.choose("b", "buttons", 2, "Delete");
   EXPECT_EQ(person.count<command::DeleteVersion>(), 0);
   person.choose("b", "answers", 1, "Cancel");
@@ -58,7 +58,7 @@ TEST(VersionsPanel, DeletesOnlyAfterItHasAsked) {
 }
 
 TEST(VersionsPanel, RenamesByTypingOverTheOldName) {
-  Person person;
+  VersionsPerson person;
   person.choose("a", "buttons", 1, "Rename");
   person.frames(3);
   person.type("Fluffy");

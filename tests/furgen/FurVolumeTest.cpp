@@ -14,7 +14,7 @@
 namespace fur::furgen {
 namespace {
 
-FurParameters smallCoat() {
+FurParameters smallVolume() {
   FurParameters p;
   p.size = 128;
   p.layers = 16;
@@ -38,7 +38,7 @@ std::uint64_t hashOf(const FurVolume& v) {
 TEST(FurVolume, CoversMoreWithDensity) {
   double last = -1;
   for (const float density : {0.0f, 0.2f, 0.5f, 0.8f, 1.0f}) {
-    FurParameters p = smallCoat();
+    FurParameters p = smallVolume();
     p.density = density;
     const double cover = layerCover(generateFur(p), 0);
     EXPECT_GT(cover, last);
@@ -49,7 +49,7 @@ TEST(FurVolume, CoversMoreWithDensity) {
 TEST(FurVolume, CoversMoreWithThickness) {
   double last = 0;
   for (const float thickness : {0.0f, 0.2f, 0.5f, 0.8f, 1.0f}) {
-    FurParameters p = smallCoat();
+    FurParameters p = smallVolume();
     p.size = 256;
     p.curl = 0;
     p.thickness = thickness;
@@ -67,7 +67,7 @@ TEST(FurVolume, CoversHalfTheSkinAtItsDensest) {
 }
 
 TEST(FurVolume, OfStraightStrandsNeverThickensWithHeight) {
-  FurParameters p = smallCoat();
+  FurParameters p = smallVolume();
   p.curl = 0;
   const FurVolume v = generateFur(p);
   const std::size_t texels = static_cast<std::size_t>(v.size) * v.size;
@@ -114,7 +114,7 @@ TEST(FurVolume, TilesWithoutASeam) {
 }
 
 TEST(FurVolume, HasUnitTangentsThatPointUp) {
-  FurParameters p = smallCoat();
+  FurParameters p = smallVolume();
   p.curl = 1;
   const FurVolume v = generateFur(p);
   for (std::size_t i = 0; i < v.coverage.size(); ++i) {
@@ -126,7 +126,7 @@ TEST(FurVolume, HasUnitTangentsThatPointUp) {
 
 TEST(FurVolume, HasOffsetsThatLeadBackToTheRoot) {
   for (const float coil : {0.0f, 0.8f}) {
-    FurParameters p = smallCoat();
+    FurParameters p = smallVolume();
     p.curl = 1;
     p.clump = 0.5f;
     p.wave = 1;
@@ -173,7 +173,7 @@ TEST(FurVolume, GivesEveryEmptyTexelItsTrueNearestStrand) {
 }
 
 TEST(FurVolume, KeepsDominanceAndVarianceOfAStrandAlongItsLength) {
-  const FurVolume v = generateFur(smallCoat());
+  const FurVolume v = generateFur(smallVolume());
   std::vector<int> dominance(v.strandCount + 1, -1), variance(v.strandCount + 1, -1);
   for (std::size_t i = 0; i < v.coverage.size(); ++i) {
     const std::uint16_t id = v.strandId[i];
@@ -187,11 +187,11 @@ TEST(FurVolume, KeepsDominanceAndVarianceOfAStrandAlongItsLength) {
 }
 
 TEST(FurVolume, OfASeedIsTheSameOnEveryPlatform) {
-  FurParameters locks = smallCoat();
+  FurParameters locks = smallVolume();
   locks.curl = 0.6f;
   locks.wave = locks.clump = locks.roll = locks.frizz = locks.tipBreak = 0.4f;
   locks.undercoat = 0.7f;
-  FurParameters coils = smallCoat();
+  FurParameters coils = smallVolume();
   coils.coil = 0.6f;
   const FurVolume v = generateFur(locks);
   EXPECT_EQ(hashOf(v), hashOf(generateFur(locks)));
@@ -260,18 +260,18 @@ TEST(FurVolume, HasAFinMapThatThinsUpwardsAndTiles) {
 }
 
 TEST(FurVolume, GrowsHeavierWithLengthAndDensity) {
-  FurParameters p = smallCoat();
+  FurParameters p = smallVolume();
   const float standard = generateFur(p).weight;
   p.length = 0.5f;
   EXPECT_LT(generateFur(p).weight, standard);
-  p = smallCoat();
+  p = smallVolume();
   p.density = 0.3f;
   EXPECT_LT(generateFur(p).weight, standard);
 }
 
 TEST(FurVolume, ThatFoldsBackHasSeveralStretchesOfOneStrandOnALayer) {
   // A coil crosses a height up to five times: more discs than strands.
-  FurParameters p = smallCoat();
+  FurParameters p = smallVolume();
   p.coil = 1;
   p.density = 0.05f;
   const FurVolume v = generateFur(p);

@@ -36,12 +36,12 @@ Mesh makeScraps() {
   return mesh;
 }
 
-struct Shape {
+struct OverlapShape {
   const char* name;
   Surface surface;
 };
 
-std::vector<Shape> shapes() {
+std::vector<OverlapShape> overlapShapes() {
   Mesh coarse = withoutUv(makeSphere(14, 7));
   return {{"lump", built(makeLump())},
           {"torus", built(makeTorus())},
@@ -68,7 +68,7 @@ std::vector<std::vector<std::uint32_t>> layersOf(const Surface& surface) {
 
 TEST(FurOverlap, ShowsEveryStrandOnceEverywhere) {
   Random random(4);
-  for (const auto& [name, surface] : shapes()) {
+  for (const auto& [name, surface] : overlapShapes()) {
     for (const auto& layers : layersOf(surface)) {
       for (int sample = 0; sample < 8; ++sample) {
         float u = random.uniform(), v = random.uniform();
@@ -93,7 +93,7 @@ TEST(FurOverlap, ShowsEveryStrandOnceEverywhere) {
 }
 
 TEST(FurOverlap, CopiesTrueVerticesButForTheirFur) {
-  for (const auto& [name, surface] : shapes()) {
+  for (const auto& [name, surface] : overlapShapes()) {
     for (std::size_t t = 0; const auto& layers : layersOf(surface)) {
       for (const std::uint32_t i : layers)
         for (std::uint32_t k = 0; k < 3; ++k) {
@@ -110,7 +110,7 @@ TEST(FurOverlap, CopiesTrueVerticesButForTheirFur) {
 }
 
 TEST(FurOverlap, KeepsCopiesBehindTheTrueVertices) {
-  for (const auto& [name, surface] : shapes()) {
+  for (const auto& [name, surface] : overlapShapes()) {
     for (const std::uint32_t v : surface.indices) ASSERT_LT(v, surface.trueVertexCount) << name;
     for (const SurfaceEdge& edge : surface.edges) ASSERT_LT(std::max(edge.a, edge.b), surface.trueVertexCount) << name;
     for (const std::uint32_t v : surface.furIndices) ASSERT_LT(v, surface.vertices.size()) << name;
@@ -180,7 +180,7 @@ TEST(FurOverlap, ReachesAsFarAsItSays) {
 }
 
 TEST(FurOverlap, DrawsLittleTwice) {
-  for (const auto& [name, surface] : shapes()) {
+  for (const auto& [name, surface] : overlapShapes()) {
     if (std::string(name).find("cube-mapped") == 0 || surface.triangleCount() < 2000) continue;
     double all = 0.0, drawn = 0.0;
     const auto layers = layersOf(surface);
@@ -198,7 +198,7 @@ TEST(FurOverlap, GivesCoarseShapesHardBorders) {
   const Surface cube = built(makeCube());
   EXPECT_LE(cube.furIndices.size(), 2 * cube.indices.size());
   // A hundred scraps of two triangles, a fan: copies stay bounded.
-  for (const auto& [name, surface] : shapes())
+  for (const auto& [name, surface] : overlapShapes())
     EXPECT_LE(surface.furIndices.size(), (1 + kMostCopies) * surface.indices.size()) << name;
 }
 

@@ -12,11 +12,11 @@
 namespace fur::geometry {
 namespace {
 
-struct Shape {
+struct HardShape {
   const char* name;
   Mesh mesh;
 };
-std::vector<Shape> solids() {
+std::vector<HardShape> solids() {
   return {{"cube", test::makeCube()}, {"plate", test::makePlate()}, {"rod", test::makeRod()}, {"L", test::makeL()},
           {"cylinder", test::makeCylinder()}, {"faceted cylinder", test::makeCylinder(12, false)}};
 }
@@ -37,7 +37,7 @@ double areaOf(const std::vector<Vec3>& positions, const std::vector<std::uint32_
 }
 
 TEST(HardEdges, OutsidesOfNeighboursMeetAlongEveryEdge) {
-  for (const Shape& shape : solids()) {
+  for (const HardShape& shape : solids()) {
     const Surface surface = built(shape.mesh);
     const Weld weld = weldOf(surface);
     const auto sides = sortedSides(surface.indices, weld);
@@ -56,7 +56,7 @@ TEST(HardEdges, OutsidesOfNeighboursMeetAlongEveryEdge) {
 }
 
 TEST(HardEdges, TheSkinKeepsItsShapeAndItsArea) {
-  for (const Shape& shape : solids()) {
+  for (const HardShape& shape : solids()) {
     const RoundedMesh rounded = roundHardEdges(shape.mesh);
     ASSERT_TRUE(rounded.changed) << shape.name;
     const double area = areaOf(shape.mesh.positions, shape.mesh.indices);
@@ -114,7 +114,7 @@ TEST(HardEdges, FurOnAnEdgeStandsHalfwayBetweenItsFacesAndOnACornerBetweenAllThr
 }
 
 TEST(HardEdges, FurTurnsByLittleFromOneVertexToTheNext) {
-  for (const Shape& shape : {Shape{"cube", test::makeCube()}, Shape{"L", test::makeL()}, Shape{"cylinder", test::makeCylinder()}}) {
+  for (const HardShape& shape : {HardShape{"cube", test::makeCube()}, HardShape{"L", test::makeL()}, HardShape{"cylinder", test::makeCylinder()}}) {
     const RoundedMesh rounded = roundHardEdges(shape.mesh);
     for (std::size_t i = 0; i < rounded.mesh.indices.size(); ++i) {
       const std::uint32_t a = rounded.mesh.indices[i], b = rounded.mesh.indices[i / 3 * 3 + (i + 1) % 3];
@@ -184,7 +184,7 @@ TEST(HardEdges, ManyFacetsCostNoMoreThanTheBudget) {
 }
 
 TEST(HardEdges, CoordinatesAndChartsRunOnOverWhatWasInserted) {
-  for (const Shape& shape : solids()) {
+  for (const HardShape& shape : solids()) {
     Mesh mesh = shape.mesh;
     for (const Vec3& p : mesh.positions) mesh.uv.push_back(Vec2(p.x + 0.3f * p.z, p.y));  // linear over every face
     const Surface surface = built(mesh);

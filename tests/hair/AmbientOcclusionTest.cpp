@@ -29,7 +29,7 @@ struct Ball {
     return sum / static_cast<float>(light.size() / kPoints);
   }
 
-  test::Scalp sphere;
+  test::TestScalp sphere;
   HairValues values;
   std::vector<std::uint8_t> light;
 };

@@ -21,7 +21,7 @@ struct Leaning {
     const auto roots = sphere.roots(guides);
     tangents = baseTangents(sphere.scalp(), plantWisps(sphere.scalp(), guides, roots, values), restNodes(guides, roots), guides.nodes, values);
   }
-  test::Scalp sphere;
+  test::TestScalp sphere;
   HairValues values;
   std::vector<std::array<std::uint8_t, 4>> tangents;
 };
@@ -52,7 +52,7 @@ TEST(BaseTangents, HairThatStandsLiesAlongNothing) {
 }
 
 TEST(BaseTangents, ThereAreNoneWhereNoHairGrows) {
-  test::Scalp bald(geometry::makeSphere());
+  test::TestScalp bald(geometry::makeSphere());
   bald.paint([](const Vec3&) { return groom::GroomMap::Texel{0, 255, 255, 255}; });
   for (const auto& texel : baseTangents(bald.scalp(), {}, {}, 8, {})) EXPECT_EQ(texel[3], 0);
 }

@@ -9,7 +9,7 @@
 namespace fur::hair {
 namespace {
 
-using test::Scalp;
+using test::TestScalp;
 using Texel = groom::GroomMap::Texel;
 
 // As far apart as discs can be that fill the area.
@@ -27,7 +27,7 @@ std::vector<float> toNext(const std::vector<Dart>& darts) {
 }
 
 TEST(DartThrowing, ThereAreAsManyAsAskedAndTheyLieOnTheirTriangles) {
-  const Scalp sphere(geometry::makeSphere());
+  const TestScalp sphere(geometry::makeSphere());
   for (const int count : {0, 1, 2, 5, 300}) {
     const auto darts = throwDarts(sphere.scalp(), count, 1);
     ASSERT_EQ(darts.size(), static_cast<std::size_t>(count));
@@ -43,8 +43,8 @@ TEST(DartThrowing, ThereAreAsManyAsAskedAndTheyLieOnTheirTriangles) {
 }
 
 TEST(DartThrowing, TheyKeepApartAlsoWhereTheyAreFew) {
-  const Scalp few(geometry::makePlane(2)), many(geometry::makePlane(40)), sphere(geometry::makeSphere());
-  for (const Scalp* scalp : {&few, &many, &sphere})
+  const TestScalp few(geometry::makePlane(2)), many(geometry::makePlane(40)), sphere(geometry::makeSphere());
+  for (const TestScalp* scalp : {&few, &many, &sphere})
     for (const int count : {8, 16, 60, 500}) {
       const auto darts = throwDarts(scalp->scalp(), count, 3);
       const auto next = toNext(darts);
@@ -53,7 +53,7 @@ TEST(DartThrowing, TheyKeepApartAlsoWhereTheyAreFew) {
 }
 
 TEST(DartThrowing, NoPlaceIsFarFromOneAlsoWhereTheyAreFew) {
-  const Scalp plane(geometry::makePlane(2));
+  const TestScalp plane(geometry::makePlane(2));
   for (const int count : {8, 16, 60}) {
     const auto darts = throwDarts(plane.scalp(), count, 5);
     float farthest = 0;
@@ -68,7 +68,7 @@ TEST(DartThrowing, NoPlaceIsFarFromOneAlsoWhereTheyAreFew) {
 
 TEST(DartThrowing, BordersOfTrianglesShowNoPattern) {
   // A plane of four squares: as many darts stand along the border in the middle as elsewhere.
-  const Scalp plane(geometry::makePlane(2));
+  const TestScalp plane(geometry::makePlane(2));
   const float band = 0.03f;
   int border = 0, elsewhere = 0;
   for (std::uint64_t seed = 0; seed < 80; ++seed)
@@ -82,7 +82,7 @@ TEST(DartThrowing, BordersOfTrianglesShowNoPattern) {
 }
 
 TEST(DartThrowing, TheyFollowTheDensityAndStandNowhereElse) {
-  Scalp plane(geometry::makePlane(20));
+  TestScalp plane(geometry::makePlane(20));
   plane.paint([](const Vec3& p) -> Texel { return {static_cast<std::uint8_t>(p.x > 0.02f ? 252 : p.x < -0.02f ? 63 : 0), 0, 0, 0}; });
   std::size_t dense = 0, thin = 0;
   for (const Dart& dart : throwDarts(plane.scalp(), 1000, 2)) {
@@ -94,7 +94,7 @@ TEST(DartThrowing, TheyFollowTheDensityAndStandNowhereElse) {
 }
 
 TEST(DartThrowing, GreyScalpsHaveAsManyAsWhiteOnes) {
-  Scalp plane(geometry::makePlane(8));
+  TestScalp plane(geometry::makePlane(8));
   plane.paint([](const Vec3&) { return Texel{20, 0, 0, 0}; });
   EXPECT_EQ(throwDarts(plane.scalp(), 100, 1).size(), 100u);
   const auto next = toNext(throwDarts(plane.scalp(), 100, 1));
@@ -102,14 +102,14 @@ TEST(DartThrowing, GreyScalpsHaveAsManyAsWhiteOnes) {
 }
 
 TEST(DartThrowing, AScalpThatCoversNothingHasNone) {
-  Scalp sphere(geometry::makeSphere());
+  TestScalp sphere(geometry::makeSphere());
   sphere.paint([](const Vec3&) { return groom::GroomMap::kBlank; });
   EXPECT_EQ(areaOf(sphere.scalp()), 0.0);
   EXPECT_TRUE(throwDarts(sphere.scalp(), 100, 1).empty());
 }
 
 TEST(DartThrowing, TheSidesOfAThinPlateDoNotKnowOfEachOther) {
-  const Scalp plate(geometry::test::makePlate());
+  const TestScalp plate(geometry::test::makePlate());
   const auto darts = throwDarts(plate.scalp(), 200, 4);
   ASSERT_EQ(darts.size(), 200u);
   int closer = 0, front = 0;
@@ -122,7 +122,7 @@ TEST(DartThrowing, TheSidesOfAThinPlateDoNotKnowOfEachOther) {
 }
 
 TEST(DartThrowing, TheFirstFewOfManyAreSpreadAsWell) {
-  const Scalp sphere(geometry::makeSphere());
+  const TestScalp sphere(geometry::makeSphere());
   auto darts = throwDarts(sphere.scalp(), 1000, 6);
   for (const std::size_t count : {500u, 100u, 20u}) {
     darts.resize(count);
@@ -132,7 +132,7 @@ TEST(DartThrowing, TheFirstFewOfManyAreSpreadAsWell) {
 }
 
 TEST(DartThrowing, ASeedGivesTheSameOnesAgainAndAnotherOthers) {
-  const Scalp sphere(geometry::makeSphere());
+  const TestScalp sphere(geometry::makeSphere());
   const auto one = throwDarts(sphere.scalp(), 50, 1), again = throwDarts(sphere.scalp(), 50, 1), other = throwDarts(sphere.scalp(), 50, 2);
   for (std::size_t i = 0; i < 50; ++i) {
     EXPECT_EQ(one[i].position, again[i].position);

@@ -154,7 +154,7 @@ TEST(DrawStrips, ItIsTheSameOnEveryPlatform) {
   const StripPicture picture = drawn(33, 0.003f);
   for (const auto& levels : picture.levels)
     for (const auto& level : levels) hash.addAll(level);
-  test::printOnEveryPlatform("strips of strands", hash.value());
+  fur::test::printOnEveryPlatform("strips of strands", hash.value());
 }
 
 }  // namespace

@@ -93,7 +93,7 @@ TEST(HairWater, OfASessionIsTheSameOnEveryPlatform) {
   WetMane hair, again;
   const std::uint64_t hash = session(hair);
   EXPECT_EQ(session(again), hash);
-  test::printOnEveryPlatform("water in hair", hash);
+  fur::test::printOnEveryPlatform("water in hair", hash);
 }
 
 TEST(HairWater, DriesFromTheTipsUp) {

@@ -10,18 +10,18 @@
 namespace fur::hair {
 namespace {
 
-using test::Scalp;
+using test::TestScalp;
 
 constexpr float kClearance = 0.02f;
 
-Guides planted(const Scalp& scalp, float length = 0.6f) {
+Guides planted(const TestScalp& scalp, float length = 0.6f) {
   HairValues values;
   values.guideLength = length, values.nodes = 10;
   return plantGuides(scalp.scalp(), values, 60).value();
 }
 
 TEST(Hanging, HairKeepsItsLengthOutsideOfTheSkin) {
-  const Scalp sphere(geometry::makeSphere());
+  const TestScalp sphere(geometry::makeSphere());
   Guides guides = planted(sphere);
   ASSERT_TRUE(hang(guides, sphere.surface, sphere.query, Vec3(0, -1, 0), 0.8f, kClearance));
   for (std::size_t g = 0; g < guides.count(); ++g) {
@@ -32,7 +32,7 @@ TEST(Hanging, HairKeepsItsLengthOutsideOfTheSkin) {
 }
 
 TEST(Hanging, HairLiesOnALevelTopInsteadOfStandingUpThere) {
-  const Scalp sphere(geometry::makeSphere());
+  const TestScalp sphere(geometry::makeSphere());
   Guides guides = planted(sphere);
   hang(guides, sphere.surface, sphere.query, Vec3(0, -1, 0), 1, kClearance);
   for (std::size_t g = 0; g < guides.count(); ++g)
@@ -41,7 +41,7 @@ TEST(Hanging, HairLiesOnALevelTopInsteadOfStandingUpThere) {
 }
 
 TEST(Hanging, APartingSendsHairToItsTwoSides) {
-  const Scalp sphere(geometry::makeSphere());
+  const TestScalp sphere(geometry::makeSphere());
   Guides guides = planted(sphere);
   ASSERT_TRUE(part(guides, sphere.roots(guides), Vec3(0.1f, 0, 0), 0.9f));
   for (std::size_t g = 0; g < guides.count(); ++g) {
@@ -54,7 +54,7 @@ TEST(Hanging, APartingSendsHairToItsTwoSides) {
 }
 
 TEST(Hanging, GatheredHairRunsAlongTheSkinAndEndsAtOnePlace) {
-  Scalp sphere(geometry::makeSphere());
+  TestScalp sphere(geometry::makeSphere());
   sphere.paint([](const Vec3& p) -> groom::GroomMap::Texel { return {static_cast<std::uint8_t>(p.y > 0 ? 255 : 0), 255, 255, 255}; });
   const Vec3 tie(0, 0.8f, -0.75f);
   Guides guides = planted(sphere);
@@ -95,7 +95,7 @@ TEST(Hanging, ABundleIsAsRoundAtItsTipsAsAtItsRoots) {
 }
 
 TEST(Hanging, HiddenGuidesAndSharesOfNothingChangeNothing) {
-  const Scalp sphere(geometry::makeSphere());
+  const TestScalp sphere(geometry::makeSphere());
   Guides guides = planted(sphere);
   const Guides before = guides;
   EXPECT_FALSE(hang(guides, sphere.surface, sphere.query, Vec3(0), 1, kClearance));
@@ -107,7 +107,7 @@ TEST(Hanging, HiddenGuidesAndSharesOfNothingChangeNothing) {
 }
 
 TEST(Scalp, PaintedDensityFillsABallAndFadesAtItsRim) {
-  Scalp sphere(geometry::makeSphere());
+  TestScalp sphere(geometry::makeSphere());
   sphere.paint([](const Vec3&) -> groom::GroomMap::Texel { return {0, 10, 20, 30}; });
   const groom::SurfacePoints points(sphere.surface);
   paintDensity(sphere.map, {sphere.surface, sphere.query, sphere.atlas, points}, Vec3(0, 1, 0), 0.5f, 1);

@@ -11,7 +11,7 @@ namespace fur::hair {
 namespace {
 
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN(), kInf = std::numeric_limits<float>::infinity();
-constexpr Model kModels[] = {Model::Spring, Model::Cascade, Model::Forest};
+constexpr Model kEveryModel[] = {Model::Spring, Model::Cascade, Model::Forest};
 
 bool sound(const Shaken& hair) {
   for (const GuideNode& node : hair.nodes())
@@ -40,7 +40,7 @@ TEST(HostileHair, PausesTakeHairAlongAsItIs) {
 }
 
 TEST(HostileHair, TeleportsTakeHairAlongAsItIs) {
-  for (const Model model : kModels) {
+  for (const Model model : kEveryModel) {
     Shaken hair;
     hair.values.model = model;
     hair.run(0.5f);
@@ -68,7 +68,7 @@ TEST(HostileHair, RootsThatAreNoFramesCountAsTheLastOnes) {
 }
 
 TEST(HostileHair, TenfoldSpeedTearsNothing) {
-  for (const Model model : kModels)
+  for (const Model model : kEveryModel)
     for (const float stiffness : {0.0f, 1.0f}) {
       Shaken hair{Mane(4, 16)};
       hair.values.model = model;
@@ -107,7 +107,7 @@ TEST(HostileHair, AnyValuesWindsAndCollidersLeaveItWhole) {
 }
 
 TEST(HostileHair, SegmentsWithoutLengthAndKinksStayFinite) {
-  for (const Model model : kModels) {
+  for (const Model model : kEveryModel) {
     Mane mane;
     for (std::size_t i = 3; i < 8; ++i) mane.guides.of(0)[i] = mane.guides.of(0)[2];
     for (std::size_t i = 1; i < 8; ++i) mane.guides.of(1)[i] = mane.guides.root(1);
@@ -132,7 +132,7 @@ TEST(HostileHair, NoGuidesAreNoWork) {
 }
 
 TEST(HostileHair, HasTheSamePathOnEveryPlatform) {
-  for (const Model model : kModels) {
+  for (const Model model : kEveryModel) {
     Shaken hair{Mane(6, 9)};
     hair.values.model = model;
     hair.wind = {Vec3(0.4f, 0.1f, 0.2f), 0.5f, 0.4f, 0};
@@ -149,7 +149,7 @@ TEST(HostileHair, HasTheSamePathOnEveryPlatform) {
       for (const GuideNode& node : hair.nodes()) hash.add(node);
     }
     const char* names[] = {"guides on springs", "guides in a cascade", "guides as a forest"};
-    test::printOnEveryPlatform(names[static_cast<int>(model)], hash.value());
+    fur::test::printOnEveryPlatform(names[static_cast<int>(model)], hash.value());
     EXPECT_TRUE(sound(hair));
   }
 }

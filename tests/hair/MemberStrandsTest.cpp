@@ -128,7 +128,7 @@ TEST(MemberStrands, TheyAreTheSameOnEveryPlatform) {
   const auto strands = memberStrands(33, wild());
   hash.addAll(strands);
   alongEach(strands, [&](const MemberStrand& s, float t) { hash.add(memberOffset(s, t)); });
-  test::printOnEveryPlatform("member strands", hash.value());
+  fur::test::printOnEveryPlatform("member strands", hash.value());
 }
 
 }  // namespace

@@ -9,10 +9,10 @@
 namespace fur::hair {
 namespace {
 
-using test::Scalp;
+using test::TestScalp;
 
 TEST(PlantGuides, TheyStandStraightOutOfTheSkinAndAreAsLongAsAsked) {
-  const Scalp sphere(geometry::makeSphere());
+  const TestScalp sphere(geometry::makeSphere());
   HairValues values;
   values.guideLength = 0.8f, values.nodes = 6;
   Guides guides = plantGuides(sphere.scalp(), values, 40).value();
@@ -27,7 +27,7 @@ TEST(PlantGuides, TheyStandStraightOutOfTheSkinAndAreAsLongAsAsked) {
 }
 
 TEST(PlantGuides, TheyBendTheWayTheFurIsCombedAndKeepTheirLength) {
-  Scalp plane(geometry::makePlane(8));
+  TestScalp plane(geometry::makePlane(8));
   // Towards the rim the normals lean outwards.
   plane.paint([](const Vec3& p) -> groom::GroomMap::Texel { return {static_cast<std::uint8_t>(glm::length(p) < 0.4f ? 255 : 0), 255, 255, 255}; });
   HairValues values;
@@ -46,7 +46,7 @@ TEST(PlantGuides, TheyBendTheWayTheFurIsCombedAndKeepTheirLength) {
 }
 
 TEST(PlantGuides, WhatCannotBeIsAnErrorThatSaysWhy) {
-  Scalp sphere(geometry::makeSphere());
+  TestScalp sphere(geometry::makeSphere());
   for (const int count : {0, -3, 1025}) {
     const auto guides = plantGuides(sphere.scalp(), {}, count);
     ASSERT_FALSE(guides);
@@ -61,7 +61,7 @@ TEST(PlantGuides, WhatCannotBeIsAnErrorThatSaysWhy) {
 }
 
 TEST(PlantGuides, AtASpacingTheyAreAboutThatFarApart) {
-  const Scalp sphere(geometry::makeSphere());
+  const TestScalp sphere(geometry::makeSphere());
   for (const float spacing : {0.2f, 0.5f}) {
     const Guides guides = plantGuides(sphere.scalp(), {}, guidesAtSpacing(sphere.scalp(), spacing)).value();
     float sum = 0;
@@ -78,7 +78,7 @@ TEST(PlantGuides, AtASpacingTheyAreAboutThatFarApart) {
 }
 
 TEST(RootFrames, TheyStandOnTheSkinAndArePerpendicular) {
-  const Scalp sphere(geometry::makeSphere());
+  const TestScalp sphere(geometry::makeSphere());
   const Guides guides = plantGuides(sphere.scalp(), {}, 60).value();
   const auto roots = sphere.roots(guides);
   for (std::size_t g = 0; g < roots.size(); ++g) {
@@ -99,7 +99,7 @@ TEST(RootFrames, TangentsTurnSmoothlyButAtTheUnderside) {
 }
 
 TEST(RootFrames, GuidesFarOffTheSkinOrOfNoNumbersGetOneAsWell) {
-  const Scalp sphere(geometry::makeSphere());
+  const TestScalp sphere(geometry::makeSphere());
   Guides guides = test::guidesAt({{0, 3, 0}, {0, 90, 0}, {std::numeric_limits<float>::quiet_NaN(), 0, 0}}, [](const Vec3&) { return Vec3(0, 1, 0); });
   const auto roots = sphere.roots(guides);
   for (const RootFrame& root : roots) EXPECT_EQ(root.normal.y > 0.99f, true);

@@ -8,8 +8,8 @@
 
 namespace fur::hair::test {
 
-struct Scalp {
-  explicit Scalp(const geometry::Mesh& mesh, int size = 128)
+struct TestScalp {
+  explicit TestScalp(const geometry::Mesh& mesh, int size = 128)
       : surface(geometry::buildSurface(mesh).value()), query(surface), map(size, groom::GroomMap::kBlank), atlas(surface, size) {
     paint([](const Vec3&) { return groom::GroomMap::Texel{255, 255, 255, 255}; });
   }

@@ -7,10 +7,10 @@
 namespace fur::hair {
 namespace {
 
-constexpr Model kModels[] = {Model::Spring, Model::Cascade, Model::Forest};
+constexpr Model kShownModels[] = {Model::Spring, Model::Cascade, Model::Forest};
 
 TEST(References, AreWhereTheNodesAreWhileHairHangsInItsShape) {
-  for (const Model model : kModels) {
+  for (const Model model : kShownModels) {
     Shaken hair;
     hair.values.model = model;
     hair.run(1);
@@ -21,7 +21,7 @@ TEST(References, AreWhereTheNodesAreWhileHairHangsInItsShape) {
 }
 
 TEST(References, PullAgainstTheWind) {
-  for (const Model model : kModels) {
+  for (const Model model : kShownModels) {
     Shaken hair;
     hair.values.model = model;
     hair.wind.force = Vec3(1, 0, 0);

@@ -15,7 +15,7 @@
 namespace fur::hair {
 namespace {
 
-using test::Scalp;
+using test::TestScalp;
 using test::guidesAt;
 using Texel = groom::GroomMap::Texel;
 
@@ -36,7 +36,7 @@ struct Setting {
   }
   WispPoint at(const Wisp& wisp, float t) const { return wispPoint(wisp, nodes, guides.nodes, shapeOf(values), t); }
 
-  Scalp scalp;
+  TestScalp scalp;
   HairValues values;
   Guides guides;
   std::vector<RootFrame> roots;
@@ -71,7 +71,7 @@ TEST(Wisps, TheyStartAtTheirRoots) {
 }
 
 TEST(Wisps, AWispThatStandsAmongThreeGuidesHasItsRootThere) {
-  const Scalp plane(geometry::makePlane(8));
+  const TestScalp plane(geometry::makePlane(8));
   const Guides guides = guidesAt({{-kFar, 0, -kFar}, {kFar, 0, -kFar}, {0, 0, kFar}}, [](const Vec3&) { return Vec3(0, 1, 0); });
   HairValues values = plain();
   values.wisps = 300;
@@ -89,7 +89,7 @@ TEST(Wisps, AWispThatStandsAmongThreeGuidesHasItsRootThere) {
 }
 
 TEST(Wisps, OneGuideOrTwoAreEnoughAndNoneHasNone) {
-  const Scalp plane(geometry::makePlane(8));
+  const TestScalp plane(geometry::makePlane(8));
   HairValues values = plain();
   values.wisps = 50;
   for (const std::size_t count : {1u, 2u}) {
@@ -108,7 +108,7 @@ TEST(Wisps, OneGuideOrTwoAreEnoughAndNoneHasNone) {
 
 TEST(Wisps, BetweenGuidesThatLeanMoreAndMoreSoDoWisps) {
   // Guides whose tips are a linear function of the place: wisps are, too, wherever among them.
-  const Scalp plane(geometry::makePlane(8));
+  const TestScalp plane(geometry::makePlane(8));
   std::vector<Vec3> places;
   Random random(5);
   for (int i = 0; i < 60; ++i) places.push_back({random.uniform(-1, 1), 0, random.uniform(-1, 1)});
@@ -139,7 +139,7 @@ TEST(Wisps, GuidesOnTheOtherSideOfASheetDoNotCount) {
   for (std::size_t i = 0; i < back.indices.size(); i += 3)
     for (const std::size_t k : {i, i + 2, i + 1}) sheet.indices.push_back(first + back.indices[k]);
   sheet.uv.clear();
-  const Scalp scalp(sheet);
+  const TestScalp scalp(sheet);
   std::vector<Vec3> places;
   for (const float y : {0.0f, -0.01f})
     for (const float x : {-0.4f, 0.4f})
@@ -304,7 +304,7 @@ TEST(Wisps, TheyAreTheSameOnEveryPlatform) {
 }
 
 TEST(Wisps, FollowOneSideOfAPartingAndBothAgainWhereItIsGone) {
-  Scalp plane(geometry::makePlane(8));
+  TestScalp plane(geometry::makePlane(8));
   HairValues values;
   values.wisps = 200, values.magnet = 0.5f;
   std::vector<Vec3> places;

@@ -16,15 +16,15 @@ namespace {
 using test::Picture;
 using test::Stage;
 
-constexpr int kSide = 240, kCells = wet::kGroundCells;
+constexpr int kDropSide = 240, kCells = wet::kGroundCells;
 
-struct Scene {
-  Stage stage{kSide, kSide, 4};
+struct DropScene {
+  Stage stage{kDropSide, kDropSide, 4};
   std::optional<Renderer> renderer;
   Frame frame;
   std::vector<std::uint8_t> puddles;
 
-  Scene() {
+  DropScene() {
     stage.attachTarget();
     gl::rememberPlatformFramebuffer();
     renderer.emplace(std::move(Renderer::create().value()));
@@ -33,7 +33,7 @@ struct Scene {
     const std::vector<std::uint32_t> triangles(16 * 16, 0);
     renderer->updateMask(wet::encodeMask(wet::WetnessMask(16), {0, 0, 16, 16}, {charts, triangles}));
     frame.camera = {Vec3(0, 0.6f, 6), Vec3(0), 0.6f};
-    frame.width = frame.height = kSide;
+    frame.width = frame.height = kDropSide;
     frame.settings.backgroundTop = 0x2040a0;
     frame.settings.backgroundBottom = 0xe0d0b0;
   }
@@ -46,7 +46,7 @@ struct Scene {
   }
   Vec2 pixelOf(const Vec3& at) const {
     const Vec4 c = clipFromWorld(frame) * Vec4(at, 1);
-    return Vec2(0.5f + 0.5f * c.x / c.w, 0.5f - 0.5f * c.y / c.w) * static_cast<float>(kSide);
+    return Vec2(0.5f + 0.5f * c.x / c.w, 0.5f - 0.5f * c.y / c.w) * static_cast<float>(kDropSide);
   }
 };
 
@@ -57,13 +57,13 @@ bool differs(const Picture& a, const Picture& b, int x, int y, int by = 3) {
 }
 // The pixels that differ: low and high corner, and how many.
 struct Patch {
-  Vec2 low{kSide}, high{0};
+  Vec2 low{kDropSide}, high{0};
   int count = 0;
 };
 Patch changed(const Picture& a, const Picture& b) {
   Patch patch;
-  for (int y = 0; y < kSide; ++y)
-    for (int x = 0; x < kSide; ++x)
+  for (int y = 0; y < kDropSide; ++y)
+    for (int x = 0; x < kDropSide; ++x)
       if (differs(a, b, x, y)) {
         patch.low = glm::min(patch.low, Vec2(x, y));
         patch.high = glm::max(patch.high, Vec2(x, y));
@@ -75,7 +75,7 @@ Patch changed(const Picture& a, const Picture& b) {
 constexpr Vec3 kBeside(1.35f, 0.9f, 0);
 
 TEST(Drops, AreDiscsOfTheirSizeAndChangeNothingElse) {
-  Scene scene;
+  DropScene scene;
   const Picture none = scene.draw();
   const Patch patch = changed(none, scene.draw({{kBeside, 0.1f}}));
   const float pixels = 2 * 0.1f * pixelsPerUnit(scene.frame) / glm::length(scene.frame.camera.eye - kBeside);
@@ -87,7 +87,7 @@ TEST(Drops, AreDiscsOfTheirSizeAndChangeNothingElse) {
 }
 
 TEST(Drops, ShowTheSurroundingsUpsideDownAndAGlint) {
-  Scene scene;
+  DropScene scene;
   scene.frame.settings.lightYaw = -0.6f;
   const Vec2 middle = scene.pixelOf(kBeside);
   const Picture none = scene.draw(), p = scene.draw({{kBeside, 0.15f, Vec3(0, -1, 0)}});
@@ -105,7 +105,7 @@ TEST(Drops, ShowTheSurroundingsUpsideDownAndAGlint) {
 }
 
 TEST(Drops, AreLongerTheWayTheyFly) {
-  Scene scene;
+  DropScene scene;
   const Picture none = scene.draw();
   const Patch still = changed(none, scene.draw({{kBeside, 0.08f}})), falls = changed(none, scene.draw({{kBeside, 0.08f, Vec3(0, -40, 0)}})),
               flies = changed(none, scene.draw({{kBeside, 0.08f, Vec3(40, 0, 0)}})), comes = changed(none, scene.draw({{kBeside, 0.08f, Vec3(0, 0.001f, 40)}}));
@@ -116,7 +116,7 @@ TEST(Drops, AreLongerTheWayTheyFly) {
 }
 
 TEST(Drops, AreHiddenBehindTheModelAndFaintBelowAPixel) {
-  Scene scene;
+  DropScene scene;
   const Picture none = scene.draw();
   EXPECT_EQ(changed(none, scene.draw({{Vec3(0, 0, -2), 0.1f}})).count, 0);
   EXPECT_GT(changed(none, scene.draw({{Vec3(0, 0, 1.2f), 0.1f}})).count, 20);
@@ -131,7 +131,7 @@ TEST(Drops, AreHiddenBehindTheModelAndFaintBelowAPixel) {
 
 // Rain fades with distance as it should instead of vanishing or flickering: as many pixels' worth of change as it covers.
 TEST(Drops, ChangeThePictureByTheirAreaHoweverFewPixelsThatIs) {
-  Scene scene;
+  DropScene scene;
   scene.frame.settings.backgroundTop = 0xffffff;
   scene.frame.settings.backgroundBottom = 0;
   scene.frame.settings.lightIntensity = 0;
@@ -155,7 +155,7 @@ TEST(Drops, ChangeThePictureByTheirAreaHoweverFewPixelsThatIs) {
 }
 
 TEST(Drops, OfAJetAreOnePieceWithAnEvenOutlineUntilItFallsApart) {
-  Scene scene;
+  DropScene scene;
   scene.frame.settings.backgroundBottom = 0;
   scene.frame.settings.backgroundTop = 0xffffff;
   scene.frame.settings.lightIntensity = 0;
@@ -172,7 +172,7 @@ TEST(Drops, OfAJetAreOnePieceWithAnEvenOutlineUntilItFallsApart) {
     std::pair<int, int> range(1 << 20, 0);
     for (int x = static_cast<int>(scene.pixelOf(drops[9].position).x); x < static_cast<int>(scene.pixelOf(drops[2].position).x); ++x) {
       int sum = 0;
-      for (int y = 0; y < kSide / 2; ++y) sum += std::abs(bare.at(x, y)[0] - p.at(x, y)[0]);
+      for (int y = 0; y < kDropSide / 2; ++y) sum += std::abs(bare.at(x, y)[0] - p.at(x, y)[0]);
       range = {std::min(range.first, sum), std::max(range.second, sum)};
     }
     return range;
@@ -184,7 +184,7 @@ TEST(Drops, OfAJetAreOnePieceWithAnEvenOutlineUntilItFallsApart) {
 }
 
 TEST(Drops, ThatHaveLandedLieOnTheGroundAsRingsThatWidenAndFade) {
-  Scene scene;
+  DropScene scene;
   scene.frame.camera = {Vec3(0, 3, 6), Vec3(0, -0.5f, 0), 0.6f};
   const Picture none = scene.draw();
   const auto ring = [&](float splash) {
@@ -200,7 +200,7 @@ TEST(Drops, ThatHaveLandedLieOnTheGroundAsRingsThatWidenAndFade) {
 }
 
 TEST(WetGround, ShowsNoCells) {
-  Scene scene;
+  DropScene scene;
   // Close above, where a cell is twenty pixels wide.
   scene.frame.camera = {Vec3(2, 0, 0.5f), Vec3(2, -1, 0.499f), 0.6f};
   scene.frame.settings.backgroundBottom = scene.frame.settings.backgroundTop = 0xc0c0c0;
@@ -218,8 +218,8 @@ TEST(WetGround, ShowsNoCells) {
     return sum / 6;
   };
   float least = 255, most = 0, bend = 0;
-  for (int y = 20; y < kSide - 20; ++y)
-    for (int x = 20; x < kSide - 20; ++x) {
+  for (int y = 20; y < kDropSide - 20; ++y)
+    for (int x = 20; x < kDropSide - 20; ++x) {
       const float here = mean(x, y, 1, 0);
       least = std::min(least, here), most = std::max(most, here);
       bend = std::max(bend, std::abs(mean(x - 2, y, 1, 0) - 2 * here + mean(x + 2, y, 1, 0)));
@@ -230,7 +230,7 @@ TEST(WetGround, ShowsNoCells) {
 }
 
 TEST(WetGround, MirrorsTheModelTowardsTheEye) {
-  Scene scene;
+  DropScene scene;
   scene.frame.camera = {Vec3(0, 1.5f, 8), Vec3(0, -0.7f, 0), 0.6f};
   scene.frame.settings.backgroundBottom = scene.frame.settings.backgroundTop = 0xc0c0c0;
   scene.frame.settings.lightYaw = 3.14f;
@@ -250,7 +250,7 @@ TEST(WetGround, MirrorsTheModelTowardsTheEye) {
 }
 
 TEST(WetGround, IsDarkerWhereItSaysSoWithASoftEdgeAndCostsNothingWhenDry) {
-  Scene scene;
+  DropScene scene;
   scene.frame.camera = {Vec3(0, 3, 6), Vec3(0, -0.5f, 0), 0.6f};
   scene.frame.settings.backgroundBottom = 0xc0c0c0;
   scene.renderer->takeUploadedBytes();

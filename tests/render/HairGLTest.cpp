@@ -20,7 +20,7 @@ enum Function { kPosition, kAlong, kAcross, kMemberPoint, kMemberOffset, kStripP
 constexpr int kVertices = 6 * FUR_WISP_SEGMENTS;  // of a strip
 
 // Sines and cosines of GPUs, as in TwinsGLTest.cpp.
-constexpr float kGpuPrecision = 5e-4f;
+constexpr float kHairGpuPrecision = 5e-4f;
 // Four numbers of a frame are off by up to half of 1/32767 each; a quaternion that is off by 1/32767 turns by twice that.
 constexpr float kPackedTurn = 2 / 32767.0f;
 // Wetness has 255 steps, and is rounded in the node and in the point; and by so much is a wisp's half width off, as a share of it.
@@ -99,7 +99,7 @@ struct Head {
   static constexpr Vec3 kEye{0.5f, 1, 4};
   test::Stage stage{16, 16};
   Programs programs;
-  hair::test::Scalp sphere;
+  hair::test::TestScalp sphere;
   hair::HairValues values;
   hair::Guides guides;
   std::vector<hair::GuideNode> nodes;
@@ -126,17 +126,17 @@ struct Precision {
     // Water moves a point to its nearest guide, by a wetness that is off by up to half of 1/255.
     const auto [drawn, drawnWay] = drawnTo(head, w, t);
     const float wetness = hair::kWetDraws * 0.5f / 255;
-    position = wetness * t * (2 - t) * glm::length(drawn) + step * (0.5f + 0.25f + 0.5f) + kPackedTurn * (0.25f * segment + glm::length(w.offset) + radius) + kGpuPrecision * radius;
+    position = wetness * t * (2 - t) * glm::length(drawn) + step * (0.5f + 0.25f + 0.5f) + kPackedTurn * (0.25f * segment + glm::length(w.offset) + radius) + kHairGpuPrecision * radius;
     // The way that a point takes with t. A cubic is at most half as steep again as the line between two nodes, and its tangents
     // count for at most 1 together; magnet and water move whole guides.
     const float way = 1.5f * step * guideLength / segment + kPackedTurn * guideLength + step * (glm::length(w.magnet) + 2 * hair::kWetDraws) +
-                      (kGpuPrecision + kPackedTurn) * radius * rate + wetness * ((2 - 2 * t) * glm::length(drawn) + t * (2 - t) * glm::length(drawnWay));
+                      (kHairGpuPrecision + kPackedTurn) * radius * rate + wetness * ((2 - 2 * t) * glm::length(drawn) + t * (2 - t) * glm::length(drawnWay));
     constexpr float kAside = 1e-2f;
     const float speed = glm::length(head.point(wisp, t + kAside).position - head.point(wisp, t - kAside).position) / (2 * kAside);
     along = way / speed + kPackedTurn;
     // What `along` leaves of the frame's x, which it is made perpendicular to.
     const Vec3 x = frameX(head, w, t), left = x - head.point(wisp, t).along * glm::dot(x, head.point(wisp, t).along);
-    across = (along + kPackedTurn + kGpuPrecision) / glm::length(left);
+    across = (along + kPackedTurn + kHairGpuPrecision) / glm::length(left);
   }
   float position, along, across;
 
@@ -216,7 +216,7 @@ TEST(HairTwins, StrandsRunWhereTheirPictureHasThem) {
     const hair::MemberStrand& strand = head.members[i / FUR_TWIN_SIZE];
     const float t = static_cast<float>(i % FUR_TWIN_SIZE) / (FUR_TWIN_SIZE - 1);
     // Two sines of amplitudes 1 and 0.5, under waves of less than a third.
-    ASSERT_LT(glm::distance(Vec2(drawn[i]), hair::memberOffset(strand, t)), 0.5f * kGpuPrecision);
+    ASSERT_LT(glm::distance(Vec2(drawn[i]), hair::memberOffset(strand, t)), 0.5f * kHairGpuPrecision);
     // A division, to 2.5 units in the last place (GLSL ES 3.00, 4.5.1), and its fourth power.
     ASSERT_NEAR(drawn[i].z, hair::memberWidth(strand, t), 4e-6f);
   }

@@ -5,11 +5,11 @@ namespace fur::render {
 namespace {
 
 // A torus, whose ring shades itself, without ground.
-struct Scene {
+struct LightScene {
   test::Stage stage{240, 180, 4};
   app::App app;
 
-  Scene() {
+  LightScene() {
     stage.attach(app);
     EXPECT_TRUE(app.loadPrimitive("torus"));
     for (const auto& [field, value] : {std::pair("ground", "false"), std::pair("furLength", "0.06"),
@@ -18,7 +18,7 @@ struct Scene {
     app.setCamera({0.4f, 0.3f, 3.2f});
     app.settle();
   }
-  ~Scene() { app.detach(false); }
+  ~LightScene() { app.detach(false); }
   test::Picture with(std::initializer_list<std::pair<const char*, const char*>> fields) {
     for (const auto& [field, value] : fields) EXPECT_TRUE(app.setField(field, value));
     app.settle();
@@ -27,7 +27,7 @@ struct Scene {
 };
 
 TEST(Light, FurInShadowIsDarkerByEitherMap) {
-  Scene scene;
+  LightScene scene;
   const auto none = scene.with({{"lightYaw", "1.6"}, {"lightPitch", "0.3"}, {"shadows", "none"}});
   const auto depth = scene.with({{"shadows", "depth"}}), layers = scene.with({{"shadows", "layers"}});
   // Of the whole picture, in most of which nothing lies in shadow.
@@ -38,7 +38,7 @@ TEST(Light, FurInShadowIsDarkerByEitherMap) {
 }
 
 TEST(Light, ShadowsDoNotSwimWhenNothingMoves) {
-  Scene scene;
+  LightScene scene;
   for (const char* shadows : {"depth", "layers"}) {
     const auto first = scene.with({{"shadows", shadows}});
     EXPECT_EQ(first.differingShare(scene.stage.draw(scene.app), 0), 0) << shadows;
@@ -46,7 +46,7 @@ TEST(Light, ShadowsDoNotSwimWhenNothingMoves) {
 }
 
 TEST(Light, ASmallTurnOfTheLightChangesTheShadowLittle) {
-  Scene scene;
+  LightScene scene;
   for (const char* shadows : {"depth", "layers"}) {
     const auto before = scene.with({{"shadows", shadows}, {"lightYaw", "1.6"}, {"lightPitch", "0.5"}});
     // A tenth of a degree moves no edge by half a pixel.
@@ -55,7 +55,7 @@ TEST(Light, ASmallTurnOfTheLightChangesTheShadowLittle) {
 }
 
 TEST(Light, FromBehindShinesThroughTheEdgeInBothModels) {
-  Scene scene;
+  LightScene scene;
   for (const char* model : {"kajiya", "marschner"}) {
     scene.app.setField("strandModel", model);
     const auto glowing = scene.with({{"lightYaw", "-2.74"}, {"lightPitch", "0.35"}, {"specular", "1"}});
@@ -66,11 +66,11 @@ TEST(Light, FromBehindShinesThroughTheEdgeInBothModels) {
 }
 
 // A furry sphere before black: mean brightness within `radius` of its middle, and in a band round its outline.
-struct Ball {
+struct LitBall {
   static constexpr int kSide = 160;
   test::Room room{kSide, {{"ground", "false"}, {"furLength", "0.08"}, {"layers", "16"}, {"backgroundTop", "#000000"}, {"backgroundBottom", "#000000"}}};
 
-  Ball() { room.app.setCamera({0, 0, 4.2f}); }
+  LitBall() { room.app.setCamera({0, 0, 4.2f}); }
   test::Picture with(std::initializer_list<std::pair<const char*, const char*>> fields) {
     for (const auto& [field, value] : fields) EXPECT_TRUE(room.app.setField(field, value)) << field;
     return room.settled();
@@ -95,13 +95,13 @@ struct Ball {
 constexpr float kFront = 25, kEdgeFrom = 58, kEdgeTo = 68;
 
 TEST(Light, TheRimLightBrightensTheOutlineAndNotTheFront) {
-  Ball ball;
+  LitBall ball;
   for (const char* model : {"kajiya", "marschner"})
     for (const char* wet : {"dry", "soaked"}) {
       ball.room.app.setWetness(*wet == 's' ? 1.0f : 0.0f);
       const auto before = ball.with({{"strandModel", model}, {"rimLight", "0"}}), after = ball.with({{"rimLight", "2"}});
       const auto gain = [&](float from, float to) {
-        return Ball::brightness(Ball::mean(after, from, to)) - Ball::brightness(Ball::mean(before, from, to));
+        return LitBall::brightness(LitBall::mean(after, from, to)) - LitBall::brightness(LitBall::mean(before, from, to));
       };
       EXPECT_GT(gain(kEdgeFrom, kEdgeTo), 12) << model << ", " << wet;
       EXPECT_LT(gain(0, kFront), 2) << model << ", " << wet;
@@ -111,43 +111,43 @@ TEST(Light, TheRimLightBrightensTheOutlineAndNotTheFront) {
 }
 
 TEST(Light, TheRimLightIsBehindTheModelWhereverTheEyeIs) {
-  Ball ball;
+  LitBall ball;
   for (const float yaw : {0.0f, 2.0f, 4.0f}) {
     ball.room.app.setCamera({yaw, 0.4f, 4.2f});
     const auto before = ball.with({{"rimLight", "0"}}), after = ball.with({{"rimLight", "2"}});
-    EXPECT_GT(Ball::brightness(Ball::mean(after, kEdgeFrom, kEdgeTo)), Ball::brightness(Ball::mean(before, kEdgeFrom, kEdgeTo)) + 12) << yaw;
+    EXPECT_GT(LitBall::brightness(LitBall::mean(after, kEdgeFrom, kEdgeTo)), LitBall::brightness(LitBall::mean(before, kEdgeFrom, kEdgeTo)) + 12) << yaw;
   }
 }
 
 TEST(Light, EachLightHasItsColour) {
-  Ball ball;
+  LitBall ball;
   const auto redness = [](const Vec3& color) { return color.x / std::max(color.x + color.y + color.z, 1e-3f); };
   const auto white = ball.with({{"rootColor", "#808080"}, {"tipColor", "#b0b0b0"}});
   for (const auto& [field, ambient, key] : {std::tuple("keyColor", "0", "1"), std::tuple("skyColor", "2", "0"), std::tuple("groundColor", "2", "0")}) {
     const auto red = ball.with({{field, "#ff4020"}, {"ambient", ambient}, {"lightIntensity", key}});
-    EXPECT_GT(redness(Ball::mean(red, 0, kEdgeTo)), redness(Ball::mean(white, 0, kEdgeTo)) + 0.03f) << field;
+    EXPECT_GT(redness(LitBall::mean(red, 0, kEdgeTo)), redness(LitBall::mean(white, 0, kEdgeTo)) + 0.03f) << field;
     ball.room.app.setField(field, "#ffffff");
   }
   ball.with({{"ambient", "0.3"}, {"lightIntensity", "1"}});
   const auto rim = ball.with({{"rimLight", "2"}, {"rimColor", "#ff4020"}});
-  EXPECT_GT(redness(Ball::mean(rim, kEdgeFrom, kEdgeTo)), redness(Ball::mean(white, kEdgeFrom, kEdgeTo)) + 0.03f);
+  EXPECT_GT(redness(LitBall::mean(rim, kEdgeFrom, kEdgeTo)), redness(LitBall::mean(white, kEdgeFrom, kEdgeTo)) + 0.03f);
 }
 
 TEST(Light, TheFillLightComesFromTheEyeAndReachesTheDarkSide) {
-  Ball ball;
+  LitBall ball;
   const auto before = ball.with({{"lightYaw", "3.1"}, {"lightPitch", "0.1"}, {"ambient", "0.05"}}), after = ball.with({{"fillLight", "1"}});
-  const float front = Ball::brightness(Ball::mean(after, 0, kFront)) - Ball::brightness(Ball::mean(before, 0, kFront));
+  const float front = LitBall::brightness(LitBall::mean(after, 0, kFront)) - LitBall::brightness(LitBall::mean(before, 0, kFront));
   EXPECT_GT(front, 20);
 }
 
 TEST(Light, ThatFollowsTheCameraLightsWhatIsSeenAlike) {
-  Ball ball;
+  LitBall ball;
   const auto sides = [&](float yaw) {
     ball.room.app.setCamera({yaw, 0, 4.2f});
     const auto picture = ball.room.settled();
     double left = 0, right = 0;
-    for (int y = 0; y < Ball::kSide; ++y)
-      for (int x = 0; x < Ball::kSide; ++x) (x < Ball::kSide / 2 ? left : right) += picture.at(x, y)[1];
+    for (int y = 0; y < LitBall::kSide; ++y)
+      for (int x = 0; x < LitBall::kSide; ++x) (x < LitBall::kSide / 2 ? left : right) += picture.at(x, y)[1];
     return left / right;
   };
   for (const auto& [field, value] : {std::pair("lightYaw", "-1.2"), std::pair("lightPitch", "0.3")}) ball.room.app.setField(field, value);
@@ -160,7 +160,7 @@ TEST(Light, ThatFollowsTheCameraLightsWhatIsSeenAlike) {
 }
 
 TEST(Light, TheModelsOfAStrandDiffer) {
-  Scene scene;
+  LightScene scene;
   const auto kajiya = scene.with({{"strandModel", "kajiya"}});
   EXPECT_GT(kajiya.differingShare(scene.with({{"strandModel", "marschner"}}), 8), 0.02f);
 }

@@ -22,19 +22,19 @@ void set(app::App& app, std::initializer_list<std::pair<const char*, const char*
 
 // --- strand by strand ---
 
-constexpr int kSide = 500;
+constexpr int kWetSide = 500;
 
 // A droplet in the middle of a plane that lies level, seen from above: one layer alone, in the droplet few strands.
 struct Droplet : Scene {
   static constexpr float kRadius = 0.22f;
   float wetness;
 
-  Droplet(float rho, const char* w, const char* height) : Scene(kSide, kSide), wetness(rho) {
+  Droplet(float rho, const char* w, const char* height) : Scene(kWetSide, kWetSide), wetness(rho) {
     EXPECT_TRUE(app.loadPrimitive("plane"));
     app.setCamera({0, 1.4f, 1});
     set(app, {{"density", "0.12"}, {"thickness", "0.2"}, {"curl", "0.3"}, {"lengthVariation", "0"}, {"taper", "0"}, {"furLength", "0"},
               {"repeat", "2"}, {"layers", "64"}, {"gravity", "0"}, {"clumpShape", w}, {"view", "layer"}, {"viewLayer", height}});
-    EXPECT_TRUE(app.splashPixel(Vec2(kSide / 2.0f), kRadius, wetness)) << "on bare skin, so that it lies in the middle";
+    EXPECT_TRUE(app.splashPixel(Vec2(kWetSide / 2.0f), kRadius, wetness)) << "on bare skin, so that it lies in the middle";
     set(app, {{"furLength", "0.15"}});
     app.settle();
   }
@@ -66,11 +66,11 @@ struct Droplet : Scene {
     const float pull = wet::clumpPull(stands, s.clumpShape, static_cast<float>(s.layers), wet::clumpingWetness(wetness, kRadius / s.furLength));
     const auto hasFur = [&](const Vec3& at) {
       const Vec4 c = clip * Vec4(at, 1);
-      const Vec2 pixel((0.5f + 0.5f * c.x / c.w) * kSide, (0.5f - 0.5f * c.y / c.w) * kSide);
+      const Vec2 pixel((0.5f + 0.5f * c.x / c.w) * kWetSide, (0.5f - 0.5f * c.y / c.w) * kWetSide);
       const int reach = static_cast<int>(std::floor(texel * pixelsPerUnit(f) / glm::length(f.camera.eye - at)));
       for (int y = static_cast<int>(pixel.y) - reach; y <= static_cast<int>(pixel.y) + reach; ++y)
         for (int x = static_cast<int>(pixel.x) - reach; x <= static_cast<int>(pixel.x) + reach; ++x)
-          if (x >= 0 && y >= 0 && x < kSide && y < kSide && picture.at(x, y)[0] > picture.at(x, y)[2] + 10) return true;  // skin is blue there
+          if (x >= 0 && y >= 0 && x < kWetSide && y < kWetSide && picture.at(x, y)[0] > picture.at(x, y)[2] + 10) return true;  // skin is blue there
       return false;
     };
     Found found;
@@ -105,8 +105,8 @@ TEST(WetLocks, ShowEachStrandWhereClumpingItByItselfPutsIt) {
 
 // --- from dry to soaked ---
 
-struct Ball : Scene {
-  Ball() : Scene(200, 200, 0) {
+struct WetBall : Scene {
+  WetBall() : Scene(200, 200, 0) {
     app.setCamera({0.3f, 0.2f, 3.2f});
     set(app, {{"ground", "false"}, {"layers", "16"}, {"tileSize", "128"}, {"backgroundTop", "#0000ff"}, {"backgroundBottom", "#0000ff"}});
   }
@@ -132,7 +132,7 @@ float meanDifference(const std::vector<float>& a, const std::vector<float>& b) {
 }
 
 TEST(WetLocks, CloseIntoASheetAndOpenAgainWithoutAJump) {
-  Ball ball;
+  WetBall ball;
   // In each half of the way to a soaked coat no step of an eightieth is more than four times as large as the mean one.
   std::vector<float> last = blocksOf(ball.wet(0.8f)), steps;
   for (int i = 1; i <= 16; ++i) {
@@ -152,7 +152,7 @@ TEST(WetLocks, CloseIntoASheetAndOpenAgainWithoutAJump) {
 }
 
 TEST(WetLocks, OfASoakedCoatLieLowerAndAreDarker) {
-  Ball ball;
+  WetBall ball;
   const auto fur = [](const Picture& p) {
     int count = 0;
     double red = 0;
@@ -168,7 +168,7 @@ TEST(WetLocks, OfASoakedCoatLieLowerAndAreDarker) {
 }
 
 TEST(WetLocks, OfASoakedCoatEndWhereTheSheetDoes) {
-  Ball ball;
+  WetBall ball;
   set(ball.app, {{"furLength", "0.2"}, {"gravity", "0"}});
   ball.app.setCamera({0.3f, 0.0f, 4.0f});
   // Pixels from the middle of the picture to the outermost red one: a ball of that radius, from 4 away.
@@ -187,7 +187,7 @@ TEST(WetLocks, OfASoakedCoatEndWhereTheSheetDoes) {
 }
 
 TEST(WetLocks, OfASoakedCoatHaveNoGrain) {
-  Ball ball;
+  WetBall ball;
   // How much pixels differ from the mean of those beside, above and below them, for their brightness.
   const auto grain = [](const Picture& p) {
     double apart = 0, sum = 0;
@@ -278,7 +278,7 @@ TEST(WetLocks, HoldLessWaterTowardsDryFur) {
   const float ground = droplet.app.surface().vertices[0].position.y;
   const auto at = [&](float share) {
     const Vec4 c = clip * Vec4(share * Droplet::kRadius, ground, 0, 1);
-    return p.at(static_cast<int>((0.5f + 0.5f * c.x / c.w) * kSide), static_cast<int>((0.5f - 0.5f * c.y / c.w) * kSide));
+    return p.at(static_cast<int>((0.5f + 0.5f * c.x / c.w) * kWetSide), static_cast<int>((0.5f - 0.5f * c.y / c.w) * kWetSide));
   };
   const auto wet = [&](float share) {
     float sum = 0;
@@ -294,7 +294,7 @@ TEST(WetLocks, HoldLessWaterTowardsDryFur) {
 
 TEST(WetLocks, StandWetAlongTheOutlineToo) {
   // Rays that graze a round body leave its charts: what they meet there is no dry fur.
-  Ball ball;
+  WetBall ball;
   set(ball.app, {{"view", "clumps"}, {"furLength", "0.25"}});
   const Picture p = ball.wet(0.8f);
   int fur = 0, grey = 0;
@@ -310,7 +310,7 @@ TEST(WetLocks, StandWetAlongTheOutlineToo) {
 }
 
 TEST(WetLocks, StayInASavedScene) {
-  Ball ball;
+  WetBall ball;
   const Picture before = ball.wet(0.7f);
   const float held = ball.app.meanWetness();
   const std::vector<std::uint8_t> saved = ball.app.saveScene();
@@ -326,7 +326,7 @@ TEST(WetLocks, StayInASavedScene) {
 }
 
 TEST(WetLocks, AreSoundAtTheEndsOfEveryRange) {
-  Ball ball;
+  WetBall ball;
   set(ball.app, {{"layers", "4"}});
   const std::size_t texels = ball.app.wetnessMask().texels().size();
   for (const char* w : {"0", "1"})

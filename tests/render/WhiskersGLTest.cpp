@@ -12,13 +12,13 @@ namespace {
 using test::Picture;
 using test::Stage;
 
-constexpr int kSide = 300;
+constexpr int kWhiskerSide = 300;
 constexpr float kNear = 6;
 
-struct Scene {
-  Stage stage{kSide, kSide, 4};
+struct WhiskerScene {
+  Stage stage{kWhiskerSide, kWhiskerSide, 4};
   app::App app;
-  Scene() {
+  WhiskerScene() {
     stage.attach(app);
     for (const auto& [name, value] :
          {std::pair("layers", "8"), std::pair("tileSize", "64"), std::pair("furLength", "0.02"), std::pair("ground", "false"),
@@ -27,22 +27,22 @@ struct Scene {
       EXPECT_TRUE(app.setField(name, value));
     look(kNear);
   }
-  ~Scene() { app.detach(false); }
+  ~WhiskerScene() { app.detach(false); }
 
   // A pixel covers 2 distance tan(0.3) / 300 model units there.
-  static float pixel(float distance) { return 2 * distance * std::tan(0.3f) / kSide; }
+  static float pixel(float distance) { return 2 * distance * std::tan(0.3f) / kWhiskerSide; }
   // Straight ahead, so that the sphere's top is the outline; `aside` in pixels.
   void look(float distance, float aside = 0) { app.setCamera({0, 0, distance, Vec3(aside * pixel(distance), 0, 0)}); }
   // The row in which a ball of that radius ends.
   static float topOf(float radius, float distance) {
-    return kSide / 2.0f - std::tan(std::asin(radius / distance)) * distance / pixel(distance);
+    return kWhiskerSide / 2.0f - std::tan(std::asin(radius / distance)) * distance / pixel(distance);
   }
   // On the outline, straight up.
   void plant() {
     const float top = topOf(0.986f, kNear);  // where the fur stands whose roots are at 0.97
     app.setTool(app::Tool::Whisker);
     app::PointerEvent event{app::PointerPhase::Down};
-    event.position = Vec2(kSide / 2.0f, top);
+    event.position = Vec2(kWhiskerSide / 2.0f, top);
     event.buttons = 1;
     app.pointer(event);
     event.phase = app::PointerPhase::Move;
@@ -64,7 +64,7 @@ struct Scene {
     std::vector<float> out;
     for (int y = 0; y < end; ++y) {
       float dark = 0;
-      for (int x = 0; x < kSide; ++x) dark += static_cast<float>(std::max(254 - p.at(x, y)[1], 0)) / 254;
+      for (int x = 0; x < kWhiskerSide; ++x) dark += static_cast<float>(std::max(254 - p.at(x, y)[1], 0)) / 254;
       out.push_back(dark);
     }
     return out;
@@ -76,7 +76,7 @@ struct Scene {
 };
 
 TEST(Whiskers, OneShowsBeyondTheCoatsOutlineAndUndoTakesItAway) {
-  Scene scene;
+  WhiskerScene scene;
   EXPECT_EQ(scene.darkness(kNear), 0);
   const Picture bare = scene.draw();
   scene.plant();
@@ -88,7 +88,7 @@ TEST(Whiskers, OneShowsBeyondTheCoatsOutlineAndUndoTakesItAway) {
 }
 
 TEST(Whiskers, CostNothingWhereThereAreNone) {
-  Scene scene;
+  WhiskerScene scene;
   scene.draw();
   const auto before = scene.app.stats();
   scene.plant();
@@ -106,7 +106,7 @@ TEST(Whiskers, CostNothingWhereThereAreNone) {
 }
 
 TEST(Whiskers, TaperAndAreAsWideAsTheDistanceHasThem) {
-  Scene scene;
+  WhiskerScene scene;
   scene.app.setField("whiskerWidth", "0.02");
   scene.app.setField("whiskerLength", "0.8");
   scene.plant();
@@ -114,19 +114,19 @@ TEST(Whiskers, TaperAndAreAsWideAsTheDistanceHasThem) {
   const auto width = [&](float distance, float from, float to) {
     scene.look(distance);
     const std::vector<float> rows = scene.widths(distance);
-    const auto first = rows.begin() + static_cast<int>(Scene::topOf(to, distance)), last = rows.begin() + static_cast<int>(Scene::topOf(from, distance));
+    const auto first = rows.begin() + static_cast<int>(WhiskerScene::topOf(to, distance)), last = rows.begin() + static_cast<int>(WhiskerScene::topOf(from, distance));
     return std::accumulate(first, last, 0.0f) / static_cast<float>(last - first);
   };
   const float foot = width(kNear, 1.08f, 1.33f), tip = width(kNear, 1.33f, 1.58f), far = width(2 * kNear, 1.08f, 1.33f);
   // A quarter along and a bit more than half along it is as much narrower than 0.02 units.
-  EXPECT_NEAR(foot, 0.75f * 0.02f / Scene::pixel(kNear), 0.3f);
+  EXPECT_NEAR(foot, 0.75f * 0.02f / WhiskerScene::pixel(kNear), 0.3f);
   EXPECT_NEAR(tip / foot, 0.55f, 0.2f);
   // Four samples a pixel, chance, and ten rows far off.
   EXPECT_NEAR(foot / far, 2, 0.4f);
 }
 
 TEST(Whiskers, ThinnerThanAPixelTheyFadeInsteadOfBreakingUp) {
-  Scene scene;
+  WhiskerScene scene;
   scene.app.setField("whiskerWidth", "0.02");
   scene.app.setField("whiskerLength", "1.2");
   scene.plant();
@@ -151,10 +151,10 @@ TEST(Whiskers, ThinnerThanAPixelTheyFadeInsteadOfBreakingUp) {
 }
 
 TEST(Whiskers, AreHiddenBehindTheBody) {
-  Scene scene;
+  WhiskerScene scene;
   const Picture bare = scene.draw();
   app::PointerEvent event{app::PointerPhase::Down};
-  event.position = Vec2(kSide / 2.0f);
+  event.position = Vec2(kWhiskerSide / 2.0f);
   event.buttons = 1;
   scene.app.setCamera({kPi, 0, kNear, Vec3(0)});
   scene.app.setTool(app::Tool::Whisker);
@@ -167,7 +167,7 @@ TEST(Whiskers, AreHiddenBehindTheBody) {
 }
 
 TEST(Whiskers, LeanWithTheWind) {
-  Scene scene;
+  WhiskerScene scene;
   scene.app.setField("whiskerStiffness", "0");
   scene.plant();
   scene.app.setField("gust", "0");
@@ -175,8 +175,8 @@ TEST(Whiskers, LeanWithTheWind) {
   const auto centre = [&] {
     const Picture p = scene.draw();
     float sum = 0, weight = 0;
-    for (int y = 0; y < static_cast<int>(Scene::topOf(1.06f, kNear)); ++y)
-      for (int x = 0; x < kSide; ++x) {
+    for (int y = 0; y < static_cast<int>(WhiskerScene::topOf(1.06f, kNear)); ++y)
+      for (int x = 0; x < kWhiskerSide; ++x) {
         const auto dark = static_cast<float>(std::max(254 - p.at(x, y)[1], 0));
         sum += static_cast<float>(x) * dark;
         weight += dark;

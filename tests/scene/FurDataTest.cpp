@@ -16,10 +16,10 @@ namespace fur::scene {
 namespace {
 
 // A torus with an atlas, a map in which every channel differs, and a comb.
-struct Scene {
+struct FurScene {
   geometry::Mesh mesh;
   FurData fur;
-  Scene() {
+  FurScene() {
     geometry::Mesh torus = geometry::makeTorus();
     geometry::fitToUnitSphere(torus);
     const geometry::Surface surface = geometry::buildSurface(torus).value();
@@ -42,7 +42,7 @@ struct Scene {
 };
 
 TEST(FurData, GoesThroughAFile) {
-  const Scene scene;
+  const FurScene scene;
   const auto model = importGltf(scene.file(), "torus.glb");
   ASSERT_TRUE(model) << model.error().message;
   EXPECT_TRUE(model.value().warnings.empty());
@@ -58,7 +58,7 @@ TEST(FurData, GoesThroughAFile) {
 
 TEST(FurData, PaintMaskAndShapeGoThroughAFileWithAndWithoutAMap) {
   for (const bool hasMap : {true, false}) {
-    Scene scene;
+    FurScene scene;
     if (!hasMap) scene.fur.map.clear();
     for (int i = 0; i < 32 * 32; ++i) {
       scene.fur.paint.push_back({static_cast<std::uint8_t>(i), 200, 7, static_cast<std::uint8_t>(i / 5)});
@@ -77,7 +77,7 @@ TEST(FurData, PaintMaskAndShapeGoThroughAFileWithAndWithoutAMap) {
 }
 
 TEST(FurData, KeepsItsAtlasBesideTheModelsOwnCoordinatesAndItsTile) {
-  Scene scene;
+  FurScene scene;
   for (const Vec3& p : scene.mesh.positions) scene.mesh.uv.emplace_back(p.x, p.y), scene.mesh.furUv.emplace_back(p.z, 2 * p.x);
   const auto model = importGltf(scene.file(), "torus.glb");
   ASSERT_TRUE(model) << model.error().message;
@@ -91,7 +91,7 @@ TEST(FurData, KeepsItsAtlasBesideTheModelsOwnCoordinatesAndItsTile) {
 }
 
 TEST(FurData, BringsThePictureAndItsFactor) {
-  Scene scene;
+  FurScene scene;
   for (const Vec3& p : scene.mesh.positions) scene.mesh.uv.emplace_back(p.x, p.y);
   scene.factor = Vec4(0.5f, 0.25f, 1, 1);
   // The header of a PNG of 3 x 2 pixels, all that the importer looks at.
@@ -105,7 +105,7 @@ TEST(FurData, BringsThePictureAndItsFactor) {
 }
 
 TEST(FurData, WhiskersStandWhereTheirModelIsFittedTo) {
-  Scene scene;
+  FurScene scene;
   groom::Whisker whisker;
   whisker.root = scene.mesh.positions[7];
   whisker.direction = Vec3(0, 0.6f, -0.8f);
@@ -130,7 +130,7 @@ TEST(FurData, WhiskersStandWhereTheirModelIsFittedTo) {
 }
 
 TEST(FurData, WaterGoesThroughAFileAndIsRoundedOnce) {
-  Scene scene;
+  FurScene scene;
   scene.fur.wetnessSize = 64;
   scene.fur.wetness.assign(64 * 64, Vec4(0));
   for (std::size_t i = 1000; i < 3000; ++i)
@@ -154,7 +154,7 @@ TEST(FurData, WaterGoesThroughAFileAndIsRoundedOnce) {
 }
 
 TEST(FurData, ADryOneSaysNothingOfWater) {
-  const Scene scene;
+  const FurScene scene;
   const std::vector<std::uint8_t> file = scene.file();
   EXPECT_EQ(std::string(file.begin(), file.end()).find("wetness"), std::string::npos);
 }

@@ -18,8 +18,8 @@ namespace {
 [[maybe_unused]] const bool readsHair = (readLongHair(), true);
 
 // A plane with an atlas and two scalps, one of them still without guides.
-struct Scene {
-  Scene() {
+struct HairScene {
+  HairScene() {
     geometry::fitToUnitSphere(mesh);
     mesh.atlas = std::move(mesh.uv);
     mesh.uv.clear();
@@ -66,7 +66,7 @@ void expectSame(const hair::Hairstyle& read, const hair::Hairstyle& written, flo
 constexpr float kRounding = 1e-6f;
 
 TEST(HairData, GoesThroughAFile) {
-  Scene scene;
+  HairScene scene;
   auto model = scene.throughAFile();
   ASSERT_TRUE(model) << model.error().message;
   EXPECT_TRUE(model->warnings.empty());
@@ -80,9 +80,9 @@ TEST(HairData, GoesThroughAFile) {
 }
 
 TEST(HairData, IsAsLargeAsTheModelThatItGrowsOn) {
-  const Scene unit;
+  const HairScene unit;
   for (const float scale : {20.0f, 3e4f, 1e-5f}) {
-    Scene scene;
+    HairScene scene;
     const Vec3 aside = scale * Vec3(3, 0, -5);
     const auto moved = [&](Vec3& p) { p = scale * p + aside; };
     for (Vec3& p : scene.mesh.positions) moved(p);
@@ -96,7 +96,7 @@ TEST(HairData, IsAsLargeAsTheModelThatItGrowsOn) {
 }
 
 TEST(HairData, AModelWithoutAnySaysNothingOfIt) {
-  Scene scene;
+  HairScene scene;
   scene.fur.hair = {};
   const std::vector<std::uint8_t> file = exportScene(scene.mesh, "plane", scene.fur, {scene.picture, Vec4(1)});
   EXPECT_EQ(std::string(file.begin(), file.end()).find("hair"), std::string::npos);
@@ -133,7 +133,7 @@ struct HairyFile {
   Result<Model> read() const { return importGltf(build(), "hostile.glb"); }
 };
 
-void expectError(const HairyFile& file, ErrorId id, const std::string& message) {
+void expectHairError(const HairyFile& file, ErrorId id, const std::string& message) {
   const FileBytes bytes = file.build();
   const std::size_t before = allocatedBytes();
   auto model = importGltf(bytes, "hostile.glb");
@@ -143,7 +143,7 @@ void expectError(const HairyFile& file, ErrorId id, const std::string& message) 
   // Of any map that is too large nothing is made.
   EXPECT_LT(allocatedBytes() - before, (std::size_t{1} << 20) + 100 * bytes.size());
 }
-void expectBad(const HairyFile& file, const std::string& message) { expectError(file, ErrorId::BadFile, message); }
+void expectBadHair(const HairyFile& file, const std::string& message) { expectHairError(file, ErrorId::BadFile, message); }
 
 // `count` guides with these positions and as many flags.
 HairyFile withGuides(std::size_t count, const std::vector<float>& positions, const char* nodes = "4") {
@@ -177,7 +177,7 @@ TEST(HairData, ScalpsThatAreNoneAreNamed) {
   HairyFile file;
   const auto says = [&](const char* hair, const std::string& message) {
     file.hair = hair;
-    expectBad(file, message);
+    expectBadHair(file, message);
   };
   says("7", "WETFUR_fur.hair is not an object");
   says("[]", "WETFUR_fur.hair is not an object");
@@ -193,18 +193,18 @@ TEST(HairData, ScalpsThatAreNoneAreNamed) {
   for (int i = 0; i < 8; ++i) nine += "," + scalp;
   file = {};
   file.scalp = nine;
-  expectError(file, ErrorId::TooLarge, "WETFUR_fur.hair has 9 scalps; the limit is 8");
+  expectHairError(file, ErrorId::TooLarge, "WETFUR_fur.hair has 9 scalps; the limit is 8");
   file.scalp = nine.substr(scalp.size() + 1);
   EXPECT_EQ(file.read()->fur.hair.scalps.size(), 8u);
   file.scalp = scalp + R"(,{"map":7})";
-  expectBad(file, "WETFUR_fur.hair.scalps[1].map is not an object");
+  expectBadHair(file, "WETFUR_fur.hair.scalps[1].map is not an object");
 }
 
 TEST(HairData, MapsOfAnotherSizeAreNamed) {
   HairyFile file;
   const auto says = [&](const std::string& map, const std::string& message) {
     file.scalp = R"({"map":)" + map + "}";
-    expectBad(file, "WETFUR_fur.hair.scalps[0].map" + message);
+    expectBadHair(file, "WETFUR_fur.hair.scalps[0].map" + message);
   };
   says(R"({"size":17,"bufferView":2})", " does not hold a map of 17 x 17 texels");
   says(R"({"size":15,"bufferView":2})", ".size is 15; a map has 16 to 1024");
@@ -218,25 +218,25 @@ TEST(HairData, MapsOfAnotherSizeAreNamed) {
 TEST(HairData, GuidesThatDoNotAddUpAreNamed) {
   const std::vector<float> two(2 * 4 * 3, 1);
   const std::string where = "WETFUR_fur.hair.scalps[0].guides";
-  expectBad(withGuides(2, two, "1"), where + ".nodes is 1; a guide has 4 to 32");
-  expectBad(withGuides(2, two, "33"), where + ".nodes is 33; a guide has 4 to 32");
-  expectBad(withGuides(2, two, "1.5"), where + ".nodes is not a whole number");
-  expectBad(withGuides(2, two, "5"), where + ".positions does not hold 2 guides of 5 nodes");
-  expectBad(withGuides(3, two), where + ".positions does not hold 3 guides of 4 nodes");
-  expectBad(withGuides(2, std::vector<float>(two.begin(), two.end() - 1)), where + ".positions does not hold 2 guides of 4 nodes");
-  expectBad(withGuides(1, two), where + ".positions does not hold 1 guides of 4 nodes");
-  expectError(withGuides(1025, std::vector<float>(1025 * 12, 0)), ErrorId::TooLarge, where + " has 1025 guides; the limit is 1024");
+  expectBadHair(withGuides(2, two, "1"), where + ".nodes is 1; a guide has 4 to 32");
+  expectBadHair(withGuides(2, two, "33"), where + ".nodes is 33; a guide has 4 to 32");
+  expectBadHair(withGuides(2, two, "1.5"), where + ".nodes is not a whole number");
+  expectBadHair(withGuides(2, two, "5"), where + ".positions does not hold 2 guides of 5 nodes");
+  expectBadHair(withGuides(3, two), where + ".positions does not hold 3 guides of 4 nodes");
+  expectBadHair(withGuides(2, std::vector<float>(two.begin(), two.end() - 1)), where + ".positions does not hold 2 guides of 4 nodes");
+  expectBadHair(withGuides(1, two), where + ".positions does not hold 1 guides of 4 nodes");
+  expectHairError(withGuides(1025, std::vector<float>(1025 * 12, 0)), ErrorId::TooLarge, where + " has 1025 guides; the limit is 1024");
   EXPECT_TRUE(withGuides(1024, std::vector<float>(1024 * 12, 0)).read());
   HairyFile file;
   file.scalp = R"({"map":{"size":16,"bufferView":2},"guides":[]})";
-  expectBad(file, where + " is not an object");
+  expectBadHair(file, where + " is not an object");
   file.scalp = R"({"map":{"size":16,"bufferView":2},"guides":{"nodes":4,"positions":2}})";
-  expectBad(file, where + ".flags is missing");
+  expectBadHair(file, where + ".flags is missing");
   file = withGuides(2, two);
   const std::size_t end = file.scalp.rfind("}}");
   ASSERT_NE(end, std::string::npos);
   file.scalp.insert(end, ",\"wetness\":2");
-  expectBad(file, where + ".wetness does not hold a byte for each of 8 nodes");
+  expectBadHair(file, where + ".wetness does not hold a byte for each of 8 nodes");
 }
 
 TEST(HairData, GuidesLeadToPlacesAroundTheModel) {
@@ -244,10 +244,10 @@ TEST(HairData, GuidesLeadToPlacesAroundTheModel) {
   for (const float bad : {NAN, INFINITY, -INFINITY}) {
     std::vector<float> guide(12, 0);
     guide[7] = bad;
-    expectBad(withGuides(1, guide), where + " has a number that is not finite");
+    expectBadHair(withGuides(1, guide), where + " has a number that is not finite");
   }
   std::vector<float> far{0, 0, 0, 0, 0, 1, 0, 0, 2, 0, 0, 3e38f};
-  expectBad(withGuides(1, far), where + " leads farther from the model than 1000000 times its radius");
+  expectBadHair(withGuides(1, far), where + " leads farther from the model than 1000000 times its radius");
 }
 
 TEST(HairData, GuidesOfNoLengthGetSome) {
@@ -262,33 +262,33 @@ TEST(HairData, GuidesOfNoLengthGetSome) {
 TEST(HairData, BodiesThatAreNotSoundAreNamed) {
   const std::string where = "WETFUR_fur.hair.bodies";
   const std::vector<float> good{0, 0, 0, 0, 0, 1, 0.5f};
-  for (const char* view : {"\"3\"", "-1", "1.5", "1e300", "[]"}) expectBad(withBodies(good, view), where + " is not a whole number");
-  expectBad(withBodies({0, 0, 0, 0, 0, 1}), where + " does not hold up to 64 bodies of 28 bytes");
-  expectError(withBodies(std::vector<float>(65 * 7, 1)), ErrorId::TooLarge, where + " does not hold up to 64 bodies of 28 bytes");
+  for (const char* view : {"\"3\"", "-1", "1.5", "1e300", "[]"}) expectBadHair(withBodies(good, view), where + " is not a whole number");
+  expectBadHair(withBodies({0, 0, 0, 0, 0, 1}), where + " does not hold up to 64 bodies of 28 bytes");
+  expectHairError(withBodies(std::vector<float>(65 * 7, 1)), ErrorId::TooLarge, where + " does not hold up to 64 bodies of 28 bytes");
   EXPECT_EQ(withBodies(std::vector<float>(64 * 7, 1)).read()->fur.hair.bodies.size(), 64u);
   for (std::size_t at = 0; at < 7; ++at)
     for (const float bad : {NAN, INFINITY, -INFINITY}) {
       std::vector<float> two = good;
       two.insert(two.end(), good.begin(), good.end());
       two[7 + at] = bad;
-      expectBad(withBodies(two), where + "[1] has a number that is not finite, or no radius");
+      expectBadHair(withBodies(two), where + "[1] has a number that is not finite, or no radius");
     }
   for (const float radius : {0.0f, -1.0f}) {
     std::vector<float> none = good;
     none[6] = radius;
-    expectBad(withBodies(none), where + "[0] has a number that is not finite, or no radius");
+    expectBadHair(withBodies(none), where + "[0] has a number that is not finite, or no radius");
   }
   for (const std::size_t at : {1, 6}) {
     std::vector<float> large = good;
     large[at] = 1e9f;
-    expectBad(withBodies(large), where + "[0] is larger or farther from the model than 1000 times its radius");
+    expectBadHair(withBodies(large), where + "[0] is larger or farther from the model than 1000 times its radius");
   }
 }
 
 TEST(HairData, HasTheCoordinatesOfTheGroom) {
   HairyFile file;
   file.groom = R"(,"groom":{"size":16,"bufferView":2,"texCoord":1})";
-  expectBad(file, "WETFUR_fur.hair has another texCoord than the maps before it");
+  expectBadHair(file, "WETFUR_fur.hair has another texCoord than the maps before it");
   file.groom = R"(,"groom":{"size":16,"bufferView":2,"texCoord":0})";
   EXPECT_TRUE(file.read());
 }
@@ -321,9 +321,9 @@ TEST(HairData, ValuesOutOfRangeAreClampedAndUnknownOnesSkippedWithAWarning) {
 TEST(HairData, AProgramThatGrowsNoneSaysSoByTheErrorsId) {
   const HairReader* reader = hairReader();
   readHairWith(nullptr);
-  const Scene scene;
+  const HairScene scene;
   auto model = scene.throughAFile();
-  Scene bald;
+  HairScene bald;
   bald.fur.hair = {};
   auto without = bald.throughAFile();
   readHairWith(reader);
@@ -334,7 +334,7 @@ TEST(HairData, AProgramThatGrowsNoneSaysSoByTheErrorsId) {
 }
 
 TEST(HairData, MutatedFilesAreReadOrRefused) {
-  const Scene scene;
+  const HairScene scene;
   const FileBytes good = exportScene(scene.mesh, "plane", scene.fur, {scene.picture, Vec4(1)});
   const std::uint32_t jsonEnd = 20 + (good[12] | static_cast<std::uint32_t>(good[13]) << 8);
   Random random(11);

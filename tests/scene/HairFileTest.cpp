@@ -42,7 +42,7 @@ Bytes cut(Bytes bytes, std::size_t size) {
   return bytes;
 }
 
-void expectError(const Bytes& bytes, ErrorId id, const std::string& message) {
+void expectFileError(const Bytes& bytes, ErrorId id, const std::string& message) {
   const std::size_t before = allocatedBytes();
   auto hair = readHair(bytes, "a.hair");
   ASSERT_FALSE(hair) << "read; expected " << message;
@@ -82,41 +82,41 @@ TEST(HairFile, TheHeaderIsAsTheFormatHasIt) {
 
 TEST(HairFile, BytesThatDoNotAddUpAreRejected) {
   const Bytes good = writeHair(small());
-  expectError({}, ErrorId::BadFile, "it has 0 bytes; the header of a .hair file has 128");
-  expectError(cut(good, 127), ErrorId::BadFile, "it has 127 bytes; the header of a .hair file has 128");
-  expectError(with(good, 0, 'h'), ErrorId::BadFile, "it does not begin with HAIR");
-  expectError(cut(good, good.size() - 1), ErrorId::BadFile, "its 3 strands and 9 points need 294 bytes after the header; it has 293");
-  expectError(with(good, 4, 0u), ErrorId::BadFile, "it has 0 strands and 9 points");
-  expectError(with(good, 8, 0u), ErrorId::BadFile, "it has 3 strands and 0 points");
-  expectError(with(good, 12, 29u), ErrorId::BadFile, "it has no points");
-  expectError(with(good, 12, 63u), ErrorId::UnsupportedVersion, "its flags are 63; 1, 2, 4, 8 and 16 are known");
-  expectError(with(good, 128, std::uint16_t{3}), ErrorId::BadFile, "the segments of its strands make 10 points; its header says 9");
-  expectError(with(good, 128, std::uint16_t{65535}), ErrorId::BadFile, "the segments of its strands make 65542 points; its header says 9");
+  expectFileError({}, ErrorId::BadFile, "it has 0 bytes; the header of a .hair file has 128");
+  expectFileError(cut(good, 127), ErrorId::BadFile, "it has 127 bytes; the header of a .hair file has 128");
+  expectFileError(with(good, 0, 'h'), ErrorId::BadFile, "it does not begin with HAIR");
+  expectFileError(cut(good, good.size() - 1), ErrorId::BadFile, "its 3 strands and 9 points need 294 bytes after the header; it has 293");
+  expectFileError(with(good, 4, 0u), ErrorId::BadFile, "it has 0 strands and 9 points");
+  expectFileError(with(good, 8, 0u), ErrorId::BadFile, "it has 3 strands and 0 points");
+  expectFileError(with(good, 12, 29u), ErrorId::BadFile, "it has no points");
+  expectFileError(with(good, 12, 63u), ErrorId::UnsupportedVersion, "its flags are 63; 1, 2, 4, 8 and 16 are known");
+  expectFileError(with(good, 128, std::uint16_t{3}), ErrorId::BadFile, "the segments of its strands make 10 points; its header says 9");
+  expectFileError(with(good, 128, std::uint16_t{65535}), ErrorId::BadFile, "the segments of its strands make 65542 points; its header says 9");
   Bytes even = with(with(good, 12, 2u), 16, 0u);
-  expectError(even, ErrorId::BadFile, "its strands have 0 segments each; 1 to 65535 can be");
-  expectError(with(even, 16, 65536u), ErrorId::BadFile, "its strands have 65536 segments each; 1 to 65535 can be");
-  expectError(with(even, 16, 4u), ErrorId::BadFile, "the segments of its strands make 15 points; its header says 9");
+  expectFileError(even, ErrorId::BadFile, "its strands have 0 segments each; 1 to 65535 can be");
+  expectFileError(with(even, 16, 65536u), ErrorId::BadFile, "its strands have 65536 segments each; 1 to 65535 can be");
+  expectFileError(with(even, 16, 4u), ErrorId::BadFile, "the segments of its strands make 15 points; its header says 9");
 }
 
 TEST(HairFile, ManyStrandsInAFewBytesTakeNoMemory) {
   const Bytes tiny = cut(writeHair(small()), 168);
-  expectError(with(tiny, 4, 1000000u), ErrorId::BadFile, "its 1000000 strands and 9 points need 2000288 bytes after the header; it has 40");
-  expectError(with(tiny, 8, 8000000u), ErrorId::BadFile, "its 3 strands and 8000000 points need 256000006 bytes after the header; it has 40");
-  expectError(with(tiny, 4, 1000001u), ErrorId::TooLarge, "it has 1000001 strands; at most 1000000 are read");
-  expectError(with(tiny, 4, 0xffffffffu), ErrorId::TooLarge, "it has 4294967295 strands; at most 1000000 are read");
-  expectError(with(tiny, 8, 0xffffffffu), ErrorId::TooLarge, "it has 4294967295 points; at most 8000000 are read");
+  expectFileError(with(tiny, 4, 1000000u), ErrorId::BadFile, "its 1000000 strands and 9 points need 2000288 bytes after the header; it has 40");
+  expectFileError(with(tiny, 8, 8000000u), ErrorId::BadFile, "its 3 strands and 8000000 points need 256000006 bytes after the header; it has 40");
+  expectFileError(with(tiny, 4, 1000001u), ErrorId::TooLarge, "it has 1000001 strands; at most 1000000 are read");
+  expectFileError(with(tiny, 4, 0xffffffffu), ErrorId::TooLarge, "it has 4294967295 strands; at most 1000000 are read");
+  expectFileError(with(tiny, 8, 0xffffffffu), ErrorId::TooLarge, "it has 4294967295 points; at most 8000000 are read");
 }
 
 TEST(HairFile, WhatIsNoNumberIsRejected) {
   const Bytes good = writeHair(small());
   const std::size_t points = 128 + 6, thickness = points + 9 * 12, transparency = thickness + 9 * 4, colors = transparency + 9 * 4;
   for (const float bad : {kNan, kInf, -kInf, 1.1e9f})
-    expectError(with(good, points + 4 * 12 + 8, bad), ErrorId::BadFile, "point 4 is no place within 10^9 of the origin");
+    expectFileError(with(good, points + 4 * 12 + 8, bad), ErrorId::BadFile, "point 4 is no place within 10^9 of the origin");
   for (const float bad : {kNan, kInf}) {
-    expectError(with(good, thickness + 8, bad), ErrorId::BadFile, "the thickness of point 2 is not a number");
-    expectError(with(good, transparency, bad), ErrorId::BadFile, "the transparency of point 0 is not a number");
-    expectError(with(good, colors + 8 * 12, bad), ErrorId::BadFile, "the colour of point 8 is not a number");
-    for (const std::size_t at : {20, 24, 28, 32, 36}) expectError(with(good, at, bad), ErrorId::BadFile, "a default in its header is not a number");
+    expectFileError(with(good, thickness + 8, bad), ErrorId::BadFile, "the thickness of point 2 is not a number");
+    expectFileError(with(good, transparency, bad), ErrorId::BadFile, "the transparency of point 0 is not a number");
+    expectFileError(with(good, colors + 8 * 12, bad), ErrorId::BadFile, "the colour of point 8 is not a number");
+    for (const std::size_t at : {20, 24, 28, 32, 36}) expectFileError(with(good, at, bad), ErrorId::BadFile, "a default in its header is not a number");
   }
 }
 
@@ -198,7 +198,7 @@ TEST(HairGuides, StrandsOfOnePlaceCountForNothing) {
 }
 
 TEST(HairGuides, TheyAreFittedToTheScalpAndStandOnTheSkin) {
-  hair::test::Scalp sphere(geometry::makeSphere());
+  hair::test::TestScalp sphere(geometry::makeSphere());
   sphere.paint([](const Vec3& p) -> groom::GroomMap::Texel { return {static_cast<std::uint8_t>(p.y > 0.5f ? 255 : 0), 255, 255, 255}; });
   auto guides = guidesOf(disc(200), {.count = 200}, "a.hair", sphere.scalp(), sphere.query);
   ASSERT_TRUE(guides);
@@ -217,7 +217,7 @@ TEST(HairGuides, TheyAreFittedToTheScalpAndStandOnTheSkin) {
 }
 
 TEST(HairGuides, GuidesSurviveAFile) {
-  const hair::test::Scalp sphere(geometry::makeSphere());
+  const hair::test::TestScalp sphere(geometry::makeSphere());
   const hair::Guides guides = hair::plantGuides(sphere.scalp(), {}, 50).value();
   for (const HairUp up : {HairUp::Y, HairUp::Z}) {
     auto file = readHair(writeHair(hairOfGuides(guides, 0.004f, up)), "a.hair");
@@ -239,7 +239,7 @@ struct Hair {
   }
   Result<HairFile> file() const { return hairOfWisps(wisps, nodes, guides.nodes, values, HairUp::Y); }
 
-  hair::test::Scalp sphere;
+  hair::test::TestScalp sphere;
   hair::HairValues values;
   hair::Guides guides;
   std::vector<hair::GuideNode> nodes;

@@ -18,7 +18,7 @@ const std::string kObj =
 const std::string kFo =
     "v 0 0 0 0 0 1 1 0\nv 1 0 0 0 0 1 0.5 0\nv 0 1e0 0 0 0 1 1 2\nt 0 0 0 0\nt 1 0 2 0\nt 0 1 0 2\np 1/1 2/2 3/3\n";
 
-void expectError(const std::string& text, ErrorId id, const std::string& message, const char* name) {
+void expectTextError(const std::string& text, ErrorId id, const std::string& message, const char* name) {
   const auto bytes = textFile(text);
   const std::size_t before = allocatedBytes();
   const auto model = importModel(bytes, name);
@@ -31,10 +31,10 @@ void expectError(const std::string& text, ErrorId id, const std::string& message
 }
 
 void expectBadObj(const std::string& text, const std::string& message) {
-  expectError(text, ErrorId::BadFile, message, "fox.obj");
+  expectTextError(text, ErrorId::BadFile, message, "fox.obj");
 }
 void expectBadFo(const std::string& text, const std::string& message) {
-  expectError(text, ErrorId::BadFile, message, "fox.fo");
+  expectTextError(text, ErrorId::BadFile, message, "fox.fo");
 }
 
 std::string vertices(int count) {
@@ -95,13 +95,13 @@ TEST(ImportObj, RejectsBinaryFiles) {
 TEST(ImportObj, RefusesMoreThanItsLimits) {
   std::string faces = vertices(3);
   while (faces.size() < 40'000'000) faces += "f 1 2 3\n";
-  expectError(faces, ErrorId::TooLarge, ", line 4000004: there are over 4000000 triangles", "fox.obj");
+  expectTextError(faces, ErrorId::TooLarge, ", line 4000004: there are over 4000000 triangles", "fox.obj");
   std::string points;
   while (points.size() < 33'000'000) points += "v 1 2 3\n";
-  expectError(points, ErrorId::TooLarge, ", line 4000001: there are over 4000000 vertices", "fox.obj");
+  expectTextError(points, ErrorId::TooLarge, ", line 4000001: there are over 4000000 vertices", "fox.obj");
   std::string polygon = vertices(3) + "f";
   while (polygon.size() < 10'000'000) polygon += " 1 2";
-  expectError(polygon, ErrorId::TooLarge, ", line 4: there are over 4000000 triangles", "fox.obj");
+  expectTextError(polygon, ErrorId::TooLarge, ", line 4: there are over 4000000 triangles", "fox.obj");
 }
 
 TEST(ImportObj, TakesNoMemoryForWhatItDoesNotUse) {

@@ -10,7 +10,7 @@
 namespace fur::scene {
 namespace {
 
-Model imported(const FileBytes& bytes) {
+Model importedPosed(const FileBytes& bytes) {
   auto model = importModel(bytes, "tentacle.glb");
   EXPECT_TRUE(model) << (model ? "" : model.error().message);
   return std::move(*model);
@@ -64,7 +64,7 @@ void expectSame(const Pose& pose, const Reference& reference) {
 
 TEST(RigPose, SkinsAsTheReferenceDoes) {
   const Tentacle tentacle;
-  const Model model = imported(tentacle.build());
+  const Model model = importedPosed(tentacle.build());
   ASSERT_EQ(model.rig.animations.size(), 2u);
   EXPECT_EQ(model.rig.animations[0].name, "wave");
   Pose pose(model.rig);
@@ -80,7 +80,7 @@ TEST(RigPose, SkinsAsTheReferenceDoes) {
 
 TEST(RigPose, MorphsAsTheReferenceDoes) {
   const Tentacle tentacle;
-  const Model model = imported(tentacle.build());
+  const Model model = importedPosed(tentacle.build());
   Pose pose(model.rig);
   pose.set(1, 1);
   expectSame(pose, {tentacle, model.rig, 0, 1});
@@ -130,7 +130,7 @@ TEST(RigPose, TurnsByTheSameBitsOnEveryPlatform) {
 }
 
 TEST(RigPose, BeforeAndAfterItsKeysAnAnimationStands) {
-  const Model model = imported(Tentacle().build());
+  const Model model = importedPosed(Tentacle().build());
   Pose early(model.rig), late(model.rig), first(model.rig), last(model.rig);
   early.set(0, -1);
   first.set(0, 0);
@@ -141,7 +141,7 @@ TEST(RigPose, BeforeAndAfterItsKeysAnAnimationStands) {
 }
 
 TEST(RigPose, TheMeshIsTheRigWithoutAnAnimation) {
-  const Model model = imported(Tentacle().build());
+  const Model model = importedPosed(Tentacle().build());
   const Pose pose(model.rig);
   ASSERT_EQ(model.mesh.positions.size(), pose.positions().size());
   for (std::size_t i = 0; i < pose.positions().size(); ++i)
@@ -159,7 +159,7 @@ TEST(RigPose, NodesAloneAreMovedToo) {
   file.moreViews = R"(,{"buffer":0,"byteOffset":44,"byteLength":8},{"buffer":0,"byteOffset":52,"byteLength":24},{"buffer":0,"byteOffset":76,"byteLength":72})";
   file.moreAccessors = R"(,{"bufferView":2,"componentType":5126,"count":2,"type":"SCALAR"},{"bufferView":3,"componentType":5126,"count":2,"type":"VEC3"},)"
                        R"({"bufferView":4,"componentType":5126,"count":6,"type":"VEC3"})";
-  const Model model = imported(file.build());
+  const Model model = importedPosed(file.build());
   Pose pose(model.rig);
   pose.set(0, 0.5f);
   // Half way along x of the cubic: 0.5 * 1 + 0.125 * 1 + 0.5 * 2, along y with a tangent of 2; the step still holds.
@@ -169,11 +169,11 @@ TEST(RigPose, NodesAloneAreMovedToo) {
 }
 
 TEST(RigPose, AModelThatDoesNotMoveHasNoRig) {
-  EXPECT_FALSE(imported(TriangleFile().build()).rig.moves());
+  EXPECT_FALSE(importedPosed(TriangleFile().build()).rig.moves());
   Tentacle still;
   still.animations = R"({"channels":[],"samplers":[]})";
-  EXPECT_FALSE(imported(still.build()).rig.moves());
-  EXPECT_TRUE(imported(still.build()).rig.positions.empty());
+  EXPECT_FALSE(importedPosed(still.build()).rig.moves());
+  EXPECT_TRUE(importedPosed(still.build()).rig.positions.empty());
 }
 
 TEST(RigPose, HostileFilesGiveTypedErrors) {

@@ -9,20 +9,20 @@
 namespace fur::truth {
 namespace {
 
-constexpr int kWidth = 120, kHeight = 90;
+constexpr int kTruthWidth = 120, kTruthHeight = 90;
 const Vec3 kBackground(0, 0, 1);
 
 struct World {
   geometry::Surface surface = test::square(0.5f);
   furgen::Coat coat = test::coatOf({64, 64}, {test::upright()});
   std::vector<Vec4> bends = test::straight(surface);
-  render::shared::FrameBlock frame = test::frameFrom({0.25f, 0.3f, 2}, {0.25f, 0.3f, 0.25f}, {0, 1, 0}, kWidth, kHeight);
+  render::shared::FrameBlock frame = test::frameFrom({0.25f, 0.3f, 2}, {0.25f, 0.3f, 0.25f}, {0, 1, 0}, kTruthWidth, kTruthHeight);
   render::shared::FurBlock fur = test::furOf(0.4f, 1);
 
   Scene scene() const { return {surface, coat, bends, frame, fur}; }
   Picture draw(Options options = {}) const {
     options.shadowTexels = 256;
-    return render(scene(), kWidth, kHeight, options);
+    return render(scene(), kTruthWidth, kTruthHeight, options);
   }
 };
 
@@ -45,20 +45,20 @@ TEST(Truth, AStrandStandsWhereTheProjectionSays) {
   const World world;
   const Picture picture = world.draw();
   for (const float height : {0.1f, 0.25f, 0.39f}) {
-    const Vec2 at = test::pixelOf(world.frame, {0.25f, height, 0.25f}, kWidth, kHeight);
+    const Vec2 at = test::pixelOf(world.frame, {0.25f, height, 0.25f}, kTruthWidth, kTruthHeight);
     const int x = static_cast<int>(at.x), y = static_cast<int>(at.y);
     EXPECT_FALSE(isBackground(picture, x, y)) << height;
     EXPECT_TRUE(isBackground(picture, x - 6, y)) << height;
     EXPECT_TRUE(isBackground(picture, x + 6, y)) << height;
   }
-  const Vec2 above = test::pixelOf(world.frame, {0.25f, 0.43f, 0.25f}, kWidth, kHeight);
+  const Vec2 above = test::pixelOf(world.frame, {0.25f, 0.43f, 0.25f}, kTruthWidth, kTruthHeight);
   EXPECT_TRUE(isBackground(picture, static_cast<int>(above.x), static_cast<int>(above.y)));
 }
 
 TEST(Truth, AStrandThinsTowardsItsTip) {
   const World world;
   const Picture picture = world.draw();
-  const auto rowAt = [&](float height) { return static_cast<int>(test::pixelOf(world.frame, {0.25f, height, 0.25f}, kWidth, kHeight).y); };
+  const auto rowAt = [&](float height) { return static_cast<int>(test::pixelOf(world.frame, {0.25f, height, 0.25f}, kTruthWidth, kTruthHeight).y); };
   const float low = widthOfRow(picture, rowAt(0.1f)), middle = widthOfRow(picture, rowAt(0.2f)), high = widthOfRow(picture, rowAt(0.3f));
   EXPECT_GT(low, middle * 1.1f);
   EXPECT_GT(middle, high * 1.1f);
@@ -68,7 +68,7 @@ TEST(Truth, AStrandThinsTowardsItsTip) {
 
 TEST(Truth, SkinHidesTheStrandsBehindIt) {
   World world;
-  world.frame = test::frameFrom({0.1f, 3, 0.1f}, {0, 0, 0}, {0, 0, -1}, kWidth, kHeight);
+  world.frame = test::frameFrom({0.1f, 3, 0.1f}, {0, 0, 0}, {0, 0, -1}, kTruthWidth, kTruthHeight);
   // A bare square above them.
   const geometry::Surface lid = test::square(0.5f, 0.6f);
   for (auto& v : lid.vertices) world.surface.vertices.push_back(v);
@@ -84,7 +84,7 @@ TEST(Truth, SkinHidesTheStrandsBehindIt) {
 TEST(Truth, SkinThatFacesAwayIsNotDrawn) {
   World world;
   world.coat.strands.clear();
-  world.frame = test::frameFrom({0, -3, 0}, {0, 0, 0}, {0, 0, -1}, kWidth, kHeight);
+  world.frame = test::frameFrom({0, -3, 0}, {0, 0, 0}, {0, 0, -1}, kTruthWidth, kTruthHeight);
   for (const Vec3& pixel : world.draw().pixels) EXPECT_LT(glm::distance(pixel, kBackground), 1e-4f);
 }
 
@@ -107,8 +107,8 @@ TEST(Truth, OnlyTracedLightLeavesTheShadowOfTheBodyBlack) {
   // Lit through the skin, from below.
   world.frame.light = Vec4(glm::normalize(Vec3(0.1f, -0.9f, 0.1f)), 0);
   world.frame.sky = world.frame.floorLight = Vec4(0);
-  const Vec2 at = test::pixelOf(world.frame, {0.25f, 0.2f, 0.25f}, kWidth, kHeight);
-  const auto pixel = static_cast<std::size_t>(static_cast<int>(at.y) * kWidth + static_cast<int>(at.x));
+  const Vec2 at = test::pixelOf(world.frame, {0.25f, 0.2f, 0.25f}, kTruthWidth, kTruthHeight);
+  const auto pixel = static_cast<std::size_t>(static_cast<int>(at.y) * kTruthWidth + static_cast<int>(at.x));
   Options traced;
   traced.light = Light::Traced;
   EXPECT_LT(glm::length(world.draw(traced).pixels[pixel]), 1e-3f);

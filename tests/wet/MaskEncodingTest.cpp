@@ -10,22 +10,22 @@
 namespace fur::wet {
 namespace {
 
-constexpr int kSize = 96;
-constexpr TexelRect kWhole{0, 0, kSize, kSize};
+constexpr int kMaskSize = 96;
+constexpr TexelRect kWhole{0, 0, kMaskSize, kMaskSize};
 
 // A mask whose texels are all of one chart, unless a test says otherwise.
 struct Atlas {
-  WetnessMask mask{kSize};
-  std::vector<std::uint16_t> charts = std::vector<std::uint16_t>(kSize * kSize, 0);
-  std::vector<std::uint32_t> triangles = std::vector<std::uint32_t>(kSize * kSize, 0);
+  WetnessMask mask{kMaskSize};
+  std::vector<std::uint16_t> charts = std::vector<std::uint16_t>(kMaskSize * kMaskSize, 0);
+  std::vector<std::uint32_t> triangles = std::vector<std::uint32_t>(kMaskSize * kMaskSize, 0);
 
   // Clumps of that radius, whose water is `waterAt` the texel: up to 1 in the fur, the rest as a film.
   template <class WaterAt>
   void wet(float radius, WaterAt waterAt) {
-    std::vector<Vec4> texels(kSize * kSize, Vec4(0));
-    std::vector<float> film(kSize * kSize, 0.0f);
-    for (int i = 0; i < kSize * kSize; ++i) {
-      const float water = waterAt(i % kSize, i / kSize);
+    std::vector<Vec4> texels(kMaskSize * kMaskSize, Vec4(0));
+    std::vector<float> film(kMaskSize * kMaskSize, 0.0f);
+    for (int i = 0; i < kMaskSize * kMaskSize; ++i) {
+      const float water = waterAt(i % kMaskSize, i / kMaskSize);
       if (water <= 0) continue;
       texels[i] = Vec4(mask.texelCentre(i), radius, std::min(water, 1.0f));
       film[i] = std::max(water - 1, 0.0f);
@@ -47,10 +47,10 @@ TEST(MaskEncoding, KeepsEveryClumpAndTellsItsChart) {
   Atlas atlas;
   Random random(3);
   rainOn(atlas.mask, random, 60);  // some centres lie beside the atlas
-  for (int i = 0; i < kSize * kSize; ++i) atlas.charts[i] = static_cast<std::uint16_t>(i % kSize / 8 * 12 + i / kSize / 8);  // 144 charts
+  for (int i = 0; i < kMaskSize * kMaskSize; ++i) atlas.charts[i] = static_cast<std::uint16_t>(i % kMaskSize / 8 * 12 + i / kMaskSize / 8);  // 144 charts
   const MaskTexels encoded = atlas.encoded();
   ASSERT_EQ(encoded.texels.size(), atlas.charts.size());
-  for (int i = 0; i < kSize * kSize; ++i) {
+  for (int i = 0; i < kMaskSize * kMaskSize; ++i) {
     const Vec4 &from = atlas.mask.texels()[i], &to = encoded.texels[i];
     const float chart = std::floor(to.x / static_cast<float>(FUR_CHART_STEP));
     EXPECT_EQ(chart, atlas.charts[i] % FUR_CHART_NUMBERS);
@@ -74,9 +74,9 @@ TEST(MaskEncoding, LeavesEvenlyWetFurAsItIs) {
 TEST(MaskEncoding, RunsClumpsDryTowardsDryFurOverAPartOfThem) {
   Atlas atlas;
   constexpr int kBorder = 40, kReach = 6;  // 0.6 of a radius of 10 texels
-  atlas.wet(10.5f / kSize, [](int x, int) { return x < kBorder ? 0.7f : 0.0f; });
+  atlas.wet(10.5f / kMaskSize, [](int x, int) { return x < kBorder ? 0.7f : 0.0f; });
   const MaskTexels encoded = atlas.encoded();
-  const int y = kSize / 2;
+  const int y = kMaskSize / 2;
   for (int x = 1; x < kBorder; ++x) EXPECT_LE(atlas.waterAt(encoded, x, y), atlas.waterAt(encoded, x - 1, y) + 1e-6f) << x;
   // Of the 13 columns round the last wet one 7 are wet: it is inside by 2.4 * 7/13 - 1.1 = 0.19.
   EXPECT_LT(atlas.waterAt(encoded, kBorder - 1, y), 0.36f * 0.7f);
@@ -89,7 +89,7 @@ TEST(MaskEncoding, RunsClumpsDryTowardsDryFurOverAPartOfThem) {
 TEST(MaskEncoding, MakesNoSheetOfAStreak) {
   for (const int width : {4, 8, 12, 40}) {
     Atlas atlas;
-    atlas.wet(0.05f, [&](int x, int) { return std::abs(2 * x + 1 - kSize) < width ? 1.5f : 0.0f; });
+    atlas.wet(0.05f, [&](int x, int) { return std::abs(2 * x + 1 - kMaskSize) < width ? 1.5f : 0.0f; });
     const MaskTexels encoded = atlas.encoded();
     float most = 0;
     for (const Vec4& texel : encoded.texels) most = std::max(most, texel.w);
@@ -104,11 +104,11 @@ TEST(MaskEncoding, MakesNoSheetOfAStreak) {
 
 TEST(MaskEncoding, PartsASheetIntoClumpsTowardsDryFur) {
   Atlas atlas;
-  atlas.wet(0.05f, [](int x, int) { return x < kSize / 2 ? 1.4f : 0.0f; });
+  atlas.wet(0.05f, [](int x, int) { return x < kMaskSize / 2 ? 1.4f : 0.0f; });
   const MaskTexels encoded = atlas.encoded();
-  for (int x = 1; x < kSize / 2; ++x) EXPECT_LE(atlas.waterAt(encoded, x, 50), atlas.waterAt(encoded, x - 1, 50) + 1e-6f) << x;
+  for (int x = 1; x < kMaskSize / 2; ++x) EXPECT_LE(atlas.waterAt(encoded, x, 50), atlas.waterAt(encoded, x - 1, 50) + 1e-6f) << x;
   EXPECT_NEAR(atlas.waterAt(encoded, 30, 50), 1.4f, 0.01f);
-  EXPECT_LE(atlas.waterAt(encoded, kSize / 2 - 1, 50), kSheetFrom);
+  EXPECT_LE(atlas.waterAt(encoded, kMaskSize / 2 - 1, 50), kSheetFrom);
 }
 
 TEST(MaskEncoding, ClosesARowThatTheFlowHasMissed) {
@@ -123,11 +123,11 @@ TEST(MaskEncoding, TellsTexelsBesideChartsOfTheWaterNextToThem) {
   Atlas atlas;
   constexpr int kEnd = 30;
   atlas.wet(0.05f, [](int x, int) { return x < kEnd ? 0.6f : 0.0f; });
-  for (int i = 0; i < kSize * kSize; ++i)
-    if (i % kSize >= kEnd) atlas.charts[i] = SurfaceWetting::kNoChart, atlas.triangles[i] = geometry::kNoTriangle;
+  for (int i = 0; i < kMaskSize * kMaskSize; ++i)
+    if (i % kMaskSize >= kEnd) atlas.charts[i] = SurfaceWetting::kNoChart, atlas.triangles[i] = geometry::kNoTriangle;
   const MaskTexels encoded = atlas.encoded();
   for (int x = kEnd; x < kEnd + 3; ++x) EXPECT_NEAR(atlas.waterAt(encoded, x, 50), -1.6f, 1 / 255.0f) << x;
-  for (int x = kEnd + 3; x < kSize; ++x) EXPECT_EQ(atlas.waterAt(encoded, x, 50), -1) << x;
+  for (int x = kEnd + 3; x < kMaskSize; ++x) EXPECT_EQ(atlas.waterAt(encoded, x, 50), -1) << x;
   // There is no dry fur beyond the border: up to there it is as wet as inside.
   for (int x = 0; x < kEnd; ++x) EXPECT_NEAR(atlas.waterAt(encoded, x, 50), 0.6f, 1e-6f) << x;
 }
@@ -136,8 +136,8 @@ TEST(MaskEncoding, IsNotSoftenedByGutters) {
   Atlas bare, repeated;
   for (Atlas* atlas : {&bare, &repeated}) {
     atlas->wet(0.1f, [&](int x, int) { return x < 30 || (x < 32 && atlas == &repeated) ? 0.6f : 0.0f; });
-    for (int i = 0; i < kSize * kSize; ++i)
-      if (i % kSize >= 30) atlas->triangles[i] = geometry::kNoTriangle;
+    for (int i = 0; i < kMaskSize * kMaskSize; ++i)
+      if (i % kMaskSize >= 30) atlas->triangles[i] = geometry::kNoTriangle;
   }
   for (int x = 0; x < 30; ++x) EXPECT_EQ(bare.waterAt(bare.encoded(), x, 50), repeated.waterAt(repeated.encoded(), x, 50)) << x;
 }
@@ -151,9 +151,9 @@ TEST(MaskEncoding, HoldsAllThatAChangeAltersAndIsTheSameAsOfTheWhole) {
     const TexelRect changed = atlas.mask.addDroplet({Vec2(random.uniform(), random.uniform()), random.uniform(0.01f, 0.1f), random.uniform(0.1f, 1.0f)});
     const MaskTexels after = atlas.encoded(), part = atlas.encoded(changed);
     int at = 0;
-    for (int y = 0; y < kSize; ++y)
-      for (int x = 0; x < kSize; ++x) {
-        const auto i = static_cast<std::size_t>(y * kSize + x);
+    for (int y = 0; y < kMaskSize; ++y)
+      for (int x = 0; x < kMaskSize; ++x) {
+        const auto i = static_cast<std::size_t>(y * kMaskSize + x);
         const bool in = x >= part.rect.x0 && x < part.rect.x1 && y >= part.rect.y0 && y < part.rect.y1;
         ASSERT_EQ(after.texels[i], in ? part.texels[static_cast<std::size_t>(at++)] : before.texels[i]) << x << ", " << y;
       }

@@ -10,7 +10,7 @@ namespace fur::app {
 namespace {
 
 // Of what save() gives, which browsers keep from visit to visit: another one whenever that changes.
-constexpr std::uint32_t kLayout = 1;
+constexpr std::uint32_t kGroomLayout = 1;
 
 // Values of points as values of the surface's true vertices; none stay none.
 template <class T>
@@ -76,7 +76,7 @@ std::uint64_t GroomStage::hash(const ShapeStage& shape) {
 // The layout, the maps' size, the number of whiskers and a bit for each map that is there; those, comb, whiskers.
 std::vector<std::uint8_t> GroomStage::save(const ShapeStage& shape) {
   groomSurface(shape);
-  std::uint32_t counts[4] = {kLayout, static_cast<std::uint32_t>(groom_.map.size()), static_cast<std::uint32_t>(groom_.whiskers.size()), 0};
+  std::uint32_t counts[4] = {kGroomLayout, static_cast<std::uint32_t>(groom_.map.size()), static_cast<std::uint32_t>(groom_.whiskers.size()), 0};
   for (unsigned i = 0; i < std::size(groom::kMaps); ++i) counts[3] |= (groom_.*groom::kMaps[i]).isPlain() ? 0u : 1u << i;
   std::vector<std::uint8_t> bytes;
   const auto append = [&](const void* from, std::size_t count) {
@@ -100,7 +100,7 @@ bool GroomStage::restore(const ShapeStage& shape, std::span<const std::uint8_t> 
   std::size_t at = sizeof counts, maps = 0;
   for (unsigned i = 0; i < std::size(groom::kMaps); ++i) maps += counts[3] >> i & 1u;
   const std::size_t combAt = at + maps * mapBytes, whiskersAt = combAt + skin.points.count() * sizeof(Vec3);
-  const bool sound = counts[0] == kLayout && size >= groom::GroomMap::kLeastSize && size <= groom::GroomMap::kMostSize &&
+  const bool sound = counts[0] == kGroomLayout && size >= groom::GroomMap::kLeastSize && size <= groom::GroomMap::kMostSize &&
                      counts[2] <= groom::kMostWhiskers && bytes.size() == whiskersAt + counts[2] * groom::kWhiskerBytes;
   if (!sound) return false;
   groom_ = groom::plainGroom(static_cast<int>(size), skin.points);

@@ -12,7 +12,7 @@ namespace fur::app {
 namespace {
 
 // Of what save() gives, which browsers keep from visit to visit: another one whenever that changes.
-constexpr std::uint32_t kLayout = 2;
+constexpr std::uint32_t kHairLayout = 2;
 
 bool read(ByteReader& from, hair::Scalp& scalp) {
   std::uint32_t size = 0;
@@ -40,7 +40,7 @@ bool read(ByteReader& from, hair::Scalp& scalp) {
 std::vector<std::uint8_t> GrownHair::save() const {
   if (style_.empty()) return {};
   ByteWriter to;
-  to(kLayout, static_cast<std::uint32_t>(style_.scalps.size()), static_cast<std::uint32_t>(selected_));
+  to(kHairLayout, static_cast<std::uint32_t>(style_.scalps.size()), static_cast<std::uint32_t>(selected_));
   for (const hair::Scalp& scalp : style_.scalps)
     to(std::string_view(scalp.name), std::string_view(hair::writeHairValues(scalp.values)), static_cast<std::uint32_t>(scalp.map.size()),
        scene::packMap(scalp.map.texels()), static_cast<std::int32_t>(scalp.guides.nodes), scalp.guides.flags, scalp.guides.positions);
@@ -57,7 +57,7 @@ bool GrownHair::restore(std::span<const std::uint8_t> bytes) {
   ByteReader from(bytes);
   std::uint32_t layout = 0, count = 0, selected = 0;
   from(layout, count, selected);
-  if (!from.sound() || layout != kLayout || count > hair::kMostScalps) return false;
+  if (!from.sound() || layout != kHairLayout || count > hair::kMostScalps) return false;
   hair::Hairstyle style;
   for (; count > 0; --count)
     if (!read(from, style.scalps.emplace_back())) return false;

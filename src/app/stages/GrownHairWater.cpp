@@ -16,7 +16,7 @@ constexpr float kInCoat = 0.15f;
 // Hair that holds so much looks as wet, and hangs as heavy, as hair does: more runs down it.
 constexpr float kLooksSoaked = 0.65f;
 // Of the flow, what droplets, the dry brush and the towel bring and take.
-constexpr float kWetShare = 0.5f, kDryShare = 0.35f, kTowelShare = 0.5f;
+constexpr float kHairWetShare = 0.5f, kHairDryShare = 0.35f, kHairTowelShare = 0.5f;
 constexpr float kSoakedByte = 200;  // of hair::Scalp::wetness
 
 float farthest(std::span<const float> a, std::span<const float> b) {
@@ -119,9 +119,9 @@ void GrownHair::wetBy(const WaterStroke& stroke, const ShapeStage& shape, const 
   const auto near = [&](float amount) { wetNear(placeOf(shape, at, height), stroke.radius, amount); };
   switch (stroke.what) {
     case Command::Droplet:
-    case Command::Splash: return near(kWetShare * flow);
-    case Command::Dry: return near(-kDryShare * flow);
-    case Command::Towel: return near(-kTowelShare * flow);
+    case Command::Splash: return near(kHairWetShare * flow);
+    case Command::Dry: return near(-kHairDryShare * flow);
+    case Command::Towel: return near(-kHairTowelShare * flow);
     case Command::Soak:
       for (LiveScalp& live : scalps_) live.water.soak(stroke.flow);
       return;

@@ -6,7 +6,7 @@ namespace fur::app {
 
 namespace {
 
-constexpr float kFollow = 18.0f;  // 1/s: how fast the ball comes to where it is pulled
+constexpr float kBallFollow = 18.0f;  // 1/s: how fast the ball comes to where it is pulled
 constexpr float kArrived = 1e-4f;
 constexpr float kBallGrip = 0.4f, kHandGrip = 1.0f;
 
@@ -42,7 +42,7 @@ bool Touch::update(float dt) {
   }
   if (!ball_) return false;
   const Vec3 before = *ball_, way = *ballGoal_ - before;
-  ball_ = glm::length(way) < kArrived ? *ballGoal_ : before + way * (1.0f - portableExp(-std::min(kFollow * dt, 80.0f)));
+  ball_ = glm::length(way) < kArrived ? *ballGoal_ : before + way * (1.0f - portableExp(-std::min(kBallFollow * dt, 80.0f)));
   contacts_[count_++] = {before, *ball_, ballRadius_, kBallGrip};
   return *ball_ != before;
 }

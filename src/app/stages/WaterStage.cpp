@@ -19,7 +19,7 @@ constexpr float kWindSpeed = 1.5f;
 // Wetness a second under the middle of a hair dryer.
 constexpr float kDryerRate = 1.6f;
 // Of save(), which browsers keep from visit to visit: another one whenever that changes.
-constexpr std::uint32_t kLayout = 4;
+constexpr std::uint32_t kWaterLayout = 4;
 
 // What files may hold: more is no water.
 bool areAmounts(std::span<const float> values) {
@@ -189,7 +189,7 @@ bool WaterStage::isWet() const {
 
 std::vector<std::uint8_t> WaterStage::save(bool forFile) const {
   ByteWriter to;
-  to(kLayout, mask_.texels(), mask_.film());
+  to(kWaterLayout, mask_.texels(), mask_.film());
   water_.save(to);
   to(steps_, hair_ ? hair_->waterState() : std::vector<float>());
   saveStrokes(to, forFile ? std::vector<WaterStroke>() : strokes_);
@@ -203,7 +203,7 @@ bool WaterStage::restore(std::span<const std::uint8_t> bytes) {
   wet::Water water;
   std::uint32_t layout = 0, steps = 0;
   from(layout, texels, film);
-  if (layout != kLayout) return false;
+  if (layout != kWaterLayout) return false;
   std::vector<float> hair;
   water.restore(from);
   from(steps, hair);

@@ -8,11 +8,11 @@ namespace {
 
 enum class Masked { Kept, Changed };
 
-struct Row {
+struct GroomRow {
   const char* name;
   Masked masked;
 };
-constexpr Row kRows[] = {
+constexpr GroomRow kGroomRows[] = {
 #define FUR_GROOM_EDIT(id, name, masked, doc) {name, Masked::masked},
 #include "app/tools/GroomEdits.inc"
 #undef FUR_GROOM_EDIT
@@ -20,10 +20,10 @@ constexpr Row kRows[] = {
 
 }  // namespace
 
-bool keepsMasked(GroomEdit edit) { return kRows[static_cast<std::size_t>(edit)].masked == Masked::Kept; }
+bool keepsMasked(GroomEdit edit) { return kGroomRows[static_cast<std::size_t>(edit)].masked == Masked::Kept; }
 
-std::string_view nameOf(GroomEdit edit) { return kRows[static_cast<std::size_t>(edit)].name; }
+std::string_view nameOf(GroomEdit edit) { return kGroomRows[static_cast<std::size_t>(edit)].name; }
 
-std::optional<GroomEdit> groomEditNamed(std::string_view name) { return rowNamed<GroomEdit>(kRows, name); }
+std::optional<GroomEdit> groomEditNamed(std::string_view name) { return rowNamed<GroomEdit>(kGroomRows, name); }
 
 }  // namespace fur::app

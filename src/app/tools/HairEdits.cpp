@@ -6,10 +6,10 @@ namespace fur::app {
 
 namespace {
 
-struct Row {
+struct HairRow {
   const char* name;
 };
-constexpr Row kRows[] = {
+constexpr HairRow kHairRows[] = {
 #define FUR_HAIR_EDIT(id, name, doc) {name},
 #include "app/tools/HairEdits.inc"
 #undef FUR_HAIR_EDIT
@@ -17,8 +17,8 @@ constexpr Row kRows[] = {
 
 }  // namespace
 
-std::string_view nameOf(HairEdit edit) { return kRows[static_cast<std::size_t>(edit)].name; }
+std::string_view nameOf(HairEdit edit) { return kHairRows[static_cast<std::size_t>(edit)].name; }
 
-std::optional<HairEdit> hairEditNamed(std::string_view name) { return rowNamed<HairEdit>(kRows, name); }
+std::optional<HairEdit> hairEditNamed(std::string_view name) { return rowNamed<HairEdit>(kHairRows, name); }
 
 }  // namespace fur::app

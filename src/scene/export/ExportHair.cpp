@@ -15,7 +15,7 @@ static_assert(std::endian::native == std::endian::little, "numbers are written a
 
 constexpr float kSegmentsOfCurl = 10;  // of each of its turns
 
-Vec3 turned(const Vec3& p, HairUp up) { return up == HairUp::Z ? Vec3(p.x, -p.z, p.y) : p; }
+Vec3 inAxesOf(const Vec3& p, HairUp up) { return up == HairUp::Z ? Vec3(p.x, -p.z, p.y) : p; }
 
 template <class T>
 void append(std::vector<std::uint8_t>& to, std::span<const T> values) {
@@ -45,7 +45,7 @@ struct Expansion {
         // A strand ends before its wisp.
         const float share = static_cast<float>(i) / static_cast<float>(segments), t = member.length * share;
         const hair::WispPoint point = hair::wispPoint(wisp, nodes, nodesEach, shape, t);
-        out.points.push_back(turned(hair::memberPoint(point, hair::memberOffset(member, t), wisp.width, shape, t), up));
+        out.points.push_back(inAxesOf(hair::memberPoint(point, hair::memberOffset(member, t), wisp.width, shape, t), up));
         out.thickness.push_back(values.strandWidth * hair::memberWidth(member, t));
         const float variance = 0.5f * (wisp.random + member.random);
         const Vec3 color = hair::strandColor(colorOf(values.rootColor), colorOf(values.tipColor), share, variance, values.variance);
@@ -85,7 +85,7 @@ HairFile hairOfGuides(const hair::Guides& guides, float width, HairUp up) {
   HairFile out;
   out.defaultThickness = width;
   out.segments.assign(guides.count(), static_cast<std::uint16_t>(guides.nodes - 1));
-  for (const Vec3& p : guides.positions) out.points.push_back(turned(p, up));
+  for (const Vec3& p : guides.positions) out.points.push_back(inAxesOf(p, up));
   return out;
 }
 

@@ -20,7 +20,7 @@ std::uint32_t crc32(std::span<const std::uint8_t> bytes) {
   return ~crc;
 }
 
-class Writer {
+class ZipWriter {
  public:
   std::vector<std::uint8_t> out;
   void two(std::uint32_t value) { few(value, 2); }
@@ -35,7 +35,7 @@ class Writer {
 };
 
 // What both headers of a file have, from its version on.
-void describe(Writer& to, const NamedFile& file, std::uint32_t crc) {
+void describe(ZipWriter& to, const NamedFile& file, std::uint32_t crc) {
   to.two(kVersion);
   to.two(kUtf8);
   to.two(0);  // stored
@@ -52,7 +52,7 @@ void describe(Writer& to, const NamedFile& file, std::uint32_t crc) {
 
 std::vector<std::uint8_t> writeZip(std::span<const NamedFile> files) {
   FUR_ASSERT(files.size() < 65536, "scene::writeZip()", "fewer than 65536 files", files.size());
-  Writer zip, central;
+  ZipWriter zip, central;
   for (const NamedFile& file : files) {
     const std::uint32_t crc = crc32(file.bytes), start = zip.at();
     zip.four(kLocalHeader);

@@ -8,13 +8,13 @@ namespace fur::scene {
 namespace {
 
 enum Component : std::uint64_t { kByte = 5120, kUnsignedByte = 5121, kShort = 5122, kUnsignedShort = 5123,
-                                 kUnsignedInt = 5125, kFloat = 5126 };
+                                 kUint32 = 5125, kFloat32 = 5126 };
 
 std::size_t sizeOf(Whole component) {
   switch (component) {
     case kByte: case kUnsignedByte: return 1;
     case kShort: case kUnsignedShort: return 2;
-    case kUnsignedInt: case kFloat: return 4;
+    case kUint32: case kFloat32: return 4;
     default: return 0;
   }
 }
@@ -96,13 +96,13 @@ std::uint32_t indexAt(const std::uint8_t* from, Whole component) {
 }
 
 bool isIndexComponent(Whole component) {
-  return component == kUnsignedByte || component == kUnsignedShort || component == kUnsignedInt;
+  return component == kUnsignedByte || component == kUnsignedShort || component == kUint32;
 }
 
 // Where an accessor's elements are replaced (glTF 2.0, 3.6.2.3).
 struct Sparse {
   Elements indices, values;
-  std::uint64_t indexComponent = kUnsignedInt;
+  std::uint64_t indexComponent = kUint32;
 };
 
 Sparse openSparse(const GltfFile& file, const Accessor& accessor, std::size_t size) {
@@ -149,7 +149,7 @@ void forEachElement(const GltfFile& file, const Accessor& accessor, std::size_t 
 std::vector<float> readFloats(const GltfFile& file, Whole index, int components) {
   const char* type = components == 1 ? "SCALAR" : components == 2 ? "VEC2" : components == 3 ? "VEC3" : components == 4 ? "VEC4" : "MAT4";
   const Accessor accessor = openAccessor(file, index, type, kMaxVertices);
-  if (accessor.component == kUnsignedInt) file.bad("%s has 32-bit integers where numbers are needed", accessor.where.c_str());
+  if (accessor.component == kUint32) file.bad("%s has 32-bit integers where numbers are needed", accessor.where.c_str());
   const std::size_t part = sizeOf(accessor.component), width = static_cast<std::size_t>(components);
   std::vector<float> out;
   const auto store = [&](std::size_t i, const std::uint8_t* from) {

@@ -25,9 +25,9 @@ struct Header {
 };
 static_assert(sizeof(Header) == kHairHeaderBytes);
 
-class HairReader {
+class HairFileReader {
  public:
-  HairReader(Bytes bytes, const std::string& name) : bytes_(bytes), name_(name.c_str()) {}
+  HairFileReader(Bytes bytes, const std::string& name) : bytes_(bytes), name_(name.c_str()) {}
 
   HairFile run() {
     readHeader();
@@ -119,7 +119,7 @@ class HairReader {
 }  // namespace
 
 Result<HairFile> readHair(std::span<const std::uint8_t> bytes, const std::string& name) {
-  return guardedImport<HairFile>(name, [&] { return HairReader(bytes, name).run(); });
+  return guardedImport<HairFile>(name, [&] { return HairFileReader(bytes, name).run(); });
 }
 
 }  // namespace fur::scene

@@ -14,7 +14,7 @@ struct Instance {
   Vec4 way;
   Vec2 kind;
 };
-constexpr gl::Attribute kAttributes[] = {
+constexpr gl::Attribute kDropAttributes[] = {
     {FUR_DROP_PLACE, 4, offsetof(Instance, place)}, {FUR_DROP_WAY, 4, offsetof(Instance, way)}, {FUR_DROP_KIND, 2, offsetof(Instance, kind)}};
 
 // Pieces of a jet that are further apart than so many steps of the first are of two jets.
@@ -53,7 +53,7 @@ bool DropPass::draw(const Drawing& drawing) {
   const std::vector<Instance> instances = instancesOf(drawing.frame.drops);
   if (instances_.bytes() == 0) {
     instances_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(instances), true);
-    array_ = gl::VertexArray(instances_, sizeof(Instance), kAttributes, 1, nullptr);
+    array_ = gl::VertexArray(instances_, sizeof(Instance), kDropAttributes, 1, nullptr);
   } else {
     instances_.update(gl::bytesOf(instances));
   }

@@ -8,7 +8,7 @@ namespace fur::render {
 
 namespace {
 
-constexpr gl::Attribute kAttributes[] = {
+constexpr gl::Attribute kEdgeAttributes[] = {
     {FUR_FIN_POSITION_A, 4, offsetof(FinEdge, positionA)}, {FUR_FIN_POSITION_B, 4, offsetof(FinEdge, positionB)},
     {FUR_FIN_NORMAL_A, 4, offsetof(FinEdge, normalA)},     {FUR_FIN_NORMAL_B, 4, offsetof(FinEdge, normalB)},
     {FUR_FIN_FACE_0, 4, offsetof(FinEdge, face0)},         {FUR_FIN_FACE_1, 4, offsetof(FinEdge, face1)},
@@ -29,7 +29,7 @@ std::size_t FinPass::set(const geometry::Surface& surface, bool moves) {
   if (moves) moving_.emplace(edges_);
   setLengths({});
   instances_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(edges_), true);
-  array_ = gl::VertexArray(instances_, sizeof(FinEdge), kAttributes, 1, nullptr);
+  array_ = gl::VertexArray(instances_, sizeof(FinEdge), kEdgeAttributes, 1, nullptr);
   return instances_.bytes();
 }
 

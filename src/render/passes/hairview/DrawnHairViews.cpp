@@ -11,7 +11,7 @@ namespace {
 
 using hair::ViewLine;
 
-constexpr gl::Attribute kAttributes[] = {
+constexpr gl::Attribute kLineAttributes[] = {
     {FUR_LINE_FROM, 4, offsetof(ViewLine, a)}, {FUR_LINE_TO, 4, offsetof(ViewLine, b)}, {FUR_LINE_COLOR, 4, offsetof(ViewLine, color)}};
 static_assert(sizeof(ViewLine) == 12 * sizeof(float));
 
@@ -43,7 +43,7 @@ void DrawnHairViews::uploadLines(const Drawing& drawing) {
   if (view_->lines.empty() || !noteChange(linesFor_, view_->lineRevision)) return;
   if (lines_.bytes() == 0) {
     lines_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(view_->lines), true);
-    array_ = gl::VertexArray(lines_, sizeof(ViewLine), kAttributes, 1, nullptr);
+    array_ = gl::VertexArray(lines_, sizeof(ViewLine), kLineAttributes, 1, nullptr);
   } else {
     lines_.update(gl::bytesOf(view_->lines));
   }

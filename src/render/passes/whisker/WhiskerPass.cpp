@@ -8,7 +8,7 @@ namespace {
 
 using groom::WhiskerHair;
 
-constexpr gl::Attribute kAttributes[] = {
+constexpr gl::Attribute kHairAttributes[] = {
     {FUR_WHISKER_ROOT, 4, offsetof(WhiskerHair, root)},         {FUR_WHISKER_DIRECTION, 4, offsetof(WhiskerHair, direction)},
     {FUR_WHISKER_CURVE, 4, offsetof(WhiskerHair, curve)},       {FUR_WHISKER_NORMAL, 4, offsetof(WhiskerHair, normal)},
     {FUR_WHISKER_COLOR, 4, offsetof(WhiskerHair, color)},       {FUR_WHISKER_VERTICES, 4, offsetof(WhiskerHair, vertices)},
@@ -24,7 +24,7 @@ std::size_t WhiskerPass::set(std::span<const WhiskerHair> hairs) {
   hairs_ = {};
   if (hairs.empty()) return 0;
   hairs_ = gl::Buffer(gl::BufferKind::Vertex, std::as_bytes(hairs), false);
-  array_ = gl::VertexArray(hairs_, sizeof(WhiskerHair), kAttributes, 1, nullptr);
+  array_ = gl::VertexArray(hairs_, sizeof(WhiskerHair), kHairAttributes, 1, nullptr);
   return hairs_.bytes();
 }
 
