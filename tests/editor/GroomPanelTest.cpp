@@ -26,20 +26,22 @@ struct GroomPerson : PanelDriver {
   void press(const char* row, int segment, const char* label) {
     const ImGuiID rowId = content()->GetID(row);
     const ImGuiID item = ImHashStr(label, 0, ImHashData(&segment, sizeof segment, rowId));
-    if (places.empty()) look();
+    if (!places.contains(item)) look(item);
     const auto place = places.find(item);
     ASSERT_NE(place, places.end()) << row << ' ' << label;
     click(place->second);
   }
-  // As sweep(), on more lines: segments are narrow.
-  void look() {
+  // As find(), on more lines: segments are narrow.
+  void look(ImGuiID item) {
     const ImRect rect = panel()->Rect();
     for (float y = rect.Min.y + 3; y < rect.Max.y; y += 12)
       for (float share = 0.05f; share < 1; share += 0.08f) {
         const Vec2 at(rect.Min.x + rect.GetWidth() * share, y);
         input.pointer(PointerKind::Mouse, at, 0);
         frames(2);
-        if (const ImGuiID hovered = ImGui::GetHoveredID()) places.emplace(hovered, at);
+        const ImGuiID hovered = ImGui::GetHoveredID();
+        if (hovered) places.emplace(hovered, at);
+        if (hovered == item) return;
       }
   }
   std::map<ImGuiID, Vec2> places;  // nothing here moves

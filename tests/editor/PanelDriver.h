@@ -117,23 +117,34 @@ class PanelDriver {
 
   // Where the pointer hovers the item, trying a raster over the panel.
   std::optional<Vec2> find(ImGuiID item) {
-    for (const auto& [at, hovered] : sweep())
-      if (hovered == item) return at;
-    return {};
+    std::optional<Vec2> found;
+    sweep([&](Vec2 at, ImGuiID hovered) {
+      if (hovered == item) found = at;
+      return !found;
+    });
+    return found;
   }
 
   // What the pointer hovers, on lines through the value column, the reset column and the left.
   std::vector<std::pair<Vec2, ImGuiID>> sweep() {
     std::vector<std::pair<Vec2, ImGuiID>> seen;
+    sweep([&](Vec2 at, ImGuiID hovered) {
+      seen.emplace_back(at, hovered);
+      return true;
+    });
+    return seen;
+  }
+  // The same, one after the other, while `goesOn(at, hovered)`.
+  template <class GoesOn>
+  void sweep(GoesOn goesOn) {
     const ImRect rect = panel()->Rect();
     for (const float share : {0.47f, 0.7f, 0.2f, 0.92f})
       for (float y = rect.Min.y + 3; y < rect.Max.y; y += 6) {
         const Vec2 at(rect.Min.x + rect.GetWidth() * share, y);
         input.pointer(PointerKind::Mouse, at, 0);
         frames(2);
-        if (const ImGuiID hovered = ImGui::GetHoveredID()) seen.emplace_back(at, hovered);
+        if (const ImGuiID hovered = ImGui::GetHoveredID(); hovered && !goesOn(at, hovered)) return;
       }
-    return seen;
   }
 
   void openGroup(const char* name) {

@@ -113,15 +113,16 @@ float outwardness(const WetnessMask& mask, std::uint32_t texel, const Vec3& clum
 }
 
 TEST(ClumpSites, HoldEveryPlaceInItsOwnLock) {
-  for (const auto& mesh : {sphere(), torus()})
+  for (const auto& mesh : {sphere(), torus()}) {
+    const Pond pond(mesh, 256);
+    const SurfaceTexels& texels = *pond.water.texels();
     for (const float radius : {0.02f, 0.035f, 0.06f, 0.1f}) {
-      const Pond pond(mesh, 256);
-      const SurfaceTexels& texels = *pond.water.texels();
       ClumpSites sites(texels, radius);
       for (std::uint32_t i = 0; i < texels.places().size(); ++i)
         ASSERT_LT(outwardness(pond.mask, texels.places()[i].texel, sites.clumpOf(texels, pond.surface, pond.query, pond.wetting, i)), 0.92f)
             << "radius " << radius << ", place " << i;
     }
+  }
 }
 
 TEST(Water, InGuttersHasLocksThatReachThem) {
