@@ -5,19 +5,19 @@
 namespace fur::app {
 namespace {
 
-struct Salon : test::Room {
-  Salon() : Room(120, {{"layers", "8"}, {"tileSize", "64"}, {"breath", "0"}, {"wind", "0"}, {"animationSpeed", "0"}}) {
+struct DocumentRoom : test::Room {
+  DocumentRoom() : Room(120, {{"layers", "8"}, {"tileSize", "64"}, {"breath", "0"}, {"wind", "0"}, {"animationSpeed", "0"}}) {
     EXPECT_TRUE(test::growsHair);
     App::keepDocuments(&scene::kDocumentKeeping);
   }
-  ~Salon() { App::keepDocuments(nullptr); }
+  ~DocumentRoom() { App::keepDocuments(nullptr); }
   void run(int steps) {
     for (int i = 0; i < steps; ++i) app.tick(1 / 60.0f);
   }
 };
 
 // Groom, whisker, long hair and its body on a bone, wet while drops fall, with a coat from a file.
-void furnish(Salon& salon) {
+void furnish(DocumentRoom& salon) {
   App& app = salon.app;
   salon.stroke(Tool::Comb, {60, 30}, {60, 90});
   salon.stroke(Tool::Trim, {55, 50}, {65, 70});
@@ -36,7 +36,7 @@ void furnish(Salon& salon) {
 }
 
 TEST(AppDocument, OpensWithTheSameStateToTheBit) {
-  Salon salon;
+  DocumentRoom salon;
   App& app = salon.app;
   ASSERT_TRUE(app.loadModel(scene::Tentacle().build(), "tentacle.glb"));
   furnish(salon);
@@ -57,7 +57,7 @@ TEST(AppDocument, OpensWithTheSameStateToTheBit) {
 }
 
 TEST(AppDocument, OpensWithTheSamePicture) {
-  Salon salon;
+  DocumentRoom salon;
   App& app = salon.app;
   ASSERT_TRUE(app.loadModel(scene::Tentacle().build(), "tentacle.glb"));
   salon.stroke(Tool::Comb, {60, 30}, {60, 90});
@@ -76,7 +76,7 @@ TEST(AppDocument, OpensWithTheSamePicture) {
 }
 
 TEST(AppDocument, WhoseCoatIsNoneLeavesWhatWasOpen) {
-  Salon salon;
+  DocumentRoom salon;
   App& app = salon.app;
   ASSERT_TRUE(app.loadModel(scene::Tentacle().build(), "tentacle.glb"));
   ASSERT_TRUE(app.loadTypeSet(app.saveTypeSet(), "coat.fts"));
@@ -93,7 +93,7 @@ TEST(AppDocument, WhoseCoatIsNoneLeavesWhatWasOpen) {
 
 // Every number of the water that a file may hold.
 TEST(AppDocument, HostileWaterIsLeftOutWithAWarning) {
-  Salon salon;
+  DocumentRoom salon;
   App& app = salon.app;
   ASSERT_TRUE(app.loadPrimitive("sphere"));
   app.splashAt(0.4f, 0.4f, 0.1f, 3);

@@ -56,7 +56,7 @@ TEST(AppHair, LooksAlikeAsStripsAndAsStrands) {
 
 // Far away fewer wisps are drawn, as much wider; strands are always of all.
 TEST(AppHair, TakesAsMuchOfAPictureFarAwayAsAllItsWispsDo) {
-  Salon salon;
+  HairSalon salon;
   salon.app.setField("furLength", "0");
   salon.app.setCamera({0.5f, 0.3f, 9.0f, Vec3(0)});
   const float bare = salon.picture().brightness();
@@ -257,7 +257,7 @@ TEST(AppHair, ToolsOfWaterMeetItBesideTheSkin) {
 }
 
 // A pixel that shows hair and no skin.
-std::optional<Vec2> besideTheSkin(Salon& salon) {
+std::optional<Vec2> besideTheSkin(HairSalon& salon) {
   salon.app.setTool(Tool::Droplet);
   for (float x = 159; x > 80; x -= 2)
     if (const Vec2 at(x, 90); !salon.app.pick(at) && !salon.app.brushRing(at).empty()) return at;
@@ -271,7 +271,7 @@ void drag(App& app, Vec2 from, Vec2 to) {
 
 TEST(AppHair, BrushesOfTheCoatCombAndTrimItWhereTheyMeetIt) {
   for (const Tool tool : {Tool::Comb, Tool::Trim}) {
-    Salon salon;
+    HairSalon salon;
     salon.grow();
     const auto beside = besideTheSkin(salon);
     ASSERT_TRUE(beside);
@@ -289,7 +289,7 @@ TEST(AppHair, BrushesOfTheCoatCombAndTrimItWhereTheyMeetIt) {
 
 TEST(AppHair, IsPettedAndPressedBesideTheSkin) {
   for (const Tool tool : {Tool::Pet, Tool::Ball}) {
-    Salon salon;
+    HairSalon salon;
     salon.grow();
     // Wide enough to meet guides, which are some way from each other.
     salon.app.setField("brushRadius", "0.4");
@@ -388,7 +388,7 @@ TEST(AppHair, DarkensTheCoatAndTheGroundBelowIt) {
 }
 
 TEST(AppHair, DarkensTheSkinRightBelowIt) {
-  Salon salon;
+  HairSalon salon;
   for (const auto& [name, value] : {std::pair("furLength", "0"), std::pair("density", "0"), std::pair("skinColor", "#808080"), std::pair("ambient", "0.2")})
     salon.app.setField(name, value);
   salon.app.setCamera({.yaw = 0.4f, .pitch = 0.4f, .distance = 2.8f});
