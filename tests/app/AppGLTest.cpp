@@ -118,6 +118,20 @@ TEST(App, TwoFingersZoom) {
   EXPECT_NEAR(desk.app.camera().distance, distance / 2, 0.01f);
 }
 
+TEST(App, HomeIsTheViewThatTheFileBroughtAndTheUsualOneOfTheNextModel) {
+  Desk desk;
+  const float usual = desk.app.camera().yaw;
+  desk.app.setCamera({1.0f, 0.5f, 4.0f, Vec3(0.1f, 0, 0)});
+  ASSERT_TRUE(desk.app.loadModel(desk.app.saveScene(), "scene.glb"));
+  desk.app.setCamera({2.0f, 0.1f, 3.0f, Vec3(0)});
+  desk.app.resetCamera();
+  EXPECT_FLOAT_EQ(desk.app.camera().yaw, 1);
+  EXPECT_FLOAT_EQ(desk.app.camera().distance, 4);
+  ASSERT_TRUE(desk.app.loadPrimitive("sphere"));
+  desk.app.resetCamera();
+  EXPECT_FLOAT_EQ(desk.app.camera().yaw, usual);
+}
+
 TEST(App, StateGoesRoundTrip) {
   Easel desk;
   desk.app.setField("furLength", "0.2");
