@@ -204,7 +204,7 @@ test('what grows with scrolling up and down is given back: no context, texture, 
   await scroll();
   const once = await count();
   // More than the browser has.
-  for (let i = 0; i < 2; i++) {
+  for (let i = 0; i < 3; i++) {
     await scroll();
     await page.evaluate(() => see(0).then(() => {}));
   }
