@@ -16,7 +16,7 @@
 namespace fur::scene {
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
+using ByteVector = std::vector<std::uint8_t>;
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInf = std::numeric_limits<float>::infinity();
 
 // Three strands of 2, 1 and 3 segments.
@@ -33,16 +33,16 @@ HairFile small() {
 }
 
 template <class T>
-Bytes with(Bytes bytes, std::size_t at, T value) {
+ByteVector with(ByteVector bytes, std::size_t at, T value) {
   std::memcpy(&bytes[at], &value, sizeof value);
   return bytes;
 }
-Bytes cut(Bytes bytes, std::size_t size) {
+ByteVector cut(ByteVector bytes, std::size_t size) {
   bytes.resize(size);
   return bytes;
 }
 
-void expectFileError(const Bytes& bytes, ErrorId id, const std::string& message) {
+void expectFileError(const ByteVector& bytes, ErrorId id, const std::string& message) {
   const std::size_t before = allocatedBytes();
   auto hair = readHair(bytes, "a.hair");
   ASSERT_FALSE(hair) << "read; expected " << message;
@@ -57,7 +57,7 @@ TEST(HairFile, ItIsReadAsItWasWritten) {
   HairFile even = small();
   even.segments = {2, 2, 2};
   for (const HairFile& hair : {small(), bare, even}) {
-    const Bytes bytes = writeHair(hair);
+    const ByteVector bytes = writeHair(hair);
     auto again = readHair(bytes, "a.hair");
     ASSERT_TRUE(again) << again.error().message;
     EXPECT_EQ(*again, hair);
@@ -68,7 +68,7 @@ TEST(HairFile, ItIsReadAsItWasWritten) {
 }
 
 TEST(HairFile, TheHeaderIsAsTheFormatHasIt) {
-  const Bytes bytes = writeHair(small());
+  const ByteVector bytes = writeHair(small());
   const auto number = [&](std::size_t at) { std::uint32_t n; std::memcpy(&n, &bytes[at], 4); return n; };
   EXPECT_EQ(std::string(bytes.begin(), bytes.begin() + 4), "HAIR");
   EXPECT_EQ(number(4), 3u);
@@ -81,7 +81,7 @@ TEST(HairFile, TheHeaderIsAsTheFormatHasIt) {
 }
 
 TEST(HairFile, BytesThatDoNotAddUpAreRejected) {
-  const Bytes good = writeHair(small());
+  const ByteVector good = writeHair(small());
   expectFileError({}, ErrorId::BadFile, "it has 0 bytes; the header of a .hair file has 128");
   expectFileError(cut(good, 127), ErrorId::BadFile, "it has 127 bytes; the header of a .hair file has 128");
   expectFileError(with(good, 0, 'h'), ErrorId::BadFile, "it does not begin with HAIR");
@@ -92,14 +92,14 @@ TEST(HairFile, BytesThatDoNotAddUpAreRejected) {
   expectFileError(with(good, 12, 63u), ErrorId::UnsupportedVersion, "its flags are 63; 1, 2, 4, 8 and 16 are known");
   expectFileError(with(good, 128, std::uint16_t{3}), ErrorId::BadFile, "the segments of its strands make 10 points; its header says 9");
   expectFileError(with(good, 128, std::uint16_t{65535}), ErrorId::BadFile, "the segments of its strands make 65542 points; its header says 9");
-  Bytes even = with(with(good, 12, 2u), 16, 0u);
+  ByteVector even = with(with(good, 12, 2u), 16, 0u);
   expectFileError(even, ErrorId::BadFile, "its strands have 0 segments each; 1 to 65535 can be");
   expectFileError(with(even, 16, 65536u), ErrorId::BadFile, "its strands have 65536 segments each; 1 to 65535 can be");
   expectFileError(with(even, 16, 4u), ErrorId::BadFile, "the segments of its strands make 15 points; its header says 9");
 }
 
 TEST(HairFile, ManyStrandsInAFewBytesTakeNoMemory) {
-  const Bytes tiny = cut(writeHair(small()), 168);
+  const ByteVector tiny = cut(writeHair(small()), 168);
   expectFileError(with(tiny, 4, 1000000u), ErrorId::BadFile, "its 1000000 strands and 9 points need 2000288 bytes after the header; it has 40");
   expectFileError(with(tiny, 8, 8000000u), ErrorId::BadFile, "its 3 strands and 8000000 points need 256000006 bytes after the header; it has 40");
   expectFileError(with(tiny, 4, 1000001u), ErrorId::TooLarge, "it has 1000001 strands; at most 1000000 are read");
@@ -108,7 +108,7 @@ TEST(HairFile, ManyStrandsInAFewBytesTakeNoMemory) {
 }
 
 TEST(HairFile, WhatIsNoNumberIsRejected) {
-  const Bytes good = writeHair(small());
+  const ByteVector good = writeHair(small());
   const std::size_t points = 128 + 6, thickness = points + 9 * 12, transparency = thickness + 9 * 4, colors = transparency + 9 * 4;
   for (const float bad : {kNan, kInf, -kInf, 1.1e9f})
     expectFileError(with(good, points + 4 * 12 + 8, bad), ErrorId::BadFile, "point 4 is no place within 10^9 of the origin");
@@ -121,11 +121,11 @@ TEST(HairFile, WhatIsNoNumberIsRejected) {
 }
 
 TEST(HairFile, AnyBytesAreReadOrRejected) {
-  const Bytes good = writeHair(small());
+  const ByteVector good = writeHair(small());
   Random random(9);
   int read = 0;
   for (int i = 0; i < 4000; ++i) {
-    Bytes bytes = cut(good, random.next() % 3 ? good.size() : random.next() % good.size());
+    ByteVector bytes = cut(good, random.next() % 3 ? good.size() : random.next() % good.size());
     for (std::uint32_t k = 0; k < 1 + random.next() % 3 && !bytes.empty(); ++k)
       bytes[random.next() % std::min<std::size_t>(bytes.size(), random.next() % 2 ? 40 : 1000)] = static_cast<std::uint8_t>(random.next());
     auto hair = readHair(bytes, "a.hair");

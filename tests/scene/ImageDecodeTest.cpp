@@ -9,10 +9,10 @@
 namespace fur::scene {
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
+using ByteVector = std::vector<std::uint8_t>;
 
 // PNG's CRC-32 (ISO 3309), bit by bit.
-std::uint32_t crc(const Bytes& bytes) {
+std::uint32_t crc(const ByteVector& bytes) {
   std::uint32_t c = 0xffffffffu;
   for (const std::uint8_t byte : bytes) {
     c ^= byte;
@@ -21,29 +21,29 @@ std::uint32_t crc(const Bytes& bytes) {
   return ~c;
 }
 
-void appendNumber(Bytes& out, std::uint32_t n) {
+void appendNumber(ByteVector& out, std::uint32_t n) {
   for (int shift = 24; shift >= 0; shift -= 8) out.push_back(static_cast<std::uint8_t>(n >> shift));
 }
 
-void appendChunk(Bytes& png, const std::string& type, const Bytes& data) {
+void appendChunk(ByteVector& png, const std::string& type, const ByteVector& data) {
   appendNumber(png, static_cast<std::uint32_t>(data.size()));
-  Bytes body(type.begin(), type.end());
+  ByteVector body(type.begin(), type.end());
   body.insert(body.end(), data.begin(), data.end());
   png.insert(png.end(), body.begin(), body.end());
   appendNumber(png, crc(body));
 }
 
 // An RGB PNG whose header claims any size and whose data is one row, uncompressed.
-Bytes pngOf(std::uint32_t width, std::uint32_t height, const Bytes& row) {
-  Bytes png = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'}, header;
+ByteVector pngOf(std::uint32_t width, std::uint32_t height, const ByteVector& row) {
+  ByteVector png = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'}, header;
   appendNumber(header, width);
   appendNumber(header, height);
   header.insert(header.end(), {8, 2, 0, 0, 0});
   appendChunk(png, "IHDR", header);
-  Bytes raw = {0};  // filter: none
+  ByteVector raw = {0};  // filter: none
   raw.insert(raw.end(), row.begin(), row.end());
   const auto size = static_cast<std::uint8_t>(raw.size());
-  Bytes zlib = {0x78, 0x01, 1, size, 0, static_cast<std::uint8_t>(~size), 0xff};
+  ByteVector zlib = {0x78, 0x01, 1, size, 0, static_cast<std::uint8_t>(~size), 0xff};
   zlib.insert(zlib.end(), raw.begin(), raw.end());
   std::uint32_t a = 1, b = 0;  // Adler-32
   for (const std::uint8_t byte : raw) a = (a + byte) % 65521, b = (b + a) % 65521;
@@ -58,7 +58,7 @@ TEST(ImageDecode, GivesThePixelsOfAPng) {
   ASSERT_TRUE(image) << image.error().message;
   EXPECT_EQ(image->width, 2);
   EXPECT_EQ(image->height, 1);
-  EXPECT_EQ(image->rgba, (Bytes{1, 2, 3, 255, 250, 251, 252, 255}));
+  EXPECT_EQ(image->rgba, (ByteVector{1, 2, 3, 255, 250, 251, 252, 255}));
 }
 
 TEST(ImageDecode, RefusesASideOf20000BeforeDecoding) {
@@ -71,9 +71,9 @@ TEST(ImageDecode, RefusesASideOf20000BeforeDecoding) {
 
 TEST(ImageDecode, RefusesOtherFormatsUnseen) {
   // A valid one-pixel BMP, which stb_image could read.
-  Bytes bmp(58, 0);
+  ByteVector bmp(58, 0);
   bmp[0] = 'B', bmp[1] = 'M', bmp[10] = 54, bmp[14] = 40, bmp[18] = 1, bmp[22] = 1, bmp[26] = 1, bmp[28] = 24;
-  for (const Bytes& bytes : {bmp, Bytes{}, Bytes{'G', 'I', 'F', '8', '9', 'a'}, Bytes(4096, 'x')}) {
+  for (const ByteVector& bytes : {bmp, ByteVector{}, ByteVector{'G', 'I', 'F', '8', '9', 'a'}, ByteVector(4096, 'x')}) {
     const auto image = decodeImage(bytes);
     ASSERT_FALSE(image);
     EXPECT_EQ(image.error().id, ErrorId::BadFile);
@@ -81,7 +81,7 @@ TEST(ImageDecode, RefusesOtherFormatsUnseen) {
 }
 
 TEST(ImageDecode, EveryTruncationIsABadFile) {
-  const Bytes whole = pngOf(2, 1, {1, 2, 3, 4, 5, 6});
+  const ByteVector whole = pngOf(2, 1, {1, 2, 3, 4, 5, 6});
   // The last chunk, IEND with its checksum, is not needed to show the picture.
   for (std::size_t size = 0; size + 12 < whole.size() - 8; ++size) {
     const auto image = decodeImage(std::span(whole).first(size));
@@ -91,7 +91,7 @@ TEST(ImageDecode, EveryTruncationIsABadFile) {
 }
 
 TEST(ImageDecode, RefusesADamagedJpeg) {
-  Bytes bytes = {0xff, 0xd8, 0xff, 0xe0, 0, 16, 'J', 'F', 'I', 'F', 0};
+  ByteVector bytes = {0xff, 0xd8, 0xff, 0xe0, 0, 16, 'J', 'F', 'I', 'F', 0};
   bytes.resize(200, 0x55);
   const auto image = decodeImage(bytes);
   ASSERT_FALSE(image);

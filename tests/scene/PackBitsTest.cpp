@@ -7,13 +7,13 @@
 namespace fur::scene {
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
+using ByteVector = std::vector<std::uint8_t>;
 
 TEST(PackBits, UnpacksTheExampleOfAppleAndTiff) {
-  const Bytes packed{0xfe, 0xaa, 0x02, 0x80, 0x00, 0x2a, 0xfd, 0xaa, 0x03, 0x80, 0x00, 0x2a, 0x22, 0xf7, 0xaa};
-  Bytes bytes(24);
+  const ByteVector packed{0xfe, 0xaa, 0x02, 0x80, 0x00, 0x2a, 0xfd, 0xaa, 0x03, 0x80, 0x00, 0x2a, 0x22, 0xf7, 0xaa};
+  ByteVector bytes(24);
   ASSERT_TRUE(unpackBits(packed, bytes));
-  EXPECT_EQ(bytes, (Bytes{0xaa, 0xaa, 0xaa, 0x80, 0x00, 0x2a, 0xaa, 0xaa, 0xaa, 0xaa, 0x80, 0x00, 0x2a, 0x22, 0xaa, 0xaa,
+  EXPECT_EQ(bytes, (ByteVector{0xaa, 0xaa, 0xaa, 0x80, 0x00, 0x2a, 0xaa, 0xaa, 0xaa, 0xaa, 0x80, 0x00, 0x2a, 0x22, 0xaa, 0xaa,
                           0xaa, 0xaa, 0xaa, 0xaa, 0xaa, 0xaa, 0xaa, 0xaa}));
   EXPECT_EQ(packBits(bytes), packed);
 }
@@ -21,25 +21,25 @@ TEST(PackBits, UnpacksTheExampleOfAppleAndTiff) {
 TEST(PackBits, WhatGoesInComesOut) {
   Random random(3);
   for (int round = 0; round < 300; ++round) {
-    Bytes bytes;
+    ByteVector bytes;
     while (bytes.size() < random.next() % 900) bytes.insert(bytes.end(), 1 + random.next() % (round + 1), static_cast<std::uint8_t>(random.next() % 4));
-    const Bytes packed = packBits(bytes);
+    const ByteVector packed = packBits(bytes);
     EXPECT_LE(packed.size(), bytes.size() + bytes.size() / 128 + 1);
-    Bytes back(bytes.size());
+    ByteVector back(bytes.size());
     ASSERT_TRUE(unpackBits(packed, back));
     ASSERT_EQ(back, bytes);
   }
 }
 
-TEST(PackBits, EvenMapsTakeAHundredthAndLess) { EXPECT_LT(packBits(Bytes(65536, 255)).size(), 1100u); }
+TEST(PackBits, EvenMapsTakeAHundredthAndLess) { EXPECT_LT(packBits(ByteVector(65536, 255)).size(), 1100u); }
 
 TEST(PackBits, RefusesTooFewTooManyAndCutOff) {
-  const Bytes packed = packBits(Bytes{1, 2, 3, 4, 4, 4, 4, 4});
+  const ByteVector packed = packBits(ByteVector{1, 2, 3, 4, 4, 4, 4, 4});
   for (const std::size_t size : {0u, 7u, 9u}) {
-    Bytes bytes(size);
+    ByteVector bytes(size);
     EXPECT_FALSE(unpackBits(packed, bytes)) << size;
   }
-  Bytes bytes(8);
+  ByteVector bytes(8);
   for (std::size_t cut = 0; cut < packed.size(); ++cut)
     EXPECT_FALSE(unpackBits(std::span(packed).first(cut), bytes)) << cut;
   EXPECT_TRUE(unpackBits(packed, bytes));

@@ -14,7 +14,7 @@ namespace fur::scene {
 namespace {
 
 using furgen::FurVolume;
-using Bytes = std::vector<std::uint8_t>;
+using ByteVector = std::vector<std::uint8_t>;
 
 constexpr std::size_t kTexels = 256 * 256, kFinStart = 16 * kTexels * 3, kDensityAt = kFinStart + 64 * 256 * 3;
 
@@ -24,19 +24,19 @@ FurVolume coat(float curl) {
   return furgen::generateFur(p);
 }
 
-Bytes written(const FurVolume& volume) {
+ByteVector written(const FurVolume& volume) {
   const auto bytes = writeTypeSet(volume);
   EXPECT_TRUE(bytes) << bytes.error().message;
-  return bytes ? bytes.value() : Bytes{};
+  return bytes ? bytes.value() : ByteVector{};
 }
 
-FurVolume read(const Bytes& bytes) {
+FurVolume read(const ByteVector& bytes) {
   const auto volume = readTypeSet(bytes, "fox.fts");
   EXPECT_TRUE(volume) << volume.error().message;
   return volume ? volume.value() : FurVolume{};
 }
 
-void setFloat(Bytes& bytes, std::size_t at, float value) {
+void setFloat(ByteVector& bytes, std::size_t at, float value) {
   std::memcpy(&bytes[at], &value, sizeof value);  // every machine that this runs on is little-endian
 }
 
@@ -49,7 +49,7 @@ float quantile(std::vector<float> values, double share) {
 
 TEST(TypeSet, HasTheLayoutOfThePaper) {
   const FurVolume v = coat(0.25f);
-  const Bytes bytes = written(v);
+  const ByteVector bytes = written(v);
   ASSERT_EQ(bytes.size(), 3'194'888u);
   // Layer 3, row 5, column 7; fin row 9, column 11.
   const std::size_t texel = (3 * 256 + 5) * 256 + 7, finTexel = 9 * 256 + 11;
@@ -59,7 +59,7 @@ TEST(TypeSet, HasTheLayoutOfThePaper) {
   EXPECT_EQ(bytes[kFinStart + 3 * finTexel], v.finVariance[finTexel]);
   EXPECT_EQ(bytes[kFinStart + 3 * finTexel + 1], v.finDominance[finTexel]);
   EXPECT_EQ(bytes[kFinStart + 3 * finTexel + 2], v.finCoverage[finTexel]);
-  Bytes floats(8);
+  ByteVector floats(8);
   setFloat(floats, 0, v.density);
   setFloat(floats, 4, v.weight);
   EXPECT_TRUE(std::equal(floats.begin(), floats.end(), bytes.begin() + kDensityAt));
@@ -68,7 +68,7 @@ TEST(TypeSet, HasTheLayoutOfThePaper) {
 TEST(TypeSet, KeepsEveryByteOfItsMaps) {
   for (const float curl : {0.0f, 0.25f, 1.0f}) {
     const FurVolume v = coat(curl);
-    const Bytes bytes = written(v);
+    const ByteVector bytes = written(v);
     const FurVolume again = read(bytes);
     EXPECT_EQ(again.coverage, v.coverage);
     EXPECT_EQ(again.dominance, v.dominance);
@@ -83,7 +83,7 @@ TEST(TypeSet, KeepsEveryByteOfItsMaps) {
 }
 
 TEST(TypeSet, KeepsDominanceBelowOurScale) {
-  Bytes bytes = written(coat(0.0f));
+  ByteVector bytes = written(coat(0.0f));
   bytes[1] = 51;  // Sheppard's first strand
   EXPECT_EQ(written(read(bytes)), bytes);
 }
@@ -149,7 +149,7 @@ TEST(TypeSet, GivesEmptyTexelsTheNearestStrandOfTheirLayer) {
 }
 
 TEST(TypeSet, RefusesFilesOfAnotherLength) {
-  Bytes bytes = written(coat(0.0f));
+  ByteVector bytes = written(coat(0.0f));
   bytes.push_back(0);
   for (const std::size_t size : {std::size_t{0}, std::size_t{1}, kDensityAt, bytes.size() - 2, bytes.size()}) {
     const auto volume = readTypeSet(std::span(bytes).first(size), "fox.fts");
@@ -160,10 +160,10 @@ TEST(TypeSet, RefusesFilesOfAnotherLength) {
 }
 
 TEST(TypeSet, RefusesADensityOrWeightThatIsNone) {
-  const Bytes good = written(coat(0.0f));
+  const ByteVector good = written(coat(0.0f));
   for (const float value : {NAN, INFINITY, -INFINITY, -0.001f, 1.001f, 3e38f})
     for (const bool weight : {false, true}) {
-      Bytes bytes = good;
+      ByteVector bytes = good;
       setFloat(bytes, kDensityAt + (weight ? 4 : 0), value);
       const auto volume = readTypeSet(bytes, "fox.fts");
       ASSERT_FALSE(volume) << value;
@@ -185,7 +185,7 @@ TEST(TypeSet, OfAnotherShapeIsNotWritten) {
 }
 
 TEST(TypeSet, IsReadWhateverItHolds) {
-  Bytes bytes(kTypeSetBytes, 0);  // the two floats stay 0
+  ByteVector bytes(kTypeSetBytes, 0);  // the two floats stay 0
   const auto expectRead = [&](const char* what) {
     const FurVolume v = read(bytes);
     EXPECT_EQ(written(v), bytes) << what;
