@@ -13,7 +13,7 @@ namespace {
 
 using Document = nlohmann::json;
 
-[[maybe_unused]] const bool readsHair = (readLongHair(), true);
+[[maybe_unused]] const bool documentReadsHair = (readLongHair(), true);
 
 std::size_t word(const FileBytes& bytes, std::size_t at) {
   return bytes[at] | std::size_t{bytes[at + 1]} << 8 | std::size_t{bytes[at + 2]} << 16 | std::size_t{bytes[at + 3]} << 24;
