@@ -5,15 +5,15 @@
 namespace fur::app {
 namespace {
 
-struct Easel {
+struct Desk {
   test::Stage stage{200, 200};
   App app;
-  Easel() {
+  Desk() {
     stage.attach(app);
     app.setField("dryRate", "0");
     settle();
   }
-  ~Easel() { app.detach(false); }
+  ~Desk() { app.detach(false); }
 
   void settle() {
     for (int i = 0; i < 3000 && (i == 0 || app.active()); ++i) app.tick(1 / 60.0f);
@@ -36,7 +36,7 @@ struct Easel {
 };
 
 TEST(App, AStrokeWetsAndUndoDriesAndRedoWetsAgain) {
-  Easel desk;
+  Desk desk;
   const auto dry = desk.app.wetnessHash();
   desk.drag({90, 100}, {120, 110});
   const auto wet = desk.app.wetnessHash();
@@ -49,7 +49,7 @@ TEST(App, AStrokeWetsAndUndoDriesAndRedoWetsAgain) {
 }
 
 TEST(App, AStrokeBesideTheModelTurnsTheCamera) {
-  Easel desk;
+  Desk desk;
   const auto dry = desk.app.wetnessHash();
   const float yaw = desk.app.camera().yaw;
   desk.drag({5, 5}, {60, 5});
@@ -58,7 +58,7 @@ TEST(App, AStrokeBesideTheModelTurnsTheCamera) {
 }
 
 TEST(App, TheDryBrushTakesWaterAway) {
-  Easel desk;
+  Desk desk;
   desk.app.setWetness(0.8f);
   const float wet = desk.app.meanWetness();
   desk.app.setTool(Tool::Dry);
@@ -67,7 +67,7 @@ TEST(App, TheDryBrushTakesWaterAway) {
 }
 
 TEST(App, DryingEndsAndThenNothingIsActive) {
-  Easel desk;
+  Desk desk;
   desk.app.setField("dryRate", "1");
   desk.app.splashPixel({100, 100}, 0.1f, 0.5f);
   EXPECT_TRUE(desk.app.active());
@@ -77,7 +77,7 @@ TEST(App, DryingEndsAndThenNothingIsActive) {
 }
 
 TEST(App, AStillSceneNeedsNoFrames) {
-  Easel desk;
+  Desk desk;
   desk.app.draw().value();
   EXPECT_FALSE(desk.app.active());
   EXPECT_FALSE(desk.app.tick(1 / 60.0f));
@@ -86,7 +86,7 @@ TEST(App, AStillSceneNeedsNoFrames) {
 TEST(App, TheSameStepsGiveTheSameWater) {
   std::uint64_t hashes[2];
   for (auto& hash : hashes) {
-    Easel desk;
+    Desk desk;
     desk.app.setField("dryRate", "0.1");
     desk.drag({80, 90}, {130, 120});
     for (int i = 0; i < 30; ++i) desk.app.tick(1 / 60.0f);
@@ -96,7 +96,7 @@ TEST(App, TheSameStepsGiveTheSameWater) {
 }
 
 TEST(App, ADraggedModelSpringsBackToRest) {
-  Easel desk;
+  Desk desk;
   desk.drag({100, 100}, {150, 80}, {.phase = PointerPhase::Down, .buttons = 2});
   EXPECT_TRUE(desk.app.active());
   desk.settle();
@@ -104,7 +104,7 @@ TEST(App, ADraggedModelSpringsBackToRest) {
 }
 
 TEST(App, TwoFingersZoom) {
-  Easel desk;
+  Desk desk;
   const float distance = desk.app.camera().distance;
   const auto touch = [&](PointerPhase phase, int id, Vec2 at) {
     desk.app.pointer({.phase = phase, .kind = PointerKind::Touch, .id = id, .position = at, .buttons = 1});
@@ -133,7 +133,7 @@ TEST(App, HomeIsTheViewThatTheFileBroughtAndTheUsualOneOfTheNextModel) {
 }
 
 TEST(App, StateGoesRoundTrip) {
-  Easel desk;
+  Desk desk;
   desk.app.setField("furLength", "0.2");
   desk.app.setField("tipColor", "#112233");
   desk.app.setField("view", "skin");
@@ -163,7 +163,7 @@ TEST(App, BadStatesAreTypedErrorsAndChangeNothing) {
 }
 
 TEST(App, ABadModelLeavesTheOldScene) {
-  Easel desk;
+  Desk desk;
   const auto before = desk.stage.draw(desk.app);
   const std::uint8_t junk[] = {'n', 'o', ' ', 'g', 'l', 'b'};
   const Status status = desk.app.loadModel(junk, "junk.glb");
@@ -184,7 +184,7 @@ TEST(App, OneSliderDragIsOneUndoStep) {
 }
 
 TEST(App, AnotherFurMappingLaysTheFurAnewAndKeepsWhatIsWet) {
-  Easel desk;
+  Desk desk;
   desk.drag({90, 100}, {120, 110});
   desk.settle();
   const auto wet = desk.app.wetnessHash();
@@ -209,7 +209,7 @@ TEST(App, OutOfRangeAndUnknownFieldsWarn) {
 }
 
 TEST(App, CheaperLevelsDrawFewerPixelsOfTheSameScene) {
-  Easel desk;
+  Desk desk;
   const test::Picture best = desk.stage.draw(desk.app);
   long pixels = desk.app.stats().pixels;
   EXPECT_EQ(pixels, 200 * 200);
@@ -229,7 +229,7 @@ TEST(App, CheaperLevelsDrawFewerPixelsOfTheSameScene) {
 }
 
 TEST(App, SlowFramesMakeMovingPicturesCheaperAndNoOthers) {
-  Easel desk;
+  Desk desk;
   desk.app.setQuality(0, true);
   for (int i = 0; i < 60; ++i) desk.app.frameShown(40);
   EXPECT_TRUE(desk.app.draw(Picture::Moving));
@@ -248,7 +248,7 @@ TEST(App, SlowFramesMakeMovingPicturesCheaperAndNoOthers) {
 }
 
 TEST(App, ShowsTheBestPictureBitByBitWhereItWouldTakeLong) {
-  Easel desk;
+  Desk desk;
   const auto best = desk.stage.draw(desk.app);
   desk.app.setQuality(0, true);
   for (int i = 0; i < 60; ++i) desk.app.frameShown(900);
@@ -301,7 +301,7 @@ TEST(App, LongFurOnARingHasNoHoles) {
 }
 
 TEST(App, AnotherModelSizeOrCoatIsMeasuredAnew) {
-  Easel desk;
+  Desk desk;
   desk.app.setQuality(0, true);
   const auto measure = [&] {
     for (int i = 0; i < 60; ++i) desk.app.frameShown(10);
