@@ -393,30 +393,28 @@ std::vector<Vec2> App::brushRing(Vec2 pixel, bool ofMirror) const {
   const float reach = traitsOf(s.hand.tool).reach;
   if (reach <= 0) return ring;
   auto hit = s.pick(pixel);
-  const float radius = s.settings.brushRadius * reach;
-  const Mat4 toClip = s.view.clipFromWorld() * s.worldFromModel();
-  const auto corner = [](int k) { return 2 * kPi * static_cast<float>(k) / kCorners; };
-  // On hair it faces the eye.
-  if (const auto met = meetsHair(s.hand.tool) ? s.hairAt(pixel, hit) : std::nullopt) {
-    if (ofMirror) return ring;
-    const Ray ray = s.rayThrough(pixel);
-    const Vec3 way = glm::normalize(ray.direction);
-    const auto [side, up] = axesOn(-way);
-    for (int k = 0; k < kCorners; ++k)
-      ring.push_back(s.view.pixelAt(toClip * Vec4(ray.origin + way * met->distance + radius * (portableCos(corner(k)) * side + portableSin(corner(k)) * up), 1)));
-    return ring;
-  }
+  const auto met = meetsHair(s.hand.tool) && !ofMirror ? s.hairAt(pixel, hit) : std::nullopt;
   if (hit && ofMirror) hit = mirrored(s.settings, s.shape, *hit);
-  if (!hit) return ring;
+  if (!hit && !met) return ring;
   const Picking picking = s.picking();
-  const Vec3 centre = s.shape.shownPosition(*hit), normal = s.shape.shownNormal(*hit);
-  const Vec3 lifted = picking.seenAt(*hit) - centre;
+  const float radius = s.settings.brushRadius * reach;
+  Vec3 centre, normal, lifted(0);
+  if (met) {  // it faces the eye
+    const Ray ray = s.rayThrough(pixel);
+    normal = -glm::normalize(ray.direction);
+    centre = ray.origin - normal * met->distance;
+  } else {
+    centre = s.shape.shownPosition(*hit), normal = s.shape.shownNormal(*hit);
+    lifted = picking.seenAt(*hit) - centre;
+  }
   const auto [side, up] = axesOn(normal);
+  const Mat4 toClip = s.view.clipFromWorld() * s.worldFromModel();
   for (int k = 0; k < kCorners; ++k) {
-    const float angle = corner(k);
+    const float angle = 2 * kPi * static_cast<float>(k) / kCorners;
     Vec3 at = centre + radius * (portableCos(angle) * side + portableSin(angle) * up);
     // On the fur over the skin there.
-    if (const auto skin = s.shape.shownQuery().castRay(at + radius * normal, -normal); skin && skin->distance < 2 * radius) at = picking.seenAt(*skin);
+    const auto skin = met ? std::nullopt : s.shape.shownQuery().castRay(at + radius * normal, -normal);
+    if (skin && skin->distance < 2 * radius) at = picking.seenAt(*skin);
     else at += lifted;
     ring.push_back(s.view.pixelAt(toClip * Vec4(at, 1)));
   }
