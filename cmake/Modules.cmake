@@ -124,7 +124,7 @@ endfunction()
 
 if(EMSCRIPTEN)
   file(GLOB importers CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/src/scene/import/*.cpp")
-  fur_source_options("${importers}" "${FUR_EXCEPTIONS}")
+  fur_source_options("${importers};${CMAKE_SOURCE_DIR}/src/scene/export/ExportDocument.cpp" "${FUR_EXCEPTIONS}")
   # Much code that runs once a model, once a file or once a frame: the download counts more than its speed. Without
   # -finline-functions Emscripten leaves small functions where they are, which makes a surface take four times as long,
   # and water three times.

@@ -1,6 +1,7 @@
 // A scalp: where on the model long hair grows, its guides and its numbers. A model has up to kMostScalps: a mane, a tail, a forelock.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,8 +27,8 @@ struct Scalp {
   std::vector<std::uint8_t> wetness;  // in files, of each node: 200 is soaked, 250 the most. Empty: dry
 };
 
-// Moves the density towards `density` in a ball (model space), all of the way but for the outermost eighth of its radius.
-void paintDensity(groom::GroomMap& map, const groom::GroomSurface& skin, const Vec3& centre, float radius, float density);
+// Moves the density towards `density` in balls (model space; w: radius), all of the way but for the outermost eighth of the radius.
+void paintDensity(groom::GroomMap& map, const groom::GroomSurface& skin, std::span<const Vec4> balls, float density);
 
 struct Hairstyle {
   std::vector<Scalp> scalps;  // up to kMostScalps

@@ -61,7 +61,8 @@ struct HairAsGuides {
 // stands for each group of those whose roots and shapes are alike (k-means, of which each gives the strand nearest to its middle).
 // Errors: bad-file where no strand has a length, too-large for a count that is not 1..kMostGuides.
 Result<hair::Guides> guidesOf(const HairFile& hair, const HairAsGuides& as, const std::string& name);
-// The same, moved and scaled so that their roots lie about the scalp as they did about their own, then each onto the skin.
+// The same, each moved onto the skin; before, all moved and scaled so that their roots lie about the scalp as they did about their own,
+// unless the scalp is the whole model and they are near its skin as they are.
 // Bad-file also where the scalp covers nothing.
 Result<hair::Guides> guidesOf(const HairFile& hair, const HairAsGuides& as, const std::string& name, const hair::ScalpSurface& scalp,
                               const geometry::SurfaceQuery& query);

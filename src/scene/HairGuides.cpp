@@ -135,6 +135,20 @@ struct Extent {
   }
 };
 
+Vec3 footOf(const Guides& guides, std::size_t guide, const hair::ScalpSurface& scalp, const geometry::SurfaceQuery& query) {
+  return hair::skinAt(scalp.surface, query, guides.root(guide), guides.of(guide)[1] - guides.root(guide));
+}
+
+// Whether hair may grow everywhere and nine of ten roots are near the skin as they are.
+bool lieOnAll(const Guides& guides, const hair::ScalpSurface& scalp, const geometry::SurfaceQuery& query) {
+  constexpr float kNear = 0.1f;  // model units
+  const auto& texels = scalp.scalp.texels();
+  if (!std::all_of(texels.begin(), texels.end(), [](const groom::GroomMap::Texel& texel) { return texel[0] == 255; })) return false;
+  std::size_t near = 0;
+  for (std::size_t g = 0; g < guides.count(); ++g) near += glm::distance(footOf(guides, g, scalp, query), guides.root(g)) < kNear;
+  return 10 * near >= 9 * guides.count();
+}
+
 }  // namespace
 
 Result<Guides> guidesOf(const HairFile& hair, const HairAsGuides& as, const std::string& name) {
@@ -158,13 +172,14 @@ Result<Guides> guidesOf(const HairFile& hair, const HairAsGuides& as, const std:
   if (!guides) return guides;
   const std::vector<hair::Dart> darts = hair::throwDarts(scalp, kProbes, 1);
   if (darts.empty()) return badFile(name, "the scalp for its strands covers nothing: its density is 0 everywhere");
-  const Extent from(guides->count(), [&](std::size_t i) { return guides->root(i); }), to(darts.size(), [&](std::size_t i) { return darts[i].position; });
-  // One strand, or all from one place, has no extent: then as large as it is.
-  const double scale = from.radius > 1e-6 && to.radius > 0 ? to.radius / from.radius : 1;
-  for (Vec3& p : guides->positions) p = Vec3((glm::dvec3(p) - from.middle) * scale + to.middle);
+  if (!lieOnAll(*guides, scalp, query)) {
+    const Extent from(guides->count(), [&](std::size_t i) { return guides->root(i); }), to(darts.size(), [&](std::size_t i) { return darts[i].position; });
+    // One strand, or all from one place, has no extent: then as large as it is.
+    const double scale = from.radius > 1e-6 && to.radius > 0 ? to.radius / from.radius : 1;
+    for (Vec3& p : guides->positions) p = Vec3((glm::dvec3(p) - from.middle) * scale + to.middle);
+  }
   for (std::size_t g = 0; g < guides->count(); ++g) {
-    const Vec3 foot = hair::skinAt(scalp.surface, query, guides->root(g), guides->of(g)[1] - guides->root(g));
-    const Vec3 move = foot - guides->root(g);
+    const Vec3 move = footOf(*guides, g, scalp, query) - guides->root(g);
     for (Vec3& p : guides->of(g)) p += move;
   }
   return guides;

@@ -110,7 +110,8 @@ TEST(Scalp, PaintedDensityFillsABallAndFadesAtItsRim) {
   TestScalp sphere(geometry::makeSphere());
   sphere.paint([](const Vec3&) -> groom::GroomMap::Texel { return {0, 10, 20, 30}; });
   const groom::SurfacePoints points(sphere.surface);
-  paintDensity(sphere.map, {sphere.surface, sphere.query, sphere.atlas, points}, Vec3(0, 1, 0), 0.5f, 1);
+  const Vec4 ball(0, 1, 0, 0.5f);
+  paintDensity(sphere.map, {sphere.surface, sphere.query, sphere.atlas, points}, {&ball, 1}, 1);
   for (std::uint32_t t = 0; t < sphere.surface.triangleCount(); ++t)
     sphere.atlas.forTexelsOf(sphere.surface, t, [&](std::uint32_t texel, const Vec3& weights) {
       const float far = glm::distance(positionAt(sphere.surface, geometry::SurfacePoint{t, weights, 0}), Vec3(0, 1, 0));

@@ -127,7 +127,8 @@ void GrownHair::edit(const ShapeStage& shape, const groom::GroomSurface& skin, s
   }
   if (edit.what == HairEdit::Paint || edit.what == HairEdit::Erase) {
     if (scalp.map.size() != skin.atlas.size()) scalp.map = groom::resized(scalp.map, skin.atlas.size());
-    hair::paintDensity(scalp.map, skin, edit.direction, edit.value, edit.what == HairEdit::Paint ? 1.0f : 0.0f);
+    const Vec4 ball(edit.direction, edit.value);
+    hair::paintDensity(scalp.map, skin, {&ball, 1}, edit.what == HairEdit::Paint ? 1.0f : 0.0f);
   }
   if (edit.what == HairEdit::Plant) {
     const int count = edit.value >= 1 && edit.value <= static_cast<float>(hair::kMostGuides) ? static_cast<int>(edit.value) : 0;

@@ -10,6 +10,22 @@ namespace {
 
 // Strands of a file become so many guides.
 constexpr int kGuidesOfFile = 128;
+constexpr int kMostWispsOfFile = 4000;
+// Radius of the skin about a root on which hair grows, at least; model units.
+constexpr float kLeastGround = 0.05f;
+
+// Round each root, as far as the next one usually is.
+std::vector<Vec4> groundOf(const hair::Guides& guides) {
+  std::vector<float> nearest(guides.count(), 2.0f);
+  for (std::size_t g = 0; g < guides.count(); ++g)
+    for (std::size_t other = 0; other < guides.count(); ++other)
+      if (other != g) nearest[g] = std::min(nearest[g], glm::distance(guides.root(g), guides.root(other)));
+  std::vector<float> sorted = nearest;
+  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
+  std::vector<Vec4> balls;
+  for (std::size_t g = 0; g < guides.count(); ++g) balls.emplace_back(guides.root(g), std::max(sorted[sorted.size() / 2], kLeastGround));
+  return balls;
+}
 
 bool covers(const groom::GroomMap& map) {
   return std::any_of(map.texels().begin(), map.texels().end(), [](const groom::GroomMap::Texel& texel) { return texel[0] > 0; });
@@ -34,6 +50,11 @@ Status GrownHair::readFile(const ShapeStage& shape, const groom::GroomSurface& s
   if (onSelected) {
     style_.scalps[selected_] = std::move(scalp);
   } else {
+    // It grows where the file's strands do, about as many.
+    scalp.map = groom::GroomMap(skin.atlas.size(), kFreshScalp);
+    hair::paintDensity(scalp.map, skin, groundOf(scalp.guides), 1);
+    const int strands = static_cast<int>(std::min<std::size_t>(file.value().segments.size(), 1000000));
+    scalp.values.wisps = std::clamp(strands / scalp.values.strands, scalp.values.wisps, kMostWispsOfFile);
     scalp.name = hair::soundName(std::string_view(name).substr(0, name.rfind('.')));
     style_.scalps.push_back(std::move(scalp));
     selected_ = style_.scalps.size() - 1;

@@ -361,6 +361,22 @@ TEST(GrownHair, GoesIntoAHairFileStrandByStrandAndComesBackAsGuides) {
   EXPECT_NEAR(mean, head.hair.style().scalps[0].values.guideLength, 0.25f);
 }
 
+TEST(GrownHair, OfAHairFileGrowsWhereItsStrandsAreRooted) {
+  Head head, other;
+  head.edit(HairEdit::AddScalp);
+  head.edit(HairEdit::Paint, 0.9f, Vec3(0, 1, 0));
+  head.edit(HairEdit::Plant, 60);
+  head.hair.update(head.inputs(0));
+  const auto bytes = head.hair.writeFile();
+  ASSERT_TRUE(bytes);
+  other.hair.beginStroke();
+  ASSERT_TRUE(other.hair.readFile(other.shape, other.skin(), bytes.value(), "cap.hair"));
+  EXPECT_TRUE(other.hair.endStroke());
+  other.hair.update(other.inputs(0));
+  ASSERT_GT(other.hair.growth(0).wisps.size(), 200u);
+  for (const hair::Wisp& wisp : other.hair.growth(0).wisps) EXPECT_LT(glm::distance(wisp.root, Vec3(0, 1, 0)), 1.2f);
+}
+
 TEST(GrownHair, RefusesAHairFileThatIsNoneAndStaysAsItIs) {
   Head head;
   head.growEverywhere();
