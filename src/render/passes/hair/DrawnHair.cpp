@@ -10,7 +10,7 @@ namespace {
 // Pixels that a wisp is wide where the first one is drawn strand by strand, and where all are.
 constexpr float kFirstStrands = 10, kAllStrands = 24;
 // Where wisps are thinner than so many pixels there are fewer, but for so small a share of them.
-constexpr float kThinWisp = 3, kLeastWisps = 1.0f / 16;
+constexpr float kThinWisp = 6, kLeastWisps = 1.0f / 16;
 // Pixels along a wisp for each of its segments that is drawn.
 constexpr float kSegmentPixels = 6;
 // A shadow map's texels are coarse.

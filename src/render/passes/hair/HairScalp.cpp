@@ -1,6 +1,7 @@
 #include "render/passes/hair/HairScalp.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/Sort.h"
 #include "core/Srgb.h"
@@ -153,7 +154,8 @@ void HairScalp::setLevel(const HairLevel& level) {
   block_.strandsDrawn = static_cast<float>(level.strands);
   block_.widening = static_cast<float>(strandCount_) / static_cast<float>(level.strands);
   block_.wispsDrawn = kFadingWisps * level.wispShare * static_cast<float>(wispCount_);
-  block_.wispWidening = 1 / level.wispShare;
+  // They lie over each other: a little narrower than would make up for it.
+  block_.wispWidening = std::pow(level.wispShare, -0.7f);
 }
 
 int HairScalp::wispsDrawn() const {
