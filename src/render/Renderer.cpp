@@ -130,9 +130,10 @@ Status Renderer::draw(const Frame& frame) {
   const bool furry = fur_.density() > 0 && frame.settings.furLength > 0 && !shells_.empty();
   const Look look(drawn, furry, maps_.hasPicture());
   const Drawing drawing{drawn, look, surface_, programs_, uploadedBytes_};
+  hair_->fit(drawn);
   const FurShadow::Key shadow = furShadowKey(drawn);
   uploadBlocks(drawn, shadow);
-  if (!hair_->update(programs_, drawn) || !groundShadow_.update(drawing, *hair_)) return programs_.error();
+  if (!hair_->update(programs_) || !groundShadow_.update(drawing, *hair_)) return programs_.error();
   fur_.bind(frame.wet);
   maps_.bind(frame);
   uploadedBytes_ += strandTables_.use(frame.settings);

@@ -9,7 +9,7 @@
 #include "hair/Wisps.h"
 #include "render/ShaderSources.h"
 #include "render/ShaderText.h"
-#include "render/passes/hair/HairScalp.h"
+#include "render/passes/hair/DrawnHair.h"
 #include "tests/render/Picture.h"
 
 namespace fur::render {
@@ -291,6 +291,32 @@ TEST(HairStrips, HaveTheirLeftAgainstAcrossAndFaceTheEye) {
     const Vec3 place = point.position + across * (strip.sides[v].w * hair::kStripReach);
     ASSERT_LT(glm::distance(Vec3(strip.places[v]), place), precision.position);
   }
+}
+
+TEST(DrawnHair, HasItsShadowDrawnAnewOnceItHasMovedByAPixel) {
+  Head head;
+  DrawnHair hair;
+  hair.setScalps(1);
+  hair.grow(0, {head.values, head.wisps, head.members, head.strips, head.ambient, {}, static_cast<int>(head.guides.count()), head.guides.nodes});
+  Frame near;
+  near.width = near.height = 400;
+  near.camera.eye = Vec3(0, 0, 4);
+  Frame far = near;
+  far.camera.eye.z = 40;
+  const auto revisionAfter = [&](float way, const Frame& frame) {
+    std::vector<hair::GuideNode> nodes = head.nodes;
+    for (hair::GuideNode& node : nodes) node.position.x += way;
+    hair.move(0, nodes);
+    hair.fit(frame);
+    return hair.revision();
+  };
+  const unsigned long far0 = revisionAfter(0, far);
+  EXPECT_EQ(revisionAfter(0, far), far0);
+  EXPECT_EQ(revisionAfter(0.008f, far), far0);
+  const unsigned long near0 = revisionAfter(0.008f, near);
+  EXPECT_NE(near0, far0) << "the same way is more of a picture from near";
+  EXPECT_EQ(revisionAfter(0.0081f, near), near0);
+  EXPECT_NE(revisionAfter(0.2f, near), near0);
 }
 
 }  // namespace

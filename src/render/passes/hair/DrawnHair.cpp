@@ -13,6 +13,8 @@ constexpr float kFirstStrands = 10, kAllStrands = 24;
 constexpr float kThinWisp = 6, kLeastWisps = 1.0f / 16;
 // Pixels along a wisp for each of its segments that is drawn.
 constexpr float kSegmentPixels = 6;
+// Its shadow is where hair was until it has gone so far.
+constexpr float kStalePixels = 1;
 // A shadow map's texels are coarse.
 constexpr int kShadowStep = 2;
 
@@ -22,9 +24,12 @@ float distanceTo(const Vec4& ball, const Frame& frame) {
 
 HairTransparency transparencyOf(const Frame& frame) { return static_cast<HairTransparency>(frame.settings.hairTransparency); }
 
+// That a model unit covers at the nearest of it.
+float pixelsAt(const HairScalp& scalp, const Frame& frame) { return pixelsPerUnit(frame) / distanceTo(scalp.bounds(), frame); }
+
 // By its size on screen and the share of it that the frame asks for.
 HairLevel levelOf(const HairScalp& scalp, const Frame& frame) {
-  const float pixels = pixelsPerUnit(frame) / distanceTo(scalp.bounds(), frame);  // that a model unit covers at the nearest of it
+  const float pixels = pixelsAt(scalp, frame);
   const float share = frame.hairShare, wide = share * scalp.width() * pixels;
   const auto drawnAs = static_cast<HairDetail>(frame.settings.hairDetail);
   const auto wisps = static_cast<float>(scalp.wisps());
@@ -54,10 +59,7 @@ std::size_t DrawnHair::grow(std::size_t scalp, const HairGrowth& growth) {
   return scalps_[scalp].grow(growth);
 }
 
-std::size_t DrawnHair::move(std::size_t scalp, std::span<const hair::GuideNode> nodes) {
-  ++revision_;
-  return scalps_[scalp].move(nodes);
-}
+std::size_t DrawnHair::move(std::size_t scalp, std::span<const hair::GuideNode> nodes) { return scalps_[scalp].move(nodes); }
 
 bool DrawnHair::empty() const {
   return std::all_of(scalps_.begin(), scalps_.end(), [](const HairScalp& scalp) { return scalp.wisps() == 0; });
@@ -70,17 +72,21 @@ float DrawnHair::reach() const {
   return most;
 }
 
-bool DrawnHair::update(Programs& programs, const Frame& frame) {
+void DrawnHair::fit(const Frame& frame) {
+  const auto octaves = [](float wispShare) { return std::floor(2 * std::log2(wispShare)); };
   for (HairScalp& scalp : scalps_) {
     if (scalp.wisps() == 0) continue;
     const HairLevel level = levelOf(scalp, frame);
-    // Shadows, which are not drawn anew at each step of the camera, have about as many wisps.
-    const auto octaves = [](float wispShare) { return std::floor(2 * std::log2(wispShare)); };
     if (octaves(level.wispShare) != octaves(scalp.level().wispShare)) ++revision_;
     scalp.setLevel(level);
-    if (!scalp.update(programs)) return false;
+    if (scalp.wayFromShadow() * pixelsAt(scalp, frame) < kStalePixels) continue;
+    scalp.castShadow();
+    ++revision_;
   }
-  return true;
+}
+
+bool DrawnHair::update(Programs& programs) {
+  return std::all_of(scalps_.begin(), scalps_.end(), [&](HairScalp& scalp) { return scalp.update(programs); });
 }
 
 bool DrawnHair::draw(const Drawing& drawing) {

@@ -19,7 +19,8 @@ class DrawnHair final : public HairPass {
   float reach() const override;
   std::size_t scalpCount() const override { return scalps_.size(); }
   const HairScalp* scalp(std::size_t i) const override { return &scalps_[i]; }
-  bool update(Programs& programs, const Frame& frame) override;
+  void fit(const Frame& frame) override;
+  bool update(Programs& programs) override;
   bool draw(const Drawing& drawing) override;
   bool drawShadow(Programs& programs, unsigned variant, const gl::DrawState& state, int copies) const override;
   std::size_t bytes() const override;

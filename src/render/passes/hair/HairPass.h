@@ -29,7 +29,9 @@ class HairPass {
   virtual std::size_t move(std::size_t /*scalp*/, std::span<const hair::GuideNode>) { return 0; }
 
   virtual bool empty() const { return true; }
-  // Another number after every change.
+  // How much of it is drawn in that frame. First of all, as revision() depends on it.
+  virtual void fit(const Frame&) {}
+  // Another number after every change that its shadow shows: from a pixel on.
   unsigned long revision() const { return revision_; }
   // How far from the model's origin any comes; 0 without any.
   virtual float reach() const { return 0; }
@@ -37,7 +39,7 @@ class HairPass {
   virtual const HairScalp* scalp(std::size_t) const { return nullptr; }
 
   // Before anything draws hair; see HairScalp::update().
-  virtual bool update(Programs&, const Frame&) { return true; }
+  virtual bool update(Programs&) { return true; }
   virtual bool draw(const Drawing&) { return true; }
   // Into the fur's shadow map or the ground's, whose target is bound: in the program of that variant, `copies` times.
   virtual bool drawShadow(Programs&, unsigned /*variant*/, const gl::DrawState&, int /*copies*/ = 1) const { return true; }

@@ -49,6 +49,7 @@ gl::Texture baseTangentTexture(const HairGrowth& growth) {
 
 // wispShare() in hair_strip.glsl thins the last tenth: by so much more are drawn than are to be seen.
 constexpr float kFadingWisps = 1.12f;
+constexpr float kNeverCast = 1e6f;
 
 }  // namespace
 
@@ -88,6 +89,7 @@ std::size_t HairScalp::grow(const HairGrowth& growth) {
   ambient_ = gl::Texture({gl::TexelFormat::R8, FUR_WISP_SEGMENTS + 1, wispCount_, 0, gl::Filter::Nearest}, std::as_bytes(growth.ambient));
   baseTangents_ = baseTangentTexture(growth);
   order_ = {};
+  cast_.clear();
   grown_.assign(growth.wisps.begin(), growth.wisps.end());
   nodes_ = gl::Texture({gl::TexelFormat::RGBA32UI, nodesEach_, guideCount_, 0, gl::Filter::Nearest}, {});
   points_ = gl::Texture({gl::TexelFormat::RGBA32UI, FUR_WISP_SEGMENTS + 1, wispCount_, 0, gl::Filter::Nearest}, {});
@@ -116,6 +118,7 @@ std::size_t HairScalp::move(std::span<const hair::GuideNode> nodes) {
     low = glm::min(low, node.position);
     high = glm::max(high, node.position);
   }
+  noteWay(nodes);
   low -= margin_, high += margin_;
   const Vec3 span = high - low;
   block_.nodesLow = Vec4(low, 1);
@@ -133,6 +136,20 @@ std::size_t HairScalp::move(std::span<const hair::GuideNode> nodes) {
   nodes_.update(0, 0, nodesEach_, guideCount_, gl::bytesOf(texels), nodesEach_);
   wispsReady_ = 0;
   return 4 * texels.size();
+}
+
+void HairScalp::noteWay(std::span<const hair::GuideNode> nodes) {
+  // Soaked hair is as much thinner as if it had gone that way, model units.
+  constexpr float kWetWay = 0.1f;
+  shown_.clear();
+  for (const hair::GuideNode& node : nodes) shown_.emplace_back(node.position, kWetWay * node.wetness);
+  wayFromShadow_ = cast_.size() == shown_.size() ? 0 : kNeverCast;
+  for (std::size_t i = 0; i < std::min(cast_.size(), shown_.size()); ++i) wayFromShadow_ = std::max(wayFromShadow_, glm::distance(shown_[i], cast_[i]));
+}
+
+void HairScalp::castShadow() {
+  cast_ = shown_;
+  wayFromShadow_ = 0;
 }
 
 void HairScalp::bind(const shared::HairBlock& drawn) const {

@@ -27,6 +27,9 @@ class HairScalp {
   void setLevel(const HairLevel& level);
   const HairLevel& level() const { return level_; }
   int wispsDrawn() const;
+  // How far its nodes are from where they were at the last castShadow(); what is wetter or drier counts as well.
+  float wayFromShadow() const { return wayFromShadow_; }
+  void castShadow();
   // Brings the points of those wisps up to date after move(); leaves the platform's framebuffer bound, and another viewport.
   bool update(Programs& programs);
   // Binds all that the shaders of hair read.
@@ -48,12 +51,15 @@ class HairScalp {
   std::size_t bytes() const;
 
  private:
+  void noteWay(std::span<const hair::GuideNode> nodes);
   void fillBlock(const hair::HairValues& values, int nodes);
 
   gl::Texture nodes_, wisps_, points_, members_, strips_, ambient_, baseTangents_, order_;
   gl::Target pointsTarget_;
   mutable gl::Buffer blockBuffer_;
   std::vector<hair::Wisp> grown_;  // for sortFrom()
+  std::vector<Vec4> shown_, cast_;  // nodes and their wetness, now and at castShadow()
+  float wayFromShadow_ = 0;
   std::vector<Vec3> middles_;      // of guides, as shown
   shared::HairBlock block_{};
   int wispCount_ = 0, strandCount_ = 0, guideCount_ = 0, nodesEach_ = 0;
