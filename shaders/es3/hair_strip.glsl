@@ -12,7 +12,7 @@ struct StripVertex {
   vec3 shape;  // wispShape()
 };
 
-// The width of a wisp as a share of its own: far away fewer are drawn, as much wider; the last of them thinner, so that none pops.
+// The width of a wisp as a share of its own: far away fewer are drawn, and wider; the last of them thinner, so that none pops.
 float wispShare(int wisp) { return wispWidening * clamp(10.0 - 10.0 * float(wisp) / wispsDrawn, 0.0, 1.0); }
 
 // `eyeOrDirection`: the eye where `isPoint` is 1; where it is 0 the direction, any length, from which it is seen. A wisp has a depth

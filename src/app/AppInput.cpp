@@ -92,20 +92,19 @@ bool App::State::dabAt(Vec2 pixel) { return dabAt(pixel, pick(pixel)); }
 bool App::State::dabAt(Vec2 pixel, const std::optional<geometry::SurfacePoint>& hit) {
   if (hair->stroking()) return dabHair(pixel, hit);
   if (const auto met = water.stroking() ? hairAt(pixel, hit) : std::nullopt) {
-    if (goesOn(hand.tool)) water.hold(met->root, hand.pressure, met->height);
-    else water.dab(shape, settings, met->root, hand.pressure, met->height);
+    dabAt(met->root, met->height);
     return true;
   }
   if (hit) dabAt(*hit);
   return hit.has_value();
 }
 
-void App::State::dabAt(const geometry::SurfacePoint& at) {
+void App::State::dabAt(const geometry::SurfacePoint& at, float height) {
   hand.sinceDab = 0;
   if (groom.stroking()) groom.dab(shape, settings, hand.tool, at, warnings);
   if (!water.stroking()) return;
-  if (goesOn(hand.tool)) water.hold(at, hand.pressure);
-  else water.dab(shape, settings, at, hand.pressure);
+  if (goesOn(hand.tool)) water.hold(at, hand.pressure, height);
+  else water.dab(shape, settings, at, hand.pressure, height);
 }
 
 bool App::State::dabHair(Vec2 pixel, const std::optional<geometry::SurfacePoint>& hit) {

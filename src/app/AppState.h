@@ -191,7 +191,8 @@ struct App::State {
   bool onHair(Vec2 pixel);  // the tool works on guides, bodies or hair, and one is there
   // The long hair that a pixel shows, where that is nearer than the fur there.
   std::optional<HairStage::Met> hairAt(Vec2 pixel, const std::optional<geometry::SurfacePoint>& hit);
-  void dabAt(const geometry::SurfacePoint& at);
+  // Where `height` is above 0: on the hair that is rooted there, as HairStage::Met has it.
+  void dabAt(const geometry::SurfacePoint& at, float height = 0);
   // Dabs along the way, so that the speed of the hand changes nothing.
   void paintTo(Vec2 pixel);
   void workWithHand(float seconds);

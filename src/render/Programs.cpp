@@ -14,8 +14,9 @@ namespace {
 constexpr std::size_t kOfHair = static_cast<std::size_t>(Shader::Hair);
 std::array<const ProvidedShader*, static_cast<std::size_t>(Shader::HiddenHairLine) - kOfHair + 1> provided{};
 
+// All from the first one of hair on.
 const ProvidedShader& providedText(Shader shader) {
-  const ProvidedShader* text = provided[static_cast<std::size_t>(shader) - kOfHair];
+  const ProvidedShader* text = shader < Shader::Hair ? nullptr : provided[static_cast<std::size_t>(shader) - kOfHair];
   FUR_ASSERT(text, "Programs::use()", "a program that has this shader", static_cast<int>(shader));
   return *text;
 }
@@ -39,19 +40,9 @@ const char* fragmentOf(Shader shader, unsigned variant) {
     case Shader::Drop: return shaders::kDropFrag;
     case Shader::Ball: return shaders::kBallFrag;
     case Shader::Arrow: return shaders::kArrowFrag;
-    case Shader::Hair:
-    case Shader::BlendedHair:
-    case Shader::HairPoints:
-    case Shader::HairShadow:
-    case Shader::HairDepth:
-    case Shader::HairSkin:
-    case Shader::HairMap:
-    case Shader::HairWisp:
-    case Shader::HairLine:
-    case Shader::HiddenHairLine: return providedText(shader).fragment;
-    case Shader::ShadowBlur: break;
+    case Shader::ShadowBlur: return shaders::kShadowBlurFrag;
+    default: return providedText(shader).fragment;
   }
-  return shaders::kShadowBlurFrag;
 }
 
 struct Source {
@@ -75,19 +66,9 @@ Source sourceOf(Shader shader) {
     case Shader::ShadowMap: return {"shadow_map", shaders::kShadowMapVert};
     case Shader::Ball: return {"ball", shaders::kBallVert};
     case Shader::Arrow: return {"arrow", shaders::kArrowVert};
-    case Shader::Hair:
-    case Shader::BlendedHair:
-    case Shader::HairPoints:
-    case Shader::HairShadow:
-    case Shader::HairDepth:
-    case Shader::HairSkin:
-    case Shader::HairMap:
-    case Shader::HairWisp:
-    case Shader::HairLine:
-    case Shader::HiddenHairLine: return {providedText(shader).label, providedText(shader).vertex, providedText(shader).defines};
-    case Shader::ShadowBlur: break;
+    case Shader::ShadowBlur: return {"shadow_blur", shaders::kScreenVert};
+    default: return {providedText(shader).label, providedText(shader).vertex, providedText(shader).defines};
   }
-  return {"shadow_blur", shaders::kScreenVert};
 }
 
 std::string definesOf(unsigned variant) {

@@ -46,25 +46,21 @@ TEST(AppHair, GoesWhileAnotherCoatGrows) {
 TEST(AppHair, LooksAlikeAsStripsAndAsStrands) {
   HairSalon salon;
   salon.grow();
-  salon.app.setField("hairDetail", "strips");
-  const test::Picture strips = salon.picture();
-  salon.app.setField("hairDetail", "strands");
-  const test::Picture strands = salon.picture();
+  const test::Picture strips = salon.pictureWith("hairDetail", "strips");
+  const test::Picture strands = salon.pictureWith("hairDetail", "strands");
   EXPECT_GT(strands.differingShare(strips, 0), 0.01f);
   EXPECT_NEAR(strands.brightness(), strips.brightness(), 6);
 }
 
-// Far away fewer wisps are drawn, as much wider; strands are always of all.
+// Far away fewer wisps are drawn, and wider; strands are always of all.
 TEST(AppHair, TakesAsMuchOfAPictureFarAwayAsAllItsWispsDo) {
   HairSalon salon;
   salon.app.setField("furLength", "0");
   salon.app.setCamera({0.5f, 0.3f, 9.0f, Vec3(0)});
   const float bare = salon.picture().brightness();
   salon.grow();
-  salon.app.setField("hairDetail", "strands");
-  const float all = salon.picture().brightness();
-  salon.app.setField("hairDetail", "strips");
-  const float fewer = salon.picture().brightness();
+  const float all = salon.pictureWith("hairDetail", "strands").brightness();
+  const float fewer = salon.pictureWith("hairDetail", "strips").brightness();
   EXPECT_GT(std::abs(bare - all), 1);
   // A sixth of the difference that hair makes: what strips differ by near, too.
   EXPECT_NEAR(fewer, all, std::abs(bare - all) / 6);
@@ -81,10 +77,8 @@ TEST(AppHair, IsTheSamePictureWhereItsDepthIsDrawnFirst) {
 TEST(AppHair, LooksAlikeBlendedFromBackToFront) {
   HairSalon salon;
   salon.grow();
-  salon.app.setField("hairDetail", "strips");
-  const test::Picture plain = salon.picture();
-  salon.app.setField("hairTransparency", "blended");
-  const test::Picture blended = salon.picture();
+  const test::Picture plain = salon.pictureWith("hairDetail", "strips");
+  const test::Picture blended = salon.pictureWith("hairTransparency", "blended");
   EXPECT_GT(blended.differingShare(plain, 0), 0.01f);
   EXPECT_NEAR(blended.brightness(), plain.brightness(), 3);
   // Edges alone differ: most pixels are about the same.
@@ -107,8 +101,7 @@ TEST(AppHair, IsDarkerWhereOtherHairKeepsOffTheLight) {
   HairSalon salon;
   salon.grow();
   EXPECT_TRUE(salon.app.setHairValue(0, "wisps", "2000"));
-  salon.app.setField("hairOcclusion", "0");
-  const test::Picture open = salon.picture();
+  const test::Picture open = salon.pictureWith("hairOcclusion", "0");
   salon.app.setField("hairOcclusion", "1");
   EXPECT_LT(salon.picture().brightness(), open.brightness() - 1);
 }
@@ -356,8 +349,7 @@ TEST(AppHair, IsLitToItsTipsWhereTheEyeIsAtTheLight) {
   salon.app.editHair(HairEdit::Plant, 100);
   salon.app.settle();
   const test::Picture shaded = salon.picture();
-  salon.app.setField("shadows", "none");
-  const test::Picture open = salon.picture();
+  const test::Picture open = salon.pictureWith("shadows", "none");
   int dark = 0, hair = 0;
   for (std::size_t i = 0; i < open.rgba.size(); i += 4) {
     hair += open.rgba[i] > open.rgba[i + 2] + 30;

@@ -22,6 +22,11 @@ struct Salon : Room {
     app.tick(0);
     return stage.draw(app);
   }
+  // With that setting from now on.
+  Picture pictureWith(std::string_view field, std::string_view value) {
+    app.setField(field, value);
+    return picture();
+  }
 
  private:
   float guides_;

@@ -10,8 +10,7 @@ const patience = 120000;
 const wetnesses = [0, 0.3, 0.6, 0.85, 1, 1.5];
 // Seconds that each picture comes after the one before, and the steps in which they go by: as on a quick and on a slow machine.
 const after = [[0, 0], [0.5, 1 / 60], [0.5, 1 / 60], [4, 1 / 10]];
-// Of those that set how many layers there are; 'auto' leaves that to others, and draws with less only what moves.
-const qualities = ['low', 'medium', 'high'];
+const qualities = ['low', 'medium', 'high', 'auto'];
 const distances = { near: 1.6, middle: 4, far: 12, 'inside the coat': 0.6 };
 
 /** What `work` gives, or an error that names the case. The browser is not asked again: it would not answer. */

@@ -6,7 +6,6 @@
 #include "core/Json.h"
 #include "hair/HairFields.h"
 #include "scene/MapPlanes.h"
-#include "scene/PackBits.h"
 #include "scene/WetnessPlanes.h"
 
 namespace fur::scene {
@@ -60,12 +59,8 @@ std::string groomJson(GlbWriter& writer, const FurData& fur, const std::string& 
   return out + atlas + "}";
 }
 
-// The bytes of numbers of four bytes, plane by plane: what is dry takes no room.
 std::string waterJson(GlbWriter& writer, const std::vector<std::uint8_t>& water) {
-  const std::size_t words = (water.size() + 3) / 4;
-  std::vector<std::uint8_t> planes(4 * words);
-  for (std::size_t i = 0; i < water.size(); ++i) planes[i % 4 * words + i / 4] = water[i];
-  return ",\"water\":{\"bytes\":" + std::to_string(water.size()) + ",\"bufferView\":" + addBytes(writer, packBits(planes)) + "}";
+  return ",\"water\":{\"bytes\":" + std::to_string(water.size()) + ",\"bufferView\":" + addBytes(writer, packPlanes(water)) + "}";
 }
 
 }  // namespace

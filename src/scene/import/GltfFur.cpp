@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "scene/MapPlanes.h"
-#include "scene/PackBits.h"
 #include "scene/StateJson.h"
 #include "scene/import/GltfHair.h"
 #include "scene/WetnessPlanes.h"
@@ -51,17 +50,13 @@ void readWhiskers(const GltfFile& file, const Json& whiskers, FurData& fur) {
   fur.whiskers = groom::readWhiskers(bytes);
 }
 
-// See waterJson() in FurExtension.cpp.
 void readWater(const GltfFile& file, const Json& water, FurData& fur) {
   const char* where = "WETFUR_fur.water";
   if (!water.isObject()) file.bad("%s is not an object", where);
   const Whole bytes = file.whole(water, "bytes", where);
   if (bytes > kMostWaterBytes) file.fail(ErrorId::TooLarge, "%s.bytes is %llu; the limit is %zu", where, bytes, kMostWaterBytes);
-  const std::size_t words = (static_cast<std::size_t>(bytes) + 3) / 4;
-  std::vector<std::uint8_t> planes(4 * words);
-  if (!unpackBits(file.bufferView(file.whole(water, "bufferView", where)).bytes, planes)) file.bad("%s does not hold %llu bytes", where, bytes);
   fur.water.resize(static_cast<std::size_t>(bytes));
-  for (std::size_t i = 0; i < fur.water.size(); ++i) fur.water[i] = planes[i % 4 * words + i / 4];
+  if (!unpackPlanes(file.bufferView(file.whole(water, "bufferView", where)).bytes, fur.water)) file.bad("%s does not hold %llu bytes", where, bytes);
 }
 
 // All maps lie in the same texture coordinates.

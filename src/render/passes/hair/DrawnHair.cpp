@@ -46,7 +46,6 @@ HairLevel levelOf(const HairScalp& scalp, const Frame& frame) {
   return level;
 }
 
-
 }  // namespace
 
 void DrawnHair::setScalps(std::size_t count) {
