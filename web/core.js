@@ -146,6 +146,10 @@ function equationsOf(program) {
   return Object.freeze({
     clumpProfile: number('fur_eqClumpProfile'),
     clumpShift: number('fur_eqClumpShift'),
+    clumpDisplacement: number('fur_eqClumpDisplacement'),
+    finOpacity: number('fur_eqFinOpacity'),
+    printedLight: ({ color, specular, nDotL, cosine, p, h, rho, sigmaOcc, sigmaWet, sigmaSpec }) =>
+      program.call('fur_eqPrintedLight', color, specular, nDotL, cosine, p, h, rho, sigmaOcc, sigmaWet, sigmaSpec),
     wetSpecularExponent: number('fur_eqWetSpecularExponent'),
     occlusionFactor: number('fur_eqOcclusionFactor'),
     wetDarkening: number('fur_eqWetDarkening'),

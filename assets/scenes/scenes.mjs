@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { furGlb } from './furGlb.mjs';
 import { hairstyles } from './hairstyles.mjs';
-import { facets, meshOf, rod, sphere } from './shapes.mjs';
+import { meshOf, rod, sphere } from './shapes.mjs';
 
 const clamp = (x) => Math.max(0, Math.min(1, x));
 const smooth = (low, high, x) => ((t) => t * t * (3 - 2 * t))(clamp((x - low) / (high - low)));
@@ -31,25 +31,28 @@ const fiveCoats = {
 
 // --- Sheppard 2004 ---
 
+// What the papers' figures show is drawn as they draw it.
+const classic = { technique: 'shells' };
+
 // Figure 3.1: 8, 16 and 32 shells.
 const shells = (layers) => ({
   name: `shells-${layers}`,
   body: () => meshOf(sphere({ cells: 16 })),
   settings: {
-    layers, density: 0.6, thickness: 0.55, lengthVariation: 0.2, curl: 0.35, furLength: 0.22, repeat: 3, gravity: 0.35,
+    ...classic, layers, density: 0.6, thickness: 0.55, lengthVariation: 0.2, curl: 0.35, furLength: 0.22, repeat: 3, gravity: 0.35,
     rootColor: '#4a3424', tipColor: '#d8b483', skinColor: '#7d5a4a', variance: 0.4, fins: false,
   },
   camera: { yaw: 0.35, pitch: 0.3, distance: 3.6 },
 });
 
 // Figures 3.2 and 3.3: fins at every edge stand out where one looks on them from above, and they are needed at the
-// outline only. Facets that do not meet have borders all round, and a border is an outline from everywhere.
-const fins = (name, gap) => ({
+// outline only.
+const fins = (name, finEdges) => ({
   name,
-  body: () => meshOf(facets({ gap })),
+  body: () => meshOf(sphere({ cells: 6 })),
   settings: {
-    view: 'fins', density: 0.6, thickness: 0.5, furLength: 0.16, repeat: 3, layers: 16, gravity: 0, rootColor: '#4a3424',
-    tipColor: '#e0bd8e', skinColor: '#a08070',
+    ...classic, finEdges, view: 'fins', density: 0.6, thickness: 0.5, furLength: 0.16, repeat: 3, layers: 16, gravity: 0,
+    rootColor: '#4a3424', tipColor: '#e0bd8e', skinColor: '#a08070',
   },
   camera: { yaw: 0.35, pitch: 0.28, distance: 4.2 },
 });
@@ -60,7 +63,7 @@ const fading = {
   body: () => meshOf(rod({ half: 0.75, radius: 0.4 })),
   groom: ({ position: [x] }) => ({ types: [smooth(-0.8, 0.8, x)] }),
   settings: {
-    type2: 'bald', density: 0.7, thickness: 0.5, lengthVariation: 0.1, curl: 0.2, furLength: 0.13, repeat: 4, layers: 32, gravity: 0.2,
+    ...classic, type2: 'bald', density: 0.7, thickness: 0.5, lengthVariation: 0.1, curl: 0.2, furLength: 0.13, repeat: 4, layers: 32, gravity: 0.2,
     rootColor: '#4d3a2c', tipColor: '#d9b98f', skinColor: '#c09a86',
   },
   camera: { yaw: 0.1, pitch: 0.3, distance: 3.1 },
@@ -72,7 +75,7 @@ const variance = {
   body: () => meshOf([-0.6, 0.6].flatMap((x, part) => sphere({ centre: [x, 0, 0], radius: 0.42, part })), 0.3),
   groom: ({ part }) => ({ types: [part] }),
   settings: {
-    type2: 'rabbit', density: 0.95, thickness: 0.3, curl: 0.15, furLength: 0.11, repeat: 5, undercoat: 0.6, undercoatLength: 0.6,
+    ...classic, type2: 'rabbit', density: 0.95, thickness: 0.3, curl: 0.15, furLength: 0.11, repeat: 5, undercoat: 0.6, undercoatLength: 0.6,
     rootColor: '#57524f', tipColor: '#b89c78', skinColor: '#8a6f66', variance: 0, specular: 0.3, gravity: 0.15, layers: 32,
   },
   camera: { yaw: 0, pitch: 0.2, distance: 3.2 },
@@ -84,7 +87,7 @@ const interpolation = {
   body: () => meshOf(rod({ half: 0.7, radius: 0.45 })),
   groom: ({ position: [x] }) => ({ types: [clamp(smooth(-0.85, 0.05, x) - smooth(0.15, 0.95, x)), smooth(0.15, 0.95, x)] }),
   settings: {
-    type2: 'wool', type3: 'otter', density: 1, thickness: 0.28, lengthVariation: 0.2, curl: 0.05, furLength: 0.08, repeat: 6,
+    ...classic, type2: 'wool', type3: 'otter', density: 1, thickness: 0.28, lengthVariation: 0.2, curl: 0.05, furLength: 0.08, repeat: 6,
     undercoat: 0.3, rootColor: '#8a5a30', tipColor: '#dd9850', skinColor: '#a4735c', specular: 0.5, layers: 32,
   },
   camera: { yaw: 0.15, pitch: 0.2, distance: 3 },
@@ -129,7 +132,7 @@ function axesOf({ yaw, pitch }) {
 
 // Figure 1b: soaking. 1a is the bunny as it comes.
 const bunnyView = { yaw: 0.35, pitch: 0.2, distance: 2.9 };
-const bunnyCoat = { furLength: 0.11, dryRate: 0, gravity: 0.45, layers: 32 };
+const bunnyCoat = { ...classic, furLength: 0.11, dryRate: 0, gravity: 0.45, layers: 32 };
 const wetBunny = { name: 'wet-bunny', shape: 'bunny', drops: () => soaking(6000, { radius: 0.05, wetness: 0.78 }), settings: bunnyCoat, camera: bunnyView };
 
 // Figure 6a and b: half of it wet.
@@ -171,7 +174,7 @@ const shaped = (name, clumpShape) => ({
     const y = 1 - (2 * i + 1) / 130, angle = i * Math.PI * (3 - Math.sqrt(5)), r = Math.sqrt(1 - y * y), out = [r * Math.cos(angle), y, r * Math.sin(angle)];
     return { from: out.map((x) => 2 * x), way: out.map((x) => -x), radius: 0.2, wetness: 0.8 };
   }),
-  settings: { clumpShape, furLength: 0.3, repeat: 3, layers: 48, gravity: 0, dryRate: 0, density: 0.9 },
+  settings: { ...classic, clumpShape, furLength: 0.3, repeat: 3, layers: 48, gravity: 0, dryRate: 0, density: 0.9 },
   camera: { yaw: 0.3, pitch: 0.25, distance: 4 },
 });
 
@@ -182,12 +185,12 @@ const wetTile = {
     const row = Math.floor(i / 5), x = 0.07 + 0.14 * (i % 5) - (row % 2 ? 0 : 0.035), z = -0.63 + 0.14 * row;
     return { from: [x, 1, z], way: [0, -1, 0], radius: 0.085, wetness: 0.82 };
   }),
-  settings: { furLength: 0.16, repeat: 3, gravity: 0, dryRate: 0, ground: false },
+  settings: { ...classic, furLength: 0.16, repeat: 3, gravity: 0, dryRate: 0, ground: false },
   camera: { yaw: 0, pitch: 1.0, distance: 2.6 },
 };
 
 export const scenes = [
-  fiveCoats, shells(8), shells(16), shells(32), fins('fins-everywhere', 0.02), fins('fins-outline', 0), fading, variance, interpolation,
+  fiveCoats, shells(8), shells(16), shells(32), fins('fins-everywhere', 'all'), fins('fins-outline', 'outline'), fading, variance, interpolation,
   wetBunny, halfWet, wetLetters, shaped('wet-straight', 0), shaped('wet-bent', 1), wetTile,
   ...hairstyles,
 ];

@@ -4,8 +4,6 @@
 
 const add = (a, b) => a.map((x, i) => x + b[i]);
 const scale = (a, k) => a.map((x) => x * k);
-const subtract = (a, b) => add(a, scale(b, -1));
-const cross = ([a, b, c], [d, e, f]) => [b * f - c * e, c * d - a * f, a * e - b * d];
 const unit = (a) => scale(a, 1 / Math.hypot(...a));
 
 // The six sides of a cube [-1, 1]^3: where (0, 0) is, and the ways along s and t; s cross t points outwards.
@@ -38,19 +36,6 @@ export const rod = ({ half = 1, radius = 0.5, cells = 36 } = {}) => [{
     return { position: add([x, 0, 0], scale(normal, radius)), normal };
   },
 }];
-
-/** A ball of flat facets, `count` squared on each side of the cube, drawn in by the share `gap` so that none meets another. */
-export const facets = ({ count = 4, gap = 0 } = {}) => sphere().flatMap(({ at }) => Array.from({ length: count * count }, (_, i) => {
-  const [s, t] = [i % count, Math.floor(i / count)];
-  const corner = (a, b) => at((s + a) / count, (t + b) / count).position;
-  const [p, q, r] = [corner(0, 0), corner(1, 0), corner(0, 1)], middle = corner(0.5, 0.5);
-  const normal = unit(cross(subtract(q, p), subtract(r, p)));
-  return {
-    cells: 1,
-    part: 0,
-    at: (a, b) => ({ position: add(middle, scale(subtract(corner(a, b), middle), 1 - gap)), normal }),
-  };
-}));
 
 /**
  * Vertices, texture coordinates and triangles of patches, and the way back from an atlas texel to the body. Rays that

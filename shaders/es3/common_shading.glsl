@@ -66,6 +66,8 @@ float kajiyaLobe(float cosine, float exponent) {
   x *= x;
   return x * x;
 }
+// max(0, sin(T,L) sin(T,V) - (T.L)(T.V))^p (Sheppard 2004, Eq. 2.4; Silva et al. 2010, Eq. 3), L and V away from the strand.
+float kajiyaPower(float cosine, float exponent) { return cosine > 0.0 ? pow(min(cosine, 1.0), exponent) : 0.0; }
 vec2 lobeShifts(float strand) { return vec2(-0.14, 0.2) + 0.3 * (strand - 0.5); }
 
 // Light from behind through the thin edge of the coat.
@@ -117,6 +119,8 @@ vec3 shadeStrand(StrandLight lights, vec3 albedo, vec2 along, vec2 normal, float
 #ifdef MARSCHNER
   // The setting 0.5 is the strand as it is.
   vec3 gloss = 2.0 * shine * lights.key * marschnerStrand(albedo, along, across, facing, exponent);
+#elif defined(PRINTED_LOBE)
+  vec3 gloss = shine * lights.key * kajiyaPower(across.x * across.y - along.x * along.y, exponent) + albedo * (1.6 * lights.through);
 #else
   // A lobe's energy falls as its exponent rises; sqrt(p) keeps a strand's total about even.
   float strength = shine * sqrt(exponent / shininess);

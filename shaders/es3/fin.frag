@@ -1,9 +1,13 @@
 // Strands seen from the side along the silhouette: shaded as the shells are, so that both meet without a seam.
+// CLASSIC: beside shells of their own, from the skin to the tips, blended.
 #include "common.glsl"
 #include "common_shading.glsl"
 #include "common_clump.glsl"
 #include "common_noise.glsl"
 #include "common_furshadow.glsl"
+#ifdef CLASSIC
+#include "common_printed.glsl"
+#endif
 #ifdef GROOMED
 #include "common_types.glsl"
 #endif
@@ -55,16 +59,27 @@ void drawToClump(inout Strand s) {
   s.held = max(clump.a, 0.0);
   s.sheet = sheetOf(s.held);
   s.outward = vec2(0.0);
+#ifdef PRINTED_CLUMPS
+  s.held = min(s.held, 1.0);
+  s.sheet = 0.0;
+  float pull = clumpDisplacement(s.h, s.held), below = clumpDisplacement(s.h - 1.0 / layers, s.held);
+  vec2 fromCentre = vAtlas - clump.xy, across = vec2(-vAtlasAlong.y, vAtlasAlong.x);
+  if (s.held <= 0.0) return;
+  s.open = float(dot(fromCentre, fromCentre) * (1.0 + pull) * (1.0 + pull) <= clump.z * clump.z);
+#else
   s.h /= upright(s.held, s.sheet);
   if (s.held <= 0.0) return;
   float drawn = clumpingWetness(s.held, clump.z * furLengths / max(length(vAtlasAlong), 1e-6));
   float pull = clumpPull(s.h, drawn, s.sheet), below = clumpPull(s.h - 1.0 / layers, drawn, s.sheet);
   vec2 fromCentre = (vAtlas - clump.xy) / (1.0 - pull), across = vec2(-vAtlasAlong.y, vAtlasAlong.x);
   s.open = mix(ownStrand(mask, clump, chart, fromCentre), 1.0, 0.7 * s.sheet);
+#endif
   // From the clump's centre, in widths of the fin map: along the edge, which moves the look-up, and across it; both tilt the strand.
   vec2 apart = vec2(dot(fromCentre, vAtlasAlong), dot(fromCentre, across)) / max(dot(vAtlasAlong, vAtlasAlong), 1e-12);
   s.u += apart.x * pull;
+#ifndef PRINTED_CLUMPS
   s.h = alongStrand(s.h, apart * (pull * furLengths)) * rimTaper(s.held, s.sheet, dot(fromCentre, fromCentre) / (clump.z * clump.z + 1e-12));
+#endif
   s.lean = apart * ((below - pull) * layers * furLengths);
   s.outward = apart * length(vAtlasAlong) / max(clump.z, 1e-6);
 }
@@ -103,6 +118,15 @@ vec3 shade(Strand s, vec4 strand, float rho, vec3 model) {
 #ifdef PAINTED
   albedo = paintedStrand(albedo, vAtlas, typeVariance[s.type], s.h, strand.z);
 #endif
+#ifdef CLASSIC
+  float held = 0.0, sheet = 0.0;
+  vec2 outward = vec2(0.0);
+#ifdef WET
+  held = s.held, sheet = s.sheet, outward = s.outward;
+#endif
+  return encodeSrgb(toneMap(litStrand(albedo, tangent, normalize(vLight.xyz), normalize(vView), s.h, rho, furShadowAt(vLightSpace),
+                                      vLight.w, strand.z, held, sheet, outward)));
+#else
   // Nothing stands before an outline: light reaches it from the side, further down than inside the coat.
   float exposed = mix(s.h, 1.0, 0.4);
   vec3 L = normalize(vLight.xyz), V = normalize(vView);
@@ -118,6 +142,7 @@ vec3 shade(Strand s, vec4 strand, float rho, vec3 model) {
   return vec3(lightShare(lit, exposed, L.z));
 #else
   return encodeSrgb(toneMap(color));
+#endif
 #endif
 }
 
@@ -144,16 +169,26 @@ void main() {
   float level = floor(max(vFin.w, 0.0) + 0.5);
   float sharp = exp2(max(-vFin.w, 0.0));
   float alpha = clamp((textureLod(finCoverage, spot, level).r - 0.5) * sharp + 0.5, 0.0, 1.0) * vFin.z * s.open;
+#ifndef CLASSIC
   // Shells show the coat up to its outline; only the tips beyond it are missing.
   alpha *= smoothstep(FUR_FIN_FOOT, 0.9, s.h) * (1.0 - smoothstep(0.94, 1.0, s.h));
+#endif
 #ifdef WET
   alpha *= 1.0 - s.sheet;
 #endif
+#ifdef CLASSIC
+  const float least = 0.02;
+#else
   // Samples by chance, as in shell.frag.
   alpha += (pixelNoise() - 0.5) / samples;
+  float least = 0.5 / samples;
+#endif
   vec3 model = modelColor(baseColor, vUv), color = vec3(0.0);
   // Once or not at all: most of a fin is gaps, and a software rasteriser jumps over loops but not over an if.
-  for (int i = 0, once = int(alpha >= 0.5 / samples); i < once; ++i) color = shade(s, textureLod(finStrand, spot, level), rho, model);
-  if (alpha < 0.5 / samples) discard;
+  for (int i = 0, once = int(alpha >= least); i < once; ++i) color = shade(s, textureLod(finStrand, spot, level), rho, model);
+  if (alpha < least) discard;
+#ifdef CLASSIC
+  color *= alpha;
+#endif
   fragColor = vec4(color, alpha);
 }

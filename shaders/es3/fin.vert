@@ -64,13 +64,22 @@ vec4 inFrontOfShells(vec3 p) {
 
 void standFin(float opacity) {
   float side = float(gl_VertexID & 1);
-  float h = mix(FUR_FIN_FOOT, 1.0, float(gl_VertexID >> 1) / float(FUR_FIN_SEGMENTS));
+#ifdef CLASSIC
+  const float foot = 0.0;
+#else
+  const float foot = FUR_FIN_FOOT;
+#endif
+  float h = mix(foot, 1.0, float(gl_VertexID >> 1) / float(FUR_FIN_SEGMENTS));
   vec3 root = mix(positionA.xyz, positionB.xyz, side);
   vec3 normal = normalize(mix(normalA.xyz, normalB.xyz, side));
   vec4 groomed = bendOf(int(side < 0.5 ? positionA.w : positionB.w));
   vec3 bend = groomed.xyz;
   vec3 p = strandPoint(root, normal, bend, h, furLength * groomed.w);
+#ifdef CLASSIC
+  gl_Position = clipFromModel * vec4(p, 1.0);
+#else
   gl_Position = inFrontOfShells(p);
+#endif
   vLightSpace = lightSpace(p);
 
   vec3 edge = positionB.xyz - positionA.xyz;
@@ -100,6 +109,9 @@ void standFin(float opacity) {
 }
 
 void main() {
+#ifdef CLASSIC
+  standFin(normalB.w);
+#else
   vec3 middle = 0.5 * (positionA.xyz + positionB.xyz);
   float away = length(eye.xyz - middle);
   vec3 toEye = (eye.xyz - middle) / away;
@@ -113,5 +125,6 @@ void main() {
   opacity *= standsIn * smoothstep(FUR_FIN_PIXELS, 2.0 * FUR_FIN_PIXELS, furLength * pixelsPerUnit / away);
   if (opacity > 0.0) standFin(opacity);
   else gl_Position = kNowhere;
+#endif
 #endif
 }

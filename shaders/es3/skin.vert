@@ -44,8 +44,15 @@ void main() {
   strands *= grows.x;
   for (int type = 1; type < FUR_TYPES; ++type) strands += grows[type] * (rootColors[type].rgb + tipColors[type].rgb);
 #endif
+#ifdef CLASSIC
+  // What is seen between strands, as the march has it (shell.frag).
+  const float h = 0.0;
+  vec3 albedo = 0.5 * skinColor.rgb;
+#else
+  const float h = 0.3;
   vec3 albedo = mix(skinColor.rgb, 0.5 * strands, min(2.0 * density, 1.0));
-  vec3 shade = shadeSkin(vec3(1.0), nDotL, upness, 0.3, 0.0, furShadowAt(lightSpace(position + normal * (0.3 * furLength))));
+#endif
+  vec3 shade = shadeSkin(vec3(1.0), nDotL, upness, h, 0.0, furShadowAt(lightSpace(position + normal * (0.3 * furLength))));
   vColor = shade * albedo;
 #ifdef PAINTED
   vShade = shade;

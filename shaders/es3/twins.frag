@@ -7,12 +7,14 @@
 #if FUNCTION == 9
 #define MARSCHNER 1
 #endif
+#define PRINTED_LIGHT 1
 #include "common_shading.glsl"
 #include "common_clump.glsl"
+#include "common_printed.glsl"
 #include "common_furshadow.glsl"
 #include "common_types.glsl"
 out vec4 fragColor;
-#if FUNCTION >= 24
+#if FUNCTION >= 24 && FUNCTION <= 28
 uniform sampler2D mask;
 #endif
 
@@ -75,6 +77,12 @@ void main() {
   float value = filteredWetness(mask, at);
 #elif FUNCTION == 28
   float value = sheetOf(clumpAt(mask, at).a);
+#elif FUNCTION == 29
+  float value = kajiyaPower(at.x * 2.0 - 1.0, at.y * 60.0);
+#elif FUNCTION == 30
+  float value = clumpDisplacement(mix(1.0 / layers, 1.0, at.x), at.y);
+#elif FUNCTION == 31
+  float value = printedLight(vec3(0.5, 0.3, 0.2), vec3(1.0), skyLight(0.5), at.x, 0.9 * at.y + 0.1, at.y, at.x).x;
 #elif FUNCTION == 12
   float value = standsUpTo(at.x, mix(0.5, 1.0, at.y));
 #elif FUNCTION == 11

@@ -71,7 +71,8 @@ void App::State::upload() {
   if (whole) renderer->setSurface(shape.surface(), shape.firstTangents());
   if (noteChange(uploaded.image, imageRevision))
     renderer->setBaseColor(document.imageWidth, document.imageHeight, document.image);
-  for (const wet::MaskTexels& part : water.takeTexels(shape, whole)) renderer->updateMask(part);
+  const bool softened = !(settings.technique == 1 && settings.printedMask), anew = noteChange(uploaded.softened, softened) || whole;
+  for (const wet::MaskTexels& part : water.takeTexels(shape, anew, softened)) renderer->updateMask(part);
   if (noteChange(uploaded.bends, motion.bendsRevision()) || whole) renderer->updateBends(motion.shown());
   renderer->viewHair(hairView = hair->view(hairLook(hand.pointers.empty() ? hand.hover : hand.lastPosition)));
   uploadGroom(whole);

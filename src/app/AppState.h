@@ -98,6 +98,7 @@ struct App::State {
       std::uint64_t growth = 0, nodes = 0;
     };
     std::vector<Scalp> scalps{};
+    bool softened = true;  // the mask
   } uploaded;
   const hair::HairView* hairView = nullptr;
   std::uint64_t changed = 1, noticed = 0, imageRevision = 1;

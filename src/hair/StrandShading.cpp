@@ -14,10 +14,11 @@ float kajiyaDiffuse(const Vec3& tangent, const Vec3& light) { return sineOf(glm:
 
 float kajiyaSpecular(const Vec3& tangent, const Vec3& light, const Vec3& view, float exponent) {
   const float tl = glm::dot(tangent, light), tv = glm::dot(tangent, view);
-  const float base = saturate(sineOf(tl) * sineOf(tv) - tl * tv);
-  // pow(0, 0) is undefined in GLSL, whose twin this is.
-  return base > 0.0f ? std::pow(base, exponent) : 0.0f;
+  return kajiyaPower(sineOf(tl) * sineOf(tv) - tl * tv, exponent);
 }
+
+// pow(0, 0) is undefined in GLSL, whose twin this is.
+float kajiyaPower(float cosine, float exponent) { return cosine > 0.0f ? std::pow(std::min(cosine, 1.0f), exponent) : 0.0f; }
 
 float shiftedCosine(const Vec3& tangent, const Vec3& light, const Vec3& view, float shift) {
   const float tl = glm::dot(tangent, light), tv = glm::dot(tangent, view);
@@ -73,6 +74,12 @@ Vec3 shadeStrand(const StrandLook& look, const Vec3& albedo, const Vec3& tangent
   const float filled = lights.fill * glm::mix(kajiyaDiffuse(tangent, view), std::max(nDotV, 0.0f), look.lambert);
   const Vec3 color = albedo * (lights.key * diffuse + 1.6f * lights.through + filled + lights.sky) + (albedo + 0.3f) * lights.rim + gloss;
   return color * occlusionFactor(height, look.occlusion) * hair::wetDarkening(wetness, look.wetDarkening);
+}
+
+Vec3 printedLight(const StrandLook& look, const Vec3& albedo, const Vec3& key, const Vec3& around, float nDotL, float cosine, float height, float rho) {
+  const float exponent = glm::mix(look.dryShininess, look.shininess, rho);
+  const Vec3 color = albedo * (key * std::max(nDotL, 0.0f) + around) + key * (look.specular * kajiyaPower(cosine, exponent));
+  return color * occlusionFactor(height, look.occlusion) * hair::wetDarkening(rho, look.wetDarkening);
 }
 
 Vec3 wetAlbedo(const Vec3& albedo, float wetness) {

@@ -11,7 +11,9 @@ float kajiyaDiffuse(const Vec3& tangent, const Vec3& light);
 // max(0, sin(T,L) sin(T,V) - (T.L)(T.V))^p. The printed forms (Halen 3.2.1, Silva Eq. 3) have L the
 // way the light travels; this peaks on the cone T.V = -T.L (Sheppard Eq. 2.4).
 float kajiyaSpecular(const Vec3& tangent, const Vec3& light, const Vec3& view, float exponent);
-// What the shaders draw of it, without powers, in two lobes (Marschner et al. 2003 saw them; Scheuermann 2004 gave
+// The same of that cosine.
+float kajiyaPower(float cosine, float exponent);
+// What the march draws of it, without powers, in two lobes (Marschner et al. 2003 saw them; Scheuermann 2004 gave
 // them to Kajiya and Kay's model): `cosine` is cos(x - shift) where x = theta_L + theta_V is 0 on that cone.
 // A shift moves the highlight along the strand, positive towards the tip.
 float shiftedCosine(const Vec3& tangent, const Vec3& light, const Vec3& view, float shift);
@@ -43,6 +45,11 @@ struct StrandLook {
   float occlusion = 0.6f, wetDarkening = 0.4f, wetGloss = 0.8f;  // sigma_occ, sigma_wet, sigma_spec
   float density = 0.4f;  // share of the densest layer that strands cover
 };
+
+// Eq. 2, 3 and 5 as printed: occ wet (K_color (key max(0, L.n) + around) + key K_s I_s), with n the surface's normal and I_s the power of
+// `cosine` = sin(T,L) sin(T,V) - (T.L)(T.V). `key`, `around`: the light that arrives from the lamp, which the paper has alone, and from all
+// round. With sigma_wet = 0 wet fur is no darker.
+Vec3 printedLight(const StrandLook& look, const Vec3& albedo, const Vec3& key, const Vec3& around, float nDotL, float cosine, float height, float rho);
 
 // The share of the light that a body's curve leaves: it shades its own far side (object over fur).
 float bodyShare(float nDotL);

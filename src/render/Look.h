@@ -13,20 +13,25 @@ class Look {
   Look(const Frame& frame, bool furry, bool textured);
 
   bool furry() const { return furry_; }
-  unsigned shells(unsigned view) const;
-  unsigned fins(unsigned view) const;
-  unsigned skin(unsigned view) const;      // under the fur, where there is any
-  unsigned bareSkin(unsigned view) const;  // alone
-  unsigned whiskers() const;
-  unsigned hair() const;
-  unsigned arrows(unsigned view) const { return view ? view : bend_; }
+  // The coat is drawn by the technique `shells`: the final picture, and the views that show it in parts.
+  bool classic() const { return classic_; }
+  // Of its shells and its fins.
+  VariantBits classicFur() const { return bend_ | final_ | printed_ | kClassic; }
+  VariantBits shells(VariantBits view) const;
+  VariantBits fins(VariantBits view) const;
+  VariantBits skin(VariantBits view) const;      // under the fur, where there is any
+  VariantBits bareSkin(VariantBits view) const;  // alone
+  VariantBits whiskers() const;
+  VariantBits hair() const;
+  VariantBits arrows(VariantBits view) const { return view ? view : bend_; }
   // Of a coat in the fur's shadow map.
-  unsigned bend() const { return bend_; }
+  VariantBits bend() const { return bend_; }
 
  private:
-  bool furry_, wetHair_;
-  unsigned final_;  // all bits but those of `bend_`
-  unsigned bend_;   // how strands bend
+  bool furry_, wetHair_, classic_;
+  VariantBits final_;  // all bits but those of `bend_`
+  VariantBits bend_;   // how strands bend
+  VariantBits printed_;  // which equations are the papers' as they are printed
 };
 
 }  // namespace fur::render

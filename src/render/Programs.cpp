@@ -23,7 +23,7 @@ const ProvidedShader& providedText(Shader shader) {
 
 // Apart from the vertex shaders, and named first: the linker keeps this order, in which fragment shaders, which
 // share most of their text, lie within the 32 KB that the download's compression looks back.
-const char* fragmentOf(Shader shader, unsigned variant) {
+const char* fragmentOf(Shader shader, VariantBits variant) {
   if (variant & kViewOverdraw) return shaders::kViewOverdrawFrag;
   if (shader == Shader::Fin && variant & kViewEdges) return shaders::kViewEdgeFrag;
   switch (shader) {
@@ -33,6 +33,7 @@ const char* fragmentOf(Shader shader, unsigned variant) {
     case Shader::Blur: return shaders::kBlurFrag;
     case Shader::Skin: return shaders::kSkinFrag;
     case Shader::Shell: return shaders::kShellFrag;
+    case Shader::ClassicShell: return shaders::kClassicShellFrag;
     case Shader::Fin: return shaders::kFinFrag;
     case Shader::ShadowMap: return shaders::kShadowMapFrag;
     case Shader::Enlarge: return shaders::kEnlargeFrag;
@@ -59,6 +60,7 @@ Source sourceOf(Shader shader) {
     case Shader::Blur: return {"blur", shaders::kScreenVert};
     case Shader::Skin: return {"skin", shaders::kSkinVert};
     case Shader::Shell: return {"shell", shaders::kShellVert};
+    case Shader::ClassicShell: return {"classic_shell", shaders::kClassicShellVert};
     case Shader::Enlarge: return {"enlarge", shaders::kScreenVert};
     case Shader::Fin: return {"fin", shaders::kFinVert};
     case Shader::Whisker: return {"whisker", shaders::kWhiskerVert};
@@ -71,7 +73,7 @@ Source sourceOf(Shader shader) {
   }
 }
 
-std::string definesOf(unsigned variant) {
+std::string definesOf(VariantBits variant) {
   static constexpr std::pair<Variant, const char*> kNames[] = {
       {kWet, "WET"},
       {kViewTangents, "VIEW_TANGENTS"},
@@ -104,6 +106,10 @@ std::string definesOf(unsigned variant) {
       {kShaped, "SHAPED"},
       {kStrips, "STRIPS"},
       {kOnGround, "ON_GROUND"},
+      {kClassic, "CLASSIC"},
+      {kPrintedLobe, "PRINTED_LOBE"},
+      {kPrintedClumps, "PRINTED_CLUMPS"},
+      {kPrintedLight, "PRINTED_LIGHT"},
   };
   std::string text;
   for (const auto& [bit, name] : kNames)
@@ -111,11 +117,32 @@ std::string definesOf(unsigned variant) {
   return text;
 }
 
+// Strands stand as in the tile, by the groom's map, by several types; and brushes have changed their shape.
+constexpr VariantBits kGrooms[] = {kPlain, kGroomed, kGroomed | kTypes, kGroomed | kShaped, kGroomed | kTypes | kShaped};
+
+// Of the technique `shells`: what stands where under one shadow, each shadow, and each light.
+void addClassic(std::vector<std::pair<Shader, VariantBits>>& all) {
+  const auto add = [&](VariantBits look) {
+    all.emplace_back(Shader::ClassicShell, look | kClassic);
+    all.emplace_back(Shader::Fin, look | kClassic);
+  };
+  constexpr VariantBits kPrinted = kPrintedLobe | kPrintedClumps | kPrintedLight;
+  for (const VariantBits look : {+kPlain, kWet | kTextured})
+    for (const VariantBits groom : kGrooms) add(look | groom | kShadowDepth);
+  for (const VariantBits look : {+kPlain, +kShadowLayers, kMarschner | kShadowDepth, kShadowDepth | kPolynomial, kShadowDepth | kPainted,
+                                 kPainted | kTextured | kGroomed | kShaped | kWet, kPrintedLobe | kShadowDepth, kPrintedLight | kShadowDepth,
+                                 kWet | kPrintedLobe | kShadowDepth, kWet | kPrintedClumps | kShadowDepth, kWet | kPrintedLight | kShadowDepth,
+                                 kWet | kPrinted | kGroomed | kTypes | kShadowDepth})
+    add(look);
+  for (const VariantBits look : {+kPlain, +kWet, +kTextured, kGroomed | kPainted, kGroomed | kTypes})
+    all.emplace_back(Shader::Skin, look | kUnderFur | kClassic | kShadowDepth);
+}
+
 }  // namespace
 
 void Programs::provide(Shader shader, const ProvidedShader& text) { provided[static_cast<std::size_t>(shader) - kOfHair] = &text; }
 
-void Programs::begin(Shader shader, unsigned variant) {
+void Programs::begin(Shader shader, VariantBits variant) {
   const auto key = std::pair(shader, variant);
   if (programs_.contains(key) || begun_.contains(key)) return;
   const Source source = sourceOf(shader);
@@ -163,7 +190,7 @@ bool Programs::finish(gl::Program& program) {
   return true;
 }
 
-const gl::Program* Programs::use(Shader shader, unsigned variant) {
+const gl::Program* Programs::use(Shader shader, VariantBits variant) {
   const auto key = std::pair(shader, variant);
   auto found = programs_.find(key);
   if (found == programs_.end()) {
@@ -176,10 +203,8 @@ const gl::Program* Programs::use(Shader shader, unsigned variant) {
   return &found->second;
 }
 
-std::vector<std::pair<Shader, unsigned>> allVariants() {
-  // Strands stand as in the tile, by the groom's map, by several types; and brushes have changed their shape.
-  constexpr unsigned kGrooms[] = {kPlain, kGroomed, kGroomed | kTypes, kGroomed | kShaped, kGroomed | kTypes | kShaped};
-  std::vector<std::pair<Shader, unsigned>> all = {
+std::vector<std::pair<Shader, VariantBits>> allVariants() {
+  std::vector<std::pair<Shader, VariantBits>> all = {
       {Shader::Background, kPlain}, {Shader::GroundShadow, kPlain}, {Shader::Blur, kPlain}, {Shader::ShadowBlur, kShadowDepth},
       {Shader::Skin, kViewWetness}, {Shader::Skin, kViewNormals},   {Shader::Skin, kViewLayout},  {Shader::ShadowMap, kPlain},
       {Shader::Enlarge, kPlain},    {Shader::Drop, kPlain},       {Shader::Ground, kPlain},      {Shader::Ground, kWet},     {Shader::Ball, kPlain},
@@ -197,38 +222,39 @@ std::vector<std::pair<Shader, unsigned>> allVariants() {
   };
   for (const Shader counted : {Shader::Shell, Shader::Fin, Shader::Skin}) all.emplace_back(counted, kViewOverdraw);
   // Paint looks the same in whatever shadow.
-  for (const unsigned look : {+kPlain, +kWet, +kTextured, kWet | kTextured})
-    for (const unsigned groom : kGrooms) {
-      const unsigned painted = look | groom | kPainted | kShadowDepth;
-      for (const unsigned light : {kPlain, kMarschner})
+  for (const VariantBits look : {+kPlain, +kWet, +kTextured, kWet | kTextured})
+    for (const VariantBits groom : kGrooms) {
+      const VariantBits painted = look | groom | kPainted | kShadowDepth;
+      for (const VariantBits light : {kPlain, kMarschner})
         for (const Shader shader : {Shader::Shell, Shader::Fin}) all.emplace_back(shader, painted | light);
       if (!(groom & kShaped)) all.emplace_back(Shader::Skin, painted | kUnderFur);
       all.emplace_back(Shader::Shell, look | groom | kPainted | kViewLayer);
     }
-  for (const unsigned look : {+kPlain, +kWet})
-    for (const unsigned groom : kGrooms)
-      for (const unsigned view : {+kViewClumps, +kViewSteps, +kViewLayer, kViewLayer | kTextured, kViewLayer | kViewExploded,
+  addClassic(all);
+  for (const VariantBits look : {+kPlain, +kWet})
+    for (const VariantBits groom : kGrooms)
+      for (const VariantBits view : {+kViewClumps, +kViewSteps, +kViewLayer, kViewLayer | kTextured, kViewLayer | kViewExploded,
                                   kViewLayer | kViewExploded | kTextured, +kViewTangents, +kViewCoverage, +kViewDominance,
                                   +kViewTypes, +kViewOffset})
         all.emplace_back(Shader::Shell, view | look | groom);
-  for (const unsigned shadow : {kPlain, kShadowDepth, kShadowLayers}) {
-    for (const unsigned look : {+kPlain, +kTextured}) {
+  for (const VariantBits shadow : {kPlain, kShadowDepth, kShadowLayers}) {
+    for (const VariantBits look : {+kPlain, +kTextured}) {
       all.emplace_back(Shader::Skin, look | shadow);
-      for (const unsigned groom : {+kPlain, +kGroomed, kGroomed | kTypes})
-        for (const unsigned wet : {kPlain, kWet}) all.emplace_back(Shader::Skin, look | shadow | groom | wet | kUnderFur);
+      for (const VariantBits groom : {+kPlain, +kGroomed, kGroomed | kTypes})
+        for (const VariantBits wet : {kPlain, kWet}) all.emplace_back(Shader::Skin, look | shadow | groom | wet | kUnderFur);
     }
-    for (const unsigned look : {+kPlain, +kWet, +kMarschner, kWet | kMarschner}) {
+    for (const VariantBits look : {+kPlain, +kWet, +kMarschner, kWet | kMarschner}) {
       all.emplace_back(Shader::Whisker, look | shadow);
-      for (const unsigned shape : {+kPlain, +kStrips}) all.emplace_back(Shader::Hair, look | shadow | shape);
+      for (const VariantBits shape : {+kPlain, +kStrips}) all.emplace_back(Shader::Hair, look | shadow | shape);
       all.emplace_back(Shader::BlendedHair, look | shadow | kStrips);
       if (!(look & kWet)) all.emplace_back(Shader::HairSkin, look | shadow);
     }
-    for (const unsigned look : {+kPlain, +kUnderFur}) all.emplace_back(Shader::Skin, look | shadow | kViewShadow);
-    for (const unsigned groom : kGrooms) {
-      for (const unsigned look : {+kPlain, +kWet})
+    for (const VariantBits look : {+kPlain, +kUnderFur}) all.emplace_back(Shader::Skin, look | shadow | kViewShadow);
+    for (const VariantBits groom : kGrooms) {
+      for (const VariantBits look : {+kPlain, +kWet})
         for (const Shader shader : {Shader::Shell, Shader::Fin}) all.emplace_back(shader, look | shadow | groom | kViewShadow);
-      for (const unsigned look : {+kPlain, +kWet, +kTextured, kWet | kTextured})
-        for (const unsigned light : {kPlain, kMarschner})
+      for (const VariantBits look : {+kPlain, +kWet, +kTextured, kWet | kTextured})
+        for (const VariantBits light : {kPlain, kMarschner})
           for (const Shader shader : {Shader::Shell, Shader::Fin}) all.emplace_back(shader, light | look | shadow | groom);
     }
   }

@@ -1,6 +1,7 @@
 // Every shader variant, compiled when it is first drawn or asked for ahead.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <utility>
 
@@ -9,10 +10,11 @@
 
 namespace fur::render {
 
-enum class Shader { Background, Ground, GroundShadow, Blur, Skin, Shell, ShadowMap, ShadowBlur, Fin, Enlarge, Whisker, Drop, Ball, Arrow, Hair, BlendedHair, HairPoints, HairShadow, HairDepth, HairSkin, HairMap, HairWisp, HairLine, HiddenHairLine };
+enum class Shader { Background, Ground, GroundShadow, Blur, Skin, Shell, ClassicShell, ShadowMap, ShadowBlur, Fin, Enlarge, Whisker, Drop, Ball, Arrow, Hair, BlendedHair, HairPoints, HairShadow, HairDepth, HairSkin, HairMap, HairWisp, HairLine, HiddenHairLine };
 
 // Bits of a variant; each is a #define in the shader.
-enum Variant : unsigned {
+using VariantBits = std::uint64_t;
+enum Variant : VariantBits {
   kPlain = 0,
   kWet = 1 << 0,           // Shell, Fin, Whisker, Skin under fur; Ground: it is wet somewhere
   kTextured = 1 << 1,      // the model has a picture of its own
@@ -41,13 +43,17 @@ enum Variant : unsigned {
   kViewSteps = 1 << 23,
   kViewForces = 1 << 24,    // Arrow
   // Not of a view again.
-  kBall = 1u << 25,         // GroundShadow, ShadowMap: the ball's in place of the model's
-  kPolynomial = 1u << 26,   // Shell, Fin, Whisker, ShadowMap: strands bend as Sheppard has it
-  kPainted = 1u << 27,      // Shell, Fin, Skin: somebody has painted them
-  kShaped = 1u << 28,       // Shell, Fin: brushes have changed the shape of strands; groomed, too
-  kViewLayout = 1u << 29,   // Skin; of a view once more
-  kStrips = 1u << 30,       // Hair, BlendedHair, HairDepth: wisps as strips
-  kOnGround = 1u << 31,     // HairShadow: on the ground
+  kBall = 1ull << 25,         // GroundShadow, ShadowMap: the ball's in place of the model's
+  kPolynomial = 1ull << 26,   // Shell, Fin, Whisker, ShadowMap: strands bend as Sheppard has it
+  kPainted = 1ull << 27,      // Shell, Fin, Skin: somebody has painted them
+  kShaped = 1ull << 28,       // Shell, Fin: brushes have changed the shape of strands; groomed, too
+  kViewLayout = 1ull << 29,   // Skin; of a view once more
+  kStrips = 1ull << 30,       // Hair, BlendedHair, HairDepth: wisps as strips
+  kOnGround = 1ull << 31,     // HairShadow: on the ground
+  kClassic = 1ull << 32,      // Fin, Skin: below and beside shells that are drawn one by one
+  kPrintedLobe = 1ull << 33,    // ClassicShell, Fin, and the next two: the papers' equations as printed (settings of these names)
+  kPrintedClumps = 1ull << 34,
+  kPrintedLight = 1ull << 35,
 };
 
 // The text of a shader that not every program has (render/ShaderSources.h).
@@ -62,20 +68,20 @@ class Programs {
   static void provide(Shader shader, const ProvidedShader& text);
 
   // Lets the driver compile it while the program goes on; use() waits for it.
-  void begin(Shader shader, unsigned variant);
+  void begin(Shader shader, VariantBits variant);
   // The program, bound for use; null where the driver refuses a shader of it, which error() then tells.
-  [[nodiscard]] const gl::Program* use(Shader shader, unsigned variant);
+  [[nodiscard]] const gl::Program* use(Shader shader, VariantBits variant);
   const Error& error() const { return error_; }
 
  private:
   [[nodiscard]] bool finish(gl::Program& program);
 
-  std::map<std::pair<Shader, unsigned>, gl::Program> begun_, programs_;
+  std::map<std::pair<Shader, VariantBits>, gl::Program> begun_, programs_;
   Error error_{};
 };
 
 // The variants that the renderer can ask for (Look.h), of those with paint and with Sheppard's bend a sample: a test compiles
 // them all.
-std::vector<std::pair<Shader, unsigned>> allVariants();
+std::vector<std::pair<Shader, VariantBits>> allVariants();
 
 }  // namespace fur::render

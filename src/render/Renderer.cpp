@@ -46,7 +46,7 @@ Result<Renderer> Renderer::create() {
   const auto capabilities = gl::queryCapabilities();
   if (!capabilities) return capabilities.error();
   Renderer r;
-  const unsigned usual = shadowVariant({});
+  const VariantBits usual = shadowVariant({});
   for (const auto& [shader, variant] :
        {std::pair(Shader::Shell, usual), std::pair(Shader::Fin, usual), std::pair(Shader::Skin, usual | kUnderFur),
         std::pair(Shader::ShadowMap, +kPlain), std::pair(Shader::ShadowBlur, +kShadowDepth),
@@ -164,11 +164,20 @@ bool Renderer::drawPasses(const Drawing& drawing) {
 }
 
 bool Renderer::drawFinal(const Drawing& drawing) {
+  if (drawing.look.classic()) return drawClassic(drawing);
   return drawBall(drawing) && drawModel(drawing, kPlain) && (hairViews_ ? hairViews_->draw(drawing, *hair_) : hair_->draw(drawing)) && whiskers_.draw(drawing) &&
          ground_.draw(drawing, groundShadow_) && drawBackground(drawing) && drops_.draw(drawing) && (!hairViews_ || hairViews_->drawLines(drawing));
 }
 
-bool Renderer::drawModel(const Drawing& drawing, unsigned view) {
+// The technique `shells`: what is blended comes over all that is not.
+bool Renderer::drawClassic(const Drawing& drawing) {
+  return drawBall(drawing) && drawSkin(drawing, drawing.look.skin(kPlain)) &&
+         (hairViews_ ? hairViews_->draw(drawing, *hair_) : hair_->draw(drawing)) && whiskers_.draw(drawing) && ground_.draw(drawing, groundShadow_) &&
+         drawBackground(drawing) && fins_.drawClassic(drawing) && shells_.drawClassic(drawing) && drops_.draw(drawing) &&
+         (!hairViews_ || hairViews_->drawLines(drawing));
+}
+
+bool Renderer::drawModel(const Drawing& drawing, VariantBits view) {
   return shells_.draw(drawing, view) && fins_.draw(drawing, view) && drawSkin(drawing, drawing.look.skin(view));
 }
 
@@ -187,8 +196,11 @@ bool Renderer::drawView(const Drawing& drawing, View view) {
 
 bool Renderer::drawPart(const Drawing& drawing, const ViewPart& part) {
   switch (part.part) {
-    case Part::Shells: return shells_.draw(drawing, part.bits);
-    case Part::Fins: return fins_.draw(drawing, part.bits);
+    case Part::Shells: return drawing.look.classic() ? shells_.drawClassic(drawing) : shells_.draw(drawing, part.bits);
+    case Part::Fins:
+      if (!drawing.look.classic()) return fins_.draw(drawing, part.bits);
+      // On the skin, which hides those behind it: their own depth does not.
+      return drawSkin(drawing, drawing.look.skin(kPlain)) && fins_.drawClassic(drawing);
     case Part::Arrows: return arrows_.draw(drawing, part.bits);
     case Part::BareSkin: return drawSkin(drawing, drawing.look.bareSkin(part.bits));
     case Part::Skin: break;

@@ -81,9 +81,10 @@ class Renderer {
   Renderer() = default;
   bool drawPasses(const Drawing& drawing);
   bool drawFinal(const Drawing& drawing);
+  bool drawClassic(const Drawing& drawing);
   bool drawView(const Drawing& drawing, View view);
   bool drawCounts(const Drawing& drawing, View view);
-  bool drawModel(const Drawing& drawing, unsigned view);
+  bool drawModel(const Drawing& drawing, VariantBits view);
   bool drawPart(const Drawing& drawing, const ViewPart& part);
   FurShadow::Key furShadowKey(const Frame& frame) const;
   void uploadBlocks(const Frame& frame, const FurShadow::Key& shadow);

@@ -11,7 +11,7 @@ enum class Part { Shells, Fins, Skin, BareSkin, Arrows };
 struct ViewPart {
   View view;
   Part part;
-  unsigned bits;  // that the part's shader has for the view
+  VariantBits bits;  // that the part's shader has for the view
 };
 
 // All but Final, Overdraw and Steps, which draw the whole picture (Renderer.cpp).

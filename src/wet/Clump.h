@@ -60,6 +60,10 @@ inline float upright(float rho) {
   return 1.0f - glm::mix(kClumpsSink * std::min(rho, 1.0f), kSheetSinks, sheetOf(rho));
 }
 
+// f(h) rho: the look-up's displacement as printed, d = f rho (p - c), with p - c in radii of the clump. It stands in for the exact
+// inverse below.
+inline float clumpDisplacement(float h, float w, float layers, float rho) { return clumpProfile(h, w, layers) * rho; }
+
 // s / (1 - s): the root of the strand seen at texel p is p + (p - c) times this. The paper prints
 // d = f rho r (p - c) with (p - c) in radii of the clump; in texture units that is about 1e-3, which is not visible.
 inline float clumpShift(float h, float w, float layers, float rho) {

@@ -99,7 +99,7 @@ float shownWater(const WaterSums& water, int x, int y, float own, int clumpReach
 
 }  // namespace
 
-MaskTexels encodeMask(const WetnessMask& mask, const TexelRect& changed, const MaskAtlas& atlas) {
+MaskTexels encodeMask(const WetnessMask& mask, const TexelRect& changed, const MaskAtlas& atlas, bool softened) {
   MaskTexels out{mask.size(), changed, {}};
   if (changed.empty()) return out;
   const int size = mask.size();
@@ -116,7 +116,7 @@ MaskTexels encodeMask(const WetnessMask& mask, const TexelRect& changed, const M
       Vec4 texel = mask.texels()[i];
       const float chart = static_cast<float>(atlas.charts[i] % FUR_CHART_NUMBERS);
       texel.x += static_cast<float>(FUR_CHART_STEP) * (chart + 0.5f);
-      if (texel.w > 0) {
+      if (texel.w > 0 && softened) {
         const int clumpReach = static_cast<int>(std::clamp(kClumpReach * texel.z * static_cast<float>(size), 1.0f, float{kSheetReach}));
         texel.w = shownWater(water, x, y, texel.w + mask.filmAt(i), clumpReach);
       }

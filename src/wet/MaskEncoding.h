@@ -23,7 +23,8 @@ struct MaskAtlas {
   std::span<const std::uint32_t> triangles;  // without: gutters say nothing about the water round them (AtlasTexels)
 };
 
-// What has to be uploaded when `changed` has: wider than that, as softening looks around. Nothing where nothing has.
-MaskTexels encodeMask(const WetnessMask& mask, const TexelRect& changed, const MaskAtlas& atlas);
+// What has to be uploaded when `changed` has: wider than that, as softening looks around. Nothing where nothing has. Not `softened`: the
+// water of Algorithm 1 as it is, without a film (setting `printedMask`).
+MaskTexels encodeMask(const WetnessMask& mask, const TexelRect& changed, const MaskAtlas& atlas, bool softened = true);
 
 }  // namespace fur::wet

@@ -5,7 +5,7 @@
 namespace fur::render {
 namespace {
 
-using Variants = std::set<std::pair<Shader, unsigned>>;
+using Variants = std::set<std::pair<Shader, VariantBits>>;
 
 Look lookOf(const Frame& frame) { return Look(frame, true, false); }
 
@@ -31,12 +31,12 @@ Variants askedFor() {
       frame.settings.bendCurve = bit(6);
       frame.settings.shadows = shadows;
       const Look look(frame, true, bit(7)), bald(frame, false, bit(7));
-      for (const unsigned view : {+kPlain, +kViewSteps, +kViewOverdraw}) asked.insert({Shader::Shell, look.shells(view)});
-      for (const unsigned view : {+kPlain, +kViewOverdraw}) {
+      for (const VariantBits view : {+kPlain, +kViewSteps, +kViewOverdraw}) asked.insert({Shader::Shell, look.shells(view)});
+      for (const VariantBits view : {+kPlain, +kViewOverdraw}) {
         asked.insert({Shader::Fin, look.fins(view)});
         asked.insert({Shader::Skin, look.skin(view)});
       }
-      for (const unsigned view : {+kPlain, +kViewOverdraw, +kViewShadow}) asked.insert({Shader::Skin, bald.skin(view)});
+      for (const VariantBits view : {+kPlain, +kViewOverdraw, +kViewShadow}) asked.insert({Shader::Skin, bald.skin(view)});
       asked.insert({Shader::Whisker, look.whiskers()});
       for (const ViewPart& part : kViewParts) addView(look, part, asked);
     }
@@ -44,14 +44,49 @@ Variants askedFor() {
 }
 
 TEST(Look, AsksForVariantsThatTestsCompileAndForAllOfThem) {
-  const std::vector<std::pair<Shader, unsigned>> listed = allVariants();
+  const std::vector<std::pair<Shader, VariantBits>> listed = allVariants();
   const Variants compiled(listed.begin(), listed.end()), asked = askedFor();
   // Of those with paint and with Sheppard's bend a sample is compiled: what they add stands alone in the shaders.
   for (const auto& [shader, variant] : asked)
     if (!(variant & (kPainted | kPolynomial))) EXPECT_TRUE(compiled.contains({shader, variant})) << static_cast<int>(shader) << " " << std::hex << variant;
   for (const auto& [shader, variant] : compiled)
-    if (shader == Shader::Shell || shader == Shader::Fin || shader == Shader::Skin || shader == Shader::Whisker || shader == Shader::Arrow)
+    if (!(variant & kClassic) && (shader == Shader::Shell || shader == Shader::Fin || shader == Shader::Skin || shader == Shader::Whisker || shader == Shader::Arrow))
       EXPECT_TRUE(asked.contains({shader, variant})) << static_cast<int>(shader) << " " << std::hex << variant;
+}
+
+TEST(Look, OfTheMarchHasNothingOfTheTechniqueShells) {
+  Frame frame;
+  frame.wet = true;
+  settings::Settings& s = frame.settings;
+  const Look march = lookOf(frame);
+  s.printedLobe = s.printedClumps = s.printedLight = true;
+  s.finEdges = 1;
+  const Look printed = lookOf(frame);
+  for (const VariantBits view : {+kPlain, +kViewLayer, +kViewShadow, +kViewOverdraw}) {
+    EXPECT_EQ(march.shells(view), printed.shells(view));
+    EXPECT_EQ(march.fins(view), printed.fins(view));
+    EXPECT_EQ(march.skin(view), printed.skin(view));
+  }
+  EXPECT_FALSE(printed.classic());
+  s.technique = 1;
+  EXPECT_TRUE(lookOf(frame).classic());
+  EXPECT_EQ(lookOf(frame).classicFur() & (kPrintedLobe | kPrintedClumps | kPrintedLight), kPrintedLobe | kPrintedClumps | kPrintedLight);
+  frame.wet = false;
+  s.strandModel = 1;
+  EXPECT_EQ(lookOf(frame).classicFur() & (kPrintedLobe | kPrintedClumps), 0u) << "of dry fur there are no clumps, and Marschner has a lobe of his own";
+}
+
+TEST(Look, OfViewsThatStudyTheMarchIsTheMarchs) {
+  Frame frame;
+  frame.settings.technique = 1;
+  for (const View view : {View::Final, View::Shells, View::Fins}) {
+    frame.settings.view = static_cast<int>(view);
+    EXPECT_TRUE(lookOf(frame).classic());
+  }
+  for (const View view : {View::Layer, View::Overdraw, View::Steps, View::Shadow}) {
+    frame.settings.view = static_cast<int>(view);
+    EXPECT_FALSE(lookOf(frame).classic());
+  }
 }
 
 TEST(Look, OfAViewHasNothingThatTheViewDoesNotShow) {
@@ -59,13 +94,13 @@ TEST(Look, OfAViewHasNothingThatTheViewDoesNotShow) {
   lit.settings.strandModel = 1;
   lit.settings.shadows = 2;
   lit.painted = true;
-  for (const unsigned view : {kViewTangents, kViewCoverage, kViewDominance, kViewTypes, kViewOffset, kViewClumps, kViewSteps})
+  for (const VariantBits view : {kViewTangents, kViewCoverage, kViewDominance, kViewTypes, kViewOffset, kViewClumps, kViewSteps})
     EXPECT_EQ(lookOf(plain).shells(view), lookOf(lit).shells(view)) << view;
   EXPECT_NE(lookOf(plain).shells(kPlain), lookOf(lit).shells(kPlain));
   // But where strands stand shows in all of them.
   Frame wet;
   wet.wet = true;
-  for (const unsigned view : {kViewTangents, kViewCoverage, kViewLayer, kViewShadow}) EXPECT_NE(lookOf(plain).shells(view), lookOf(wet).shells(view)) << view;
+  for (const VariantBits view : {kViewTangents, kViewCoverage, kViewLayer, kViewShadow}) EXPECT_NE(lookOf(plain).shells(view), lookOf(wet).shells(view)) << view;
 }
 
 TEST(Look, OfSkinKnowsOfFurOnlyWhereItIsUnderFur) {

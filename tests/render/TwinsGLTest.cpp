@@ -161,6 +161,15 @@ TEST(Twins, KajiyaAndKay) {
   EXPECT_LT(largestDifference(10, [](float u, float v) { return hair::rimLight(u * 2 - 1, v * 2 - 1, 0.7f); }), kGpuPrecision);
 }
 
+TEST(Twins, EquationsAsPrinted) {
+  EXPECT_LT(largestDifference(29, [](float u, float v) { return hair::kajiyaPower(u * 2 - 1, v * 60); }), kGpuPrecision);
+  EXPECT_LT(largestDifference(30, [](float u, float v) { return wet::clumpDisplacement(glm::mix(1 / kLayers, 1.0f, u), kClumpShape, kLayers, v); }), kGpuPrecision);
+  const Vec3 sky = glm::mix(kFloorLight, kSky, 0.75f);
+  EXPECT_LT(largestDifference(31, [&](float u, float v) {
+    return hair::printedLight(kLook, Vec3(0.5f, 0.3f, 0.2f), Vec3(1), sky, u, 0.9f * v + 0.1f, v, u).x;
+  }), 2 * kGpuPrecision);
+}
+
 TEST(Twins, MarschnerFromTablesIsMarschnersFormula) {
   const float width = strandLobeWidth({});
   const auto formula = [&](float u, float v) {

@@ -142,6 +142,13 @@ test('the formula sheet answers with the numbers of the papers', () => {
   near(e.clumpProfile(1, 0.7, 16), 1);
   near(e.clumpProfile(1 / 16, 0.7, 16), 0.3 / 16);
   near(e.clumpShift(1, 0.5, 16, 0.5), 1);
+  near(e.clumpDisplacement(1, 0.5, 16, 0.5), 0.5);
+  near(e.finOpacity(0, 0.2), 0.6);
+  assert.equal(e.finOpacity(0.3, 1), 0);
+  const light = { color: 0.4, specular: 0.5, nDotL: 0.5, cosine: 0.9, p: 40, h: 1, rho: 0, sigmaOcc: 0.6, sigmaWet: 0, sigmaSpec: 0.75 };
+  near(e.printedLight(light), 0.4 * 0.5 + 0.5 * 0.9 ** 10);
+  near(e.printedLight({ ...light, rho: 1 }), 0.4 * 0.5 + 0.5 * 0.9 ** 40);  // sigma_wet = 0: no darker but for the sharper highlight
+  near(e.printedLight({ ...light, rho: 1, sigmaWet: 0.5, h: 0 }), 0.4 * 0.5 * (0.4 * 0.5 + 0.5 * 0.9 ** 40));
   near(e.wetSpecularExponent(24, 0, 0.5), 12);
   near(e.occlusionFactor(0, 0.6), 0.4);
   near(e.wetDarkening(1, 0.55), 0.45);

@@ -1,10 +1,11 @@
 // The formula sheet: equations of the papers with plain numbers in and out. They are the functions that the program runs, or
-// the tested twins of what its shaders run, but for four, which it has in forms of its own: Kajiya and Kay's power
-// (hair::kajiyaLobe instead), transmittance and opacity (common_furshadow.glsl), and the shift of a clump, which the
-// program has as clumpPull().
+// the tested twins of what its shaders run, but for three, which it has in forms of its own: transmittance and opacity
+// (common_furshadow.glsl), and the shift of a clump, which the program has as clumpPull(). Some run in the technique `shells` alone:
+// finOpacity, and as the settings of these names say kajiyaSpecular (printedLobe), clumpDisplacement (printedClumps) and printedLight.
 #include "web/Boundary.h"
 #include "dynamics/BendField.h"
 #include "furgen/Coat.h"
+#include "furgen/FinOpacity.h"
 #include "furgen/Strand.h"
 #include "hair/Marschner.h"
 #include "hair/Springs.h"
@@ -17,6 +18,16 @@ using namespace fur;
 FUR_EXPORT double fur_eqClumpProfile(float h, float w, float layers) { return wet::clumpProfile(h, w, layers); }
 FUR_EXPORT double fur_eqClumpShift(float h, float w, float layers, float rho) {
   return wet::clumpShift(h, w, layers, rho);
+}
+FUR_EXPORT double fur_eqClumpDisplacement(float h, float w, float layers, float rho) {
+  return wet::clumpDisplacement(h, w, layers, rho);
+}
+FUR_EXPORT double fur_eqFinOpacity(float facing, float across) { return furgen::finOpacity(facing, across); }
+FUR_EXPORT double fur_eqPrintedLight(float color, float specular, float nDotL, float cosine, float p, float h, float rho, float sigmaOcc, float sigmaWet,
+                                     float sigmaSpec) {
+  const hair::StrandLook look{.specular = specular, .shininess = p, .dryShininess = hair::wetSpecularExponent(p, 0, sigmaSpec),
+                              .occlusion = sigmaOcc, .wetDarkening = sigmaWet};
+  return hair::printedLight(look, Vec3(color), Vec3(1), Vec3(0), nDotL, cosine, h, rho).x;
 }
 FUR_EXPORT double fur_eqWetSpecularExponent(float p, float rho, float sigmaSpec) {
   return hair::wetSpecularExponent(p, rho, sigmaSpec);

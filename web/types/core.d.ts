@@ -77,6 +77,15 @@ export type Vector = readonly [number, number, number];
 export interface Equations {
   clumpProfile(h: number, w: number, layers: number): number;
   clumpShift(h: number, w: number, layers: number, rho: number): number;
+  /** f(h) rho: Silva Eq. 1 as printed, p - c in radii of the clump. */
+  clumpDisplacement(h: number, w: number, layers: number, rho: number): number;
+  /** Of Sheppard's fins: facing = (n1.v)(n2.v), across = N.v of the fin (Eq. 3.1 and 3.2). */
+  finOpacity(facing: number, across: number): number;
+  /** Silva Eq. 2, 3 and 5 under a light of 1; cosine = sin(T,L) sin(T,V) - (T.L)(T.V). */
+  printedLight(values: {
+    color: number; specular: number; nDotL: number; cosine: number; p: number; h: number; rho: number;
+    sigmaOcc: number; sigmaWet: number; sigmaSpec: number;
+  }): number;
   wetSpecularExponent(p: number, rho: number, sigmaSpec: number): number;
   occlusionFactor(h: number, sigmaOcc: number): number;
   wetDarkening(rho: number, sigmaWet: number): number;

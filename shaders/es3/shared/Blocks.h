@@ -116,7 +116,7 @@ FUR_BLOCK(FurBlock) {
 #define FUR_FIN_POSITION_A 0  // w: vertex index, for its bend
 #define FUR_FIN_POSITION_B 1
 #define FUR_FIN_NORMAL_A 2    // w: where the edge starts in the fin map
-#define FUR_FIN_NORMAL_B 3    // w: curvature across the edge; -1 where it is sharp or a boundary
+#define FUR_FIN_NORMAL_B 3    // w: curvature across the edge; -1 where it is sharp or a boundary. Technique shells: the fin's opacity
 #define FUR_FIN_FACE_0 4      // w: model u at the edge's middle
 #define FUR_FIN_FACE_1 5      // w: model v at the edge's middle
 #define FUR_FIN_ATLAS 6       // atlas of a, atlas of b

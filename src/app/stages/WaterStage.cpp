@@ -105,12 +105,12 @@ bool WaterStage::update(const Inputs& inputs) {
 
 // --- what there is ---
 
-std::vector<wet::MaskTexels> WaterStage::takeTexels(const ShapeStage& shape, bool all) {
+std::vector<wet::MaskTexels> WaterStage::takeTexels(const ShapeStage& shape, bool all, bool softened) {
   std::vector<wet::TexelRect> parts = mask_.takeChangedParts();
   if (all) parts = {{0, 0, mask_.size(), mask_.size()}};
   std::vector<wet::MaskTexels> texels;
   for (const wet::TexelRect& part : parts)
-    texels.push_back(wet::encodeMask(mask_, part, {wetting(shape).chartOfTexel(), wetting(shape).atlas().triangleOf()}));
+    texels.push_back(wet::encodeMask(mask_, part, {wetting(shape).chartOfTexel(), wetting(shape).atlas().triangleOf()}, softened));
   return texels;
 }
 

@@ -74,7 +74,8 @@ class WaterStage {
   bool isWet() const;  // anything is: the mask, hair, the ground, or a drop is on its way
   const wet::Water& water() const { return water_; }
   // What the picture takes of the mask, where it has changed since the last call, or all of it.
-  std::vector<wet::MaskTexels> takeTexels(const ShapeStage& shape, bool all);
+  // `softened`: see wet/MaskEncoding.h.
+  std::vector<wet::MaskTexels> takeTexels(const ShapeStage& shape, bool all, bool softened = true);
   // 0..1, one a vertex of the surface; vertices of one point have the same.
   const std::vector<float>& vertexWetness(const ShapeStage& shape);
   float meanWetness(const ShapeStage& shape);

@@ -22,6 +22,6 @@ struct Drawing {
 Vec3 eyeInModel(const Frame& frame);
 
 // How a pass is drawn: as usual, or its fragments counted.
-gl::DrawState stateOf(unsigned variant, const gl::DrawState& usual);
+gl::DrawState stateOf(VariantBits variant, const gl::DrawState& usual);
 
 }  // namespace fur::render

@@ -4,7 +4,7 @@
 
 namespace fur::render {
 
-bool ArrowPass::draw(const Drawing& drawing, unsigned view) const {
+bool ArrowPass::draw(const Drawing& drawing, VariantBits view) const {
   if (!drawing.programs.use(Shader::Arrow, drawing.look.arrows(view))) return false;
   gl::apply({.cullBack = false});
   array_.drawStrips(2 * FUR_ARROW_POINTS, drawing.surface.vertexCount());

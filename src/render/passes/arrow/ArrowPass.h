@@ -8,7 +8,7 @@ namespace fur::render {
 class ArrowPass {
  public:
   void set(const SurfaceBuffers& surface) { array_ = surface.instanceArray(); }
-  bool draw(const Drawing& drawing, unsigned view) const;
+  bool draw(const Drawing& drawing, VariantBits view) const;
 
  private:
   gl::VertexArray array_;

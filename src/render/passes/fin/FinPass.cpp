@@ -1,7 +1,10 @@
 #include "render/passes/fin/FinPass.h"
 
 #include <algorithm>
+#include <functional>
+#include <utility>
 
+#include "furgen/FinOpacity.h"
 #include "shared/Blocks.h"
 
 namespace fur::render {
@@ -58,13 +61,43 @@ void FinPass::select(const Drawing& drawing, float pixels) {
     if (pixels > 0 && pixels * 1.001f < away * static_cast<float>(FUR_FIN_PIXELS)) continue;
     if (onOutline(e, way / away)) seen.push_back(e);
   }
+  upload(drawing, seen);
+}
+
+// Sheppard 2004, 3.2.1: from far to near, each as opaque as Eq. 3.1 and 3.2 have it, or `all` of them fully.
+void FinPass::selectClassic(const Drawing& drawing, bool all) {
+  const Vec3 eye = eyeInModel(drawing.frame);
+  const Vec4 wanted(eye, all ? -2 : -1);
+  if (selectedFor_ == wanted) return;
+  selectedFor_ = wanted;
+  std::vector<FinEdge> seen;
+  std::vector<std::pair<float, std::uint32_t>> order;  // distance, index in `seen`
+  for (const FinEdge& e : edges_) {
+    if (bald(e.positionA.w) && bald(e.positionB.w)) continue;
+    const Vec3 way = eye - 0.5f * (Vec3(e.positionA) + Vec3(e.positionB));
+    const float away = glm::length(way), facing = glm::dot(Vec3(e.face0), way) * glm::dot(Vec3(e.face1), way) / (away * away);
+    const Vec3 across = normalizeOr(glm::cross(Vec3(e.positionB - e.positionA), Vec3(e.normalA + e.normalB)), Vec3(0));
+    const float opacity = all ? 1.0f : furgen::finOpacity(facing, glm::dot(across, way) / away);
+    if (opacity <= 0) continue;
+    order.emplace_back(away, static_cast<std::uint32_t>(seen.size()));
+    seen.push_back(e);
+    seen.back().normalB.w = opacity;
+  }
+  std::sort(order.begin(), order.end(), std::greater<>());
+  std::vector<FinEdge> farToNear;
+  farToNear.reserve(seen.size());
+  for (const auto& [away, i] : order) farToNear.push_back(seen[i]);
+  upload(drawing, farToNear);
+}
+
+void FinPass::upload(const Drawing& drawing, const std::vector<FinEdge>& seen) {
   count_ = static_cast<int>(seen.size());
   if (seen.empty()) return;
   instances_.update(gl::bytesOf(seen));
   drawing.uploadedBytes += seen.size() * sizeof(FinEdge);
 }
 
-bool FinPass::draw(const Drawing& drawing, unsigned view) {
+bool FinPass::draw(const Drawing& drawing, VariantBits view) {
   const bool lines = view & kViewEdges;
   const Frame& frame = drawing.frame;
   if (!drawing.look.furry() || !(frame.settings.fins || lines)) return true;
@@ -72,6 +105,18 @@ bool FinPass::draw(const Drawing& drawing, unsigned view) {
   if (count_ == 0) return true;
   if (!drawing.programs.use(Shader::Fin, drawing.look.fins(view))) return false;
   gl::apply(stateOf(view, {.cullBack = false, .alphaToCoverage = !lines, .alpha = false}));
+  array_.drawStrips(2 * (FUR_FIN_SEGMENTS + 1), count_);
+  return true;
+}
+
+// They support the shells, which are drawn over them: no depth of theirs hides any.
+bool FinPass::drawClassic(const Drawing& drawing) {
+  const settings::Settings& s = drawing.frame.settings;
+  if (!drawing.look.furry() || !s.fins) return true;
+  selectClassic(drawing, s.finEdges == 1);
+  if (count_ == 0) return true;
+  if (!drawing.programs.use(Shader::Fin, drawing.look.classicFur())) return false;
+  gl::apply({.depthWrite = false, .cullBack = false, .blend = gl::Blend::Over});
   array_.drawStrips(2 * (FUR_FIN_SEGMENTS + 1), count_);
   return true;
 }

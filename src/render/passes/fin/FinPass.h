@@ -17,11 +17,15 @@ class FinPass {
   // The length of fur at every vertex, until the next set(): fins between two of none are left out. {}: 1 everywhere.
   void setLengths(std::span<const float> vertexLengths);
 
-  bool draw(const Drawing& drawing, unsigned view);
+  bool draw(const Drawing& drawing, VariantBits view);
+  // Of the technique `shells`.
+  bool drawClassic(const Drawing& drawing);
   std::size_t bytes() const { return instances_.bytes(); }
 
  private:
   void select(const Drawing& drawing, float pixels);
+  void selectClassic(const Drawing& drawing, bool all);
+  void upload(const Drawing& drawing, const std::vector<FinEdge>& seen);
   bool bald(float vertex) const { return !vertexLengths_.empty() && vertexLengths_[static_cast<std::size_t>(vertex)] <= 0; }
 
   std::vector<FinEdge> edges_;
@@ -30,7 +34,7 @@ class FinPass {
   gl::Buffer instances_;  // of edges that the eye may see fins of
   gl::VertexArray array_;
   int count_ = 0;
-  std::optional<Vec4> selectedFor_;  // eye, model space; w: pixels, see select()
+  std::optional<Vec4> selectedFor_;  // eye, model space; w: pixels, see select(); below 0: of selectClassic()
 };
 
 }  // namespace fur::render

@@ -123,7 +123,7 @@ bool DrawnHair::drawWisps(const Drawing& drawing, const HairScalp& scalp, Shader
   if (scalp.wisps() == 0) return true;
   const HairLevel& level = scalp.level();
   const bool depthOnly = shader == Shader::HairDepth;
-  const unsigned look = depthOnly ? +kPlain : drawing.look.hair();
+  const VariantBits look = depthOnly ? +kPlain : drawing.look.hair();
   const bool depthDrawn = transparencyOf(drawing.frame) == HairTransparency::DepthFirst && !depthOnly;
   shared::HairBlock block = scalp.block();
   block.hairOcclusion = drawing.frame.settings.hairOcclusion;
@@ -148,7 +148,7 @@ bool DrawnHair::drawWisps(const Drawing& drawing, const HairScalp& scalp, Shader
   return true;
 }
 
-bool DrawnHair::drawShadow(Programs& programs, unsigned variant, const gl::DrawState& state, int copies) const {
+bool DrawnHair::drawShadow(Programs& programs, VariantBits variant, const gl::DrawState& state, int copies) const {
   for (const HairScalp& scalp : scalps_) {
     if (scalp.wisps() == 0) continue;
     if (!programs.use(Shader::HairShadow, variant)) return false;

@@ -22,7 +22,7 @@ class DrawnHair final : public HairPass {
   void fit(const Frame& frame) override;
   bool update(Programs& programs) override;
   bool draw(const Drawing& drawing) override;
-  bool drawShadow(Programs& programs, unsigned variant, const gl::DrawState& state, int copies) const override;
+  bool drawShadow(Programs& programs, VariantBits variant, const gl::DrawState& state, int copies) const override;
   std::size_t bytes() const override;
 
  private:

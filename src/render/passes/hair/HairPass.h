@@ -42,7 +42,7 @@ class HairPass {
   virtual bool update(Programs&) { return true; }
   virtual bool draw(const Drawing&) { return true; }
   // Into the fur's shadow map or the ground's, whose target is bound: in the program of that variant, `copies` times.
-  virtual bool drawShadow(Programs&, unsigned /*variant*/, const gl::DrawState&, int /*copies*/ = 1) const { return true; }
+  virtual bool drawShadow(Programs&, VariantBits /*variant*/, const gl::DrawState&, int /*copies*/ = 1) const { return true; }
   virtual std::size_t bytes() const { return 0; }
 
  protected:

@@ -39,7 +39,7 @@ VolumeShadow volumeShadow(const settings::Settings& s, float density, float reac
   return {.extinction = k * kLog2E, .bias = 0.5f * length, .layerDepth = 0, .surface = 0.6f, .range = range};
 }
 
-unsigned shadowVariant(const settings::Settings& s) {
+VariantBits shadowVariant(const settings::Settings& s) {
   switch (static_cast<Shadows>(s.shadows)) {
     case Shadows::None:
       break;
@@ -104,7 +104,7 @@ bool FurShadow::blur(Programs& programs) {
   return true;
 }
 
-bool FurShadow::drawLayers(Programs& programs, unsigned curve, const gl::VertexArray& surface, int indexCount, const HairPass& hair) {
+bool FurShadow::drawLayers(Programs& programs, VariantBits curve, const gl::VertexArray& surface, int indexCount, const HairPass& hair) {
   if (!programs.use(Shader::ShadowMap, curve | kShadowLayers)) return false;
   first_[0].bind(FUR_UNIT_SHADOW);
   opacityTarget_.bind();

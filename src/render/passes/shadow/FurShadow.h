@@ -32,9 +32,9 @@ struct VolumeShadow {
 };
 VolumeShadow volumeShadow(const settings::Settings& settings, float density, float reach = 1);
 // The variant of a shader that receives it.
-unsigned shadowVariant(const settings::Settings& settings);
+VariantBits shadowVariant(const settings::Settings& settings);
 // That of one whose strands bend.
-inline unsigned curveVariant(const settings::Settings& s) { return s.bendCurve ? +kPolynomial : +kPlain; }
+inline VariantBits curveVariant(const settings::Settings& s) { return s.bendCurve ? +kPolynomial : +kPlain; }
 
 class FurShadow {
  public:
@@ -43,7 +43,7 @@ class FurShadow {
     int size;             // texels along the map
     Mat4 lightFromModel;
     VolumeShadow volume;
-    unsigned curve;       // curveVariant()
+    VariantBits curve;    // curveVariant()
     unsigned long scene;  // another one whenever surface, bends or coat are others
     Vec4 ball;            // as Frame has it
     Mat4 worldFromModel;  // where there is one
@@ -60,7 +60,7 @@ class FurShadow {
   void prepare(int size, bool layers);
   bool drawFirst(Programs& programs, const Key& key, bool layers, const gl::VertexArray& surface, int indexCount, const HairPass& hair);
   bool blur(Programs& programs);
-  bool drawLayers(Programs& programs, unsigned curve, const gl::VertexArray& surface, int indexCount, const HairPass& hair);
+  bool drawLayers(Programs& programs, VariantBits curve, const gl::VertexArray& surface, int indexCount, const HairPass& hair);
 
   gl::Texture first_[2];  // depth of the first surface; [1]: half blurred
   gl::Target firstTarget_[2];

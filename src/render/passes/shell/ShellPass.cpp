@@ -1,5 +1,6 @@
 #include "render/passes/shell/ShellPass.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -27,15 +28,18 @@ void ShellPass::setPatches(geometry::FurPatches patches) {
   orderedFor_.reset();
 }
 
-// Near to far: what is covered is rejected by depth. Without what faces away.
-void ShellPass::order(const Drawing& drawing, float reach, bool overlapping) {
+// Near to far: what is covered is rejected by depth. Without what faces away. Only there do charts overlap: copies share samples.
+void ShellPass::order(const Drawing& drawing, float reach, Order wanted) {
   const Vec3 eye = eyeInModel(drawing.frame);
-  if (orderedFor_ == Vec4(eye, reach) && orderedOverlapping_ == overlapping) return;
+  if (orderedFor_ == Vec4(eye, reach) && ordered_ == wanted) return;
   orderedFor_ = Vec4(eye, reach);
-  orderedOverlapping_ = overlapping;
+  ordered_ = wanted;
+  const bool overlapping = wanted == Order::NearToFarOverlapping;
   std::vector<std::uint32_t> seen;
   seen.reserve(patches_.indices.size());
-  for (const std::uint32_t i : geometry::clustersNearToFar(patches_.clusters, eye, reach)) {
+  std::vector<std::uint32_t> clusters = geometry::clustersNearToFar(patches_.clusters, eye, reach);
+  if (wanted == Order::FarToNear) std::reverse(clusters.begin(), clusters.end());
+  for (const std::uint32_t i : clusters) {
     const geometry::FurCluster& c = patches_.clusters[i];
     const auto first = overlapping ? patches_.indices.begin() + c.first : patches_.ownIndices.begin() + c.ownFirst;
     seen.insert(seen.end(), first, first + (overlapping ? c.count : c.ownCount));
@@ -46,15 +50,25 @@ void ShellPass::order(const Drawing& drawing, float reach, bool overlapping) {
   drawing.uploadedBytes += seen.size() * sizeof(std::uint32_t);
 }
 
-bool ShellPass::draw(const Drawing& drawing, unsigned view) {
+bool ShellPass::draw(const Drawing& drawing, VariantBits view) {
   if (!drawing.look.furry()) return true;
   const Frame& frame = drawing.frame;
   if (!drawing.programs.use(Shader::Shell, drawing.look.shells(view))) return false;
   const bool exploded = view & kViewExploded;
-  order(drawing, frame.settings.furLength + (exploded ? FUR_EXPLODED_SHELLS * FUR_EXPLODED_GAP : 0), chartsOverlap(frame) && !exploded);
+  order(drawing, frame.settings.furLength + (exploded ? FUR_EXPLODED_SHELLS * FUR_EXPLODED_GAP : 0), chartsOverlap(frame) && !exploded ? Order::NearToFarOverlapping : Order::NearToFar);
   if (indexCount_ == 0) return true;
   gl::apply(stateOf(view, {.alphaToCoverage = true, .alpha = false}));
   array_.drawIndexed(indexCount_, exploded ? FUR_EXPLODED_SHELLS : view & kViewLayer ? 1 : frame.shellCount);
+  return true;
+}
+
+bool ShellPass::drawClassic(const Drawing& drawing) {
+  if (!drawing.look.furry()) return true;
+  if (!drawing.programs.use(Shader::ClassicShell, drawing.look.classicFur())) return false;
+  order(drawing, drawing.frame.settings.furLength, Order::FarToNear);
+  if (indexCount_ == 0) return true;
+  gl::apply({.blend = gl::Blend::Over});
+  array_.drawIndexed(indexCount_, drawing.frame.settings.layers);
   return true;
 }
 

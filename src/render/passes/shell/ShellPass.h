@@ -1,4 +1,5 @@
-// Draws the coat: its outside in one draw, whose fragments march through it (shell.frag). Patches of it go from near to far.
+// Draws the coat: its outside in one draw, whose fragments march through it (shell.frag), patches of it from near to far; or by the
+// technique `shells` all its layers in one instanced draw (classic_shell.frag), patches of each from far to near.
 #pragma once
 
 #include <optional>
@@ -17,19 +18,21 @@ class ShellPass {
   void setPatches(geometry::FurPatches patches);
   bool empty() const { return patches_.indices.empty(); }
 
-  bool draw(const Drawing& drawing, unsigned view);
+  bool draw(const Drawing& drawing, VariantBits view);
+  bool drawClassic(const Drawing& drawing);
   std::size_t bytes() const { return indices_.bytes(); }
 
  private:
-  void order(const Drawing& drawing, float reach, bool overlapping);
+  enum class Order { NearToFar, NearToFarOverlapping, FarToNear };
+  void order(const Drawing& drawing, float reach, Order wanted);
 
   geometry::FurPatches patches_;
   gl::Buffer indices_;  // of patches that face the eye, near to far
   gl::VertexArray array_;
   int indexCount_ = 0;
-  // Eye (model space) and fur length, and whether charts overlap, that those on the GPU were put in order for.
+  // Eye (model space) and fur length that those on the GPU were put in order for, and which order that is.
   std::optional<Vec4> orderedFor_;
-  bool orderedOverlapping_ = false;
+  Order ordered_ = Order::NearToFar;
 };
 
 }  // namespace fur::render

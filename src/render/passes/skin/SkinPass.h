@@ -5,6 +5,6 @@
 
 namespace fur::render {
 
-bool drawSkin(const Drawing& drawing, unsigned variant);
+bool drawSkin(const Drawing& drawing, VariantBits variant);
 
 }  // namespace fur::render

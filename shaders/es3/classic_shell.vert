@@ -1,0 +1,59 @@
+// The technique `shells` (Lengyel et al. 2001; Sheppard 2004, 3.2.1): the coat's layers as shells, inner to outer.
+// Of N instance i stands at the height (i + 1) / N.
+#include "common.glsl"
+#include "common_bend.glsl"
+
+layout(location = FUR_POSITION) in vec4 positionFrom;
+layout(location = FUR_NORMAL) in vec4 normalTo;
+layout(location = FUR_UV_ATLAS) in vec4 uvAtlas;
+layout(location = FUR_FUR_COORD) in vec4 furCurvature;
+layout(location = FUR_GRAD_S) in vec4 gradSCurvature;
+layout(location = FUR_GRAD_T) in vec3 gradT;
+layout(location = FUR_ATLAS_FROM_FUR) in vec4 atlasFromFur;
+
+out vec4 vTile;   // xy: tile  z: height  w: layer of its texture
+out vec4 vLight;  // xyz: light in the surface's frame  w: mip level
+out vec4 vView;   // xyz: eye in the surface's frame  w: N.up
+out vec4 vLean;   // xy: sideways part of the strand's tangent  zw: model uv
+out vec3 vLightSpace;
+#ifdef WET
+out vec2 vTip;        // how far aside the tip is, fur lengths
+out vec3 vTileOfFur;  // tiles that a fur length covers: along axisS (x, y), along axisT (0, z)
+#endif
+#if defined(WET) || defined(GROOMED) || defined(PAINTED)
+out vec2 vAtlas;
+out vec4 vAtlasStep;  // d(atlas)/d(tile), by columns
+#endif
+#ifdef GROOMED
+out float vLength;    // of the coat here, a share of the fur length
+#endif
+
+#include "shell_skin.glsl"
+
+void main() {
+  vec4 groomed = bendOf(gl_VertexID);
+  Skin skin = skinAtVertex(groomed.w);
+  float shell = float(gl_InstanceID), h = (shell + 1.0) / layers, theta = length(groomed.xyz);
+  vec3 p = strandPoint(positionFrom.xyz, skin.normal, groomed.xyz, h, skin.coat);
+  gl_Position = clipFromModel * vec4(p, 1.0);
+  vLightSpace = lightSpace(p);
+
+  vec3 toEye = eye.xyz - p;
+  float distance = length(toEye), texelsPerPixel = distance / pixelsPerUnit * tilesPerUnit * length(gradSCurvature.xyz) * tileTexels;
+  vTile = vec4(furCurvature.xy * tilesPerUnit, h, floor((shell + 0.5) / layers * storedLayers));
+  vLight = vec4(inFrame(skin, light.xyz), log2(texelsPerPixel));
+  vView = vec4(inFrame(skin, toEye / distance), dot(skin.normal, up.xyz));
+  vec2 sideways = theta > 1e-5 ? along(skin, groomed.xyz) / theta : vec2(0.0);
+  vLean = vec4(sideways * arcTangent(theta, h).y, uvAtlas.xy);
+#ifdef WET
+  vTip = sideways * arcBend(theta, 1.0).y;
+  vTileOfFur = skin.coat * vec3(skin.tileFromAxes[0], skin.tileFromAxes[1].y);
+#endif
+#ifdef GROOMED
+  vLength = groomed.w;
+#endif
+#if defined(WET) || defined(GROOMED) || defined(PAINTED)
+  vAtlas = uvAtlas.zw;
+  vAtlasStep = atlasFromFur / tilesPerUnit;
+#endif
+}

@@ -1,0 +1,27 @@
+// The skin at the vertex: two unit axes in it, its normal, and the matrix of its curvature along the axes.
+struct Skin {
+  vec3 axisS, axisT, normal;
+  mat2 curvature;
+  mat2 tileFromAxes;  // tiles for a model unit along each axis
+  float coat;         // length of the fur, model units
+};
+
+Skin skinAtVertex(float grown) {
+  Skin skin;
+  vec3 gradS = gradSCurvature.xyz;
+  mat2 S = mat2(furCurvature.z, furCurvature.w, furCurvature.w, gradSCurvature.w);
+  skin.normal = normalTo.xyz;
+  skin.curvature = S;
+  // In a crease the coat ends before its strands would cross those of the other side.
+  float meanS = 0.5 * (S[0][0] + S[1][1]), apart = 0.5 * (S[0][0] - S[1][1]);
+  float hollow = sqrt(apart * apart + S[0][1] * S[0][1]) - meanS;
+  skin.coat = max(min(furLength * grown, 0.65 / max(hollow, 1e-6)), 1e-4);
+  skin.axisS = normalize(gradS + vec3(1e-8, 0.0, 0.0));
+  skin.axisT = cross(skin.normal, skin.axisS);
+  skin.tileFromAxes = tilesPerUnit *
+      mat2(dot(gradS, skin.axisS), dot(gradT, skin.axisS), dot(gradS, skin.axisT), dot(gradT, skin.axisT));
+  return skin;
+}
+
+vec2 along(Skin skin, vec3 v) { return vec2(dot(skin.axisS, v), dot(skin.axisT, v)); }
+vec3 inFrame(Skin skin, vec3 v) { return vec3(along(skin, v), dot(skin.normal, v)); }
