@@ -104,7 +104,7 @@ TEST(Classic, EachEquationAsPrintedChangesItsOwnPictureAlone) {
   shells.stroke(app::Tool::Droplet, {30, 48}, {60, 48});
   const Picture wet = shells.settled();
   for (const char* ofWater : {"printedClumps", "printedMask"}) {
-    EXPECT_GT(shells.with(ofWater, "true").differingShare(wet, 12), 0.02f) << ofWater;
+    EXPECT_GT(shells.with(ofWater, "true").differingShare(wet, 12), 0.005f) << ofWater;
     EXPECT_EQ(shells.with(ofWater, "false").differingShare(wet, 0), 0.0f) << ofWater << ": and back";
   }
 }
