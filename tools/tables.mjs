@@ -170,8 +170,8 @@ ${forElements(methods).map(member).join('')}}
 }
 
 function toolButton({ name, label, tooltip, place, icon }, drawingOf) {
-  const drawing = place === 'waters' ? label : `\n      ${drawingOf(icon)}<span>${label}</span>`;
-  return `<button type="button" data-tool="${name}" aria-pressed="false" title="${tooltip}">${drawing}</button>`;
+  const drawing = place === 'start' || place === 'bar' ? `\n      ${drawingOf(icon)}<span>${label}</span>` : label;
+  return `<button type="button" data-tool="${name}"${place === 'edits' ? ' data-place="edits"' : ''} aria-pressed="false" title="${tooltip}">${drawing}</button>`;
 }
 
 /** The page with a button of every tool that has a place on it. @param {(icon: string) => string} drawingOf the svg of an icon */

@@ -200,6 +200,7 @@ FUR_EXPORT int fur_key(App* app, const char* name, int modifiers) {
   event.shift = modifiers & 1;
   event.control = modifiers & 2;
   event.alt = modifiers & 4;
+  event.down = !(modifiers & 8);
   return guarded([&] { return app->key(event) ? 1 : 0; });
 }
 // Shares of the picture, from its left, top, right and bottom edge.

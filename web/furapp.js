@@ -137,7 +137,7 @@ export class FurApp {
     return this.#call('fur_pointer', phases.indexOf(phase), Math.max(0, pointerKinds.indexOf(event.pointerType)),
       event.pointerId, x, y, event.buttons, modifiersOf(event), event.pressure ?? 1) !== 0;
   }
-  key(event) { return this.#call('fur_key', event.key, modifiersOf(event)) !== 0; }
+  key(event, down = true) { return this.#call('fur_key', event.key, modifiersOf(event) | (down ? 0 : 8)) !== 0; }
   /** 0: as it is seen; 1: for a picture that is saved; 3: without what is behind the model. */
   set saved(how) { this.#call('fur_setSaved', how); }
   /** Shares of the picture from its left, top, right and bottom edge. */

@@ -150,12 +150,16 @@ export class WetFur extends EventTarget {
 
   /** All there is to keep of the scene, for openDocument() of another visit. @internal */
   get document() { return this.#loading.document; }
-  /** Groom and long hair that the file brought, each false for none; null: not known. @internal */
+  /** Groom and long hair that the file brought, each false for none, and water that a link brought; null: not known. @internal */
   get cameWith() { return this.#session.cameWith; }
-  /** Groom and long hair as there, on the model that is shown; undo does not lead behind them. @internal */
-  async takeParts({ groom, hair }) {
+  /** Groom, long hair and water as there, on the model that is shown; undo does not lead behind them. @internal */
+  async takeParts({ groom, hair, water }) {
     if (groom) this.#app.restoreGroom(groom, false);
     if (hair) await this.#editing.takeHair(hair, false);
+    if (water) {
+      this.#app.water = water;
+      this.#session.cameWith = { ...this.#session.cameWith, water };
+    }
     this.#frames.afterChange();
   }
   /** Shows it; of a shipped model `source` need only name it as `src`. @internal */

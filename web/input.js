@@ -153,7 +153,7 @@ export class Input {
     if (panel?.key(event, down)) {
       event.preventDefault();
       this.#target.wake();
-    } else if (down && this.#onAppKey(app, event)) {
+    } else if (down ? this.#onAppKey(app, event) : app.key(event, false)) {
       event.preventDefault();
       this.#target.wake();
     }

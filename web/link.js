@@ -44,7 +44,7 @@ function readState(text, warn) {
 }
 
 const readPacked = (text, warn) => (text.length <= maxStateCharacters ? text : warn(`is longer than ${maxStateCharacters} characters`));
-const packedKeys = ['state', 'groom', 'hair', 'strokes'];
+const packedKeys = ['state', 'groom', 'hair', 'strokes', 'water'];
 
 const readers = {
   src: (text, warn, pageUrl) => (isAllowedSrc(text, pageUrl) ? text : warn('is neither a model of this page nor a file of its server')),
@@ -52,6 +52,7 @@ const readers = {
   strokes: readPacked,
   groom: readPacked,
   hair: readPacked,
+  water: readPacked,
   preset: (text) => text,  // the program knows the names
   light: (text) => text,  // likewise
   tool: oneOf(choices.tool),
@@ -67,7 +68,7 @@ const readers = {
 
 /**
  * @param {string} pageUrl the page's whole address
- * @returns {{ src?: string, state?: string, strokes?: string, groom?: string, hair?: string, preset?: string, light?: string, tool?: string, quality?: string, motion?: string, camera?: string, dt?: number,
+ * @returns {{ src?: string, state?: string, strokes?: string, groom?: string, hair?: string, water?: string, preset?: string, light?: string, tool?: string, quality?: string, motion?: string, camera?: string, dt?: number,
  *   frames?: number, ui?: boolean, editor?: boolean, autoplay?: boolean, settings: [string, string][], warnings: string[] }}
  *   `settings` holds the keys that are none of these: fields of the settings table, or unknown; the program knows which.
  */
@@ -89,8 +90,8 @@ export function readLink(pageUrl) {
 
 /**
  * The page's address with this scene in it; readLink gives it back.
- * @param {{ groom?: string | null, hair?: string | null, strokes?: string | null }} parts as packed.js and packStrokes() make them; those
- * that do not fit beside what comes before them are left out
+ * @param {{ groom?: string | null, hair?: string | null, strokes?: string | null, water?: string | null }} parts as packed.js, packStrokes()
+ * and packWater() make them; those that do not fit beside what comes before them are left out
  */
 export function makeLink(pageUrl, { src, state, tool, ...parts }) {
   const url = new URL(pageUrl);

@@ -10,6 +10,7 @@ import { makeLink, readLink } from './link.js';
 import { Messages } from './messages.js';
 import { acceptedFiles, modelNames, readEndings, sceneNames, sortFiles } from './models.js';
 import { packBytes, packGroom, sameBytes } from './packed.js';
+import { packWater, waterSizes } from './packedwater.js';
 import { packStrokes } from './strokes.js';
 import { Toolbar } from './toolbar.js';
 import { Visit } from './visit.js';
@@ -23,6 +24,7 @@ const either = (words) => new Intl.ListFormat('en-GB', { type: 'disjunction' }).
 const coats = new Coats(byId('coats'), fur);
 const toolButtons = [...document.querySelectorAll('[data-tool]')];
 const waters = byId('waters');
+const grooms = byId('grooms');
 const toolbar = new Toolbar(bar, [...document.querySelectorAll('.panel')]);
 
 const pressedWind = 0.6;
@@ -72,7 +74,9 @@ function setTool(tool) {
 
 function showButtons() {
   for (const button of toolButtons) button.setAttribute('aria-pressed', String(button.dataset.tool === fur.tool));
-  byId('water').setAttribute('aria-pressed', String(Boolean(waters.querySelector('[data-tool][aria-pressed=true]'))));
+  for (const [opener, menu] of [['water', waters], ['groom', grooms]])
+    byId(opener).setAttribute('aria-pressed', String(Boolean(menu.querySelector('[data-tool][aria-pressed=true]'))));
+  byId('groom-type').value = fur.groomType;
   coats.showChosen();
   toolbar.enable([[byId('undo'), fur.canUndo], [byId('redo'), fur.canRedo]]);
   byId('wind').setAttribute('aria-pressed', String(fur.wind > 0));
@@ -241,15 +245,26 @@ async function packedParts() {
   return { parts, missingFrom: (link) => missing.filter(([part]) => !link.includes(`&${part}=`)).map(([, what]) => what) };
 }
 
-async function copyLink() {
+/** A link with strokes of water, which paint it again, or where those do not fit with the water itself, as finely as fits. */
+async function linkWith(parts) {
   // A scene may bring water that is gone now; on other models water that has dried is nothing to paint again.
-  const wet = fur.meanWetness > 0, recorded = fur.recordedStrokes;
-  const strokes = shownSrc && (wet || sceneNames.includes(shownSrc)) ? await packStrokes(recorded) : null;
+  const wet = fur.meanWetness > 0, recorded = fur.recordedStrokes, given = fur.fur.cameWith?.water;
+  const strokes = shownSrc && !given && (wet || sceneNames.includes(shownSrc)) ? await packStrokes(recorded) : null;
+  const linkOf = (more) => makeLink(location.href, { src: shownSrc, state: stateToShare(), tool: fur.tool, ...parts, ...more });
+  const link = linkOf({ strokes });
+  if (!wet || link.includes('&strokes=') || (recorded === '[]' && !given && sceneNames.includes(shownSrc))) return { link };
+  for (const size of shownSrc ? waterSizes : []) {
+    const better = linkOf({ water: await packWater(fur.fur.document.water, size) });
+    if (better.includes('&water=')) return { link: better, lost: size < waterSizes[0] && 'the finer water' };
+  }
+  return { link, lost: shownSrc ? 'the water, of which there is too much for a link' : 'the water' };
+}
+
+async function copyLink() {
   const { parts, missingFrom } = await packedParts();
-  const link = makeLink(location.href, { src: shownSrc, state: stateToShare(), tool: fur.tool, strokes, ...parts });
+  const { link, lost } = await linkWith(parts);
   const missing = [...notCarried(), ...missingFrom(link)];
-  if (wet && !shownSrc) missing.push('the water');
-  else if (wet && recorded !== '[]' && !link.includes('&strokes=')) missing.push('the water, of which there is too much for a link');
+  if (lost) missing.push(lost);
   try {
     await navigator.clipboard.writeText(link);
     if (missing.length === 0) messages.note('Link copied');
@@ -299,9 +314,21 @@ async function openEditor(open) {
 
 const onClick = (id, action) => byId(id).addEventListener('click', action);
 
+/** Of the bar and its menus; some are the editor's. */
+async function pressTool({ dataset: { tool, place } }) {
+  if (place === 'edits') {
+    grooms.hidePopover();
+    await openEditor(true);
+  }
+  setTool(fur.tool === tool ? 'none' : tool);
+}
+
 function wireBar() {
-  for (const button of toolButtons)
-    button.addEventListener('click', () => setTool(fur.tool === button.dataset.tool ? 'none' : button.dataset.tool));
+  for (const button of toolButtons) button.addEventListener('click', () => pressTool(button));
+  byId('groom-type').addEventListener('change', ({ target }) => {
+    fur.groomType = target.value;
+    setTool('type');
+  });
   onClick('wind', toggleWind);
   onClick('shake', () => fur.shake());
   onClick('soak', () => fur.setWetness(1));

@@ -26,7 +26,7 @@ export class Session {
   source = null;
   /** The file of the coat that is shown, while it comes from one. */
   typeSet = null;
-  cameWith = null;  // groom and long hair of the file that is shown; null: not known
+  cameWith = null;  // groom and long hair of the file that is shown, water of a link; null: not known
   options = { ...optionDefaults };
   /** Settings that were asked for before the program was there. */
   wantedSettings = new Map();

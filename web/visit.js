@@ -3,12 +3,13 @@ import { Autosave } from './autosave.js';
 import { listed } from './download.js';
 import { compileProgram } from './runtime.js';
 import { unpackBytes } from './packed.js';
+import { unpackWater } from './packedwater.js';
 import { unpackStrokes } from './strokes.js';
 
 /** Where another model would fare no better. */
 const hopeless = ['webgl-unavailable', 'wasm-blocked', 'wasm-load', 'out-of-memory'];
 /** Of what a link holds, that which is about the scene. */
-const sceneKeys = ['src', 'state', 'groom', 'hair', 'strokes', 'preset', 'light', 'camera'];
+const sceneKeys = ['src', 'state', 'groom', 'hair', 'strokes', 'water', 'preset', 'light', 'camera'];
 
 /** What the address says of the scene, '' for nothing. */
 const sceneOf = (link) => {
@@ -79,10 +80,12 @@ export class Visit {
 
   /** What lies on the model: the groom first, over which water runs. */
   async #takeParts(undoable) {
-    for (const [part, what] of [['groom', 'groom'], ['hair', 'long hair']]) {
+    const { fur } = this.#fur;
+    for (const [part, what, unpack] of [['groom', 'groom', unpackBytes], ['hair', 'long hair', unpackBytes],
+      ['water', 'water', (text) => unpackWater(text, fur.document.water)]]) {
       if (!this.#link[part]) continue;
       try {
-        await this.#fur.fur.takeParts({ [part]: await unpackBytes(this.#link[part]) });
+        await fur.takeParts({ [part]: await unpack(this.#link[part]) });
       } catch {
         this.#messages.error(`The link's ${what} could not be read.`);
       }

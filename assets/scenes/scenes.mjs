@@ -18,8 +18,10 @@ const fiveCoats = {
   name: 'five-coats',
   body: () => meshOf(stack.flatMap((centre, part) => sphere({ centre, radius: 0.31, part })), 0.3),
   mapSize: 512,
-  // The first four are the fur types, of full length; the fifth is the first again, shorter and piebald.
-  groom: ({ part }) => ({ length: part === 4 ? 0.5 : 1, types: [1, 2, 3].map((type) => Number(type === part)) }),
+  // The first four are the fur types. The fifth is curled into tight locks all over, shorter and piebald, so that of the first type
+  // nothing is seen in it.
+  groom: ({ part }) => ({ length: part === 4 ? 0.75 : 1, types: [1, 2, 3].map((type) => Number(type === part)) }),
+  shape: ({ part }) => (part === 4 ? { curl: 0.9, frizz: 0.25, locks: 0.9 } : {}),
   colour: (place) => (place.part === 4 ? mix([0.28, 0.2, 0.17], [1, 0.97, 0.9], patches(place.position)) : [1, 1, 1]),
   settings: {
     type2: 'chinchilla', type3: 'thickNylon', type4: 'shortCat', density: 0.95, thickness: 0.3, curl: 0.15, furLength: 0.08,

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kSamples = 4;
 
-constexpr std::array<std::pair<int, const char*>, 18> kNamedKeys = {{
+constexpr std::array<std::pair<int, const char*>, 20> kNamedKeys = {{
     {GLFW_KEY_TAB, "Tab"},
     {GLFW_KEY_LEFT, "ArrowLeft"},
     {GLFW_KEY_RIGHT, "ArrowRight"},
@@ -30,6 +30,8 @@ constexpr std::array<std::pair<int, const char*>, 18> kNamedKeys = {{
     {GLFW_KEY_ENTER, "Enter"},
     {GLFW_KEY_KP_ENTER, "Enter"},
     {GLFW_KEY_ESCAPE, "Escape"},
+    {GLFW_KEY_LEFT_CONTROL, "Control"},
+    {GLFW_KEY_RIGHT_CONTROL, "Control"},
     {GLFW_KEY_KP_ADD, "+"},
     {GLFW_KEY_KP_SUBTRACT, "-"},
 }};
@@ -198,11 +200,12 @@ editor::Modifiers Window::modifiers() const {
 void Window::keyed(int key, int scancode, int action) {
   const editor::Modifiers held = modifiers();
   const std::string name = keyName(key, scancode, held.shift);
-  if (host_->key(name, action != GLFW_RELEASE, held) || action == GLFW_RELEASE || name.empty()) return;
+  if (host_->key(name, action != GLFW_RELEASE, held) || name.empty()) return;
   app::KeyEvent event{name};
   event.shift = held.shift;
   event.control = held.control;
   event.alt = held.alt;
+  event.down = action != GLFW_RELEASE;
   app_->key(event);
 }
 

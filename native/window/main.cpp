@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "gl/Objects.h"
 #include "native/Arguments.h"
 #include "native/Files.h"
+#include "native/window/FileDialog.h"
 #include "native/window/Shots.h"
 #include "native/window/Versions.h"
 #include "native/window/Window.h"
@@ -41,6 +43,7 @@ constexpr float kCoatSeconds = 0.014f;  // of a frame, for a coat that grows
 constexpr std::size_t kMostKeptBytes = 64u << 20;
 constexpr double kIdleStep = 1.0 / 60;
 constexpr double kStillAfter = 0.3;  // seconds without a change, then the picture is drawn better than moving ones are
+constexpr double kDialogStep = 0.05;  // between two looks whether a file dialog has been closed
 // Nothing needs it to wake up; a safety net for an event that a window system swallowed.
 constexpr double kLongestSleep = 5;
 
@@ -187,18 +190,45 @@ class Session {
     app_.setCamera(next.camera);
   }
 
-  // Into the folder that the program was started in, beside what is there; a scene that was saved before is written anew.
+  // Asks for a path, and then does the work with it. Where there are no dialogs, `without` is done, and said that there are none.
+  void ask(native::FileDialog::Kind kind, const char* title, const std::string& suggested, std::function<void(const std::string&)> work,
+           const std::function<void()>& without) {
+    if (dialog_.isOpen()) return host_.message("A file dialog is open already", false);
+    std::error_code ignored;
+    if (dialog_.show(kind, title, (std::filesystem::current_path(ignored) / suggested).string())) {
+      chosen_ = std::move(work);
+      return;
+    }
+    without();
+    if (!std::exchange(toldMissing_, true)) host_.message(std::string("To be asked for files: ") + native::FileDialog::kMissing, false);
+  }
+  void openChosen() {
+    ask(native::FileDialog::Kind::Open, "Open a model, a coat, hair or a picture", "", [this](const std::string& path) { load(path); },
+        [this] {
+          toldMissing_ = true;
+          host_.message(std::string("Type the path beside Open; ") + native::FileDialog::kMissing, true);
+        });
+  }
+
+  // A scene that was saved before is written anew.
   void saveScene(const std::string& name) {
     if (savedOf_ != shown_) savedAs_.clear();
     savedOf_ = shown_;
-    savedAs_ = save(name, app_.saveScene(), savedAs_);
+    if (!savedAs_.empty()) return write(savedAs_, app_.saveScene());
+    askAndSave(name, [this] { return app_.saveScene(); }, [this](const std::string& path) { savedAs_ = path; });
   }
-  std::string save(const std::string& name, const std::vector<std::uint8_t>& bytes, const std::string& over = {}) {
-    const std::string path = over.empty() ? native::freePath(name) : over;
+  // Where the person says or, without dialogs, in the folder that the program was started in beside what is there.
+  void askAndSave(const std::string& name, std::function<std::vector<std::uint8_t>()> bytes, std::function<void(const std::string&)> saved = {}) {
+    const auto save = [this, bytes = std::move(bytes), saved = std::move(saved)](const std::string& path) {
+      write(path, bytes());
+      if (saved) saved(path);
+    };
+    ask(native::FileDialog::Kind::Save, "Save as", name, save, [&] { save(native::freePath(name)); });
+  }
+  void write(const std::string& path, const std::vector<std::uint8_t>& bytes) {
     const Status status = native::writeFile(path, bytes);
     std::error_code ignored;
     host_.message(status ? "Saved as " + std::filesystem::absolute(path, ignored).string() : status.error().message, !status);
-    return path;
   }
 
   void keepVersion(const std::string& name) {
@@ -232,15 +262,16 @@ class Session {
           host_.paste(window_.clipboard());
           break;
         case Kind::OpenDialog:
-          break;  // the panel offers a path field instead
+          openChosen();
+          break;
         case Kind::SaveTypeSet:
-          save(command->text, app_.saveTypeSet());
+          askAndSave(command->text, [this] { return app_.saveTypeSet(); });
           break;
         case Kind::SaveFo:
-          save(command->text, app_.saveFo());
+          askAndSave(command->text, [this] { return app_.saveFo(); });
           break;
         case Kind::SaveHair:
-          if (const auto bytes = app_.saveHairFile()) save(command->text, bytes.value());
+          if (const auto bytes = app_.saveHairFile()) askAndSave(command->text, [bytes] { return bytes.value(); });
           else check(bytes.error());
           break;
         case Kind::SaveScene:
@@ -268,10 +299,13 @@ class Session {
           host_.setVersions(versions_.list());
           break;
         case Kind::SaveMaps:
-          saveMaps(command->text);
+          ask(native::FileDialog::Kind::Folder, "Save the maps in a folder", "",
+              [this, name = command->text](const std::string& folder) { saveMaps((std::filesystem::path(folder) / name).string()); },
+              [&] { saveMaps(command->text); });
           break;
       }
     }
+    if (const auto path = dialog_.poll(); path && !path->empty()) chosen_(*path);
     for (const std::string& path : window_.takeDropped()) load(path);
     if (const int way = app_.takeModelStep()) bring(way);
     for (std::string& warning : app_.takeWarnings()) host_.message(std::move(warning), false);
@@ -324,7 +358,8 @@ class Session {
           if (Status status = improve(); !status) return status;
       }
       // Presenting waits for the screen; a frame that drew nothing must not spin.
-      window_.poll(!busy() ? kLongestSleep : drawn ? 0 : kIdleStep);
+      const double sleep = dialog_.isOpen() ? kDialogStep : kLongestSleep;
+      window_.poll(!busy() ? sleep : drawn ? 0 : kIdleStep);
       const double now = glfwGetTime();
       const auto result = frame(std::min(static_cast<float>(now - last), kLongestStep), app::Picture::Moving, false);
       last = now;
@@ -373,6 +408,9 @@ class Session {
   std::vector<Kept> kept_;         // the one that is shown is at at_, and empty
   std::size_t at_ = 0;
   std::string savedOf_, savedAs_;  // the scene that was saved last, and its file
+  native::FileDialog dialog_;
+  std::function<void(const std::string&)> chosen_;  // what is done with its path
+  bool toldMissing_ = false;
   native::Shots shots_;
   native::Versions versions_{versionsFolder()};
   app::App app_;

@@ -175,6 +175,7 @@ void App::State::applySettings(const settings::Settings& next) {
   if (!otherCoat || !differOnlyInCoat(settings, next)) ++changed;
   const bool remapped = settings.furMapping != next.furMapping;
   settings = next;
+  view.camera.setMode(static_cast<CameraMode>(settings.cameraMode));
   ++otherChanges;
   idleTime = 0;
   refreshTouch();

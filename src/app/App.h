@@ -5,6 +5,8 @@
 // control: move the light; two fingers: pinch and pan. Keys: arrows orbit, + and - zoom, Home resets
 // the view; with shift, or where the view is not theirs, arrows move the tool's cursor over the model, and space puts the
 // tool to work there (Rain, Hose and Dryer for a moment); Ctrl+Z and Ctrl+Y.
+// With the setting cameraMode "free" what turned the view round the model turns it where the camera is, and the right button does so
+// everywhere; meanwhile W A S D, Space or E (up) and Control or Q (down) fly.
 //
 // Knows no window, file or browser; `web/` and `native/` bring those. Needs a current GL context
 // only in attach(), draw() and detach().
@@ -17,6 +19,7 @@
 #include <string_view>
 
 #include "app/stages/Touch.h"
+#include "app/tools/FurAt.h"
 #include "app/tools/GroomEdits.h"
 #include "app/tools/HairEdits.h"
 #include "app/tools/Tools.h"
@@ -58,6 +61,7 @@ struct PointerEvent {
 struct KeyEvent {
   std::string_view key;
   bool shift = false, control = false, alt = false;
+  bool down = true;
 };
 
 struct CameraOrbit {
@@ -229,6 +233,22 @@ class App {
   Status restoreGroom(std::span<const std::uint8_t> bytes, bool undoable = false);
   void clearGroom();  // GroomEdit::Clear
 
+  // --- single places and whiskers (AppPoints.cpp); between beginChange() and endChange() all of it is one undo step ---
+  std::optional<FurAt> furAt(Vec2 pixel) const;             // none off the model
+  std::optional<FurAt> furAt(const Vec3& place) const;      // of the skin, model space; the nearest
+  // Makes one number of a place `value` or, of the comb, `bend` (radians, model space), over the brush's size.
+  void setFurAt(const Vec3& place, FurNumber what, float value, const Vec3& bend = Vec3(0));
+  std::vector<Vec2> ringRound(const Vec3& place) const;     // brushRing() of what that changes
+  Vec2 pixelOf(const Vec3& place) const;                    // where the fur is seen that is rooted there
+  // The whisker whose line is seen nearest to the pixel, within `reach` pixels.
+  std::optional<std::size_t> whiskerAt(Vec2 pixel, float reach) const;
+  std::vector<Vec2> whiskerLine(std::size_t whisker) const;  // from its root, pixels; none of one off the model
+  std::optional<std::size_t> plantWhisker(Vec2 pixel);       // as the tool Whisker does
+  void setWhisker(std::size_t whisker, const groom::Whisker& to);
+  void removeWhisker(std::size_t whisker);
+  void aimWhisker(std::size_t whisker, Vec2 pixel);          // its tip goes there
+  void aimPlanted(Vec2 pixel);                               // likewise those that the change has planted, on both sides
+
   // --- long hair (hair/Scalp.h); belongs to the model ---
   // One undo step; what cannot be done is a warning. Values and direction: HairEdits.inc.
   void editHair(HairEdit edit, float value = 1, const Vec3& direction = Vec3(0));
@@ -260,6 +280,7 @@ class App {
   void hover(std::optional<Vec2> pixel);
   bool wheel(float notches, Vec2 position);  // positive: away from the person, zooms out
   bool key(const KeyEvent& event);
+  bool looksRound() const;  // the free camera is at work: keys are for flying
   void setCameraControls(bool enabled);
   // Once nobody has been there for some seconds the camera turns round the model, unless less motion is asked for.
   void setAutoRotate(bool enabled);

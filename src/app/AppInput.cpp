@@ -11,6 +11,12 @@ namespace fur::app {
 namespace {
 
 constexpr float kOrbitPerHeight = 3.6f;  // radians for a drag across the whole height
+constexpr float kLookPerHeight = 1.8f;   // likewise, of a camera that turns where it is
+// Keys that fly while a free camera looks round, and where to: right, up, forwards. Space is E, Control is Q, for browsers close a page
+// with Ctrl+W.
+constexpr char kFlyingKeys[] = {'w', 's', 'a', 'd', 'e', 'q'};
+constexpr Vec3 kFlyingWays[] = {{0, 0, 1}, {0, 0, -1}, {-1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
+constexpr float kFlyingSpeed = 1.2f;  // model units a second
 constexpr float kKeyOrbit = 0.12f, kKeyZoom = 1.12f, kWheelZoom = 1.12f;
 constexpr float kCursorStep = 0.03f;  // of the picture's height
 constexpr int kLeft = 1, kRight = 2;
@@ -25,11 +31,12 @@ constexpr float kPressed = 0.75f;
 // Where a new ball waits, clear of the fur: to the right, up and to the eye; unit.
 constexpr Vec3 kWaiting(0.6f, 0.45f, 0.66f);
 
-Drag dragFor(const PointerEvent& event, Tool tool, bool onModel, bool cameraControls) {
-  const Drag elsewhere = cameraControls ? Drag::Orbit : Drag::None;
+Drag dragFor(const PointerEvent& event, Tool tool, bool onModel, Drag elsewhere) {
+  const bool right = event.kind == PointerKind::Mouse && (event.buttons & kRight);
+  if (right && elsewhere == Drag::Look) return elsewhere;
   if (event.control) return Drag::Light;
   if (event.shift) return onModel ? Drag::Spin : elsewhere;
-  if (event.kind == PointerKind::Mouse && (event.buttons & kRight)) return onModel ? Drag::Grab : elsewhere;
+  if (right) return onModel ? Drag::Grab : elsewhere;
   if (event.kind == PointerKind::Mouse && !(event.buttons & kLeft)) return elsewhere;
   const Drag ofTool = traitsOf(tool).drag;
   return !onModel || ofTool == Drag::Orbit ? elsewhere : ofTool;
@@ -216,6 +223,7 @@ void App::State::letGo() {
   motion.body().release();
   motion.touch().lift();
   hand.drag = Drag::None;
+  hand.flying = 0;
 }
 
 bool App::pointer(const PointerEvent& event) {
@@ -229,8 +237,8 @@ bool App::pointer(const PointerEvent& event) {
   if (event.phase != PointerPhase::Move) {
     hand.pointers.erase(known);
     s.letGo();
-    // The finger that stays goes on orbiting.
-    if (!hand.pointers.empty() && s.view.cameraControls) hand.drag = Drag::Orbit;
+    // The finger that stays goes on turning the view.
+    if (!hand.pointers.empty()) hand.drag = s.turning();
     hand.lastPosition = centreAndSpan(hand.pointers).first;
     return true;
   }
@@ -253,7 +261,7 @@ bool App::State::pointerDown(const PointerEvent& event) {
   // Beside bodies the tool that drags them turns the view, also on the model.
   const bool onModel = onHair(event.position) ||
                        (hand.tool != Tool::HairShape && (pick(event.position).has_value() || onBall(rayThrough(event.position))));
-  hand.drag = dragFor(event, hand.tool, onModel, view.cameraControls);
+  hand.drag = dragFor(event, hand.tool, onModel, turning());
   hand.lastPosition = hand.lastDab = event.position;
   if (hand.drag == Drag::Grab) motion.body().grab();
   if (hand.drag == Drag::Touch) touchAt(event.position);
@@ -271,6 +279,7 @@ void App::State::dragTo(Vec2 position) {
     case Drag::Paint: paintTo(position); break;
     case Drag::Touch: touchAt(position); break;
     case Drag::Orbit: view.camera.orbit(-turn.x, turn.y); break;
+    case Drag::Look: look(step * (kLookPerHeight / static_cast<float>(view.height))); break;
     case Drag::Grab: motion.body().drag(view.stepInPlane(step)); break;
     case Drag::Spin: motion.body().spin(turn.x); break;
     case Drag::Pinch:
@@ -303,6 +312,8 @@ bool App::wheel(float notches, Vec2) {
 bool App::key(const KeyEvent& event) {
   State& s = *state_;
   s.idleTime = 0;
+  if (s.takeFlyingKey(event)) return true;
+  if (!event.down) return false;
   if (event.control) {
     if (event.key == "z" || event.key == "Z") return event.shift ? redo() : undo();
     if (event.key == "y") return redo();
@@ -341,8 +352,33 @@ bool App::State::moveCursor(std::string_view key) {
   return true;
 }
 
+void App::State::look(Vec2 turn) {
+  view.camera.look(-turn.x, turn.y, view.size().x / view.size().y);
+  ++changed;
+}
+
+bool App::State::takeFlyingKey(const KeyEvent& event) {
+  const char given = event.key == "Control" ? 'q' : event.key == " " ? 'e' : event.key.size() == 1 ? static_cast<char>(event.key[0] | 32) : '\0';
+  const char* key = std::find(std::begin(kFlyingKeys), std::end(kFlyingKeys), given);
+  if (key == std::end(kFlyingKeys)) return false;
+  const unsigned bit = 1u << (key - kFlyingKeys), before = hand.flying;
+  hand.flying &= ~bit;
+  if (event.down && looksRound()) hand.flying |= bit;
+  return (hand.flying | before) != 0;
+}
+
+void App::State::fly(float seconds) {
+  Vec3 way(0);
+  for (unsigned i = 0; i < std::size(kFlyingKeys); ++i)
+    if (hand.flying & 1u << i) way += kFlyingWays[i];
+  if (hand.flying) view.camera.fly(way * (kFlyingSpeed * seconds));
+}
+
 bool App::State::moveCamera(std::string_view key) {
-  if (key == "ArrowLeft") view.camera.orbit(-kKeyOrbit, 0);
+  if (view.camera.isFree() && key.starts_with("Arrow")) {
+    const Vec2 way(key == "ArrowRight" ? 1 : key == "ArrowLeft" ? -1 : 0, key == "ArrowDown" ? 1 : key == "ArrowUp" ? -1 : 0);
+    look(kKeyOrbit * way);
+  } else if (key == "ArrowLeft") view.camera.orbit(-kKeyOrbit, 0);
   else if (key == "ArrowRight") view.camera.orbit(kKeyOrbit, 0);
   else if (key == "ArrowUp") view.camera.orbit(0, kKeyOrbit);
   else if (key == "ArrowDown") view.camera.orbit(0, -kKeyOrbit);
@@ -352,9 +388,24 @@ bool App::State::moveCamera(std::string_view key) {
   return true;
 }
 
+template <class Seen>
+std::vector<Vec2> App::State::ring(const Vec3& centre, const Vec3& normal, float radius, Seen&& seenAt) const {
+  constexpr int kCorners = 24;
+  const auto [side, up] = axesOn(normal);
+  const Mat4 toClip = view.clipFromWorld() * worldFromModel();
+  std::vector<Vec2> ring;
+  for (int k = 0; k < kCorners; ++k) {
+    const float angle = 2 * kPi * static_cast<float>(k) / kCorners;
+    ring.push_back(view.pixelAt(toClip * Vec4(seenAt(centre + radius * (portableCos(angle) * side + portableSin(angle) * up)), 1)));
+  }
+  return ring;
+}
+
 // --- App's side --------------------------------------------------------------------------------
 
 Vec2 App::cursor() const { return state_->cursorPixel(); }
+
+bool App::looksRound() const { return state_->looksRound(); }
 
 void App::setCameraControls(bool enabled) { state_->view.cameraControls = enabled; }
 
@@ -385,39 +436,29 @@ std::optional<Vec3> App::placeAt(Vec2 pixel) const {
   return positionAt(state_->shape.surface(), *hit);
 }
 
-std::vector<Vec2> App::brushRing(Vec2 pixel, bool ofMirror) const {
-  constexpr int kCorners = 24;
-  State& s = *state_;
-  std::vector<Vec2> ring;
-  const float reach = traitsOf(s.hand.tool).reach;
-  if (reach <= 0) return ring;
-  auto hit = s.pick(pixel);
-  const auto met = meetsHair(s.hand.tool) && !ofMirror ? s.hairAt(pixel, hit) : std::nullopt;
-  if (hit && ofMirror) hit = mirrored(s.settings, s.shape, *hit);
-  if (!hit && !met) return ring;
-  const Picking picking = s.picking();
-  const float radius = s.settings.brushRadius * reach;
-  Vec3 centre, normal, lifted(0);
-  if (met) {  // it faces the eye
-    const Ray ray = s.rayThrough(pixel);
-    normal = -glm::normalize(ray.direction);
-    centre = ray.origin - normal * met->distance;
-  } else {
-    centre = s.shape.shownPosition(*hit), normal = s.shape.shownNormal(*hit);
-    lifted = picking.seenAt(*hit) - centre;
-  }
-  const auto [side, up] = axesOn(normal);
-  const Mat4 toClip = s.view.clipFromWorld() * s.worldFromModel();
-  for (int k = 0; k < kCorners; ++k) {
-    const float angle = 2 * kPi * static_cast<float>(k) / kCorners;
-    Vec3 at = centre + radius * (portableCos(angle) * side + portableSin(angle) * up);
+std::vector<Vec2> App::State::ringOn(const geometry::SurfacePoint& at, float radius) const {
+  const Picking picking = this->picking();
+  const Vec3 centre = shape.shownPosition(at), normal = shape.shownNormal(at), lifted = picking.seenAt(at) - centre;
+  return ring(centre, normal, radius, [&](const Vec3& place) {
     // On the fur over the skin there.
-    const auto skin = met ? std::nullopt : s.shape.shownQuery().castRay(at + radius * normal, -normal);
-    if (skin && skin->distance < 2 * radius) at = picking.seenAt(*skin);
-    else at += lifted;
-    ring.push_back(s.view.pixelAt(toClip * Vec4(at, 1)));
+    const auto skin = shape.shownQuery().castRay(place + radius * normal, -normal);
+    return skin && skin->distance < 2 * radius ? picking.seenAt(*skin) : place + lifted;
+  });
+}
+
+std::vector<Vec2> App::brushRing(Vec2 pixel, bool ofMirror) const {
+  State& s = *state_;
+  const float reach = traitsOf(s.hand.tool).reach;
+  if (reach <= 0) return {};
+  auto hit = s.pick(pixel);
+  const float radius = s.settings.brushRadius * reach;
+  if (const auto met = meetsHair(s.hand.tool) && !ofMirror ? s.hairAt(pixel, hit) : std::nullopt) {  // it faces the eye
+    const Ray ray = s.rayThrough(pixel);
+    const Vec3 normal = -glm::normalize(ray.direction);
+    return s.ring(ray.origin - normal * met->distance, normal, radius, [](const Vec3& place) { return place; });
   }
-  return ring;
+  if (hit && ofMirror) hit = mirrored(s.settings, s.shape, *hit);
+  return hit ? s.ringOn(*hit, radius) : std::vector<Vec2>();
 }
 
 }  // namespace fur::app

@@ -46,6 +46,7 @@ struct Hand {
   float pressure = 1;  // of the pen
   Vec2 cursor{0};      // moved by keys: from the middle of the part of the picture that nothing covers, in heights of the picture
   std::optional<Vec2> hover{};  // where a pointer is that may be up
+  unsigned flying = 0;  // a bit for each key of kFlyingKeys (AppInput.cpp) that is down
   float keyHold = 0;   // seconds that a key still holds the tool at the cursor
   // Of a brush of the groom that is held still: seconds that are due, steps since its last dab.
   float due = 0;
@@ -138,7 +139,7 @@ struct App::State {
   WaterStage::Inputs waterInputs(float seconds, double budget) const;
   MotionStage::Inputs motionInputs(float seconds);
   HairStage::Inputs hairInputs(float seconds);
-  bool turns() const { return view.autoRotate && !reducedMotion && hand.pointers.empty(); }
+  bool turns() const { return view.autoRotate && !view.camera.isFree() && !reducedMotion && hand.pointers.empty(); }
   bool updateShape(float seconds);
   void workOnCoat(double budget);
   void finishCoat();
@@ -183,6 +184,12 @@ struct App::State {
   // Whether the key is one of them.
   bool moveCursor(std::string_view key);
   bool moveCamera(std::string_view key);
+  // Beside the model, and what it becomes of a hand that lets go one of two fingers.
+  Drag turning() const { return !view.cameraControls ? Drag::None : view.camera.isFree() ? Drag::Look : Drag::Orbit; }
+  void look(Vec2 turn);  // radians
+  bool looksRound() const { return hand.drag == Drag::Look; }
+  bool takeFlyingKey(const KeyEvent& event);
+  void fly(float seconds);
   void beginStroke(Vec2 pixel);  // with the tool, which begins there
   void endStroke();
   // One dab of the tool where the pixel hits; false when it misses.
@@ -197,6 +204,10 @@ struct App::State {
   // Dabs along the way, so that the speed of the hand changes nothing.
   void paintTo(Vec2 pixel);
   void workWithHand(float seconds);
+  // A ring round a place, as it is seen, pixels; `seenAt` gives what of the model is seen for a place on it.
+  template <class Seen>
+  std::vector<Vec2> ring(const Vec3& centre, const Vec3& normal, float radius, Seen&& seenAt) const;
+  std::vector<Vec2> ringOn(const geometry::SurfacePoint& at, float radius) const;
   bool onBall(const Ray& ray) const;
   void touchAt(Vec2 pixel);
   void refreshTouch();  // after another tool, ball size or model
@@ -211,6 +222,17 @@ struct App::State {
 
   // --- AppGroom.cpp ---
   void beginGroomStroke();
+
+  // --- AppPoints.cpp ---
+  // The work as an undo step of its own, or within the change that is on.
+  template <class Work>
+  void changeGroom(Work&& work) {
+    const bool alone = !changeBefore;
+    if (alone || !groom.stroking()) beginGroomStroke();
+    work();
+    if (alone) endStroke();
+  }
+  void setWetnessAt(const geometry::SurfacePoint& at, float wetness);
 
   // --- AppHair.cpp ---
   void beginHairStroke();

@@ -98,6 +98,7 @@ void App::State::advance(float seconds, double coatBudget) {
     view.camera.turn(OrbitCamera::turned(seconds, OrbitCamera::kTurnSeconds));
     ++changed;
   }
+  fly(seconds);
   if (view.camera.update(seconds)) ++changed;
   if (seconds > 0) updateShape(seconds);
   groom.update(groomInputs());
@@ -128,7 +129,7 @@ void App::settle() {
 
 bool App::active() const {
   State& s = *state_;
-  return s.pictureRevision() != s.noticed || s.view.camera.moving() || s.turns() || s.toolActsWhileStill() || s.shape.active(s.shapeInputs(0)) ||
+  return s.pictureRevision() != s.noticed || s.view.camera.moving() || s.hand.flying || s.turns() || s.toolActsWhileStill() || s.shape.active(s.shapeInputs(0)) ||
          s.groom.active(s.groomInputs()) || s.coat.active(s.coatInputs()) || s.motion.active(s.motionInputs(0)) || s.hair->active(s.hairInputs(0)) ||
          s.water.active(s.waterInputs(0, 0));
 }

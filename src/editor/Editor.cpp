@@ -133,7 +133,9 @@ void Editor::drawContent(const EditorModel& model, bool saves) {
   drawFrequent(edited, frequent_, !touch_);
   drawScene(model);
   for (Command& command : coat_.draw(model, edited, {.tooltips = !touch_, .roomy = layout_.roomy()})) emit(std::move(command));
-  for (Command& command : groom_.draw(model, edited, !touch_)) emit(std::move(command));
+  std::vector<Command> ofGroom = groom_.draw(model, edited, !touch_);
+  if (groom_.changesNumbers()) beginChange();
+  for (Command& command : ofGroom) emit(std::move(command));
   std::vector<Command> ofHair = hair_.draw(model, edited, !touch_);
   if (hair_.changesValues()) beginChange();
   for (Command& command : ofHair) emit(std::move(command));
@@ -234,10 +236,8 @@ void Editor::drawScene(const EditorModel& model) {
       break;
   }
   drawShippedScenes(model);
-  if (model.fileAccess == FileAccess::Dialog) {
-    if (ImGui::Button("Open a model, a coat, hair or a length map", ImVec2(-1, 0))) emit(command::OpenDialog{});
-    return;
-  }
+  if (ImGui::Button("Open a model, a coat, hair or a length map", ImVec2(-1, 0))) emit(command::OpenDialog{});
+  if (model.fileAccess == FileAccess::Dialog) return;
   ImGui::SetNextItemWidth(-px(56));
   const bool entered = ImGui::InputTextWithHint("##path", "Path of a model, coat or picture, or drop one", path_,
                                                 sizeof path_, ImGuiInputTextFlags_EnterReturnsTrue);

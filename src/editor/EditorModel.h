@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
@@ -11,6 +12,7 @@
 
 #include <imgui.h>
 
+#include "app/tools/FurAt.h"
 #include "app/tools/GroomEdits.h"
 #include "app/tools/HairEdits.h"
 #include "app/tools/Tools.h"
@@ -21,11 +23,12 @@
 
 namespace fur::editor {
 
+using app::FurNumber;
 using app::GroomEdit;
 using app::HairEdit;
 using app::Tool;
 
-// How a person can bring a file: through a dialog of the platform, or by typing its path.
+// How a person can bring a file: through a dialog of the platform alone, or also by typing its path.
 enum class FileAccess { Dialog, Path };
 
 struct Message {
@@ -58,6 +61,25 @@ struct CoatView {
 // What the next press on the model selects, or where it puts a collision shape.
 enum class Selects { Nothing, Connected, Paint, Sphere, Capsule };
 
+// How something leans away from the skin: by how much, and where to, from above: 0 up the model, then clockwise. Degrees.
+struct LeanView {
+  float lean = 0, heading = 0;
+};
+// The fur at one place.
+struct PointView {
+  float length = 1;               // share of the longest
+  LeanView comb;
+  float types[4] = {1, 0, 0, 0};  // shares
+  float wetness = 0;              // 0..1
+};
+// A whisker; lengths in model units.
+struct WhiskerView {
+  float length = 0, width = 0, spread = 0, stiffness = 0;
+  LeanView aim;
+  int hairs = 1;
+  std::uint32_t color = 0;  // 0xRRGGBB
+};
+
 // The groom of the model, shares of its surface as groom::Coverage has them.
 struct GroomView {
   float bald = 0, length = 1;
@@ -69,6 +91,8 @@ struct GroomView {
   ImTextureID map = nullptr;   // a picture while Editor::showsGroom(); null until it is there
   std::span<const Vec4> outlines{};  // of the charts, over it: both ends, 0..1
   Selects selects = Selects::Nothing;
+  std::optional<PointView> under{}, point{};  // what the pointer is at; what the tool Edit has chosen
+  std::optional<WhiskerView> whisker{};       // that is chosen
 };
 
 // A scalp of the model's long hair.
@@ -176,6 +200,18 @@ struct GroomAll {       // app::App::groomAll()
   float value = 1;
   Vec3 direction{0};
 };
+struct SetPoint {       // of the chosen one; of the comb all of `comb`
+  FurNumber what = FurNumber::Length;
+  float value = 0;
+  LeanView comb{};
+};
+struct SetWhisker {     // the chosen one
+  WhiskerView whisker;
+};
+struct RemoveWhisker {};
+struct ChooseWhisker {  // the one after it, or before
+  int step;
+};
 struct EditHair {       // app::App::editHair()
   HairEdit edit = HairEdit::AddScalp;
   float value = 1;
@@ -229,6 +265,7 @@ using Command = std::variant<command::BeginChange, command::EndChange, command::
                              command::OpenDialog, command::OpenPath, command::ResetCamera, command::Undo,
                              command::Redo, command::CopyState, command::PasteState, command::ApplyPreset,
                              command::SaveTypeSet, command::SaveFo, command::SaveHair, command::SaveScene, command::SaveMaps, command::SelectAt, command::GroomAll,
+                             command::SetPoint, command::SetWhisker, command::RemoveWhisker, command::ChooseWhisker,
                              command::EditHair, command::SetHairValues, command::SetBody, command::RenameScalp,
                              command::SavePicture, command::SaveTurntable, command::TurnOnce, command::StopPicture,
                              command::KeepVersion, command::OpenVersion, command::RenameVersion, command::DeleteVersion,

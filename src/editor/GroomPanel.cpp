@@ -1,6 +1,8 @@
 #include "editor/GroomPanel.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <utility>
 
 #include "editor/Theme.h"
@@ -15,8 +17,13 @@ namespace {
 constexpr float kVariation = 0.5f;
 // How far the mask grows, shrinks and softens at once, model units.
 constexpr float kMaskStep = 0.03f;
+// Degrees that a comb lays fur down at most (groom::kMaxComb).
+constexpr float kMostCombed = 66;
 // A map of 256 texels at this size shows each as a pixel on most screens.
 constexpr float kMapSide = 160;
+
+// Of shares, counted from 1.
+int mostOf(const float (&types)[4]) { return 1 + static_cast<int>(std::max_element(std::begin(types), std::end(types)) - types); }
 
 void choice(const char* text, const char* id, int& value, const char* const (&names)[4]) {
   rowLabel(text);
@@ -39,9 +46,12 @@ void GroomPanel::hint(const char* text) const {
 
 std::vector<Command> GroomPanel::draw(const EditorModel& model, settings::Settings& edited, bool tooltips) {
   commands_.clear();
-  shown_ = false;
+  shown_ = changes_ = false;
   tooltips_ = tooltips;
+  const bool opened = openFor(model.tool);
   if (!groupHeader("Groom")) return {};
+  if (opened) ImGui::SetScrollHereY(0);
+  drawPoint(model);
   drawBrush(model, edited);
   drawPaint(model, edited);
   drawMask(model, edited);
@@ -52,6 +62,95 @@ std::vector<Command> GroomPanel::draw(const EditorModel& model, settings::Settin
   drawMap(model.groom);
   ImGui::Dummy(ImVec2(0, px(2)));
   return std::exchange(commands_, {});
+}
+
+bool GroomPanel::openFor(Tool tool) {
+  const bool begins = tool != tool_ && (tool == Tool::Edit || tool == Tool::Whisker);
+  tool_ = tool;
+  if (!begins || ImGui::GetStateStorage()->GetInt(ImGui::GetID("Groom"), 0) != 0) return false;
+  ImGui::SetNextItemOpen(true);
+  return true;
+}
+
+bool GroomPanel::number(const char* label, float& value, float low, float high, const char* format) {
+  rowLabel(label);
+  ImGui::PushID(label);
+  ImGui::SetNextItemWidth(-1);
+  const bool changed = fillSlider("##number", value, low, high, format, false);
+  ImGui::PopID();
+  changes_ |= changed;
+  return changed;
+}
+
+bool GroomPanel::drawLean(LeanView& lean, float most, const char* what) {
+  const bool leans = number("Lean", lean.lean, 0, most, "%.0f deg");
+  hint(what);
+  const bool turns = number("Towards", lean.heading, -180, 180, "%.0f deg");
+  hint("Seen from above: 0 is up the model, 90 to the right");
+  return leans || turns;
+}
+
+void GroomPanel::drawPoint(const EditorModel& model) {
+  if (const auto tool = toolRow("modes", model.tool)) commands_.push_back(command::SetTool{*tool});
+  hint("Edit points: click a point to see and set its numbers, drag to comb it, with the right button to lengthen it (key E). Whisker: press "
+       "to plant one, drag to aim it; press on one that stands to choose it, and drag to aim it anew (key W)");
+  if (const auto& under = model.groom.under)
+    ImGui::TextDisabled("Under the brush: length %.2f, lean %.0f, type %d, wet %.0f %%", static_cast<double>(under->length), static_cast<double>(under->comb.lean),
+                        mostOf(under->types), static_cast<double>(under->wetness) * 100);
+  else ImGui::TextDisabled("Under the brush: nothing of the model");
+  if (model.groom.whisker) drawWhisker(*model.groom.whisker);
+  if (model.tool != Tool::Edit) return;
+  if (!model.groom.point) return ImGui::TextDisabled("Click a point of the model to set its numbers");
+  PointView point = *model.groom.point;
+  if (number("Length", point.length, 0, 1, "%.2f")) commands_.push_back(command::SetPoint{FurNumber::Length, point.length});
+  hint("Of the longest, over the brush's size; right button and drag on the model, or { and }");
+  if (drawLean(point.comb, kMostCombed, "How far the fur is combed down; drag on the model")) commands_.push_back(command::SetPoint{FurNumber::Comb, 0, point.comb});
+  rowLabel("Type");
+  const int chosen = mostOf(point.types);
+  const int type = segments("pointTypes", {{"1", chosen == 1}, {"2", chosen == 2}, {"3", chosen == 3}, {"4", chosen == 4}});
+  hint("The keys 1 to 4 do the same");
+  if (type >= 0) commands_.push_back(command::SetPoint{FurNumber::Type, static_cast<float>(type + 1)});
+  // Water takes strokes, which a replay does again: one when the slider is let go.
+  rowLabel("Wetness");
+  ImGui::SetNextItemWidth(-1);
+  float wetness = wetness_.value_or(point.wetness);
+  if (fillSlider("##pointWetness", wetness, 0, 1, "%.2f", false)) wetness_ = wetness;
+  if (wetness_ && !ImGui::IsItemActive()) {
+    commands_.push_back(command::SetPoint{FurNumber::Wetness, *wetness_});
+    wetness_.reset();
+  }
+}
+
+void GroomPanel::drawWhisker(const WhiskerView& whisker) {
+  const settings::Field& longest = *settings::findField("whiskerLength");
+  const settings::Field& widest = *settings::findField("whiskerWidth");
+  WhiskerView next = whisker;
+  bool changed = number("Its length", next.length, static_cast<float>(longest.low), static_cast<float>(longest.high), "%.2f");
+  hint("Right button and drag on the model, or [ and ]");
+  changed |= number("Its width", next.width, static_cast<float>(widest.low), static_cast<float>(widest.high), "%.4f");
+  hint("Or { and }");
+  changed |= drawLean(next.aim, 90, "Away from upright; drag it on the model, or shift and arrow keys");
+  changed |= number("Its spread", next.spread, 0, 1, "%.2f");
+  changed |= number("Its stiffness", next.stiffness, 0, 1, "%.2f");
+  rowLabel("Its hairs");
+  ImGui::SetNextItemWidth(-1);
+  if (fillSlider("##itsHairs", next.hairs, 1, 8)) changed = changes_ = true;
+  rowLabel("Its colour");
+  float color[3];
+  for (int k = 0; k < 3; ++k) color[k] = static_cast<float>(next.color >> (16 - 8 * k) & 255u) / 255;
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::ColorEdit3("##itsColor", color, ImGuiColorEditFlags_PickerHueWheel | ImGuiColorEditFlags_DisplayHex)) {
+    next.color = 0;
+    for (const float c : color) next.color = next.color << 8 | static_cast<std::uint32_t>(c * 255 + 0.5f);
+    changed = changes_ = true;
+  }
+  if (changed) commands_.push_back(command::SetWhisker{next});
+  ImGui::Dummy(ImVec2(0, 0));
+  ImGui::SameLine(px(80));
+  const int done = segments("whiskerSteps", {{"Previous", false}, {"Next", false}, {"Delete", false}});
+  hint("The keys N, shift+N and Delete do the same");
+  if (done == 0 || done == 1) commands_.push_back(command::ChooseWhisker{done == 0 ? -1 : 1});
+  if (done == 2) commands_.push_back(command::RemoveWhisker{});
 }
 
 void GroomPanel::drawBrush(const EditorModel& model, settings::Settings& edited) {
@@ -140,7 +239,7 @@ void GroomPanel::drawSelection(const EditorModel& model, settings::Settings& edi
 
 void GroomPanel::drawWhiskers(const EditorModel& model, settings::Settings& edited) {
   if (const auto tool = toolRow("hairs", model.tool)) commands_.push_back(command::SetTool{*tool});
-  hint("Press to plant one, drag to aim it; Pluck pulls out those under the brush. How they grow is set under Whiskers below");
+  hint("Pulls out whiskers under the brush. How new ones grow is set under Whiskers below");
   rowLabel("Hairs");
   ImGui::SetNextItemWidth(-px(64));
   fillSlider("##whiskerHairs", edited.whiskerHairs, 1, 8);

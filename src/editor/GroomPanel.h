@@ -13,12 +13,19 @@ class GroomPanel {
   // Draws the section into the current window. Brush settings go into `edited`, everything else is a command.
   std::vector<Command> draw(const EditorModel& model, settings::Settings& edited, bool tooltips);
 
+  // A slider of a point or whisker is held: all it does is one change.
+  bool changesNumbers() const { return changes_; }
   // The panel is closed: nothing of this is on the screen.
   void hide() { shown_ = false; }
   // Whether it shows the map.
   bool shownMap() const { return shown_; }
 
  private:
+  // Opens the section for who begins one of its modes by a key or in the page's bar. Whether it was closed.
+  bool openFor(Tool tool);
+  void drawPoint(const EditorModel& model);
+  bool drawLean(LeanView& lean, float most, const char* what);  // degrees
+  void drawWhisker(const WhiskerView& whisker);
   void drawBrush(const EditorModel& model, settings::Settings& edited);
   // A tool and its inverse, side by side.
   void givesOrTakes(Tool tool, const EditorModel& model, settings::Settings& edited);
@@ -34,7 +41,13 @@ class GroomPanel {
     commands_.push_back(command::GroomAll{what, value, direction});
   }
 
+  // In a row of its own.
+  bool number(const char* label, float& value, float low, float high, const char* format);
+
   std::vector<Command> commands_;
+  bool changes_ = false;
+  Tool tool_ = Tool::None;        // of the frame before
+  std::optional<float> wetness_;  // while its slider is held
   bool shown_ = false, tooltips_ = false;
   float shortest_ = 0, longest_ = 0.5f;  // what "Select length" selects
 };

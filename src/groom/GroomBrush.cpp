@@ -156,6 +156,14 @@ bool cutTo(Groom& groom, const GroomSurface& skin, const Brush& brush, float sha
   return dabTexels(groom, skin, brush, change, static_cast<std::uint32_t>(saturate(share) * 255.0f + 0.5f));
 }
 
+bool setLength(Groom& groom, const GroomSurface& skin, const Brush& brush, float share) {
+  const auto change = [](GroomMap::Texel texel, float weight, std::uint32_t length) {
+    texel[0] = towards(texel[0], static_cast<int>(length), weight);
+    return texel;
+  };
+  return dabTexels(groom, skin, brush, change, static_cast<std::uint32_t>(saturate(share) * 255.0f + 0.5f));
+}
+
 bool paintType(Groom& groom, const GroomSurface& skin, const Brush& brush, int type) {
   const auto chosen = static_cast<std::uint32_t>(std::clamp(type, 1, kTypes)) - 1;
   const auto change = [](GroomMap::Texel texel, float weight, std::uint32_t channel) {
@@ -193,6 +201,23 @@ bool comb(Groom& groom, const GroomSurface& skin, const Brush& brush, const Vec3
     goals.push_back(goal == Vec3(0) ? groom.comb[point] : goal);
   }
   return dabPoints(groom, skin, brush, points, goals);
+}
+
+bool setComb(Groom& groom, const GroomSurface& skin, const Brush& brush, const Vec3& bend, std::uint32_t vertex) {
+  if (!std::isfinite(bend.x + bend.y + bend.z)) return false;
+  const auto goalAt = [&](std::uint32_t point) {
+    const Vec3& normal = skin.points.normals[point];
+    return normalizeOr(bend - normal * glm::dot(bend, normal), Vec3(0)) * std::min(std::sqrt(glm::dot(bend, bend)), kMaxComb);
+  };
+  const std::vector<PointUnder> points = pointsOf(skin, trianglesUnder(skin, brush));
+  std::vector<Vec3> goals;
+  for (const PointUnder& under : points) goals.push_back(goalAt(under.point));
+  const std::uint32_t nearest = skin.points.pointOf[vertex];
+  Brush there = brush;
+  there.centre = skin.points.positions[nearest];
+  there.normal = skin.points.normals[nearest];
+  const bool changed = dabPoints(groom, skin, brush, points, goals);
+  return dabPoints(groom, skin, there, {{nearest, vertex}}, {goalAt(nearest)}) || changed;
 }
 
 bool raise(Groom& groom, const GroomSurface& skin, const Brush& brush) {

@@ -28,6 +28,7 @@ bool trim(Groom& groom, const GroomSurface& skin, const Brush& brush);  // towar
 bool grow(Groom& groom, const GroomSurface& skin, const Brush& brush);  // towards 1
 // Fur longer than `share` gets nearer to it by w.
 bool cutTo(Groom& groom, const GroomSurface& skin, const Brush& brush, float share);
+bool setLength(Groom& groom, const GroomSurface& skin, const Brush& brush, float share);  // towards `share` by w
 
 // --- types; presences stay a partition of 1 ---
 // Turns the share w of all types into `type`, 1..kTypes. 1 erases the others.
@@ -44,6 +45,8 @@ bool takeShape(Groom& groom, const GroomSurface& skin, const Brush& brush, Shape
 // --- comb; stays perpendicular to the normal and within kMaxComb ---
 // Towards `direction`, whose length does not matter; a direction along the normal does nothing.
 bool comb(Groom& groom, const GroomSurface& skin, const Brush& brush, const Vec3& direction);
+// Towards `bend`, turned across each point's normal; the point of `vertex`, which may lie beside the brush, gets it in full.
+bool setComb(Groom& groom, const GroomSurface& skin, const Brush& brush, const Vec3& bend, std::uint32_t vertex);
 bool raise(Groom& groom, const GroomSurface& skin, const Brush& brush);   // towards upright
 bool smooth(Groom& groom, const GroomSurface& skin, const Brush& brush);  // towards the mean of the neighbours
 

@@ -171,14 +171,16 @@ bool Renderer::drawFinal(const Drawing& drawing) {
 
 // The technique `shells`: what is blended comes over all that is not.
 bool Renderer::drawClassic(const Drawing& drawing) {
-  return drawBall(drawing) && drawSkin(drawing, drawing.look.skin(kPlain)) &&
+  const settings::Settings& s = drawing.frame.settings;
+  return drawBall(drawing) && (!s.skin || drawSkin(drawing, drawing.look.skin(kPlain))) &&
          (hairViews_ ? hairViews_->draw(drawing, *hair_) : hair_->draw(drawing)) && whiskers_.draw(drawing) && ground_.draw(drawing, groundShadow_) &&
-         drawBackground(drawing) && fins_.drawClassic(drawing) && shells_.drawClassic(drawing) && drops_.draw(drawing) &&
+         drawBackground(drawing) && fins_.drawClassic(drawing) && (!s.shells || shells_.drawClassic(drawing)) && drops_.draw(drawing) &&
          (!hairViews_ || hairViews_->drawLines(drawing));
 }
 
 bool Renderer::drawModel(const Drawing& drawing, VariantBits view) {
-  return shells_.draw(drawing, view) && fins_.draw(drawing, view) && drawSkin(drawing, drawing.look.skin(view));
+  const settings::Settings& s = drawing.frame.settings;
+  return (!s.shells || shells_.draw(drawing, view)) && fins_.draw(drawing, view) && (!s.skin || drawSkin(drawing, drawing.look.skin(view)));
 }
 
 // The picture leaves its depth behind, then fragments are counted that are no further.

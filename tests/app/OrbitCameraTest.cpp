@@ -96,5 +96,35 @@ TEST(OrbitCamera, AWiderFieldOfViewShowsTheModelSmaller) {
   EXPECT_EQ(width(2), width(3)) << "90 the most";
 }
 
+TEST(OrbitCamera, AFreeOneTurnsWhereItIsAndFliesAlongItsView) {
+  for (const Vec4& padding : {Vec4(0), Vec4(0, 0, 0.3f, 0)}) {
+    OrbitCamera camera = fitted();
+    camera.setMode(CameraMode::Free);
+    camera.setPadding(padding, true);
+    const render::CameraPose before = camera.pose(kAspect);
+    camera.look(0.6f, -0.8f, kAspect);
+    const render::CameraPose after = camera.pose(kAspect);
+    EXPECT_NEAR(glm::distance(after.eye, before.eye), 0, 1e-4f);
+    EXPECT_LT(glm::dot(glm::normalize(after.target - after.eye), glm::normalize(before.target - before.eye)), 0.8f);
+    EXPECT_LT(camera.goal().pitch, -0.2f) << "also upwards";
+    camera.fly(Vec3(0, 0, 1));
+    while (camera.update(0.1f)) {}
+    const Vec3 way = camera.pose(kAspect).eye - after.eye;
+    EXPECT_NEAR(glm::length(way), 1, 1e-3f);
+    EXPECT_GT(glm::dot(way, glm::normalize(after.target - after.eye)), 0.9f);
+  }
+}
+
+TEST(OrbitCamera, FromFreeToOrbitItComesBackToWhereOneMayBe) {
+  OrbitCamera camera = fitted();
+  camera.setMode(CameraMode::Free);
+  camera.look(0, -1.2f, kAspect);
+  camera.fly(Vec3(9, 9, 0));
+  EXPECT_GT(glm::length(camera.goal().target), 5);
+  camera.setMode(CameraMode::Orbit);
+  EXPECT_GE(camera.goal().pitch, -0.13f);
+  EXPECT_LE(glm::length(camera.goal().target), 2.2f * std::sqrt(3.0f) + 1e-3f);
+}
+
 }  // namespace
 }  // namespace fur::app

@@ -23,7 +23,7 @@ std::set<std::string> differences(const Settings& a, const Settings& b) {
 }
 
 TEST(Editor, EveryFieldOfTheTableHasAWidget) {
-  PanelDriver person({1280, 5200});
+  PanelDriver person({1280, 6000});
   person.openAllGroups();
   std::set<ImGuiID> hovered;
   for (const auto& [at, id] : person.sweep()) hovered.insert(id);
@@ -261,7 +261,7 @@ TEST(Editor, ACheckboxIsOneStep) {
 }
 
 TEST(Editor, AnAnimationIsChosenByItsNameAndHeld) {
-  PanelDriver person({1280, 5000});
+  PanelDriver person({1280, 6000});
   person.model.animations = {"wave", ""};
   person.openAllGroups();
   const auto at = person.find(person.rowId("animation", "##value"));

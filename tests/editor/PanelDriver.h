@@ -20,7 +20,7 @@ namespace fur::editor {
 
 class PanelDriver {
  public:
-  explicit PanelDriver(Vec2 screen = {1280, 3000}, ThemeScale scale = {}) : scale_(scale) {
+  explicit PanelDriver(Vec2 screen = {1280, 3600}, ThemeScale scale = {}) : scale_(scale) {
     before_ = ImGui::GetCurrentContext();
     context_ = ImGui::CreateContext();
     ImGui::SetCurrentContext(context_);

@@ -1,6 +1,7 @@
 // The demo page's bar in windows of every size: what it leaves of the picture, and every way to its controls.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { readTables } from '../../tools/tables.mjs';
 import { captions } from '../../web/captions.js';
 import { sceneNames } from '../../web/models.js';
 import { plain, startBrowser, untilStill, withFur } from './support.mjs';
@@ -26,7 +27,7 @@ test('in windows of every size the model is clear of the bar, and every control 
     });
     assert.ok(isInSight, `${what}: the editor is found without scrolling`);
     const list = await controls(page);
-    assert.equal(list.length, 18, what);
+    assert.equal(list.length, 19, what);
     for (const one of list) {
       assert.ok(one.name.length > 2);
       assert.ok(one.width >= 44 && one.height >= 44, `${what}: ${one.name} is ${one.width} x ${one.height}`);
@@ -53,6 +54,7 @@ test('in windows of every size the model is clear of the bar, and every control 
     assert.ok(seen.share > 0.08, `${what}: the model covers ${(100 * seen.share).toFixed(1)} %`);
     assert.ok(seen.covered < 0.21, `${what}: the bar covers ${(100 * seen.covered).toFixed(1)} %`);
     assert.ok(seen.labelled, `${what}: labels`);
+    if (width === 1280) assert.ok(await page.$eval('#bar', (bar) => bar.offsetHeight) < 70, 'one row');
   }
   assert.deepEqual(page.problems, []);
 });
@@ -61,7 +63,7 @@ test('what opens beside the bar is on the screen, and leaves the bar free', asyn
   const page = await site.open(`?${plain}&src=plane`, { viewport: { width: 1280, height: 800 } });
   for (const [width, height] of sizes) {
     await page.setViewportSize({ width, height });
-    for (const [opener, panel] of [['water', 'waters'], ['brush', 'brushing'], ['coat', 'coats'], ['share', 'sharing']]) {
+    for (const [opener, panel] of [['water', 'waters'], ['groom', 'grooms'], ['brush', 'brushing'], ['coat', 'coats'], ['share', 'sharing']]) {
       await page.click(`#${opener}`);
       await page.waitForFunction((id) => {
         const { left, top, right, bottom } = document.getElementById(id).getBoundingClientRect();
@@ -76,6 +78,21 @@ test('what opens beside the bar is on the screen, and leaves the bar free', asyn
       await page.waitForSelector(`#${panel}`, { state: 'hidden' });
     }
   }
+  assert.deepEqual(page.problems, []);
+});
+
+test('every tool that grooms is in the bar or its menu, and those of the editor open it', async () => {
+  const page = await site.open(`?${plain}&src=plane`, { viewport: { width: 1280, height: 800 } });
+  const offered = await page.$$eval('#tools [data-tool], #grooms [data-tool]', (list) => list.map((one) => one.dataset.tool));
+  for (const { name } of readTables().tools.filter(({ worksOn }) => worksOn === 'Groom')) assert.ok(offered.includes(name), name);
+  await page.click('#groom');
+  await page.click('[data-tool=grow]');
+  assert.equal(await withFur(page, (fur) => fur.tool), 'grow');
+  assert.equal(await page.getAttribute('#groom', 'aria-pressed'), 'true');
+  await page.selectOption('#groom-type', '3');
+  assert.deepEqual(await withFur(page, (fur) => [fur.tool, fur.groomType]), ['type', '3']);
+  await page.click('[data-tool=edit]');
+  await page.waitForFunction(() => wetFur.editorOpen && wetFur.tool === 'edit');
   assert.deepEqual(page.problems, []);
 });
 

@@ -279,7 +279,15 @@ test('a link takes the water along, and says when it does not fit', async () => 
     const many = Array.from({ length: 2500 }, () => [0, Math.floor(200 * next()), next() / 2, next() / 2, 1]).flat();
     fur.replay(JSON.stringify([['splash', 0.02, 0.5, 0.05, 0, 0, 3, ...many]]));
   });
-  assert.equal(await copyLink(page), 'Link copied, without the water, of which there is too much for a link');
+  // Of too many strokes what they have wet goes along.
+  assert.equal(await copyLink(page), 'Link copied');
+  const whole = new URL(await page.evaluate(() => navigator.clipboard.readText()));
+  assert.ok(whole.searchParams.get('water') && !whole.searchParams.get('strokes') && whole.search.length < 8400);
+  const third = await another(page, whole.search);
+  const [there, here] = [await withFur(third, (fur) => fur.meanWetness), await withFur(page, (fur) => fur.meanWetness)];
+  assert.ok(Math.abs(there - here) < 0.1 * here, `${there} of ${here}`);
+  assert.equal((await withFur(third, (fur) => fur.warnings)).length, 0);
+  await third.close();
 });
 
 test('a link to a file of one\'s own says what it is without', async () => {

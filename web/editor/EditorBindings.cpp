@@ -93,6 +93,8 @@ FUR_EXPORT int fur_editor_pointer(App* app, int phase, int kind, int id, float x
   event.id = id;
   event.position = {x, y};
   event.buttons = buttons;
+  event.shift = (modifiers & 1) != 0;
+  event.control = (modifiers & 2) != 0;
   event.alt = (modifiers & 4) != 0;
   return withHost(app, [&](EditorHost& host) { return host.pointer(event, seconds); });
 }

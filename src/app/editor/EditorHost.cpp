@@ -7,7 +7,7 @@
 
 #include <imgui.h>
 #include <imgui_impl_opengl3.h>
-#include <imgui_internal.h>  // which windows cover a pixel, before the frame that would tell; what is typed
+#include <imgui_internal.h>  // the pointer's shape
 
 #include "app/view/OrbitCamera.h"
 #include "app/editor/EditorGroom.h"
@@ -28,18 +28,11 @@ struct Overloaded : F... {
 template <class... F>
 Overloaded(F...) -> Overloaded<F...>;
 
-editor::PointerKind panelKind(PointerKind kind) {
-  return kind == PointerKind::Touch ? editor::PointerKind::Touch : editor::PointerKind::Mouse;
-}
-
 // "rabbit.fts"; a coat that is no preset's is "coat.fts".
 std::string typeSetName(const App& app) {
   const settings::Preset* preset = settings::presetOf(app.settings());
   return std::string(preset ? preset->name : "coat").append(scene::endingOf(scene::Format::Fts));
 }
-
-// How far colours may be apart that are selected as one.
-constexpr float kPaintTolerance = 0.12f;
 
 // The model's name without its ending.
 std::string stemOf(const App& app) { return app.modelName().substr(0, app.modelName().rfind('.')); }
@@ -128,158 +121,6 @@ void EditorHost::resize(int width, int height, float pixelRatio) {
   wake();
 }
 
-bool EditorHost::covers(Vec2 position) const {
-  const ImGuiContext& context = *context_;
-  if (context.OpenPopupStack.Size > 0) return true;  // a click anywhere else closes it
-  for (const ImGuiWindow* window : context.Windows)
-    if (window->WasActive && !window->Hidden &&
-        !(window->Flags & (ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_Tooltip)) &&
-        window->Rect().Contains(ImVec2(position.x, position.y)))
-      return true;
-  return false;
-}
-
-bool EditorHost::pointer(const PointerEvent& event, double seconds) {
-  const bool down = event.phase == PointerPhase::Down;
-  const bool ended = event.phase == PointerPhase::Cancel || (event.phase == PointerPhase::Up && !event.buttons);
-  if (down && owner_ == Owner::None) {
-    owner_ = covers(event.position) || selects(event) || picksColor(event) ? Owner::Panel : Owner::App;
-    ownerId_ = event.id;
-    if (owner_ == Owner::App) stopTurning();
-  }
-  // The panel follows one pointer. A second finger goes where it lies, and never to both.
-  if (owner_ != Owner::None && event.id != ownerId_) return owner_ == Owner::Panel || covers(event.position) || studio_.busy();
-  const bool captured = owner_ == Owner::Panel || (owner_ == Owner::None && covers(event.position));
-  const bool touch = event.kind == PointerKind::Touch;
-  if (ended) owner_ = Owner::None;
-  // ImGui also hears of what is not for it: a press on the model takes the focus from the panel.
-  const bool cancelled = event.phase == PointerPhase::Cancel;  // its position means nothing
-  if (!cancelled) input_.pointer(panelKind(event.kind), event.position, event.buttons, seconds);
-  if (cancelled || (touch && ended)) input_.pointerGone();
-  wake();
-  return captured || studio_.busy();  // the scene stands still for a picture
-}
-
-// Alt takes the colour from the model instead of painting it there.
-bool EditorHost::picksColor(const PointerEvent& event) {
-  if (!event.alt || app_.tool() != Tool::Paint) return false;
-  const auto color = app_.colorAt(event.position);
-  if (!color) return false;
-  settings::Settings next = app_.settings();
-  next.paintColor = *color;
-  app_.setSettings(next);
-  return true;
-}
-
-// The press that a selection waits for. Beside the model it ends the waiting, and is a press like any other.
-bool EditorHost::selects(const PointerEvent& event) {
-  const editor::Selects what = std::exchange(selects_, editor::Selects::Nothing);
-  if (what == editor::Selects::Nothing) return false;
-  const auto place = app_.placeAt(event.position);
-  if (!place) return false;
-  if (what == editor::Selects::Sphere || what == editor::Selects::Capsule) {
-    app_.editHair(what == editor::Selects::Sphere ? HairEdit::AddSphere : HairEdit::AddCapsule, bodyRadius_, *place);
-    app_.setTool(Tool::HairShape);
-    return true;
-  }
-  const bool paint = what == editor::Selects::Paint;
-  app_.groomAll(paint ? GroomEdit::SelectPaint : GroomEdit::SelectConnected, paint ? kPaintTolerance : 1, *place);
-  return true;
-}
-
-void EditorHost::pointerLeft() {
-  if (owner_ != Owner::None) return;  // a drag goes on outside of the window
-  input_.pointerGone();
-  wake();
-}
-
-bool EditorHost::wheel(float notches, Vec2 position) {
-  if (!covers(position)) return false;
-  input_.wheel(-notches);
-  wake();
-  return true;
-}
-
-bool EditorHost::key(std::string_view name, bool down, const editor::Modifiers& modifiers) {
-  if (studio_.busy() && down) {
-    if (name == "Escape") studio_.end();
-    wake();
-    return true;
-  }
-  const bool text = wantsText();
-  if (down && name == "Escape" && std::exchange(selects_, editor::Selects::Nothing) != editor::Selects::Nothing) {
-    wake();
-    return true;
-  }
-  const auto shortcut = editor::Editor::shortcut(name, modifiers);
-  const bool saves = shortcut && std::holds_alternative<editor::command::SaveScene>(*shortcut);
-  if (shortcut && (saves || !text)) {
-    if (down && saves) editor_.save();
-    else if (down) perform(*shortcut);
-    wake();
-    return true;
-  }
-  if (!text && (name == "Delete" || name == "Backspace") && app_.tool() == Tool::HairShape && app_.selectedBody() >= 0) {
-    if (down) app_.editHair(HairEdit::RemoveBody);
-    wake();
-    return true;
-  }
-  if (!text && !modifiers.control && resizeBrush(name, down)) return true;
-  // Without a clipboard to ask, the platform's own paste must take place, and comes in as paste().
-  if (text && !readClipboard_ && modifiers.control && (name == "v" || name == "V")) return false;
-  const bool wanted = text || wantsKeyboard();
-  // Releases always arrive, so that no key stays down; and so does what follows a click that has not
-  // been seen yet, for it may be what gives a text field the focus. ImGui ignores what it has no use for.
-  if (!down || wanted || !input_.empty()) {
-    input_.key(name, down, modifiers);
-    wake();
-  }
-  return wanted;
-}
-
-// [ and ] make the brush smaller and larger, with shift weaker and stronger. Shift makes braces of them on many keyboards.
-bool EditorHost::resizeBrush(std::string_view name, bool down) {
-  constexpr std::string_view kKeys = "[]{}";
-  const std::size_t key = name.size() == 1 ? kKeys.find(name) : std::string_view::npos;
-  if (key == std::string_view::npos) return false;
-  if (!down) return true;
-  const char* field = key < 2 ? "brushRadius" : grooms(app_.tool()) ? "groomStrength" : "brushFlow";
-  settings::Settings next = app_.settings();
-  Warnings ignored;  // the ends of the range are natural stops
-  const settings::Field& changed = *settings::findField(field);
-  const double value = changed.get(next), more = key < 2 ? 0.15 * value : 0.05;
-  settings::setField(next, changed, key % 2 ? value + more : value - more, ignored);
-  app_.setSettings(next);
-  wake();
-  return true;
-}
-
-bool EditorHost::text(std::string_view utf8) {
-  if (!wantsText() && input_.empty()) return false;
-  input_.text(utf8);
-  wake();
-  return wantsText();
-}
-
-void EditorHost::paste(const std::string& text) {
-  if (wantsText())
-    input_.text(text);
-  else
-    check(app_.setState(text));
-  wake();
-}
-
-void EditorHost::focusLost() {
-  input_.releaseAll();
-  owner_ = Owner::None;
-  wake();
-}
-
-bool EditorHost::wantsKeyboard() const { return context_->IO.WantCaptureKeyboard; }
-bool EditorHost::wantsText() const { return context_->IO.WantTextInput; }
-
-bool EditorHost::wantsNumber() const { return wantsText() && context_->ActiveId && context_->ActiveId == context_->TempInputId; }
-
 void EditorHost::setLayout(std::string_view text) {
   editor_.setLayout(text);
   wake();
@@ -308,6 +149,7 @@ editor::EditorModel EditorHost::model() {
   model.picture = {static_cast<int>(size_.x), static_cast<int>(size_.y), kLeastPictureSide, mostPictureSide_,
                    studio_.busy(), studio_.busy() ? studio_.progress() : 0, turnLeft_ > 0};
   model.groom.selects = selects_;
+  modes_.describe(model.groom);
   pictures_.describe(model);
   return model;
 }
@@ -337,6 +179,7 @@ bool EditorHost::update(float dt) {
   ImGui::NewFrame();
   const std::vector<editor::Command> commands = editor_.frame(model(), scale_);
   drawRing();
+  modes_.draw(scale_.pixelRatio);
   ImGui::Render();
   if (editor_.shownTile() != pictured || editor_.showsGroom() != groomShown) wake();
   for (const editor::Command& command : commands) perform(command);
@@ -382,6 +225,7 @@ void EditorHost::drawRing() {
   const ImVec2 at = ImGui::GetIO().MousePos;
   const bool elsewhere = scale_.touch || !ImGui::IsMousePosValid() || covers({at.x, at.y});
   app_.hover(elsewhere ? std::nullopt : std::optional(Vec2(at.x, at.y)));
+  if (!scale_.touch && owner_ != Owner::Modes) modes_.hover(elsewhere ? std::nullopt : std::optional(Vec2(at.x, at.y)));
   if (elsewhere) return;
   const auto draw = [&](bool ofMirror, int opacity) {
     std::vector<ImVec2> ring;
@@ -462,6 +306,10 @@ void EditorHost::perform(const editor::Command& command) {
       },
       [&](const SetBody& c) { app_.setBody(c.index, c.body); },
       [&](const GroomAll& c) { app_.groomAll(c.edit, c.value, c.direction); },
+      [&](const SetPoint& c) { modes_.set(c); },
+      [&](const SetWhisker& c) { modes_.set(c.whisker); },
+      [&](const RemoveWhisker&) { modes_.removeWhisker(); },
+      [&](const ChooseWhisker& c) { modes_.chooseWhisker(c.step); },
       [&](const EditHair& c) { app_.editHair(c.edit, c.value, c.direction); },
       [&](const SetHairValues& c) { app_.setHairValues(c.scalp, c.values); },
       [&](const RenameScalp& c) { (void)app_.setHairValue(static_cast<int>(c.scalp), "name", c.name); },

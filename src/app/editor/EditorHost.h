@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "app/App.h"
+#include "app/editor/EditModes.h"
 #include "app/editor/PanelPictures.h"
 #include "app/editor/Studio.h"
 #include "editor/Editor.h"
@@ -101,7 +102,7 @@ class EditorHost {
   void setClipboard(std::function<void(const char*)> write, std::function<std::string()> read);
 
  private:
-  enum class Owner { None, Panel, App };
+  enum class Owner { None, Panel, App, Modes };
 
   struct Context;  // makes this host's ImGui context the current one for a scope
 
@@ -110,6 +111,7 @@ class EditorHost {
   editor::EditorModel model();
   bool picksColor(const PointerEvent& event);
   bool selects(const PointerEvent& event);
+  void handToApp(const PointerEvent& event);
   bool resizeBrush(std::string_view name, bool down);
   void perform(const editor::Command& command);
   void request(PlatformCommand::Kind kind, std::string text = {}) {
@@ -136,10 +138,12 @@ class EditorHost {
   Vec2 size_{0};
   Owner owner_ = Owner::None;  // of the pointer that is down
   int ownerId_ = 0;
+  PointerEvent ownerLast_{PointerPhase::Up};  // where it was
   bool attached_ = false, justAttached_ = false;
   int framesLeft_ = kFramesAfterEvent;
   std::uint64_t drawnHash_ = 0, shownHash_ = 0;  // of the panel's triangles and pictures
   PanelPictures pictures_{app_};
+  EditModes modes_{app_};
   editor::Selects selects_ = editor::Selects::Nothing;  // what the next press on the model does
   float bodyRadius_ = 0;                                // of a sphere or capsule that it puts there
   float frameTime_ = 0;

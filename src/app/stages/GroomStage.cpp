@@ -44,6 +44,19 @@ groom::TypeHeights heightsOf(const settings::Settings& settings) {
   return heights;
 }
 
+// Strands lean towards normal + this (Bilbao 2019, 3.1).
+Vec3 combOfAll(const settings::Settings& settings) { return settings.combStrength * Vec3(settings.combX, settings.combY, settings.combZ); }
+
+// The bend of such a strand: an arc whose ends lie in that direction, twice the angle between that and the normal.
+Vec3 leanedTo(const Vec3& vector, const Vec3& normal) {
+  const float along = glm::dot(vector, normal);
+  const Vec3 across = vector - normal * along;
+  const float tangent = glm::length(across) / std::max(1 + along, 0.1f);
+  // The arctangent, off by 0.005 rad at most as far as it is used.
+  const float angle = 2 * tangent / (1 + 0.28f * tangent * tangent);
+  return normalizeOr(across, Vec3(0)) * (tangent < 1 ? std::min(angle, groom::kMaxComb) : groom::kMaxComb);
+}
+
 geometry::TexelRect whole(const groom::GroomMap& map) { return {0, 0, map.size(), map.size()}; }
 
 }  // namespace
@@ -72,7 +85,8 @@ bool GroomStage::upright() const {
 // --- of the vertices ---
 
 bool GroomStage::active(const Inputs& inputs) const {
-  return updatedFor_ != revision_ || surfaceFor_ != inputs.shape.surfaceRevision() || (types_ > 1 && heightsOf(inputs.settings) != heights_);
+  return updatedFor_ != revision_ || surfaceFor_ != inputs.shape.surfaceRevision() || (types_ > 1 && heightsOf(inputs.settings) != heights_) ||
+         combOfAll(inputs.settings) != combOfAll_;
 }
 
 bool GroomStage::update(const Inputs& inputs) {
@@ -89,8 +103,8 @@ bool GroomStage::update(const Inputs& inputs) {
     plain_[i] = map.isPlain();
     if (i == 0) readLengths(inputs.shape);
   }
-  rests_.clear();
-  if (!upright()) rests_ = groom::restBends(groom_, inputs.shape.surface(), inputs.shape.points());
+  combOfAll_ = combOfAll(inputs.settings);
+  readRests(inputs.shape);
   return true;
 }
 
@@ -100,11 +114,25 @@ void GroomStage::readLengths(const ShapeStage& shape) {
   if (hasLengths()) vertexLengths_ = groom::vertexLengths(groom_.map, shape.surface(), shape.points(), heights_);
 }
 
+void GroomStage::readRests(const ShapeStage& shape) {
+  rests_.clear();
+  if (!upright()) rests_ = groom::restBends(groom_, shape.surface(), shape.points());
+  if (combOfAll_ == Vec3(0)) return;
+  rests_.resize(shape.surface().vertices.size(), Vec3(0));
+  for (std::size_t i = 0; i < rests_.size(); ++i) {
+    const Vec3 bend = rests_[i] + leanedTo(combOfAll_, shape.points().normals[shape.points().pointOf[i]]);
+    const float angle = glm::length(bend);
+    const Vec3 limited = angle > groom::kMaxComb ? bend * (groom::kMaxComb / angle) : bend;
+    const Vec3& normal = shape.surface().vertices[i].normal;
+    rests_[i] = limited - normal * glm::dot(limited, normal);
+  }
+}
+
 geometry::TexelRect GroomStage::takeChanged(groom::MapKind map) { return std::exchange(changed_[map], {}); }
 
 // Hairs stand on the surface as it was made; they go along with their triangles.
-std::vector<groom::WhiskerHair> GroomStage::hairs(const ShapeStage& shape) const {
-  auto hairs = groom::whiskerHairs(groom_.whiskers, shape.surface(), shape.query());
+std::vector<groom::WhiskerHair> GroomStage::hairsOf(const ShapeStage& shape, std::span<const groom::Whisker> whiskers) const {
+  auto hairs = groom::whiskerHairs(whiskers, shape.surface(), shape.query());
   const ShapeStage::Skin* skin = shape.skin();
   if (!skin) return hairs;
   for (groom::WhiskerHair& hair : hairs) {
@@ -174,12 +202,15 @@ void GroomStage::plant(const ShapeStage& shape, const settings::Settings& settin
   whisker.color = settings.whiskerColor;
 }
 
+Vec3 GroomStage::pullAt(const Vec3& root, const Vec3& origin, const Vec3& direction) {
+  const Vec3 way = origin - root;
+  return way - direction * glm::dot(way, direction);
+}
+
 void GroomStage::aimWhiskers(const ShapeStage& shape, const settings::Settings& settings, const Vec3& origin, const Vec3& direction) {
   if (!before_ || groom_.whiskers.size() <= before_->whiskers.size()) return;
   groom::Whisker* whisker = &groom_.whiskers[before_->whiskers.size()];
-  const Vec3 way = origin - whisker->root;
-  // Where the ray passes the root, as far from the eye.
-  Vec3 pull = way - direction * glm::dot(way, direction);
+  Vec3 pull = pullAt(whisker->root, origin, direction);
   for (; whisker != groom_.whiskers.data() + groom_.whiskers.size(); ++whisker) {
     const auto at = groom::rootOf(*whisker, shape.query());
     if (at) whisker->direction = groom::pulledDirection(normalAt(shape.surface(), *at), whisker->length, pull);

@@ -9,6 +9,7 @@
 
 #include "app/commands/History.h"
 #include "app/stages/ShapeStage.h"
+#include "app/tools/FurAt.h"
 #include "app/tools/GroomEdits.h"
 #include "app/tools/Tools.h"
 #include "core/Random.h"
@@ -23,7 +24,7 @@ class GroomStage {
  public:
   struct Inputs {
     const ShapeStage& shape;
-    const settings::Settings& settings;  // heights of the types
+    const settings::Settings& settings;  // heights of the types; the comb of all
   };
   // Brushes that only programs with an editor have; the viewer's download is spared them.
   struct EditorBrushes {
@@ -49,7 +50,7 @@ class GroomStage {
   std::uint64_t verticesRevision() const { return verticesRevision_; }
   // Height of the coat, a share of the longest; empty: 1 everywhere.
   const std::vector<float>& vertexLengths() const { return vertexLengths_; }
-  // Bends that the comb gives, radians in model space; empty: none.
+  // Bends that the comb, and that of the settings, give, radians in model space; empty: none.
   const std::vector<Vec3>& rests() const { return rests_; }
   unsigned types() const { return types_; }                        // a bit for each that is anywhere
   bool hasLengths() const { return !plain_[0]; }  // or types: the map says more than full length of one type
@@ -59,7 +60,7 @@ class GroomStage {
   // What has changed of a map since the last call; everything after another model or size.
   geometry::TexelRect takeChanged(groom::MapKind map);
   // All whiskers' hairs on the skin as it is shown.
-  std::vector<groom::WhiskerHair> hairs(const ShapeStage& shape) const;
+  std::vector<groom::WhiskerHair> hairs(const ShapeStage& shape) const { return hairsOf(shape, groom_.whiskers); }
 
   // --- strokes: every change is one, and ends in the step that undoes it ---
   void beginStroke(const ShapeStage& shape);
@@ -69,6 +70,20 @@ class GroomStage {
   // Turns the whiskers that the stroke has planted to where a ray (model space) passes their roots.
   void aimWhiskers(const ShapeStage& shape, const settings::Settings& settings, const Vec3& origin, const Vec3& direction);
   std::optional<GroomStep> endStroke();
+
+  // --- numbers of one place (GroomPoints.cpp) ---
+  // What App::furAt() tells, but for wetness.
+  FurAt numbersAt(const ShapeStage& shape, const geometry::SurfacePoint& at);
+  // Within a stroke: makes one of them `value` or, of the comb, `bend`, there and on the other side where the settings say so; less
+  // towards the brush's rim. The stroke begins anew with it, so that a slider may be drawn to and fro.
+  void setNumber(const ShapeStage& shape, const settings::Settings& settings, FurNumber what, const geometry::SurfacePoint& at, float value, const Vec3& bend);
+  // Likewise a whisker.
+  void setWhisker(std::size_t index, const groom::Whisker& to);
+  void removeWhisker(std::size_t index);
+  // Its direction, when its tip is drawn to where a ray (model space) passes its root.
+  Vec3 aimed(const ShapeStage& shape, const groom::Whisker& whisker, const Vec3& origin, const Vec3& direction) const;
+  // Hairs of a few whiskers on the skin as it is shown.
+  std::vector<groom::WhiskerHair> hairsOf(const ShapeStage& shape, std::span<const groom::Whisker> whiskers) const;
 
   // Within a stroke: see GroomEdits.inc; numbers are finite.
   void edit(const ShapeStage& shape, GroomEdit edit, float value, const Vec3& direction, std::uint32_t seed, Warnings& warnings);
@@ -90,6 +105,9 @@ class GroomStage {
   void plant(const ShapeStage& shape, const settings::Settings& settings, const geometry::SurfacePoint& at, Warnings& warnings);
   void clear(const ShapeStage& shape);
   void readLengths(const ShapeStage& shape);
+  void readRests(const ShapeStage& shape);
+  // From a whisker's root to where a ray passes it, as far from the eye.
+  static Vec3 pullAt(const Vec3& root, const Vec3& origin, const Vec3& direction);
 
   groom::Groom groom_{groom::GroomMap(), {}, {}};  // its comb is empty until groomSurface(): upright
   std::optional<geometry::AtlasTexels> atlas_;     // made when first needed: read it through groomSurface()
@@ -99,6 +117,7 @@ class GroomStage {
   // As of the last update(), and what it was for.
   std::uint64_t updatedFor_ = 0, surfaceFor_ = 0, verticesRevision_ = 0;
   groom::TypeHeights heights_ = groom::kAllFull;
+  Vec3 combOfAll_{0};
   std::vector<float> vertexLengths_;
   std::vector<Vec3> rests_;
   unsigned types_ = 1;

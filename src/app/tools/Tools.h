@@ -20,7 +20,7 @@ inline constexpr std::size_t kToolCount = 0
     ;
 
 // What pointers that are down do. Of a tool: Paint, Touch, Grab or Orbit.
-enum class Drag { None, Paint, Touch, Orbit, Grab, Spin, Light, Pinch };
+enum class Drag { None, Paint, Touch, Orbit, Grab, Spin, Light, Pinch, Look };
 // What a tool changes of what is kept.
 enum class WorksOn { Nothing, Water, Groom, Hair };
 // What a tool does while it is held where it is. Works: it goes on all the time. Repeats: one dab follows the other.

@@ -1,10 +1,14 @@
-// A camera on a sphere round its target, gliding to where it was sent.
+// A camera on a sphere round its target, gliding to where it was sent. The free one is kept as the same numbers: it turns where it
+// is, and takes its target along.
 #pragma once
 
 #include "app/App.h"
 #include "render/Frame.h"
 
 namespace fur::app {
+
+// In the order of the setting "cameraMode".
+enum class CameraMode { Orbit, Free };
 
 class OrbitCamera {
  public:
@@ -18,11 +22,17 @@ class OrbitCamera {
   static CameraOrbit fitting(const Vec3& centre, float radius);
 
   const CameraOrbit& goal() const { return goal_; }
+  // From free to orbit it glides back to where one may be.
+  void setMode(CameraMode mode);
+  bool isFree() const { return mode_ == CameraMode::Free; }
   void setGoal(const CameraOrbit& orbit);
   void jump(const CameraOrbit& orbit);  // without gliding
   void orbit(float yaw, float pitch);
-  void zoom(float factor);
+  void zoom(float factor);  // a free one goes as far forwards or back
   void pan(Vec2 modelUnits);  // right and up in the picture
+  // Of a free one: turns where it is, as it moves; and goes right, up (in the world) and forwards.
+  void look(float yaw, float pitch, float aspect);
+  void fly(const Vec3& modelUnits);
   void turn(float yaw);  // as it moves, without gliding
   void setFov(float radians);
   // See App::setPadding() and setCovered(). left, top, right, bottom
@@ -42,8 +52,15 @@ class OrbitCamera {
  private:
   float way() const;  // how far what is shown is from where it glides
   Vec4 covered() const;
+  CameraOrbit limited(CameraOrbit orbit) const;
+  // From the orbit's target: the eye, and what is in the middle of the picture.
+  struct Reach {
+    Vec3 eye, middle;
+  };
+  Reach reachOf(const CameraOrbit& orbit, float aspect) const;
 
   CameraOrbit goal_, shown_;
+  CameraMode mode_ = CameraMode::Orbit;
   float fovY_ = kFovY;
   Vec2 panel_{0};
   Vec4 padding_{0}, coveredShown_{0};  // the latter: of both

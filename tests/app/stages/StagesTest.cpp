@@ -291,5 +291,25 @@ TEST(ShapeStage, AModelWithoutAnimationsIsShownAsItWasMade) {
   EXPECT_EQ(model.shape.revision(), revision);
 }
 
+TEST(GroomStage, TheCombOfTheSettingsLeansAllFurThatWayBesideWhatIsCombedByHand) {
+  Model model;
+  EXPECT_TRUE(model.groom.rests().empty());
+  model.settings.combStrength = 0.8f;
+  EXPECT_TRUE(model.groom.active({model.shape, model.settings}));
+  model.groom.update({model.shape, model.settings});
+  const auto& vertices = model.shape.surface().vertices;
+  ASSERT_EQ(model.groom.rests().size(), vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Vec3& rest = model.groom.rests()[i];
+    EXPECT_LE(glm::length(rest), groom::kMaxComb * 1.001f);
+    EXPECT_NEAR(glm::dot(rest, vertices[i].normal), 0, 1e-4f);
+    if (std::abs(vertices[i].normal.y) < 0.7f) EXPECT_LT(rest.y, -0.3f) << "downwards";
+  }
+  EXPECT_TRUE(model.groom.upright()) << "nobody has combed it";
+  model.settings.combStrength = 0;
+  model.groom.update({model.shape, model.settings});
+  EXPECT_TRUE(model.groom.rests().empty());
+}
+
 }  // namespace
 }  // namespace fur::app
