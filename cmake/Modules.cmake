@@ -31,8 +31,8 @@ if(NOT EMSCRIPTEN AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   fur_precompile(fur_precompiled)
 endif()
 
-# The presets that `npm test` builds natively compile eight files of a target together (CMAKE_UNITY_BUILD), for little more than
-# half the time. So names in unnamed namespaces must differ within a folder, of src/ as of tests/.
+# The presets that `npm test` builds compile eight files of a target together (CMAKE_UNITY_BUILD), for little more than half
+# the time. So names in unnamed namespaces must differ within a folder, of src/, tests/ and web/.
 if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # gcc takes a source that is included for a header.
   target_compile_options(fur_options INTERFACE -Wno-subobject-linkage)

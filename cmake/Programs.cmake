@@ -55,10 +55,16 @@ function(fur_web_program target)
     # The page makes the contexts, and the browser tells of errors.
     -sGL_WORKAROUND_SAFARI_GETCONTEXT_BUG=0 -sGL_TRACK_ERRORS=0 -sSUPPORT_ERRNO=0
     $<$<CONFIG:Debug>:-sASSERTIONS=1>
-    # After the compiler's own -O3, wasm-opt's adds size but no speed that we could measure. A second
-    # round finds more, and inlining what is shorter than a call saves 1 %.
-    $<$<CONFIG:Release>:-Oz> $<$<CONFIG:Release>:-sBINARYEN_EXTRA_PASSES=-Oz,--converge,--always-inline-max-function-size=5>
-    --no-entry)
+    # After the compiler's own -O3, wasm-opt's adds size but no speed that we could measure.
+    $<$<CONFIG:Release>:-Oz> --no-entry)
+endfunction()
+
+# A visitor waits for these: a second round of wasm-opt finds 1 % more, inlining what is shorter than a call with it. (Rounds until
+# nothing is found would take as long again for some bytes.)
+function(fur_smallest target)
+  if(TARGET ${target})
+    target_link_options(${target} PRIVATE $<$<CONFIG:Release>:-sBINARYEN_EXTRA_PASSES=-Oz,--always-inline-max-function-size=5>)
+  endif()
 endfunction()
 
 # Makes the models that are shipped. Built for both targets, so that the web app alone needs no native compiler.
@@ -66,8 +72,10 @@ fur_program(wet-fur-make-assets SOURCES assets/*.cpp LINK fur_stages)
 if(EMSCRIPTEN)
   fur_node_program(wet-fur-make-assets -sNODERAWFS=1)
   fur_web_program(wet-fur SOURCES web/*.cpp LINK fur_app)
+  fur_smallest(wet-fur)
   # The same with long hair, for models that have some.
   fur_web_program(wet-fur-hair SOURCES web/*.cpp web/hair/*.cpp LINK fur_app)
+  fur_smallest(wet-fur-hair)
   fur_web_program(wet-fur-editor SOURCES web/*.cpp web/hair/*.cpp web/editor/*.cpp LINK fur_app_editor)
   # What a visitor of the viewer need not download, and those who draw nothing need not take with the rest.
   fur_web_program(wet-fur-core SOURCES web/Boundary.cpp web/SettingsBindings.cpp web/core/*.cpp LINK fur_scene fur_hair)

@@ -47,8 +47,9 @@ const drawAll = (fur, { state, wetness, after, distances }) => {
 
 test('every coat is drawn, however wet, for however long, from wherever, in every quality', async () => {
   // A loop without an end is one of a single ray, and every loop of the shaders is bounded (tests/render/loops.test.mjs): few
-  // pixels of every case find what is left, all cases together nearly two million rays. Another quality grows another coat,
-  // which takes longest: so it changes least often.
+  // pixels of every case find what is left, all cases together over half a million rays. Each coat meets each quality, and each
+  // of both meets each wetness: a third of all threes. Another quality grows another coat, which takes longest: so it changes
+  // least often.
   const page = await site.open('?ui=0&autoplay=0', { viewport: { width: 24, height: 18 } });
   let begun = 'nothing yet', pictures = 0;
   page.on('console', (message) => {
@@ -61,16 +62,16 @@ test('every coat is drawn, however wet, for however long, from wherever, in ever
     return fur.presets.map(({ name }) => name);
   });
   assert.ok(presets.length >= 11);
-  for (const preset of presets) {
+  for (const [p, preset] of presets.entries()) {
     await withFur(page, (fur, name) => { fur.preset = name; }, preset);
-    for (const quality of qualities) {
+    for (const [q, quality] of qualities.entries()) {
       await withFur(page, (fur, name) => { fur.quality = name; }, quality);
-      for (const wetness of wetnesses) {
+      for (const wetness of wetnesses.filter((_, w) => (p + q + w) % 3 === 0)) {
         const state = `${preset}, quality ${quality}, wetness ${wetness}`;
         assert.deepEqual(await beforeLong(() => begun, withFur(page, drawAll, { state, wetness, after, distances })), []);
       }
     }
   }
-  assert.ok(pictures >= presets.length * qualities.length * wetnesses.length * after.length * Object.keys(distances).length);
+  assert.ok(pictures >= presets.length * qualities.length * (wetnesses.length / 3) * after.length * Object.keys(distances).length);
   assert.deepEqual(page.problems, []);
 });

@@ -201,20 +201,25 @@ TEST(GrownHair, GoesOnSwingingWhereOnlyItsLooksChange) {
 }
 
 TEST(GrownHair, IsShapedByToolsWhereItIsSeenEachStrokeAStepOfUndo) {
-  for (const Tool tool : {Tool::Scalp, Tool::HairComb, Tool::HairMove, Tool::HairCut, Tool::HairLength, Tool::HairCurl, Tool::HairTwist, Tool::HairCopy,
-                          Tool::HairHold, Tool::HairHide}) {
-    Head head;
+  Head head;
+  head.settings.groomStrength = 1;
+  head.growEverywhere();
+  const auto grown = head.hair.save();
+  for (const Tool tool : {Tool::HairComb, Tool::HairMove, Tool::HairCut, Tool::HairLength, Tool::HairCurl, Tool::HairTwist, Tool::HairCopy,
+                          Tool::HairHold, Tool::HairHide, Tool::Scalp}) {
     head.settings.brushRadius = tool == Tool::HairMove ? 0.6f : 0.3f;  // which takes hold within half of that
-    head.settings.groomStrength = 1;
-    head.growEverywhere();
     if (tool == Tool::Scalp) head.edit(HairEdit::Cover, 0);
     // Shapes to copy and to twist.
-    if (tool == Tool::HairCopy || tool == Tool::HairTwist) ASSERT_TRUE(head.stroke(Tool::HairCurl, {-0.2f, 0.1f}, {0, 0.1f}));
+    const bool needsCurls = tool == Tool::HairCopy || tool == Tool::HairTwist;
+    const auto curls = needsCurls ? head.stroke(Tool::HairCurl, {-0.2f, 0.1f}, {0, 0.1f}) : std::nullopt;
+    ASSERT_EQ(curls.has_value(), needsCurls);
     const auto before = head.hair.save();
     const auto step = head.stroke(tool, {-0.2f, 0.1f}, {0.2f, 0.1f});
     ASSERT_TRUE(step) << nameOf(tool);
     head.hair.apply(*step, true);
     EXPECT_EQ(head.hair.save(), before) << nameOf(tool);
+    if (curls) head.hair.apply(*curls, true);
+    if (tool != Tool::Scalp) EXPECT_EQ(head.hair.save(), grown) << nameOf(tool);
   }
 }
 
