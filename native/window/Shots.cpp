@@ -8,8 +8,8 @@ namespace fur::native {
 
 namespace fs = std::filesystem;
 
-void Shots::begin(const std::string& name, const app::PictureOrder& order) {
-  path_ = freePath(name);
+void Shots::begin(const std::string& path, const app::PictureOrder& order) {
+  path_ = path;
   order_ = order;
   rgba_.clear();
 }

@@ -10,9 +10,8 @@ namespace fur::native {
 
 class Shots {
  public:
-  // What EditorHost::nextBand() is about to give: under that name in the folder that the program was started in, beside
-  // what is there.
-  void begin(const std::string& name, const app::PictureOrder& order);
+  // What EditorHost::nextBand() is about to give.
+  void begin(const std::string& path, const app::PictureOrder& order);
   // One band. Tells the host when all is written, or why it is not.
   void work(app::EditorHost& host);
 

@@ -190,20 +190,25 @@ class Session {
     app_.setCamera(next.camera);
   }
 
-  // Asks for a path, and then does the work with it. Where there are no dialogs, `without` is done, and said that there are none.
-  void ask(native::FileDialog::Kind kind, const char* title, const std::string& suggested, std::function<void(const std::string&)> work,
+  // Asks for a path, and then does the work with it, which gets "" from who gives up. Where there are no dialogs, `without` is done, and
+  // said that there are none. False: one is open already.
+  bool ask(native::FileDialog::Kind kind, const char* title, const std::string& suggested, std::function<void(const std::string&)> work,
            const std::function<void()>& without) {
-    if (dialog_.isOpen()) return host_.message("A file dialog is open already", false);
+    if (dialog_.isOpen()) return host_.message("A file dialog is open already", false), false;
     std::error_code ignored;
     if (dialog_.show(kind, title, (std::filesystem::current_path(ignored) / suggested).string())) {
       chosen_ = std::move(work);
-      return;
+      return true;
     }
     without();
-    if (!std::exchange(toldMissing_, true)) host_.message(std::string("To be asked for files: ") + native::FileDialog::kMissing, false);
+    if (!std::exchange(toldMissing_, true)) host_.message("To be asked where files go, install zenity or kdialog", false);
+    return true;
   }
   void openChosen() {
-    ask(native::FileDialog::Kind::Open, "Open a model, a coat, hair or a picture", "", [this](const std::string& path) { load(path); },
+    ask(native::FileDialog::Kind::Open, "Open a model, a coat, hair or a picture", "",
+        [this](const std::string& path) {
+          if (!path.empty()) load(path);
+        },
         [this] {
           toldMissing_ = true;
           host_.message(std::string("Type the path beside Open; ") + native::FileDialog::kMissing, true);
@@ -220,6 +225,7 @@ class Session {
   // Where the person says or, without dialogs, in the folder that the program was started in beside what is there.
   void askAndSave(const std::string& name, std::function<std::vector<std::uint8_t>()> bytes, std::function<void(const std::string&)> saved = {}) {
     const auto save = [this, bytes = std::move(bytes), saved = std::move(saved)](const std::string& path) {
+      if (path.empty()) return;
       write(path, bytes());
       if (saved) saved(path);
     };
@@ -229,6 +235,17 @@ class Session {
     const Status status = native::writeFile(path, bytes);
     std::error_code ignored;
     host_.message(status ? "Saved as " + std::filesystem::absolute(path, ignored).string() : status.error().message, !status);
+  }
+
+  // The panel has begun it; it is drawn once there is a path.
+  void beginShots(const std::string& name) {
+    const auto begin = [this](const std::string& path) {
+      if (path.empty()) return host_.endPicture();
+      shots_.begin(path, host_.studio().order());
+      shooting_ = true;
+    };
+    shooting_ = false;
+    if (!ask(native::FileDialog::Kind::Save, "Save as", name, begin, [&] { begin(native::freePath(name)); })) host_.endPicture();
   }
 
   void keepVersion(const std::string& name) {
@@ -279,7 +296,7 @@ class Session {
           break;
         case Kind::SavePicture:
         case Kind::SaveTurntable:
-          shots_.begin(command->text, host_.studio().order());
+          beginShots(command->text);
           break;
         case Kind::KeepVersion:
           keepVersion(command->text);
@@ -300,12 +317,14 @@ class Session {
           break;
         case Kind::SaveMaps:
           ask(native::FileDialog::Kind::Folder, "Save the maps in a folder", "",
-              [this, name = command->text](const std::string& folder) { saveMaps((std::filesystem::path(folder) / name).string()); },
+              [this, name = command->text](const std::string& folder) {
+                if (!folder.empty()) saveMaps((std::filesystem::path(folder) / name).string());
+              },
               [&] { saveMaps(command->text); });
           break;
       }
     }
-    if (const auto path = dialog_.poll(); path && !path->empty()) chosen_(*path);
+    if (const auto path = dialog_.poll()) chosen_(*path);
     for (const std::string& path : window_.takeDropped()) load(path);
     if (const int way = app_.takeModelStep()) bring(way);
     for (std::string& warning : app_.takeWarnings()) host_.message(std::move(warning), false);
@@ -315,7 +334,7 @@ class Session {
   // Whether anything was drawn.
   Result<bool> frame(float dt, app::Picture picture, bool always) {
     serveEditor();
-    if (host_.studio().busy()) shots_.work(host_);
+    if (host_.studio().busy() && shooting_) shots_.work(host_);
     bool changed = app_.tick(dt, kCoatSeconds);
     changed |= host_.update(dt);
     if (!changed && !always) return false;
@@ -411,6 +430,7 @@ class Session {
   native::FileDialog dialog_;
   std::function<void(const std::string&)> chosen_;  // what is done with its path
   bool toldMissing_ = false;
+  bool shooting_ = false;  // a picture has its path
   native::Shots shots_;
   native::Versions versions_{versionsFolder()};
   app::App app_;

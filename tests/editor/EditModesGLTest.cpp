@@ -3,6 +3,7 @@
 #include "app/editor/EditorHost.h"
 
 #include <cmath>
+#include <vector>
 
 #include "tests/render/Picture.h"
 
@@ -136,6 +137,18 @@ TEST(EditModes, EAndWBeginAndLeaveTheModesAndEndWithTheKeyWhereSomethingWasDone)
 
 TEST(EditModes, BSAndFHideWhatIsDrawnAndShowItAgain) {
   ModesRoom room;
+  const auto centre = [&] {
+    const test::Picture picture = room.settled();
+    return std::vector<int>(picture.at(80, 80), picture.at(80, 80) + 3);
+  };
+  const auto furry = centre();
+  EXPECT_TRUE(room.press("s") && room.press("f"));
+  const auto bare = centre();
+  EXPECT_NE(bare, furry);
+  EXPECT_TRUE(room.press("b"));
+  EXPECT_NE(centre(), bare) << "the background";
+  EXPECT_TRUE(room.press("b") && room.press("s") && room.press("f"));
+  EXPECT_EQ(centre(), furry);
   for (const auto& [key, part] : {std::pair("b", &settings::Settings::skin), std::pair("s", &settings::Settings::shells), std::pair("f", &settings::Settings::fins)}) {
     const bool before = room.app.settings().*part;
     EXPECT_TRUE(room.press(key));

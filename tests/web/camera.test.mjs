@@ -105,3 +105,31 @@ test('what lies over the edges pushes the model aside on the screen, not in a sa
   assert.ok(await picks(340, 230));
   assert.ok(difference(plain, await picture(page), 16) < 0.01);
 });
+
+test('a free camera turns where it is, flies while the right button is held, and is in the state', async () => {
+  const page = await site.open(`?${light}&src=plane&autoplay=0&cameraMode=free&wind=0`);
+  const camera = () => withFur(page, (fur) => fur.getCameraOrbit());
+  const eye = ({ yaw, pitch, distance, target: [x, y, z] }) =>
+    [x + distance * Math.sin(yaw) * Math.cos(pitch), y + distance * Math.sin(pitch), z + distance * Math.cos(yaw) * Math.cos(pitch)];
+  const apart = (a, b) => Math.hypot(...eye(a).map((at, i) => at - eye(b)[i]));
+  await page.mouse.move(240, 180);
+  await page.keyboard.press('w');
+  const start = await camera();
+  await page.mouse.down({ button: 'right' });
+  await page.mouse.move(300, 150);
+  const turned = await camera();
+  assert.ok(Math.abs(turned.yaw - start.yaw) > 0.05 && apart(turned, start) < 0.01, 'from where it is');
+  await page.keyboard.down('w');
+  await withFur(page, (fur) => fur.step(0.1, 5));
+  await page.keyboard.up('w');
+  const flown = await camera();
+  assert.ok(Math.abs(apart(flown, turned) - 0.6) < 0.02, `${apart(flown, turned)}`);
+  await page.keyboard.down('Control');
+  await withFur(page, (fur) => fur.step(0.1, 5));
+  await page.keyboard.up('Control');
+  assert.ok(eye(await camera())[1] < eye(flown)[1] - 0.5, 'down');
+  await page.mouse.up({ button: 'right' });
+  const state = await withFur(page, (fur) => JSON.parse(fur.getState()));
+  assert.equal(state.settings.cameraMode, 'free');
+  assert.deepEqual(await withFur(page, (fur, json) => { fur.resetCamera(); fur.step(0.1, 20); fur.setState(json); return fur.getCameraOrbit().target; }, JSON.stringify(state)), state.camera.target);
+});
