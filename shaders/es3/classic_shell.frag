@@ -2,10 +2,8 @@
 #include "common.glsl"
 #include "common_shading.glsl"
 #include "common_clump.glsl"
-#include "common_noise.glsl"
-#include "common_furshadow.glsl"
 #include "common_layers.glsl"
-#include "common_printed.glsl"
+#include "common_classic.glsl"
 #ifdef GROOMED
 #include "common_types.glsl"
 #endif
@@ -26,10 +24,12 @@ in vec3 vTileOfFur;
 #endif
 
 in vec4 vTile;
-in vec4 vLight;
+flat in vec2 vShell;
+in vec3 vLight;
 in vec4 vView;
 in vec4 vLean;
-in vec3 vLightSpace;
+in vec4 vAround;
+in vec3 vGlint;
 #if defined(WET) || defined(GROOMED) || defined(PAINTED)
 in vec2 vAtlas;
 in vec4 vAtlasStep;
@@ -77,13 +77,13 @@ vec4 spotOf(Strand s, float level) {
 #if defined(WET) || defined(GROOMED)
   return vec4(s.root, nearestLayer(storedLayer(s.along, 0.0)) + float(s.type) * storedLayers, level);
 #else
-  return vec4(s.root, vTile.w, level);
+  return vec4(s.root, vShell.y, level);
 #endif
 }
 
 // Magnified strands get edges one pixel wide.
 float coverAt(Strand s, vec4 spot) {
-  return clamp((textureLod(coverage, spot.xyz, spot.w).r - 0.5) * exp2(max(-vLight.w, 0.0)) + 0.5, 0.0, 1.0) * s.open * float(s.along <= 1.0);
+  return clamp((textureLod(coverage, spot.xyz, spot.w).r - 0.5) * vTile.w + 0.5, 0.0, 1.0) * s.open * float(s.along <= 1.0);
 }
 
 #ifdef GROOMED
@@ -116,18 +116,18 @@ float groomed(inout Strand s, float level, out vec4 spot) {
 vec3 shade(Strand s, vec4 spot, vec3 model) {
   vec4 texel = textureLod(strand, spot.xyz, spot.w);
   vec2 tilt = texel.xy * 2.0 - 1.0;
-  float rho = min(s.held, 1.0), h = min(s.along, 1.0);
-  vec3 T = normalize(vec3(tilt + vLean.xy + s.tilt, sqrt(max(0.05, 1.0 - dot(tilt, tilt))))), L = vLight.xyz, V = vView.xyz;
+  float h = min(s.along, 1.0);
+  vec3 T = normalize(vec3(tilt + vLean.xy + s.tilt, sqrt(max(0.05, 1.0 - dot(tilt, tilt))))), L = vLight, V = vView.xyz;
   vec3 albedo = strandColor(rootColors[s.type].rgb, tipColors[s.type].rgb, typeVariance[s.type], h, texel.z, model);
 #ifdef PAINTED
   albedo = paintedStrand(albedo, rootInAtlas(spot), typeVariance[s.type], h, texel.z);
 #endif
-  return litStrand(albedo, T, L, V, h, rho, furShadowAt(vLightSpace), vView.w, texel.z, s.held, s.sheet, s.outward);
+  return litStrand(LightOfShell(vAround, vGlint), albedo, T, L, V, h, vView.w, texel.z, s.held, s.sheet, s.outward);
 }
 
 void main() {
-  Strand s = Strand(vTile.xy, vTile.z, 1.0, vec2(0.0), 0, 0.0, 0.0, vec2(0.0));
-  float level = floor(max(vLight.w - 0.5, 0.0) + quadNoise());
+  Strand s = Strand(vTile.xy, vShell.x, 1.0, vec2(0.0), 0, 0.0, 0.0, vec2(0.0));
+  float level = floor(vTile.z);
 #ifdef WET
   drawToClump(s);
 #endif
@@ -142,9 +142,7 @@ void main() {
   float alpha = coverAt(s, spot);
 #endif
   alpha = min(alpha, 1.0);
-  vec3 model = colorAtRoot(spot), color = vec3(0.0);
-  // Once or not at all: a software rasteriser jumps over loops but not over an if.
-  for (int i = 0, once = int(alpha >= kLeastAlpha); i < once; ++i) color = shade(s, spot, model);
+  vec3 model = colorAtRoot(spot);
   if (alpha < kLeastAlpha) discard;
-  fragColor = vec4(encodeSrgb(toneMap(color)) * alpha, alpha);
+  fragColor = vec4(encodeSrgb(toneMap(shade(s, spot, model))) * alpha, alpha);
 }

@@ -2,6 +2,10 @@
 // Of N instance i stands at the height (i + 1) / N.
 #include "common.glsl"
 #include "common_bend.glsl"
+#include "common_shading.glsl"
+#include "common_clump.glsl"
+#include "common_furshadow.glsl"
+#include "common_classic.glsl"
 
 layout(location = FUR_POSITION) in vec4 positionFrom;
 layout(location = FUR_NORMAL) in vec4 normalTo;
@@ -11,11 +15,13 @@ layout(location = FUR_GRAD_S) in vec4 gradSCurvature;
 layout(location = FUR_GRAD_T) in vec3 gradT;
 layout(location = FUR_ATLAS_FROM_FUR) in vec4 atlasFromFur;
 
-out vec4 vTile;   // xy: tile  z: height  w: layer of its texture
-out vec4 vLight;  // xyz: light in the surface's frame  w: mip level
-out vec4 vView;   // xyz: eye in the surface's frame  w: N.up
+out vec4 vTile;   // xy: tile  z: mip level, rounded down  w: pixels that a texel covers, 1 at least
+flat out vec2 vShell;  // x: height  y: layer of its texture
+out vec3 vLight;  // in the surface's frame
+out vec4 vView;   // xyz: eye in the surface's frame  w: share of the light that the fur's shadow leaves
+out vec4 vAround; // both as LightOfShell has them
+out vec3 vGlint;
 out vec4 vLean;   // xy: sideways part of the strand's tangent  zw: model uv
-out vec3 vLightSpace;
 #ifdef WET
 out vec2 vTip;        // how far aside the tip is, fur lengths
 out vec3 vTileOfFur;  // tiles that a fur length covers: along axisS (x, y), along axisT (0, z)
@@ -36,13 +42,18 @@ void main() {
   float shell = float(gl_InstanceID), h = (shell + 1.0) / layers, theta = length(groomed.xyz);
   vec3 p = strandPoint(positionFrom.xyz, skin.normal, groomed.xyz, h, skin.coat);
   gl_Position = clipFromModel * vec4(p, 1.0);
-  vLightSpace = lightSpace(p);
 
   vec3 toEye = eye.xyz - p;
   float distance = length(toEye), texelsPerPixel = distance / pixelsPerUnit * tilesPerUnit * length(gradSCurvature.xyz) * tileTexels;
-  vTile = vec4(furCurvature.xy * tilesPerUnit, h, floor((shell + 0.5) / layers * storedLayers));
-  vLight = vec4(inFrame(skin, light.xyz), log2(texelsPerPixel));
-  vView = vec4(inFrame(skin, toEye / distance), dot(skin.normal, up.xyz));
+  // Of a mip level between two, some shells show the one and some the other.
+  float level = log2(texelsPerPixel) - 0.5 + fract(0.618 * shell);
+  vTile = vec4(furCurvature.xy * tilesPerUnit, max(level, 0.0), max(1.0 / texelsPerPixel, 1.0));
+  vShell = vec2(h, floor((shell + 0.5) / layers * storedLayers));
+  vLight = inFrame(skin, light.xyz);
+  vView = vec4(inFrame(skin, toEye / distance), furShadowAt(lightSpace(p)));
+  LightOfShell lit = lightOfShell(vLight, vView.xyz, h, vView.w, dot(skin.normal, up.xyz));
+  vAround = lit.around;
+  vGlint = lit.glint;
   vec2 sideways = theta > 1e-5 ? along(skin, groomed.xyz) / theta : vec2(0.0);
   vLean = vec4(sideways * arcTangent(theta, h).y, uvAtlas.xy);
 #ifdef WET

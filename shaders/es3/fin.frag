@@ -6,7 +6,10 @@
 #include "common_noise.glsl"
 #include "common_furshadow.glsl"
 #ifdef CLASSIC
-#include "common_printed.glsl"
+#include "common_classic.glsl"
+in vec4 vAround;
+in vec3 vGlint;
+in float vLit;
 #endif
 #ifdef GROOMED
 #include "common_types.glsl"
@@ -124,8 +127,8 @@ vec3 shade(Strand s, vec4 strand, float rho, vec3 model) {
 #ifdef WET
   held = s.held, sheet = s.sheet, outward = s.outward;
 #endif
-  return encodeSrgb(toneMap(litStrand(albedo, tangent, normalize(vLight.xyz), normalize(vView), s.h, rho, furShadowAt(vLightSpace),
-                                      vLight.w, strand.z, held, sheet, outward)));
+  return encodeSrgb(toneMap(litStrand(LightOfShell(vAround, vGlint), albedo, tangent, vLight.xyz, vView, s.h, vLit, strand.z,
+                                      held, sheet, outward)));
 #else
   // Nothing stands before an outline: light reaches it from the side, further down than inside the coat.
   float exposed = mix(s.h, 1.0, 0.4);

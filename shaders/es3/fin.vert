@@ -1,6 +1,15 @@
 // Fins: one instance an edge, collapsed unless the edge lies on the silhouette.
 #include "common.glsl"
 #include "common_bend.glsl"
+#ifdef CLASSIC
+#include "common_shading.glsl"
+#include "common_clump.glsl"
+#include "common_furshadow.glsl"
+#include "common_classic.glsl"
+out vec4 vAround;  // both as LightOfShell has them
+out vec3 vGlint;
+out float vLit;    // share of the light that the fur's shadow leaves
+#endif
 
 layout(location = FUR_FIN_POSITION_A) in vec4 positionA;
 layout(location = FUR_FIN_POSITION_B) in vec4 positionB;
@@ -65,11 +74,10 @@ vec4 inFrontOfShells(vec3 p) {
 void standFin(float opacity) {
   float side = float(gl_VertexID & 1);
 #ifdef CLASSIC
-  const float foot = 0.0;
+  float h = float(gl_VertexID >> 1) / float(FUR_CLASSIC_FIN_SEGMENTS);
 #else
-  const float foot = FUR_FIN_FOOT;
+  float h = mix(FUR_FIN_FOOT, 1.0, float(gl_VertexID >> 1) / float(FUR_FIN_SEGMENTS));
 #endif
-  float h = mix(foot, 1.0, float(gl_VertexID >> 1) / float(FUR_FIN_SEGMENTS));
   vec3 root = mix(positionA.xyz, positionB.xyz, side);
   vec3 normal = normalize(mix(normalA.xyz, normalB.xyz, side));
   vec4 groomed = bendOf(int(side < 0.5 ? positionA.w : positionB.w));
@@ -92,6 +100,13 @@ void standFin(float opacity) {
   vLight = vec4(dot(axis, light.xyz), dot(across, light.xyz), dot(normal, light.xyz), dot(normal, up.xyz));
   vec3 v = eye.xyz - p;
   vView = vec3(dot(axis, v), dot(across, v), dot(normal, v));
+#ifdef CLASSIC
+  vView = normalize(vView);
+  vLit = furShadowAt(vLightSpace);
+  LightOfShell lit = lightOfShell(vLight.xyz, vView, h, vLit, vLight.w);
+  vAround = lit.around;
+  vGlint = lit.glint;
+#endif
   // Sideways part of the arc's tangent: the bend turns it by theta h.
   float theta = length(bend);
   vec3 leanNow = bend * (theta > 1e-5 ? arcTangent(theta, h).y / theta : 0.0);

@@ -182,17 +182,19 @@ TEST(Twins, MarschnerFromTablesIsMarschnersFormula) {
 
 TEST(Twins, LightOnAStrand) {
   const Vec3 albedo(0.5f, 0.3f, 0.2f), light = onCircle(0.7f), view = onCircle(-0.4f);
-  const auto shade = [&](float u, float v) {
+  const auto shade = [&](float u, float v, float rho) {
     hair::StrandLight lights;
     lights.key = kKeyLight * hair::keyShare(kLook, v, light.z, 0.8f);
     lights.through = kKeyLight * (0.8f * hair::rimLight(glm::dot(light, view), view.z, v));
     lights.fill = kFillLight;
     lights.rim = kBackLight * hair::fringe(view.z, v);
     lights.sky = glm::mix(kFloorLight, kSky, 0.75f);
-    return hair::shadeStrand(kLook, albedo, onCircle(3 * u), light, view, light.z, view.z, v, 0.3f, lights, u).x;
+    return hair::shadeStrand(kLook, albedo, onCircle(3 * u), light, view, light.z, view.z, v, rho, lights, u).x;
   };
   // The sum of several terms, scaled by the light.
-  EXPECT_LT(largestDifference(7, shade), 2 * kLightIntensity * kGpuPrecision);
+  EXPECT_LT(largestDifference(7, [&](float u, float v) { return shade(u, v, 0.3f); }), 2 * kLightIntensity * kGpuPrecision);
+  // Of the technique `shells`, dry.
+  EXPECT_LT(largestDifference(32, [&](float u, float v) { return shade(u, v, 0); }), 2 * kLightIntensity * kGpuPrecision);
 }
 
 TEST(Twins, ToneMap) {

@@ -195,8 +195,9 @@ FUR_BLOCK(FurBlock) {
 #define FUR_FIN_PIXELS 3.0
 // The height at which a fin begins: below it shells show the coat better.
 #define FUR_FIN_FOOT 0.3
-// Quads of a fin along its height.
+// Quads of a fin along its height; of one of the technique `shells`, which stand on more edges.
 #define FUR_FIN_SEGMENTS 4
+#define FUR_CLASSIC_FIN_SEGMENTS 2
 // Shells of the exploded view, and how much further apart they are than in the coat, model units.
 #define FUR_EXPLODED_SHELLS 8
 #define FUR_EXPLODED_GAP 0.035

@@ -70,6 +70,7 @@ void FinPass::selectClassic(const Drawing& drawing, bool all) {
   const Vec4 wanted(eye, all ? -2 : -1);
   if (selectedFor_ == wanted) return;
   selectedFor_ = wanted;
+  constexpr float kFaintest = 0.04f;  // that shows
   std::vector<FinEdge> seen;
   std::vector<std::pair<float, std::uint32_t>> order;  // distance, index in `seen`
   for (const FinEdge& e : edges_) {
@@ -78,7 +79,7 @@ void FinPass::selectClassic(const Drawing& drawing, bool all) {
     const float away = glm::length(way), facing = glm::dot(Vec3(e.face0), way) * glm::dot(Vec3(e.face1), way) / (away * away);
     const Vec3 across = normalizeOr(glm::cross(Vec3(e.positionB - e.positionA), Vec3(e.normalA + e.normalB)), Vec3(0));
     const float opacity = all ? 1.0f : furgen::finOpacity(facing, glm::dot(across, way) / away);
-    if (opacity <= 0) continue;
+    if (opacity < kFaintest) continue;
     order.emplace_back(away, static_cast<std::uint32_t>(seen.size()));
     seen.push_back(e);
     seen.back().normalB.w = opacity;
@@ -117,7 +118,7 @@ bool FinPass::drawClassic(const Drawing& drawing) {
   if (count_ == 0) return true;
   if (!drawing.programs.use(Shader::Fin, drawing.look.classicFur())) return false;
   gl::apply({.depthWrite = false, .cullBack = false, .blend = gl::Blend::Over});
-  array_.drawStrips(2 * (FUR_FIN_SEGMENTS + 1), count_);
+  array_.drawStrips(2 * (FUR_CLASSIC_FIN_SEGMENTS + 1), count_);
   return true;
 }
 
