@@ -1,9 +1,9 @@
 #include "render/passes/fin/FinPass.h"
 
 #include <algorithm>
-#include <functional>
 #include <utility>
 
+#include "core/Sort.h"
 #include "furgen/FinOpacity.h"
 #include "shared/Blocks.h"
 
@@ -84,7 +84,7 @@ void FinPass::selectClassic(const Drawing& drawing, bool all) {
     seen.push_back(e);
     seen.back().normalB.w = opacity;
   }
-  std::sort(order.begin(), order.end(), std::greater<>());
+  sortStably(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<FinEdge> farToNear;
   farToNear.reserve(seen.size());
   for (const auto& [away, i] : order) farToNear.push_back(seen[i]);
