@@ -131,5 +131,6 @@ test('a free camera turns where it is, flies while the right button is held, and
   await page.mouse.up({ button: 'right' });
   const state = await withFur(page, (fur) => JSON.parse(fur.getState()));
   assert.equal(state.settings.cameraMode, 'free');
-  assert.deepEqual(await withFur(page, (fur, json) => { fur.resetCamera(); fur.step(0.1, 20); fur.setState(json); return fur.getCameraOrbit().target; }, JSON.stringify(state)), state.camera.target);
+  const back = await withFur(page, (fur, json) => { fur.resetCamera(); fur.step(0.1, 20); fur.setState(json); return fur.getCameraOrbit(); }, JSON.stringify(state));
+  assert.ok(apart(back, state.camera) < 0.01, 'as it was');
 });

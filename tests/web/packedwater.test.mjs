@@ -23,7 +23,7 @@ const drops = waterOf((x, y) => {
 
 test('what is wet comes back with its clumps, over what else there is of the water', async () => {
   const back = await unpackWater(await packWater(drops, 256), dry);
-  assert.equal(back.length, dry.length);
+  assert.equal(back.length, dry.length + 4 * side * side, 'with a film');
   assert.deepEqual([...back.subarray(-3)], [9, 8, 7]);
   const [before, after] = [texels(drops), texels(back)];
   for (let i = 0; i < before.length; i += 4) {
@@ -31,6 +31,13 @@ test('what is wet comes back with its clumps, over what else there is of the wat
     if (!(before[i + 3] > 0)) continue;
     for (const [k, off] of [[0, 0.001], [1, 0.001], [2, 0.05 * before[i + 2]], [3, 0.017]]) assert.ok(Math.abs(after[i + k] - before[i + k]) <= off, `${k}: ${after[i + k]} of ${before[i + k]}`);
   }
+});
+
+test('what stands on the fur comes back, too', async () => {
+  const film = Float32Array.from({ length: side * side }, (_, i) => (i % side < 9 ? 0.25 : 0));
+  const before = new Uint8Array(Buffer.concat([drops.subarray(0, 8 + 16 * side * side), new Uint8Array(Uint32Array.of(side * side).buffer), new Uint8Array(film.buffer), Buffer.from([9])]));
+  const back = await unpackWater(await packWater(before, 256), dry);
+  assert.deepEqual(new Float32Array(back.slice(12 + 16 * side * side, 12 + 20 * side * side).buffer), film);
 });
 
 test('a coarser one is smaller and as wet', async () => {
@@ -51,9 +58,9 @@ test('a link of 8 KB never unfolds to more than its limit', async () => {
 });
 
 test('what packWater() did not make is refused', async () => {
-  const head = (...bytes) => packedOf(Buffer.concat([Buffer.from(bytes), Buffer.alloc(4 * 64 * 64)]));
+  const head = (...bytes) => packedOf(Buffer.concat([Buffer.from(bytes), Buffer.alloc(5 * 64 * 64)]));
   for (const bad of ['', 'AAAA', '%', head(2, 6, 0, 0), head(1, 5, 0, 0), head(1, 40, 0, 0), head(1, 6, 255, 255), packedOf(Buffer.from([1, 6, 0, 0]))]) await assert.rejects(unpackWater(bad, dry), bad);
-  const stray = Buffer.alloc(4 + 4 * 64 * 64, 0);
+  const stray = Buffer.alloc(4 + 5 * 64 * 64, 0);
   stray.set([1, 6, 0, 0]);
   stray[4 + 17] = 3;  // a clump that the table lacks
   await assert.rejects(unpackWater(packedOf(stray), dry), /no such clump/);
