@@ -48,9 +48,10 @@ std::vector<Command> GroomPanel::draw(const EditorModel& model, settings::Settin
   commands_.clear();
   shown_ = changes_ = false;
   tooltips_ = tooltips;
-  const bool opened = openFor(model.tool);
+  // In two frames, as only the second knows how long the panel has become.
+  if (openFor(model.tool)) scrolls_ = 2;
   if (!groupHeader("Groom")) return {};
-  if (opened) ImGui::SetScrollHereY(0);
+  if (scrolls_ > 0) --scrolls_, ImGui::SetScrollHereY(0);
   drawPoint(model);
   drawBrush(model, edited);
   drawPaint(model, edited);

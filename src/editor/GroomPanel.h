@@ -47,6 +47,7 @@ class GroomPanel {
   std::vector<Command> commands_;
   bool changes_ = false;
   Tool tool_ = Tool::None;        // of the frame before
+  int scrolls_ = 0;               // frames that still bring the section to the top
   std::optional<float> wetness_;  // while its slider is held
   bool shown_ = false, tooltips_ = false;
   float shortest_ = 0, longest_ = 0.5f;  // what "Select length" selects
