@@ -130,12 +130,12 @@ Status loadScene(app::App& app, const std::string& nameOrPath, const std::string
   if (!bytes) return bytes.error();
   const std::string name = fs::path(nameOrPath).filename().string();
   if (Status status = app.loadModel(bytes.value(), name, neighbours(path)); !status) return status;
-  const scene::EncodedImage& encoded = app.pendingImage();
-  if (encoded.bytes.empty()) return Done{};
-  if (auto image = scene::decodeImage(encoded.bytes))
-    app.provideImage(image->width, image->height, std::move(image->rgba));
-  else
-    app.addWarning(name + ": " + image.error().message);
+  while (!app.pendingImage().bytes.empty()) {
+    auto image = scene::decodeImage(app.pendingImage().bytes);
+    if (!image) app.addWarning(name + ": " + image.error().message);
+    if (image) app.provideImage(image->width, image->height, std::move(image->rgba));
+    else app.provideImage(0, 0, {});
+  }
   return Done{};
 }
 

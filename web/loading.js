@@ -2,7 +2,7 @@
 import { asFurError, FurError } from './errors.js';
 import { Documents } from './documents.js';
 import { FurApp } from './furapp.js';
-import { fetchModel, loadInto, provideModelImage, readGiven } from './models.js';
+import { fetchModel, loadInto, provideModelImages, readGiven } from './models.js';
 import { Progress } from './progress.js';
 import { compileProgram, instantiateProgram } from './runtime.js';
 
@@ -273,7 +273,7 @@ export class Loading {
   /** The picture of the model that is shown, decoded, if it is shown still by then. Returns a warning or null. */
   provideImage() {
     const { app, source } = this.#session;
-    return provideModelImage(app, source, () => this.#session.app === app && this.#session.source === source);
+    return provideModelImages(app, source, () => this.#session.app === app && this.#session.source === source);
   }
 
   /** Tells of an error, and returns it. */

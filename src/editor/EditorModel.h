@@ -95,6 +95,12 @@ struct GroomView {
   std::optional<WhiskerView> whisker{};       // that is chosen
 };
 
+// One of several materials of the model.
+struct MaterialView {
+  std::string name;
+  bool furry = true;
+};
+
 // A scalp of the model's long hair.
 struct ScalpView {
   std::string name;
@@ -149,6 +155,7 @@ struct EditorModel {
   std::span<const float> frameSeconds;  // the last frames, oldest first
   CoatView coat;
   GroomView groom;
+  std::vector<MaterialView> materials;  // none: there is one
   HairView hair;
   PictureView picture;
   std::span<const VersionView> versions;  // newest first
@@ -212,6 +219,10 @@ struct RemoveWhisker {};
 struct ChooseWhisker {  // the one after it, or before
   int step;
 };
+struct SetFurry {       // app::App::setFurry()
+  int material;
+  bool furry;
+};
 struct EditHair {       // app::App::editHair()
   HairEdit edit = HairEdit::AddScalp;
   float value = 1;
@@ -264,7 +275,7 @@ using Command = std::variant<command::BeginChange, command::EndChange, command::
                              command::SetWetness, command::Shake, command::Stamp, command::LoadShipped,
                              command::OpenDialog, command::OpenPath, command::ResetCamera, command::Undo,
                              command::Redo, command::CopyState, command::PasteState, command::ApplyPreset,
-                             command::SaveTypeSet, command::SaveFo, command::SaveHair, command::SaveScene, command::SaveMaps, command::SelectAt, command::GroomAll,
+                             command::SaveTypeSet, command::SaveFo, command::SaveHair, command::SaveScene, command::SaveMaps, command::SelectAt, command::GroomAll, command::SetFurry,
                              command::SetPoint, command::SetWhisker, command::RemoveWhisker, command::ChooseWhisker,
                              command::EditHair, command::SetHairValues, command::SetBody, command::RenameScalp,
                              command::SavePicture, command::SaveTurntable, command::TurnOnce, command::StopPicture,

@@ -32,6 +32,7 @@ class GroomPanel {
   void drawPaint(const EditorModel& model, settings::Settings& edited);
   void drawMask(const EditorModel& model, settings::Settings& edited);
   void drawSelection(const EditorModel& model, settings::Settings& edited);
+  void drawParts(const EditorModel& model);
   void drawWhiskers(const EditorModel& model, settings::Settings& edited);
   void drawLengths();
   void drawDirections();

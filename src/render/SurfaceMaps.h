@@ -1,4 +1,4 @@
-// What lies on the model: the textures over its atlas and its picture, and a bend a vertex.
+// What lies on the model: the textures over its atlas, and a bend a vertex.
 #pragma once
 
 #include <cstdint>
@@ -15,10 +15,8 @@ namespace fur::render {
 // What fills them returns the bytes that were uploaded.
 class SurfaceMaps {
  public:
-  // White, and fur of full length everywhere. Needs a context.
+  // Fur of full length everywhere. Needs a context.
   std::size_t create();
-  // Straight RGBA8 in sRGB. {} makes it white.
-  std::size_t setBaseColor(int width, int height, std::span<const std::uint8_t> rgba);
   // A mask of another size than the one before comes whole.
   std::size_t updateMask(const wet::MaskTexels& mask);
   // One a vertex; w: length of the fur there, a share; for View::Forces the forces.
@@ -30,15 +28,13 @@ class SurfaceMaps {
 
   // Those that the frame's shaders read, to their units.
   void bind(const Frame& frame) const;
-  bool hasPicture() const { return hasPicture_; }
   int maskSize() const { return mask_.shape().width; }
   // Another number whenever strands stand otherwise: bends or groom are others.
   unsigned long revision() const { return revision_; }
   std::size_t bytes() const;
 
  private:
-  gl::Texture mask_, bends_, baseColor_, groom_, paint_, shape_, lockCentres_;
-  bool hasPicture_ = false;
+  gl::Texture mask_, bends_, groom_, paint_, shape_, lockCentres_;
   unsigned long revision_ = 0;
 };
 

@@ -32,6 +32,8 @@ struct FurData {
   std::vector<std::uint8_t> water{};    // all of it as app::WaterStage saves it; not validated yet; at most kMostWaterBytes
   std::vector<std::uint8_t> typeSet{};  // a .fts whose coat is drawn; not validated yet
   hair::Hairstyle hair{};  // positions in model space
+  std::vector<int> bare{};  // materials of the file without fur; -1: primitives without one
+  bool hasBare = false;    // a document of several materials, of which `bare` tells
 };
 
 }  // namespace fur::scene

@@ -310,6 +310,7 @@ void EditorHost::perform(const editor::Command& command) {
       [&](const SetWhisker& c) { modes_.set(c.whisker); },
       [&](const RemoveWhisker&) { modes_.removeWhisker(); },
       [&](const ChooseWhisker& c) { modes_.chooseWhisker(c.step); },
+      [&](const SetFurry& c) { (void)app_.setFurry(c.material, c.furry); },
       [&](const EditHair& c) { app_.editHair(c.edit, c.value, c.direction); },
       [&](const SetHairValues& c) { app_.setHairValues(c.scalp, c.values); },
       [&](const RenameScalp& c) { (void)app_.setHairValue(static_cast<int>(c.scalp), "name", c.name); },
