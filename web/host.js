@@ -244,6 +244,18 @@ export class WetFur extends EventTarget {
     this.#app.clearGroom();
     this.#frames.afterChange();
   }
+  /** What the model is made of: [{ name, triangles, furry }]. */
+  get materials() { return this.loaded ? JSON.parse(this.#app.materials) : []; }
+  /** Whether fur grows on one of several materials, by its number. */
+  setFurry(material, furry) {
+    this.#app?.setFurry(material, furry);
+    this.#frames.afterChange();
+  }
+  /** The number of the material under CSS pixels of the canvas; -1 beside the model. */
+  materialAt(at) {
+    const [x, y] = this.#cssToBuffer(at);
+    return this.loaded ? this.#app.materialAt(x, y) : -1;
+  }
   /** Long hair: the edits of app/tools/HairEdits.inc. */
   async hair(edit, value = 1, direction = [0, 0, 0]) {
     await this.ready;

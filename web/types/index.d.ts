@@ -193,6 +193,12 @@ export interface WetFurApi extends WetFurMethods {
    * stays as it is. Rejects with a FurError where there is no such edit. This, length maps and all that saves fetch the editor's program.
    */
   groom(edit: GroomEdit, value?: number, direction?: readonly [number, number, number]): Promise<void>;
+  /** The materials of the model, by their numbers: what it has several of is furry or bare, as its names say, until somebody says otherwise. */
+  readonly materials: readonly { name: string; triangles: number; furry: boolean }[];
+  /** Whether fur grows on one of several materials; one undo step. Throws a FurError for a number that is none of theirs. */
+  setFurry(material: number, furry: boolean): void;
+  /** The number of the material under CSS pixels of the canvas; -1 beside the model. */
+  materialAt(at: { x: number; y: number }): number;
   /**
    * Long hair, as one undo step; what `value` and `direction` are is told with each edit. Warnings tell what could not be done; it
    * rejects with a FurError where there is no such edit. This fetches the editor's program.
