@@ -178,7 +178,7 @@ bool Renderer::drawClassic(const Drawing& drawing) {
   const settings::Settings& s = drawing.frame.settings;
   return drawBall(drawing) && (!s.skin || drawSkin(drawing, drawing.look.skin(kPlain))) &&
          (hairViews_ ? hairViews_->draw(drawing, *hair_) : hair_->draw(drawing)) && whiskers_.draw(drawing) && ground_.draw(drawing, groundShadow_) &&
-         drawBackground(drawing) && fins_.drawClassic(drawing) && (!s.shells || shells_.drawClassic(drawing)) && drops_.draw(drawing) &&
+         drawBackground(drawing) && drawBlended(drawing) && fins_.drawClassic(drawing) && (!s.shells || shells_.drawClassic(drawing)) && drops_.draw(drawing) &&
          (!hairViews_ || hairViews_->drawLines(drawing));
 }
 
