@@ -96,13 +96,26 @@ Status loadHair(app::App& app, const std::string& path) {
   return app.loadHair(bytes.value(), fs::path(path).filename().string());
 }
 
-Status loadGroomImage(app::App& app, groom::ImageOf what, const std::string& path) {
+namespace {
+
+template <class Use>
+Status withPicture(const std::string& path, const Use& use) {
   const auto bytes = readFile(path);
   if (!bytes) return bytes.error();
   const auto image = scene::decodeImage(bytes.value());
   if (!image) return Error{image.error().id, path + ": " + image.error().message};
-  app.groomFromFile(what, fs::path(path).filename().string(), image.value().width, image.value().height, image.value().rgba);
+  use(fs::path(path).filename().string(), image.value());
   return Done{};
+}
+
+}  // namespace
+
+Status loadGroomImage(app::App& app, groom::ImageOf what, const std::string& path) {
+  return withPicture(path, [&](const std::string& name, const auto& image) { app.groomFromFile(what, name, image.width, image.height, image.rgba); });
+}
+
+Status usePicture(app::App& app, app::PictureUse use, const std::string& path) {
+  return withPicture(path, [&](const std::string& name, const auto& image) { app.usePicture(use, name, image.width, image.height, image.rgba); });
 }
 
 Status writeFiles(const std::string& folder, std::span<const scene::NamedFile> files) {

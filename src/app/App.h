@@ -22,6 +22,7 @@
 #include "app/tools/FurAt.h"
 #include "app/tools/GroomEdits.h"
 #include "app/tools/HairEdits.h"
+#include "app/tools/PictureUses.h"
 #include "app/tools/Tools.h"
 #include "core/Result.h"
 #include "furgen/TilePicture.h"
@@ -215,6 +216,8 @@ class App {
   void groomFromImage(groom::ImageOf what, int width, int height, std::span<const std::uint8_t> rgba);
   // The same by the name of its file: one that saveMaps() wrote goes back over the atlas, whatever `what` says.
   void groomFromFile(groom::ImageOf what, std::string_view name, int width, int height, std::span<const std::uint8_t> rgba);
+  // As a person has said that a picture is meant; one that saveMaps() wrote, by its name, goes back all the same.
+  void usePicture(PictureUse use, std::string_view name, int width, int height, std::span<const std::uint8_t> rgba);
   // Length, types, paint, mask, shape, comb (groom/MapPictures.h), wetness (grey, 255 is saturated) and the layout of the charts as
   // PNG files of the model's name, mapsName().
   std::vector<scene::NamedFile> saveMaps() const;

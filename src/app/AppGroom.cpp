@@ -48,6 +48,14 @@ void App::groomFromFile(groom::ImageOf what, std::string_view name, int width, i
   s.endStroke();
 }
 
+void App::usePicture(PictureUse use, std::string_view name, int width, int height, std::span<const std::uint8_t> rgba) {
+  if (groom::mapOfFile(name)) return groomFromFile(groom::ImageOf::Length, name, width, height, rgba);
+  State& s = *state_;
+  s.beginGroomStroke();
+  s.groom.usePicture(s.shape, s.settings, use, width, height, rgba, s.warnings);
+  s.endStroke();
+}
+
 groom::Coverage App::groomCoverage() const {
   // A plain one needs no atlas.
   State& s = *state_;

@@ -15,6 +15,7 @@
 #include "app/tools/FurAt.h"
 #include "app/tools/GroomEdits.h"
 #include "app/tools/HairEdits.h"
+#include "app/tools/PictureUses.h"
 #include "app/tools/Tools.h"
 #include "core/Math.h"
 #include "hair/Body.h"
@@ -26,6 +27,7 @@ namespace fur::editor {
 using app::FurNumber;
 using app::GroomEdit;
 using app::HairEdit;
+using app::PictureUse;
 using app::Tool;
 
 // How a person can bring a file: through a dialog of the platform alone, or also by typing its path.
@@ -158,6 +160,7 @@ struct EditorModel {
   std::vector<MaterialView> materials;  // none: there is one
   HairView hair;
   PictureView picture;
+  std::string pictureAsked;  // the file of a picture of which it is to be asked what it is; "": none
   std::span<const VersionView> versions;  // newest first
 };
 
@@ -240,6 +243,9 @@ struct RenameScalp {
   std::size_t scalp;
   std::string name;
 };
+struct UsePicture {     // the one that is asked about; none: it is not used
+  std::optional<PictureUse> use;
+};
 struct SavePicture {
   int width, height;
   bool transparent;
@@ -275,7 +281,7 @@ using Command = std::variant<command::BeginChange, command::EndChange, command::
                              command::SetWetness, command::Shake, command::Stamp, command::LoadShipped,
                              command::OpenDialog, command::OpenPath, command::ResetCamera, command::Undo,
                              command::Redo, command::CopyState, command::PasteState, command::ApplyPreset,
-                             command::SaveTypeSet, command::SaveFo, command::SaveHair, command::SaveScene, command::SaveMaps, command::SelectAt, command::GroomAll, command::SetFurry,
+                             command::SaveTypeSet, command::SaveFo, command::SaveHair, command::SaveScene, command::SaveMaps, command::SelectAt, command::GroomAll, command::SetFurry, command::UsePicture,
                              command::SetPoint, command::SetWhisker, command::RemoveWhisker, command::ChooseWhisker,
                              command::EditHair, command::SetHairValues, command::SetBody, command::RenameScalp,
                              command::SavePicture, command::SaveTurntable, command::TurnOnce, command::StopPicture,

@@ -75,6 +75,13 @@ Settings typeCoat(const Settings& settings, int type) {
   return out;
 }
 
+int baldType(const Settings& settings) {
+  const int types[] = {settings.type4, settings.type3, settings.type2};
+  for (int i = 0; i < 3; ++i)
+    if (types[i] == 0) return 4 - i;
+  return 0;
+}
+
 float typeHeight(const Settings& settings, int type) {
   if (type == 0) return 1;
   const Settings coat = typeCoat(settings, type);

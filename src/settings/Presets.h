@@ -39,6 +39,8 @@ const Preset* presetOf(const Settings& settings);
 Settings typeCoat(const Settings& settings, int type);
 // The longest strand of that type as a share of furLength, at most 1 (type 0: 1); 0: the type is bald.
 float typeHeight(const Settings& settings, int type);
+// The last of the types 2 to 4 that grows nothing, by which fur is thinned; 0: all of them grow something.
+int baldType(const Settings& settings);
 
 // The warning for an unknown name, which lists the known ones.
 std::string unknownPreset(std::string_view name);

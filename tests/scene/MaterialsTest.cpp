@@ -1,6 +1,7 @@
 // Several materials of a glTF file: what is read of them, and which are bare.
 #include <gtest/gtest.h>
 
+#include "core/Random.h"
 #include "scene/Model.h"
 #include "tests/scene/GltfBuilder.h"
 
@@ -144,7 +145,7 @@ TEST(GltfMaterials, MoreThanTheLimitAreKeptTogetherAndNamed) {
 }
 
 // A PNG as far as its size.
-FileBytes pngHeader(std::uint32_t width, std::uint32_t height) {
+FileBytes sizedPng(std::uint32_t width, std::uint32_t height) {
   FileBytes bytes{137, 80, 78, 71, 13, 10, 26, 10, 0, 0, 0, 13, 'I', 'H', 'D', 'R'};
   for (const std::uint32_t side : {width, height})
     for (int shift = 24; shift >= 0; shift -= 8) bytes.push_back(static_cast<std::uint8_t>(side >> shift));
@@ -153,7 +154,7 @@ FileBytes pngHeader(std::uint32_t width, std::uint32_t height) {
 }
 
 TEST(GltfMaterials, ImagesOverTheLimitTogetherAreLeftOutByName) {
-  const FileSet others{{"a.png", pngHeader(8192, 4096)}, {"b.png", pngHeader(8192, 4096)}, {"c.png", pngHeader(8, 8)}};
+  const FileSet others{{"a.png", sizedPng(8192, 4096)}, {"b.png", sizedPng(8192, 4096)}, {"c.png", sizedPng(8, 8)}};
   auto model = importGltf(two(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}},{"pbrMetallicRoughness":{"baseColorTexture":{"index":1}},"normalTexture":{"index":2}}],
     "textures":[{"source":0},{"source":1},{"source":2}],"images":[{"uri":"a.png"},{"uri":"b.png"},{"uri":"c.png"}],"samplers":[)").build(), "big.glb", others);
   ASSERT_TRUE(model) << model.error().message;
@@ -164,7 +165,7 @@ TEST(GltfMaterials, ImagesOverTheLimitTogetherAreLeftOutByName) {
 }
 
 TEST(GltfMaterials, OneImageOfSeveralMaterialsIsKeptOnce) {
-  const FileSet others{{"a.png", pngHeader(8, 8)}};
+  const FileSet others{{"a.png", sizedPng(8, 8)}};
   auto model = importGltf(two(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}},{"pbrMetallicRoughness":{"baseColorTexture":{"index":1}}}],
     "textures":[{"source":0},{"source":0,"sampler":0}],"images":[{"uri":"a.png"}],"samplers":[{"wrapS":33071,"wrapT":33071})").build(), "one.glb", others);
   ASSERT_TRUE(model) << model.error().message;
@@ -172,6 +173,37 @@ TEST(GltfMaterials, OneImageOfSeveralMaterialsIsKeptOnce) {
   EXPECT_EQ(model->materials[1].baseColorTexture.image, 0);
   EXPECT_TRUE(model->materials[0].baseColorTexture.repeats);
   EXPECT_FALSE(model->materials[1].baseColorTexture.repeats);
+}
+
+TEST(GltfMaterials, AnyByteMayBeWrongWithoutMoreThanATypedError) {
+  const FileSet others{{"a.png", sizedPng(8, 8)}};
+  TriangleFile file = two(R"({"name":"Body","pbrMetallicRoughness":{"baseColorTexture":{"index":0},"metallicFactor":0.5}},{"name":"Eyes","alphaMode":"BLEND","doubleSided":true,
+    "normalTexture":{"index":1,"scale":2},"occlusionTexture":{"index":1,"strength":0.5},"emissiveTexture":{"index":0,"extensions":{"KHR_texture_transform":{"offset":[0.5,0],"scale":[2,2],"rotation":1}}}}],
+    "textures":[{"source":0,"sampler":0},{"source":0}],"images":[{"uri":"a.png"}],"samplers":[{"wrapS":33071,"wrapT":33071})");
+  file.top += R"("extensionsUsed":["WETFUR_fur"],"extensions":{"WETFUR_fur":{"version":2,"bare":[1]}},)";
+  const FileBytes whole = file.build();
+  ASSERT_TRUE(importGltf(whole, "whole.glb", others));
+  const std::size_t from = 20, length = file.json().size();
+  Random random(7);
+  int opened = 0, refused = 0;
+  for (int i = 0; i < 4000; ++i) {
+    FileBytes bad = whole;
+    // One byte or two of the JSON, mostly such as stand in it.
+    for (std::uint32_t k = 0; k <= random.next() % 2; ++k) bad[from + random.next() % length] = random.next() % 4 ? bad[from + random.next() % length] : static_cast<std::uint8_t>(random.next());
+    auto model = importGltf(bad, "bad.glb", others);
+    if (!model) {
+      EXPECT_FALSE(model.error().message.empty());
+      ++refused;
+      continue;
+    }
+    ++opened;
+    for (const std::uint8_t material : model->materialOf) ASSERT_LT(material, model->materials.size());
+    for (const Material& material : model->materials)
+      for (const auto texture : {&Material::baseColorTexture, &Material::normalTexture, &Material::occlusionTexture, &Material::emissiveTexture})
+        ASSERT_LT((material.*texture).image, static_cast<int>(model->images.size()));
+  }
+  EXPECT_GT(opened, 100);
+  EXPECT_GT(refused, 100);
 }
 
 TriangleFile withBare(const std::string& bare) {

@@ -1,5 +1,5 @@
 // wet-fur: createWetFur and what it returns.
-import type { Color, FurSettings, GroomEdit, HairEdit, HairValues, PresetName, Tool, WetFurMethods } from './tables.js';
+import type { Color, FurSettings, GroomEdit, HairEdit, HairValues, PictureUse, PresetName, Tool, WetFurMethods } from './tables.js';
 
 export type * from './tables.js';
 
@@ -215,6 +215,11 @@ export interface WetFurApi extends WetFurMethods {
   setHairValue<Name extends keyof HairValues>(scalp: number, name: Name | 'name', value: HairValues[Name] | string): void;
   /** The scalps of the model. */
   readonly scalps: readonly { name: string; guides: number; wisps: number; selected: boolean; values: HairValues }[];
+  /**
+   * A picture in the model's texture coordinates (over the atlas if it has none), as one undo step, and what it is; without `as`, a
+   * dialog asks the person. Resolves to whether it was used. A File that the editor's "Save maps" wrote goes back where it came from.
+   */
+  loadPicture(picture: ModelBytes, options?: { as?: PictureUse }): Promise<boolean>;
   /**
    * An image in the model's texture coordinates: its brightness becomes the length of the fur. A File that the editor's "Save
    * maps" wrote (length, types, paint, mask or shape, by its name) goes back where it came from.

@@ -6,6 +6,7 @@
 #include "app/stages/Brushes.h"
 #include "app/stages/Mirror.h"
 #include "core/NoteChange.h"
+#include "groom/FromPicture.h"
 #include "groom/GroomFilters.h"
 #include "groom/MapPictures.h"
 #include "groom/Selection.h"
@@ -281,6 +282,26 @@ void GroomStage::readImage(const ShapeStage& shape, groom::ImageOf what, std::st
   if (map) groom::readMapPicture(*map, groom_, width, height, rgba);
   else groom::paintFromImage(what, groom_, groomSurface(shape), width, height, rgba);
   if (!map || *map != groom::ImageOf::Mask) groom::keepProtected(groom_, *before_, groomSurface(shape));
+  touch();
+}
+
+void GroomStage::usePicture(const ShapeStage& shape, const settings::Settings& settings, PictureUse use, int width, int height,
+                            std::span<const std::uint8_t> rgba, Warnings& warnings) {
+  const groom::GroomSurface skin = groomSurface(shape);
+  const groom::Picture picture{width, height, rgba};
+  switch (use) {
+    case PictureUse::Color: groom::paintColors(groom_, skin, picture, 0); break;
+    case PictureUse::TypeColor: groom::paintColors(groom_, skin, picture, settings.groomType + 1); break;
+    case PictureUse::Length: groom::paintFromImage(groom::ImageOf::Length, groom_, skin, width, height, rgba); break;
+    case PictureUse::Alpha: groom::lengthFromAlpha(groom_, skin, picture); break;
+    case PictureUse::Density:
+      if (const int bald = settings::baldType(settings)) groom::thinByPicture(groom_, skin, picture, bald);
+      else warnings.push_back("fur is thinned by a type that is bald: set one of the types 2 to 4 to bald");
+      break;
+    case PictureUse::Types: groom::paintFromImage(groom::ImageOf::Types, groom_, skin, width, height, rgba); break;
+    case PictureUse::Direction: groom::combFromPicture(groom_, skin, picture); break;
+  }
+  groom::keepProtected(groom_, *before_, skin);
   touch();
 }
 

@@ -11,6 +11,7 @@
 #include "app/stages/ShapeStage.h"
 #include "app/tools/FurAt.h"
 #include "app/tools/GroomEdits.h"
+#include "app/tools/PictureUses.h"
 #include "app/tools/Tools.h"
 #include "core/Random.h"
 #include "core/Result.h"
@@ -92,6 +93,8 @@ class GroomStage {
   void edit(const ShapeStage& shape, GroomEdit edit, float value, const Vec3& direction, std::uint32_t seed, Warnings& warnings);
   // An image, RGBA8, in the model's texture coordinates or, by the name of its file (groom/MapPictures.h), over the atlas.
   void readImage(const ShapeStage& shape, groom::ImageOf what, std::string_view file, int width, int height, std::span<const std::uint8_t> rgba);
+  // What a picture means for the fur, likewise.
+  void usePicture(const ShapeStage& shape, const settings::Settings& settings, PictureUse use, int width, int height, std::span<const std::uint8_t> rgba, Warnings& warnings);
   void apply(const ShapeStage& shape, const GroomStep& step, bool undo);
   // Within a stroke.
   void setBare(std::size_t material, bool bare);
