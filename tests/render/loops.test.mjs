@@ -45,7 +45,7 @@ export function faultsIn(text) {
     const counted = head.match(/^int (\w+) = [^;]*; *\1 <(=?) ([\w -]+?)( && [^;]*)?; *\+\+\1$/);
     if (!counted) faults.push(`not counted by a whole number: ${loop}`);
     else if (!(largest(counted[3], text) + (counted[2] ? 1 : 0) <= most)) faults.push(`no bound of at most ${most}: ${loop}`);
-    else if (new RegExp(`\\b${counted[1]} *([-+*/]?=)[^=]`).test(bodyAt(text, index + loop.length)))
+    else if (new RegExp(`(?<!\\.)\\b${counted[1]} *([-+*/]?=)[^=]`).test(bodyAt(text, index + loop.length)))
       faults.push(`its count is changed inside: ${loop}`);
   }
   return faults;
