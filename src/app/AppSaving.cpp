@@ -6,7 +6,6 @@
 #include "core/Srgb.h"
 #include "scene/FoModel.h"
 #include "scene/Png.h"
-#include "scene/TypeSet.h"
 
 namespace fur::app {
 
@@ -21,12 +20,6 @@ std::vector<T> ofVertices(const std::vector<T>& values, const std::vector<std::u
   std::vector<T> out;
   for (std::size_t i = 0; !values.empty() && i < vertices.size(); ++i) out.push_back(values[vertices[i]]);
   return out;
-}
-
-std::vector<std::uint8_t> writtenTypeSet(const furgen::FurVolume& volume) {
-  auto bytes = scene::writeTypeSet(volume);
-  FUR_ASSERT(bytes, "App::saveScene()", "a volume of the format's shape", bytes.error().message);
-  return std::move(*bytes);
 }
 
 // Half-way up a strand; linear.
@@ -130,7 +123,7 @@ scene::FurData App::State::furData() const {
   fur.wetnessSize = water.mask().size();
   if (!water.mask().isDry()) fur.wetness = water.mask().texels();
   if (water.isWet()) fur.water = water.save(true);
-  if (const auto given = coat.given(coatInputs())) fur.typeSet = writtenTypeSet(*given);
+  fur.coats = shelf.filesOf(settings);
   return fur;
 }
 

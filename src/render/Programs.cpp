@@ -170,6 +170,7 @@ bool Programs::finish(gl::Program& program) {
   program.bindSampler("shapeMap", FUR_UNIT_SHAPE);
   program.bindSampler("lockCentres", FUR_UNIT_LOCK_CENTRES);
   program.bindSampler("baseColor", FUR_UNIT_BASE_COLOR);
+  program.bindSampler("typeColors", FUR_UNIT_TYPE_COLORS);
   program.bindSampler("shadowMap", FUR_UNIT_GROUND);
   program.bindSampler("puddles", FUR_UNIT_PUDDLES);
   program.bindSampler("streaks", FUR_UNIT_STREAKS);

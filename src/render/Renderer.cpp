@@ -82,7 +82,7 @@ void Renderer::setFurry(geometry::FurPatches patches, std::span<const float> ver
 
 FurShadow::Key Renderer::furShadowKey(const Frame& frame) const {
   settings::Settings s = frame.settings;
-  if (shells_.empty()) s.furLength = 0;
+  s.furLength = shells_.empty() ? 0 : frame.coatLength;
   const Vec3 light(glm::inverse(frame.worldFromModel) * Vec4(lightDirection(frame), 0));
   // In steps, so that texels stay where they are while hair swings.
   constexpr float kStep = 0.25f;
@@ -96,7 +96,7 @@ FurShadow::Key Renderer::furShadowKey(const Frame& frame) const {
 }
 
 void Renderer::uploadBlocks(const Frame& frame, const FurShadow::Key& shadow) {
-  const shared::FurBlock coat = furBlock(frame, fur_.size(), fur_.layers(), fur_.densities(), maps_.maskSize());
+  const shared::FurBlock coat = furBlock(frame, fur_.size(), fur_.layers(), fur_.densities(), maps_.maskSize(), maps_.typePictures());
   shared::FrameBlock block = frameBlock(frame);
   shadow.fill(block);
   block.samples = static_cast<float>(std::max(1, gl::platformSamples()));
@@ -127,7 +127,7 @@ Status Renderer::draw(const Frame& frame) {
   FUR_ASSERT(surface_.indexCount() > 0, "Renderer::draw()", "a surface", surface_.indexCount());
   const Frame drawn = asDrawn(frame);
   drawnPixels_ = static_cast<long>(drawn.width) * drawn.height;
-  const bool furry = fur_.density() > 0 && frame.settings.furLength > 0 && !shells_.empty();
+  const bool furry = fur_.density() > 0 && frame.coatLength > 0 && !shells_.empty();
   const Look look(drawn, furry, maps_.hasPicture());
   const Drawing drawing{drawn, look, surface_, programs_, uploadedBytes_};
   hair_->fit(drawn);

@@ -58,6 +58,8 @@ class Renderer {
   void showFur(std::span<const float> densities) { fur_.show(densities); }
 
   // See SurfaceMaps.
+  void setTypePictures(std::span<const SurfaceMaps::Picture> pictures) { uploadedBytes_ += maps_.setTypePictures(pictures); }
+  bool hasTypePictures() const { return maps_.hasTypePictures(); }
   void setBaseColor(int width, int height, std::span<const std::uint8_t> rgba) { uploadedBytes_ += maps_.setBaseColor(width, height, rgba); }
   void updateMask(const wet::MaskTexels& mask) { uploadedBytes_ += maps_.updateMask(mask); }
   void updateBends(std::span<const Vec4> bends) { uploadedBytes_ += maps_.updateBends(bends); }

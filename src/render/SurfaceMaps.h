@@ -7,7 +7,7 @@
 #include "geometry/AtlasTexels.h"
 #include "gl/Objects.h"
 #include "groom/Groom.h"
-#include "render/Frame.h"
+#include "render/Blocks.h"
 #include "wet/MaskTexels.h"
 
 namespace fur::render {
@@ -19,6 +19,12 @@ class SurfaceMaps {
   std::size_t create();
   // Straight RGBA8 in sRGB. {} makes it white.
   std::size_t setBaseColor(int width, int height, std::span<const std::uint8_t> rgba);
+  // Of each fur type its own, in place of that one; empty: it has none. All are made as large as the largest, up to a limit.
+  struct Picture {
+    int width = 0, height = 0;
+    std::span<const std::uint8_t> rgba{};
+  };
+  std::size_t setTypePictures(std::span<const Picture> pictures);
   // A mask of another size than the one before comes whole.
   std::size_t updateMask(const wet::MaskTexels& mask);
   // One a vertex; w: length of the fur there, a share; for View::Forces the forces.
@@ -30,14 +36,17 @@ class SurfaceMaps {
 
   // Those that the frame's shaders read, to their units.
   void bind(const Frame& frame) const;
-  bool hasPicture() const { return hasPicture_; }
+  bool hasPicture() const { return hasPicture_ || hasTypePictures(); }
+  bool hasTypePictures() const { return typeColors_.bytes() > 0; }
+  const TypePictures& typePictures() const { return typePictures_; }
   int maskSize() const { return mask_.shape().width; }
   // Another number whenever strands stand otherwise: bends or groom are others.
   unsigned long revision() const { return revision_; }
   std::size_t bytes() const;
 
  private:
-  gl::Texture mask_, bends_, baseColor_, groom_, paint_, shape_, lockCentres_;
+  gl::Texture mask_, bends_, baseColor_, groom_, paint_, shape_, lockCentres_, typeColors_;
+  TypePictures typePictures_ = kNoPictures;
   bool hasPicture_ = false;
   unsigned long revision_ = 0;
 };

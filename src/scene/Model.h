@@ -16,12 +16,6 @@
 
 namespace fur::scene {
 
-struct EncodedImage {
-  std::string mimeType;  // "image/png", "image/jpeg" or "image/webp"; empty: no image
-  std::vector<std::uint8_t> bytes;
-  int width = 0, height = 0;  // from its header
-};
-
 struct Model {
   std::string name;
   geometry::Mesh mesh;         // all meshes of the default scene, transformed by their nodes, fitted to the unit sphere
