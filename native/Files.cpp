@@ -84,10 +84,19 @@ scene::FileSet neighbours(const std::string& path) {
 
 }  // namespace
 
-Status loadTypeSet(app::App& app, const std::string& path) {
+Status loadTypeSet(app::App& app, const std::string& path, int type) {
   const auto bytes = readFile(path);
   if (!bytes) return bytes.error();
-  return app.loadTypeSet(bytes.value(), fs::path(path).filename().string());
+  return app.loadTypeSet(bytes.value(), fs::path(path).filename().string(), type);
+}
+
+Status loadTypePicture(app::App& app, const std::string& path, int type) {
+  auto bytes = readFile(path);
+  if (!bytes) return bytes.error();
+  auto image = scene::decodeImage(*bytes);
+  if (!image) return Error{image.error().id, path + ": " + image.error().message};
+  app.setTypePicture(type, std::move(*bytes), image->width, image->height, std::move(image->rgba));
+  return Done{};
 }
 
 Status loadHair(app::App& app, const std::string& path) {
@@ -130,6 +139,10 @@ Status loadScene(app::App& app, const std::string& nameOrPath, const std::string
   if (!bytes) return bytes.error();
   const std::string name = fs::path(nameOrPath).filename().string();
   if (Status status = app.loadModel(bytes.value(), name, neighbours(path)); !status) return status;
+  for (const std::uint32_t number : app.pendingPictures()) {
+    if (auto image = scene::decodeImage(app.typePicture(number).bytes)) app.provideTypePicture(number, image->width, image->height, std::move(image->rgba));
+    else app.addWarning(name + ": a colour map: " + image.error().message);
+  }
   const scene::EncodedImage& encoded = app.pendingImage();
   if (encoded.bytes.empty()) return Done{};
   if (auto image = scene::decodeImage(encoded.bytes))

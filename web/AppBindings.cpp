@@ -84,8 +84,7 @@ FUR_EXPORT int fur_provideImage(App* app, int width, int height, const std::uint
 
 // Text of a field; "" for an unknown name.
 FUR_EXPORT const char* fur_getSetting(App* app, const char* name) {
-  const settings::Field* field = settings::findField(name);
-  return web::text(field ? settings::fieldText(app->settings(), *field) : std::string());
+  return web::text(settings::settingText(app->settings(), name));
 }
 FUR_EXPORT int fur_setSetting(App* app, const char* name, const char* value) {
   return guarded([&] { return app->setField(name, value) ? 1 : 0; });

@@ -16,6 +16,13 @@ std::vector<std::uint8_t> written(const furgen::FurVolume& volume) {
   return std::move(*bytes);
 }
 
+// Without a type where it is none that is read.
+scene::EncodedImage encodedImage(std::vector<std::uint8_t> bytes) {
+  const auto header = scene::readImageHeader(bytes);
+  if (!header) return {{}, std::move(bytes)};
+  return {header->mimeType, std::move(bytes), static_cast<int>(header->width), static_cast<int>(header->height)};
+}
+
 }  // namespace
 
 float App::coatProgress() const { return state_->coat.progress(state_->coatInputs()); }
@@ -48,11 +55,11 @@ Status App::loadTypeSet(std::span<const std::uint8_t> bytes, const std::string& 
 
 bool App::coatGiven() const { return state_->shelf.coat(state_->settings.typeSets[0]) != nullptr; }
 
-void App::setTypePicture(int type, scene::EncodedImage file, int width, int height, std::vector<std::uint8_t> rgba) {
+void App::setTypePicture(int type, std::vector<std::uint8_t> file, int width, int height, std::vector<std::uint8_t> rgba) {
   FUR_ASSERT(rgba.size() == static_cast<std::size_t>(width) * height * 4, "App::setTypePicture()", "4 bytes for each of width * height texels", rgba.size());
-  if (!scene::readImageHeader(file.bytes)) file = {"image/png", scene::writePng(width, height, 4, rgba), width, height};
+  if (!scene::readImageHeader(file)) file = scene::writePng(width, height, 4, rgba);
   settings::Settings next = state_->settings;
-  next.typePictures[static_cast<std::size_t>(type)] = state_->shelf.add(ColorMap{std::move(file), width, height, std::move(rgba)});
+  next.typePictures[static_cast<std::size_t>(type)] = state_->shelf.add(ColorMap{encodedImage(std::move(file)), width, height, std::move(rgba)});
   beginChange();
   setSettings(next);
   endChange();
@@ -83,9 +90,8 @@ Status App::restoreTypeFiles(std::span<const std::uint8_t> bytes) {
   for (scene::TypeFiles& type : files) {
     from(type.typeSet, type.picture.bytes);
     if (type.picture.bytes.empty()) continue;
-    const auto header = scene::readImageHeader(type.picture.bytes);
-    if (!header) from.fail();
-    else type.picture = {header->mimeType, std::move(type.picture.bytes), static_cast<int>(header->width), static_cast<int>(header->height)};
+    type.picture = encodedImage(std::move(type.picture.bytes));
+    if (type.picture.mimeType.empty()) from.fail();
   }
   if (!from.sound() || !from.atEnd()) return Error{ErrorId::BadFile, "files of fur types of " + std::to_string(bytes.size()) + " bytes are not sound"};
   auto numbers = state_->shelf.addFiles(files, "coat.fts");

@@ -112,6 +112,11 @@ std::optional<TypeField> typeFieldOf(std::string_view name) {
   return TypeField{name[4] - '1', name.substr(6)};
 }
 
+bool isTypeField(std::string_view name) {
+  const Field* field = findField(name);
+  return (field && field->has(kOfType)) || name == "name" || name == "preset" || name == kFiles[0].name || name == kFiles[1].name;
+}
+
 bool setTypeField(Settings& settings, const TypeField& of, std::string_view text, Warnings& warnings) {
   if (of.name == "name") return setTypeName(settings, of.type, text), true;
   if (of.name == "preset") {

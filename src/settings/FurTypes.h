@@ -40,6 +40,7 @@ struct TypeField {
   std::string_view name;
 };
 std::optional<TypeField> typeFieldOf(std::string_view name);
+bool isTypeField(std::string_view name);
 bool setTypeField(Settings& settings, const TypeField& of, std::string_view text, Warnings& warnings);
 std::string typeFieldText(const Settings& settings, const TypeField& of);  // "": there is none of that name
 // ,"type2.curl":0.3,... with all that `settings` say of types besides their fields: what is read back in that order is the same.

@@ -31,6 +31,17 @@ bool setField(Settings& settings, std::string_view name, std::string_view text, 
   return false;
 }
 
+bool isSetting(std::string_view name) {
+  const auto of = typeFieldOf(name);
+  return findField(name) || (of && isTypeField(of->name));
+}
+
+std::string settingText(const Settings& settings, std::string_view name) {
+  if (const auto of = typeFieldOf(name)) return typeFieldText(settings, *of);
+  const Field* field = findField(name);
+  return field ? fieldText(settings, *field) : std::string();
+}
+
 namespace {
 const char* (*describe)(const Field&) = nullptr;
 }

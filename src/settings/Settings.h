@@ -50,6 +50,10 @@ const Field* findField(std::string_view name);
 // "type2.curl" is a value of a fur type (FurTypes.h).
 bool setField(Settings& settings, std::string_view name, std::string_view text, Warnings& warnings);
 
+// Whether setField() knows the name; what it has been set to, "" where there is none.
+bool isSetting(std::string_view name);
+std::string settingText(const Settings& settings, std::string_view name);
+
 // What the field does, in a line. Words for panels, which the viewer's download is spared: it does not call this.
 const char* tooltipOf(const Field& field);
 
