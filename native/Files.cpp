@@ -82,7 +82,20 @@ scene::FileSet neighbours(const std::string& path) {
   return set;
 }
 
+void decodePictures(app::App& app) {
+  for (const std::uint32_t number : app.pendingPictures()) {
+    if (auto image = scene::decodeImage(app.typePicture(number).bytes)) app.provideTypePicture(number, image->width, image->height, std::move(image->rgba));
+    else app.addWarning("a colour map could not be read: " + image.error().message);
+  }
+}
+
 }  // namespace
+
+Status restoreTypeFiles(app::App& app, std::span<const std::uint8_t> bytes) {
+  const Status status = app.restoreTypeFiles(bytes);
+  decodePictures(app);
+  return status;
+}
 
 Status loadTypeSet(app::App& app, const std::string& path, int type) {
   const auto bytes = readFile(path);
@@ -95,8 +108,7 @@ Status loadTypePicture(app::App& app, const std::string& path, int type) {
   if (!bytes) return bytes.error();
   auto image = scene::decodeImage(*bytes);
   if (!image) return Error{image.error().id, path + ": " + image.error().message};
-  app.setTypePicture(type, std::move(*bytes), image->width, image->height, std::move(image->rgba));
-  return Done{};
+  return app.setTypePicture(type, std::move(*bytes), image->width, image->height, std::move(image->rgba));
 }
 
 Status loadHair(app::App& app, const std::string& path) {
@@ -139,10 +151,7 @@ Status loadScene(app::App& app, const std::string& nameOrPath, const std::string
   if (!bytes) return bytes.error();
   const std::string name = fs::path(nameOrPath).filename().string();
   if (Status status = app.loadModel(bytes.value(), name, neighbours(path)); !status) return status;
-  for (const std::uint32_t number : app.pendingPictures()) {
-    if (auto image = scene::decodeImage(app.typePicture(number).bytes)) app.provideTypePicture(number, image->width, image->height, std::move(image->rgba));
-    else app.addWarning(name + ": a colour map: " + image.error().message);
-  }
+  decodePictures(app);
   const scene::EncodedImage& encoded = app.pendingImage();
   if (encoded.bytes.empty()) return Done{};
   if (auto image = scene::decodeImage(encoded.bytes))

@@ -24,6 +24,8 @@ Status writePng(const std::string& path, int width, int height, const std::vecto
 
 // A type set (.fts) by path takes the place of the coat.
 Status loadTypeSet(app::App& app, const std::string& path, int type = 0);
+// App::restoreTypeFiles(), with the pictures decoded.
+Status restoreTypeFiles(app::App& app, std::span<const std::uint8_t> bytes);
 // A picture as the colour map of a fur type, 0 to 3.
 Status loadTypePicture(app::App& app, const std::string& path, int type);
 Status loadHair(app::App& app, const std::string& path);  // a .hair file

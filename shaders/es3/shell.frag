@@ -30,9 +30,12 @@ out vec4 fragColor;
 
 #include "shell_root.glsl"
 #if defined(TEXTURED) && defined(TYPES)
+mat2 uvSteps;  // how the model's uv changes from pixel to pixel, from before any branch
+void enterModel() { uvSteps = mat2(dFdx(vLean.zw), dFdy(vLean.zw)); }
 // Skin has the model's own picture under strands that have a colour map.
-vec3 skinModel(vec3 ofStrands) { return mix(vec3(1.0), textureGrad(baseColor, vLean.zw, dFdx(vLean.zw), dFdy(vLean.zw)).rgb, textureAmount); }
+vec3 skinModel(vec3 ofStrands) { return mix(vec3(1.0), textureGrad(baseColor, vLean.zw, uvSteps[0], uvSteps[1]).rgb, textureAmount); }
 #else
+void enterModel() {}
 vec3 skinModel(vec3 ofStrands) { return ofStrands; }
 #endif
 #ifdef PAINTED
@@ -157,6 +160,7 @@ vec3 overSkin(vec3 color, Met met, vec3 model, float lit) {
 }
 
 void main() {
+  enterModel();
   March march = marchCoat(enterCoat());
 #ifdef VIEW_STEPS
   fragColor = heat(0.2 * taken);

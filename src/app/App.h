@@ -164,9 +164,8 @@ class App {
   // that lists the names: there is none of that one.
   bool applyPreset(std::string_view name, int type = 0);
   // A type's colour map, in the model's texture coordinates, in place of the model's own picture: the file, which is kept for
-  // saving (of another format than PNG, JPEG and WebP a PNG is made), and RGBA8. One undo step. setField("type2.picture", "")
-  // takes it away.
-  void setTypePicture(int type, std::vector<std::uint8_t> file, int width, int height, std::vector<std::uint8_t> rgba);
+  // saving, and RGBA8. One undo step. setField("type2.picture", "") takes it away. bad-file: it is no PNG, JPEG or WebP.
+  Status setTypePicture(int type, std::vector<std::uint8_t> file, int width, int height, std::vector<std::uint8_t> rgba);
   // Numbers of those that scenes have brought and nobody has decoded yet; their files (empty where there is none); what is in them.
   std::vector<std::uint32_t> pendingPictures() const;
   const scene::EncodedImage& typePicture(std::uint32_t number) const;

@@ -1,7 +1,6 @@
 // What programs do with the coat.
 #include "app/AppState.h"
 #include "core/Bytes.h"
-#include "scene/Png.h"
 #include "scene/TypeSet.h"
 #include "scene/import/ImageHeader.h"
 #include "settings/Presets.h"
@@ -45,7 +44,7 @@ Status App::loadTypeSet(std::span<const std::uint8_t> bytes, const std::string& 
   settings::Settings coat = settings::typeCoat(next, type);
   if (type > 0 && coat.density <= 0) coat.density = settings::Settings{}.density;
   if (type > 0) settings::setTypeCoat(next, type, coat);
-  next.typeSets[static_cast<std::size_t>(type)] = s.shelf.add(std::make_shared<const furgen::FurVolume>(std::move(*volume)));
+  next.typeSets[static_cast<std::size_t>(type)] = s.shelf.add(std::make_shared<const furgen::FurVolume>(std::move(*volume)), {bytes.begin(), bytes.end()});
   beginChange();
   setSettings(next);
   endChange();
@@ -55,14 +54,16 @@ Status App::loadTypeSet(std::span<const std::uint8_t> bytes, const std::string& 
 
 bool App::coatGiven() const { return state_->shelf.coat(state_->settings.typeSets[0]) != nullptr; }
 
-void App::setTypePicture(int type, std::vector<std::uint8_t> file, int width, int height, std::vector<std::uint8_t> rgba) {
+Status App::setTypePicture(int type, std::vector<std::uint8_t> file, int width, int height, std::vector<std::uint8_t> rgba) {
   FUR_ASSERT(rgba.size() == static_cast<std::size_t>(width) * height * 4, "App::setTypePicture()", "4 bytes for each of width * height texels", rgba.size());
-  if (!scene::readImageHeader(file)) file = scene::writePng(width, height, 4, rgba);
+  scene::EncodedImage image = encodedImage(std::move(file));
+  if (image.mimeType.empty()) return Error{ErrorId::BadFile, "a colour map is a PNG, JPEG or WebP"};
   settings::Settings next = state_->settings;
-  next.typePictures[static_cast<std::size_t>(type)] = state_->shelf.add(ColorMap{encodedImage(std::move(file)), width, height, std::move(rgba)});
+  next.typePictures[static_cast<std::size_t>(type)] = state_->shelf.add(ColorMap{std::move(image), width, height, std::move(rgba)});
   beginChange();
   setSettings(next);
   endChange();
+  return Done{};
 }
 
 std::vector<std::uint32_t> App::pendingPictures() const { return state_->shelf.pending(); }
@@ -80,11 +81,13 @@ void App::provideTypePicture(std::uint32_t number, int width, int height, std::v
 
 std::vector<std::uint8_t> App::saveTypeFiles() const {
   ByteWriter to;
+  if (!state_->shelf.names(state_->settings)) return {};
   for (const scene::TypeFiles& type : state_->shelf.filesOf(state_->settings)) to(type.typeSet, type.picture.bytes);
   return std::move(to.bytes);
 }
 
 Status App::restoreTypeFiles(std::span<const std::uint8_t> bytes) {
+  if (bytes.empty()) return Done{};
   ByteReader from(bytes);
   std::array<scene::TypeFiles, settings::kFurTypes> files;
   for (scene::TypeFiles& type : files) {

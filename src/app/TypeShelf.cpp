@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/Assert.h"
 #include "core/Fnv1a.h"
 #include "scene/TypeSet.h"
 
@@ -17,12 +16,6 @@ std::uint32_t numberOf(std::span<const std::uint8_t> bytes) {
   return number ? number : 1;
 }
 
-std::vector<std::uint8_t> written(const furgen::FurVolume& volume) {
-  auto bytes = scene::writeTypeSet(volume);
-  FUR_ASSERT(bytes, "TypeShelf", "a volume of the format's shape", bytes.error().message);
-  return std::move(*bytes);
-}
-
 template <class Held>
 void keepOnly(std::map<std::uint32_t, Held>& all, std::span<const std::uint32_t> numbers) {
   std::erase_if(all, [&](const auto& one) { return std::find(numbers.begin(), numbers.end(), one.first) == numbers.end(); });
@@ -30,9 +23,9 @@ void keepOnly(std::map<std::uint32_t, Held>& all, std::span<const std::uint32_t>
 
 }  // namespace
 
-std::uint32_t TypeShelf::add(GivenCoat coat) {
-  const std::uint32_t number = numberOf(written(*coat));
-  coats_[number] = std::move(coat);
+std::uint32_t TypeShelf::add(GivenCoat coat, std::vector<std::uint8_t> file) {
+  const std::uint32_t number = numberOf(file);
+  coats_.try_emplace(number, std::move(coat), std::move(file));
   return number;
 }
 
@@ -46,7 +39,7 @@ std::uint32_t TypeShelf::add(ColorMap map) {
 
 GivenCoat TypeShelf::coat(std::uint32_t number) const {
   const auto found = coats_.find(number);
-  return found == coats_.end() ? nullptr : found->second;
+  return found == coats_.end() ? nullptr : found->second.volume;
 }
 
 const ColorMap* TypeShelf::picture(std::uint32_t number) const {
@@ -70,6 +63,11 @@ void TypeShelf::provide(std::uint32_t number, int width, int height, std::vector
   ++revision_;
 }
 
+bool TypeShelf::names(const settings::Settings& settings) const {
+  const auto held = [](const auto& all, const auto& numbers) { return std::any_of(numbers.begin(), numbers.end(), [&](std::uint32_t number) { return all.contains(number); }); };
+  return held(coats_, settings.typeSets) || held(pictures_, settings.typePictures);
+}
+
 GivenCoats TypeShelf::coatsOf(const settings::Settings& settings) const {
   GivenCoats coats;
   for (std::size_t type = 0; type < coats.size(); ++type) coats[type] = coat(settings.typeSets[type]);
@@ -79,7 +77,7 @@ GivenCoats TypeShelf::coatsOf(const settings::Settings& settings) const {
 std::array<scene::TypeFiles, settings::kFurTypes> TypeShelf::filesOf(const settings::Settings& settings) const {
   std::array<scene::TypeFiles, settings::kFurTypes> files;
   for (std::size_t type = 0; type < files.size(); ++type) {
-    if (const GivenCoat given = coat(settings.typeSets[type])) files[type].typeSet = written(*given);
+    if (const auto found = coats_.find(settings.typeSets[type]); found != coats_.end()) files[type].typeSet = found->second.file;
     if (const ColorMap* map = picture(settings.typePictures[type])) files[type].picture = map->file;
   }
   return files;
@@ -92,7 +90,7 @@ Result<TypeShelf::Numbers> TypeShelf::addFiles(std::span<const scene::TypeFiles>
     if (!from.typeSet.empty()) {
       auto volume = scene::readTypeSet(from.typeSet, name);
       if (!volume) return volume.error();
-      numbers.typeSets[type] = add(std::make_shared<const furgen::FurVolume>(std::move(*volume)));
+      numbers.typeSets[type] = add(std::make_shared<const furgen::FurVolume>(std::move(*volume)), from.typeSet);
     }
     if (!from.picture.bytes.empty()) numbers.pictures[type] = add(ColorMap{from.picture});
   }

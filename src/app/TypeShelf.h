@@ -24,7 +24,7 @@ struct ColorMap {
 class TypeShelf {
  public:
   // Both return the number.
-  std::uint32_t add(GivenCoat coat);
+  std::uint32_t add(GivenCoat coat, std::vector<std::uint8_t> file);
   std::uint32_t add(ColorMap map);
   // nullptr: there is none of that number.
   GivenCoat coat(std::uint32_t number) const;
@@ -34,6 +34,8 @@ class TypeShelf {
   std::vector<std::uint32_t> pending() const;
   void provide(std::uint32_t number, int width, int height, std::vector<std::uint8_t> rgba);
 
+  // Whether there are any that the settings name.
+  bool names(const settings::Settings& settings) const;
   GivenCoats coatsOf(const settings::Settings& settings) const;
   // As files have them: all that the settings name, none where they name none.
   std::array<scene::TypeFiles, settings::kFurTypes> filesOf(const settings::Settings& settings) const;
@@ -47,7 +49,11 @@ class TypeShelf {
   std::uint64_t revision() const { return revision_; }  // another one whenever a picture has come or gone
 
  private:
-  std::map<std::uint32_t, GivenCoat> coats_;
+  struct Coat {
+    GivenCoat volume;
+    std::vector<std::uint8_t> file;
+  };
+  std::map<std::uint32_t, Coat> coats_;
   std::map<std::uint32_t, ColorMap> pictures_;
   std::uint64_t revision_ = 1;
 };

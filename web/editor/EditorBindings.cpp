@@ -218,8 +218,8 @@ FUR_EXPORT void fur_editor_message(App* app, const char* text, int isError) {
 // --- work that visitors seldom ask for, so that they need not download it ---
 
 // These give the number of the bytes that they make, which lie at fur_savedBytes() until they are forgotten.
-FUR_EXPORT std::uint32_t fur_saveTypeSet(App* app) {
-  return guarded([&] { return web::keepSaved(app->saveTypeSet()); });
+FUR_EXPORT std::uint32_t fur_saveTypeSet(App* app, int type) {
+  return guarded([&] { return web::keepSaved(app->saveTypeSet(type)); });
 }
 FUR_EXPORT std::uint32_t fur_saveFo(App* app) {
   return guarded([&] { return web::keepSaved(app->saveFo()); });
