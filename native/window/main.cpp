@@ -148,6 +148,7 @@ class Session {
   }
 
   void load(const std::string& scene) {
+    if (scene::isNamedAs(scene::FileKind::Coat, scene)) return check(native::loadTypeSet(app_, scene, host_.coatType()));
     if (!native::isModel(scene)) return check(native::loadScene(app_, scene, program_));
     Kept former = keep(true);
     if (const Status status = native::loadScene(app_, scene, program_); !status) return check(status);
@@ -282,7 +283,7 @@ class Session {
           openChosen();
           break;
         case Kind::SaveTypeSet:
-          askAndSave(command->text, [this] { return app_.saveTypeSet(); });
+          askAndSave(command->text, [this] { return app_.saveTypeSet(host_.coatType()); });
           break;
         case Kind::SaveFo:
           askAndSave(command->text, [this] { return app_.saveFo(); });

@@ -116,6 +116,7 @@ Status App::loadModel(std::span<const std::uint8_t> bytes, const std::string& na
   if (keepState) return Done{};
   if (model->fur.state.empty()) {
     s.restoreOwnLook();
+    s.takeFurLength(model->furLength);
     return Done{};
   }
   if (!s.ownLook) s.ownLook = State::Look{s.settings, camera()};
@@ -130,6 +131,16 @@ Status App::loadModel(std::span<const std::uint8_t> bytes, const std::string& na
   s.cameraOfFile = camera();
   s.history.clear();
   return status;
+}
+
+// Of a model that says nothing else of the coat.
+void App::State::takeFurLength(float length) {
+  if (length <= 0) return;
+  ownLook = Look{settings, view.camera.goal()};
+  settings::Settings next = settings;
+  settings::setField(next, *settings::findField("furLength"), length, warnings);
+  applySettings(next);
+  settingsOfFile = settings;
 }
 
 // Of the model before one that brought its own, unless a person has changed that since.

@@ -98,7 +98,7 @@ class App {
   std::uint64_t surfaceRevision() const;  // another one, above 0, whenever there is another surface
   // Names of what the model can play, one a line, for the setting `animation`, which counts from 1.
   std::string animations() const;
-  // The model as .fo, with its fur coordinates at the repeat of the settings, lengths and types.
+  // The model as .fo, with its fur coordinates at the repeat of the settings, lengths, types and the comb.
   std::vector<std::uint8_t> saveFo() const;
   // Model, picture, groom, coat, what is wet, settings and camera as .glb, which other programs show without fur. A glTF document
   // goes back whole in programs that said so with keepDocuments(), before the model came; without, the viewer's download is spared it.
@@ -157,7 +157,7 @@ class App {
   // A type set (.fts) takes the place of a type's (0 to 3) grown coat until one of its generator settings changes; one undo
   // step. A failure leaves the coat as it was.
   Status loadTypeSet(std::span<const std::uint8_t> bytes, const std::string& name, int type = 0);
-  bool coatGiven() const;  // that of type 0 came from one
+  bool coatGiven(int type = 0) const;  // it came from one
   // A type's coat as .fts: 256 x 256 texels and 16 layers whatever the settings, as the format has it.
   std::vector<std::uint8_t> saveTypeSet(int type = 0) const;
   // The settings of a preset (settings/Presets.h) for a type, as one undo step. False, and a warning

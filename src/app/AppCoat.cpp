@@ -52,7 +52,7 @@ Status App::loadTypeSet(std::span<const std::uint8_t> bytes, const std::string& 
   return Done{};
 }
 
-bool App::coatGiven() const { return state_->shelf.coat(state_->settings.typeSets[0]) != nullptr; }
+bool App::coatGiven(int type) const { return state_->shelf.coat(state_->settings.typeSets[static_cast<std::size_t>(type)]) != nullptr; }
 
 Status App::setTypePicture(int type, std::vector<std::uint8_t> file, int width, int height, std::vector<std::uint8_t> rgba) {
   FUR_ASSERT(rgba.size() == static_cast<std::size_t>(width) * height * 4, "App::setTypePicture()", "4 bytes for each of width * height texels", rgba.size());

@@ -82,17 +82,20 @@ std::vector<std::uint8_t> App::saveFo() const {
   const State& s = *state_;
   const geometry::Surface& surface = s.shape.surface();
   const groom::GroomMap& map = s.groom.groom().map;
-  std::vector<int> types;
-  std::vector<float> lengths;
-  const bool plain = map.isPlain();
+  const unsigned grown = s.groom.types();
+  const float longest = settings::coatLength(s.settings, grown);
+  scene::FoFur fur;
   for (const auto& vertex : surface.vertices) {
-    if (plain) break;
-    lengths.push_back(map.lengthAt(vertex.atlas));
-    types.push_back(map.typeAt(vertex.atlas) - 1);
+    const int type = map.typeAt(vertex.atlas) - 1;
+    fur.lengths.push_back(map.lengthAt(vertex.atlas) * longest * settings::typeHeight(s.settings, type, longest));
+    // Its fourth type is bald: what grows as that here has the third one there.
+    fur.types.push_back(fur.lengths.back() <= 0 ? scene::kFoBald : std::min(type + 1, scene::kFoBald - 1));
   }
-  if (!surface.turned) return scene::writeFo(scene::foFromSurface(surface, s.settings.repeat, lengths, types));
+  if (!s.groom.upright()) fur.bends = groom::restBends(s.groom.groom(), surface, s.shape.points());
+  if (!surface.turned) return scene::writeFo(scene::foFromSurface(surface, s.settings.repeat, fur));
   const geometry::OwnSurface own = geometry::ownSurface(s.shape.surface(), s.shape.mesh());
-  return scene::writeFo(scene::foFromSurface(own.surface, s.settings.repeat, ofVertices(lengths, own.vertexOf), ofVertices(types, own.vertexOf)));
+  return scene::writeFo(scene::foFromSurface(own.surface, s.settings.repeat,
+                                             {ofVertices(fur.lengths, own.vertexOf), ofVertices(fur.types, own.vertexOf), ofVertices(fur.bends, own.vertexOf)}));
 }
 
 namespace {

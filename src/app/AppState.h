@@ -128,6 +128,7 @@ struct App::State {
   // A view that showed all of the model still does; glides there or is there at once.
   void keepInView(const CameraOrbit& before, bool atOnce);
   void restoreOwnLook();
+  void takeFurLength(float length);
   geometry::FurMapping mapping() const { return static_cast<geometry::FurMapping>(settings.furMapping); }
   void applySettings(const settings::Settings& next);
   settings::Settings withoutOldFiles(settings::Settings next) const;

@@ -25,7 +25,7 @@ void keepOnly(std::map<std::uint32_t, Held>& all, std::span<const std::uint32_t>
 
 std::uint32_t TypeShelf::add(GivenCoat coat, std::vector<std::uint8_t> file) {
   const std::uint32_t number = numberOf(file);
-  coats_.try_emplace(number, std::move(coat), std::move(file));
+  coats_.emplace(number, Coat{std::move(coat), std::move(file)});
   return number;
 }
 

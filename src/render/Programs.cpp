@@ -218,6 +218,7 @@ std::vector<std::pair<Shader, VariantBits>> allVariants() {
       {Shader::HairMap, kPlain},    {Shader::HairWisp, kPlain},   {Shader::HairLine, kPlain},    {Shader::HiddenHairLine, kPlain},
       {Shader::ShadowMap, kPolynomial}, {Shader::ShadowMap, kPolynomial | kShadowLayers},
       {Shader::ShadowMap, kGroomed}, {Shader::ShadowMap, kGroomed | kShadowLayers}, {Shader::ShadowMap, kGroomed | kSkinOnly},
+      {Shader::ShadowMap, kGroomed | kTypes}, {Shader::ShadowMap, kGroomed | kTypes | kShadowLayers}, {Shader::ShadowMap, kGroomed | kTypes | kSkinOnly},
       {Shader::Skin, kPainted}, {Shader::Skin, kPainted | kTextured},
       {Shader::Shell, kPolynomial}, {Shader::Fin, kPolynomial},   {Shader::Whisker, kPolynomial},
   };

@@ -90,7 +90,7 @@ FurShadow::Key Renderer::furShadowKey(const Frame& frame) const {
   const float radius = shadowRadius(s.furLength, reach);
   return {static_cast<Shadows>(s.shadows), shadowTexels(frame, radius), lightFromModel(light, radius),
           volumeShadow(s, fur_.density(), reach),
-          curveVariant(s) | (frame.groomed || frame.types ? kGroomed : kPlain),
+          curveVariant(s) | (frame.groomed || frame.types ? kGroomed : kPlain) | (frame.types ? kTypes : kPlain),
           surface_.revision() + maps_.revision() + fur_.revision() + hair_->revision(),
           frame.ball, frame.ball.w > 0 ? frame.worldFromModel : Mat4(1.0f)};
 }

@@ -22,6 +22,7 @@ struct Model {
   EncodedImage baseColor;
   Vec4 baseColorFactor{1.0f};  // linear
   bool isGltf = false;
+  float furLength = 0;         // that the file says of the longest strand, units of the mesh; 0: nothing
   bool hasTexcoords = false;   // the file has texture coordinates for all meshes
   FurData fur;
   Rig rig;                     // its vertices are the mesh's; empty when nothing moves
@@ -55,8 +56,8 @@ Result<Model> importGltf(std::span<const std::uint8_t> bytes, const std::string&
 // the image, glTF from the top. Materials, groups, points, lines and curves are left out, some with a warning.
 Result<Model> importObj(std::span<const std::uint8_t> bytes, const std::string& name);
 
-// Sheppard's .fo, see FoModel.h. Its types become 1, 2, .. in ascending order. If there are more than groom::kTypes, the others
-// become the last one, with a warning.
+// Sheppard's .fo, see FoModel.h. Types that are none of 1 to 4 become 1, 2, .. in ascending order, all of them, and none is bald; if
+// there are more than groom::kTypes, the others become the last one, with a warning.
 Result<Model> importFo(std::span<const std::uint8_t> bytes, const std::string& name);
 
 // A glTF document as it was read.

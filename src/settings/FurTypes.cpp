@@ -76,6 +76,20 @@ void setTypeCoat(Settings& settings, int type, const Values& coat) {
   settings.*kChosen[type - 1] = own();
 }
 
+void makeBald(Settings& settings, int type) { settings.*kChosen[type - 1] = 0; }
+
+void takeEdited(Settings& settings, int type, const Settings& edited) {
+  if (type == 0) return void(settings = edited);
+  const Settings before = typeCoat(settings, type);
+  bool ownChanged = false;
+  for (const Field& field : fields()) {
+    if (field.get(edited) == field.get(before)) continue;
+    if (field.has(kOfType)) ownChanged = true;
+    else field.set(settings, field.get(edited));
+  }
+  if (ownChanged) setTypeCoat(settings, type, edited);
+}
+
 bool loadType(Settings& settings, int type, std::string_view preset) {
   const auto coat = applyPreset(settings, preset);
   if (coat) setTypeCoat(settings, type, *coat);

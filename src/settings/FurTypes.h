@@ -21,6 +21,9 @@ Settings typeCoat(const Settings& settings, int type);
 Settings drawnCoat(const Settings& settings, int type);
 // Makes it the type's own coat: the fields of `coat` that are kOfType; of type 0 all that are kOfCoat.
 void setTypeCoat(Settings& settings, int type, const Values& coat);
+void makeBald(Settings& settings, int type);  // not of type 0
+// What has been changed of typeCoat(settings, type), in a panel that shows it: the type's own values and all others.
+void takeEdited(Settings& settings, int type, const Settings& edited);
 // A preset becomes the type's own coat. False when there is none of that name.
 bool loadType(Settings& settings, int type, std::string_view preset);
 

@@ -158,6 +158,9 @@ FUR_EXPORT void fur_editor_setLayout(App* app, const char* text) {
   withHost(app, [&](EditorHost& host) { return host.setLayout(text), 0; });
 }
 // CSS pixels at the right that the open panel hides; 0 where it is a sheet at the bottom.
+FUR_EXPORT int fur_editor_coatType(App* app) {
+  return withHost(app, [](EditorHost& host) { return host.coatType(); });
+}
 FUR_EXPORT float fur_editor_coveredWidth(App* app) {
   const EditorHost* host = hostOf(app);
   return host ? host->coveredWidth() : 0;

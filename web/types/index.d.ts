@@ -237,7 +237,7 @@ export interface WetFurApi extends WetFurMethods {
    */
   loadModel(model: ModelBytes, options?: { name?: string; files?: Iterable<File> }): Promise<void>;
   /**
-   * A type set ({coats}, Sheppard 2004) for the fur type 1 to 4 (1): its coat is drawn until a setting changes that grows
+   * A type set ({coats}, Sheppard 2004) for the fur type 1 to 4 (the one that the editor edits, else 1): its coat is drawn until a setting changes that grows
    * another. Waits for the model. Rejects with a FurError, and then the old coat stays.
    */
   loadTypeSet(typeSet: ModelBytes, options?: { name?: string; type?: number }): Promise<void>;
