@@ -91,7 +91,7 @@ std::vector<std::uint8_t> App::saveFo() const {
     // Its fourth type is bald: what grows as that here has the third one there.
     fur.types.push_back(fur.lengths.back() <= 0 ? scene::kFoBald : std::min(type + 1, scene::kFoBald - 1));
   }
-  if (!s.groom.upright()) fur.bends = groom::restBends(s.groom.groom(), surface, s.shape.points());
+  fur.bends = s.groom.rests();
   if (!surface.turned) return scene::writeFo(scene::foFromSurface(surface, s.settings.repeat, fur));
   const geometry::OwnSurface own = geometry::ownSurface(s.shape.surface(), s.shape.mesh());
   return scene::writeFo(scene::foFromSurface(own.surface, s.settings.repeat,
