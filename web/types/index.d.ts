@@ -29,6 +29,7 @@ export type SettingsField = {
   readonly tooltip?: string;
   /** Whether presets decide about it. */
   readonly coat: boolean;
+  readonly ofType: boolean; // each fur type has its own: "type2.curl"
 } & (
   | { readonly type: 'float' | 'int'; readonly default: number; readonly min: number; readonly max: number }
   | { readonly type: 'bool'; readonly default: boolean }
