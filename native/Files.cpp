@@ -117,13 +117,26 @@ Status loadHair(app::App& app, const std::string& path) {
   return app.loadHair(bytes.value(), fs::path(path).filename().string());
 }
 
-Status loadGroomImage(app::App& app, groom::ImageOf what, const std::string& path) {
+namespace {
+
+template <class Use>
+Status withPicture(const std::string& path, const Use& use) {
   const auto bytes = readFile(path);
   if (!bytes) return bytes.error();
   const auto image = scene::decodeImage(bytes.value());
   if (!image) return Error{image.error().id, path + ": " + image.error().message};
-  app.groomFromFile(what, fs::path(path).filename().string(), image.value().width, image.value().height, image.value().rgba);
+  use(fs::path(path).filename().string(), image.value());
   return Done{};
+}
+
+}  // namespace
+
+Status loadGroomImage(app::App& app, groom::ImageOf what, const std::string& path) {
+  return withPicture(path, [&](const std::string& name, const auto& image) { app.groomFromFile(what, name, image.width, image.height, image.rgba); });
+}
+
+Status usePicture(app::App& app, app::PictureUse use, const std::string& path) {
+  return withPicture(path, [&](const std::string& name, const auto& image) { app.usePicture(use, name, image.width, image.height, image.rgba); });
 }
 
 Status writeFiles(const std::string& folder, std::span<const scene::NamedFile> files) {
@@ -152,12 +165,12 @@ Status loadScene(app::App& app, const std::string& nameOrPath, const std::string
   const std::string name = fs::path(nameOrPath).filename().string();
   if (Status status = app.loadModel(bytes.value(), name, neighbours(path)); !status) return status;
   decodePictures(app);
-  const scene::EncodedImage& encoded = app.pendingImage();
-  if (encoded.bytes.empty()) return Done{};
-  if (auto image = scene::decodeImage(encoded.bytes))
-    app.provideImage(image->width, image->height, std::move(image->rgba));
-  else
-    app.addWarning(name + ": " + image.error().message);
+  while (!app.pendingImage().bytes.empty()) {
+    auto image = scene::decodeImage(app.pendingImage().bytes);
+    if (!image) app.addWarning(name + ": " + image.error().message);
+    if (image) app.provideImage(image->width, image->height, std::move(image->rgba));
+    else app.provideImage(0, 0, {});
+  }
   return Done{};
 }
 

@@ -31,6 +31,7 @@ Status loadTypePicture(app::App& app, const std::string& path, int type);
 Status loadHair(app::App& app, const std::string& path);  // a .hair file
 
 // An image by path becomes the length map of the groom, or the map that it was saved as (App::groomFromFile()).
+Status usePicture(app::App& app, app::PictureUse use, const std::string& path);
 Status loadGroomImage(app::App& app, groom::ImageOf what, const std::string& path);
 
 // Whether loadScene() would take it for a model: else it is a coat or a length map for the one that is there.

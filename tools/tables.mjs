@@ -19,6 +19,7 @@ const tables = {
   platformCommands: { file: 'src/app/editor/PlatformCommands.inc', macro: 'FUR_PLATFORM_COMMAND', columns: ['id', 'where', 'doc'] },
   presets: { file: 'assets/Presets.inc', macro: 'FUR_PRESET', columns: ['name', 'label', 'tooltip', 'values'] },
   hairEdits: { file: 'src/app/tools/HairEdits.inc', macro: 'FUR_HAIR_EDIT', columns: ['id', 'name', 'doc'] },
+  pictureUses: { file: 'src/app/tools/PictureUses.inc', macro: 'FUR_PICTURE_USE', columns: ['id', 'name', 'label', 'doc'] },
   groomEdits: { file: 'src/app/tools/GroomEdits.inc', macro: 'FUR_GROOM_EDIT', columns: ['id', 'name', 'masked', 'doc'] },
 };
 
@@ -94,6 +95,7 @@ export function moduleText(all) {
     constant('toolNames', tools.map(({ name }) => name))}${
     constant('keyTexts', Object.fromEntries(tools.filter(({ keyText }) => keyText).map(({ name, keyText }) => [name, keyText])))}${
     constant('kindOfEnding', Object.fromEntries(endings(all).filter(({ kind }) => kind !== 'Picture').map(({ ending, kind }) => [ending, kind])))}${
+    constant('pictureUses', all.pictureUses.map(({ name, label, doc }) => ({ name, label, doc })))}${
     constant('methods', names(methods))}${
     constant('queries', names(queries))}${
     constant('elementMethods', names(forElements(methods)))}${
@@ -131,7 +133,7 @@ const choices = (fields) => [...new Map(fields.filter(({ options }) => options).
 const fieldMember = (field) => `  /** ${field.tooltip}. */\n  ${field.name}: ${typesOfFields[field.macro] ?? choiceType(field)};\n`;
 
 /** types/tables.d.ts. */
-export function typingsText({ tools, groomEdits, hairEdits, methods, queries, fields, hairFields, presets }) {
+export function typingsText({ tools, groomEdits, hairEdits, pictureUses, methods, queries, fields, hairFields, presets }) {
   return `// Made by tools/tables.mjs.
 
 /** "#rrggbb", sRGB. */
@@ -161,6 +163,11 @@ export type GroomEdit =${union(groomEdits)};
  * What WetFurApi.hair() does to long hair.
 ${list(hairEdits, ({ doc }) => doc)} */
 export type HairEdit =${union(hairEdits)};
+
+/**
+ * What a picture can mean in WetFurApi.loadPicture().
+${list(pictureUses, ({ doc }) => doc)} */
+export type PictureUse =${union(pictureUses)};
 
 /** What WetFurApi passes on to the program as it is. */
 export interface WetFurMethods {

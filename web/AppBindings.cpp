@@ -88,7 +88,7 @@ FUR_EXPORT std::uint32_t fur_saveGroom(App* app) {
 }
 FUR_EXPORT const std::uint8_t* fur_savedBytes() { return web::savedBytes().data(); }
 FUR_EXPORT void fur_forgetSavedBytes() { web::keepSaved({}); }
-// The encoded base colour image: type "" when there is none.
+// The next image to be decoded: type "" when there is none.
 FUR_EXPORT const char* fur_imageType(App* app) { return web::text(app->pendingImage().mimeType); }
 FUR_EXPORT const std::uint8_t* fur_imageBytes(App* app) { return app->pendingImage().bytes.data(); }
 FUR_EXPORT const double* fur_imageInfo(App* app) {

@@ -133,6 +133,7 @@ export class FurApp {
   saveScene() { return this.#saved('fur_saveScene'); }
   groomAll(edit, value, [x, y, z]) { this.#callOrThrow('fur_groomAll', edit, value, x, y, z); }
   editHair(edit, value, [x, y, z]) { this.#callOrThrow('fur_editHair', edit, value, x, y, z); }
+  usePicture(use, name, { width, height, data }) { this.#callOrThrow('fur_usePicture', use, name, width, height, data); }
   groomFromImage(what, name, { width, height, data }) { this.#callOrThrow('fur_groomFromImage', what, name, width, height, data); }
   /** {u, v} of the surface under the pixel, or null. */
   pick(x, y) {

@@ -178,7 +178,7 @@ export class WetFur extends EventTarget {
     input.addEventListener('change', async () => {
       const { model, typeSet, hair, image, others } = sortFiles(input.files);
       try {
-        if (image) await this.loadLengthMap(image);
+        if (image) await this.loadPicture(image);
         else if (model ?? others[0]) await this.loadModel(model ?? others[0], { files: others });
         if (typeSet) await this.loadTypeSet(typeSet);
         if (hair) await this.loadHair(hair);
@@ -247,6 +247,18 @@ export class WetFur extends EventTarget {
     this.#app.clearGroom();
     this.#frames.afterChange();
   }
+  /** What the model is made of: [{ name, triangles, furry }]. */
+  get materials() { return this.loaded ? JSON.parse(this.#app.materials) : []; }
+  /** Whether fur grows on one of several materials, by its number. */
+  setFurry(material, furry) {
+    this.#app?.setFurry(material, furry);
+    this.#frames.afterChange();
+  }
+  /** The number of the material under CSS pixels of the canvas; -1 beside the model. */
+  materialAt(at) {
+    const [x, y] = this.#cssToBuffer(at);
+    return this.loaded ? this.#app.materialAt(x, y) : -1;
+  }
   /** Long hair: the edits of app/tools/HairEdits.inc. */
   async hair(edit, value = 1, direction = [0, 0, 0]) {
     await this.ready;
@@ -267,16 +279,37 @@ export class WetFur extends EventTarget {
     this.#frames.afterChange();
   }
   get scalps() { return this.loaded ? JSON.parse(this.#app.scalps) : []; }
+  /** A picture, and what it is of app/tools/PictureUses.inc; without that, the person is asked. Whether it was used. */
+  async loadPicture(given, { as } = {}) {
+    await this.ready;
+    const name = given.name ?? '';
+    // One that "Save maps" wrote says what it is.
+    const known = as ?? (/-map-(length|types|paint|mask|shape)( \(\d+\))?\.png$/.test(name) ? 'length' : null);
+    const use = known ?? await (await import('./askpicture.js')).askPicture(name, this.canvas);
+    if (!use) return false;
+    const image = await this.#decode(given, 'picture');
+    const hadWarned = [];
+    await this.#editing.groomInWorkshop((app) => {
+      app.usePicture(use, name, image);
+      if (app !== this.#app) hadWarned.push(...app.takeWarnings());
+    });
+    for (const warning of hadWarned) this.#session.warn(warning);
+    return true;
+  }
   /** An image in the model's texture coordinates: black is bald. */
   async loadLengthMap(image) { await this.#loadGroomImage(0, 'length', image); }
   /** The same: red, green and blue are the presence of the fur types 2, 3 and 4. */
   async loadTypeMap(image) { await this.#loadGroomImage(1, 'type', image); }
   async #loadGroomImage(what, name, given) {
     await this.ready;
-    const image = await decodeImage(given instanceof Blob ? given : new Blob([given])).catch((error) => {
-      throw this.#loading.failed(new FurError('bad-file', `the ${name} map could not be read (${error.message})`));
-    });
+    const image = await this.#decode(given, `${name} map`);
     await this.#editing.groomInWorkshop((app) => app.groomFromImage(what, given.name ?? '', image));
+  }
+
+  #decode(given, what) {
+    return decodeImage(given instanceof Blob ? given : new Blob([given])).catch((error) => {
+      throw this.#loading.failed(new FurError('bad-file', `the ${what} could not be read (${error.message})`));
+    });
   }
 
   // --- time, history, state, view ---

@@ -2,7 +2,7 @@
 import { asFurError, FurError } from './errors.js';
 import { Documents } from './documents.js';
 import { FurApp } from './furapp.js';
-import { decodePicture, fetchModel, loadInto, provideModelImage, provideTypePictures, readGiven } from './models.js';
+import { decodePicture, fetchModel, loadInto, provideModelImages, provideTypePictures, readGiven } from './models.js';
 import { Progress } from './progress.js';
 import { compileProgram, instantiateProgram } from './runtime.js';
 
@@ -285,7 +285,7 @@ export class Loading {
   /** The picture of the model that is shown, decoded, if it is shown still by then. Returns a warning or null. */
   async provideImage() {
     const { app, source } = this.#session, wanted = () => this.#session.app === app && this.#session.source === source;
-    const warning = await provideModelImage(app, source, wanted);
+    const warning = await provideModelImages(app, source, wanted);
     return (wanted() && await provideTypePictures(app, wanted)) || warning;
   }
 

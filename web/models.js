@@ -166,10 +166,16 @@ export async function provideTypePictures(app, wanted) {
   return warning;
 }
 
-/** Decodes the picture that the model brought, if any; returns a warning when it cannot be read. `wanted()`: still. */
-export async function provideModelImage(app, source, wanted) {
-  const image = app.pendingImage();
-  if (!image) return null;
+/** Decodes the pictures that the model brought; returns a warning when one cannot be read. `wanted()`: still. */
+export async function provideModelImages(app, source, wanted) {
+  let warning = null;
+  for (let image = app.pendingImage(); image && wanted(); image = wanted() && app.pendingImage()) {
+    warning = await provideModelImage(app, image, source, wanted) ?? warning;
+  }
+  return warning;
+}
+
+async function provideModelImage(app, image, source, wanted) {
   try {
     const shrink = Math.min(1, maxImageSide / Math.max(image.width, image.height, 1));
     const smaller = shrink < 1
@@ -179,6 +185,7 @@ export async function provideModelImage(app, source, wanted) {
     if (wanted()) app.provideImage(width, height, data);
     return null;
   } catch (error) {
-    return `${source.name}: its picture could not be read (${error.message}); the fur keeps its own colours`;
+    if (wanted()) app.provideImage(0, 0, new Uint8Array());
+    return `${source.name}: a picture could not be read (${error.message}); it is left out`;
   }
 }

@@ -173,7 +173,7 @@ async function openFiles(files) {
     if (model) await fur.loadModel(model, { files: others });
     if (typeSet) await fur.loadTypeSet(typeSet);
     if (hair) await fur.loadHair(hair);
-    if (image) await fur.loadLengthMap(image);
+    if (image) await fur.loadPicture(image);
   } catch {
     // The error event says it.
   }

@@ -32,6 +32,8 @@ constexpr const char* kUsage = R"(usage: wet-fur-render [model] -o out.png [opti
   --maps FOLDER         writes the groom's maps, the wetness and the layout of the charts as PNG files
   --length-map FILE     an image whose brightness is the length of the fur, or any map that --maps wrote
   --type-map FILE       one whose red, green and blue are the presence of the fur types 2 to 4
+  --picture USE,FILE    an image and what it is: color, typeColor, length, alpha, density, types or direction, as the element's
+                        loadPicture() has them (several allowed, in order)
   --groom EDIT[,VALUE[,X,Y,Z]]  all over the model (several allowed, in order): length, invert, vary, type, comb, raise,
                         size, selectType and others, as the element's groom() has them
   --hair-file FILE      strands from a .hair file, as guides; before --hair
@@ -90,6 +92,7 @@ struct Options {
   std::vector<Hold> holds;
   std::vector<float> camera;
   std::vector<GroomStep> grooms;
+  std::vector<std::pair<app::PictureUse, std::string>> pictures;
   std::vector<HairStep> hairs;
   std::vector<std::pair<int, std::string>> typeSets, colorMaps;  // fur types, 0 to 3, and paths
   std::vector<std::pair<std::string, std::string>> fields;
@@ -190,6 +193,11 @@ std::string readOption(const std::string& name, const std::string& value, Option
       return "--camera " + value + ": expected YAW,PITCH,DISTANCE or YAW,PITCH,DISTANCE,X,Y,Z";
   } else if (name == "--hold") {
     if (!readHold(value, o.holds)) return "--hold " + value + ": expected TOOL,SECONDS or TOOL,SECONDS,X,Y";
+  } else if (name == "--picture") {
+    const auto comma = value.find(',');
+    const auto use = app::pictureUseNamed(value.substr(0, comma));
+    if (!use || comma == std::string::npos) return "--picture " + value + ": expected USE,FILE";
+    o.pictures.emplace_back(*use, value.substr(comma + 1));
   } else if (name == "--groom") {
     if (!readEdit(value, app::groomEditNamed, o.grooms)) return "--groom " + value + ": expected EDIT, EDIT,VALUE or EDIT,VALUE,X,Y,Z";
   } else if (name == "--hair") {
@@ -229,6 +237,8 @@ Status setUp(app::App& app, const Options& o, const char* program) {
     if (Status status = native::loadGroomImage(app, groom::ImageOf::Length, o.lengthMap); !status) return status;
   if (!o.typeMap.empty())
     if (Status status = native::loadGroomImage(app, groom::ImageOf::Types, o.typeMap); !status) return status;
+  for (const auto& [use, path] : o.pictures)
+    if (Status status = native::usePicture(app, use, path); !status) return status;
   for (const GroomStep& step : o.grooms) app.groomAll(step.edit, step.value, step.direction);
   if (!o.hairFile.empty())
     if (Status status = native::loadHair(app, o.hairFile); !status) return status;

@@ -18,6 +18,7 @@
 #include "native/window/Shots.h"
 #include "native/window/Versions.h"
 #include "native/window/Window.h"
+#include "scene/Formats.h"
 
 namespace {
 
@@ -149,6 +150,7 @@ class Session {
 
   void load(const std::string& scene) {
     if (scene::isNamedAs(scene::FileKind::Coat, scene)) return check(native::loadTypeSet(app_, scene, host_.coatType()));
+    if (scene::isNamedAs(scene::FileKind::Picture, scene)) return host_.askPicture(scene);
     if (!native::isModel(scene)) return check(native::loadScene(app_, scene, program_));
     Kept former = keep(true);
     if (const Status status = native::loadScene(app_, scene, program_); !status) return check(status);
@@ -273,6 +275,11 @@ class Session {
         case Kind::LoadShipped:
           load(command->text);
           break;
+        case Kind::UsePicture: {
+          const auto end = command->text.find('\n');
+          if (const auto use = app::pictureUseNamed(command->text.substr(0, end))) check(native::usePicture(app_, *use, command->text.substr(end + 1)));
+          break;
+        }
         case Kind::CopyText:
           window_.setClipboard(command->text);
           break;

@@ -60,13 +60,16 @@ void App::State::surfaceChanged(const CameraOrbit& viewBefore) {
   settleMotion();
 }
 
-void App::State::setModel(geometry::Mesh mesh, geometry::Surface surface, Document from, scene::Rig rig) {
+void App::State::setModel(geometry::Mesh mesh, geometry::Surface surface, Document from, scene::Rig rig, std::vector<std::uint8_t> materialOf) {
   const CameraOrbit before = startView();
   endStroke();
   document = std::move(from);
   cameraOfFile.reset();
-  ++imageRevision;
-  groom.reset();
+  ++imageRevision, ++materialsRevision;
+  std::vector<std::uint8_t> bare;
+  for (const scene::Material& material : document.materials)
+    if (!materialOf.empty()) bare.push_back(material.bare);
+  groom.reset(std::move(bare));
   water.reset();
   motion.reset();
   hair->reset();
@@ -74,7 +77,7 @@ void App::State::setModel(geometry::Mesh mesh, geometry::Surface surface, Docume
   hand.cursor = Vec2(0);
   hand.drag = Drag::None;
   idleTime = 0;
-  shape.setModel(std::move(mesh), std::move(surface), std::move(rig));
+  shape.setModel(std::move(mesh), std::move(surface), std::move(rig), std::move(materialOf));
   refreshTouch();
   surfaceChanged(before);
 }
@@ -104,9 +107,10 @@ Status App::loadModel(std::span<const std::uint8_t> bytes, const std::string& na
   auto files = s.shelf.addFiles(model->fur.coats, name);
   if (!files) return files.error();
   for (const std::string& warning : model->warnings) s.warnings.push_back(warning);
-  Document from{.name = model->name, .pendingImage = std::move(model->baseColor), .baseColorFactor = model->baseColorFactor};
+  Document from{.name = model->name};
+  from.take(*model);
   if (model->isGltf) s.keepFile(from, bytes, others);
-  s.setModel(std::move(model->mesh), std::move(*surface), std::move(from), std::move(model->rig));
+  s.setModel(std::move(model->mesh), std::move(*surface), std::move(from), std::move(model->rig), std::move(model->materialOf));
   if (!model->fur.wetness.empty()) s.water.readMask(model->fur.wetness, model->fur.wetnessSize);
   s.groom.read(s.shape, model->fur, s.warnings);
   if (!model->fur.hair.empty()) s.hair->setStyle(std::move(model->fur.hair));
@@ -151,16 +155,43 @@ void App::State::restoreOwnLook() {
   view.camera.jump(own->camera);
 }
 
-const scene::EncodedImage& App::pendingImage() const { return state_->document.pendingImage; }
+void Document::take(scene::Model& model) {
+  if (!model.materials.empty()) materials = std::move(model.materials);
+  main = static_cast<std::size_t>(std::max(model.mainMaterial, 0));
+  for (scene::EncodedImage& image : model.images) pictures.push_back({.encoded = std::move(image), .asked = false});
+}
+
+const Document::Picture* Document::pictureOf(std::size_t material) const {
+  const int image = materials[material].baseColorTexture.image;
+  return image < 0 || pictures[static_cast<std::size_t>(image)].rgba.empty() ? nullptr : &pictures[static_cast<std::size_t>(image)];
+}
+
+Document::Picture* Document::pending() {
+  const auto at = std::find_if(pictures.begin(), pictures.end(), [](const Picture& picture) { return !picture.asked; });
+  return at == pictures.end() ? nullptr : &*at;
+}
+
+const scene::EncodedImage& App::pendingImage() const {
+  static const scene::EncodedImage none;
+  const Document::Picture* picture = state_->document.pending();
+  return picture ? picture->encoded : none;
+}
 
 void App::provideImage(int width, int height, std::vector<std::uint8_t> rgba) {
   FUR_ASSERT(rgba.size() == static_cast<std::size_t>(width) * height * 4, "App::provideImage()",
              "4 bytes for each of width * height texels", rgba.size());
   Document& document = state_->document;
-  document.sourceImage = std::exchange(document.pendingImage, {});
-  document.imageWidth = width;
-  document.imageHeight = height;
-  document.image = std::move(rgba);
+  Document::Picture* picture = document.pending();
+  if (!picture) {
+    // Of a model without one: all of it has it.
+    picture = &document.pictures.emplace_back();
+    for (scene::Material& material : document.materials) material.baseColorTexture = {.image = static_cast<int>(document.pictures.size()) - 1};
+    ++state_->materialsRevision;
+  }
+  picture->asked = true;
+  picture->width = width;
+  picture->height = height;
+  picture->rgba = std::move(rgba);
   ++state_->imageRevision;
   ++state_->changed;
 }

@@ -22,6 +22,7 @@
 #include "app/tools/FurAt.h"
 #include "app/tools/GroomEdits.h"
 #include "app/tools/HairEdits.h"
+#include "app/tools/PictureUses.h"
 #include "app/tools/Tools.h"
 #include "core/Result.h"
 #include "furgen/TilePicture.h"
@@ -90,7 +91,8 @@ class App {
   // they were changed, the next model without any is shown as the one before was.
   Status loadModel(std::span<const std::uint8_t> bytes, const std::string& name, const scene::FileSet& others = {},
                    bool keepState = false);
-  // The base colour image that the model came with, still encoded; empty when there is none.
+  // The next of the images that the model came with, still encoded, until provideImage() gives it decoded, or empty where it cannot be;
+  // empty when there are no more.
   const scene::EncodedImage& pendingImage() const;
   void provideImage(int width, int height, std::vector<std::uint8_t> rgba);
   const std::string& modelName() const;
@@ -223,12 +225,22 @@ class App {
   void groomFromImage(groom::ImageOf what, int width, int height, std::span<const std::uint8_t> rgba);
   // The same by the name of its file: one that saveMaps() wrote goes back over the atlas, whatever `what` says.
   void groomFromFile(groom::ImageOf what, std::string_view name, int width, int height, std::span<const std::uint8_t> rgba);
+  // As a person has said that a picture is meant; one that saveMaps() wrote, by its name, goes back all the same.
+  void usePicture(PictureUse use, std::string_view name, int width, int height, std::span<const std::uint8_t> rgba);
   // Length, types, paint, mask, shape, comb (groom/MapPictures.h), wetness (grey, 255 is saturated) and the layout of the charts as
   // PNG files of the model's name, mapsName().
   std::vector<scene::NamedFile> saveMaps() const;
   std::string mapsName() const;
   // The place of the skin, model space, whose fur is seen at a pixel; none off the model.
   std::optional<Vec3> placeAt(Vec2 pixel) const;
+  // The materials of the model as JSON: [{"name","triangles","furry"}], in the order of their numbers.
+  std::string materials() const;
+  int materialCount() const;  // its materials
+  const std::string& materialName(int material) const;
+  bool isFurry(int material) const;
+  // Whether fur grows on one of several; with undo. bad-file for a number that is none of theirs.
+  Status setFurry(int material, bool furry);
+  int materialAt(Vec2 pixel) const;  // -1: off the model
   groom::Coverage groomCoverage() const;
   std::uint64_t groomRevision() const;  // another one, above 0, whenever it has changed
   bool groomed() const;  // any of it is not as a new model's

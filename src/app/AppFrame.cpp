@@ -1,5 +1,6 @@
 // What is drawn: changes of the stages go up to the renderer, and a frame shows them as well as the quality allows.
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "app/AppState.h"
@@ -68,9 +69,8 @@ bool App::State::showsMask() const { return GroomStage::editorBrushes() && !save
 
 void App::State::upload() {
   const bool whole = noteChange(uploaded.surface, shape.surfaceRevision());
-  if (whole) renderer->setSurface(shape.surface(), shape.firstTangents());
-  if (noteChange(uploaded.image, imageRevision))
-    renderer->setBaseColor(document.imageWidth, document.imageHeight, document.image);
+  if (whole) renderer->setSurface(shape.surface(), shape.firstTangents(), shape.materialOf());
+  uploadMaterials();
   uploadPictures();
   const bool softened = !(settings.technique == 1 && settings.printedMask), anew = noteChange(uploaded.softened, softened) || whole;
   for (const wet::MaskTexels& part : water.takeTexels(shape, anew, softened)) renderer->updateMask(part);
@@ -94,6 +94,18 @@ void App::State::uploadPictures() {
   for (std::size_t type = 0; type < pictures.size(); ++type)
     if (const ColorMap* map = shelf.picture(settings.typePictures[type])) pictures[type] = {map->width, map->height, map->rgba};
   renderer->setTypePictures(pictures);
+}
+
+void App::State::uploadMaterials() {
+  if (noteChange(uploaded.materials, materialsRevision)) {
+    renderer->setMaterials(document.materials, document.main);
+    uploaded.images = 0;
+    uploaded.bare.clear();
+  }
+  if (noteChange(uploaded.images, imageRevision))
+    for (std::size_t i = 0; i < document.pictures.size(); ++i)
+      if (const Document::Picture& picture = document.pictures[i]; !picture.rgba.empty()) renderer->setImage(i, picture.width, picture.height, picture.rgba);
+  if (noteChange(uploaded.bare, groom.groom().bare)) renderer->setBare(uploaded.bare);
 }
 
 render::HairGrowth App::State::hairGrowth(std::size_t scalp) const {
@@ -143,14 +155,12 @@ void App::State::uploadGroom(bool whole) {
 void App::State::uploadLengths(const geometry::TexelRect& changed) {
   constexpr int kLeast = groom::GroomMap::kLeastSize;
   const geometry::Surface& surface = shape.surface();
-  if (!groom.hasLengths()) {
-    // Of a plain map the least says it all.
-    renderer->updateGroom(groom::GroomMap(kLeast), {0, 0, kLeast, kLeast});
-    return renderer->setFurry({surface.furIndices, surface.ownFurIndices, surface.furClusters}, {});
-  }
   const std::vector<float>& lengths = groom.vertexLengths();
+  // Of a plain map the least says it all.
+  if (groom.hasLengths()) renderer->updateGroom(groom.groom().map, changed);
+  else renderer->updateGroom(groom::GroomMap(kLeast), {0, 0, kLeast, kLeast});
+  if (lengths.empty()) return renderer->setFurry({surface.furIndices, surface.ownFurIndices, surface.furClusters}, {});
   const auto remaining = [&](const std::vector<std::uint32_t>& all) { return groom::furryTriangles(all, lengths); };
-  renderer->updateGroom(groom.groom().map, changed);
   renderer->setFurry(geometry::remainingPatches(surface, remaining(surface.furIndices), remaining(surface.ownFurIndices)), lengths);
 }
 
@@ -194,7 +204,7 @@ render::Frame App::State::frame(int level) const {
   f.shaped = groom.hasShape();
   f.types = coat.shownTypes() > 1 || (renderer && renderer->hasTypePictures());
   if (const auto ball = motion.touch().ball()) f.ball = Vec4(ball->centre, ball->radius);
-  f.baseColorFactor = document.baseColorFactor;
+  f.baseColorFactor = document.materials[document.main].baseColor;
   f.drops = hair->withHanging(water.water().drops());
   f.puddles = {water.puddles(), water.puddlesRevision()};
   return f;
@@ -312,7 +322,7 @@ App::Stats App::stats() const {
                  s.shape.surface().indices.size() * sizeof(std::uint32_t) * 4 +
                  s.shape.surface().edges.size() * sizeof(geometry::SurfaceEdge) + s.water.mask().texels().size() * sizeof(Vec4) +
                  s.groom.groom().map.texels().size() * sizeof(groom::GroomMap::Texel) * std::size(groom::kMaps) +
-                 s.document.image.size();
+                 std::accumulate(s.document.pictures.begin(), s.document.pictures.end(), std::size_t{0}, [](std::size_t sum, const Document::Picture& picture) { return sum + picture.rgba.size(); });
   out.gpuBytes = s.renderer ? s.renderer->gpuBytes() : 0;
   out.uploadedBytes = s.uploadedBytes;
   out.framesDrawn = s.framesDrawn;

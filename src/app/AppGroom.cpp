@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "app/AppState.h"
+#include "core/Json.h"
 #include "groom/MapPictures.h"
 #include "scene/Png.h"
 
@@ -47,6 +48,14 @@ void App::groomFromFile(groom::ImageOf what, std::string_view name, int width, i
   s.endStroke();
 }
 
+void App::usePicture(PictureUse use, std::string_view name, int width, int height, std::span<const std::uint8_t> rgba) {
+  if (groom::mapOfFile(name)) return groomFromFile(groom::ImageOf::Length, name, width, height, rgba);
+  State& s = *state_;
+  s.beginGroomStroke();
+  s.groom.usePicture(s.shape, s.settings, use, width, height, rgba, s.warnings);
+  s.endStroke();
+}
+
 groom::Coverage App::groomCoverage() const {
   // A plain one needs no atlas.
   State& s = *state_;
@@ -55,7 +64,7 @@ groom::Coverage App::groomCoverage() const {
 }
 
 std::uint64_t App::groomRevision() const { return state_->groom.revision(); }
-bool App::groomed() const { return !state_->groom.groom().isPlain(); }
+bool App::groomed() const { return !state_->groom.isPlain(); }
 std::size_t App::whiskerCount() const { return state_->groom.groom().whiskers.size(); }
 const groom::GroomMap& App::groomMap() const { return state_->groom.groom().map; }
 const groom::Groom& App::groom() const { return state_->groom.groom(); }
@@ -71,6 +80,39 @@ Status App::restoreGroom(std::span<const std::uint8_t> bytes, bool undoable) {
   s.endStroke();
   if (restored) return Done{};
   return Error{ErrorId::BadFile, "a groom of " + std::to_string(bytes.size()) + " bytes is not of this model"};
+}
+
+// --- materials ---
+
+std::string App::materials() const {
+  const State& s = *state_;
+  std::string out;
+  for (std::size_t i = 0; i < s.document.materials.size(); ++i) {
+    const scene::Material& material = s.document.materials[i];
+    out += (out.empty() ? "[" : ",") + std::string("{\"name\":") + jsonString(material.name) + ",\"triangles\":" + std::to_string(material.triangles) +
+           ",\"furry\":" + (s.groom.isBare(i) ? "false" : "true") + "}";
+  }
+  return out + "]";
+}
+
+int App::materialCount() const { return static_cast<int>(state_->document.materials.size()); }
+const std::string& App::materialName(int material) const { return state_->document.materials[static_cast<std::size_t>(material)].name; }
+bool App::isFurry(int material) const { return !state_->groom.isBare(static_cast<std::size_t>(material)); }
+
+Status App::setFurry(int material, bool furry) {
+  State& s = *state_;
+  const std::size_t count = s.groom.groom().bare.size();
+  if (material < 0 || static_cast<std::size_t>(material) >= count)
+    return Error{ErrorId::BadFile, "material " + std::to_string(material) + ": fur can be chosen for " + std::to_string(count) + " materials of this model"};
+  s.beginGroomStroke();
+  s.groom.setBare(static_cast<std::size_t>(material), !furry);
+  s.endStroke();
+  return Done{};
+}
+
+int App::materialAt(Vec2 pixel) const {
+  const auto hit = state_->pick(pixel);
+  return hit ? static_cast<int>(state_->shape.materialAt(hit->triangle)) : -1;
 }
 
 std::string App::mapsName() const { return modelName().substr(0, modelName().rfind('.')); }

@@ -33,13 +33,14 @@ std::uint8_t toByte(float share) { return static_cast<std::uint8_t>(saturate(sha
 
 // The texel of the model's picture, 0..1; white where there is none.
 Vec3 App::State::pictureAt(const geometry::SurfacePoint& at) const {
-  if (document.image.empty()) return Vec3(1);
+  const Document::Picture* picture = document.pictureOf(shape.materialAt(at.triangle));
+  if (!picture) return Vec3(1);
   const geometry::Surface& surface = shape.surface();
   Vec2 uv(0);
   for (int k = 0; k < 3; ++k)
     uv += at.weights[k] * surface.vertices[surface.indices[std::size_t{3} * at.triangle + static_cast<std::size_t>(k)]].uv;
   const auto along = [](float c, int size) { return std::min(static_cast<int>((c - std::floor(c)) * static_cast<float>(size)), size - 1); };
-  const std::uint8_t* texel = &document.image[4 * static_cast<std::size_t>(along(uv.y, document.imageHeight) * document.imageWidth + along(uv.x, document.imageWidth))];
+  const std::uint8_t* texel = &picture->rgba[4 * static_cast<std::size_t>(along(uv.y, picture->height) * picture->width + along(uv.x, picture->width))];
   return Vec3(texel[0], texel[1], texel[2]) / 255.0f;
 }
 
@@ -48,7 +49,7 @@ std::optional<std::uint32_t> App::colorAt(Vec2 pixel) const {
   const auto hit = state_->pick(pixel);
   if (!hit) return std::nullopt;
   // As the shaders have it.
-  const Vec3 coat = coatColor(s.settings) * Vec3(s.document.baseColorFactor) * glm::mix(Vec3(1), s.pictureAt(*hit), s.settings.textureAmount);
+  const Vec3 coat = coatColor(s.settings) * Vec3(s.document.materials[s.shape.materialAt(hit->triangle)].baseColor) * glm::mix(Vec3(1), s.pictureAt(*hit), s.settings.textureAmount);
   const Vec4 paint = s.groom.groom().paint.at(atlasAt(s.shape.surface(), *hit));
   const Vec3 color = glm::mix(encodeSrgb(coat), Vec3(paint), paint.w);
   std::uint32_t rgb = 0;
@@ -61,10 +62,11 @@ std::vector<std::uint8_t> App::State::paintedPicture() const {
   const groom::GroomMap& painted = groom.groom().paint;
   if (painted.isPlain()) return {};
   const geometry::Surface& surface = shape.surface();
-  const int size = document.image.empty() ? kPaintedSize : kPaintedPictureSize;
+  const bool plain = document.pictureOf(document.main) == nullptr;
+  const int size = plain ? kPaintedSize : kPaintedPictureSize;
   const geometry::AtlasTexels atlas(surface, size);
   // A model's own picture as others show it; without one the coat's colour.
-  const Vec3 coat = encodeSrgb((document.image.empty() ? coatColor(settings) : Vec3(1)) * Vec3(document.baseColorFactor));
+  const Vec3 coat = encodeSrgb((plain ? coatColor(settings) : Vec3(1)) * Vec3(document.materials[document.main].baseColor));
   std::vector<std::uint8_t> pixels(std::size_t{3} * static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
   for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] = toByte(coat[static_cast<int>(i % 3)]);
   for (std::uint32_t t = 0; t < surface.triangleCount(); ++t)
@@ -86,8 +88,9 @@ std::vector<std::uint8_t> App::saveFo() const {
   const float longest = settings::coatLength(s.settings, grown);
   scene::FoFur fur;
   for (const auto& vertex : surface.vertices) {
+    const bool bare = !s.shape.materialOf().empty() && s.groom.isBare(s.shape.materialOf()[static_cast<std::size_t>(&vertex - surface.vertices.data())]);
     const int type = map.typeAt(vertex.atlas) - 1;
-    fur.lengths.push_back(map.lengthAt(vertex.atlas) * longest * settings::typeHeight(s.settings, type, longest));
+    fur.lengths.push_back(bare ? 0 : map.lengthAt(vertex.atlas) * longest * settings::typeHeight(s.settings, type, longest));
     // Its fourth type is bald: what grows as that here has the third one there.
     fur.types.push_back(fur.lengths.back() <= 0 ? scene::kFoBald : std::min(type + 1, scene::kFoBald - 1));
   }
@@ -127,6 +130,9 @@ scene::FurData App::State::furData() const {
   if (!water.mask().isDry()) fur.wetness = water.mask().texels();
   if (water.isWet()) fur.water = water.save(true);
   fur.coats = shelf.filesOf(settings);
+  fur.hasBare = !from.bare.empty();
+  for (std::size_t i = 0; i < from.bare.size(); ++i)
+    if (from.bare[i]) fur.bare.push_back(document.materials[i].source);
   return fur;
 }
 
@@ -152,8 +158,10 @@ std::vector<std::uint8_t> App::State::saveMesh(scene::FurData fur) const {
     if (!shape.mesh().furUv.empty()) mesh.furUv.push_back(v.fur);
   }
   if (!groom.upright()) fur.comb = ofVertices(groom::restBends(groom.groom(), shape.surface(), shape.points()), own.vertexOf);
-  return scene::exportScene(mesh, document.name, fur,
-                            {document.sourceImage.bytes.empty() ? document.pendingImage : document.sourceImage, document.baseColorFactor, paintedPicture()});
+  const scene::Material& main = document.materials[document.main];
+  const int image = main.baseColorTexture.image;
+  static const scene::EncodedImage none;
+  return scene::exportScene(mesh, document.name, fur, {image < 0 ? none : document.pictures[static_cast<std::size_t>(image)].encoded, main.baseColor, paintedPicture()});
 }
 
 std::vector<std::uint8_t> App::saveScene() const {

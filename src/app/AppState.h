@@ -28,12 +28,21 @@ namespace fur::app {
 // What a model's file brings besides its shape.
 struct Document {
   std::string name;
-  scene::EncodedImage pendingImage{}, sourceImage{};  // to be decoded; decoded, kept for saving
+  struct Picture {
+    scene::EncodedImage encoded{};
+    bool asked = true;  // it has been decoded, or cannot be
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> rgba{};  // empty: not decoded
+  };
+  std::vector<Picture> pictures{};
   std::shared_ptr<const scene::SourceFile> file{};    // a document to be saved whole
   Warnings beside{};                                  // that the saved one still needs
-  Vec4 baseColorFactor{1.0f};
-  int imageWidth = 0, imageHeight = 0;
-  std::vector<std::uint8_t> image{};  // RGBA8
+  std::vector<scene::Material> materials{scene::Material{}};
+  std::size_t main = 0;  // the material that stands for all where there can be only one
+  // The picture of a material's base colour; nullptr: it has none, or not yet.
+  const Picture* pictureOf(std::size_t material) const;
+  void take(scene::Model& model);  // its materials and images
+  Picture* pending();  // the first that is still to be decoded
 };
 
 // Pointers that are down, and the tool.
@@ -93,8 +102,9 @@ struct App::State {
   // reported last.
   std::optional<render::Renderer> renderer;
   struct Uploaded {
-    std::uint64_t surface = 0, pose = 0, bends = 0, image = 0, shelf = 0;
+    std::uint64_t surface = 0, pose = 0, bends = 0, images = 0, materials = 0, shelf = 0;
     std::array<std::uint32_t, settings::kFurTypes> pictures{};  // of types
+    std::vector<std::uint8_t> bare{};
     std::vector<groom::Whisker> whiskers{};
     std::uint64_t overPaint = 0;  // what lies over it: 0 nothing, 1 the mask, above 1 a map of hair
     bool painted = false, shaped = false;
@@ -105,7 +115,7 @@ struct App::State {
     bool softened = true;  // the mask
   } uploaded;
   const hair::HairView* hairView = nullptr;
-  std::uint64_t changed = 1, noticed = 0, imageRevision = 1;
+  std::uint64_t changed = 1, noticed = 0, imageRevision = 1, materialsRevision = 1;
   struct {
     std::uint64_t surface = 0;
     float length = -1;
@@ -123,7 +133,7 @@ struct App::State {
 
   // --- App.cpp ---
   CameraOrbit startView() const { return OrbitCamera::fitting(shape.extent().centre, shape.extent().radius); }
-  void setModel(geometry::Mesh mesh, geometry::Surface surface, Document from, scene::Rig rig = {});
+  void setModel(geometry::Mesh mesh, geometry::Surface surface, Document from, scene::Rig rig = {}, std::vector<std::uint8_t> materialOf = {});
   void surfaceChanged(const CameraOrbit& viewBefore);
   // A view that showed all of the model still does; glides there or is there at once.
   void keepInView(const CameraOrbit& before, bool atOnce);
@@ -156,6 +166,7 @@ struct App::State {
 
   // --- AppFrame.cpp ---
   void upload();
+  void uploadMaterials();
   void uploadGroom(bool whole);
   void uploadHair();
   void uploadPictures();

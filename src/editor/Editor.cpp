@@ -89,6 +89,29 @@ void Editor::setLayout(std::string_view text) {
   frequent_.read(text);
 }
 
+// Arrow keys and Enter choose, too; Escape and a press beside it mean no use.
+void Editor::askPicture(const EditorModel& model) {
+  constexpr const char* kTitle = "What is this picture?";
+  if (model.pictureAsked.empty()) return;
+  if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+  ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
+  if (!ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings)) return;
+  std::optional<command::UsePicture> answer;
+  ImGui::TextDisabled("%s", model.pictureAsked.c_str());
+  for (std::size_t i = 0; i < app::kPictureUseCount; ++i) {
+    const auto use = static_cast<PictureUse>(i);
+    if (ImGui::IsWindowAppearing() && i == 0) ImGui::SetKeyboardFocusHere();
+    if (ImGui::Button(app::rowOf(use).label, ImVec2(px(260), touch_ ? px(40) : 0))) answer = command::UsePicture{use};
+    if (!touch_ && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", app::rowOf(use).tooltip);
+  }
+  if (ImGui::Button("Cancel", ImVec2(px(260), touch_ ? px(40) : 0)) || ImGui::IsKeyPressed(ImGuiKey_Escape, false)) answer = command::UsePicture{};
+  if (answer) {
+    emit(*answer);
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndPopup();
+}
+
 std::vector<Command> Editor::frame(const EditorModel& model, const ThemeScale& scale) {
   commands_.clear();
   const bool saves = std::exchange(saves_, false);
@@ -113,6 +136,7 @@ std::vector<Command> Editor::frame(const EditorModel& model, const ThemeScale& s
     coat_.hide();
     groom_.hide();
   }
+  askPicture(model);
   ImGui::End();
   // ImGui gives the focus to a window of its own first and then hands it on; arrow keys are the camera's
   // until the person turns to the panel.

@@ -61,6 +61,7 @@ class Editor {
  private:
   void drawTitle(const EditorModel& model);
   void drawMessages(const EditorModel& model);
+  void askPicture(const EditorModel& model);
   void drawContent(const EditorModel& model, bool saves);
   void beginChange();
   void change(const EditorModel& model, const settings::Settings& edited);

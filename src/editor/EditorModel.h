@@ -15,6 +15,7 @@
 #include "app/tools/FurAt.h"
 #include "app/tools/GroomEdits.h"
 #include "app/tools/HairEdits.h"
+#include "app/tools/PictureUses.h"
 #include "app/tools/Tools.h"
 #include "core/Math.h"
 #include "hair/Body.h"
@@ -26,6 +27,7 @@ namespace fur::editor {
 using app::FurNumber;
 using app::GroomEdit;
 using app::HairEdit;
+using app::PictureUse;
 using app::Tool;
 
 // How a person can bring a file: through a dialog of the platform alone, or also by typing its path.
@@ -95,6 +97,12 @@ struct GroomView {
   std::optional<WhiskerView> whisker{};       // that is chosen
 };
 
+// One of several materials of the model.
+struct MaterialView {
+  std::string name;
+  bool furry = true;
+};
+
 // A scalp of the model's long hair.
 struct ScalpView {
   std::string name;
@@ -151,8 +159,10 @@ struct EditorModel {
   bool typeGiven[settings::kFurTypes] = {};     // its coat comes from a type set
   bool typePictured[settings::kFurTypes] = {};  // it has a colour map
   GroomView groom;
+  std::vector<MaterialView> materials;  // none: there is one
   HairView hair;
   PictureView picture;
+  std::string pictureAsked;  // the file of a picture of which it is to be asked what it is; "": none
   std::span<const VersionView> versions;  // newest first
 };
 
@@ -215,6 +225,10 @@ struct RemoveWhisker {};
 struct ChooseWhisker {  // the one after it, or before
   int step;
 };
+struct SetFurry {       // app::App::setFurry()
+  int material;
+  bool furry;
+};
 struct EditHair {       // app::App::editHair()
   HairEdit edit = HairEdit::AddScalp;
   float value = 1;
@@ -231,6 +245,9 @@ struct SetBody {
 struct RenameScalp {
   std::size_t scalp;
   std::string name;
+};
+struct UsePicture {     // the one that is asked about; none: it is not used
+  std::optional<PictureUse> use;
 };
 struct SavePicture {
   int width, height;
@@ -267,7 +284,7 @@ using Command = std::variant<command::BeginChange, command::EndChange, command::
                              command::SetWetness, command::Shake, command::Stamp, command::LoadShipped,
                              command::OpenDialog, command::OpenPath, command::ResetCamera, command::Undo,
                              command::Redo, command::CopyState, command::PasteState, command::ApplyPreset,
-                             command::SaveTypeSet, command::SaveFo, command::SaveHair, command::SaveScene, command::SaveMaps, command::SelectAt, command::GroomAll,
+                             command::SaveTypeSet, command::SaveFo, command::SaveHair, command::SaveScene, command::SaveMaps, command::SelectAt, command::GroomAll, command::SetFurry, command::UsePicture,
                              command::SetPoint, command::SetWhisker, command::RemoveWhisker, command::ChooseWhisker,
                              command::EditHair, command::SetHairValues, command::SetBody, command::RenameScalp,
                              command::SavePicture, command::SaveTurntable, command::TurnOnce, command::StopPicture,

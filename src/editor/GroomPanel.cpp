@@ -48,10 +48,12 @@ std::vector<Command> GroomPanel::draw(const EditorModel& model, settings::Settin
   commands_.clear();
   shown_ = changes_ = false;
   tooltips_ = tooltips;
-  const bool opened = openFor(model.tool);
+  // In two frames, as only the second knows how long the panel has become.
+  if (openFor(model.tool)) scrolls_ = 2;
   if (!groupHeader("Groom")) return {};
-  if (opened) ImGui::SetScrollHereY(0);
+  if (scrolls_ > 0) --scrolls_, ImGui::SetScrollHereY(0);
   drawPoint(model);
+  drawParts(model);
   drawBrush(model, edited);
   drawPaint(model, edited);
   drawMask(model, edited);
@@ -235,6 +237,21 @@ void GroomPanel::drawSelection(const EditorModel& model, settings::Settings& edi
   if (ImGui::Button("Select##lengths", ImVec2(-1, 0))) edit(GroomEdit::SelectLength, 1, {shortest_, longest_, 0});
   // The mask is shown to who is grooming.
   if (commands_.size() > before && !app::grooms(model.tool)) commands_.push_back(command::SetTool{Tool::Mask});
+}
+
+void GroomPanel::drawParts(const EditorModel& model) {
+  if (const auto tool = toolRow("parts", model.tool)) commands_.push_back(command::SetTool{*tool});
+  hint("Then click a part of the model: fur grows on its material, or no longer");
+  int material = 0;
+  for (const MaterialView& part : model.materials) {
+    ImGui::PushID(material);
+    bool furry = part.furry;
+    ImGui::Dummy(ImVec2(0, 0));
+    ImGui::SameLine(px(80));
+    if (ImGui::Checkbox(part.name.empty() ? "(no name)" : part.name.c_str(), &furry)) commands_.push_back(command::SetFurry{material, furry});
+    ImGui::PopID();
+    ++material;
+  }
 }
 
 void GroomPanel::drawWhiskers(const EditorModel& model, settings::Settings& edited) {

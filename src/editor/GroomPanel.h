@@ -32,6 +32,7 @@ class GroomPanel {
   void drawPaint(const EditorModel& model, settings::Settings& edited);
   void drawMask(const EditorModel& model, settings::Settings& edited);
   void drawSelection(const EditorModel& model, settings::Settings& edited);
+  void drawParts(const EditorModel& model);
   void drawWhiskers(const EditorModel& model, settings::Settings& edited);
   void drawLengths();
   void drawDirections();
@@ -47,6 +48,7 @@ class GroomPanel {
   std::vector<Command> commands_;
   bool changes_ = false;
   Tool tool_ = Tool::None;        // of the frame before
+  int scrolls_ = 0;               // frames that still bring the section to the top
   std::optional<float> wetness_;  // while its slider is held
   bool shown_ = false, tooltips_ = false;
   float shortest_ = 0, longest_ = 0.5f;  // what "Select length" selects

@@ -86,9 +86,9 @@ void VertexArray::add(const Buffer& vertices, int strideBytes, std::span<const A
   glBindVertexArray(0);
 }
 
-void VertexArray::drawIndexed(int indexCount, int instances) const {
+void VertexArray::drawIndexed(int indexCount, int instances, int first) const {
   glBindVertexArray(name_.id());
-  glDrawElementsInstanced(GL_TRIANGLES, indexCount, GL_UNSIGNED_INT, nullptr, instances);
+  glDrawElementsInstanced(GL_TRIANGLES, indexCount, GL_UNSIGNED_INT, reinterpret_cast<const void*>(sizeof(std::uint32_t) * static_cast<std::size_t>(first)), instances);
   glBindVertexArray(0);
 }
 
@@ -121,7 +121,8 @@ int samplesOfPlatform = 0;
 
 void apply(const DrawState& state) {
   toggle(GL_DEPTH_TEST, state.depthTest);
-  toggle(GL_CULL_FACE, state.cullBack);
+  toggle(GL_CULL_FACE, state.cullBack || state.cullFront);
+  glCullFace(state.cullFront ? GL_FRONT : GL_BACK);
   toggle(GL_BLEND, state.blend != Blend::None);
   toggle(GL_SAMPLE_ALPHA_TO_COVERAGE, state.alphaToCoverage);
   glDisable(GL_SCISSOR_TEST);

@@ -100,7 +100,7 @@ class VertexArray {
               const Buffer* indices);
   // Attributes of another buffer.
   void add(const Buffer& vertices, int strideBytes, std::span<const Attribute> attributes, unsigned divisor);
-  void drawIndexed(int indexCount, int instances) const;  // triangles, 32-bit indices
+  void drawIndexed(int indexCount, int instances, int first = 0) const;  // triangles, 32-bit indices
   void drawStrips(int vertexCount, int instances) const;
 
  private:
@@ -170,7 +170,7 @@ class Target {
 enum class Blend { None, Add, Over, Erase };
 
 struct DrawState {
-  bool depthTest = true, depthWrite = true, cullBack = true;
+  bool depthTest = true, depthWrite = true, cullBack = true, cullFront = false;  // one of the two at most
   Blend blend = Blend::None;
   bool alphaToCoverage = false;
   bool nearer = false;  // a depth bias of about the rounding between two programs that draw the same triangle

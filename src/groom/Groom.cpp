@@ -98,7 +98,7 @@ GroomMap resized(const GroomMap& map, int size) {
 }
 
 void resize(Groom& groom, int size) {
-  const Groom before = std::exchange(groom, {GroomMap(size), groom.comb, groom.whiskers});
+  const Groom before = std::exchange(groom, {GroomMap(size), groom.comb, groom.whiskers, groom.bare});
   for (const auto map : kMaps) (groom.*map).restore(resized(before.*map, groom.map.size()).texels());
 }
 
@@ -208,6 +208,15 @@ std::vector<float> vertexLengths(const GroomMap& map, const geometry::Surface& s
   out.reserve(surface.vertices.size());
   for (const std::uint32_t point : points.pointOf) out.push_back(most[point]);
   return out;
+}
+
+void keepBare(std::vector<float>& vertexLengths, const SurfacePoints& points, std::span<const std::uint8_t> materialOf, std::span<const std::uint8_t> bare) {
+  std::vector<bool> bald(points.count());
+  for (std::size_t i = 0; i < materialOf.size(); ++i)
+    if (bare[materialOf[i]]) bald[points.pointOf[i]] = true;
+  vertexLengths.resize(points.pointOf.size(), 1.0f);
+  for (std::size_t i = 0; i < vertexLengths.size(); ++i)
+    if (bald[points.pointOf[i]]) vertexLengths[i] = 0;
 }
 
 std::vector<std::uint32_t> furryTriangles(const std::vector<std::uint32_t>& indices, std::span<const float> vertexLengths) {

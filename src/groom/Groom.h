@@ -18,6 +18,8 @@
 //
 // whiskers: single hairs that stand out of the coat (Whiskers.h).
 //
+// bare: the materials on which no fur grows.
+//
 // GroomBrush.h and GroomFilters.h use + - * / and square roots only: the same bytes on every platform.
 // Does not know the fur's length in model units, nor time.
 #pragma once
@@ -92,6 +94,7 @@ struct Groom {
   GroomMap map;
   std::vector<Vec3> comb;  // one a point, across its normal, at most kMaxComb long
   std::vector<Whisker> whiskers{};
+  std::vector<std::uint8_t> bare{};  // one a material of the model, 1: no fur grows on it; empty: the model has one
   GroomMap paint{map.size(), GroomMap::kBlank}, mask{map.size(), GroomMap::kBlank}, shape{map.size(), GroomMap::kBlank};
 
   bool isPlain() const;
@@ -130,6 +133,9 @@ inline constexpr TypeHeights kAllFull{1, 1, 1, 1};
 // that no strand between them is cut off. A type of presence e has no strand above 2 e of its height.
 std::vector<float> vertexLengths(const GroomMap& map, const geometry::Surface& surface, const SurfacePoints& points,
                                  const TypeHeights& heights = kAllFull);
+
+// The same where no fur grows on some materials, nor on the points where they meet others. `materialOf`: one a vertex.
+void keepBare(std::vector<float>& vertexLengths, const SurfacePoints& points, std::span<const std::uint8_t> materialOf, std::span<const std::uint8_t> bare);
 
 // The triangles (three indices each) that carry a coat by these vertexLengths(): fur grows on them, or next to them where the
 // coat slopes down to the skin.

@@ -6,6 +6,7 @@
 #include "render/ShaderSources.h"
 #include "render/ShaderText.h"
 #include "shared/Hair.h"
+#include "shared/Material.h"
 
 namespace fur::render {
 
@@ -41,6 +42,7 @@ const char* fragmentOf(Shader shader, VariantBits variant) {
     case Shader::Drop: return shaders::kDropFrag;
     case Shader::Ball: return shaders::kBallFrag;
     case Shader::Arrow: return shaders::kArrowFrag;
+    case Shader::Bare: return shaders::kBareFrag;
     case Shader::ShadowBlur: return shaders::kShadowBlurFrag;
     default: return providedText(shader).fragment;
   }
@@ -68,6 +70,7 @@ Source sourceOf(Shader shader) {
     case Shader::ShadowMap: return {"shadow_map", shaders::kShadowMapVert};
     case Shader::Ball: return {"ball", shaders::kBallVert};
     case Shader::Arrow: return {"arrow", shaders::kArrowVert};
+    case Shader::Bare: return {"bare", shaders::kBareVert};
     case Shader::ShadowBlur: return {"shadow_blur", shaders::kScreenVert};
     default: return {providedText(shader).label, providedText(shader).vertex, providedText(shader).defines};
   }
@@ -158,6 +161,7 @@ bool Programs::finish(gl::Program& program) {
   program.bindBlock("FrameBlock", FUR_FRAME_BINDING);
   program.bindBlock("FurBlock", FUR_COAT_BINDING);
   program.bindBlock("HairBlock", FUR_HAIR_BINDING);
+  program.bindBlock("MaterialBlock", FUR_MATERIAL_BINDING);
   program.bindSampler("coverage", FUR_UNIT_COVERAGE);
   program.bindSampler("strand", FUR_UNIT_STRAND);
   program.bindSampler("offset", FUR_UNIT_OFFSET);
@@ -187,6 +191,10 @@ bool Programs::finish(gl::Program& program) {
   program.bindSampler("ambient", FUR_UNIT_HAIR_AMBIENT);
   program.bindSampler("wispOrder", FUR_UNIT_WISP_ORDER);
   program.bindSampler("baseTangents", FUR_UNIT_BASE_TANGENTS);
+  program.bindSampler("normals", FUR_UNIT_NORMALS);
+  program.bindSampler("roughnessMap", FUR_UNIT_ROUGHNESS);
+  program.bindSampler("occlusionMap", FUR_UNIT_OCCLUSION);
+  program.bindSampler("emissiveMap", FUR_UNIT_EMISSIVE);
   program.bindSampler("hairColors", FUR_UNIT_HAIR_COLORS);
   return true;
 }
@@ -240,6 +248,7 @@ std::vector<std::pair<Shader, VariantBits>> allVariants() {
                                   +kViewTypes, +kViewOffset})
         all.emplace_back(Shader::Shell, view | look | groom);
   for (const VariantBits shadow : {kPlain, kShadowDepth, kShadowLayers}) {
+    all.emplace_back(Shader::Bare, shadow);
     for (const VariantBits look : {+kPlain, +kTextured}) {
       all.emplace_back(Shader::Skin, look | shadow);
       for (const VariantBits groom : {+kPlain, +kGroomed, kGroomed | kTypes})

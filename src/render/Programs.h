@@ -10,7 +10,7 @@
 
 namespace fur::render {
 
-enum class Shader { Background, Ground, GroundShadow, Blur, Skin, Shell, ClassicShell, ShadowMap, ShadowBlur, Fin, Enlarge, Whisker, Drop, Ball, Arrow, Hair, BlendedHair, HairPoints, HairShadow, HairDepth, HairSkin, HairMap, HairWisp, HairLine, HiddenHairLine };
+enum class Shader { Background, Ground, GroundShadow, Blur, Skin, Shell, ClassicShell, ShadowMap, ShadowBlur, Fin, Enlarge, Whisker, Drop, Ball, Arrow, Bare, Hair, BlendedHair, HairPoints, HairShadow, HairDepth, HairSkin, HairMap, HairWisp, HairLine, HiddenHairLine };
 
 // Bits of a variant; each is a #define in the shader.
 using VariantBits = std::uint64_t;
@@ -21,7 +21,7 @@ enum Variant : VariantBits {
   kGroomed = 1 << 2,       // Shell, Fin, Skin, ShadowMap: the groom's map says more than full length
   kTypes = 1 << 3,         // Shell, Fin, Skin, ShadowMap: several fur types; groomed, too
   kMarschner = 1 << 4,     // Shell, Fin, Whisker: strands lit by Marschner's model
-  kShadowDepth = 1 << 5,   // Skin, Shell, Fin, Whisker: receive the fur's shadow, see FurShadow.h; ShadowBlur: makes it
+  kShadowDepth = 1 << 5,   // Skin, Bare, Shell, Fin, Whisker: receive the fur's shadow, see FurShadow.h; ShadowBlur: makes it
   kShadowLayers = 1 << 6,  // the same with opacity layers; ShadowMap: the layers themselves
   kUnderFur = 1 << 7,      // Skin
   kSkinOnly = 1 << 8,      // ShadowMap: the skin instead of the coat's outside
@@ -55,6 +55,8 @@ enum Variant : VariantBits {
   kPrintedClumps = 1ull << 34,
   kPrintedLight = 1ull << 35,
 };
+
+constexpr bool isView(VariantBits variant) { return variant & (((kViewForces << 1) - kViewTangents) | kViewLayout); }
 
 // The text of a shader that not every program has (render/ShaderSources.h).
 struct ProvidedShader {

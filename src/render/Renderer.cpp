@@ -6,6 +6,7 @@
 
 #include "render/passes/background/BackgroundPass.h"
 #include "render/passes/ball/BallPass.h"
+#include "render/passes/bare/BarePass.h"
 #include "render/passes/skin/SkinPass.h"
 
 namespace fur::render {
@@ -53,16 +54,14 @@ Result<Renderer> Renderer::create() {
         std::pair(Shader::Ground, +kPlain), std::pair(Shader::GroundShadow, +kPlain), std::pair(Shader::Blur, +kPlain), std::pair(Shader::Background, +kPlain)})
     r.programs_.begin(shader, variant);
   const shared::FrameBlock frame{};
-  const shared::FurBlock coat{};
   r.frameBlock_ = gl::Buffer(gl::BufferKind::Uniform, gl::bytesOf(frame), true);
-  r.coatBlock_ = gl::Buffer(gl::BufferKind::Uniform, gl::bytesOf(coat), true);
   r.groundShadow_.create();
-  r.uploadedBytes_ += r.maps_.create();
+  r.uploadedBytes_ += r.maps_.create() + r.materials_.create();
   return r;
 }
 
-void Renderer::setSurface(const geometry::Surface& surface, std::span<const Vec3> tangents) {
-  uploadedBytes_ += surface_.set(surface, tangents);
+void Renderer::setSurface(const geometry::Surface& surface, std::span<const Vec3> tangents, std::span<const std::uint8_t> materialOf) {
+  uploadedBytes_ += surface_.set(surface, tangents, materialOf);
   uploadedBytes_ += shells_.set(surface, surface_);
   uploadedBytes_ += fins_.set(surface, !tangents.empty());
   arrows_.set(surface_);
@@ -96,15 +95,20 @@ FurShadow::Key Renderer::furShadowKey(const Frame& frame) const {
 }
 
 void Renderer::uploadBlocks(const Frame& frame, const FurShadow::Key& shadow) {
-  const shared::FurBlock coat = furBlock(frame, fur_.size(), fur_.layers(), fur_.densities(), maps_.maskSize(), maps_.typePictures());
+  Frame of = frame;
+  for (std::size_t i = 0; i < materials_.count(); ++i) {
+    if (materials_.isBare(i) && i != materials_.main()) continue;
+    of.baseColorFactor = materials_.at(i).baseColor;
+    materials_.updateCoat(i, furBlock(of, fur_.size(), fur_.layers(), fur_.densities(), maps_.maskSize(), maps_.typePictures()));
+    uploadedBytes_ += sizeof(shared::FurBlock);
+  }
   shared::FrameBlock block = frameBlock(frame);
   shadow.fill(block);
   block.samples = static_cast<float>(std::max(1, gl::platformSamples()));
   frameBlock_.update(gl::bytesOf(block));
-  coatBlock_.update(gl::bytesOf(coat));
   frameBlock_.bindAsBlock(FUR_FRAME_BINDING);
-  coatBlock_.bindAsBlock(FUR_COAT_BINDING);
-  uploadedBytes_ += sizeof block + sizeof coat;
+  materials_.bind(materials_.main());
+  uploadedBytes_ += sizeof block;
 }
 
 void Renderer::warmUp(const Frame& frame) {
@@ -128,8 +132,8 @@ Status Renderer::draw(const Frame& frame) {
   const Frame drawn = asDrawn(frame);
   drawnPixels_ = static_cast<long>(drawn.width) * drawn.height;
   const bool furry = fur_.density() > 0 && frame.coatLength > 0 && !shells_.empty();
-  const Look look(drawn, furry, maps_.hasPicture());
-  const Drawing drawing{drawn, look, surface_, programs_, uploadedBytes_};
+  const Look look(drawn, furry, materials_.hasPicture() || maps_.hasTypePictures());
+  const Drawing drawing{drawn, look, surface_, materials_, programs_, uploadedBytes_};
   hair_->fit(drawn);
   const FurShadow::Key shadow = furShadowKey(drawn);
   uploadBlocks(drawn, shadow);
@@ -166,7 +170,7 @@ bool Renderer::drawPasses(const Drawing& drawing) {
 bool Renderer::drawFinal(const Drawing& drawing) {
   if (drawing.look.classic()) return drawClassic(drawing);
   return drawBall(drawing) && drawModel(drawing, kPlain) && (hairViews_ ? hairViews_->draw(drawing, *hair_) : hair_->draw(drawing)) && whiskers_.draw(drawing) &&
-         ground_.draw(drawing, groundShadow_) && drawBackground(drawing) && drops_.draw(drawing) && (!hairViews_ || hairViews_->drawLines(drawing));
+         ground_.draw(drawing, groundShadow_) && drawBackground(drawing) && drawBlended(drawing) && drops_.draw(drawing) && (!hairViews_ || hairViews_->drawLines(drawing));
 }
 
 // The technique `shells`: what is blended comes over all that is not.
@@ -174,7 +178,7 @@ bool Renderer::drawClassic(const Drawing& drawing) {
   const settings::Settings& s = drawing.frame.settings;
   return drawBall(drawing) && (!s.skin || drawSkin(drawing, drawing.look.skin(kPlain))) &&
          (hairViews_ ? hairViews_->draw(drawing, *hair_) : hair_->draw(drawing)) && whiskers_.draw(drawing) && ground_.draw(drawing, groundShadow_) &&
-         drawBackground(drawing) && fins_.drawClassic(drawing) && (!s.shells || shells_.drawClassic(drawing)) && drops_.draw(drawing) &&
+         drawBackground(drawing) && drawBlended(drawing) && fins_.drawClassic(drawing) && (!s.shells || shells_.drawClassic(drawing)) && drops_.draw(drawing) &&
          (!hairViews_ || hairViews_->drawLines(drawing));
 }
 
@@ -211,7 +215,7 @@ bool Renderer::drawPart(const Drawing& drawing, const ViewPart& part) {
 }
 
 std::size_t Renderer::gpuBytes() const {
-  return surface_.bytes() + maps_.bytes() + fur_.bytes() + strandTables_.bytes() + groundShadow_.bytes() + furShadow_.bytes() + shells_.bytes() +
+  return surface_.bytes() + maps_.bytes() + materials_.bytes() + fur_.bytes() + strandTables_.bytes() + groundShadow_.bytes() + furShadow_.bytes() + shells_.bytes() +
          fins_.bytes() + hair_->bytes() + (hairViews_ ? hairViews_->bytes() : 0) + whiskers_.bytes() + ground_.bytes() + drops_.bytes() + small_.bytes();
 }
 

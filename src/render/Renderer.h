@@ -10,6 +10,7 @@
 #include "render/Blocks.h"
 #include "render/Frame.h"
 #include "render/FurTextures.h"
+#include "render/Materials.h"
 #include "render/Programs.h"
 #include "render/StrandTables.h"
 #include "render/SurfaceBuffers.h"
@@ -34,8 +35,13 @@ class Renderer {
   // Needs a current context, in which the driver begins to compile what usual frames need.
   static Result<Renderer> create();
 
-  // `tangents`, one a vertex, for a surface that will change its shape: setSkin().
-  void setSurface(const geometry::Surface& surface, std::span<const Vec3> tangents = {});
+  // `tangents`, one a vertex, for a surface that will change its shape: setSkin(). `materialOf`: one a vertex, the same for all of a
+  // triangle; none: the first.
+  void setSurface(const geometry::Surface& surface, std::span<const Vec3> tangents = {}, std::span<const std::uint8_t> materialOf = {});
+  // See Materials.
+  void setMaterials(std::span<const scene::Material> materials, std::size_t main) { uploadedBytes_ += materials_.set(materials, main); }
+  void setBare(std::span<const std::uint8_t> bare) { materials_.setBare(bare); }
+  void setImage(std::size_t image, int width, int height, std::span<const std::uint8_t> rgba) { uploadedBytes_ += materials_.setImage(image, width, height, rgba); }
   void setSkin(const Skin& skin);
   // Which triangles shells are drawn on, in place of all of the surface, and the length at every vertex: fins
   // between two of none are left out. What is bald costs nothing. Until the next setSurface().
@@ -60,7 +66,6 @@ class Renderer {
   // See SurfaceMaps.
   void setTypePictures(std::span<const SurfaceMaps::Picture> pictures) { uploadedBytes_ += maps_.setTypePictures(pictures); }
   bool hasTypePictures() const { return maps_.hasTypePictures(); }
-  void setBaseColor(int width, int height, std::span<const std::uint8_t> rgba) { uploadedBytes_ += maps_.setBaseColor(width, height, rgba); }
   void updateMask(const wet::MaskTexels& mask) { uploadedBytes_ += maps_.updateMask(mask); }
   void updateBends(std::span<const Vec4> bends) { uploadedBytes_ += maps_.updateBends(bends); }
   void updateGroom(const groom::GroomMap& map, const geometry::TexelRect& changed) { uploadedBytes_ += maps_.updateGroom(map, changed); }
@@ -93,9 +98,10 @@ class Renderer {
 
   // What passes share.
   Programs programs_;
-  gl::Buffer frameBlock_, coatBlock_;
+  gl::Buffer frameBlock_;
   SurfaceBuffers surface_;
   SurfaceMaps maps_;
+  Materials materials_;
   FurTextures fur_;
   StrandTables strandTables_;
 

@@ -1,5 +1,6 @@
 #include "render/SurfaceBuffers.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/Assert.h"
@@ -48,7 +49,31 @@ void findSurroundings(const geometry::Surface& surface, std::vector<FurVertex>& 
 
 }  // namespace
 
-std::size_t SurfaceBuffers::set(const geometry::Surface& surface, std::span<const Vec3> tangents) {
+IndexRanges IndexRanges::sort(std::vector<std::uint32_t>& indices, std::span<const std::uint8_t> materialOfVertex) {
+  IndexRanges ranges;
+  if (materialOfVertex.empty()) {
+    ranges.of.push_back({0, static_cast<int>(indices.size())});
+    return ranges;
+  }
+  ranges.of.resize(256);
+  for (std::size_t i = 0; i < indices.size(); i += 3) ranges.of[materialOfVertex[indices[i]]].count += 3;
+  for (std::size_t m = 1; m < ranges.of.size(); ++m) ranges.of[m].first = ranges.of[m - 1].first + ranges.of[m - 1].count;
+  std::vector<int> next;
+  for (const Range& range : ranges.of) next.push_back(range.first);
+  std::vector<std::uint32_t> sorted(indices.size());
+  for (std::size_t i = 0; i < indices.size(); i += 3) {
+    int& at = next[materialOfVertex[indices[i]]];
+    std::copy_n(&indices[i], 3, &sorted[static_cast<std::size_t>(at)]);
+    at += 3;
+  }
+  indices = std::move(sorted);
+  return ranges;
+}
+
+std::size_t SurfaceBuffers::set(const geometry::Surface& surface, std::span<const Vec3> tangents, std::span<const std::uint8_t> materials) {
+  materials_.assign(materials.begin(), materials.end());
+  std::vector<std::uint32_t> indices = surface.indices;
+  ranges_ = IndexRanges::sort(indices, materials_);
   std::vector<SkinVertex> vertices;
   std::vector<FurVertex> furVertices;
   for (const auto& v : surface.vertices) {
@@ -58,7 +83,7 @@ std::size_t SurfaceBuffers::set(const geometry::Surface& surface, std::span<cons
   findSurroundings(surface, furVertices);
   vertices_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(vertices), !tangents.empty());
   furVertices_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(furVertices), false);
-  indices_ = gl::Buffer(gl::BufferKind::Index, gl::bytesOf(surface.indices), false);
+  indices_ = gl::Buffer(gl::BufferKind::Index, gl::bytesOf(indices), false);
   array_ = arrayOver(indices_);
   vertexCount_ = static_cast<int>(surface.vertices.size());
   indexCount_ = static_cast<int>(surface.indices.size());
@@ -75,6 +100,11 @@ std::size_t SurfaceBuffers::follow(const Skin& skin) {
   vertices_.update(std::as_bytes(moving_->vertices()));
   ++revision_;
   return vertices_.bytes();
+}
+
+void SurfaceBuffers::drawMaterial(std::size_t material) const {
+  const IndexRanges::Range range = ranges_.at(material);
+  if (range.count > 0) array_.drawIndexed(range.count, 1, range.first);
 }
 
 gl::VertexArray SurfaceBuffers::arrayOver(const gl::Buffer& indices) const {

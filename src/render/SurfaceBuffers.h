@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "geometry/Surface.h"
 #include "gl/Objects.h"
@@ -10,14 +11,30 @@
 
 namespace fur::render {
 
+// Where triangles of each material lie in a list of indices, in the order in which they came.
+struct IndexRanges {
+  struct Range {
+    int first = 0, count = 0;
+  };
+  std::vector<Range> of;  // by material
+  Range at(std::size_t material) const { return material < of.size() ? of[material] : Range{}; }
+  // Puts the triangles of one material after those of another.
+  static IndexRanges sort(std::vector<std::uint32_t>& indices, std::span<const std::uint8_t> materialOfVertex);
+};
+
 class SurfaceBuffers {
  public:
   // `tangents`, one a vertex, for a surface that will change its shape: follow(). What the shape was like stays
   // where it matters little: curvature, the stretch of the tile. Both return the bytes that were uploaded.
-  std::size_t set(const geometry::Surface& surface, std::span<const Vec3> tangents);
+  // `materials`: one a vertex, the same for all of a triangle; none: there is one.
+  std::size_t set(const geometry::Surface& surface, std::span<const Vec3> tangents, std::span<const std::uint8_t> materials = {});
   std::size_t follow(const Skin& skin);
 
   void draw(int instances) const { array_.drawIndexed(indexCount_, instances); }
+  // The triangles of one material.
+  void drawMaterial(std::size_t material) const;
+  std::size_t materialOf(std::uint32_t vertex) const { return materials_.empty() ? 0 : materials_[vertex]; }
+  IndexRanges sortByMaterial(std::vector<std::uint32_t>& indices) const { return IndexRanges::sort(indices, materials_); }
   const gl::VertexArray& array() const { return array_; }
   int indexCount() const { return indexCount_; }
   int vertexCount() const { return vertexCount_; }
@@ -38,6 +55,8 @@ class SurfaceBuffers {
   int vertexCount_ = 0, indexCount_ = 0;
   bool twoSided_ = false;
   unsigned long revision_ = 0;
+  std::vector<std::uint8_t> materials_;  // of each vertex; empty: there is one
+  IndexRanges ranges_;
   std::optional<MovingVertices> moving_;
 };
 

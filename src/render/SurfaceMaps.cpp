@@ -44,15 +44,7 @@ void addScaled(const SurfaceMaps::Picture& from, int width, int height, std::vec
 }  // namespace
 
 std::size_t SurfaceMaps::create() {
-  return setBaseColor(0, 0, {}) + updateGroom(groom::GroomMap(groom::GroomMap::kLeastSize), {});
-}
-
-std::size_t SurfaceMaps::setBaseColor(int width, int height, std::span<const std::uint8_t> rgba) {
-  const std::uint8_t white[4] = {255, 255, 255, 255};
-  hasPicture_ = !rgba.empty();
-  if (!hasPicture_) width = height = 1, rgba = white;
-  baseColor_ = gl::Texture({gl::TexelFormat::RGBA8, width, height, 0, gl::Filter::Trilinear, true}, std::as_bytes(rgba));
-  return baseColor_.bytes();
+  return updateGroom(groom::GroomMap(groom::GroomMap::kLeastSize), {});
 }
 
 std::size_t SurfaceMaps::setTypePictures(std::span<const Picture> pictures) {
@@ -121,13 +113,12 @@ void SurfaceMaps::bind(const Frame& frame) const {
   groom_.bind(FUR_UNIT_GROOM);
   if (frame.painted) paint_.bind(FUR_UNIT_PAINT);
   if (frame.shaped) shape_.bind(FUR_UNIT_SHAPE), lockCentres_.bind(FUR_UNIT_LOCK_CENTRES);
-  baseColor_.bind(FUR_UNIT_BASE_COLOR);
   if (hasTypePictures()) typeColors_.bind(FUR_UNIT_TYPE_COLORS);
 }
 
 std::size_t SurfaceMaps::bytes() const {
   std::size_t sum = 0;
-  for (const gl::Texture* texture : {&mask_, &bends_, &baseColor_, &groom_, &paint_, &shape_, &lockCentres_, &typeColors_}) sum += texture->bytes();
+  for (const gl::Texture* texture : {&mask_, &bends_, &groom_, &paint_, &shape_, &lockCentres_, &typeColors_}) sum += texture->bytes();
   return sum;
 }
 

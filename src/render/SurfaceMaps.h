@@ -1,4 +1,4 @@
-// What lies on the model: the textures over its atlas and its picture, and a bend a vertex.
+// What lies on the model: the textures over its atlas, and a bend a vertex.
 #pragma once
 
 #include <cstdint>
@@ -15,11 +15,9 @@ namespace fur::render {
 // What fills them returns the bytes that were uploaded.
 class SurfaceMaps {
  public:
-  // White, and fur of full length everywhere. Needs a context.
+  // Fur of full length everywhere. Needs a context.
   std::size_t create();
-  // Straight RGBA8 in sRGB. {} makes it white.
-  std::size_t setBaseColor(int width, int height, std::span<const std::uint8_t> rgba);
-  // Of each fur type its own, in place of that one; empty: it has none. All are made as large as the largest, up to a limit.
+  // A colour map of each fur type, straight RGBA8 in sRGB; empty: it has none. All are made as large as the largest, up to a limit.
   struct Picture {
     int width = 0, height = 0;
     std::span<const std::uint8_t> rgba{};
@@ -36,7 +34,6 @@ class SurfaceMaps {
 
   // Those that the frame's shaders read, to their units.
   void bind(const Frame& frame) const;
-  bool hasPicture() const { return hasPicture_ || hasTypePictures(); }
   bool hasTypePictures() const { return typeColors_.bytes() > 0; }
   const TypePictures& typePictures() const { return typePictures_; }
   int maskSize() const { return mask_.shape().width; }
@@ -45,9 +42,8 @@ class SurfaceMaps {
   std::size_t bytes() const;
 
  private:
-  gl::Texture mask_, bends_, baseColor_, groom_, paint_, shape_, lockCentres_, typeColors_;
+  gl::Texture mask_, bends_, groom_, paint_, shape_, lockCentres_, typeColors_;
   TypePictures typePictures_ = kNoPictures;
-  bool hasPicture_ = false;
   unsigned long revision_ = 0;
 };
 

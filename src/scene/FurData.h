@@ -46,6 +46,8 @@ struct FurData {
   std::vector<std::uint8_t> water{};    // all of it as app::WaterStage saves it; not validated yet; at most kMostWaterBytes
   std::array<TypeFiles, groom::kTypes> coats{};
   hair::Hairstyle hair{};  // positions in model space
+  std::vector<int> bare{};  // materials of the file without fur; -1: primitives without one
+  bool hasBare = false;    // a document of several materials, of which `bare` tells
 };
 
 }  // namespace fur::scene

@@ -1,4 +1,4 @@
-// A model as read from a file: one mesh, its base colour image still encoded (the platform decodes it).
+// A model as read from a file: one mesh, its images still encoded (the platform decodes them).
 #pragma once
 
 #include <cstdint>
@@ -12,6 +12,7 @@
 #include "geometry/Mesh.h"
 #include "geometry/Surface.h"
 #include "scene/FurData.h"
+#include "scene/Material.h"
 #include "scene/Rig.h"
 
 namespace fur::scene {
@@ -19,8 +20,13 @@ namespace fur::scene {
 struct Model {
   std::string name;
   geometry::Mesh mesh;         // all meshes of the default scene, transformed by their nodes, fitted to the unit sphere
-  EncodedImage baseColor;
-  Vec4 baseColorFactor{1.0f};  // linear
+  std::vector<Material> materials;  // in the order in which meshes use them; none where the format has none
+  std::vector<std::uint8_t> materialOf;  // one a vertex of the mesh; empty: there are less than two
+  std::vector<EncodedImage> images;
+  int mainMaterial = -1;       // what stands for all of them where there can be only one
+  // Of that; plain and empty where there is none.
+  const Material& main() const;
+  const EncodedImage& baseColor() const;
   bool isGltf = false;
   float furLength = 0;         // that the file says of the longest strand, units of the mesh; 0: nothing
   bool hasTexcoords = false;   // the file has texture coordinates for all meshes

@@ -53,6 +53,13 @@ std::optional<Settings> applyPreset(const Settings& settings, std::string_view n
   return out;
 }
 
+int baldType(const Settings& settings) {
+  const int types[] = {settings.type4, settings.type3, settings.type2};
+  for (int i = 0; i < 3; ++i)
+    if (types[i] == 0) return 4 - i;
+  return 0;
+}
+
 const Preset* presetOf(const Settings& settings) {
   for (const Preset& preset : kPresets) {
     const Settings& coat = coats()[static_cast<std::size_t>(&preset - kPresets)];

@@ -33,6 +33,9 @@ std::optional<Settings> applyPreset(const Settings& settings, std::string_view n
 // The preset whose values these settings have; nullptr when there is none.
 const Preset* presetOf(const Settings& settings);
 
+// The last of the types 2 to 4 that grows nothing, by which fur is thinned; 0: all of them grow something.
+int baldType(const Settings& settings);
+
 // The warning for an unknown name, which lists the known ones.
 std::string unknownPreset(std::string_view name);
 

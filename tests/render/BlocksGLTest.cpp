@@ -4,6 +4,7 @@
 #include "render/Programs.h"
 #include "shared/Blocks.h"
 #include "shared/Hair.h"
+#include "shared/Material.h"
 #include "tests/render/Picture.h"
 
 namespace fur::render {
@@ -62,6 +63,15 @@ std::vector<Member> hairMembers() {
   };
 }
 
+std::vector<Member> materialMembers() {
+  return {
+      FUR_MEMBER(MaterialBlock, baseColorFactor), FUR_MEMBER(MaterialBlock, emissiveFactor), FUR_MEMBER(MaterialBlock, normalRows),
+      FUR_MEMBER(MaterialBlock, roughnessRows), FUR_MEMBER(MaterialBlock, occlusionRows), FUR_MEMBER(MaterialBlock, emissiveRows),
+      FUR_MEMBER(MaterialBlock, metallicFactor), FUR_MEMBER(MaterialBlock, roughnessFactor), FUR_MEMBER(MaterialBlock, normalScale),
+      FUR_MEMBER(MaterialBlock, occlusionStrength), FUR_MEMBER(MaterialBlock, alphaMode), FUR_MEMBER(MaterialBlock, alphaCutoff),
+  };
+}
+
 TEST(Programs, EveryVariantCompilesAndLinks) {
   test::Stage stage(16, 16);
   Programs programs;
@@ -77,7 +87,7 @@ TEST(Blocks, HaveTheSizeThatTheDriverReserves) {
     const gl::Program* program = programs.use(shader, variant);
     ASSERT_TRUE(program);
     for (const auto& [name, bytes] : {std::pair("FrameBlock", sizeof(shared::FrameBlock)), std::pair("FurBlock", sizeof(shared::FurBlock)),
-                                       std::pair("HairBlock", sizeof(shared::HairBlock))}) {
+                                       std::pair("HairBlock", sizeof(shared::HairBlock)), std::pair("MaterialBlock", sizeof(shared::MaterialBlock))}) {
       const int reserved = program->blockSize(name);
       if (reserved > 0) EXPECT_EQ(static_cast<std::size_t>(reserved), bytes) << name << " in shader " << static_cast<int>(shader);
     }
@@ -86,7 +96,7 @@ TEST(Blocks, HaveTheSizeThatTheDriverReserves) {
 
 TEST(Blocks, HaveNoPaddingBetweenTheirMembersWhichAreAllListedHere) {
   for (const auto& [members, bytes] : {std::pair(frameMembers(), sizeof(shared::FrameBlock)), std::pair(furMembers(), sizeof(shared::FurBlock)),
-                                       std::pair(hairMembers(), sizeof(shared::HairBlock))}) {
+                                       std::pair(hairMembers(), sizeof(shared::HairBlock)), std::pair(materialMembers(), sizeof(shared::MaterialBlock))}) {
     std::size_t end = 0;
     for (const Member& member : members) {
       EXPECT_EQ(member.offset, end) << member.name;
@@ -100,7 +110,7 @@ TEST(Blocks, HaveNoPaddingBetweenTheirMembersWhichAreAllListedHere) {
 TEST(Blocks, HaveEachMemberWhereTheDriverReadsIt) {
   test::Stage stage(16, 16);
   Programs programs;
-  for (const auto& [block, members] : {std::pair("FrameBlock", frameMembers()), std::pair("FurBlock", furMembers()), std::pair("HairBlock", hairMembers())}) {
+  for (const auto& [block, members] : {std::pair("FrameBlock", frameMembers()), std::pair("FurBlock", furMembers()), std::pair("HairBlock", hairMembers()), std::pair("MaterialBlock", materialMembers())}) {
     std::vector<bool> seen(members.size());
     for (const auto& [shader, variant] : allVariants()) {
       const gl::Program* program = programs.use(shader, variant);

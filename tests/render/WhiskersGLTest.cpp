@@ -101,8 +101,9 @@ TEST(Whiskers, CostNothingWhereThereAreNone) {
   const Frame frame;
   const Look look(frame, true, false);
   const SurfaceBuffers none;
+  const Materials materials;
   std::size_t uploadedBytes = 0;
-  EXPECT_TRUE(WhiskerPass().draw({frame, look, none, programs, uploadedBytes})) << "and nothing is compiled, with no context's help";
+  EXPECT_TRUE(WhiskerPass().draw({frame, look, none, materials, programs, uploadedBytes})) << "and nothing is compiled, with no context's help";
 }
 
 TEST(Whiskers, TaperAndAreAsWideAsTheDistanceHasThem) {

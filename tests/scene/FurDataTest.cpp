@@ -99,9 +99,9 @@ TEST(FurData, BringsThePictureAndItsFactor) {
   scene.picture = {"image/png", png, 3, 2};
   const auto model = importGltf(scene.file(), "torus.glb");
   ASSERT_TRUE(model) << model.error().message;
-  EXPECT_EQ(model.value().baseColor.bytes, png);
-  EXPECT_EQ(model.value().baseColor.width, 3);
-  EXPECT_EQ(model.value().baseColorFactor, scene.factor);
+  EXPECT_EQ(model.value().baseColor().bytes, png);
+  EXPECT_EQ(model.value().baseColor().width, 3);
+  EXPECT_EQ(model.value().main().baseColor, scene.factor);
 }
 
 TEST(FurData, WhiskersStandWhereTheirModelIsFittedTo) {

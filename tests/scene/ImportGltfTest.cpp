@@ -224,11 +224,11 @@ TriangleFile texturedTriangle(const FileBytes& image) {
 TEST(ImportGltf, KeepsTheBaseColourImageEncoded) {
   const FileBytes image = pngHeader(640, 480);
   const Model model = imported(texturedTriangle(image).build());
-  EXPECT_EQ(model.baseColor.mimeType, "image/png");
-  EXPECT_EQ(model.baseColor.width, 640);
-  EXPECT_EQ(model.baseColor.height, 480);
-  EXPECT_EQ(model.baseColor.bytes, image);
-  EXPECT_EQ(model.baseColorFactor, Vec4(1, 0.5f, 0.25f, 1));
+  EXPECT_EQ(model.baseColor().mimeType, "image/png");
+  EXPECT_EQ(model.baseColor().width, 640);
+  EXPECT_EQ(model.baseColor().height, 480);
+  EXPECT_EQ(model.baseColor().bytes, image);
+  EXPECT_EQ(model.main().baseColor, Vec4(1, 0.5f, 0.25f, 1));
 }
 
 TEST(ImportGltf, RefusesAnImageOfTwentyThousandPixelsBeforeDecodingIt) {
@@ -244,7 +244,7 @@ TEST(ImportGltf, RefusesAnImageOfTwentyThousandPixelsBeforeDecodingIt) {
 
 TEST(ImportGltf, GoesOnWithoutAnImageThatIsNone) {
   const Model model = imported(texturedTriangle(textBytes("not an image at all")).build());
-  EXPECT_TRUE(model.baseColor.mimeType.empty());
+  EXPECT_TRUE(model.baseColor().mimeType.empty());
   ASSERT_EQ(model.warnings.size(), 1u);
   EXPECT_NE(model.warnings[0].find("images[0]"), std::string::npos);
 }

@@ -107,20 +107,44 @@ test('a saved scene opens with its groom and its settings', async () => {
   assert.ok(difference(shown, await picture(page), 24) < 0.01);
 });
 
-test('a picture that is dropped alone is a length map', async () => {
+/** Drops a file on the page. */
+const drop = (page, name, bytes) => page.evaluate(([base64, file]) => {
+  const transfer = new DataTransfer();
+  transfer.items.add(new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], file, { type: 'image/png' }));
+  document.body.dispatchEvent(new DragEvent('drop', { dataTransfer: transfer, bubbles: true, cancelable: true }));
+}, [bytes.toString('base64'), name]);
+const question = () => [...document.body.children].map((element) => element.shadowRoot?.querySelector('dialog[open]')).find(Boolean);
+
+test('a picture that is dropped on any model asks what it is, and keys answer', async () => {
   const page = await site.open(`?${light}&dryRate=0&src=sphere`);
+  await untilStill(page);
   const image = new PNG({ width: 4, height: 4 });
   image.data.forEach((_, at) => { image.data[at] = at % 4 === 3 || at < 32 ? 255 : 0; });
-  await page.evaluate((base64) => {
-    const transfer = new DataTransfer();
-    const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
-    transfer.items.add(new File([bytes], 'lengths.png', { type: 'image/png' }));
-    document.body.dispatchEvent(new DragEvent('drop', { dataTransfer: transfer, bubbles: true, cancelable: true }));
-  }, PNG.sync.write(image).toString('base64'));
+  const bytes = PNG.sync.write(image);
+  await drop(page, 'lengths.png', bytes);
+  await page.waitForFunction(question);
+  assert.equal(await page.evaluate(`(${question})().querySelectorAll('button').length`), 8);
+  await page.keyboard.press('Escape');
+  await page.waitForFunction(`!(${question})()`);
+  assert.equal(await withFur(page, (fur) => fur.groomed), false, 'Escape means no use');
+  await drop(page, 'lengths.png', bytes);
+  await page.waitForFunction(question);
+  for (const key of ['ArrowDown', 'ArrowDown', 'Enter']) await page.keyboard.press(key);  // length
   await page.waitForFunction(() => wetFur.groomed);
   assert.equal(await withFur(page, (fur) => fur.undo()), true);
-  const refused = await withFur(page, (fur) => fur.loadLengthMap(new Uint8Array([1, 2, 3])).then(() => null, ({ code }) => code));
-  assert.equal(refused, 'bad-file');
+  assert.equal(await withFur(page, (fur) => fur.groomed), false);
+});
+
+test('pictures that are no pictures, and uses that are none, are typed errors and change nothing', async () => {
+  const page = await site.open(`?${light}&src=sphere`);
+  const refused = await withFur(page, async (fur) => {
+    const code = (promise) => promise.then(() => null, (error) => error.code);
+    const pixel = await (await fetch('icon.svg')).blob();
+    return [await code(fur.loadLengthMap(new Uint8Array([1, 2, 3]))), await code(fur.loadPicture(new Uint8Array([1, 2, 3]), { as: 'color' })), await code(fur.loadPicture(pixel, { as: 'taste' }))];
+  });
+  assert.deepEqual(refused.slice(0, 2), ['bad-file', 'bad-file']);
+  assert.ok(refused[2]);
+  assert.equal(await withFur(page, (fur) => fur.groomed), false);
 });
 
 test('a map that was saved is dropped back as what it was, by its name', async () => {

@@ -117,11 +117,11 @@ FUR_EXPORT const double* fur_modelInfo(scene::Model* m) {
                        m->bounds.high.z});
 }
 // Of the base colour image, as it is encoded: bytes, width, height.
-FUR_EXPORT const char* fur_modelImageType(scene::Model* m) { return m->baseColor.mimeType.c_str(); }
+FUR_EXPORT const char* fur_modelImageType(scene::Model* m) { return m->baseColor().mimeType.c_str(); }
 FUR_EXPORT const double* fur_modelImageInfo(scene::Model* m) {
-  return web::numbers({double(m->baseColor.bytes.size()), double(m->baseColor.width), double(m->baseColor.height)});
+  return web::numbers({double(m->baseColor().bytes.size()), double(m->baseColor().width), double(m->baseColor().height)});
 }
-FUR_EXPORT const std::uint8_t* fur_modelImageBytes(scene::Model* m) { return m->baseColor.bytes.data(); }
+FUR_EXPORT const std::uint8_t* fur_modelImageBytes(scene::Model* m) { return m->baseColor().bytes.data(); }
 FUR_EXPORT const char* fur_modelWarnings(scene::Model* m) {
   std::string lines;
   for (const std::string& warning : m->warnings) lines += warning + '\n';

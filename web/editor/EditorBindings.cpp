@@ -266,6 +266,15 @@ FUR_EXPORT int fur_editHair(App* app, const char* edit, float value, float x, fl
     return 1;
   });
 }
+// `use`: the name of an app::PictureUse; `name`: of the file.
+FUR_EXPORT int fur_usePicture(App* app, const char* use, const char* name, int width, int height, const std::uint8_t* rgba) {
+  return guarded([&] {
+    const auto known = app::pictureUseNamed(use);
+    if (!known) return web::report(Error{ErrorId::BadFile, "there is no use of a picture \"" + std::string(std::string_view(use).substr(0, 64)) + '"'});
+    app->usePicture(*known, name, width, height, {rgba, std::size_t(width) * std::size_t(height) * 4});
+    return 1;
+  });
+}
 // `name`: of the file, see App::groomFromFile().
 FUR_EXPORT int fur_groomFromImage(App* app, int what, const char* name, int width, int height, const std::uint8_t* rgba) {
   return guarded([&] {

@@ -1,5 +1,5 @@
 // wet-fur: createWetFur and what it returns.
-import type { Color, FurSettings, GroomEdit, HairEdit, HairValues, PresetName, Tool, WetFurMethods } from './tables.js';
+import type { Color, FurSettings, GroomEdit, HairEdit, HairValues, PictureUse, PresetName, Tool, WetFurMethods } from './tables.js';
 
 export type * from './tables.js';
 
@@ -194,6 +194,12 @@ export interface WetFurApi extends WetFurMethods {
    * stays as it is. Rejects with a FurError where there is no such edit. This, length maps and all that saves fetch the editor's program.
    */
   groom(edit: GroomEdit, value?: number, direction?: readonly [number, number, number]): Promise<void>;
+  /** The materials of the model, by their numbers: what it has several of is furry or bare, as its names say, until somebody says otherwise. */
+  readonly materials: readonly { name: string; triangles: number; furry: boolean }[];
+  /** Whether fur grows on one of several materials; one undo step. Throws a FurError for a number that is none of theirs. */
+  setFurry(material: number, furry: boolean): void;
+  /** The number of the material under CSS pixels of the canvas; -1 beside the model. */
+  materialAt(at: { x: number; y: number }): number;
   /**
    * Long hair, as one undo step; what `value` and `direction` are is told with each edit. Warnings tell what could not be done; it
    * rejects with a FurError where there is no such edit. This fetches the editor's program.
@@ -210,6 +216,11 @@ export interface WetFurApi extends WetFurMethods {
   setHairValue<Name extends keyof HairValues>(scalp: number, name: Name | 'name', value: HairValues[Name] | string): void;
   /** The scalps of the model. */
   readonly scalps: readonly { name: string; guides: number; wisps: number; selected: boolean; values: HairValues }[];
+  /**
+   * A picture in the model's texture coordinates (over the atlas if it has none), as one undo step, and what it is; without `as`, a
+   * dialog asks the person. Resolves to whether it was used. A File that the editor's "Save maps" wrote goes back where it came from.
+   */
+  loadPicture(picture: ModelBytes, options?: { as?: PictureUse }): Promise<boolean>;
   /**
    * An image in the model's texture coordinates: its brightness becomes the length of the fur. A File that the editor's "Save
    * maps" wrote (length, types, paint, mask or shape, by its name) goes back where it came from.

@@ -19,7 +19,7 @@ std::size_t bytesOf(const Step& step) {
   const auto* groom = std::get_if<GroomStep>(&step);
   if (!groom) return sizeof(Step);
   std::size_t bytes = sizeof(Step) + bytesIn(groom->points) + bytesIn(groom->combBefore) + bytesIn(groom->combAfter) +
-                      bytesIn(groom->whiskersBefore) + bytesIn(groom->whiskersAfter);
+                      bytesIn(groom->whiskersBefore) + bytesIn(groom->whiskersAfter) + bytesIn(groom->bareBefore) + bytesIn(groom->bareAfter);
   for (const GroomStep::Map& map : groom->maps) bytes += bytesIn(map.before) + bytesIn(map.after);
   return bytes;
 }
@@ -54,7 +54,7 @@ void carry(Io& io, S& step) {
     io(step.before, step.after);
   } else if constexpr (std::is_same_v<Kind, GroomStep>) {
     for (auto& map : step.maps) io(map.rect, map.before, map.after);
-    io(step.sizeBefore, step.sizeAfter, step.points, step.combBefore, step.combAfter, step.whiskersBefore, step.whiskersAfter);
+    io(step.sizeBefore, step.sizeAfter, step.points, step.combBefore, step.combAfter, step.whiskersBefore, step.whiskersAfter, step.bareBefore, step.bareAfter);
   }
 }
 
@@ -139,6 +139,11 @@ std::optional<GroomStep> groomStep(const groom::Groom& before, const groom::Groo
     step.whiskersBefore = before.whiskers;
     step.whiskersAfter = after.whiskers;
   }
+  if (before.bare != after.bare) {
+    step.bareBefore = before.bare;
+    step.bareAfter = after.bare;
+    changed = true;
+  }
   if (!changed && step.points.empty() && !planted) return std::nullopt;
   return step;
 }
@@ -154,6 +159,7 @@ void apply(const GroomStep& step, bool undo, groom::Groom& groom) {
   }
   for (std::size_t i = 0; i < step.points.size(); ++i)
     groom.comb[step.points[i]] = (undo ? step.combBefore : step.combAfter)[i];
+  if (step.bareBefore != step.bareAfter) groom.bare = undo ? step.bareBefore : step.bareAfter;
   if (step.whiskersBefore != step.whiskersAfter) groom.whiskers = undo ? step.whiskersBefore : step.whiskersAfter;
 }
 

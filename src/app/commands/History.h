@@ -48,6 +48,7 @@ struct GroomStep {
   std::vector<std::uint32_t> points;
   std::vector<Vec3> combBefore, combAfter;
   std::vector<groom::Whisker> whiskersBefore{}, whiskersAfter{};
+  std::vector<std::uint8_t> bareBefore{}, bareAfter{};
 };
 
 // All hair before and after, as HairStage::save() has it.

@@ -1,18 +1,11 @@
 #include "app/editor/EditorGroom.h"
 
 #include "groom/GroomFilters.h"
+#include "settings/Presets.h"
 
 namespace fur::app {
 
 namespace {
-
-// Fur is thinned by a type that is bald; 0: all others grow something.
-int baldType(const settings::Settings& settings) {
-  const int types[] = {settings.type4, settings.type3, settings.type2};
-  for (int i = 0; i < 3; ++i)
-    if (types[i] == 0) return 4 - i;
-  return 0;
-}
 
 void shape(groom::Groom& groom, const groom::GroomSurface& skin, const groom::Brush& brush, groom::ShapeChannel channel, bool erases) {
   erases ? groom::takeShape(groom, skin, brush, channel) : groom::addShape(groom, skin, brush, channel);
@@ -25,7 +18,7 @@ void dab(Tool tool, groom::Groom& groom, const groom::GroomSurface& skin, const 
     case Tool::Mask: erases ? groom::unprotect(groom, skin, brush) : groom::protect(groom, skin, brush); break;
     case Tool::Cut: groom::cutTo(groom, skin, brush, settings.cutLength); break;
     case Tool::Thin:
-      if (const int type = baldType(settings)) erases ? groom::takeType(groom, skin, brush, type) : groom::paintType(groom, skin, brush, type);
+      if (const int type = settings::baldType(settings)) erases ? groom::takeType(groom, skin, brush, type) : groom::paintType(groom, skin, brush, type);
       break;
     case Tool::Curl: shape(groom, skin, brush, groom::ShapeChannel::Curl, erases); break;
     case Tool::Frizz: shape(groom, skin, brush, groom::ShapeChannel::Frizz, erases); break;

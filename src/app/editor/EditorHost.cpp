@@ -10,6 +10,7 @@
 #include <imgui_internal.h>  // the pointer's shape
 
 #include "app/view/OrbitCamera.h"
+#include "groom/MapPictures.h"
 #include "app/editor/EditorGroom.h"
 #include "app/editor/Lettering.h"
 #include "app/editor/PanelModel.h"
@@ -151,6 +152,7 @@ editor::EditorModel EditorHost::model() {
                    studio_.busy(), studio_.busy() ? studio_.progress() : 0, turnLeft_ > 0};
   model.groom.selects = selects_;
   modes_.describe(model.groom);
+  if (!askedPictures_.empty()) model.pictureAsked = askedPictures_.front().substr(askedPictures_.front().find_last_of("/\\") + 1);
   pictures_.describe(model);
   return model;
 }
@@ -311,6 +313,12 @@ void EditorHost::perform(const editor::Command& command) {
       [&](const SetWhisker& c) { modes_.set(c.whisker); },
       [&](const RemoveWhisker&) { modes_.removeWhisker(); },
       [&](const ChooseWhisker& c) { modes_.chooseWhisker(c.step); },
+      [&](const SetFurry& c) { (void)app_.setFurry(c.material, c.furry); },
+      [&](const UsePicture& c) {
+        if (askedPictures_.empty()) return;
+        if (c.use) request(Kind::UsePicture, std::string(rowOf(*c.use).name) + '\n' + askedPictures_.front());
+        askedPictures_.pop_front();
+      },
       [&](const EditHair& c) { app_.editHair(c.edit, c.value, c.direction); },
       [&](const SetHairValues& c) { app_.setHairValues(c.scalp, c.values); },
       [&](const RenameScalp& c) { (void)app_.setHairValue(static_cast<int>(c.scalp), "name", c.name); },
@@ -352,6 +360,13 @@ void EditorHost::message(std::string text, bool isError) {
   std::erase_if(messages_, [&](const editor::Message& old) { return old.text == text; });
   messages_.push_back({std::move(text), isError});
   if (messages_.size() > kMostMessages) messages_.erase(messages_.begin());
+  wake();
+}
+
+void EditorHost::askPicture(std::string path) {
+  // One that "Save maps" wrote says what it is.
+  if (groom::mapOfFile(path)) return request(PlatformCommand::Kind::UsePicture, std::string(rowOf(PictureUse::Length).name) + '\n' + path);
+  askedPictures_.push_back(std::move(path));
   wake();
 }
 

@@ -100,6 +100,8 @@ class EditorHost {
   // --- to and from the platform ---
   std::optional<PlatformCommand> takeCommand();
   void message(std::string text, bool isError);
+  // The panel asks what the picture is, and then for PlatformCommand UsePicture of that path.
+  void askPicture(std::string path);
   // A clipboard that answers at once, for the panel's text fields. Without it, what is cut or copied
   // there becomes a CopyText, and what is pasted must come in through paste().
   void setClipboard(std::function<void(const char*)> write, std::function<std::string()> read);
@@ -156,6 +158,7 @@ class EditorHost {
   std::function<void(const char*)> writeClipboard_;
   std::function<std::string()> readClipboard_;
   std::string clipboard_;
+  std::deque<std::string> askedPictures_;  // paths
   Studio studio_{app_};
   int mostPictureSide_ = kMostPictureSide;
   float secondsPerTurn_ = 0, turnLeft_ = 0;  // of a turn that is shown; seconds

@@ -41,6 +41,8 @@ editor::EditorModel describe(const App& app) {
   model.groom.plain = !app.groomed();
   model.groom.painted = !app.groom().paint.isPlain();
   model.groom.masked = !app.groom().mask.isPlain();
+  if (app.materialCount() > 1)
+    for (int i = 0; i < app.materialCount(); ++i) model.materials.push_back({app.materialName(i), app.isFurry(i)});
   model.hair.selected = app.selectedScalp();
   model.hair.bodies = app.hairstyle().bodies;
   model.hair.selectedBody = app.selectedBody();

@@ -9,8 +9,9 @@ namespace fur::app {
 
 namespace {
 
-// Of what save() gives, which browsers keep from visit to visit: another one whenever that changes.
-constexpr std::uint32_t kGroomLayout = 1;
+// Of what save() gives, which browsers keep from visit to visit: another one whenever that changes. The second is that of models with
+// several materials.
+constexpr std::uint32_t kGroomLayout = 1, kMaterialsLayout = 2;
 
 // Values of points as values of the surface's true vertices; none stay none.
 template <class T>
@@ -70,13 +71,14 @@ std::uint64_t GroomStage::hash(const ShapeStage& shape) {
   for (const auto map : groom::kMaps) hash.add((groom_.*map).hash());
   for (const Vec3& comb : groom_.comb) hash.add(comb + 0.0f);  // -0 is 0
   for (const groom::Whisker& whisker : groom_.whiskers) hash.addAll(wordsOf(whisker));
+  hash.addAll(groom_.bare);
   return hash.value();
 }
 
-// The layout, the maps' size, the number of whiskers and a bit for each map that is there; those, comb, whiskers.
+// The layout, the maps' size, the number of whiskers and a bit for each map that is there; those, comb, whiskers; and a byte a material.
 std::vector<std::uint8_t> GroomStage::save(const ShapeStage& shape) {
   groomSurface(shape);
-  std::uint32_t counts[4] = {kGroomLayout, static_cast<std::uint32_t>(groom_.map.size()), static_cast<std::uint32_t>(groom_.whiskers.size()), 0};
+  std::uint32_t counts[4] = {groom_.bare.empty() ? kGroomLayout : kMaterialsLayout, static_cast<std::uint32_t>(groom_.map.size()), static_cast<std::uint32_t>(groom_.whiskers.size()), 0};
   for (unsigned i = 0; i < std::size(groom::kMaps); ++i) counts[3] |= (groom_.*groom::kMaps[i]).isPlain() ? 0u : 1u << i;
   std::vector<std::uint8_t> bytes;
   const auto append = [&](const void* from, std::size_t count) {
@@ -88,6 +90,7 @@ std::vector<std::uint8_t> GroomStage::save(const ShapeStage& shape) {
     if (counts[3] & 1u << i) append((groom_.*groom::kMaps[i]).texels().data(), groom_.map.texels().size() * sizeof(groom::GroomMap::Texel));
   append(groom_.comb.data(), groom_.comb.size() * sizeof(Vec3));
   append(groom_.whiskers.data(), groom_.whiskers.size() * groom::kWhiskerBytes);
+  append(groom_.bare.data(), groom_.bare.size());
   return bytes;
 }
 
@@ -100,10 +103,14 @@ bool GroomStage::restore(const ShapeStage& shape, std::span<const std::uint8_t> 
   std::size_t at = sizeof counts, maps = 0;
   for (unsigned i = 0; i < std::size(groom::kMaps); ++i) maps += counts[3] >> i & 1u;
   const std::size_t combAt = at + maps * mapBytes, whiskersAt = combAt + skin.points.count() * sizeof(Vec3);
-  const bool sound = counts[0] == kGroomLayout && size >= groom::GroomMap::kLeastSize && size <= groom::GroomMap::kMostSize &&
-                     counts[2] <= groom::kMostWhiskers && bytes.size() == whiskersAt + counts[2] * groom::kWhiskerBytes;
+  const std::size_t bareAt = whiskersAt + counts[2] * groom::kWhiskerBytes, bareBytes = counts[0] == kMaterialsLayout ? groom_.bare.size() : 0;
+  const bool sound = (counts[0] == kGroomLayout || bareBytes > 0) && size >= groom::GroomMap::kLeastSize && size <= groom::GroomMap::kMostSize &&
+                     counts[2] <= groom::kMostWhiskers && bytes.size() == bareAt + bareBytes;
   if (!sound) return false;
+  std::vector<std::uint8_t> bare = bareAtFirst_;
+  for (std::size_t i = 0; i < bareBytes; ++i) bare[i] = bytes[bareAt + i] != 0;
   groom_ = groom::plainGroom(static_cast<int>(size), skin.points);
+  groom_.bare = std::move(bare);
   for (unsigned i = 0; i < std::size(groom::kMaps); ++i) {
     if (!(counts[3] & 1u << i)) continue;
     std::vector<groom::GroomMap::Texel> map(texels);
@@ -112,7 +119,7 @@ bool GroomStage::restore(const ShapeStage& shape, std::span<const std::uint8_t> 
     (groom_.*groom::kMaps[i]).restore(std::move(map));
   }
   std::memcpy(groom_.comb.data(), &bytes[combAt], whiskersAt - combAt);
-  groom_.whiskers = groom::readWhiskers(bytes.subspan(whiskersAt));
+  groom_.whiskers = groom::readWhiskers(bytes.subspan(whiskersAt, bareAt - whiskersAt));
   groom::keepSound(groom_.whiskers, shape.query());
   touch();
   return true;

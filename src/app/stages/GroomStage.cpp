@@ -6,10 +6,12 @@
 #include "app/stages/Brushes.h"
 #include "app/stages/Mirror.h"
 #include "core/NoteChange.h"
+#include "groom/FromPicture.h"
 #include "groom/GroomFilters.h"
 #include "groom/MapPictures.h"
 #include "groom/Selection.h"
 #include "settings/FurTypes.h"
+#include "settings/Presets.h"
 
 namespace fur::app {
 
@@ -65,8 +67,9 @@ geometry::TexelRect whole(const groom::GroomMap& map) { return {0, 0, map.size()
 void GroomStage::setEditorBrushes(const EditorBrushes* brushes) { brushesOfEditor = brushes; }
 const GroomStage::EditorBrushes* GroomStage::editorBrushes() { return brushesOfEditor; }
 
-void GroomStage::reset() {
-  groom_ = {groom::GroomMap(), {}, {}};
+void GroomStage::reset(std::vector<std::uint8_t> bare) {
+  bareAtFirst_ = bare;
+  groom_ = {groom::GroomMap(), {}, {}, std::move(bare)};
   before_.reset();
   lastDab_.reset();
   touch();
@@ -93,14 +96,14 @@ bool GroomStage::active(const Inputs& inputs) const {
 bool GroomStage::update(const Inputs& inputs) {
   if (!active(inputs)) return false;
   const bool otherSurface = noteChange(surfaceFor_, inputs.shape.surfaceRevision());
-  const bool otherHeights = noteChange(heights_, heightsOf(inputs));
+  const bool otherHeights = noteChange(heights_, heightsOf(inputs)), otherBare = noteChange(bareFor_, groom_.bare);
   updatedFor_ = revision_;
   ++verticesRevision_;
   for (std::size_t i = 0; i < changed_.size(); ++i) {
     groom::GroomMap& map = groom_.*groom::kMaps[i];
     const geometry::TexelRect now = map.takeChanged();
-    if (!otherSurface && !(i == 0 && otherHeights) && now.empty()) continue;
-    changed_[i] = otherSurface ? whole(map) : unite(changed_[i], now);
+    if (!otherSurface && !(i == 0 && (otherHeights || otherBare)) && now.empty()) continue;
+    changed_[i] = otherSurface || (i == 0 && otherBare) ? whole(map) : unite(changed_[i], now);
     plain_[i] = map.isPlain();
     if (i == 0) readLengths(inputs.shape);
   }
@@ -113,6 +116,7 @@ void GroomStage::readLengths(const ShapeStage& shape) {
   types_ = hasLengths() ? groom::typesPresent(groom_.map) : 1u;
   vertexLengths_.clear();
   if (hasLengths()) vertexLengths_ = groom::vertexLengths(groom_.map, shape.surface(), shape.points(), heights_);
+  if (std::find(groom_.bare.begin(), groom_.bare.end(), 1) != groom_.bare.end()) groom::keepBare(vertexLengths_, shape.points(), shape.materialOf(), groom_.bare);
   vertexTypes_.clear();
   if (types_ == 1) return;
   for (const geometry::SurfaceVertex& vertex : shape.surface().vertices)
@@ -169,6 +173,10 @@ std::optional<GroomStep> GroomStage::endStroke() {
 }
 
 void GroomStage::dab(const ShapeStage& shape, const settings::Settings& settings, Tool tool, const geometry::SurfacePoint& at, Warnings& warnings) {
+  const std::size_t material = shape.materialAt(at.triangle);
+  if (tool == Tool::Furry) return turnOver(material, warnings);
+  // Nothing to groom, but whiskers may stand there.
+  if (isBare(material) && tool != Tool::Whisker && tool != Tool::Pluck) return;
   const auto other = mirrored(settings, shape, at);
   touch();
   if (tool == Tool::Whisker) {
@@ -187,6 +195,12 @@ void GroomStage::dab(const ShapeStage& shape, const settings::Settings& settings
     brush(tool, groom_, groomSurface(shape), size, settings, way ? std::optional(mirrored(settings, *way)) : std::nullopt);
   }
   lastDab_ = centre;
+}
+
+// Once a stroke.
+void GroomStage::turnOver(std::size_t material, Warnings& warnings) {
+  if (groom_.bare.empty()) warnings.push_back("the model has one material: fur grows on all of it");
+  else if (before_ && before_->bare == groom_.bare) setBare(material, !isBare(material));
 }
 
 void GroomStage::plant(const ShapeStage& shape, const settings::Settings& settings, const geometry::SurfacePoint& at, Warnings& warnings) {
@@ -224,7 +238,16 @@ void GroomStage::aimWhiskers(const ShapeStage& shape, const settings::Settings& 
   touch();
 }
 
-void GroomStage::clear(const ShapeStage& shape) { groom_ = groom::plainGroom(groom_.map.size(), shape.points()); }
+void GroomStage::clear(const ShapeStage& shape) {
+  groom_ = groom::plainGroom(groom_.map.size(), shape.points());
+  groom_.bare = bareAtFirst_;
+}
+
+void GroomStage::setBare(std::size_t material, bool bare) {
+  if (material >= groom_.bare.size()) return;
+  groom_.bare[material] = bare;
+  touch();
+}
 
 void GroomStage::edit(const ShapeStage& shape, GroomEdit edit, float value, const Vec3& direction, std::uint32_t seed, Warnings& warnings) {
   const groom::GroomSurface skin = this->groomSurface(shape);
@@ -265,6 +288,26 @@ void GroomStage::readImage(const ShapeStage& shape, groom::ImageOf what, std::st
   if (map) groom::readMapPicture(*map, groom_, width, height, rgba);
   else groom::paintFromImage(what, groom_, groomSurface(shape), width, height, rgba);
   if (!map || *map != groom::ImageOf::Mask) groom::keepProtected(groom_, *before_, groomSurface(shape));
+  touch();
+}
+
+void GroomStage::usePicture(const ShapeStage& shape, const settings::Settings& settings, PictureUse use, int width, int height,
+                            std::span<const std::uint8_t> rgba, Warnings& warnings) {
+  const groom::GroomSurface skin = groomSurface(shape);
+  const groom::Picture picture{width, height, rgba};
+  switch (use) {
+    case PictureUse::Color: groom::paintColors(groom_, skin, picture, 0); break;
+    case PictureUse::TypeColor: groom::paintColors(groom_, skin, picture, settings.groomType + 1); break;
+    case PictureUse::Length: groom::paintFromImage(groom::ImageOf::Length, groom_, skin, width, height, rgba); break;
+    case PictureUse::Alpha: groom::lengthFromAlpha(groom_, skin, picture); break;
+    case PictureUse::Density:
+      if (const int bald = settings::baldType(settings)) groom::thinByPicture(groom_, skin, picture, bald);
+      else warnings.push_back("fur is thinned by a type that is bald: set one of the types 2 to 4 to bald");
+      break;
+    case PictureUse::Types: groom::paintFromImage(groom::ImageOf::Types, groom_, skin, width, height, rgba); break;
+    case PictureUse::Direction: groom::combFromPicture(groom_, skin, picture); break;
+  }
+  groom::keepProtected(groom_, *before_, skin);
   touch();
 }
 

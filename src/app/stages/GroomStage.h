@@ -11,6 +11,7 @@
 #include "app/stages/ShapeStage.h"
 #include "app/tools/FurAt.h"
 #include "app/tools/GroomEdits.h"
+#include "app/tools/PictureUses.h"
 #include "app/tools/Tools.h"
 #include "core/Random.h"
 #include "core/Result.h"
@@ -35,7 +36,8 @@ class GroomStage {
   static void setEditorBrushes(const EditorBrushes* brushes);
   static const EditorBrushes* editorBrushes();
 
-  void reset();  // of another model: full length, one type, upright
+  // Of another model: full length, one type, upright; `bare`: see groom::Groom.
+  void reset(std::vector<std::uint8_t> bare = {});
   // Brings what it says of the vertices up to date. Whether anything has changed.
   bool update(const Inputs& inputs);
   bool active(const Inputs& inputs) const;
@@ -44,6 +46,8 @@ class GroomStage {
 
   const groom::Groom& groom() const { return groom_; }
   bool upright() const;  // nothing is combed
+  bool isPlain() const { return groom_.isPlain() && groom_.bare == bareAtFirst_; }
+  bool isBare(std::size_t material) const { return material < groom_.bare.size() && groom_.bare[material]; }
   // What the functions of groom/ know of the model.
   groom::GroomSurface groomSurface(const ShapeStage& shape);
 
@@ -94,7 +98,11 @@ class GroomStage {
   void edit(const ShapeStage& shape, GroomEdit edit, float value, const Vec3& direction, std::uint32_t seed, Warnings& warnings);
   // An image, RGBA8, in the model's texture coordinates or, by the name of its file (groom/MapPictures.h), over the atlas.
   void readImage(const ShapeStage& shape, groom::ImageOf what, std::string_view file, int width, int height, std::span<const std::uint8_t> rgba);
+  // What a picture means for the fur, likewise.
+  void usePicture(const ShapeStage& shape, const settings::Settings& settings, PictureUse use, int width, int height, std::span<const std::uint8_t> rgba, Warnings& warnings);
   void apply(const ShapeStage& shape, const GroomStep& step, bool undo);
+  // Within a stroke.
+  void setBare(std::size_t material, bool bare);
 
   // --- files ---
   // What a file says of the vertices of the model's mesh.
@@ -107,6 +115,7 @@ class GroomStage {
 
  private:
   void touch() { ++revision_; }
+  void turnOver(std::size_t material, Warnings& warnings);
   void plant(const ShapeStage& shape, const settings::Settings& settings, const geometry::SurfacePoint& at, Warnings& warnings);
   void clear(const ShapeStage& shape);
   void readLengths(const ShapeStage& shape);
@@ -118,6 +127,7 @@ class GroomStage {
   std::optional<geometry::AtlasTexels> atlas_;     // made when first needed: read it through groomSurface()
   std::uint64_t atlasFor_ = 0;                     // the surface that it is of
   std::uint64_t revision_ = 1;
+  std::vector<std::uint8_t> bareAtFirst_;  // as the model came
 
   // As of the last update(), and what it was for.
   std::uint64_t updatedFor_ = 0, surfaceFor_ = 0, verticesRevision_ = 0;
@@ -125,6 +135,7 @@ class GroomStage {
   Vec3 combOfAll_{0};
   std::vector<float> vertexLengths_;
   std::vector<std::uint8_t> vertexTypes_;
+  std::vector<std::uint8_t> bareFor_;
   std::vector<Vec3> rests_;
   unsigned types_ = 1;
   std::array<bool, std::size(groom::kMaps)> plain_{true, true, true, true};

@@ -61,8 +61,9 @@ std::pair<Vec3, Vec3> axesOn(const Vec3& normal) {
   return {side, glm::cross(normal, side)};
 }
 
-void ShapeStage::setModel(geometry::Mesh mesh, geometry::Surface surface, scene::Rig rig) {
+void ShapeStage::setModel(geometry::Mesh mesh, geometry::Surface surface, scene::Rig rig, std::vector<std::uint8_t> materialOf) {
   mesh_ = std::move(mesh);
+  ofMesh_ = std::move(materialOf);
   rig_ = std::move(rig);
   setSurface(std::move(surface));
 }
@@ -72,9 +73,19 @@ void ShapeStage::setSurface(geometry::Surface surface) {
   query_ = geometry::SurfaceQuery(surface_);
   points_.reset();
   ++surfaceRevision_;
+  spreadMaterials();
   bindRig();
   measuredFor_ = -1;
   measure();
+}
+
+// A vertex that was inserted lies on an edge of the mesh, which has one material.
+void ShapeStage::spreadMaterials() {
+  materialOf_.clear();
+  if (ofMesh_.empty()) return;
+  std::vector<std::uint8_t> all = ofMesh_;
+  for (const geometry::InsertedVertex& vertex : surface_.inserted) all.push_back(all[vertex.a]);
+  for (const geometry::SurfaceVertex& vertex : surface_.vertices) materialOf_.push_back(all[vertex.source]);
 }
 
 int ShapeStage::animationOf(int setting) const {

@@ -33,8 +33,8 @@ class ShapeStage {
     std::vector<Vec3> positions, normals, tangents;
   };
 
-  // Another model; the rig may have no animations.
-  void setModel(geometry::Mesh mesh, geometry::Surface surface, scene::Rig rig);
+  // Another model; the rig may have no animations. `materialOf`: one a vertex of the mesh; empty: there is one.
+  void setModel(geometry::Mesh mesh, geometry::Surface surface, scene::Rig rig, std::vector<std::uint8_t> materialOf = {});
   // The same mesh with other fur coordinates.
   void setSurface(geometry::Surface surface);
   // Plays the animation. Whether the shape has changed.
@@ -50,6 +50,9 @@ class ShapeStage {
   const geometry::Mesh& mesh() const { return mesh_; }
   const geometry::Surface& surface() const { return surface_; }
   const scene::Rig& rig() const { return rig_; }
+  // The material of each vertex of the surface; empty: there is one.
+  const std::vector<std::uint8_t>& materialOf() const { return materialOf_; }
+  std::size_t materialAt(std::uint32_t triangle) const { return materialOf_.empty() ? 0 : materialOf_[surface_.indices[std::size_t{3} * triangle]]; }
   const Extent& extent() const { return extent_; }
   float groundHeight() const { return groundHeight_; }  // of the floor below all that it plays, y
   const geometry::SurfaceQuery& query() const { return query_; }  // of the surface as it was made
@@ -79,10 +82,12 @@ class ShapeStage {
   void readSkin();
   void leanOverEdges();
   void measure();
+  void spreadMaterials();
 
   geometry::Mesh mesh_;
   geometry::Surface surface_;
   geometry::SurfaceQuery query_;
+  std::vector<std::uint8_t> ofMesh_, materialOf_;  // materials
   mutable std::optional<groom::SurfacePoints> points_;
   scene::Rig rig_;
   std::optional<scene::Pose> pose_;

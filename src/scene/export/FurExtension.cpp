@@ -98,6 +98,11 @@ std::string furExtension(GlbWriter& writer, const FurData& fur, const FurPlace& 
     const auto* from = reinterpret_cast<const std::uint8_t*>(fur.whiskers.data());
     out += ",\"whiskers\":{\"bufferView\":" + std::to_string(writer.addView({from, fur.whiskers.size() * groom::kWhiskerBytes})) + "}";
   }
+  if (fur.hasBare) {
+    out += ",\"bare\":[";
+    for (const int& material : fur.bare) out += (&material == fur.bare.data() ? "" : ",") + std::to_string(material);
+    out += "]";
+  }
   if (hasCoats(fur)) out += coatsJson(writer, fur.coats);
   return out + place.ofRoot + "}";
 }

@@ -1,6 +1,7 @@
 #include "scene/import/GltfFur.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "scene/MapPlanes.h"
 #include "scene/Model.h"
@@ -91,6 +92,19 @@ void readTypes(const GltfFile& file, const Json& types, FurData& fur) {
   }
 }
 
+std::vector<int> readBare(const GltfFile& file, const Json& bare) {
+  if (!bare.isArray()) file.bad("WETFUR_fur.bare is not an array");
+  std::vector<int> out;
+  for (const Json& one : bare) {
+    const double index = one.isNumber() ? one.number() : -2;
+    if (!(index >= -1 && index < static_cast<double>(file.count("materials"))) || index != std::floor(index))
+      file.bad("WETFUR_fur.bare[%zu] is not the number of a material, of which there are %zu", out.size(), file.count("materials"));
+    if (out.size() > file.count("materials")) file.fail(ErrorId::TooLarge, "WETFUR_fur.bare names more than the %zu materials", file.count("materials"));
+    out.push_back(static_cast<int>(index));
+  }
+  return out;
+}
+
 // All maps lie in the same texture coordinates.
 void noteAtlas(const GltfFile& file, const Json& part, const char* name, GltfFur& out) {
   if (!out.surface) {
@@ -137,6 +151,7 @@ GltfFur readFur(const GltfFile& file, FurData& fur) {
   }
   readTypeSet(file, *found, "WETFUR_fur", fur.coats[0]);
   if (const Json* types = found->find("types")) readTypes(file, *types, fur);
+  if (const Json* bare = found->find("bare")) out.bare = readBare(file, *bare);
   if (const Json* whiskers = found->find("whiskers")) readWhiskers(file, *whiskers, fur);
   return out;
 }

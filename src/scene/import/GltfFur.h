@@ -2,6 +2,9 @@
 // for a newer one, too-large for maps or whiskers over their limit, bad-file for the rest.
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "scene/Model.h"
 #include "scene/import/GltfFile.h"
 
@@ -13,6 +16,7 @@ struct GltfFur {
   const Json* surface = nullptr;  // where the maps lie, for readSurface(); null: in texture coordinates
   bool hasMap = false;
   Whole atlasSet = 0;  // of the maps, if they lie in texture coordinates
+  std::optional<std::vector<int>> bare;  // materials of the file; -1: primitives without one
   Warnings warnings;
 };
 

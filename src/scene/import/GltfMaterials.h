@@ -1,8 +1,10 @@
-// Chooses the base colour of a model: that of the textured material with the most triangles.
+// The materials of the primitives that are read, and their images.
 #pragma once
 
 #include <cstdint>
 #include <map>
+#include <string>
+#include <vector>
 
 #include "scene/import/GltfFile.h"
 
@@ -21,24 +23,28 @@ class GltfMaterials {
 
   // The material of a primitive; if it shows paint (ScenePicture), the material under the paint.
   Whole of(const Json& primitive, const std::string& where) const;
-  // The texture coordinates of the material's base colour (set 0 without a texture).
+  // The texture coordinates that a mesh of the material has: those of its base colour, or of its first texture.
   const TexcoordUse& texcoordUse(Whole material);
-  void count(Whole material, std::size_t triangles) { triangles_[material] += triangles; }
-  // The material whose base colour is used, or kNoMaterial; after count() for all primitives.
-  Whole chosen() const;
-  // pbrMetallicRoughness.key of a material, or null.
-  const Json* part(Whole material, const char* key) const;
-  // Sets the base colour factor and image of the chosen material. An image over kMaxImageSide is too-large; for one that is
-  // missing or unreadable there is a warning, and only the factor is used.
-  void describe(Model& model) const;
+  // Another primitive of so many triangles; returns the material's place in Model::materials.
+  std::uint8_t count(Whole material, std::size_t triangles);
+  // Model::materials, which of them is the main one, and images; after count() for all primitives. An image over kMaxImageSide is
+  // too-large; for one that is missing or unreadable there is a warning, and only the factor is used.
+  void describe(Model& model);
 
  private:
-  TexcoordUse readTexcoordUse(Whole material) const;
-  void readImage(Model& model, const Json& texture) const;
+  const Json* materialOf(Whole material) const;
+  TexcoordUse readTexcoordUse(const Json& texture, const std::string& where) const;
+  void readMaterial(Material& out, Whole material, Model& model);
+  void readTexture(MaterialTexture& out, const Json* holder, const char* key, Whole material, Model& model);
+  int imageOf(Whole texture, const char* what, Model& model);
+  int readImage(Whole index, Model& model) const;
 
   const GltfFile& file_;
-  std::map<Whole, std::size_t> triangles_;
+  std::vector<Whole> order_;            // of Model::materials
+  std::map<Whole, std::uint8_t> numbers_;
+  std::vector<std::size_t> triangles_;  // of each
   std::map<Whole, TexcoordUse> uses_;
+  std::map<Whole, int> images_;         // those of the file, by their place in Model::images; -1: unreadable
 };
 
 }  // namespace fur::scene

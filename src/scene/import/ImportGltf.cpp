@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/AtlasUv.h"
@@ -37,7 +38,7 @@ class Importer {
     if (!anyTexcoords_) model_.mesh.uv.clear();
     model_.hasTexcoords = anyTexcoords_ && !missingTexcoords_;
     checkTexcoords();
-    materials_.describe(model_);
+    describeMaterials();
     model_.bounds = geometry::bounds(model_.mesh);
     const geometry::Fit fit = geometry::fitToUnitSphere(model_.mesh);
     model_.rig.centre = Vec3(fit.centre);
@@ -49,6 +50,16 @@ class Importer {
  private:
   void warn(const std::string& text) {
     if (model_.warnings.size() < kMaxWarnings) model_.warnings.push_back(text);
+  }
+
+  void describeMaterials() {
+    materials_.describe(model_);
+    if (model_.materials.size() < 2) {
+      model_.materialOf.clear();
+      return;
+    }
+    if (!fur_.bare) return guessBare(model_.materials);
+    for (Material& material : model_.materials) material.bare = std::find(fur_.bare->begin(), fur_.bare->end(), material.source) != fur_.bare->end();
   }
 
   // A skin stands where its joints are.
@@ -94,7 +105,8 @@ class Importer {
     readNormals(part, *attributes, transform, where);
     const Whole material = materials_.of(primitive, where);
     readTexcoords(part, *attributes, material, where);
-    materials_.count(material, part.triangleCount());
+    const std::uint8_t number = materials_.count(material, part.triangleCount());
+    model_.materialOf.resize(model_.mesh.positions.size() + part.positions.size(), number);
     readFurAttributes(*attributes, transform, part.positions.size(), where);
     if (rigged_) rig_.addPart(placed, primitive, std::move(local_), localNormals(part.normals, transform), where);
     append(part);

@@ -8,6 +8,17 @@
 
 namespace fur::scene {
 
+const Material& Model::main() const {
+  static const Material plain;
+  return mainMaterial < 0 ? plain : materials[static_cast<std::size_t>(mainMaterial)];
+}
+
+const EncodedImage& Model::baseColor() const {
+  static const EncodedImage none;
+  const int image = main().baseColorTexture.image;
+  return image < 0 ? none : images[static_cast<std::size_t>(image)];
+}
+
 namespace {
 
 using Reader = void (*)(Bytes bytes, const FileSet& others, Model& model);

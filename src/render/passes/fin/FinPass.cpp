@@ -31,9 +31,14 @@ std::size_t FinPass::set(const geometry::Surface& surface, bool moves) {
   moving_.reset();
   if (moves) moving_.emplace(edges_);
   setLengths({});
-  instances_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(edges_), true);
-  array_ = gl::VertexArray(instances_, sizeof(FinEdge), kEdgeAttributes, 1, nullptr);
-  return instances_.bytes();
+  batches_.clear();
+  return 0;
+}
+
+std::size_t FinPass::bytes() const {
+  std::size_t sum = 0;
+  for (const Batch& batch : batches_) sum += batch.instances.bytes();
+  return sum;
 }
 
 void FinPass::follow(const Skin& skin) {
@@ -92,10 +97,20 @@ void FinPass::selectClassic(const Drawing& drawing, bool all) {
 }
 
 void FinPass::upload(const Drawing& drawing, const std::vector<FinEdge>& seen) {
+  std::vector<std::vector<FinEdge>> ofMaterials(drawing.materials.count());
+  for (const FinEdge& edge : seen) ofMaterials[drawing.surface.materialOf(static_cast<std::uint32_t>(edge.positionA.w))].push_back(edge);
+  batches_.resize(ofMaterials.size());
+  for (std::size_t i = 0; i < ofMaterials.size(); ++i) batches_[i].fill(ofMaterials[i]);
   count_ = static_cast<int>(seen.size());
-  if (seen.empty()) return;
-  instances_.update(gl::bytesOf(seen));
   drawing.uploadedBytes += seen.size() * sizeof(FinEdge);
+}
+
+void FinPass::Batch::fill(const std::vector<FinEdge>& edges) {
+  count = static_cast<int>(edges.size());
+  if (count == 0) return;
+  if (instances.bytes() > 0) return instances.update(gl::bytesOf(edges));
+  instances = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(edges), true);
+  array = gl::VertexArray(instances, sizeof(FinEdge), kEdgeAttributes, 1, nullptr);
 }
 
 bool FinPass::draw(const Drawing& drawing, VariantBits view) {
@@ -106,8 +121,15 @@ bool FinPass::draw(const Drawing& drawing, VariantBits view) {
   if (count_ == 0) return true;
   if (!drawing.programs.use(Shader::Fin, drawing.look.fins(view))) return false;
   gl::apply(stateOf(view, {.cullBack = false, .alphaToCoverage = !lines, .alpha = false}));
-  array_.drawStrips(2 * (FUR_FIN_SEGMENTS + 1), count_);
+  drawBatches(drawing, FUR_FIN_SEGMENTS);
   return true;
+}
+
+void FinPass::drawBatches(const Drawing& drawing, int segments) const {
+  forFurry(drawing.materials, [&](std::size_t material) {
+    const Batch& batch = batches_[material];
+    if (batch.count > 0) batch.array.drawStrips(2 * (segments + 1), batch.count);
+  });
 }
 
 // They support the shells, which are drawn over them: no depth of theirs hides any.
@@ -118,7 +140,7 @@ bool FinPass::drawClassic(const Drawing& drawing) {
   if (count_ == 0) return true;
   if (!drawing.programs.use(Shader::Fin, drawing.look.classicFur())) return false;
   gl::apply({.depthWrite = false, .cullBack = false, .blend = gl::Blend::Over});
-  array_.drawStrips(2 * (FUR_CLASSIC_FIN_SEGMENTS + 1), count_);
+  drawBatches(drawing, FUR_CLASSIC_FIN_SEGMENTS);
   return true;
 }
 

@@ -20,10 +20,11 @@ class FinPass {
   bool draw(const Drawing& drawing, VariantBits view);
   // Of the technique `shells`.
   bool drawClassic(const Drawing& drawing);
-  std::size_t bytes() const { return instances_.bytes(); }
+  std::size_t bytes() const;
 
  private:
   void select(const Drawing& drawing, float pixels);
+  void drawBatches(const Drawing& drawing, int segments) const;  // quads along the height of a fin
   void selectClassic(const Drawing& drawing, bool all);
   void upload(const Drawing& drawing, const std::vector<FinEdge>& seen);
   bool bald(float vertex) const { return !vertexLengths_.empty() && vertexLengths_[static_cast<std::size_t>(vertex)] <= 0; }
@@ -31,8 +32,14 @@ class FinPass {
   std::vector<FinEdge> edges_;
   std::optional<MovingEdges> moving_;
   std::vector<float> vertexLengths_;
-  gl::Buffer instances_;  // of edges that the eye may see fins of
-  gl::VertexArray array_;
+  // Of edges that the eye may see fins of, those of each material.
+  struct Batch {
+    gl::Buffer instances;
+    gl::VertexArray array;
+    int count = 0;
+    void fill(const std::vector<FinEdge>& edges);
+  };
+  std::vector<Batch> batches_;
   int count_ = 0;
   std::optional<Vec4> selectedFor_;  // eye, model space; w: pixels, see select(); below 0: of selectClassic()
 };

@@ -45,6 +45,7 @@ void ShellPass::order(const Drawing& drawing, float reach, Order wanted) {
     seen.insert(seen.end(), first, first + (overlapping ? c.count : c.ownCount));
   }
   indexCount_ = static_cast<int>(seen.size());
+  ranges_ = drawing.surface.sortByMaterial(seen);
   if (seen.empty()) return;
   indices_.update(gl::bytesOf(seen));
   drawing.uploadedBytes += seen.size() * sizeof(std::uint32_t);
@@ -58,8 +59,15 @@ bool ShellPass::draw(const Drawing& drawing, VariantBits view) {
   order(drawing, frame.coatLength + (exploded ? FUR_EXPLODED_SHELLS * FUR_EXPLODED_GAP : 0), chartsOverlap(frame) && !exploded ? Order::NearToFarOverlapping : Order::NearToFar);
   if (indexCount_ == 0) return true;
   gl::apply(stateOf(view, {.alphaToCoverage = true, .alpha = false}));
-  array_.drawIndexed(indexCount_, exploded ? FUR_EXPLODED_SHELLS : view & kViewLayer ? 1 : frame.shellCount);
+  drawMaterials(drawing, exploded ? FUR_EXPLODED_SHELLS : view & kViewLayer ? 1 : frame.shellCount);
   return true;
+}
+
+void ShellPass::drawMaterials(const Drawing& drawing, int shells) const {
+  forFurry(drawing.materials, [&](std::size_t material) {
+    const IndexRanges::Range range = ranges_.at(material);
+    if (range.count > 0) array_.drawIndexed(range.count, shells, range.first);
+  });
 }
 
 bool ShellPass::drawClassic(const Drawing& drawing) {
@@ -68,7 +76,7 @@ bool ShellPass::drawClassic(const Drawing& drawing) {
   order(drawing, drawing.frame.coatLength, Order::FarToNear);
   if (indexCount_ == 0) return true;
   gl::apply({.blend = gl::Blend::Over});
-  array_.drawIndexed(indexCount_, drawing.frame.settings.layers);
+  drawMaterials(drawing, drawing.frame.settings.layers);
   return true;
 }
 

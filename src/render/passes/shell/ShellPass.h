@@ -25,11 +25,13 @@ class ShellPass {
  private:
   enum class Order { NearToFar, NearToFarOverlapping, FarToNear };
   void order(const Drawing& drawing, float reach, Order wanted);
+  void drawMaterials(const Drawing& drawing, int shells) const;
 
   geometry::FurPatches patches_;
   gl::Buffer indices_;  // of patches that face the eye, near to far
   gl::VertexArray array_;
   int indexCount_ = 0;
+  IndexRanges ranges_;  // of each material, in that order
   // Eye (model space) and fur length that those on the GPU were put in order for, and which order that is.
   std::optional<Vec4> orderedFor_;
   Order ordered_ = Order::NearToFar;
