@@ -82,12 +82,33 @@ scene::FileSet neighbours(const std::string& path) {
   return set;
 }
 
+void decodePictures(app::App& app) {
+  for (const std::uint32_t number : app.pendingPictures()) {
+    if (auto image = scene::decodeImage(app.typePicture(number).bytes)) app.provideTypePicture(number, image->width, image->height, std::move(image->rgba));
+    else app.addWarning("a colour map could not be read: " + image.error().message);
+  }
+}
+
 }  // namespace
 
-Status loadTypeSet(app::App& app, const std::string& path) {
+Status restoreTypeFiles(app::App& app, std::span<const std::uint8_t> bytes) {
+  const Status status = app.restoreTypeFiles(bytes);
+  decodePictures(app);
+  return status;
+}
+
+Status loadTypeSet(app::App& app, const std::string& path, int type) {
   const auto bytes = readFile(path);
   if (!bytes) return bytes.error();
-  return app.loadTypeSet(bytes.value(), fs::path(path).filename().string());
+  return app.loadTypeSet(bytes.value(), fs::path(path).filename().string(), type);
+}
+
+Status loadTypePicture(app::App& app, const std::string& path, int type) {
+  auto bytes = readFile(path);
+  if (!bytes) return bytes.error();
+  auto image = scene::decodeImage(*bytes);
+  if (!image) return Error{image.error().id, path + ": " + image.error().message};
+  return app.setTypePicture(type, std::move(*bytes), image->width, image->height, std::move(image->rgba));
 }
 
 Status loadHair(app::App& app, const std::string& path) {
@@ -143,6 +164,7 @@ Status loadScene(app::App& app, const std::string& nameOrPath, const std::string
   if (!bytes) return bytes.error();
   const std::string name = fs::path(nameOrPath).filename().string();
   if (Status status = app.loadModel(bytes.value(), name, neighbours(path)); !status) return status;
+  decodePictures(app);
   while (!app.pendingImage().bytes.empty()) {
     auto image = scene::decodeImage(app.pendingImage().bytes);
     if (!image) app.addWarning(name + ": " + image.error().message);

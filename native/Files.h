@@ -23,7 +23,11 @@ Status writeFiles(const std::string& folder, std::span<const scene::NamedFile> f
 Status writePng(const std::string& path, int width, int height, const std::vector<std::uint8_t>& rgba);
 
 // A type set (.fts) by path takes the place of the coat.
-Status loadTypeSet(app::App& app, const std::string& path);
+Status loadTypeSet(app::App& app, const std::string& path, int type = 0);
+// App::restoreTypeFiles(), with the pictures decoded.
+Status restoreTypeFiles(app::App& app, std::span<const std::uint8_t> bytes);
+// A picture as the colour map of a fur type, 0 to 3.
+Status loadTypePicture(app::App& app, const std::string& path, int type);
 Status loadHair(app::App& app, const std::string& path);  // a .hair file
 
 // An image by path becomes the length map of the groom, or the map that it was saved as (App::groomFromFile()).

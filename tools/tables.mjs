@@ -61,7 +61,7 @@ export function rowsOf(text, { macro, columns }) {
 
 /** The settings in their order, each with its macro. */
 function fieldsOf(text) {
-  const plain = text.replace(/, kFrequent\)/g, ')');
+  const plain = text.replace(/, k[A-Z]\w*( \| k[A-Z]\w*)*\)$/gm, ')');
   return [...plain.matchAll(/^(FUR_[A-Z]+) *\(.*$/gm)].flatMap(([line, macro]) => {
     if (!fieldColumns[macro]) throw new Stop(`${fieldsFile}: ${macro} is no kind of setting`);
     return rowsOf(line, { macro, columns: fieldColumns[macro] }).map((row) => ({ ...row, macro }));

@@ -53,12 +53,34 @@ FUR_EXPORT int fur_loadModel(App* app, const std::uint8_t* bytes, std::uint32_t 
                              int keepState) {
   return guarded([&] { return web::report(app->loadModel({bytes, size}, name, web::takeStagedFiles(), keepState != 0)); });
 }
-FUR_EXPORT int fur_loadTypeSet(App* app, const std::uint8_t* bytes, std::uint32_t size, const char* name) {
-  return guarded([&] { return web::report(app->loadTypeSet({bytes, size}, name)); });
+FUR_EXPORT int fur_loadTypeSet(App* app, const std::uint8_t* bytes, std::uint32_t size, const char* name, int type) {
+  return guarded([&] { return web::report(app->loadTypeSet({bytes, size}, name, type)); });
 }
-// The .fts that the model's file brought, as fur_saveGroom() gives its bytes.
-FUR_EXPORT std::uint32_t fur_ownTypeSet(App* app) {
-  return guarded([&] { return web::keepSaved(app->ownTypeSet()); });
+// As fur_saveGroom() gives its bytes.
+FUR_EXPORT std::uint32_t fur_saveTypeFiles(App* app) {
+  return guarded([&] { return web::keepSaved(app->saveTypeFiles()); });
+}
+FUR_EXPORT int fur_restoreTypeFiles(App* app, const std::uint8_t* bytes, std::uint32_t size) {
+  return guarded([&] { return web::report(app->restoreTypeFiles({bytes, size})); });
+}
+FUR_EXPORT int fur_setTypePicture(App* app, int type, const std::uint8_t* bytes, std::uint32_t size, int width, int height, const std::uint8_t* rgba) {
+  return guarded([&] {
+    return web::report(app->setTypePicture(type, {bytes, bytes + size}, width, height, {rgba, rgba + std::size_t(width) * std::size_t(height) * 4}));
+  });
+}
+// The number of a colour map that is to be decoded, 0 for none; the bytes of its file as fur_saveGroom() gives them.
+FUR_EXPORT std::uint32_t fur_pendingPicture(App* app, int index) {
+  const auto pending = app->pendingPictures();
+  return index < int(pending.size()) ? pending[std::size_t(index)] : 0;
+}
+FUR_EXPORT std::uint32_t fur_typePicture(App* app, std::uint32_t number) {
+  return guarded([&] { return web::keepSaved(app->typePicture(number).bytes); });
+}
+FUR_EXPORT int fur_provideTypePicture(App* app, std::uint32_t number, int width, int height, const std::uint8_t* rgba) {
+  return guarded([&] {
+    app->provideTypePicture(number, width, height, {rgba, rgba + std::size_t(width) * std::size_t(height) * 4});
+    return 1;
+  });
 }
 // The number of the bytes that this makes; they lie at fur_savedBytes() until they are forgotten.
 FUR_EXPORT std::uint32_t fur_saveGroom(App* app) {
@@ -84,8 +106,7 @@ FUR_EXPORT int fur_provideImage(App* app, int width, int height, const std::uint
 
 // Text of a field; "" for an unknown name.
 FUR_EXPORT const char* fur_getSetting(App* app, const char* name) {
-  const settings::Field* field = settings::findField(name);
-  return web::text(field ? settings::fieldText(app->settings(), *field) : std::string());
+  return web::text(settings::settingText(app->settings(), name));
 }
 FUR_EXPORT int fur_setSetting(App* app, const char* name, const char* value) {
   return guarded([&] { return app->setField(name, value) ? 1 : 0; });
@@ -97,9 +118,9 @@ FUR_EXPORT const char* fur_getPreset(App* app) {
   return web::text(preset ? preset->name : "");
 }
 // Warns of a name that is none.
-FUR_EXPORT int fur_applyPreset(App* app, const char* name) {
+FUR_EXPORT int fur_applyPreset(App* app, const char* name, int type) {
   return guarded([&] {
-    return app->applyPreset(name) ? 1 : 0;
+    return app->applyPreset(name, type) ? 1 : 0;
   });
 }
 // yaw, pitch (radians), distance, target x, y, z

@@ -6,7 +6,7 @@ const mostBytes = 64 * 1024 * 1024;
 /**
  * @typedef {object} Document a model and what was done on it
  * @property {import('./models.js').ModelSource} source
- * @property {{ name: string, bytes: Uint8Array } | null} typeSet the coat, where it comes from a file
+ * @property {Uint8Array} [typeFiles] coats from files and colour maps of fur types
  * @property {string} state
  * @property {Uint8Array} groom
  * @property {Uint8Array} [hair]
@@ -18,7 +18,7 @@ const mostBytes = 64 * 1024 * 1024;
 /** What several of them share counts once. */
 function bytesOf(documents) {
   const parts = documents.flatMap((one) => (one
-    ? [one.groom, one.hair, one.water, one.history, one.typeSet?.bytes, one.source.bytes, ...one.source.files.values()] : []));
+    ? [one.groom, one.hair, one.water, one.history, one.typeFiles, one.source.bytes, ...one.source.files.values()] : []));
   return [...new Set(parts)].reduce((sum, part) => sum + (part?.byteLength ?? 0), 0);
 }
 

@@ -109,7 +109,7 @@ export class EditorPanel {
     LoadShipped: (name) => { this.#host.fur.src = name; },
     CopyText: (text) => this.#copy(text),
     PasteRequest: () => this.#paste(),
-    SaveTypeSet: (name) => this.#save(() => this.#host.fur.saveTypeSet(), name),
+    SaveTypeSet: (name) => this.#save(() => this.#host.fur.saveTypeSet(this.coatType + 1), name),
     SaveHair: (name) => this.#save(() => this.#host.fur.saveHair(), name),
     SaveFo: (name) => this.#save(() => this.#host.fur.saveFo(), name),
     SaveScene: (name) => this.#save(() => this.#host.fur.save(), name),
@@ -193,6 +193,9 @@ export class EditorPanel {
       this.message(`Nothing was pasted: ${error.message}`, true);
     }
   }
+
+  /** The fur type, 0 to 3, that the panel edits. */
+  get coatType() { return this.#call('coatType'); }
 
   #followTextFocus() {
     const now = this.#call('wants');

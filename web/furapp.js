@@ -49,7 +49,20 @@ export class FurApp {
       this.program.callOrThrow('fur_stageFile', fileName, content, content.byteLength);
     this.#callOrThrow('fur_loadModel', bytes, bytes.byteLength, name, keepState ? 1 : 0);
   }
-  loadTypeSet(bytes, name) { this.#callOrThrow('fur_loadTypeSet', bytes, bytes.byteLength, name); }
+  /** `type`: of the fur, 0 to 3. */
+  loadTypeSet(bytes, name, type = 0) { this.#callOrThrow('fur_loadTypeSet', bytes, bytes.byteLength, name, type); }
+  /** Its colour map: a file (PNG, JPEG, WebP) and what is in it. */
+  setTypePicture(type, bytes, { width, height, data }) {
+    this.#callOrThrow('fur_setTypePicture', type, bytes, bytes.byteLength, width, height, data);
+  }
+  /** Colour maps that the scene has brought and nobody has decoded: [{ number, bytes }]. */
+  pendingPictures() {
+    const all = [];
+    for (let number; (number = this.#call('fur_pendingPicture', all.length) >>> 0) !== 0;)
+      all.push({ number, bytes: this.#saved('fur_typePicture', number) });
+    return all;
+  }
+  provideTypePicture(number, { width, height, data }) { this.#callOrThrow('fur_provideTypePicture', number, width, height, data); }
   #saved(name, ...args) {
     const byteLength = this.#callOrThrow(name, ...args);
     const bytes = this.program.array(Uint8Array, this.program.call('fur_savedBytes'), byteLength);
@@ -67,8 +80,9 @@ export class FurApp {
 
   /** Number, boolean, option name or "#rrggbb"; undefined for an unknown name. */
   getSetting(name) {
-    const field = this.settingsTable.find((one) => one.name === name);
-    if (!field) return undefined;
+    const [, ofType] = /^type[1-4]\.(\w+)$/.exec(name) ?? [];
+    const field = this.settingsTable.find((one) => (ofType ? one.ofType && one.name === ofType : one.name === name));
+    if (!field) return ofType && ['name', 'picture', 'typeSet'].includes(ofType) ? this.#text('fur_getSetting', name) : undefined;
     const text = this.#text('fur_getSetting', name);
     if (field.type === 'bool') return text === 'true';
     return field.type === 'float' || field.type === 'int' ? Number(text) : text;
@@ -76,7 +90,7 @@ export class FurApp {
   setSetting(name, value) { return this.#call('fur_setSetting', name, String(value)) !== 0; }
   /** The preset whose coat it is, or ''. Setting a name that is none warns. */
   get preset() { return this.#text('fur_getPreset'); }
-  set preset(name) { this.#call('fur_applyPreset', name); }
+  set preset(name) { this.#call('fur_applyPreset', name, 0); }
   get camera() {
     const [yaw, pitch, distance, ...target] = this.program.numbers(this.#call('fur_getCamera'), 6);
     return { yaw, pitch, distance, target };
@@ -101,8 +115,9 @@ export class FurApp {
   /** All of it, and what was done with it, as bytes for another program with the same model. */
   get water() { return this.#saved('fur_saveWater'); }
   set water(bytes) { this.#callOrThrow('fur_restoreWater', bytes, bytes.byteLength); }
-  /** The type set (.fts) that the model's file brought; empty without. */
-  get ownTypeSet() { return this.#saved('fur_ownTypeSet'); }
+  /** Coats from files and colour maps of fur types, as bytes for another program with the same state; empty without. */
+  get typeFiles() { return this.#saved('fur_saveTypeFiles'); }
+  set typeFiles(bytes) { this.#callOrThrow('fur_restoreTypeFiles', bytes, bytes.byteLength); }
   /** As bytes, for another program with the same model. */
   get groom() { return this.#saved('fur_saveGroom'); }
   restoreGroom(bytes, undoable) { this.#callOrThrow('fur_restoreGroom', bytes, bytes.byteLength, undoable ? 1 : 0); }
@@ -110,7 +125,7 @@ export class FurApp {
   get hair() { return this.haired ? this.#saved('fur_saveHair') : new Uint8Array(); }
   restoreHair(bytes, undoable) { this.#callOrThrow('fur_restoreHair', bytes, bytes.byteLength, undoable ? 1 : 0); }
   // These are in the editor's program only.
-  saveTypeSet() { return this.#saved('fur_saveTypeSet'); }
+  saveTypeSet(type = 0) { return this.#saved('fur_saveTypeSet', type); }
   saveFo() { return this.#saved('fur_saveFo'); }
   saveHairFile() { return this.#saved('fur_saveHairFile'); }
   loadHair(bytes, name) { this.#callOrThrow('fur_loadHair', bytes, bytes.byteLength, name); }

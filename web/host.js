@@ -120,13 +120,16 @@ export class WetFur extends EventTarget {
    */
   async loadModel(given, options) { await this.#loading.load(() => readModel(given, options)); }
   /**
-   * The same with a type set (.fts): its coat is drawn until a setting changes that grows another. Waits for
-   * the model. Rejects with a FurError, and then the old coat stays.
+   * The same with a type set (.fts), for the fur type 1 to 4, by default the one that the
+   * editor edits, else 1: its coat is drawn until a setting changes that grows another.
+   * Waits for the model. Rejects with a FurError, and then the old coat stays.
    */
-  async loadTypeSet(given, { name } = {}) { await this.#loading.loadTypeSet(given, name); }
+  async loadTypeSet(given, { name, type = (this.#session.panel?.coatType ?? 0) + 1 } = {}) { await this.#loading.loadTypeSet(given, name, type - 1); }
+  /** A picture as the colour map of a fur type, 1 to 4, in the model's texture coordinates; null takes it away. */
+  async setTypePicture(type, given) { await this.#loading.setTypePicture(type - 1, given); }
 
   /** The coat as .fts, the model with its fur coordinates as .fo, the whole scene as .glb: Uint8Arrays. */
-  saveTypeSet() { return this.#editing.inWorkshop((app) => app.saveTypeSet()); }
+  saveTypeSet(type = 1) { return this.#editing.inWorkshop((app) => app.saveTypeSet(type - 1)); }
   saveFo() { return this.#editing.inWorkshop((app) => app.saveFo()); }
   /** The strands of the selected scalp as .hair. */
   saveHair() { return this.#editing.inWorkshop((app) => app.saveHairFile()); }

@@ -2,7 +2,7 @@
 import { asFurError, FurError } from './errors.js';
 import { Documents } from './documents.js';
 import { FurApp } from './furapp.js';
-import { fetchModel, loadInto, provideModelImages, readGiven } from './models.js';
+import { decodePicture, fetchModel, loadInto, provideModelImages, provideTypePictures, readGiven } from './models.js';
 import { Progress } from './progress.js';
 import { compileProgram, instantiateProgram } from './runtime.js';
 
@@ -54,23 +54,38 @@ export class Loading {
     return { ...await fetchModel(src, (loaded, total) => this.progress('model', loaded, total), signal), src };
   }
 
-  async loadTypeSet(given, name) {
+  /** `type`: of the fur, 0 to 3. */
+  async loadTypeSet(given, name, type = 0) {
     await this.ready;
     try {
       const typeSet = await readGiven(given, name ?? given?.name ?? 'coat.fts');
       if (!this.#session.app) return;  // disposed of meanwhile
-      this.#session.app.loadTypeSet(typeSet.bytes, typeSet.name);
-      this.#session.typeSet = typeSet;
+      this.#session.app.loadTypeSet(typeSet.bytes, typeSet.name, type);
       this.#frames.afterChange();
     } catch (error) {
       throw this.failed(asFurError(error, error instanceof RangeError ? 'out-of-memory' : 'bad-file'));
     }
   }
 
+  /** A picture (Blob, buffer) as a type's colour map, 0 to 3; null takes it away. */
+  async setTypePicture(type, given) {
+    await this.ready;
+    try {
+      const picture = given && await decodePicture(given);
+      const { app } = this.#session;
+      if (!app) return;  // disposed of meanwhile
+      if (picture) app.setTypePicture(type, picture.bytes, picture.image);
+      else app.setSetting(`type${type + 1}.picture`, '');
+      this.#frames.afterChange();
+    } catch (error) {
+      throw this.failed(asFurError(error, 'bad-file'));
+    }
+  }
+
   /** All there is to keep of the scene, for openDocument(). @returns {import('./documents.js').Document} */
   get document() {
-    const { app, source, typeSet } = this.#session;
-    return { source, typeSet: app.coatGiven ? typeSet : null, state: app.state, camera: app.camera, groom: app.groom, hair: app.hair, water: app.water };
+    const { app, source } = this.#session;
+    return { source, typeFiles: app.typeFiles, state: app.state, camera: app.camera, groom: app.groom, hair: app.hair, water: app.water };
   }
   openDocument(document) {
     const { source } = document;
@@ -205,7 +220,6 @@ export class Loading {
     else {
       loadInto(app, source, first && this.#hasOwnLook);
       this.#session.cameWith = { groom: app.groomed && app.groom, hair: app.haired && app.hair };
-      if (app.coatGiven && app.ownTypeSet.byteLength) this.#session.typeSet = { name: source.name, bytes: app.ownTypeSet };
     }
     if (first) this.#applied.settingsToModel();
     if (document) app.restoreHistory(new Uint8Array());
@@ -218,7 +232,7 @@ export class Loading {
   }
 
   /** In an app of this or another program. What cannot be read of it is left out with a warning. */
-  putBack(app, { source, typeSet, state, camera, groom, hair, water, history, brings = false }) {
+  putBack(app, { source, typeFiles, typeSet, state, camera, groom, hair, water, history, brings = false }) {
     const put = (what, work) => {
       try {
         work();
@@ -226,18 +240,16 @@ export class Loading {
         this.#session.warn(`${what}: ${error.message}`);
       }
     };
-    // Any setting that grows another coat lets go of one from a file.
-    if (app.coatGiven) app.setSetting('seed', app.getSetting('seed') + 1);
     put('state', () => { app.state = state; });  // before the model, so that undo does not lead behind it
     if (!camera) app.resetCamera();
     loadInto(app, source, !brings);
     if (groom) put('groom', () => app.restoreGroom(groom, false));
     if (hair) put('hair', () => app.restoreHair(hair, false));
-    if (typeSet) put('coat', () => app.loadTypeSet(typeSet.bytes, typeSet.name));
+    if (typeFiles) put('coat', () => { app.typeFiles = typeFiles; });
+    if (typeSet) put('coat', () => app.loadTypeSet(typeSet.bytes, typeSet.name));  // as it was kept before types had files of their own
     if (water) put('water', () => { app.water = water; });
     if (history) put('history', () => app.restoreHistory(history));
     if (camera) app.camera = camera;
-    if (typeSet && app === this.#session.app) this.#session.typeSet = typeSet;
   }
 
   /** Undo or redo may have come to the end of what was done on this model: then the other one comes. */
@@ -271,9 +283,10 @@ export class Loading {
   }
 
   /** The picture of the model that is shown, decoded, if it is shown still by then. Returns a warning or null. */
-  provideImage() {
-    const { app, source } = this.#session;
-    return provideModelImages(app, source, () => this.#session.app === app && this.#session.source === source);
+  async provideImage() {
+    const { app, source } = this.#session, wanted = () => this.#session.app === app && this.#session.source === source;
+    const warning = await provideModelImages(app, source, wanted);
+    return (wanted() && await provideTypePictures(app, wanted)) || warning;
   }
 
   /** Tells of an error, and returns it. */

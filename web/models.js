@@ -139,6 +139,33 @@ export async function decodeImage(blob, options) {
   return context.getImageData(0, 0, width, height);
 }
 
+/** A picture as { image, bytes }: what is in it, no larger than programs take, and a file of it that they keep. */
+export async function decodePicture(given) {
+  const blob = given instanceof Blob ? given : new Blob([given]);
+  let image = await decodeImage(blob);
+  const shrink = maxImageSide / Math.max(image.width, image.height), kept = ['image/png', 'image/jpeg', 'image/webp'].includes(blob.type);
+  if (shrink >= 1 && kept) return { image, bytes: new Uint8Array(await blob.arrayBuffer()) };
+  if (shrink < 1) image = await decodeImage(blob, { resizeWidth: Math.round(image.width * shrink) || 1, resizeHeight: Math.round(image.height * shrink) || 1, resizeQuality: 'high' });
+  const canvas = new OffscreenCanvas(image.width, image.height);
+  canvas.getContext('2d').putImageData(image, 0, 0);
+  return { image, bytes: new Uint8Array(await (await canvas.convertToBlob()).arrayBuffer()) };
+}
+
+/** Decodes the colour maps of fur types that the scene brought; returns a warning when one cannot be read. */
+export async function provideTypePictures(app, wanted) {
+  let warning = null;
+  for (const { number, bytes } of app.pendingPictures()) {
+    try {
+      const image = await decodeImage(new Blob([bytes]));
+      if (!wanted()) return null;
+      app.provideTypePicture(number, image);
+    } catch (error) {
+      warning = `a colour map could not be read (${error.message})`;
+    }
+  }
+  return warning;
+}
+
 /** Decodes the pictures that the model brought; returns a warning when one cannot be read. `wanted()`: still. */
 export async function provideModelImages(app, source, wanted) {
   let warning = null;

@@ -24,8 +24,6 @@ export class Session {
   hadHair = false;
   /** The model that is shown. @type {import('./models.js').ModelSource | null} */
   source = null;
-  /** The file of the coat that is shown, while it comes from one. */
-  typeSet = null;
   cameWith = null;  // groom and long hair of the file that is shown, water of a link; null: not known
   options = { ...optionDefaults };
   /** Settings that were asked for before the program was there. */

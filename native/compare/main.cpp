@@ -127,7 +127,7 @@ std::string readOption(const std::string& name, const std::string& value, Option
   } else if (name == "--samples") {
     o.truth.samples = readWhole(value, 1, 16);
     if (o.truth.samples < 0) return "--samples " + value + ": expected a number from 1 to 16";
-  } else if (name.rfind("--", 0) == 0 && settings::findField(name.substr(2))) {
+  } else if (name.rfind("--", 0) == 0 && settings::isSetting(name.substr(2))) {
     o.fields.emplace_back(name.substr(2), value);
   } else {
     return "unknown option " + name;

@@ -24,7 +24,8 @@ constexpr const char* kUsage = R"(usage: wet-fur-render [model] -o out.png [opti
   model                 a {models} file, or bunny (default), sphere, torus, plane,
                         or a scene as five-coats (assets/scenes/scenes.mjs has them all)
   -o, --output FILE     the PNG to write; may be left out when something else is saved
-  --type-set FILE       a coat from a {coats} file
+  --type-set [TYPE=]FILE  a coat from a {coats} file, for a fur type, 1 to 4 (several allowed)
+  --color-map TYPE=FILE  a picture as the colour map of a fur type (several allowed)
   --save-type-set FILE  writes the coat as .fts
   --save-fo FILE        writes the model with its fur coordinates as .fo
   --save-scene FILE     writes model, groom, settings and camera as .glb
@@ -81,7 +82,7 @@ struct Hold {
 };
 
 struct Options {
-  std::string model = "bunny", output, stateFile, preset, light, typeSet, hairFile, savedHair, savedTypeSet, savedFo, savedScene, maps, lengthMap, typeMap;
+  std::string model = "bunny", output, stateFile, preset, light, hairFile, savedHair, savedTypeSet, savedFo, savedScene, maps, lengthMap, typeMap;
   int width = 1280, height = 720, samples = 4, turntable = 0;
   bool transparent = false;
   float turnSeconds = 12;
@@ -93,6 +94,7 @@ struct Options {
   std::vector<GroomStep> grooms;
   std::vector<std::pair<app::PictureUse, std::string>> pictures;
   std::vector<HairStep> hairs;
+  std::vector<std::pair<int, std::string>> typeSets, colorMaps;  // fur types, 0 to 3, and paths
   std::vector<std::pair<std::string, std::string>> fields;
 };
 
@@ -140,11 +142,18 @@ bool readHold(const std::string& text, std::vector<Hold>& out) {
 }
 
 // One option with its value; "" or what is wrong with it.
+std::string readTypeFile(const std::string& name, const std::string& value, Options& o) {
+  const bool typed = value.size() > 2 && value[0] >= '1' && value[0] <= '4' && value[1] == '=', picture = name == "--color-map";
+  if (picture && !typed) return name + " " + value + ": expected TYPE=FILE";
+  (picture ? o.colorMaps : o.typeSets).emplace_back(typed ? value[0] - '1' : 0, typed ? value.substr(2) : value);
+  return "";
+}
+
 std::string readOption(const std::string& name, const std::string& value, Options& o) {
   std::vector<float> n;
   if (name == "-o" || name == "--output") o.output = value;
   else if (name == "--state") o.stateFile = value;
-  else if (name == "--type-set") o.typeSet = value;
+  else if (name == "--type-set" || name == "--color-map") return readTypeFile(name, value, o);
   else if (name == "--save-type-set") o.savedTypeSet = value;
   else if (name == "--hair-file") o.hairFile = value;
   else if (name == "--save-hair") o.savedHair = value;
@@ -197,7 +206,7 @@ std::string readOption(const std::string& name, const std::string& value, Option
     const std::size_t equals = value.find('=');
     if (equals == std::string::npos) return "--hair-value " + value + ": expected NAME=VALUE";
     o.hairs.push_back({{}, value.substr(0, equals), value.substr(equals + 1)});
-  } else if (name.rfind("--", 0) == 0 && settings::findField(name.substr(2))) {
+  } else if (name.rfind("--", 0) == 0 && settings::isSetting(name.substr(2))) {
     o.fields.emplace_back(name.substr(2), value);
   } else {
     return "unknown option " + name;
@@ -238,7 +247,11 @@ Status setUp(app::App& app, const Options& o, const char* program) {
     else if (Status status = app.setHairValue(static_cast<int>(app.selectedScalp()), step.name, step.text); !status) return status;
   }
   // After the settings: a change of theirs would grow a coat in its place.
-  return o.typeSet.empty() ? Status(Done{}) : native::loadTypeSet(app, o.typeSet);
+  for (const auto& [type, path] : o.typeSets)
+    if (Status status = native::loadTypeSet(app, path, type); !status) return status;
+  for (const auto& [type, path] : o.colorMaps)
+    if (Status status = native::loadTypePicture(app, path, type); !status) return status;
+  return Done{};
 }
 
 // As a person does with a pointer.

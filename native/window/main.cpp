@@ -136,12 +136,12 @@ class Session {
     std::string scene, state;
     app::CameraOrbit camera;
     std::vector<std::uint8_t> groom, hair, water, history;
-    std::vector<std::uint8_t> typeSet;  // of a coat that was read from a file
-    std::size_t bytes() const { return groom.size() + hair.size() + water.size() + history.size() + typeSet.size(); }
+    std::vector<std::uint8_t> typeFiles;
+    std::size_t bytes() const { return groom.size() + hair.size() + water.size() + history.size() + typeFiles.size(); }
   };
   Kept keep(bool leaves) const {
     return {shown_, app_.state(), app_.camera(), app_.saveGroom(), app_.saveHair(), app_.saveWater(), app_.saveHistory(leaves),
-            app_.coatGiven() ? app_.saveTypeSet() : std::vector<std::uint8_t>()};
+            app_.saveTypeFiles()};
   }
 
   void check(const Status& status) {
@@ -149,6 +149,7 @@ class Session {
   }
 
   void load(const std::string& scene) {
+    if (scene::isNamedAs(scene::FileKind::Coat, scene)) return check(native::loadTypeSet(app_, scene, host_.coatType()));
     if (scene::isNamedAs(scene::FileKind::Picture, scene)) return host_.askPicture(scene);
     if (!native::isModel(scene)) return check(native::loadScene(app_, scene, program_));
     Kept former = keep(true);
@@ -184,7 +185,7 @@ class Session {
     if (const Status status = native::loadScene(app_, next.scene, program_); !status) return check(status);
     shown_ = next.scene;
     check(app_.setState(next.state));
-    if (!next.typeSet.empty()) check(app_.loadTypeSet(next.typeSet, "coat.fts"));
+    check(native::restoreTypeFiles(app_, next.typeFiles));
     check(app_.restoreGroom(next.groom));
     check(app_.restoreHair(next.hair));
     check(app_.restoreWater(next.water));
@@ -289,7 +290,7 @@ class Session {
           openChosen();
           break;
         case Kind::SaveTypeSet:
-          askAndSave(command->text, [this] { return app_.saveTypeSet(); });
+          askAndSave(command->text, [this] { return app_.saveTypeSet(host_.coatType()); });
           break;
         case Kind::SaveFo:
           askAndSave(command->text, [this] { return app_.saveFo(); });

@@ -1,6 +1,14 @@
 #include "shared/Light.h"
 // Light on strands and skin, in the surface's own frame: x along s, y along t, z along the normal.
 
+// One of the coat's values that each fur type has, of what is shown.
+#ifdef TYPES
+vec4 typeShares = vec4(1.0, 0.0, 0.0, 0.0);  // of the types in it
+float ofType(vec4 values) { return dot(typeShares, values); }
+#else
+float ofType(vec4 values) { return values.x; }
+#endif
+
 // Linear to sRGB within 0.0015 without a power: a fit over square roots (I. Taylor 2009,
 // "Simulating sRGB with sqrt").
 vec3 encodeSrgb(vec3 linear) {
@@ -29,6 +37,17 @@ vec3 skyLight(float upness) { return mix(floorLight.rgb, sky.rgb, 0.5 + 0.5 * up
 vec3 modelColor(sampler2D picture, vec2 uv) { return mix(vec3(1.0), texture(picture, uv).rgb, textureAmount); }
 #else
 vec3 modelColor(sampler2D picture, vec2 uv) { return vec3(1.0); }
+#endif
+
+#if defined(TEXTURED) && defined(TYPES)
+uniform sampler2DArray typeColors;  // colour maps of fur types
+
+// The colour of strands of that type with roots at that uv; `uvs`: by how much it changes from pixel to pixel.
+vec3 strandModelColor(sampler2D picture, int type, vec2 uv, mat2 uvs) {
+  float layer = typePicture[type];
+  vec3 color = layer < 0.0 ? textureGrad(picture, uv, uvs[0], uvs[1]).rgb : textureGrad(typeColors, vec3(uv, layer), uvs[0], uvs[1]).rgb;
+  return mix(vec3(1.0), color, textureAmount);
+}
 #endif
 
 // sRGB to linear, a fit within 0.003 (C. Hery).
@@ -91,7 +110,7 @@ vec3 fringe(float normalDotView, float h) {
 float bodyShare(float nDotL) { return clamp(nDotL + 0.5, 0.0, 1.0); }
 // The share of the light that gets to height h of the coat: `lit` gets to that spot, strands take of it (Sheppard).
 float lightShare(float lit, float h, float nDotL) {
-  return lit * bodyShare(nDotL) * mix(1.0, furShadow(h, density, nDotL), strandShadow);
+  return lit * bodyShare(nDotL) * mix(1.0, furShadow(h, ofType(typeDensity), nDotL), ofType(typeShadow));
 }
 
 // Kajiya and Kay's lobes know no surface: past the terminator of a coat they would glow where strands of the lit side
@@ -123,7 +142,7 @@ vec3 shadeStrand(StrandLight lights, vec3 albedo, vec2 along, vec2 normal, float
   vec3 gloss = shine * lights.key * kajiyaPower(across.x * across.y - along.x * along.y, exponent) + albedo * (1.6 * lights.through);
 #else
   // A lobe's energy falls as its exponent rises; sqrt(p) keeps a strand's total about even.
-  float strength = shine * sqrt(exponent / shininess);
+  float strength = shine * sqrt(exponent / ofType(typeShininess));
   vec4 cosines = vec4(across.x * across.y, along.x * along.y, along * across.yx);
   vec2 shifts = lobeShifts(strand);
   vec3 gloss = (strength * lights.key) * ((0.7 - 0.35 * rho) * kajiyaLobe(shiftedCosine(cosines, shifts.x), exponent) +
@@ -132,13 +151,13 @@ vec3 shadeStrand(StrandLight lights, vec3 albedo, vec2 along, vec2 normal, float
 #endif
   gloss += (albedo + 0.3) * lights.rim;
   vec3 color = albedo * (lights.key * diffuse.x + fillLight * diffuse.y + lights.sky) + gloss;
-  return color * (1.0 + occlusion * (h - 1.0)) * (1.0 - wetDarkening * rho);
+  return color * (1.0 + ofType(typeOcclusion) * (h - 1.0)) * (1.0 - wetDarkening * rho);
 }
 // Of a coat, with the exponent and gloss of its settings. `lit` is the share of the light that reaches the spot.
 vec3 shadeStrand(vec3 albedo, vec3 T, vec3 L, vec3 V, float h, float rho, float lit, float upness, float strand) {
-  float facing = dot(L, V), exponent = max(mix(dryShininess, shininess, rho), 1.0);
+  float facing = dot(L, V), exponent = max(mix(ofType(typeDryShininess), ofType(typeShininess), rho), 1.0);
   StrandLight lights = StrandLight(keyLight.rgb * lightShare(lit, h, L.z), keyLight.rgb * lit * rimLight(facing, V.z, h), fringe(V.z, h), skyLight(upness));
-  return shadeStrand(lights, albedo, vec2(dot(T, L), dot(T, V)), vec2(L.z, V.z), facing, h, rho, strand, exponent, specular * glossShare(L.z));
+  return shadeStrand(lights, albedo, vec2(dot(T, L), dot(T, V)), vec2(L.z, V.z), facing, h, rho, strand, exponent, ofType(typeSpecular) * glossShare(L.z));
 }
 
 // Wet strands: C++ twins in hair/StrandShading.h, which says more.
@@ -157,8 +176,8 @@ vec2 waterGloss(vec2 along, vec2 normal, float facing, float nDotL, float held, 
   // From strand to strand it lies elsewhere and is as strong as chance has it: fine lines instead of a band.
   float shifted = slope + 0.5 * (1.0 - sheet) * (strand - 0.5), own = strand * strand;
   own *= mix(1.0, own, sheet);
-  float glint = kajiyaLobe(faces, 1.3 * shininess) * (1.0 - 0.7 * slope * slope) * (mix(0.3, 0.1, sheet) + 3.0 * own) +
-                kajiyaLobe(sqrt(max(1.0 - shifted * shifted, 0.0)), 5.0 * shininess) * faces * faces * (0.1 + 1.2 * own);
+  float glint = kajiyaLobe(faces, 1.3 * ofType(typeShininess)) * (1.0 - 0.7 * slope * slope) * (mix(0.3, 0.1, sheet) + 3.0 * own) +
+                kajiyaLobe(sqrt(max(1.0 - shifted * shifted, 0.0)), 5.0 * ofType(typeShininess)) * faces * faces * (0.1 + 1.2 * own);
   return film * film * wetGloss * vec2(glossShare(nDotL) * glint * mix(1.6, 0.5, sheet), fresnel * mix(0.5, 0.2 + 2.4 * strand, sheet));
 }
 vec2 waterGloss(vec3 T, vec3 n, vec3 L, vec3 V, float held, float sheet, float strand) {
@@ -182,6 +201,6 @@ vec3 bareSkin(vec3 albedo, float nDotL, float upness, float rho, float lit) {
 }
 // Skin seen through the fur above it, or the undergrowth up to the height h: in the shadow of the strands.
 vec3 shadeSkin(vec3 albedo, float nDotL, float upness, float h, float rho, float lit) {
-  float shadow = lit * mix(1.0, furShadow(h, density, nDotL), strandShadow);
-  return albedo * (keyLight.rgb * max(nDotL, 0.0) * shadow + skyLight(upness)) * (1.0 + occlusion * (h - 1.0)) * (1.0 - wetDarkening * rho);
+  float shadow = lit * mix(1.0, furShadow(h, ofType(typeDensity), nDotL), ofType(typeShadow));
+  return albedo * (keyLight.rgb * max(nDotL, 0.0) * shadow + skyLight(upness)) * (1.0 + ofType(typeOcclusion) * (h - 1.0)) * (1.0 - wetDarkening * rho);
 }

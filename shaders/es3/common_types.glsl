@@ -16,5 +16,13 @@ float coatShare(vec4 texel) {
   return share;
 }
 
+#ifdef TYPES
+vec3 skinColorOf(vec4 presences) {
+  vec3 color = vec3(0.0);
+  for (int type = 0; type < FUR_TYPES; ++type) color += presences[type] * skinColors[type].rgb;
+  return color;
+}
+#endif
+
 // Up to which height a strand stands; its dominance is 0.5..1.
 float standsUpTo(float presence, float dominance) { return max(2.0 - 2.0 * (1.0 - presence) / dominance, 0.0); }

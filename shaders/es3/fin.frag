@@ -97,6 +97,7 @@ bool trim(inout Strand s) {
   float chance = otherPixelNoise();
   for (int i = 0; i < FUR_TYPES - 1 && chance >= grows[i]; ++i) chance -= grows[i], s.type = i + 1;
   s.h *= typeRise[s.type];
+  typeShares = vec4(equal(ivec4(s.type), ivec4(0, 1, 2, 3)));
 #endif
   s.h *= vLength / max(texel.r, 1e-3);
   return s.h <= 1.0 && texel.r >= kBald && typeGrows[s.type] > 0.0;
@@ -150,6 +151,9 @@ vec3 shade(Strand s, vec4 strand, float rho, vec3 model) {
 }
 
 void main() {
+#if defined(TEXTURED) && defined(TYPES)
+  mat2 uvs = mat2(dFdx(vUv), dFdy(vUv));  // before fragments are discarded
+#endif
   Strand s;
   s.u = vFin.x;
   s.h = vFin.y;
@@ -186,7 +190,12 @@ void main() {
   alpha += (pixelNoise() - 0.5) / samples;
   float least = 0.5 / samples;
 #endif
-  vec3 model = modelColor(baseColor, vUv), color = vec3(0.0);
+#if defined(TEXTURED) && defined(TYPES)
+  vec3 model = strandModelColor(baseColor, s.type, vUv, uvs);
+#else
+  vec3 model = modelColor(baseColor, vUv);
+#endif
+  vec3 color = vec3(0.0);
   // Once or not at all: most of a fin is gaps, and a software rasteriser jumps over loops but not over an if.
   for (int i = 0, once = int(alpha >= least); i < once; ++i) color = shade(s, textureLod(finStrand, spot, level), rho, model);
   if (alpha < least) discard;

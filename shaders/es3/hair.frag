@@ -42,7 +42,7 @@ float drawnAlpha(HairSeen seen) {
 // roots, shows thin streaks and no spot. Roots lie below others. `along`: T.L, T.V; `facing`: the normal and L.
 vec2 strandGloss(vec2 along, float facing, float lightDotView, float held, float h, float strand) {
   float own = fract(13.0 * strand), slope = (along.x + along.y) * inversesqrt(max(2.0 + 2.0 * lightDotView, 1e-4)) + 1.1 * (strand - 0.5);
-  float glint = kajiyaLobe(sqrt(max(1.0 - slope * slope, 0.0)), 4.0 * shininess) * (0.1 + 1.2 * own * own * own);
+  float glint = kajiyaLobe(sqrt(max(1.0 - slope * slope, 0.0)), 4.0 * typeShininess.x) * (0.1 + 1.2 * own * own * own);
   return held * wetGloss * smoothstep(0.05, 0.3, h) * vec2(glossShare(facing) * glint, 0.03 * (1.0 - along.y * along.y));
 }
 #endif

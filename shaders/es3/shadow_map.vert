@@ -16,6 +16,9 @@ layout(location = FUR_UV_ATLAS) in vec4 uvAtlas;
 #ifdef SHADOW_LAYERS
 out vec2 vTile;
 flat out float vHeight;
+#ifdef TYPES
+out vec4 vAlong, vGrows;  // height along the strands of each type; its presence
+#endif
 #endif
 
 void main() {
@@ -36,7 +39,16 @@ void main() {
 #ifdef GROOMED
   // Vertices have room for the longest strand round them; the shadow is that of the fur that stands there.
   vec4 texel = textureLod(groom, uvAtlas.zw, 0.0);
+#ifdef TYPES
+  vec4 grows = presences(texel.gba) * typeGrows, high = min(2.0 * grows, 1.0) / typeRise;
+  groomed.w = min(groomed.w, texel.r * max(max(high.x, high.y), max(high.z, high.w)));
+#ifdef SHADOW_LAYERS
+  vAlong = vHeight * groomed.w / max(texel.r, 1e-3) * typeRise;
+  vGrows = grows;
+#endif
+#else
   groomed.w = min(groomed.w, texel.r * min(2.0 * dot(presences(texel.gba), typeGrows), 1.0));
+#endif
 #endif
   vec3 at = lightSpace(strandPoint(position, normal, groomed.xyz, h, furLength * groomed.w));
 #endif

@@ -29,6 +29,15 @@ uniform sampler2D baseColor;
 out vec4 fragColor;
 
 #include "shell_root.glsl"
+#if defined(TEXTURED) && defined(TYPES)
+mat2 uvSteps;  // how the model's uv changes from pixel to pixel, from before any branch
+void enterModel() { uvSteps = mat2(dFdx(vLean.zw), dFdy(vLean.zw)); }
+// Skin has the model's own picture under strands that have a colour map.
+vec3 skinModel(vec3 ofStrands) { return mix(vec3(1.0), textureGrad(baseColor, vLean.zw, uvSteps[0], uvSteps[1]).rgb, textureAmount); }
+#else
+void enterModel() {}
+vec3 skinModel(vec3 ofStrands) { return ofStrands; }
+#endif
 #ifdef PAINTED
 vec3 paintStrand(vec3 albedo, Met met, float variance) { return paintedStrand(albedo, rootInAtlas(met.spot), variance, met.h, met.strand.z); }
 vec3 paintSkin(vec3 albedo, Met met) { return painted(albedo, rootInAtlas(met.spot), vec3(1.0)); }
@@ -121,14 +130,14 @@ float lightOn(Met met, float furry) {
   // A look towards the light through the fur above: real strands cast real shadows.
   if (met.h + FUR_SHADE_RISE < 1.0) {
     vec3 above = vec3(met.spot.xy + vLightStep * FUR_SHADE_RISE, nearestLayer(storedLayer(met.h + FUR_SHADE_RISE, 0.0)) + firstLayer(met.spot.z));
-    lit -= shadeOfOne() * strandShadow * furry * textureLod(coverage, above, lod + 1.0).r;
+    lit -= shadeOfOne() * ofType(typeShadow) * furry * textureLod(coverage, above, lod + 1.0).r;
   }
   // How far the ray went, to the strands or to the skin.
   return underOthers(lit * furShadowAt(vLightSpace + vLightRay * met.x));
 }
 
 vec3 shadeStrands(Met met, March march, vec3 model, vec3 T, vec3 L, vec3 V, float lit) {
-  StrandColors colors = colorsOf(march);
+  StrandColors colors = colorsOf();
   vec3 albedo = strandColor(colors.root, colors.tip, colors.variance, met.h, met.strand.z, model);
   float rho = min(met.held, 1.0);
   albedo = soaked(paintStrand(albedo, met, colors.variance), rho);
@@ -139,7 +148,7 @@ vec3 shadeStrands(Met met, March march, vec3 model, vec3 T, vec3 L, vec3 V, floa
 // `color` over the skin that strands leave open.
 vec3 overSkin(vec3 color, Met met, vec3 model, float lit) {
   for (int i = 0, once = int(reachesSkin && met.closed < 1.0); i < once; ++i) {
-    vec3 bare = paintSkin(skinColor.rgb * model, met);
+    vec3 bare = paintSkin(skinColor() * skinModel(model), met);
     float rho = min(met.held, 1.0);
     vec3 skin = shadeSkin(bare * 0.5, vLight.z, vView.w, 0.0, rho, lit);
     // Pores: the lowest layer says where strands root (Sheppard 5.2).
@@ -151,12 +160,14 @@ vec3 overSkin(vec3 color, Met met, vec3 model, float lit) {
 }
 
 void main() {
+  enterModel();
   March march = marchCoat(enterCoat());
 #ifdef VIEW_STEPS
   fragColor = heat(0.2 * taken);
 #else
   float shown = shownShare(march);
   if (shown < 0.5 / samples) discard;
+  showTypes(march);
   Met met = resolve(march);
   vec2 turned = vPath.zw * met.x;
   vec3 T = tangentOf(met, march), L = inTurnedFrame(vLight.xyz, turned), V = inTurnedFrame(vView.xyz, turned);

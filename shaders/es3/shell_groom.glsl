@@ -29,7 +29,18 @@ vec2 shapeTilt(vec4 spot, float h) { return vec2(0.0); }
 #endif
 
 #ifdef GROOMED
-void enterGroom() { grown = coatShare(textureLod(groom, atlasAt(foot), 0.0)); }
+vec3 skinUnder;  // colour of the skin under the strands
+
+void enterGroom() {
+  vec4 texel = textureLod(groom, atlasAt(foot), 0.0);
+  grown = coatShare(texel);
+#ifdef TYPES
+  skinUnder = skinColorOf(presences(texel.gba));
+#else
+  skinUnder = skinColors[0].rgb;
+#endif
+}
+vec3 skinColor() { return skinUnder; }
 
 // Vertices have room for the longest strand round them; the map knows the length of every strand.
 void trim(inout Strand here, inout March march) {
@@ -50,6 +61,7 @@ vec4 spotOf(Strand here, March march) { return march.spot; }
 vec3 thinned(vec3 skin, vec3 bare, float rho, float lit) { return mix(bareSkin(bare, vLight.z, vView.w, rho, lit), skin, grown); }
 #else
 void enterGroom() { grown = 1.0; }
+vec3 skinColor() { return skinColors[0].rgb; }
 void trim(inout Strand here, inout March march) {}
 vec4 spotOf(Strand here, March march) { return vec4(here.root, storedLayer(here.along, between), levelOf(here)); }
 vec3 thinned(vec3 skin, vec3 bare, float rho, float lit) { return skin; }

@@ -9,5 +9,6 @@ float addStrand(Strand here, inout March march) {
   return add;
 }
 
-StrandColors colorsOf(March march) { return StrandColors(rootColors[0].rgb, tipColors[0].rgb, typeVariance.x); }
-vec3 typeColor(March march) { return vec3(1.0); }
+void showTypes(March march) {}
+StrandColors colorsOf() { return StrandColors(rootColors[0].rgb, tipColors[0].rgb, typeVariance.x); }
+vec3 typeColor() { return vec3(1.0); }

@@ -19,20 +19,18 @@ float addStrand(Strand here, inout March march) {
   return added;
 }
 
-vec4 sharesOf(March march) { return march.types / max(dot(march.types, vec4(1.0)), 1e-6); }
+void showTypes(March march) { typeShares = march.types / max(dot(march.types, vec4(1.0)), 1e-6); }
 
-StrandColors colorsOf(March march) {
-  vec4 types = sharesOf(march);
-  StrandColors colors = StrandColors(vec3(0.0), vec3(0.0), dot(types, typeVariance));
+StrandColors colorsOf() {
+  StrandColors colors = StrandColors(vec3(0.0), vec3(0.0), ofType(typeVariance));
   for (int type = 0; type < FUR_TYPES; ++type) {
-    colors.root += types[type] * rootColors[type].rgb;
-    colors.tip += types[type] * tipColors[type].rgb;
+    colors.root += typeShares[type] * rootColors[type].rgb;
+    colors.tip += typeShares[type] * tipColors[type].rgb;
   }
   return colors;
 }
 
 // As the picture of the groom has it: type 1 white, the others red, green and blue.
-vec3 typeColor(March march) {
-  vec4 types = sharesOf(march);
-  return types.x + types.yzw + 0.25 * (1.0 - types.x);
+vec3 typeColor() {
+  return typeShares.x + typeShares.yzw + 0.25 * (1.0 - typeShares.x);
 }

@@ -67,7 +67,7 @@ vec3 viewed(vec3 color, Met met, March march, vec3 T, vec3 L, float lit) {
 #elif defined(VIEW_OFFSET)
   return vec3(clamp(0.5 + 12.0 * (textureLod(offset, met.spot.xyz, met.spot.w).xy - 0.5), 0.0, 1.0), 0.5);
 #elif defined(VIEW_TYPES)
-  return typeColor(march) * mix(0.3, 0.9, met.h);
+  return typeColor() * mix(0.3, 0.9, met.h);
 #elif defined(VIEW_CLUMPS)
   return clumpSum / max(march.alpha, 1e-3) * (0.5 + 0.5 * met.h);
 #elif defined(VIEW_SHADOW)

@@ -31,11 +31,16 @@ void main() {
 #endif
 #ifdef GROOMED
   // Where no fur grows it is bare.
-  vec3 bare = vBare * skinColor.rgb * model;
+  vec4 fur = textureLod(groom, vUvAtlas.zw, 0.0);
+#ifdef TYPES
+  vec3 bare = vBare * skinColorOf(presences(fur.gba)) * model;
+#else
+  vec3 bare = vBare * skinColors[0].rgb * model;
+#endif
 #ifdef PAINTED
   bare = painted(bare, vUvAtlas.zw, vBare);
 #endif
-  color = mix(bare, color, coatShare(textureLod(groom, vUvAtlas.zw, 0.0)));
+  color = mix(bare, color, coatShare(fur));
 #endif
 #ifdef WET
   // Between clumps, in their shade.
@@ -72,7 +77,7 @@ void main() {
 #elif defined(VIEW_NORMALS)
   fragColor = vec4(n * 0.5 + 0.5, 1.0);
 #else
-  vec3 albedo = skinColor.rgb * modelColor(baseColor, vUvAtlas.xy);
+  vec3 albedo = skinColors[0].rgb * modelColor(baseColor, vUvAtlas.xy);
 #ifdef PAINTED
   albedo = painted(albedo, vUvAtlas.zw, vec3(1.0));
 #endif

@@ -5,7 +5,6 @@
 #include "app/AppState.h"
 #include "geometry/Primitives.h"
 #include "scene/StateJson.h"
-#include "scene/TypeSet.h"
 
 namespace fur::app {
 
@@ -105,14 +104,10 @@ Status App::loadModel(std::span<const std::uint8_t> bytes, const std::string& na
   State& s = *state_;
   auto surface = geometry::buildSurface(model->mesh, s.mapping());
   if (!surface) return Error{surface.error().id, name + ": " + surface.error().message};
-  GivenCoat coat;
-  if (!model->fur.typeSet.empty()) {
-    auto volume = scene::readTypeSet(model->fur.typeSet, name);
-    if (!volume) return volume.error();
-    coat = std::make_shared<const furgen::FurVolume>(std::move(*volume));
-  }
+  auto files = s.shelf.addFiles(model->fur.coats, name);
+  if (!files) return files.error();
   for (const std::string& warning : model->warnings) s.warnings.push_back(warning);
-  Document from{.name = model->name, .typeSet = std::move(model->fur.typeSet)};
+  Document from{.name = model->name};
   from.take(*model);
   if (model->isGltf) s.keepFile(from, bytes, others);
   s.setModel(std::move(model->mesh), std::move(*surface), std::move(from), std::move(model->rig), std::move(model->materialOf));
@@ -125,16 +120,31 @@ Status App::loadModel(std::span<const std::uint8_t> bytes, const std::string& na
   if (keepState) return Done{};
   if (model->fur.state.empty()) {
     s.restoreOwnLook();
+    s.takeFurLength(model->furLength);
     return Done{};
   }
   if (!s.ownLook) s.ownLook = State::Look{s.settings, camera()};
   // The importer has read it once: it is sound. Undo does not lead behind it.
   const Status status = setState(model->fur.state);
-  if (coat || coatGiven()) s.giveCoat(std::move(coat));
+  settings::Settings now = s.settings;
+  now.typePictures = files->pictures;
+  now.typeSets = files->typeSets;
+  s.applySettings(now);
+  s.shelf.keepOnlyThoseOf({&s.settings, &s.ownLook->settings});
   s.settingsOfFile = s.settings;
   s.cameraOfFile = camera();
   s.history.clear();
   return status;
+}
+
+// Of a model that says nothing else of the coat.
+void App::State::takeFurLength(float length) {
+  if (length <= 0) return;
+  ownLook = Look{settings, view.camera.goal()};
+  settings::Settings next = settings;
+  settings::setField(next, *settings::findField("furLength"), length, warnings);
+  applySettings(next);
+  settingsOfFile = settings;
 }
 
 // Of the model before one that brought its own, unless a person has changed that since.
@@ -219,8 +229,17 @@ void App::State::applySettings(const settings::Settings& next) {
   surfaceChanged(before);
 }
 
-void App::setSettings(const settings::Settings& next) {
+// A coat from a file goes when its type is asked to grow another.
+settings::Settings App::State::withoutOldFiles(settings::Settings next) const {
+  for (std::size_t type = 0; type < next.typeSets.size(); ++type)
+    if (next.typeSets[type] == settings.typeSets[type] && coatParametersOf(next, static_cast<int>(type)) != coatParametersOf(settings, static_cast<int>(type)))
+      next.typeSets[type] = 0;
+  return next;
+}
+
+void App::setSettings(const settings::Settings& wanted) {
   State& s = *state_;
+  const settings::Settings next = s.withoutOldFiles(wanted);
   if (next == s.settings) return;
   if (!s.changeBefore) {
     const settings::Field* field = onlyDifference(s.settings, next);

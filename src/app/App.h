@@ -100,7 +100,7 @@ class App {
   std::uint64_t surfaceRevision() const;  // another one, above 0, whenever there is another surface
   // Names of what the model can play, one a line, for the setting `animation`, which counts from 1.
   std::string animations() const;
-  // The model as .fo, with its fur coordinates at the repeat of the settings, lengths and types.
+  // The model as .fo, with its fur coordinates at the repeat of the settings, lengths, types and the comb.
   std::vector<std::uint8_t> saveFo() const;
   // Model, picture, groom, coat, what is wet, settings and camera as .glb, which other programs show without fur. A glTF document
   // goes back whole in programs that said so with keepDocuments(), before the model came; without, the viewer's download is spared it.
@@ -156,16 +156,25 @@ class App {
   int coatLayers() const;
   // Share of each layer that strands cover, from the skin up.
   std::span<const float> coverageByHeight() const;
-  // A type set (.fts) takes the place of the grown coat until a generator setting changes. A failure
-  // leaves the coat as it was.
-  Status loadTypeSet(std::span<const std::uint8_t> bytes, const std::string& name);
-  bool coatGiven() const;  // it came from one
-  const std::vector<std::uint8_t>& ownTypeSet() const;  // the .fts that a saved scene brought; empty without
-  // The coat as .fts: 256 x 256 texels and 16 layers whatever the settings, as the format has it.
-  std::vector<std::uint8_t> saveTypeSet() const;
-  // The settings of a preset (settings/Presets.h), as one undo step. False, and a warning
+  // A type set (.fts) takes the place of a type's (0 to 3) grown coat until one of its generator settings changes; one undo
+  // step. A failure leaves the coat as it was.
+  Status loadTypeSet(std::span<const std::uint8_t> bytes, const std::string& name, int type = 0);
+  bool coatGiven(int type = 0) const;  // it came from one
+  // A type's coat as .fts: 256 x 256 texels and 16 layers whatever the settings, as the format has it.
+  std::vector<std::uint8_t> saveTypeSet(int type = 0) const;
+  // The settings of a preset (settings/Presets.h) for a type, as one undo step. False, and a warning
   // that lists the names: there is none of that one.
-  bool applyPreset(std::string_view name);
+  bool applyPreset(std::string_view name, int type = 0);
+  // A type's colour map, in the model's texture coordinates, in place of the model's own picture: the file, which is kept for
+  // saving, and RGBA8. One undo step. setField("type2.picture", "") takes it away. bad-file: it is no PNG, JPEG or WebP.
+  Status setTypePicture(int type, std::vector<std::uint8_t> file, int width, int height, std::vector<std::uint8_t> rgba);
+  // Numbers of those that scenes have brought and nobody has decoded yet; their files (empty where there is none); what is in them.
+  std::vector<std::uint32_t> pendingPictures() const;
+  const scene::EncodedImage& typePicture(std::uint32_t number) const;
+  void provideTypePicture(std::uint32_t number, int width, int height, std::vector<std::uint8_t> rgba);
+  // All type sets and colour maps, for another program that has the same state: bad-file for other bytes.
+  std::vector<std::uint8_t> saveTypeFiles() const;
+  Status restoreTypeFiles(std::span<const std::uint8_t> bytes);
 
   // --- water ---
   void setTool(Tool tool);

@@ -71,6 +71,7 @@ void App::State::upload() {
   const bool whole = noteChange(uploaded.surface, shape.surfaceRevision());
   if (whole) renderer->setSurface(shape.surface(), shape.firstTangents(), shape.materialOf());
   uploadMaterials();
+  uploadPictures();
   const bool softened = !(settings.technique == 1 && settings.printedMask), anew = noteChange(uploaded.softened, softened) || whole;
   for (const wet::MaskTexels& part : water.takeTexels(shape, anew, softened)) renderer->updateMask(part);
   if (noteChange(uploaded.bends, motion.bendsRevision()) || whole) renderer->updateBends(motion.shown());
@@ -83,6 +84,16 @@ void App::State::upload() {
     renderer->setWhiskers(groom.hairs(shape));
   }
   uploadHair();
+}
+
+// Colour maps of the types that have one.
+void App::State::uploadPictures() {
+  const bool other = noteChange(uploaded.pictures, settings.typePictures);
+  if (!noteChange(uploaded.shelf, shelf.revision()) && !other) return;
+  std::array<render::SurfaceMaps::Picture, settings::kFurTypes> pictures;
+  for (std::size_t type = 0; type < pictures.size(); ++type)
+    if (const ColorMap* map = shelf.picture(settings.typePictures[type])) pictures[type] = {map->width, map->height, map->rgba};
+  renderer->setTypePictures(pictures);
 }
 
 void App::State::uploadMaterials() {
@@ -160,15 +171,18 @@ void App::State::uploadLengths(const geometry::TexelRect& changed) {
 void App::State::chooseShellCount() {
   constexpr float kCrowded = 0.024f;
   constexpr int kCrowdedShells = 3;
-  if (shells.surface == shape.surfaceRevision() && shells.length == settings.furLength) return;
-  shells = {shape.surfaceRevision(), settings.furLength, 1};
-  if (settings.furLength * geometry::grazingShare(shape.surface(), shape.query(), settings.furLength) > kCrowded) shells.count = kCrowdedShells;
+  const float length = coatLength();
+  if (shells.surface == shape.surfaceRevision() && shells.length == length) return;
+  shells = {shape.surfaceRevision(), length, 1};
+  if (length * geometry::grazingShare(shape.surface(), shape.query(), length) > kCrowded) shells.count = kCrowdedShells;
 }
 
 render::Frame App::State::frame(int level) const {
   const QualityLevel& quality = qualityLevels()[static_cast<std::size_t>(level)];
   render::Frame f;
   f.settings = settings;
+  f.coatLength = coatLength();
+  f.typeHeights = groom.typeHeights();
   f.settings.fins &= quality.fins;
   f.settings.shadows = std::min(f.settings.shadows, quality.shadows);
   f.pixelScale = quality.pixelScale;
@@ -188,7 +202,7 @@ render::Frame App::State::frame(int level) const {
   f.groomed = groom.hasLengths();
   f.painted = groom.hasPaint() || showsMask() || showsScalp();
   f.shaped = groom.hasShape();
-  f.types = coat.shownTypes() > 1;
+  f.types = coat.shownTypes() > 1 || (renderer && renderer->hasTypePictures());
   if (const auto ball = motion.touch().ball()) f.ball = Vec4(ball->centre, ball->radius);
   f.baseColorFactor = document.materials[document.main].baseColor;
   f.drops = hair->withHanging(water.water().drops());
@@ -205,7 +219,10 @@ Status App::State::drawBand(int level, int band, int bands) {
   FUR_ASSERT(renderer.has_value(), "App::draw()", "an attached context", "none");
   groom.update(groomInputs());
   hair->update(hairInputs(0));
-  if (!coat.shown()) finishCoat();
+  if (!coat.shown()) {
+    finishCoat();
+    groom.update(groomInputs());
+  }
   chooseShellCount();
   water.readPuddles();
   upload();

@@ -193,7 +193,7 @@ void App::State::touchAt(Vec2 pixel) {
     if (!hit && !met) return touch.lift();
     return touch.stroke(above(kHandHeight * settings.brushRadius), settings.brushRadius);
   }
-  if (hit || met) return touch.pull(above(settings.ballSize + (1 - kPressed) * settings.furLength));
+  if (hit || met) return touch.pull(above(settings.ballSize + (1 - kPressed) * coatLength()));
   // Beside the model: in the plane through it that faces the eye.
   const render::CameraPose camera = view.pose();
   const Vec3 origin(toWorld * Vec4(ray.origin, 1)), direction = Mat3(toWorld) * ray.direction;
@@ -213,7 +213,7 @@ void App::State::refreshTouch() {
   const Vec3 back = glm::normalize(camera.eye - camera.target);
   const Vec3 right = normalizeOr(glm::cross(Vec3(0, 1, 0), back), Vec3(1, 0, 0));
   const Vec3 way = right * kWaiting.x + glm::cross(back, right) * kWaiting.y + back * kWaiting.z;
-  touch.pull(shape.extent().centre + way * (0.05f + shape.extent().radius + settings.furLength + settings.ballSize));
+  touch.pull(shape.extent().centre + way * (0.05f + shape.extent().radius + coatLength() + settings.ballSize));
 }
 
 // --- pointers ----------------------------------------------------------------------------------

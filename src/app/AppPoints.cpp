@@ -88,7 +88,7 @@ std::optional<std::size_t> App::whiskerAt(Vec2 pixel, float reach) const {
   for (std::size_t i = 0; i < s.groom.groom().whiskers.size(); ++i) {
     // One that is rooted behind the model is not seen there, or hardly.
     const groom::Whisker& whisker = s.groom.groom().whiskers[i];
-    if (hit && glm::distance(ray.origin, whisker.root) > hit->distance + whisker.length + s.settings.furLength) continue;
+    if (hit && glm::distance(ray.origin, whisker.root) > hit->distance + whisker.length + s.coatLength()) continue;
     const std::vector<Vec2> line = whiskerLine(i);
     for (std::size_t k = 1; k < line.size(); ++k) {
       const float distance = distanceTo(pixel, line[k - 1], line[k]);

@@ -6,7 +6,6 @@
 #include "core/Srgb.h"
 #include "scene/FoModel.h"
 #include "scene/Png.h"
-#include "scene/TypeSet.h"
 
 namespace fur::app {
 
@@ -21,12 +20,6 @@ std::vector<T> ofVertices(const std::vector<T>& values, const std::vector<std::u
   std::vector<T> out;
   for (std::size_t i = 0; !values.empty() && i < vertices.size(); ++i) out.push_back(values[vertices[i]]);
   return out;
-}
-
-std::vector<std::uint8_t> writtenTypeSet(const furgen::FurVolume& volume) {
-  auto bytes = scene::writeTypeSet(volume);
-  FUR_ASSERT(bytes, "App::saveScene()", "a volume of the format's shape", bytes.error().message);
-  return std::move(*bytes);
 }
 
 // Half-way up a strand; linear.
@@ -91,18 +84,21 @@ std::vector<std::uint8_t> App::saveFo() const {
   const State& s = *state_;
   const geometry::Surface& surface = s.shape.surface();
   const groom::GroomMap& map = s.groom.groom().map;
-  std::vector<int> types;
-  std::vector<float> lengths;
-  const bool plain = map.isPlain() && s.groom.vertexLengths().empty();
+  const unsigned grown = s.groom.types();
+  const float longest = settings::coatLength(s.settings, grown);
+  scene::FoFur fur;
   for (const auto& vertex : surface.vertices) {
-    if (plain) break;
     const bool bare = !s.shape.materialOf().empty() && s.groom.isBare(s.shape.materialOf()[static_cast<std::size_t>(&vertex - surface.vertices.data())]);
-    lengths.push_back(bare ? 0 : map.lengthAt(vertex.atlas));
-    types.push_back(map.typeAt(vertex.atlas) - 1);
+    const int type = map.typeAt(vertex.atlas) - 1;
+    fur.lengths.push_back(bare ? 0 : map.lengthAt(vertex.atlas) * longest * settings::typeHeight(s.settings, type, longest));
+    // Its fourth type is bald: what grows as that here has the third one there.
+    fur.types.push_back(fur.lengths.back() <= 0 ? scene::kFoBald : std::min(type + 1, scene::kFoBald - 1));
   }
-  if (!surface.turned) return scene::writeFo(scene::foFromSurface(surface, s.settings.repeat, lengths, types));
+  fur.bends = s.groom.rests();
+  if (!surface.turned) return scene::writeFo(scene::foFromSurface(surface, s.settings.repeat, fur));
   const geometry::OwnSurface own = geometry::ownSurface(s.shape.surface(), s.shape.mesh());
-  return scene::writeFo(scene::foFromSurface(own.surface, s.settings.repeat, ofVertices(lengths, own.vertexOf), ofVertices(types, own.vertexOf)));
+  return scene::writeFo(scene::foFromSurface(own.surface, s.settings.repeat,
+                                             {ofVertices(fur.lengths, own.vertexOf), ofVertices(fur.types, own.vertexOf), ofVertices(fur.bends, own.vertexOf)}));
 }
 
 namespace {
@@ -133,10 +129,10 @@ scene::FurData App::State::furData() const {
   fur.wetnessSize = water.mask().size();
   if (!water.mask().isDry()) fur.wetness = water.mask().texels();
   if (water.isWet()) fur.water = water.save(true);
+  fur.coats = shelf.filesOf(settings);
   fur.hasBare = !from.bare.empty();
   for (std::size_t i = 0; i < from.bare.size(); ++i)
     if (from.bare[i]) fur.bare.push_back(document.materials[i].source);
-  if (const auto given = coat.given(coatInputs())) fur.typeSet = writtenTypeSet(*given);
   return fur;
 }
 

@@ -9,6 +9,7 @@
 
 #include "app/App.h"
 #include "app/Picking.h"
+#include "app/TypeShelf.h"
 #include "app/commands/History.h"
 #include "app/stages/CoatStage.h"
 #include "app/stages/GroomStage.h"
@@ -20,6 +21,7 @@
 #include "app/view/View.h"
 #include "core/NoteChange.h"
 #include "render/Renderer.h"
+#include "settings/FurTypes.h"
 
 namespace fur::app {
 
@@ -41,7 +43,6 @@ struct Document {
   const Picture* pictureOf(std::size_t material) const;
   void take(scene::Model& model);  // its materials and images
   Picture* pending();  // the first that is still to be decoded
-  std::vector<std::uint8_t> typeSet{};  // a .fts whose coat it came with
 };
 
 // Pointers that are down, and the tool.
@@ -65,6 +66,7 @@ struct Hand {
 struct App::State {
   settings::Settings settings;
   Document document;
+  TypeShelf shelf;
 
   ShapeStage shape;
   GroomStage groom;
@@ -100,7 +102,8 @@ struct App::State {
   // reported last.
   std::optional<render::Renderer> renderer;
   struct Uploaded {
-    std::uint64_t surface = 0, pose = 0, bends = 0, images = 0, materials = 0;
+    std::uint64_t surface = 0, pose = 0, bends = 0, images = 0, materials = 0, shelf = 0;
+    std::array<std::uint32_t, settings::kFurTypes> pictures{};  // of types
     std::vector<std::uint8_t> bare{};
     std::vector<groom::Whisker> whiskers{};
     std::uint64_t overPaint = 0;  // what lies over it: 0 nothing, 1 the mask, above 1 a map of hair
@@ -132,20 +135,22 @@ struct App::State {
   CameraOrbit startView() const { return OrbitCamera::fitting(shape.extent().centre, shape.extent().radius); }
   void setModel(geometry::Mesh mesh, geometry::Surface surface, Document from, scene::Rig rig = {}, std::vector<std::uint8_t> materialOf = {});
   void surfaceChanged(const CameraOrbit& viewBefore);
-  void giveCoat(GivenCoat volume);  // nullptr: the grown one again
   // A view that showed all of the model still does; glides there or is there at once.
   void keepInView(const CameraOrbit& before, bool atOnce);
   void restoreOwnLook();
+  void takeFurLength(float length);
   geometry::FurMapping mapping() const { return static_cast<geometry::FurMapping>(settings.furMapping); }
   void applySettings(const settings::Settings& next);
+  settings::Settings withoutOldFiles(settings::Settings next) const;
   void applyStep(const Step& step, bool undo);
   bool askForModel(int way);
 
   // --- AppTime.cpp ---
   struct LayerUpload;
   ShapeStage::Inputs shapeInputs(float seconds) const;
-  GroomStage::Inputs groomInputs() const { return {shape, settings}; }
-  CoatStage::Inputs coatInputs() const { return {.settings = settings, .types = groom.types()}; }
+  GroomStage::Inputs groomInputs() const { return {shape, settings, coat.shownTypes()}; }
+  float coatLength() const { return settings::coatLength(settings, coat.shownTypes()); }
+  CoatStage::Inputs coatInputs() const { return {.settings = settings, .types = groom.types(), .given = shelf.coatsOf(settings)}; }
   WaterStage::Inputs waterInputs(float seconds, double budget) const;
   MotionStage::Inputs motionInputs(float seconds);
   HairStage::Inputs hairInputs(float seconds);
@@ -164,6 +169,7 @@ struct App::State {
   void uploadMaterials();
   void uploadGroom(bool whole);
   void uploadHair();
+  void uploadPictures();
   render::HairGrowth hairGrowth(std::size_t scalp) const;
   HairStage::Look hairLook(const std::optional<Vec2>& pixel) const;  // the tool points at that pixel
   // The map that the brush Scalp paints lies over the coat.
@@ -180,7 +186,7 @@ struct App::State {
   // --- AppInput.cpp ---
   Mat4 worldFromModel() const { return motion.worldFromModel(); }
   Ray rayThrough(Vec2 pixel) const { return view.rayThrough(pixel, worldFromModel()); }
-  Picking picking() const { return {shape, groom, coat.coat(), water.mask(), motion.bends(), settings}; }
+  Picking picking() const { return {shape, groom, coat.coat(), water.mask(), motion.bends(), settings, coatLength()}; }
   std::optional<geometry::SurfacePoint> pick(Vec2 pixel) const { return picking().at(rayThrough(pixel)); }
   Vec2 cursorPixel() const { return view.size() * view.camera.middle() + hand.cursor * static_cast<float>(view.height); }
   Vec2 heldPixel() const { return hand.keyHold > 0 ? cursorPixel() : hand.lastPosition; }

@@ -35,7 +35,7 @@ ShapeStage::Inputs App::State::shapeInputs(float seconds) const {
 }
 
 MotionStage::Inputs App::State::motionInputs(float seconds) {
-  MotionStage::Inputs inputs{.shape = shape, .groom = groom, .water = water, .coatWeight = coat.coat().weight(), .settings = settings};
+  MotionStage::Inputs inputs{.shape = shape, .groom = groom, .water = water, .coatWeights = coat.weights(), .settings = settings, .coatLength = coatLength()};
   inputs.seconds = seconds;
   inputs.idleTime = idleTime;
   inputs.reducedMotion = reducedMotion;
@@ -46,7 +46,7 @@ MotionStage::Inputs App::State::motionInputs(float seconds) {
 }
 
 WaterStage::Inputs App::State::waterInputs(float seconds, double budget) const {
-  WaterStage::Inputs inputs{.shape = shape, .groom = groom, .settings = settings};
+  WaterStage::Inputs inputs{.shape = shape, .groom = groom, .settings = settings, .coatLength = coatLength()};
   inputs.worldFromModel = worldFromModel();
   inputs.wind = reducedMotion ? 0 : settings.wind;
   inputs.shaking = motion.body().shaking();

@@ -21,7 +21,7 @@ constexpr float kSeenThrough = 1.5f;
 struct CoatShell final : geometry::SurfaceQuery::Lifted {
   CoatShell(const Picking& picking, float height)
       : s(picking), surface(picking.shape.surface()), skin(picking.shape.skin()), h(height), wet(!picking.mask.isDry()) {
-    reach = s.settings.furLength * h;
+    reach = s.coatLength * h;
   }
   Vec3 corner(std::uint32_t index) const override {
     const std::uint32_t v = surface.indices[index];
@@ -29,7 +29,7 @@ struct CoatShell final : geometry::SurfaceQuery::Lifted {
     const Vec3 root = skin ? skin->positions[v] : vertex.position, normal = skin ? skin->normals[v] : vertex.normal;
     const Vec4 bent = s.bends[v];
     const Vec3 bend(bent);
-    const float length = geometry::coatThickness(vertex, s.settings.furLength * bent.w);
+    const float length = geometry::coatThickness(vertex, s.coatLength * bent.w);
     const auto curve = static_cast<dynamics::BendCurve>(s.settings.bendCurve);
     // Wet strands stand lower.
     const float stands = wet ? wet::upright(s.mask.at(vertex.atlas.x, vertex.atlas.y).w) : 1;
@@ -76,7 +76,7 @@ std::optional<geometry::SurfacePoint> Picking::at(const Ray& ray) const {
     if (share != 1 && share != kSeen && (seen || skin)) break;
     const CoatShell shell(*this, share * height);
     const auto hit = on.castRay(ray.origin, ray.direction, &shell);
-    if (hit && shell.stands(*hit) && (!seen || hit->distance < seen->distance + kSeenThrough * settings.furLength)) seen = hit;
+    if (hit && shell.stands(*hit) && (!seen || hit->distance < seen->distance + kSeenThrough * coatLength)) seen = hit;
   }
   return !seen || (skin && skin->distance < seen->distance) ? skin : seen;
 }

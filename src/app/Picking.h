@@ -20,6 +20,7 @@ struct Picking {
   const wet::WetnessMask& mask;
   std::span<const Vec4> bends;
   const settings::Settings& settings;
+  float coatLength;  // of the longest strand, model units
 
   // The root of the fur that a ray (model space) meets, or bare skin.
   std::optional<geometry::SurfacePoint> at(const Ray& ray) const;

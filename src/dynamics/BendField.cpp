@@ -79,16 +79,35 @@ struct BendField::StepForces {
   float compliance;
   float forceOfKick = 0;  // that bends dry fur as fast within the step, for those who look at forces
   bool moving = false;
-  WetTable wet;
+  std::vector<WetRow> wet;  // of each type a table
 
   StepForces(const Mat4& modelToWorld, const BendForces& forces, const Wind& windNow, float dt)
-      : wind(windNow, modelToWorld), wet(wetTable(forces.stiffness, forces.weight, dt)) {
+      : wind(windNow, modelToWorld) {
     const Mat3 toModel = glm::transpose(rotationOf(modelToWorld));
-    // Sheppard 5.2.1 gives every coat a floor of weight, the rest is the type's own.
-    gravity = toModel * finiteOr0(forces.gravity) * (0.5f + unitOr0(forces.weight));
+    gravity = toModel * finiteOr0(forces.gravity) * pullOf(forces.weight);
     const float stiffness = unitOr0(forces.stiffness), omega = swingOf(stiffness);
-    compliance = 2.5f * powerOf(0.16f, stiffness);  // 2.5 soft, 1 at 0.5, 0.4 stiff
+    compliance = complianceOf(stiffness);
+    addTable(forces.stiffness, forces.weight, dt, 1);
     forceOfKick = massOf(forces.weight) / (omega * omega * compliance * kMaxBend * std::max(dt, 1e-6f));
+  }
+
+  // Of the other types, against type 0.
+  void addTypes(const BendForces& forces, float dt) {
+    const float pull = glm::length(finiteOr0(forces.gravity)) * pullOf(forces.weight);
+    for (const TypeForces& type : forces.others) addTable(type.stiffness, type.weight, dt, pull > 0 ? unitOr0(type.gravity) * pullOf(type.weight) / pull : 0);
+  }
+
+ private:
+  // Sheppard 5.2.1 gives every coat a floor of weight, the rest is the type's own.
+  static float pullOf(float weight) { return 0.5f + unitOr0(weight); }
+  static float complianceOf(float stiffness) { return 2.5f * powerOf(0.16f, stiffness); }  // 2.5 soft, 1 at 0.5, 0.4 stiff
+  void addTable(float stiffness, float weight, float dt, float heavier) {
+    const float yields = wet.empty() ? 1 : complianceOf(unitOr0(stiffness)) / compliance;
+    for (WetRow row : wetTable(stiffness, weight, dt)) {
+      row.weight *= heavier;
+      row.yields = yields;
+      wet.push_back(row);
+    }
   }
 };
 
@@ -103,6 +122,8 @@ void BendField::reset(const std::vector<Vec3>& positions, const std::vector<Vec3
   velocities_.assign(count_, Vec3(0));
   lengths_.assign(Columns::padded(count_), 1.0f);
   wetness_.clear();
+  types_.clear();
+  levels_.clear();
   out_.assign(count_, Vec4(0, 0, 0, 1));
   shownForces_.clear();
   for (Columns* columns : {&rests_, &chords_, &sets_, &tangents_, &firstRests_, &firstChords_}) columns->clear();
@@ -254,7 +275,7 @@ struct BendField::FourStrands {
 [[gnu::always_inline]] inline void BendField::findTarget(FourStrands& four, const StepForces& common) {
   const bool combed = !rests_.empty();
   const Lanes3 force = combed ? uprighted(four.force, four.chord, four.direction) : four.force;
-  Lanes3 target = clampLength(across(force, four.direction) * splat(common.compliance), 1.0f) * splat(kMaxBend);
+  Lanes3 target = clampLength(across(force, four.direction) * (splat(common.compliance) * four.water.yields), 1.0f) * splat(kMaxBend);
   if (combed) target = clampLength(rests_.lanes(four.first) + target, kMaxBend);
   four.target = four.targetUntouched = target;
   if (sets_.empty()) return;
@@ -306,16 +327,16 @@ struct BendField::FourStrands {
 // Swing: one step. Jump: to the equilibrium of the forces, with what touch has left.
 void BendField::advanceBlock(const StepForces& common, std::size_t number, Advance how) {
   Block& block = blocks_[number];
-  const bool wet = !wetness_.empty(), swings = how == Advance::Swing, pressed = swings && reached(block);
-  // Neighbours are as wet as each other, mostly.
-  std::uint32_t levels = 0;
+  const bool differ = !levels_.empty(), swings = how == Advance::Swing, pressed = swings && reached(block);
+  // Neighbours are as wet as each other and of one type, mostly.
+  std::array<std::uint16_t, kLanes> levels{};
   FourStrands four;
-  four.water = wetLanes(common.wet, reinterpret_cast<const std::uint8_t*>(&levels));
+  four.water = wetLanes(common.wet, levels.data());
   Lanes worstAngle = splat(0.0f), worstSpeed = splat(0.0f);  // squared
   block.touched = false;
   for (std::size_t i = number * Columns::kBlock; i < (number + 1) * Columns::kBlock; i += kLanes) {
-    if (wet && std::memcmp(&levels, &levels_[i], kLanes) != 0) {
-      std::memcpy(&levels, &levels_[i], kLanes);
+    if (differ && std::memcmp(levels.data(), &levels_[i], sizeof levels) != 0) {
+      std::memcpy(levels.data(), &levels_[i], sizeof levels);
       four.water = wetLanes(common.wet, &levels_[i]);
     }
     four.first = i;
@@ -359,12 +380,28 @@ void BendField::advance(const StepForces& common, Advance how) {
 bool BendField::takeWetness(const std::vector<float>& wetness) {
   const auto first = wetness.begin(), last = wetness.end();
   const bool wet = wetness.size() == count_ && std::any_of(first, last, [](float w) { return w > 0.0f; });
-  if (!wet) return !std::exchange(wetness_, {}).empty();
-  if (wetness_ == wetness) return false;
-  wetness_ = wetness;
-  levels_.assign(Columns::padded(count_), 0);
-  std::transform(first, last, levels_.begin(), [](float w) { return static_cast<std::uint8_t>(unitOr0(w) * kWetLevels + 0.5f); });
+  if (wet ? wetness_ == wetness : wetness_.empty()) return false;
+  wetness_ = wet ? wetness : std::vector<float>();
+  findLevels();
   return true;
+}
+
+void BendField::findLevels() {
+  levels_.clear();
+  if (wetness_.empty() && types_.empty()) return;
+  levels_.assign(Columns::padded(count_), 0);
+  for (std::size_t i = 0; i < count_; ++i) {
+    if (!wetness_.empty()) levels_[i] = static_cast<std::uint16_t>(unitOr0(wetness_[i]) * kWetLevels + 0.5f);
+    if (!types_.empty()) levels_[i] = static_cast<std::uint16_t>(levels_[i] + types_[i] * (kWetLevels + 1));
+  }
+}
+
+void BendField::setTypes(std::vector<std::uint8_t> types) {
+  FUR_ASSERT(types.empty() || types.size() == count_, "BendField::setTypes()", "one a vertex, or none", types.size());
+  if (types == types_) return;
+  types_ = std::move(types);
+  findLevels();
+  wake();
 }
 
 // Seconds that passed without a motion: only what touch has left matters.
@@ -382,7 +419,9 @@ void BendField::jump(const Mat4& given, const BendForces& forces, float seconds)
     poseFelt_ = 0;
   }
   wake();
-  advance(StepForces(modelToWorld, forces, forces.wind.mean(), seconds), Advance::Jump);
+  StepForces common(modelToWorld, forces, forces.wind.mean(), seconds);
+  if (!types_.empty()) common.addTypes(forces, seconds);
+  advance(common, Advance::Jump);
 }
 
 void BendField::step(float dt, const Mat4& given, const BendForces& forces, const std::vector<float>& wetness,
@@ -401,6 +440,7 @@ void BendField::step(float dt, const Mat4& given, const BendForces& forces, cons
   const Mat3 toModel = glm::transpose(rotationOf(middle));
   const Mat3 toModelBefore = lastVelocity_.any() ? glm::transpose(rotationOf(before)) : toModel;
   StepForces common(middle, forces, wind, dt);
+  if (!types_.empty()) common.addTypes(forces, dt);
   common.moving = lastVelocity_.any() || change.any() || poseFelt_ > 0;
   poseFelt_ = std::max(poseFelt_ - 1, 0);
   common.poseDrag = -kDrag * inertia;

@@ -12,6 +12,7 @@
 // The same input gives the same bits on every platform.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -23,6 +24,14 @@
 
 namespace fur::dynamics {
 
+// How one fur type answers to forces.
+struct TypeForces {
+  float gravity = 1;       // strength, 0..1
+  float stiffness = 0.5f;  // 0..1
+  float weight = 0.5f;     // of the coat, FurVolume::weight
+  bool operator==(const TypeForces&) const = default;
+};
+
 struct BendForces {
   Vec3 gravity{0, -1, 0};   // world space, strength included (0..1)
   Wind wind;
@@ -30,6 +39,9 @@ struct BendForces {
   float inertia = 0.5f;     // 0..1
   float weight = 0.5f;      // of the coat, FurVolume::weight
   float furLength = 0.12f;  // of the longest strand, model units: where a contact meets it
+  // Of the types 1, 2.. of setTypes(); gravity, stiffness and weight above are those of type 0. Its direction is that of `gravity`,
+  // which is not 0 then.
+  std::array<TypeForces, 3> others{};
   bool operator==(const BendForces&) const = default;
 };
 
@@ -43,6 +55,8 @@ class BendField {
   // And its fur length as a share of the longest, which bends() passes on in w; empty: 1. For the shape given to reset().
   // Bends change with the next step() or settle().
   void setRest(const std::vector<Vec3>& rests, const std::vector<float>& lengths);
+  // The fur type that most grows at each vertex, 0 to 3; empty: 0 everywhere. Likewise.
+  void setTypes(std::vector<std::uint8_t> types);
   // The current shape of an animated model, finite values for each vertex: bends turn with the skin, and the next step takes
   // the vertices' motion into account. reset() must have had tangents.
   void setPose(std::span<const Vec3> positions, std::span<const Vec3> directions, std::span<const Vec3> tangents);
@@ -87,6 +101,7 @@ class BendField {
   void placeRests();
   void wake();
   bool reached(const Block& block) const;
+  void findLevels();
   bool takeWetness(const std::vector<float>& wetness);
   void jump(const Mat4& modelToWorld, const BendForces& forces, float seconds);
   struct FourStrands;
@@ -105,7 +120,8 @@ class BendField {
   Columns sets_;                      // what touch has added to the rests; empty: nothing
   std::vector<float> lengths_;
   std::vector<float> wetness_;        // as it was given; empty: dry
-  std::vector<std::uint8_t> levels_;  // of wetness, where there is any
+  std::vector<std::uint8_t> types_;   // as they were given
+  std::vector<std::uint16_t> levels_;  // rows of StepForces::wet, where any vertex is wet or of another type than 0
   std::vector<Vec4> out_;
   std::vector<Vec4> shownForces_;
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "dynamics/Lanes.h"
 
@@ -16,6 +17,7 @@ struct WetRow {
   float xx, xv, vx, vv;
   float setLeft;           // of what touch has left
   float weight, catching;  // factors of gravity and of wind
+  float yields = 1;        // factor of how far a force bends it
 };
 using WetTable = std::array<WetRow, kWetLevels + 1>;
 
@@ -28,17 +30,17 @@ float massOf(float weight);
 float powerOf(float base, float exponent);
 
 struct WetLanes {
-  Lanes xx, xv, vx, vv, setLeft, weight, catching;
+  Lanes xx, xv, vx, vv, setLeft, weight, catching, yields;
 };
-// Of four strands; `levels`: their wetness in kWetLevels-ths.
-inline WetLanes wetLanes(const WetTable& table, const std::uint8_t* levels) {
+// Of four strands; `levels`: which of the rows is theirs.
+inline WetLanes wetLanes(const std::vector<WetRow>& table, const std::uint16_t* levels) {
   const WetRow* rows[kLanes];
   for (std::size_t k = 0; k < kLanes; ++k) rows[k] = &table[levels[k]];
   const auto of = [&](float WetRow::*part) {
     return Lanes{rows[0]->*part, rows[1]->*part, rows[2]->*part, rows[3]->*part};
   };
   return {of(&WetRow::xx), of(&WetRow::xv), of(&WetRow::vx), of(&WetRow::vv),
-          of(&WetRow::setLeft), of(&WetRow::weight), of(&WetRow::catching)};
+          of(&WetRow::setLeft), of(&WetRow::weight), of(&WetRow::catching), of(&WetRow::yields)};
 }
 
 }  // namespace fur::dynamics

@@ -8,6 +8,7 @@
 #include "editor/Theme.h"
 #include "editor/Widgets.h"
 #include "scene/Formats.h"
+#include "settings/FurTypes.h"
 #include "settings/Presets.h"
 
 namespace fur::editor {
@@ -37,13 +38,15 @@ void describe(const settings::Preset& preset) {
   ImGui::EndTooltip();
 }
 
-const settings::Preset* pickPreset(const settings::Preset* current, bool tooltips) {
+// `bald`: an item of that name, for types that can be; set where it is picked.
+const settings::Preset* pickPreset(const settings::Preset* current, const char* other, bool tooltips, bool* bald) {
   const settings::Preset* picked = nullptr;
   ImGui::SetNextItemWidth(-1);
-  if (!ImGui::BeginCombo("##preset", current ? current->label : "Custom coat", ImGuiComboFlags_HeightLargest))
+  if (!ImGui::BeginCombo("##preset", current ? current->label : other, ImGuiComboFlags_HeightLargest))
     return nullptr;
   ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, ImVec2(0, 0.5f));
   const ImVec2 size(0, tooltips ? 0 : ImGui::GetFrameHeight());
+  if (bald) *bald = ImGui::Selectable("Bald", false, 0, size);
   for (const settings::Preset& preset : settings::presets()) {
     if (ImGui::Selectable(preset.label, &preset == current, 0, size)) picked = &preset;
     if (tooltips && ImGui::IsItemHovered()) describe(preset);
@@ -98,8 +101,12 @@ std::vector<Command> CoatPanel::draw(const EditorModel& model, settings::Setting
   countTime(model.coat);
   ImGui::SetNextItemOpen(true, ImGuiCond_FirstUseEver);
   if (!groupHeader("Coat")) return commands;
-  if (const auto* preset = pickPreset(settings::presetOf(model.settings), manner.tooltips))
-    commands.push_back(command::ApplyPreset{preset->name});
+  drawType(model, edited, manner.tooltips);
+  const settings::Settings coat = settings::typeCoat(model.settings, type_);
+  bool bald = false;
+  if (const auto* preset = pickPreset(settings::presetOf(coat), coat.density > 0 ? "Custom coat" : "Bald", manner.tooltips, type_ ? &bald : nullptr))
+    commands.push_back(command::ApplyPreset{preset->name, type_});
+  if (bald) settings::makeBald(edited, type_);
   drawSeed(edited.seed, manner.tooltips);
   drawStrands(model);
   ImGui::SetNextItemOpen(manner.roomy, ImGuiCond_FirstUseEver);
@@ -110,6 +117,30 @@ std::vector<Command> CoatPanel::draw(const EditorModel& model, settings::Setting
   if (ImGui::Button(scene::saveLabel(scene::Format::Fo).c_str(), ImVec2(-1, 0))) commands.push_back(command::SaveFo{});
   ImGui::Dummy(ImVec2(0, px(2)));
   return commands;
+}
+
+// Which type is edited here and in the rows of settings; its name; what it has from files.
+void CoatPanel::drawType(const EditorModel& model, settings::Settings& edited, bool tooltips) {
+  if (const int picked = segments("types", {{"Type 1", type_ == 0}, {"2", type_ == 1}, {"3", type_ == 2}, {"4", type_ == 3}}); picked >= 0) type_ = picked;
+  if (tooltips && ImGui::IsItemHovered()) ImGui::SetTooltip("The fur type whose coat is edited, here and in all settings below that each type has");
+  char name[settings::kTypeNameBytes];
+  std::snprintf(name, sizeof name, "%s", settings::typeName(model.settings, type_).data());
+  ImGui::SetNextItemWidth(-1);
+  ImGui::PushID(type_);
+  if (ImGui::InputTextWithHint("##name", "Name of this coat", name, sizeof name)) settings::setTypeName(edited, type_, name);
+  ImGui::PopID();
+  const auto type = static_cast<std::size_t>(type_);
+  const auto file = [&](bool has, const char* what, std::uint32_t& number) {
+    if (!has) return;
+    ImGui::PushID(what);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(what);
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - px(18));
+    if (iconButton("##without", Icon::Close, tooltips ? "Without it" : "", true, px(18))) number = 0;
+    ImGui::PopID();
+  };
+  file(model.typeGiven[type], "Strands of a .fts", edited.typeSets[type]);
+  file(model.typePictured[type], "A colour map", edited.typePictures[type]);
 }
 
 // While a slider is dragged coat follows coat, each with a time of its own.

@@ -22,10 +22,14 @@ class CoatPanel {
   // The panel is closed: nothing of this is on the screen.
   void hide() { shown_.reset(); }
 
+  // The fur type, 0 to 3, that it and the rows of settings edit.
+  int type() const { return type_; }
+
   // What it shows; none while the pictures are closed.
   std::optional<TileView> shownTile() const { return shown_; }
 
  private:
+  void drawType(const EditorModel& model, settings::Settings& edited, bool tooltips);
   void countTime(const CoatView& coat);
   void drawStrands(const EditorModel& model);
   void drawPictures(const CoatView& coat, const Manner& manner);
@@ -37,6 +41,7 @@ class CoatPanel {
   TileChannel channel_ = TileChannel::Coverage;
   float height_ = 0.5f;  // of the layer, 0 skin to 1 tip: keeps its place when the number of layers changes
   bool repeated_ = false;
+  int type_ = 0;
   float growingFor_ = 0;        // seconds that the coat on its way has taken
   std::uint64_t revision_ = 0;  // of the coat before it
 };

@@ -12,6 +12,7 @@
 #include "editor/ToolRows.h"
 #include "editor/Widgets.h"
 #include "scene/Formats.h"
+#include "settings/FurTypes.h"
 
 namespace fur::editor {
 
@@ -48,6 +49,13 @@ constexpr ShippedScene kScenes[] = {
     {"hair-shoulder", "Shoulder-long hair"},
     {"hair-pony", "Pony tail"},
 };
+
+// A type that has just been made "own" begins as what it was.
+void keepChosenTypes(const settings::Settings& before, settings::Settings& edited) {
+  for (int type = 1; type < settings::kFurTypes; ++type)
+    if (settings::isOwn(edited, type) && !settings::isOwn(before, type) && edited.ownTypes == before.ownTypes)
+      settings::setTypeCoat(edited, type, settings::typeCoat(before, type));
+}
 
 void caption(const char* text) {
   ImGui::PushStyleColor(ImGuiCol_Text, color::kDim);
@@ -140,6 +148,14 @@ std::vector<Command> Editor::frame(const EditorModel& model, const ThemeScale& s
   return std::exchange(commands_, {});
 }
 
+// Shows the coat of the type that is edited.
+template <class Draw>
+void Editor::editTyped(settings::Settings& edited, Draw draw) {
+  settings::Settings shown = settings::typeCoat(edited, coat_.type());
+  draw(shown);
+  settings::takeEdited(edited, coat_.type(), shown);
+}
+
 void Editor::drawContent(const EditorModel& model, bool saves) {
   // With its scrollbar always, or rows would get narrower when it comes.
   ImGui::BeginChild("content", ImVec2(0, messagesHeight_ > 0 ? -messagesHeight_ : 0), false, ImGuiWindowFlags_AlwaysVerticalScrollbar);
@@ -154,7 +170,7 @@ void Editor::drawContent(const EditorModel& model, bool saves) {
   ImGui::BeginDisabled(busy);
   for (Command& command : versions_.draw(model)) emit(std::move(command));
   settings::Settings edited = model.settings;
-  drawFrequent(edited, frequent_, !touch_);
+  editTyped(edited, [&](settings::Settings& shown) { drawFrequent(shown, frequent_, !touch_); });
   drawScene(model);
   for (Command& command : coat_.draw(model, edited, {.tooltips = !touch_, .roomy = layout_.roomy()})) emit(std::move(command));
   std::vector<Command> ofGroom = groom_.draw(model, edited, !touch_);
@@ -164,7 +180,8 @@ void Editor::drawContent(const EditorModel& model, bool saves) {
   if (hair_.changesValues()) beginChange();
   for (Command& command : ofHair) emit(std::move(command));
   drawWater(model);
-  drawSettings(edited, model.animations);
+  editTyped(edited, [&](settings::Settings& shown) { drawSettings(shown, model.animations); });
+  keepChosenTypes(model.settings, edited);
   if (edited != model.settings) change(model, edited);
   drawStats(model);
   ImGui::EndDisabled();

@@ -41,6 +41,7 @@ class Editor {
   void setLayout(std::string_view text);
 
   // The pictures of the tile that the panel shows; none while that part of it is closed.
+  int coatType() const { return coat_.type(); }
   std::optional<TileView> shownTile() const { return coat_.shownTile(); }
 
   // Whether the picture of the groom's map is on the screen.
@@ -68,6 +69,8 @@ class Editor {
   void drawShippedScenes(const EditorModel& model);
   void drawWater(const EditorModel& model);
   void drawTools(const EditorModel& model);
+  template <class Draw>
+  void editTyped(settings::Settings& edited, Draw draw);
   void drawSettings(settings::Settings& edited, std::span<const std::string> animations);
   void drawStats(const EditorModel& model);
   void drawSaving(const EditorModel& model);

@@ -156,6 +156,8 @@ struct EditorModel {
   std::size_t cpuBytes = 0, gpuBytes = 0;
   std::span<const float> frameSeconds;  // the last frames, oldest first
   CoatView coat;
+  bool typeGiven[settings::kFurTypes] = {};     // its coat comes from a type set
+  bool typePictured[settings::kFurTypes] = {};  // it has a colour map
   GroomView groom;
   std::vector<MaterialView> materials;  // none: there is one
   HairView hair;
@@ -195,8 +197,9 @@ struct CopyState {};   // settings and camera as text, to the clipboard
 struct PasteState {};  // and from it
 struct ApplyPreset {
   std::string name;  // of settings/Presets.h
+  int type = 0;      // of the fur, 0 to 3
 };
-struct SaveTypeSet {};  // the coat as .fts
+struct SaveTypeSet {};  // the coat of the type that is edited as .fts
 struct SaveFo {};       // the model as .fo
 struct SaveHair {};     // the selected scalp's strands as .hair
 struct SaveScene {};    // all of it as .glb

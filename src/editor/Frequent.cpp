@@ -11,7 +11,7 @@ constexpr std::string_view kWord = "frequent ";
 void Frequent::reset() {
   names_.clear();
   for (const settings::Field& field : settings::fields())
-    if (field.frequent) names_.insert(field.name);
+    if (field.has(settings::kFrequent)) names_.insert(field.name);
 }
 
 void Frequent::toggle(const settings::Field& field) {
@@ -20,7 +20,7 @@ void Frequent::toggle(const settings::Field& field) {
 
 bool Frequent::isStandard() const {
   const auto& all = settings::fields();
-  return std::all_of(all.begin(), all.end(), [this](const settings::Field& field) { return has(field) == field.frequent; });
+  return std::all_of(all.begin(), all.end(), [this](const settings::Field& field) { return has(field) == field.has(settings::kFrequent); });
 }
 
 std::string Frequent::text() const {

@@ -8,7 +8,7 @@
 #include "render/passes/background/BackgroundPass.h"
 #include "render/passes/ball/BallPass.h"
 #include "render/passes/ground/GroundPass.h"
-#include "settings/Presets.h"
+#include "settings/FurTypes.h"
 
 namespace fur::render {
 
@@ -51,31 +51,37 @@ void fillLights(const Frame& frame, shared::FrameBlock& block) {
   block.floorLight = Vec4(s.ambient * 0.55f * glm::mix(Vec3(0.6f), bottom, 0.5f) * linearColor(s.groundColor) + around, 1);
 }
 
-void fillTypes(const Frame& frame, const FurDensities& densities, shared::FurBlock& coat) {
+void fillTypes(const Frame& frame, const FurDensities& densities, const TypePictures& pictures, shared::FurBlock& coat) {
   const Vec3 factor(frame.baseColorFactor);
+  coat.densest = *std::max_element(densities.begin(), densities.end());
+  // Strands by a preset's name are lit as those of type 1: all by the greatest density.
+  bool asOne = false;
+  for (int type = 1; type < FUR_TYPES; ++type) asOne |= densities[static_cast<std::size_t>(type)] > 0 && !settings::isOwn(frame.settings, type);
   for (int type = 0; type < FUR_TYPES; ++type) {
-    const settings::Settings look = settings::typeCoat(frame.settings, type);
+    const auto index = static_cast<std::size_t>(type);
+    const settings::Settings look = settings::drawnCoat(frame.settings, type);
     coat.rootColors[type] = Vec4(linearColor(look.rootColor) * factor, 1);
     coat.tipColors[type] = Vec4(linearColor(look.tipColor) * factor, 1);
-    coat.typeGrows[type] = densities[static_cast<std::size_t>(type)] > 0;
+    coat.skinColors[type] = Vec4(linearColor(look.skinColor) * factor, 1);
+    coat.typeGrows[type] = densities[index] > 0;
     coat.typeVariance[type] = look.variance;
-    coat.typeRise[type] = 1 / std::max(settings::typeHeight(frame.settings, type), 1e-6f);
+    coat.typeRise[type] = 1 / std::max(frame.typeHeights[index], 1e-6f);
+    coat.typeDensity[type] = asOne && (type == 0 || !settings::isOwn(frame.settings, type)) ? coat.densest : densities[index];
+    // Where few strands stand, they hardly darken each other and the skin.
+    const float crowding = saturate(coat.typeDensity[type] / kCrowdedDensity);
+    coat.typeShadow[type] = look.strandShadow * crowding;
+    coat.typeOcclusion[type] = look.occlusion * crowding;
+    coat.typeSpecular[type] = look.specular;
+    coat.typeShininess[type] = look.shininess;
+    coat.typeDryShininess[type] = dryShininess(look);
+    coat.typePicture[type] = static_cast<float>(pictures[index]);
   }
-  coat.density = *std::max_element(densities.begin(), densities.end());
 }
 
 void fillShading(const Frame& frame, shared::FurBlock& coat) {
   const settings::Settings& s = frame.settings;
-  // Where few strands stand, they hardly darken each other and the skin.
-  const float crowding = saturate(coat.density / kCrowdedDensity);
-  coat.skinColor = Vec4(linearColor(s.skinColor) * Vec3(frame.baseColorFactor), 1);
   coat.lobePeak = 0.39894228f / strandLobeWidth(s);
   coat.lambert = s.lambert;
-  coat.specular = s.specular;
-  coat.shininess = s.shininess;
-  coat.dryShininess = dryShininess(s);
-  coat.strandShadow = s.strandShadow * crowding;
-  coat.occlusion = s.occlusion * crowding;
   coat.textureAmount = s.textureAmount;
   coat.wetDarkening = s.wetDarkening;
   coat.wetGloss = s.wetGloss;
@@ -105,10 +111,10 @@ shared::FrameBlock frameBlock(const Frame& frame) {
   return block;
 }
 
-shared::FurBlock furBlock(const Frame& frame, int tileSize, int storedLayers, const FurDensities& densities, int maskSize) {
+shared::FurBlock furBlock(const Frame& frame, int tileSize, int storedLayers, const FurDensities& densities, int maskSize, const TypePictures& pictures) {
   const settings::Settings& s = frame.settings;
   shared::FurBlock coat{};
-  coat.furLength = s.furLength;
+  coat.furLength = frame.coatLength;
   coat.tilesPerUnit = s.repeat * 256.0f / static_cast<float>(tileSize);
   coat.layers = static_cast<float>(s.layers);
   coat.shellCount = static_cast<float>(frame.shellCount);
@@ -117,7 +123,7 @@ shared::FurBlock furBlock(const Frame& frame, int tileSize, int storedLayers, co
   coat.chartsOverlap = chartsOverlap(frame);
   coat.clumpShape = s.clumpShape;
   coat.maskTexels = static_cast<float>(maskSize);
-  fillTypes(frame, densities, coat);
+  fillTypes(frame, densities, pictures, coat);
   fillShading(frame, coat);
   return coat;
 }

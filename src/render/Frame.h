@@ -1,6 +1,7 @@
 // What one picture needs besides the uploaded model: plain values, made anew each frame.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -19,6 +20,8 @@ struct CameraPose {
 
 struct Frame {
   settings::Settings settings;
+  float coatLength = 0.12f;  // of the longest strand of all fur types, model units
+  std::array<float, settings::kFurTypes> typeHeights{1, 1, 1, 1};  // of each type, a share of that; 0: bald
   Mat4 worldFromModel{1.0f};  // rigid
   CameraPose camera;
   int width = 1, height = 1;  // pixels of the drawing buffer

@@ -174,6 +174,7 @@ bool Programs::finish(gl::Program& program) {
   program.bindSampler("shapeMap", FUR_UNIT_SHAPE);
   program.bindSampler("lockCentres", FUR_UNIT_LOCK_CENTRES);
   program.bindSampler("baseColor", FUR_UNIT_BASE_COLOR);
+  program.bindSampler("typeColors", FUR_UNIT_TYPE_COLORS);
   program.bindSampler("shadowMap", FUR_UNIT_GROUND);
   program.bindSampler("puddles", FUR_UNIT_PUDDLES);
   program.bindSampler("streaks", FUR_UNIT_STREAKS);
@@ -225,6 +226,7 @@ std::vector<std::pair<Shader, VariantBits>> allVariants() {
       {Shader::HairMap, kPlain},    {Shader::HairWisp, kPlain},   {Shader::HairLine, kPlain},    {Shader::HiddenHairLine, kPlain},
       {Shader::ShadowMap, kPolynomial}, {Shader::ShadowMap, kPolynomial | kShadowLayers},
       {Shader::ShadowMap, kGroomed}, {Shader::ShadowMap, kGroomed | kShadowLayers}, {Shader::ShadowMap, kGroomed | kSkinOnly},
+      {Shader::ShadowMap, kGroomed | kTypes}, {Shader::ShadowMap, kGroomed | kTypes | kShadowLayers}, {Shader::ShadowMap, kGroomed | kTypes | kSkinOnly},
       {Shader::Skin, kPainted}, {Shader::Skin, kPainted | kTextured},
       {Shader::Shell, kPolynomial}, {Shader::Fin, kPolynomial},   {Shader::Whisker, kPolynomial},
   };

@@ -19,7 +19,7 @@ enum Variant : VariantBits {
   kWet = 1 << 0,           // Shell, Fin, Whisker, Skin under fur; Ground: it is wet somewhere
   kTextured = 1 << 1,      // the model has a picture of its own
   kGroomed = 1 << 2,       // Shell, Fin, Skin, ShadowMap: the groom's map says more than full length
-  kTypes = 1 << 3,         // Shell, Fin, Skin: several fur types; groomed, too
+  kTypes = 1 << 3,         // Shell, Fin, Skin, ShadowMap: several fur types; groomed, too
   kMarschner = 1 << 4,     // Shell, Fin, Whisker: strands lit by Marschner's model
   kShadowDepth = 1 << 5,   // Skin, Bare, Shell, Fin, Whisker: receive the fur's shadow, see FurShadow.h; ShadowBlur: makes it
   kShadowLayers = 1 << 6,  // the same with opacity layers; ShadowMap: the layers themselves

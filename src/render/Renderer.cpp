@@ -81,7 +81,7 @@ void Renderer::setFurry(geometry::FurPatches patches, std::span<const float> ver
 
 FurShadow::Key Renderer::furShadowKey(const Frame& frame) const {
   settings::Settings s = frame.settings;
-  if (shells_.empty()) s.furLength = 0;
+  s.furLength = shells_.empty() ? 0 : frame.coatLength;
   const Vec3 light(glm::inverse(frame.worldFromModel) * Vec4(lightDirection(frame), 0));
   // In steps, so that texels stay where they are while hair swings.
   constexpr float kStep = 0.25f;
@@ -89,7 +89,7 @@ FurShadow::Key Renderer::furShadowKey(const Frame& frame) const {
   const float radius = shadowRadius(s.furLength, reach);
   return {static_cast<Shadows>(s.shadows), shadowTexels(frame, radius), lightFromModel(light, radius),
           volumeShadow(s, fur_.density(), reach),
-          curveVariant(s) | (frame.groomed || frame.types ? kGroomed : kPlain),
+          curveVariant(s) | (frame.groomed || frame.types ? kGroomed : kPlain) | (frame.types ? kTypes : kPlain),
           surface_.revision() + maps_.revision() + fur_.revision() + hair_->revision(),
           frame.ball, frame.ball.w > 0 ? frame.worldFromModel : Mat4(1.0f)};
 }
@@ -99,7 +99,7 @@ void Renderer::uploadBlocks(const Frame& frame, const FurShadow::Key& shadow) {
   for (std::size_t i = 0; i < materials_.count(); ++i) {
     if (materials_.isBare(i) && i != materials_.main()) continue;
     of.baseColorFactor = materials_.at(i).baseColor;
-    materials_.updateCoat(i, furBlock(of, fur_.size(), fur_.layers(), fur_.densities(), maps_.maskSize()));
+    materials_.updateCoat(i, furBlock(of, fur_.size(), fur_.layers(), fur_.densities(), maps_.maskSize(), maps_.typePictures()));
     uploadedBytes_ += sizeof(shared::FurBlock);
   }
   shared::FrameBlock block = frameBlock(frame);
@@ -131,8 +131,8 @@ Status Renderer::draw(const Frame& frame) {
   FUR_ASSERT(surface_.indexCount() > 0, "Renderer::draw()", "a surface", surface_.indexCount());
   const Frame drawn = asDrawn(frame);
   drawnPixels_ = static_cast<long>(drawn.width) * drawn.height;
-  const bool furry = fur_.density() > 0 && frame.settings.furLength > 0 && !shells_.empty();
-  const Look look(drawn, furry, materials_.hasPicture());
+  const bool furry = fur_.density() > 0 && frame.coatLength > 0 && !shells_.empty();
+  const Look look(drawn, furry, materials_.hasPicture() || maps_.hasTypePictures());
   const Drawing drawing{drawn, look, surface_, materials_, programs_, uploadedBytes_};
   hair_->fit(drawn);
   const FurShadow::Key shadow = furShadowKey(drawn);

@@ -64,6 +64,8 @@ class Renderer {
   void showFur(std::span<const float> densities) { fur_.show(densities); }
 
   // See SurfaceMaps.
+  void setTypePictures(std::span<const SurfaceMaps::Picture> pictures) { uploadedBytes_ += maps_.setTypePictures(pictures); }
+  bool hasTypePictures() const { return maps_.hasTypePictures(); }
   void updateMask(const wet::MaskTexels& mask) { uploadedBytes_ += maps_.updateMask(mask); }
   void updateBends(std::span<const Vec4> bends) { uploadedBytes_ += maps_.updateBends(bends); }
   void updateGroom(const groom::GroomMap& map, const geometry::TexelRect& changed) { uploadedBytes_ += maps_.updateGroom(map, changed); }

@@ -23,10 +23,47 @@ std::size_t update(gl::Texture& texture, const groom::GroomMap& map, const geome
   return sizeof(groom::GroomMap::Texel) * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
 }
 
+// Appends it in that size: the mean of the texels that each new one covers, a copy of one where it is larger.
+void addScaled(const SurfaceMaps::Picture& from, int width, int height, std::vector<std::uint8_t>& to) {
+  if (from.width == width && from.height == height) return void(to.insert(to.end(), from.rgba.begin(), from.rgba.end()));
+  const auto first = [](int i, int size, int of) { return static_cast<int>(static_cast<std::int64_t>(i) * of / size); };
+  for (int y = 0; y < height; ++y) {
+    const int y0 = first(y, height, from.height), y1 = std::max(y0 + 1, first(y + 1, height, from.height));
+    for (int x = 0; x < width; ++x) {
+      const int x0 = first(x, width, from.width), x1 = std::max(x0 + 1, first(x + 1, width, from.width));
+      unsigned sum[4] = {};
+      for (int v = y0; v < y1; ++v)
+        for (int u = x0; u < x1; ++u)
+          for (std::size_t c = 0; c < 4; ++c) sum[c] += from.rgba[4 * (static_cast<std::size_t>(v) * static_cast<std::size_t>(from.width) + static_cast<std::size_t>(u)) + c];
+      const auto count = static_cast<unsigned>((y1 - y0) * (x1 - x0));
+      for (const unsigned s : sum) to.push_back(static_cast<std::uint8_t>((s + count / 2) / count));
+    }
+  }
+}
+
 }  // namespace
 
 std::size_t SurfaceMaps::create() {
   return updateGroom(groom::GroomMap(groom::GroomMap::kLeastSize), {});
+}
+
+std::size_t SurfaceMaps::setTypePictures(std::span<const Picture> pictures) {
+  constexpr int kMost = 2048;
+  int width = 0, height = 0, layers = 0;
+  typePictures_ = kNoPictures;
+  for (std::size_t type = 0; type < std::min(pictures.size(), typePictures_.size()); ++type) {
+    if (pictures[type].rgba.empty()) continue;
+    width = std::max(width, std::min(pictures[type].width, kMost));
+    height = std::max(height, std::min(pictures[type].height, kMost));
+    typePictures_[type] = layers++;
+  }
+  typeColors_ = {};
+  if (layers == 0) return 0;
+  std::vector<std::uint8_t> all;
+  for (std::size_t type = 0; type < typePictures_.size(); ++type)
+    if (typePictures_[type] >= 0) addScaled(pictures[type], width, height, all);
+  typeColors_ = gl::Texture({gl::TexelFormat::RGBA8, width, height, layers, gl::Filter::Trilinear, true}, gl::bytesOf(all));
+  return typeColors_.bytes();
 }
 
 std::size_t SurfaceMaps::updateMask(const wet::MaskTexels& mask) {
@@ -76,11 +113,12 @@ void SurfaceMaps::bind(const Frame& frame) const {
   groom_.bind(FUR_UNIT_GROOM);
   if (frame.painted) paint_.bind(FUR_UNIT_PAINT);
   if (frame.shaped) shape_.bind(FUR_UNIT_SHAPE), lockCentres_.bind(FUR_UNIT_LOCK_CENTRES);
+  if (hasTypePictures()) typeColors_.bind(FUR_UNIT_TYPE_COLORS);
 }
 
 std::size_t SurfaceMaps::bytes() const {
   std::size_t sum = 0;
-  for (const gl::Texture* texture : {&mask_, &bends_, &groom_, &paint_, &shape_, &lockCentres_}) sum += texture->bytes();
+  for (const gl::Texture* texture : {&mask_, &bends_, &groom_, &paint_, &shape_, &lockCentres_, &typeColors_}) sum += texture->bytes();
   return sum;
 }
 

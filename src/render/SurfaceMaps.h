@@ -7,7 +7,7 @@
 #include "geometry/AtlasTexels.h"
 #include "gl/Objects.h"
 #include "groom/Groom.h"
-#include "render/Frame.h"
+#include "render/Blocks.h"
 #include "wet/MaskTexels.h"
 
 namespace fur::render {
@@ -17,6 +17,12 @@ class SurfaceMaps {
  public:
   // Fur of full length everywhere. Needs a context.
   std::size_t create();
+  // A colour map of each fur type, straight RGBA8 in sRGB; empty: it has none. All are made as large as the largest, up to a limit.
+  struct Picture {
+    int width = 0, height = 0;
+    std::span<const std::uint8_t> rgba{};
+  };
+  std::size_t setTypePictures(std::span<const Picture> pictures);
   // A mask of another size than the one before comes whole.
   std::size_t updateMask(const wet::MaskTexels& mask);
   // One a vertex; w: length of the fur there, a share; for View::Forces the forces.
@@ -28,13 +34,16 @@ class SurfaceMaps {
 
   // Those that the frame's shaders read, to their units.
   void bind(const Frame& frame) const;
+  bool hasTypePictures() const { return typeColors_.bytes() > 0; }
+  const TypePictures& typePictures() const { return typePictures_; }
   int maskSize() const { return mask_.shape().width; }
   // Another number whenever strands stand otherwise: bends or groom are others.
   unsigned long revision() const { return revision_; }
   std::size_t bytes() const;
 
  private:
-  gl::Texture mask_, bends_, groom_, paint_, shape_, lockCentres_;
+  gl::Texture mask_, bends_, groom_, paint_, shape_, lockCentres_, typeColors_;
+  TypePictures typePictures_ = kNoPictures;
   unsigned long revision_ = 0;
 };
 

@@ -1,9 +1,10 @@
 // The fur of a mesh in a file.
 //
 // A .glb has it in the extension WETFUR_fur (WETFUR_fur.schema.json in this folder): the state of the program, groom and
-// wetness as maps over the mesh's atlas, the comb for each vertex, whiskers, long hair, water, and a coat that was read. A .fo has a length and a type for each vertex.
+// wetness as maps over the mesh's atlas, the comb for each vertex, whiskers, long hair, water, and coats and colour maps of fur types that were read. A .fo has a length and a type for each vertex.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -18,6 +19,19 @@ inline constexpr int kFurVersion = 2;  // of WETFUR_fur
 
 inline constexpr std::size_t kMostWaterBytes = 16u << 20;
 
+struct EncodedImage {
+  std::string mimeType;  // "image/png", "image/jpeg" or "image/webp"; empty: no image
+  std::vector<std::uint8_t> bytes;
+  int width = 0, height = 0;  // from its header
+};
+
+// What a fur type has besides settings.
+struct TypeFiles {
+  std::vector<std::uint8_t> typeSet{};  // a .fts whose coat is drawn; not validated yet
+  EncodedImage picture{};               // its colour map
+  bool empty() const { return typeSet.empty() && picture.bytes.empty(); }
+};
+
 struct FurData {
   std::string state;  // for readState(); "" when there is none
   std::vector<groom::GroomMap::Texel> map, paint{}, mask{}, shape{};  // mapSize * mapSize each, or none
@@ -30,7 +44,7 @@ struct FurData {
   std::vector<Vec4> wetness{};  // wetnessSize * wetnessSize texels as wet::WetnessMask has them, or empty
   int wetnessSize = 0;
   std::vector<std::uint8_t> water{};    // all of it as app::WaterStage saves it; not validated yet; at most kMostWaterBytes
-  std::vector<std::uint8_t> typeSet{};  // a .fts whose coat is drawn; not validated yet
+  std::array<TypeFiles, groom::kTypes> coats{};
   hair::Hairstyle hair{};  // positions in model space
   std::vector<int> bare{};  // materials of the file without fur; -1: primitives without one
   bool hasBare = false;    // a document of several materials, of which `bare` tells

@@ -17,12 +17,6 @@
 
 namespace fur::scene {
 
-struct EncodedImage {
-  std::string mimeType;  // "image/png", "image/jpeg" or "image/webp"; empty: no image
-  std::vector<std::uint8_t> bytes;
-  int width = 0, height = 0;  // from its header
-};
-
 struct Model {
   std::string name;
   geometry::Mesh mesh;         // all meshes of the default scene, transformed by their nodes, fitted to the unit sphere
@@ -34,6 +28,7 @@ struct Model {
   const Material& main() const;
   const EncodedImage& baseColor() const;
   bool isGltf = false;
+  float furLength = 0;         // that the file says of the longest strand, units of the mesh; 0: nothing
   bool hasTexcoords = false;   // the file has texture coordinates for all meshes
   FurData fur;
   Rig rig;                     // its vertices are the mesh's; empty when nothing moves
@@ -67,8 +62,8 @@ Result<Model> importGltf(std::span<const std::uint8_t> bytes, const std::string&
 // the image, glTF from the top. Materials, groups, points, lines and curves are left out, some with a warning.
 Result<Model> importObj(std::span<const std::uint8_t> bytes, const std::string& name);
 
-// Sheppard's .fo, see FoModel.h. Its types become 1, 2, .. in ascending order. If there are more than groom::kTypes, the others
-// become the last one, with a warning.
+// Sheppard's .fo, see FoModel.h. Types that are none of 1 to 4 become 1, 2, .. in ascending order, all of them, and none is bald; if
+// there are more than groom::kTypes, the others become the last one, with a warning.
 Result<Model> importFo(std::span<const std::uint8_t> bytes, const std::string& name);
 
 // A glTF document as it was read.

@@ -4,6 +4,7 @@
 
 #include "core/NumberText.h"
 #include "core/Json.h"
+#include "settings/FurTypes.h"
 
 namespace fur::scene {
 
@@ -73,6 +74,8 @@ std::string writeState(const ProgramState& state) {
     out.append(before).append(field.name).append("\":").append(settings::fieldJson(state.settings, field));
     before = ",\"";
   }
+  const std::string ofTypes = settings::typesJson(state.settings);
+  out.append(ofTypes, *before == ',' || ofTypes.empty() ? 0 : 1);
   return out.append("},\"version\":").append(std::to_string(kStateVersion)).append("}");
 }
 

@@ -5,13 +5,14 @@
 
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 #include "core/Result.h"
 
 namespace fur::settings {
 
-// A field's mark in the table.
-inline constexpr bool kFrequent = true;
+// Marks of fields in the table: see settings/Fields.inc.
+inline constexpr unsigned kFrequent = 1, kOfCoat = 2, kOfType = 4 | kOfCoat;
 
 enum class FieldType { Float, Int, Bool, Color, Choice };
 
@@ -23,7 +24,8 @@ struct FieldRow {
   double standard, low, high;
   const char* unit;
   const char* options;  // "a|b|c" of a choice, else ""
-  bool frequent;        // artists change it often
+  unsigned marks;
+  bool has(unsigned mark) const { return (marks & mark) == mark; }
 };
 
 // A row of the table of `Values`.
@@ -53,21 +55,21 @@ std::string rowJson(const FieldRow& field);
 
 // Sets one field; see soundValue().
 template <class Values>
-void setField(Values& values, const FieldOf<Values>& field, double value, Warnings& warnings) {
+void setField(std::type_identity_t<Values>& values, const FieldOf<Values>& field, double value, Warnings& warnings) {
   field.set(values, soundValue(field, value, warnings));
 }
 // The same from text; returns whether the field was set.
 template <class Values>
-bool setFieldText(Values& values, const FieldOf<Values>& field, std::string_view text, Warnings& warnings) {
+bool setFieldText(std::type_identity_t<Values>& values, const FieldOf<Values>& field, std::string_view text, Warnings& warnings) {
   double value = 0;
   if (!readValue(field, text, value, warnings)) return false;
   setField(values, field, value, warnings);
   return true;
 }
 template <class Values>
-std::string fieldText(const Values& values, const FieldOf<Values>& field) { return valueText(field, field.get(values)); }
+std::string fieldText(const std::type_identity_t<Values>& values, const FieldOf<Values>& field) { return valueText(field, field.get(values)); }
 template <class Values>
-std::string fieldJson(const Values& values, const FieldOf<Values>& field) { return valueJson(field, field.get(values)); }
+std::string fieldJson(const std::type_identity_t<Values>& values, const FieldOf<Values>& field) { return valueJson(field, field.get(values)); }
 
 // The last of a choice's options is its greatest value.
 double greatestOption(const char* options);

@@ -17,15 +17,6 @@ constexpr Preset kPresets[] = {
 #undef FUR_PRESET
 };
 
-constexpr std::string_view kGroups[] = {"Fur", "Shape", "Colour"};
-constexpr std::string_view kNotOfThem[] = {"layers", "tileSize", "furMapping", "fins", "seed", "textureAmount"};
-constexpr std::string_view kBeyond[] = {"strandShadow", "occlusion", "specular", "shininess", "gravity", "stiffness"};
-
-template <std::size_t n>
-bool isOneOf(std::string_view text, const std::string_view (&list)[n]) {
-  return std::find(std::begin(list), std::end(list), text) != std::end(list);
-}
-
 using Coats = std::array<Settings, std::size(kPresets)>;
 
 // Each preset over the defaults.
@@ -38,11 +29,6 @@ const Coats& coats() {
   return all;
 }
 
-void copyCoat(const Settings& from, Settings& to) {
-  for (const Field& field : fields())
-    if (belongsToCoat(field)) field.set(to, field.get(from));
-}
-
 }  // namespace
 
 std::span<const Preset> presets() { return kPresets; }
@@ -53,8 +39,9 @@ const Preset* findPreset(std::string_view name) {
   return nullptr;
 }
 
-bool belongsToCoat(const Field& field) {
-  return isOneOf(field.group, kGroups) ? !isOneOf(field.name, kNotOfThem) : isOneOf(field.name, kBeyond);
+void copyCoat(const Values& from, Values& to) {
+  for (const Field& field : fields())
+    if (field.has(kOfCoat)) field.set(to, field.get(from));
 }
 
 std::optional<Settings> applyPreset(const Settings& settings, std::string_view name) {
@@ -66,15 +53,6 @@ std::optional<Settings> applyPreset(const Settings& settings, std::string_view n
   return out;
 }
 
-Settings typeCoat(const Settings& settings, int type) {
-  if (type == 0) return settings;
-  const int chosen = type == 1 ? settings.type2 : type == 2 ? settings.type3 : settings.type4;
-  Settings out = settings;
-  if (chosen == 0) out.density = 0;
-  else copyCoat(coats()[static_cast<std::size_t>(chosen - 1)], out);
-  return out;
-}
-
 int baldType(const Settings& settings) {
   const int types[] = {settings.type4, settings.type3, settings.type2};
   for (int i = 0; i < 3; ++i)
@@ -82,16 +60,10 @@ int baldType(const Settings& settings) {
   return 0;
 }
 
-float typeHeight(const Settings& settings, int type) {
-  if (type == 0) return 1;
-  const Settings coat = typeCoat(settings, type);
-  return coat.density > 0 ? std::min(coat.furLength / std::max(settings.furLength, 1e-6f), 1.0f) : 0;
-}
-
 const Preset* presetOf(const Settings& settings) {
   for (const Preset& preset : kPresets) {
     const Settings& coat = coats()[static_cast<std::size_t>(&preset - kPresets)];
-    const auto differs = [&](const Field& field) { return belongsToCoat(field) && field.get(settings) != field.get(coat); };
+    const auto differs = [&](const Field& field) { return field.has(kOfCoat) && field.get(settings) != field.get(coat); };
     if (std::none_of(fields().begin(), fields().end(), differs)) return &preset;
   }
   return nullptr;

@@ -1,8 +1,7 @@
 // Named coats: each is a few settings over the defaults of the fields of a coat.
 //
-// These fields are the groups Fur, Shape and Colour, and strandShadow, occlusion, specular, shininess, gravity and stiffness,
-// but for layers, tileSize and fins (quality), furMapping (the model), seed, and textureAmount. A preset sets all of
-// them, so that a name gives the same coat whatever was set before, and nothing else.
+// These fields are kOfCoat (Fields.inc). A preset sets all of them, so that a name gives the same coat whatever was set before,
+// and nothing else.
 #pragma once
 
 #include <optional>
@@ -26,19 +25,14 @@ std::span<const Preset> presets();
 // nullptr when there is none.
 const Preset* findPreset(std::string_view name);
 
-// Whether presets set this field.
-bool belongsToCoat(const Field& field);
-
+// Copies the fields that are kOfCoat.
+void copyCoat(const Values& from, Values& to);
 // `settings` with the preset's coat; none when there is no such preset.
 std::optional<Settings> applyPreset(const Settings& settings, std::string_view name);
 
 // The preset whose values these settings have; nullptr when there is none.
 const Preset* presetOf(const Settings& settings);
 
-// The coat of a fur type, 0 to 3: the settings' own, or the presets that type2 to type4 name; density 0 for "bald".
-Settings typeCoat(const Settings& settings, int type);
-// The longest strand of that type as a share of furLength, at most 1 (type 0: 1); 0: the type is bald.
-float typeHeight(const Settings& settings, int type);
 // The last of the types 2 to 4 that grows nothing, by which fur is thinned; 0: all of them grow something.
 int baldType(const Settings& settings);
 

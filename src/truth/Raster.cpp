@@ -128,7 +128,7 @@ class Raster {
 
 // What the lowest layer's mipmaps come to: the share of the skin that roots cover.
 float Raster::rootShare() const {
-  if (scene_.coat.furLength <= 0 || scene_.coat.density <= 0.001f) return 0;
+  if (scene_.coat.furLength <= 0 || scene_.coat.densest <= 0.001f) return 0;
   float area = 0;
   for (const furgen::Strand& strand : scene_.strands.strands) {
     const float radius = scene_.strands.nodesOf(strand)[0].radius;

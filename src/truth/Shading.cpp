@@ -22,12 +22,12 @@ float keyAt(const Scene& scene, const hair::StrandLook& look, const TubeNode& no
 
 }  // namespace
 
-float shareOfOneStrand(const Scene& scene) { return 1 - float(FUR_SHADE_OF_ONE) * scene.coat.strandShadow; }
+float shareOfOneStrand(const Scene& scene) { return 1 - float(FUR_SHADE_OF_ONE) * scene.coat.typeShadow.x; }
 
 hair::StrandLook lookOf(const Scene& scene) {
   const render::shared::FurBlock& c = scene.coat;
-  return {.lambert = c.lambert, .specular = c.specular, .shininess = c.shininess, .dryShininess = c.dryShininess, .strandShadow = c.strandShadow,
-          .occlusion = c.occlusion, .wetDarkening = c.wetDarkening, .wetGloss = c.wetGloss, .density = c.density};
+  return {.lambert = c.lambert, .specular = c.typeSpecular.x, .shininess = c.typeShininess.x, .dryShininess = c.typeDryShininess.x, .strandShadow = c.typeShadow.x,
+          .occlusion = c.typeOcclusion.x, .wetDarkening = c.wetDarkening, .wetGloss = c.wetGloss, .density = c.typeDensity.x};
 }
 
 Vec3 skyLight(const Scene& scene, const Vec3& normal) {
@@ -84,7 +84,7 @@ Vec3 shadeSkin(const Scene& scene, const Vec3& point, const Vec3& normal, float 
     if (furry) share = glm::mix(1.0f, hair::furShadow(0, look.density, nDotL), look.strandShadow);
     share *= shadows.throughHair(scene, point, 0, normal);
   }
-  const Vec3 albedo = Vec3(scene.coat.skinColor) * (1 - 0.5f * roots);
+  const Vec3 albedo = Vec3(scene.coat.skinColors[0]) * (1 - 0.5f * roots);
   const Vec3 color = albedo * (Vec3(scene.frame.keyLight) * (std::max(nDotL, 0.0f) * share) + skyLight(scene, normal));
   return color * (furry ? 1 - look.occlusion : 1.0f);
 }

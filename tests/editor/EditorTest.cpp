@@ -41,7 +41,7 @@ TEST(Editor, WhatArtistsChangeMostStandsAtTheTop) {
   ASSERT_GT(model, 0);
   int count = 0;
   for (const Field& field : settings::fields()) {
-    if (!field.frequent) continue;
+    if (!field.has(settings::kFrequent)) continue;
     const ImGuiID value = ImHashStr("##value", 0, ImHashStr(field.name, 0, section));
     const auto row = heights.find(field.type == settings::FieldType::Color ? ImHashStr("##Text", 0, value) : value);
     ASSERT_NE(row, heights.end()) << field.name;

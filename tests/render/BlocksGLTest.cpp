@@ -37,15 +37,16 @@ std::vector<Member> frameMembers() {
 }
 std::vector<Member> furMembers() {
   return {
-      FUR_MEMBER(FurBlock, rootColors), FUR_MEMBER(FurBlock, tipColors), FUR_MEMBER(FurBlock, typeGrows),
-      FUR_MEMBER(FurBlock, typeVariance), FUR_MEMBER(FurBlock, typeRise), FUR_MEMBER(FurBlock, skinColor),
-      FUR_MEMBER(FurBlock, furLength), FUR_MEMBER(FurBlock, tilesPerUnit), FUR_MEMBER(FurBlock, layers),
-      FUR_MEMBER(FurBlock, shellCount), FUR_MEMBER(FurBlock, tileTexels), FUR_MEMBER(FurBlock, storedLayers),
-      FUR_MEMBER(FurBlock, density), FUR_MEMBER(FurBlock, maskTexels), FUR_MEMBER(FurBlock, lambert),
-      FUR_MEMBER(FurBlock, specular), FUR_MEMBER(FurBlock, shininess), FUR_MEMBER(FurBlock, dryShininess),
-      FUR_MEMBER(FurBlock, strandShadow), FUR_MEMBER(FurBlock, occlusion), FUR_MEMBER(FurBlock, textureAmount),
-      FUR_MEMBER(FurBlock, chartsOverlap), FUR_MEMBER(FurBlock, clumpShape), FUR_MEMBER(FurBlock, wetDarkening),
-      FUR_MEMBER(FurBlock, wetGloss), FUR_MEMBER(FurBlock, lobePeak),
+      FUR_MEMBER(FurBlock, rootColors), FUR_MEMBER(FurBlock, tipColors), FUR_MEMBER(FurBlock, skinColors),
+      FUR_MEMBER(FurBlock, typeGrows), FUR_MEMBER(FurBlock, typeVariance), FUR_MEMBER(FurBlock, typeRise),
+      FUR_MEMBER(FurBlock, typeDensity), FUR_MEMBER(FurBlock, typeShadow), FUR_MEMBER(FurBlock, typeOcclusion),
+      FUR_MEMBER(FurBlock, typeSpecular), FUR_MEMBER(FurBlock, typeShininess), FUR_MEMBER(FurBlock, typeDryShininess),
+      FUR_MEMBER(FurBlock, typePicture), FUR_MEMBER(FurBlock, furLength), FUR_MEMBER(FurBlock, tilesPerUnit),
+      FUR_MEMBER(FurBlock, layers), FUR_MEMBER(FurBlock, shellCount), FUR_MEMBER(FurBlock, tileTexels),
+      FUR_MEMBER(FurBlock, storedLayers), FUR_MEMBER(FurBlock, densest), FUR_MEMBER(FurBlock, maskTexels),
+      FUR_MEMBER(FurBlock, lambert), FUR_MEMBER(FurBlock, textureAmount), FUR_MEMBER(FurBlock, chartsOverlap),
+      FUR_MEMBER(FurBlock, clumpShape), FUR_MEMBER(FurBlock, wetDarkening), FUR_MEMBER(FurBlock, wetGloss),
+      FUR_MEMBER(FurBlock, lobePeak),
   };
 }
 std::vector<Member> hairMembers() {

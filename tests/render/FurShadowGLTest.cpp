@@ -98,7 +98,7 @@ class Lit {
     coat.tilesPerUnit = coat.tileTexels = 1;
     coat.layers = 16;
     coat.storedLayers = 8;
-    coat.density = 0.5f;
+    coat.typeDensity.x = 0.5f;
     frameBlock_ = gl::Buffer(gl::BufferKind::Uniform, gl::bytesOf(frame_), true);
     coatBlock_ = gl::Buffer(gl::BufferKind::Uniform, gl::bytesOf(coat), true);
   }

@@ -40,13 +40,13 @@ shared::FrameBlock frameOfLook() {
 }
 shared::FurBlock coatOfLook() {
   shared::FurBlock coat{};
-  coat.density = kLook.density;
+  coat.typeDensity.x = kLook.density;
   coat.lambert = kLook.lambert;
-  coat.specular = kLook.specular;
-  coat.shininess = kLook.shininess;
-  coat.dryShininess = kLook.dryShininess;
-  coat.strandShadow = kLook.strandShadow;
-  coat.occlusion = kLook.occlusion;
+  coat.typeSpecular.x = kLook.specular;
+  coat.typeShininess.x = kLook.shininess;
+  coat.typeDryShininess.x = kLook.dryShininess;
+  coat.typeShadow.x = kLook.strandShadow;
+  coat.typeOcclusion.x = kLook.occlusion;
   coat.layers = kLayers;
   coat.clumpShape = kClumpShape;
   coat.wetDarkening = kLook.wetDarkening;

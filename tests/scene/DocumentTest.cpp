@@ -89,7 +89,7 @@ FurData furOn(const Model& model) {
   fur.wetnessSize = 16;
   fur.wetness.assign(16 * 16, Vec4(0.5f, 0.25f, 0.1f, 0.75f));
   for (int i = 0; i < 1001; ++i) fur.water.push_back(static_cast<std::uint8_t>(i < 500 ? 0 : i));
-  fur.typeSet = {1, 2, 3, 4, 5};
+  fur.coats[0].typeSet = {1, 2, 3, 4, 5};
   fur.hair.scalps.resize(1);
   fur.hair.scalps[0].map = groom::GroomMap(32, groom::GroomMap::kBlank);
   fur.hair.bodies = {{Vec3(0.1f, 0.2f, 0.3f), Vec3(0.3f), 0.25f, model.rig.moves() ? 2 : -1}, {Vec3(0), Vec3(0), 0.5f, -1}};
@@ -147,7 +147,7 @@ TEST(Document, TheFurOnItComesBackToTheBit) {
   EXPECT_EQ(b.fur.comb, file.fur.comb);
   EXPECT_EQ(b.fur.whiskers[0].root, file.fur.whiskers[0].root);
   EXPECT_EQ(b.fur.water, file.fur.water);
-  EXPECT_EQ(b.fur.typeSet, file.fur.typeSet);
+  EXPECT_EQ(b.fur.coats[0].typeSet, file.fur.coats[0].typeSet);
   ASSERT_EQ(b.fur.hair.bodies.size(), 2u);
   EXPECT_EQ(b.fur.hair.bodies[0].a, file.fur.hair.bodies[0].a);
   EXPECT_EQ(b.rig.nodes[static_cast<std::size_t>(b.fur.hair.bodies[0].bone)].source, 2u) << "it goes with the same node";

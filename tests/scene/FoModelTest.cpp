@@ -124,7 +124,8 @@ TEST(FoModel, SaysOnceThatItTellsOnlyFourTypesApart) {
 TEST(FoModel, OfASurfaceHoldsItsTrianglesAndItsFurCoordinatesTimesTheRepeat) {
   const auto surface = geometry::buildSurface(geometry::makeTorus());
   ASSERT_TRUE(surface);
-  const FoModel fo = foFromSurface(surface.value(), 4.0f);
+  const std::size_t count = surface.value().vertices.size();
+  const FoModel fo = foFromSurface(surface.value(), 4.0f, {std::vector<float>(count, 0.25f), std::vector<int>(count, 2)});
   ASSERT_EQ(fo.faces.size(), surface.value().triangleCount());
   EXPECT_LT(fo.positions.size(), surface.value().vertices.size());  // its seams are closed again
   for (std::size_t t = 0; t < fo.faces.size(); ++t)
@@ -134,15 +135,16 @@ TEST(FoModel, OfASurfaceHoldsItsTrianglesAndItsFurCoordinatesTimesTheRepeat) {
       ASSERT_EQ(fo.positions[v], vertex.position);
       ASSERT_EQ(fo.normals[v], vertex.normal);
       ASSERT_EQ(fo.texcoords[texcoord].fur, vertex.fur * 4.0f);
-      ASSERT_EQ(fo.length[v], 1.0f);
-      ASSERT_EQ(fo.furType[v], 0);
+      ASSERT_EQ(fo.length[v], 0.25f);
+      ASSERT_EQ(fo.furType[v], 2);
     }
 }
 
 TEST(FoModel, OfASurfaceOpensAsTheSameSurface) {
   const auto surface = geometry::buildSurface(geometry::makeTorus());
   ASSERT_TRUE(surface);
-  const auto model = importFo(writeFo(foFromSurface(surface.value(), 1.0f)), "torus.fo");
+  const std::size_t count = surface.value().vertices.size();
+  const auto model = importFo(writeFo(foFromSurface(surface.value(), 1.0f, {std::vector<float>(count, 0.25f), std::vector<int>(count, 1)})), "torus.fo");
   ASSERT_TRUE(model) << model.error().message;
   ASSERT_EQ(model.value().mesh.triangleCount(), surface.value().triangleCount());
   for (std::size_t i = 0; i < surface.value().indices.size(); ++i) {

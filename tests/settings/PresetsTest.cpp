@@ -5,21 +5,13 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "core/Random.h"
 #include "scene/StateJson.h"
+#include "tests/settings/RandomSettings.h"
 
 namespace fur::settings {
 namespace {
 
 using Json = nlohmann::json;
-
-Settings randomSettings(std::uint64_t seed) {
-  Random random(seed);
-  Settings out;
-  Warnings warnings;
-  for (const Field& field : fields()) setField(out, field, field.low + (field.high - field.low) * random.uniform(), warnings);
-  return out;
-}
 
 TEST(Presets, AreTheElevenCoats) {
   std::set<std::string> names, labels;
@@ -47,7 +39,7 @@ TEST(Presets, SetOnlyFieldsOfTheCoatAndWhatTheySetIsInRange) {
     for (const auto& [name, value] : preset["settings"].items()) {
       const Field* field = findField(name);
       ASSERT_TRUE(field) << name;
-      EXPECT_TRUE(belongsToCoat(*field)) << preset["name"] << ' ' << name;
+      EXPECT_TRUE(field->has(kOfCoat)) << preset["name"] << ' ' << name;
       Settings settings;
       Warnings warnings;
       EXPECT_TRUE(setField(settings, name, value.is_string() ? value.get<std::string>() : value.dump(), warnings));
@@ -59,12 +51,12 @@ TEST(Presets, SetOnlyFieldsOfTheCoatAndWhatTheySetIsInRange) {
 TEST(Presets, LeaveAloneWhatIsNotTheCoat) {
   for (const char* kept : {"layers", "tileSize", "furMapping", "fins", "seed", "textureAmount", "lightYaw", "ambient", "exposure",
                            "brushRadius", "dryRate", "wind", "inertia", "backgroundTop", "view"})
-    EXPECT_FALSE(belongsToCoat(*findField(kept))) << kept;
+    EXPECT_FALSE(findField(kept)->has(kOfCoat)) << kept;
   const Settings before = randomSettings(3);
   for (const Preset& preset : presets()) {
     const Settings after = *applyPreset(before, preset.name);
     for (const Field& field : fields())
-      if (!belongsToCoat(field)) EXPECT_EQ(field.get(after), field.get(before)) << preset.name << ' ' << field.name;
+      if (!field.has(kOfCoat)) EXPECT_EQ(field.get(after), field.get(before)) << preset.name << ' ' << field.name;
   }
 }
 
@@ -74,7 +66,7 @@ TEST(Presets, GiveTheSameCoatWhateverWasThereBefore) {
     for (int seed = 0; seed < 20; ++seed) {
       const Settings after = *applyPreset(randomSettings(seed), preset.name);
       for (const Field& field : fields())
-        if (belongsToCoat(field)) ASSERT_EQ(field.get(after), field.get(clean)) << preset.name << ' ' << field.name;
+        if (field.has(kOfCoat)) ASSERT_EQ(field.get(after), field.get(clean)) << preset.name << ' ' << field.name;
     }
     EXPECT_EQ(*applyPreset(clean, preset.name), clean);
   }
@@ -111,25 +103,6 @@ TEST(Presets, ThereIsNoneOfAnUnknownName) {
   const std::string warning = unknownPreset("fox");
   EXPECT_NE(warning.find("\"fox\""), std::string::npos);
   for (const Preset& preset : presets()) EXPECT_NE(warning.find(preset.name), std::string::npos) << preset.name;
-}
-
-TEST(Presets, AreWhatTheOtherFurTypesCanBe) {
-  Settings settings = randomSettings(4);
-  for (const char* name : {"type2", "type3", "type4"}) {
-    const Field& field = *findField(name);
-    EXPECT_EQ(optionName(field, 0), "bald");
-    EXPECT_EQ(optionName(field, static_cast<int>(presets().size()) + 1), "") << "no more than there are presets";
-    const int type = name[4] - '1';
-    for (std::size_t i = 0; i < presets().size(); ++i) {
-      EXPECT_EQ(optionName(field, static_cast<int>(i) + 1), presets()[i].name);
-      field.set(settings, static_cast<double>(i) + 1);
-      EXPECT_EQ(presetOf(typeCoat(settings, type)), &presets()[i]);
-      EXPECT_EQ(typeCoat(settings, type).tileSize, settings.tileSize);
-    }
-    field.set(settings, 0);
-    EXPECT_EQ(typeCoat(settings, type).density, 0);
-  }
-  EXPECT_EQ(typeCoat(settings, 0), settings);
 }
 
 TEST(Presets, DescribeThemselvesAsJson) {

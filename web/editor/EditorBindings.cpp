@@ -158,6 +158,9 @@ FUR_EXPORT void fur_editor_setLayout(App* app, const char* text) {
   withHost(app, [&](EditorHost& host) { return host.setLayout(text), 0; });
 }
 // CSS pixels at the right that the open panel hides; 0 where it is a sheet at the bottom.
+FUR_EXPORT int fur_editor_coatType(App* app) {
+  return withHost(app, [](EditorHost& host) { return host.coatType(); });
+}
 FUR_EXPORT float fur_editor_coveredWidth(App* app) {
   const EditorHost* host = hostOf(app);
   return host ? host->coveredWidth() : 0;
@@ -218,8 +221,8 @@ FUR_EXPORT void fur_editor_message(App* app, const char* text, int isError) {
 // --- work that visitors seldom ask for, so that they need not download it ---
 
 // These give the number of the bytes that they make, which lie at fur_savedBytes() until they are forgotten.
-FUR_EXPORT std::uint32_t fur_saveTypeSet(App* app) {
-  return guarded([&] { return web::keepSaved(app->saveTypeSet()); });
+FUR_EXPORT std::uint32_t fur_saveTypeSet(App* app, int type) {
+  return guarded([&] { return web::keepSaved(app->saveTypeSet(type)); });
 }
 FUR_EXPORT std::uint32_t fur_saveFo(App* app) {
   return guarded([&] { return web::keepSaved(app->saveFo()); });

@@ -29,6 +29,7 @@ export type SettingsField = {
   readonly tooltip?: string;
   /** Whether presets decide about it. */
   readonly coat: boolean;
+  readonly ofType: boolean; // each fur type has its own: "type2.curl"
 } & (
   | { readonly type: 'float' | 'int'; readonly default: number; readonly min: number; readonly max: number }
   | { readonly type: 'bool'; readonly default: boolean }
@@ -248,12 +249,17 @@ export interface WetFurApi extends WetFurMethods {
    */
   loadModel(model: ModelBytes, options?: { name?: string; files?: Iterable<File> }): Promise<void>;
   /**
-   * A type set ({coats}, Sheppard 2004): its coat is drawn until a setting changes that grows another. Waits for
-   * the model. Rejects with a FurError, and then the old coat stays.
+   * A type set ({coats}, Sheppard 2004) for the fur type 1 to 4 (the one that the editor edits, else 1): its coat is drawn until a setting changes that grows
+   * another. Waits for the model. Rejects with a FurError, and then the old coat stays.
    */
-  loadTypeSet(typeSet: ModelBytes, options?: { name?: string }): Promise<void>;
-  /** The coat as .fts. */
-  saveTypeSet(): Promise<Uint8Array>;
+  loadTypeSet(typeSet: ModelBytes, options?: { name?: string; type?: number }): Promise<void>;
+  /** The coat of a fur type, 1 to 4 (1), as .fts. */
+  saveTypeSet(type?: number): Promise<Uint8Array>;
+  /**
+   * A picture as the colour map of a fur type, 1 to 4, in the model's texture coordinates; null takes it away. Other values of
+   * a type are settings such as "type2.curl", "type2.name" or "type2.preset".
+   */
+  setTypePicture(type: number, picture: ModelBytes | null): Promise<void>;
   /** The model with its fur coordinates as .fo (Sheppard 2004). */
   saveFo(): Promise<Uint8Array>;
   /**

@@ -65,10 +65,17 @@ FUR_BLOCK(FrameBlock) {
 FUR_BLOCK(FurBlock) {
   vec4 rootColors[FUR_TYPES];  // linear
   vec4 tipColors[FUR_TYPES];   // linear
+  vec4 skinColors[FUR_TYPES];  // linear
   vec4 typeGrows;      // 0 where the type is bald, else 1
   vec4 typeVariance;   // of colours from strand to strand
   vec4 typeRise;       // the length of the coat as a share of the type's
-  vec4 skinColor;      // linear
+  vec4 typeDensity;    // share of its densest layer that strands cover
+  vec4 typeShadow;     // of strands on what lies below them
+  vec4 typeOcclusion;  // sigma_occ (Silva et al. 2010, Eq. 5)
+  vec4 typeSpecular;
+  vec4 typeShininess;     // exponent p when soaked (Eq. 3)
+  vec4 typeDryShininess;  // and when dry
+  vec4 typePicture;    // layer of its colour map; below 0: it has none
 
   float furLength;     // model units
   float tilesPerUnit;  // fur tiles along a model unit
@@ -77,20 +84,14 @@ FUR_BLOCK(FurBlock) {
 
   float tileTexels;    // along a side of the fur tile
   float storedLayers;  // in its textures
-  float density;       // share of its densest layer that strands cover
+  float densest;       // of typeDensity
   float maskTexels;    // along a side of the wetness mask
 
   float lambert;       // share of it in the light on a strand
-  float specular;
-  float shininess;     // exponent p when soaked (Silva et al. 2010, Eq. 3)
-  float dryShininess;  // and when dry
-
-  float strandShadow;
-  float occlusion;     // sigma_occ (Eq. 5)
   float textureAmount; // share of the model's picture
   float chartsOverlap; // 0 or 1
-
   float clumpShape;    // w (Eq. 1)
+
   float wetDarkening;  // sigma_wet (Eq. 5)
   float wetGloss;      // sigma_spec (Eq. 3)
   float lobePeak;      // 1 / (beta_R sqrt(2 pi)) of Marschner's lobes
@@ -157,6 +158,7 @@ FUR_BLOCK(FurBlock) {
 #define FUR_UNIT_HAIR_POINTS 21
 #define FUR_UNIT_MEMBER_STRANDS 22
 #define FUR_UNIT_STRIPS 23
+#define FUR_UNIT_TYPE_COLORS 28
 
 // Directions over a half turn in which strands are averaged into streaks (furgen/Streaks.h).
 #define FUR_STREAK_TURNS 32.0

@@ -16,6 +16,7 @@
 #include "app/editor/PanelModel.h"
 #include "core/Fnv1a.h"
 #include "scene/Formats.h"
+#include "settings/FurTypes.h"
 #include "settings/Presets.h"
 
 namespace fur::app {
@@ -30,8 +31,8 @@ template <class... F>
 Overloaded(F...) -> Overloaded<F...>;
 
 // "rabbit.fts"; a coat that is no preset's is "coat.fts".
-std::string typeSetName(const App& app) {
-  const settings::Preset* preset = settings::presetOf(app.settings());
+std::string typeSetName(const App& app, int type) {
+  const settings::Preset* preset = settings::presetOf(settings::typeCoat(app.settings(), type));
   return std::string(preset ? preset->name : "coat").append(scene::endingOf(scene::Format::Fts));
 }
 
@@ -296,8 +297,8 @@ void EditorHost::perform(const editor::Command& command) {
       [&](const Redo&) { app_.redo(); },
       [&](const CopyState&) { request(Kind::CopyText, app_.state()); },
       [&](const PasteState&) { request(Kind::PasteRequest); },
-      [&](const ApplyPreset& c) { app_.applyPreset(c.name); },
-      [&](const SaveTypeSet&) { request(Kind::SaveTypeSet, typeSetName(app_)); },
+      [&](const ApplyPreset& c) { app_.applyPreset(c.name, c.type); },
+      [&](const SaveTypeSet&) { request(Kind::SaveTypeSet, typeSetName(app_, coatType())); },
       [&](const SaveFo&) { request(Kind::SaveFo, modelFileName(app_, scene::Format::Fo)); },
       [&](const SaveHair&) { request(Kind::SaveHair, modelFileName(app_, scene::Format::Hair)); },
       [&](const SaveScene&) { request(Kind::SaveScene, modelFileName(app_, scene::Format::Glb)); },

@@ -94,6 +94,9 @@ class EditorHost {
   // Desktop or CSS pixels at the right that the open panel hides with its margin; 0 where it is a sheet.
   float coveredWidth() const { return editor_.covered().x * size_.x / scale_.pixelRatio; }
 
+  // The fur type, 0 to 3, that the panel edits: coats that are opened, dropped or saved are for it.
+  int coatType() const { return editor_.coatType(); }
+
   // --- to and from the platform ---
   std::optional<PlatformCommand> takeCommand();
   void message(std::string text, bool isError);

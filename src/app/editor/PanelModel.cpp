@@ -31,6 +31,11 @@ editor::EditorModel describe(const App& app) {
   model.coat.progress = app.coatProgress();
   model.coat.revision = app.coatRevision();
   model.coat.coverage = app.coverageByHeight();
+  for (int type = 0; type < settings::kFurTypes; ++type) {
+    const auto index = static_cast<std::size_t>(type);
+    model.typeGiven[index] = app.coatGiven(type);
+    model.typePictured[index] = !app.typePicture(model.settings.typePictures[index]).bytes.empty();
+  }
   model.groom.mapSize = app.groomMap().size();
   model.groom.whiskers = static_cast<int>(app.whiskerCount());
   model.groom.plain = !app.groomed();

@@ -4,7 +4,7 @@
 
 #include "furgen/Packing.h"
 #include "groom/Groom.h"
-#include "settings/Presets.h"
+#include "settings/FurTypes.h"
 
 namespace fur::app {
 
@@ -20,7 +20,7 @@ using settings::Settings;
 using furgen::FurParameters;
 
 struct Link {
-  float Settings::*setting;
+  float settings::Values::*setting;
   float FurParameters::*parameter;
 };
 constexpr Link kLinks[] = {
@@ -54,18 +54,19 @@ furgen::FinMaps finOf(const furgen::FurVolume& v) { return {v.finRows, v.finCove
 
 }  // namespace
 
+furgen::FurParameters coatParametersOf(const Settings& settings, int type) {
+  const Settings s = settings::typeCoat(settings, type);
+  furgen::FurParameters p;
+  for (const Link& link : kLinks) p.*link.parameter = s.*link.setting;
+  p.size = 64 << s.tileSize;
+  p.layers = s.layers;
+  p.seed = static_cast<std::uint32_t>(s.seed + type);
+  return p;
+}
+
 CoatParameters coatParameters(const Settings& settings, unsigned types, Warnings* warnings) {
   CoatParameters all;
-  for (int type = 0; type < groom::kTypes; ++type) {
-    const Settings s = settings::typeCoat(settings, type);
-    furgen::FurParameters p;
-    for (const Link& link : kLinks) p.*link.parameter = s.*link.setting;
-    p.size = 64 << s.tileSize;
-    p.layers = s.layers;
-    p.seed = static_cast<std::uint32_t>(s.seed + type);
-    if (!(types >> type & 1)) p = {.density = 0};
-    all.push_back(p);
-  }
+  for (int type = 0; type < groom::kTypes; ++type) all.push_back(types >> type & 1 ? coatParametersOf(settings, type) : furgen::FurParameters{.density = 0});
   while (all.size() > 1 && all.back().density <= 0) all.pop_back();
   const std::size_t layerBytes = static_cast<std::size_t>(all[0].size) * all[0].size * kTexelBytes * all.size() * 4 / 3;
   const int most = static_cast<int>(kMostBytes / layerBytes);
@@ -84,6 +85,8 @@ bool differOnlyInCoat(const Settings& a, Settings b) {
   b.layers = a.layers;
   b.seed = a.seed;
   b.type2 = a.type2, b.type3 = a.type3, b.type4 = a.type4;
+  for (std::size_t i = 0; i < b.ownTypes.size(); ++i)
+    for (const Link& link : kLinks) b.ownTypes[i].*link.setting = a.ownTypes[i].*link.setting;
   return a == b;
 }
 
@@ -119,12 +122,21 @@ furgen::TilePicture DrawnCoat::finPicture(furgen::TileChannel channel) const {
 
 // --- CoatGrowth ---
 
-CoatGrowth::CoatGrowth(CoatParameters types, GivenCoat given) : types_(std::move(types)), given_(std::move(given)) {
+CoatGrowth::CoatGrowth(CoatParameters types, GivenCoats given) : types_(std::move(types)), given_(std::move(given)) {
+  for (std::size_t type = 0; type < given_.size(); ++type)
+    if (type > 0 && (type >= types_.size() || types_[type].density <= 0)) given_[type] = nullptr;  // it is nowhere
   for (FurParameters& p : types_) {
-    if (given_) p.size = given_->size, p.layers = given_->layers;
+    for (const GivenCoat& one : given_)
+      if (one) p.size = one->size, p.layers = one->layers;
     p = furgen::clampedParameters(p);
   }
-  if (!given_) grower_.emplace(types_[0]);
+  beginType();
+}
+
+void CoatGrowth::beginType() {
+  grower_.reset();
+  if (!given()) grower_.emplace(types_[type()]);
+  stage_ = Stage::Grow;
 }
 
 bool CoatGrowth::step(CoatReceiver& receiver) {
@@ -132,7 +144,7 @@ bool CoatGrowth::step(CoatReceiver& receiver) {
   const int type = static_cast<int>(this->type()), layer = static_cast<int>(coverage_.size());
   switch (stage_) {
     case Stage::Grow:
-      if (!isGiven()) {
+      if (!given()) {
         if (!grower_->step(kStrandsAStep)) return false;
         coat_ = std::make_unique<furgen::Coat>(grower_->take());
         painter_.emplace(*coat_);
@@ -140,15 +152,15 @@ bool CoatGrowth::step(CoatReceiver& receiver) {
       stage_ = Stage::Fin;
       return false;
     case Stage::Fin: {
-      const int rows = given_ ? given_->finRows : furgen::finRows(p.layers);
+      const int rows = given() ? given()->finRows : furgen::finRows(p.layers);
       if (type == 0) receiver.begin(p.size, p.layers, rows, static_cast<int>(types_.size()));
-      const furgen::FinMaps fin = isGiven() ? finOf(*given_) : furgen::paintFin(*coat_, rows);
+      const furgen::FinMaps fin = given() ? finOf(*given()) : furgen::paintFin(*coat_, rows);
       receiver.setFin(type, furgen::packLevels(p.size, rows, {fin.coverage, fin.dominance, fin.variance, fin.tangent, {}}));
       stage_ = Stage::Paint;
       return false;
     }
     case Stage::Paint:
-      if (isGiven()) maps_ = layerOf(*given_, layer);
+      if (given()) maps_ = layerOf(*given(), layer);
       else if (!painter_->step(layer, p.layers, maps_)) return false;
       stage_ = Stage::Upload;
       return false;
@@ -162,20 +174,20 @@ bool CoatGrowth::step(CoatReceiver& receiver) {
 }
 
 bool CoatGrowth::finishType(CoatReceiver& receiver) {
-  // Of the layer where strands stand closest: coils are dense above a bare skin.
-  const float density = *std::max_element(coverage_.begin(), coverage_.end());
+  // Of the layer where strands stand closest: coils are dense above a bare skin. A type set says it; 0 would be bald.
+  const float densest = *std::max_element(coverage_.begin(), coverage_.end());
+  const float density = given() && densest > 0 ? std::max(given()->density, 1e-3f) : densest;
   painter_.reset();
-  if (isGiven()) first_ = DrawnCoat(given_, std::move(coverage_));
-  else if (type() == 0) first_ = DrawnCoat(std::move(*coat_), std::move(coverage_));
+  weights_.push_back(given() ? given()->weight : coat_->weight);
+  if (type() == 0) first_ = given() ? DrawnCoat(given(), std::move(coverage_)) : DrawnCoat(std::move(*coat_), std::move(coverage_));
   densities_.push_back(density);
   coverage_.clear();
-  while (type() < types_.size() && types_[type()].density <= 0) densities_.push_back(0);
+  while (type() < types_.size() && types_[type()].density <= 0) densities_.push_back(0), weights_.push_back(0);
   if (type() == types_.size()) {
     receiver.show(densities_);
     return true;
   }
-  grower_.emplace(types_[type()]);
-  stage_ = Stage::Grow;
+  beginType();
   return false;
 }
 

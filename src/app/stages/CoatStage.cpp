@@ -1,5 +1,7 @@
 #include "app/stages/CoatStage.h"
 
+#include <algorithm>
+
 #include "core/Clock.h"
 
 namespace fur::app {
@@ -13,22 +15,23 @@ constexpr double kPatience = 0.4;
 }  // namespace
 
 bool CoatStage::asksForAnother(const Inputs& inputs) const {
-  return changed_ || coatParameters(inputs.settings, inputs.types) != grownFor_;
+  return changed_ || inputs.given != givenFor_ || coatParameters(inputs.settings, inputs.types) != grownFor_;
 }
 
 void CoatStage::begin(const Inputs& inputs, Warnings& warnings) {
   if (!shown_) inputs.receiver->prepare();
   CoatParameters wanted = coatParameters(inputs.settings, inputs.types, &warnings);
-  given_ = given(inputs);
+  givenFor_ = inputs.given;
   grownFor_ = wanted;
   types_ = inputs.types;
   seconds_ = 0;
   changed_ = false;
-  growth_.emplace(std::move(wanted), given_);
+  growth_.emplace(std::move(wanted), inputs.given);
 }
 
 void CoatStage::take() {
   coat_ = growth_->take();
+  weights_ = growth_->weights();
   growth_.reset();
   seconds_ = 0;
   shown_ = true;
@@ -53,14 +56,10 @@ void CoatStage::dropUnlessFor(const Inputs& inputs) {
   if (asksForAnother(inputs)) growth_.reset();
 }
 
-GivenCoat CoatStage::given(const Inputs& inputs) const {
-  return given_ && coatParameters(inputs.settings, inputs.types)[0] == givenFor_[0] ? given_ : nullptr;
-}
-
-void CoatStage::give(GivenCoat volume, const Inputs& inputs) {
-  given_ = std::move(volume);
-  givenFor_ = coatParameters(inputs.settings, inputs.types);
-  changed_ = true;
+std::array<float, settings::kFurTypes> CoatStage::weights() const {
+  std::array<float, settings::kFurTypes> weights{};
+  std::copy(weights_.begin(), weights_.end(), weights.begin());
+  return weights;
 }
 
 void CoatStage::forgetLayers() {

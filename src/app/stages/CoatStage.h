@@ -2,6 +2,7 @@
 // that the picture never waits; the layers go to a receiver, which keeps them (a renderer, or a test).
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -22,10 +23,15 @@ namespace fur::app {
 using CoatParameters = std::vector<furgen::FurParameters>;
 CoatParameters coatParameters(const settings::Settings& settings, unsigned types, Warnings* warnings = nullptr);
 
+// The same of one type, as if it were everywhere; its size and layers as the settings have them.
+furgen::FurParameters coatParametersOf(const settings::Settings& settings, int type);
+
 // Whether everything but the generator's settings is the same: nothing to draw anew before the coat is there.
 bool differOnlyInCoat(const settings::Settings& a, settings::Settings b);
 
+// A coat that was read from a type set; nullptr: none. One a fur type.
 using GivenCoat = std::shared_ptr<const furgen::FurVolume>;
+using GivenCoats = std::array<GivenCoat, settings::kFurTypes>;
 
 // The coat of type 1 that is drawn: grown from settings, or read from a type set.
 class DrawnCoat {
@@ -71,26 +77,29 @@ class CoatReceiver {
 // A coat on its way.
 class CoatGrowth {
  public:
-  // `given`, if any, is the coat of type 1; the others follow its size and layers.
-  CoatGrowth(CoatParameters types, GivenCoat given);
+  // `given` take the place of those that would grow; all follow their size and layers, which are those of the format.
+  CoatGrowth(CoatParameters types, GivenCoats given);
 
   // Some milliseconds of work; returns whether the coat is whole and shown. Not to be called after.
   bool step(CoatReceiver& receiver);
   float progress() const;  // 0..1
   DrawnCoat take() { return std::move(first_); }
+  const std::vector<float>& weights() const { return weights_; }  // one a type, as FurVolume has it
 
  private:
   enum class Stage { Grow, Fin, Paint, Upload };
 
   std::size_t type() const { return densities_.size(); }
-  bool isGiven() const { return given_ && type() == 0; }
+  const GivenCoat& given() const { return given_[type()]; }
+  // The next type that has strands is at work.
+  void beginType();
   // Whether that was the last.
   bool finishType(CoatReceiver& receiver);
 
   CoatParameters types_;
-  GivenCoat given_;
+  GivenCoats given_;
   DrawnCoat first_;
-  std::vector<float> densities_;  // of the types that are whole
+  std::vector<float> densities_, weights_;  // of the types that are whole
   // The type at work, and its layer.
   Stage stage_ = Stage::Grow;
   std::optional<furgen::CoatGrower> grower_;
@@ -105,6 +114,7 @@ class CoatStage {
   struct Inputs {
     const settings::Settings& settings;
     unsigned types = 1;               // those that the groom has anywhere
+    GivenCoats given{};               // in place of grown ones
     CoatReceiver* receiver = nullptr;  // none: nothing grows
     double budget = 1e9;              // seconds of this machine's time; what comes out does not depend on it
   };
@@ -117,9 +127,6 @@ class CoatStage {
   bool active(const Inputs& inputs) const { return growth_ || asksForAnother(inputs); }
   std::uint64_t revision() const { return revision_; }
 
-  // A type set takes the place of type 1's coat until a setting of the generator is another than now.
-  void give(GivenCoat volume, const Inputs& inputs);
-  GivenCoat given(const Inputs& inputs) const;  // nullptr: none
   // The receiver has lost its layers, or is another: all grow anew.
   void forgetLayers();
 
@@ -129,6 +136,8 @@ class CoatStage {
   float progress(const Inputs& inputs) const;
   const DrawnCoat& coat() const { return coat_; }  // that is shown
   unsigned shownTypes() const { return shownTypes_; }
+  // One a type.
+  std::array<float, settings::kFurTypes> weights() const;
 
  private:
   bool asksForAnother(const Inputs& inputs) const;
@@ -136,11 +145,11 @@ class CoatStage {
   void take();
 
   DrawnCoat coat_;
-  GivenCoat given_;
-  CoatParameters givenFor_;
+  std::vector<float> weights_;
   std::optional<CoatGrowth> growth_;
   // What `growth_` or, without it, the coat that is shown was grown for.
   CoatParameters grownFor_;
+  GivenCoats givenFor_;
   unsigned types_ = 1, shownTypes_ = 1;  // likewise; of the coat that is shown
   double seconds_ = 0;  // that growth_ has taken
   bool shown_ = false, changed_ = true;

@@ -10,6 +10,7 @@
 #include "groom/GroomFilters.h"
 #include "groom/MapPictures.h"
 #include "groom/Selection.h"
+#include "settings/FurTypes.h"
 #include "settings/Presets.h"
 
 namespace fur::app {
@@ -39,9 +40,10 @@ void brush(Tool tool, groom::Groom& groom, const groom::GroomSurface& skin, cons
   }
 }
 
-groom::TypeHeights heightsOf(const settings::Settings& settings) {
+groom::TypeHeights heightsOf(const GroomStage::Inputs& inputs) {
+  const float length = settings::coatLength(inputs.settings, inputs.grownTypes);
   groom::TypeHeights heights;
-  for (std::size_t i = 0; i < heights.size(); ++i) heights[i] = settings::typeHeight(settings, static_cast<int>(i));
+  for (std::size_t i = 0; i < heights.size(); ++i) heights[i] = settings::typeHeight(inputs.settings, static_cast<int>(i), length);
   return heights;
 }
 
@@ -87,14 +89,14 @@ bool GroomStage::upright() const {
 // --- of the vertices ---
 
 bool GroomStage::active(const Inputs& inputs) const {
-  return updatedFor_ != revision_ || surfaceFor_ != inputs.shape.surfaceRevision() || (types_ > 1 && heightsOf(inputs.settings) != heights_) ||
+  return updatedFor_ != revision_ || surfaceFor_ != inputs.shape.surfaceRevision() || (types_ > 1 && heightsOf(inputs) != heights_) ||
          combOfAll(inputs.settings) != combOfAll_;
 }
 
 bool GroomStage::update(const Inputs& inputs) {
   if (!active(inputs)) return false;
   const bool otherSurface = noteChange(surfaceFor_, inputs.shape.surfaceRevision());
-  const bool otherHeights = noteChange(heights_, heightsOf(inputs.settings)), otherBare = noteChange(bareFor_, groom_.bare);
+  const bool otherHeights = noteChange(heights_, heightsOf(inputs)), otherBare = noteChange(bareFor_, groom_.bare);
   updatedFor_ = revision_;
   ++verticesRevision_;
   for (std::size_t i = 0; i < changed_.size(); ++i) {
@@ -115,6 +117,10 @@ void GroomStage::readLengths(const ShapeStage& shape) {
   vertexLengths_.clear();
   if (hasLengths()) vertexLengths_ = groom::vertexLengths(groom_.map, shape.surface(), shape.points(), heights_);
   if (std::find(groom_.bare.begin(), groom_.bare.end(), 1) != groom_.bare.end()) groom::keepBare(vertexLengths_, shape.points(), shape.materialOf(), groom_.bare);
+  vertexTypes_.clear();
+  if (types_ == 1) return;
+  for (const geometry::SurfaceVertex& vertex : shape.surface().vertices)
+    vertexTypes_.push_back(static_cast<std::uint8_t>(groom_.map.typeAt(vertex.atlas) - 1));
 }
 
 void GroomStage::readRests(const ShapeStage& shape) {

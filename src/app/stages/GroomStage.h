@@ -26,6 +26,7 @@ class GroomStage {
   struct Inputs {
     const ShapeStage& shape;
     const settings::Settings& settings;  // heights of the types; the comb of all
+    unsigned grownTypes = 1;             // of the coat that is shown: the longest of them is the coat's length
   };
   // Brushes that only programs with an editor have; the viewer's download is spared them.
   struct EditorBrushes {
@@ -52,8 +53,12 @@ class GroomStage {
 
   // --- of the vertices, as of the last update() ---
   std::uint64_t verticesRevision() const { return verticesRevision_; }
+  // Of each type, a share of the coat's length.
+  const groom::TypeHeights& typeHeights() const { return heights_; }
   // Height of the coat, a share of the longest; empty: 1 everywhere.
   const std::vector<float>& vertexLengths() const { return vertexLengths_; }
+  // The type that most grows there, 0 to 3; empty: 0 everywhere.
+  const std::vector<std::uint8_t>& vertexTypes() const { return vertexTypes_; }
   // Bends that the comb, and that of the settings, give, radians in model space; empty: none.
   const std::vector<Vec3>& rests() const { return rests_; }
   unsigned types() const { return types_; }                        // a bit for each that is anywhere
@@ -129,6 +134,7 @@ class GroomStage {
   groom::TypeHeights heights_ = groom::kAllFull;
   Vec3 combOfAll_{0};
   std::vector<float> vertexLengths_;
+  std::vector<std::uint8_t> vertexTypes_;
   std::vector<std::uint8_t> bareFor_;
   std::vector<Vec3> rests_;
   unsigned types_ = 1;

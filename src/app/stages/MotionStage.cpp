@@ -4,6 +4,7 @@
 
 #include "core/NoteChange.h"
 #include "core/PortableMath.h"
+#include "settings/FurTypes.h"
 
 namespace fur::app {
 
@@ -24,6 +25,17 @@ bool MotionStage::gusty(const Inputs& inputs) {
   return (wind(inputs) > 0 && (inputs.settings.gust > 0 || inputs.settings.turbulence > 0)) || breath(inputs) > 0;
 }
 
+// Each type is as heavy and as stiff as its own coat.
+void MotionStage::addTypes(const Inputs& inputs, dynamics::BendForces& f) {
+  // It has the direction of the others' as well.
+  f.gravity.y = std::min(f.gravity.y, -1e-3f);
+  for (std::size_t i = 0; i < f.others.size(); ++i) {
+    const int type = static_cast<int>(i) + 1;
+    const settings::Settings coat = settings::drawnCoat(inputs.settings, type);
+    f.others[i] = {coat.gravity, coat.stiffness, inputs.coatWeights[settings::isOwn(inputs.settings, type) ? i + 1 : 0]};
+  }
+}
+
 dynamics::BendForces MotionStage::forces(const Inputs& inputs) const {
   const settings::Settings& settings = inputs.settings;
   dynamics::BendForces f;
@@ -35,8 +47,9 @@ dynamics::BendForces MotionStage::forces(const Inputs& inputs) const {
   f.wind.time = windClock_;
   f.stiffness = settings.stiffness;
   f.inertia = settings.inertia;
-  f.weight = inputs.coatWeight;
-  f.furLength = settings.furLength;
+  f.weight = inputs.coatWeights[0];
+  if (inputs.groom.types() > 1) addTypes(inputs, f);
+  f.furLength = inputs.coatLength;
   return f;
 }
 
@@ -64,8 +77,10 @@ void MotionStage::follow(const Inputs& inputs) {
     }
     bends_.reset(positions, normals, {shape.firstTangents().begin(), shape.firstTangents().end()});
   }
-  if (noteChange(groomFor_, inputs.groom.verticesRevision()) || otherSurface)
+  if (noteChange(groomFor_, inputs.groom.verticesRevision()) || otherSurface) {
     bends_.setRest(inputs.groom.rests(), inputs.groom.vertexLengths());
+    bends_.setTypes(inputs.groom.vertexTypes());
+  }
   if (noteChange(poseFor_, shape.poseRevision()) && shape.skin())
     bends_.setPose(shape.skin()->positions, shape.skin()->normals, shape.skin()->tangents);
   bends_.showForces(inputs.showForces);

@@ -22,8 +22,9 @@ class MotionStage {
     const ShapeStage& shape;
     const GroomStage& groom;
     WaterStage& water;            // for its wetness at the vertices
-    float coatWeight = 0.5f;      // of the coat that is shown
+    std::array<float, settings::kFurTypes> coatWeights{0.5f, 0.5f, 0.5f, 0.5f};  // of the coat that is shown
     const settings::Settings& settings;
+    float coatLength = 0.12f;     // of the longest strand, model units
     float seconds = 0;            // that have passed
     float idleTime = 0;           // seconds since somebody was there: idle fur breathes, then sleeps
     bool reducedMotion = false;   // no wind, no breathing
@@ -66,6 +67,7 @@ class MotionStage {
   };
   static float breath(const Inputs& inputs);
   static bool gusty(const Inputs& inputs);
+  static void addTypes(const Inputs& inputs, dynamics::BendForces& forces);
   dynamics::BendForces forces(const Inputs& inputs) const;
   Felt felt(const Inputs& inputs) const;
   void follow(const Inputs& inputs);

@@ -64,7 +64,7 @@ wet::Climate WaterStage::climate(const Inputs& inputs) const {
   c.worldFromModel = inputs.worldFromModel;
   c.wind = kWindSpeed * inputs.wind * Vec3(portableSin(settings.windYaw), 0, portableCos(settings.windYaw));
   c.dryRate = settings.stayWet ? 0 : settings.dryRate;
-  c.furLength = settings.furLength;
+  c.furLength = inputs.coatLength;
   c.clumpSize = settings.clumpSize;
   c.groundHeight = inputs.shape.groundHeight();
   c.rain = holds(Tool::Rain) ? std::max(settings.rain, strokes_.back().flow) : settings.rain;

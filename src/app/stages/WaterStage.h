@@ -31,6 +31,7 @@ class WaterStage {
     const GroomStage& groom;  // how the fur lies
     const settings::Settings& settings;
     Mat4 worldFromModel{1.0f};  // rigid
+    float coatLength = 0.12f;   // of the longest strand, model units
     float wind = 0;             // strength of the settings, or 0
     float shaking = 0;          // 0..1: how hard the model shakes itself
     float seconds = 0;          // that have passed

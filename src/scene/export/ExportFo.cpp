@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 
@@ -38,12 +39,22 @@ std::vector<std::uint8_t> writeFo(const FoModel& fo) {
   return bytes;
 }
 
-FoModel foFromSurface(const geometry::Surface& surface, float repeat, std::span<const float> lengths,
-                      std::span<const int> types) {
+namespace {
+
+// From root to tip: an arc whose tip has turned by `bend` leans by half of that.
+Vec3 hairDirection(const Vec3& normal, const Vec3& bend) {
+  const float angle = glm::length(bend);
+  return angle > 0 ? normal * std::cos(0.5f * angle) + bend * (std::sin(0.5f * angle) / angle) : normal;
+}
+
+}  // namespace
+
+FoModel foFromSurface(const geometry::Surface& surface, float repeat, const FoFur& fur) {
   std::vector<Vec3> positions, normals;
-  for (const geometry::SurfaceVertex& v : surface.vertices) {
+  for (std::size_t i = 0; i < surface.vertices.size(); ++i) {
+    const geometry::SurfaceVertex& v = surface.vertices[i];
     positions.push_back(v.position);
-    normals.push_back(v.normal);
+    normals.push_back(fur.bends.empty() ? v.normal : hairDirection(v.normal, fur.bends[i]));
   }
   const geometry::Weld position = geometry::weldPositions(positions), normal = geometry::weldPositions(normals);
   std::vector<Corner> pairs;
@@ -54,8 +65,8 @@ FoModel foFromSurface(const geometry::Surface& surface, float repeat, std::span<
   for (const std::uint32_t vertex : weld.cornerOf) {
     fo.positions.push_back(positions[vertex]);
     fo.normals.push_back(normals[vertex]);
-    fo.length.push_back(lengths.empty() ? 1.0f : lengths[vertex]);
-    fo.furType.push_back(types.empty() ? 0 : types[vertex]);
+    fo.length.push_back(fur.lengths[vertex]);
+    fo.furType.push_back(fur.types[vertex]);
   }
   for (const geometry::SurfaceVertex& v : surface.vertices)
     fo.texcoords.push_back({{v.uv.x, 1.0f - v.uv.y}, v.fur * repeat});

@@ -38,7 +38,7 @@ std::string attributesOf(GlbWriter& writer, const geometry::Mesh& mesh, const Fu
 std::string extensionOf(GlbWriter& writer, const geometry::Mesh& mesh, const FurData& fur) {
   const FurPlace place{.hasAtlas = mesh.atlas.size() == mesh.positions.size(), .ofMaps = mesh.uv.empty() ? ",\"texCoord\":0" : ",\"texCoord\":1", .ofRoot = ""};
   const bool hasMaps = !(fur.map.empty() && fur.paint.empty() && fur.mask.empty() && fur.shape.empty() && fur.wetness.empty() && fur.hair.empty());
-  const bool isPlain = fur.state.empty() && fur.comb.empty() && fur.whiskers.empty() && fur.typeSet.empty() && mesh.furUv.empty();
+  const bool isPlain = fur.state.empty() && fur.comb.empty() && fur.whiskers.empty() && !hasCoats(fur) && mesh.furUv.empty();
   return isPlain && !(hasMaps && place.hasAtlas) ? "" : furExtension(writer, fur, place);
 }
 

@@ -1,6 +1,7 @@
 #include "scene/export/FurExtension.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "core/Json.h"
@@ -59,11 +60,30 @@ std::string groomJson(GlbWriter& writer, const FurData& fur, const std::string& 
   return out + atlas + "}";
 }
 
+// That of type 1 has had a place of its own before the others had any.
+std::string coatsJson(GlbWriter& writer, std::span<const TypeFiles> coats) {
+  std::string out, types;
+  for (const TypeFiles& coat : coats) {
+    const bool first = &coat == coats.data();
+    std::string one;
+    if (!coat.typeSet.empty()) (first ? out : one) += ",\"typeSet\":" + addBytes(writer, coat.typeSet);
+    if (!coat.picture.bytes.empty())
+      one += ",\"picture\":{\"bufferView\":" + addBytes(writer, coat.picture.bytes) + ",\"mimeType\":" + jsonString(coat.picture.mimeType) + "}";
+    types += (first ? "{" : ",{") + (one.empty() ? one : one.substr(1)) + "}";
+  }
+  const bool any = std::any_of(coats.begin(), coats.end(), [&](const TypeFiles& coat) { return !coat.picture.bytes.empty() || (&coat != coats.data() && !coat.empty()); });
+  return any ? out + ",\"types\":[" + types + "]" : out;
+}
+
 std::string waterJson(GlbWriter& writer, const std::vector<std::uint8_t>& water) {
   return ",\"water\":{\"bytes\":" + std::to_string(water.size()) + ",\"bufferView\":" + addBytes(writer, packPlanes(water)) + "}";
 }
 
 }  // namespace
+
+bool hasCoats(const FurData& fur) {
+  return std::any_of(fur.coats.begin(), fur.coats.end(), [](const TypeFiles& coat) { return !coat.empty(); });
+}
 
 std::string furExtension(GlbWriter& writer, const FurData& fur, const FurPlace& place) {
   std::string out = "{\"version\":" + std::to_string(place.version);
@@ -83,7 +103,7 @@ std::string furExtension(GlbWriter& writer, const FurData& fur, const FurPlace& 
     for (const int& material : fur.bare) out += (&material == fur.bare.data() ? "" : ",") + std::to_string(material);
     out += "]";
   }
-  if (!fur.typeSet.empty()) out += ",\"typeSet\":" + addBytes(writer, fur.typeSet);
+  if (hasCoats(fur)) out += coatsJson(writer, fur.coats);
   return out + place.ofRoot + "}";
 }
 

@@ -15,6 +15,9 @@ struct FurPlace {
   int version = 1;
 };
 
+// Whether any fur type has files.
+bool hasCoats(const FurData& fur);
+
 // The extension's value; its views are added.
 std::string furExtension(GlbWriter& writer, const FurData& fur, const FurPlace& place);
 

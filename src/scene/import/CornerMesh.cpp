@@ -124,7 +124,7 @@ CornerWeld buildMesh(CornerLists lists, Model& model) {
     if (normal) mesh.normals[vertex] = normalizeOr(lists.normals[normal - 1], mesh.normals[vertex]);
   }
   model.bounds = geometry::bounds(mesh);
-  geometry::fitToUnitSphere(mesh);
+  weld.scale = geometry::fitToUnitSphere(mesh).scale;
   return weld;
 }
 

@@ -22,6 +22,7 @@ struct CornerLists {
 struct CornerWeld {
   std::vector<std::uint32_t> vertexOf;  // one a corner, vertices in order of first appearance
   std::vector<std::uint32_t> cornerOf;  // one a vertex: its first corner
+  double scale = 1;                     // by which buildMesh() fitted the mesh to the unit sphere
 };
 
 // Indices of the corners, stably sorted by their third, then second, then first number. `limits`: the largest value of each

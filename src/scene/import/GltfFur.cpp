@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "scene/MapPlanes.h"
+#include "scene/Model.h"
 #include "scene/StateJson.h"
 #include "scene/import/GltfHair.h"
+#include "scene/import/ImageHeader.h"
 #include "scene/WetnessPlanes.h"
 
 namespace fur::scene {
@@ -58,6 +60,36 @@ void readWater(const GltfFile& file, const Json& water, FurData& fur) {
   if (bytes > kMostWaterBytes) file.fail(ErrorId::TooLarge, "%s.bytes is %llu; the limit is %zu", where, bytes, kMostWaterBytes);
   fur.water.resize(static_cast<std::size_t>(bytes));
   if (!unpackPlanes(file.bufferView(file.whole(water, "bufferView", where)).bytes, fur.water)) file.bad("%s does not hold %llu bytes", where, bytes);
+}
+
+void readTypeSet(const GltfFile& file, const Json& from, const std::string& where, TypeFiles& coat) {
+  if (!from.find("typeSet")) return;
+  const Bytes bytes = file.bufferView(file.whole(from, "typeSet", where)).bytes;
+  coat.typeSet.assign(bytes.begin(), bytes.end());
+}
+
+void readPicture(const GltfFile& file, const Json& picture, const std::string& where, EncodedImage& out) {
+  if (!picture.isObject()) file.bad("%s is not an object", where.c_str());
+  const Bytes bytes = file.bufferView(file.whole(picture, "bufferView", where)).bytes;
+  const auto header = readImageHeader(bytes);
+  if (!header || header->width == 0 || header->height == 0) file.bad("%s is no PNG, JPEG or WebP", where.c_str());
+  constexpr std::uint32_t kMost = kMaxImageSide;
+  if (header->width > kMost || header->height > kMost)
+    file.fail(ErrorId::TooLarge, "%s has %u x %u texels; the limit is %u along a side", where.c_str(), header->width, header->height, kMost);
+  out = {header->mimeType, {bytes.begin(), bytes.end()}, static_cast<int>(header->width), static_cast<int>(header->height)};
+}
+
+void readTypes(const GltfFile& file, const Json& types, FurData& fur) {
+  if (!types.isArray()) file.bad("WETFUR_fur.types is not an array");
+  if (types.count() > fur.coats.size()) file.fail(ErrorId::TooLarge, "WETFUR_fur.types has %zu elements; the limit is %zu", types.count(), fur.coats.size());
+  std::size_t i = 0;
+  for (const Json& type : types) {
+    const std::string where = "WETFUR_fur.types[" + std::to_string(i) + "]";
+    if (!type.isObject()) file.bad("%s is not an object", where.c_str());
+    readTypeSet(file, type, where, fur.coats[i]);
+    if (const Json* picture = type.find("picture")) readPicture(file, *picture, where + ".picture", fur.coats[i].picture);
+    ++i;
+  }
 }
 
 std::vector<int> readBare(const GltfFile& file, const Json& bare) {
@@ -117,10 +149,8 @@ GltfFur readFur(const GltfFile& file, FurData& fur) {
     fur.hair = hairReader()->read(file, *hair, out.warnings);
     noteAtlas(file, *hair, "WETFUR_fur.hair", out);
   }
-  if (found->find("typeSet")) {
-    const Bytes bytes = file.bufferView(file.whole(*found, "typeSet", "WETFUR_fur")).bytes;
-    fur.typeSet.assign(bytes.begin(), bytes.end());
-  }
+  readTypeSet(file, *found, "WETFUR_fur", fur.coats[0]);
+  if (const Json* types = found->find("types")) readTypes(file, *types, fur);
   if (const Json* bare = found->find("bare")) out.bare = readBare(file, *bare);
   if (const Json* whiskers = found->find("whiskers")) readWhiskers(file, *whiskers, fur);
   return out;

@@ -259,7 +259,7 @@ class Importer {
     FurData kept;
     kept.state = std::move(model_.fur.state);
     kept.comb = std::move(model_.fur.comb);
-    kept.typeSet = std::move(model_.fur.typeSet);
+    kept.coats = std::move(model_.fur.coats);
     if (!fur_.surface) kept.whiskers = std::move(model_.fur.whiskers);
     model_.fur = std::move(kept);
     warn(std::string("groom, wetness and hair are left out: ") + why);

@@ -37,13 +37,13 @@ struct Model {
     motion.settle(motionInputs(0));
   }
   MotionStage::Inputs motionInputs(float seconds) {
-    MotionStage::Inputs inputs{.shape = shape, .groom = groom, .water = water, .coatWeight = coat.coat().weight(), .settings = settings};
+    MotionStage::Inputs inputs{.shape = shape, .groom = groom, .water = water, .coatWeights = coat.weights(), .settings = settings, .coatLength = settings.furLength};
     inputs.seconds = seconds;
     inputs.idleTime = 1000;
     return inputs;
   }
   WaterStage::Inputs waterInputs(float seconds) {
-    WaterStage::Inputs inputs{.shape = shape, .groom = groom, .settings = settings};
+    WaterStage::Inputs inputs{.shape = shape, .groom = groom, .settings = settings, .coatLength = settings.furLength};
     inputs.seconds = seconds;
     return inputs;
   }

@@ -117,7 +117,7 @@ bool FinPass::draw(const Drawing& drawing, VariantBits view) {
   const bool lines = view & kViewEdges;
   const Frame& frame = drawing.frame;
   if (!drawing.look.furry() || !(frame.settings.fins || lines)) return true;
-  select(drawing, lines ? 0 : frame.settings.furLength * pixelsPerUnit(frame));
+  select(drawing, lines ? 0 : frame.coatLength * pixelsPerUnit(frame));
   if (count_ == 0) return true;
   if (!drawing.programs.use(Shader::Fin, drawing.look.fins(view))) return false;
   gl::apply(stateOf(view, {.cullBack = false, .alphaToCoverage = !lines, .alpha = false}));

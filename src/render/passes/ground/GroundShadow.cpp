@@ -55,7 +55,7 @@ bool GroundShadow::blur(Programs& programs) {
 bool GroundShadow::update(const Drawing& drawing, const HairPass& hair) {
   const Frame& frame = drawing.frame;
   if (!frame.settings.ground) return true;
-  const Key key{drawing.surface.revision(), hair.revision(), frame.worldFromModel, lightDirection(frame), frame.settings.furLength, frame.groundHeight,
+  const Key key{drawing.surface.revision(), hair.revision(), frame.worldFromModel, lightDirection(frame), frame.coatLength, frame.groundHeight,
                 frame.ball, frame.puddles.empty() ? Vec3(0) : frame.camera.eye};
   if (key_ == key) return true;
   gl::setViewport(kSize, kSize);

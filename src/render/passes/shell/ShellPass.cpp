@@ -56,7 +56,7 @@ bool ShellPass::draw(const Drawing& drawing, VariantBits view) {
   const Frame& frame = drawing.frame;
   if (!drawing.programs.use(Shader::Shell, drawing.look.shells(view))) return false;
   const bool exploded = view & kViewExploded;
-  order(drawing, frame.settings.furLength + (exploded ? FUR_EXPLODED_SHELLS * FUR_EXPLODED_GAP : 0), chartsOverlap(frame) && !exploded ? Order::NearToFarOverlapping : Order::NearToFar);
+  order(drawing, frame.coatLength + (exploded ? FUR_EXPLODED_SHELLS * FUR_EXPLODED_GAP : 0), chartsOverlap(frame) && !exploded ? Order::NearToFarOverlapping : Order::NearToFar);
   if (indexCount_ == 0) return true;
   gl::apply(stateOf(view, {.alphaToCoverage = true, .alpha = false}));
   drawMaterials(drawing, exploded ? FUR_EXPLODED_SHELLS : view & kViewLayer ? 1 : frame.shellCount);
@@ -73,7 +73,7 @@ void ShellPass::drawMaterials(const Drawing& drawing, int shells) const {
 bool ShellPass::drawClassic(const Drawing& drawing) {
   if (!drawing.look.furry()) return true;
   if (!drawing.programs.use(Shader::ClassicShell, drawing.look.classicFur())) return false;
-  order(drawing, drawing.frame.settings.furLength, Order::FarToNear);
+  order(drawing, drawing.frame.coatLength, Order::FarToNear);
   if (indexCount_ == 0) return true;
   gl::apply({.blend = gl::Blend::Over});
   drawMaterials(drawing, drawing.frame.settings.layers);
