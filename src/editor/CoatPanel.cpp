@@ -121,7 +121,7 @@ std::vector<Command> CoatPanel::draw(const EditorModel& model, settings::Setting
 
 // Which type is edited here and in the rows of settings; its name; what it has from files.
 void CoatPanel::drawType(const EditorModel& model, settings::Settings& edited, bool tooltips) {
-  if (const int picked = segments("types", {{"Type 1", type_ == 0}, {"2", type_ == 1}, {"3", type_ == 2}, {"4", type_ == 3}}); picked >= 0) type_ = picked;
+  if (const int picked = segments("coatTypes", {{"Type 1", type_ == 0}, {"2", type_ == 1}, {"3", type_ == 2}, {"4", type_ == 3}}); picked >= 0) type_ = picked;
   if (tooltips && ImGui::IsItemHovered()) ImGui::SetTooltip("The fur type whose coat is edited, here and in all settings below that each type has");
   char name[settings::kTypeNameBytes];
   std::snprintf(name, sizeof name, "%s", settings::typeName(model.settings, type_).data());

@@ -107,7 +107,7 @@ TEST(Editor, WhatTheProgramTellsMovesNoRow) {
   PanelDriver tall({1280, 4200});
   tall.openGroup("Groom");
   expectToStayPut(tall, tall.rowId("density", "##value"));
-  PanelDriver low({1280, 1200});
+  PanelDriver low({1280, 1240});
   expectToStayPut(low, low.rowId("density", "##value"));
   PanelDriver phone({390, 2000}, {1, true});
   phone.editor.setLayout("width 336 sheet 0.6");

@@ -16,6 +16,7 @@ std::size_t bytesOf(const Step& step) {
   if (const auto* mask = std::get_if<MaskStep>(&step)) return sizeof(Step) + bytesIn(mask->before.texels) + bytesIn(mask->after.texels) + bytesIn(mask->before.film) + bytesIn(mask->after.film) +
            bytesIn(mask->wet) + bytesIn(mask->hairBefore) + bytesIn(mask->hairAfter);
   if (const auto* hair = std::get_if<HairStep>(&step)) return sizeof(Step) + bytesIn(hair->before) + bytesIn(hair->after);
+  if (std::holds_alternative<SettingsStep>(step)) return sizeof(Step) + sizeof(SettingsStep::Both);
   const auto* groom = std::get_if<GroomStep>(&step);
   if (!groom) return sizeof(Step);
   std::size_t bytes = sizeof(Step) + bytesIn(groom->points) + bytesIn(groom->combBefore) + bytesIn(groom->combAfter) +
@@ -47,7 +48,7 @@ template <class Io, class S>
 void carry(Io& io, S& step) {
   using Kind = std::remove_const_t<S>;
   if constexpr (std::is_same_v<Kind, SettingsStep>) {
-    io(step.before, step.after);
+    io(step.both->before, step.both->after);
   } else if constexpr (std::is_same_v<Kind, MaskStep>) {
     io(step.rect, step.before.texels, step.before.film, step.after.texels, step.after.film, step.wet, step.hairBefore, step.hairAfter);
   } else if constexpr (std::is_same_v<Kind, HairStep>) {
@@ -169,7 +170,7 @@ void History::push(Step step, bool mergeable) {
   auto* last = steps_.empty() ? nullptr : std::get_if<SettingsStep>(&steps_.back());
   auto* now = std::get_if<SettingsStep>(&step);
   if (mergeable && last && now) {
-    last->after = now->after;
+    last->both->after = now->both->after;
     return;
   }
   steps_.push_back(std::move(step));

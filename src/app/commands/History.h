@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <span>
 #include <variant>
@@ -18,7 +19,11 @@
 namespace fur::app {
 
 struct SettingsStep {
-  settings::Settings before, after;
+  struct Both {
+    settings::Settings before, after;
+  };
+  // Apart: steps of every kind would be as large.
+  std::unique_ptr<Both> both = std::make_unique<Both>();
 };
 
 // What a mask holds: its texels and the film on them, empty where there is none.
