@@ -115,7 +115,7 @@ export class FurApp {
   /** All of it, and what was done with it, as bytes for another program with the same model. */
   get water() { return this.#saved('fur_saveWater'); }
   set water(bytes) { this.#callOrThrow('fur_restoreWater', bytes, bytes.byteLength); }
-  /** Coats from files and colour maps of fur types, as bytes for another program with the same state; empty without. */
+  /** Coats from files and colour maps of fur types, as bytes for another program with the same state. */
   get typeFiles() { return this.#saved('fur_saveTypeFiles'); }
   set typeFiles(bytes) { this.#callOrThrow('fur_restoreTypeFiles', bytes, bytes.byteLength); }
   /** As bytes, for another program with the same model. */

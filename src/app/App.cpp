@@ -244,7 +244,7 @@ void App::setSettings(const settings::Settings& wanted) {
   if (!s.changeBefore) {
     const settings::Field* field = onlyDifference(s.settings, next);
     const bool mergeable = field && field == s.lastField && s.sinceSettingChange < kMergeTime;
-    s.history.push(SettingsStep{std::make_unique<SettingsStep::Both>(s.settings, next)}, mergeable);
+    s.history.push(SettingsStep{std::make_unique<SettingsStep::Both>(SettingsStep::Both{s.settings, next})}, mergeable);
     s.lastField = field;
     s.sinceSettingChange = 0;
   }
@@ -261,7 +261,7 @@ void App::endChange() {
   if (s.changeBefore) s.endStroke();
   const auto before = std::exchange(s.changeBefore, std::nullopt);
   if (!before || *before == s.settings) return;
-  s.history.push(SettingsStep{std::make_unique<SettingsStep::Both>(*before, s.settings)});
+  s.history.push(SettingsStep{std::make_unique<SettingsStep::Both>(SettingsStep::Both{*before, s.settings})});
   s.lastField = nullptr;
 }
 

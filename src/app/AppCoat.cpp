@@ -81,7 +81,6 @@ void App::provideTypePicture(std::uint32_t number, int width, int height, std::v
 
 std::vector<std::uint8_t> App::saveTypeFiles() const {
   ByteWriter to;
-  if (!state_->shelf.names(state_->settings)) return {};
   for (const scene::TypeFiles& type : state_->shelf.filesOf(state_->settings)) to(type.typeSet, type.picture.bytes);
   return std::move(to.bytes);
 }

@@ -63,11 +63,6 @@ void TypeShelf::provide(std::uint32_t number, int width, int height, std::vector
   ++revision_;
 }
 
-bool TypeShelf::names(const settings::Settings& settings) const {
-  const auto held = [](const auto& all, const auto& numbers) { return std::any_of(numbers.begin(), numbers.end(), [&](std::uint32_t number) { return all.contains(number); }); };
-  return held(coats_, settings.typeSets) || held(pictures_, settings.typePictures);
-}
-
 GivenCoats TypeShelf::coatsOf(const settings::Settings& settings) const {
   GivenCoats coats;
   for (std::size_t type = 0; type < coats.size(); ++type) coats[type] = coat(settings.typeSets[type]);

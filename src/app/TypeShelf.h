@@ -34,8 +34,6 @@ class TypeShelf {
   std::vector<std::uint32_t> pending() const;
   void provide(std::uint32_t number, int width, int height, std::vector<std::uint8_t> rgba);
 
-  // Whether there are any that the settings name.
-  bool names(const settings::Settings& settings) const;
   GivenCoats coatsOf(const settings::Settings& settings) const;
   // As files have them: all that the settings name, none where they name none.
   std::array<scene::TypeFiles, settings::kFurTypes> filesOf(const settings::Settings& settings) const;
