@@ -75,13 +75,13 @@ test('on a tall window the panel shows the tile of the coat that is drawn', asyn
 });
 
 test('the panel saves the coat as a file that gives the same coat again', async () => {
-  const page = await site.open(`?${plain}&src=plane&editor=1&preset=wool`, { viewport: { width: 640, height: 1300 } });
+  const page = await site.open(`?${plain}&src=plane&editor=1&preset=wool`, { viewport: { width: 640, height: 1400 } });
   await page.waitForFunction(() => wetFur.editorOpen);
   await untilStill(page);
   let download;
   page.on('download', (event) => { download = event; });
   // Nobody but the panel knows where its buttons are: down the left half of it, below the plot of coverage.
-  for (let y = 1120; y < 1270 && !download; y += 11) {
+  for (let y = 1120; y < 1370 && !download; y += 11) {
     await page.mouse.click(370, y);
     await untilStill(page);
   }
