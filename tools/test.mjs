@@ -45,8 +45,8 @@ async function stage(name, work) {
 }
 
 // Node's runner for files of tests/, two at a time: so many cores has the machine that this is for.
-function nodeTests(files, env = {}) {
-  return runGathering(process.execPath, ['--test', '--test-concurrency=2', ...files], { env });
+function nodeTests(files, env = {}, atOnce = 2) {
+  return runGathering(process.execPath, ['--test', `--test-concurrency=${atOnce}`, ...files], { env });
 }
 
 // GoogleTest's tests in as many shares as there are cores, side by side; all of them, or those that `filter` names.
@@ -111,7 +111,8 @@ async function main() {
   if (site) await stage('dist/', buildSite);
   if (wasm) await stage('CPU tests, WebAssembly under Node', () => nodeTests(kinds.wasm, { FUR_NATIVE_TESTS: join(buildFolder(nativeTests), 'wet-fur-tests') }));
   if (kinds.package.length) await stage('package: typings, entries, size', () => nodeTests(kinds.package));
-  if (page) await stage('the page in Chromium', () => nodeTests(byLength(kinds.page), { FUR_CHROMIUM: chromiumPath() ?? '' }));
+  // Pages wait now and then, for the screen and for one another.
+  if (page) await stage('the page in Chromium', () => nodeTests(byLength(kinds.page), { FUR_CHROMIUM: chromiumPath() ?? '' }, 3));
 
   console.log(`\n=== summary\n${verdicts.join('\n')}\n`);
   console.log(`${totals.passed} passed, ${totals.failed} failed${totals.skipped ? `, ${totals.skipped} skipped` : ''}`);
