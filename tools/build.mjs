@@ -11,9 +11,9 @@ import { assemble, dist } from './site.mjs';
 export const models = join(root, 'build/models');
 
 /** Builds native programs, and the models that they look for. Returns the path of the first. */
-export function buildNative(...programs) {
+export async function buildNative(...programs) {
   const folder = buildFolder('native-release');
-  build('native-release', ['wet-fur-make-assets', ...programs]);
+  await build('native-release', ['wet-fur-make-assets', ...programs]);
   makeAssets(join(folder, 'wet-fur-make-assets'), models);
   return join(folder, programs[0]);
 }
@@ -24,7 +24,7 @@ export const siteTargets = ['wet-fur-make-assets', 'wet-fur', 'wet-fur-hair', 'w
 /** Brings dist/ up to date. */
 export async function buildSite() {
   setUp({ packages: [needs.web], npm: true, imgui: true });
-  build('web-release', siteTargets);
+  await build('web-release', siteTargets);
   makeAssets(join(buildFolder('web-release'), 'node/wet-fur-make-assets.js'), models);
   await assemble();
 }

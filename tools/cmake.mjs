@@ -1,7 +1,7 @@
 // Configures and builds a preset.
 import { existsSync, mkdirSync, readFileSync, realpathSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { jobs, root, run, say } from './process.mjs';
+import { Stop, jobs, root, run, runGathering, say } from './process.mjs';
 import { activeEmcc, imguiFolder } from './setup.mjs';
 
 export const buildFolder = (preset) => join(root, 'build', preset);
@@ -36,9 +36,17 @@ function configure(preset, tests) {
   writeFileSync(record, JSON.stringify(now));
 }
 
-/** Builds targets of a preset; nothing to do takes a fraction of a second. `keepGoing`: past what cannot be built. */
-export function build(preset, targets, { keepGoing = false } = {}) {
+/**
+ * Builds targets of a preset; nothing to do takes a fraction of a second. `keepGoing`: past what cannot be built; `aside`: while
+ * something else goes first, which is then told only when it fails.
+ */
+export async function build(preset, targets, { keepGoing = false, aside = false } = {}) {
   configure(preset, targets.some((name) => name.endsWith('-tests')));
   say(`building ${targets.join(', ')} (${preset})`);
-  run('cmake', ['--build', '--preset', preset, '--parallel', String(jobs), '--target', ...targets, ...keepGoing ? ['--', '-k', '0'] : []]);
+  const args = ['--build', '--preset', preset, '--parallel', String(jobs), '--target', ...targets, ...keepGoing ? ['--', '-k', '0'] : []];
+  if (!aside) return run('cmake', args);
+  const { status, output } = await runGathering('cmake', args, { aside });
+  if (status === 0) return output;
+  process.stderr.write(output);
+  throw new Stop(`cmake ${args.join(' ')}: exit ${status}`);
 }

@@ -42,7 +42,7 @@ const page = (figures) => `<!doctype html><style>
 
 await command(async () => {
   setUp({ packages: [needs.headless, needs.browser], npm: true });
-  const program = buildNative('wet-fur-render'), folder = join(root, 'build/coats');
+  const program = await buildNative('wet-fur-render'), folder = join(root, 'build/coats');
   mkdirSync(folder, { recursive: true });
   mkdirSync(join(root, 'docs'), { recursive: true });
   const figures = presets(program).map((preset) => ({ ...preset, images: pictures(program, preset, folder) }));

@@ -47,7 +47,7 @@ await command(async () => {
     return;
   }
   setUp({ packages: [needs.headless, needs.browser], npm: true });
-  buildNative('wet-fur-render');
+  await buildNative('wet-fur-render');
   const golden = await import('../tests/golden/golden.mjs');  // after npm
   const names = process.argv.slice(2), unknown = names.find((name) => !golden.scenes.some((scene) => scene.name === name));
   if (unknown) throw new Stop(`there is no golden scene ${unknown}`);

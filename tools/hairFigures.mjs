@@ -54,7 +54,7 @@ const page = ({ columns, pictures }) => `<!doctype html><style>
 
 await command(async () => {
   setUp({ packages: [needs.headless, needs.browser], npm: true });
-  const program = buildNative('wet-fur-render'), folder = join(root, 'build/hair');
+  const program = await buildNative('wet-fur-render'), folder = join(root, 'build/hair');
   mkdirSync(folder, { recursive: true });
   const names = process.argv.length > 2 ? process.argv.slice(2) : Object.keys(figures);
   for (const name of names) {

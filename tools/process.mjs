@@ -1,7 +1,7 @@
 // Child processes and the places of this tree, for the commands in this folder.
 import { spawn, spawnSync } from 'node:child_process';
 import { accessSync, constants, statSync } from 'node:fs';
-import { availableParallelism } from 'node:os';
+import { availableParallelism, constants as os, setPriority } from 'node:os';
 import { delimiter, dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
@@ -48,16 +48,20 @@ export function run(program, args, { quiet = false, env = {}, cwd = root } = {})
   throw new Stop(`${program} ${args.join(' ')}: ${how}`);
 }
 
-/** Runs a program, passing its output on as it comes; gives { status, output } and never throws. */
-export function runGathering(program, args, { env = {}, cwd = root } = {}) {
+/**
+ * Runs a program, passing its output on as it comes; gives { status, output } and never throws. `aside`: what else runs goes
+ * first, and the output is only gathered.
+ */
+export function runGathering(program, args, { env = {}, cwd = root, aside = false } = {}) {
   return new Promise((done) => {
     const child = spawn(program, args, { cwd, env: { ...process.env, ...env }, stdio: ['ignore', 'pipe', 'pipe'] });
+    if (aside && child.pid) setPriority(child.pid, os.priority.PRIORITY_LOW);
     let output = '';
     for (const [stream, ours] of [[child.stdout, process.stdout], [child.stderr, process.stderr]]) {
       stream.setEncoding('utf8');
       stream.on('data', (text) => {
         output += text;
-        ours.write(text);
+        if (!aside) ours.write(text);
       });
     }
     child.on('error', (error) => done({ status: 127, output: `${output}\n${error.message}` }));

@@ -4,7 +4,7 @@ import { buildNative } from './build.mjs';
 import { command, run } from './process.mjs';
 import { needs, setUp } from './setup.mjs';
 
-await command(() => {
+await command(async () => {
   setUp({ packages: [needs.headless], npm: true });
-  run(buildNative('wet-fur-render'), process.argv.slice(2), { cwd: process.env.INIT_CWD ?? process.cwd() });
+  run(await buildNative('wet-fur-render'), process.argv.slice(2), { cwd: process.env.INIT_CWD ?? process.cwd() });
 });

@@ -1,6 +1,7 @@
 // npm test: every test, each kind with the set-up and builds it needs; npm test -- dynamics web/editor: those of a folder or
 // a file of tests/, with what they need. A stage that fails is reported and the others still run; the last line adds up all
-// runners, and the exit status is 0 only when every stage passed.
+// runners, and the exit status is 0 only when every stage passed. Pages wait a third of their time, for the screen and for one
+// another: what needs no page runs aside, when they leave a core alone.
 import { join } from 'node:path';
 import { buildNative, buildSite, siteTargets } from './build.mjs';
 import { build, buildFolder } from './cmake.mjs';
@@ -21,13 +22,15 @@ export function countsIn(output) {
   };
 }
 
-// One stage: set-up and builds throw and give nothing, a test program gives { status, output }.
-async function stage(name, work) {
-  console.log(`\n=== ${name}`);
+// One stage: set-up and builds throw and give nothing, a test program gives { status, output }. Of one that runs aside the
+// output is printed when it has ended.
+async function stage(name, work, { aside = false } = {}) {
+  if (!aside) console.log(`\n=== ${name}`);
   const begun = Date.now();
   let failure;
   try {
-    const { status, output } = (await work()) ?? { status: 0, output: '' };
+    const { status, output } = (await work({ aside })) ?? { status: 0, output: '' };
+    if (aside) console.log(`\n=== ${name} (ran aside)\n${output}`);
     const counts = countsIn(output);
     for (const key of Object.keys(totals)) totals[key] += counts[key];
     if (status !== 0) {
@@ -45,15 +48,15 @@ async function stage(name, work) {
 }
 
 // Node's runner for files of tests/, two at a time: so many cores has the machine that this is for.
-function nodeTests(files, env = {}, atOnce = 2) {
-  return runGathering(process.execPath, ['--test', `--test-concurrency=${atOnce}`, ...files], { env });
+function nodeTests(files, { env = {}, atOnce = 2, aside = false } = {}) {
+  return runGathering(process.execPath, ['--test', `--test-concurrency=${atOnce}`, ...files], { env, aside });
 }
 
 // GoogleTest's tests in as many shares as there are cores, side by side; all of them, or those that `filter` names.
-async function program(preset, name, filter = '') {
+async function program(preset, name, { filter = '', aside = false } = {}) {
   const runs = await Promise.all(Array.from({ length: jobs }, (_, share) => runGathering(
     join(buildFolder(preset), name), ['--gtest_color=no', '--gtest_brief=1'],
-    { env: { GTEST_TOTAL_SHARDS: String(jobs), GTEST_SHARD_INDEX: String(share), ...filter && { GTEST_FILTER: filter } } },
+    { env: { GTEST_TOTAL_SHARDS: String(jobs), GTEST_SHARD_INDEX: String(share), ...filter && { GTEST_FILTER: filter } }, aside },
   )));
   return { status: runs.find(({ status }) => status !== 0)?.status ?? 0, output: runs.map(({ output }) => output).join('\n') };
 }
@@ -96,23 +99,27 @@ async function main() {
   if (others.length) await stage('commands and shaders, as text', () => nodeTests(others));
 
   // Those of the pure modules need no models.
-  if (programs.length) await stage('native build', () => { programs.join() === 'wet-fur-tests' ? build('native-release', programs) : buildNative(...programs); });
-  if (kinds.cpu.length && !all) await stage('CPU tests, native', () => program('native-release', 'wet-fur-tests', filter(kinds.cpu)));
-  if (kinds.gl.length) await stage('GL tests, native', () => program('native-release', 'wet-fur-gl-tests', filter(kinds.gl)));
-  if (kinds.golden.length) await stage('golden pictures, native', () => nodeTests(kinds.golden));
-  if (kinds.native.length) await stage('the native programs', () => nodeTests(kinds.native));
-  if (all) {
-    await stage('sanitizer build', () => build('native-asan', ['wet-fur-tests']));
-    await stage('CPU tests, native, under the address and undefined-behaviour sanitizers', () => program('native-asan', 'wet-fur-tests'));
-  }
-
+  if (programs.length) await stage('native build', async () => { await (programs.join() === 'wet-fur-tests' ? build('native-release', programs) : buildNative(...programs)); });
   // In one run: while one core links a program the other compiles what the next is made of.
-  if (site || wasm) await stage('WebAssembly build', () => build('web-release', [...site ? siteTargets : [], ...wasm ? ['wet-fur-tests'] : []], { keepGoing: true }));
+  if (site || wasm) await stage('WebAssembly build', async () => { await build('web-release', [...site ? siteTargets : [], ...wasm ? ['wet-fur-tests'] : []], { keepGoing: true }); });
   if (site) await stage('dist/', buildSite);
-  if (wasm) await stage('CPU tests, WebAssembly under Node', () => nodeTests(kinds.wasm, { FUR_NATIVE_TESTS: join(buildFolder(nativeTests), 'wet-fur-tests') }));
-  if (kinds.package.length) await stage('package: typings, entries, size', () => nodeTests(kinds.package));
-  // Pages wait now and then, for the screen and for one another.
-  if (page) await stage('the page in Chromium', () => nodeTests(byLength(kinds.page), { FUR_CHROMIUM: chromiumPath() ?? '' }, 3));
+
+  const pages = async () => {
+    if (page) await stage('the page in Chromium', () => nodeTests(byLength(kinds.page), { env: { FUR_CHROMIUM: chromiumPath() ?? '' }, atOnce: 3 }));
+  };
+  const withoutPages = async (how) => {
+    if (kinds.cpu.length && !all) await stage('CPU tests, native', ({ aside }) => program('native-release', 'wet-fur-tests', { filter: filter(kinds.cpu), aside }), how);
+    if (all) {
+      await stage('sanitizer build', async ({ aside }) => { await build('native-asan', ['wet-fur-tests'], { aside }); }, how);
+      await stage('CPU tests, native, under the address and undefined-behaviour sanitizers', ({ aside }) => program('native-asan', 'wet-fur-tests', { aside }), how);
+    }
+    if (wasm) await stage('CPU tests, WebAssembly under Node', ({ aside }) => nodeTests(kinds.wasm, { env: { FUR_NATIVE_TESTS: join(buildFolder(nativeTests), 'wet-fur-tests') }, aside }), how);
+    if (kinds.gl.length) await stage('GL tests, native', ({ aside }) => program('native-release', 'wet-fur-gl-tests', { filter: filter(kinds.gl), aside }), how);
+    if (kinds.golden.length) await stage('golden pictures, native', ({ aside }) => nodeTests(kinds.golden, { aside }), how);
+    if (kinds.native.length) await stage('the native programs', ({ aside }) => nodeTests(kinds.native, { aside }), how);
+    if (kinds.package.length) await stage('package: typings, entries, size', ({ aside }) => nodeTests(kinds.package, { aside }), how);
+  };
+  await Promise.all([pages(), withoutPages({ aside: page })]);
 
   console.log(`\n=== summary\n${verdicts.join('\n')}\n`);
   console.log(`${totals.passed} passed, ${totals.failed} failed${totals.skipped ? `, ${totals.skipped} skipped` : ''}`);

@@ -18,7 +18,7 @@ const states = {
 
 await command(async () => {
   setUp({ packages: [needs.headless, needs.browser], npm: true });
-  const program = buildNative('wet-fur-render'), folder = join(root, 'build/wet');
+  const program = await buildNative('wet-fur-render'), folder = join(root, 'build/wet');
   mkdirSync(folder, { recursive: true });
   for (const [name, options] of Object.entries(states)) {
     const file = join(folder, `${name}.png`);
