@@ -72,13 +72,20 @@ std::vector<Member> materialMembers() {
   };
 }
 
-TEST(Programs, EveryVariantCompilesAndLinks) {
+// In slices: it is a third of all work that the GL tests are, and runs beside itself in as many shares as there are cores.
+class ProgramsSlice : public testing::TestWithParam<std::size_t> {};
+
+constexpr std::size_t kSlices = 8;
+
+TEST_P(ProgramsSlice, EveryVariantCompilesAndLinks) {
   test::Stage stage(16, 16);
   Programs programs;
-  for (const auto& [shader, variant] : allVariants()) {
-    EXPECT_TRUE(programs.use(shader, variant)) << programs.error().message;
+  const auto all = allVariants();
+  for (std::size_t i = GetParam(); i < all.size(); i += kSlices) {
+    EXPECT_TRUE(programs.use(all[i].first, all[i].second)) << programs.error().message;
   }
 }
+INSTANTIATE_TEST_SUITE_P(Programs, ProgramsSlice, testing::Range(std::size_t{0}, kSlices));
 
 TEST(Blocks, HaveTheSizeThatTheDriverReserves) {
   test::Stage stage(16, 16);
