@@ -11,8 +11,7 @@ const coatSeconds = 0.014;
 const maxFrameSeconds = 0.1;
 /** A coat that takes longer is told of. */
 const coatToldMilliseconds = 500;
-/** Of a picture that is saved, where it may be better than a moving one. */
-const savedSamples = 16, mostSamples = 64;
+const mostSamples = 64;
 
 /** When any model on the page moved last, by performance.now(): pictures that stay leave it the graphics processor. */
 let lastMoved = -Infinity;
@@ -126,17 +125,17 @@ export class Frames {
     this.#improve();
   }
 
-  /** With samples, too, but for pictures that are to come out the same everywhere. */
-  get #improvable() {
+  /** The program, which gathers samples but for pictures that are to come out the same everywhere. */
+  get #app() {
     const { app, options } = this.#session;
     app.setRefining(!options.paused && !options.fixedDt);
-    return app.improvable;
+    return app;
   }
 
   #improve() {
     const { app, screen, state } = this.#session;
     clearTimeout(this.#stillTimer);
-    if (this.#request || state !== 'ready' || !this.#improvable) return;
+    if (this.#request || state !== 'ready' || !this.#app.improvable) return;
     // What waits for the graphics processor would wait in front of the next touch.
     if (screen.busy) return this.#improveIn(busyMilliseconds);
     if (app.improve()) {
@@ -148,7 +147,7 @@ export class Frames {
   }
   #improveIn(milliseconds) {
     clearTimeout(this.#stillTimer);
-    if (this.#improvable) this.#stillTimer = setTimeout(() => this.#improve(), milliseconds);
+    if (this.#app.improvable) this.#stillTimer = setTimeout(() => this.#improve(), milliseconds);
   }
 
   // Only of a coat that takes longer than a person would notice.
@@ -205,10 +204,9 @@ export class Frames {
 
   /** A picture of its own size (default: as shown), the mean of 1 to 64 samples. */
   async toBlob({ mimeType = 'image/png', quality, width, height, transparent, samples } = {}) {
-    const { app, context, loaded, options, panel, screen } = this.#session;
+    const { app, context, loaded, panel, screen } = this.#session;
     if (!loaded || !context.draws()) throw new FurError('webgl-unavailable', 'there is no picture to take yet');
-    const refines = app.getSetting('refine') && !options.paused && !options.fixedDt;
-    const count = Math.max(1, Math.min(mostSamples, Math.round(samples ?? (refines ? savedSamples : 1)) || 1));
+    const count = Math.max(1, Math.min(mostSamples, Math.round(samples ?? this.#app.savedSamples) || 1));
     const shown = [screen.width, screen.height, screen.pixelRatio];
     const size = [width ?? shown[0], height ?? shown[1]].map((side) => Math.max(1, Math.min(4096, Math.round(side))));
     this.#session.panel = null;  // not in the picture, nor what it pushes aside

@@ -364,6 +364,8 @@ class App {
   Result<bool> improve();
   // What improve() has gathered so far, once more, where nothing has changed since; false: draw() it.
   Result<bool> showAgain();
+  // Of a picture that is saved: several where pictures that stay have more.
+  int savedSamples() const;
   // While false pictures that stay are of one sample: for steps of given length, whose pictures are to be the same everywhere.
   void setRefining(bool refines);
 

@@ -10,7 +10,7 @@ namespace fur::app {
 
 namespace {
 
-// Of a picture that stays on a machine on which one of them takes long.
+// Of a picture that stays on a machine on which one of them takes long, and of one that is saved.
 constexpr int kFewSamples = 16;
 
 }  // namespace
@@ -113,6 +113,8 @@ void App::frameShown(float milliseconds, float drawing) {
 }
 
 void App::setRefining(bool refines) { state_->refines = refines; }
+
+int App::savedSamples() const { return state_->settings.refine && state_->refines ? kFewSamples : 1; }
 
 bool App::improvable() const {
   const State& s = *state_;

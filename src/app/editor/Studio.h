@@ -14,10 +14,10 @@ namespace fur::app {
 struct PictureOrder {
   int width = 1920, height = 1080;
   bool transparent = false;
-  int samples = 1;  // as App::draw() has them
   // More than one: the camera goes once round the model, by OrbitCamera::turned().
   int frames = 1;
   float secondsPerTurn = 0;
+  int samples = 1;  // as App::draw() has them
 };
 
 // Of a turn of so many seconds, at kFramesPerSecond.
