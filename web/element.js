@@ -8,7 +8,7 @@ import { WetFur } from './host.js';
 import { optionDefaults } from './options.js';
 
 // Settings fields that have an attribute; every other field is a property only.
-const settingAttributes = ['wind', 'dryRate', 'brushRadius', 'brushFlow', 'exposure', 'seed', 'view', 'lightRig'];
+const settingAttributes = ['wind', 'dryRate', 'brushRadius', 'brushFlow', 'exposure', 'seed', 'view', 'refine', 'lightRig'];
 const ownAttributes = ['src', 'alt', 'poster', 'loading', 'reveal', 'interactionPrompt'];
 const hostOptions = Object.keys(optionDefaults);
 const forwardedEvents = [
