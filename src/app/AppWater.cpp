@@ -43,7 +43,7 @@ void App::dry(float seconds) { state_->strokeOnce(Command::DryOff, std::max(stat
 void App::shake() {
   state_->endStroke();
   state_->note(Command::Shake);
-  state_->motion.body().shake();
+  if (!state_->behaviour.act(traitsOf(Action::Shake).name)) state_->motion.body().shake();
 }
 
 void App::stamp(std::span<const std::uint8_t> coverage, int width, int height, Vec2 centre, float across, float amount) {

@@ -80,6 +80,7 @@ void WaterStage::strokeAt(const ShapeStage& shape, const geometry::SurfacePoint&
   mark(at, pressure, height);
   if (hair_) hair_->wetBy(stroke, shape, at, pressure, height);
   if (height > 0) return touch();
+  if (stroke.what == Command::Droplet || stroke.what == Command::Splash) noteLanded({&at.triangle, 1});
   const geometry::Surface& surface = shape.surface();
   const float flow = stroke.flow * pressure;
   const auto centre = [&] { return positionAt(surface, at); };
