@@ -191,6 +191,8 @@ class App {
   void dry(float seconds);
   // The model shakes itself for a second, and its water flies off.
   void shake();
+  // So many drops fall on it from above, as when rain begins; undo does not take them back.
+  void sprinkle(int drops);
   // Wets what is opaque in a picture (one byte a texel, row by row from the top) with one clump beside the other, where
   // it lies over the model: letters. `across`: its width in pixels of the drawing buffer; `amount`: how wet they are, which
   // runs from letter to letter in seconds where fur holds much more than the default.

@@ -46,6 +46,8 @@ void App::shake() {
   if (!state_->behaviour.act(traitsOf(Action::Shake).name)) state_->motion.body().shake();
 }
 
+void App::sprinkle(int drops) { state_->water.sprinkle(state_->shape, state_->worldFromModel(), drops); }
+
 void App::stamp(std::span<const std::uint8_t> coverage, int width, int height, Vec2 centre, float across, float amount) {
   FUR_ASSERT(width > 0 && height > 0 && coverage.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height),
              "App::stamp()", "width * height texels", coverage.size());

@@ -88,7 +88,10 @@ bool WaterStage::update(const Inputs& inputs) {
   layDown(inputs.groom);
   wet::WetSurface on{inputs.shape.surface(), inputs.shape.query(), wetting(inputs.shape)};
   if (const auto* skin = inputs.shape.skin()) on.positions = skin->positions, on.normals = skin->normals;
-  if (const ShapeStage::Before before = inputs.shape.before(); inputs.bySkin && before.seconds > 0) on.before = before.positions, on.seconds = before.seconds;
+  if (const ShapeStage::Before before = inputs.shape.before(); inputs.bySkin && inputs.shape.skin()) {
+    on.before = before.seconds > 0 ? before.positions : on.positions;
+    on.seconds = before.seconds > 0 ? before.seconds : 1;
+  }
   on.hair = wetHair();
   const std::uint64_t before = revision_;
   bool changed = false;

@@ -66,6 +66,9 @@ class WaterStage {
   void note(Command what, float clump);
   void apply(const MaskStep& step, bool undo);
 
+  // Some drops fall from above it; no stroke.
+  void sprinkle(const ShapeStage& shape, const Mat4& worldFromModel, int drops);
+
   const std::vector<WaterStroke>& strokes() const { return strokes_; }
   std::uint32_t steps() const { return steps_; }  // of the clock, since the model came
   // The next step begins now.
@@ -134,7 +137,7 @@ class WaterStage {
   std::vector<float> hairBefore_;
   std::optional<Held> held_;
   int sinceDab_ = 0;   // steps
-  Random random_{1};
+  Random random_{1}, sprinkled_{23};
   float due_ = 0;      // seconds
   std::uint32_t steps_ = 0;
 
