@@ -126,7 +126,9 @@ int main(int argc, char** argv) {
     lines.erase(lines.begin());
     if (const auto status = dress(mesh, surface.value(), lines, data); !status) return fail(status.error().message);
   }
-  const std::vector<std::uint8_t> glb = fur::scene::exportScene(withAtlas(surface.value(), argc == 3), name, data, {{}, fur::Vec4(1)});
+  // What is dressed keeps its own triangles, in their order: whoever made them finds each in the atlas.
+  const fur::geometry::Mesh made = haired ? withAtlas(fur::geometry::ownSurface(surface.value(), mesh).surface, false) : withAtlas(surface.value(), argc == 3);
+  const std::vector<std::uint8_t> glb = fur::scene::exportScene(made, name, data, {{}, fur::Vec4(1)});
   std::FILE* file = std::fopen(argv[2], "wb");
   if (!file) return fail(std::string(argv[2]) + " cannot be written");
   const bool whole = std::fwrite(glb.data(), 1, glb.size(), file) == glb.size();

@@ -1,28 +1,19 @@
 // node assets/makeAssets.mjs <program> <out folder>
 //
 // Makes the models that are shipped: the bunny with the program wet-fur-make-assets, its wasm build (a .js file,
-// run by this same Node) or the native one, scenes that are wet or have long hair likewise, and the others. Nothing is done for a model newer than its sources.
+// run by this same Node) or the native one, scenes that are wet or have long hair likewise, and the others; animals are in this folder as
+// files (tools/assets). Nothing is done for a model newer than its sources.
 import { execFileSync } from 'node:child_process';
-import { existsSync, mkdirSync, mkdtempSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { copyFileSync, existsSync, mkdirSync, mkdtempSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { hairText, makeScenes, scenes, waterBytes } from './scenes/scenes.mjs';
 import { meshOf, sphere } from './scenes/shapes.mjs';
+import { commandOf, meshBytes } from '../tools/assets/program.mjs';
 
 const require = createRequire(import.meta.url);
-
-function meshBytes({ positions, normals = [], cells }) {
-  const bytes = new DataView(new ArrayBuffer(8 + 12 * (positions.length + cells.length + normals.length)));
-  bytes.setUint32(0, positions.length, true);
-  bytes.setUint32(4, cells.length, true);
-  let at = 8;
-  for (const value of positions.flat()) bytes.setFloat32(at, value, true), (at += 4);
-  for (const value of cells.flat()) bytes.setUint32(at, value, true), (at += 4);
-  for (const value of normals.flat()) bytes.setFloat32(at, value, true), (at += 4);
-  return bytes;
-}
 
 const threes = (list) => Array.from({ length: list.length / 3 }, (_, i) => list.slice(3 * i, 3 * i + 3));
 const asCells = ({ mesh }) => ({ positions: threes(mesh.positions), cells: threes(mesh.indices) });
@@ -33,17 +24,25 @@ function isNewer(file, sources) {
   return existsSync(file) && sources.every((source) => statSync(source).mtimeMs < statSync(file).mtimeMs);
 }
 
+// Animals: files of this folder.
+function copyAnimals(outFolder) {
+  const folder = fileURLToPath(new URL('.', import.meta.url));
+  for (const name of readdirSync(folder).filter((file) => file.endsWith('.glb')))
+    if (!isNewer(join(outFolder, name), [join(folder, name)])) copyFileSync(join(folder, name), join(outFolder, name));
+}
+
 export function makeAssets(program, outFolder) {
   program = resolve(program);
   mkdirSync(outFolder, { recursive: true });
+  copyAnimals(outFolder);
   makeScenes(resolve(outFolder));
-  const sources = [program, ...['makeAssets', 'scenes/scenes', 'scenes/shapes', 'scenes/head', 'scenes/hairstyles'].map((name) => fileURLToPath(new URL(`${name}.mjs`, import.meta.url)))];
+  const sources = [program, ...['makeAssets', 'scenes/scenes', 'scenes/shapes', 'scenes/head', 'scenes/hairstyles', '../tools/assets/sculpt', '../tools/assets/nets'].map((name) => fileURLToPath(new URL(`${name}.mjs`, import.meta.url)))];
   const waiting = [{ name: 'bunny', shape: 'bunny' }, ...scenes.filter(({ body }) => !body)]
     .filter(({ name }) => !isNewer(join(resolve(outFolder), `${name}.glb`), [...sources, require.resolve('bunny')]));
   if (!waiting.length) return;
   const scratch = mkdtempSync(join(tmpdir(), 'wet-fur-'));
   try {
-    const command = /\.(c|m)?js$/.test(program) ? [process.execPath, program] : [program];
+    const command = commandOf(program);
     for (const scene of waiting) {
       const mesh = join(scratch, 'mesh'), more = join(scratch, 'more');
       writeFileSync(mesh, meshBytes((scene.mesh ?? shapes[scene.shape])()));

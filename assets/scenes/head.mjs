@@ -1,41 +1,11 @@
 // A stylised head: smooth unions of round shapes, and a mesh of their surface. Decimetres, about the middle between the ears; x to
 // the head's left, y up, z to the front.
 
+import { ball, bent, both, egg, groove, limb, mirrored, turned, union, without } from '../../tools/assets/sculpt.mjs';
+import { relaxed, surfaceNets, surfaceOf, triangulated } from '../../tools/assets/nets.mjs';
+import { clamp, squared } from '../../tools/assets/vectors.mjs';
+
 const { abs, hypot, max, min, sqrt } = Math;
-
-// --- shapes: signed distances, or nearly ---
-
-const mixed = (a, b, t) => a + (b - a) * t;
-const clamp = (x) => max(0, min(1, x));
-/** The union, rounded over where both are nearer than k. */
-const union = (a, b, k) => min(a, b) - (max(k - abs(a - b), 0) ** 2) / (4 * k);
-/** What of a lies outside of b. */
-const without = (a, b, k) => -union(-a, b, k);
-const both = (a, b, k) => -union(-a, -b, k);
-const ball = (p, c, r) => hypot(p[0] - c[0], p[1] - c[1], p[2] - c[2]) - r;
-function egg(p, c, r) {
-  const x = (p[0] - c[0]) / r[0], y = (p[1] - c[1]) / r[1], z = (p[2] - c[2]) / r[2];
-  const far = hypot(x, y, z);
-  return (far * (far - 1)) / max(hypot(x / r[0], y / r[1], z / r[2]), 1e-6);
-}
-/** From a to b, its radius from r to s. */
-function limb(p, a, b, r, s) {
-  const way = [b[0] - a[0], b[1] - a[1], b[2] - a[2]], from = [p[0] - a[0], p[1] - a[1], p[2] - a[2]];
-  const t = clamp((from[0] * way[0] + from[1] * way[1] + from[2] * way[2]) / (way[0] ** 2 + way[1] ** 2 + way[2] ** 2));
-  return hypot(from[0] - t * way[0], from[1] - t * way[1], from[2] - t * way[2]) - mixed(r, s, t);
-}
-/** A bent limb through all points [x, y, z, radius]. */
-const bent = (p, points, k) => points.slice(1).reduce((all, b, i) => {
-  const a = points[i], d = limb(p, a, b, a[3], b[3]);
-  return all === undefined ? d : union(all, d, k);
-}, undefined);
-const turned = ([x, y, z], c, angle) => {
-  const cos = Math.cos(angle), sin = Math.sin(angle);
-  return [c[0] + cos * (x - c[0]) - sin * (z - c[2]), y, c[2] + sin * (x - c[0]) + cos * (z - c[2])];
-};
-
-/** A groove of that depth where `far` is 0; below 0 a ridge. */
-const groove = (far, depth, width) => depth * Math.exp(-((far / width) ** 2));
 
 // --- the head; `p` has x >= 0: its left half ---
 
@@ -105,12 +75,10 @@ function bust(p, head) {
   return union(head, trunk, 0.16);
 }
 
-function headAt(place) {
-  const p = [sqrt(place[0] ** 2 + 1e-4), place[1], place[2]];  // no crease in the middle
-  return bust(p, ear(p, mouth(p, nose(p, eyes(p, skull(p))))));
-}
+const headAt = mirrored((p) => bust(p, ear(p, mouth(p, nose(p, eyes(p, skull(p)))))), 0.01);
+const { onSurface, normal } = surfaceOf(headAt);
 
-// --- its mesh: surface nets (Gibson 1998) on a grid that is finer about the face ---
+// --- its mesh, on a grid that is finer about the face ---
 
 // Where the mesh is finer: about the face, and there again about eyes, mouth and ears: { at, reach }.
 const face = [0, -0.3, 0.75];
@@ -125,85 +93,11 @@ function warped(u) {
   return p;
 }
 
-function gradient(p) {
-  const e = 2e-3;
-  return [0, 1, 2].map((k) => {
-    const a = [...p], b = [...p];
-    a[k] -= e, b[k] += e;
-    return (headAt(b) - headAt(a)) / (2 * e);
-  });
-}
-function onSurface(p, steps = 3) {
-  for (let i = 0; i < steps; ++i) {
-    const g = gradient(p), far = headAt(p) / max(g[0] ** 2 + g[1] ** 2 + g[2] ** 2, 0.05);
-    p = p.map((x, k) => x - max(-0.03, min(0.03, far * g[k])));
-  }
-  return p;
-}
-
-function surfaceNets(at, low, cell, counts) {
-  const [nx, ny, nz] = counts.map((n) => n + 1), values = new Float64Array(nx * ny * nz);
-  const corner = (i, j, k) => i + nx * (j + ny * k), place = (i, j, k) => [low[0] + cell * i, low[1] + cell * j, low[2] + cell * k];
-  for (let k = 0; k < nz; ++k) for (let j = 0; j < ny; ++j) for (let i = 0; i < nx; ++i) values[corner(i, j, k)] = at(place(i, j, k));
-  const places = [], numbers = new Map(), cells = [];
-  const vertex = (i, j, k) => {
-    const key = corner(i, j, k), known = numbers.get(key);
-    if (known !== undefined) return known;
-    const sum = [0, 0, 0, 0];
-    for (let e = 0; e < 12; ++e) {
-      const axis = e >> 2, a = [0, 0, 0], b = [0, 0, 0];
-      a[(axis + 1) % 3] = b[(axis + 1) % 3] = e & 1, a[(axis + 2) % 3] = b[(axis + 2) % 3] = (e >> 1) & 1, b[axis] = 1;
-      const va = values[corner(i + a[0], j + a[1], k + a[2])], vb = values[corner(i + b[0], j + b[1], k + b[2])];
-      if (va < 0 === vb < 0) continue;
-      const t = va / (va - vb);
-      a.forEach((x, n) => (sum[n] += mixed(x, b[n], t)));
-      ++sum[3];
-    }
-    places.push([i, j, k].map((x, n) => low[n] + cell * (x + sum[n] / sum[3])));
-    numbers.set(key, places.length - 1);
-    return places.length - 1;
-  };
-  for (let k = 1; k < nz - 1; ++k) for (let j = 1; j < ny - 1; ++j) for (let i = 1; i < nx - 1; ++i) {
-    const here = values[corner(i, j, k)] < 0;
-    for (let axis = 0; axis < 3; ++axis) {
-      const step = [0, 0, 0];
-      step[axis] = 1;
-      if (here === values[corner(i + step[0], j + step[1], k + step[2])] < 0) continue;
-      const s = [0, 0, 0], t = [0, 0, 0];
-      s[(axis + 1) % 3] = 1, t[(axis + 2) % 3] = 1;
-      const quad = [[0, 0], [1, 0], [1, 1], [0, 1]].map(([a, b]) => vertex(i - a * s[0] - b * t[0], j - a * s[1] - b * t[1], k - a * s[2] - b * t[2]));
-      cells.push(here ? quad : quad.reverse());
-    }
-  }
-  return { places, cells };
-}
-
-/** Vertices evenly among their neighbours, and on the surface. */
-function relaxed(positions, quads, rounds) {
-  const near = positions.map(() => new Set());
-  for (const quad of quads) quad.forEach((v, i) => near[v].add(quad[(i + 1) % 4]).add(quad[(i + 3) % 4]));
-  for (let round = 0; round < rounds; ++round) {
-    positions = positions.map((p, v) => {
-      const mean = [0, 0, 0];
-      for (const other of near[v]) positions[other].forEach((x, k) => (mean[k] += x / near[v].size));
-      return onSurface(p.map((x, k) => mixed(x, mean[k], 0.5)), 1);
-    });
-  }
-  return positions.map((p) => onSurface(p));
-}
-
-const squared = (a, b) => a.reduce((sum, x, k) => sum + (x - b[k]) ** 2, 0);
-
 /** { positions, normals, cells, fit }: in the unit sphere, and what takes decimetres there. */
 export function headMesh() {
-  const cell = 0.076, nets = surfaceNets((u) => headAt(warped(u)), [-25 * cell, -40 * cell, -24 * cell], cell, [50, 63, 44]);
-  const positions = relaxed(nets.places.map(warped), nets.cells, 4);
-  const cells = nets.cells.flatMap(([a, b, c, d]) =>
-    (squared(positions[a], positions[c]) <= squared(positions[b], positions[d]) ? [[a, b, c], [a, c, d]] : [[a, b, d], [b, c, d]]));
-  const normals = positions.map((p) => {
-    const g = gradient(p), length = hypot(...g);
-    return g.map((x) => x / length);
-  });
+  const cell = 0.076, nets = surfaceNets((u) => headAt(warped(u)), [-25 * cell, -40 * cell, -24 * cell], cell, [50, 63, 44], 2);
+  const { positions, cells } = triangulated(relaxed({ positions: nets.positions.map(warped), cells: nets.cells }, onSurface, 4));
+  const normals = positions.map(normal);
   const middle = [0, 1, 2].map((k) => (min(...positions.map((p) => p[k])) + max(...positions.map((p) => p[k]))) / 2);
   const radius = sqrt(max(...positions.map((p) => squared(p, middle))));
   const fit = (p) => p.map((x, k) => (x - middle[k]) / radius);
@@ -214,8 +108,8 @@ export function headMesh() {
 
 /** The place of the skin near p, and the normal there. */
 export function skinNear(p) {
-  const at = onSurface(p, 8), g = gradient(at), length = hypot(...g);
-  return { at, normal: g.map((x) => x / length) };
+  const at = onSurface(p, 8);
+  return { at, normal: normal(at) };
 }
 /** Along the brow, from the nose (t = 0) outwards (1). */
 export const browAt = (side, t) => skinNear([side * (0.115 + 0.43 * t), 0.185 + 0.23 * t - 0.235 * t * t, 0.86 - 0.22 * t * t]);

@@ -1,0 +1,106 @@
+// From a description of an animal to its file: mesh, materials, atlas, maps, rig, animations and fur.
+import { animalGlb } from './glb.mjs';
+import { surfaceNets, surfaceOf, triangulated } from './nets.mjs';
+import { byte, packedPlanes, pictureOf, placesOn } from './paint.mjs';
+import { fitOf, laidOut, wornOf } from './program.mjs';
+import { compacted, cutAlong, remeshed } from './remesh.mjs';
+import { weightBytes } from './rig.mjs';
+import { add, scaled, unit } from './vectors.mjs';
+
+/**
+ * The surface of a solid as { positions, normals, cells, surface }. `box`: [low, high] corners round it, `cell`: of the first grid, no larger
+ * than its finest parts; `sizeAt(p)`: how long edges are to be; `lines`: fields along whose 0 triangles are cut.
+ */
+export function sculpted({ at, box: [low, high], cell, sizeAt, lines = [], rounds = 4 }) {
+  const surface = surfaceOf(at, { step: 0.1 * cell, most: cell });
+  const nets = triangulated(surfaceNets(at, low, cell, low.map((x, k) => Math.ceil((high[k] - x) / cell))));
+  let mesh = remeshed({ ...nets, positions: nets.positions.map((p) => surface.onSurface(p, 2)) }, sizeAt, surface, { rounds });
+  for (const line of lines) mesh = compacted(cutAlong(mesh, line, surface));
+  return { ...mesh, normals: mesh.positions.map(surface.normal), surface };
+}
+
+/** A closed body of rings round an axis: claws, eyeballs. `rings`: [{ at, radius: [across, up] }] from its first pole to its last, `axes`: across, up. */
+export function turnedBody(rings, [across, up], segments, [first, last]) {
+  const positions = [first], cells = [], ring = (i) => 1 + i * segments;
+  for (const { at, radius: [a, b] } of rings)
+    for (let k = 0; k < segments; ++k) {
+      const angle = (2 * Math.PI * k) / segments;
+      positions.push(add(at, add(scaled(across, a * Math.cos(angle)), scaled(up, b * Math.sin(angle)))));
+    }
+  positions.push(last);
+  const end = positions.length - 1, next = (k) => (k + 1) % segments;
+  for (let k = 0; k < segments; ++k) {
+    cells.push([0, ring(0) + next(k), ring(0) + k], [end, ring(rings.length - 1) + k, ring(rings.length - 1) + next(k)]);
+    for (let i = 0; i + 1 < rings.length; ++i) {
+      const [a, b, c, d] = [ring(i) + k, ring(i) + next(k), ring(i + 1) + next(k), ring(i + 1) + k];
+      cells.push([a, b, c], [a, c, d]);
+    }
+  }
+  return withNormals({ positions, cells });
+}
+
+/** Normals from the triangles round each vertex. */
+export function withNormals({ positions, cells, ...more }) {
+  const normals = positions.map(() => [0, 0, 0]);
+  for (const [a, b, c] of cells) {
+    const [p, q, r] = [a, b, c].map((v) => positions[v]), u = q.map((x, k) => x - p[k]), w = r.map((x, k) => x - p[k]);
+    const n = [u[1] * w[2] - u[2] * w[1], u[2] * w[0] - u[0] * w[2], u[0] * w[1] - u[1] * w[0]];
+    for (const v of [a, b, c]) normals[v] = add(normals[v], n);
+  }
+  return { positions, cells, normals: normals.map((n) => unit(n)), ...more };
+}
+
+// All bodies as one mesh, with the material of each triangle and the weights of each vertex.
+function gathered(bodies) {
+  const all = { positions: [], normals: [], cells: [], materials: [], weights: [], uv1: [] };
+  for (const { positions, normals, cells, materialOf, weights, uv1 } of bodies) {
+    const base = all.positions.length;
+    for (const [key, list] of Object.entries({ positions, normals, weights, uv1: uv1 ?? positions.map(() => undefined) })) all[key].push(...list);
+    for (const cell of cells) {
+      all.cells.push(cell.map((v) => base + v));
+      all.materials.push(materialOf(cell));
+    }
+  }
+  return all;
+}
+
+// The vertices and triangles of one material; `uv` is one a corner of the whole mesh.
+function partOf(mesh, atlas, material, comb) {
+  const numbers = new Map(), vertices = [], indices = [];
+  mesh.cells.forEach((cell, t) => {
+    if (mesh.materials[t] !== material) return;
+    cell.forEach((v, k) => {
+      const uv = atlas[3 * t + k], key = `${v} ${uv}`;
+      if (!numbers.has(key)) {
+        numbers.set(key, vertices.length);
+        const { joints, bytes } = weightBytes(mesh.weights[v]), position = mesh.positions[v], normal = mesh.normals[v];
+        vertices.push({ position, normal, uv, joints, weights: bytes, ...mesh.uv1[v] && { uv1: mesh.uv1[v] }, ...comb && { comb: comb({ position, normal }) } });
+      }
+      indices.push(numbers.get(key));
+    });
+  });
+  return { vertices, indices };
+}
+
+/**
+ * The file of an animal. `bodies`: [{ positions, normals, cells, materialOf(cell), weights }]; `materials`: [{ name, furry?, json? }]; of places
+ * { position, normal, part: number of the material }: `colour(place)` gives [r, g, b], `groom(place)` [length, types 2 to 4], `comb(place)` a lean
+ * in radians along the skin; `steps(fit)` dresses it; `pictures`: PNG files beside that of the atlas, which is the first.
+ */
+export function animalFile(program, { name, rig, bodies, materials, colour, groom, comb, steps = () => [], animations, state, pictures = [], colourSize = 512, mapSize = 256 }) {
+  const mesh = gathered(bodies), fit = fitOf(mesh.positions.map((p) => p.map(Math.fround)));
+  const { atlas, glb } = laidOut(program, mesh, steps(fit));
+  const parts = materials.map(({ furry }, material) => ({ material, ...partOf(mesh, atlas, material, furry && comb) })).filter(({ indices }) => indices.length);
+  const corners = mesh.cells.flat().map((v, i) => ({ position: mesh.positions[v], normal: mesh.normals[v], uv: atlas[i] }));
+  const triangles = mesh.cells.map((_, t) => ({ corners: [3 * t, 3 * t + 1, 3 * t + 2], part: mesh.materials[t] }));
+  const texels = placesOn(mapSize, corners, triangles).map((place) => groom(place).map(byte));
+  const file = animalGlb({
+    name, rig, animations, parts,
+    materials: materials.map(({ name: label, json }) => ({ name: label, pbrMetallicRoughness: { metallicFactor: 0, roughnessFactor: 0.8, baseColorTexture: { index: 0 } }, ...json })),
+    pictures: [pictureOf(colourSize, placesOn(colourSize, corners, triangles).map(colour)), ...pictures],
+    bare: materials.flatMap(({ furry }, i) => (furry ? [] : [i])),
+    fur: (writer) => ({ state: { version: 1, ...state }, groom: { size: mapSize, bufferView: writer.view(packedPlanes(texels)), texCoord: 0 }, ...wornOf(glb, writer, fit) }),
+  });
+  return { file, triangles: mesh.cells.length, fit };
+}
+

@@ -1,0 +1,4 @@
+// The animals: { name, file(program) } each; `program`: wet-fur-make-assets. file() gives { file: bytes of a .glb, triangles }.
+import { otter } from './otter/otter.mjs';
+
+export const animals = [otter];

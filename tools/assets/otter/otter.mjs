@@ -1,0 +1,31 @@
+// The otter: { name, file(program) }.
+import { animalFile, sculpted } from '../animal.mjs';
+import { boneWeights } from '../rig.mjs';
+import { colourOf, comb, eyePicture, groom, settings } from './coat.mjs';
+import { parts } from './parts.mjs';
+import { bones, rig } from './rig.mjs';
+import { box, earField, mouthField, noseField, padField, sizeAt, solid } from './shape.mjs';
+
+const glossy = (roughness, more = {}) => ({ pbrMetallicRoughness: { metallicFactor: 0, roughnessFactor: roughness, baseColorTexture: { index: 0 } }, ...more });
+const materials = [
+  { name: 'fur', furry: true }, { name: 'eye', json: { pbrMetallicRoughness: { metallicFactor: 0, roughnessFactor: 0.12, baseColorTexture: { index: 1, texCoord: 1 } } } },
+  { name: 'nose', json: glossy(0.35) }, { name: 'mouth', json: glossy(0.4) }, { name: 'claws', json: glossy(0.35) }, { name: 'pads', json: glossy(0.7) },
+  { name: 'lids', json: glossy(0.45) }, { name: 'innerEar', json: glossy(0.75) },
+];
+const names = materials.map(({ name }) => name), numberOf = (name) => names.indexOf(name);
+
+function body() {
+  const mesh = sculpted({ at: solid, box, cell: 0.045, sizeAt, lines: [noseField, mouthField, earField], rounds: 3 });
+  const material = (p) => (noseField(p) < 0 ? 'nose' : earField(p) < 0 ? 'innerEar' : mouthField(p) < 0 ? 'mouth' : 'fur');
+  const middle = (cell) => [0, 1, 2].map((k) => (mesh.positions[cell[0]][k] + mesh.positions[cell[1]][k] + mesh.positions[cell[2]][k]) / 3);
+  const width = (p) => (p[2] > 3.1 ? 0.12 : p[1] < 0.6 && p[2] > -2.2 ? 0.12 : p[2] < -2.4 ? 0.3 : 0.4);
+  return { ...mesh, weights: boneWeights(mesh, rig, bones, width), materialOf: (cell) => numberOf(material(middle(cell))) };
+}
+
+export const otter = {
+  name: 'otter',
+  file: (program) => animalFile(program, {
+    name: 'otter', rig, materials, colour: colourOf(names), groom, comb, animations: [], state: { settings }, pictures: [eyePicture()],
+    bodies: [body(), ...parts().map((part) => ({ ...part, materialOf: () => numberOf(part.material), weights: part.positions.map(() => [[rig.joint(part.joint), 1]]) }))],
+  }),
+};

@@ -1,0 +1,131 @@
+// The pony's coat: a chestnut with a flaxen mane, darker legs, a pale muzzle and a blaze. Colours, lengths, types and how the hair lies.
+import { hex } from '../paint.mjs';
+import { across, clamp, cross, far, length, mixed, scaled, smooth, sub, unit } from '../vectors.mjs';
+import { onEye } from './eyes.mjs';
+import { eye, fields, headPlace, headTurn, inHead } from './shape.mjs';
+
+const { abs, exp, hypot, sign, sin } = Math;
+const blend = (a, b, t) => a.map((x, k) => mixed(x, b[k], clamp(t)));
+
+// Lengths are in bounding radii, about 9 decimetres.
+export const settings = {
+  furLength: 0.021, density: 1, thickness: 0.22, lengthVariation: 0.25, curl: 0.06, taper: 0.6, repeat: 6, undercoat: 0.4, undercoatLength: 0.6, gravity: 0.1, stiffness: 0.8,
+  rootColor: '#a38e84', tipColor: '#ffffff', skinColor: '#6b5a52', variance: 0.35, specular: 0.75, shininess: 90, layers: 40,
+  // Feathers.
+  type2: 'own', 'type2.name': 'Feathers', 'type2.furLength': 0.062, 'type2.density': 0.9, 'type2.thickness': 0.22, 'type2.lengthVariation': 0.45, 'type2.curl': 0.15, 'type2.taper': 0.8,
+  'type2.wave': 0.25, 'type2.clump': 0.35, 'type2.lockSize': 0.3, 'type2.tipBreak': 0.4, 'type2.rootColor': '#a38e84', 'type2.tipColor': '#ffffff', 'type2.skinColor': '#6b5a52', 'type2.variance': 0.4,
+  'type2.specular': 0.45, 'type2.shininess': 70, 'type2.gravity': 0.35, 'type2.stiffness': 0.45,
+};
+
+// --- colour ---
+
+const red = hex('#8f4a1f'), dark = hex('#5e2b12'), light = hex('#b8743d'), liver = hex('#3c2015'), mealy = hex('#c49a70'), white = hex('#f3ece0'), feather = hex('#8a6240'), shade = hex('#2c1a14');
+
+// A slow unevenness, so that no area is of one colour.
+const mottle = ([x, y, z]) => 0.5 + 0.25 * sin(1.9 * x + 1.3 * sin(1.1 * z)) * sin(1.7 * y + 0.6) + 0.25 * sin(2.3 * z + 1.2 * y + sin(2.1 * x));
+/** Of the lower legs: 0 above, 1 at the fetlocks. */
+const onLeg = ([, y]) => smooth(4.6, 2.6, y);
+
+/** The blaze from the forehead to the nose: how white it is there. */
+function blaze([x, v, u]) {
+  if (v < -0.75) return 0;
+  const width = 0.17 + 0.13 * exp(-(((u - 1.15) / 0.38) ** 2)) + 0.07 * smooth(2.9, 3.4, u) - 0.06 * exp(-(((u - 2.1) / 0.5) ** 2));
+  const middle = 0.04 * sin(2.2 * u), ends = smooth(0.55, 0.85, u) * smooth(3.75, 3.5, u);
+  return ends * smooth(width + 0.03, width - 0.03, abs(x - middle) + 0.025 * sin(9 * u + 4 * x));
+}
+
+function furColour({ position: p, normal: n }) {
+  let colour = blend(red, dark, 0.6 * smooth(0.3, 1, n[1]) * smooth(5, 9, p[1]));
+  colour = blend(colour, light, 0.65 * smooth(0, -0.8, n[1]) * smooth(3.8, 5, p[1]));                // belly
+  colour = blend(colour, light, 0.45 * exp(-((hypot(p[2] + 2.9, 1.2 * (p[1] - 5.9)) / 0.9) ** 2)));  // flanks
+  colour = blend(colour, blend(dark, light, mottle(p)), 0.22);
+  colour = blend(colour, liver, 0.92 * onLeg(p));
+  colour = blend(colour, feather, 0.75 * featherAt({ position: p, normal: n }));
+  if (p[2] < 5.2 || p[1] < 8.4) return colour;
+  const h = inHead(p), muzzle = smooth(2.75, 3.5, h[2] + 0.25 * (h[1] + 0.5)), eyeFar = far([abs(h[0]), h[1], h[2]], eye.at);
+  colour = blend(colour, mealy, 0.8 * muzzle);
+  colour = blend(colour, shade, 0.75 * smooth(0.12, 0.02, fields.nose(p)) + 0.5 * smooth(0.06, 0.01, fields.mouth(p)));
+  colour = blend(colour, mealy, 0.35 * smooth(0.62, 0.42, eyeFar));
+  colour = blend(colour, shade, 0.8 * smooth(0.42, 0.31, eyeFar));
+  if (p[1] > 12.7) colour = blend(colour, dark, 0.5 * smooth(13.2, 13.9, p[1]));                     // tips of the ears
+  return blend(colour, white, blaze(h));
+}
+
+function eyeColour({ position: p }) {
+  const [t, f] = onEye(sign(p[0]) || 1, p), iris = hex('#3a1d0e'), rim = hex('#160a05'), pupil = hex('#050303'), whites = hex('#2a1a12');
+  const r = hypot(t, f) / 44;
+  let colour = blend(iris, hex('#5b3015'), smooth(0.2, -0.9, f / 40));
+  colour = blend(colour, rim, smooth(0.72, 0.98, r));
+  colour = blend(colour, pupil, smooth(1.1, 0.85, hypot(t / 24, f / 13)));
+  return blend(colour, whites, smooth(1, 1.08, r));
+}
+
+function hoofColour({ position: [x, y, z] }) {
+  return blend(blend(hex('#3a332e'), hex('#57493d'), 0.5 + 0.5 * sin(26 * y + 0.7 * sin(5 * (x + z)))), hex('#8a7a68'), 0.35 * smooth(0.6, 0.75, y) + 0.25 * smooth(0.12, 0, y));
+}
+
+const bare = { eye: eyeColour, hooves: hoofColour, nose: () => hex('#241714'), mouth: () => hex('#3a1f1c'), lids: () => hex('#1d120e'), innerEar: () => hex('#5a3d2e') };
+export const colourOf = (materials) => (place) => (bare[materials[place.part]] ?? furColour)(place);
+
+// --- lengths and types ---
+
+/** Where feathers grow: behind the fetlocks and up the tendons, over the hooves all round. */
+function featherAt({ position: [, y, z], normal: n }) {
+  const behind = smooth(0.35, -0.5, n[2]), low = smooth(0.45, 0.62, y);
+  return low * Math.max(behind * smooth(2.7, 1.6, y), smooth(1.05, 0.75, y));
+}
+
+function furLength(place) {
+  const { position: p } = place;
+  let share = 0.95 + 0.35 * smooth(0.2, -0.9, place.normal[1]) * smooth(4, 5, p[1]);
+  share *= mixed(1, 0.75, onLeg(p)) * mixed(1, 0.75, smooth(10, 12, p[1]));
+  const feather = featherAt(place);
+  if (feather > 0) share = mixed(share, 0.55 + 0.45 * smooth(2.6, 1.4, p[1]), smooth(0.1, 0.5, feather));
+  if (p[2] < 5.2 || p[1] < 8.4) return clamp(share * 0.76);
+  const h = inHead(p), eyeFar = far([abs(h[0]), h[1], h[2]], eye.at);
+  share *= mixed(1, 0.32, smooth(2.4, 3.5, h[2])) * mixed(0.25, 1, smooth(0.33, 0.62, eyeFar));
+  if (p[1] > 12.6) share *= 0.8;
+  return clamp(share * 0.76);
+}
+export const groom = (place) => [furLength(place), featherAt(place), 0, 0];
+
+// --- how the hair lies ---
+
+/** Whorls, from which hair goes to all sides, winding: place, reach, turn in radians. */
+const whorls = [
+  { at: headPlace([0, 0.2, 1.05]), reach: 0.9, wind: 0.5 },
+  { at: [1.9, 6.3, -2.5], reach: 1.3, wind: 0.7, mirrored: true },
+  { at: [0.55, 7.2, 4.9], reach: 0.8, wind: -0.6, mirrored: true },
+];
+
+function lie({ position: p, normal: n }) {
+  const side = sign(p[0]) || 1, q = [abs(p[0]), p[1], p[2]], h = inHead(p);
+  const trunk = [0, -0.35 - 0.5 * smooth(7.5, 5.2, p[1]), -1], leg = [0, -1, -0.12];
+  let way = unit(trunk).map((x, k) => mixed(x, leg[k], Math.max(smooth(6, 4.6, p[1]), smooth(-4.2, -5.2, p[2]))));
+  const neck = unit([0, -0.75, -0.65]);
+  way = way.map((x, k) => mixed(x, neck[k], smooth(2.2, 3.6, p[2]) * smooth(6.2, 8, p[1])));
+  if (p[1] < 2) way = way.map((x, k) => mixed(x, [0, -1, p[2] > 0 ? -0.35 : -0.4][k], smooth(2, 1.4, p[1]) * smooth(0.4, -0.3, n[2])));
+  if (p[2] > 5.2 && p[1] > 8.4) {
+    // From the whorl on the forehead down the nose, over the cheeks and up to the poll.
+    const from = sub(p, whorls[0].at), face = unit([from[0] * 0.8, from[1], from[2]]), down = headTurn([side * 0.15, -0.35, 1]);
+    const head = face.map((x, k) => mixed(x, k === 0 ? down[0] : down[k], smooth(1.4, 2.3, h[2])));
+    const cheek = headTurn([side * 0.1, -0.9, 0.1]);
+    const mixedHead = head.map((x, k) => mixed(x, cheek[k], 0.6 * smooth(-0.5, -1, h[1]) * smooth(2.2, 1.4, h[2])));
+    way = way.map((x, k) => mixed(x, mixedHead[k], smooth(-0.1, 0.5, h[2])));
+    if (p[1] > 12.7) way = [side * 0.2, 1, 0.05];
+  }
+  for (const { at, reach, wind, mirrored } of whorls) {
+    const off = across(sub(mirrored ? q : p, at), mirrored ? [side * n[0], n[1], n[2]] : n), r = length(off), share = exp(-((r / (0.55 * reach)) ** 2));
+    if (share < 0.01 || r < 1e-3) continue;
+    const out = scaled(off, 1 / r), turn = scaled(cross(mirrored ? [side * n[0], n[1], n[2]] : n, out), wind), round = [out[0] + turn[0], out[1] + turn[1], out[2] + turn[2]];
+    const real = mirrored ? [side * round[0], round[1], round[2]] : round;
+    way = unit(way).map((x, k) => mixed(x, unit(real)[k], share));
+  }
+  return unit(way);
+}
+
+/** A lean along the skin, radians. */
+export const comb = (place) => {
+  const flat = across(lie(place), place.normal), size = length(flat), feather = featherAt(place);
+  return size < 1e-3 ? [0, 0, 0] : scaled(flat, (mixed(1.08, 0.95, feather) * smooth(0, 0.35, size)) / size);
+};

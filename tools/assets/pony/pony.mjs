@@ -1,0 +1,19 @@
+// The pony: { name, file(program) }.
+import { animalFile } from '../animal.mjs';
+import { colourOf, comb, groom, settings } from './coat.mjs';
+import { hair } from './hair.mjs';
+import { materials as names, ponyBodies } from './mesh.mjs';
+import { animations } from './motion.mjs';
+import { rig } from './rig.mjs';
+
+const roughness = { eye: 0.08, nose: 0.45, mouth: 0.5, hooves: 0.38, lids: 0.45, innerEar: 0.8 };
+const materials = names.map((name) => ({
+  name, furry: name === 'fur', json: { pbrMetallicRoughness: { metallicFactor: 0, roughnessFactor: roughness[name] ?? 0.8, baseColorTexture: { index: 0 } }, ...(name === 'lids' && { doubleSided: true }) },
+}));
+
+export const pony = {
+  name: 'pony',
+  file: (program) => animalFile(program, {
+    name: 'pony', rig, materials, bodies: ponyBodies(), colour: colourOf(names), groom, comb, hair, animations: animations(), state: { settings }, colourSize: 1024,
+  }),
+};
