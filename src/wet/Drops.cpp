@@ -120,10 +120,10 @@ void Water::fall(const WetSurface& skin, const Climate& climate) {
       if (drop.jet > 1.0f) drop.jet = std::max(drop.jet - kRate / kFallsApart, 1.0f);
       drop.velocity += (Vec3(0, -kGravity, 0) + (climate.wind - drop.velocity) * kDrag) * kRate;
       const Vec3 way = drop.velocity * kRate;
-      const auto hit = shown.castRay(toModel * (drop.position - middle), toModel * way);
+      const auto hit = shown.castRay(toModel * (drop.position - middle), toModel * way, nullptr, 1.0f);
       const Vec3 to = drop.position + way;
-      if (skin.hair && meetHair(*skin.hair, drop, hit && hit->distance <= 1.0f ? way * hit->distance : way)) continue;
-      if (hit && hit->distance <= 1.0f) {
+      if (skin.hair && meetHair(*skin.hair, drop, hit ? way * hit->distance : way)) continue;
+      if (hit) {
         landed_.push_back(hit->triangle);
         const Vec3 at = positionAt(skin.surface, *hit), normal = normalAt(skin.surface, *hit);
         splash(at, normal, (drop.jet > 0.0f ? 1.6f : 1.0f) * climate.clumpSize, drop.water, texels_->placeAt(atlasAt(skin.surface, *hit)));

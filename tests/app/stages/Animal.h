@@ -16,7 +16,7 @@ class Animal {
 
   // Of the actions that are named, beside standing; `head` and `breathe` may be left out.
   explicit Animal(const std::vector<std::string>& actions = {"sit", "groom", "shake", "walk", "swim"}, const std::string& head = "head",
-                  const std::string& breathe = "breathe") {
+                  const std::string& breathe = "breathe", int around = 32) {
     addNode("root", -1, {});
     addNode("chest", 0, {0, 0.1f, 0.1f});
     addNode("neck", 1, {0, 0.1f, 0.25f});
@@ -25,8 +25,8 @@ class Animal {
     addNode("eyeR", 3, {-0.05f, 0.05f, 0.12f});
     addNode("earL", 3, {0.1f, 0.12f, 0});
     bind();
-    addBall({0, 0, -0.1f}, 0.4f, 1);
-    addBall({0, 0.35f, 0.5f}, 0.2f, 3);
+    addBall({0, 0, -0.1f}, 0.4f, 1, around);
+    addBall({0, 0.35f, 0.5f}, 0.2f, 3, around);
     addTurn("stand", 2, 1, {0, 0, 1}, 0.02f, 1);
     for (const std::string& action : actions) addTurn(action, action == "shake" ? 1.5f : 3, 1, action == "sit" ? Vec3(1, 0, 0) : Vec3(0, 0, 1), action == "shake" ? 0.4f : 0.3f, action == "shake" ? 8 : 1);
     addTurn(breathe, 3, 1, {1, 0, 0}, 0.05f, 0.5f);
@@ -66,8 +66,8 @@ class Animal {
     rig.parts.push_back({0, 0, 0, 0, 0, 0});
   }
 
-  void addBall(const Vec3& centre, float radius, std::uint16_t joint) {
-    const geometry::Mesh ball = geometry::makeSphere(32, 16);
+  void addBall(const Vec3& centre, float radius, std::uint16_t joint, int around) {
+    const geometry::Mesh ball = geometry::makeSphere(around, around / 2);
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
     for (std::size_t i = 0; i < ball.positions.size(); ++i) {
       mesh.positions.push_back(centre + radius * ball.positions[i]);
