@@ -1,5 +1,6 @@
 // From a description of an animal to its file: mesh, materials, atlas, maps, rig, animations and fur.
 import { animalGlb } from './glb.mjs';
+import { longHair } from './hair.mjs';
 import { surfaceNets, surfaceOf, triangulated } from './nets.mjs';
 import { byte, packedPlanes, pictureOf, placesOn } from './paint.mjs';
 import { fitOf, laidOut, wornOf } from './program.mjs';
@@ -85,9 +86,10 @@ function partOf(mesh, atlas, material, comb) {
 /**
  * The file of an animal. `bodies`: [{ positions, normals, cells, materialOf(cell), weights }]; `materials`: [{ name, furry?, json? }]; of places
  * { position, normal, part: number of the material }: `colour(place)` gives [r, g, b], `groom(place)` [length, types 2 to 4], `comb(place)` a lean
- * in radians along the skin; `steps(fit)` dresses it; `pictures`: PNG files beside that of the atlas, which is the first.
+ * in radians along the skin; `steps(fit)` dresses it, or `hair(fit)` says what hair.mjs makes long hair of; `pictures`: PNG files beside that of
+ * the atlas, which is the first.
  */
-export function animalFile(program, { name, rig, bodies, materials, colour, groom, comb, steps = () => [], animations, state, pictures = [], colourSize = 512, mapSize = 256 }) {
+export function animalFile(program, { name, rig, bodies, materials, colour, groom, comb, steps = () => [], hair, animations, state, pictures = [], colourSize = 512, mapSize = 256 }) {
   const mesh = gathered(bodies), fit = fitOf(mesh.positions.map((p) => p.map(Math.fround)));
   const { atlas, glb } = laidOut(program, mesh, steps(fit));
   const parts = materials.map(({ furry }, material) => ({ material, ...partOf(mesh, atlas, material, furry && comb) })).filter(({ indices }) => indices.length);
@@ -99,7 +101,7 @@ export function animalFile(program, { name, rig, bodies, materials, colour, groo
     materials: materials.map(({ name: label, json }) => ({ name: label, pbrMetallicRoughness: { metallicFactor: 0, roughnessFactor: 0.8, baseColorTexture: { index: 0 } }, ...json })),
     pictures: [pictureOf(colourSize, placesOn(colourSize, corners, triangles).map(colour)), ...pictures],
     bare: materials.flatMap(({ furry }, i) => (furry ? [] : [i])),
-    fur: (writer) => ({ state: { version: 1, ...state }, groom: { size: mapSize, bufferView: writer.view(packedPlanes(texels)), texCoord: 0 }, ...wornOf(glb, writer, fit) }),
+    fur: (writer) => ({ state: { version: 1, ...state }, groom: { size: mapSize, bufferView: writer.view(packedPlanes(texels)), texCoord: 0 }, ...wornOf(glb, writer, fit), ...hair && { hair: longHair(writer, rig, (size, reach) => placesOn(size, corners, triangles, reach), hair(fit)) } }),
   });
   return { file, triangles: mesh.cells.length, fit };
 }

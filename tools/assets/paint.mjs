@@ -43,30 +43,36 @@ export function pictureOf(size, colours) {
 export const hex = (text) => [1, 3, 5].map((i) => parseInt(text.slice(i, i + 2), 16) / 255);
 
 /**
- * For each texel of a square map what lies there: { position, normal, part }, beyond the borders of charts what lies nearest.
- * `vertices`: { position, normal, uv }; `triangles`: { corners: [3 vertices], part }.
+ * For each texel of a square map what lies there: { position, normal, part }, beyond the borders of charts what lies nearest, up to `reach`
+ * texels away. `vertices`: { position, normal, uv }; `triangles`: { corners: [3 vertices], part }.
  */
-export function placesOn(size, vertices, triangles) {
-  const places = new Array(size * size);
+export function placesOn(size, vertices, triangles, reach = Infinity) {
+  const places = new Array(size * size), small = [];
   for (const { corners, part } of triangles) {
     const [a, b, c] = corners.map((v) => vertices[v]), [p, q, r] = [a, b, c].map(({ uv }) => uv.map((x) => x * size - 0.5));
     const area = (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
     if (Math.abs(area) < 1e-9) continue;
     const low = [0, 1].map((k) => Math.max(0, Math.ceil(Math.min(p[k], q[k], r[k]) - 0.01))), high = [0, 1].map((k) => Math.min(size - 1, Math.floor(Math.max(p[k], q[k], r[k]) + 0.01)));
+    const of = (key, u, v) => add(add(scaled(a[key], 1 - u - v), scaled(b[key], u)), scaled(c[key], v));
+    const placeAt = (u, v) => ({ position: of('position', u, v), normal: unit(of('normal', u, v)), part });
+    let found = false;
     for (let y = low[1]; y <= high[1]; ++y) for (let x = low[0]; x <= high[0]; ++x) {
       const u = ((x - p[0]) * (r[1] - p[1]) - (y - p[1]) * (r[0] - p[0])) / area, v = ((q[0] - p[0]) * (y - p[1]) - (q[1] - p[1]) * (x - p[0])) / area;
       if (u < -1e-3 || v < -1e-3 || u + v > 1.001) continue;
-      const of = (key) => add(add(scaled(a[key], 1 - u - v), scaled(b[key], u)), scaled(c[key], v));
-      places[x + size * y] = { position: of('position'), normal: unit(of('normal')), part };
+      places[x + size * y] = placeAt(u, v);
+      found = true;
     }
+    if (!found) small.push([Math.round((p[0] + q[0] + r[0]) / 3), Math.round((p[1] + q[1] + r[1]) / 3), placeAt(1 / 3, 1 / 3)]);
   }
-  return spread(places, size);
+  // Triangles between the middles of texels have the one that is nearest.
+  for (const [x, y, place] of small) if (x >= 0 && y >= 0 && x < size && y < size) places[x + size * y] ??= place;
+  return spread(places, size, reach);
 }
 
-// Texels without a place take that of a neighbour that has one, until all have one.
-function spread(places, size) {
+// Texels without a place take that of a neighbour that has one, so many times.
+function spread(places, size, reach) {
   let front = [...places.keys()].filter((i) => places[i]);
-  while (front.length) {
+  for (let round = 0; round < reach && front.length; ++round) {
     const next = [];
     for (const i of front) {
       const x = i % size, y = (i - x) / size;

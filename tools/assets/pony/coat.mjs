@@ -9,17 +9,17 @@ const blend = (a, b, t) => a.map((x, k) => mixed(x, b[k], clamp(t)));
 
 // Lengths are in bounding radii, about 9 decimetres.
 export const settings = {
-  furLength: 0.021, density: 1, thickness: 0.22, lengthVariation: 0.25, curl: 0.06, taper: 0.6, repeat: 6, undercoat: 0.4, undercoatLength: 0.6, gravity: 0.1, stiffness: 0.8,
-  rootColor: '#a38e84', tipColor: '#ffffff', skinColor: '#6b5a52', variance: 0.35, specular: 0.75, shininess: 90, layers: 40,
+  furLength: 0.035, density: 1, thickness: 0.35, lengthVariation: 0.25, curl: 0.06, taper: 0.6, repeat: 12, undercoat: 0.4, undercoatLength: 0.6, gravity: 0.1, stiffness: 0.8,
+  rootColor: '#5c5048', tipColor: '#b0b0b0', skinColor: '#8c7c72', variance: 0.4, specular: 0.14, shininess: 90, layers: 40,
   // Feathers.
-  type2: 'own', 'type2.name': 'Feathers', 'type2.furLength': 0.062, 'type2.density': 0.9, 'type2.thickness': 0.22, 'type2.lengthVariation': 0.45, 'type2.curl': 0.15, 'type2.taper': 0.8,
-  'type2.wave': 0.25, 'type2.clump': 0.35, 'type2.lockSize': 0.3, 'type2.tipBreak': 0.4, 'type2.rootColor': '#a38e84', 'type2.tipColor': '#ffffff', 'type2.skinColor': '#6b5a52', 'type2.variance': 0.4,
-  'type2.specular': 0.45, 'type2.shininess': 70, 'type2.gravity': 0.35, 'type2.stiffness': 0.45,
+  type2: 'own', 'type2.name': 'Feathers', 'type2.furLength': 0.085, 'type2.density': 0.9, 'type2.thickness': 0.3, 'type2.lengthVariation': 0.45, 'type2.curl': 0.15, 'type2.taper': 0.8,
+  'type2.wave': 0.25, 'type2.clump': 0.35, 'type2.lockSize': 0.3, 'type2.tipBreak': 0.4, 'type2.rootColor': '#5c5048', 'type2.tipColor': '#b0b0b0', 'type2.skinColor': '#8c7c72', 'type2.variance': 0.4,
+  'type2.specular': 0.15, 'type2.shininess': 70, 'type2.gravity': 0.6, 'type2.stiffness': 0.3,
 };
 
 // --- colour ---
 
-const red = hex('#8f4a1f'), dark = hex('#5e2b12'), light = hex('#b8743d'), liver = hex('#3c2015'), mealy = hex('#c49a70'), white = hex('#f3ece0'), feather = hex('#8a6240'), shade = hex('#2c1a14');
+const red = hex('#843810'), dark = hex('#552108'), light = hex('#a9622c'), liver = hex('#3c2015'), mealy = hex('#c49a70'), white = hex('#f3ece0'), feather = hex('#8a6240'), shade = hex('#2c1a14');
 
 // A slow unevenness, so that no area is of one colour.
 const mottle = ([x, y, z]) => 0.5 + 0.25 * sin(1.9 * x + 1.3 * sin(1.1 * z)) * sin(1.7 * y + 0.6) + 0.25 * sin(2.3 * z + 1.2 * y + sin(2.1 * x));
@@ -52,16 +52,16 @@ function furColour({ position: p, normal: n }) {
 }
 
 function eyeColour({ position: p }) {
-  const [t, f] = onEye(sign(p[0]) || 1, p), iris = hex('#3a1d0e'), rim = hex('#160a05'), pupil = hex('#050303'), whites = hex('#2a1a12');
+  const [t, f] = onEye(sign(p[0]) || 1, p), iris = hex('#2e170b'), rim = hex('#160a05'), pupil = hex('#050303'), whites = hex('#2a1a12');
   const r = hypot(t, f) / 44;
-  let colour = blend(iris, hex('#5b3015'), smooth(0.2, -0.9, f / 40));
+  let colour = blend(iris, hex('#4a2812'), smooth(0.2, -0.9, f / 40));
   colour = blend(colour, rim, smooth(0.72, 0.98, r));
   colour = blend(colour, pupil, smooth(1.1, 0.85, hypot(t / 24, f / 13)));
   return blend(colour, whites, smooth(1, 1.08, r));
 }
 
 function hoofColour({ position: [x, y, z] }) {
-  return blend(blend(hex('#3a332e'), hex('#57493d'), 0.5 + 0.5 * sin(26 * y + 0.7 * sin(5 * (x + z)))), hex('#8a7a68'), 0.35 * smooth(0.6, 0.75, y) + 0.25 * smooth(0.12, 0, y));
+  return blend(blend(hex('#2c2622'), hex('#40362e'), 0.5 + 0.5 * sin(26 * y + 0.7 * sin(5 * (x + z)))), hex('#6a5c4e'), 0.35 * smooth(0.6, 0.75, y) + 0.25 * smooth(0.12, 0, y));
 }
 
 const bare = { eye: eyeColour, hooves: hoofColour, nose: () => hex('#241714'), mouth: () => hex('#3a1f1c'), lids: () => hex('#1d120e'), innerEar: () => hex('#5a3d2e') };
@@ -80,11 +80,11 @@ function furLength(place) {
   let share = 0.95 + 0.35 * smooth(0.2, -0.9, place.normal[1]) * smooth(4, 5, p[1]);
   share *= mixed(1, 0.75, onLeg(p)) * mixed(1, 0.75, smooth(10, 12, p[1]));
   const feather = featherAt(place);
-  if (feather > 0) share = mixed(share, 0.55 + 0.45 * smooth(2.6, 1.4, p[1]), smooth(0.1, 0.5, feather));
+  if (feather > 0) share = mixed(share, (0.5 + 0.5 * smooth(0.2, -0.5, place.normal[2])) * (0.6 + 0.4 * smooth(2.6, 1.6, p[1])), smooth(0.1, 0.5, feather));
   if (p[2] < 5.2 || p[1] < 8.4) return clamp(share * 0.76);
   const h = inHead(p), eyeFar = far([abs(h[0]), h[1], h[2]], eye.at);
-  share *= mixed(1, 0.32, smooth(2.4, 3.5, h[2])) * mixed(0.25, 1, smooth(0.33, 0.62, eyeFar));
-  if (p[1] > 12.6) share *= 0.8;
+  share *= mixed(1, 0.32, smooth(2.4, 3.5, h[2])) * smooth(0.33, 0.6, eyeFar) ** 0.6;
+  share *= mixed(1, 0.5, smooth(12.7, 13.3, p[1]));
   return clamp(share * 0.76);
 }
 export const groom = (place) => [furLength(place), featherAt(place), 0, 0];
@@ -127,5 +127,5 @@ function lie({ position: p, normal: n }) {
 /** A lean along the skin, radians. */
 export const comb = (place) => {
   const flat = across(lie(place), place.normal), size = length(flat), feather = featherAt(place);
-  return size < 1e-3 ? [0, 0, 0] : scaled(flat, (mixed(1.08, 0.95, feather) * smooth(0, 0.35, size)) / size);
+  return size < 1e-3 ? [0, 0, 0] : scaled(flat, (mixed(1.08, 1.14, feather) * smooth(0, 0.35, size)) / size);
 };

@@ -12,15 +12,15 @@ const numberOf = (name) => materials.indexOf(name);
 /** How long edges are to be: finer about the eyes, the muzzle, the ears and at the legs. */
 export function sizeAt(place) {
   const [x, y, z] = place, p = [Math.abs(x), y, z];
-  let size = 0.4;
-  if (y < 5.6) size = mixed(0.2, 0.4, smooth(3.6, 5.6, y));
-  if (y < 1.5) size = mixed(0.15, 0.2, smooth(0.7, 1.5, y));
+  let size = 0.32;
+  if (y < 5.6) size = mixed(0.19, 0.32, smooth(3.6, 5.6, y));
+  if (y < 1.5) size = mixed(0.15, 0.19, smooth(0.7, 1.5, y));
   if (z > 3 && y > 8) size = mixed(size, 0.22, smooth(8, 12, y + 0.5 * (z - 5)));
   if (z < -4.6 && y > 6) size = mixed(size, 0.2, smooth(-4.6, -5.4, z));
   if (z > 5.2 && y > 8) {
     const [, , u] = inHead(p);
     size = Math.min(size, 0.2, mixed(0.2, 0.1, smooth(2.6, 3.4, u)), mixed(0.085, 0.2, smooth(0.3, 0.8, far(p, headPlace(eye.at)))));
-    if (y > 12.6) size = Math.min(size, 0.1);
+    if (y > 12.6) size = Math.min(size, 0.085);
   }
   return size;
 }

@@ -1,5 +1,7 @@
 // The pony's animations. Whole-body ones, and layers that are added to them: those begin and end at rest.
-import { animation, ease, planted, swell, together } from '../motion.mjs';
+import { animation, ease, placed, planted, swell, together } from '../motion.mjs';
+import { cross } from '../vectors.mjs';
+import { eyeOf } from './eyes.mjs';
 import { rig } from './rig.mjs';
 
 const { PI, cos, max, min, sin } = Math;
@@ -14,14 +16,35 @@ const legs = ['LF', 'RF', 'LH', 'RH'].map((name) => {
   return { name, isFore, chain, upper: (isFore ? 'upperArm' : 'thigh') + side, at: place(chain[2]), bend: isFore ? 1 : -1 };
 });
 
-/** With each foot [forward, up, pitch in degrees] from where it stands at rest; `roll`: of the upper joints, degrees. */
+/**
+ * A foreleg that carries is straight: the upper arm turns so that elbow and fetlock are as far apart as that takes. `load`: how much it carries,
+ * `swing`: where it would be otherwise, degrees.
+ */
+function armOf(pose, { chain, upper }, target, load, swing) {
+  const length = straight(chain), [fore] = chain.map((name) => rig.joint(name));
+  const off = (angle) => {
+    const { at } = placed(rig, together(pose, { turn: { [upper]: [angle, 0, 0] } }))[fore];
+    return Math.hypot(at[1] - target[1], at[2] - target[2]) - length;
+  };
+  // Farther back the elbow is higher.
+  let low = swing - 40, high = swing + 32;
+  if (load <= 0) return swing;
+  for (let i = 0; i < 16; ++i) off((low + high) / 2) < 0 ? (low = (low + high) / 2) : (high = (low + high) / 2);
+  return swing + load * ((low + high) / 2 - swing);
+}
+const straight = (chain) => {
+  const [a, b, c] = chain.map(place);
+  return 0.9975 * (Math.hypot(a[1] - b[1], a[2] - b[2]) + Math.hypot(b[1] - c[1], b[2] - c[2]));
+};
+
+/** With each foot { forward, up, pitch in degrees, load } from where it stands at rest; `roll`: of the upper joints, degrees. */
 function standing(pose, feet = {}, roll = 0) {
-  for (const { name, isFore, chain, upper, at, bend } of legs) {
-    const [forward, up, pitch] = feet[name] ?? [0, 0, 0];
+  for (const leg of legs) {
+    const { name, isFore, chain, upper, at, bend } = leg, { forward, up, pitch, load } = feet[name] ?? { forward: 0, up: 0, pitch: 0, load: 1 };
+    const target = [at[0], at[1] + up, at[2] + forward];
     // The shoulder and the hip follow by so much of the way.
-    const swing = isFore ? -11 * forward - 9 * max(0, up) : -10 * forward - 12 * max(0, up);
-    const moved = together(pose, { turn: { [upper]: [swing, 0, roll] } });
-    pose = planted(rig, moved, chain, [at[0], at[1] + up, at[2] + forward], { bend, pitch });
+    const swing = isFore ? armOf(pose, leg, target, load, -9 * forward - 10 * max(0, up)) : -10 * forward - 12 * max(0, up);
+    pose = planted(rig, together(pose, { turn: { [upper]: [swing, 0, roll] } }), chain, target, { bend, pitch });
   }
   return pose;
 }
@@ -30,11 +53,13 @@ function standing(pose, feet = {}, roll = 0) {
 function step(s, duty, reach, lift, isFore) {
   if (s < duty) {
     const t = s / duty, off = max(0, (t - 0.72) / 0.28);
-    return [reach * (1 - 2 * t), 0.28 * off * off * min(1, reach), 24 * off * off];
+    return { forward: reach * (1 - 2 * t), up: 0.28 * off * off * min(1, reach), pitch: 24 * off * off, load: 1 };
   }
   const t = (s - duty) / (1 - duty), rise = sin(PI * t ** 0.8);
-  const pitch = 24 * (1 - t) ** 2 + (isFore ? 95 : 75) * lift * sin(PI * t) * (1 - t) - 8 * t * sin(PI * t);
-  return [reach * (2 * ease(-0.1, 1.04, t) - 1), lift * rise + 0.28 * (1 - t) ** 2 * min(1, reach), pitch];
+  return {
+    forward: reach * (2 * ease(-0.1, 1.04, t) - 1), up: lift * rise + 0.28 * (1 - t) ** 2 * min(1, reach),
+    pitch: 24 * (1 - t) ** 2 + (isFore ? 95 : 75) * lift * sin(PI * t) * (1 - t) - 8 * t * sin(PI * t), load: 1 - ease(0, 0.3, t) + ease(0.75, 1, t),
+  };
 }
 
 // --- whole body ---
@@ -42,7 +67,7 @@ function step(s, duty, reach, lift, isFore) {
 function stand(t, seconds) {
   const s = turns(t / seconds), shift = 0.07 * sin(s);
   const pose = {
-    move: { root: [shift, -0.04 + 0.02 * cos(2 * s), 0] },
+    move: { root: [shift, 0.02 * cos(2 * s) - 0.02, 0] },
     turn: { hips: [0, 0, 0.9 * sin(s)], chest: [0, 0, -0.9 * sin(s)], neck1: [1.5 * sin(s + 1), 2 * sin(s + 0.7), 0], neck: [1.2 * sin(2 * s), 1.5 * sin(s), 0], head: [-1.6 * sin(s + 0.6), 1.5 * sin(s + 2), 1.2 * sin(s)],
       earL: [0, 5 * sin(2 * s + 1), 0], earR: [0, 5 * sin(3 * s), 0] },
   };
@@ -64,7 +89,7 @@ function walk(t, seconds) {
   for (const { name, isFore } of legs) feet[name] = step(fraction(s - phase[name]), 0.62, 1.15, isFore ? 0.55 : 0.45, isFore);
   const a = turns(s), b = turns(2 * s);
   return standing({
-    move: { root: [0.06 * sin(a - 0.8), -0.14 + 0.05 * cos(b), 0] },
+    move: { root: [0.06 * sin(a - 0.8), -0.08 + 0.05 * cos(b), 0] },
     turn: { hips: [0.8 * sin(b), 1.6 * sin(a), 1.6 * cos(a)], spine1: [0, -1.2 * sin(a), -1 * cos(a)], spine2: [0, -1.2 * sin(a), -0.6 * cos(a)], chest: [-0.6 * sin(b + 0.6), 0.8 * sin(a), 0], neck1: [2.6 * sin(b + 0.4), 0, 0], neck: [2 * sin(b + 0.1), 0.8 * sin(a), 0], head: [-2.4 * sin(b - 0.3), 0, 0], tail1: [0, 5 * sin(a + 0.5), 0], tail2: [0, 5 * sin(a - 0.3), 0] },
   }, feet);
 }
@@ -77,7 +102,7 @@ function canter(t, seconds) {
   // About the middle of the body, not about the ground.
   const radians = (pitch * PI) / 180, high = 7.4;
   return standing({
-    move: { root: [0, -0.3 + rise + high * (1 - cos(radians)), -high * sin(radians)] },
+    move: { root: [0, -0.15 + rise + high * (1 - cos(radians)), -high * sin(radians)] },
     turn: { root: [pitch, 0, 0], hips: [2.5 * sin(a), 0, 0], spine1: [-2 * sin(a), 0, 0], spine2: [-2 * sin(a + 0.2), 0, 0], neck1: [5 - 4 * cos(a + 0.8), 0, 0], neck: [2 - 3.5 * cos(a + 0.5), 0, 0], head: [-3 + 4.5 * cos(a + 0.2), 0, 0], tail1: [16 + 8 * sin(a), 0, 0], tail2: [-4 + 8 * sin(a - 0.8), 0, 0], tail3: [6 * sin(a - 1.6), 0, 0], earL: [-6, 0, 3], earR: [-6, 0, -3] },
   }, feet);
 }
@@ -92,7 +117,7 @@ function shake(t, seconds) {
       head: [6 * low, wave(0, 6), wave(0, 20)], neck: [8 * low, wave(0.05, 5), wave(0.04, 9)], neck1: [9 * low, wave(0.1, 3), wave(0.08, 5)], chest: [0, 0, wave(0.14, 3.4)], spine2: [0, 0, wave(0.18, -1)], spine1: [0, 0, wave(0.24, 1.5)],
       hips: [0, 0, wave(0.3, 3)], tail1: [0, wave(0.36, 9), 0], tail2: [0, wave(0.42, 12), 0], tail3: [0, wave(0.45, 12), 0], earL: [0, wave(0.02, 25), 14 * low], earR: [0, wave(0.02, 25), -14 * low],
     },
-  }, Object.fromEntries(legs.map(({ name, isFore }) => [name, [0.12 * low * (isFore ? 1 : -1), 0, 0]])));
+  }, Object.fromEntries(legs.map(({ name, isFore }) => [name, { forward: 0.12 * low * (isFore ? 1 : -1), up: 0, pitch: 0, load: 1 }])));
 }
 
 // --- layers ---
@@ -102,8 +127,22 @@ const breathe = (t, seconds) => {
   return { move: { spine2: [0, 0.035 * s, 0], chest: [0, -0.035 * s, 0.01 * s] }, turn: { neck1: [-0.5 * s, 0, 0], head: [0.4 * s, 0, 0] } };
 };
 
-/** Lids turn about the line from one corner of the eye to the other, which lies nearly along z: so many degrees. */
-const lidTurns = (upper, lower) => ({ turn: { lidUpperL: [0, 0, -upper], lidUpperR: [0, 0, upper], lidLowerL: [0, 0, lower], lidLowerR: [0, 0, -lower] } });
+/** A turn by `degrees` about a unit axis, as a pose has turns. */
+function about([x, y, z], degrees) {
+  const c = cos((degrees * PI) / 180), s = sin((degrees * PI) / 180), k = 1 - c;
+  // R = yaw pitch roll: its third column and its second row.
+  const pitch = Math.asin(-max(-1, min(1, k * y * z - s * x))), yaw = Math.atan2(k * x * z + s * y, k * z * z + c), roll = Math.atan2(k * x * y + s * z, k * y * y + c);
+  return [pitch, yaw, roll].map((angle) => (angle * 180) / PI);
+}
+/** Lids close by so many degrees, about the line from one corner of the eye to the other. */
+const lidTurns = (upper, lower) => {
+  const turn = {};
+  for (const [name, side] of [['L', 1], ['R', -1]]) {
+    const { gaze, up } = eyeOf(side), axis = cross(up, gaze);
+    turn[`lidUpper${name}`] = about(axis, upper), turn[`lidLower${name}`] = about(axis, -lower);
+  }
+  return { turn };
+};
 
 const flick = (ear, side) => (t, seconds) => {
   const back = swell(t, seconds, 0.12, 0.3), tremble = back * sin(turns(6 * t));

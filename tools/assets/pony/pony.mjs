@@ -6,7 +6,7 @@ import { materials as names, ponyBodies } from './mesh.mjs';
 import { animations } from './motion.mjs';
 import { rig } from './rig.mjs';
 
-const roughness = { eye: 0.08, nose: 0.45, mouth: 0.5, hooves: 0.38, lids: 0.45, innerEar: 0.8 };
+const roughness = { eye: 0.08, nose: 0.45, mouth: 0.5, hooves: 0.62, lids: 0.45, innerEar: 0.8 };
 const materials = names.map((name) => ({
   name, furry: name === 'fur', json: { pbrMetallicRoughness: { metallicFactor: 0, roughnessFactor: roughness[name] ?? 0.8, baseColorTexture: { index: 0 } }, ...(name === 'lids' && { doubleSided: true }) },
 }));

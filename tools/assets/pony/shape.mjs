@@ -27,8 +27,8 @@ const hamstrings = tube([[0.72, 8.6, -4.6, 0.6], [0.95, 7.5, -4.98, 0.68], [1.18
 function hindquarters(p, d) {
   d = union(d, egg(p, [0.9, 8.55, -3.3], [1.02, 1.2, 1.55]), 0.6);                            // croup
   d = union(d, egg(p, [1.25, 7.1, -3.75], [0.95, 1.95, 1.4]), 0.6);                           // thigh
-  d = union(d, hamstrings(p), 0.5);
-  return union(d, limb(p, [1.6, 6.9, -2.7], [1.45, 5.6, -2.85], 0.5, 0.5), 0.7);              // stifle
+  d = union(d, hamstrings(p), 0.8);
+  return union(d, limb(p, [1.6, 6.9, -2.7], [1.45, 5.6, -2.85], 0.5, 0.5), 0.9);              // stifle
 }
 
 const blade = tube([[0.8, 9.0, 2.4, 0.5], [1.2, 7.9, 3.3, 0.62], [1.32, 6.7, 4.15, 0.62]]);
@@ -158,10 +158,10 @@ const joined = (p, d, box, part, k) => (fromBox(p, box) > d + k ? d : union(d, p
 function half(p) {
   let d = shoulder(p, hindquarters(p, barrel(p)));
   d = union(d, neck(p), 0.7);
-  d = joined(p, d, boxes.head, head, 0.3);
+  d = joined(p, d, boxes.head, head, 0.4);
   d = joined(p, d, boxes.ears, ears, 0.12);
   d = joined(p, d, boxes.tail, tail, 0.25);
-  d = joined(p, d, boxes.fore, (q) => union(foreleg(q), hoof(q, hoofAt.fore), 0.06), 0.45);
-  return joined(p, d, boxes.hind, (q) => union(hindleg(q), hoof(q, hoofAt.hind), 0.06), 0.45);
+  d = joined(p, d, boxes.fore, (q) => union(foreleg(q), hoof(q, hoofAt.fore), 0.06), 0.7);
+  return joined(p, d, boxes.hind, (q) => union(hindleg(q), hoof(q, hoofAt.hind), 0.06), 0.7);
 }
 export const ponyAt = mirrored(half, 0.01);
