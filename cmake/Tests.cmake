@@ -63,8 +63,8 @@ if(FUR_CPU_TESTS)
   endif()
 endif()
 
-# tests/bench/water.cpp and hair.cpp; no tests, and not built with them.
-foreach(bench water:wet hair:hair)
+# tests/bench/water.cpp and others; no tests, and not built with them.
+foreach(bench water:wet hair:hair alive:stages)
   string(REPLACE ":" ";" bench "${bench}")
   list(GET bench 0 name)
   list(GET bench 1 module)
@@ -72,7 +72,7 @@ foreach(bench water:wet hair:hair)
   target_include_directories(wet-fur-${name}-bench PRIVATE "${CMAKE_SOURCE_DIR}" "${CMAKE_SOURCE_DIR}/tests")
   target_link_libraries(wet-fur-${name}-bench PRIVATE fur_${module})
   if(EMSCRIPTEN)
-    fur_node_program(wet-fur-${name}-bench)
+    fur_node_program(wet-fur-${name}-bench -sNODERAWFS=1)
   endif()
 endforeach()
 

@@ -8,11 +8,11 @@ import { WetFur } from './host.js';
 import { optionDefaults } from './options.js';
 
 // Settings fields that have an attribute; every other field is a property only.
-const settingAttributes = ['wind', 'dryRate', 'brushRadius', 'brushFlow', 'exposure', 'seed', 'view', 'refine', 'lightRig'];
+const settingAttributes = ['wind', 'dryRate', 'brushRadius', 'brushFlow', 'exposure', 'seed', 'view', 'refine', 'lightRig', 'behaviour'];
 const ownAttributes = ['src', 'alt', 'poster', 'loading', 'reveal', 'interactionPrompt'];
 const hostOptions = Object.keys(optionDefaults);
 const forwardedEvents = [
-  'load', 'progress', 'error', 'warning', 'camera-change', 'wetness-change', 'cursor-move', 'stroke-start', 'stroke-end',
+  'load', 'progress', 'error', 'warning', 'camera-change', 'wetness-change', 'cursor-move', 'stroke-start', 'stroke-end', 'action-start', 'action-end',
   'state-change', 'context-lost', 'context-restored', 'model-visibility',
 ];
 const kebab = (name) => name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);

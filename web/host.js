@@ -361,7 +361,7 @@ export class WetFur extends EventTarget {
       this.prototype[name] = function method(...args) {
         if (!this.loaded) return emptyOf[result];
         const value = this.#app[name](...args);
-        if (result === 'Nothing') this.#frames.wake();
+        if (result !== 'Number') this.#frames.wake();
         return value;
       };
     });

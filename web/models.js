@@ -7,7 +7,9 @@ export const primitives = Object.freeze(['sphere', 'torus', 'plane']);
 /** Models with a groom, a look and a camera of their own (assets/scenes/scenes.mjs). */
 export const sceneNames = Object.freeze(['five-coats', 'shells-8', 'shells-16', 'shells-32', 'fins-everywhere', 'fins-outline', 'fading', 'variance', 'interpolation',
   'wet-bunny', 'half-wet', 'wet-letters', 'wet-straight', 'wet-bent', 'wet-tile', 'hair-short', 'hair-shoulder', 'hair-pony']);
-const shippedModels = Object.freeze(['bunny', ...sceneNames]);
+/** Shown where nothing else is asked for; others where it cannot be, and at addresses from before there was the first. */
+export const firstModel = 'otter', plainModel = 'bunny';
+const shippedModels = Object.freeze(['otter', 'pony', 'bunny', ...sceneNames]);
 /** The names that `src` takes beside addresses. */
 export const modelNames = Object.freeze([...shippedModels, ...primitives]);
 

@@ -1,5 +1,6 @@
 // The demo page: one <wet-fur> over the window, its toolbar, files and links.
 import './element.js';
+import { wireActs } from './acts.js';
 import { wireBrush } from './brush.js';
 import { captions } from './captions.js';
 import { coatFields, Coats } from './coats.js';
@@ -13,7 +14,8 @@ import { packBytes, packGroom, sameBytes } from './packed.js';
 import { packWater, waterSizes } from './packedwater.js';
 import { packStrokes } from './strokes.js';
 import { Toolbar } from './toolbar.js';
-import { Visit } from './visit.js';
+import { modelOf, Visit } from './visit.js';
+import { welcome } from './welcome.js';
 
 const byId = (id) => document.getElementById(id);
 const fur = byId('fur');
@@ -54,13 +56,15 @@ function applyLink(link) {
   if (link.dt) fur.fixedDt = link.dt;
   if (link.ui === false) bar.hidden = true;
   if (link.autoplay === false || link.frames !== undefined) fur.paused = true;
-  showModelName(link.src ?? 'bunny');
+  showModelName(modelOf(link));
 }
 
 async function openAsLinked() {
   const link = readLink(location.href);
-  await new Visit(fur, link, messages).open(applyLink);
+  const visit = new Visit(fur, link, messages);
+  await visit.open(applyLink);
   bar.inert = false;
+  if (visit.isFirst) welcome(fur, byId('hint'));
   if (link.frames) fur.step(link.dt || 1 / 60, link.frames);
   if (link.editor) openEditor(true);
 }
@@ -110,7 +114,7 @@ let playedSpeed = 1;
 
 function listAnimations() {
   const names = fur.animations;
-  byId('player').hidden = names.length === 0;
+  byId('player').hidden = names.length === 0 || fur.actions.length > 0;  // those of animals are in a menu
   playedSpeed = 1;
   animationPicker.replaceChildren(...['No animation', ...names].map((name, i) => new Option(name || `Animation ${i}`, i)));
   showAnimation();
@@ -406,6 +410,7 @@ function wireKeys() {
 
 wireBar();
 wireBrush(byId('brushing'), fur);
+wireActs(byId('act'), byId('acts'), fur);
 toolbar.watch([byId('caption')], frame);
 wireDrop();
 wireKeys();

@@ -36,6 +36,7 @@ export class Session {
   #target;
   #toldChanges = 0;
   #lastCamera = '';
+  #lastAction = '';
   #lastWetness = 0;
   #lastWetnessCheck = 0;
 
@@ -91,6 +92,14 @@ export class Session {
     this.tellState('settings');
   }
 
+  #tellAction() {
+    const { action } = this.app;
+    if (action === this.#lastAction) return;
+    if (this.#lastAction) this.emit('action-end', { action: this.#lastAction });
+    if (action) this.emit('action-start', { action });
+    this.#lastAction = action;
+  }
+
   /** What a person changed on the canvas or in the panel, and what time did; `last`: no frame follows. */
   tellChanges(last) {
     if (this.app.changes !== this.#toldChanges) this.tellSettings();
@@ -99,6 +108,7 @@ export class Session {
       this.#lastCamera = camera;
       this.emit('camera-change', { orbit: this.app.camera });
     }
+    this.#tellAction();
     const now = performance.now();
     if (!last && now - this.#lastWetnessCheck < wetnessCheckMilliseconds) return;
     this.#lastWetnessCheck = now;

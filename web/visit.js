@@ -1,6 +1,7 @@
 // How a visit of the demo page begins: with what the link says, else with the work of before, and always with a model.
 import { Autosave } from './autosave.js';
 import { listed } from './download.js';
+import { firstModel, plainModel } from './models.js';
 import { compileProgram } from './runtime.js';
 import { unpackBytes } from './packed.js';
 import { unpackWater } from './packedwater.js';
@@ -16,6 +17,8 @@ const sceneOf = (link) => {
   const said = [...sceneKeys.filter((key) => link[key]).map((key) => [key, link[key]]), ...link.settings];
   return said.length > 0 ? JSON.stringify(said) : '';
 };
+/** An address that says how the scene looks but not of which model is from before there was another than the bunny. */
+export const modelOf = (link) => link.src ?? (sceneOf(link) ? plainModel : firstModel);
 const withoutScene = (link) => ({ ...link, ...Object.fromEntries(sceneKeys.map((key) => [key, undefined])), settings: [] });
 /** Not where a picture is to come out the same at every visit, nor inside another page. */
 const keepsWork = (link) => link.autoplay !== false && link.frames === undefined && !link.dt && link.ui !== false;
@@ -25,6 +28,8 @@ export class Visit {
   #link;
   #messages;
   #autosave = null;
+  /** Whether nobody has been here before, and nothing was asked for; known once open() has ended. */
+  isFirst = false;
 
   /**
    * @param {import('./element.js').WetFurElement} fur @param {ReturnType<import('./link.js').readLink>} link
@@ -44,6 +49,7 @@ export class Visit {
     const restored = found?.shows ? await this.#restore(found.document, apply) : null;
     if (restored === null) await this.#openLink(apply);
     this.#autosave?.begin();
+    this.isFirst = Boolean(this.#autosave) && !found && !sceneOf(this.#link);
     if (restored !== null) this.#offer(`Your last work is back${restored}.`, 'Start afresh', () => this.#startAfresh(apply));
     else if (found) this.#offer('Your work of before is kept.', 'Show it', () => this.#fur.fur.openDocument(found.document).catch(() => {}));
   }
@@ -66,13 +72,13 @@ export class Visit {
     const fur = this.#fur, { src } = this.#link;
     const shown = new Promise((resolve) => fur.addEventListener('load', resolve, { once: true }));
     apply(this.#link);
-    fur.src = src ?? 'bunny';
+    fur.src = modelOf(this.#link);
     let isAsLinked = true;
     await fur.ready.catch((error) => {
-      if (!src || hopeless.includes(error.code)) return;  // the element says it, with a button to try again
+      if (fur.src === plainModel || hopeless.includes(error.code)) return;  // the element says it, with a button to try again
       isAsLinked = false;
       this.#messages.error(`${error.message}. The bunny is shown instead.`);
-      fur.src = 'bunny';
+      fur.src = plainModel;
     });
     await shown;
     if (isAsLinked) await this.#takeParts(false);
@@ -103,7 +109,7 @@ export class Visit {
 
   /** As the link says or as the page is at first; undo leads back. */
   async #startAfresh(apply) {
-    const { src = 'bunny', state = '{"version":1}' } = this.#link;
+    const { state = '{"version":1}' } = this.#link, src = modelOf(this.#link);
     try {
       await this.#fur.fur.openDocument({ source: { src }, state, brings: !this.#link.state });
     } catch {

@@ -55,6 +55,7 @@ void App::State::keepInView(const CameraOrbit& before, bool atOnce) {
 // After the shape has another surface: the other stages follow it at once.
 void App::State::surfaceChanged(const CameraOrbit& viewBefore) {
   governor.forget();
+  behaviour.update(behaviourInputs(0));
   shape.update(shapeInputs(0));
   keepInView(viewBefore, true);
   settleMotion();
@@ -204,6 +205,14 @@ std::string App::animations() const {
   std::string lines;
   for (const scene::Rig::Animation& animation : state_->shape.rig().animations) lines += animation.name + '\n';
   return lines;
+}
+
+std::string App::actions() const { return state_->behaviour.actions(); }
+std::string App::action() const { return state_->behaviour.behaves() ? traitsOf(state_->behaviour.action()).name : ""; }
+
+bool App::act(std::string_view name) {
+  state_->idleTime = 0;
+  return state_->behaviour.act(name);
 }
 
 // --- settings and state ------------------------------------------------------------------------

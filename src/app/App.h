@@ -100,6 +100,11 @@ class App {
   std::uint64_t surfaceRevision() const;  // another one, above 0, whenever there is another surface
   // Names of what the model can play, one a line, for the setting `animation`, which counts from 1.
   std::string animations() const;
+  // Of an animal (app/tools/Actions.inc): what it can do, one a line; what it does now; has it do that as soon as it can. Empty and
+  // false for others.
+  std::string actions() const;
+  std::string action() const;
+  bool act(std::string_view name);
   // The model as .fo, with its fur coordinates at the repeat of the settings, lengths, types and the comb.
   std::vector<std::uint8_t> saveFo() const;
   // Model, picture, groom, coat, what is wet, settings and camera as .glb, which other programs show without fur. A glTF document
@@ -186,6 +191,8 @@ class App {
   void dry(float seconds);
   // The model shakes itself for a second, and its water flies off.
   void shake();
+  // So many drops fall on it from above, as when rain begins; undo does not take them back.
+  void sprinkle(int drops);
   // Wets what is opaque in a picture (one byte a texel, row by row from the top) with one clump beside the other, where
   // it lies over the model: letters. `across`: its width in pixels of the drawing buffer; `amount`: how wet they are, which
   // runs from letter to letter in seconds where fur holds much more than the default.

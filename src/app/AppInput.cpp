@@ -233,7 +233,8 @@ bool App::pointer(const PointerEvent& event) {
   if (!hand.pointers.empty() || event.phase == PointerPhase::Down) s.idleTime = 0;
   if (event.phase == PointerPhase::Down) return s.pointerDown(event);
   const auto known = hand.pointers.find(event.id);
-  if (known == hand.pointers.end()) return false;
+  if (known == hand.pointers.end()) return event.phase == PointerPhase::Move && s.pointAt(event.position);
+  s.pointAt(event.position);
   if (event.phase != PointerPhase::Move) {
     hand.pointers.erase(known);
     s.letGo();
@@ -250,7 +251,15 @@ bool App::pointer(const PointerEvent& event) {
   return true;
 }
 
+bool App::State::pointAt(Vec2 pixel) {
+  if (!behaviour.behaves()) return false;
+  hand.pointed = pixel;
+  hand.sincePointed = idleTime = 0;
+  return true;
+}
+
 bool App::State::pointerDown(const PointerEvent& event) {
+  pointAt(event.position);
   hand.pointers[event.id] = event.position;
   if (hand.pointers.size() > 1) {
     letGo();

@@ -11,6 +11,7 @@
 #include "app/Picking.h"
 #include "app/TypeShelf.h"
 #include "app/commands/History.h"
+#include "app/stages/BehaviourStage.h"
 #include "app/stages/CoatStage.h"
 #include "app/stages/GroomStage.h"
 #include "app/stages/HairStage.h"
@@ -56,6 +57,8 @@ struct Hand {
   float pressure = 1;  // of the pen
   Vec2 cursor{0};      // moved by keys: from the middle of the part of the picture that nothing covers, in heights of the picture
   std::optional<Vec2> hover{};  // where a pointer is that may be up
+  Vec2 pointed{0};              // where the last one was that moved
+  float sincePointed = 1e9f;    // seconds
   unsigned flying = 0;  // a bit for each key of kFlyingKeys (AppInput.cpp) that is down
   float keyHold = 0;   // seconds that a key still holds the tool at the cursor
   // Of a brush of the groom that is held still: seconds that are due, steps since its last dab.
@@ -68,6 +71,7 @@ struct App::State {
   Document document;
   TypeShelf shelf;
 
+  BehaviourStage behaviour;
   ShapeStage shape;
   GroomStage groom;
   CoatStage coat;
@@ -150,6 +154,7 @@ struct App::State {
 
   // --- AppTime.cpp ---
   struct LayerUpload;
+  BehaviourStage::Inputs behaviourInputs(float seconds);
   ShapeStage::Inputs shapeInputs(float seconds) const;
   GroomStage::Inputs groomInputs() const { return {shape, settings, coat.shownTypes()}; }
   float coatLength() const { return settings::coatLength(settings, coat.shownTypes()); }
@@ -210,6 +215,8 @@ struct App::State {
   void holdByKey();
   void letGo();
   bool pointerDown(const PointerEvent& event);
+  // An animal looks there. Whether there is one.
+  bool pointAt(Vec2 pixel);
   void dragTo(Vec2 position);
   bool useToolAtCursor();
   // Whether the key is one of them.

@@ -1,6 +1,7 @@
 // What time does: the stages are updated one after another (README.md).
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "app/AppState.h"
 
@@ -12,6 +13,8 @@ namespace {
 constexpr float kRestBeforeTurning = 3;
 // How hard a hair dryer blows the fur about: strength of the wind.
 constexpr float kDryerWind = 0.7f;
+// An animal minds a pointer for so long after it moved, s, and looks as far along its ray as this share of the way to the model.
+constexpr float kMindsPointer = 4, kPointedAt = 0.7f;
 
 }  // namespace
 
@@ -30,8 +33,26 @@ struct App::State::LayerUpload final : CoatReceiver {
   State& s;
 };
 
+BehaviourStage::Inputs App::State::behaviourInputs(float seconds) {
+  BehaviourStage::Inputs inputs{.shape = shape, .settings = settings};
+  const Mat4 toModel = glm::inverse(worldFromModel());
+  const Ray ray = rayThrough(hand.pointed);
+  inputs.camera = Vec3(toModel * Vec4(view.pose().eye, 1));
+  if (hand.sincePointed < kMindsPointer) inputs.pointer = ray.origin + ray.direction * (kPointedAt * glm::length(ray.origin - shape.extent().centre));
+  if (const auto& petting = motion.touch().hand()) inputs.hand = Vec3(toModel * Vec4(*petting, 1));
+  inputs.landed = water.landed();
+  if (behaviour.behaves() && !water.mask().isDry()) {
+    const std::vector<float>& wetness = water.vertexWetness(shape);
+    inputs.wetness = std::accumulate(wetness.begin(), wetness.end(), 0.0f) / static_cast<float>(std::max<std::size_t>(wetness.size(), 1));
+  }
+  inputs.idleTime = idleTime;
+  inputs.reducedMotion = reducedMotion;
+  inputs.seconds = seconds;
+  return inputs;
+}
+
 ShapeStage::Inputs App::State::shapeInputs(float seconds) const {
-  return {seconds, shape.animationOf(settings.animation), reducedMotion ? 0 : settings.animationSpeed};
+  return {seconds, shape.animationOf(settings.animation), reducedMotion ? 0 : settings.animationSpeed, behaviour.mix(), behaviour.revision(), behaviour.habits()};
 }
 
 MotionStage::Inputs App::State::motionInputs(float seconds) {
@@ -49,7 +70,8 @@ WaterStage::Inputs App::State::waterInputs(float seconds, double budget) const {
   WaterStage::Inputs inputs{.shape = shape, .groom = groom, .settings = settings, .coatLength = coatLength()};
   inputs.worldFromModel = worldFromModel();
   inputs.wind = reducedMotion ? 0 : settings.wind;
-  inputs.shaking = motion.body().shaking();
+  inputs.shaking = std::max(motion.body().shaking(), behaviour.shaking());
+  inputs.bySkin = behaviour.shaking() > 0;
   inputs.seconds = seconds;
   inputs.budget = budget;
   return inputs;
@@ -63,6 +85,8 @@ HairStage::Inputs App::State::hairInputs(float seconds) {
 
 bool App::State::updateShape(float seconds) {
   const CameraOrbit before = startView();
+  behaviour.update(behaviourInputs(seconds));
+  water.forgetLanded();
   const bool moved = shape.update(shapeInputs(seconds));
   keepInView(before, false);
   return moved;
@@ -94,6 +118,7 @@ void App::State::settleMotion() {
 void App::State::advance(float seconds, double coatBudget) {
   sinceSettingChange += seconds;
   idleTime += seconds;
+  hand.sincePointed += seconds;
   if (turns() && idleTime > kRestBeforeTurning && seconds > 0) {
     view.camera.turn(OrbitCamera::turned(seconds, OrbitCamera::kTurnSeconds));
     ++changed;
@@ -129,7 +154,7 @@ void App::settle() {
 
 bool App::active() const {
   State& s = *state_;
-  return s.pictureRevision() != s.noticed || s.view.camera.moving() || s.hand.flying || s.turns() || s.toolActsWhileStill() || s.shape.active(s.shapeInputs(0)) ||
+  return s.pictureRevision() != s.noticed || s.view.camera.moving() || s.hand.flying || s.turns() || s.toolActsWhileStill() || s.behaviour.active(s.behaviourInputs(0)) || s.shape.active(s.shapeInputs(0)) ||
          s.groom.active(s.groomInputs()) || s.coat.active(s.coatInputs()) || s.motion.active(s.motionInputs(0)) || s.hair->active(s.hairInputs(0)) ||
          s.water.active(s.waterInputs(0, 0));
 }

@@ -43,8 +43,10 @@ void App::dry(float seconds) { state_->strokeOnce(Command::DryOff, std::max(stat
 void App::shake() {
   state_->endStroke();
   state_->note(Command::Shake);
-  state_->motion.body().shake();
+  if (!state_->behaviour.act(traitsOf(Action::Shake).name)) state_->motion.body().shake();
 }
+
+void App::sprinkle(int drops) { state_->water.sprinkle(state_->shape, state_->worldFromModel(), drops); }
 
 void App::stamp(std::span<const std::uint8_t> coverage, int width, int height, Vec2 centre, float across, float amount) {
   FUR_ASSERT(width > 0 && height > 0 && coverage.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height),

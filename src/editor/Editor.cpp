@@ -29,6 +29,7 @@ bool isModel(const EditorModel& model, std::string_view name) {
 struct ShippedScene {
   const char *name, *label;
 };
+constexpr ShippedScene kModels[] = {{"otter", "Otter"}, {"pony", "Pony"}, {"bunny", "Bunny"}, {"sphere", "Sphere"}, {"torus", "Torus"}, {"plane", "Plane"}};
 constexpr ShippedScene kScenes[] = {
     {"five-coats", "Five coats"},
     {"shells-8", "8 layers"},
@@ -257,26 +258,11 @@ void Editor::drawScene(const EditorModel& model) {
   ImGui::SetNextItemOpen(true, ImGuiCond_FirstUseEver);
   if (!groupHeader("Model")) return;
   ImGui::TextUnformatted(model.modelName.c_str());
-  switch (segments("models", {{"Bunny", isModel(model, "bunny")},
-                              {"Sphere", isModel(model, "sphere")},
-                              {"Torus", isModel(model, "torus")},
-                              {"Plane", isModel(model, "plane")}})) {
-    case 0:
-      emit(command::LoadShipped{"bunny"});
-      break;
-    case 1:
-      emit(command::LoadShipped{"sphere"});
-      break;
-    case 2:
-      emit(command::LoadShipped{"torus"});
-      break;
-    case 3:
-      emit(command::LoadShipped{"plane"});
-      break;
-    default:
-      break;
-  }
+  std::vector<Segment> models;
+  for (const ShippedScene& shipped : kModels) models.push_back({shipped.label, isModel(model, shipped.name)});
+  if (const int pressed = segments("models", models); pressed >= 0) emit(command::LoadShipped{kModels[pressed].name});
   drawShippedScenes(model);
+  drawActions(model);
   if (ImGui::Button("Open a model, a coat, hair or a length map", ImVec2(-1, 0))) emit(command::OpenDialog{});
   if (model.fileAccess == FileAccess::Dialog) return;
   ImGui::SetNextItemWidth(-px(56));
@@ -295,6 +281,14 @@ void Editor::drawShippedScenes(const EditorModel& model) {
   for (const ShippedScene& scene : kScenes)
     if (ImGui::Selectable(scene.label, &scene == shown)) emit(command::LoadShipped{scene.name});
   ImGui::EndCombo();
+}
+
+// Of an animal; the one that it does now is lit.
+void Editor::drawActions(const EditorModel& model) {
+  if (model.actions.empty()) return;
+  std::vector<Segment> actions;
+  for (const std::string& action : model.actions) actions.push_back({action.c_str(), action == model.action});
+  if (const int pressed = segments("actions", actions); pressed >= 0) emit(command::Act{model.actions[static_cast<std::size_t>(pressed)]});
 }
 
 void Editor::drawWater(const EditorModel& model) {

@@ -67,6 +67,7 @@ class Editor {
   void change(const EditorModel& model, const settings::Settings& edited);
   void drawScene(const EditorModel& model);
   void drawShippedScenes(const EditorModel& model);
+  void drawActions(const EditorModel& model);
   void drawWater(const EditorModel& model);
   void drawTools(const EditorModel& model);
   template <class Draw>

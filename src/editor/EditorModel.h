@@ -146,6 +146,8 @@ struct EditorModel {
   Tool tool = Tool::Droplet;
   std::string modelName;
   std::vector<std::string> animations;  // names of what it can play, for the setting `animation`, which counts from 1
+  std::vector<std::string> actions;     // of an animal, what it can do
+  std::string action;                   // and what it does now
   float meanWetness = 0;  // 0..1
   WaterView water;
   bool canUndo = false, canRedo = false;
@@ -229,6 +231,9 @@ struct SetFurry {       // app::App::setFurry()
   int material;
   bool furry;
 };
+struct Act {            // app::App::act()
+  std::string action;
+};
 struct EditHair {       // app::App::editHair()
   HairEdit edit = HairEdit::AddScalp;
   float value = 1;
@@ -286,7 +291,7 @@ using Command = std::variant<command::BeginChange, command::EndChange, command::
                              command::Redo, command::CopyState, command::PasteState, command::ApplyPreset,
                              command::SaveTypeSet, command::SaveFo, command::SaveHair, command::SaveScene, command::SaveMaps, command::SelectAt, command::GroomAll, command::SetFurry, command::UsePicture,
                              command::SetPoint, command::SetWhisker, command::RemoveWhisker, command::ChooseWhisker,
-                             command::EditHair, command::SetHairValues, command::SetBody, command::RenameScalp,
+                             command::Act, command::EditHair, command::SetHairValues, command::SetBody, command::RenameScalp,
                              command::SavePicture, command::SaveTurntable, command::TurnOnce, command::StopPicture,
                              command::KeepVersion, command::OpenVersion, command::RenameVersion, command::DeleteVersion,
                              command::DismissMessage>;

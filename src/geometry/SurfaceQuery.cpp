@@ -119,10 +119,10 @@ void SurfaceQuery::follow(const Surface& surface, std::span<const Vec3> position
   }
 }
 
-std::optional<SurfacePoint> SurfaceQuery::castRay(const Vec3& origin, const Vec3& direction, const Lifted* lifted) const {
+std::optional<SurfacePoint> SurfaceQuery::castRay(const Vec3& origin, const Vec3& direction, const Lifted* lifted, float farthest) const {
   std::optional<SurfacePoint> best;
   if (nodes_.empty()) return best;
-  float nearest = kNever;
+  float nearest = farthest;
   const Vec3 inverse = 1.0f / direction;
   const float reach = lifted ? lifted->reach : 0.0f, perSquare = 1.0f / glm::dot(direction, direction);
   const auto enters = [&](const Node& node) { return entry(node.low - reach, node.high + reach, origin, inverse, nearest); };

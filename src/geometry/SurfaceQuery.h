@@ -33,8 +33,8 @@ class SurfaceQuery {
     ~Lifted() = default;
   };
 
-  // The nearest hit with distance > 0; back faces are ignored. `direction` need not be unit.
-  std::optional<SurfacePoint> castRay(const Vec3& origin, const Vec3& direction, const Lifted* lifted = nullptr) const;
+  // The nearest hit with a distance above 0 and not above `farthest`; back faces are ignored. `direction` need not be unit.
+  std::optional<SurfacePoint> castRay(const Vec3& origin, const Vec3& direction, const Lifted* lifted = nullptr, float farthest = 3e38f) const;
   // All triangles within `radius` of `centre`, in ascending order.
   std::vector<std::uint32_t> trianglesWithin(const Vec3& centre, float radius) const;
 

@@ -47,12 +47,14 @@ Vec4 slerped(const Vec4& a, Vec4 b, float t) {
   return a * portableSin((1 - t) * angle) + b * portableSin(t * angle);  // of length sin(angle)
 }
 
-Mat4 localOf(const Rig::Node& node) {
-  if (node.fixed) return node.matrix;
-  Mat4 out = glm::mat4_cast(node.rotation);
-  for (int c = 0; c < 3; ++c) out[c] *= node.scale[c];
-  out[3] = Vec4(node.translation, 1);
-  return out;
+Quat normalized(const Quat& q) {
+  const float length = glm::length(q);
+  return length > 1e-12f ? q / length : Quat(1, 0, 0, 0);
+}
+
+Quat between(const Quat& a, const Quat& b, float share) {
+  const Vec4 turned = slerped(Vec4(a.x, a.y, a.z, a.w), Vec4(b.x, b.y, b.z, b.w), share);
+  return normalized(Quat(turned.w, turned.x, turned.y, turned.z));
 }
 
 }  // namespace
@@ -93,29 +95,71 @@ Pose::Pose(const Rig& rig) : rig_(&rig), positions_(rig.positions), normals_(rig
   set(-1, 0);
 }
 
-void Pose::placeNodes(int animation, float seconds) {
-  std::vector<Rig::Node> nodes = rig_->nodes;
-  weights_ = rig_->restWeights;
-  if (animation >= 0 && animation < static_cast<int>(rig_->animations.size())) {
-    std::vector<float> value;
-    for (const Rig::Channel& channel : rig_->animations[static_cast<std::size_t>(animation)].channels) {
-      value.resize(std::max<std::size_t>(channel.width, 4));
-      sample(channel, seconds, value.data());
-      Rig::Node& node = nodes[channel.node];
-      const Vec3 vector(value[0], value[1], value[2]);
-      switch (channel.path) {
-        case Path::Translation: node.translation = vector; break;
-        case Path::Rotation: node.rotation = Quat(value[3], value[0], value[1], value[2]); break;
-        case Path::Scale: node.scale = vector; break;
-        case Path::Weights: std::copy_n(value.begin(), channel.width, weights_.begin() + node.firstWeight); break;
-      }
+// As the file has it.
+void Pose::rest(Local& out) const {
+  out.nodes.clear();
+  for (const Rig::Node& node : rig_->nodes) out.nodes.push_back({node.translation, node.rotation, node.scale});
+  out.weights = rig_->restWeights;
+}
+
+void Pose::play(const PlayedClip& clip, Local& out) {
+  if (clip.animation < 0 || clip.animation >= static_cast<int>(rig_->animations.size())) return;
+  for (const Rig::Channel& channel : rig_->animations[static_cast<std::size_t>(clip.animation)].channels) {
+    value_.resize(std::max<std::size_t>(channel.width, 4));
+    sample(channel, clip.seconds, value_.data());
+    Local::Place& node = out.nodes[channel.node];
+    const Vec3 vector(value_[0], value_[1], value_[2]);
+    switch (channel.path) {
+      case Path::Translation: node.translation = vector; break;
+      case Path::Rotation: node.rotation = Quat(value_[3], value_[0], value_[1], value_[2]); break;
+      case Path::Scale: node.scale = vector; break;
+      case Path::Weights: std::copy_n(value_.begin(), channel.width, out.weights.begin() + rig_->nodes[channel.node].firstWeight); break;
     }
   }
+}
+
+void Pose::blend(Local& sum, const Local& other, float share) {
+  for (std::size_t i = 0; i < sum.nodes.size(); ++i) {
+    Local::Place& to = sum.nodes[i];
+    const Local::Place& from = other.nodes[i];
+    to.translation += (from.translation - to.translation) * share;
+    to.scale += (from.scale - to.scale) * share;
+    if (from.rotation != to.rotation) to.rotation = between(to.rotation, from.rotation, share);
+  }
+  for (std::size_t i = 0; i < sum.weights.size(); ++i) sum.weights[i] += (other.weights[i] - sum.weights[i]) * share;
+}
+
+void Pose::add(const PlayedClip& layer, Local& to) {
+  rest(other_);
+  play(layer, other_);
+  for (std::size_t i = 0; i < to.nodes.size(); ++i) {
+    const Rig::Node& still = rig_->nodes[i];
+    const Local::Place& from = other_.nodes[i];
+    to.nodes[i].translation += (from.translation - still.translation) * layer.weight;
+    to.nodes[i].scale += (from.scale - still.scale) * layer.weight;
+    if (from.rotation == still.rotation) continue;
+    const Quat turn = glm::conjugate(still.rotation) * from.rotation;
+    to.nodes[i].rotation = normalized(to.nodes[i].rotation * between(Quat(1, 0, 0, 0), turn, layer.weight));
+  }
+  for (std::size_t i = 0; i < to.weights.size(); ++i) to.weights[i] += (other_.weights[i] - rig_->restWeights[i]) * layer.weight;
+}
+
+// Parents come first.
+void Pose::placeNodes() {
+  const std::vector<Rig::Node>& nodes = rig_->nodes;
   Mat4 fit(rig_->scale);
   fit[3] = Vec4(-rig_->centre * rig_->scale, 1);
   transforms_.resize(nodes.size());
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    transforms_[i] = (nodes[i].parent < 0 ? fit : transforms_[static_cast<std::size_t>(nodes[i].parent)]) * localOf(nodes[i]);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    Mat4 local = nodes[i].matrix;
+    if (!nodes[i].fixed) {
+      const Local::Place& place = now_.nodes[i];
+      local = glm::mat4_cast(place.rotation);
+      for (int c = 0; c < 3; ++c) local[c] *= place.scale[c];
+      local[3] = Vec4(place.translation, 1);
+    }
+    transforms_[i] = (nodes[i].parent < 0 ? fit : transforms_[static_cast<std::size_t>(nodes[i].parent)]) * local;
+  }
 }
 
 void Pose::placePart(const Rig::Part& part) {
@@ -126,7 +170,7 @@ void Pose::placePart(const Rig::Part& part) {
     for (std::size_t i = 0; i < skin.joints.size(); ++i) joints_.push_back(transforms_[skin.joints[i]] * skin.inverseBinds[i]);
   }
   const LaneMatrix rigid(transforms_[part.node]);
-  const float* weights = weights_.data() + rig.nodes[part.node].firstWeight;
+  const float* weights = now_.weights.data() + rig.nodes[part.node].firstWeight;
   for (std::size_t i = part.firstVertex; i < part.firstVertex + part.vertices; ++i) {
     Vec3 p = rig.positions[i], n = rig.normals[i], t = firstTangents_[i];
     for (std::uint32_t k = 0; k < part.targets; ++k) {
@@ -150,9 +194,35 @@ void Pose::placePart(const Rig::Part& part) {
   }
 }
 
-void Pose::set(int animation, float seconds) {
-  placeNodes(animation, seconds);
+void Pose::placeParts() {
   for (const Rig::Part& part : rig_->parts) placePart(part);
+}
+
+void Pose::set(int animation, float seconds) {
+  rest(now_);
+  play({animation, seconds}, now_);
+  placeNodes();
+  placeParts();
+}
+
+void Pose::set(const PoseMix& mix) {
+  rest(now_);
+  float sum = 0;
+  for (const PlayedClip& clip : mix.bodies) {
+    if (!(clip.weight > 0)) continue;
+    const bool first = sum == 0;
+    sum += clip.weight;
+    Local& played = first ? now_ : other_;
+    rest(played);
+    play(clip, played);
+    if (!first) blend(now_, other_, clip.weight / sum);
+  }
+  for (const PlayedClip& layer : mix.layers)
+    if (layer.weight != 0) add(layer, now_);
+  for (const JointTurn& one : mix.turns)
+    if (one.node < now_.nodes.size()) now_.nodes[one.node].rotation = normalized(now_.nodes[one.node].rotation * one.turn);
+  placeNodes();
+  placeParts();
 }
 
 }  // namespace fur::scene

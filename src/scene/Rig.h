@@ -18,6 +18,7 @@ struct Rig {
   struct Node {
     int parent = -1;
     std::uint32_t source = 0;  // its number in the file
+    std::string name{};
     Vec3 translation{0};
     Quat rotation{1, 0, 0, 0};
     Vec3 scale{1};

@@ -25,6 +25,9 @@ constexpr float kTakes = 1.0f;                  // amount that a square unit of 
 constexpr float kRainReach = 1.3f, kRainHeight = 1.7f;
 constexpr float kRainDrops = 720.0f, kRainDrop = 1.6e-3f, kRainSpeed = 5.0f;
 constexpr float kFling = 2.6f;  // model radii a second
+// Of skin that moves by itself: its speed that throws off all that can be, in model radii a second; the share of that below which it
+// holds its water; how much of the speed goes aside.
+constexpr float kThrows = 1.4f, kHolds = 0.15f, kAside = 0.3f;
 // A jet has air in it: its radius is so many times that of its water. Seconds that it takes to fall apart by 1.
 constexpr float kJetWidth = 1.7f, kFallsApart = 0.2f;
 // Of what a drop leaves to be seen: seconds that a ring or spray lasts; how far a ring widens on dry ground, and further on wet;
@@ -37,6 +40,13 @@ std::pair<Vec3, Vec3> shownAt(const WetSurface& skin, const SurfaceTexels::Place
   if (skin.positions.empty()) return {place.position, place.normal};
   const geometry::SurfacePoint at{place.triangle, skin.wetting.atlas().weightsAt(skin.surface, place.triangle, place.texel), 0};
   return {valueAt(skin.surface, at, skin.positions), normalizeOr(valueAt(skin.surface, at, skin.normals), place.normal)};
+}
+
+// Of the skin there, model radii a second.
+Vec3 velocityAt(const WetSurface& skin, const SurfaceTexels::Place& place) {
+  if (skin.before.empty() || !(skin.seconds > 0)) return Vec3(0);
+  const geometry::SurfacePoint at{place.triangle, skin.wetting.atlas().weightsAt(skin.surface, place.triangle, place.texel), 0};
+  return (valueAt(skin.surface, at, skin.positions) - valueAt(skin.surface, at, skin.before)) / skin.seconds;
 }
 
 }  // namespace
@@ -110,10 +120,11 @@ void Water::fall(const WetSurface& skin, const Climate& climate) {
       if (drop.jet > 1.0f) drop.jet = std::max(drop.jet - kRate / kFallsApart, 1.0f);
       drop.velocity += (Vec3(0, -kGravity, 0) + (climate.wind - drop.velocity) * kDrag) * kRate;
       const Vec3 way = drop.velocity * kRate;
-      const auto hit = shown.castRay(toModel * (drop.position - middle), toModel * way);
+      const auto hit = shown.castRay(toModel * (drop.position - middle), toModel * way, nullptr, 1.0f);
       const Vec3 to = drop.position + way;
-      if (skin.hair && meetHair(*skin.hair, drop, hit && hit->distance <= 1.0f ? way * hit->distance : way)) continue;
-      if (hit && hit->distance <= 1.0f) {
+      if (skin.hair && meetHair(*skin.hair, drop, hit ? way * hit->distance : way)) continue;
+      if (hit) {
+        landed_.push_back(hit->triangle);
         const Vec3 at = positionAt(skin.surface, *hit), normal = normalAt(skin.surface, *hit);
         splash(at, normal, (drop.jet > 0.0f ? 1.6f : 1.0f) * climate.clumpSize, drop.water, texels_->placeAt(atlasAt(skin.surface, *hit)));
         if (drop.jet > 0.0f) spray(drop.position + way * hit->distance, toWorld * normal, kSpraySpeed * glm::length(drop.velocity));
@@ -220,30 +231,47 @@ void Water::rain(const Climate& climate) {
   }
 }
 
-// Some blocks a step let go of most of their film and of what is easily shaken out.
+// Most of a block's film, and of what is easily shaken out, times the share.
+float Water::letGo(const WetSurface& skin, WetnessMask& mask, std::uint32_t b, float share) {
+  const auto& places = texels_->places();
+  const SurfaceTexels::Block& block = texels_->blocks()[b];
+  const float filmLeft = 1 - 0.6f * share, ofHeld = 0.25f * share;
+  float amount = 0;
+  for (std::uint32_t i = block.first; i < block.end; ++i) {
+    const float film = filmLeft * film_[i], held = held_[i] > 0.3f ? held_[i] - ofHeld * (held_[i] - 0.3f) : held_[i];
+    const float lost = (film_[i] - film) + (held_[i] - held);
+    if (lost <= kLeast) continue;
+    amount += lost * places[i].area;
+    store(skin, mask, i, held, film);
+  }
+  if (amount > 0.0f) flags_[b] |= kMoving;
+  return amount;
+}
+
+// Out of the fur at a place: as the skin moves there, or where that is not known, away from it.
+void Water::fling(const WetSurface& skin, const Climate& climate, const SurfaceTexels::Place& from, float amount) {
+  const auto [root, normal] = shownAt(skin, from);
+  const Vec3 off{random_.uniform(-1, 1), random_.uniform(-0.5f, 1), random_.uniform(-1, 1)};
+  const float strength = random_.uniform(0.6f, 1.2f);
+  const Mat3 toWorld(climate.worldFromModel);
+  const Vec3 moves = velocityAt(skin, from);
+  const Vec3 velocity = skin.before.empty() ? (normal + 0.5f * off) * (kFling * climate.shaking * strength)
+                                            : moves * (0.5f + 0.5f * strength) + (normal + 0.5f * off) * (kAside * glm::length(moves));
+  launch(Vec3(climate.worldFromModel * Vec4(root + climate.furLength * normal, 1)), toWorld * velocity, amount);
+  accounts_.painted -= amount;
+}
+
+// Some blocks a step let go of their water; of a model that moves by itself those that move fast.
 void Water::shake(const WetSurface& skin, WetnessMask& mask, const Climate& climate) {
   if (!(climate.shaking > 0.0f)) return;
-  const auto& places = texels_->places();
   for (std::uint32_t b = 0; b < flags_.size(); ++b) {
     if (!(flags_[b] & kWet) || random_.uniform() >= 0.08f * climate.shaking || drops_.size() >= kMostDrops) continue;
     const SurfaceTexels::Block& block = texels_->blocks()[b];
-    float amount = 0;
-    const std::uint32_t from = block.first + static_cast<std::uint32_t>(random_.uniform() * static_cast<float>(block.end - block.first));
-    for (std::uint32_t i = block.first; i < block.end; ++i) {
-      const float film = 0.4f * film_[i], held = held_[i] > 0.3f ? held_[i] - 0.25f * (held_[i] - 0.3f) : held_[i];
-      const float lost = (film_[i] - film) + (held_[i] - held);
-      if (lost <= kLeast) continue;
-      amount += lost * places[i].area;
-      store(skin, mask, i, held, film);
-    }
-    if (amount <= 0.0f) continue;
-    flags_[b] |= kMoving;
-    const auto [root, normal] = shownAt(skin, places[from]);
-    const Vec3 out = normal + 0.5f * Vec3{random_.uniform(-1, 1), random_.uniform(-0.5f, 1), random_.uniform(-1, 1)};
-    const Mat3 toWorld(climate.worldFromModel);
-    launch(Vec3(climate.worldFromModel * Vec4(root + climate.furLength * normal, 1)),
-           toWorld * out * (kFling * climate.shaking * random_.uniform(0.6f, 1.2f)), amount);
-    accounts_.painted -= amount;
+    const std::uint32_t first = block.first + static_cast<std::uint32_t>(random_.uniform() * static_cast<float>(block.end - block.first));
+    const SurfaceTexels::Place& from = texels_->places()[first];
+    const float share = skin.before.empty() ? 1 : saturate(glm::length(velocityAt(skin, from)) / kThrows);
+    if (share < kHolds) continue;
+    if (const float amount = letGo(skin, mask, b, share); amount > 0.0f) fling(skin, climate, from, amount);
   }
 }
 

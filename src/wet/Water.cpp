@@ -142,6 +142,7 @@ bool Water::step(const WetSurface& skin, WetnessMask& mask, const Climate& clima
       if (flags & kWet) flags |= kMoving;
   }
   changed_ = false;
+  landed_.clear();
   const std::uint32_t groundBefore = groundRevision_;
   ++steps_;
   rain(climate);

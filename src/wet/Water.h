@@ -35,6 +35,9 @@ struct WetSurface {
   const SurfaceWetting& wetting;
   // For an animated model: the current positions and normals of its vertices, and a query over them. Empty: the rest pose.
   std::span<const Vec3> positions{}, normals{};
+  // Where it moves by itself, its vertices' positions `seconds` ago: while it shakes, water flies off as they move. Else empty.
+  std::span<const Vec3> before{};
+  float seconds = 0;
   const geometry::SurfaceQuery* shown = nullptr;
   WetHair* hair = nullptr;  // that grows on it; none
 };
@@ -105,6 +108,8 @@ class Water {
   void clear();
 
   std::span<const Drop> drops() const { return drops_; }
+  // Triangles on which drops have come down in the last step.
+  std::span<const std::uint32_t> landed() const { return landed_; }
   static float dropRadius(float amount);
   // The puddles on the ground (Puddles.h): water per square unit for each cell; the revision changes with them.
   std::span<const float> ground() const { return puddles_; }
@@ -150,6 +155,8 @@ class Water {
   void fall(const WetSurface& skin, const Climate& climate);
   void rain(const Climate& climate);
   void shake(const WetSurface& skin, WetnessMask& mask, const Climate& climate);
+  float letGo(const WetSurface& skin, WetnessMask& mask, std::uint32_t block, float share);
+  void fling(const WetSurface& skin, const Climate& climate, const SurfaceTexels::Place& from, float amount);
   void spray(const Vec3& at, const Vec3& normal, float speed);
   void splash(const Vec3& centre, const Vec3& normal, float radius, float amount, std::uint32_t nearest);
   float wetGround(const Vec3& at, float amount);
@@ -183,6 +190,7 @@ class Water {
   float clumpSize_ = Climate{}.clumpSize;  // of the last step
 
   std::vector<Drop> drops_;
+  std::vector<std::uint32_t> landed_;
   std::size_t hanging_ = 0;
   std::vector<float> puddles_;
   std::uint32_t groundRevision_ = 0;

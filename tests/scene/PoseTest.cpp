@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "AllocatedBytes.h"
 #include "core/Fnv1a.h"
 #include "scene/Model.h"
 #include "scene/Tentacle.h"
@@ -166,6 +167,83 @@ TEST(RigPose, NodesAloneAreMovedToo) {
   const Vec3 scale(1.625f, 1.75f, 1.5f), local = Vec3(0, 1, 0) + Vec3(1, 0, 0);
   const Vec3 scene(-scale.x * local.x, -scale.y * local.y, 0);
   EXPECT_LT(glm::length(pose.positions()[2] - (scene - model.rig.centre) * model.rig.scale), 1e-5f);
+}
+
+// --- several animations at once ---
+
+TEST(PoseMix, OfOneAnimationIsThatAnimationToTheBit) {
+  const Model model = importedPosed(Tentacle().build());
+  Pose alone(model.rig), mixed(model.rig);
+  for (const int animation : {-1, 0, 1})
+    for (const float t : {0.0f, 0.3f, 1.1f}) {
+      alone.set(animation, t);
+      mixed.set({.bodies = {{animation, t, 0.7f}, {1 - animation, 0.5f, 0}}, .layers = {{0, 0.3f, 0}}, .turns = {}});
+      for (std::size_t i = 0; i < alone.positions().size(); ++i) {
+        ASSERT_EQ(alone.positions()[i], mixed.positions()[i]);
+        ASSERT_EQ(alone.normals()[i], mixed.normals()[i]);
+        ASSERT_EQ(alone.tangents()[i], mixed.tangents()[i]);
+      }
+    }
+}
+
+TEST(PoseMix, TurnsJointsByTheirSharesAndMorphsLikewise) {
+  const Tentacle tentacle;
+  const Model model = importedPosed(tentacle.build());
+  Pose pose(model.rig);
+  const auto turnAt = [](double key) { return 0.6 * std::sin(3.14159265358979 * key); };
+  // Times of keys: 0.25 and 0.75 turn alike, 1.25 the other way.
+  pose.set({.bodies = {{0, 0.25f, 3}, {0, 1.25f, 1}}, .layers = {}, .turns = {}});
+  expectSame(pose, {tentacle, model.rig, 0.5 * turnAt(0.25)});
+  pose.set({.bodies = {{0, 0.25f, 1}, {1, 1, 1}}, .layers = {}, .turns = {}});
+  expectSame(pose, {tentacle, model.rig, 0.5 * turnAt(0.25), 0.5});
+}
+
+TEST(PoseMix, LayersAddWhatTheyDifferFromTheRestBy) {
+  const Tentacle tentacle;
+  const Model model = importedPosed(tentacle.build());
+  Pose pose(model.rig);
+  const double turn = 0.6 * std::sin(3.14159265358979 * 0.25);
+  pose.set({.bodies = {{0, 0.25f, 1}}, .layers = {{0, 0.25f, 0.5f}, {1, 1, 0.25f}, {0, 0, 1}, {-1, 0, 1}}, .turns = {}});
+  expectSame(pose, {tentacle, model.rig, 1.5 * turn, 0.25});
+  // As they come in they change as little as their weight.
+  pose.set({.bodies = {{0, 0.25f, 1}}, .layers = {{0, 0.5f, 1e-4f}}, .turns = {}});
+  expectSame(pose, {tentacle, model.rig, turn + 1e-4 * 0.6});
+}
+
+TEST(PoseMix, TurnsOfJointsAreOverAllThat) {
+  const Tentacle tentacle;
+  const Model model = importedPosed(tentacle.build());
+  Pose pose(model.rig);
+  PoseMix mix{.bodies = {{0, 0.25f, 1}}, .layers = {}, .turns = {{99999, Quat(1, 0, 0, 0)}}};
+  const auto first = static_cast<std::size_t>(model.rig.skins[0].joints[0]);
+  for (std::size_t k = 1; k < model.rig.skins[0].joints.size(); ++k)
+    mix.turns.push_back({model.rig.skins[0].joints[k], glm::angleAxis(0.2f, Vec3(0, 0, 1))});
+  pose.set(mix);
+  expectSame(pose, {tentacle, model.rig, 0.6 * std::sin(3.14159265358979 * 0.25) + 0.2});
+  EXPECT_EQ(Vec3(pose.transform(first)[1]), Vec3(0, model.rig.scale, 0));
+}
+
+TEST(PoseMix, AllocatesNothingOnceItHasPlayed) {
+  const Model model = importedPosed(Tentacle().build());
+  Pose pose(model.rig);
+  const PoseMix mix{.bodies = {{0, 0.3f, 0.4f}, {1, 0.5f, 0.6f}}, .layers = {{0, 0.7f, 0.5f}}, .turns = {{2, Quat(0.6f, 0.8f, 0, 0)}}};
+  pose.set(mix);
+  const std::size_t before = allocatedBytes();
+  pose.set(mix);
+  EXPECT_EQ(allocatedBytes(), before);
+}
+
+TEST(PoseMix, JointsHaveTheirNames) {
+  TriangleFile file;
+  file.nodes = R"([{"mesh":0,"name":"hips"},{"name":"a joint with a long name"}])";
+  file.top = R"("animations":[{"name":"stand","samplers":[{"input":2,"output":3}],"channels":[{"sampler":0,"target":{"node":0,"path":"translation"}}]}],)";
+  appendValues(file.more, std::vector<float>{0, 1, 0, 0, 0, 1, 0, 0});
+  file.moreViews = R"(,{"buffer":0,"byteOffset":44,"byteLength":8},{"buffer":0,"byteOffset":52,"byteLength":24})";
+  file.moreAccessors = R"(,{"bufferView":2,"componentType":5126,"count":2,"type":"SCALAR"},{"bufferView":3,"componentType":5126,"count":2,"type":"VEC3"})";
+  const Model model = importedPosed(file.build());
+  ASSERT_EQ(model.rig.nodes.size(), 2u);
+  EXPECT_EQ(model.rig.nodes[0].name, "hips");
+  EXPECT_EQ(model.rig.nodes[1].name, "a joint with a long name");
 }
 
 TEST(RigPose, AModelThatDoesNotMoveHasNoRig) {

@@ -145,6 +145,9 @@ export interface WetFurEventMap {
   'cursor-move': CustomEvent<{ wetness: number | null }>;
   'stroke-start': CustomEvent<{ tool: Tool; u: number; v: number }>;
   'stroke-end': CustomEvent<{ tool: Tool }>;
+  /** An animal begins to do something, of `actions`, and has gone on to something else. */
+  'action-start': CustomEvent<{ action: string }>;
+  'action-end': CustomEvent<{ action: string }>;
   /** `settings`: or the tool, or what can be undone, whoever changed it. */
   'state-change': CustomEvent<{ state: WetFurState; reason: 'loading' | 'settings' | 'editor' }>;
   /** The browser took its context. That it gave one back while nobody saw it is not told. */

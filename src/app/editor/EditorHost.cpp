@@ -319,6 +319,7 @@ void EditorHost::perform(const editor::Command& command) {
         if (c.use) request(Kind::UsePicture, std::string(rowOf(*c.use).name) + '\n' + askedPictures_.front());
         askedPictures_.pop_front();
       },
+      [&](const Act& c) { app_.act(c.action); },
       [&](const EditHair& c) { app_.editHair(c.edit, c.value, c.direction); },
       [&](const SetHairValues& c) { app_.setHairValues(c.scalp, c.values); },
       [&](const RenameScalp& c) { (void)app_.setHairValue(static_cast<int>(c.scalp), "name", c.name); },

@@ -4,17 +4,28 @@
 
 namespace fur::app {
 
+namespace {
+
+std::vector<std::string> linesOf(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t at = 0, end; at < text.size(); at = end + 1) {
+    end = text.find('\n', at);
+    lines.push_back(text.substr(at, end - at));
+  }
+  return lines;
+}
+
+}  // namespace
+
 editor::EditorModel describe(const App& app) {
   const App::Stats stats = app.stats();
   editor::EditorModel model;
   model.settings = app.settings();
   model.tool = app.tool();
   model.modelName = app.modelName();
-  const std::string names = app.animations();
-  for (std::size_t at = 0, end; at < names.size(); at = end + 1) {
-    end = names.find('\n', at);
-    model.animations.push_back(names.substr(at, end - at));
-  }
+  model.animations = linesOf(app.animations());
+  model.actions = linesOf(app.actions());
+  model.action = app.action();
   model.meanWetness = app.meanWetness();
   const wet::Accounts water = app.water().accounts();
   model.water = {water.painted + water.rained, water.held + water.hair, water.film, water.drops, water.dripped, water.evaporated + water.removed};

@@ -12,8 +12,9 @@ namespace fur::app {
 
 namespace {
 
-// Poses of an animation that are looked at for how far it goes.
-constexpr int kMeasuredPoses = 12;
+// Poses of an animation that are looked at for how far it goes; of each where there are several.
+constexpr int kMeasuredPoses = 12, kFewPoses = 4;
+constexpr int kMixed = -2;  // no animation: several
 
 // Values of the mesh's vertices as values of the surface's.
 void spread(const std::vector<std::uint32_t>& sources, const Vec3* source, std::vector<Vec3>& to) {
@@ -75,8 +76,7 @@ void ShapeStage::setSurface(geometry::Surface surface) {
   ++surfaceRevision_;
   spreadMaterials();
   bindRig();
-  measuredFor_ = -1;
-  measure();
+  measure({});
 }
 
 // A vertex that was inserted lies on an edge of the mesh, which has one material.
@@ -106,6 +106,8 @@ void ShapeStage::bindRig() {
   firstTangents_.clear();
   animation_ = -1;
   seconds_ = 0;
+  lastPositions_.clear();
+  lastSeconds_ = 0;
   if (!rig_.moves()) return;
   pose_.emplace(rig_);
   for (const geometry::SurfaceVertex& v : surface_.vertices) sources_.push_back(v.source);
@@ -147,27 +149,35 @@ void ShapeStage::leanOverEdges() {
   }
 }
 
-void ShapeStage::measure() {
+void ShapeStage::measure(std::span<const int> animations) {
+  measuredFor_.assign(animations.begin(), animations.end());
   extent_ = {};
   groundHeight_ = 0;
   for (const geometry::SurfaceVertex& v : surface_.vertices) groundHeight_ = std::min(groundHeight_, v.position.y);
-  if (!pose_ || measuredFor_ < 0) return;
-  const float duration = rig_.animations[static_cast<std::size_t>(measuredFor_)].duration;
-  for (int k = 0; k < kMeasuredPoses; ++k) {
-    pose_->set(measuredFor_, duration * static_cast<float>(k) / kMeasuredPoses);
+  if (!pose_) return;
+  for (const int animation : animations) reach(animation, animations.size() > 1 ? kFewPoses : kMeasuredPoses, animation == animations.front());
+  if (animation_ != kMixed) pose_->set(animation_, static_cast<float>(seconds_));
+}
+
+// How far the animation goes, and how far down.
+void ShapeStage::reach(int animation, int poses, bool ground) {
+  const float duration = rig_.animations[static_cast<std::size_t>(animation)].duration;
+  for (int k = 0; k < poses; ++k) {
+    pose_->set(animation, duration * static_cast<float>(k) / static_cast<float>(poses));
     for (const Vec3& p : pose_->positions()) {
-      groundHeight_ = std::min(groundHeight_, p.y);
+      if (ground) groundHeight_ = std::min(groundHeight_, p.y);
       include(extent_, p);
     }
   }
-  pose_->set(animation_, static_cast<float>(seconds_));
 }
 
-bool ShapeStage::update(const Inputs& inputs) {
-  if (!pose_) return false;
-  if (inputs.animation != measuredFor_) {
-    measuredFor_ = inputs.animation;
-    measure();
+bool ShapeStage::play(const Inputs& inputs) {
+  if (inputs.mix) {
+    if (animation_ == kMixed && mixShown_ == inputs.mixRevision) return false;
+    animation_ = kMixed;
+    mixShown_ = inputs.mixRevision;
+    pose_->set(*inputs.mix);
+    return true;
   }
   double seconds = inputs.animation == animation_ ? seconds_ : 0;
   if (active(inputs)) {
@@ -179,6 +189,20 @@ bool ShapeStage::update(const Inputs& inputs) {
   animation_ = inputs.animation;
   seconds_ = seconds;
   pose_->set(animation_, static_cast<float>(seconds_));
+  return true;
+}
+
+bool ShapeStage::update(const Inputs& inputs) {
+  if (!pose_) return false;
+  const std::span<const int> one(&inputs.animation, inputs.animation >= 0 ? 1 : 0), plays = inputs.mix ? inputs.habits : one;
+  if (!std::equal(plays.begin(), plays.end(), measuredFor_.begin(), measuredFor_.end())) {
+    measure(plays);
+    if (inputs.mix) animation_ = -1;  // the pose is one that was measured
+  }
+  lastSeconds_ = 0;
+  if (!play(inputs)) return false;
+  std::swap(lastPositions_, skin_.positions);
+  lastSeconds_ = inputs.seconds;
   readSkin();
   ++poseRevision_;
   return true;
@@ -187,7 +211,7 @@ bool ShapeStage::update(const Inputs& inputs) {
 const geometry::SurfaceQuery& ShapeStage::shownQuery() const {
   if (!pose_) return query_;
   if (noteChange(posedQueryFor_, revision())) {
-    posedQuery_ = query_;
+    if (noteChange(posedQueryOf_, surfaceRevision_)) posedQuery_ = query_;
     posedQuery_.follow(surface_, skin_.positions);
   }
   return posedQuery_;

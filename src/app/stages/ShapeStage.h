@@ -22,6 +22,11 @@ class ShapeStage {
     float seconds = 0;    // that have passed
     int animation = -1;   // of the rig; -1: none
     float speed = 0;      // of the animation, a factor; 0: it stands still
+    // In place of that, what it plays now; another number whenever that changes; and which animations it may play, for how far they
+    // go, the first of which stands on the ground.
+    const scene::PoseMix* mix = nullptr;
+    std::uint64_t mixRevision = 0;
+    std::span<const int> habits{};
   };
   // A sphere that holds the skin, whatever the animation does with it. Model units.
   struct Extent {
@@ -39,7 +44,7 @@ class ShapeStage {
   void setSurface(geometry::Surface surface);
   // Plays the animation. Whether the shape has changed.
   bool update(const Inputs& inputs);
-  bool active(const Inputs& inputs) const { return inputs.animation >= 0 && inputs.speed > 0; }
+  bool active(const Inputs& inputs) const { return inputs.mix ? inputs.mixRevision != mixShown_ : inputs.animation >= 0 && inputs.speed > 0; }
   // The animation of a setting that counts from 1; -1: the rig has none of that number.
   int animationOf(int setting) const;
 
@@ -61,6 +66,12 @@ class ShapeStage {
 
   // nullptr for a model without animations: it is shown as it was made.
   const Skin* skin() const { return pose_ ? &skin_ : nullptr; }
+  // Positions as they were `seconds` before; 0 seconds: not known.
+  struct Before {
+    std::span<const Vec3> positions;
+    float seconds = 0;
+  };
+  Before before() const { return {lastPositions_, lastSeconds_}; }
   // nullptr likewise.
   const scene::Pose* pose() const { return pose_ ? &*pose_ : nullptr; }
   // Of each vertex, as it was made; empty for a model without animations.
@@ -81,7 +92,9 @@ class ShapeStage {
   void bindRig();
   void readSkin();
   void leanOverEdges();
-  void measure();
+  void measure(std::span<const int> animations);
+  void reach(int animation, int poses, bool ground);
+  bool play(const Inputs& inputs);
   void spreadMaterials();
 
   geometry::Mesh mesh_;
@@ -92,16 +105,19 @@ class ShapeStage {
   scene::Rig rig_;
   std::optional<scene::Pose> pose_;
   Skin skin_;
+  std::vector<Vec3> lastPositions_;
+  float lastSeconds_ = 0;
   std::vector<std::uint32_t> sources_;  // of each vertex: one of the mesh's vertices or of those inserted between them
   std::vector<Lean> leans_;             // empty without hard edges
   std::vector<Vec3> firstTangents_;
-  int animation_ = -1;       // that is shown
+  int animation_ = -1;       // that is shown; below -1: several
   double seconds_ = 0;       // of it
-  int measuredFor_ = -1;     // the animation that extent and ground are for
+  std::uint64_t mixShown_ = 0;
+  std::vector<int> measuredFor_;  // the animations that extent and ground are for
   Extent extent_;
   float groundHeight_ = -1;
   mutable geometry::SurfaceQuery posedQuery_;
-  mutable std::uint64_t posedQueryFor_ = 0;  // the revision that it is of
+  mutable std::uint64_t posedQueryFor_ = 0, posedQueryOf_ = 0;  // revisions of shape and surface that it is of
   std::uint64_t surfaceRevision_ = 0, poseRevision_ = 0;
 };
 

@@ -18,6 +18,7 @@ class Touch {
   // The hand goes there, or comes down there.
   void stroke(const Vec3& at, float radius);
   void lift() { handGoal_.reset(); }
+  const std::optional<Vec3>& hand() const { return handGoal_; }
   // The ball follows to there; there is none until then.
   void pull(const Vec3& to);
   void setBallSize(float radius) { ballRadius_ = radius; }

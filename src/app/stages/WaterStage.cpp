@@ -20,6 +20,7 @@ constexpr float kWindSpeed = 1.5f;
 constexpr float kDryerRate = 1.6f;
 // Of save(), which browsers keep from visit to visit: another one whenever that changes.
 constexpr std::uint32_t kWaterLayout = 4;
+constexpr std::size_t kMostLanded = 64;
 
 // What files may hold: more is no water.
 bool areAmounts(std::span<const float> values) {
@@ -33,12 +34,18 @@ bool isTexel(const Vec4& texel) {
 
 void WaterStage::touch() { ++revision_; }
 
+void WaterStage::noteLanded(std::span<const std::uint32_t> triangles) {
+  for (const std::uint32_t triangle : triangles)
+    if (landed_.size() < kMostLanded) landed_.push_back(triangle);
+}
+
 void WaterStage::reset() {
   mask_.clear();
   water_.reset();
   strokes_.clear();
   before_.reset();
   held_.reset();
+  landed_.clear();
   due_ = 0;
   steps_ = 0;
   layFor_ = 0;
@@ -81,6 +88,10 @@ bool WaterStage::update(const Inputs& inputs) {
   layDown(inputs.groom);
   wet::WetSurface on{inputs.shape.surface(), inputs.shape.query(), wetting(inputs.shape)};
   if (const auto* skin = inputs.shape.skin()) on.positions = skin->positions, on.normals = skin->normals;
+  if (const ShapeStage::Before before = inputs.shape.before(); inputs.bySkin && inputs.shape.skin()) {
+    on.before = before.seconds > 0 ? before.positions : on.positions;
+    on.seconds = before.seconds > 0 ? before.seconds : 1;
+  }
   on.hair = wetHair();
   const std::uint64_t before = revision_;
   bool changed = false;
@@ -97,6 +108,7 @@ bool WaterStage::update(const Inputs& inputs) {
     if (!flows(now)) continue;
     if (inputs.shape.skin() && !water_.drops().empty()) on.shown = &inputs.shape.shownQuery();
     changed |= water_.step(on, mask_, now);
+    noteLanded(water_.landed());
     ++steps_;
   }
   if (changed) touch();

@@ -34,6 +34,7 @@ class WaterStage {
     float coatLength = 0.12f;   // of the longest strand, model units
     float wind = 0;             // strength of the settings, or 0
     float shaking = 0;          // 0..1: how hard the model shakes itself
+    bool bySkin = false;        // by the motion of its skin, as which water flies off
     float seconds = 0;          // that have passed
     double budget = 1e9;        // seconds of this machine's time for finding the water's ways on a new model
   };
@@ -65,6 +66,9 @@ class WaterStage {
   void note(Command what, float clump);
   void apply(const MaskStep& step, bool undo);
 
+  // Some drops fall from above it; no stroke.
+  void sprinkle(const ShapeStage& shape, const Mat4& worldFromModel, int drops);
+
   const std::vector<WaterStroke>& strokes() const { return strokes_; }
   std::uint32_t steps() const { return steps_; }  // of the clock, since the model came
   // The next step begins now.
@@ -74,6 +78,9 @@ class WaterStage {
   const wet::WetnessMask& mask() const { return mask_; }
   bool isWet() const;  // anything is: the mask, hair, the ground, or a drop is on its way
   const wet::Water& water() const { return water_; }
+  // Triangles on which drops or a tool have brought water since forgetLanded(); some of them, if they are many.
+  std::span<const std::uint32_t> landed() const { return landed_; }
+  void forgetLanded() { landed_.clear(); }
   // What the picture takes of the mask, where it has changed since the last call, or all of it.
   // `softened`: see wet/MaskEncoding.h.
   std::vector<wet::MaskTexels> takeTexels(const ShapeStage& shape, bool all, bool softened = true);
@@ -115,7 +122,9 @@ class WaterStage {
   void scatter(const ShapeStage& shape, const Vec3& centre, const Vec3& normal, float radius, float clump, float amount);
   void soak(const ShapeStage& shape, float amount, float clump);
   void touch();
+  void noteLanded(std::span<const std::uint32_t> triangles);
 
+  std::vector<std::uint32_t> landed_;
   wet::WetnessMask mask_{kMaskSize};
   wet::Water water_;
   HairStage* hair_ = nullptr;
@@ -128,7 +137,7 @@ class WaterStage {
   std::vector<float> hairBefore_;
   std::optional<Held> held_;
   int sinceDab_ = 0;   // steps
-  Random random_{1};
+  Random random_{1}, sprinkled_{23};
   float due_ = 0;      // seconds
   std::uint32_t steps_ = 0;
 

@@ -19,6 +19,8 @@ constexpr float kDryShare = 0.35f;
 constexpr float kTowelShare = 0.5f;
 // Of the hose: amount a step, how far off its nozzle is and how fast water comes from there.
 constexpr float kHose = 0.012f, kHoseLength = 2.0f, kHoseSpeed = 11.5f;
+// Of drops that are sprinkled: how far aside and how high over the model's middle, in radii of what holds it; how much each brings.
+constexpr float kSprinkleReach = 0.75f, kSprinkleHeight = 1.7f, kSprinkle = 4e-3f;
 constexpr float kHoseSlope = 0.3f;  // it meets the skin at no less; a sine
 
 }  // namespace
@@ -80,6 +82,7 @@ void WaterStage::strokeAt(const ShapeStage& shape, const geometry::SurfacePoint&
   mark(at, pressure, height);
   if (hair_) hair_->wetBy(stroke, shape, at, pressure, height);
   if (height > 0) return touch();
+  if (stroke.what == Command::Droplet || stroke.what == Command::Splash) noteLanded({&at.triangle, 1});
   const geometry::Surface& surface = shape.surface();
   const float flow = stroke.flow * pressure;
   const auto centre = [&] { return positionAt(surface, at); };
@@ -102,6 +105,17 @@ void WaterStage::strokeAt(const ShapeStage& shape, const geometry::SurfacePoint&
     case Command::Soak: soak(shape, stroke.flow, stroke.clump); break;
     case Command::DryOff: mask_.dry(stroke.flow, stroke.radius); break;
     default: break;
+  }
+  touch();
+}
+
+void WaterStage::sprinkle(const ShapeStage& shape, const Mat4& worldFromModel, int drops) {
+  const ShapeStage::Extent& extent = shape.extent();
+  const Vec3 middle(worldFromModel * Vec4(extent.centre, 1));
+  for (int i = 0; i < drops; ++i) {
+    const float angle = sprinkled_.uniform(0, 2 * kPi), reach = kSprinkleReach * std::sqrt(sprinkled_.uniform());
+    const Vec3 over(reach * portableCos(angle), kSprinkleHeight + 0.2f * sprinkled_.uniform(), reach * portableSin(angle));
+    water_.launch(middle + extent.radius * over, Vec3(0), kSprinkle);
   }
   touch();
 }

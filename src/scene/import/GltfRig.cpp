@@ -70,6 +70,7 @@ void GltfRig::readNodes() {
     node.parent = parents[index] < 0 ? -1 : static_cast<int>(nodeOf_[static_cast<std::size_t>(parents[index])]);
     const Json& json = file_.element("nodes", index);
     const std::string where = formatted("nodes[%llu]", index);
+    if (const Json* name = json.find("name")) node.name = name->text();
     float m[16], r[4] = {0, 0, 0, 1};
     if (file_.numbers(json, "matrix", m, 16, where)) {
       node.fixed = true;
@@ -80,7 +81,7 @@ void GltfRig::readNodes() {
     file_.numbers(json, "rotation", r, 4, where);
     const float length = std::sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2] + r[3] * r[3]);
     if (length > 1e-12f && length < 1e18f) node.rotation = Quat(r[3] / length, r[0] / length, r[1] / length, r[2] / length);
-    rig_.nodes.push_back(node);
+    rig_.nodes.push_back(std::move(node));
   }
   if (order.size() != count) file_.bad("nodes are children of themselves");
 }
