@@ -50,6 +50,6 @@ export function needsGl(file) {
 
 /** GoogleTest's filter for the tests that these files hold. */
 export function filterOf(files) {
-  const names = files.flatMap((file) => [...readFileSync(join(root, file), 'utf8').matchAll(/^\s*TEST(?:_F)?\(\s*(\w+)\s*,\s*(\w+)\s*\)/gm)]);
-  return names.map(([, suite, test]) => `${suite}.${test}`).join(':');
+  const names = files.flatMap((file) => [...readFileSync(join(root, file), 'utf8').matchAll(/^\s*TEST(|_F|_P)\(\s*(\w+)\s*,\s*(\w+)\s*\)/gm)]);
+  return names.map(([, kind, suite, test]) => (kind === '_P' ? `*/${suite}.${test}/*` : `${suite}.${test}`)).join(':');
 }

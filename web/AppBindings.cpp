@@ -237,14 +237,21 @@ FUR_EXPORT int fur_tick(App* app, float seconds, float coatBudget) {
   return guarded([&] { return app->tick(seconds, coatBudget) ? 1 : 0; });
 }
 // 0 best, 1 moving, 2 still, as app::Picture
-FUR_EXPORT int fur_draw(App* app, int picture) {
-  return guarded([&] { return web::report(app->draw(static_cast<app::Picture>(picture))); });
+FUR_EXPORT int fur_draw(App* app, int picture, int samples) {
+  return guarded([&] { return web::report(app->draw(static_cast<app::Picture>(picture), samples)); });
 }
 FUR_EXPORT void fur_setQuality(App* app, int best, int governed) { app->setQuality(best, governed != 0); }
 // 1: the framebuffer has another picture; 2: not yet.
 FUR_EXPORT int fur_improve(App* app) {
   return guarded([&] {
     const Result<bool> shown = app->improve();
+    return shown ? 2 - shown.value() : web::report(shown.error());
+  });
+}
+// 1: the framebuffer has the picture; 2: it is to be drawn.
+FUR_EXPORT int fur_showAgain(App* app) {
+  return guarded([&] {
+    const Result<bool> shown = app->showAgain();
     return shown ? 2 - shown.value() : web::report(shown.error());
   });
 }

@@ -8,7 +8,7 @@ import { WetFur } from './host.js';
 import { optionDefaults } from './options.js';
 
 // Settings fields that have an attribute; every other field is a property only.
-const settingAttributes = ['wind', 'dryRate', 'brushRadius', 'brushFlow', 'exposure', 'seed', 'view', 'lightRig', 'behaviour'];
+const settingAttributes = ['wind', 'dryRate', 'brushRadius', 'brushFlow', 'exposure', 'seed', 'view', 'refine', 'lightRig', 'behaviour'];
 const ownAttributes = ['src', 'alt', 'poster', 'loading', 'reveal', 'interactionPrompt'];
 const hostOptions = Object.keys(optionDefaults);
 const forwardedEvents = [

@@ -11,6 +11,10 @@ const coatSeconds = 0.014;
 const maxFrameSeconds = 0.1;
 /** A coat that takes longer is told of. */
 const coatToldMilliseconds = 500;
+const mostSamples = 64;
+
+/** When any model on the page moved last, by performance.now(): pictures that stay leave it the graphics processor. */
+let lastMoved = -Infinity;
 
 /**
  * @typedef {object} FrameEvents
@@ -67,16 +71,16 @@ export class Frames {
     }
     clearTimeout(this.#stillTimer);
     const dt = this.#timeSince(time);
-    const changed = [app.tick(dt, options.fixedDt ? undefined : coatSeconds), panel?.update(dt)];
+    const moved = app.tick(dt, options.fixedDt ? undefined : coatSeconds), panelMoved = panel?.update(dt);
     this.#events.onModelStep();
-    const paints = changed.some(Boolean);
+    // A panel that moves alone does not take away what the picture has become.
+    const paints = moved || (panelMoved && !app.showAgain());
     // Steps of a given length are for pictures that come out the same everywhere.
-    if (paints) {
-      this.#paint(options.fixedDt ? pictures.best : pictures.moving);
-      screen.show();
-    }
+    if (paints) this.#paint(options.fixedDt ? pictures.best : pictures.moving);
+    else if (panelMoved) this.#afterDrawing();
     this.#run = paints ? this.#run + 1 : 0;
     if (paints) this.#lastPaint = time;
+    if (paints || panelMoved) screen.show();
     else if (time - this.#lastPaint > stillMilliseconds) this.#improve();  // fur that dries changes now and then
     panel?.afterFrame();
     this.#tellCoat(time);
@@ -121,10 +125,17 @@ export class Frames {
     this.#improve();
   }
 
+  /** The program, which gathers samples but for pictures that are to come out the same everywhere. */
+  get #app() {
+    const { app, options } = this.#session;
+    app.setRefining(!options.paused && !options.fixedDt);
+    return app;
+  }
+
   #improve() {
     const { app, screen, state } = this.#session;
     clearTimeout(this.#stillTimer);
-    if (this.#request || state !== 'ready' || !app.improvable) return;
+    if (this.#request || state !== 'ready' || !this.#app.improvable) return;
     // What waits for the graphics processor would wait in front of the next touch.
     if (screen.busy) return this.#improveIn(busyMilliseconds);
     if (app.improve()) {
@@ -132,11 +143,11 @@ export class Frames {
       screen.show();
     }
     screen.setFence();
-    this.#improveIn(0);
+    this.#improveIn(performance.now() - lastMoved < stillMilliseconds ? stillMilliseconds : 0);
   }
   #improveIn(milliseconds) {
     clearTimeout(this.#stillTimer);
-    if (this.#session.app.improvable) this.#stillTimer = setTimeout(() => this.#improve(), milliseconds);
+    if (this.#app.improvable) this.#stillTimer = setTimeout(() => this.#improve(), milliseconds);
   }
 
   // Only of a coat that takes longer than a person would notice.
@@ -153,11 +164,14 @@ export class Frames {
     this.#events.onCoat(fraction);
   }
 
-  #paint(picture) {
+  #paint(picture, samples = 1) {
     const { app, context } = this.#session;
     context.returning = false;
-    if (picture === pictures.moving) context.timer.begin();
-    app.draw(picture);
+    if (picture === pictures.moving) {
+      lastMoved = performance.now();
+      context.timer.begin();
+    }
+    app.draw(picture, samples);
     context.timer.end();
     this.#afterDrawing();
   }
@@ -171,13 +185,13 @@ export class Frames {
     if (this.#drawMoment()) this.#session.screen.show();
   }
   /** The same for nobody to see; false: there is nothing to draw with. */
-  #drawMoment() {
+  #drawMoment(samples = 1) {
     const { app, panel, context, loaded } = this.#session;
     if (!loaded || !context.draws()) return false;
     app.invalidate();
     app.tick(0);
     panel?.update(0);
-    this.#paint(pictures.best);
+    this.#paint(pictures.best, samples);
     return true;
   }
 
@@ -188,10 +202,11 @@ export class Frames {
     this.#session.tellChanges(true);
   }
 
-  /** A picture of its own size (default: as shown). */
-  async toBlob({ mimeType = 'image/png', quality, width, height, transparent } = {}) {
+  /** A picture of its own size (default: as shown), the mean of 1 to 64 samples. */
+  async toBlob({ mimeType = 'image/png', quality, width, height, transparent, samples } = {}) {
     const { app, context, loaded, panel, screen } = this.#session;
     if (!loaded || !context.draws()) throw new FurError('webgl-unavailable', 'there is no picture to take yet');
+    const count = Math.max(1, Math.min(mostSamples, Math.round(samples ?? this.#app.savedSamples) || 1));
     const shown = [screen.width, screen.height, screen.pixelRatio];
     const size = [width ?? shown[0], height ?? shown[1]].map((side) => Math.max(1, Math.min(4096, Math.round(side))));
     this.#session.panel = null;  // not in the picture, nor what it pushes aside
@@ -199,7 +214,7 @@ export class Frames {
     let blob;
     try {
       context.resize(...size, shown[2] * (size[1] / shown[1]));
-      this.#drawMoment();
+      this.#drawMoment(count);
       // The browser copies the surface now; only the encoding comes later.
       blob = screen.gl.canvas.convertToBlob({ type: mimeType, quality });
     } finally {

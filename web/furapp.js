@@ -162,10 +162,12 @@ export class FurApp {
   /** `coatBudget`: seconds that may go into a coat that grows. */
   tick(seconds, coatBudget = 1e9) { return this.#call('fur_tick', seconds, coatBudget) !== 0; }
   /** For `pictures.best`, `.moving` or `.still`, as app/App.h tells. */
-  draw(picture = pictures.best) { this.#callOrThrow('fur_draw', picture); }
+  draw(picture = pictures.best, samples = 1) { this.#callOrThrow('fur_draw', picture, samples); }
   set governed(governed) { this.#call('fur_setQuality', 0, governed ? 1 : 0); }
   /** A step towards the best picture; whether there is another one to show. */
   improve() { return this.#callOrThrow('fur_improve') === 1; }
+  /** What has been gathered of the picture, once more; false: draw it. */
+  showAgain() { return this.#callOrThrow('fur_showAgain') === 1; }
   get stats() {
     const values = this.program.numbers(this.#call('fur_stats'), statNames.length);
     return Object.fromEntries(statNames.map((name, index) => [name, values[index]]));

@@ -32,6 +32,7 @@ constexpr const char* kUsage = R"(usage: wet-fur-compare [model] [options]
   --size WxH            pixels, 16x16 to 2048x2048 (default 800x600)
   --light NAME          of the reference: formula (default), or traced
   --samples N           of the reference, along each side of a pixel, 1 to 16 (default 8)
+  --gathered N          samples of the real-time picture, 1 to 64 (default 1)
   --out FOLDER          for the pictures and their differences (default: none are written)
   --<setting> VALUE     any field of the settings table, as --furLength 0.2
 )";
@@ -57,7 +58,7 @@ struct Options {
   std::vector<View> views{std::begin(kViews), std::end(kViews)};
   std::vector<int> layers{8, 16, 32, 64};
   std::vector<Variant> variants{{"as set", {}}};
-  int width = 800, height = 600;
+  int width = 800, height = 600, gathered = 1;
   truth::Options truth;
   Fields fields;
 };
@@ -127,6 +128,9 @@ std::string readOption(const std::string& name, const std::string& value, Option
   } else if (name == "--samples") {
     o.truth.samples = readWhole(value, 1, 16);
     if (o.truth.samples < 0) return "--samples " + value + ": expected a number from 1 to 16";
+  } else if (name == "--gathered") {
+    o.gathered = readWhole(value, 1, app::mostSamples());
+    if (o.gathered < 0) return "--gathered " + value + ": expected a number from 1 to " + std::to_string(app::mostSamples());
   } else if (name.rfind("--", 0) == 0 && settings::isSetting(name.substr(2))) {
     o.fields.emplace_back(name.substr(2), value);
   } else {
@@ -228,7 +232,7 @@ class Comparison {
     app_.setField("layers", std::to_string(layers));
     app_.settle();
     target_.bind();
-    if (Status status = app_.draw(); !status) return status;
+    if (Status status = app_.draw(app::Picture::Best, o_.gathered); !status) return status;
     resolved_.resolve(target_, o_.width, o_.height);
     const truth::Picture picture = pictureOf(o_.width, o_.height, gl::readPixels(o_.width, o_.height));
     if (const std::string error = gl::takeError(); !error.empty()) return Error{ErrorId::WebglUnavailable, error};

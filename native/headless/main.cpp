@@ -47,7 +47,8 @@ constexpr const char* kUsage = R"(usage: wet-fur-render [model] -o out.png [opti
   --turntable N         N pictures, 2 to 3600, of one turn of the camera, out-000.png and so on; between them goes by what
                         a turn takes
   --turn-seconds S      of such a turn (default 12), 0.1 to 600; below 0: the other way round
-  --samples N           multisampling, 0 to 8 (default 4)
+  --samples N           samples of the picture, 1 to 64 (default 1): what the page shows of one that stays
+  --multisampling N     of each, 0 to 8 (default 4)
   --time S              seconds to run before the picture, in steps of 1/60 (default 0)
   --wetness R           soaks the whole model, 0 to 1
   --splash X,Y          one droplet at a pixel (several allowed)
@@ -84,7 +85,7 @@ struct Hold {
 
 struct Options {
   std::string model = "bunny", output, stateFile, preset, light, hairFile, savedHair, savedTypeSet, savedFo, savedScene, maps, lengthMap, typeMap;
-  int width = 1280, height = 720, samples = 4, turntable = 0;
+  int width = 1280, height = 720, samples = 1, multisampling = 4, turntable = 0;
   bool transparent = false;
   float turnSeconds = 12;
   float time = 0, wetness = -1;
@@ -170,11 +171,12 @@ std::string readOption(const std::string& name, const std::string& value, Option
     if (!readNumbers(value, 'x', n) || n.size() != 2 || n[0] < 16 || n[1] < 16 || n[0] > 8192 || n[1] > 8192)
       return "--size " + value + ": expected WxH from 16x16 to 8192x8192";
     o.width = static_cast<int>(n[0]), o.height = static_cast<int>(n[1]);
-  } else if (name == "--samples" || name == "--time" || name == "--wetness") {
-    const float high = name == "--samples" ? 8.0f : name == "--time" ? 3600.0f : 1.0f;
-    if (!readNumbers(value, ',', n) || n.size() != 1 || n[0] < 0 || n[0] > high)
-      return name + " " + value + ": expected a number from 0 to " + std::to_string(static_cast<int>(high));
-    if (name == "--samples") o.samples = static_cast<int>(n[0]);
+  } else if (name == "--samples" || name == "--multisampling" || name == "--time" || name == "--wetness") {
+    const bool samples = name == "--samples", multisampling = name == "--multisampling";
+    const float low = samples ? 1 : 0, high = samples ? static_cast<float>(app::mostSamples()) : multisampling ? 8.0f : name == "--time" ? 3600.0f : 1.0f;
+    if (!readNumbers(value, ',', n) || n.size() != 1 || n[0] < low || n[0] > high)
+      return name + " " + value + ": expected a number from " + std::to_string(static_cast<int>(low)) + " to " + std::to_string(static_cast<int>(high));
+    if (samples || multisampling) (samples ? o.samples : o.multisampling) = static_cast<int>(n[0]);
     else (name == "--time" ? o.time : o.wetness) = n[0];
   } else if (name == "--turntable") {
     if (!readNumbers(value, ',', n) || n.size() != 1 || n[0] < 2 || n[0] > 3600) return "--turntable " + value + ": expected a number from 2 to 3600";
@@ -341,7 +343,7 @@ Status drawPicture(const Options& o, const char* program) {
   app.resize(o.width, o.height, 1);
   const auto context = native::EglContext::create();
   if (!context) return context.error();
-  auto target = gl::Target::offscreen(o.width, o.height, o.samples);
+  auto target = gl::Target::offscreen(o.width, o.height, o.multisampling);
   if (!target) return target.error();
   auto resolved = gl::Target::offscreen(o.width, o.height, 0);
   if (!resolved) return resolved.error();
@@ -360,7 +362,7 @@ Status drawPicture(const Options& o, const char* program) {
   const auto write = [&](const std::string& path) -> Status {
     app.setSaved(true, o.transparent);
     target->bind();
-    if (Status status = app.draw(); !status) return status;
+    if (Status status = app.draw(app::Picture::Best, o.samples); !status) return status;
     resolved->resolve(*target, o.width, o.height);
     auto pixels = gl::readPixels(o.width, o.height);
     if (const std::string error = gl::takeError(); !error.empty()) return Error{ErrorId::WebglUnavailable, error};

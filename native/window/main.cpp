@@ -343,10 +343,14 @@ class Session {
   Result<bool> frame(float dt, app::Picture picture, bool always) {
     serveEditor();
     if (host_.studio().busy() && shooting_) shots_.work(host_);
-    bool changed = app_.tick(dt, kCoatSeconds);
-    changed |= host_.update(dt);
+    moved_ = app_.tick(dt, kCoatSeconds);
+    const bool changed = host_.update(dt) || moved_;
     if (!changed && !always) return false;
-    if (Status status = app_.draw(picture); !status) return status.error();
+    // A panel that moves alone does not take away what the picture has become.
+    const Result<bool> there = moved_ || always ? false : app_.showAgain();
+    if (!there) return there.error();
+    if (!there.value())
+      if (Status status = app_.draw(picture); !status) return status.error();
     host_.draw();
     return true;
   }
@@ -392,7 +396,7 @@ class Session {
       last = now;
       if (!result) return result.error();
       drawn = result.value();
-      run = drawn ? run + 1 : 0;
+      run = drawn && moved_ ? run + 1 : 0;
       // Fur that dries changes now and then.
       if (!drawn && now - lastShown > kStillAfter)
         if (Status status = improveOnce(); !status) return status;
@@ -439,6 +443,7 @@ class Session {
   std::function<void(const std::string&)> chosen_;  // what is done with its path
   bool toldMissing_ = false;
   bool shooting_ = false;  // a picture has its path
+  bool moved_ = false;     // the picture itself, in the last frame
   native::Shots shots_;
   native::Versions versions_{versionsFolder()};
   app::App app_;

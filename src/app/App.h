@@ -333,14 +333,15 @@ class App {
   bool active() const;
   // The person asked for less motion: wind and breathing count as 0 and animations stand while true; the setting stays as it is.
   void setReducedMotion(bool reduced);
-  // A shader that the driver refuses is the error.
-  Status draw(Picture picture = Picture::Best);
+  // The mean of so many samples (render/Samples.h), 1 to mostSamples(). A shader that the driver refuses is the error.
+  Status draw(Picture picture = Picture::Best, int samples = 1);
   void invalidate();  // draw at the next tick whatever happened
   // A part of a picture of another size than what is shown, as setSaved() and draw() would: `rows` of them from `bottom` on,
   // counted from the lowest, into a platform's framebuffer that has just those. What is shown next is as it was.
   struct PicturePart {
-    int width, height, bottom;
+    int width, height, bottom, rows;
     bool transparent;
+    int samples = 1;
   };
   Status drawPart(const PicturePart& part);
   // While true no time goes by: tick() leaves all as it is.
@@ -362,11 +363,18 @@ class App {
   // After each of several moving pictures that were drawn one right after another: milliseconds since the one before
   // was shown; of a recent one's drawing alone on the graphics processor, 0 where that cannot be known.
   void frameShown(float milliseconds, float drawing = 0);
-  // Whether draw(Picture::Best) would show a better picture than the one that was drawn last.
+  // Whether there is a better picture than the one that was drawn last: with all that quality levels leave out, and where the setting
+  // `refine` is on of more samples, up to mostSamples(). Then there is none any more, until something changes.
   bool improvable() const;
-  // A step towards that: as draw(Picture::Still), then the best picture in bands, out of sight, of which none takes longer than
-  // a tenth of a second by what frameShown() told. Whether the framebuffer has another picture now.
+  // A step towards that, for when nothing moves: as draw(Picture::Still), then sample after sample of the best picture in bands, out of
+  // sight, of which none takes longer than a tenth of a second by what frameShown() told. Whether the framebuffer has another picture now.
   Result<bool> improve();
+  // What improve() has gathered so far, once more, where nothing has changed since; false: draw() it.
+  Result<bool> showAgain();
+  // Of a picture that is saved: several where pictures that stay have more.
+  int savedSamples() const;
+  // While false pictures that stay are of one sample: for steps of given length, whose pictures are to be the same everywhere.
+  void setRefining(bool refines);
 
   struct Stats {
     // triangles: of the model; vertices: with those that its surface has at seams and near hard edges.
@@ -386,6 +394,8 @@ class App {
   struct State;
   std::unique_ptr<State> state_;
 };
+
+int mostSamples();  // of a picture
 
 // Lets the time between two frames of a film pass, seconds, in equal steps of at most 1/60 s: the same on every machine.
 void advanceFilm(App& app, float seconds);

@@ -27,6 +27,7 @@ Status App::attach() {
 void App::detach(bool lost) {
   gl::setContextAlive(!lost);
   state_->renderer.reset();
+  state_->forgetSamples();
   gl::setContextAlive(true);
 }
 
@@ -195,6 +196,7 @@ render::Frame App::State::frame(int level) const {
   f.height = view.height;
   f.transparent = transparent;
   f.bottomRow = bottomRow;
+  f.rows = rows;
   f.groundHeight = shape.groundHeight();
   f.reach = glm::length(shape.extent().centre) + shape.extent().radius;
   f.wet = !water.mask().isDry();
@@ -210,34 +212,6 @@ render::Frame App::State::frame(int level) const {
   return f;
 }
 
-int App::State::levelFor(Picture picture) const {
-  if (!governed || picture == Picture::Best) return bestLevel;
-  return picture == Picture::Moving ? governor.level() : governor.stillLevel();
-}
-
-Status App::State::drawBand(int level, int band, int bands) {
-  FUR_ASSERT(renderer.has_value(), "App::draw()", "an attached context", "none");
-  groom.update(groomInputs());
-  hair->update(hairInputs(0));
-  if (!coat.shown()) {
-    finishCoat();
-    groom.update(groomInputs());
-  }
-  chooseShellCount();
-  water.readPuddles();
-  upload();
-  render::Frame f = frame(level);
-  f.band = band;
-  f.bands = bands;
-  const Status status = renderer->draw(f);
-  uploadedBytes = renderer->takeUploadedBytes();
-  noticeChanges();
-  const bool shown = band + 1 == bands;
-  bandsDrawn = shown ? 0 : band + 1;
-  framesDrawn += shown;
-  return status;
-}
-
 // --- App's side --------------------------------------------------------------------------------
 
 render::Frame App::frame() const { return state_->frame(); }
@@ -245,70 +219,6 @@ const furgen::Coat* App::grownCoat() const { return state_->coat.coat().grown();
 std::span<const Vec4> App::bends() const { return state_->motion.bends(); }
 render::HairGrowth App::hairGrowth(std::size_t scalp) const { return state_->hairGrowth(scalp); }
 std::span<const hair::GuideNode> App::hairNodes(std::size_t scalp) const { return state_->hair->nodes(scalp); }
-
-Status App::draw(Picture picture) {
-  State& s = *state_;
-  s.drawnLevel = s.levelFor(picture);
-  return s.drawBand(s.drawnLevel, 0, 1);
-}
-
-Status App::drawPart(const PicturePart& part) {
-  State& s = *state_;
-  const int width = std::exchange(s.view.width, part.width), height = std::exchange(s.view.height, part.height);
-  const int level = s.drawnLevel;
-  const bool unseen = s.pictureRevision() != s.noticed;
-  s.bottomRow = part.bottom;
-  setSaved(true, part.transparent);
-  const Status status = s.drawBand(s.bestLevel, 0, 1);
-  setSaved(false);
-  s.bottomRow = 0;
-  s.view.width = width;
-  s.view.height = height;
-  s.drawnLevel = level;
-  // A picture for a file shows nobody what has changed since the last frame.
-  s.noticed = s.pictureRevision() - (unseen ? 1 : 0);
-  return status;
-}
-
-// --- quality ---
-
-void App::setQuality(int best, bool governed) {
-  State& s = *state_;
-  s.bestLevel = std::clamp(best, 0, kQualityLevels - 1);
-  s.governed = governed;
-  s.governor = {};
-  s.governor.setBudget(s.frameBudget);
-  s.governor.setBest(s.bestLevel);
-  ++s.changed;
-}
-
-void App::setFrameBudget(float milliseconds) {
-  state_->frameBudget = milliseconds;
-  state_->governor.setBudget(milliseconds);
-}
-
-void App::frameShown(float milliseconds, float drawing) {
-  // What a coat takes that grows meanwhile is not the picture's doing.
-  if (state_->governed && !state_->coat.growing()) state_->governor.frame(milliseconds, drawing);
-}
-
-bool App::improvable() const { return state_->bestLevel < state_->drawnLevel; }
-
-Result<bool> App::improve() {
-  State& s = *state_;
-  if (!improvable()) return false;
-  const int still = s.levelFor(Picture::Still);
-  if (s.pictureRevision() != s.noticed || still < s.drawnLevel) {
-    if (Status status = draw(Picture::Still); !status) return status.error();
-    return true;
-  }
-  if (s.bandsDrawn == 0) s.bands = s.governor.bandsOfBest();
-  const int bands = s.bands, band = s.bandsDrawn;
-  if (Status status = s.drawBand(s.bestLevel, band, bands); !status) return status.error();
-  if (s.bandsDrawn > 0) return false;
-  s.drawnLevel = s.bestLevel;
-  return true;
-}
 
 App::Stats App::stats() const {
   const State& s = *state_;

@@ -1,5 +1,5 @@
 // What App holds, and how it is wired: input -> stages -> frame. Its source files: App.cpp (model, settings, undo),
-// AppTime.cpp (what time does), AppFrame.cpp (what is drawn), AppInput.cpp (pointers and keys), AppGroom.cpp, AppWater.cpp,
+// AppTime.cpp (what time does), AppFrame.cpp (what is drawn), AppQuality.cpp (how well), AppInput.cpp (pointers and keys), AppGroom.cpp, AppWater.cpp,
 // AppCoat.cpp (what programs do with a stage), AppSaving.cpp (files).
 #pragma once
 
@@ -126,13 +126,16 @@ struct App::State {
     int count = 1;
   } shells;  // Frame::shellCount, and what it is for
   bool saved = false, transparent = false;  // as setSaved() said
-  int bottomRow = 0;
+  int bottomRow = 0, rows = 0;  // as render::Frame has them
   long framesDrawn = 0;
   std::size_t uploadedBytes = 0;
   QualityGovernor governor;
   float frameBudget = 1000.0f / 60;
   int bestLevel = 0, drawnLevel = 0;
-  int bands = 1, bandsDrawn = 0;  // of the best picture, since the last one that was shown
+  // Of a picture that stays: samples that are gathered, and how many the picture has that is shown; bands of the next one.
+  int samplesDone = 0, samplesShown = 1;
+  int bands = 1, bandsDrawn = 0;
+  bool refines = true;  // as setRefining() said
   bool governed = false;
 
   // --- App.cpp ---
@@ -185,8 +188,19 @@ struct App::State {
   void chooseShellCount();
   render::Frame frame(int level) const;
   render::Frame frame() const { return frame(bestLevel); }
-  Status drawBand(int level, int band, int bands);
+
+  // --- AppQuality.cpp ---
+  struct Drawn {
+    int level, sample = 0;
+    bool gathers = false;
+    int bands = 1, band = 0;
+  };
   int levelFor(Picture picture) const;
+  int bandsOfBest() const;
+  int samplesWanted() const;
+  Status drawFrame(const Drawn& drawn);
+  Status drawSamples(int level, int samples);
+  void forgetSamples();
 
   // --- AppInput.cpp ---
   Mat4 worldFromModel() const { return motion.worldFromModel(); }

@@ -125,7 +125,6 @@ void apply(const DrawState& state) {
   glCullFace(state.cullFront ? GL_FRONT : GL_BACK);
   toggle(GL_BLEND, state.blend != Blend::None);
   toggle(GL_SAMPLE_ALPHA_TO_COVERAGE, state.alphaToCoverage);
-  glDisable(GL_SCISSOR_TEST);
   glDisable(GL_STENCIL_TEST);
   toggle(GL_POLYGON_OFFSET_FILL, state.nearer);
   glPolygonOffset(-2, -8);
@@ -184,6 +183,21 @@ PlatformStandIn::~PlatformStandIn() {
 }
 int platformSamples() { return samplesOfPlatform; }
 void bindPlatformFramebuffer() { glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(platformFramebuffer)); }
+
+// A framebuffer of our own is resolved by a blit, that of a window or a canvas by copying: each refuses the other.
+void Target::takeRows(const Texture& texture, int bottom, int count) const {
+  glDisable(GL_SCISSOR_TEST);
+  const int width = texture.shape().width;
+  if (platformFramebuffer != 0) {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(platformFramebuffer));
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.id());
+    glBlitFramebuffer(0, bottom, width, bottom + count, 0, bottom, width, bottom + count, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    return;
+  }
+  bindPlatformFramebuffer();
+  texture.bind(31);
+  glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, bottom, 0, bottom, width, count);
+}
 
 std::vector<std::uint8_t> readPixels(int width, int height) {
   const auto row = static_cast<std::size_t>(width) * 4;

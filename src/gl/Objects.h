@@ -114,7 +114,7 @@ enum class Shape { Triangles, Strip };
 void drawInstancesWithoutVertices(Shape shape, int vertexCount, int instances);
 
 // RGBA16F supports filtering; its texels are passed as 32-bit floats.
-enum class TexelFormat { R8, RG8, RGBA8, RGBA16F, RGBA32F, RGBA32UI };
+enum class TexelFormat { R8, RG8, RGBA8, RGBA16F, RGBA32F, RGBA16UI, RGBA32UI };
 // Mipmapped: bilinear in the level that the shader chooses. Crisp: nearest when magnified, else trilinear.
 enum class Filter { Nearest, Linear, Mipmapped, Trilinear, Crisp };
 
@@ -161,6 +161,8 @@ class Target {
   void bind() const;
   // Resolves `from` into this one (same size).
   void resolve(const Target& from, int width, int height) const;
+  // Resolves rows of the platform's framebuffer into this target, a texture of the same size as `texture`, which it is.
+  void takeRows(const Texture& texture, int bottom, int count) const;
 
  private:
   Name framebuffer_, color_, depth_;

@@ -19,6 +19,7 @@ Layout layoutOf(TexelFormat format) {
     case TexelFormat::RGBA8: break;
     case TexelFormat::RGBA16F: return {GL_RGBA16F, GL_RGBA, GL_FLOAT, 16};
     case TexelFormat::RGBA32F: return {GL_RGBA32F, GL_RGBA, GL_FLOAT, 16};
+    case TexelFormat::RGBA16UI: return {GL_RGBA16UI, GL_RGBA_INTEGER, GL_UNSIGNED_SHORT, 8};
     case TexelFormat::RGBA32UI: return {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT, 16};
   }
   return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/Srgb.h"
+#include "render/Samples.h"
 #include "render/StrandTables.h"
 #include "render/passes/background/BackgroundPass.h"
 #include "render/passes/ball/BallPass.h"
@@ -34,6 +35,9 @@ void fillCamera(const Frame& frame, shared::FrameBlock& block) {
   block.exposure = frame.settings.exposure;
   block.viewLayer = frame.settings.viewLayer;
   block.stepLength = frame.stepLength;
+  block.chance = sampleChance(frame.sample);
+  block.sampleShare = 1 / static_cast<float>(frame.sample + 1);
+  block.transparent = frame.transparent;
 }
 
 void fillLights(const Frame& frame, shared::FrameBlock& block) {

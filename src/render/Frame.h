@@ -37,12 +37,17 @@ struct Frame {
   float hairShare = 1;
   // The picture is drawn in this share of its width and of its height, then enlarged: above 0, up to 1.
   float pixelScale = 1;
-  // The picture is drawn in so many bands, one a call, out of sight: the framebuffer has it after the last. Band 0 is the lowest.
-  // All else must be the same for all of them.
+  // Which of a picture's samples (Samples.h) this is; 0: the picture that is drawn once.
+  int sample = 0;
+  // It is added to the mean of those before it, of which 0 is the first, and the framebuffer has that mean after the last band.
+  bool gathers = false;
+  // A picture that gathers is drawn in so many bands, one a call: band 0 is the lowest. All else must be the same for all of them, and what
+  // the framebuffer has between two is nothing to be shown.
   int bands = 1, band = 0;
   // Neither background nor ground: what nothing covers has no colour and no alpha, and colours come multiplied by their alpha.
   bool transparent = false;
   int bottomRow = 0;  // the lowest that the framebuffer has: of a picture in parts, each in a framebuffer of its own
+  int rows = 0;       // that it has; 0: all from there on
   bool wet = false;           // any texel of the mask is: picks the shaders that look at it
   bool wetHair = false;       // long hair is: likewise
   bool groomed = false;       // the groom's map says more than full length of one type: likewise

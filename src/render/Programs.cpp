@@ -38,6 +38,8 @@ const char* fragmentOf(Shader shader, VariantBits variant) {
     case Shader::Fin: return shaders::kFinFrag;
     case Shader::ShadowMap: return shaders::kShadowMapFrag;
     case Shader::Enlarge: return shaders::kEnlargeFrag;
+    case Shader::Mean: return shaders::kMeanFrag;
+    case Shader::ShowMean: return shaders::kShowMeanFrag;
     case Shader::Whisker: return shaders::kWhiskerFrag;
     case Shader::Drop: return shaders::kDropFrag;
     case Shader::Ball: return shaders::kBallFrag;
@@ -64,6 +66,8 @@ Source sourceOf(Shader shader) {
     case Shader::Shell: return {"shell", shaders::kShellVert};
     case Shader::ClassicShell: return {"classic_shell", shaders::kClassicShellVert};
     case Shader::Enlarge: return {"enlarge", shaders::kScreenVert};
+    case Shader::Mean: return {"mean", shaders::kScreenVert};
+    case Shader::ShowMean: return {"show_mean", shaders::kScreenVert};
     case Shader::Fin: return {"fin", shaders::kFinVert};
     case Shader::Whisker: return {"whisker", shaders::kWhiskerVert};
     case Shader::Drop: return {"drop", shaders::kDropVert};
@@ -179,6 +183,7 @@ bool Programs::finish(gl::Program& program) {
   program.bindSampler("puddles", FUR_UNIT_PUDDLES);
   program.bindSampler("streaks", FUR_UNIT_STREAKS);
   program.bindSampler("source", FUR_UNIT_GROUND);
+  program.bindSampler("before", FUR_UNIT_MEAN);
   program.bindSampler("strandM", FUR_UNIT_STRAND_M);
   program.bindSampler("strandN", FUR_UNIT_STRAND_N);
   program.bindSampler("firstSurfaces", FUR_UNIT_SHADOW);
@@ -216,7 +221,7 @@ std::vector<std::pair<Shader, VariantBits>> allVariants() {
   std::vector<std::pair<Shader, VariantBits>> all = {
       {Shader::Background, kPlain}, {Shader::GroundShadow, kPlain}, {Shader::Blur, kPlain}, {Shader::ShadowBlur, kShadowDepth},
       {Shader::Skin, kViewWetness}, {Shader::Skin, kViewNormals},   {Shader::Skin, kViewLayout},  {Shader::ShadowMap, kPlain},
-      {Shader::Enlarge, kPlain},    {Shader::Drop, kPlain},       {Shader::Ground, kPlain},      {Shader::Ground, kWet},     {Shader::Ball, kPlain},
+      {Shader::Enlarge, kPlain},    {Shader::Mean, kPlain},       {Shader::ShowMean, kPlain},    {Shader::Drop, kPlain},       {Shader::Ground, kPlain},      {Shader::Ground, kWet},     {Shader::Ball, kPlain},
       {Shader::ShadowMap, kShadowLayers}, {Shader::ShadowMap, kSkinOnly},
       {Shader::ShadowMap, kBall},   {Shader::GroundShadow, kBall},
       {Shader::Skin, kViewClumps},  {Shader::Skin, kViewDim},     {Shader::Fin, kViewEdges},

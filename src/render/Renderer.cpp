@@ -31,13 +31,20 @@ int shadowTexels(const Frame& frame, float radius) {
   return texels;
 }
 
+// Rows of the framebuffer that the band has.
+struct Rows {
+  int bottom, count;
+};
+int allRows(const Frame& frame) { return frame.rows > 0 ? frame.rows : frame.height - frame.bottomRow; }
+Rows rowsOf(const Frame& frame) {
+  const auto edge = [&](int band) { return allRows(frame) * band / frame.bands; };
+  return {edge(frame.band), edge(frame.band + 1) - edge(frame.band)};
+}
+
 // The viewport, or the band of it, empty.
 void beginPicture(const Frame& frame) {
   gl::setViewport(frame.width, frame.height, frame.bottomRow);
-  if (frame.bands > 1) {
-    const auto edge = [&](int band) { return frame.height * band / frame.bands; };
-    gl::drawOnlyRows(edge(frame.band), edge(frame.band + 1) - edge(frame.band), frame.width);
-  }
+  if (const Rows rows = rowsOf(frame); frame.bands > 1) gl::drawOnlyRows(rows.bottom, rows.count, frame.width);
   gl::clear(Vec4(0, 0, 0, 1));
 }
 
@@ -142,19 +149,32 @@ Status Renderer::draw(const Frame& frame) {
   maps_.bind(frame);
   uploadedBytes_ += strandTables_.use(frame.settings);
   if (!furShadow_.update(programs_, shadow, surface_.array(), surface_.indexCount(), *hair_)) return programs_.error();
-  const bool direct = frame.pixelScale >= 1 && frame.bands <= 1;
+  const bool direct = frame.pixelScale >= 1;
   if (!direct)
     if (Status status = small_.begin(drawn.width, drawn.height); !status) return status;
   beginPicture(drawn);
   if (!drawPasses(drawing)) return programs_.error();
-  if (direct) return Done{};
-  gl::setViewport(frame.width, frame.height);
-  if (frame.band + 1 < frame.bands) {
-    gl::flush();
-    gl::bindPlatformFramebuffer();
-  } else if (!small_.show(programs_)) {
-    return programs_.error();
+  if (!direct) {
+    gl::setViewport(frame.width, frame.height);
+    if (!small_.show(programs_)) return programs_.error();
   }
+  if (frame.gathers && !gather(frame)) return programs_.error();
+  return Done{};
+}
+
+bool Renderer::gather(const Frame& frame) {
+  const Rows rows = rowsOf(frame);
+  const bool last = frame.band + 1 == frame.bands;
+  if (!gathered_.add(programs_, frame.width, allRows(frame), rows.bottom, rows.count)) return false;
+  if (!last) gl::flush();
+  return !last || gathered_.show(programs_);
+}
+
+Status Renderer::showGathered(const Frame& frame) {
+  shared::FrameBlock block = frameBlock(frame);
+  frameBlock_.update(gl::bytesOf(block));
+  frameBlock_.bindAsBlock(FUR_FRAME_BINDING);
+  if (!gathered_.show(programs_)) return programs_.error();
   return Done{};
 }
 
@@ -216,7 +236,7 @@ bool Renderer::drawPart(const Drawing& drawing, const ViewPart& part) {
 
 std::size_t Renderer::gpuBytes() const {
   return surface_.bytes() + maps_.bytes() + materials_.bytes() + fur_.bytes() + strandTables_.bytes() + groundShadow_.bytes() + furShadow_.bytes() + shells_.bytes() +
-         fins_.bytes() + hair_->bytes() + (hairViews_ ? hairViews_->bytes() : 0) + whiskers_.bytes() + ground_.bytes() + drops_.bytes() + small_.bytes();
+         fins_.bytes() + hair_->bytes() + (hairViews_ ? hairViews_->bytes() : 0) + whiskers_.bytes() + ground_.bytes() + drops_.bytes() + small_.bytes() + gathered_.bytes();
 }
 
 std::size_t Renderer::takeUploadedBytes() { return std::exchange(uploadedBytes_, 0); }

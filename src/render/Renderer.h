@@ -20,6 +20,7 @@
 #include "render/passes/drop/DropPass.h"
 #include "render/passes/enlarge/SmallPicture.h"
 #include "render/passes/fin/FinPass.h"
+#include "render/passes/gather/Gathered.h"
 #include "render/passes/ground/GroundPass.h"
 #include "render/passes/ground/GroundShadow.h"
 #include "render/passes/shadow/FurShadow.h"
@@ -77,6 +78,8 @@ class Renderer {
   void warmUp(const Frame& frame);
   // Into the platform's framebuffer, which is bound. A shader that the driver refuses is the error.
   Status draw(const Frame& frame);
+  // The mean of the samples that have been gathered for a frame like this one, once more.
+  Status showGathered(const Frame& frame);
 
   std::size_t gpuBytes() const;
   // Of the last picture: less than the framebuffer has when it was drawn small and enlarged.
@@ -87,6 +90,7 @@ class Renderer {
  private:
   Renderer() = default;
   bool drawPasses(const Drawing& drawing);
+  bool gather(const Frame& frame);
   bool drawFinal(const Drawing& drawing);
   bool drawClassic(const Drawing& drawing);
   bool drawView(const Drawing& drawing, View view);
@@ -117,6 +121,7 @@ class Renderer {
   GroundPass ground_;
   DropPass drops_;
   SmallPicture small_;
+  Gathered gathered_;
 
   std::size_t uploadedBytes_ = 0;
   long drawnPixels_ = 0;

@@ -230,6 +230,7 @@ TEST(App, CheaperLevelsDrawFewerPixelsOfTheSameScene) {
 
 TEST(App, SlowFramesMakeMovingPicturesCheaperAndNoOthers) {
   Desk desk;
+  desk.app.setField("refine", "false");
   desk.app.setQuality(0, true);
   for (int i = 0; i < 60; ++i) desk.app.frameShown(40);
   EXPECT_TRUE(desk.app.draw(Picture::Moving));
@@ -249,6 +250,7 @@ TEST(App, SlowFramesMakeMovingPicturesCheaperAndNoOthers) {
 
 TEST(App, ShowsTheBestPictureBitByBitWhereItWouldTakeLong) {
   Desk desk;
+  desk.app.setField("refine", "false");
   const auto best = desk.stage.draw(desk.app);
   desk.app.setQuality(0, true);
   for (int i = 0; i < 60; ++i) desk.app.frameShown(900);

@@ -34,7 +34,7 @@ function argumentsFor({ model, preset, settings = {}, camera, samples = 0, groom
   const runs = running({ model, wetness, splashes });
   const option = (name, value) => (value === undefined ? [] : [`--${name}`, String(value)]);
   return [
-    model, '-o', output, '--size', `${size.width}x${size.height}`, '--samples', String(samples),
+    model, '-o', output, '--size', `${size.width}x${size.height}`, '--multisampling', String(samples),
     ...option('preset', preset), ...option('camera', camera), ...option('length-map', mapFile(scene)), ...option('wetness', wetness),
     ...groom.flatMap((step) => option('groom', step.join())), ...splashes.flatMap((at) => option('splash', at.join())),
     ...option('time', (runs ? settling + runs : 0) + (seconds ?? 0)), ...Object.entries(settings).flatMap(([name, value]) => option(name, value)),

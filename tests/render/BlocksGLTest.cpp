@@ -26,13 +26,14 @@ std::vector<Member> frameMembers() {
       FUR_MEMBER(FrameBlock, lightWorld), FUR_MEMBER(FrameBlock, up), FUR_MEMBER(FrameBlock, keyLight),
       FUR_MEMBER(FrameBlock, backLight), FUR_MEMBER(FrameBlock, sky), FUR_MEMBER(FrameBlock, floorLight),
       FUR_MEMBER(FrameBlock, backgroundTop), FUR_MEMBER(FrameBlock, backgroundBottom), FUR_MEMBER(FrameBlock, ballCentre),
+      FUR_MEMBER(FrameBlock, chance),
       FUR_MEMBER(FrameBlock, pixelsPerUnit), FUR_MEMBER(FrameBlock, lightIntensity), FUR_MEMBER(FrameBlock, fillLight),
       FUR_MEMBER(FrameBlock, exposure), FUR_MEMBER(FrameBlock, samples), FUR_MEMBER(FrameBlock, viewLayer),
       FUR_MEMBER(FrameBlock, pictureHeight), FUR_MEMBER(FrameBlock, bottomRow), FUR_MEMBER(FrameBlock, groundCentre),
       FUR_MEMBER(FrameBlock, groundHeight), FUR_MEMBER(FrameBlock, groundHalfSide), FUR_MEMBER(FrameBlock, groundDarkness),
       FUR_MEMBER(FrameBlock, ballRadius), FUR_MEMBER(FrameBlock, shadowExtinction), FUR_MEMBER(FrameBlock, shadowBias),
       FUR_MEMBER(FrameBlock, shadowLayerDepth), FUR_MEMBER(FrameBlock, shadowSurface), FUR_MEMBER(FrameBlock, shadowRange),
-      FUR_MEMBER(FrameBlock, stepLength),
+      FUR_MEMBER(FrameBlock, stepLength), FUR_MEMBER(FrameBlock, sampleShare), FUR_MEMBER(FrameBlock, transparent),
   };
 }
 std::vector<Member> furMembers() {
@@ -72,13 +73,20 @@ std::vector<Member> materialMembers() {
   };
 }
 
-TEST(Programs, EveryVariantCompilesAndLinks) {
+// In slices: it is a third of all work that the GL tests are, and runs beside itself in as many shares as there are cores.
+class ProgramsSlice : public testing::TestWithParam<std::size_t> {};
+
+constexpr std::size_t kSlices = 8;
+
+TEST_P(ProgramsSlice, EveryVariantCompilesAndLinks) {
   test::Stage stage(16, 16);
   Programs programs;
-  for (const auto& [shader, variant] : allVariants()) {
-    EXPECT_TRUE(programs.use(shader, variant)) << programs.error().message;
+  const auto all = allVariants();
+  for (std::size_t i = GetParam(); i < all.size(); i += kSlices) {
+    EXPECT_TRUE(programs.use(all[i].first, all[i].second)) << programs.error().message;
   }
 }
+INSTANTIATE_TEST_SUITE_P(Programs, ProgramsSlice, testing::Range(std::size_t{0}, kSlices));
 
 TEST(Blocks, HaveTheSizeThatTheDriverReserves) {
   test::Stage stage(16, 16);

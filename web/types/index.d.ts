@@ -275,9 +275,10 @@ export interface WetFurApi extends WetFurMethods {
   /**
    * The picture of this moment drawn with everything, without panel and signs of tools; as shown or of its own size, of at
    * most 4096 pixels a side. `transparent`: without background and ground, with the alpha of strands at the outline (PNG and
-   * WebP have one). The editor's panel saves up to 8192 pixels a side.
+   * WebP have one). The editor's panel saves up to 8192 pixels a side. `samples`, 1 to 64: of how many the picture is the mean,
+   * which takes as many times as long; default 16, and 1 without `refine`, paused and with `fixedDt`.
    */
-  toBlob(options?: { mimeType?: string; quality?: number; width?: number; height?: number; transparent?: boolean }): Promise<Blob>;
+  toBlob(options?: { mimeType?: string; quality?: number; width?: number; height?: number; transparent?: boolean; samples?: number }): Promise<Blob>;
   getCameraOrbit(): CameraOrbit | null;
   /** What lies over the picture at its edges, in CSS pixels: the model is shown in the middle of the rest. */
   setPadding(padding: { left?: number; top?: number; right?: number; bottom?: number }): void;

@@ -35,6 +35,7 @@ FUR_BLOCK(FrameBlock) {
   vec4 backgroundTop;     // sRGB as it is shown
   vec4 backgroundBottom;  // sRGB as it is shown
   vec4 ballCentre;        // world space
+  vec4 chance;            // 0..1, of this sample of the picture: added to the noises of pixels
 
   float pixelsPerUnit;    // pixels that a model unit covers at distance 1
   float lightIntensity;   // of the key light
@@ -59,6 +60,9 @@ FUR_BLOCK(FrameBlock) {
   float shadowSurface;    // height of the first surface, 0..1
   float shadowRange;      // depth that the map spans, model units
   float stepLength;       // of a march's steps, 1 as is good for the picture
+
+  float sampleShare;      // of the mean of this sample and those before it
+  float transparent;      // 0 or 1: there is no background
 };
 
 // The coat. One a change of the settings. Arrays and vec4s of "type" hold one of each fur type.
@@ -159,6 +163,7 @@ FUR_BLOCK(FurBlock) {
 #define FUR_UNIT_MEMBER_STRANDS 22
 #define FUR_UNIT_STRIPS 23
 #define FUR_UNIT_TYPE_COLORS 28
+#define FUR_UNIT_MEAN 30
 
 // Directions over a half turn in which strands are averaged into streaks (furgen/Streaks.h).
 #define FUR_STREAK_TURNS 32.0

@@ -323,7 +323,7 @@ void EditorHost::perform(const editor::Command& command) {
       [&](const EditHair& c) { app_.editHair(c.edit, c.value, c.direction); },
       [&](const SetHairValues& c) { app_.setHairValues(c.scalp, c.values); },
       [&](const RenameScalp& c) { (void)app_.setHairValue(static_cast<int>(c.scalp), "name", c.name); },
-      [&](const SavePicture& c) { begin({c.width, c.height, c.transparent}, Kind::SavePicture, modelFileName(app_, scene::Format::Png)); },
+      [&](const SavePicture& c) { begin({.width = c.width, .height = c.height, .transparent = c.transparent, .samples = app_.savedSamples()}, Kind::SavePicture, modelFileName(app_, scene::Format::Png)); },
       [&](const SaveTurntable& c) {
         // Films have even sides.
         begin({c.width / 2 * 2, c.height / 2 * 2, c.transparent, turntableFrames(c.secondsPerTurn), c.secondsPerTurn}, Kind::SaveTurntable,

@@ -77,7 +77,7 @@ float Studio::progress() const {
 Result<std::vector<std::uint8_t>> Studio::draw(int bottom, int rows) {
   drawn_.bind();
   const gl::PlatformStandIn standIn;
-  if (Status status = app_.drawPart({order_->width, order_->height, bottom, order_->transparent}); !status) return status.error();
+  if (Status status = app_.drawPart({order_->width, order_->height, bottom, targetRows_, order_->transparent, order_->samples}); !status) return status.error();
   resolved_.resolve(drawn_, order_->width, targetRows_);
   auto rgba = gl::readPixels(order_->width, rows);
   if (const std::string error = gl::takeError(); !error.empty()) return Error{ErrorId::OutOfMemory, "the picture cannot be drawn: " + error};

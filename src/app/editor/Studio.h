@@ -17,6 +17,7 @@ struct PictureOrder {
   // More than one: the camera goes once round the model, by OrbitCamera::turned().
   int frames = 1;
   float secondsPerTurn = 0;
+  int samples = 1;  // as App::draw() has them
 };
 
 // Of a turn of so many seconds, at kFramesPerSecond.

@@ -1,0 +1,248 @@
+// A picture that stays gets better: samples of it are gathered while nothing changes.
+#include <cmath>
+
+#include "app/view/QualityGovernor.h"
+#include "core/Srgb.h"
+#include "tests/render/Picture.h"
+
+namespace fur::app {
+namespace {
+
+constexpr int kSide = 160;
+constexpr std::size_t kPixels = std::size_t{kSide} * kSide;
+
+struct Studio {
+  test::Stage stage{kSide, kSide, 4};
+  App app;
+  Studio() {
+    stage.attach(app);
+    app.setField("layers", "8");
+    app.setField("breath", "0");
+    app.settle();
+    app.tick(0);
+  }
+  ~Studio() { app.detach(false); }
+
+  test::Picture of(int samples) {
+    stage.attachTarget();
+    EXPECT_TRUE(app.draw(Picture::Best, samples));
+    return stage.read();
+  }
+  // Until there is nothing better; how many pictures were shown, and how many steps showed none.
+  std::pair<int, int> improve(int most = 100'000) {
+    stage.attachTarget();
+    std::pair<int, int> steps(0, 0);
+    while (app.improvable() && steps.first + steps.second < most) {
+      const auto shown = app.improve();
+      EXPECT_TRUE(shown);
+      ++(shown.value() ? steps.first : steps.second);
+    }
+    return steps;
+  }
+};
+
+// Of light, as the eye takes the mean of grain.
+double light(const test::Picture& picture) {
+  double sum = 0;
+  for (std::size_t i = 0; i < picture.rgba.size(); ++i)
+    if (i % 4 < 3) sum += decodeSrgb(Vec3(picture.rgba[i] / 255.0f)).x;
+  return sum / static_cast<double>(3 * kPixels);
+}
+
+double distance(const test::Picture& a, const test::Picture& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.rgba.size(); ++i) sum += std::abs(a.rgba[i] - b.rgba[i]);
+  return sum / static_cast<double>(a.rgba.size());
+}
+
+TEST(Refine, APictureThatStaysGetsBetterAndThenNothingIsDrawn) {
+  Studio studio;
+  const test::Picture once = studio.of(1);
+  const long drawn = studio.app.stats().framesDrawn;
+  const auto [shown, hidden] = studio.improve();
+  EXPECT_EQ(shown, mostSamples() - 1);  // the first of them is the one that is there
+  EXPECT_EQ(hidden, 1);
+  EXPECT_EQ(studio.app.stats().framesDrawn, drawn + shown);
+  EXPECT_FALSE(studio.app.improvable());
+  const auto more = studio.app.improve();
+  ASSERT_TRUE(more);
+  EXPECT_FALSE(more.value());
+  EXPECT_FALSE(studio.app.active());
+  EXPECT_GT(distance(studio.stage.read(), once), 0.5);
+}
+
+TEST(Refine, TheFirstSampleIsThePictureThatIsDrawnOnce) {
+  Studio studio;
+  const test::Picture once = studio.of(1);
+  studio.stage.attachTarget();
+  const auto first = studio.app.improve();
+  ASSERT_TRUE(first);
+  EXPECT_FALSE(first.value());
+  ASSERT_TRUE(studio.app.showAgain().value());
+  EXPECT_EQ(studio.stage.read().differingShare(once, 0), 0);
+}
+
+TEST(Refine, SoManySamplesAreTheSamePictureInOneGoOrBandByBand) {
+  Studio studio;
+  const test::Picture once = studio.of(16);
+  studio.app.setQuality(0, true);
+  for (int i = 0; i < 60; ++i) studio.app.frameShown(400);
+  EXPECT_TRUE(studio.app.draw(Picture::Moving));
+  ASSERT_GT(studio.app.stats().level, 0);
+  const auto [shown, hidden] = studio.improve();
+  EXPECT_GE(shown, 16);
+  EXPECT_GT(hidden, 3 * 16);  // bands
+  EXPECT_EQ(studio.app.stats().level, 0);
+  EXPECT_EQ(studio.stage.read().differingShare(once, 0), 0);
+}
+
+TEST(Refine, ABandDrawsItsOwnRowsAlone) {
+  Studio studio;
+  studio.app.setQuality(0, true);
+  for (int i = 0; i < 60; ++i) studio.app.frameShown(900);
+  EXPECT_TRUE(studio.app.draw(Picture::Moving));
+  while (studio.app.stats().level > 0 && studio.app.improve().value()) {}
+  studio.stage.attachTarget();
+  gl::clear(Vec4(1, 0, 1, 1));
+  ASSERT_TRUE(studio.app.improve());
+  const test::Picture picture = studio.stage.read();
+  for (int y = 0; y < kSide / 2; ++y)
+    for (int x = 0; x < kSide; x += 7) ASSERT_TRUE(picture.at(x, y)[0] == 255 && picture.at(x, y)[1] == 0) << x << ", " << y;
+}
+
+TEST(Refine, MoreSamplesAreNearerToAllOfThem) {
+  Studio studio;
+  const test::Picture all = studio.of(64);
+  const double one = distance(studio.of(1), all), four = distance(studio.of(4), all), many = distance(studio.of(16), all);
+  EXPECT_LT(four, 0.7 * one);
+  EXPECT_LT(many, 0.6 * four);
+}
+
+// What an eye that does not see the grain sees does not change, so nothing flashes.
+TEST(Refine, TheLightOfThePictureStays) {
+  Studio studio;
+  for (const char* wetness : {"0", "0.5", "1"}) {
+    studio.app.setWetness(std::strtof(wetness, nullptr));
+    studio.app.settle();
+    const double once = light(studio.of(1));
+    EXPECT_NEAR(light(studio.of(16)), once, 0.004 * once) << wetness;
+  }
+}
+
+// A bare sphere before a plain wall: as many rows as before go from one to the other within two pixels.
+TEST(Refine, WhatIsSharpStaysSharp) {
+  Studio studio;
+  for (const auto& [name, value] : {std::pair("furLength", "0"), std::pair("ground", "false"), std::pair("backgroundTop", "#00ff00"), std::pair("backgroundBottom", "#00ff00")})
+    ASSERT_TRUE(studio.app.setField(name, value));
+  studio.app.settle();
+  const auto blurred = [&](const test::Picture& picture) {
+    int count = 0;
+    for (int y = kSide / 2 - 10; y < kSide / 2 + 10; ++y)
+      for (int x = 0; x < kSide / 2; ++x) {
+        const int green = picture.at(x, y)[1];
+        count += green < 250 && picture.at(x, y)[1] - picture.at(x, y)[0] > 40;
+      }
+    return count;
+  };
+  EXPECT_LE(blurred(studio.of(64)), 2 * 20);
+  EXPECT_GE(blurred(studio.of(64)), 10);
+}
+
+TEST(Refine, AChangeStartsAfresh) {
+  Studio studio;
+  studio.of(1);
+  studio.improve(20);
+  studio.app.setField("tipColor", "#3030ff");
+  ASSERT_TRUE(studio.app.tick(0));
+  EXPECT_FALSE(studio.app.showAgain().value());
+  const test::Picture changed = studio.of(1);
+  studio.improve();
+  const test::Picture gathered = studio.stage.read();
+  EXPECT_EQ(gathered.differingShare(studio.of(64), 0), 0);
+  // Nothing of what was there before.
+  EXPECT_LT(distance(gathered, changed), 8);
+}
+
+TEST(Refine, APanelThatMovesAloneFindsThePictureAsItWas) {
+  Studio studio;
+  studio.of(1);
+  EXPECT_FALSE(studio.app.showAgain().value());  // it is to be drawn
+  studio.improve(10);
+  const test::Picture before = studio.stage.read();
+  gl::clear(Vec4(1, 0, 1, 1));
+  ASSERT_TRUE(studio.app.showAgain().value());
+  EXPECT_EQ(studio.stage.read().differingShare(before, 0), 0);
+  EXPECT_TRUE(studio.app.improvable());
+}
+
+TEST(Refine, ThePictureThatIsShownIsNoWorseAfterOneForAFile) {
+  Studio studio;
+  studio.of(1);
+  studio.improve(10);
+  ASSERT_TRUE(studio.app.drawPart({kSide, kSide, 0, kSide, false, 4}));
+  EXPECT_FALSE(studio.app.showAgain().value());
+  int hidden = 0;
+  while (!studio.app.improve().value()) ++hidden;
+  EXPECT_EQ(hidden, 9 + 1 - 1);
+}
+
+TEST(Refine, NobodyGathersWithoutTheSettingOrWhileItIsNotWanted) {
+  Studio studio;
+  studio.of(1);
+  EXPECT_TRUE(studio.app.improvable());
+  EXPECT_EQ(studio.app.savedSamples(), 16);
+  studio.app.setRefining(false);
+  EXPECT_FALSE(studio.app.improvable());
+  EXPECT_EQ(studio.app.savedSamples(), 1);
+  studio.app.setRefining(true);
+  ASSERT_TRUE(studio.app.setField("refine", "false"));
+  studio.of(1);
+  EXPECT_FALSE(studio.app.improvable());
+  EXPECT_EQ(studio.app.savedSamples(), 1);
+}
+
+TEST(Refine, ItTakesTwentyBytesAPixel) {
+  Studio studio;
+  studio.of(1);
+  const std::size_t before = studio.app.stats().gpuBytes;
+  studio.improve();
+  EXPECT_LE(studio.app.stats().gpuBytes, before + 20 * kPixels);
+}
+
+TEST(Refine, PartsOfAPictureAreThoseOfTheWhole) {
+  Studio studio;
+  studio.app.setSaved(true);
+  const test::Picture whole = studio.of(8);
+  studio.app.setSaved(false);
+  constexpr int kRows = 40;
+  test::Stage part(kSide, kRows, 4);
+  for (int bottom = 0; bottom < kSide; bottom += kRows) {
+    part.attachTarget();
+    const gl::PlatformStandIn standIn;
+    ASSERT_TRUE(studio.app.drawPart({kSide, kSide, bottom, kRows, false, 8}));
+    const test::Picture rows = part.read();
+    for (int y = 0; y < kRows; ++y)
+      for (int x = 0; x < kSide; ++x)
+        for (int k = 0; k < 3; ++k) ASSERT_EQ(rows.at(x, y)[k], whole.at(x, kSide - bottom - kRows + y)[k]) << x << ", " << y << ", " << bottom;
+  }
+}
+
+// Strands at the outline are half there, in their own colours: no dark and no bright rim.
+TEST(Refine, TransparentPicturesHaveColoursByTheirAlpha) {
+  Studio studio;
+  studio.app.setSaved(true, true);
+  const test::Picture picture = studio.of(16);
+  int between = 0, brighter = 0;
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) {
+      const std::uint8_t* rgba = picture.at(x, y);
+      between += rgba[3] > 20 && rgba[3] < 235;
+      for (int k = 0; k < 3; ++k) brighter += rgba[k] > rgba[3] + 1;
+    }
+  EXPECT_GT(between, 200);
+  EXPECT_EQ(brighter, 0);
+  EXPECT_EQ(picture.at(1, 1)[3], 0);
+}
+
+}  // namespace
+}  // namespace fur::app
