@@ -9,7 +9,7 @@ import { embedCode } from './embedcode.js';
 import { howToPlace, Letters } from './letters.js';
 import { makeLink, readLink } from './link.js';
 import { Messages } from './messages.js';
-import { acceptedFiles, modelNames, readEndings, sceneNames, sortFiles } from './models.js';
+import { acceptedFiles, firstModel, modelNames, readEndings, sceneNames, sortFiles } from './models.js';
 import { packBytes, packGroom, sameBytes } from './packed.js';
 import { packWater, waterSizes } from './packedwater.js';
 import { packStrokes } from './strokes.js';
@@ -61,6 +61,7 @@ function applyLink(link) {
 
 async function openAsLinked() {
   const link = readLink(location.href);
+  if (modelOf(link) !== firstModel) fur.querySelector('[slot=poster]').remove();  // of another model
   const visit = new Visit(fur, link, messages);
   await visit.open(applyLink);
   bar.inert = false;
