@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "app/App.h"
-#include "app/tools/Actions.h"
 #include "app/view/OrbitCamera.h"
 #include "gl/Objects.h"
 #include "native/Arguments.h"
