@@ -79,6 +79,7 @@ const bothSides = (joint, a, b) => ['L', 'R'].map((side) => {
 const bodies = () => [
   capsule('neck1', [0, 9.9, 3.0], [0, 10.9, 3.75]), capsule('neck1', [0, 9.3, 3.6], [0, 10.3, 4.2]), capsule('neck1', [0, 8.4, 3.6], [0, 9.9, 4.7]),
   capsule('neck', [0, 10.9, 3.75], [0, 11.75, 4.4]), capsule('neck', [0, 10.3, 4.2], [0, 11.4, 4.85]), capsule('neck', [0, 10.2, 4.9], [0, 11.2, 5.3]),
+  ...bothSides('neck', [0.3, 11.6, 5.0], [0.35, 10.8, 4.7]),
   capsule('neck', [0, 11.75, 4.4], [0, 12.2, 5.1]),
   capsule('head', headPlace([0, -0.35, 0.15]), headPlace([0, -0.25, 1.0])), capsule('head', headPlace([0, -0.8, 0.6]), headPlace([0, -0.75, 1.6])), capsule('head', headPlace([0, -0.25, 1.0]), headPlace([0, -0.45, 2.2])),
   capsule('head', headPlace([0, -0.45, 2.2]), headPlace([0, -0.6, 3.6])), ...bothSides('head', headPlace([0.42, -0.35, 0.9]), headPlace([0.38, -0.4, 1.7])),
