@@ -82,6 +82,7 @@ if(FUR_GL_TESTS AND NOT EMSCRIPTEN AND TARGET third_party_egl AND TARGET fur_app
   add_executable(wet-fur-gl-tests EXCLUDE_FROM_ALL ${FUR_GL_TESTS})
   target_include_directories(wet-fur-gl-tests PRIVATE "${CMAKE_SOURCE_DIR}" "${CMAKE_SOURCE_DIR}/tests")
   target_link_libraries(wet-fur-gl-tests PRIVATE fur_app fur_truth third_party_egl fur_test_options)
+  target_compile_definitions(wet-fur-gl-tests PRIVATE FUR_ASSETS="${CMAKE_SOURCE_DIR}/assets")
   target_precompile_headers(wet-fur-gl-tests PRIVATE "${CMAKE_SOURCE_DIR}/tests/Precompiled.h")
   if(TARGET fur_app_editor)
     target_link_libraries(wet-fur-gl-tests PRIVATE fur_app_editor)

@@ -72,7 +72,7 @@ function plan(files) {
   const cpp = files.filter((file) => file.endsWith('.cpp'));
   const kinds = {
     cpu: cpp.filter((file) => !needsGl(file)), gl: cpp.filter(needsGl), golden: of('golden'), native: of('native'), wasm: of('wasm'),
-    package: of('package'), page: of('web'),
+    package: of('package'), page: of('web'), assets: of('assets'),
   };
   const others = files.filter((file) => file.endsWith('.mjs') && !Object.values(kinds).flat().includes(file));
   const has = (...names) => names.some((name) => kinds[name].length > 0);
@@ -80,7 +80,7 @@ function plan(files) {
   const comparesWithGl = files.includes('tests/web/page.test.mjs');
   const programs = [
     ...has('cpu', 'wasm') && !all ? ['wet-fur-tests'] : [], ...has('gl') || comparesWithGl ? ['wet-fur-gl-tests'] : [],
-    ...has('golden', 'native') ? ['wet-fur-render', 'wet-fur-compare', 'wet-fur'] : [],
+    ...has('golden', 'native') ? ['wet-fur-render', 'wet-fur-compare', 'wet-fur'] : [], ...has('assets') ? ['wet-fur-make-assets'] : [],
   ];
   return { all, kinds, others, programs: all ? [...programs, 'all'] : programs, site: has('package', 'page'), wasm: has('wasm'), page: has('page') };
 }
@@ -117,6 +117,7 @@ async function main() {
     if (kinds.gl.length) await stage('GL tests, native', ({ aside }) => program('native-release', 'wet-fur-gl-tests', { filter: filter(kinds.gl), aside }), how);
     if (kinds.golden.length) await stage('golden pictures, native', ({ aside }) => nodeTests(kinds.golden, { aside }), how);
     if (kinds.native.length) await stage('the native programs', ({ aside }) => nodeTests(kinds.native, { aside }), how);
+    if (kinds.assets.length) await stage('animals', ({ aside }) => nodeTests(kinds.assets, { aside }), how);
     if (kinds.package.length) await stage('package: typings, entries, size', ({ aside }) => nodeTests(kinds.package, { aside }), how);
   };
   await Promise.all([pages(), withoutPages({ aside: page })]);

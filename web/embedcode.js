@@ -1,7 +1,7 @@
 // The tag that shows what the demo page shows now.
-import { sceneNames } from './models.js';
+import { animalNames, sceneNames } from './models.js';
 
-const attributeOf = { wind: 'wind', dryRate: 'dry-rate', brushRadius: 'brush-radius', brushFlow: 'brush-flow', exposure: 'exposure', seed: 'seed', view: 'view' };
+const attributeOf = { wind: 'wind', dryRate: 'dry-rate', brushRadius: 'brush-radius', brushFlow: 'brush-flow', exposure: 'exposure', seed: 'seed', view: 'view', behaviour: 'behaviour' };
 
 const escape = (text) => String(text).replaceAll('&', '&amp;').replaceAll('"', '&quot;').replaceAll('<', '&lt;');
 
@@ -14,7 +14,7 @@ const escape = (text) => String(text).replaceAll('&', '&amp;').replaceAll('"', '
  */
 export function embedCode(pageUrl, { src, name, state, startState, preset, coatFields, tool, orbit, alt }) {
   const settings = { ...JSON.parse(state).settings };
-  const brought = sceneNames.includes(src) ? JSON.parse(startState).settings ?? {} : {};
+  const brought = [...animalNames, ...sceneNames].includes(src) ? JSON.parse(startState).settings ?? {} : {};
   for (const [field, value] of Object.entries(settings)) {
     if ((preset && coatFields.includes(field)) || JSON.stringify(value) === JSON.stringify(brought[field])) delete settings[field];
   }

@@ -9,7 +9,9 @@ export const sceneNames = Object.freeze(['five-coats', 'shells-8', 'shells-16', 
   'wet-bunny', 'half-wet', 'wet-letters', 'wet-straight', 'wet-bent', 'wet-tile', 'hair-short', 'hair-shoulder', 'hair-pony']);
 /** Shown where nothing else is asked for; others where it cannot be, and at addresses from before there was the first. */
 export const firstModel = 'otter', plainModel = 'bunny';
-const shippedModels = Object.freeze(['otter', 'pony', 'bunny', ...sceneNames]);
+/** Models that move by themselves, with a coat and a camera of their own. */
+export const animalNames = Object.freeze(['otter', 'pony']);
+const shippedModels = Object.freeze([...animalNames, 'bunny', ...sceneNames]);
 /** The names that `src` takes beside addresses. */
 export const modelNames = Object.freeze([...shippedModels, ...primitives]);
 

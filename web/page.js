@@ -9,7 +9,7 @@ import { embedCode } from './embedcode.js';
 import { howToPlace, Letters } from './letters.js';
 import { makeLink, readLink } from './link.js';
 import { Messages } from './messages.js';
-import { acceptedFiles, modelNames, readEndings, sceneNames, sortFiles } from './models.js';
+import { acceptedFiles, firstModel, modelNames, readEndings, sceneNames, sortFiles } from './models.js';
 import { packBytes, packGroom, sameBytes } from './packed.js';
 import { packWater, waterSizes } from './packedwater.js';
 import { packStrokes } from './strokes.js';
@@ -61,6 +61,7 @@ function applyLink(link) {
 
 async function openAsLinked() {
   const link = readLink(location.href);
+  if (modelOf(link) !== firstModel) fur.querySelector('[slot=poster]').remove();  // of another model
   const visit = new Visit(fur, link, messages);
   await visit.open(applyLink);
   bar.inert = false;
@@ -253,7 +254,8 @@ async function packedParts() {
 async function linkWith(parts) {
   // A scene may bring water that is gone now; on other models water that has dried is nothing to paint again.
   const wet = fur.meanWetness > 0, recorded = fur.recordedStrokes, given = fur.fur.cameWith?.water;
-  const strokes = shownSrc && !given && (wet || sceneNames.includes(shownSrc)) ? await packStrokes(recorded) : null;
+  // An animal does not hold still for strokes that are painted again.
+  const strokes = shownSrc && !given && fur.actions.length === 0 && (wet || sceneNames.includes(shownSrc)) ? await packStrokes(recorded) : null;
   const linkOf = (more) => makeLink(location.href, { src: shownSrc, state: stateToShare(), tool: fur.tool, ...parts, ...more });
   const link = linkOf({ strokes });
   if (!wet || link.includes('&strokes=') || (recorded === '[]' && !given && sceneNames.includes(shownSrc))) return { link };

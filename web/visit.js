@@ -57,6 +57,7 @@ export class Visit {
   /** What there is to say of it; null: it could not be. */
   async #restore(document, apply) {
     apply(withoutScene(this.#link));
+    if (document.source.src !== firstModel) this.#fur.querySelector('[slot=poster]')?.remove();
     try {
       await this.#fur.fur.openDocument(document);
     } catch (error) {

@@ -52,7 +52,7 @@ constexpr const char* kUsage = R"(usage: wet-fur-render [model] -o out.png [opti
   --wetness R           soaks the whole model, 0 to 1
   --splash X,Y          one droplet at a pixel (several allowed)
   --whisker X,Y[,X2,Y2]  plants one at a pixel, dragged to another (several allowed)
-  --hold TOOL,SECONDS[,X,Y]  a tool of water, pet or ball at a pixel (default: the middle), or shake (several allowed,
+  --hold TOOL,SECONDS[,X,Y]  a tool of water, pet or ball at a pixel (default: the middle), or what an animal does (several,
                         in order)
   --camera YAW,PITCH,DISTANCE[,X,Y,Z]  radians, radians, bounding radii; where it looks
   --state FILE          a state as JSON
@@ -139,7 +139,7 @@ bool readHold(const std::string& text, std::vector<Hold>& out) {
   hold.seconds = glm::clamp(hold.at[0], 0.0f, 600.0f);
   hold.at.erase(hold.at.begin());
   out.push_back(hold);
-  return hold.tool == "shake" || heldTool(hold.tool);
+  return app::actionNamed(hold.tool) || heldTool(hold.tool);
 }
 
 // One option with its value; "" or what is wrong with it.
@@ -194,7 +194,7 @@ std::string readOption(const std::string& name, const std::string& value, Option
     if (!readNumbers(value, ',', o.camera) || (o.camera.size() != 3 && o.camera.size() != 6))
       return "--camera " + value + ": expected YAW,PITCH,DISTANCE or YAW,PITCH,DISTANCE,X,Y,Z";
   } else if (name == "--hold") {
-    if (!readHold(value, o.holds)) return "--hold " + value + ": expected TOOL,SECONDS or TOOL,SECONDS,X,Y";
+    if (!readHold(value, o.holds)) return "--hold " + value + ": expected TOOL,SECONDS, TOOL,SECONDS,X,Y or ACTION,SECONDS";
   } else if (name == "--picture") {
     const auto comma = value.find(',');
     const auto use = app::pictureUseNamed(value.substr(0, comma));
@@ -278,8 +278,9 @@ void run(app::App& app, float seconds) {
 }
 
 void hold(app::App& app, const Hold& hold, Vec2 middle) {
-  if (hold.tool == "shake") {
-    app.shake();
+  if (const auto action = app::actionNamed(hold.tool)) {
+    if (*action == app::Action::Shake) app.shake();
+    else if (!app.act(hold.tool)) app.addWarning("--hold " + hold.tool + ": the model cannot do that");
     return run(app, hold.seconds);
   }
   app.setTool(*heldTool(hold.tool));

@@ -19,6 +19,7 @@
 #include <string_view>
 
 #include "app/stages/Touch.h"
+#include "app/tools/Actions.h"
 #include "app/tools/FurAt.h"
 #include "app/tools/GroomEdits.h"
 #include "app/tools/HairEdits.h"

@@ -35,11 +35,11 @@ struct WetSurface {
   const SurfaceWetting& wetting;
   // For an animated model: the current positions and normals of its vertices, and a query over them. Empty: the rest pose.
   std::span<const Vec3> positions{}, normals{};
+  const geometry::SurfaceQuery* shown = nullptr;
+  WetHair* hair = nullptr;  // that grows on it; none
   // Where it moves by itself, its vertices' positions `seconds` ago: while it shakes, water flies off as they move. Else empty.
   std::span<const Vec3> before{};
   float seconds = 0;
-  const geometry::SurfaceQuery* shown = nullptr;
-  WetHair* hair = nullptr;  // that grows on it; none
 };
 
 struct Climate {

@@ -382,6 +382,22 @@ TEST(Editor, ALightRigIsChosenInOneStepAndLeavesTheCoatAlone) {
   for (const std::string& name : differences(before, person.model.settings)) EXPECT_TRUE(settings::belongsToLight(*settings::findField(name))) << name;
 }
 
+TEST(Editor, AnAnimalActsAtAClickAndOtherModelsHaveNoRowForIt) {
+  PanelDriver person;
+  const int second = 1;
+  const ImGuiID sit = ImHashStr("sit", 0, ImHashData(&second, sizeof second, person.id("actions")));
+  EXPECT_FALSE(person.find(sit));
+  person.model.actions = {"stand", "sit", "groom"};
+  person.model.action = "stand";
+  person.settle();
+  const auto at = person.find(sit);
+  ASSERT_TRUE(at);
+  person.click(*at);
+  ASSERT_EQ(person.count<command::Act>(), 1);
+  for (const Command& command : person.commands)
+    if (const auto* act = std::get_if<command::Act>(&command)) EXPECT_EQ(act->action, "sit");
+}
+
 TEST(Editor, ColoursSurviveBeingShown) {
   PanelDriver person;
   person.model.settings.tipColor = 0x010280;

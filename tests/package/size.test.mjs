@@ -1,4 +1,4 @@
-// What a visitor downloads for the viewer, without the editor and the models.
+// What a visitor downloads: for the viewer, without the editor and the models; and for the page with its first model.
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync } from 'node:fs';
 import { dirname, join, normalize } from 'node:path';
@@ -33,4 +33,12 @@ test('the viewer downloads at most 315 KB, gzipped', (t) => {
   t.diagnostic(`${(total / 1024).toFixed(1)} KB: ${sizes.map(([name, size]) => `${name} ${(size / 1024).toFixed(1)}`).join(', ')}`);
   assert.ok(files.includes('wet-fur.mjs'), 'the closure of the entries reaches the program');
   assert.ok(total <= budgetBytes, `${total} bytes`);
+});
+
+test('the page downloads at most 1.3 MB, gzipped, until the otter is there', (t) => {
+  const files = [...scriptsFrom('page.js'), 'index.html', 'page.css', 'icon.svg', 'chevron.svg', 'otter.webp', 'wet-fur.wasm', 'models/otter.glb'];
+  const sizes = [...new Set(files)].map((name) => [name, gzipSync(readFileSync(join(dist, name)), { level: 9 }).length]);
+  const total = sizes.reduce((sum, [, size]) => sum + size, 0);
+  t.diagnostic(`${(total / 1024).toFixed(1)} KB: ${sizes.map(([name, size]) => `${name} ${(size / 1024).toFixed(1)}`).join(', ')}`);
+  assert.ok(total <= 1.3e6, `${total} bytes`);
 });

@@ -51,18 +51,34 @@ export function withNormals({ positions, cells, ...more }) {
   return { positions, cells, normals: normals.map((n) => unit(n)), ...more };
 }
 
+// As files have them: whoever reads those finds whiskers on the very surface on which they were planted.
+const filed = (p) => p.map((x) => Math.round(x * 2048) / 2048);
+
 // All bodies as one mesh, with the material of each triangle and the weights of each vertex.
 function gathered(bodies) {
   const all = { positions: [], normals: [], cells: [], materials: [], weights: [], uv1: [] };
   for (const { positions, normals, cells, materialOf, weights, uv1 } of bodies) {
     const base = all.positions.length;
-    for (const [key, list] of Object.entries({ positions, normals, weights, uv1: uv1 ?? positions.map(() => undefined) })) all[key].push(...list);
+    for (const [key, list] of Object.entries({ positions: positions.map(filed), normals, weights, uv1: uv1 ?? positions.map(() => undefined) })) all[key].push(...list);
     for (const cell of cells) {
       all.cells.push(cell.map((v) => base + v));
       all.materials.push(materialOf(cell));
     }
   }
   return all;
+}
+
+// Triangles near each other one after the other (Morton 1966), so that files pack.
+function inOrder(mesh) {
+  const { of } = fitOf(mesh.positions), bits = (x) => Math.min(1023, Math.floor(512 * (x + 1)));
+  const code = (cell) => {
+    const at = of([0, 1, 2].map((k) => (mesh.positions[cell[0]][k] + mesh.positions[cell[1]][k] + mesh.positions[cell[2]][k]) / 3)).map(bits);
+    let out = 0;
+    for (let bit = 9; bit >= 0; --bit) for (const x of at) out = 2 * out + ((x >> bit) & 1);
+    return out;
+  };
+  const codes = mesh.cells.map(code), order = [...codes.keys()].sort((a, b) => codes[a] - codes[b] || a - b);
+  return { ...mesh, cells: order.map((t) => mesh.cells[t]), materials: order.map((t) => mesh.materials[t]) };
 }
 
 // The vertices and triangles of one material; `uv` is one a corner of the whole mesh.
@@ -90,7 +106,7 @@ function partOf(mesh, atlas, material, comb) {
  * the atlas, which is the first.
  */
 export function animalFile(program, { name, rig, bodies, materials, colour, groom, comb, steps = () => [], hair, animations, state, pictures = [], colourSize = 512, mapSize = 256 }) {
-  const mesh = gathered(bodies), fit = fitOf(mesh.positions.map((p) => p.map(Math.fround)));
+  const mesh = inOrder(gathered(bodies)), fit = fitOf(mesh.positions);
   const { atlas, glb } = laidOut(program, mesh, steps(fit));
   const parts = materials.map(({ furry }, material) => ({ material, ...partOf(mesh, atlas, material, furry && comb) })).filter(({ indices }) => indices.length);
   const corners = mesh.cells.flat().map((v, i) => ({ position: mesh.positions[v], normal: mesh.normals[v], uv: atlas[i] }));

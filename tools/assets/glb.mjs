@@ -93,13 +93,13 @@ function primitive(out, { material, vertices, indices }) {
   return {
     material,
     attributes: {
-      POSITION: out.accessor(rounded(all((v) => v.position), 2 ** -13), 'VEC3', { target, extents: true }),
-      NORMAL: out.accessor(new Float32Array(all((v) => v.normal)), 'VEC3', { target }),
-      TEXCOORD_0: out.accessor(new Float32Array(all((v) => v.uv)), 'VEC2', { target }),
+      POSITION: out.accessor(new Float32Array(all((v) => v.position)), 'VEC3', { target, extents: true }),
+      NORMAL: out.accessor(rounded(all((v) => v.normal), 2 ** -9), 'VEC3', { target }),
+      TEXCOORD_0: out.accessor(new Uint16Array(all((v) => v.uv.map((x) => Math.round(65535 * x)))), 'VEC2', { target, normalized: true }),
       ...first.uv1 && { TEXCOORD_1: out.accessor(new Float32Array(all((v) => v.uv1)), 'VEC2', { target }) },
       JOINTS_0: out.accessor(new Uint8Array(all((v) => v.joints)), 'VEC4', { target }),
       WEIGHTS_0: out.accessor(new Uint8Array(all((v) => v.weights)), 'VEC4', { target, normalized: true }),
-      ...first.comb && { _WETFUR_COMB: out.accessor(rounded(all((v) => v.comb), 2 ** -8), 'VEC3', { target }) },
+      ...first.comb && { _WETFUR_COMB: out.accessor(rounded(all((v) => v.comb), 2 ** -7), 'VEC3', { target }) },
     },
     indices: out.accessor(new (vertices.length < 65536 ? Uint16Array : Uint32Array)(indices), 'SCALAR', { target: kIndices }),
   };

@@ -42,25 +42,50 @@ export const poseTimes = (pose, share) => Object.fromEntries(Object.entries(pose
 export const poseBetween = (a, b, t) => together(poseTimes(a, 1 - t), poseTimes(b, t));
 
 /**
- * The pose with a leg turned about the animal's left so that its last joint comes to `target` (in the space of the model), or as near
- * as it can. `leg`: its three joints; `bend`: 1 where its middle joint bends to the front, -1 to the back; `pitch`: of the last one, in the
- * space of the model.
+ * The pose with a leg turned so that its last joint comes to `target` (in the space of the model), or as near as it can. `leg`: its three
+ * joints; `bend`: 1 where its middle joint bends to the front, -1 to the back; `pitch`: of the last one, in the space of the model.
  */
 export function planted(rig, pose, leg, target, { bend = 1, pitch = 0 } = {}) {
-  const [upper, lower, foot] = leg.map((name) => rig.joint(name)), { joints } = rig, free = together(pose, { turn: Object.fromEntries(leg.map((name) => [name, [0, 0, 0]])) });
-  for (const name of leg) delete free.turn[name];
-  const all = placed(rig, free), from = all[joints[upper].parent].q, back = [-from[0], -from[1], -from[2], from[3]];
-  const side = pose.turn?.[leg[0]] ?? [0, 0, 0];
-  const way = rotated(back, sub(target, all[upper].at)), u = joints[lower].offset, v = joints[foot].offset;
+  const [upper, , foot] = leg.map((name) => rig.joint(name)), reach = hypot(...rig.joints[foot].offset) + hypot(...rig.joints[rig.joint(leg[1])].offset);
+  let out = pose, goal = target, roll = 0;
+  // The leg swings sideways first, then works in its own plane: what that misses is aimed for again.
+  for (let round = 0; round < 5; ++round) {
+    out = swung(rig, out, leg, goal, bend, pitch, roll);
+    const all = placed(rig, out), q = all[rig.joints[upper].parent].q;
+    const miss = sub(target, all[foot].at), own = rotated([-q[0], -q[1], -q[2], q[3]], miss);
+    roll += atan2(own[0], reach) / radians;
+    goal = add(goal, scaled(miss, 0.7));
+  }
+  return out;
+}
+
+// In the plane of the leg, which is turned by `roll` about the front.
+function swung(rig, pose, leg, goal, bend, pitch, roll) {
+  const [upper, lower, foot] = leg.map((name) => rig.joint(name)), { joints } = rig;
+  const all = placed(rig, pose), from = all[joints[upper].parent].q, back = [-from[0], -from[1], -from[2], from[3]];
+  const way = rotated(back, sub(goal, all[upper].at)), u = joints[lower].offset, v = joints[foot].offset;
   const angle = (w) => atan2(w[2], w[1]), lengthOf = (w) => hypot(w[1], w[2]);
   const a = lengthOf(u), b = lengthOf(v), d = min(max(lengthOf(way), Math.abs(a - b) * 1.02 + 1e-6), (a + b) * 0.998);
   const open = acos(max(-1, min(1, (a * a + d * d - b * b) / (2 * a * d))));
   // A leg hangs down, at an angle of 180 degrees: to its front angles are smaller.
-  const first = angle(way) - bend * open, knee = [0, a * cos(first), a * sin(first)], reach = scaled([0, way[1], way[2]], d / lengthOf(way));
-  const turns = [first - angle(u), angle(sub(reach, knee)) - angle(v)].map((x) => ((x / radians + 540) % 360) - 180);
-  const pitchOfParent = atan2(rotated(from, [0, 1, 0])[2], rotated(from, [0, 1, 0])[1]) / radians;
-  const turn = { ...pose.turn, [leg[0]]: [turns[0], side[1], side[2]], [leg[1]]: [turns[1] - turns[0], 0, 0], [leg[2]]: [pitch - turns[1] - pitchOfParent, 0, 0] };
-  return { ...pose, turn };
+  const first = angle(way) - bend * open, knee = [0, a * cos(first), a * sin(first)], end = scaled([0, way[1], way[2]], d / lengthOf(way));
+  const near = (degrees) => ((degrees % 360) + 540) % 360 - 180;
+  const hip = near((first - angle(u)) / radians), bent = near((angle(sub(end, knee)) - angle(v)) / radians - hip);
+  const upwards = rotated(from, [0, 1, 0]), pitchOfParent = atan2(upwards[2], upwards[1]) / radians;
+  return { ...pose, turn: { ...pose.turn, [leg[0]]: [hip, 0, roll], [leg[1]]: [bent, 0, 0], [leg[2]]: [near(pitch - hip - bent - pitchOfParent), 0, -roll] } };
+}
+
+/** The pose with a tail that comes down to the ground and lies on it: `heights` of its joints and of its tip there; `most`: degrees a joint. */
+export function laidDown(rig, pose, tail, tip, heights, most = 40) {
+  let out = pose;
+  const ends = [...tail.slice(1).map((name) => rig.joints[rig.joint(name)].offset), tip];
+  tail.forEach((name, i) => {
+    const { at, q } = placed(rig, out)[rig.joint(name)], way = rotated(q, ends[i]), size = hypot(...way);
+    const wanted = -Math.asin(max(-0.95, min(0.95, (heights[i] - at[1]) / size))), is = -Math.asin(way[1] / size);
+    const [x, y, z] = out.turn?.[name] ?? [0, 0, 0];
+    out = { ...out, turn: { ...out.turn, [name]: [x + max(-most, min(most, (is - wanted) / radians)), y, z] } };
+  });
+  return out;
 }
 
 // --- time ---
@@ -73,7 +98,6 @@ export const ease = (begin, end, t) => {
 /** Up within `rise`, there until `hold` before the end, and back: 0..1..0. */
 export const swell = (t, seconds, rise, fall = rise) => ease(0, rise, t) * (1 - ease(seconds - fall, seconds, t));
 
-const kRate = 30;  // samples a second
 
 // How far from the line between keys i and k the values are, in units of what is seen.
 function worst(rows, times, i, k) {
@@ -101,11 +125,11 @@ function thinned(rows, times) {
 }
 
 /**
- * { name, times, tracks: [{ joint, path, values }] }: `at(seconds)` sampled, and of the samples those without which it would look otherwise.
- * `loop`: its end is its beginning.
+ * { name, times, tracks: [{ joint, path, values }] }: `at(seconds)` sampled, of the samples those without which it would look otherwise.
+ * `loop`: its end is its beginning; `rate`: samples a second; `degrees`, `way`: by how much joints may be off.
  */
-export function animation({ joint, joints }, name, seconds, at, { loop = false, degrees = 0.35, way = 0.004 } = {}) {
-  const count = Math.ceil(seconds * kRate), times = Array.from({ length: count + 1 }, (_, i) => (seconds * i) / count);
+export function animation({ joint, joints }, name, seconds, at, { loop = false, degrees = 0.5, way = 0.006, rate = 30 } = {}) {
+  const count = Math.ceil(seconds * rate), times = Array.from({ length: count + 1 }, (_, i) => (seconds * i) / count);
   const poses = times.map((t, i) => at(loop && i === count ? 0 : t)), rows = [];
   const used = (kind) => [...new Set(poses.flatMap((pose) => Object.keys(pose[kind] ?? {})))];
   for (const of of used('turn')) {

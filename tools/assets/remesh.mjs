@@ -70,28 +70,39 @@ const facesAt = ({ positions, cells }) => {
   return faces;
 };
 
-/** One pass: edges far from each other. Says how many. */
-function collapse(mesh, sizes) {
-  const { positions, cells } = mesh, faces = facesAt(mesh), still = new Uint8Array(positions.length), gone = new Uint8Array(cells.length);
-  const short = [...edgesOf(cells).values()].map((edge) => ({ ...edge, share: far(positions[edge.a], positions[edge.b]) / (0.5 * (sizes[edge.a] + sizes[edge.b])) }))
-    .filter(({ share, faces: two }) => share < 4 / 5 && two.length === 2).sort((x, y) => x.share - y.share);
+// The vertices round v.
+function ringOf(cells, faces, v) {
+  const ring = [];
+  for (const face of faces[v]) for (const w of cells[face]) if (w !== v && !ring.includes(w)) ring.push(w);
+  return ring;
+}
+
+/** One pass, the shortest edges first. Says how many. */
+function collapse(mesh, sizes, surface) {
+  const { positions, cells } = mesh, faces = facesAt(mesh), gone = new Uint8Array(cells.length);
+  const wanted = (a, b) => 0.5 * (sizes[a] + sizes[b]), shareOf = (a, b) => far(positions[a], positions[b]) / wanted(a, b);
+  const short = [...edgesOf(cells).values()].map(({ a, b }) => ({ a, b, share: shareOf(a, b) })).filter(({ share }) => share < 4 / 5).sort((x, y) => x.share - y.share);
   let count = 0;
-  for (const { a, b, faces: two } of short) {
-    if (still[a] || still[b]) continue;
-    const ringOf = (v) => new Set(faces[v].flatMap((face) => cells[face]).filter((w) => w !== v)), ringA = ringOf(a), ringB = ringOf(b);
-    if ([...ringA].filter((v) => ringB.has(v)).length !== 2) continue;
-    const place = between(positions[a], positions[b], 0.5), moved = [...faces[a], ...faces[b]].filter((face) => !two.includes(face));
-    const isSound = moved.every((face) => {
+  for (const { a, b } of short) {
+    const two = faces[a].filter((face) => cells[face].includes(b));
+    if (two.length !== 2 || shareOf(a, b) >= 4 / 5) continue;
+    const ringA = ringOf(cells, faces, a), ringB = ringOf(cells, faces, b);
+    if (ringA.filter((v) => ringB.includes(v)).length !== 2) continue;
+    const place = surface.onSurface(between(positions[a], positions[b], 0.5), 1), isNear = (v) => v === a || v === b || far(place, positions[v]) < (4 / 3) * wanted(a, v);
+    const isSound = (face) => {
+      if (two.includes(face)) return true;
       const was = normalOf(positions, cells[face]), now = normalOf(cells[face].map((v) => (v === a || v === b ? place : positions[v])), [0, 1, 2]);
       return dot(was, now) > 0.5 * Math.sqrt(dot(was, was) * dot(now, now));
-    });
-    const isNear = [...ringA, ...ringB].every((v) => v === a || v === b || far(place, positions[v]) < (4 / 3) * 0.5 * (sizes[a] + sizes[v]));
-    if (!isSound || !isNear) continue;
-    for (const v of [a, b, ...ringA, ...ringB]) still[v] = 1;
+    };
+    if (!ringA.every(isNear) || !ringB.every(isNear) || !faces[a].every(isSound) || !faces[b].every(isSound)) continue;
     positions[a] = place;
-    sizes[a] = 0.5 * (sizes[a] + sizes[b]);
-    for (const face of two) gone[face] = 1;
-    for (const face of faces[b]) cells[face] = cells[face].map((v) => (v === b ? a : v));
+    sizes[a] = wanted(a, b);
+    for (const face of two) {
+      gone[face] = 1;
+      for (const v of cells[face]) if (v !== b) faces[v] = faces[v].filter((other) => other !== face);
+    }
+    for (const face of faces[b]) if (!gone[face]) cells[face] = cells[face].map((v) => (v === b ? a : v)), faces[a].push(face);
+    faces[b] = [];
     ++count;
   }
   mesh.cells = cells.filter((_, face) => !gone[face]);
@@ -148,7 +159,7 @@ export function remeshed(mesh, sizeAt, surface, { rounds = 4 } = {}) {
   let out = { positions: [...mesh.positions], cells: mesh.cells.map((cell) => [...cell]) };
   for (let round = 0; round < rounds; ++round) {
     out = split(out, sizes, sizeAt);
-    for (let pass = 0; pass < 12 && collapse(out, sizes) > 0; ++pass);
+    for (let pass = 0; pass < 3 && collapse(out, sizes, surface) > 0; ++pass);
     for (let pass = 0; pass < 3 && turn(out) > 0; ++pass);
     const kept = [];
     out = compacted(out, (v) => kept.push(v));

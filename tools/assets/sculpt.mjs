@@ -72,9 +72,12 @@ export function curve(points, steps) {
   return [...out, points.at(-1)];
 }
 
-/** A smooth tube along such a curve, without the bulges that bent() has where limbs meet. */
+/** A tube along such a curve. In steps short enough it has no creases, nor the bulges that bent() has where limbs meet. */
 export function tube(p, points) {
   let all = Infinity;
-  for (let i = 1; i < points.length; ++i) all = min(all, limb(p, points[i - 1], points[i], points[i - 1][3], points[i][3]));
+  for (let i = 1; i < points.length; ++i) {
+    const a = points[i - 1], b = points[i];
+    all = min(all, limb(p, a, b, a[3], b[3]));
+  }
   return all;
 }

@@ -57,7 +57,7 @@ export interface Preset {
 }
 
 export interface WetFurOptions extends Partial<FurSettings> {
-  /** "bunny", "sphere", "torus", "plane", a scene as "five-coats", or the address of a {models}. */
+  /** "otter", "pony", "bunny", "sphere", "torus", "plane", a scene as "five-coats", or the address of a {models}. */
   src?: string;
   /**
    * Chooses a coat, and settings that are given beside it stay over it. Read: '' when the coat is no preset's. The coat grows

@@ -15,8 +15,9 @@ constexpr float kCalms = 0.8f;             // s until it does nothing by itself 
 constexpr float kDozesAfter = 60, kFallsAsleep = 3;  // s without anybody there
 constexpr float kNothing = 3;              // chance of no other action, as in Actions.inc
 constexpr float kMinded = 2;               // s without another action after somebody minded it
-// Of the mean wetness: from here on it shakes itself, and again when it is so much wetter than a shake has left it; s that it bears it.
-constexpr float kShakesFrom = 0.16f, kWetterBy = 0.06f, kBears = 2.2f;
+// Of the mean wetness: from here on it shakes itself, and again when it is so much wetter than a shake has left it; s that it bears it,
+// also after a shake.
+constexpr float kShakesFrom = 0.16f, kWetterBy = 0.06f, kBears = 2.2f, kBearsAfter = 5;
 constexpr int kShakesInARow = 2;
 constexpr float kSquints = 0.7f, kSquintIn = 0.1f, kSquintOut = 0.35f, kLeans = 0.45f, kSways = 1.2f;  // s
 
@@ -82,6 +83,9 @@ void BehaviourStage::begin(Action action) {
     voices_.back().stays = stays;
     return;
   }
+  // What is done once ends nearly as it stands.
+  const ActionTraits& before = traitsOf(voices_.back().action);
+  fade_ = traits.manner == Manner::Rests && before.manner == Manner::Once ? before.fade : traits.fade;
   voices_.push_back({action, 0, 0, stays});
 }
 
@@ -106,7 +110,7 @@ void BehaviourStage::decideToShake(const Inputs& inputs, float seconds) {
   if (inputs.wetness > shakenAt_ + kWetterBy) shakesLeft_ = kShakesInARow;
   const bool wet = inputs.wetness > kShakesFrom && shakesLeft_ > 0;
   soaked_ = wet ? soaked_ + seconds : 0;
-  if (!wet || soaked_ < kBears || asked_ || !can(Action::Shake)) return;
+  if (!wet || soaked_ < (shakesLeft_ == kShakesInARow ? kBears : kBearsAfter) || asked_ || !can(Action::Shake)) return;
   --shakesLeft_;
   asked_ = Action::Shake;
 }
@@ -121,7 +125,7 @@ void BehaviourStage::decide(const Inputs& inputs, float seconds) {
     asked_.reset();
     return begin(action);
   }
-  const float end = can_.of(now.action).duration - traitsOf(Action::Stand).fade;
+  const float end = can_.of(now.action).duration - traits.fade;
   const bool over = traits.manner == Manner::Once ? now.seconds >= static_cast<double>(end) : now.stays <= 0;
   if (traits.manner != Manner::Rests && over && voices_.size() < kMostVoices) return begin(Action::Stand);
   if (now.action != Action::Stand || !lively(inputs)) return;
@@ -138,7 +142,7 @@ void BehaviourStage::advanceVoices(float seconds) {
     if (traitsOf(voice.action).manner == Manner::Once) voice.seconds = std::min(voice.seconds, duration);
     else voice.seconds -= duration * std::floor(voice.seconds / duration);
   }
-  const float step = seconds / traitsOf(voices_.back().action).fade;
+  const float step = seconds / fade_;
   for (Voice& voice : voices_) voice.level = approached(voice.level, &voice == &voices_.back() ? 1.0f : 0.0f, step);
   voices_.erase(std::remove_if(voices_.begin(), voices_.end() - 1, [](const Voice& voice) { return voice.level <= 0; }), voices_.end() - 1);
 }

@@ -104,6 +104,7 @@ class BehaviourStage {
   std::optional<Action> asked_;
   enum class Glance { Camera, Ahead, About } glance_ = Glance::Camera;
   Vec3 about_{0, 0, 1};      // a direction
+  float fade_ = 1;           // s in which the actions before the last go
   float lively_ = 0;         // 0..1: how much it does by itself now
   float asleep_ = 0;
   float squints_ = 0;        // s for which it still does

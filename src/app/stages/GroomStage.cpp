@@ -141,7 +141,19 @@ geometry::TexelRect GroomStage::takeChanged(groom::MapKind map) { return std::ex
 
 // Hairs stand on the surface as it was made; they go along with their triangles.
 std::vector<groom::WhiskerHair> GroomStage::hairsOf(const ShapeStage& shape, std::span<const groom::Whisker> whiskers) const {
-  auto hairs = groom::whiskerHairs(whiskers, shape.surface(), shape.query());
+  return posed(shape, groom::whiskerHairs(whiskers, shape.surface(), shape.query()));
+}
+
+// Where they are rooted takes longer than where that is now.
+std::vector<groom::WhiskerHair> GroomStage::hairs(const ShapeStage& shape) const {
+  if (noteChange(hairsFor_, shape.surfaceRevision()) || hairsOf_ != groom_.whiskers) {
+    hairsOf_ = groom_.whiskers;
+    hairs_ = groom::whiskerHairs(hairsOf_, shape.surface(), shape.query());
+  }
+  return posed(shape, hairs_);
+}
+
+std::vector<groom::WhiskerHair> GroomStage::posed(const ShapeStage& shape, std::vector<groom::WhiskerHair> hairs) {
   const ShapeStage::Skin* skin = shape.skin();
   if (!skin) return hairs;
   for (groom::WhiskerHair& hair : hairs) {

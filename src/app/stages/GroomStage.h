@@ -69,7 +69,7 @@ class GroomStage {
   // What has changed of a map since the last call; everything after another model or size.
   geometry::TexelRect takeChanged(groom::MapKind map);
   // All whiskers' hairs on the skin as it is shown.
-  std::vector<groom::WhiskerHair> hairs(const ShapeStage& shape) const { return hairsOf(shape, groom_.whiskers); }
+  std::vector<groom::WhiskerHair> hairs(const ShapeStage& shape) const;
 
   // --- strokes: every change is one, and ends in the step that undoes it ---
   void beginStroke(const ShapeStage& shape);
@@ -115,6 +115,7 @@ class GroomStage {
 
  private:
   void touch() { ++revision_; }
+  static std::vector<groom::WhiskerHair> posed(const ShapeStage& shape, std::vector<groom::WhiskerHair> hairs);
   void turnOver(std::size_t material, Warnings& warnings);
   void plant(const ShapeStage& shape, const settings::Settings& settings, const geometry::SurfacePoint& at, Warnings& warnings);
   void clear(const ShapeStage& shape);
@@ -140,6 +141,11 @@ class GroomStage {
   unsigned types_ = 1;
   std::array<bool, std::size(groom::kMaps)> plain_{true, true, true, true};
   std::array<geometry::TexelRect, std::size(groom::kMaps)> changed_{};
+
+  // All whiskers' hairs on the skin at rest, and what they are of.
+  mutable std::vector<groom::WhiskerHair> hairs_;
+  mutable std::vector<groom::Whisker> hairsOf_;
+  mutable std::uint64_t hairsFor_ = 0;  // the surface
 
   std::optional<groom::Groom> before_;  // the stroke at work
   std::optional<Vec3> lastDab_;         // its last dab, model space

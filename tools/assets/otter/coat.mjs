@@ -1,63 +1,99 @@
 // The coat of the otter: colours, lengths, types, the way it lies, whiskers and brows.
 import { hex, pictureOf } from '../paint.mjs';
-import { across, clamp, length, mixed, scaled, smooth, unit } from '../vectors.mjs';
+import { across, clamp, cross, length, mixed, scaled, smooth, unit } from '../vectors.mjs';
 import { ear, eye } from './shape.mjs';
 
-const { abs, hypot } = Math;
+const { abs, exp, hypot, sin } = Math;
 const blend = (a, b, t) => a.map((x, k) => mixed(x, b[k], clamp(t)));
+/** How far from a place on either side, in half axes. */
 const away = (p, c, [rx, ry, rz] = [1, 1, 1]) => hypot((abs(p[0]) - c[0]) / rx, (p[1] - c[1]) / ry, (p[2] - c[2]) / rz);
+const within = (p, c, r, inner = 0.6) => smooth(1, inner, away(p, c, r));
 
+// Type 1: long glossy guard hairs over an undercoat; type 2: the plush of face and feet.
+const plush = { density: 1, thickness: 0.2, lengthVariation: 0.15, curl: 0.05, taper: 0.5, furLength: 0.042, undercoat: 0.4, undercoatLength: 0.7,
+  rootColor: '#85776b', tipColor: '#c0b0a2', skinColor: '#6a5446', variance: 0.3, specular: 0.06, shininess: 40, stiffness: 0.9 };
 export const settings = {
-  furLength: 0.05, density: 1, thickness: 0.25, lengthVariation: 0.25, curl: 0.06, taper: 0.6, repeat: 7, undercoat: 0.8, undercoatLength: 0.5,
-  rootColor: '#8a7a6c', tipColor: '#ffffff', skinColor: '#5a463a', variance: 0.3, specular: 0.5, shininess: 80, stiffness: 0.7,
+  furLength: 0.042, density: 1, thickness: 0.24, lengthVariation: 0.3, curl: 0.06, taper: 0.6, repeat: 10, undercoat: 0.8, undercoatLength: 0.5,
+  rootColor: '#6c5d51', tipColor: '#bba999', skinColor: '#5a463a', variance: 0.4, specular: 0.14, shininess: 90, stiffness: 0.7, gravity: 0.1,
+  type2: 'own', ...Object.fromEntries(Object.entries(plush).map(([key, value]) => [`type2.${key}`, value])),
 };
 
-const brown = hex('#6f4a2c'), dark = hex('#4e311c'), pale = hex('#c9ad8a'), cream = hex('#dcc7a6');
+const dark = hex('#3a2415'), brown = hex('#55361f'), flank = hex('#6d4a2d'), belly = hex('#8f7252'), cream = hex('#b89c76'), lip = hex('#c4ab8a');
 
-// 1 on the back, 0 on the belly.
-const backness = ({ position: p, normal: n }) => smooth(-0.55, 0.5, n[1]);
-const onHead = (p) => smooth(1.9, 2.6, p[2] + 0.35 * (p[1] - 2));
+/** 1 on the head, 0 on the body. */
+const onHead = (p) => smooth(1.7, 2.5, p[2] + 0.4 * (p[1] - 2));
+const onLegs = (p) => smooth(1.25, 0.75, p[1]) * smooth(-2.35, -2, p[2]);
+// Slow irregularities of about 0.3 dm.
+const mottle = ([x, y, z]) => sin(9 * x + 2 * sin(7 * z)) * sin(8 * y + 1.7 * sin(6 * x + 3)) * sin(7 * z + 2.3 * sin(5 * y));
 
-function furColour(place) {
-  const { position: p } = place, back = backness(place);
-  let colour = blend(pale, brown, back);
-  colour = blend(colour, dark, 0.7 * smooth(0.6, 1, place.normal[1]));
-  // The throat up to the cheeks, and the muzzle.
-  const head = onHead(p), throat = head * smooth(3, 2.72, p[1] - 0.1 * (p[2] - 3));
-  colour = blend(colour, cream, throat);
-  colour = blend(colour, cream, 0.75 * smooth(0.42, 0.22, away(p, [0.16, 2.8, 3.55])));
-  return colour;
+function furColour({ position: p, normal: n }) {
+  const head = onHead(p), legs = onLegs(p);
+  // Dark along the back, paler down the flanks, palest below.
+  const level = n[1] + 0.12 * mottle(p);
+  let colour = blend(belly, flank, smooth(-0.75, -0.2, level));
+  colour = blend(colour, brown, smooth(-0.25, 0.35, level));
+  colour = blend(colour, dark, 0.8 * smooth(0.4, 0.98, level));
+  colour = blend(colour, brown, 0.9 * legs);
+  colour = blend(colour, dark, 0.8 * smooth(0.45, 0.15, p[1]) * legs);
+  colour = blend(colour, dark, 0.6 * smooth(-3.5, -6, p[2]));
+  // Throat and breast, up to a line below eye and ear.
+  const line = 2.73 + 0.06 * smooth(2.9, 3.4, p[2]) - 0.25 * smooth(2.5, 2, p[2]), throat = smooth(0.12, -0.1, p[1] - line + 0.03 * mottle(p)) * head;
+  colour = blend(colour, cream, 0.9 * throat);
+  colour = blend(colour, cream, 0.7 * smooth(0.7, 1.5, p[2]) * smooth(0.1, 0.7, n[2] - 0.3 * n[1]) * (1 - legs) * (1 - head));
+  colour = blend(colour, lip, 0.85 * within(p, [0.2, 2.66, 3.5], [0.3, 0.22, 0.3]));
+  colour = blend(colour, dark, 0.55 * within(p, [0, 3.02, 3.35], [0.17, 0.2, 0.45], 0.3));
+  colour = blend(colour, dark, 0.7 * within(p, eye.at, [0.22, 0.19, 0.22], 0.6));
+  return blend(colour, dark, 0.5 * within(p, ear, [0.22, 0.22, 0.22], 0.4));
 }
 
-const bareColours = { eye: hex('#20130c'), nose: hex('#1c1614'), mouth: hex('#5a3030'), claws: hex('#4a3a2e'), pads: hex('#3a2b26'), lids: hex('#2a1c15'), innerEar: hex('#5a4034') };
+const bareColours = { eye: hex('#20130c'), nose: hex('#1a1412'), mouth: hex('#2b1715'), claws: hex('#4a3a2e'), pads: hex('#33251f'), lids: hex('#1d1410'), innerEar: hex('#4a352a') };
 export const colourOf = (materials) => (place) => (materials[place.part] === 'fur' ? furColour(place) : bareColours[materials[place.part]]);
 
 function furLength({ position: p }) {
-  const head = onHead(p);
-  let share = mixed(0.85, 0.34, head);
-  share = mixed(share, 0.16, smooth(0.75, 0.3, away(p, [0, 2.9, 3.6])));
-  share = mixed(share, 0.3, smooth(0.7, 0.25, p[1]) * smooth(-2.6, -2, p[2]));
-  share *= smooth(eye.radius * 1.15, eye.radius * 2.2, away(p, eye.at));
-  return share;
+  const head = onHead(p), legs = onLegs(p);
+  let share = mixed(0.95, 0.36, head);
+  share = mixed(share, 0.36, smooth(-3.2, -6.6, p[2]));
+  share = mixed(share, 0.5, legs);
+  share = mixed(share, 0.24, smooth(0.55, 0.25, p[1]) * legs);
+  for (const [z, far] of [[1.42, 0.35], [-1.05, 0.45]]) share = mixed(share, 0.1, smooth(z, z + far, p[2]) * smooth(z + 1, z + far, p[2]) * legs);
+  share = mixed(share, 0.2, within(p, [0, 2.78, 3.55], [0.55, 0.6, 0.75], 0.35));
+  share = mixed(share, 0.14, within(p, ear, [0.28, 0.28, 0.28], 0.55));
+  return share * smooth(eye.radius * 1.2, eye.radius * 2.3, away(p, eye.at));
 }
-export const groom = (place) => [furLength(place), 0, 0, 0];
+const plushness = ({ position: p }) => Math.max(smooth(2, 3, p[2]) * smooth(1.9, 2.5, p[1]), smooth(0.8, 0.4, p[1]) * smooth(-2.35, -2, p[2]));
+/** Length, and how much there is of the types 2 to 4. */
+export const groom = (place) => [furLength(place), plushness(place), 0, 0];
 
-const lie = ({ position: p }) => {
-  const side = Math.sign(p[0]) || 1;
-  let way = [0, -0.15, -1];
-  if (p[1] < 1.2 && p[2] > -2.4) way = [0, mixed(-0.15, -1, smooth(1.2, 0.7, p[1])), mixed(-1, 0.1, smooth(1.2, 0.7, p[1]))];
-  if (p[2] > 3) way = [side * 0.5, -0.05, -1];
+// Where hair turns round a point of the skin: { at, reach, turn }.
+const swirls = [{ at: [0.5, 1.3, 1.55], reach: 0.35, turn: 1.6 }, { at: [0.66, 0.9, 0.65], reach: 0.28, turn: 2 }, { at: [0.45, 1.1, -0.8], reach: 0.35, turn: -1.4 }];
+
+// The way hair lies: from the nose back, down legs, along the tail.
+function lie({ position: p, normal: n }) {
+  const side = p[0] < 0 ? -1 : 1, head = onHead(p), legs = onLegs(p), paws = smooth(0.45, 0.25, p[1]) * legs;
+  let way = [0, -0.25, -1];
+  way = blend(way, [0, -0.35, -0.4], head * (1 - smooth(2.5, 2.9, p[2])));
+  way = blend(way, [side * 0.15, -1, -0.45], legs);
+  way = blend(way, [0, -0.2, 1], paws);
+  // Off the nose and round the eyes.
+  const face = smooth(2.6, 3.1, p[2]), from = [0, 2.85, 3.75];
+  way = blend(way, unit(p.map((x, k) => x - from[k])), 0.85 * face);
+  for (const { at, reach, turn } of swirls) {
+    const q = [abs(p[0]) - at[0], p[1] - at[1], p[2] - at[2]], share = exp(-((hypot(...q) / reach) ** 2)), round = cross(n, [side * q[0], q[1], q[2]]);
+    way = way.map((x, k) => x + side * turn * share * (round[k] / reach));
+  }
   return unit(way);
-};
+}
+/** How far it leans, and where to. */
 export const comb = (place) => {
-  const flat = across(lie(place), place.normal), size = length(flat);
-  return size < 1e-3 ? [0, 0, 0] : scaled(flat, (1 / size) * 1.05 * smooth(0, 0.3, size));
+  const flat = across(lie(place), place.normal), size = length(flat), { position: p } = place;
+  const lean = mixed(mixed(0.85, 0.72, onHead(p)), 0.6, within(p, [0, 2.78, 3.55], [0.5, 0.5, 0.6], 0.4));
+  return size < 1e-3 ? [0, 0, 0] : scaled(flat, (1 / size) * lean * smooth(0, 0.35, size));
 };
 
 export const eyePicture = () => {
-  const size = 64, iris = hex('#3b2416'), rim = hex('#120b07');
+  const size = 64, iris = hex('#3b2416'), rim = hex('#0d0805');
   return pictureOf(size, Array.from({ length: size * size }, (_, i) => {
     const r = 2 * hypot((i % size + 0.5) / size - 0.5, (Math.floor(i / size) + 0.5) / size - 0.5);
-    return blend(blend([0.01, 0.008, 0.006], iris, smooth(0.34, 0.42, r)), rim, smooth(0.5, 0.78, r));
+    return blend(blend([0.01, 0.008, 0.006], iris, smooth(0.36, 0.46, r)), rim, smooth(0.5, 0.74, r));
   }));
 };

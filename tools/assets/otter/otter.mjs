@@ -2,9 +2,11 @@
 import { animalFile, sculpted } from '../animal.mjs';
 import { boneWeights } from '../rig.mjs';
 import { colourOf, comb, eyePicture, groom, settings } from './coat.mjs';
+import { motions } from './motions.mjs';
 import { parts } from './parts.mjs';
 import { bones, rig } from './rig.mjs';
 import { box, earField, mouthField, noseField, padField, sizeAt, solid } from './shape.mjs';
+import { whiskers } from './whiskers.mjs';
 
 const glossy = (roughness, more = {}) => ({ pbrMetallicRoughness: { metallicFactor: 0, roughnessFactor: roughness, baseColorTexture: { index: 0 } }, ...more });
 const materials = [
@@ -14,9 +16,10 @@ const materials = [
 ];
 const names = materials.map(({ name }) => name), numberOf = (name) => names.indexOf(name);
 
-function body() {
-  const mesh = sculpted({ at: solid, box, cell: 0.045, sizeAt, lines: [noseField, mouthField, earField], rounds: 3 });
-  const material = (p) => (noseField(p) < 0 ? 'nose' : earField(p) < 0 ? 'innerEar' : mouthField(p) < 0 ? 'mouth' : 'fur');
+/** The body alone, which takes most of the time. */
+export function body() {
+  const mesh = sculpted({ at: solid, box, cell: 0.045, sizeAt, lines: [noseField, mouthField, earField, padField], rounds: 3 });
+  const material = (p) => (noseField(p) < 0 ? 'nose' : earField(p) < 0 ? 'innerEar' : mouthField(p) < 0 ? 'mouth' : padField(p) < 0 ? 'pads' : 'fur');
   const middle = (cell) => [0, 1, 2].map((k) => (mesh.positions[cell[0]][k] + mesh.positions[cell[1]][k] + mesh.positions[cell[2]][k]) / 3);
   const width = (p) => (p[2] > 3.1 ? 0.12 : p[1] < 0.6 && p[2] > -2.2 ? 0.12 : p[2] < -2.4 ? 0.3 : 0.4);
   return { ...mesh, weights: boneWeights(mesh, rig, bones, width), materialOf: (cell) => numberOf(material(middle(cell))) };
@@ -24,8 +27,8 @@ function body() {
 
 export const otter = {
   name: 'otter',
-  file: (program) => animalFile(program, {
-    name: 'otter', rig, materials, colour: colourOf(names), groom, comb, animations: [], state: { settings }, pictures: [eyePicture()],
-    bodies: [body(), ...parts().map((part) => ({ ...part, materialOf: () => numberOf(part.material), weights: part.positions.map(() => [[rig.joint(part.joint), 1]]) }))],
+  file: (program, sculptedBody = body()) => animalFile(program, {
+    name: 'otter', rig, materials, colour: colourOf(names), groom, comb, steps: whiskers, animations: motions(), state: { settings, camera: { yaw: -0.7, pitch: 0.12, distance: 2.75, target: [0, -0.02, 0.12] } }, pictures: [eyePicture()],
+    bodies: [sculptedBody, ...parts().map((part) => ({ ...part, materialOf: () => numberOf(part.material), weights: part.positions.map(() => [[rig.joint(part.joint), 1]]) }))],
   }),
 };

@@ -8,7 +8,7 @@ const onSide = (side, [x, y, z]) => [side * x, y, z];
 const numbered = (name, side) => name + (side > 0 ? 'L' : 'R');
 
 /** Where the left eye looks at rest. */
-const gaze = unit([0.5, 0.12, 0.86]);
+const gaze = unit([0.55, 0.12, 0.83]);
 
 function eyeball(side) {
   const way = onSide(side, gaze), across = unit(cross([0, 1, 0], way)), up = cross(way, across), centre = onSide(side, eye.at);
@@ -22,7 +22,7 @@ function eyeball(side) {
 
 /** A shell round the eyeball, `from` to `to` in degrees above the front, about the axis on which it turns. */
 function lid(side, name, from, to) {
-  const columns = 12, rows = 6, positions = [], cells = [], centre = onSide(side, eye.at);
+  const columns = 10, rows = 4, positions = [], cells = [], centre = onSide(side, eye.at);
   const number = (layer, i, j) => (layer * (rows + 1) + j) * (columns + 1) + i;
   for (const radius of [eye.radius * 1.16, eye.radius * 1.03])
     for (let j = 0; j <= rows; ++j) for (let i = 0; i <= columns; ++i) {
@@ -39,13 +39,13 @@ function lid(side, name, from, to) {
 
 function claw(side, { middle, to }, joint) {
   const tip = onSide(side, to), way = unit(sub(tip, onSide(side, middle))), across = unit(cross([0, 1, 0], way)), size = to[3];
-  const at = (t) => add(add(tip, scaled(way, size * (0.35 + 1.5 * t))), [0, size * (0.35 - 0.75 * t * t), 0]);
-  const rings = [0, 0.35, 0.7, 0.9].map((t) => ({ at: at(t), radius: [0.3, 0.42].map((r) => r * size * Math.sqrt(1 - t)) }));
-  return { ...turnedBody(rings, [across, cross(way, across)], 7, [at(-0.1), at(1)]), joint, material: 'claws' };
+  const at = (t) => add(add(tip, scaled(way, size * (0.3 + 1.75 * t))), [0, size * (0.45 - 1.05 * t * t), 0]);
+  const rings = [0, 0.35, 0.7, 0.92].map((t) => ({ at: at(t), radius: [0.36, 0.46].map((r) => r * size * Math.sqrt(1 - t)) }));
+  return { ...turnedBody(rings, [across, cross(way, across)], 6, [at(-0.1), at(1)]), joint, material: 'claws' };
 }
 
 /** [{ positions, normals, cells, joint, material }] */
 export const parts = () => [1, -1].flatMap((side) => [
-  eyeball(side), lid(side, 'lidUpper', 38, 150), lid(side, 'lidLower', -150, -34),
+  eyeball(side), lid(side, 'lidUpper', 46, 150), lid(side, 'lidLower', -150, -34),
   ...toes(fore).map((toe) => claw(side, toe, numbered('hand', side))), ...toes(hind).map((toe) => claw(side, toe, numbered('foot', side))),
 ]);

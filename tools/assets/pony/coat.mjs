@@ -1,7 +1,7 @@
 // The pony's coat: a chestnut with a flaxen mane, darker legs, a pale muzzle and a blaze. Colours, lengths, types and how the hair lies.
 import { hex } from '../paint.mjs';
 import { across, clamp, cross, far, length, mixed, scaled, smooth, sub, unit } from '../vectors.mjs';
-import { onEye } from './eyes.mjs';
+import { edges, onEye } from './eyes.mjs';
 import { eye, fields, headPlace, headTurn, inHead } from './shape.mjs';
 
 const { abs, exp, hypot, sign, sin } = Math;
@@ -9,11 +9,11 @@ const blend = (a, b, t) => a.map((x, k) => mixed(x, b[k], clamp(t)));
 
 // Lengths are in bounding radii, about 9 decimetres.
 export const settings = {
-  furLength: 0.035, density: 1, thickness: 0.35, lengthVariation: 0.25, curl: 0.06, taper: 0.6, repeat: 12, undercoat: 0.4, undercoatLength: 0.6, gravity: 0.1, stiffness: 0.8,
-  rootColor: '#5c5048', tipColor: '#b0b0b0', skinColor: '#8c7c72', variance: 0.4, specular: 0.14, shininess: 90, layers: 40,
+  furLength: 0.035, density: 1, thickness: 0.35, lengthVariation: 0.25, curl: 0.06, taper: 0.6, repeat: 12, clump: 0.3, lockSize: 0.15, undercoat: 0.4, undercoatLength: 0.6, gravity: 0.1, stiffness: 0.8,
+  rootColor: '#74665c', tipColor: '#b0b0b0', skinColor: '#74665c', variance: 0.4, specular: 0.14, shininess: 90, layers: 40, fins: false, clumpSize: 0.013,
   // Feathers.
   type2: 'own', 'type2.name': 'Feathers', 'type2.furLength': 0.085, 'type2.density': 0.9, 'type2.thickness': 0.3, 'type2.lengthVariation': 0.45, 'type2.curl': 0.15, 'type2.taper': 0.8,
-  'type2.wave': 0.25, 'type2.clump': 0.35, 'type2.lockSize': 0.3, 'type2.tipBreak': 0.4, 'type2.rootColor': '#5c5048', 'type2.tipColor': '#b0b0b0', 'type2.skinColor': '#8c7c72', 'type2.variance': 0.4,
+  'type2.wave': 0.25, 'type2.clump': 0.35, 'type2.lockSize': 0.3, 'type2.tipBreak': 0.4, 'type2.rootColor': '#74665c', 'type2.tipColor': '#b0b0b0', 'type2.skinColor': '#74665c', 'type2.variance': 0.4,
   'type2.specular': 0.15, 'type2.shininess': 70, 'type2.gravity': 0.6, 'type2.stiffness': 0.3,
 };
 
@@ -45,14 +45,14 @@ function furColour({ position: p, normal: n }) {
   const h = inHead(p), muzzle = smooth(2.75, 3.5, h[2] + 0.25 * (h[1] + 0.5)), eyeFar = far([abs(h[0]), h[1], h[2]], eye.at);
   colour = blend(colour, mealy, 0.8 * muzzle);
   colour = blend(colour, shade, 0.75 * smooth(0.12, 0.02, fields.nose(p)) + 0.5 * smooth(0.06, 0.01, fields.mouth(p)));
-  colour = blend(colour, mealy, 0.35 * smooth(0.62, 0.42, eyeFar));
-  colour = blend(colour, shade, 0.8 * smooth(0.42, 0.31, eyeFar));
+  colour = blend(colour, mealy, 0.22 * smooth(0.62, 0.42, eyeFar));
+  colour = blend(colour, shade, 0.7 * smooth(0.4, 0.3, eyeFar));
   if (p[1] > 12.7) colour = blend(colour, dark, 0.5 * smooth(13.2, 13.9, p[1]));                     // tips of the ears
   return blend(colour, white, blaze(h));
 }
 
 function eyeColour({ position: p }) {
-  const [t, f] = onEye(sign(p[0]) || 1, p), iris = hex('#2e170b'), rim = hex('#160a05'), pupil = hex('#050303'), whites = hex('#2a1a12');
+  const [t, f] = onEye(sign(p[0]) || 1, p), iris = hex('#27130a'), rim = hex('#160a05'), pupil = hex('#050303'), whites = hex('#2a1a12');
   const r = hypot(t, f) / 44;
   let colour = blend(iris, hex('#4a2812'), smooth(0.2, -0.9, f / 40));
   colour = blend(colour, rim, smooth(0.72, 0.98, r));
@@ -60,11 +60,17 @@ function eyeColour({ position: p }) {
   return blend(colour, whites, smooth(1, 1.08, r));
 }
 
+/** Dark along the edge, brown as the coat farther off. */
+function lidColour({ position: p }) {
+  const [t, f] = onEye(sign(p[0]) || 1, p), off = Math.min(abs(f - edges.upper(t)), abs(f - edges.lower(t)));
+  return blend(hex('#1a100c'), hex('#4a2a18'), smooth(5, 20, off));
+}
+
 function hoofColour({ position: [x, y, z] }) {
   return blend(blend(hex('#2c2622'), hex('#40362e'), 0.5 + 0.5 * sin(26 * y + 0.7 * sin(5 * (x + z)))), hex('#6a5c4e'), 0.35 * smooth(0.6, 0.75, y) + 0.25 * smooth(0.12, 0, y));
 }
 
-const bare = { eye: eyeColour, hooves: hoofColour, nose: () => hex('#241714'), mouth: () => hex('#3a1f1c'), lids: () => hex('#1d120e'), innerEar: () => hex('#5a3d2e') };
+const bare = { eye: eyeColour, hooves: hoofColour, nose: () => hex('#241714'), mouth: () => hex('#3a1f1c'), lids: lidColour, innerEar: () => hex('#5a3d2e') };
 export const colourOf = (materials) => (place) => (bare[materials[place.part]] ?? furColour)(place);
 
 // --- lengths and types ---
@@ -75,15 +81,19 @@ function featherAt({ position: [, y, z], normal: n }) {
   return low * Math.max(behind * smooth(2.7, 1.6, y), smooth(1.05, 0.75, y));
 }
 
+/** Where mane and tail lie on it: short fur, which does not stick out between them. */
+const underHair = (p) => Math.max(smooth(0.9, 0.5, abs(p[0])) * smooth(-4.9, -5.2, p[2]) * smooth(4.5, 6, p[1]), smooth(1.1, 0.7, far(p, headPlace([0, 0, 0.1]))) * smooth(0.7, 0.4, abs(p[0])));
+
 function furLength(place) {
   const { position: p } = place;
   let share = 0.95 + 0.35 * smooth(0.2, -0.9, place.normal[1]) * smooth(4, 5, p[1]);
   share *= mixed(1, 0.75, onLeg(p)) * mixed(1, 0.75, smooth(10, 12, p[1]));
   const feather = featherAt(place);
   if (feather > 0) share = mixed(share, (0.5 + 0.5 * smooth(0.2, -0.5, place.normal[2])) * (0.6 + 0.4 * smooth(2.6, 1.6, p[1])), smooth(0.1, 0.5, feather));
+  share *= 1 - 0.5 * underHair(p);
   if (p[2] < 5.2 || p[1] < 8.4) return clamp(share * 0.76);
   const h = inHead(p), eyeFar = far([abs(h[0]), h[1], h[2]], eye.at);
-  share *= mixed(1, 0.32, smooth(2.4, 3.5, h[2])) * smooth(0.33, 0.6, eyeFar) ** 0.6;
+  share *= mixed(1, 0.32, smooth(2.4, 3.5, h[2])) * smooth(0.27, 0.55, eyeFar) ** 0.6;
   share *= mixed(1, 0.5, smooth(12.7, 13.3, p[1]));
   return clamp(share * 0.76);
 }

@@ -31,9 +31,10 @@ export function eyeball(side) {
   return turnedBody(rings, [across, cross(across, gaze)], 20, [add(at, scaled(gaze, radius * bulge(0))), add(at, scaled(gaze, -radius))]);
 }
 
-// Where the edge of a lid is, in degrees above the gaze, at so many degrees from the nose to the outer corner.
+// Where the edges of the lids are at so many degrees from the nose to the outer corner.
 const open = (t) => max(0, 1 - (t / 56) ** 2);
-const edges = { upper: (t) => -4 + 34 * open(t - 4) ** 0.8, lower: (t) => -4 - 22 * open(t + 4) ** 0.9 };
+/** Degrees above the gaze. */
+export const edges = { upper: (t) => -4 + 34 * open(t - 4) ** 0.8, lower: (t) => -4 - 22 * open(t + 4) ** 0.9 };
 const kInner = 1.035;
 
 /** `which`: upper or lower. A sheet with a rim that reaches down to the eyeball. */

@@ -19,8 +19,8 @@ export function sizeAt(place) {
   if (z < -4.6 && y > 6) size = mixed(size, 0.2, smooth(-4.6, -5.4, z));
   if (z > 5.2 && y > 8) {
     const [, , u] = inHead(p);
-    size = Math.min(size, 0.2, mixed(0.2, 0.1, smooth(2.6, 3.4, u)), mixed(0.085, 0.2, smooth(0.3, 0.8, far(p, headPlace(eye.at)))));
-    if (y > 12.6) size = Math.min(size, 0.085);
+    size = Math.min(size, 0.2, mixed(0.2, 0.1, smooth(2.6, 3.4, u)), mixed(0.07, 0.2, smooth(0.32, 0.85, far(p, headPlace(eye.at)))));
+    if (y > 12.6) size = Math.min(size, 0.068);
   }
   return size;
 }

@@ -6,7 +6,7 @@ import { materials as names, ponyBodies } from './mesh.mjs';
 import { animations } from './motion.mjs';
 import { rig } from './rig.mjs';
 
-const roughness = { eye: 0.08, nose: 0.45, mouth: 0.5, hooves: 0.62, lids: 0.45, innerEar: 0.8 };
+const roughness = { eye: 0.08, nose: 0.55, mouth: 0.75, hooves: 0.62, lids: 0.45, innerEar: 0.8 };
 const materials = names.map((name) => ({
   name, furry: name === 'fur', json: { pbrMetallicRoughness: { metallicFactor: 0, roughnessFactor: roughness[name] ?? 0.8, baseColorTexture: { index: 0 } }, ...(name === 'lids' && { doubleSided: true }) },
 }));
@@ -14,6 +14,6 @@ const materials = names.map((name) => ({
 export const pony = {
   name: 'pony',
   file: (program) => animalFile(program, {
-    name: 'pony', rig, materials, bodies: ponyBodies(), colour: colourOf(names), groom, comb, hair, animations: animations(), state: { settings }, colourSize: 1024,
+    name: 'pony', rig, materials, bodies: ponyBodies(), colour: colourOf(names), groom, comb, hair, animations: animations(), state: { settings, camera: { yaw: -0.68, pitch: 0.09, distance: 2.85, target: [0, 0.02, 0] } }, colourSize: 1024,
   }),
 };

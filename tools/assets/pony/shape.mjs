@@ -98,12 +98,12 @@ export const inHead = (p) => {
 
 /** [u, front, back, half width]. */
 const skull = loft({ from: [0, 0, 0], way: [0, 0, 1], front: [0, 1, 0] }, [
-  [0.0, -0.08, -1.1, 0.55], [0.5, 0.1, -1.6, 0.68], [1.0, 0.17, -1.84, 0.74], [1.5, 0.13, -1.72, 0.7], [2.0, 0.02, -1.44, 0.57], [2.5, -0.06, -1.23, 0.47], [3.0, -0.1, -1.14, 0.44], [3.45, -0.14, -1.16, 0.45], [3.78, -0.28, -1.1, 0.4],
+  [0.0, -0.08, -1.1, 0.55], [0.5, 0.1, -1.6, 0.68], [1.0, 0.17, -1.84, 0.74], [1.5, 0.13, -1.72, 0.65], [2.0, 0.02, -1.44, 0.52], [2.5, -0.06, -1.23, 0.47], [3.0, -0.1, -1.14, 0.44], [3.45, -0.14, -1.16, 0.45], [3.78, -0.28, -1.1, 0.4],
 ]);
-const brow = tube([[0.5, -0.02, 1.0, 0.13], [0.64, -0.01, 1.34, 0.13], [0.54, -0.1, 1.74, 0.11]]);
+const brow = tube([[0.5, -0.02, 1.0, 0.13], [0.64, 0, 1.32, 0.13], [0.52, -0.06, 1.66, 0.11]]);
 
 /** Its middle and radius (head), and where it looks (head). */
-export const eye = { at: [0.52, -0.25, 1.4], radius: 0.28, gaze: unit([0.88, 0.2, 0.42]) };
+export const eye = { at: [0.585, -0.27, 1.38], radius: 0.3, gaze: unit([0.88, 0.14, 0.45]) };
 const nostril = tube([[0.33, -0.34, 3.46, 0.05], [0.4, -0.42, 3.62, 0.09], [0.41, -0.55, 3.72, 0.1], [0.36, -0.64, 3.68, 0.05]]);
 const wing = tube([[0.27, -0.32, 3.4, 0.17], [0.33, -0.3, 3.62, 0.13], [0.31, -0.42, 3.84, 0.11], [0.3, -0.6, 3.86, 0.1]]);
 
@@ -117,14 +117,14 @@ function head(place) {
   d = union(d, egg(p, [0.52, -1.08, 0.98], [0.28, 0.7, 0.72]), 0.2);                          // cheek
   d = union(d, limb(p, [0.54, -0.62, 1.55], [0.4, -0.55, 2.5], 0.17, 0.09), 0.3);             // its ridge
   d = union(d, brow(p), 0.2);
-  d = union(d, egg(p, eye.at, [eye.radius * 0.8, eye.radius * 1.25, eye.radius * 1.55]), 0.2);
+  d = union(d, egg(p, eye.at, [eye.radius * 0.72, eye.radius * 1.12, eye.radius * 1.12]), 0.2);
   d = union(d, limb(p, [0, -0.26, 1.6], [0, -0.36, 3.2], 0.32, 0.25), 0.25);                  // bridge of the nose
   d = union(d, egg(p, [0, -0.7, 3.7], [0.42, 0.38, 0.38]), 0.2);                              // upper lip
   d = union(d, wing(p), 0.15);                                                                // nostrils
   d = union(d, egg(p, [0, -1.1, 3.5], [0.31, 0.2, 0.4]), 0.14);                               // lower lip, chin
   d = without(d, nostril(p), 0.06);
   if (p[2] > 2.7) d += groove(mouthLine(p), 0.06, 0.06);
-  d = without(d, ball(p, eye.at, eye.radius * 1.08), 0.03);
+  d = without(d, ball(p, eye.at, eye.radius * 0.86), 0.12);                                   // the eyeball fills it
   return d * headSize;
 }
 
@@ -134,6 +134,8 @@ export const ear = { base: headPlace([0.42, 0.0, 0.24]), tip: add(headPlace([0.4
 const onEar = (t, forward, out = 0) => add(add(ear.base, scaled(sub(ear.tip, ear.base), t)), [out, 0, forward]);
 const earFlesh = tube([[...onEar(-0.15, 0), 0.27], [...onEar(0.2, 0.01), 0.31], [...onEar(0.55, 0.02), 0.26], [...onEar(0.85, 0.02), 0.15], [...onEar(1, 0.03), 0.07]]);
 const earBowl = tube([[...onEar(0.12, 0.28, 0.1), 0.12], [...onEar(0.36, 0.25, 0.07), 0.22], [...onEar(0.62, 0.22, 0.03), 0.16], [...onEar(0.86, 0.16), 0.04]]);
+// The inside, as it is seen from the front.
+const earPatch = tube([[0.14, 0.12], [0.38, 0.19], [0.62, 0.14], [0.86, 0.04]].map(([t, r]) => { const [x, y] = onEar(t, 0, 0.03); return [x, y, 0, r]; }));
 const ears = (p) => without(earFlesh(p), earBowl(p), 0.07);
 
 // --- tail: the dock, from which hair hangs ---
@@ -147,7 +149,7 @@ const onBothSides = (at) => (p) => at([Math.abs(p[0]), p[1], p[2]]);
 const hairline = (p, at) => p[1] - (0.6 + 0.24 * (p[2] - at[2] + 0.42 * p[1]));
 export const fields = {
   hooves: onBothSides((p) => (p[1] > 1.3 ? 1 : hairline(p, p[2] > 0 ? hoofAt.fore : hoofAt.hind))),
-  innerEar: onBothSides((p) => (p[1] < 12 ? 1 : earBowl(p) - 0.02)),
+  innerEar: onBothSides((p) => (p[1] < 12 ? 1 : max(earPatch([p[0], p[1], 0]), ear.base[2] + 0.22 * (p[1] - ear.base[1]) - 0.06 - p[2]))),
   nose: onBothSides((p) => (p[1] > 11.5 || p[2] < 7 ? 1 : headSize * (nostril(inHead(p)) - 0.03))),
   mouth: onBothSides((p) => (p[1] > 11.5 || p[2] < 7 ? 1 : headSize * (mouthLine(inHead(p)) - 0.045))),
 };
@@ -160,7 +162,7 @@ function half(p) {
   d = union(d, neck(p), 0.7);
   d = joined(p, d, boxes.head, head, 0.4);
   d = joined(p, d, boxes.ears, ears, 0.12);
-  d = joined(p, d, boxes.tail, tail, 0.25);
+  d = joined(p, d, boxes.tail, tail, 0.45);
   d = joined(p, d, boxes.fore, (q) => union(foreleg(q), hoof(q, hoofAt.fore), 0.06), 0.7);
   return joined(p, d, boxes.hind, (q) => union(hindleg(q), hoof(q, hoofAt.hind), 0.06), 0.7);
 }
