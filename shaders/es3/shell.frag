@@ -50,7 +50,7 @@ vec3 paintSkin(vec3 albedo, Met met) { return albedo; }
 float enterCoat() {
   // Fur is read from one mip level, picked by chance between the two that trilinear filtering would
   // blend, and half a level sharper than a pixel's footprint: fur hides the grain, blur would make felt of it.
-  lod = floor(max(vLight.w - 0.5, 0.0) + quadNoise());
+  lod = floor(max(vLight.w - 0.5 - finer, 0.0) + quadNoise());
   float pixels = exp2(-vLight.w);  // that a texel covers
   sharp = max(pixels, 1.0);
   end = rayTo(vTop, reachesSkin);
@@ -60,7 +60,7 @@ float enterCoat() {
   // chance, so that nothing forms rings.
   noise = otherPixelNoise();
   between = fract(noise * 7.0) - 0.5;
-  float first = kFirstStep * stepSize * noise;
+  float first = kFirstStep * stepSize * (noise - 0.25 * finer);
   enterView();
   enterWater();
   softness = kReferenceSteps * stepSize;
