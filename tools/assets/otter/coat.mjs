@@ -10,11 +10,11 @@ const away = (p, c, [rx, ry, rz] = [1, 1, 1]) => hypot((abs(p[0]) - c[0]) / rx, 
 const within = (p, c, r, inner = 0.6) => smooth(1, inner, away(p, c, r));
 
 // Type 1: long glossy guard hairs over an undercoat; type 2: the plush of face and feet.
-const plush = { density: 1, thickness: 0.2, lengthVariation: 0.15, curl: 0.05, taper: 0.5, furLength: 0.042, undercoat: 0.4, undercoatLength: 0.7,
+const plush = { density: 1, thickness: 0.24, lengthVariation: 0.15, clump: 0.2, lockSize: 0.15, curl: 0.05, taper: 0.5, furLength: 0.042, undercoat: 0.4, undercoatLength: 0.7,
   rootColor: '#85776b', tipColor: '#c0b0a2', skinColor: '#6a5446', variance: 0.3, specular: 0.06, shininess: 40, stiffness: 0.9 };
 export const settings = {
-  furLength: 0.042, density: 1, thickness: 0.24, lengthVariation: 0.3, curl: 0.06, taper: 0.6, repeat: 10, undercoat: 0.8, undercoatLength: 0.5,
-  rootColor: '#6c5d51', tipColor: '#bba999', skinColor: '#5a463a', variance: 0.4, specular: 0.14, shininess: 90, stiffness: 0.7, gravity: 0.1,
+  furLength: 0.042, density: 1, thickness: 0.24, lengthVariation: 0.3, curl: 0.06, taper: 0.6, repeat: 10, clump: 0.35, lockSize: 0.25, undercoat: 0.8, undercoatLength: 0.5,
+  rootColor: '#6c5d51', tipColor: '#bba999', skinColor: '#5a463a', variance: 0.4, specular: 0.16, shininess: 90, stiffness: 0.7, gravity: 0.1, clumpSize: 0.011, wetDarkening: 0.25,
   type2: 'own', ...Object.fromEntries(Object.entries(plush).map(([key, value]) => [`type2.${key}`, value])),
 };
 
@@ -42,30 +42,30 @@ function furColour({ position: p, normal: n }) {
   colour = blend(colour, cream, 0.7 * smooth(0.7, 1.5, p[2]) * smooth(0.1, 0.7, n[2] - 0.3 * n[1]) * (1 - legs) * (1 - head));
   colour = blend(colour, lip, 0.85 * within(p, [0.2, 2.66, 3.5], [0.3, 0.22, 0.3]));
   colour = blend(colour, dark, 0.55 * within(p, [0, 3.02, 3.35], [0.17, 0.2, 0.45], 0.3));
-  colour = blend(colour, dark, 0.7 * within(p, eye.at, [0.22, 0.19, 0.22], 0.6));
+  colour = blend(colour, dark, 0.85 * within(p, eye.at, [0.21, 0.19, 0.21], 0.7));
   return blend(colour, dark, 0.5 * within(p, ear, [0.22, 0.22, 0.22], 0.4));
 }
 
-const bareColours = { eye: hex('#20130c'), nose: hex('#1a1412'), mouth: hex('#2b1715'), claws: hex('#4a3a2e'), pads: hex('#33251f'), lids: hex('#1d1410'), innerEar: hex('#4a352a') };
+const bareColours = { eye: hex('#20130c'), nose: hex('#1a1412'), mouth: hex('#2b1715'), claws: hex('#4a3a2e'), pads: hex('#33251f'), lids: hex('#47301f'), innerEar: hex('#46291c') };
 export const colourOf = (materials) => (place) => (materials[place.part] === 'fur' ? furColour(place) : bareColours[materials[place.part]]);
 
 function furLength({ position: p }) {
   const head = onHead(p), legs = onLegs(p);
   let share = mixed(0.95, 0.36, head);
-  share = mixed(share, 0.36, smooth(-3.2, -6.6, p[2]));
+  share = mixed(share, 0.3, smooth(-3.2, -6.6, p[2]));
   share = mixed(share, 0.5, legs);
   share = mixed(share, 0.24, smooth(0.55, 0.25, p[1]) * legs);
   for (const [z, far] of [[1.42, 0.35], [-1.05, 0.45]]) share = mixed(share, 0.1, smooth(z, z + far, p[2]) * smooth(z + 1, z + far, p[2]) * legs);
   share = mixed(share, 0.2, within(p, [0, 2.78, 3.55], [0.55, 0.6, 0.75], 0.35));
   share = mixed(share, 0.14, within(p, ear, [0.28, 0.28, 0.28], 0.55));
-  return share * smooth(eye.radius * 1.2, eye.radius * 2.3, away(p, eye.at));
+  return share * smooth(eye.radius * 1.22, eye.radius * 1.8, away(p, eye.at));
 }
 const plushness = ({ position: p }) => Math.max(smooth(2, 3, p[2]) * smooth(1.9, 2.5, p[1]), smooth(0.8, 0.4, p[1]) * smooth(-2.35, -2, p[2]));
 /** Length, and how much there is of the types 2 to 4. */
 export const groom = (place) => [furLength(place), plushness(place), 0, 0];
 
 // Where hair turns round a point of the skin: { at, reach, turn }.
-const swirls = [{ at: [0.5, 1.3, 1.55], reach: 0.35, turn: 1.6 }, { at: [0.66, 0.9, 0.65], reach: 0.28, turn: 2 }, { at: [0.45, 1.1, -0.8], reach: 0.35, turn: -1.4 }];
+const swirls = [{ at: [0.5, 1.3, 1.55], reach: 0.35, turn: 0.7 }, { at: [0.66, 0.9, 0.65], reach: 0.28, turn: 0.8 }, { at: [0.45, 1.1, -0.8], reach: 0.35, turn: -0.6 }];
 
 // The way hair lies: from the nose back, down legs, along the tail.
 function lie({ position: p, normal: n }) {
@@ -91,7 +91,7 @@ export const comb = (place) => {
 };
 
 export const eyePicture = () => {
-  const size = 64, iris = hex('#3b2416'), rim = hex('#0d0805');
+  const size = 64, iris = hex('#2f1b10'), rim = hex('#0d0805');
   return pictureOf(size, Array.from({ length: size * size }, (_, i) => {
     const r = 2 * hypot((i % size + 0.5) / size - 0.5, (Math.floor(i / size) + 0.5) / size - 0.5);
     return blend(blend([0.01, 0.008, 0.006], iris, smooth(0.36, 0.46, r)), rim, smooth(0.5, 0.74, r));

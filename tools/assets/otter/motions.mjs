@@ -20,7 +20,7 @@ function onFeet(pose, off = () => ({})) {
   }, pose);
 }
 const tailEnd = tailLine.at(-1).slice(0, 3).map((x, k) => x - rig.place('tail6')[k]);
-const tailDown = (pose) => laidDown(rig, pose, tail, tailEnd, [0.86, 0.5, 0.3, 0.19, 0.13, 0.1]);
+const tailDown = (pose, heights = [0.86, 0.5, 0.3, 0.19, 0.13, 0.1], most = 40) => laidDown(rig, pose, tail, tailEnd, heights, most);
 const tailCurve = (degrees, t = 0, seconds = 6) => turns(tail, (i) => [0, degrees * (0.6 + 0.14 * i) + 2.5 * wave(t, seconds, -0.08 * i), 0]);
 
 // --- on all fours ---
@@ -78,7 +78,7 @@ function shake(t) {
 
 const sitting = (() => {
   const body = { move: { root: [0, -0.42, -0.25] }, turn: { hips: [-63, 0, 0], spine1: [-4, 0, 0], spine2: [6, 0, 0], chest: [10, 0, 0], neck: [22, 0, 0], head: [24, 0, 0] } };
-  return ['hindL', 'hindR'].reduce((pose, leg) => planted(rig, pose, legs[leg], add(atRest(leg), [leg === 'hindL' ? 0.12 : -0.12, -0.06, 0.05]), { bend: 1 }), tailDown(together(body, tailCurve(6))));
+  return ['hindL', 'hindR'].reduce((pose, leg) => planted(rig, pose, legs[leg], add(atRest(leg), [leg === 'hindL' ? 0.12 : -0.12, -0.06, 0.05]), { bend: 1 }), tailDown(together(body, tailCurve(8)), [0.34, 0.28, 0.22, 0.17, 0.13, 0.1], 80));
 })();
 const armsDown = turns(['upperArmL', 'upperArmR'], (i) => [38, 0, i ? 6 : -6]);
 const handsDown = { turn: { foreArmL: [-78, 0, 0], foreArmR: [-78, 0, 0], handL: [62, 0, 0], handR: [62, 0, 0] } };
@@ -111,7 +111,7 @@ function swim(t) {
     { move: { root: [0, 2.75 + 0.04 * bob, 0] }, turn: { root: [0, 0, 180 + 5 * rock] } },
     { turn: { hips: [-4, 0, 0], spine1: [4, 0, -1.5 * rock], spine2: [4, 0, -1.5 * rock], chest: [6, 0, 0], neck: [20, 3 * rock, 0], head: [20, 6 * rock, -3 * rock] } },
     { turn: { upperArmL: [-30, 0, -16], upperArmR: [-30, 0, 16], foreArmL: [-62, 0, -10], foreArmR: [-62, 0, 10], handL: [34 + 5 * bob, 0, -8], handR: [34 - 5 * bob, 0, 8] } },
-    { turn: { thighL: [38 + 16 * kick(0), 0, 6], thighR: [38 + 16 * kick(0.5), 0, -6], shinL: [-18 - 14 * kick(0.1), 0, 0], shinR: [-18 - 14 * kick(0.6), 0, 0], footL: [38 + 24 * kick(-0.15), 0, 0], footR: [38 + 24 * kick(0.35), 0, 0] } },
+    { turn: { thighL: [58 + 16 * kick(0), 0, 6], thighR: [58 + 16 * kick(0.5), 0, -6], shinL: [-14 - 14 * kick(0.1), 0, 0], shinR: [-14 - 14 * kick(0.6), 0, 0], footL: [46 + 24 * kick(-0.15), 0, 0], footR: [46 + 24 * kick(0.35), 0, 0] } },
     turns(tail, (i) => [[16, 4, 0, -2, -2, -2][i] + 3 * wave(t, kSwim / 2, -0.1 * i), (3 + 1.6 * i) * wave(t, kSwim, -0.1 * i), 0]),
   );
 }

@@ -12,7 +12,7 @@ const glossy = (roughness, more = {}) => ({ pbrMetallicRoughness: { metallicFact
 const materials = [
   { name: 'fur', furry: true }, { name: 'eye', json: { pbrMetallicRoughness: { metallicFactor: 0, roughnessFactor: 0.12, baseColorTexture: { index: 1, texCoord: 1 } } } },
   { name: 'nose', json: glossy(0.35) }, { name: 'mouth', json: glossy(0.4) }, { name: 'claws', json: glossy(0.35) }, { name: 'pads', json: glossy(0.7) },
-  { name: 'lids', json: glossy(0.45) }, { name: 'innerEar', json: glossy(0.75) },
+  { name: 'lids', json: glossy(0.9) }, { name: 'innerEar', json: glossy(1) },
 ];
 const names = materials.map(({ name }) => name), numberOf = (name) => names.indexOf(name);
 

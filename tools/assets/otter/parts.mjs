@@ -24,7 +24,7 @@ function eyeball(side) {
 function lid(side, name, from, to) {
   const columns = 10, rows = 4, positions = [], cells = [], centre = onSide(side, eye.at);
   const number = (layer, i, j) => (layer * (rows + 1) + j) * (columns + 1) + i;
-  for (const radius of [eye.radius * 1.16, eye.radius * 1.03])
+  for (const radius of [eye.radius * 1.12, eye.radius * 1.02])
     for (let j = 0; j <= rows; ++j) for (let i = 0; i <= columns; ++i) {
       const along = (-84 + (168 * i) / columns) * (PI / 180), angle = (from + ((to - from) * j) / rows) * (PI / 180);
       positions.push(add(centre, scaled([side * sin(along), cos(along) * sin(angle), cos(along) * cos(angle)], radius)));

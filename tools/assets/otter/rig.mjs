@@ -16,7 +16,7 @@ export const rig = skeleton([
 ]);
 
 const bone = (joint, to, radius, end = radius, only = undefined) => ({ joint, from: rig.place(joint), to, radius, end, only });
-const left = (p) => p[0] > 0, right = (p) => p[0] < 0;
+const left = (p) => p[0] > 0, right = (p) => p[0] < 0, overFeet = (p) => p[1] > 0.65;
 const mirror = ([x, y, z]) => [-x, y, z];
 
 const limbs = [
@@ -28,9 +28,10 @@ const limbs = [
 }));
 
 export const bones = [
-  bone('hips', rig.place('spine1'), 0.8), bone('spine1', rig.place('spine2'), 0.85), bone('spine2', rig.place('chest'), 0.82), bone('chest', rig.place('neck'), 0.8, 0.7),
+  bone('hips', rig.place('spine1'), 0.8, 0.8, overFeet), bone('spine1', rig.place('spine2'), 0.85, 0.85, overFeet), bone('spine2', rig.place('chest'), 0.82, 0.82, overFeet),
+  bone('chest', rig.place('neck'), 0.8, 0.7, overFeet),
   bone('neck', rig.place('head'), 0.62, 0.55), bone('head', [0, 2.83, 3.36], 0.55, 0.4), bone('jaw', [0, 2.5, 3.4], 0.2, 0.2, (p) => p[2] > 2.9 && overMouth(p) < 0),
   ...['L', 'R'].map((side) => ({ joint: `ear${side}`, from: rig.place(`ear${side}`), to: [(side === 'L' ? 1 : -1) * (ear[0] + 0.05), ear[1] + 0.05, ear[2] + 0.02], radius: 0.07 })),
   ...limbs,
-  ...tailAt.map((_, i) => bone(`tail${i + 1}`, i < 5 ? rig.place(`tail${i + 2}`) : tailLine.at(-1).slice(0, 3), 0.42 - 0.06 * i, 0.36 - 0.06 * i)),
+  ...tailAt.map((_, i) => bone(`tail${i + 1}`, i < 5 ? rig.place(`tail${i + 2}`) : tailLine.at(-1).slice(0, 3), 0.42 - 0.06 * i, 0.36 - 0.06 * i, (p) => p[2] < -2)),
 ];

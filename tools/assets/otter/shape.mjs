@@ -11,7 +11,7 @@ export const ear = [0.6, 3.03, 2.54];
 const joined = (d, p, centre, radius, k, shape) => (ball(p, centre, radius) >= d + k ? d : union(d, shape(p), k));
 
 const trunkLine = curve([[0, 1.52, -2.1, 0.55], [0, 1.64, -1.55, 0.74], [0, 1.78, -0.8, 0.79], [0, 1.77, 0, 0.76], [0, 1.68, 0.75, 0.74], [0, 1.82, 1.45, 0.66], [0, 2.2, 1.98, 0.575], [0, 2.63, 2.42, 0.51]], 8);
-export const tailLine = curve([[0, 1.56, -2.05, 0.5], [0, 1.28, -2.65, 0.385], [0, 0.92, -3.4, 0.3], [0, 0.57, -4.3, 0.225], [0, 0.33, -5.2, 0.155], [0, 0.19, -6, 0.105], [0, 0.14, -6.55, 0.065]], 8);
+export const tailLine = curve([[0, 1.56, -2.05, 0.5], [0, 1.28, -2.65, 0.385], [0, 0.92, -3.4, 0.3], [0, 0.57, -4.3, 0.225], [0, 0.33, -5.2, 0.155], [0, 0.19, -6, 0.105], [0, 0.13, -6.55, 0.045]], 8);
 
 function trunk(p) {
   let d = tube(p, trunkLine);
@@ -22,12 +22,12 @@ function trunk(p) {
 
 function foreLeg(p) {
   let d = egg(p, [0.45, 1.4, 1.08], [0.36, 0.52, 0.48]);
-  d = union(d, bent(p, [[0.55, 1.38, 1.1, 0.35], [0.66, 0.88, 0.9, 0.27], [0.7, 0.34, 1.1, 0.2]], 0.15), 0.2);
+  d = union(d, bent(p, [[0.55, 1.38, 1.1, 0.35], [0.66, 0.88, 0.9, 0.27], [0.7, 0.34, 1.1, 0.2]], 0.2), 0.3);
   return union(d, paw(p, fore), 0.12);
 }
 function hindLeg(p) {
   let d = egg(p, [0.42, 1.3, -1.42], [0.43, 0.57, 0.6]);
-  d = union(d, bent(p, [[0.5, 1.32, -1.5, 0.46], [0.68, 0.92, -1.12, 0.36], [0.72, 0.4, -1.6, 0.22]], 0.15), 0.2);
+  d = union(d, bent(p, [[0.5, 1.32, -1.5, 0.46], [0.68, 0.92, -1.12, 0.36], [0.72, 0.4, -1.6, 0.22]], 0.2), 0.3);
   return union(d, paw(p, hind), 0.14);
 }
 
@@ -84,11 +84,11 @@ function mouth(p, head) {
   return p[2] < 3.05 ? head : head + groove(overMouth(p), 0.06 * smooth(3.12, 3.28, p[2]) * smooth(0.36, 0.27, p[0]), 0.026);
 }
 
-const earSeen = (p) => turnedAbout(1, p, ear, -0.75);
+const earSeen = (p) => turnedAbout(1, p, ear, 0.6);
 /** Below 0 in the hollow of the ear. */
 export const earField = (p) => {
   const q = earSeen([abs(p[0]), p[1], p[2]]);
-  return Math.max(sqrt(((q[0] - ear[0]) / 0.115) ** 2 + ((q[1] - ear[1] - 0.02) / 0.125) ** 2) - 1, (ear[2] - 0.03 - q[2]) * 8) * 0.12;
+  return Math.max(sqrt(((q[0] - ear[0]) / 0.085) ** 2 + ((q[1] - ear[1] - 0.01) / 0.1) ** 2) - 1, (ear[2] - 0.03 - q[2]) * 8) * 0.1;
 };
 function earOn(p, head) {
   const q = earSeen(p);
@@ -106,8 +106,8 @@ function headOf(p) {
 
 export const solid = mirrored((p) => {
   let d = trunk(p);
-  d = joined(d, p, [0.6, 0.95, 1.15], 1.25, 0.2, foreLeg);
-  d = joined(d, p, [0.6, 0.9, -1.3], 1.4, 0.25, hindLeg);
+  d = joined(d, p, [0.6, 0.95, 1.15], 1.25, 0.3, foreLeg);
+  d = joined(d, p, [0.6, 0.9, -1.3], 1.4, 0.32, hindLeg);
   return joined(d, p, [0, 2.83, 2.9], 1.15, 0.25, headOf);
 }, 0.015);
 
