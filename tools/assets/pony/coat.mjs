@@ -9,20 +9,36 @@ const blend = (a, b, t) => a.map((x, k) => mixed(x, b[k], clamp(t)));
 
 // Lengths are in bounding radii, about 9 decimetres.
 export const settings = {
-  furLength: 0.035, density: 1, thickness: 0.35, lengthVariation: 0.25, curl: 0.06, taper: 0.6, repeat: 12, clump: 0.3, lockSize: 0.15, undercoat: 0.4, undercoatLength: 0.6, gravity: 0.1, stiffness: 0.8,
-  rootColor: '#74665c', tipColor: '#b0b0b0', skinColor: '#74665c', variance: 0.4, specular: 0.14, shininess: 90, layers: 40, fins: false, clumpSize: 0.013,
+  furLength: 0.042, density: 1, thickness: 0.35, lengthVariation: 0.25, curl: 0.06, taper: 0.6, repeat: 10, clump: 0.3, lockSize: 0.15, undercoat: 0.4, undercoatLength: 0.6, gravity: 0.1, stiffness: 0.8,
+  rootColor: '#74665c', tipColor: '#acacac', skinColor: '#9c8e84', variance: 0.4, specular: 0.2, shininess: 80, occlusion: 0.3, strandShadow: 0.3,
+  wetDarkening: 0.3, layers: 40, fins: false, clumpSize: 0.018,
   // Feathers.
   type2: 'own', 'type2.name': 'Feathers', 'type2.furLength': 0.085, 'type2.density': 0.9, 'type2.thickness': 0.3, 'type2.lengthVariation': 0.45, 'type2.curl': 0.15, 'type2.taper': 0.8,
-  'type2.wave': 0.25, 'type2.clump': 0.35, 'type2.lockSize': 0.3, 'type2.tipBreak': 0.4, 'type2.rootColor': '#74665c', 'type2.tipColor': '#b0b0b0', 'type2.skinColor': '#74665c', 'type2.variance': 0.4,
+  'type2.wave': 0.25, 'type2.clump': 0.35, 'type2.lockSize': 0.3, 'type2.tipBreak': 0.4, 'type2.rootColor': '#74665c', 'type2.tipColor': '#b0b0b0', 'type2.skinColor': '#9c8e84', 'type2.occlusion': 0.3, 'type2.strandShadow': 0.3, 'type2.variance': 0.4,
   'type2.specular': 0.15, 'type2.shininess': 70, 'type2.gravity': 0.6, 'type2.stiffness': 0.3,
 };
 
 // --- colour ---
 
-const red = hex('#843810'), dark = hex('#552108'), light = hex('#a9622c'), liver = hex('#3c2015'), mealy = hex('#c49a70'), white = hex('#f3ece0'), feather = hex('#8a6240'), shade = hex('#2c1a14');
+const red = hex('#843810'), dark = hex('#552108'), light = hex('#a9622c'), liver = hex('#341a0d'), mealy = hex('#c49a70'), white = hex('#f3ece0'), feather = hex('#8a6240'), shade = hex('#2c1a14');
 
 // A slow unevenness, so that no area is of one colour.
 const mottle = ([x, y, z]) => 0.5 + 0.25 * sin(1.9 * x + 1.3 * sin(1.1 * z)) * sin(1.7 * y + 0.6) + 0.25 * sin(2.3 * z + 1.2 * y + sin(2.1 * x));
+// A number in 0..1 for each cell of a grid.
+const chance = (x, y, z, n) => { const v = sin(12.9898 * x + 78.233 * y + 37.719 * z + 11.13 * n) * 43758.5453; return v - Math.floor(v); };
+/** Dapples: how near the middle of one a place is, 0..1 (cells after Worley 1996). */
+function dapple(p) {
+  const q = scaled(p, 1 / 0.62), cell = q.map(Math.floor);
+  let least = 9;
+  for (let i = -1; i <= 1; ++i) for (let j = -1; j <= 1; ++j) for (let k = -1; k <= 1; ++k) {
+    const [x, y, z] = [cell[0] + i, cell[1] + j, cell[2] + k];
+    least = Math.min(least, far(q, [0, 1, 2].map((n) => [x, y, z][n] + chance(x, y, z, n))));
+  }
+  return smooth(0.62, 0.2, least);
+}
+/** Where they show: on barrel and croup. */
+const dappled = ([, y, z]) => smooth(5.2, 6.6, y) * smooth(2.6, 1, z) * smooth(-5.2, -4.2, z) * smooth(10, 9.4, y);
+
 /** Of the lower legs: 0 above, 1 at the fetlocks. */
 const onLeg = ([, y]) => smooth(4.6, 2.6, y);
 
@@ -39,6 +55,7 @@ function furColour({ position: p, normal: n }) {
   colour = blend(colour, light, 0.65 * smooth(0, -0.8, n[1]) * smooth(3.8, 5, p[1]));                // belly
   colour = blend(colour, light, 0.45 * exp(-((hypot(p[2] + 2.9, 1.2 * (p[1] - 5.9)) / 0.9) ** 2)));  // flanks
   colour = blend(colour, blend(dark, light, mottle(p)), 0.22);
+  colour = blend(colour, light, 0.34 * dappled(p) * dapple(p));
   colour = blend(colour, liver, 0.92 * onLeg(p));
   colour = blend(colour, feather, 0.75 * featherAt({ position: p, normal: n }));
   if (p[2] < 5.2 || p[1] < 8.4) return colour;
@@ -105,7 +122,6 @@ export const groom = (place) => [furLength(place), featherAt(place), 0, 0];
 const whorls = [
   { at: headPlace([0, 0.2, 1.05]), reach: 0.9, wind: 0.5 },
   { at: [1.9, 6.3, -2.5], reach: 1.3, wind: 0.7, mirrored: true },
-  { at: [0.55, 7.2, 4.9], reach: 0.8, wind: -0.6, mirrored: true },
 ];
 
 function lie({ position: p, normal: n }) {

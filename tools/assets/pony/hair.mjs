@@ -17,7 +17,7 @@ const alongCrest = (t) => {
   const at = clamp(t, 0, 0.9999) * (crestLine.length - 1), i = Math.floor(at);
   return between(crestLine[i], crestLine[i + 1], at - i);
 };
-const maneLength = (t) => 2.7 + 0.75 * sin(3.1 * t) - 0.9 * smooth(0.85, 1, t);
+const maneLength = (t) => 3.0 + 0.9 * sin(3.1 * t) - 1.0 * smooth(0.85, 1, t);
 const maneGuides = () => Array.from({ length: 48 }, (_, i) => {
   const row = i % 3, t = (Math.floor(i / 3) + 0.5) / 16, x = [0.2, 0, -0.2][row];
   const root = surface.onSurface(add(alongCrest(t), [x, 0.05, 0]), 12), n = surface.normal(root);
@@ -57,7 +57,7 @@ const tailGuides = () => Array.from({ length: 30 }, (_, i) => {
   const out = [sin(angle), 0.3 * (1 - t), -Math.cos(angle)], root = surface.onSurface(add(middle, scaled(out, 0.3)), 12);
   const length = root[1] - mixed(0.75, 1.5, spread(i)) + 0.35;
   return falling({
-    root, start: add(scaled(out, 0.5), [0, -0.8, 0]), fall: (p) => [-0.06 * p[0], -1, p[1] > 5 ? 0.03 : 0.05], nodes: 14, length, bend: 0.6, gap: (s) => 0.06 + 0.2 * min(1, 3 * s),
+    root, start: add(scaled(out, 0.8), [0, -0.5, -0.3]), fall: (p) => [-0.06 * p[0], -1, p[1] > 5 ? 0.03 : 0.05], nodes: 14, length, bend: 0.45, gap: (s) => 0.06 + 0.42 * min(1, 3 * s) * (0.4 + 0.6 * spread(i + 7)),
   }, ponyAt, surface);
 });
 const onTail = ({ position: p }) => {
@@ -97,6 +97,6 @@ export const hair = ({ size }) => ({
   scalps: [
     { name: 'Mane', guides: maneGuides(), grow: (at) => [onMane(at), 0.6, 1, 1], values: { ...flaxen, wisps: 520, strands: 30, strandWidth: 0.0022, guideLength: size(2.4), nodes: 9, leastWidth: 0.018, mostWidth: 0.045, tipWidth: 0.4, depth: 0.5, lengthVariation: 0.3, frizz: 0.12, stray: 0.2, tipVariation: 0.45, magnet: 0.3, stiffness: 0.3, damping: 0.35 } },
     { name: 'Forelock', guides: forelockGuides(), grow: (at) => [onForelock(at), 0.5, 1, 1], values: { ...flaxen, wisps: 130, strands: 22, strandWidth: 0.0022, guideLength: size(2), nodes: 8, leastWidth: 0.012, mostWidth: 0.03, tipWidth: 0.35, lengthVariation: 0.5, frizz: 0.12, stray: 0.2, tipVariation: 0.45, magnet: 0.3, stiffness: 0.35, damping: 0.4 } },
-    { name: 'Tail', guides: tailGuides(), grow: (at) => [onTail(at), 0.7, 1, 1], values: { ...flaxen, wisps: 340, strands: 32, strandWidth: 0.0024, guideLength: size(7), nodes: 14, leastWidth: 0.025, mostWidth: 0.06, tipWidth: 0.45, depth: 0.6, lengthVariation: 0.35, frizz: 0.1, stray: 0.15, tipVariation: 0.5, magnet: 0.35, stiffness: 0.25, damping: 0.3 } },
+    { name: 'Tail', guides: tailGuides(), grow: (at) => [onTail(at), 0.7, 1, 1], values: { ...flaxen, wisps: 380, strands: 32, strandWidth: 0.0024, guideLength: size(7), nodes: 14, leastWidth: 0.025, mostWidth: 0.065, tipWidth: 0.4, depth: 0.6, lengthVariation: 0.35, frizz: 0.1, stray: 0.15, tipVariation: 0.5, magnet: 0.35, stiffness: 0.25, damping: 0.3 } },
   ],
 });

@@ -35,7 +35,8 @@ const blade = tube([[0.8, 9.0, 2.4, 0.5], [1.2, 7.9, 3.3, 0.62], [1.32, 6.7, 4.1
 function shoulder(p, d) {
   d = union(d, blade(p), 0.5);
   d = union(d, egg(p, [1.5, 6.1, 3.3], [0.62, 1.0, 1.05]), 0.6);                              // triceps
-  return union(d, egg(p, [0.6, 6.5, 4.2], [0.8, 1.2, 0.6]), 0.7);                        // breast
+  d = union(d, egg(p, [0.3, 7.4, 4.3], [0.75, 1.1, 0.62]), 0.7);
+  return union(d, egg(p, [0.6, 6.4, 4.15], [0.8, 1.1, 0.6]), 0.8);                            // breast
 }
 
 // --- legs: of the left side ---
@@ -159,7 +160,7 @@ const joined = (p, d, box, part, k) => (fromBox(p, box) > d + k ? d : union(d, p
 
 function half(p) {
   let d = shoulder(p, hindquarters(p, barrel(p)));
-  d = union(d, neck(p), 0.7);
+  d = union(d, neck(p), 0.9);
   d = joined(p, d, boxes.head, head, 0.4);
   d = joined(p, d, boxes.ears, ears, 0.12);
   d = joined(p, d, boxes.tail, tail, 0.45);
