@@ -41,8 +41,16 @@ App::~App() = default;
 
 // --- model -------------------------------------------------------------------------------------
 
+// As far round what is played now as the file's was round what was played then.
+CameraOrbit App::State::homeView() const {
+  CameraOrbit now = startView();
+  if (!viewOfFile) return now;
+  const auto& [view, fitted] = *viewOfFile;
+  return {view.yaw, view.pitch, view.distance * (now.distance / fitted.distance), view.target + now.target - fitted.target};
+}
+
 void App::State::keepInView(const CameraOrbit& before, bool atOnce) {
-  const CameraOrbit now = startView();
+  const CameraOrbit now = homeView();
   if (now.distance == before.distance && now.target == before.target) return;
   CameraOrbit goal = view.camera.goal();
   if (std::abs(goal.distance - before.distance) > kSameView || glm::distance(goal.target, before.target) > kSameView) return;
@@ -62,10 +70,10 @@ void App::State::surfaceChanged(const CameraOrbit& viewBefore) {
 }
 
 void App::State::setModel(geometry::Mesh mesh, geometry::Surface surface, Document from, scene::Rig rig, std::vector<std::uint8_t> materialOf) {
-  const CameraOrbit before = startView();
+  const CameraOrbit before = homeView();
   endStroke();
   document = std::move(from);
-  cameraOfFile.reset();
+  viewOfFile.reset();
   ++imageRevision, ++materialsRevision;
   std::vector<std::uint8_t> bare;
   for (const scene::Material& material : document.materials)
@@ -133,7 +141,7 @@ Status App::loadModel(std::span<const std::uint8_t> bytes, const std::string& na
   s.applySettings(now);
   s.shelf.keepOnlyThoseOf({&s.settings, &s.ownLook->settings});
   s.settingsOfFile = s.settings;
-  s.cameraOfFile = camera();
+  s.viewOfFile = {camera(), s.startView()};
   s.history.clear();
   return status;
 }
@@ -233,7 +241,7 @@ void App::State::applySettings(const settings::Settings& next) {
   // Only fur coordinates change: the atlas stays, and with it what is wet.
   auto built = geometry::buildSurface(shape.mesh(), mapping());
   FUR_ASSERT(built, "App::applySettings()", "a mesh that has made a surface before", "an error");
-  const CameraOrbit before = startView();
+  const CameraOrbit before = homeView();
   shape.setSurface(std::move(*built));
   surfaceChanged(before);
 }
@@ -283,7 +291,7 @@ bool App::setField(std::string_view name, std::string_view text) {
 
 CameraOrbit App::camera() const { return state_->view.camera.goal(); }
 void App::setCamera(const CameraOrbit& orbit) { state_->view.camera.jump(orbit), ++state_->changed; }
-void App::resetCamera() { state_->view.camera.setGoal(state_->cameraOfFile.value_or(state_->startView())); }
+void App::resetCamera() { state_->view.camera.setGoal(state_->homeView()); }
 
 std::string App::state() const {
   const CameraOrbit& c = state_->view.camera.goal();

@@ -52,7 +52,7 @@ BehaviourStage::Inputs App::State::behaviourInputs(float seconds) {
 }
 
 ShapeStage::Inputs App::State::shapeInputs(float seconds) const {
-  return {seconds, shape.animationOf(settings.animation), reducedMotion ? 0 : settings.animationSpeed, behaviour.mix(), behaviour.revision(), behaviour.habits()};
+  return {seconds, shape.animationOf(settings.animation), reducedMotion ? 0 : settings.animationSpeed, behaviour.mix(), behaviour.revision(), behaviour.played()};
 }
 
 MotionStage::Inputs App::State::motionInputs(float seconds) {
@@ -84,7 +84,7 @@ HairStage::Inputs App::State::hairInputs(float seconds) {
 }
 
 bool App::State::updateShape(float seconds) {
-  const CameraOrbit before = startView();
+  const CameraOrbit before = homeView();
   behaviour.update(behaviourInputs(seconds));
   water.forgetLanded();
   const bool moved = shape.update(shapeInputs(seconds));

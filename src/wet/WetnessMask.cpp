@@ -189,11 +189,11 @@ float WetnessMask::meanWetness() const {
   return static_cast<float>(sum / static_cast<double>(texels_.size()));
 }
 
-Vec4 WetnessMask::at(float u, float v) const {
+std::size_t WetnessMask::indexAt(float u, float v) const {
   const auto index = [this](float c) {
     return std::isnan(c) ? 0 : static_cast<int>(saturate(c) * static_cast<float>(size_) * 0.9999999f);
   };
-  return texels_[static_cast<std::size_t>(index(v)) * size_ + index(u)];
+  return static_cast<std::size_t>(index(v)) * static_cast<std::size_t>(size_) + static_cast<std::size_t>(index(u));
 }
 
 std::uint64_t WetnessMask::hash() const {

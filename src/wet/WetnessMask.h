@@ -81,7 +81,9 @@ class WetnessMask {
   std::uint32_t revision() const { return revision_; }
   TexelRect takePainted() { return std::exchange(painted_, TexelRect{}); }
   float meanWetness() const;
-  Vec4 at(float u, float v) const;
+  // Of texels().
+  std::size_t indexAt(float u, float v) const;
+  Vec4 at(float u, float v) const { return texels_[indexAt(u, v)]; }
   // FNV-1a over the bytes of the texels; a film is not part of it.
   std::uint64_t hash() const;
   // What changed since the last call: what the renderer uploads. One rectangle round all of it, or a few that are

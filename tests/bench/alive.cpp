@@ -3,8 +3,8 @@
 //   wet-fur-alive-bench [animal.glb]    by default two balls with the joints of one
 // Of the steps of three shakes, each part by itself.
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
-#include <ctime>
 #include <fstream>
 #include <iterator>
 #include <numeric>
@@ -24,9 +24,9 @@ struct Part {
   std::vector<double> all{};
   template <class Work>
   void time(Work work) {
-    const std::clock_t begun = std::clock();  // of the processor, natively
+    const auto begun = std::chrono::steady_clock::now();
     work();
-    last = 1000.0 * static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
+    last = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
     add(last);
   }
   void add(double ms) { all.push_back(ms); }
@@ -90,7 +90,7 @@ int main(int count, char** words) {
     wets.seconds = in.seconds;
     Part now[] = {{"behaviour"}, {"pose"}, {"bends"}, {"whiskers"}, {"water"}};
     now[0].time([&] { behaviour.update(in), water.forgetLanded(); });
-    now[1].time([&] { shape.update({in.seconds, 0, 1, behaviour.mix(), behaviour.revision(), behaviour.habits()}); });
+    now[1].time([&] { shape.update({in.seconds, 0, 1, behaviour.mix(), behaviour.revision(), behaviour.played()}); });
     groom.update({shape, settings});
     now[2].time([&] { motion.update(moves); });
     now[3].time([&] { (void)groom.hairs(shape); });

@@ -1,5 +1,5 @@
 // wet-fur/element: registers <wet-fur>.
-import type { Behaviour, FurSettings, LightRig, Motion, PresetName, Quality, Tool, WetFurApi, WetFurEventMap, WheelManner } from './index.js';
+import type { FurSettings, LightRig, Motion, PresetName, Quality, Tool, WetFurApi, WetFurEventMap, WheelManner } from './index.js';
 
 export interface WetFurElementEventMap extends WetFurEventMap {
   /** The picture has taken the place of the poster. */
@@ -18,7 +18,6 @@ export class WetFurElement extends HTMLElement {
   preset: PresetName | '';
   /** Attribute light-rig. */
   lightRig: LightRig | undefined;
-  behaviour: Behaviour | undefined;
   tool: Tool;
   cameraControls: boolean;
   cameraOrbit: string;

@@ -31,12 +31,7 @@ float smoothed(float level) { return level * level * (3 - 2 * level); }
 void BehaviourStage::follow(const Inputs& inputs) {
   if (!noteChange(shapeFor_, inputs.shape.surfaceRevision())) return;
   can_ = repertoireOf(inputs.shape.rig());
-  habits_.clear();
-  for (std::size_t i = 0; i < kActionCount; ++i) {
-    const auto action = static_cast<Action>(i);
-    const bool habit = traitsOf(action).chance > 0 || action == Action::Stand || action == Action::Shake;
-    if (habit && can(action)) habits_.push_back(can_.of(action).animation);
-  }
+  played_.clear();
   voices_.clear();
   voices_.reserve(kMostVoices + 1);
   plays_ = {};
@@ -254,6 +249,9 @@ void BehaviourStage::look(const Inputs& inputs, float seconds) {
 
 void BehaviourStage::compose() {
   mix_.clear();
+  played_.assign(1, can_.of(Action::Stand).animation);
+  for (const Voice& voice : voices_)
+    if (const int animation = can_.of(voice.action).animation; std::find(played_.begin(), played_.end(), animation) == played_.end()) played_.push_back(animation);
   for (const Voice& voice : voices_) mix_.bodies.push_back({can_.of(voice.action).animation, static_cast<float>(voice.seconds), voice.weight()});
   for (std::size_t i = 0; i < kGestureCount; ++i) {
     const Repertoire::Clip& clip = can_.gestures[i];

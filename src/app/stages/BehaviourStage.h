@@ -41,8 +41,8 @@ class BehaviourStage {
 
   // What it plays in place of the setting `animation`; nullptr: nothing.
   const scene::PoseMix* mix() const { return inCharge_ ? &mix_ : nullptr; }
-  // Animations that it plays by itself, first the one in which it stands; empty as above.
-  std::span<const int> habits() const { return inCharge_ ? std::span<const int>(habits_) : std::span<const int>(); }
+  // The animations of what it does now, first the one in which it stands; empty as above.
+  std::span<const int> played() const { return inCharge_ ? std::span<const int>(played_) : std::span<const int>(); }
 
   // Has it do something, as soon as it can. False: it cannot.
   bool act(std::string_view name);
@@ -94,7 +94,7 @@ class BehaviourStage {
   bool gesturing() const;
 
   Repertoire can_;
-  std::vector<int> habits_;
+  std::vector<int> played_;
   scene::PoseMix mix_;
   std::vector<Voice> voices_;
   std::array<Play, kGestureCount> plays_{};

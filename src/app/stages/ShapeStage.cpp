@@ -12,8 +12,8 @@ namespace fur::app {
 
 namespace {
 
-// Poses of an animation that are looked at for how far it goes; of each where there are several.
-constexpr int kMeasuredPoses = 12, kFewPoses = 4;
+// Poses of an animation that are looked at for how far it goes.
+constexpr int kMeasuredPoses = 12;
 constexpr int kMixed = -2;  // no animation: several
 
 // Values of the mesh's vertices as values of the surface's.
@@ -45,13 +45,14 @@ Mat3 frameOf(Vec3 normal, Vec3 tangent) {
   return Mat3(normal, tangent, glm::cross(normal, tangent));
 }
 
-// The smallest sphere that holds a point and the sphere before.
-void include(ShapeStage::Extent& extent, const Vec3& point) {
+// The smallest sphere that holds a point, or another sphere, and the sphere before.
+void include(ShapeStage::Extent& extent, const Vec3& point, float radius = 0) {
   const Vec3 away = point - extent.centre;
-  const float distance = glm::length(away);
+  const float length = glm::length(away), distance = length + radius;
   if (distance <= extent.radius) return;
+  if (length + extent.radius <= radius) return void(extent = {point, radius});
   const float further = 0.5f * (distance - extent.radius);
-  extent.centre += away * (further / distance);
+  extent.centre += away * (further / length);
   extent.radius += further;
 }
 
@@ -76,6 +77,7 @@ void ShapeStage::setSurface(geometry::Surface surface) {
   ++surfaceRevision_;
   spreadMaterials();
   bindRig();
+  reaches_.clear();
   measure({});
 }
 
@@ -154,21 +156,30 @@ void ShapeStage::measure(std::span<const int> animations) {
   extent_ = {};
   groundHeight_ = 0;
   for (const geometry::SurfaceVertex& v : surface_.vertices) groundHeight_ = std::min(groundHeight_, v.position.y);
-  if (!pose_) return;
-  for (const int animation : animations) reach(animation, animations.size() > 1 ? kFewPoses : kMeasuredPoses, animation == animations.front());
-  if (animation_ != kMixed) pose_->set(animation_, static_cast<float>(seconds_));
+  for (const int animation : animations) {
+    const Reach& reach = reachOf(animation);
+    if (animations.size() == 1) extent_ = reach.extent;
+    else include(extent_, reach.extent.centre, reach.extent.radius);
+    if (animation == animations.front()) groundHeight_ = std::min(groundHeight_, reach.ground);
+  }
 }
 
-// How far the animation goes, and how far down.
-void ShapeStage::reach(int animation, int poses, bool ground) {
+const ShapeStage::Reach& ShapeStage::reachOf(int animation) {
+  const auto known = std::find_if(reaches_.begin(), reaches_.end(), [&](const Reach& reach) { return reach.animation == animation; });
+  if (known != reaches_.end()) return *known;
+  Reach reach{animation, {}, 0};
   const float duration = rig_.animations[static_cast<std::size_t>(animation)].duration;
-  for (int k = 0; k < poses; ++k) {
-    pose_->set(animation, duration * static_cast<float>(k) / static_cast<float>(poses));
+  for (int k = 0; k < kMeasuredPoses; ++k) {
+    pose_->set(animation, duration * static_cast<float>(k) / kMeasuredPoses);
     for (const Vec3& p : pose_->positions()) {
-      if (ground) groundHeight_ = std::min(groundHeight_, p.y);
-      include(extent_, p);
+      reach.ground = std::min(reach.ground, p.y);
+      include(reach.extent, p);
     }
   }
+  // The pose is what is shown.
+  if (animation_ != kMixed) pose_->set(animation_, static_cast<float>(seconds_));
+  else animation_ = -1;  // then it is set in this update
+  return reaches_.emplace_back(reach);
 }
 
 bool ShapeStage::play(const Inputs& inputs) {
@@ -194,11 +205,8 @@ bool ShapeStage::play(const Inputs& inputs) {
 
 bool ShapeStage::update(const Inputs& inputs) {
   if (!pose_) return false;
-  const std::span<const int> one(&inputs.animation, inputs.animation >= 0 ? 1 : 0), plays = inputs.mix ? inputs.habits : one;
-  if (!std::equal(plays.begin(), plays.end(), measuredFor_.begin(), measuredFor_.end())) {
-    measure(plays);
-    if (inputs.mix) animation_ = -1;  // the pose is one that was measured
-  }
+  const std::span<const int> one(&inputs.animation, inputs.animation >= 0 ? 1 : 0), plays = inputs.mix ? inputs.played : one;
+  if (!std::equal(plays.begin(), plays.end(), measuredFor_.begin(), measuredFor_.end())) measure(plays);
   lastSeconds_ = 0;
   if (!play(inputs)) return false;
   std::swap(lastPositions_, skin_.positions);

@@ -22,13 +22,13 @@ class ShapeStage {
     float seconds = 0;    // that have passed
     int animation = -1;   // of the rig; -1: none
     float speed = 0;      // of the animation, a factor; 0: it stands still
-    // In place of that, what it plays now; another number whenever that changes; and which animations it may play, for how far they
-    // go, the first of which stands on the ground.
+    // In place of that, what it plays now; another number whenever that changes; and the animations in it, of which the first stands
+    // on the ground.
     const scene::PoseMix* mix = nullptr;
     std::uint64_t mixRevision = 0;
-    std::span<const int> habits{};
+    std::span<const int> played{};
   };
-  // A sphere that holds the skin, whatever the animation does with it. Model units.
+  // A sphere that holds the skin, whatever the animations that it plays do with it. Model units.
   struct Extent {
     Vec3 centre{0};
     float radius = 1;
@@ -92,8 +92,14 @@ class ShapeStage {
   void bindRig();
   void readSkin();
   void leanOverEdges();
+  // How far an animation goes, and how far down.
+  struct Reach {
+    int animation;
+    Extent extent;
+    float ground;
+  };
   void measure(std::span<const int> animations);
-  void reach(int animation, int poses, bool ground);
+  const Reach& reachOf(int animation);
   bool play(const Inputs& inputs);
   void spreadMaterials();
 
@@ -114,6 +120,7 @@ class ShapeStage {
   double seconds_ = 0;       // of it
   std::uint64_t mixShown_ = 0;
   std::vector<int> measuredFor_;  // the animations that extent and ground are for
+  std::vector<Reach> reaches_;    // of animations that have been played
   Extent extent_;
   float groundHeight_ = -1;
   mutable geometry::SurfaceQuery posedQuery_;

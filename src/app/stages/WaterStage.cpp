@@ -126,23 +126,28 @@ std::vector<wet::MaskTexels> WaterStage::takeTexels(const ShapeStage& shape, boo
   return texels;
 }
 
-const std::vector<float>& WaterStage::vertexWetness(const ShapeStage& shape) {
-  if (vertexWetnessFor_ == revision_ && vertexSurfaceFor_ == shape.surfaceRevision()) return vertexWetness_;
-  vertexWetnessFor_ = revision_;
-  vertexSurfaceFor_ = shape.surfaceRevision();
-  // Vertices of one point weigh the same, whichever charts they are of: where they bent apart, the coat would crack.
-  const geometry::Surface& surface = shape.surface();
+// Where the vertices lie, and how many of them there are at a point.
+void WaterStage::placeVertices(const ShapeStage& shape) {
   const groom::SurfacePoints& points = shape.points();
-  vertexWetness_.resize(surface.vertices.size());
-  std::vector<Vec2> sums(points.count(), Vec2(0));
-  for (std::size_t i = 0; i < vertexWetness_.size(); ++i) {
-    const Vec2 atlas = surface.vertices[i].atlas;
-    sums[points.pointOf[i]] += Vec2(mask_.at(atlas.x, atlas.y).w, 1);
+  vertexTexels_.clear();
+  pointVertices_.assign(points.count(), 0);
+  for (const geometry::SurfaceVertex& vertex : shape.surface().vertices) {
+    pointVertices_[points.pointOf[vertexTexels_.size()]] += 1;
+    vertexTexels_.push_back(static_cast<std::uint32_t>(mask_.indexAt(vertex.atlas.x, vertex.atlas.y)));
   }
-  for (std::size_t i = 0; i < vertexWetness_.size(); ++i) {
-    const Vec2& sum = sums[points.pointOf[i]];
-    vertexWetness_[i] = sum.x / sum.y;
-  }
+}
+
+const std::vector<float>& WaterStage::vertexWetness(const ShapeStage& shape) {
+  const bool other = noteChange(vertexSurfaceFor_, shape.surfaceRevision());
+  if (other) placeVertices(shape);
+  if (!noteChange(vertexWetnessFor_, revision_) && !other) return vertexWetness_;
+  // Vertices of one point weigh the same, whichever charts they are of: where they bent apart, the coat would crack.
+  const std::vector<std::uint32_t>& pointOf = shape.points().pointOf;
+  pointSums_.assign(pointVertices_.size(), 0);
+  for (std::size_t i = 0; i < vertexTexels_.size(); ++i) pointSums_[pointOf[i]] += mask_.texels()[vertexTexels_[i]].w;
+  for (std::size_t i = 0; i < pointSums_.size(); ++i) pointSums_[i] /= pointVertices_[i];
+  vertexWetness_.resize(vertexTexels_.size());
+  for (std::size_t i = 0; i < vertexTexels_.size(); ++i) vertexWetness_[i] = pointSums_[pointOf[i]];
   return vertexWetness_;
 }
 

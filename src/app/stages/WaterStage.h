@@ -122,6 +122,7 @@ class WaterStage {
   void scatter(const ShapeStage& shape, const Vec3& centre, const Vec3& normal, float radius, float clump, float amount);
   void soak(const ShapeStage& shape, float amount, float clump);
   void touch();
+  void placeVertices(const ShapeStage& shape);
   void noteLanded(std::span<const std::uint32_t> triangles);
 
   std::vector<std::uint32_t> landed_;
@@ -142,6 +143,8 @@ class WaterStage {
   std::uint32_t steps_ = 0;
 
   std::vector<float> vertexWetness_;
+  std::vector<std::uint32_t> vertexTexels_;  // in which the vertices of the surface lie
+  std::vector<float> pointVertices_, pointSums_;  // of each point of the surface: how many vertices, and what they have
   std::uint64_t vertexWetnessFor_ = 0, vertexSurfaceFor_ = 0;
   std::vector<std::uint8_t> puddles_;
   std::uint32_t puddlesFor_ = 0, puddlesRevision_ = 0;

@@ -121,12 +121,12 @@ struct Zoo {
     behaviour.update(inputs(seconds));
     landed.clear();
     idleTime += seconds;
-    return shape.update({seconds, shape.animationOf(settings.animation), reducedMotion ? 0 : settings.animationSpeed, behaviour.mix(), behaviour.revision(), behaviour.habits()});
+    return shape.update({seconds, shape.animationOf(settings.animation), reducedMotion ? 0 : settings.animationSpeed, behaviour.mix(), behaviour.revision(), behaviour.played()});
   }
   void run(float seconds) {
     for (int i = 0; i < static_cast<int>(seconds * 60 + 0.5f); ++i) step(1 / 60.0f);
   }
-  bool active() { return behaviour.active(inputs(0)) || shape.active({0, shape.animationOf(settings.animation), settings.animationSpeed, behaviour.mix(), behaviour.revision(), behaviour.habits()}); }
+  bool active() { return behaviour.active(inputs(0)) || shape.active({0, shape.animationOf(settings.animation), settings.animationSpeed, behaviour.mix(), behaviour.revision(), behaviour.played()}); }
   Vec3 placeOf(int node) const { return Vec3(shape.pose()->transform(static_cast<std::size_t>(node))[3]); }
   // The way in which a joint faces, unit.
   Vec3 facing(int node) const { return glm::normalize(Vec3(shape.pose()->transform(static_cast<std::size_t>(node))[2])); }

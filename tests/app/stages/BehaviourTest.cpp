@@ -209,6 +209,28 @@ TEST(Behaviour, LeftAloneItDozesAndWakesWhenSomebodyComes) {
   EXPECT_TRUE(zoo.step(1 / 60.0f));
 }
 
+TEST(Behaviour, TheExtentHoldsWhatItDoesNowAndNoMore) {
+  Animal large;
+  large.rig.scale = 1.5f;
+  for (Vec3& p : large.mesh.positions) p *= 1.5f;
+  Zoo zoo(large);
+  zoo.settings.behaviour = 1;
+  zoo.run(1);
+  const app::ShapeStage::Extent stands = zoo.shape.extent();
+  zoo.behaviour.act("groom");
+  float widest = 0;
+  for (int i = 0; i < 5 * 60; ++i) {
+    zoo.step(1 / 60.0f);
+    const auto [centre, radius] = zoo.shape.extent();
+    widest = std::max(widest, radius);
+    // It is measured at some poses, between which vertices move by a hundredth.
+    for (const Vec3& p : zoo.shape.skin()->positions) ASSERT_LT(glm::distance(p, centre), radius + 0.02f) << i;
+  }
+  EXPECT_GT(widest, stands.radius + 0.02f);
+  EXPECT_EQ(zoo.shape.extent().radius, stands.radius);
+  EXPECT_EQ(zoo.shape.extent().centre, stands.centre);
+}
+
 TEST(Behaviour, HeldItStandsWhereItIs) {
   Zoo zoo;
   zoo.run(1);

@@ -48,6 +48,9 @@ export async function onAPage(): Promise<void> {
   const element: WetFurElement = document.createElement('wet-fur');
   element.src = 'otter.glb';
   element.loading = 'lazy';
+  element.behaviour = 'none';
+  element.addEventListener('action-end', ({ detail: { action } }) => console.log(action));
+  if (element.actions.includes('sit')) element.act('sit');
   element.preset = 'chinchilla';
   // @ts-expect-error there is no such coat
   element.preset = 'fox';
