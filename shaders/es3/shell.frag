@@ -60,7 +60,7 @@ float enterCoat() {
   // chance, so that nothing forms rings.
   noise = otherPixelNoise();
   between = fract(noise * 7.0) - 0.5;
-  float first = kFirstStep * stepSize * (noise - 0.25 * finer);
+  float first = kFirstStep * stepSize * (noise - 0.5 * min(finer, 1.0));
   enterView();
   enterWater();
   softness = kReferenceSteps * stepSize;

@@ -30,7 +30,9 @@ int App::State::bandsOfBest() const {
 
 int App::State::samplesWanted() const {
   if (!settings.refine || !refines || coat.growing()) return 1;
-  return bandsOfBest() > 1 ? kFewSamples : render::kMostSamples;
+  // While fur dries there is another picture each second.
+  const bool slow = bandsOfBest() > 1, dries = water.active(waterInputs(0, 0));
+  return slow && dries ? 1 : slow || dries ? kFewSamples : render::kMostSamples;
 }
 
 Status App::State::drawFrame(const Drawn& drawn) {
@@ -62,7 +64,10 @@ Status App::State::drawSamples(int level, int samples) {
   return Done{};
 }
 
-void App::State::forgetSamples() { samplesDone = bandsDrawn = 0; }
+void App::State::forgetSamples() {
+  samplesDone = bandsDrawn = 0;
+  stale = false;
+}
 
 Status App::draw(Picture picture, int samples) {
   State& s = *state_;
@@ -118,7 +123,7 @@ int App::savedSamples() const { return state_->settings.refine && state_->refine
 
 bool App::improvable() const {
   const State& s = *state_;
-  return s.bestLevel < s.drawnLevel || s.samplesShown < s.samplesWanted();
+  return s.bestLevel < s.drawnLevel || s.stale || s.samplesShown < s.samplesWanted();
 }
 
 Result<bool> App::improve() {
@@ -128,6 +133,10 @@ Result<bool> App::improve() {
   if (s.pictureRevision() != s.noticed || still < s.drawnLevel) {
     if (Status status = draw(Picture::Still); !status) return status.error();
     return true;
+  }
+  if (s.stale && s.bandsDrawn == 0 && s.samplesDone >= s.samplesShown) {
+    s.forgetSamples();
+    s.samplesShown = std::min(s.samplesShown, kFewSamples) - 1;  // it makes room for as many
   }
   // The best picture is the first of its samples.
   if (s.bandsDrawn == 0) s.bands = s.bandsOfBest();

@@ -139,6 +139,8 @@ struct App::State {
   // Of a picture that stays: samples that are gathered, and how many the picture has that is shown; bands of the next one.
   int samplesDone = 0, samplesShown = 1;
   int bands = 1, bandsDrawn = 0;
+  bool stale = false;   // what is gathered lacks a slight change
+  float bustle = 0;     // changes that came lately
   bool refines = true;  // as setRefining() said
   bool governed = false;
 
@@ -175,6 +177,7 @@ struct App::State {
   void advance(float seconds, double coatBudget);
   // Of all that is seen; another number whenever any of it has changed.
   std::uint64_t pictureRevision() const;
+  std::uint64_t revisionButWater() const;  // nor what it weighs
   bool noticeChanges() { return noteChange(noticed, pictureRevision()); }
 
   // --- AppFrame.cpp ---

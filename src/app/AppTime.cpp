@@ -11,6 +11,8 @@ namespace {
 
 // Seconds without anybody there.
 constexpr float kRestBeforeTurning = 3;
+// Changes of a picture: so many a second, and how many together, are seldom.
+constexpr float kSeldom = 4;
 // How hard a hair dryer blows the fur about: strength of the wind.
 constexpr float kDryerWind = 0.7f;
 // An animal minds a pointer for so long after it moved, s, and looks as far along its ray as this share of the way to the model.
@@ -136,15 +138,24 @@ void App::State::advance(float seconds, double coatBudget) {
   if (hand.keyHold > 0 && (hand.keyHold -= seconds) <= 0) endStroke();
 }
 
-std::uint64_t App::State::pictureRevision() const {
-  return changed + shape.revision() + groom.revision() + coat.revision() + water.revision() + motion.revision() + hair->revision();
-}
+std::uint64_t App::State::pictureRevision() const { return revisionButWater() + water.revision() + motion.revision(); }
+std::uint64_t App::State::revisionButWater() const { return changed + shape.revision() + groom.revision() + coat.revision() + hair->revision(); }
 
 // --- App's side --------------------------------------------------------------------------------
 
+// Fur that dries changes about once a second by what nobody sees. A picture that has been gathered stays until that is gathered, too, or
+// its grain would come and go.
 bool App::tick(float seconds, float coatBudget) {
-  if (!state_->paused) state_->advance(std::max(seconds, 0.0f), coatBudget);
-  return state_->noticeChanges();
+  State& s = *state_;
+  const bool told = s.pictureRevision() != s.noticed;
+  const std::uint64_t others = s.revisionButWater();
+  if (!s.paused) s.advance(std::max(seconds, 0.0f), coatBudget);
+  s.bustle = std::max(s.bustle - kSeldom * seconds, 0.0f);
+  if (!s.noticeChanges()) return false;
+  s.bustle = std::min(s.bustle + 1, 2 * kSeldom);
+  const bool slight = !told && others == s.revisionButWater() && s.bustle <= kSeldom && s.samplesShown > 1;
+  s.stale |= slight;
+  return !slight;
 }
 
 void App::settle() {

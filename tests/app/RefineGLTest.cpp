@@ -163,6 +163,28 @@ TEST(Refine, AChangeStartsAfresh) {
   EXPECT_LT(distance(gathered, changed), 8);
 }
 
+// Else it would be grainy for a moment once a second.
+TEST(Refine, FurThatDriesKeepsItsPictureUntilTheNextIsGathered) {
+  Studio studio;
+  studio.app.setWetness(0.4f);
+  for (int i = 0; i < 600; ++i) studio.app.tick(1 / 60.0f);
+  studio.of(1);
+  EXPECT_EQ(studio.improve().first, 15);
+  int moved = 0, shown = 0, hidden = 0;
+  for (int i = 0; i < 300; ++i) {
+    moved += studio.app.tick(1 / 60.0f);
+    if (!studio.app.improvable()) continue;
+    studio.stage.attachTarget();
+    ++(studio.app.improve().value() ? shown : hidden);
+  }
+  EXPECT_EQ(moved, 0);
+  EXPECT_GE(shown, 2);
+  EXPECT_GE(hidden, 14 * shown);
+  // What somebody does is seen at once.
+  ASSERT_TRUE(studio.app.splashPixel({kSide / 2, kSide / 2}, 0.1f, 0.5f));
+  EXPECT_TRUE(studio.app.tick(1 / 60.0f));
+}
+
 TEST(Refine, APanelThatMovesAloneFindsThePictureAsItWas) {
   Studio studio;
   studio.of(1);
