@@ -70,6 +70,14 @@ float enterCoat() {
   return first;
 }
 
+// After a step that adds so much to what is hidden.
+void stepOn(inout March march, Strand here, float add) {
+  viewStep(here, add);
+  march.xSum += add * march.x;
+  march.alpha += add;
+  march.x += stepSize;
+}
+
 // Steps along the ray until strands hide what is behind them, FUR_MOST_STEPS times at most. Look-ups in a step: 1; GROOMED 1 more;
 // TYPES 2 for each type instead of the 1; WET 2 more, 3 outside its chart. On a software rasteriser the loop itself costs as much
 // as they do: few variables and one way out.
@@ -78,15 +86,19 @@ March marchCoat(float first) {
   int mostSteps = FUR_MOST_STEPS;
   if (underSheet()) mostSteps = kSheetSteps;
   int steps = stepsTo(end, march.x, stepSize, mostSteps);
+#ifdef TYPES
+  for (int i = 0; i < steps && plain && march.alpha <= closes; ++i) {
+    Strand here = standingAt(heightAt(march.x), march);
+    shape(here);
+    stepOn(march, here, addPlain(here, march));
+  }
+  if (plain) steps = 0;
+#endif
   for (int i = 0; i < steps && march.alpha <= closes; ++i) {
     Strand here = standingAt(heightAt(march.x), march);
     shape(here);
     trim(here, march);
-    float add = addStrand(here, march);
-    viewStep(here, add);
-    march.xSum += add * march.x;
-    march.alpha += add;
-    march.x += stepSize;
+    stepOn(march, here, addStrand(here, march));
   }
   return march;
 }

@@ -36,6 +36,7 @@ void enterGroom() {
   grown = coatShare(texel);
 #ifdef TYPES
   skinUnder = skinColorOf(presences(texel.gba));
+  enterTypes(texel.r);
 #else
   skinUnder = skinColors[0].rgb;
 #endif

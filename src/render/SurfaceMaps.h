@@ -29,6 +29,8 @@ class SurfaceMaps {
   std::size_t updateBends(std::span<const Vec4> bends);
   // Only what has changed; all of a map of another size.
   std::size_t updateGroom(const groom::GroomMap& map, const geometry::TexelRect& changed);
+  // Levels of cells (groom/TypesNear.h), all of them.
+  std::size_t updateTypesNear(std::span<const std::vector<std::uint8_t>> levels);
   std::size_t updatePaint(const groom::GroomMap& paint, const geometry::TexelRect& changed);
   std::size_t updateShape(const groom::GroomMap& shape, const geometry::TexelRect& changed);
 
@@ -42,7 +44,7 @@ class SurfaceMaps {
   std::size_t bytes() const;
 
  private:
-  gl::Texture mask_, bends_, groom_, paint_, shape_, lockCentres_, typeColors_;
+  gl::Texture mask_, bends_, groom_, paint_, shape_, lockCentres_, typeColors_, typesNear_;
   TypePictures typePictures_ = kNoPictures;
   unsigned long revision_ = 0;
 };

@@ -1,5 +1,7 @@
 // Meshes that only benches need, as .glb: bunny4, bunny16, bunny64 (the bunny with that many times its triangles) and
-// torus142k (Silva et al. 2010, table 1, has a model of 142 thousand triangles), tentacle20k (20 thousand vertices on a skin that waves).
+// torus142k (Silva et al. 2010, table 1, has a model of 142 thousand triangles), tentacle20k (20 thousand vertices on a skin that waves),
+// bear6 and bear1 (tests/fixtures/bear.mjs with six materials and with one).
+import { bear } from '../fixtures/bear.mjs';
 
 /** { positions, normals, uvs, indices } of a .glb as the project's own exporter writes it, and back. */
 function read(bytes) {
@@ -121,6 +123,8 @@ export function tentacle(around, along) {
 /** undefined when there is none of that name. `bunny`: the bytes of bunny.glb. */
 export function benchModel(name, bunny) {
   if (name === 'tentacle20k') return tentacle(125, 159);
+  if (name === 'bear6') return bear({ apart: true });
+  if (name === 'bear1') return bear({ apart: true, one: true });
   if (name === 'torus142k') return write(torus(377, 188));
   const times = { bunny4: 1, bunny16: 2, bunny64: 3 }[name];
   if (!times) return undefined;
