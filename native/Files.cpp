@@ -100,7 +100,9 @@ Status restoreTypeFiles(app::App& app, std::span<const std::uint8_t> bytes) {
 Status loadTypeSet(app::App& app, const std::string& path, int type) {
   const auto bytes = readFile(path);
   if (!bytes) return bytes.error();
-  return app.loadTypeSet(bytes.value(), fs::path(path).filename().string(), type);
+  const Status status = app.loadTypeSet(bytes.value(), fs::path(path).filename().string(), type);
+  decodePictures(app);
+  return status;
 }
 
 Status loadTypePicture(app::App& app, const std::string& path, int type) {
