@@ -127,7 +127,7 @@ void CoatPanel::drawOwnCoats(const EditorModel& model, std::vector<Command>& com
   const std::string_view name = settings::typeName(model.settings, type_);
   if (name.empty()) std::snprintf(standard, sizeof standard, "Coat %d", static_cast<int>(model.ownCoats.size()) + 1);
   else std::snprintf(standard, sizeof standard, "%s", name.data());
-  if (std::string kept = newName_.draw("##coatName", "Keep", standard); !kept.empty()) commands.push_back(command::KeepCoat{std::move(kept)});
+  if (std::string kept = newName_.draw("##coatName", "Keep##coat", standard); !kept.empty()) commands.push_back(command::KeepCoat{std::move(kept)});
   for (const OwnCoatView& own : model.ownCoats) {
     ImGui::PushID(own.id.c_str());
     const KeptRows::Pressed pressed = ownRows_.draw(own.id, own.name, "", {"Wear", "File"});

@@ -292,7 +292,7 @@ test('a link takes the water along, and says when it does not fit', async () => 
 });
 
 test('a visit that goes on with the water of a link shares all of it again', async () => {
-  const page = await site.open(`?${plain}&src=sphere&dryRate=0`, { permissions: ['clipboard-read', 'clipboard-write'] });
+  const page = await site.open(`${simple}&src=sphere&dryRate=0`, { permissions });
   const linkOf = async (tab) => {
     await copyLink(tab);
     return new URL(await tab.evaluate(() => navigator.clipboard.readText())).search;
