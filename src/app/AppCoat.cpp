@@ -49,7 +49,7 @@ Status App::wearCoat(std::span<const std::uint8_t> bytes, const std::string& nam
   auto coat = scene::readCoat(bytes, name);
   if (!coat) return coat.error();
   State& s = *state_;
-  const auto files = s.shelf.addFiles({&coat->files, 1}, name);
+  auto files = s.shelf.addFiles({&coat->files, 1}, name);
   if (!files) return files.error();
   for (const std::string& warning : coat->warnings) addWarning(name + ": " + warning);
   settings::Settings next = s.settings;

@@ -56,20 +56,20 @@ float spots(const Vec3& at, float size, std::uint32_t seed) {
 }
 
 float rosettes(const Vec3& at, float size, std::uint32_t seed) {
-  constexpr float kPerUnit = 3.4f;
+  constexpr float kPerUnit = 4.2f;
   const Vec3 scaled = at * (kPerUnit / size);
   const NearPoint near = nearPoint(scaled + 0.2f * Vec3(warp(scaled, seed + 5), warp(scaled, seed + 6), warp(scaled, seed + 8)), seed);
   const float radius = 0.31f + 0.1f * near.own, ring = std::abs(near.distance - radius);
   // Rings have gaps.
-  const float whole = smoothBetween(0.3f, 0.45f, noiseAt(scaled * 2.6f, seed + 11));
-  return whole * smoothBetween(0.125f, 0.065f, ring);
+  const float whole = smoothBetween(0.32f, 0.44f, noiseAt(scaled * 2.6f, seed + 11));
+  return whole * smoothBetween(0.12f, 0.06f, ring);
 }
 
 float patches(const Vec3& at, float size, std::uint32_t seed) {
-  constexpr float kPerUnit = 1.5f;
+  constexpr float kPerUnit = 1.9f;
   const Vec3 scaled = at * (kPerUnit / size);
   const float field = noiseAt(scaled, seed) + 0.22f * warp(scaled * 2.3f, seed + 3) + 0.05f * warp(scaled * 9.0f, seed + 4);
-  return smoothBetween(0.5f, 0.54f, field);
+  return smoothBetween(0.54f, 0.58f, field);
 }
 
 // The level axis along which the model is longest.

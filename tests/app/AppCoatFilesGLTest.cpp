@@ -12,8 +12,8 @@
 namespace fur::app {
 namespace {
 
-struct CoatRoom : test::Room {
-  CoatRoom() : Room(48, {{"layers", "8"}, {"tileSize", "64"}, {"breath", "0"}, {"ground", "false"}}) { app.settle(); }
+struct WearingRoom : test::Room {
+  WearingRoom() : Room(48, {{"layers", "8"}, {"tileSize", "64"}, {"breath", "0"}, {"ground", "false"}}) { app.settle(); }
   auto picture() { return settled().rgba; }
 };
 
@@ -30,7 +30,7 @@ double meanChannel(const std::vector<std::uint8_t>& pixels, std::size_t channel)
 }
 
 TEST(AppCoats, ASavedCoatBringsAllOfItToAnyTypeInOneStepOfUndo) {
-  CoatRoom from;
+  WearingRoom from;
   from.app.applyPreset("persian");
   from.app.setField("curl", "0.7");
   from.app.setField("type1.name", "Cloud");
@@ -40,12 +40,14 @@ TEST(AppCoats, ASavedCoatBringsAllOfItToAnyTypeInOneStepOfUndo) {
   const settings::Settings coat = from.app.settings();
 
   for (const int type : {0, 2}) {
-    CoatRoom room;
+    WearingRoom room;
     const std::string before = room.app.state();
     ASSERT_TRUE(room.app.loadTypeSet(file, "cloud.coat", type));
     const settings::Settings worn = settings::typeCoat(room.app.settings(), type);
     for (const settings::Field& field : settings::fields())
-      if (field.has(settings::kOfType)) EXPECT_EQ(field.get(worn), field.get(coat)) << field.name;
+      if (field.has(settings::kOfType)) {
+        EXPECT_EQ(field.get(worn), field.get(coat)) << field.name;
+      }
     EXPECT_EQ(settings::typeName(room.app.settings(), type), "Cloud");
     ASSERT_EQ(room.app.pendingPictures().size(), 1u);
     EXPECT_EQ(room.app.typePicture(room.app.pendingPictures()[0]).bytes, red.png);
@@ -56,7 +58,7 @@ TEST(AppCoats, ASavedCoatBringsAllOfItToAnyTypeInOneStepOfUndo) {
 }
 
 TEST(AppCoats, ASavedCoatHasTheStrandsOfItsFile) {
-  CoatRoom room;
+  WearingRoom room;
   const auto strands = room.app.saveTypeSet();
   ASSERT_TRUE(room.app.loadTypeSet(strands, "coat.fts"));
   const auto drawn = room.picture();
@@ -70,7 +72,7 @@ TEST(AppCoats, ASavedCoatHasTheStrandsOfItsFile) {
 }
 
 TEST(AppCoats, ACoatWithoutFilesTakesThoseOfTheCoatBeforeAway) {
-  CoatRoom room;
+  WearingRoom room;
   const auto plain = room.app.saveCoat("Plain");
   const OneColor red({255, 0, 0, 255});
   ASSERT_TRUE(room.app.setTypePicture(1, red.png, 1, 1, red.rgba));
@@ -80,7 +82,7 @@ TEST(AppCoats, ACoatWithoutFilesTakesThoseOfTheCoatBeforeAway) {
 }
 
 TEST(AppCoats, HostileOnesAreTypedErrorsAndNothingIsLost) {
-  CoatRoom room;
+  WearingRoom room;
   room.app.applyPreset("otter");
   const std::string state = room.app.state();
   const auto picture = room.picture();
@@ -107,7 +109,7 @@ const OneColor kGreen({0, 255, 0, 255});
 
 TEST(AppSkinPicture, ColoursTheSkinWhereItIsSeenAndUndoTakesItAway) {
   for (const char* technique : {"march", "shells"}) {
-    CoatRoom room;
+    WearingRoom room;
     room.app.setField("technique", technique);
     room.app.setField("density", "0.1");
     const auto before = room.picture();
@@ -123,14 +125,14 @@ TEST(AppSkinPicture, ColoursTheSkinWhereItIsSeenAndUndoTakesItAway) {
 
 TEST(AppSkinPicture, IsSeenOnBareSkinAndInBaldPlacesToo) {
   for (const auto& [name, value] : {std::pair("shells", "false"), std::pair("density", "0")}) {
-    CoatRoom room;
+    WearingRoom room;
     room.app.setField(name, value);
     room.app.setField("fins", "false");
     ASSERT_TRUE(room.app.usePicture(PictureUse::Skin, "skin.png", 1, 1, kGreen.rgba));
     const test::Picture picture = room.settled();
     EXPECT_GT(picture.at(24, 24)[1], picture.at(24, 24)[0] + 40) << name;
   }
-  CoatRoom room;
+  WearingRoom room;
   room.app.groomAll(GroomEdit::Length, 0);
   ASSERT_TRUE(room.app.usePicture(PictureUse::Skin, "skin.png", 1, 1, kGreen.rgba));
   const test::Picture bald = room.settled();
@@ -138,7 +140,7 @@ TEST(AppSkinPicture, IsSeenOnBareSkinAndInBaldPlacesToo) {
 }
 
 TEST(AppSkinPicture, LeavesTheSkinAsItIsWhereItIsClear) {
-  CoatRoom room;
+  WearingRoom room;
   room.app.setField("view", "skin");
   const test::Picture before = room.settled();
   const OneColor clear({0, 255, 0, 0});
@@ -148,7 +150,7 @@ TEST(AppSkinPicture, LeavesTheSkinAsItIsWhereItIsClear) {
 }
 
 TEST(AppSkinPicture, GoesWithTheSceneAndToOtherPrograms) {
-  CoatRoom room;
+  WearingRoom room;
   ASSERT_TRUE(room.app.usePicture(PictureUse::Skin, "skin.png", 1, 1, kGreen.rgba, kGreen.png));
   const settings::Settings settings = room.app.settings();
   App other;
@@ -163,7 +165,7 @@ TEST(AppSkinPicture, GoesWithTheSceneAndToOtherPrograms) {
   EXPECT_EQ(third.typePicture(settings.typePictures[settings::kSkin]).bytes, kGreen.png);
   // Kept by a program of before, which knew no skin: two texts of no length less.
   App fourth;
-  CoatRoom plain;
+  WearingRoom plain;
   auto before = plain.app.saveTypeFiles();
   ASSERT_EQ(before.size() % 5, 0u);
   before.resize(before.size() / 5 * 4);
@@ -173,7 +175,7 @@ TEST(AppSkinPicture, GoesWithTheSceneAndToOtherPrograms) {
 }
 
 TEST(AppPictures, ThatAreTheColourOfOneTypeBecomeItsColourMap) {
-  CoatRoom room;
+  WearingRoom room;
   room.app.groomAll(GroomEdit::Type, 2);
   room.app.setField("type2.preset", "wool");
   room.app.setField("groomType", "2");
@@ -191,7 +193,7 @@ TEST(AppPictures, ThatAreTheColourOfOneTypeBecomeItsColourMap) {
 }
 
 TEST(AppPictures, LieOnTheAtlasOfAModelWithoutTextureCoordinates) {
-  CoatRoom room;  // a primitive
+  WearingRoom room;  // a primitive
   room.app.setField("textureAmount", "1");
   // Left red, right green.
   const std::vector<std::uint8_t> halves{255, 0, 0, 255, 0, 255, 0, 255};
@@ -207,7 +209,7 @@ TEST(AppPictures, LieOnTheAtlasOfAModelWithoutTextureCoordinates) {
 }
 
 TEST(AppPictures, HostileFilesOfColourMapsAreTypedErrorsAndNothingIsLost) {
-  CoatRoom room;
+  WearingRoom room;
   const std::string state = room.app.state();
   const auto files = room.app.saveTypeFiles();
   std::vector<std::uint8_t> wide = kGreen.png;
@@ -227,7 +229,7 @@ TEST(AppPictures, HostileFilesOfColourMapsAreTypedErrorsAndNothingIsLost) {
 // Half-way up the coat: what the four patterns do to the picture of it.
 TEST(AppPatterns, MarkTheCoatInTheColourOfThePaintAndPlainTakesThemAway) {
   for (const char* name : {"tabby", "spots", "rosettes", "patches"}) {
-    CoatRoom room;
+    WearingRoom room;
     room.app.setField("paintColor", "#000000");
     const auto before = room.picture();
     const auto edit = groomEditNamed(name);
