@@ -34,12 +34,14 @@ export class CoatDialog {
     document.body.append(this.#dialog);
   }
 
+  /** Until it is closed. */
   async open() {
     const coats = await this.#show();
     this.#name.value = `Coat ${coats.length + 1}`;
     this.#status.textContent = '';
     this.#dialog.showModal();
     this.#name.select();
+    await new Promise((resolve) => this.#dialog.addEventListener('close', resolve, { once: true }));
   }
 
   async #show() {

@@ -150,7 +150,8 @@ export class Coats {
     } else if (coat) this.#fur.preset = coat;
     else if (button) {
       this.#dialog ??= new CoatDialog((name) => this.#saveCoat(name));
-      await this.#dialog.open();
+      await this.#dialog.open();  // which closes the panel
+      this.#panel.showPopover();
     }
     this.showChosen();
   }

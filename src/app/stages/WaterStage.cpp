@@ -52,7 +52,7 @@ const wet::SurfaceWetting& WaterStage::wetting(const ShapeStage& shape) {
   std::vector<std::uint8_t> bare;
   for (std::uint32_t t = 0; t < shape.surface().triangleCount() && !bareFor_.empty(); ++t) bare.push_back(groom_->isBare(shape.materialAt(t)));
   wetting_.emplace(shape.surface(), mask_.size(), bare);
-  if (otherBare) water_.forgetPlaces();
+  if (!isAnew) water_.forgetPlaces();  // of a new model it knows none
   return *wetting_;
 }
 
