@@ -87,7 +87,8 @@ if(FUR_GL_TESTS AND NOT EMSCRIPTEN AND TARGET third_party_egl AND TARGET fur_app
   if(TARGET fur_app_editor)
     target_link_libraries(wet-fur-gl-tests PRIVATE fur_app_editor)
     # What the window keeps on disk.
-    target_sources(wet-fur-gl-tests PRIVATE "${CMAKE_SOURCE_DIR}/native/Files.cpp" "${CMAKE_SOURCE_DIR}/native/window/FileDialog.cpp" "${CMAKE_SOURCE_DIR}/native/window/Versions.cpp")
+    target_sources(wet-fur-gl-tests PRIVATE "${CMAKE_SOURCE_DIR}/native/Files.cpp" "${CMAKE_SOURCE_DIR}/native/window/FileDialog.cpp"
+      "${CMAKE_SOURCE_DIR}/native/window/OwnCoats.cpp" "${CMAKE_SOURCE_DIR}/native/window/Versions.cpp")
   else()
     list(FILTER FUR_GL_TESTS EXCLUDE REGEX "/tests/editor/")
     set_target_properties(wet-fur-gl-tests PROPERTIES SOURCES "${FUR_GL_TESTS}")

@@ -100,7 +100,9 @@ Status restoreTypeFiles(app::App& app, std::span<const std::uint8_t> bytes) {
 Status loadTypeSet(app::App& app, const std::string& path, int type) {
   const auto bytes = readFile(path);
   if (!bytes) return bytes.error();
-  return app.loadTypeSet(bytes.value(), fs::path(path).filename().string(), type);
+  const Status status = app.loadTypeSet(bytes.value(), fs::path(path).filename().string(), type);
+  decodePictures(app);
+  return status;
 }
 
 Status loadTypePicture(app::App& app, const std::string& path, int type) {
@@ -119,24 +121,29 @@ Status loadHair(app::App& app, const std::string& path) {
 
 namespace {
 
+// use(its name, what is in it, the file)
 template <class Use>
 Status withPicture(const std::string& path, const Use& use) {
-  const auto bytes = readFile(path);
+  auto bytes = readFile(path);
   if (!bytes) return bytes.error();
   const auto image = scene::decodeImage(bytes.value());
   if (!image) return Error{image.error().id, path + ": " + image.error().message};
-  use(fs::path(path).filename().string(), image.value());
-  return Done{};
+  return use(fs::path(path).filename().string(), image.value(), std::move(*bytes));
 }
 
 }  // namespace
 
 Status loadGroomImage(app::App& app, groom::ImageOf what, const std::string& path) {
-  return withPicture(path, [&](const std::string& name, const auto& image) { app.groomFromFile(what, name, image.width, image.height, image.rgba); });
+  return withPicture(path, [&](const std::string& name, const auto& image, auto&&) {
+    app.groomFromFile(what, name, image.width, image.height, image.rgba);
+    return Status(Done{});
+  });
 }
 
 Status usePicture(app::App& app, app::PictureUse use, const std::string& path) {
-  return withPicture(path, [&](const std::string& name, const auto& image) { app.usePicture(use, name, image.width, image.height, image.rgba); });
+  return withPicture(path, [&](const std::string& name, const auto& image, std::vector<std::uint8_t> file) {
+    return app.usePicture(use, name, image.width, image.height, image.rgba, std::move(file));
+  });
 }
 
 Status writeFiles(const std::string& folder, std::span<const scene::NamedFile> files) {

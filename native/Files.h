@@ -22,7 +22,7 @@ Status writeFiles(const std::string& folder, std::span<const scene::NamedFile> f
 // RGBA8 rows from the top.
 Status writePng(const std::string& path, int width, int height, const std::vector<std::uint8_t>& rgba);
 
-// A type set (.fts) by path takes the place of the coat.
+// A type set (.fts) or saved coat (.coat) by path takes the place of the coat.
 Status loadTypeSet(app::App& app, const std::string& path, int type = 0);
 // App::restoreTypeFiles(), with the pictures decoded.
 Status restoreTypeFiles(app::App& app, std::span<const std::uint8_t> bytes);

@@ -5,6 +5,7 @@
 
 #include "Boundary.h"
 #include "app/App.h"
+#include "scene/FurData.h"
 #include "settings/Presets.h"
 
 using namespace fur;
@@ -66,6 +67,13 @@ FUR_EXPORT int fur_restoreTypeFiles(App* app, const std::uint8_t* bytes, std::ui
 FUR_EXPORT int fur_setTypePicture(App* app, int type, const std::uint8_t* bytes, std::uint32_t size, int width, int height, const std::uint8_t* rgba) {
   return guarded([&] {
     return web::report(app->setTypePicture(type, {bytes, bytes + size}, width, height, {rgba, rgba + std::size_t(width) * std::size_t(height) * 4}));
+  });
+}
+// too-large: it is a picture with more pixels than are read. What it is else is for the browser to say.
+FUR_EXPORT int fur_checkPicture(const std::uint8_t* bytes, std::uint32_t size, const char* name) {
+  return guarded([&] {
+    const auto image = scene::encodedImage({bytes, bytes + size}, name);
+    return image || image.error().id != ErrorId::TooLarge ? 1 : web::report(image.error());
   });
 }
 // The number of a colour map that is to be decoded, 0 for none; the bytes of its file as fur_saveGroom() gives them.

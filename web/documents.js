@@ -7,6 +7,7 @@ const mostBytes = 64 * 1024 * 1024;
  * @typedef {object} Document a model and what was done on it
  * @property {import('./models.js').ModelSource} source
  * @property {Uint8Array} [typeFiles] coats from files and colour maps of fur types
+ * @property {boolean} [givenWater] a link brought some of the water, which no strokes tell
  * @property {string} state
  * @property {Uint8Array} groom
  * @property {Uint8Array} [hair]

@@ -4,6 +4,7 @@
  */
 import { download } from './download.js';
 import { modifiersOf, phases, pointerKinds } from './furapp.js';
+import { coatFileName, deleteOwnCoat, keepOwnCoat, listOwnCoats, ownCoat, ownCoatsChanges, renameOwnCoat } from './owncoats.js';
 import { compileProgram } from './runtime.js';
 import { savePicture, saveTurntable } from './studio.js';
 import { Versions } from './versions.js';
@@ -17,6 +18,8 @@ export async function preloadEditor(onBytes) {
   await compileProgram('editor', onBytes);
 }
 
+/** Pixels along the picture of a coat that is kept. */
+const ownCoatSide = 112;
 const wants = { pointer: 1, text: 4, number: 8 };
 // What the person made of the panel's size, kept from visit to visit.
 const layoutKey = 'wet-fur-panel';
@@ -51,6 +54,8 @@ export class EditorPanel {
     this.#readLayout();
     this.#listen();
     this.#versions = new Versions(this, host.fur);
+    this.#showOwnCoats();
+    ownCoatsChanges.addEventListener('change', () => this.#showOwnCoats(), { signal: this.#stop.signal });
   }
 
   #call(name, ...args) { return this.#app.program.call(`fur_editor_${name}`, this.#app.handle, ...args); }
@@ -110,6 +115,14 @@ export class EditorPanel {
     CopyText: (text) => this.#copy(text),
     PasteRequest: () => this.#paste(),
     SaveTypeSet: (name) => this.#save(() => this.#host.fur.saveTypeSet(this.coatType + 1), name),
+    KeepCoat: (name) => this.#withCoats(`"${name}" was not kept`, () => this.#keepCoat(name)),
+    WearCoat: (id) => this.#withCoats('The coat was not put on', () => this.#wearCoat(id)),
+    SaveOwnCoat: (id) => this.#withCoats('The coat was not saved', async () => {
+      const { bytes, name } = await ownCoat(id);
+      download(bytes, coatFileName(name));
+    }),
+    RenameCoat: (idAndName) => this.#withCoats('The coat was not renamed', () => renameOwnCoat(...idAndName.split('\n'))),
+    DeleteCoat: (id) => this.#withCoats('The coat was not deleted', () => deleteOwnCoat(id)),
     SaveHair: (name) => this.#save(() => this.#host.fur.saveHair(), name),
     SaveFo: (name) => this.#save(() => this.#host.fur.saveFo(), name),
     SaveScene: (name) => this.#save(() => this.#host.fur.save(), name),
@@ -142,6 +155,35 @@ export class EditorPanel {
     for (const { id, name, time, picture } of versions) this.#call('addVersion', id, name, new Date(time).toLocaleString(), picture);
     this.#call('showVersions');
     this.#host.wake();
+  }
+
+  // --- coats of one's own ---
+
+  async #showOwnCoats() {
+    for (const { id, name } of await listOwnCoats()) if (!this.#stop.signal.aborted) this.#call('addOwnCoat', id, name);
+    if (this.#stop.signal.aborted) return;
+    this.#call('showOwnCoats');
+    this.#host.wake();
+  }
+
+  async #keepCoat(name) {
+    const { fur } = this.#host;
+    const bytes = await fur.saveCoat({ name, type: this.coatType + 1 });
+    await keepOwnCoat(name, bytes, await fur.toBlob({ width: ownCoatSide, height: ownCoatSide }));
+  }
+
+  async #wearCoat(id) {
+    const { bytes, name } = await ownCoat(id);
+    await this.#host.fur.loadTypeSet(bytes, { name }).catch(() => {});  // the panel says it
+  }
+
+  async #withCoats(failure, work) {
+    try {
+      await work();
+    } catch (error) {
+      this.message(`${failure}: ${error.message || error.name}`, true);
+      this.#host.wake();
+    }
   }
 
   // --- pictures ---

@@ -55,6 +55,8 @@ export class FurApp {
   setTypePicture(type, bytes, { width, height, data }) {
     this.#callOrThrow('fur_setTypePicture', type, bytes, bytes.byteLength, width, height, data);
   }
+  /** Throws where a picture has more pixels than are read. */
+  checkPicture(bytes, name) { this.program.callOrThrow('fur_checkPicture', bytes, bytes.byteLength, name); }
   /** Colour maps that the scene has brought and nobody has decoded: [{ number, bytes }]. */
   pendingPictures() {
     const all = [];
@@ -80,6 +82,7 @@ export class FurApp {
 
   /** Number, boolean, option name or "#rrggbb"; undefined for an unknown name. */
   getSetting(name) {
+    if (name === 'skin.picture') return this.#text('fur_getSetting', name);
     const [, ofType] = /^type[1-4]\.(\w+)$/.exec(name) ?? [];
     const field = this.settingsTable.find((one) => (ofType ? one.ofType && one.name === ofType : one.name === name));
     if (!field) return ofType && ['name', 'picture', 'typeSet'].includes(ofType) ? this.#text('fur_getSetting', name) : undefined;
@@ -126,6 +129,7 @@ export class FurApp {
   restoreHair(bytes, undoable) { this.#callOrThrow('fur_restoreHair', bytes, bytes.byteLength, undoable ? 1 : 0); }
   // These are in the editor's program only.
   saveTypeSet(type = 0) { return this.#saved('fur_saveTypeSet', type); }
+  saveCoat(name, type = 0) { return this.#saved('fur_saveCoat', name, type); }
   saveFo() { return this.#saved('fur_saveFo'); }
   saveHairFile() { return this.#saved('fur_saveHairFile'); }
   loadHair(bytes, name) { this.#callOrThrow('fur_loadHair', bytes, bytes.byteLength, name); }

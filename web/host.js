@@ -10,10 +10,13 @@ import { forEach } from './furapp.js';
 import { Input } from './input.js';
 import { pictureOfText } from './lettering.js';
 import { breathe, Loading } from './loading.js';
-import { acceptedFiles, decodeImage, readGiven, readModel, sortFiles } from './models.js';
+import { acceptedFiles, readGiven, readModel, readPicture, sortFiles } from './models.js';
 import { optionDefaults, settingsObject } from './options.js';
 import { orbitText } from './orbit.js';
 import { Session } from './session.js';
+
+/** Behind the fur types, where pictures are told apart. */
+const skin = 4;
 
 /** What is told of no model, by kinds of results. */
 const emptyOf = { Truth: false, Number: 0, Text: '', Hash: '', Lines: [] };
@@ -84,8 +87,6 @@ export class WetFur extends EventTarget {
   get modelName() { return this.#session.source?.name ?? ''; }
   /** Another number whenever the settings, the tool or what can be undone have changed. @internal */
   get changes() { return this.#app?.changes; }
-  /** Whether the coat comes from a type set. @internal */
-  get coatGiven() { return this.#app?.coatGiven ?? false; }
 
   // --- options and settings ---
 
@@ -120,16 +121,18 @@ export class WetFur extends EventTarget {
    */
   async loadModel(given, options) { await this.#loading.load(() => readModel(given, options)); }
   /**
-   * The same with a type set (.fts), for the fur type 1 to 4, by default the one that the
+   * The same with a type set (.fts) or a saved coat (.coat), for the fur type 1 to 4, by default the one that the
    * editor edits, else 1: its coat is drawn until a setting changes that grows another.
    * Waits for the model. Rejects with a FurError, and then the old coat stays.
    */
   async loadTypeSet(given, { name, type = (this.#session.panel?.coatType ?? 0) + 1 } = {}) { await this.#loading.loadTypeSet(given, name, type - 1); }
-  /** A picture as the colour map of a fur type, 1 to 4, in the model's texture coordinates; null takes it away. */
-  async setTypePicture(type, given) { await this.#loading.setTypePicture(type - 1, given); }
+  /** A picture as the colour map of a fur type, 1 to 4, or of the 'skin', in the model's texture coordinates; null takes it away. */
+  async setTypePicture(type, given) { await this.#loading.setTypePicture(type === 'skin' ? skin : type - 1, given); }
 
   /** The coat as .fts, the model with its fur coordinates as .fo, the whole scene as .glb: Uint8Arrays. */
   saveTypeSet(type = 1) { return this.#editing.inWorkshop((app) => app.saveTypeSet(type - 1)); }
+  /** A type's whole coat under a name, by default its own, as .coat: for loadTypeSet(). */
+  saveCoat({ name = '', type = 1 } = {}) { return this.#editing.inWorkshop((app) => app.saveCoat(name, type - 1)); }
   saveFo() { return this.#editing.inWorkshop((app) => app.saveFo()); }
   /** The strands of the selected scalp as .hair. */
   saveHair() { return this.#editing.inWorkshop((app) => app.saveHairFile()); }
@@ -287,7 +290,11 @@ export class WetFur extends EventTarget {
     const known = as ?? (/-map-(length|types|paint|mask|shape)( \(\d+\))?\.png$/.test(name) ? 'length' : null);
     const use = known ?? await (await import('./askpicture.js')).askPicture(name, this.canvas);
     if (!use) return false;
-    const image = await this.#decode(given, 'picture');
+    if (use === 'skin' || use === 'typeColor') {
+      await this.setTypePicture(use === 'skin' ? use : Number(this.settings.groomType), given);
+      return true;
+    }
+    const image = await this.#decode(given);
     const hadWarned = [];
     await this.#editing.groomInWorkshop((app) => {
       app.usePicture(use, name, image);
@@ -297,19 +304,21 @@ export class WetFur extends EventTarget {
     return true;
   }
   /** An image in the model's texture coordinates: black is bald. */
-  async loadLengthMap(image) { await this.#loadGroomImage(0, 'length', image); }
+  async loadLengthMap(image) { await this.#loadGroomImage(0, image); }
   /** The same: red, green and blue are the presence of the fur types 2, 3 and 4. */
-  async loadTypeMap(image) { await this.#loadGroomImage(1, 'type', image); }
-  async #loadGroomImage(what, name, given) {
+  async loadTypeMap(image) { await this.#loadGroomImage(1, image); }
+  async #loadGroomImage(what, given) {
     await this.ready;
-    const image = await this.#decode(given, `${name} map`);
+    const image = await this.#decode(given);
     await this.#editing.groomInWorkshop((app) => app.groomFromImage(what, given.name ?? '', image));
   }
 
-  #decode(given, what) {
-    return decodeImage(given instanceof Blob ? given : new Blob([given])).catch((error) => {
-      throw this.#loading.failed(new FurError('bad-file', `the ${what} could not be read (${error.message})`));
-    });
+  async #decode(given) {
+    try {
+      return (await readPicture(this.#app, given)).image;
+    } catch (error) {
+      throw this.#loading.failed(asFurError(error, 'bad-file'));
+    }
   }
 
   // --- time, history, state, view ---

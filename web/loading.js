@@ -2,7 +2,7 @@
 import { asFurError, FurError } from './errors.js';
 import { Documents } from './documents.js';
 import { FurApp } from './furapp.js';
-import { decodePicture, fetchModel, loadInto, provideModelImages, provideTypePictures, readGiven } from './models.js';
+import { fetchModel, loadInto, provideModelImages, provideTypePictures, readColorMap, readGiven } from './models.js';
 import { Progress } from './progress.js';
 import { compileProgram, instantiateProgram } from './runtime.js';
 
@@ -14,6 +14,9 @@ export const breathe = () => new Promise((resolve) => {
     resolve();
   }));
 });
+
+/** Of what came with the model only that there was water of a link is known of a document. */
+const cameWithOf = (document) => (document?.givenWater ? { water: true } : null);
 
 export class Loading {
   #session;
@@ -59,23 +62,26 @@ export class Loading {
     await this.ready;
     try {
       const typeSet = await readGiven(given, name ?? given?.name ?? 'coat.fts');
-      if (!this.#session.app) return;  // disposed of meanwhile
-      this.#session.app.loadTypeSet(typeSet.bytes, typeSet.name, type);
+      const { app } = this.#session;
+      if (!app) return;  // disposed of meanwhile
+      app.loadTypeSet(typeSet.bytes, typeSet.name, type);
+      const warning = await provideTypePictures(app, () => this.#session.app === app);
+      if (warning) this.#session.warn(warning);
       this.#frames.afterChange();
     } catch (error) {
       throw this.failed(asFurError(error, error instanceof RangeError ? 'out-of-memory' : 'bad-file'));
     }
   }
 
-  /** A picture (Blob, buffer) as a type's colour map, 0 to 3; null takes it away. */
+  /** A picture (Blob, buffer) as a type's colour map, 0 to 3, or the skin's, 4; null takes it away. */
   async setTypePicture(type, given) {
     await this.ready;
     try {
-      const picture = given && await decodePicture(given);
+      const picture = given && await readColorMap(this.#session.app, given);
       const { app } = this.#session;
       if (!app) return;  // disposed of meanwhile
       if (picture) app.setTypePicture(type, picture.bytes, picture.image);
-      else app.setSetting(`type${type + 1}.picture`, '');
+      else app.setSetting(type < 4 ? `type${type + 1}.picture` : 'skin.picture', '');
       this.#frames.afterChange();
     } catch (error) {
       throw this.failed(asFurError(error, 'bad-file'));
@@ -84,8 +90,8 @@ export class Loading {
 
   /** All there is to keep of the scene, for openDocument(). @returns {import('./documents.js').Document} */
   get document() {
-    const { app, source } = this.#session;
-    return { source, typeFiles: app.typeFiles, state: app.state, camera: app.camera, groom: app.groom, hair: app.hair, water: app.water };
+    const { app, source, cameWith } = this.#session;
+    return { source, ...cameWith?.water && { givenWater: true }, typeFiles: app.typeFiles, state: app.state, camera: app.camera, groom: app.groom, hair: app.hair, water: app.water };
   }
   openDocument(document) {
     const { source } = document;
@@ -215,7 +221,7 @@ export class Loading {
     const { app, loaded } = this.#session;
     const first = !loaded;
     const former = !first && { ...this.document, history: app.saveHistory(true) };
-    this.#session.cameWith = null;
+    this.#session.cameWith = cameWithOf(document);
     if (document) this.putBack(app, { ...document, source });
     else {
       loadInto(app, source, first && this.#hasOwnLook);
@@ -260,7 +266,7 @@ export class Loading {
     const document = this.#documents.step(way, { ...this.document, history: app.saveHistory() });
     if (!document) return this.#session.warn('the other model is no longer kept: there was too much to keep');
     this.#giveUp();
-    this.#session.cameWith = null;
+    this.#session.cameWith = cameWithOf(document);
     this.putBack(app, document);
     this.#present(document.source);
     this.#frames.afterChange();

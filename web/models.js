@@ -143,10 +143,22 @@ export async function decodeImage(blob, options) {
   return context.getImageData(0, 0, width, height);
 }
 
-/** A picture as { image, bytes }: what is in it, no larger than programs take, and a file of it that they keep. */
-export async function decodePicture(given) {
-  const blob = given instanceof Blob ? given : new Blob([given]);
-  let image = await decodeImage(blob);
+/** A picture that a person gave (Blob, buffer), as { image, blob }; a FurError that names it where it is none or too large. @param {import('./furapp.js').FurApp} app */
+export async function readPicture(app, given) {
+  const { name, bytes } = await readGiven(given, given.name || 'picture');
+  app.checkPicture(bytes, name);
+  const blob = given instanceof Blob ? given : new Blob([bytes]);
+  try {
+    return { image: await decodeImage(blob), blob };
+  } catch (error) {
+    throw new FurError('bad-file', `${name}: it is no picture that this browser reads (${error.message})`);
+  }
+}
+
+/** The same as { image, bytes }: no larger than programs take, and a file of it that they keep. */
+export async function readColorMap(app, given) {
+  const { image: whole, blob } = await readPicture(app, given);
+  let image = whole;
   const shrink = maxImageSide / Math.max(image.width, image.height), kept = ['image/png', 'image/jpeg', 'image/webp'].includes(blob.type);
   if (shrink >= 1 && kept) return { image, bytes: new Uint8Array(await blob.arrayBuffer()) };
   if (shrink < 1) image = await decodeImage(blob, { resizeWidth: Math.round(image.width * shrink) || 1, resizeHeight: Math.round(image.height * shrink) || 1, resizeQuality: 'high' });

@@ -23,7 +23,7 @@ const bar = byId('bar');
 const modelPicker = byId('model');
 const messages = new Messages(byId('messages'));
 const either = (words) => new Intl.ListFormat('en-GB', { type: 'disjunction' }).format(words);
-const coats = new Coats(byId('coats'), fur);
+const coats = new Coats(byId('coats'), fur, (text) => messages.error(text));
 const toolButtons = [...document.querySelectorAll('[data-tool]')];
 const waters = byId('waters');
 const grooms = byId('grooms');
@@ -227,15 +227,23 @@ function frame(sides) {
   fur.setPadding(sides);
 }
 
-/** Whoever gets it has a backdrop of their own. */
+/** What fur types and skin have from files: pictures, and type sets. */
+const filesOfCoat = (settings = {}) => Object.keys(settings).filter((name) => /\.(picture|typeSet)$/.test(name));
+
+/** Whoever gets it has a backdrop of their own, and no files. */
 function stateToShare() {
   const state = JSON.parse(fur.getState());
+  for (const name of filesOfCoat(state.settings)) delete state.settings[name];
   for (const [name, color] of Object.entries(backdrop)) if (state.settings?.[name] === color) delete state.settings[name];
   return JSON.stringify(state);
 }
 
 /** What neither a link nor an embed code can carry. */
-const notCarried = () => [!shownSrc && 'the file itself', fur.fur.coatGiven && "the file's coat"].filter(Boolean);
+function notCarried() {
+  const files = filesOfCoat(JSON.parse(fur.getState()).settings);
+  const has = (kind) => files.some((name) => name.endsWith(kind));
+  return [!shownSrc && 'the file itself', has('typeSet') && "the file's coat", has('picture') && 'the pictures of its coat'].filter(Boolean);
+}
 /** What lies on the model that is shown, but for water; packed for a link. */
 async function packedParts() {
   const parts = {}, missing = [];
@@ -329,12 +337,19 @@ async function pressTool({ dataset: { tool, place } }) {
   setTool(fur.tool === tool ? 'none' : tool);
 }
 
+/** Markings all over (app/tools/GroomEdits.inc), in the colour beside them. */
+async function markCoat(pattern) {
+  if (pattern !== 'clearPaint') fur.settings.paintColor = byId('pattern-color').value;
+  await fur.groom(pattern);
+}
+
 function wireBar() {
   for (const button of toolButtons) button.addEventListener('click', () => pressTool(button));
   byId('groom-type').addEventListener('change', ({ target }) => {
     fur.groomType = target.value;
     setTool('type');
   });
+  for (const button of grooms.querySelectorAll('[data-pattern]')) button.addEventListener('click', () => markCoat(button.dataset.pattern));
   onClick('wind', toggleWind);
   onClick('shake', () => fur.shake());
   onClick('soak', () => fur.setWetness(1));

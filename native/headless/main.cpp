@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,13 +28,14 @@ constexpr const char* kUsage = R"(usage: wet-fur-render [model] -o out.png [opti
   --type-set [TYPE=]FILE  a coat from a {coats} file, for a fur type, 1 to 4 (several allowed)
   --color-map TYPE=FILE  a picture as the colour map of a fur type (several allowed)
   --save-type-set FILE  writes the coat as .fts
+  --save-coat FILE      writes all of the coat of type 1 as .coat, named as the file
   --save-fo FILE        writes the model with its fur coordinates as .fo
   --save-scene FILE     writes model, groom, settings and camera as .glb
   --maps FOLDER         writes the groom's maps, the wetness and the layout of the charts as PNG files
   --length-map FILE     an image whose brightness is the length of the fur, or any map that --maps wrote
   --type-map FILE       one whose red, green and blue are the presence of the fur types 2 to 4
-  --picture USE,FILE    an image and what it is: color, typeColor, length, alpha, density, types or direction, as the element's
-                        loadPicture() has them (several allowed, in order)
+  --picture USE,FILE    an image and what it is: color, typeColor, skin, length, alpha, density, types or direction, as
+                        the element's loadPicture() has them (several allowed, in order)
   --groom EDIT[,VALUE[,X,Y,Z]]  all over the model (several allowed, in order): length, invert, vary, type, comb, raise,
                         size, selectType and others, as the element's groom() has them
   --hair-file FILE      strands from a .hair file, as guides; before --hair
@@ -83,7 +85,7 @@ struct Hold {
 };
 
 struct Options {
-  std::string model = "bunny", output, stateFile, preset, light, hairFile, savedHair, savedTypeSet, savedFo, savedScene, maps, lengthMap, typeMap;
+  std::string model = "bunny", output, stateFile, preset, light, hairFile, savedHair, savedTypeSet, savedCoat, savedFo, savedScene, maps, lengthMap, typeMap;
   int width = 1280, height = 720, samples = 1, multisampling = 4, turntable = 0;
   bool transparent = false;
   float turnSeconds = 12;
@@ -156,6 +158,7 @@ std::string readOption(const std::string& name, const std::string& value, Option
   else if (name == "--state") o.stateFile = value;
   else if (name == "--type-set" || name == "--color-map") return readTypeFile(name, value, o);
   else if (name == "--save-type-set") o.savedTypeSet = value;
+  else if (name == "--save-coat") o.savedCoat = value;
   else if (name == "--hair-file") o.hairFile = value;
   else if (name == "--save-hair") o.savedHair = value;
   else if (name == "--save-fo") o.savedFo = value;
@@ -219,7 +222,7 @@ std::string readOption(const std::string& name, const std::string& value, Option
 std::string readOptions(int count, char** values, Options& o) {
   if (std::string wrong = native::readArguments(count, values, o, readOption, {"--transparent"}); !wrong.empty()) return wrong;
   if (o.turntable > 0 && o.output.empty()) return "--turntable: no output: -o out.png";
-  return o.output.empty() && o.savedTypeSet.empty() && o.savedFo.empty() && o.savedScene.empty() && o.savedHair.empty() && o.maps.empty() ? "no output: -o out.png" : "";
+  return o.output.empty() && o.savedTypeSet.empty() && o.savedCoat.empty() && o.savedFo.empty() && o.savedScene.empty() && o.savedHair.empty() && o.maps.empty() ? "no output: -o out.png" : "";
 }
 
 Status setUp(app::App& app, const Options& o, const char* program) {
@@ -296,6 +299,8 @@ void hold(app::App& app, const Hold& hold, Vec2 middle) {
 Status save(app::App& app, const Options& o) {
   if (!o.savedTypeSet.empty())
     if (Status status = native::writeFile(o.savedTypeSet, app.saveTypeSet()); !status) return status;
+  if (!o.savedCoat.empty())
+    if (Status status = native::writeFile(o.savedCoat, app.saveCoat(std::filesystem::path(o.savedCoat).stem().string())); !status) return status;
   if (!o.savedFo.empty())
     if (Status status = native::writeFile(o.savedFo, app.saveFo()); !status) return status;
   if (!o.savedHair.empty()) {
@@ -395,7 +400,7 @@ int main(int count, char** values) {
   if (const Status status = picture ? drawPicture(options, values[0]) : saveOnly(options, values[0]); !status) {
     return native::fail(status.error());
   }
-  for (const std::string& saved : {options.savedTypeSet, options.savedFo, options.savedScene, options.savedHair, options.maps})
+  for (const std::string& saved : {options.savedTypeSet, options.savedCoat, options.savedFo, options.savedScene, options.savedHair, options.maps})
     if (!saved.empty()) std::printf("%s\n", saved.c_str());
   return 0;
 }

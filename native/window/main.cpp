@@ -15,6 +15,7 @@
 #include "native/Arguments.h"
 #include "native/Files.h"
 #include "native/window/FileDialog.h"
+#include "native/window/OwnCoats.h"
 #include "native/window/Shots.h"
 #include "native/window/Versions.h"
 #include "native/window/Window.h"
@@ -100,10 +101,10 @@ std::string layoutPath() {
   return folder.empty() ? "" : (folder / "panel").string();
 }
 
-// Likewise of versions.
-std::filesystem::path versionsFolder() {
+// Likewise of versions and coats.
+std::filesystem::path dataFolder(const char* of) {
   const std::filesystem::path folder = native::userFolder("XDG_DATA_HOME", ".local/share");
-  return folder.empty() ? folder : folder / "versions";
+  return folder.empty() ? folder : folder / of;
 }
 
 class Session {
@@ -123,6 +124,7 @@ class Session {
     if (options_.quality == "auto") app_.setQuality(0, true);
     load(options_.scene);
     host_.setVersions(versions_.list());
+    host_.setOwnCoats(ownCoats_.list());
     if (options_.wetness > 0) app_.setWetness(options_.wetness);
     const Status status = options_.screenshot.empty() ? work() : screenshot();
     host_.detach();
@@ -260,6 +262,16 @@ class Session {
     host_.setVersions(versions_.list());
   }
 
+  void changeOwnCoats(const Status& changed) {
+    check(changed);
+    host_.setOwnCoats(ownCoats_.list());
+  }
+  void saveOwnCoat(const std::string& id) {
+    const auto bytes = native::readFile(ownCoats_.path(id));
+    if (!bytes) return host_.message(bytes.error().message, true);
+    askAndSave(id, [bytes] { return bytes.value(); });
+  }
+
   // Over those that were saved there before.
   void saveMaps(const std::string& folder) {
     const Status status = native::writeFiles(folder, app_.saveMaps());
@@ -288,6 +300,23 @@ class Session {
           break;
         case Kind::OpenDialog:
           openChosen();
+          break;
+        case Kind::KeepCoat:
+          changeOwnCoats(ownCoats_.keep(command->text, app_.saveCoat(command->text, host_.coatType())));
+          break;
+        case Kind::WearCoat:
+          check(native::loadTypeSet(app_, ownCoats_.path(command->text), host_.coatType()));
+          break;
+        case Kind::SaveOwnCoat:
+          saveOwnCoat(command->text);
+          break;
+        case Kind::RenameCoat: {
+          const auto end = command->text.find('\n');
+          changeOwnCoats(ownCoats_.rename(command->text.substr(0, end), command->text.substr(end + 1)));
+          break;
+        }
+        case Kind::DeleteCoat:
+          changeOwnCoats(ownCoats_.remove(command->text));
           break;
         case Kind::SaveTypeSet:
           askAndSave(command->text, [this] { return app_.saveTypeSet(host_.coatType()); });
@@ -445,7 +474,8 @@ class Session {
   bool shooting_ = false;  // a picture has its path
   bool moved_ = false;     // the picture itself, in the last frame
   native::Shots shots_;
-  native::Versions versions_{versionsFolder()};
+  native::Versions versions_{dataFolder("versions")};
+  native::OwnCoats ownCoats_{dataFolder("coats")};
   app::App app_;
   app::EditorHost host_{app_, editor::FileAccess::Path};
 };

@@ -39,8 +39,11 @@ vec3 modelColor(sampler2D picture, vec2 uv) { return mix(vec3(1.0), texture(pict
 vec3 modelColor(sampler2D picture, vec2 uv) { return vec3(1.0); }
 #endif
 
+// sRGB to linear, a fit within 0.003 (C. Hery).
+vec3 decodeSrgb(vec3 c) { return c * (c * (c * 0.305306011 + 0.682171111) + 0.012522878); }
+
 #if defined(TEXTURED) && defined(TYPES)
-uniform sampler2DArray typeColors;  // colour maps of fur types
+uniform sampler2DArray typeColors;  // colour maps of fur types and skin
 
 // The colour of strands of that type with roots at that uv; `uvs`: by how much it changes from pixel to pixel.
 vec3 strandModelColor(sampler2D picture, int type, vec2 uv, mat2 uvs) {
@@ -48,10 +51,14 @@ vec3 strandModelColor(sampler2D picture, int type, vec2 uv, mat2 uvs) {
   vec3 color = layer < 0.0 ? textureGrad(picture, uv, uvs[0], uvs[1]).rgb : textureGrad(typeColors, vec3(uv, layer), uvs[0], uvs[1]).rgb;
   return mix(vec3(1.0), color, textureAmount);
 }
-#endif
 
-// sRGB to linear, a fit within 0.003 (C. Hery).
-vec3 decodeSrgb(vec3 c) { return c * (c * (c * 0.305306011 + 0.682171111) + 0.012522878); }
+// The colour of the skin at that uv: its own picture, as far as that is opaque, over `color`.
+vec3 skinPictured(vec3 color, vec2 uv, mat2 uvs) {
+  if (skinPicture < 0.0) return color;
+  vec4 own = textureGrad(typeColors, vec3(uv, skinPicture), uvs[0], uvs[1]);
+  return mix(color, decodeSrgb(own.rgb), own.a);
+}
+#endif
 
 #ifdef PAINTED
 uniform sampler2D paint;  // sRGB; a: how much of it there is

@@ -32,11 +32,14 @@ out vec4 fragColor;
 #if defined(TEXTURED) && defined(TYPES)
 mat2 uvSteps;  // how the model's uv changes from pixel to pixel, from before any branch
 void enterModel() { uvSteps = mat2(dFdx(vLean.zw), dFdy(vLean.zw)); }
-// Skin has the model's own picture under strands that have a colour map.
-vec3 skinModel(vec3 ofStrands) { return mix(vec3(1.0), textureGrad(baseColor, vLean.zw, uvSteps[0], uvSteps[1]).rgb, textureAmount); }
+// Under strands that have a colour map skin has the model's own picture, or one of its own.
+vec3 skinAlbedo(vec3 ofStrands) {
+  vec3 model = mix(vec3(1.0), textureGrad(baseColor, vLean.zw, uvSteps[0], uvSteps[1]).rgb, textureAmount);
+  return skinPictured(skinColor() * model, vLean.zw, uvSteps);
+}
 #else
 void enterModel() {}
-vec3 skinModel(vec3 ofStrands) { return ofStrands; }
+vec3 skinAlbedo(vec3 ofStrands) { return skinColor() * ofStrands; }
 #endif
 #ifdef PAINTED
 vec3 paintStrand(vec3 albedo, Met met, float variance) { return paintedStrand(albedo, rootInAtlas(met.spot), variance, met.h, met.strand.z); }
@@ -160,7 +163,7 @@ vec3 shadeStrands(Met met, March march, vec3 model, vec3 T, vec3 L, vec3 V, floa
 // `color` over the skin that strands leave open.
 vec3 overSkin(vec3 color, Met met, vec3 model, float lit) {
   for (int i = 0, once = int(reachesSkin && met.closed < 1.0); i < once; ++i) {
-    vec3 bare = paintSkin(skinColor() * skinModel(model), met);
+    vec3 bare = paintSkin(skinAlbedo(model), met);
     float rho = min(met.held, 1.0);
     vec3 skin = shadeSkin(bare * 0.5, vLight.z, vView.w, 0.0, rho, lit);
     // Pores: the lowest layer says where strands root (Sheppard 5.2).

@@ -10,7 +10,7 @@ uniform sampler2D mask;
 in vec3 vNormal;
 in vec4 vUvAtlas;
 in vec3 vColor;
-#ifdef PAINTED
+#if defined(PAINTED) || (defined(CLASSIC) && defined(TEXTURED) && defined(TYPES))
 in vec3 vShade;
 #endif
 #ifdef GROOMED
@@ -21,11 +21,21 @@ in vec3 vLightSpace;
 
 out vec4 fragColor;
 
+#if defined(TEXTURED) && defined(TYPES)
+vec3 ownSkin(vec3 color) { return skinPictured(color, vUvAtlas.xy, mat2(dFdx(vUvAtlas.xy), dFdy(vUvAtlas.xy))); }
+#else
+vec3 ownSkin(vec3 color) { return color; }
+#endif
+
 void main() {
 #if defined(VIEW_SHADOW)
   fragColor = vec4(vColor, 1.0);
 #elif defined(UNDER_FUR)
   vec3 model = modelColor(baseColor, vUvAtlas.xy), color = vColor * model;
+#if defined(CLASSIC) && defined(TEXTURED) && defined(TYPES)
+  // What is seen between shells is skin alone.
+  if (skinPicture >= 0.0) color = vShade * 0.5 * ownSkin(2.0 * color / max(vShade, vec3(1e-4)));
+#endif
 #ifdef PAINTED
   color = painted(color, vUvAtlas.zw, 0.9 * vShade);
 #endif
@@ -33,7 +43,7 @@ void main() {
   // Where no fur grows it is bare.
   vec4 fur = textureLod(groom, vUvAtlas.zw, 0.0);
 #ifdef TYPES
-  vec3 bare = vBare * skinColorOf(presences(fur.gba)) * model;
+  vec3 bare = vBare * ownSkin(skinColorOf(presences(fur.gba)) * model);
 #else
   vec3 bare = vBare * skinColors[0].rgb * model;
 #endif
@@ -77,7 +87,7 @@ void main() {
 #elif defined(VIEW_NORMALS)
   fragColor = vec4(n * 0.5 + 0.5, 1.0);
 #else
-  vec3 albedo = skinColors[0].rgb * modelColor(baseColor, vUvAtlas.xy);
+  vec3 albedo = ownSkin(skinColors[0].rgb * modelColor(baseColor, vUvAtlas.xy));
 #ifdef PAINTED
   albedo = painted(albedo, vUvAtlas.zw, vec3(1.0));
 #endif

@@ -30,6 +30,7 @@ const settings::Field* onlyDifference(const settings::Settings& a, const setting
 
 App::App() : state_(std::make_unique<State>()) {
   state_->water.setHair(*state_->hair);
+  state_->water.setGroom(state_->groom);
   state_->view.camera.jump(state_->startView());
   geometry::Mesh square = geometry::makePlane(1);
   auto surface = geometry::buildSurface(square, state_->mapping());
@@ -248,7 +249,7 @@ void App::State::applySettings(const settings::Settings& next) {
 
 // A coat from a file goes when its type is asked to grow another.
 settings::Settings App::State::withoutOldFiles(settings::Settings next) const {
-  for (std::size_t type = 0; type < next.typeSets.size(); ++type)
+  for (std::size_t type = 0; type < settings::kFurTypes; ++type)
     if (next.typeSets[type] == settings.typeSets[type] && coatParametersOf(next, static_cast<int>(type)) != coatParametersOf(settings, static_cast<int>(type)))
       next.typeSets[type] = 0;
   return next;

@@ -162,17 +162,20 @@ class App {
   int coatLayers() const;
   // Share of each layer that strands cover, from the skin up.
   std::span<const float> coverageByHeight() const;
-  // A type set (.fts) takes the place of a type's (0 to 3) grown coat until one of its generator settings changes; one undo
-  // step. A failure leaves the coat as it was.
+  // A type set (.fts) takes the place of a type's (0 to 3) grown coat until one of its generator settings changes; a saved coat
+  // (.coat) that of all that the type has, with its name. One undo step. A failure leaves the coat as it was.
   Status loadTypeSet(std::span<const std::uint8_t> bytes, const std::string& name, int type = 0);
   bool coatGiven(int type = 0) const;  // it came from one
   // A type's coat as .fts: 256 x 256 texels and 16 layers whatever the settings, as the format has it.
   std::vector<std::uint8_t> saveTypeSet(int type = 0) const;
+  // A type's whole coat under that name, or under its own, as .coat (scene/CoatFile.h).
+  std::vector<std::uint8_t> saveCoat(std::string_view name = {}, int type = 0) const;
   // The settings of a preset (settings/Presets.h) for a type, as one undo step. False, and a warning
   // that lists the names: there is none of that one.
   bool applyPreset(std::string_view name, int type = 0);
   // A type's colour map, in the model's texture coordinates, in place of the model's own picture: the file, which is kept for
-  // saving, and RGBA8. One undo step. setField("type2.picture", "") takes it away. bad-file: it is no PNG, JPEG or WebP.
+  // saving, and RGBA8. One undo step. setField("type2.picture", "") takes it away. bad-file: it is no PNG, JPEG or WebP. Of
+  // type settings::kSkin: what the skin is coloured like, in place of its colour and the model's picture.
   Status setTypePicture(int type, std::vector<std::uint8_t> file, int width, int height, std::vector<std::uint8_t> rgba);
   // Numbers of those that scenes have brought and nobody has decoded yet; their files (empty where there is none); what is in them.
   std::vector<std::uint32_t> pendingPictures() const;
@@ -233,8 +236,9 @@ class App {
   void groomFromImage(groom::ImageOf what, int width, int height, std::span<const std::uint8_t> rgba);
   // The same by the name of its file: one that saveMaps() wrote goes back over the atlas, whatever `what` says.
   void groomFromFile(groom::ImageOf what, std::string_view name, int width, int height, std::span<const std::uint8_t> rgba);
-  // As a person has said that a picture is meant; one that saveMaps() wrote, by its name, goes back all the same.
-  void usePicture(PictureUse use, std::string_view name, int width, int height, std::span<const std::uint8_t> rgba);
+  // As a person has said that a picture is meant; one that saveMaps() wrote, by its name, goes back all the same. `file`: as it
+  // came, which scenes keep where the picture is a colour map; else a PNG is made of it. bad-file, too-large: as setTypePicture().
+  Status usePicture(PictureUse use, std::string_view name, int width, int height, std::span<const std::uint8_t> rgba, std::vector<std::uint8_t> file = {});
   // Length, types, paint, mask, shape, comb (groom/MapPictures.h), wetness (grey, 255 is saturated) and the layout of the charts as
   // PNG files of the model's name, mapsName().
   std::vector<scene::NamedFile> saveMaps() const;
@@ -391,6 +395,8 @@ class App {
 
  private:
   void turnLight(Vec2 step);
+  void changeSettings(const settings::Settings& next);  // one undo step
+  Status wearCoat(std::span<const std::uint8_t> bytes, const std::string& name, int type);
 
   struct State;
   std::unique_ptr<State> state_;

@@ -88,11 +88,11 @@ void App::State::upload() {
   uploadHair();
 }
 
-// Colour maps of the types that have one.
+// Colour maps of the types and the skin, where they have one.
 void App::State::uploadPictures() {
   const bool other = noteChange(uploaded.pictures, settings.typePictures);
   if (!noteChange(uploaded.shelf, shelf.revision()) && !other) return;
-  std::array<render::SurfaceMaps::Picture, settings::kFurTypes> pictures;
+  std::array<render::SurfaceMaps::Picture, settings::kFurTypes + 1> pictures;
   for (std::size_t type = 0; type < pictures.size(); ++type)
     if (const ColorMap* map = shelf.picture(settings.typePictures[type])) pictures[type] = {map->width, map->height, map->rgba};
   renderer->setTypePictures(pictures);

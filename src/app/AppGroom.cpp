@@ -31,7 +31,7 @@ void App::groomAll(GroomEdit edit, float value, const Vec3& direction) {
   State& s = *state_;
   if (!std::isfinite(value) || !std::isfinite(direction.x + direction.y + direction.z)) return;
   s.beginGroomStroke();
-  s.groom.edit(s.shape, edit, value, direction, static_cast<std::uint32_t>(s.settings.seed), s.warnings);
+  s.groom.edit(s.shape, edit, value, direction, s.settings, s.warnings);
   s.endStroke();
 }
 
@@ -48,12 +48,17 @@ void App::groomFromFile(groom::ImageOf what, std::string_view name, int width, i
   s.endStroke();
 }
 
-void App::usePicture(PictureUse use, std::string_view name, int width, int height, std::span<const std::uint8_t> rgba) {
-  if (groom::mapOfFile(name)) return groomFromFile(groom::ImageOf::Length, name, width, height, rgba);
+Status App::usePicture(PictureUse use, std::string_view name, int width, int height, std::span<const std::uint8_t> rgba, std::vector<std::uint8_t> file) {
   State& s = *state_;
+  if (groom::mapOfFile(name)) return groomFromFile(groom::ImageOf::Length, name, width, height, rgba), Done{};
+  if (use == PictureUse::TypeColor || use == PictureUse::Skin) {
+    if (file.empty()) file = scene::writePng(width, height, 4, rgba);
+    return setTypePicture(use == PictureUse::Skin ? settings::kSkin : s.settings.groomType, std::move(file), width, height, {rgba.begin(), rgba.end()});
+  }
   s.beginGroomStroke();
   s.groom.usePicture(s.shape, s.settings, use, width, height, rgba, s.warnings);
   s.endStroke();
+  return Done{};
 }
 
 groom::Coverage App::groomCoverage() const {

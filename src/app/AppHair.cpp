@@ -45,7 +45,7 @@ void App::editHair(HairEdit edit, float value, const Vec3& direction) {
   s.beginHairStroke();
   groom::GroomSurface skin = s.groom.groomSurface(s.shape);
   const std::vector<Vec3> comb = s.groom.upright() ? std::vector<Vec3>() : groom::restBends(s.groom.groom(), s.shape.surface(), s.shape.points());
-  s.hair->edit(s.shape, skin, comb, {edit, value, direction, s.coatLength()}, s.warnings);
+  s.hair->edit(s.shape, skin, comb, {edit, value, direction, s.coatLength(), s.groom.groom().bare}, s.warnings);
   s.endStroke();
 }
 

@@ -39,8 +39,13 @@ Vec3 App::State::pictureAt(const geometry::SurfacePoint& at) const {
   Vec2 uv(0);
   for (int k = 0; k < 3; ++k)
     uv += at.weights[k] * surface.vertices[surface.indices[std::size_t{3} * at.triangle + static_cast<std::size_t>(k)]].uv;
-  const auto along = [](float c, int size) { return std::min(static_cast<int>((c - std::floor(c)) * static_cast<float>(size)), size - 1); };
-  const std::uint8_t* texel = &picture->rgba[4 * static_cast<std::size_t>(along(uv.y, picture->height) * picture->width + along(uv.x, picture->width))];
+  const scene::MaterialTexture& texture = document.materials[shape.materialAt(at.triangle)].baseColorTexture;
+  const auto along = [](float c, int size, int wrap) {
+    const float twice = c * 0.5f - std::floor(c * 0.5f), part = wrap == scene::kWrapClamp ? saturate(c) : wrap == scene::kWrapMirror ? 1 - std::abs(2 * twice - 1) : c - std::floor(c);
+    return std::min(static_cast<int>(part * static_cast<float>(size)), size - 1);
+  };
+  const int column = along(uv.x, picture->width, texture.wrapS), row = along(uv.y, picture->height, texture.wrapT);
+  const std::uint8_t* texel = &picture->rgba[4 * static_cast<std::size_t>(row * picture->width + column)];
   return Vec3(texel[0], texel[1], texel[2]) / 255.0f;
 }
 

@@ -111,7 +111,7 @@ struct App::State {
   std::optional<render::Renderer> renderer;
   struct Uploaded {
     std::uint64_t surface = 0, pose = 0, bends = 0, images = 0, materials = 0, shelf = 0;
-    std::array<std::uint32_t, settings::kFurTypes> pictures{};  // of types
+    std::array<std::uint32_t, settings::kFurTypes + 1> pictures{};  // of types and skin
     std::vector<std::uint8_t> bare{};
     std::vector<groom::Whisker> whiskers{};
     std::uint64_t overPaint = 0;  // what lies over it: 0 nothing, 1 the mask, above 1 a map of hair

@@ -69,8 +69,8 @@ GivenCoats TypeShelf::coatsOf(const settings::Settings& settings) const {
   return coats;
 }
 
-std::array<scene::TypeFiles, settings::kFurTypes> TypeShelf::filesOf(const settings::Settings& settings) const {
-  std::array<scene::TypeFiles, settings::kFurTypes> files;
+std::array<scene::TypeFiles, settings::kFurTypes + 1> TypeShelf::filesOf(const settings::Settings& settings) const {
+  std::array<scene::TypeFiles, settings::kFurTypes + 1> files;
   for (std::size_t type = 0; type < files.size(); ++type) {
     if (const auto found = coats_.find(settings.typeSets[type]); found != coats_.end()) files[type].typeSet = found->second.file;
     if (const ColorMap* map = picture(settings.typePictures[type])) files[type].picture = map->file;

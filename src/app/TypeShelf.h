@@ -35,11 +35,11 @@ class TypeShelf {
   void provide(std::uint32_t number, int width, int height, std::vector<std::uint8_t> rgba);
 
   GivenCoats coatsOf(const settings::Settings& settings) const;
-  // As files have them: all that the settings name, none where they name none.
-  std::array<scene::TypeFiles, settings::kFurTypes> filesOf(const settings::Settings& settings) const;
+  // As files have them: all that the settings name, none where they name none. The last is of the skin.
+  std::array<scene::TypeFiles, settings::kFurTypes + 1> filesOf(const settings::Settings& settings) const;
   // The numbers of what a file has, 0 where it has none. Error: one of them cannot be read.
   struct Numbers {
-    std::array<std::uint32_t, settings::kFurTypes> pictures{}, typeSets{};
+    std::array<std::uint32_t, settings::kFurTypes + 1> pictures{}, typeSets{};
   };
   Result<Numbers> addFiles(std::span<const scene::TypeFiles> files, const std::string& name);
   // Drops all others.

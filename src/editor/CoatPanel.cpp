@@ -38,24 +38,6 @@ void describe(const settings::Preset& preset) {
   ImGui::EndTooltip();
 }
 
-// `bald`: an item of that name, for types that can be; set where it is picked.
-const settings::Preset* pickPreset(const settings::Preset* current, const char* other, bool tooltips, bool* bald) {
-  const settings::Preset* picked = nullptr;
-  ImGui::SetNextItemWidth(-1);
-  if (!ImGui::BeginCombo("##preset", current ? current->label : other, ImGuiComboFlags_HeightLargest))
-    return nullptr;
-  ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, ImVec2(0, 0.5f));
-  const ImVec2 size(0, tooltips ? 0 : ImGui::GetFrameHeight());
-  if (bald) *bald = ImGui::Selectable("Bald", false, 0, size);
-  for (const settings::Preset& preset : settings::presets()) {
-    if (ImGui::Selectable(preset.label, &preset == current, 0, size)) picked = &preset;
-    if (tooltips && ImGui::IsItemHovered()) describe(preset);
-  }
-  ImGui::PopStyleVar();
-  ImGui::EndCombo();
-  return picked;
-}
-
 void drawSeed(int& seed, bool tooltips) {
   const settings::Field& field = *settings::findField("seed");
   const int low = static_cast<int>(field.low), high = static_cast<int>(field.high);
@@ -102,11 +84,8 @@ std::vector<Command> CoatPanel::draw(const EditorModel& model, settings::Setting
   ImGui::SetNextItemOpen(true, ImGuiCond_FirstUseEver);
   if (!groupHeader("Coat")) return commands;
   drawType(model, edited, manner.tooltips);
-  const settings::Settings coat = settings::typeCoat(model.settings, type_);
-  bool bald = false;
-  if (const auto* preset = pickPreset(settings::presetOf(coat), coat.density > 0 ? "Custom coat" : "Bald", manner.tooltips, type_ ? &bald : nullptr))
-    commands.push_back(command::ApplyPreset{preset->name, type_});
-  if (bald) settings::makeBald(edited, type_);
+  drawPresets(model, edited, manner.tooltips, commands);
+  drawOwnCoats(model, commands);
   drawSeed(edited.seed, manner.tooltips);
   drawStrands(model);
   ImGui::SetNextItemOpen(manner.roomy, ImGuiCond_FirstUseEver);
@@ -117,6 +96,48 @@ std::vector<Command> CoatPanel::draw(const EditorModel& model, settings::Setting
   if (ImGui::Button(scene::saveLabel(scene::Format::Fo).c_str(), ImVec2(-1, 0))) commands.push_back(command::SaveFo{});
   ImGui::Dummy(ImVec2(0, px(2)));
   return commands;
+}
+
+// Coats to choose from: bald, where the type can be, those that ship, one's own.
+void CoatPanel::drawPresets(const EditorModel& model, settings::Settings& edited, bool tooltips, std::vector<Command>& commands) {
+  const settings::Settings coat = settings::typeCoat(model.settings, type_);
+  const settings::Preset* current = settings::presetOf(coat);
+  ImGui::SetNextItemWidth(-1);
+  if (!ImGui::BeginCombo("##preset", current ? current->label : coat.density > 0 ? "Custom coat" : "Bald", ImGuiComboFlags_HeightLargest)) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, ImVec2(0, 0.5f));
+  const ImVec2 size(0, tooltips ? 0 : ImGui::GetFrameHeight());
+  if (type_ && ImGui::Selectable("Bald", false, 0, size)) settings::makeBald(edited, type_);
+  for (const settings::Preset& preset : settings::presets()) {
+    if (ImGui::Selectable(preset.label, &preset == current, 0, size)) commands.push_back(command::ApplyPreset{preset.name, type_});
+    if (tooltips && ImGui::IsItemHovered()) describe(preset);
+  }
+  if (!model.ownCoats.empty()) ImGui::Separator();
+  for (const OwnCoatView& own : model.ownCoats) {
+    ImGui::PushID(own.id.c_str());
+    if (ImGui::Selectable(own.name.c_str(), false, 0, size)) commands.push_back(command::WearCoat{own.id});
+    ImGui::PopID();
+  }
+  ImGui::PopStyleVar();
+  ImGui::EndCombo();
+}
+
+void CoatPanel::drawOwnCoats(const EditorModel& model, std::vector<Command>& commands) {
+  if (!groupHeader("Own coats")) return;
+  char standard[settings::kTypeNameBytes];
+  const std::string_view name = settings::typeName(model.settings, type_);
+  if (name.empty()) std::snprintf(standard, sizeof standard, "Coat %d", static_cast<int>(model.ownCoats.size()) + 1);
+  else std::snprintf(standard, sizeof standard, "%s", name.data());
+  if (std::string kept = newName_.draw("##coatName", "Keep##coat", standard); !kept.empty()) commands.push_back(command::KeepCoat{std::move(kept)});
+  for (const OwnCoatView& own : model.ownCoats) {
+    ImGui::PushID(own.id.c_str());
+    const KeptRows::Pressed pressed = ownRows_.draw(own.id, own.name, "", {"Wear", "File"});
+    if (pressed.button == 0) commands.push_back(command::WearCoat{own.id});
+    if (pressed.button == 1) commands.push_back(command::SaveOwnCoat{own.id});
+    if (!pressed.name.empty()) commands.push_back(command::RenameCoat{own.id, pressed.name});
+    if (pressed.deletes) commands.push_back(command::DeleteCoat{own.id});
+    ImGui::PopID();
+  }
+  ImGui::Dummy(ImVec2(0, px(2)));
 }
 
 // Which type is edited here and in the rows of settings; its name; what it has from files.
@@ -141,6 +162,7 @@ void CoatPanel::drawType(const EditorModel& model, settings::Settings& edited, b
   };
   file(model.typeGiven[type], "Strands of a .fts", edited.typeSets[type]);
   file(model.typePictured[type], "A colour map", edited.typePictures[type]);
+  file(model.skinPictured, "A picture of the skin", edited.typePictures[settings::kSkin]);
 }
 
 // While a slider is dragged coat follows coat, each with a time of its own.

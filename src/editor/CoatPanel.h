@@ -1,4 +1,4 @@
-// The section "Coat" of the panel: presets, seed, and what the generator makes of the settings: the tile
+// The section "Coat" of the panel: presets and coats of one's own, seed, and what the generator makes of the settings: the tile
 // layer by layer, its strands from the side, and how much of each layer they cover.
 #pragma once
 
@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "editor/EditorModel.h"
+#include "editor/KeptRows.h"
 
 namespace fur::editor {
 
@@ -29,6 +30,8 @@ class CoatPanel {
   std::optional<TileView> shownTile() const { return shown_; }
 
  private:
+  void drawPresets(const EditorModel& model, settings::Settings& edited, bool tooltips, std::vector<Command>& commands);
+  void drawOwnCoats(const EditorModel& model, std::vector<Command>& commands);
   void drawType(const EditorModel& model, settings::Settings& edited, bool tooltips);
   void countTime(const CoatView& coat);
   void drawStrands(const EditorModel& model);
@@ -42,6 +45,8 @@ class CoatPanel {
   float height_ = 0.5f;  // of the layer, 0 skin to 1 tip: keeps its place when the number of layers changes
   bool repeated_ = false;
   int type_ = 0;
+  NewName newName_;
+  KeptRows ownRows_;
   float growingFor_ = 0;        // seconds that the coat on its way has taken
   std::uint64_t revision_ = 0;  // of the coat before it
 };

@@ -138,6 +138,11 @@ struct VersionView {
   std::string when;
   ImTextureID picture = nullptr;
 };
+// A coat of the person's own, beside the presets.
+struct OwnCoatView {
+  std::string id;    // for commands
+  std::string name;
+};
 inline constexpr int kVersionPictureWidth = 144, kVersionPictureHeight = 96;
 inline constexpr int kMostNameCharacters = 80;
 
@@ -160,12 +165,14 @@ struct EditorModel {
   CoatView coat;
   bool typeGiven[settings::kFurTypes] = {};     // its coat comes from a type set
   bool typePictured[settings::kFurTypes] = {};  // it has a colour map
+  bool skinPictured = false;                    // so has the skin
   GroomView groom;
   std::vector<MaterialView> materials;  // none: there is one
   HairView hair;
   PictureView picture;
   std::string pictureAsked;  // the file of a picture of which it is to be asked what it is; "": none
   std::span<const VersionView> versions;  // newest first
+  std::span<const OwnCoatView> ownCoats;  // by name
 };
 
 namespace command {
@@ -200,6 +207,22 @@ struct PasteState {};  // and from it
 struct ApplyPreset {
   std::string name;  // of settings/Presets.h
   int type = 0;      // of the fur, 0 to 3
+};
+// A coat of one's own under a name: that of the type that is edited is kept, or it is worn by that.
+struct KeepCoat {
+  std::string name;
+};
+struct WearCoat {
+  std::string id;
+};
+struct SaveOwnCoat {    // as a file
+  std::string id;
+};
+struct RenameCoat {
+  std::string id, name;
+};
+struct DeleteCoat {
+  std::string id;
 };
 struct SaveTypeSet {};  // the coat of the type that is edited as .fts
 struct SaveFo {};       // the model as .fo
@@ -289,6 +312,7 @@ using Command = std::variant<command::BeginChange, command::EndChange, command::
                              command::SetWetness, command::Shake, command::Stamp, command::LoadShipped,
                              command::OpenDialog, command::OpenPath, command::ResetCamera, command::Undo,
                              command::Redo, command::CopyState, command::PasteState, command::ApplyPreset,
+                             command::KeepCoat, command::WearCoat, command::SaveOwnCoat, command::RenameCoat, command::DeleteCoat,
                              command::SaveTypeSet, command::SaveFo, command::SaveHair, command::SaveScene, command::SaveMaps, command::SelectAt, command::GroomAll, command::SetFurry, command::UsePicture,
                              command::SetPoint, command::SetWhisker, command::RemoveWhisker, command::ChooseWhisker,
                              command::Act, command::EditHair, command::SetHairValues, command::SetBody, command::RenameScalp,

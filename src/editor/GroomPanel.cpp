@@ -19,6 +19,8 @@ constexpr float kVariation = 0.5f;
 constexpr float kMaskStep = 0.03f;
 // Degrees that a comb lays fur down at most (groom::kMaxComb).
 constexpr float kMostCombed = 66;
+// Sizes of markings, 1 as is usual.
+constexpr float kLeastPattern = 0.3f, kMostPattern = 3;
 // A map of 256 texels at this size shows each as a pixel on most screens.
 constexpr float kMapSide = 160;
 
@@ -200,6 +202,14 @@ void GroomPanel::drawPaint(const EditorModel& model, settings::Settings& edited)
   const int all = segments("paintAlls", {{"Fill", false}, {"Clear paint", false}});
   if (all == 0) edit(GroomEdit::Paint, static_cast<float>(edited.paintColor));
   if (all == 1) edit(GroomEdit::ClearPaint);
+  rowLabel("Pattern");
+  ImGui::SetNextItemWidth(-1);
+  fillSlider("##patternSize", patternSize_, kLeastPattern, kMostPattern, "%.2f", true);
+  hint("How large the markings are; the seed of the coat makes others");
+  constexpr GroomEdit kPatterns[] = {GroomEdit::Tabby, GroomEdit::Spots, GroomEdit::Rosettes, GroomEdit::Patches};
+  const int pattern = segments("patterns", {{"Tabby", false}, {"Spots", false}, {"Rosettes", false}, {"Patches", false}});
+  hint("Markings all over in the colour above, in place of what is painted");
+  if (pattern >= 0) edit(kPatterns[pattern], patternSize_);
 }
 
 void GroomPanel::drawMask(const EditorModel& model, settings::Settings& edited) {

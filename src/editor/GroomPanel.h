@@ -51,6 +51,7 @@ class GroomPanel {
   int scrolls_ = 0;               // frames that still bring the section to the top
   std::optional<float> wetness_;  // while its slider is held
   bool shown_ = false, tooltips_ = false;
+  float patternSize_ = 1;
   float shortest_ = 0, longest_ = 0.5f;  // what "Select length" selects
 };
 

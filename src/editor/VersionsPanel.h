@@ -1,10 +1,10 @@
 // The section "Versions" of the panel: scenes that are kept under names, with the way back to each.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "editor/EditorModel.h"
+#include "editor/KeptRows.h"
 
 namespace fur::editor {
 
@@ -14,22 +14,10 @@ class VersionsPanel {
   std::vector<Command> draw(const EditorModel& model);
 
  private:
-  void drawNew(const EditorModel& model);
-  void drawVersion(const VersionView& version);
-  void drawButtons(const VersionView& version);
+  void drawVersion(const VersionView& version, std::vector<Command>& commands);
 
-  // What is asked about the version `asked_`.
-  enum class Question { None, Name, Delete };
-
-  std::vector<Command> commands_;
-  // Four bytes a character, and the end.
-  char name_[4 * kMostNameCharacters + 1] = "", newName_[4 * kMostNameCharacters + 1] = "";
-  Question question_ = Question::None;
-  std::string asked_;
-  bool justAsked_ = false;
+  NewName newName_;
+  KeptRows rows_;
 };
-
-// The text's first characters, as many as a name may have, without spaces round them.
-std::string nameFrom(const char* text);
 
 }  // namespace fur::editor

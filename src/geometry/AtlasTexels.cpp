@@ -51,9 +51,9 @@ bool AtlasTriangle::meets(int x, int y, float margin) const {
   return true;
 }
 
-AtlasTexels::AtlasTexels(const Surface& surface, int size)
+AtlasTexels::AtlasTexels(const Surface& surface, int size, std::span<const std::uint8_t> without)
     : size_(size), triangleOf_(static_cast<std::size_t>(size) * static_cast<std::size_t>(size), kNoTriangle) {
-  rasterise(surface);
+  rasterise(surface, without);
   growGutter();
 }
 
@@ -61,9 +61,11 @@ AtlasTriangle AtlasTexels::flatten(const Surface& surface, std::uint32_t t) cons
   return {atlasOf(surface, t, 0), atlasOf(surface, t, 1), atlasOf(surface, t, 2), size_};
 }
 
-void AtlasTexels::rasterise(const Surface& surface) {
+void AtlasTexels::rasterise(const Surface& surface, std::span<const std::uint8_t> without) {
   const auto count = static_cast<std::uint32_t>(surface.triangleCount());
+  const auto isWithout = [&](std::uint32_t t) { return !without.empty() && without[t]; };
   for (std::uint32_t t = 0; t < count; ++t) {
+    if (isWithout(t)) continue;
     const AtlasTriangle flat = flatten(surface, t);
     const TexelRect box = flat.bounds(0.0f);
     for (int y = box.y0; y < box.y1; ++y)
@@ -73,7 +75,7 @@ void AtlasTexels::rasterise(const Surface& surface) {
   // Triangles too fine to hold a texel's centre.
   const auto last = static_cast<float>(size_ - 1);
   for (std::uint32_t t = 0; t < count; ++t)
-    for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < 3 && !isWithout(t); ++k) {
       const Vec2 at = glm::clamp(atlasOf(surface, t, k) * static_cast<float>(size_), Vec2(0.0f), Vec2(last));
       std::uint32_t& owner = triangleOf_[static_cast<std::size_t>(at.y) * size_ + static_cast<std::size_t>(at.x)];
       if (owner == kNoTriangle) owner = t;

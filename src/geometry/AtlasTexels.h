@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -41,7 +42,8 @@ class AtlasTexels {
  public:
   static constexpr int kGutter = 2;
 
-  AtlasTexels(const Surface& surface, int size);
+  // `without`: one a triangle, those that have no texels; empty: all have.
+  AtlasTexels(const Surface& surface, int size, std::span<const std::uint8_t> without = {});
 
   int size() const { return size_; }
   // size * size, row-major; kNoTriangle (Adjacency.h) in gutters and between charts.
@@ -65,7 +67,7 @@ class AtlasTexels {
 
  private:
   AtlasTriangle flatten(const Surface& surface, std::uint32_t triangle) const;
-  void rasterise(const Surface& surface);
+  void rasterise(const Surface& surface, std::span<const std::uint8_t> without);
   void growGutter();
 
   int size_;

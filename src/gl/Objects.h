@@ -126,6 +126,7 @@ struct TextureShape {
   Filter filter = Filter::Linear;
   bool repeats = false;
   int levels = 0;  // of mipmaps; 0: all there are
+  int wrapU = 0, wrapV = 0;  // GL_MIRRORED_REPEAT and so on; 0: by `repeats`
 };
 
 class Texture {

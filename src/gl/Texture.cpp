@@ -73,8 +73,8 @@ Texture::Texture(const TextureShape& shape, std::span<const std::byte> texels) :
   glTexParameteri(target, GL_TEXTURE_MIN_FILTER, minify);
   glTexParameteri(target, GL_TEXTURE_MAG_FILTER, magnify);
   const GLint wrap = shape.repeats ? GL_REPEAT : GL_CLAMP_TO_EDGE;
-  glTexParameteri(target, GL_TEXTURE_WRAP_S, wrap);
-  glTexParameteri(target, GL_TEXTURE_WRAP_T, wrap);
+  glTexParameteri(target, GL_TEXTURE_WRAP_S, shape.wrapU ? shape.wrapU : wrap);
+  glTexParameteri(target, GL_TEXTURE_WRAP_T, shape.wrapV ? shape.wrapV : wrap);
   if (hasLevels(shape) && data) glGenerateMipmap(target);
 }
 

@@ -38,10 +38,6 @@ void forPicturedTexels(GroomMap& map, const GroomSurface& skin, const Picture& p
   map.fillGutter(skin.atlas, {0, 0, map.size(), map.size()});
 }
 
-int presenceOf(const GroomMap::Texel& texel, int type) {
-  return type == 1 ? 255 - texel[1] - texel[2] - texel[3] : texel[static_cast<std::size_t>(type) - 1];
-}
-
 // The directions of u and v on a triangle, unit; none where it has no area there.
 struct UvAxes {
   Vec3 u{0}, v{0};
@@ -63,9 +59,9 @@ const std::uint8_t* Picture::at(const Vec2& uv) const {
   return &rgba[4 * (texelAt(uv.y, height) * static_cast<std::size_t>(width) + texelAt(uv.x, width))];
 }
 
-void paintColors(Groom& groom, const GroomSurface& skin, const Picture& picture, int type) {
-  forPicturedTexels(groom.paint, skin, picture, [&](std::uint32_t i, GroomMap::Texel& texel, const std::uint8_t* pixel) {
-    const int over = type ? pixel[3] * presenceOf(groom.map.texels()[i], type) / 255 : pixel[3];
+void paintColors(Groom& groom, const GroomSurface& skin, const Picture& picture) {
+  forPicturedTexels(groom.paint, skin, picture, [](std::uint32_t, GroomMap::Texel& texel, const std::uint8_t* pixel) {
+    const int over = pixel[3];
     const int under = texel[3] * (255 - over) / 255, all = over + under;
     for (std::size_t k = 0; k < 3 && all > 0; ++k) texel[k] = static_cast<std::uint8_t>((pixel[k] * over + texel[k] * under) / all);
     texel[3] = static_cast<std::uint8_t>(all);

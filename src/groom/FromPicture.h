@@ -14,8 +14,8 @@ struct Picture {
   const std::uint8_t* at(const Vec2& uv) const;
 };
 
-// Its colours over the paint, as far as it is opaque; `type`: by the presence of that type, 1..kTypes; 0: of all.
-void paintColors(Groom& groom, const GroomSurface& skin, const Picture& picture, int type);
+// Its colours over the paint, as far as it is opaque.
+void paintColors(Groom& groom, const GroomSurface& skin, const Picture& picture);
 // Its alpha is the length.
 void lengthFromAlpha(Groom& groom, const GroomSurface& skin, const Picture& picture);
 // The darker, the more of the fur is `bald`, a type from 2 on: the others have what its brightness leaves them of what they had.

@@ -62,6 +62,7 @@ void fillTypes(const Frame& frame, const FurDensities& densities, const TypePict
   // Strands by a preset's name are lit as those of type 1: all by the greatest density.
   bool asOne = false;
   for (int type = 1; type < FUR_TYPES; ++type) asOne |= densities[static_cast<std::size_t>(type)] > 0 && !settings::isOwn(frame.settings, type);
+  coat.skinPicture = static_cast<float>(pictures[FUR_TYPES]);
   for (int type = 0; type < FUR_TYPES; ++type) {
     const auto index = static_cast<std::size_t>(type);
     const settings::Settings look = settings::drawnCoat(frame.settings, type);

@@ -17,8 +17,8 @@ shared::FrameBlock frameBlock(const Frame& frame);
 // One a fur type: the share of its densest layer that strands cover; 0: bald, or not there.
 using FurDensities = std::array<float, FUR_TYPES>;
 // And the layer of its colour map (SurfaceMaps), -1: none.
-using TypePictures = std::array<int, FUR_TYPES>;
-inline constexpr TypePictures kNoPictures{-1, -1, -1, -1};
+using TypePictures = std::array<int, FUR_TYPES + 1>;  // the last: of the skin
+inline constexpr TypePictures kNoPictures{-1, -1, -1, -1, -1};
 
 // A tile of that many texels along a side and that many layers for each type.
 shared::FurBlock furBlock(const Frame& frame, int tileSize, int storedLayers, const FurDensities& densities, int maskSize,

@@ -42,8 +42,8 @@ constexpr VariantBits kNotOfSkin = kWet | kMarschner | kShaped;
 
 }  // namespace
 
-Look::Look(const Frame& frame, bool furry, bool textured)
-    : furry_(furry), wetHair_(frame.wetHair), classic_(showsClassic(frame.settings)), final_(finalLook(frame, textured)),
+Look::Look(const Frame& frame, bool furry, bool textured, bool skinPictured)
+    : furry_(furry), wetHair_(frame.wetHair), classic_(showsClassic(frame.settings)), notOfBare_(skinPictured ? +kPlain : kFurOnly), final_(finalLook(frame, textured)),
       bend_(curveVariant(frame.settings)), printed_(printedVariant(frame)) {}
 
 VariantBits Look::shells(VariantBits view) const { return bend_ | shown(final_, view); }
@@ -53,13 +53,14 @@ VariantBits Look::fins(VariantBits view) const { return view & kViewEdges ? view
 
 VariantBits Look::skin(VariantBits view) const {
   VariantBits look = final_ & ~kNotOfSkin;
-  if (!furry_ || view == kViewShadow) look &= ~kFurOnly;
+  if (view == kViewShadow) look &= ~kFurOnly;
+  else if (!furry_) look &= ~notOfBare_;
   if (furry_) look |= kUnderFur | (view == kPlain ? final_ & kWet : +kPlain);
   if (furry_ && classic_) look |= kClassic;
   return shown(look, view);
 }
 
-VariantBits Look::bareSkin(VariantBits view) const { return view ? view : final_ & ~(kNotOfSkin | kFurOnly); }
+VariantBits Look::bareSkin(VariantBits view) const { return view ? view : final_ & ~(kNotOfSkin | notOfBare_); }
 
 VariantBits Look::whiskers() const { return bend_ | (final_ & ~(kTextured | kFurOnly | kPainted | kShaped)); }
 

@@ -9,8 +9,8 @@ namespace fur::render {
 // `view`, where a pass is asked for it: the bits of a view that is shown in place of the final picture; kPlain: none.
 class Look {
  public:
-  // `furry`: there is a coat to draw; `textured`: the model has a picture of its own.
-  Look(const Frame& frame, bool furry, bool textured);
+  // `furry`: there is a coat to draw; `textured`: the model, a fur type or the skin has a picture; `skinPictured`: the skin has.
+  Look(const Frame& frame, bool furry, bool textured, bool skinPictured = false);
 
   bool furry() const { return furry_; }
   // The coat is drawn by the technique `shells`: the final picture, and the views that show it in parts.
@@ -29,6 +29,7 @@ class Look {
 
  private:
   bool furry_, wetHair_, classic_;
+  VariantBits notOfBare_;  // what bare skin has no use for
   VariantBits final_;  // all bits but those of `bend_`
   VariantBits bend_;   // how strands bend
   VariantBits printed_;  // which equations are the papers' as they are printed

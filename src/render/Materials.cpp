@@ -63,12 +63,14 @@ void Materials::setBare(std::span<const std::uint8_t> bare) {
 
 std::size_t Materials::setImage(std::size_t image, int width, int height, std::span<const std::uint8_t> rgba) {
   if (images_.size() <= image) images_.resize(image + 1);
-  bool repeats = false, used = false;
+  // One that parts use in different ways repeats.
+  int wrapU = 0, wrapV = 0;
+  const auto note = [](int& wrap, int wanted) { wrap = wrap == 0 || wrap == wanted ? wanted : scene::kWrapRepeat; };
   for (const Part& part : parts_)
     for (const auto texture : {&scene::Material::baseColorTexture, &scene::Material::metallicRoughnessTexture, &scene::Material::normalTexture,
                                &scene::Material::occlusionTexture, &scene::Material::emissiveTexture})
-      if ((part.material.*texture).image == static_cast<int>(image)) used = true, repeats |= (part.material.*texture).repeats;
-  images_[image] = gl::Texture({gl::TexelFormat::RGBA8, width, height, 0, gl::Filter::Trilinear, repeats || !used}, std::as_bytes(rgba));
+      if (const scene::MaterialTexture& of = part.material.*texture; of.image == static_cast<int>(image)) note(wrapU, of.wrapS), note(wrapV, of.wrapT);
+  images_[image] = gl::Texture({gl::TexelFormat::RGBA8, width, height, 0, gl::Filter::Trilinear, true, 0, wrapU, wrapV}, std::as_bytes(rgba));
   findPictures();
   return images_[image].bytes();
 }

@@ -141,7 +141,7 @@ void addClassic(std::vector<std::pair<Shader, VariantBits>>& all) {
                                  kWet | kPrintedLobe | kShadowDepth, kWet | kPrintedClumps | kShadowDepth, kWet | kPrintedLight | kShadowDepth,
                                  kWet | kPrinted | kGroomed | kTypes | kShadowDepth})
     add(look);
-  for (const VariantBits look : {+kPlain, +kWet, +kTextured, kGroomed | kPainted, kGroomed | kTypes})
+  for (const VariantBits look : {+kPlain, +kWet, +kTextured, kGroomed | kPainted, kGroomed | kTypes, kTextured | kGroomed | kTypes})
     all.emplace_back(Shader::Skin, look | kUnderFur | kClassic | kShadowDepth);
 }
 
@@ -255,6 +255,7 @@ std::vector<std::pair<Shader, VariantBits>> allVariants() {
         all.emplace_back(Shader::Shell, view | look | groom);
   for (const VariantBits shadow : {kPlain, kShadowDepth, kShadowLayers}) {
     all.emplace_back(Shader::Bare, shadow);
+    all.emplace_back(Shader::Skin, shadow | kTextured | kGroomed | kTypes);  // with a picture of its own
     for (const VariantBits look : {+kPlain, +kTextured}) {
       all.emplace_back(Shader::Skin, look | shadow);
       for (const VariantBits groom : {+kPlain, +kGroomed, kGroomed | kTypes})

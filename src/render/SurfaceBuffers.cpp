@@ -76,9 +76,11 @@ std::size_t SurfaceBuffers::set(const geometry::Surface& surface, std::span<cons
   ranges_ = IndexRanges::sort(indices, materials_);
   std::vector<SkinVertex> vertices;
   std::vector<FurVertex> furVertices;
+  // Pictures lie on the atlas of a model that has no coordinates for them.
+  const bool hasUv = std::any_of(surface.vertices.begin(), surface.vertices.end(), [](const auto& v) { return v.uv != Vec2(0); });
   for (const auto& v : surface.vertices) {
     vertices.push_back({Vec4(v.position, v.strands.x), Vec4(v.normal, v.strands.y), Vec4(v.gradS, v.curvature.z), v.gradT});
-    furVertices.push_back({Vec4(v.uv, v.atlas), Vec4(v.fur, v.curvature.x, v.curvature.y), v.atlasFromFur, {}, v.lean});
+    furVertices.push_back({Vec4(hasUv ? v.uv : v.atlas, v.atlas), Vec4(v.fur, v.curvature.x, v.curvature.y), v.atlasFromFur, {}, v.lean});
   }
   findSurroundings(surface, furVertices);
   vertices_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(vertices), !tangents.empty());

@@ -17,7 +17,7 @@ class SurfaceMaps {
  public:
   // Fur of full length everywhere. Needs a context.
   std::size_t create();
-  // A colour map of each fur type, straight RGBA8 in sRGB; empty: it has none. All are made as large as the largest, up to a limit.
+  // A colour map of each fur type and of the skin, straight RGBA8 in sRGB; empty: it has none. All are made as large as the largest, up to a limit.
   struct Picture {
     int width = 0, height = 0;
     std::span<const std::uint8_t> rgba{};

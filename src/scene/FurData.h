@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/Math.h"
+#include "core/Result.h"
 #include "groom/Groom.h"
 #include "hair/Scalp.h"
 
@@ -24,6 +25,8 @@ struct EncodedImage {
   std::vector<std::uint8_t> bytes;
   int width = 0, height = 0;  // from its header
 };
+// The picture of those bytes. bad-file: `what` is of none of those formats; too-large: a side over kMaxImageSide (Model.h).
+Result<EncodedImage> encodedImage(std::vector<std::uint8_t> bytes, const std::string& what);
 
 // What a fur type has besides settings.
 struct TypeFiles {
@@ -44,7 +47,8 @@ struct FurData {
   std::vector<Vec4> wetness{};  // wetnessSize * wetnessSize texels as wet::WetnessMask has them, or empty
   int wetnessSize = 0;
   std::vector<std::uint8_t> water{};    // all of it as app::WaterStage saves it; not validated yet; at most kMostWaterBytes
-  std::array<TypeFiles, groom::kTypes> coats{};
+  // Of each type; the last: of the skin, which has a picture alone.
+  std::array<TypeFiles, groom::kTypes + 1> coats{};
   hair::Hairstyle hair{};  // positions in model space
   std::vector<int> bare{};  // materials of the file without fur; -1: primitives without one
   bool hasBare = false;    // a document of several materials, of which `bare` tells

@@ -10,9 +10,12 @@ namespace fur::scene {
 
 enum class AlphaMode { Opaque, Mask, Blend };
 
+// How pictures go on beyond their edges, as glTF and OpenGL number it.
+inline constexpr int kWrapClamp = 33071, kWrapMirror = 33648, kWrapRepeat = 10497;
+
 struct MaterialTexture {
   int image = -1;        // of Model::images; -1: none
-  bool repeats = true;
+  int wrapS = kWrapRepeat, wrapT = kWrapRepeat;
   Mat3 transform{1.0f};  // (u, v, 1) of the mesh to (u, v, 1) of the image
 };
 

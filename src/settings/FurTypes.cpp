@@ -24,7 +24,7 @@ void copyType(const Values& from, Values& to) {
 // Numbers of files.
 struct FileField {
   const char* name;
-  std::array<std::uint32_t, kFurTypes> Settings::*numbers;
+  std::array<std::uint32_t, kFurTypes + 1> Settings::*numbers;
 };
 constexpr FileField kFiles[] = {{"picture", &Settings::typePictures}, {"typeSet", &Settings::typeSets}};
 
@@ -122,6 +122,7 @@ void setTypeName(Settings& settings, int type, std::string_view name) {
 
 std::optional<TypeField> typeFieldOf(std::string_view name) {
   constexpr std::string_view kType = "type";
+  if (name == "skin.picture") return TypeField{kSkin, kFiles[0].name};
   if (name.size() < 7 || !name.starts_with(kType) || name[4] < '1' || name[4] > '4' || name[5] != '.') return {};
   return TypeField{name[4] - '1', name.substr(6)};
 }
@@ -174,6 +175,7 @@ std::string typesJson(const Settings& settings) {
     for (const Field& field : fields())
       if (field.has(kOfType) && field.get(values) != field.get(standard)) add(field.name, fieldJson(values, field));
   }
+  if (const std::uint32_t number = settings.typePictures[kSkin]) out.append(",\"skin.picture\":").append(jsonString(numberText(number)));
   return out;
 }
 

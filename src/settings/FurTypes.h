@@ -38,6 +38,7 @@ void setTypeName(Settings& settings, int type, std::string_view name);
 
 // Names such as "type2.curl", of the types 1 to 4. The last part is a field that is kOfType, "name", "preset", whose value
 // is loaded, or "picture" or "typeSet", the number of a colour map or of a coat from a file, "" for none. A type that is set so becomes one of its own.
+// "skin.picture" is the same of the skin: of type kSkin.
 struct TypeField {
   int type;
   std::string_view name;

@@ -20,6 +20,8 @@ struct Values {
 };
 
 inline constexpr int kFurTypes = 4;
+// The skin has a place behind the types where pictures are told apart.
+inline constexpr int kSkin = kFurTypes;
 inline constexpr std::size_t kTypeNameBytes = 40;
 
 // The values are those of the model and of fur type 1; what the other types have is read and set by FurTypes.h. Bytes can be
@@ -28,8 +30,9 @@ struct Settings : Values {
   // Of the types 2 to 4, of use where type2 to type4 are "own": the fields that are kOfType.
   std::array<Values, kFurTypes - 1> ownTypes{};
   std::array<std::array<char, kTypeNameBytes>, kFurTypes> typeNames{};  // UTF-8, ends with 0
-  // Of what a type has from files, numbers (app/TypeShelf.h); 0: none. Colour maps; coats that take the place of grown ones.
-  std::array<std::uint32_t, kFurTypes> typePictures{}, typeSets{};
+  // Of what a type, or the skin, has from files, numbers (app/TypeShelf.h); 0: none. Colour maps; coats that take the place of
+  // grown ones, of which the skin has none.
+  std::array<std::uint32_t, kFurTypes + 1> typePictures{}, typeSets{};
   bool operator==(const Settings&) const = default;
 };
 
@@ -47,7 +50,7 @@ const std::array<Field, kFieldCount>& fields();
 const Field* findField(std::string_view name);
 
 // From text (FieldTable.h), by name; unknown names warn, too. "lightRig" is the name of a rig (LightRigs.h) that sets several;
-// "type2.curl" is a value of a fur type (FurTypes.h).
+// "type2.curl" is a value of a fur type, "skin.picture" the number of a colour map (FurTypes.h).
 bool setField(Settings& settings, std::string_view name, std::string_view text, Warnings& warnings);
 
 // Whether setField() knows the name; what it has been set to, "" where there is none.

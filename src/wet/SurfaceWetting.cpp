@@ -30,10 +30,10 @@ float cross2(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
 }  // namespace
 
-SurfaceWetting::SurfaceWetting(const geometry::Surface& surface, int maskSize)
-    : atlas_(surface, maskSize), chartOfTexel_(static_cast<std::size_t>(maskSize) * maskSize, kNoChart) {
+SurfaceWetting::SurfaceWetting(const geometry::Surface& surface, int maskSize, std::span<const std::uint8_t> bare)
+    : atlas_(surface, maskSize, bare), chartOfTexel_(static_cast<std::size_t>(maskSize) * maskSize, kNoChart) {
   faces_.reserve(surface.triangleCount());
-  for (std::size_t t = 0; t < surface.triangleCount(); ++t) faces_.push_back(mapFace(surface, t));
+  for (std::size_t t = 0; t < surface.triangleCount(); ++t) faces_.push_back(!bare.empty() && bare[t] ? Face{} : mapFace(surface, t));
   for (std::size_t i = 0; i < chartOfTexel_.size(); ++i)
     if (atlas_.triangleOf()[i] != geometry::kNoTriangle) chartOfTexel_[i] = chartOf(surface, atlas_.triangleOf()[i]);
   for (const auto& [texel, source] : atlas_.gutter()) chartOfTexel_[texel] = chartOfTexel_[source];

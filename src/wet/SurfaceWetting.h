@@ -7,6 +7,8 @@
 // It is a ball in space: it wets what lies within its radius, and does not follow the skin round sharp bends.
 #pragma once
 
+#include <span>
+
 #include "geometry/Surface.h"
 #include "geometry/SurfaceQuery.h"
 #include "wet/WetnessMask.h"
@@ -16,8 +18,8 @@ namespace fur::wet {
 class SurfaceWetting {
  public:
   // Rasterises the charts at the mask's size (AtlasTexels.h). The surface and mask passed later must have the same triangles
-  // and size.
-  SurfaceWetting(const geometry::Surface& surface, int maskSize);
+  // and size. `bare`: one a triangle, those that take no water, as no fur grows there; empty: all take some.
+  SurfaceWetting(const geometry::Surface& surface, int maskSize, std::span<const std::uint8_t> bare = {});
 
   // `centre` on the surface, radius in model units. Triangles whose normals face away from `normal` (the far side of a thin
   // ear) are skipped.

@@ -37,6 +37,21 @@ bool Water::prepare(const WetSurface& skin, std::uint32_t places) {
   return ready_ = true;
 }
 
+void Water::forgetPlaces() {
+  // What stands in the mask counts as painted where it is noticed again; what was on its way to places is gone.
+  const Accounts all = accounts();
+  accounts_.painted -= all.held + all.film;
+  for (Drop& drop : drops_) drop.place = Drop::kNoPlace;
+  hanging_ = 0;
+  incoming_.clear();
+  held_.clear();
+  film_.clear();
+  sites_ = {};
+  texels_.reset();
+  ready_ = false;
+  seen_ = 0xffffffffu;
+}
+
 void Water::setLay(std::vector<Vec3> lay) {
   if (lay == lay_) return;
   lay_ = std::move(lay);

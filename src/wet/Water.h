@@ -81,6 +81,8 @@ class Water {
   // and the tools do nothing.
   bool prepare(const WetSurface& skin, std::uint32_t places = 0xffffffffu);
   bool ready() const { return ready_; }
+  // Other parts of the skin take water from now on: prepare() begins anew, and what the mask holds stays where it may.
+  void forgetPlaces();
   // More than there ever is in one place, or than a drop has of anything.
   static constexpr float kMostAmount = 1e5f;
   // All state but the mask. Restore into a Water that is not prepared yet, for the same model and mask. The reader fails where

@@ -1,4 +1,5 @@
 // Parts of a model that are furry and parts that are not.
+#include "tests/app/Salon.h"
 #include "tests/render/Picture.h"
 #include "tests/scene/GltfBuilder.h"
 
@@ -180,6 +181,70 @@ TEST(AppMaterials, TheViewOfTheSkinShowsBarePartsAsTheyAre) {
   TwoRoom room;
   room.app.setField("view", "skin");
   EXPECT_TRUE(isGreen(room.settled().at(88, 60)));
+}
+
+// The mean wetness of a part: left or right of the middle.
+float wetnessOf(App& app, bool right) {
+  float sum = 0, count = 0;
+  for (const geometry::SurfaceVertex& vertex : app.surface().vertices) {
+    if ((vertex.position.x > 0) != right) continue;
+    sum += app.wetnessAt(vertex.atlas.x, vertex.atlas.y);
+    ++count;
+  }
+  return sum / count;
+}
+
+TEST(AppMaterials, BarePartsTakeNoWaterHoweverItComes) {
+  const auto wet = [](const char* what, auto work) {
+    TwoRoom room;
+    work(room);
+    for (int i = 0; i < 60; ++i) room.app.tick(1.0f / 60);
+    EXPECT_GT(wetnessOf(room.app, false), 0.01f) << what;
+    EXPECT_EQ(wetnessOf(room.app, true), 0) << what;
+  };
+  wet("all over", [](TwoRoom& room) { room.app.setWetness(1); });
+  wet("rain", [](TwoRoom& room) {
+    room.app.setField("rain", "1");
+    for (int i = 0; i < 240; ++i) room.app.tick(1.0f / 60);
+  });
+  wet("strokes", [](TwoRoom& room) {
+    room.app.setField("brushFlow", "1");
+    room.stroke(Tool::Droplet, kRight, kRight + Vec2(10, 10));
+    room.stroke(Tool::Droplet, kLeft, kLeft + Vec2(10, 10));
+  });
+  wet("at atlas coordinates", [](TwoRoom& room) {
+    for (int y = 0; y < 8; ++y)
+      for (int x = 0; x < 8; ++x) room.app.splashAt((static_cast<float>(x) + 0.5f) / 8, (static_cast<float>(y) + 0.5f) / 8, 0.1f, 0.8f);
+  });
+}
+
+TEST(AppMaterials, APartThatBecomesFurryTakesWaterAndOneThatBecomesBareLosesIt) {
+  TwoRoom room;
+  room.app.setWetness(1);
+  room.app.tick(1.0f / 60);
+  ASSERT_TRUE(room.app.setFurry(1, true));
+  room.app.tick(1.0f / 60);
+  EXPECT_GT(wetnessOf(room.app, false), 0.5f) << "what was wet stays so";
+  EXPECT_LT(wetnessOf(room.app, true), 0.05f);
+  room.app.setWetness(1);
+  EXPECT_GT(wetnessOf(room.app, true), 0.5f);
+  ASSERT_TRUE(room.app.setFurry(0, false));
+  for (int i = 0; i < 10; ++i) room.app.tick(1.0f / 60);
+  EXPECT_LT(wetnessOf(room.app, false), 0.02f);
+  const wet::Accounts water = room.app.water().accounts();
+  EXPECT_NEAR(water.painted, water.held + water.film + water.drops + water.dripped + water.evaporated + water.removed, 1e-3) << "none is lost or made";
+}
+
+TEST(AppMaterials, LongHairCoversFurryPartsAlone) {
+  TwoRoom room;
+  room.app.editHair(HairEdit::AddScalp);
+  room.app.editHair(HairEdit::Cover, 1);
+  const hair::Scalp& scalp = room.app.hairstyle().scalps[0];
+  for (const geometry::SurfaceVertex& vertex : room.app.surface().vertices) {
+    const int size = scalp.map.size(), x = std::min(static_cast<int>(vertex.atlas.x * static_cast<float>(size)), size - 1), y = std::min(static_cast<int>(vertex.atlas.y * static_cast<float>(size)), size - 1);
+    if (vertex.position.x < -0.05f) EXPECT_EQ(scalp.map.texels()[static_cast<std::size_t>(y * size + x)][0], 255);
+    if (vertex.position.x > 0.05f) EXPECT_EQ(scalp.map.texels()[static_cast<std::size_t>(y * size + x)][0], 0);
+  }
 }
 
 }  // namespace

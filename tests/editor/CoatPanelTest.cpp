@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "settings/FurTypes.h"
 #include "tests/editor/PanelDriver.h"
 
 namespace fur::editor {
@@ -81,6 +82,74 @@ TEST(CoatPanel, EveryPresetCanBeChosen) {
     person.choose("##preset", preset.label);
     EXPECT_EQ(settings::presetOf(person.model.settings), &preset) << preset.name;
   }
+}
+
+// A person with two coats of their own.
+struct CoatOwner : CoatPerson {
+  std::vector<OwnCoatView> own{{"fox.coat", "Winter fox"}, {"cloud.coat", "Cloud"}};
+  CoatOwner() {
+    model.ownCoats = own;
+    setOpen("Own coats", true);
+  }
+  void pressOf(const char* coat, const char* row, int segment, const char* one) {
+    const auto at = find(ImHashStr(one, 0, ImHashData(&segment, sizeof segment, ImHashStr(row, 0, id(coat)))));
+    ASSERT_TRUE(at) << coat << ' ' << one;
+    click(*at);
+  }
+  template <class C>
+  const C* lastOf() const {
+    for (auto command = commands.rbegin(); command != commands.rend(); ++command)
+      if (const auto* found = std::get_if<C>(&*command)) return found;
+    return nullptr;
+  }
+};
+
+TEST(CoatPanel, CoatsOfOnesOwnAreInTheListOfPresetsAndInOneOfTheirOwn) {
+  CoatOwner person;
+  const auto combo = person.find(person.id("##preset"));
+  ASSERT_TRUE(combo);
+  person.click(*combo);
+  ImGuiContext& context = *ImGui::GetCurrentContext();
+  ASSERT_EQ(context.OpenPopupStack.Size, 1);
+  ImGuiWindow* list = context.OpenPopupStack[0].Window;
+  const ImGuiID fox = ImHashStr("Winter fox", 0, list->GetID("fox.coat"));
+  bool found = false;
+  for (float y = list->Rect().Min.y; y < list->Rect().Max.y && !found; y += 4) {
+    person.moveTo({list->Rect().GetCenter().x, y});
+    if ((found = ImGui::GetHoveredID() == fox)) person.click({list->Rect().GetCenter().x, y});
+  }
+  ASSERT_TRUE(found);
+  ASSERT_TRUE(person.lastOf<command::WearCoat>());
+  EXPECT_EQ(person.lastOf<command::WearCoat>()->id, "fox.coat");
+  person.pressOf("cloud.coat", "buttons", 0, "Wear");
+  EXPECT_EQ(person.lastOf<command::WearCoat>()->id, "cloud.coat");
+  person.pressOf("cloud.coat", "buttons", 1, "File");
+  EXPECT_EQ(person.lastOf<command::SaveOwnCoat>()->id, "cloud.coat");
+}
+
+TEST(CoatPanel, ACoatIsKeptUnderTheNameOfItsTypeOrTheNextNumber) {
+  CoatOwner person;
+  person.press("Keep##coat");
+  ASSERT_TRUE(person.lastOf<command::KeepCoat>());
+  EXPECT_EQ(person.lastOf<command::KeepCoat>()->name, "Coat 3");
+  settings::setTypeName(person.model.settings, 0, "Snow");
+  person.press("Keep##coat");
+  EXPECT_EQ(person.lastOf<command::KeepCoat>()->name, "Snow");
+}
+
+TEST(CoatPanel, ACoatIsDeletedOnlyAfterItHasAskedAndRenamedByTyping) {
+  CoatOwner person;
+  person.pressOf("fox.coat", "buttons", 3, "Delete");
+  EXPECT_EQ(person.count<command::DeleteCoat>(), 0);
+  person.pressOf("fox.coat", "answers", 0, "Delete");
+  ASSERT_EQ(person.count<command::DeleteCoat>(), 1);
+  person.pressOf("cloud.coat", "buttons", 2, "Rename");
+  person.frames(3);
+  person.type("Storm");
+  person.pressKey("Enter");
+  ASSERT_TRUE(person.lastOf<command::RenameCoat>());
+  EXPECT_EQ(person.lastOf<command::RenameCoat>()->id, "cloud.coat");
+  EXPECT_EQ(person.lastOf<command::RenameCoat>()->name, "Storm");
 }
 
 TEST(CoatPanel, TheSeedIsSteppedAndKeptInItsRange) {

@@ -35,21 +35,10 @@ void forHalves(const PicturedSphere& s, const GroomMap& map, Check check) {
 
 TEST(FromPicture, ColoursArePaintedAsFarAsThePictureIsOpaque) {
   PicturedSphere s;
-  paintColors(s.groom, s.groomSurface(), kPicture, 0);
+  paintColors(s.groom, s.groomSurface(), kPicture);
   forHalves(s, s.groom.paint, [](const GroomMap::Texel& texel, bool left) {
     EXPECT_EQ(texel, left ? (GroomMap::Texel{200, 100, 50, 255}) : (GroomMap::Texel{0, 0, 0, 64}));
   });
-}
-
-TEST(FromPicture, ColoursOfATypeArePaintedByItsShare) {
-  PicturedSphere s;
-  std::vector<GroomMap::Texel> texels(s.groom.map.texels().size(), {255, 51, 0, 0});  // a fifth is type 2
-  s.groom.map.restore(texels);
-  paintColors(s.groom, s.groomSurface(), kPicture, 2);
-  forHalves(s, s.groom.paint, [](const GroomMap::Texel& texel, bool left) { EXPECT_EQ(texel[3], left ? 51 : 12); });
-  s.groom.paint = GroomMap(s.groom.map.size(), GroomMap::kBlank);
-  paintColors(s.groom, s.groomSurface(), kPicture, 3);
-  EXPECT_TRUE(s.groom.paint.isPlain()) << "it grows nowhere";
 }
 
 TEST(FromPicture, AlphaIsTheLength) {

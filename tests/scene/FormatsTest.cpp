@@ -27,7 +27,7 @@ TEST(Formats, EachIsFoundByItsEndingInSmallLettersAndCapitals) {
 }
 
 TEST(Formats, WhatTheyAreSaidToBeIsInWords) {
-  EXPECT_EQ(endingsOf(FileKind::Coat), ".fts");
+  EXPECT_EQ(endingsOf(FileKind::Coat), ".coat and .fts");
   EXPECT_EQ(endingsOf(FileKind::Model, " or ").substr(0, 12), ".glb, .gltf,");
   EXPECT_NE(endingsOf(FileKind::Model, " or ").find(" or ."), std::string::npos);
   EXPECT_EQ(saveLabel(Format::Glb), "Save scene (.glb)");

@@ -171,8 +171,21 @@ TEST(GltfMaterials, OneImageOfSeveralMaterialsIsKeptOnce) {
   ASSERT_TRUE(model) << model.error().message;
   EXPECT_EQ(model->images.size(), 1u);
   EXPECT_EQ(model->materials[1].baseColorTexture.image, 0);
-  EXPECT_TRUE(model->materials[0].baseColorTexture.repeats);
-  EXPECT_FALSE(model->materials[1].baseColorTexture.repeats);
+  EXPECT_EQ(model->materials[0].baseColorTexture.wrapS, kWrapRepeat);
+  EXPECT_EQ(model->materials[1].baseColorTexture.wrapS, kWrapClamp);
+}
+
+TEST(GltfMaterials, PicturesGoOnBeyondEachEdgeAsTheirSamplerSays) {
+  const FileSet others{{"a.png", sizedPng(8, 8)}};
+  const auto wrapsOf = [&](const std::string& sampler) {
+    auto model = importGltf(two(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}},{}],"textures":[{"source":0,"sampler":0}],"images":[{"uri":"a.png"}],"samplers":[)" + sampler).build(), "one.glb", others);
+    EXPECT_TRUE(model) << model.error().message;
+    const MaterialTexture& texture = model->materials[0].baseColorTexture;
+    return std::pair(texture.wrapS, texture.wrapT);
+  };
+  EXPECT_EQ(wrapsOf("{}"), std::pair(kWrapRepeat, kWrapRepeat));
+  EXPECT_EQ(wrapsOf(R"({"wrapS":33648,"wrapT":33071})"), std::pair(kWrapMirror, kWrapClamp));
+  EXPECT_EQ(wrapsOf(R"({"wrapS":1,"wrapT":4294967295})"), std::pair(kWrapRepeat, kWrapRepeat)) << "of no kind that glTF has";
 }
 
 TEST(GltfMaterials, AnyByteMayBeWrongWithoutMoreThanATypedError) {

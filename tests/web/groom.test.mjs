@@ -123,13 +123,13 @@ test('a picture that is dropped on any model asks what it is, and keys answer', 
   const bytes = PNG.sync.write(image);
   await drop(page, 'lengths.png', bytes);
   await page.waitForFunction(question);
-  assert.equal(await page.evaluate(`(${question})().querySelectorAll('button').length`), 8);
+  assert.equal(await page.evaluate(`(${question})().querySelectorAll('button').length`), 9);
   await page.keyboard.press('Escape');
   await page.waitForFunction(`!(${question})()`);
   assert.equal(await withFur(page, (fur) => fur.groomed), false, 'Escape means no use');
   await drop(page, 'lengths.png', bytes);
   await page.waitForFunction(question);
-  for (const key of ['ArrowDown', 'ArrowDown', 'Enter']) await page.keyboard.press(key);  // length
+  for (const key of ['ArrowDown', 'ArrowDown', 'ArrowDown', 'Enter']) await page.keyboard.press(key);  // length
   await page.waitForFunction(() => wetFur.groomed);
   assert.equal(await withFur(page, (fur) => fur.undo()), true);
   assert.equal(await withFur(page, (fur) => fur.groomed), false);
@@ -145,6 +145,57 @@ test('pictures that are no pictures, and uses that are none, are typed errors an
   assert.deepEqual(refused.slice(0, 2), ['bad-file', 'bad-file']);
   assert.ok(refused[2]);
   assert.equal(await withFur(page, (fur) => fur.groomed), false);
+});
+
+test('hostile pictures are typed errors that name the file, and what it was dropped on stays', async () => {
+  const page = await site.open(`?${light}&src=sphere`);
+  const whole = PNG.sync.write(new PNG({ width: 16, height: 16 }));
+  const sized = (width, height) => {
+    const bytes = Buffer.from(whole);
+    bytes.writeUInt32BE(width, 16);
+    bytes.writeUInt32BE(height, 20);
+    return bytes;
+  };
+  const hostile = [
+    ['nothing.png', Buffer.alloc(0), 'bad-file'], ['magic.png', Buffer.from('GIF89a, as it says'), 'bad-file'], ['cut.png', whole.subarray(0, 40), 'bad-file'],
+    ['cut.jpg', Buffer.from([0xff, 0xd8, 0xff, 0xe0, 0, 16]), 'bad-file'], ['flat.png', sized(0, 4), 'bad-file'], ['huge.png', sized(100000, 100000), 'too-large'], ['long.png', sized(1, 8193), 'too-large'],
+  ].map(([name, bytes, code]) => [name, bytes.toString('base64'), code]);
+  const seen = await withFur(page, async (fur, files) => {
+    const before = fur.getState(), wrong = [];
+    for (const [name, base64, code] of files)
+      for (const as of ['color', 'typeColor', 'skin', 'length', 'direction']) {
+        const file = new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], name, { type: 'image/png' });
+        const error = await fur.loadPicture(file, { as }).then(() => null, (one) => one);
+        if (error?.code !== code || !error.message.includes(name) || (code === 'too-large' && !error.message.includes('8192'))) wrong.push([name, as, error?.code, error?.message]);
+      }
+    return { wrong, same: fur.getState() === before, groomed: fur.groomed, undo: fur.canUndo };
+  }, hostile);
+  assert.deepEqual(seen, { wrong: [], same: true, groomed: false, undo: false });
+});
+
+test('a dropped picture becomes the skin, in one step of undo, and is in the saved file', async () => {
+  const page = await site.open(`?${light}&src=sphere&density=0.1`);
+  await untilStill(page);
+  const before = await picture(page);
+  const image = new PNG({ width: 2, height: 2 });
+  image.data.forEach((_, at) => { image.data[at] = [0, 255, 0, 255][at % 4]; });
+  await drop(page, 'skin.png', PNG.sync.write(image));
+  await page.waitForFunction(question);
+  for (const key of ['ArrowDown', 'ArrowDown', 'Enter']) await page.keyboard.press(key);
+  await page.waitForFunction(() => wetFur.settings['skin.picture']);
+  await untilStill(page);
+  const green = await picture(page);
+  assert.ok(difference(before, green, 16) > 0.05);
+  const views = await withFur(page, async (fur) => {
+    const file = await fur.save();
+    const length = new DataView(file.buffer, file.byteOffset).getUint32(12, true);
+    const { skinPicture } = JSON.parse(new TextDecoder().decode(file.subarray(20, 20 + length))).extensions.WETFUR_fur;
+    fur.undo();
+    return skinPicture;
+  });
+  assert.equal(views.mimeType, 'image/png');
+  await untilStill(page);
+  assert.ok(difference(before, await picture(page), 2) < 0.001, 'undo takes it away');
 });
 
 test('a map that was saved is dropped back as what it was, by its name', async () => {
@@ -219,6 +270,17 @@ test('a link takes the groom along; where it does not fit it says so and offers 
     fur.fur.takeParts({ groom });
   });
   assert.equal((await copy())[0], 'Link copied, without the groom');
+});
+
+test('hair, water and strokes of a link that unfold to too much are told by name, and the rest of it is shown', async () => {
+  const { deflated, mostUnpacked } = await import('../../web/packed.js');
+  const bomb = await deflated(new Uint8Array(mostUnpacked + 1));
+  for (const [part, what] of [['hair', 'long hair'], ['water', 'water'], ['strokes', 'water']]) {
+    const page = await site.open(`?${plain}&src=plane&curl=0.5&${part}=${bomb}`);
+    await page.waitForSelector(`#messages .message:has-text("link's ${what} could not be read")`);
+    assert.deepEqual(await withFur(page, (fur) => [fur.haired, fur.meanWetness, fur.settings.curl]), [false, 0, 0.5]);
+    await page.close();
+  }
 });
 
 test('a groom in a link that is none, or unfolds to too much, is told, and the rest of it is shown', async () => {

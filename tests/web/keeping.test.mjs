@@ -291,6 +291,40 @@ test('a link takes the water along, and says when it does not fit', async () => 
   await third.close();
 });
 
+test('a visit that goes on with the water of a link shares all of it again', async () => {
+  const page = await site.open(`${simple}&src=sphere&dryRate=0`, { permissions });
+  const linkOf = async (tab) => {
+    await copyLink(tab);
+    return new URL(await tab.evaluate(() => navigator.clipboard.readText())).search;
+  };
+  // More than a link can paint again in its time: it takes the water itself.
+  await withFur(page, (fur) => {
+    for (let i = 0; i < 40; i++) {
+      fur.splash({ u: 0.3 + 0.01 * (i % 8), v: 0.3 + 0.01 * Math.floor(i / 8) }, { radius: 0.1, amount: 0.8 });
+      fur.step(1 / 60, 61);
+    }
+  });
+  const link = await linkOf(page);
+  assert.match(link, /&water=/);
+  await page.goto(new URL(link, site.url).href);
+  await page.waitForFunction(() => window.wetFur?.meanWetness > 0 && !document.getElementById('bar').inert);
+  const wet = await withFur(page, (fur) => {
+    fur.splash({ u: 0.7, v: 0.7 }, { radius: 0.1, amount: 0.8 });
+    fur.cameraOrbit = '1 0.3 4';
+    fur.settings.curl = 0.5;
+    return fur.meanWetness;
+  });
+  await untilKept(page, hasWork);
+  await reload(page);
+  await message(page, 'Your last work is back').waitFor();
+  const again = await linkOf(page);
+  assert.match(again, /&water=/, 'not the later stroke alone');
+  const other = await another(page, again);
+  await other.waitForFunction(() => wetFur.meanWetness > 0);
+  const shared = await withFur(other, (fur) => fur.meanWetness);
+  assert.ok(Math.abs(shared - wet) < 0.1 * wet, `${shared} of ${wet}`);
+});
+
 test('a link to a file of one\'s own says what it is without', async () => {
   const page = await site.open(simple, { permissions });
   await withFur(page, async (fur, bytes) => {

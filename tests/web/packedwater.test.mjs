@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { deflateRawSync } from 'node:zlib';
 import { mostUnpacked, unpackBytes } from '../../web/packed.js';
+import { unpackStrokes } from '../../web/strokes.js';
 import { mostUnpackedWater, packWater, unpackWater, waterSizes } from '../../web/packedwater.js';
 
 const side = 256;
@@ -55,6 +56,12 @@ test('a link of 8 KB never unfolds to more than its limit', async () => {
   assert.ok(mostUnpackedWater < 1024 * 1024 && mostUnpacked <= 4 * 1024 * 1024);
   await assert.rejects(unpackWater(bomb, dry), /unfolds to more than/);
   await assert.rejects(unpackBytes(bomb), /unfolds to more than/);
+});
+
+test('strokes of a link never unfold to more than their limit, nor take longer to be painted again', async () => {
+  await assert.rejects(unpackStrokes(packedOf(Buffer.alloc(6 * 1024 * 1024, ' '))), /unfolds to more than/);
+  const long = [[['droplet', 1, 1, 1, 0, 0, 0], ...[60, 0, 0, 0, 100].map((value) => Array(400).fill(value))]];
+  await assert.rejects(unpackStrokes(packedOf(Buffer.from(JSON.stringify(long)))), /too long/);
 });
 
 test('what packWater() did not make is refused', async () => {

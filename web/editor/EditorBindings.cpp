@@ -28,6 +28,7 @@ namespace {
 std::map<App*, std::unique_ptr<EditorHost>> hosts;  // the handle is the App's, so this finds its panel
 std::string commandText;
 std::vector<EditorHost::Version> versions;  // those that were added and are not shown yet
+std::vector<editor::OwnCoatView> ownCoats;  // likewise
 
 // This program saves.
 const bool keepsDocuments = (App::keepDocuments(&scene::kDocumentKeeping), true);
@@ -213,6 +214,13 @@ FUR_EXPORT std::uint32_t fur_editor_versionPicture(App* app) {
     return picture ? web::keepSaved(std::move(*picture)) : static_cast<std::uint32_t>(web::fail(picture.error()));
   });
 }
+// Coats that the person has kept: all of them, then fur_editor_showOwnCoats().
+FUR_EXPORT void fur_editor_addOwnCoat(App* app, const char* id, const char* name) {
+  withHost(app, [&](EditorHost&) { return ownCoats.push_back({id, name}), 0; });
+}
+FUR_EXPORT void fur_editor_showOwnCoats(App* app) {
+  withHost(app, [&](EditorHost& host) { return host.setOwnCoats(std::exchange(ownCoats, {})), 0; });
+}
 // Shown in the panel until dismissed: a warning, or a file that could not be read.
 FUR_EXPORT void fur_editor_message(App* app, const char* text, int isError) {
   withHost(app, [&](EditorHost& host) { return host.message(text, isError != 0), 0; });
@@ -223,6 +231,9 @@ FUR_EXPORT void fur_editor_message(App* app, const char* text, int isError) {
 // These give the number of the bytes that they make, which lie at fur_savedBytes() until they are forgotten.
 FUR_EXPORT std::uint32_t fur_saveTypeSet(App* app, int type) {
   return guarded([&] { return web::keepSaved(app->saveTypeSet(type)); });
+}
+FUR_EXPORT std::uint32_t fur_saveCoat(App* app, const char* name, int type) {
+  return guarded([&] { return web::keepSaved(app->saveCoat(name, type)); });
 }
 FUR_EXPORT std::uint32_t fur_saveFo(App* app) {
   return guarded([&] { return web::keepSaved(app->saveFo()); });
@@ -271,8 +282,7 @@ FUR_EXPORT int fur_usePicture(App* app, const char* use, const char* name, int w
   return guarded([&] {
     const auto known = app::pictureUseNamed(use);
     if (!known) return web::report(Error{ErrorId::BadFile, "there is no use of a picture \"" + std::string(std::string_view(use).substr(0, 64)) + '"'});
-    app->usePicture(*known, name, width, height, {rgba, std::size_t(width) * std::size_t(height) * 4});
-    return 1;
+    return web::report(app->usePicture(*known, name, width, height, {rgba, std::size_t(width) * std::size_t(height) * 4}));
   });
 }
 // `name`: of the file, see App::groomFromFile().

@@ -252,17 +252,19 @@ export interface WetFurApi extends WetFurMethods {
    */
   loadModel(model: ModelBytes, options?: { name?: string; files?: Iterable<File> }): Promise<void>;
   /**
-   * A type set ({coats}, Sheppard 2004) for the fur type 1 to 4 (the one that the editor edits, else 1): its coat is drawn until a setting changes that grows
-   * another. Waits for the model. Rejects with a FurError, and then the old coat stays.
+   * A coat ({coats}) for the fur type 1 to 4 (the one that the editor edits, else 1). Of a type set (.fts, Sheppard 2004) the strands are drawn until a setting
+   * changes that grows others; a saved coat (.coat) is all of a type. Waits for the model. Rejects with a FurError, and then the old coat stays.
    */
   loadTypeSet(typeSet: ModelBytes, options?: { name?: string; type?: number }): Promise<void>;
+  /** All of a fur type, 1 to 4 (1), under that name, by default its own, as .coat: values, strands of a .fts, colour map. */
+  saveCoat(options?: { name?: string; type?: number }): Promise<Uint8Array>;
   /** The coat of a fur type, 1 to 4 (1), as .fts. */
   saveTypeSet(type?: number): Promise<Uint8Array>;
   /**
-   * A picture as the colour map of a fur type, 1 to 4, in the model's texture coordinates; null takes it away. Other values of
-   * a type are settings such as "type2.curl", "type2.name" or "type2.preset".
+   * A picture as the colour map of a fur type, 1 to 4, or of the skin, in the model's texture coordinates (the atlas where it has none); null takes it away.
+   * Other values of a type are settings such as "type2.curl", "type2.name" or "type2.preset".
    */
-  setTypePicture(type: number, picture: ModelBytes | null): Promise<void>;
+  setTypePicture(type: number | 'skin', picture: ModelBytes | null): Promise<void>;
   /** The model with its fur coordinates as .fo (Sheppard 2004). */
   saveFo(): Promise<Uint8Array>;
   /**

@@ -100,6 +100,7 @@ FUR_BLOCK(FurBlock) {
   float wetDarkening;  // sigma_wet (Eq. 5)
   float wetGloss;      // sigma_spec (Eq. 3)
   float lobePeak;      // 1 / (beta_R sqrt(2 pi)) of Marschner's lobes
+  float skinPicture;   // as typePicture, of the skin
 };
 
 #define FUR_FRAME_BINDING 0

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 #include <variant>
 
@@ -153,6 +154,7 @@ editor::EditorModel EditorHost::model() {
   model.groom.selects = selects_;
   modes_.describe(model.groom);
   if (!askedPictures_.empty()) model.pictureAsked = askedPictures_.front().substr(askedPictures_.front().find_last_of("/\\") + 1);
+  model.ownCoats = ownCoats_;
   pictures_.describe(model);
   return model;
 }
@@ -264,6 +266,12 @@ void EditorHost::setVersions(std::vector<Version> versions) {
   wake();
 }
 
+void EditorHost::setOwnCoats(std::vector<OwnCoat> coats) {
+  ownCoats_ = std::move(coats);
+  std::sort(ownCoats_.begin(), ownCoats_.end(), [](const auto& a, const auto& b) { return std::tie(a.name, a.id) < std::tie(b.name, b.id); });
+  wake();
+}
+
 // Live, as the platform's own time goes by.
 void EditorHost::turn(float dt) {
   if (turnLeft_ <= 0) return;
@@ -298,6 +306,11 @@ void EditorHost::perform(const editor::Command& command) {
       [&](const CopyState&) { request(Kind::CopyText, app_.state()); },
       [&](const PasteState&) { request(Kind::PasteRequest); },
       [&](const ApplyPreset& c) { app_.applyPreset(c.name, c.type); },
+      [&](const KeepCoat& c) { request(Kind::KeepCoat, c.name); },
+      [&](const WearCoat& c) { request(Kind::WearCoat, c.id); },
+      [&](const SaveOwnCoat& c) { request(Kind::SaveOwnCoat, c.id); },
+      [&](const RenameCoat& c) { request(Kind::RenameCoat, c.id + '\n' + c.name); },
+      [&](const DeleteCoat& c) { request(Kind::DeleteCoat, c.id); },
       [&](const SaveTypeSet&) { request(Kind::SaveTypeSet, typeSetName(app_, coatType())); },
       [&](const SaveFo&) { request(Kind::SaveFo, modelFileName(app_, scene::Format::Fo)); },
       [&](const SaveHair&) { request(Kind::SaveHair, modelFileName(app_, scene::Format::Hair)); },

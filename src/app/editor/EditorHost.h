@@ -84,6 +84,9 @@ class EditorHost {
   using Version = KeptVersion;
   // Newest first; in place of those before.
   void setVersions(std::vector<Version> versions);
+  // Coats that the person has kept, in any order; in place of those before.
+  using OwnCoat = editor::OwnCoatView;
+  void setOwnCoats(std::vector<OwnCoat> coats);
   // Of the scene as it is.
   Result<std::vector<std::uint8_t>> versionPicture() { return studio_.thumbnail(editor::kVersionPictureWidth, editor::kVersionPictureHeight); }
 
@@ -159,6 +162,7 @@ class EditorHost {
   std::function<std::string()> readClipboard_;
   std::string clipboard_;
   std::deque<std::string> askedPictures_;  // paths
+  std::vector<OwnCoat> ownCoats_;
   Studio studio_{app_};
   int mostPictureSide_ = kMostPictureSide;
   float secondsPerTurn_ = 0, turnLeft_ = 0;  // of a turn that is shown; seconds

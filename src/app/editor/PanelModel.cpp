@@ -47,6 +47,7 @@ editor::EditorModel describe(const App& app) {
     model.typeGiven[index] = app.coatGiven(type);
     model.typePictured[index] = !app.typePicture(model.settings.typePictures[index]).bytes.empty();
   }
+  model.skinPictured = !app.typePicture(model.settings.typePictures[settings::kSkin]).bytes.empty();
   model.groom.mapSize = app.groomMap().size();
   model.groom.whiskers = static_cast<int>(app.whiskerCount());
   model.groom.plain = !app.groomed();

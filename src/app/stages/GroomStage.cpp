@@ -9,6 +9,7 @@
 #include "groom/FromPicture.h"
 #include "groom/GroomFilters.h"
 #include "groom/MapPictures.h"
+#include "groom/Patterns.h"
 #include "groom/Selection.h"
 #include "settings/FurTypes.h"
 #include "settings/Presets.h"
@@ -261,8 +262,10 @@ void GroomStage::setBare(std::size_t material, bool bare) {
   touch();
 }
 
-void GroomStage::edit(const ShapeStage& shape, GroomEdit edit, float value, const Vec3& direction, std::uint32_t seed, Warnings& warnings) {
+void GroomStage::edit(const ShapeStage& shape, GroomEdit edit, float value, const Vec3& direction, const settings::Settings& settings, Warnings& warnings) {
   const groom::GroomSurface skin = this->groomSurface(shape);
+  const auto seed = static_cast<std::uint32_t>(settings.seed);
+  const auto pattern = [&](groom::Pattern which) { groom::paintPattern(groom_, skin, which, value, settings.paintColor, seed); };
   const auto blank = [this] { return groom::GroomMap(groom_.map.size(), groom::GroomMap::kBlank); };
   switch (edit) {
     case GroomEdit::Clear: clear(shape); break;
@@ -274,6 +277,10 @@ void GroomStage::edit(const ShapeStage& shape, GroomEdit edit, float value, cons
     case GroomEdit::Raise: groom::raiseAll(groom_); break;
     case GroomEdit::Size: groom::resize(groom_, static_cast<int>(glm::clamp(value, 0.0f, 1e4f))); break;
     case GroomEdit::Paint: groom::paintAll(groom_, static_cast<std::uint32_t>(glm::clamp(value, 0.0f, 16777215.0f))); break;
+    case GroomEdit::Tabby: pattern(groom::Pattern::Tabby); break;
+    case GroomEdit::Spots: pattern(groom::Pattern::Spots); break;
+    case GroomEdit::Rosettes: pattern(groom::Pattern::Rosettes); break;
+    case GroomEdit::Patches: pattern(groom::Pattern::Patches); break;
     case GroomEdit::ClearPaint: groom_.paint = blank(); break;
     case GroomEdit::ClearMask: groom_.mask = blank(); break;
     case GroomEdit::ClearShape: groom_.shape = blank(); break;
@@ -308,8 +315,9 @@ void GroomStage::usePicture(const ShapeStage& shape, const settings::Settings& s
   const groom::GroomSurface skin = groomSurface(shape);
   const groom::Picture picture{width, height, rgba};
   switch (use) {
-    case PictureUse::Color: groom::paintColors(groom_, skin, picture, 0); break;
-    case PictureUse::TypeColor: groom::paintColors(groom_, skin, picture, settings.groomType + 1); break;
+    case PictureUse::Color: groom::paintColors(groom_, skin, picture); break;
+    case PictureUse::TypeColor:
+    case PictureUse::Skin: break;
     case PictureUse::Length: groom::paintFromImage(groom::ImageOf::Length, groom_, skin, width, height, rgba); break;
     case PictureUse::Alpha: groom::lengthFromAlpha(groom_, skin, picture); break;
     case PictureUse::Density:

@@ -95,7 +95,7 @@ class GroomStage {
   std::vector<groom::WhiskerHair> hairsOf(const ShapeStage& shape, std::span<const groom::Whisker> whiskers) const;
 
   // Within a stroke: see GroomEdits.inc; numbers are finite.
-  void edit(const ShapeStage& shape, GroomEdit edit, float value, const Vec3& direction, std::uint32_t seed, Warnings& warnings);
+  void edit(const ShapeStage& shape, GroomEdit edit, float value, const Vec3& direction, const settings::Settings& settings, Warnings& warnings);
   // An image, RGBA8, in the model's texture coordinates or, by the name of its file (groom/MapPictures.h), over the atlas.
   void readImage(const ShapeStage& shape, groom::ImageOf what, std::string_view file, int width, int height, std::span<const std::uint8_t> rgba);
   // What a picture means for the fur, likewise.

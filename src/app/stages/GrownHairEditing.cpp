@@ -123,7 +123,10 @@ void GrownHair::edit(const ShapeStage& shape, const groom::GroomSurface& skin, s
   if (edit.what == HairEdit::Cover) {
     groom::GroomMap::Texel texel = kFreshScalp;
     texel[0] = static_cast<std::uint8_t>(saturate(edit.value) * 255 + 0.5f);
-    scalp.map.restore(std::vector<groom::GroomMap::Texel>(scalp.map.texels().size(), texel));
+    scalp.map = groom::GroomMap(skin.atlas.size(), texel);
+    for (std::uint32_t t = 0; t < shape.surface().triangleCount() && !edit.bare.empty(); ++t)
+      if (edit.bare[shape.materialAt(t)]) skin.atlas.forTexelsOf(shape.surface(), t, [&](std::uint32_t at, const Vec3&) { scalp.map.set(at, kFreshScalp); });
+    scalp.map.fillGutter(skin.atlas, {0, 0, scalp.map.size(), scalp.map.size()});
   }
   if (edit.what == HairEdit::Paint || edit.what == HairEdit::Erase) {
     if (scalp.map.size() != skin.atlas.size()) scalp.map = groom::resized(scalp.map, skin.atlas.size());

@@ -108,6 +108,7 @@ class HairStage {
     float value;
     Vec3 direction;
     float coat = 0;  // height of the coat, on which hair lies; model units
+    std::span<const std::uint8_t> bare{};  // materials on which nothing grows, by their numbers
   };
   virtual void edit(const ShapeStage&, const groom::GroomSurface&, std::span<const Vec3> /*comb*/, const Edit&, Warnings&) {}
   virtual void setValues(std::size_t /*scalp*/, const hair::HairValues&) {}

@@ -53,7 +53,13 @@ void WaterStage::reset() {
 }
 
 const wet::SurfaceWetting& WaterStage::wetting(const ShapeStage& shape) {
-  if (noteChange(wettingFor_, shape.surfaceRevision()) || !wetting_) wetting_.emplace(shape.surface(), mask_.size());
+  const bool otherBare = groom_ && noteChange(bareFor_, groom_->groom().bare);
+  const bool isAnew = noteChange(wettingFor_, shape.surfaceRevision()) || !wetting_;
+  if (!isAnew && !otherBare) return *wetting_;
+  std::vector<std::uint8_t> bare;
+  for (std::uint32_t t = 0; t < shape.surface().triangleCount() && !bareFor_.empty(); ++t) bare.push_back(groom_->isBare(shape.materialAt(t)));
+  wetting_.emplace(shape.surface(), mask_.size(), bare);
+  if (!isAnew) water_.forgetPlaces();  // of a new model it knows none
   return *wetting_;
 }
 

@@ -42,6 +42,8 @@ class WaterStage {
   void reset();  // of another model
   // What it wets beside skin and coat; none until then.
   void setHair(HairStage& hair) { hair_ = &hair; }
+  // What says on which materials no fur grows: those take no water. All do until then.
+  void setGroom(const GroomStage& groom) { groom_ = &groom; }
   // Time goes by: it dries, runs and falls, and the tool that is held works. Whether anything has changed.
   bool update(const Inputs& inputs);
   bool active(const Inputs& inputs) const { return working() || flows(climate(inputs)); }
@@ -129,8 +131,10 @@ class WaterStage {
   wet::WetnessMask mask_{kMaskSize};
   wet::Water water_;
   HairStage* hair_ = nullptr;
+  const GroomStage* groom_ = nullptr;
   std::optional<wet::SurfaceWetting> wetting_;  // made when first needed: read it through wetting()
   std::uint64_t wettingFor_ = 0, layFor_ = 0;   // revisions of surface and groom
+  std::vector<std::uint8_t> bareFor_;
   std::uint64_t revision_ = 1;
 
   std::vector<WaterStroke> strokes_;

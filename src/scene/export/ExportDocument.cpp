@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/Json.h"
+#include "scene/Base64.h"
 #include "scene/Model.h"
 #include "scene/export/FurExtension.h"
 #include "scene/export/GlbWriter.h"
@@ -61,18 +62,7 @@ double numberOf(const Json& object, const char* key, double absent) {
 
 bool isExternal(const std::string& uri) { return !uri.empty() && uri.rfind("data:", 0) != 0; }
 
-std::string dataUri(Bytes bytes) {
-  static constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out = "data:application/octet-stream;base64,";
-  out.reserve(out.size() + (bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t count = std::min<std::size_t>(bytes.size() - i, 3);
-    std::uint32_t bits = 0;
-    for (std::size_t k = 0; k < 3; ++k) bits = bits << 8 | (k < count ? bytes[i + k] : 0u);
-    for (std::size_t k = 0; k < 4; ++k) out += k <= count ? kDigits[bits >> (18 - 6 * k) & 63] : '=';
-  }
-  return out;
-}
+std::string dataUri(Bytes bytes) { return "data:application/octet-stream;base64," + base64Encoded(bytes); }
 
 std::optional<Bytes> bytesOfBuffer(const GltfFile& file, std::size_t index) {
   try {

@@ -60,17 +60,23 @@ std::string groomJson(GlbWriter& writer, const FurData& fur, const std::string& 
   return out + atlas + "}";
 }
 
-// That of type 1 has had a place of its own before the others had any.
-std::string coatsJson(GlbWriter& writer, std::span<const TypeFiles> coats) {
+std::string pictureJson(GlbWriter& writer, const char* key, const EncodedImage& picture) {
+  return std::string(",\"") + key + "\":{\"bufferView\":" + addBytes(writer, picture.bytes) + ",\"mimeType\":" + jsonString(picture.mimeType) + "}";
+}
+
+// The type set of type 1 has had a place of its own before the other types had any.
+std::string coatsJson(GlbWriter& writer, const FurData& fur) {
+  const auto coats = std::span(fur.coats).first<groom::kTypes>();
+  const EncodedImage& skin = fur.coats.back().picture;
   std::string out, types;
   for (const TypeFiles& coat : coats) {
     const bool first = &coat == coats.data();
     std::string one;
     if (!coat.typeSet.empty()) (first ? out : one) += ",\"typeSet\":" + addBytes(writer, coat.typeSet);
-    if (!coat.picture.bytes.empty())
-      one += ",\"picture\":{\"bufferView\":" + addBytes(writer, coat.picture.bytes) + ",\"mimeType\":" + jsonString(coat.picture.mimeType) + "}";
+    if (!coat.picture.bytes.empty()) one += pictureJson(writer, "picture", coat.picture);
     types += (first ? "{" : ",{") + (one.empty() ? one : one.substr(1)) + "}";
   }
+  if (!skin.bytes.empty()) out += pictureJson(writer, "skinPicture", skin);
   const bool any = std::any_of(coats.begin(), coats.end(), [&](const TypeFiles& coat) { return !coat.picture.bytes.empty() || (&coat != coats.data() && !coat.empty()); });
   return any ? out + ",\"types\":[" + types + "]" : out;
 }
@@ -103,7 +109,7 @@ std::string furExtension(GlbWriter& writer, const FurData& fur, const FurPlace& 
     for (const int& material : fur.bare) out += (&material == fur.bare.data() ? "" : ",") + std::to_string(material);
     out += "]";
   }
-  if (hasCoats(fur)) out += coatsJson(writer, fur.coats);
+  if (hasCoats(fur)) out += coatsJson(writer, fur);
   return out + place.ofRoot + "}";
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/NumberText.h"
+#include "scene/Base64.h"
 
 namespace fur::scene {
 
@@ -31,30 +32,6 @@ std::string percentDecoded(const std::string& uri) {
     } else {
       out += uri[i];
     }
-  }
-  return out;
-}
-
-// RFC 4648 base64; nothing when a character is none of its.
-std::optional<std::vector<std::uint8_t>> base64Decoded(std::string_view text) {
-  while (!text.empty() && text.back() == '=') text.remove_suffix(1);
-  std::vector<std::uint8_t> out;
-  out.reserve(text.size() * 3 / 4);
-  std::uint32_t bits = 0;
-  int held = 0;
-  for (const char c : text) {
-    std::uint32_t value;
-    if (c >= 'A' && c <= 'Z') value = static_cast<std::uint32_t>(c - 'A');
-    else if (c >= 'a' && c <= 'z') value = static_cast<std::uint32_t>(c - 'a' + 26);
-    else if (c >= '0' && c <= '9') value = static_cast<std::uint32_t>(c - '0' + 52);
-    else if (c == '+' || c == '-') value = 62;
-    else if (c == '/' || c == '_') value = 63;
-    else return {};
-    bits = bits << 6 | value;
-    held += 6;
-    if (held < 8) continue;
-    held -= 8;
-    out.push_back(static_cast<std::uint8_t>(bits >> held));
   }
   return out;
 }

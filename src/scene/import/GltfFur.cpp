@@ -71,17 +71,14 @@ void readTypeSet(const GltfFile& file, const Json& from, const std::string& wher
 void readPicture(const GltfFile& file, const Json& picture, const std::string& where, EncodedImage& out) {
   if (!picture.isObject()) file.bad("%s is not an object", where.c_str());
   const Bytes bytes = file.bufferView(file.whole(picture, "bufferView", where)).bytes;
-  const auto header = readImageHeader(bytes);
-  if (!header || header->width == 0 || header->height == 0) file.bad("%s is no PNG, JPEG or WebP", where.c_str());
-  constexpr std::uint32_t kMost = kMaxImageSide;
-  if (header->width > kMost || header->height > kMost)
-    file.fail(ErrorId::TooLarge, "%s has %u x %u texels; the limit is %u along a side", where.c_str(), header->width, header->height, kMost);
-  out = {header->mimeType, {bytes.begin(), bytes.end()}, static_cast<int>(header->width), static_cast<int>(header->height)};
+  auto read = encodedImage({bytes.begin(), bytes.end()}, where);
+  if (!read) file.fail(read.error().id, "%s", read.error().message.c_str());
+  out = std::move(*read);
 }
 
 void readTypes(const GltfFile& file, const Json& types, FurData& fur) {
   if (!types.isArray()) file.bad("WETFUR_fur.types is not an array");
-  if (types.count() > fur.coats.size()) file.fail(ErrorId::TooLarge, "WETFUR_fur.types has %zu elements; the limit is %zu", types.count(), fur.coats.size());
+  if (types.count() > groom::kTypes) file.fail(ErrorId::TooLarge, "WETFUR_fur.types has %zu elements; the limit is %d", types.count(), groom::kTypes);
   std::size_t i = 0;
   for (const Json& type : types) {
     const std::string where = "WETFUR_fur.types[" + std::to_string(i) + "]";
@@ -151,6 +148,7 @@ GltfFur readFur(const GltfFile& file, FurData& fur) {
   }
   readTypeSet(file, *found, "WETFUR_fur", fur.coats[0]);
   if (const Json* types = found->find("types")) readTypes(file, *types, fur);
+  if (const Json* picture = found->find("skinPicture")) readPicture(file, *picture, "WETFUR_fur.skinPicture", fur.coats[groom::kTypes].picture);
   if (const Json* bare = found->find("bare")) out.bare = readBare(file, *bare);
   if (const Json* whiskers = found->find("whiskers")) readWhiskers(file, *whiskers, fur);
   return out;

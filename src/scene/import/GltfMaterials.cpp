@@ -142,11 +142,11 @@ void GltfMaterials::readTexture(MaterialTexture& out, const Json* holder, const 
   out.image = imageOf(index, key, model);
   if (out.image < 0) return;
   if (std::abs(glm::determinant(ofMesh.transform)) > 1e-12f) out.transform = use.transform * glm::inverse(ofMesh.transform);
-  constexpr Whole kClamp = 33071;
   const Json& json = file_.element("textures", index);
   if (!child(&json, "sampler")) return;
   const Json& sampler = file_.element("samplers", file_.whole(json, "sampler", where));
-  out.repeats = file_.whole(sampler, "wrapS", 0, where) != kClamp || file_.whole(sampler, "wrapT", 0, where) != kClamp;
+  for (const auto& [key, wrap] : {std::pair("wrapS", &out.wrapS), std::pair("wrapT", &out.wrapT)})
+    if (const Whole wanted = file_.whole(sampler, key, Whole{kWrapRepeat}, where); wanted == Whole{kWrapClamp} || wanted == Whole{kWrapMirror}) *wrap = static_cast<int>(wanted);
 }
 
 int GltfMaterials::imageOf(Whole texture, const char* what, Model& model) {

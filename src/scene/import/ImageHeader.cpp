@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
+
+#include "scene/Model.h"
+#include "scene/import/ImportError.h"
 
 namespace fur::scene {
 
 namespace {
-
-using Bytes = std::span<const std::uint8_t>;
 
 bool matches(Bytes bytes, std::size_t at, std::string_view text) {
   if (bytes.size() < at + text.size()) return false;
@@ -75,6 +77,15 @@ std::optional<ImageHeader> readImageHeader(Bytes bytes) {
   if (matches(bytes, 0, "\xff\xd8\xff")) return readJpeg(bytes);
   if (matches(bytes, 0, "RIFF") && matches(bytes, 8, "WEBP")) return readWebp(bytes);
   return {};
+}
+
+Result<EncodedImage> encodedImage(std::vector<std::uint8_t> bytes, const std::string& what) {
+  const auto header = readImageHeader(bytes);
+  if (!header || header->width == 0 || header->height == 0) return Error{ErrorId::BadFile, what + " is no PNG, JPEG or WebP"};
+  constexpr std::uint32_t kMost = kMaxImageSide;
+  if (header->width > kMost || header->height > kMost)
+    return Error{ErrorId::TooLarge, formatted("%s has %u x %u texels; the limit is %u along a side", what.c_str(), header->width, header->height, kMost)};
+  return EncodedImage{header->mimeType, std::move(bytes), static_cast<int>(header->width), static_cast<int>(header->height)};
 }
 
 }  // namespace fur::scene

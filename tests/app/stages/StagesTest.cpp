@@ -246,7 +246,7 @@ TEST(MotionStage, CombedFurLiesAtOnceWhenItSettles) {
   Model model;
   model.settings.gravity = 0;
   model.groom.beginStroke(model.shape);
-  model.groom.edit(model.shape, GroomEdit::Comb, 1, Vec3(0, -1, 0), 1, model.warnings);
+  model.groom.edit(model.shape, GroomEdit::Comb, 1, Vec3(0, -1, 0), {}, model.warnings);
   EXPECT_TRUE(model.groom.endStroke());
   model.groom.update({model.shape, model.settings});
   EXPECT_FALSE(model.groom.rests().empty());

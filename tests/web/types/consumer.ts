@@ -26,6 +26,8 @@ export async function onACanvas(canvas: HTMLCanvasElement): Promise<number> {
   const blob: Blob = await fur.toBlob({ width: 640, height: 480, transparent: true });
   await fur.loadModel(new Uint8Array(4), { name: 'a.glb', files: [new File([], 'a.bin')] });
   await fur.loadTypeSet(await fur.saveTypeSet(), { name: 'fox.fts' });
+  await fur.loadTypeSet(await fur.saveCoat({ name: 'Fox' }), { type: 2 });
+  await fur.setTypePicture('skin', null);
   const saved: Uint8Array = await fur.saveFo();
   fur.set('tool', 'comb');
   await fur.groom('comb', 1, [0, -1, 0.3]);
