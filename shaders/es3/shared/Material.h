@@ -26,10 +26,11 @@ FUR_BLOCK(MaterialBlock) {
 
 #define FUR_MATERIAL_BINDING 3
 
-#define FUR_UNIT_NORMALS 28
-#define FUR_UNIT_ROUGHNESS 29
-#define FUR_UNIT_OCCLUSION 30
-#define FUR_UNIT_EMISSIVE 31
+// Those of long hair, which binds its own before each draw: coats find theirs as they were, whichever is drawn first.
+#define FUR_UNIT_NORMALS 24
+#define FUR_UNIT_ROUGHNESS 25
+#define FUR_UNIT_OCCLUSION 26
+#define FUR_UNIT_EMISSIVE 27
 
 #ifdef __cplusplus
 }  // namespace fur::render::shared
