@@ -83,7 +83,7 @@ TEST(AppPicture, PartsMakeUpTheWhole) {
   for (int top = 0; top < kHeight; top += kRows) {
     band.attachTarget();
     const gl::PlatformStandIn standIn;
-    ASSERT_TRUE(photo.app.drawPart({kWidth, kHeight, kHeight - top - kRows, false}));
+    ASSERT_TRUE(photo.app.drawPart({kWidth, kHeight, kHeight - top - kRows, kRows, false}));
     const test::Picture part = band.read();
     together.rgba.insert(together.rgba.end(), part.rgba.begin(), part.rgba.end());
   }
@@ -100,7 +100,7 @@ TEST(AppPicture, WhatIsShownStaysAsItWas) {
     test::Stage other(64, 256, 4);
     other.attachTarget();
     const gl::PlatformStandIn standIn;
-    ASSERT_TRUE(photo.app.drawPart({64, 256, 0, true}));
+    ASSERT_TRUE(photo.app.drawPart({64, 256, 0, 256, true}));
   }
   EXPECT_FALSE(photo.app.tick(0)) << "there is nothing to draw anew";
   EXPECT_EQ(photo.draw().differingShare(before, 0), 0);
