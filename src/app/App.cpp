@@ -41,9 +41,9 @@ App::~App() = default;
 
 // --- model -------------------------------------------------------------------------------------
 
-// The file's looks higher, and at last from further off, where what is played now would reach out of it.
+// The file's looks higher, and at last from further off, while an animal does what would reach out of it.
 CameraOrbit App::State::homeView() const {
-  if (!cameraOfFile) return startView();
+  if (!cameraOfFile || behaviour.played().size() < 2) return cameraOfFile.value_or(startView());
   constexpr float kSeen = 0.27f;  // above its target and below, of its distance: some less than OrbitCamera::kFovY shows
   CameraOrbit home = *cameraOfFile;
   const float reach = kSeen * home.distance, need = 0.5f * (shape.top() - shape.groundHeight());
