@@ -1,27 +1,14 @@
 // Solids along curves, for bodies and limbs that have no corners. Each is made once and then asked.
+import { curve, tube } from './sculpt.mjs';
 import { clamp } from './vectors.mjs';
-import { limb } from './sculpt.mjs';
 
 const { max, min, sqrt } = Math;
 const size = (x, y, z) => sqrt(x * x + y * y + z * z);
 
-/** A curve through points of any numbers (Catmull and Rom 1974), `steps` pieces between each two. */
-export const curve = (points, steps) => points.slice(1).flatMap((b, i) => {
-  const a = points[i], before = points[i - 1] ?? a.map((x, k) => 2 * x - b[k]), after = points[i + 2] ?? b.map((x, k) => 2 * x - a[k]);
-  return Array.from({ length: steps }, (_, n) => {
-    const t = n / steps;
-    return a.map((x, k) => x + 0.5 * t * (b[k] - before[k] + t * (2 * before[k] - 5 * x + 4 * b[k] - after[k] + t * (3 * (x - b[k]) + after[k] - before[k]))));
-  });
-}).concat([points.at(-1)]);
-
 /** A limb along a curve through points [x, y, z, radius]. */
-export function tube(points, steps = 6) {
+export function limbAlong(points, steps = 6) {
   const all = curve(points, steps);
-  return (p) => {
-    let d = Infinity;
-    for (let i = 1; i < all.length; ++i) d = min(d, limb(p, all[i - 1], all[i], all[i - 1][3], all[i][3]));
-    return d;
-  };
+  return (p) => tube(p, all);
 }
 
 /**

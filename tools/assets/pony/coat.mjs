@@ -7,7 +7,8 @@ import { eye, fields, headPlace, headTurn, inHead } from './shape.mjs';
 const { abs, exp, hypot, sign, sin } = Math;
 const blend = (a, b, t) => a.map((x, k) => mixed(x, b[k], clamp(t)));
 
-// Lengths are in bounding radii, about 9 decimetres.
+// Lengths are in bounding radii, about 9 decimetres. Without fins: those of folds are drawn as if 2.5 lengths of the longest fur nearer to the eye,
+// and feathers are as long as a fold is deep, so that they would show through mane and thigh.
 export const settings = {
   furLength: 0.042, density: 1, thickness: 0.35, lengthVariation: 0.25, curl: 0.06, taper: 0.6, repeat: 10, clump: 0.3, lockSize: 0.15, undercoat: 0.4, undercoatLength: 0.6, gravity: 0.1, stiffness: 0.8,
   rootColor: '#74665c', tipColor: '#acacac', skinColor: '#9c8e84', variance: 0.4, specular: 0.2, shininess: 80, occlusion: 0.3, strandShadow: 0.3,
@@ -55,7 +56,8 @@ function furColour({ position: p, normal: n }) {
   colour = blend(colour, light, 0.65 * smooth(0, -0.8, n[1]) * smooth(3.8, 5, p[1]));                // belly
   colour = blend(colour, light, 0.45 * exp(-((hypot(p[2] + 2.9, 1.2 * (p[1] - 5.9)) / 0.9) ** 2)));  // flanks
   colour = blend(colour, blend(dark, light, mottle(p)), 0.22);
-  colour = blend(colour, light, 0.34 * dappled(p) * dapple(p));
+  const dapples = dappled(p);
+  if (dapples > 0) colour = blend(colour, light, 0.34 * dapples * dapple(p));
   colour = blend(colour, liver, 0.92 * onLeg(p));
   colour = blend(colour, feather, 0.75 * featherAt({ position: p, normal: n }));
   if (p[2] < 5.2 || p[1] < 8.4) return colour;

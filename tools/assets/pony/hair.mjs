@@ -95,8 +95,8 @@ const flaxen = { rootColor: '#7d5530', tipColor: '#e3c79b', variance: 0.45, glos
 export const hair = ({ size }) => ({
   bodies: bodies(),
   scalps: [
-    { name: 'Mane', guides: maneGuides(), grow: (at) => [onMane(at), 0.6, 1, 1], values: { ...flaxen, wisps: 520, strands: 30, strandWidth: 0.0022, guideLength: size(2.4), nodes: 9, leastWidth: 0.018, mostWidth: 0.045, tipWidth: 0.4, depth: 0.5, lengthVariation: 0.3, frizz: 0.12, stray: 0.2, tipVariation: 0.45, magnet: 0.3, stiffness: 0.3, damping: 0.35 } },
-    { name: 'Forelock', guides: forelockGuides(), grow: (at) => [onForelock(at), 0.5, 1, 1], values: { ...flaxen, wisps: 130, strands: 22, strandWidth: 0.0022, guideLength: size(2), nodes: 8, leastWidth: 0.012, mostWidth: 0.03, tipWidth: 0.35, lengthVariation: 0.5, frizz: 0.12, stray: 0.2, tipVariation: 0.45, magnet: 0.3, stiffness: 0.35, damping: 0.4 } },
-    { name: 'Tail', guides: tailGuides(), grow: (at) => [onTail(at), 0.7, 1, 1], values: { ...flaxen, wisps: 380, strands: 32, strandWidth: 0.0024, guideLength: size(7), nodes: 14, leastWidth: 0.025, mostWidth: 0.065, tipWidth: 0.4, depth: 0.6, lengthVariation: 0.35, frizz: 0.1, stray: 0.15, tipVariation: 0.5, magnet: 0.35, stiffness: 0.25, damping: 0.3 } },
+    { name: 'Mane', guides: maneGuides(), grow: (at) => [onMane(at), 0.6, 1, 1], values: { ...flaxen, wisps: 420, strands: 30, strandWidth: 0.0022, guideLength: size(2.4), nodes: 9, leastWidth: 0.02, mostWidth: 0.05, tipWidth: 0.4, depth: 0.5, lengthVariation: 0.3, frizz: 0.12, stray: 0.2, tipVariation: 0.45, magnet: 0.3, stiffness: 0.3, damping: 0.35 } },
+    { name: 'Forelock', guides: forelockGuides(), grow: (at) => [onForelock(at), 0.5, 1, 1], values: { ...flaxen, wisps: 110, strands: 22, strandWidth: 0.0022, guideLength: size(2), nodes: 8, leastWidth: 0.012, mostWidth: 0.03, tipWidth: 0.35, lengthVariation: 0.5, frizz: 0.12, stray: 0.2, tipVariation: 0.45, magnet: 0.3, stiffness: 0.35, damping: 0.4 } },
+    { name: 'Tail', guides: tailGuides(), grow: (at) => [onTail(at), 0.7, 1, 1], values: { ...flaxen, wisps: 300, strands: 32, strandWidth: 0.0024, guideLength: size(7), nodes: 14, leastWidth: 0.03, mostWidth: 0.072, tipWidth: 0.4, depth: 0.6, lengthVariation: 0.35, frizz: 0.1, stray: 0.15, tipVariation: 0.5, magnet: 0.35, stiffness: 0.25, damping: 0.3 } },
   ],
 });

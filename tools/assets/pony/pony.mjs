@@ -14,6 +14,6 @@ const materials = names.map((name) => ({
 export const pony = {
   name: 'pony',
   file: (program) => animalFile(program, {
-    name: 'pony', rig, materials, bodies: ponyBodies(), colour: colourOf(names), groom, comb, hair, animations: animations(), state: { settings, camera: { yaw: -0.68, pitch: 0.09, distance: 2.85, target: [0, 0.02, 0] } }, colourSize: 1024,
+    name: 'pony', rig, materials, bodies: ponyBodies(), colour: colourOf(names), groom, comb, hair, animations: animations(), state: { settings, camera: { yaw: -0.68, pitch: 0.09, distance: 2.85, target: [0, 0.02, 0] } }, colourSize: 768,
   }),
 };

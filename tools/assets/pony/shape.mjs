@@ -3,7 +3,7 @@
 //
 // Proportions after the rules that judges of ponies use: the head is 0.4 of the height, the chest over half of it deep, the body
 // a little longer than high, forelegs straight under the withers, points of hock straight under the buttocks.
-import { fromBox, loft, tube } from '../lofts.mjs';
+import { fromBox, limbAlong, loft } from '../lofts.mjs';
 import { ball, both, egg, groove, limb, mirrored, union, without } from '../sculpt.mjs';
 import { add, dot, scaled, sub, unit } from '../vectors.mjs';
 
@@ -23,26 +23,26 @@ function barrel(p) {
   return union(d, limb(p, [0, 9.3, 1.3], [0, 9.5, 3.0], 0.36, 0.42), 0.6);                    // withers
 }
 
-const hamstrings = tube([[0.72, 8.6, -4.6, 0.6], [0.95, 7.5, -4.98, 0.68], [1.18, 6.2, -4.75, 0.62], [1.2, 5.0, -4.35, 0.4]]);
+const hamstrings = limbAlong([[0.72, 8.6, -4.6, 0.6], [0.95, 7.5, -4.98, 0.68], [1.18, 6.2, -4.75, 0.62], [1.2, 5.0, -4.35, 0.4]]);
 function hindquarters(p, d) {
-  d = union(d, egg(p, [0.9, 8.55, -3.3], [1.02, 1.2, 1.55]), 0.6);                            // croup
-  d = union(d, egg(p, [1.25, 7.1, -3.75], [0.95, 1.95, 1.4]), 0.6);                           // thigh
+  d = union(d, egg(p, [0.9, 8.55, -3.3], [1.02, 1.2, 1.55]), 0.9);                            // croup
+  d = union(d, egg(p, [1.25, 7.1, -3.75], [0.92, 1.9, 1.36]), 1.0);                           // thigh
   d = union(d, hamstrings(p), 0.8);
-  return union(d, limb(p, [1.6, 6.9, -2.7], [1.45, 5.6, -2.85], 0.5, 0.5), 0.9);              // stifle
+  return union(d, limb(p, [1.6, 6.9, -2.7], [1.45, 5.6, -2.85], 0.46, 0.46), 1.2);              // stifle
 }
 
-const blade = tube([[0.8, 9.0, 2.4, 0.5], [1.2, 7.9, 3.3, 0.62], [1.32, 6.7, 4.15, 0.62]]);
+const blade = limbAlong([[0.8, 9.0, 2.4, 0.5], [1.2, 7.9, 3.3, 0.62], [1.32, 6.7, 4.15, 0.62]]);
 function shoulder(p, d) {
   d = union(d, blade(p), 0.5);
-  d = union(d, egg(p, [1.5, 6.1, 3.3], [0.62, 1.0, 1.05]), 0.6);                              // triceps
+  d = union(d, egg(p, [1.46, 6.1, 3.3], [0.6, 1.0, 1.05]), 0.9);                              // triceps
   d = union(d, egg(p, [0.3, 7.4, 4.3], [0.75, 1.1, 0.62]), 0.7);
   return union(d, egg(p, [0.6, 6.4, 4.15], [0.8, 1.1, 0.6]), 0.8);                            // breast
 }
 
 // --- legs: of the left side ---
 
-const forearm = tube([[1.36, 5.9, 3.1, 0.8], [1.28, 4.85, 3.05, 0.66], [1.2, 3.95, 3.12, 0.5], [1.15, 3.35, 3.16, 0.42], [1.13, 2.9, 3.17, 0.4], [1.12, 2.5, 3.13, 0.33], [1.1, 1.85, 3.1, 0.3], [1.1, 1.4, 3.1, 0.32]]);
-const forePastern = tube([[1.1, 1.4, 3.1, 0.33], [1.1, 1.1, 3.14, 0.36], [1.1, 0.8, 3.32, 0.33], [1.1, 0.55, 3.5, 0.37]]);
+const forearm = limbAlong([[1.36, 5.9, 3.1, 0.8], [1.28, 4.85, 3.05, 0.66], [1.2, 3.95, 3.12, 0.5], [1.15, 3.35, 3.16, 0.42], [1.13, 2.9, 3.17, 0.4], [1.12, 2.5, 3.13, 0.33], [1.1, 1.85, 3.1, 0.3], [1.1, 1.4, 3.1, 0.32]]);
+const forePastern = limbAlong([[1.1, 1.4, 3.1, 0.33], [1.1, 1.1, 3.14, 0.36], [1.1, 0.8, 3.32, 0.33], [1.1, 0.55, 3.5, 0.37]]);
 function foreleg(p) {
   let d = forearm(p);
   d = union(d, limb(p, [1.46, 5.45, 2.62], [1.34, 4.8, 2.75], 0.36, 0.3), 0.3);               // elbow
@@ -52,9 +52,9 @@ function foreleg(p) {
   d = union(d, ball(p, [1.1, 1.12, 2.86], 0.26), 0.16);
   return union(d, forePastern(p), 0.1);
 }
-const gaskin = tube([[1.45, 5.9, -3.0, 0.74], [1.36, 5.15, -3.6, 0.74], [1.24, 4.45, -4.3, 0.55], [1.16, 3.9, -4.8, 0.43], [1.12, 3.45, -4.97, 0.41], [1.1, 2.9, -4.97, 0.36], [1.09, 2.1, -4.9, 0.31], [1.08, 1.4, -4.84, 0.32]]);
-const hindPastern = tube([[1.08, 1.4, -4.84, 0.33], [1.08, 1.12, -4.8, 0.36], [1.08, 0.8, -4.62, 0.33], [1.08, 0.55, -4.46, 0.37]]);
-const achilles = tube([[1.2, 5.1, -4.5, 0.36], [1.13, 4.55, -5.0, 0.22], [1.1, 4.1, -5.36, 0.2], [1.1, 3.6, -5.3, 0.22], [1.1, 3.0, -5.2, 0.22], [1.09, 2.0, -5.1, 0.2], [1.08, 1.35, -5.06, 0.22]]);
+const gaskin = limbAlong([[1.45, 5.9, -3.0, 0.74], [1.36, 5.15, -3.6, 0.74], [1.24, 4.45, -4.3, 0.55], [1.16, 3.9, -4.8, 0.43], [1.12, 3.45, -4.97, 0.41], [1.1, 2.9, -4.97, 0.36], [1.09, 2.1, -4.9, 0.31], [1.08, 1.4, -4.84, 0.32]]);
+const hindPastern = limbAlong([[1.08, 1.4, -4.84, 0.33], [1.08, 1.12, -4.8, 0.36], [1.08, 0.8, -4.62, 0.33], [1.08, 0.55, -4.46, 0.37]]);
+const achilles = limbAlong([[1.2, 5.1, -4.5, 0.36], [1.13, 4.55, -5.0, 0.22], [1.1, 4.1, -5.36, 0.2], [1.1, 3.6, -5.3, 0.22], [1.1, 3.0, -5.2, 0.22], [1.09, 2.0, -5.1, 0.2], [1.08, 1.35, -5.06, 0.22]]);
 function hindleg(p) {
   let d = union(gaskin(p), achilles(p), 0.2);
   d = union(d, ball(p, [1.08, 1.15, -5.08], 0.26), 0.16);
@@ -78,7 +78,7 @@ const neckWay = unit([0, 0.88, 0.47]), neckBack = [0, neckWay[2], -neckWay[1]];
 const throat = loft({ from: [0, 8.0, 3.1], way: neckWay, front: neckBack }, [
   [-0.6, 1.5, -2.3, 1.55], [0.6, 1.42, -2.02, 1.38], [1.7, 1.32, -1.7, 1.22], [2.8, 1.22, -1.4, 1.06], [3.8, 1.07, -1.18, 0.93], [4.6, 0.6, -1.02, 0.8], [5.0, 0.3, -0.95, 0.68],
 ]);
-const mound = tube([[0, 9.7, 2.9, 0.36], [0, 10.75, 3.5, 0.4], [0, 11.55, 4.1, 0.4], [0, 12.05, 4.72, 0.35], [0, 12.3, 5.4, 0.28]]);
+const mound = limbAlong([[0, 9.7, 2.9, 0.36], [0, 10.75, 3.5, 0.4], [0, 11.55, 4.1, 0.4], [0, 12.05, 4.72, 0.35], [0, 12.3, 5.4, 0.28]]);
 
 function neck(p) {
   const d = union(throat(p), mound(p), 0.45);                                                 // a thick crest
@@ -101,12 +101,12 @@ export const inHead = (p) => {
 const skull = loft({ from: [0, 0, 0], way: [0, 0, 1], front: [0, 1, 0] }, [
   [0.0, -0.08, -1.1, 0.55], [0.5, 0.1, -1.6, 0.68], [1.0, 0.17, -1.84, 0.74], [1.5, 0.13, -1.72, 0.65], [2.0, 0.02, -1.44, 0.52], [2.5, -0.06, -1.23, 0.47], [3.0, -0.1, -1.14, 0.44], [3.45, -0.14, -1.16, 0.45], [3.78, -0.28, -1.1, 0.4],
 ]);
-const brow = tube([[0.5, -0.02, 1.0, 0.13], [0.64, 0, 1.32, 0.13], [0.52, -0.06, 1.66, 0.11]]);
+const brow = limbAlong([[0.5, -0.02, 1.0, 0.13], [0.64, 0, 1.32, 0.13], [0.52, -0.06, 1.66, 0.11]]);
 
 /** Its middle and radius (head), and where it looks (head). */
 export const eye = { at: [0.585, -0.27, 1.38], radius: 0.3, gaze: unit([0.88, 0.14, 0.45]) };
-const nostril = tube([[0.33, -0.34, 3.46, 0.05], [0.4, -0.42, 3.62, 0.09], [0.41, -0.55, 3.72, 0.1], [0.36, -0.64, 3.68, 0.05]]);
-const wing = tube([[0.27, -0.32, 3.4, 0.17], [0.33, -0.3, 3.62, 0.13], [0.31, -0.42, 3.84, 0.11], [0.3, -0.6, 3.86, 0.1]]);
+const nostril = limbAlong([[0.33, -0.34, 3.46, 0.05], [0.4, -0.42, 3.62, 0.09], [0.41, -0.55, 3.72, 0.1], [0.36, -0.64, 3.68, 0.05]]);
+const wing = limbAlong([[0.27, -0.32, 3.4, 0.17], [0.33, -0.3, 3.62, 0.13], [0.31, -0.42, 3.84, 0.11], [0.3, -0.6, 3.86, 0.1]]);
 
 /** How far from where the lips meet. */
 const mouthLine = (p) => hypot(p[1] + 0.97 + 0.1 * (p[2] - 3.9), max(0, 3.12 - p[2]));
@@ -133,16 +133,16 @@ function head(place) {
 
 export const ear = { base: headPlace([0.42, 0.0, 0.24]), tip: add(headPlace([0.42, 0.0, 0.24]), [0.24, 1.1, 0.24]) };
 const onEar = (t, forward, out = 0) => add(add(ear.base, scaled(sub(ear.tip, ear.base), t)), [out, 0, forward]);
-const earFlesh = tube([[...onEar(-0.15, 0), 0.27], [...onEar(0.2, 0.01), 0.31], [...onEar(0.55, 0.02), 0.26], [...onEar(0.85, 0.02), 0.15], [...onEar(1, 0.03), 0.07]]);
-const earBowl = tube([[...onEar(0.12, 0.28, 0.1), 0.12], [...onEar(0.36, 0.25, 0.07), 0.22], [...onEar(0.62, 0.22, 0.03), 0.16], [...onEar(0.86, 0.16), 0.04]]);
+const earFlesh = limbAlong([[...onEar(-0.15, 0), 0.27], [...onEar(0.2, 0.01), 0.31], [...onEar(0.55, 0.02), 0.26], [...onEar(0.85, 0.02), 0.15], [...onEar(1, 0.03), 0.07]]);
+const earBowl = limbAlong([[...onEar(0.12, 0.28, 0.1), 0.12], [...onEar(0.36, 0.25, 0.07), 0.22], [...onEar(0.62, 0.22, 0.03), 0.16], [...onEar(0.86, 0.16), 0.04]]);
 // The inside, as it is seen from the front.
-const earPatch = tube([[0.14, 0.12], [0.38, 0.19], [0.62, 0.14], [0.86, 0.04]].map(([t, r]) => { const [x, y] = onEar(t, 0, 0.03); return [x, y, 0, r]; }));
+const earPatch = limbAlong([[0.14, 0.12], [0.38, 0.19], [0.62, 0.14], [0.86, 0.04]].map(([t, r]) => { const [x, y] = onEar(t, 0, 0.03); return [x, y, 0, r]; }));
 const ears = (p) => without(earFlesh(p), earBowl(p), 0.07);
 
 // --- tail: the dock, from which hair hangs ---
 
-export const dock = [[0, 9.1, -4.6, 0.42], [0, 8.95, -5.25, 0.36], [0, 8.35, -5.68, 0.28], [0, 7.55, -5.8, 0.22], [0, 6.9, -5.8, 0.14]];
-const tail = tube(dock);
+export const dock = [[0, 9.3, -4.4, 0.5], [0, 9.1, -5.15, 0.42], [0, 8.35, -5.68, 0.28], [0, 7.55, -5.8, 0.22], [0, 6.9, -5.8, 0.14]];
+const tail = limbAlong(dock);
 
 // --- where other materials are than fur: fields that are below 0 there ---
 
@@ -155,7 +155,7 @@ export const fields = {
   mouth: onBothSides((p) => (p[1] > 11.5 || p[2] < 7 ? 1 : headSize * (mouthLine(inHead(p)) - 0.045))),
 };
 
-const boxes = { head: [[0, 8, 4.6], [1.3, 13.6, 10]], ears: [[0.1, 12, 5.4], [1.2, 14.4, 7.2]], fore: [[0.4, 0, 2.2], [2.2, 6.8, 4.4]], hind: [[0.4, 0, -5.8], [2.2, 6.8, -2.2]], tail: [[0, 6.7, -6.2], [0.5, 9.6, -4.1]] };
+const boxes = { head: [[0, 8, 4.6], [1.3, 13.6, 10]], ears: [[0.1, 12, 5.4], [1.2, 14.4, 7.2]], fore: [[0.4, 0, 2.2], [2.2, 6.8, 4.4]], hind: [[0.4, 0, -5.8], [2.2, 6.8, -2.2]], tail: [[0, 6.7, -6.2], [0.6, 9.9, -3.8]] };
 const joined = (p, d, box, part, k) => (fromBox(p, box) > d + k ? d : union(d, part(p), k));
 
 function half(p) {
@@ -163,7 +163,7 @@ function half(p) {
   d = union(d, neck(p), 0.9);
   d = joined(p, d, boxes.head, head, 0.4);
   d = joined(p, d, boxes.ears, ears, 0.12);
-  d = joined(p, d, boxes.tail, tail, 0.45);
+  d = joined(p, d, boxes.tail, tail, 0.8);
   d = joined(p, d, boxes.fore, (q) => union(foreleg(q), hoof(q, hoofAt.fore), 0.06), 0.7);
   return joined(p, d, boxes.hind, (q) => union(hindleg(q), hoof(q, hoofAt.hind), 0.06), 0.7);
 }
