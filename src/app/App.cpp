@@ -42,12 +42,18 @@ App::~App() = default;
 
 // --- model -------------------------------------------------------------------------------------
 
-// As far round what is played now as the file's was round what was played then.
+// The file's looks higher, and at last from further off, while an animal does what would reach out of it.
 CameraOrbit App::State::homeView() const {
-  CameraOrbit now = startView();
-  if (!viewOfFile) return now;
-  const auto& [view, fitted] = *viewOfFile;
-  return {view.yaw, view.pitch, view.distance * (now.distance / fitted.distance), view.target + now.target - fitted.target};
+  if (!cameraOfFile || behaviour.played().size() < 2) return cameraOfFile.value_or(startView());
+  constexpr float kSeen = 0.27f;  // above its target and below, of its distance: some less than OrbitCamera::kFovY shows
+  CameraOrbit home = *cameraOfFile;
+  const float reach = kSeen * home.distance, need = 0.5f * (shape.top() - shape.groundHeight());
+  if (shape.top() <= home.target.y + reach) return home;
+  home.target.y = std::max(shape.top() - reach, home.target.y);
+  if (need <= reach) return home;
+  home.target.y = shape.groundHeight() + need;
+  home.distance *= need / reach;
+  return home;
 }
 
 void App::State::keepInView(const CameraOrbit& before, bool atOnce) {
@@ -74,7 +80,7 @@ void App::State::setModel(geometry::Mesh mesh, geometry::Surface surface, Docume
   const CameraOrbit before = homeView();
   endStroke();
   document = std::move(from);
-  viewOfFile.reset();
+  cameraOfFile.reset();
   ++imageRevision, ++materialsRevision;
   std::vector<std::uint8_t> bare;
   for (const scene::Material& material : document.materials)
@@ -142,7 +148,7 @@ Status App::loadModel(std::span<const std::uint8_t> bytes, const std::string& na
   s.applySettings(now);
   s.shelf.keepOnlyThoseOf({&s.settings, &s.ownLook->settings});
   s.settingsOfFile = s.settings;
-  s.viewOfFile = {camera(), s.startView()};
+  s.cameraOfFile = camera();
   s.history.clear();
   return status;
 }

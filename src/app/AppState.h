@@ -93,11 +93,7 @@ struct App::State {
     CameraOrbit camera;
   };
   std::optional<Look> ownLook;
-  // Where the camera goes home to, if not to startView(), and what that was when the file came.
-  struct ViewOfFile {
-    CameraOrbit view, fitted;
-  };
-  std::optional<ViewOfFile> viewOfFile{};
+  std::optional<CameraOrbit> cameraOfFile{};  // where the camera goes home to, if not to startView()
   settings::Settings settingsOfFile;
   // Undo.
   int modelStep = 0;          // for App::takeModelStep()
@@ -146,7 +142,7 @@ struct App::State {
 
   // --- App.cpp ---
   CameraOrbit startView() const { return OrbitCamera::fitting(shape.extent().centre, shape.extent().radius); }
-  CameraOrbit homeView() const;
+  CameraOrbit homeView() const;  // with that, of what is played now
   void setModel(geometry::Mesh mesh, geometry::Surface surface, Document from, scene::Rig rig = {}, std::vector<std::uint8_t> materialOf = {});
   void surfaceChanged(const CameraOrbit& viewBefore);
   // A view that showed all of the model still does; glides there or is there at once.

@@ -28,6 +28,8 @@ constexpr float kFling = 2.6f;  // model radii a second
 // Of skin that moves by itself: its speed that throws off all that can be, in model radii a second; the share of that below which it
 // holds its water; how much of the speed goes aside.
 constexpr float kThrows = 1.4f, kHolds = 0.15f, kAside = 0.3f;
+// Chance a step that a wet block lets go of water; where the skin moves by itself of more at a time, in fewer drops.
+constexpr float kLetsGo = 0.08f, kLetsGoBySkin = 0.05f, kMoreBySkin = 1.5f;
 // A jet has air in it: its radius is so many times that of its water. Seconds that it takes to fall apart by 1.
 constexpr float kJetWidth = 1.7f, kFallsApart = 0.2f;
 // Of what a drop leaves to be seen: seconds that a ring or spray lasts; how far a ring widens on dry ground, and further on wet;
@@ -264,12 +266,13 @@ void Water::fling(const WetSurface& skin, const Climate& climate, const SurfaceT
 // Some blocks a step let go of their water; of a model that moves by itself those that move fast.
 void Water::shake(const WetSurface& skin, WetnessMask& mask, const Climate& climate) {
   if (!(climate.shaking > 0.0f)) return;
+  const float chance = (skin.before.empty() ? kLetsGo : kLetsGoBySkin) * climate.shaking;
   for (std::uint32_t b = 0; b < flags_.size(); ++b) {
-    if (!(flags_[b] & kWet) || random_.uniform() >= 0.08f * climate.shaking || drops_.size() >= kMostDrops) continue;
+    if (!(flags_[b] & kWet) || random_.uniform() >= chance || drops_.size() >= kMostDrops) continue;
     const SurfaceTexels::Block& block = texels_->blocks()[b];
     const std::uint32_t first = block.first + static_cast<std::uint32_t>(random_.uniform() * static_cast<float>(block.end - block.first));
     const SurfaceTexels::Place& from = texels_->places()[first];
-    const float share = skin.before.empty() ? 1 : saturate(glm::length(velocityAt(skin, from)) / kThrows);
+    const float share = skin.before.empty() ? 1 : kMoreBySkin * saturate(glm::length(velocityAt(skin, from)) / kThrows);
     if (share < kHolds) continue;
     if (const float amount = letGo(skin, mask, b, share); amount > 0.0f) fling(skin, climate, from, amount);
   }

@@ -154,12 +154,13 @@ void ShapeStage::leanOverEdges() {
 void ShapeStage::measure(std::span<const int> animations) {
   measuredFor_.assign(animations.begin(), animations.end());
   extent_ = {};
-  groundHeight_ = 0;
-  for (const geometry::SurfaceVertex& v : surface_.vertices) groundHeight_ = std::min(groundHeight_, v.position.y);
+  groundHeight_ = top_ = 0;
+  for (const geometry::SurfaceVertex& v : surface_.vertices) groundHeight_ = std::min(groundHeight_, v.position.y), top_ = std::max(top_, v.position.y);
   for (const int animation : animations) {
     const Reach& reach = reachOf(animation);
     if (animations.size() == 1) extent_ = reach.extent;
     else include(extent_, reach.extent.centre, reach.extent.radius);
+    top_ = std::max(top_, reach.top);
     if (animation == animations.front()) groundHeight_ = std::min(groundHeight_, reach.ground);
   }
 }
@@ -167,12 +168,13 @@ void ShapeStage::measure(std::span<const int> animations) {
 const ShapeStage::Reach& ShapeStage::reachOf(int animation) {
   const auto known = std::find_if(reaches_.begin(), reaches_.end(), [&](const Reach& reach) { return reach.animation == animation; });
   if (known != reaches_.end()) return *known;
-  Reach reach{animation, {}, 0};
+  Reach reach{animation, {}, 0, 0};
   const float duration = rig_.animations[static_cast<std::size_t>(animation)].duration;
   for (int k = 0; k < kMeasuredPoses; ++k) {
     pose_->set(animation, duration * static_cast<float>(k) / kMeasuredPoses);
     for (const Vec3& p : pose_->positions()) {
       reach.ground = std::min(reach.ground, p.y);
+      reach.top = std::max(reach.top, p.y);
       include(reach.extent, p);
     }
   }

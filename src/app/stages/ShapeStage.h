@@ -60,6 +60,7 @@ class ShapeStage {
   std::size_t materialAt(std::uint32_t triangle) const { return materialOf_.empty() ? 0 : materialOf_[surface_.indices[std::size_t{3} * triangle]]; }
   const Extent& extent() const { return extent_; }
   float groundHeight() const { return groundHeight_; }  // of the floor below all that it plays, y
+  float top() const { return top_; }                    // the highest that it comes there
   const geometry::SurfaceQuery& query() const { return query_; }  // of the surface as it was made
   // Positions of the surface without duplicates; made when first asked for.
   const groom::SurfacePoints& points() const;
@@ -96,7 +97,7 @@ class ShapeStage {
   struct Reach {
     int animation;
     Extent extent;
-    float ground;
+    float ground, top;
   };
   void measure(std::span<const int> animations);
   const Reach& reachOf(int animation);
@@ -122,7 +123,7 @@ class ShapeStage {
   std::vector<int> measuredFor_;  // the animations that extent and ground are for
   std::vector<Reach> reaches_;    // of animations that have been played
   Extent extent_;
-  float groundHeight_ = -1;
+  float groundHeight_ = -1, top_ = 1;
   mutable geometry::SurfaceQuery posedQuery_;
   mutable std::uint64_t posedQueryFor_ = 0, posedQueryOf_ = 0;  // revisions of shape and surface that it is of
   std::uint64_t surfaceRevision_ = 0, poseRevision_ = 0;

@@ -217,16 +217,16 @@ TEST(Behaviour, TheExtentHoldsWhatItDoesNowAndNoMore) {
   zoo.settings.behaviour = 1;
   zoo.run(1);
   const app::ShapeStage::Extent stands = zoo.shape.extent();
-  zoo.behaviour.act("groom");
+  zoo.behaviour.act("sit");
   float widest = 0;
-  for (int i = 0; i < 5 * 60; ++i) {
+  for (int i = 0; i < 13 * 60; ++i) {
     zoo.step(1 / 60.0f);
     const auto [centre, radius] = zoo.shape.extent();
     widest = std::max(widest, radius);
     // It is measured at some poses, between which vertices move by a hundredth.
     for (const Vec3& p : zoo.shape.skin()->positions) ASSERT_LT(glm::distance(p, centre), radius + 0.02f) << i;
   }
-  EXPECT_GT(widest, stands.radius + 0.02f);
+  EXPECT_GT(widest, stands.radius);
   EXPECT_EQ(zoo.shape.extent().radius, stands.radius);
   EXPECT_EQ(zoo.shape.extent().centre, stands.centre);
 }
