@@ -10,7 +10,7 @@ uniform sampler2D mask;
 in vec3 vNormal;
 in vec4 vUvAtlas;
 in vec3 vColor;
-#if defined(PAINTED) || (defined(CLASSIC) && defined(TEXTURED) && defined(TYPES))
+#if defined(PAINTED) || (defined(TEXTURED) && defined(TYPES))
 in vec3 vShade;
 #endif
 #ifdef GROOMED
@@ -32,9 +32,18 @@ void main() {
   fragColor = vec4(vColor, 1.0);
 #elif defined(UNDER_FUR)
   vec3 model = modelColor(baseColor, vUvAtlas.xy), color = vColor * model;
-#if defined(CLASSIC) && defined(TEXTURED) && defined(TYPES)
-  // What is seen between shells is skin alone.
-  if (skinPicture >= 0.0) color = vShade * 0.5 * ownSkin(2.0 * color / max(vShade, vec3(1e-4)));
+#if defined(TEXTURED) && defined(TYPES)
+  // As much of it as is skin (skin.vert) has the skin's picture.
+  if (skinPicture >= 0.0) {
+    vec4 grows = presences(textureLod(groom, vUvAtlas.zw, 0.0).gba);
+    vec3 skin = skinColorOf(grows) * model;
+#ifdef CLASSIC
+    float share = 0.5;
+#else
+    float share = 1.0 - min(2.0 * dot(grows, typeDensity), 1.0);
+#endif
+    color += vShade * share * (ownSkin(skin) - skin);
+  }
 #endif
 #ifdef PAINTED
   color = painted(color, vUvAtlas.zw, 0.9 * vShade);

@@ -13,7 +13,7 @@ layout(location = FUR_UV_ATLAS) in vec4 uvAtlas;
 out vec3 vNormal;
 out vec4 vUvAtlas;
 out vec3 vColor;  // under fur: its light, without the model's picture
-#if defined(PAINTED) || (defined(CLASSIC) && defined(TEXTURED) && defined(TYPES))
+#if defined(PAINTED) || (defined(TEXTURED) && defined(TYPES))
 out vec3 vShade;  // of that, without the skin's colour
 #endif
 #ifdef GROOMED
@@ -58,7 +58,7 @@ void main() {
 #endif
   vec3 shade = shadeSkin(vec3(1.0), nDotL, upness, h, 0.0, furShadowAt(lightSpace(position + normal * (0.3 * furLength))));
   vColor = shade * albedo;
-#if defined(PAINTED) || (defined(CLASSIC) && defined(TEXTURED) && defined(TYPES))
+#if defined(PAINTED) || (defined(TEXTURED) && defined(TYPES))
   vShade = shade;
 #endif
 #ifdef GROOMED

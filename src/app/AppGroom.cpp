@@ -35,7 +35,13 @@ void App::groomAll(GroomEdit edit, float value, const Vec3& direction) {
   s.endStroke();
 }
 
-void App::clearGroom() { groomAll(GroomEdit::Clear); }
+// Not by groomAll(): programs that only clear are spared all other edits.
+void App::clearGroom() {
+  State& s = *state_;
+  s.beginGroomStroke();
+  s.groom.clear(s.shape);
+  s.endStroke();
+}
 
 void App::groomFromImage(groom::ImageOf what, int width, int height, std::span<const std::uint8_t> rgba) {
   groomFromFile(what, "", width, height, rgba);

@@ -290,7 +290,7 @@ TEST(CoatPanel, AFingerOnThePicturesScrolls) {
   const Vec2 at(rect.Min.x + 100, rect.GetCenter().y);
   // The tile comes to the middle of the sheet.
   person.moveTo(at);
-  for (int i = 0; i < 12; ++i) person.input.wheel(-1);
+  for (int i = 0; i < 13; ++i) person.input.wheel(-1);
   person.settle();
   person.input.pointerGone();
   person.settle();

@@ -31,6 +31,11 @@ Variants askedFor() {
       frame.settings.bendCurve = bit(6);
       frame.settings.shadows = shadows;
       const Look look(frame, true, bit(7)), bald(frame, false, bit(7));
+      // The skin's picture needs the types' shaders, and is one of the pictures.
+      if (frame.types && frame.groomed && bit(7) && !frame.painted && !frame.shaped) {
+        asked.insert({Shader::Skin, Look(frame, false, true, true).skin(kPlain)});
+        asked.insert({Shader::Skin, Look(frame, true, true, true).bareSkin(kPlain)});
+      }
       for (const VariantBits view : {+kPlain, +kViewSteps, +kViewOverdraw}) asked.insert({Shader::Shell, look.shells(view)});
       for (const VariantBits view : {+kPlain, +kViewOverdraw}) {
         asked.insert({Shader::Fin, look.fins(view)});

@@ -15,7 +15,7 @@ async function keep(page, name) {
   await page.click('#own-coats');
   await page.fill('.own-coats form input', name);
   await page.click('.own-coats form button');
-  await page.waitForSelector(`.own-coats [role=status]:has-text("${name}")`);
+  await page.locator('.own-coats [role=status]', { hasText: name }).waitFor();
 }
 const close = (page) => page.click('.own-coats button:text-is("Close")');
 

@@ -254,6 +254,7 @@ void GroomStage::aimWhiskers(const ShapeStage& shape, const settings::Settings& 
 void GroomStage::clear(const ShapeStage& shape) {
   groom_ = groom::plainGroom(groom_.map.size(), shape.points());
   groom_.bare = bareAtFirst_;
+  touch();
 }
 
 void GroomStage::setBare(std::size_t material, bool bare) {

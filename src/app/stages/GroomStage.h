@@ -95,6 +95,7 @@ class GroomStage {
   std::vector<groom::WhiskerHair> hairsOf(const ShapeStage& shape, std::span<const groom::Whisker> whiskers) const;
 
   // Within a stroke: see GroomEdits.inc; numbers are finite.
+  void clear(const ShapeStage& shape);  // GroomEdit::Clear
   void edit(const ShapeStage& shape, GroomEdit edit, float value, const Vec3& direction, const settings::Settings& settings, Warnings& warnings);
   // An image, RGBA8, in the model's texture coordinates or, by the name of its file (groom/MapPictures.h), over the atlas.
   void readImage(const ShapeStage& shape, groom::ImageOf what, std::string_view file, int width, int height, std::span<const std::uint8_t> rgba);
@@ -118,7 +119,6 @@ class GroomStage {
   static std::vector<groom::WhiskerHair> posed(const ShapeStage& shape, std::vector<groom::WhiskerHair> hairs);
   void turnOver(std::size_t material, Warnings& warnings);
   void plant(const ShapeStage& shape, const settings::Settings& settings, const geometry::SurfacePoint& at, Warnings& warnings);
-  void clear(const ShapeStage& shape);
   void readLengths(const ShapeStage& shape);
   void readRests(const ShapeStage& shape);
   // From a whisker's root to where a ray passes it, as far from the eye.
