@@ -87,14 +87,17 @@ March marchCoat(float first) {
   if (underSheet()) mostSteps = kSheetSteps;
   int steps = stepsTo(end, march.x, stepSize, mostSteps);
 #ifdef TYPES
-  for (int i = 0; i < steps && plain && march.alpha <= closes; ++i) {
+  int plainSteps = stepsTo(plainTo, march.x, stepSize, mostSteps);
+  for (int i = 0; i < plainSteps && march.alpha <= closes; ++i) {
     Strand here = standingAt(heightAt(march.x), march);
     shape(here);
     stepOn(march, here, addPlain(here, march));
   }
-  if (plain) steps = 0;
+  if (plainSteps > 0) leavePlain(march);
+#else
+  const int plainSteps = 0;
 #endif
-  for (int i = 0; i < steps && march.alpha <= closes; ++i) {
+  for (int i = plainSteps; i < steps && march.alpha <= closes; ++i) {
     Strand here = standingAt(heightAt(march.x), march);
     shape(here);
     trim(here, march);
