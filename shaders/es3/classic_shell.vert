@@ -6,6 +6,9 @@
 #include "common_clump.glsl"
 #include "common_furshadow.glsl"
 #include "common_classic.glsl"
+#ifdef TYPES
+#include "common_types.glsl"
+#endif
 
 layout(location = FUR_POSITION) in vec4 positionFrom;
 layout(location = FUR_NORMAL) in vec4 normalTo;
@@ -51,6 +54,9 @@ void main() {
   vShell = vec2(h, floor((shell + 0.5) / layers * storedLayers));
   vLight = inFrame(skin, light.xyz);
   vView = vec4(inFrame(skin, toEye / distance), furShadowAt(lightSpace(p)));
+#ifdef TYPES
+  typeShares = presences(textureLod(groom, uvAtlas.zw, 0.0).gba);
+#endif
   LightOfShell lit = lightOfShell(vLight, vView.xyz, h, vView.w, dot(skin.normal, up.xyz));
   vAround = lit.around;
   vGlint = lit.glint;

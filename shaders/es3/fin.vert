@@ -6,6 +6,9 @@
 #include "common_clump.glsl"
 #include "common_furshadow.glsl"
 #include "common_classic.glsl"
+#ifdef TYPES
+#include "common_types.glsl"
+#endif
 out vec4 vAround;  // both as LightOfShell has them
 out vec3 vGlint;
 out float vLit;    // share of the light that the fur's shadow leaves
@@ -103,6 +106,9 @@ void standFin(float opacity) {
 #ifdef CLASSIC
   vView = normalize(vView);
   vLit = furShadowAt(vLightSpace);
+#ifdef TYPES
+  typeShares = presences(textureLod(groom, mix(atlas.xy, atlas.zw, side), 0.0).gba);
+#endif
   LightOfShell lit = lightOfShell(vLight.xyz, vView, h, vLit, vLight.w);
   vAround = lit.around;
   vGlint = lit.glint;

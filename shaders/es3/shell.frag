@@ -82,7 +82,7 @@ void stepOn(inout March march, Strand here, float add) {
 }
 
 // Steps along the ray until strands hide what is behind them, FUR_MOST_STEPS times at most. Look-ups in a step: 1; GROOMED 1 more;
-// TYPES 2 for each type instead of the 1; WET 2 more, 3 outside its chart. On a software rasteriser the loop itself costs as much
+// TYPES up to 2 for each type that is present instead of the 1, while the map is not even; WET 2 more, 3 outside its chart. On a software rasteriser the loop itself costs as much
 // as they do: few variables and one way out.
 March marchCoat(float first) {
   March march = marchFrom(first + enters, enters);
@@ -90,14 +90,17 @@ March marchCoat(float first) {
   if (underSheet()) mostSteps = kSheetSteps;
   int steps = stepsTo(end, march.x, stepSize, mostSteps);
 #ifdef TYPES
-  for (int i = 0; i < steps && plain && march.alpha <= closes; ++i) {
+  int plainSteps = stepsTo(plainTo, march.x, stepSize, mostSteps);
+  for (int i = 0; i < plainSteps && march.alpha <= closes; ++i) {
     Strand here = standingAt(heightAt(march.x), march);
     shape(here);
     stepOn(march, here, addPlain(here, march));
   }
-  if (plain) steps = 0;
+  if (plainSteps > 0) leavePlain(march);
+#else
+  const int plainSteps = 0;
 #endif
-  for (int i = 0; i < steps && march.alpha <= closes; ++i) {
+  for (int i = plainSteps; i < steps && march.alpha <= closes; ++i) {
     Strand here = standingAt(heightAt(march.x), march);
     shape(here);
     trim(here, march);

@@ -3,6 +3,7 @@ const float entryHeld = 0.0, enters = 0.0, closes = kClosed;
 const int kSheetSteps = 0;
 
 void enterWater() {}
+float rootsAside() { return 0.0; }
 bool underSheet() { return false; }
 bool leavesSkin() { return false; }
 

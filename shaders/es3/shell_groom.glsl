@@ -36,7 +36,7 @@ void enterGroom() {
   grown = coatShare(texel);
 #ifdef TYPES
   skinUnder = skinColorOf(presences(texel.gba));
-  enterTypes(texel.r);
+  enterTypes(rootsAside());
 #else
   skinUnder = skinColors[0].rgb;
 #endif
@@ -55,6 +55,22 @@ void trim(inout Strand here, inout March march) {
   here.open *= float(here.along <= 1.0);
 #endif
 }
+
+#ifdef TYPES
+// After the steps of addPlain().
+void leavePlain(inout March march) {
+  March at = march;
+  at.x = march.metX;
+  Strand met = standingAt(heightAt(at.x), at);
+  shape(met);
+  march.spot = spotIn(plainType, met, met.along * plainRise);
+#ifndef WET
+  march.hSum = march.alpha * plainRise * heightAt(march.xSum / max(march.alpha, 1e-3));
+#endif
+  march.types = (march.alpha + 1e-3) * only(plainType);
+  march.furry = plainFurry;
+}
+#endif
 
 // The strand that is shown is that of the step at which it was met.
 vec4 spotOf(Strand here, March march) { return march.spot; }

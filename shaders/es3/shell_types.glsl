@@ -1,46 +1,62 @@
-// A coat of several fur types, one above the other in the tile's textures: each that a ray may meet asks whether it has a strand there.
-uniform sampler2D typesNear;  // groom/TypesNear.h
+// A coat of several fur types, one above the other in the tile's textures: each that stands somewhere asks whether it has a strand there.
+uniform sampler2D evenReach;  // groom/EvenReach.h
 
-// What the ray may meet, by enterTypes().
-int firstType, lastType;
-bool plain;       // one type, all of one length
-float plainRise;  // then: by which heights are those along its strands
+// Up to there the ray meets one type alone, all of one length: which, by how much heights are those along its strands, and how much of
+// a coat that is.
+float plainTo, plainRise, plainFurry;
+int plainType;
 
-float riseOf(int type) { return dot(typeRise, vec4(equal(ivec4(type), ivec4(0, 1, 2, 3)))); }
-
+vec4 only(int type) { return vec4(equal(ivec4(type), ivec4(0, 1, 2, 3))); }
+int firstOf(int types) { return (types & 1) > 0 ? 0 : (types & 2) > 0 ? 1 : (types & 4) > 0 ? 2 : 3; }
 // Of the type that has that layer.
 float firstLayer(float stored) { return floor(stored / storedLayers) * storedLayers; }
-
-void enterTypes(float skinLength) {
-  vec2 way = 0.5 * atlasFromTile() * (foot - vTile.xy);
-  // Half a cell for what is filtered between texels.
-  float cells = max(abs(way.x), abs(way.y)) * float(textureSize(typesNear, 0).x) + 0.5;
-  int near = int(255.0 * textureLod(typesNear, vAtlas + way, ceil(log2(max(cells, 1.0)))).r + 0.5);
-  int types = near & 15;
-  firstType = (types & 1) > 0 ? 0 : (types & 2) > 0 ? 1 : (types & 4) > 0 ? 2 : 3;
-  lastType = types > 7 ? 3 : types > 3 ? 2 : types > 1 ? 1 : 0;
-  plain = firstType == lastType && near < 16;
-  plainRise = riseOf(firstType) * vLength / max(skinLength, 1e-3);
+vec4 spotIn(int type, Strand here, float h) {
+  return vec4(here.root, nearestLayer(storedLayer(h, between)) + float(type) * storedLayers, levelOf(here));
 }
 
-// What strands add to what is hidden.
+// `aside`: how far from where they are seen roots may lie, over the atlas.
+void enterTypes(float aside) {
+  vec2 texel = textureLod(evenReach, vAtlas, 0.0).rg, size = vec2(textureSize(evenReach, 0));
+  int even = int(255.0 * texel.r + 0.5);
+  plainType = even & 3;
+  // In texels: half of one less, as the map is filtered between them, and less what roots lie aside.
+  vec2 way = abs(atlasFromTile() * (foot - vTile.xy)) * size;
+  float reach = float(even >> 2) - 0.5 - aside * size.x;
+  plainTo = end * clamp(reach / max(max(way.x, way.y), 1e-3), 0.0, 1.0);
+  float grows = dot(typeGrows, only(plainType)) * step(kBald, texel.g);
+  plainFurry = grows * min(texel.g / 0.15, 1.0);
+  // What does not grow has no height.
+  plainRise = dot(typeRise, only(plainType)) * vLength / max(texel.g * grows, 1e-6);
+}
+
+// What the strand adds to what is hidden. What was met is worked out after the march.
 float addPlain(Strand here, inout March march) {
   float h = here.along * plainRise;
-  vec4 spot = vec4(here.root, nearestLayer(storedLayer(h, between)) + float(firstType) * storedLayers, levelOf(here));
+  vec4 spot = spotIn(plainType, here, h);
   float add = stepCover(coverAt(spot, here.open) * float(h <= 1.0)) * (1.0 - march.alpha);
-  meet(march, add, h, spot);
+#ifdef WET
+  march.hSum += add * h;
+#endif
+  if (add > march.alpha) march.metX = march.x;
   return add;
 }
 
+// What strands of all types add.
 float addStrand(Strand here, inout March march) {
   float added = 0.0;
-  for (int i = 0; i < FUR_TYPES && firstType + i <= lastType; ++i) {
-    int type = firstType + i;
-    vec4 is = vec4(equal(ivec4(type), ivec4(0, 1, 2, 3)));
+  ivec4 stands = ivec4(greaterThan(here.grows, vec4(0.0))) * ivec4(1, 2, 4, 8);
+  int rest = stands.x + stands.y + stands.z + stands.w;
+  for (int i = 0; i < FUR_TYPES && rest > 0; ++i) {
+    int type = firstOf(rest);
+    rest &= rest - 1;
+    vec4 is = only(type);
     float grows = dot(here.grows, is), h = here.along * dot(typeRise, is);
-    vec4 spot = vec4(here.root, nearestLayer(storedLayer(h, between)) + float(type) * storedLayers, levelOf(here));
-    float upTo = standsUpTo(grows, textureLod(strand, spot.xyz, spot.w).w);
-    float add = stepCover(coverAt(spot, here.open) * float(grows > 0.0 && h <= min(upTo, 1.0))) * (1.0 - march.alpha - added);
+    vec4 spot = spotIn(type, here, h);
+    float cover = coverAt(spot, here.open) * float(h <= 1.0);
+    // Alone it stands whatever its dominance.
+    for (int n = 0, once = int(cover > 0.0 && grows < 1.0); n < once; ++n)
+      cover *= float(h <= standsUpTo(grows, textureLod(strand, spot.xyz, spot.w).w));
+    float add = stepCover(cover) * (1.0 - march.alpha - added);
     added += add;
     march.types += (add + 1e-3 * grows) * is;
     meet(march, add, h, spot);
@@ -48,9 +64,7 @@ float addStrand(Strand here, inout March march) {
   return added;
 }
 
-void showTypes(March march) {
-  typeShares = plain ? vec4(equal(ivec4(firstType), ivec4(0, 1, 2, 3))) : march.types / max(dot(march.types, vec4(1.0)), 1e-6);
-}
+void showTypes(March march) { typeShares = march.types / max(dot(march.types, vec4(1.0)), 1e-6); }
 
 StrandColors colorsOf() {
   StrandColors colors = StrandColors(vec3(0.0), vec3(0.0), ofType(typeVariance));

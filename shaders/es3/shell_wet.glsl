@@ -14,6 +14,7 @@ const int kSheetSteps = 0;
 
 // Of the whole ray, by where it enters.
 float entryHeld, entryChart;      // the water there; chartOf()
+float entryRadius;                // of its clump, 0: it is dry
 float sheet, joined;              // how much of a sheet the coat is; how much of what is shown
 float coatTop;                    // how high it stands
 float enters, closes;             // where the ray comes to that; what hides all
@@ -29,7 +30,9 @@ void enterWater() {
   furFromTile = inverse(tileFromFur);
   furLengths = sqrt(abs(determinant(furFromTile)));
   entryHeld = filteredWetness(mask, vAtlas);
-  entryChart = chartOf(maskAt(mask, vAtlas));
+  vec4 entryClump = maskAt(mask, vAtlas);
+  entryChart = chartOf(entryClump);
+  entryRadius = entryClump.a > 0.0 ? entryClump.z : 0.0;
   sheet = sheetOf(entryHeld);
   joined = sheet * (2.0 - sheet);
   coatTop = upright(entryHeld, sheet);
@@ -46,6 +49,7 @@ void enterWater() {
   }
 }
 
+float rootsAside() { return entryRadius; }
 bool underSheet() { return reachesSkin && joined > kWholeSheet; }
 
 const float kFarOn = 2.0;  // fur lengths

@@ -6,7 +6,7 @@
 #include "app/AppState.h"
 #include "core/NoteChange.h"
 #include "geometry/CoatThickness.h"
-#include "groom/TypesNear.h"
+#include "groom/EvenReach.h"
 
 namespace fur::app {
 
@@ -154,11 +154,11 @@ void App::State::uploadGroom(bool whole) {
   }
 }
 
-// Of one type there is nothing to find out.
-void App::State::uploadTypesNear() {
-  if (groom.types() > 1) return renderer->updateTypesNear(groom::typesNear(groom.groom().map, groom.groomSurface(shape).atlas));
-  const std::vector<std::uint8_t> one(1, static_cast<std::uint8_t>(1 | (groom.hasLengths() ? groom::kLengthsDiffer : 0)));
-  renderer->updateTypesNear({&one, 1});
+// Only shaders of several types read it.
+void App::State::uploadEvenReach() {
+  constexpr groom::EvenTexel kEven{4 * groom::kMostReach, 255}, kUnknown{};
+  if (groom.types() > 1) return renderer->updateEvenReach(groom::evenReach(groom.groom().map, groom.groomSurface(shape).atlas));
+  renderer->updateEvenReach({groom.hasLengths() ? &kUnknown : &kEven, 1});
 }
 
 void App::State::uploadLengths(const geometry::TexelRect& changed) {
@@ -168,7 +168,7 @@ void App::State::uploadLengths(const geometry::TexelRect& changed) {
   // Of a plain map the least says it all.
   if (groom.hasLengths()) renderer->updateGroom(groom.groom().map, changed);
   else renderer->updateGroom(groom::GroomMap(kLeast), {0, 0, kLeast, kLeast});
-  uploadTypesNear();
+  uploadEvenReach();
   if (lengths.empty()) return renderer->setFurry({surface.furIndices, surface.ownFurIndices, surface.furClusters}, {});
   const auto remaining = [&](const std::vector<std::uint32_t>& all) { return groom::furryTriangles(all, lengths); };
   renderer->setFurry(geometry::remainingPatches(surface, remaining(surface.furIndices), remaining(surface.ownFurIndices)), lengths);

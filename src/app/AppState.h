@@ -187,7 +187,7 @@ struct App::State {
   // The map that the brush Scalp paints lies over the coat.
   bool showsScalp() const { return hairView && !hairView->instead && !hairView->mapColors.empty(); }
   void uploadLengths(const geometry::TexelRect& changed);
-  void uploadTypesNear();
+  void uploadEvenReach();
   bool showsMask() const;  // with the paint, for who is grooming
   bool showsForces() const { return static_cast<render::View>(settings.view) == render::View::Forces; }
   void chooseShellCount();

@@ -115,9 +115,8 @@ void drawInstancesWithoutVertices(Shape shape, int vertexCount, int instances);
 
 // RGBA16F supports filtering; its texels are passed as 32-bit floats.
 enum class TexelFormat { R8, RG8, RGBA8, RGBA16F, RGBA32F, RGBA16UI, RGBA32UI };
-// Mipmapped: bilinear in the level that the shader chooses. Crisp: nearest when magnified, else trilinear. Cells: nearest in the level
-// that the shader chooses; its levels come by updateLevel().
-enum class Filter { Nearest, Linear, Mipmapped, Trilinear, Crisp, Cells };
+// Mipmapped: bilinear in the level that the shader chooses. Crisp: nearest when magnified, else trilinear.
+enum class Filter { Nearest, Linear, Mipmapped, Trilinear, Crisp };
 
 struct TextureShape {
   TexelFormat format = TexelFormat::RGBA8;

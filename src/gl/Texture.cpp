@@ -31,7 +31,7 @@ GLenum targetOf(const TextureShape& shape) { return shape.layers > 0 ? GL_TEXTUR
 constexpr int kWorkUnit = 31;
 
 bool hasLevels(const TextureShape& shape) {
-  return shape.filter != Filter::Nearest && shape.filter != Filter::Linear;
+  return shape.filter == Filter::Trilinear || shape.filter == Filter::Mipmapped || shape.filter == Filter::Crisp;
 }
 
 int levelCount(const TextureShape& shape) {
@@ -64,10 +64,9 @@ Texture::Texture(const TextureShape& shape, std::span<const std::byte> texels) :
     glTexStorage2D(target, levelCount(shape), layout.internal, shape.width, shape.height);
     if (data) glTexSubImage2D(target, 0, 0, 0, shape.width, shape.height, layout.external, layout.type, data);
   }
-  const bool squares = shape.filter == Filter::Nearest || shape.filter == Filter::Crisp || shape.filter == Filter::Cells;
+  const bool squares = shape.filter == Filter::Nearest || shape.filter == Filter::Crisp;
   const GLint magnify = squares ? GL_NEAREST : GL_LINEAR;
   const GLint minify = shape.filter == Filter::Mipmapped ? GL_LINEAR_MIPMAP_NEAREST
-                       : shape.filter == Filter::Cells   ? GL_NEAREST_MIPMAP_NEAREST
                        : hasLevels(shape)                ? GL_LINEAR_MIPMAP_LINEAR
                                                          : magnify;
   glTexParameteri(target, GL_TEXTURE_MIN_FILTER, minify);

@@ -174,7 +174,7 @@ bool Programs::finish(gl::Program& program) {
   program.bindSampler("mask", FUR_UNIT_MASK);
   program.bindSampler("bends", FUR_UNIT_BEND);
   program.bindSampler("groom", FUR_UNIT_GROOM);
-  program.bindSampler("typesNear", FUR_UNIT_TYPES_NEAR);
+  program.bindSampler("evenReach", FUR_UNIT_EVEN_REACH);
   program.bindSampler("paint", FUR_UNIT_PAINT);
   program.bindSampler("shapeMap", FUR_UNIT_SHAPE);
   program.bindSampler("lockCentres", FUR_UNIT_LOCK_CENTRES);

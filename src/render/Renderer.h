@@ -70,7 +70,7 @@ class Renderer {
   void updateMask(const wet::MaskTexels& mask) { uploadedBytes_ += maps_.updateMask(mask); }
   void updateBends(std::span<const Vec4> bends) { uploadedBytes_ += maps_.updateBends(bends); }
   void updateGroom(const groom::GroomMap& map, const geometry::TexelRect& changed) { uploadedBytes_ += maps_.updateGroom(map, changed); }
-  void updateTypesNear(std::span<const std::vector<std::uint8_t>> levels) { uploadedBytes_ += maps_.updateTypesNear(levels); }
+  void updateEvenReach(std::span<const groom::EvenTexel> texels) { uploadedBytes_ += maps_.updateEvenReach(texels); }
   void updatePaint(const groom::GroomMap& paint, const geometry::TexelRect& changed) { uploadedBytes_ += maps_.updatePaint(paint, changed); }
   void updateShape(const groom::GroomMap& shape, const geometry::TexelRect& changed) { uploadedBytes_ += maps_.updateShape(shape, changed); }
 

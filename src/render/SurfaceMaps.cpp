@@ -1,6 +1,7 @@
 #include "render/SurfaceMaps.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/Assert.h"
 #include "furgen/LockCentres.h"
@@ -44,8 +45,8 @@ void addScaled(const SurfaceMaps::Picture& from, int width, int height, std::vec
 }  // namespace
 
 std::size_t SurfaceMaps::create() {
-  const std::vector<std::uint8_t> one(1, 1);
-  return updateTypesNear({&one, 1}) + updateGroom(groom::GroomMap(groom::GroomMap::kLeastSize), {});
+  constexpr groom::EvenTexel kNothing{};
+  return updateEvenReach({&kNothing, 1}) + updateGroom(groom::GroomMap(groom::GroomMap::kLeastSize), {});
 }
 
 std::size_t SurfaceMaps::setTypePictures(std::span<const Picture> pictures) {
@@ -97,16 +98,11 @@ std::size_t SurfaceMaps::updateGroom(const groom::GroomMap& map, const geometry:
   return update(groom_, map, changed);
 }
 
-std::size_t SurfaceMaps::updateTypesNear(std::span<const std::vector<std::uint8_t>> levels) {
-  const int side = 1 << (levels.size() - 1);
-  if (typesNear_.shape().width != side || typesNear_.bytes() == 0)
-    typesNear_ = gl::Texture({gl::TexelFormat::R8, side, side, 0, gl::Filter::Cells, false}, {});
-  std::size_t uploaded = 0;
-  for (std::size_t i = 0; i < levels.size(); ++i) {
-    typesNear_.updateLevel(static_cast<int>(i), 0, gl::bytesOf(levels[i]));
-    uploaded += levels[i].size();
-  }
-  return uploaded;
+std::size_t SurfaceMaps::updateEvenReach(std::span<const groom::EvenTexel> texels) {
+  const int size = static_cast<int>(std::lround(std::sqrt(texels.size())));
+  if (evenReach_.shape().width != size || evenReach_.bytes() == 0) evenReach_ = gl::Texture({gl::TexelFormat::RG8, size, size, 0, gl::Filter::Nearest}, {});
+  evenReach_.update(0, 0, size, size, std::as_bytes(texels), 0);
+  return texels.size_bytes();
 }
 
 std::size_t SurfaceMaps::updatePaint(const groom::GroomMap& paint, const geometry::TexelRect& changed) { return update(paint_, paint, changed); }
@@ -126,13 +122,13 @@ void SurfaceMaps::bind(const Frame& frame) const {
   groom_.bind(FUR_UNIT_GROOM);
   if (frame.painted) paint_.bind(FUR_UNIT_PAINT);
   if (frame.shaped) shape_.bind(FUR_UNIT_SHAPE), lockCentres_.bind(FUR_UNIT_LOCK_CENTRES);
-  if (frame.types) typesNear_.bind(FUR_UNIT_TYPES_NEAR);
+  if (frame.types) evenReach_.bind(FUR_UNIT_EVEN_REACH);
   if (hasTypePictures()) typeColors_.bind(FUR_UNIT_TYPE_COLORS);
 }
 
 std::size_t SurfaceMaps::bytes() const {
   std::size_t sum = 0;
-  for (const gl::Texture* texture : {&mask_, &bends_, &groom_, &paint_, &shape_, &lockCentres_, &typeColors_, &typesNear_}) sum += texture->bytes();
+  for (const gl::Texture* texture : {&mask_, &bends_, &groom_, &paint_, &shape_, &lockCentres_, &typeColors_, &evenReach_}) sum += texture->bytes();
   return sum;
 }
 

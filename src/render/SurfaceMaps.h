@@ -6,7 +6,7 @@
 
 #include "geometry/AtlasTexels.h"
 #include "gl/Objects.h"
-#include "groom/Groom.h"
+#include "groom/EvenReach.h"
 #include "render/Blocks.h"
 #include "wet/MaskTexels.h"
 
@@ -29,8 +29,8 @@ class SurfaceMaps {
   std::size_t updateBends(std::span<const Vec4> bends);
   // Only what has changed; all of a map of another size.
   std::size_t updateGroom(const groom::GroomMap& map, const geometry::TexelRect& changed);
-  // Levels of cells (groom/TypesNear.h), all of them.
-  std::size_t updateTypesNear(std::span<const std::vector<std::uint8_t>> levels);
+  // groom/EvenReach.h, all of it.
+  std::size_t updateEvenReach(std::span<const groom::EvenTexel> texels);
   std::size_t updatePaint(const groom::GroomMap& paint, const geometry::TexelRect& changed);
   std::size_t updateShape(const groom::GroomMap& shape, const geometry::TexelRect& changed);
 
@@ -44,7 +44,7 @@ class SurfaceMaps {
   std::size_t bytes() const;
 
  private:
-  gl::Texture mask_, bends_, groom_, paint_, shape_, lockCentres_, typeColors_, typesNear_;
+  gl::Texture mask_, bends_, groom_, paint_, shape_, lockCentres_, typeColors_, evenReach_;
   TypePictures typePictures_ = kNoPictures;
   unsigned long revision_ = 0;
 };

@@ -165,7 +165,7 @@ FUR_BLOCK(FurBlock) {
 #define FUR_UNIT_MEMBER_STRANDS 22
 #define FUR_UNIT_STRIPS 23
 #define FUR_UNIT_TYPE_COLORS 28
-#define FUR_UNIT_TYPES_NEAR 29
+#define FUR_UNIT_EVEN_REACH 29
 #define FUR_UNIT_MEAN 30
 
 // Directions over a half turn in which strands are averaged into streaks (furgen/Streaks.h).
