@@ -12,7 +12,7 @@ namespace {
 // Seconds without anybody there.
 constexpr float kRestBeforeTurning = 3;
 // Changes of a picture: so many a second, and how many together, are seldom.
-constexpr float kSeldom = 4;
+constexpr float kSeldom = 8;
 // How hard a hair dryer blows the fur about: strength of the wind.
 constexpr float kDryerWind = 0.7f;
 // An animal minds a pointer for so long after it moved, s, and looks as far along its ray as this share of the way to the model.
@@ -154,7 +154,7 @@ bool App::tick(float seconds, float coatBudget) {
   if (!s.noticeChanges()) return false;
   s.bustle = std::min(s.bustle + 1, 2 * kSeldom);
   const bool slight = !told && others == s.revisionButWater() && s.bustle <= kSeldom && s.samplesShown > 1;
-  s.stale |= slight;
+  slight ? void(s.stale = true) : s.forgetSamples();
   return !slight;
 }
 
