@@ -46,7 +46,7 @@ function furColour({ position: p, normal: n }) {
   return blend(colour, dark, 0.5 * within(p, ear, [0.22, 0.22, 0.22], 0.4));
 }
 
-const bareColours = { eye: hex('#20130c'), nose: hex('#1a1412'), mouth: hex('#2b1715'), claws: hex('#4a3a2e'), pads: hex('#33251f'), lids: hex('#47301f'), innerEar: hex('#46291c') };
+const bareColours = { eye: hex('#20130c'), nose: hex('#1a1412'), mouth: hex('#2b1715'), claws: hex('#4a3a2e'), pads: hex('#33251f'), lids: hex('#24160d'), innerEar: hex('#46291c') };
 export const colourOf = (materials) => (place) => (materials[place.part] === 'fur' ? furColour(place) : bareColours[materials[place.part]]);
 
 function furLength({ position: p }) {
