@@ -65,7 +65,7 @@ const plushness = ({ position: p }) => Math.max(smooth(2, 3, p[2]) * smooth(1.9,
 export const groom = (place) => [furLength(place), plushness(place), 0, 0];
 
 // Where hair turns round a point of the skin: { at, reach, turn }.
-const swirls = [{ at: [0.5, 1.3, 1.55], reach: 0.35, turn: 0.7 }, { at: [0.66, 0.9, 0.65], reach: 0.28, turn: 0.8 }, { at: [0.45, 1.1, -0.8], reach: 0.35, turn: -0.6 }];
+const swirls = [{ at: [0.5, 1.3, 1.55], reach: 0.35, turn: 0.7 }, { at: [0.66, 0.9, 0.65], reach: 0.28, turn: 0.8 }];
 
 // The way hair lies: from the nose back, down legs, along the tail.
 function lie({ position: p, normal: n }) {
