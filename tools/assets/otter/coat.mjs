@@ -46,7 +46,7 @@ function furColour({ position: p, normal: n }) {
   return blend(colour, dark, 0.5 * within(p, ear, [0.22, 0.22, 0.22], 0.4));
 }
 
-const bareColours = { eye: hex('#20130c'), nose: hex('#1a1412'), mouth: hex('#2b1715'), claws: hex('#4a3a2e'), pads: hex('#33251f'), lids: hex('#47301f'), innerEar: hex('#46291c') };
+const bareColours = { eye: hex('#20130c'), nose: hex('#1a1412'), mouth: hex('#2b1715'), claws: hex('#4a3a2e'), pads: hex('#33251f'), lids: hex('#24160d'), innerEar: hex('#46291c') };
 export const colourOf = (materials) => (place) => (materials[place.part] === 'fur' ? furColour(place) : bareColours[materials[place.part]]);
 
 function furLength({ position: p }) {
@@ -65,7 +65,7 @@ const plushness = ({ position: p }) => Math.max(smooth(2, 3, p[2]) * smooth(1.9,
 export const groom = (place) => [furLength(place), plushness(place), 0, 0];
 
 // Where hair turns round a point of the skin: { at, reach, turn }.
-const swirls = [{ at: [0.5, 1.3, 1.55], reach: 0.35, turn: 0.7 }, { at: [0.66, 0.9, 0.65], reach: 0.28, turn: 0.8 }, { at: [0.45, 1.1, -0.8], reach: 0.35, turn: -0.6 }];
+const swirls = [{ at: [0.5, 1.3, 1.55], reach: 0.35, turn: 0.7 }, { at: [0.66, 0.9, 0.65], reach: 0.28, turn: 0.8 }];
 
 // The way hair lies: from the nose back, down legs, along the tail.
 function lie({ position: p, normal: n }) {

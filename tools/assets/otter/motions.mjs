@@ -120,7 +120,7 @@ function swim(t) {
 
 const lids = (upper, lower) => ({ turn: { lidUpperL: [upper, 0, 0], lidUpperR: [upper, 0, 0], lidLowerL: [-lower, 0, 0], lidLowerR: [-lower, 0, 0] } });
 /** 1: shut. */
-const shut = (share) => lids(56 * share, 26 * share);
+const shut = (share) => lids(66 * share, 26 * share);
 const lean = (side) => (t) => poseTimes(together(
   { move: { root: [side * 0.14, -0.03, 0] }, turn: { hips: [0, 0, -side * 3], spine1: [0, side * 2, -side * 3], chest: [0, side * 4, -side * 3], neck: [3, side * 6, -side * 9], head: [-3, -side * 4, -side * 16] } },
   { turn: { thighL: [0, 0, -side * 4], thighR: [0, 0, -side * 4], upperArmL: [0, 0, side * 5], upperArmR: [0, 0, side * 5], earL: [0, side * 8, 0], earR: [0, side * 8, 0] } },
@@ -138,7 +138,7 @@ export const motions = () => [
   animation(rig, 'stand', 6, stand, { loop: true, rate: 15 }), animation(rig, 'sit', 5, sit, { loop: true, rate: 15 }), animation(rig, 'groom', kGroom, groom),
   animation(rig, 'shake', kShake, shake, { rate: 60, degrees: 1.2 }), animation(rig, 'walk', kWalk, walk, { loop: true }), animation(rig, 'swim', kSwim, swim, { loop: true, rate: 20 }),
   animation(rig, 'breathe', kBreath, breathe, { loop: true, degrees: 0.2, way: 0.003 }), animation(rig, 'blink', 0.3, (t) => shut(swell(t, 0.3, 0.1, 0.16)), { degrees: 3 }),
-  animation(rig, 'squint', 1.4, (t) => lids(30 * swell(t, 1.4, 0.2, 0.35), 13 * swell(t, 1.4, 0.2, 0.35))),
+  animation(rig, 'squint', 1.4, (t) => lids(38 * swell(t, 1.4, 0.2, 0.35), 13 * swell(t, 1.4, 0.2, 0.35))),
   animation(rig, 'earFlickL', 0.4, flick('L'), { rate: 60 }), animation(rig, 'earFlickR', 0.4, flick('R'), { rate: 60 }), animation(rig, 'tailSway', 3, sway, { loop: true, rate: 20 }),
   animation(rig, 'leanL', 2, lean(1)), animation(rig, 'leanR', 2, lean(-1)),
 ];

@@ -1,6 +1,7 @@
 // The otter: { name, file(program) }.
 import { animalFile, sculpted } from '../animal.mjs';
 import { boneWeights } from '../rig.mjs';
+import { squared } from '../vectors.mjs';
 import { colourOf, comb, eyePicture, groom, settings } from './coat.mjs';
 import { motions } from './motions.mjs';
 import { parts } from './parts.mjs';
@@ -16,6 +17,14 @@ const materials = [
 ];
 const names = materials.map(({ name }) => name), numberOf = (name) => names.indexOf(name);
 
+/** A part goes with its joint, or with the skin in which it stands. */
+function weightsOf({ joint, root }, { positions, weights }) {
+  if (joint) return [[rig.joint(joint), 1]];
+  let nearest = 0;
+  positions.forEach((p, v) => (squared(p, root) < squared(positions[nearest], root) ? (nearest = v) : 0));
+  return weights[nearest];
+}
+
 /** The body alone, which takes most of the time. */
 export function body() {
   const mesh = sculpted({ at: solid, box, cell: 0.045, sizeAt, lines: [noseField, mouthField, earField, padField], rounds: 3 });
@@ -29,6 +38,6 @@ export const otter = {
   name: 'otter',
   file: (program, sculptedBody = body()) => animalFile(program, {
     name: 'otter', rig, materials, colour: colourOf(names), groom, comb, steps: whiskers, animations: motions(), state: { settings, camera: { yaw: -0.7, pitch: 0.12, distance: 2.75, target: [0, -0.02, 0.12] } }, pictures: [eyePicture()],
-    bodies: [sculptedBody, ...parts().map((part) => ({ ...part, materialOf: () => numberOf(part.material), weights: part.positions.map(() => [[rig.joint(part.joint), 1]]) }))],
+    bodies: [sculptedBody, ...parts().map((part) => ({ ...part, materialOf: () => numberOf(part.material), weights: new Array(part.positions.length).fill(weightsOf(part, sculptedBody)) }))],
   }),
 };

@@ -1,4 +1,4 @@
-// What the otter has beside its body: eyeballs, lids and claws. Each hangs on one joint.
+// What the otter has beside its body: eyeballs, lids and claws.
 import { turnedBody, withNormals } from '../animal.mjs';
 import { add, cross, scaled, sub, unit } from '../vectors.mjs';
 import { eye, fore, hind, toes } from './shape.mjs';
@@ -37,15 +37,15 @@ function lid(side, name, from, to) {
   return { ...withNormals({ positions, cells }), joint: numbered(name, side), material: 'lids' };
 }
 
-function claw(side, { middle, to }, joint) {
+function claw(side, { middle, to }) {
   const tip = onSide(side, to), way = unit(sub(tip, onSide(side, middle))), across = unit(cross([0, 1, 0], way)), size = to[3];
   const at = (t) => add(add(tip, scaled(way, size * (0.3 + 1.75 * t))), [0, size * (0.45 - 1.05 * t * t), 0]);
   const rings = [0, 0.35, 0.7, 0.92].map((t) => ({ at: at(t), radius: [0.36, 0.46].map((r) => r * size * Math.sqrt(1 - t)) }));
-  return { ...turnedBody(rings, [across, cross(way, across)], 6, [at(-0.1), at(1)]), joint, material: 'claws' };
+  return { ...turnedBody(rings, [across, cross(way, across)], 6, [at(-0.1), at(1)]), root: tip, material: 'claws' };
 }
 
-/** [{ positions, normals, cells, joint, material }] */
+/** [{ positions, normals, cells, material, joint, or root: the place of the skin with which it goes }] */
 export const parts = () => [1, -1].flatMap((side) => [
-  eyeball(side), lid(side, 'lidUpper', 46, 150), lid(side, 'lidLower', -150, -34),
-  ...toes(fore).map((toe) => claw(side, toe, numbered('hand', side))), ...toes(hind).map((toe) => claw(side, toe, numbered('foot', side))),
+  eyeball(side), lid(side, 'lidUpper', 56, 160), lid(side, 'lidLower', -150, -34),
+  ...[...toes(fore), ...toes(hind)].map((toe) => claw(side, toe)),
 ]);

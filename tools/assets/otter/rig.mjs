@@ -16,15 +16,15 @@ export const rig = skeleton([
 ]);
 
 const bone = (joint, to, radius, end = radius, only = undefined) => ({ joint, from: rig.place(joint), to, radius, end, only });
-const left = (p) => p[0] > 0, right = (p) => p[0] < 0, overFeet = (p) => p[1] > 0.65;
+const overFeet = (p) => p[1] > 0.65;
 const mirror = ([x, y, z]) => [-x, y, z];
 
 const limbs = [
-  ['upperArm', 'foreArm', 0.36, 0.26], ['foreArm', 'hand', 0.25, 0.2], ['hand', [0.74, 0.1, 1.7], 0.2, 0.12],
-  ['thigh', 'shin', 0.46, 0.36], ['shin', 'foot', 0.33, 0.22], ['foot', [0.76, 0.1, -0.7], 0.22, 0.12],
-].flatMap(([name, to, radius, end]) => ['L', 'R'].map((side) => {
+  ['upperArm', 'foreArm', 0.36, 0.26, overFeet], ['foreArm', 'hand', 0.25, 0.2, (p) => p[1] > 0.24], ['hand', [0.74, 0.1, 1.7], 0.2, 0.2],
+  ['thigh', 'shin', 0.46, 0.36, overFeet], ['shin', 'foot', 0.33, 0.22, (p) => p[1] > 0.26], ['foot', [0.76, 0.1, -0.7], 0.22, 0.2],
+].flatMap(([name, to, radius, end, only = () => true]) => ['L', 'R'].map((side) => {
   const target = typeof to === 'string' ? rig.place(to + side) : side === 'L' ? to : mirror(to);
-  return bone(name + side, target, radius, end, side === 'L' ? left : right);
+  return bone(name + side, target, radius, end, (p) => (side === 'L') === p[0] > 0 && only(p));
 }));
 
 export const bones = [

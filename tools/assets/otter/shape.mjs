@@ -106,8 +106,8 @@ function headOf(p) {
 
 export const solid = mirrored((p) => {
   let d = trunk(p);
-  d = joined(d, p, [0.6, 0.95, 1.15], 1.25, 0.3, foreLeg);
-  d = joined(d, p, [0.6, 0.9, -1.3], 1.4, 0.32, hindLeg);
+  d = joined(d, p, [0.6, 0.95, 1.15], 1.35, 0.4, foreLeg);
+  d = joined(d, p, [0.6, 0.9, -1.3], 1.5, 0.42, hindLeg);
   return joined(d, p, [0, 2.83, 2.9], 1.15, 0.25, headOf);
 }, 0.015);
 

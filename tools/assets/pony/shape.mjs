@@ -36,6 +36,7 @@ function shoulder(p, d) {
   d = union(d, blade(p), 0.5);
   d = union(d, egg(p, [1.46, 6.1, 3.3], [0.6, 1.0, 1.05]), 0.9);                              // triceps
   d = union(d, egg(p, [0.3, 7.4, 4.3], [0.75, 1.1, 0.62]), 0.7);
+  d = union(d, egg(p, [0, 6.0, 4.1], [0.6, 1.0, 0.68]), 0.8);
   return union(d, egg(p, [0.6, 6.4, 4.15], [0.8, 1.1, 0.6]), 0.8);                            // breast
 }
 
@@ -117,14 +118,14 @@ function head(place) {
   d = union(d, egg(p, [0, -0.25, 1.0], [0.62, 0.38, 0.9]), 0.3);                              // forehead
   d = union(d, egg(p, [0.52, -1.08, 0.98], [0.28, 0.7, 0.72]), 0.2);                          // cheek
   d = union(d, limb(p, [0.54, -0.62, 1.55], [0.4, -0.55, 2.5], 0.17, 0.09), 0.3);             // its ridge
-  d = union(d, brow(p), 0.2);
+  d = union(d, brow(p), 0.32);
   d = union(d, egg(p, eye.at, [eye.radius * 0.72, eye.radius * 1.12, eye.radius * 1.12]), 0.2);
   d = union(d, limb(p, [0, -0.26, 1.6], [0, -0.36, 3.2], 0.32, 0.25), 0.25);                  // bridge of the nose
   d = union(d, egg(p, [0, -0.7, 3.7], [0.42, 0.38, 0.38]), 0.2);                              // upper lip
   d = union(d, wing(p), 0.15);                                                                // nostrils
   d = union(d, egg(p, [0, -1.1, 3.5], [0.31, 0.2, 0.4]), 0.14);                               // lower lip, chin
   d = without(d, nostril(p), 0.06);
-  if (p[2] > 2.7) d += groove(mouthLine(p), 0.06, 0.06);
+  if (p[2] > 2.7) d += groove(mouthLine(p), 0.05, 0.05);
   d = without(d, ball(p, eye.at, eye.radius * 0.86), 0.12);                                   // the eyeball fills it
   return d * headSize;
 }
@@ -152,7 +153,7 @@ export const fields = {
   hooves: onBothSides((p) => (p[1] > 1.3 ? 1 : hairline(p, p[2] > 0 ? hoofAt.fore : hoofAt.hind))),
   innerEar: onBothSides((p) => (p[1] < 12 ? 1 : max(earPatch([p[0], p[1], 0]), ear.base[2] + 0.22 * (p[1] - ear.base[1]) - 0.06 - p[2]))),
   nose: onBothSides((p) => (p[1] > 11.5 || p[2] < 7 ? 1 : headSize * (nostril(inHead(p)) - 0.03))),
-  mouth: onBothSides((p) => (p[1] > 11.5 || p[2] < 7 ? 1 : headSize * (mouthLine(inHead(p)) - 0.045))),
+  mouth: onBothSides((p) => (p[1] > 11.5 || p[2] < 7 ? 1 : headSize * (mouthLine(inHead(p)) - 0.028))),
 };
 
 const boxes = { head: [[0, 8, 4.6], [1.3, 13.6, 10]], ears: [[0.1, 12, 5.4], [1.2, 14.4, 7.2]], fore: [[0.4, 0, 2.2], [2.2, 6.8, 4.4]], hind: [[0.4, 0, -5.8], [2.2, 6.8, -2.2]], tail: [[0, 6.7, -6.2], [0.6, 9.9, -3.8]] };
