@@ -153,7 +153,7 @@ export class Autosave {
   get #worthKeeping() {
     const fur = this.#fur;
     if (!fur.loaded || fur.fur.changes === this.#seen) return false;
-    return fur.canUndo || fur.canRedo || fur.groomed || fur.meanWetness > 0;
+    return fur.canUndo || fur.canRedo || (fur.groomed && !fur.fur.cameWith?.groom) || fur.meanWetness > 0;
   }
 
   #onChange() {

@@ -44,7 +44,7 @@ test('in windows of every size the model is clear of the bar, and every control 
           behind += groups.some(({ left, top, right, bottom }) => x > left && x < right && y > top && y < bottom) ? 1 : 0;
         }
       }
-      const labels = [...bar.querySelectorAll('#tools span')].map((one) => one.getBoundingClientRect());
+      const labels = [...bar.querySelectorAll('#tools span')].filter((one) => one.checkVisibility()).map((one) => one.getBoundingClientRect());
       return {
         behind, share: models * 36 / (innerWidth * innerHeight), labelled: labels.every((box) => box.height > 8 && box.width > 8),
         covered: groups.reduce((sum, box) => sum + box.width * box.height, 0) / (innerWidth * innerHeight),
