@@ -65,7 +65,7 @@ export class CoatDialog {
 
   /** The second press does it. */
   #askToDelete(target, id, name) {
-    if (target.dataset.asked) return this.#do(`${name} was not deleted`, () => deleteOwnCoat(id));
+    if ('asked' in target.dataset) return this.#do(`${name} was not deleted`, () => deleteOwnCoat(id));
     Object.assign(target, { textContent: 'For good?', ariaLabel: `Delete ${name} for good` });
     target.dataset.asked = '';
   }
