@@ -143,7 +143,7 @@ test('a new format is read where files are opened or dropped, and said to be', a
   const { kindOfEnding } = await importText(moduleText(withDummies));
   assert.deepEqual([kindOfEnding['.clay'], kindOfEnding['.pot'], kindOfEnding['.tin']], ['Model', 'Model', 'Coat']);
   const page = pageText(textOf('web/index.html'), withDummies, drawingOf);
-  assert.match(page, /Drop a \.glb, [^<]*\.clay or \.pot model [^<]*, or a coat as \.fts or \.tin</);
+  assert.match(page, /Drop a \.glb, [^<]*\.clay or \.pot model [^<]*, or a coat as [^<]*\.fts or \.tin</);
   assert.match(withEndings(textOf('web/types/index.d.ts'), withDummies), /the address of a \.glb, [^*]*\.clay or \.pot\./);
   assert.deepEqual(endings(withDummies).find(({ ending }) => ending === '.pot'), { ending: '.pot', kind: 'Model', mimeType: 'model/clay' });
 });
