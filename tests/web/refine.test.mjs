@@ -78,6 +78,7 @@ test('what always moves gathers nothing', async () => {
 test('a panel that moves alone leaves the picture as it has become', { timeout: 600000 }, async () => {
   const page = await site.open(`?${plain.replace('refine=0', 'refine=1')}&ui=0&src=sphere&dryRate=0&editor=1`, { viewport: { width: 640, height: 480 } });
   await page.waitForFunction(() => document.querySelector('wet-fur').editorOpen);
+  await page.waitForFunction((n) => wetFur.stats.framesDrawn >= n, samples, { timeout: 300000 });
   const before = await untilStill(page);
   const model = { clip: { x: 60, y: 120, width: 200, height: 240 } };
   const part = async () => PNG.sync.read(await page.screenshot(model));
