@@ -212,7 +212,7 @@ test('a model of the panel is one that undo leads back from, and that closing th
 });
 
 test('a reset is undone in one step', async () => {
-  const page = await site.open(simple);
+  const page = await site.open(`${simple}&src=bunny`);
   await work(page);
   const before = await scene(page);
   await page.click('#reset');
