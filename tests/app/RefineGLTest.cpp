@@ -11,17 +11,17 @@ namespace {
 constexpr int kSide = 160;
 constexpr std::size_t kPixels = std::size_t{kSide} * kSide;
 
-struct Studio {
+struct GatheringScene {
   test::Stage stage{kSide, kSide, 4};
   App app;
-  Studio() {
+  GatheringScene() {
     stage.attach(app);
     app.setField("layers", "8");
     app.setField("breath", "0");
     app.settle();
     app.tick(0);
   }
-  ~Studio() { app.detach(false); }
+  ~GatheringScene() { app.detach(false); }
 
   test::Picture of(int samples) {
     stage.attachTarget();
@@ -56,7 +56,7 @@ double distance(const test::Picture& a, const test::Picture& b) {
 }
 
 TEST(Refine, APictureThatStaysGetsBetterAndThenNothingIsDrawn) {
-  Studio studio;
+  GatheringScene studio;
   const test::Picture once = studio.of(1);
   const long drawn = studio.app.stats().framesDrawn;
   const auto [shown, hidden] = studio.improve();
@@ -72,7 +72,7 @@ TEST(Refine, APictureThatStaysGetsBetterAndThenNothingIsDrawn) {
 }
 
 TEST(Refine, TheFirstSampleIsThePictureThatIsDrawnOnce) {
-  Studio studio;
+  GatheringScene studio;
   const test::Picture once = studio.of(1);
   studio.stage.attachTarget();
   const auto first = studio.app.improve();
@@ -83,7 +83,7 @@ TEST(Refine, TheFirstSampleIsThePictureThatIsDrawnOnce) {
 }
 
 TEST(Refine, SoManySamplesAreTheSamePictureInOneGoOrBandByBand) {
-  Studio studio;
+  GatheringScene studio;
   const test::Picture once = studio.of(16);
   studio.app.setQuality(0, true);
   for (int i = 0; i < 60; ++i) studio.app.frameShown(400);
@@ -97,7 +97,7 @@ TEST(Refine, SoManySamplesAreTheSamePictureInOneGoOrBandByBand) {
 }
 
 TEST(Refine, ABandDrawsItsOwnRowsAlone) {
-  Studio studio;
+  GatheringScene studio;
   studio.app.setQuality(0, true);
   for (int i = 0; i < 60; ++i) studio.app.frameShown(900);
   EXPECT_TRUE(studio.app.draw(Picture::Moving));
@@ -111,7 +111,7 @@ TEST(Refine, ABandDrawsItsOwnRowsAlone) {
 }
 
 TEST(Refine, MoreSamplesAreNearerToAllOfThem) {
-  Studio studio;
+  GatheringScene studio;
   const test::Picture all = studio.of(64);
   const double one = distance(studio.of(1), all), four = distance(studio.of(4), all), many = distance(studio.of(16), all);
   EXPECT_LT(four, 0.7 * one);
@@ -120,7 +120,7 @@ TEST(Refine, MoreSamplesAreNearerToAllOfThem) {
 
 // What an eye that does not see the grain sees hardly changes, so nothing flashes: a thirtieth, as samples find strands half a step earlier.
 TEST(Refine, TheLightOfThePictureStays) {
-  Studio studio;
+  GatheringScene studio;
   for (const char* wetness : {"0", "0.5", "1"}) {
     studio.app.setWetness(std::strtof(wetness, nullptr));
     studio.app.settle();
@@ -131,7 +131,7 @@ TEST(Refine, TheLightOfThePictureStays) {
 
 // A bare sphere before a plain wall: as many rows as before go from one to the other within two pixels.
 TEST(Refine, WhatIsSharpStaysSharp) {
-  Studio studio;
+  GatheringScene studio;
   for (const auto& [name, value] : {std::pair("furLength", "0"), std::pair("ground", "false"), std::pair("backgroundTop", "#00ff00"), std::pair("backgroundBottom", "#00ff00")})
     ASSERT_TRUE(studio.app.setField(name, value));
   studio.app.settle();
@@ -149,7 +149,7 @@ TEST(Refine, WhatIsSharpStaysSharp) {
 }
 
 TEST(Refine, AChangeStartsAfresh) {
-  Studio studio;
+  GatheringScene studio;
   studio.of(1);
   studio.improve(20);
   studio.app.setField("tipColor", "#3030ff");
@@ -165,7 +165,7 @@ TEST(Refine, AChangeStartsAfresh) {
 
 // Else it would be grainy for a moment once a second.
 TEST(Refine, FurThatDriesKeepsItsPictureUntilTheNextIsGathered) {
-  Studio studio;
+  GatheringScene studio;
   studio.app.setWetness(0.4f);
   for (int i = 0; i < 600; ++i) studio.app.tick(1 / 60.0f);
   studio.of(1);
@@ -186,7 +186,7 @@ TEST(Refine, FurThatDriesKeepsItsPictureUntilTheNextIsGathered) {
 }
 
 TEST(Refine, APanelThatMovesAloneFindsThePictureAsItWas) {
-  Studio studio;
+  GatheringScene studio;
   studio.of(1);
   EXPECT_FALSE(studio.app.showAgain().value());  // it is to be drawn
   studio.improve(10);
@@ -198,7 +198,7 @@ TEST(Refine, APanelThatMovesAloneFindsThePictureAsItWas) {
 }
 
 TEST(Refine, ThePictureThatIsShownIsNoWorseAfterOneForAFile) {
-  Studio studio;
+  GatheringScene studio;
   studio.of(1);
   studio.improve(10);
   ASSERT_TRUE(studio.app.drawPart({kSide, kSide, 0, kSide, false, 4}));
@@ -209,7 +209,7 @@ TEST(Refine, ThePictureThatIsShownIsNoWorseAfterOneForAFile) {
 }
 
 TEST(Refine, NobodyGathersWithoutTheSettingOrWhileItIsNotWanted) {
-  Studio studio;
+  GatheringScene studio;
   studio.of(1);
   EXPECT_TRUE(studio.app.improvable());
   EXPECT_EQ(studio.app.savedSamples(), 16);
@@ -224,7 +224,7 @@ TEST(Refine, NobodyGathersWithoutTheSettingOrWhileItIsNotWanted) {
 }
 
 TEST(Refine, ItTakesTwentyBytesAPixel) {
-  Studio studio;
+  GatheringScene studio;
   studio.of(1);
   const std::size_t before = studio.app.stats().gpuBytes;
   studio.improve();
@@ -232,7 +232,7 @@ TEST(Refine, ItTakesTwentyBytesAPixel) {
 }
 
 TEST(Refine, PartsOfAPictureAreThoseOfTheWhole) {
-  Studio studio;
+  GatheringScene studio;
   studio.app.setSaved(true);
   const test::Picture whole = studio.of(8);
   studio.app.setSaved(false);
@@ -253,7 +253,7 @@ TEST(Refine, PartsOfAPictureAreThoseOfTheWhole) {
 
 // Strands at the outline are half there, in their own colours: no dark and no bright rim.
 TEST(Refine, TransparentPicturesHaveColoursByTheirAlpha) {
-  Studio studio;
+  GatheringScene studio;
   studio.app.setSaved(true, true);
   const test::Picture picture = studio.of(16);
   int between = 0, brighter = 0;
