@@ -12,8 +12,8 @@ import { dist } from '../../tools/site.mjs';
 // program of its own, which only models with hair fetch. The technique of the papers, shells and equations as printed, took 4;
 // a free camera, a comb for all fur, and parts of the picture that can be hidden 2.5;
 // several materials, furry and bare, 10, and the question what a picture is 1, which is fetched when one is dropped;
-// four whole coats, with coats and colour maps from files for each type, 10.
-const budgetBytes = 315 * 1024;
+// four whole coats, with coats and colour maps from files for each type, 10; pictures that stay and get better 2.5.
+const budgetBytes = 317.5 * 1024;
 
 // The scripts that `entry` imports, at once or later, but for the editor's and those of long hair.
 function scriptsFrom(entry, seen = new Set()) {
@@ -26,7 +26,7 @@ function scriptsFrom(entry, seen = new Set()) {
   return seen;
 }
 
-test('the viewer downloads at most 315 KB, gzipped', (t) => {
+test('the viewer downloads at most 317.5 KB, gzipped', (t) => {
   const files = [...new Set(['index.js', 'element.js'].flatMap((entry) => [...scriptsFrom(entry)])), 'wet-fur.wasm'];
   const sizes = files.map((name) => [name, gzipSync(readFileSync(join(dist, name)), { level: 9 }).length]);
   const total = sizes.reduce((sum, [, size]) => sum + size, 0);
