@@ -10,8 +10,8 @@ namespace fur::render {
 inline constexpr int kMostSamples = 64;
 
 // Samples after the first need not hide the grain and the blur of a single picture: they read the coat from a finer mip level, and go through
-// it in steps half as long, half a step earlier, as a strand that is found between two is half a step back. Of FLIP that is a twentieth
-// near and a tenth further off (npm run compare). Two levels, as many as sixteen points along a pixel's sides would have, are nearer still to
+// it in steps half as long, half a step earlier, as a strand that is found between two is half a step back. Sixteen
+// samples are nearer to the reference (npm run compare) by a fiftieth near, a sixteenth at the middle and an eighth far off. Two levels, as many as sixteen points along a pixel's sides would have, are nearer still to
 // the reference far off, but darker than the moving picture, which would be seen each time.
 inline constexpr float kSampleLevels = 1.5f, kSampleStep = 0.5f;
 
