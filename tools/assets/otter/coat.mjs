@@ -11,10 +11,10 @@ const within = (p, c, r, inner = 0.6) => smooth(1, inner, away(p, c, r));
 
 // Type 1: long glossy guard hairs over an undercoat; type 2: the plush of face and feet.
 const plush = { density: 1, thickness: 0.24, lengthVariation: 0.15, clump: 0.2, lockSize: 0.15, curl: 0.05, taper: 0.5, furLength: 0.042, undercoat: 0.4, undercoatLength: 0.7,
-  rootColor: '#85776b', tipColor: '#c0b0a2', skinColor: '#6a5446', variance: 0.3, specular: 0.06, shininess: 40, stiffness: 0.9 };
+  rootColor: '#85776b', tipColor: '#c0b0a2', skinColor: '#6a5446', variance: 0.3, specular: 0.03, shininess: 40, stiffness: 0.9 };
 export const settings = {
   furLength: 0.042, density: 1, thickness: 0.24, lengthVariation: 0.3, curl: 0.06, taper: 0.6, repeat: 10, clump: 0.35, lockSize: 0.25, undercoat: 0.8, undercoatLength: 0.5,
-  rootColor: '#6c5d51', tipColor: '#bba999', skinColor: '#5a463a', variance: 0.4, specular: 0.16, shininess: 90, stiffness: 0.7, gravity: 0.1, clumpSize: 0.011, wetDarkening: 0.25,
+  rootColor: '#6c5d51', tipColor: '#bba999', skinColor: '#5a463a', variance: 0.4, specular: 0.06, shininess: 90, stiffness: 0.7, gravity: 0.1, clumpSize: 0.011, wetDarkening: 0.25,
   type2: 'own', ...Object.fromEntries(Object.entries(plush).map(([key, value]) => [`type2.${key}`, value])),
 };
 
