@@ -17,7 +17,7 @@ ${Array.from({ length: count }, (_, i) => `<wet-fur id="fur${i}" src="${sources[
 <script>
   customElements.whenDefined('wet-fur').then(() => {
     for (const fur of document.querySelectorAll('wet-fur'))
-      Object.assign(fur.settings, { layers: 8, fins: false, breath: 0, dryRate: 0, tileSize: '64' });
+      Object.assign(fur.settings, { layers: 8, fins: false, breath: 0, dryRate: 0, tileSize: '64', refine: false });
   });
 </script>`;
 
