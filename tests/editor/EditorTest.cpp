@@ -107,9 +107,9 @@ TEST(Editor, WhatTheProgramTellsMovesNoRow) {
   PanelDriver tall({1280, 4200});
   tall.openGroup("Groom");
   expectToStayPut(tall, tall.rowId("density", "##value"));
-  PanelDriver low({1280, 1240});
+  PanelDriver low({1280, 1260});
   expectToStayPut(low, low.rowId("density", "##value"));
-  PanelDriver phone({390, 2000}, {1, true});
+  PanelDriver phone({390, 2060}, {1, true});
   phone.editor.setLayout("width 336 sheet 0.6");
   phone.editor.setCollapsed(false);
   phone.frames(3);
