@@ -117,15 +117,16 @@ export class Autosave {
     }
   }
 
-  /** From now on changes are kept. */
-  begin() {
-    this.#seen = this.#fur.fur.changes;
+  /** From now on changes are kept, those since `seen` as well: people begin while pictures of the model are still decoded. */
+  begin(seen) {
+    this.#seen = seen;
     const fur = this.#fur;
     for (const type of ['state-change', 'stroke-end', 'load']) fur.addEventListener(type, () => this.#onChange());
     for (const type of ['wetness-change', 'camera-change']) fur.addEventListener(type, () => this.#onDrift());
     const now = () => this.write();
     document.addEventListener('visibilitychange', () => { if (document.hidden) now(); });
     addEventListener('pagehide', now);
+    this.#onChange();
   }
 
   /** What there is now is nothing to keep. */

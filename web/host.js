@@ -158,6 +158,8 @@ export class WetFur extends EventTarget {
   get document() { return this.#loading.document; }
   /** Groom and long hair that the file brought, each false for none, and water that a link brought; null: not known. @internal */
   get cameWith() { return this.#session.cameWith; }
+  /** What `changes` was when the model had come. @internal */
+  get changesAtLoad() { return this.#session.changesAtLoad; }
   /** Groom, long hair and water as there, on the model that is shown; undo does not lead behind them. @internal */
   async takeParts({ groom, hair, water }) {
     if (groom) this.#app.restoreGroom(groom, false);

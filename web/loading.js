@@ -275,6 +275,7 @@ export class Loading {
   async #present(source) {
     const session = this.#session;
     session.source = source;
+    session.changesAtLoad = session.app.changes;
     const warning = await this.provideImage();
     if (warning) session.warn(warning);
     if (!session.app || session.source !== source) return;  // disposed of meanwhile, or another came

@@ -25,6 +25,7 @@ export class Session {
   /** The model that is shown. @type {import('./models.js').ModelSource | null} */
   source = null;
   cameWith = null;  // groom and long hair of the file that is shown, water of a link; null: not known
+  changesAtLoad = 0;  // what the program's `changes` was when it had come
   options = { ...optionDefaults };
   /** Settings that were asked for before the program was there. */
   wantedSettings = new Map();

@@ -9,8 +9,9 @@ import { unpackStrokes } from './strokes.js';
 
 /** Where another model would fare no better. */
 const hopeless = ['webgl-unavailable', 'wasm-blocked', 'wasm-load', 'out-of-memory'];
-/** Of what a link holds, that which is about the scene. */
-const sceneKeys = ['src', 'state', 'groom', 'hair', 'strokes', 'water', 'preset', 'light', 'camera'];
+/** Of what a link holds, that which lies on the model, and all that is about the scene. */
+const parts = ['groom', 'hair', 'strokes', 'water'];
+const sceneKeys = ['src', 'state', ...parts, 'preset', 'light', 'camera'];
 
 /** What the address says of the scene, '' for nothing. */
 const sceneOf = (link) => {
@@ -47,8 +48,8 @@ export class Visit {
     compileProgram('viewer').catch(() => {});  // meanwhile
     const found = await this.#autosave?.find();
     const restored = found?.shows ? await this.#restore(found.document, apply) : null;
-    if (restored === null) await this.#openLink(apply);
-    this.#autosave?.begin();
+    const seen = restored === null ? await this.#openLink(apply) : this.#fur.fur.changesAtLoad;
+    this.#autosave?.begin(seen);
     this.isFirst = Boolean(this.#autosave) && !found && !sceneOf(this.#link);
     if (restored !== null) this.#offer(`Your last work is back${restored}.`, 'Start afresh', () => this.#startAfresh(apply));
     else if (found) this.#offer('Your work of before is kept.', 'Show it', () => this.#fur.fur.openDocument(found.document).catch(() => {}));
@@ -69,6 +70,7 @@ export class Visit {
     return lost.length > 0 ? `, without its ${listed(lost)}` : '';
   }
 
+  /** What `changes` was before anybody did anything; null: somebody has brought a file meanwhile. */
   async #openLink(apply) {
     const fur = this.#fur, { src } = this.#link;
     const shown = new Promise((resolve) => fur.addEventListener('load', resolve, { once: true }));
@@ -81,8 +83,11 @@ export class Visit {
       this.#messages.error(`${error.message}. The bunny is shown instead.`);
       fur.src = plainModel;
     });
-    await shown;
-    if (isAsLinked) await this.#takeParts(false);
+    const { detail } = await shown;
+    if (detail.src === null) return null;
+    if (!isAsLinked || !parts.some((part) => this.#link[part])) return fur.fur.changesAtLoad;
+    await this.#takeParts(false);
+    return fur.fur.changes;
   }
 
   /** What lies on the model: the groom first, over which water runs. */

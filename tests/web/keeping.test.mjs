@@ -107,7 +107,8 @@ test('what an older version kept otherwise is told, and the rest is there', asyn
 });
 
 test('a file of the person\'s own is there again after a reload', async () => {
-  const page = await site.open(`${simple}&src=bunny`);
+  // At once, while the otter is still on its way.
+  const page = await site.open(simple);
   const bytes = [...tetrahedron().glb()];
   await withFur(page, (fur, given) => fur.loadModel(new Uint8Array(given), { name: 'mine.glb' }), bytes);
   await untilKept(page, '"mine.glb"');
