@@ -34,6 +34,20 @@ Status writeFile(const std::string& path, std::span<const std::uint8_t> bytes) {
   return Done{};
 }
 
+Status replaceFile(const std::string& path, std::span<const std::uint8_t> bytes) {
+  const std::filesystem::path part = path + ".part";
+  std::error_code failure;
+  Status status = writeFile(part.string(), bytes);
+  if (status) {
+    std::filesystem::rename(part, path, failure);
+    if (failure) status = refused(path, failure);
+  }
+  if (!status) std::filesystem::remove(part, failure);
+  return status;
+}
+
+Error refused(const std::filesystem::path& place, const std::error_code& why) { return {ErrorId::Network, place.string() + ": " + why.message()}; }
+
 std::string freePath(const std::string& wanted) {
   const fs::path path(wanted);
   std::error_code ignored;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,6 +14,10 @@ namespace fur::native {
 
 Result<std::vector<std::uint8_t>> readFile(const std::string& path);
 Status writeFile(const std::string& path, std::span<const std::uint8_t> bytes);
+// The same beside what is there, which it then replaces: a disk that is full leaves that as it is.
+Status replaceFile(const std::string& path, std::span<const std::uint8_t> bytes);
+// What the system says of that place.
+Error refused(const std::filesystem::path& place, const std::error_code& why);
 // `wanted`, or with a number behind it where there is something of that name already.
 std::string freePath(const std::string& wanted);
 // "turn.png" is "turn-007.png": of three digits or, of more than a thousand, as many as the last one takes.

@@ -1,47 +1,29 @@
 // Coats that a person keeps under names beside the presets, in the browser's storage: for the page and the editor.
-import { newId, openDatabase, result, written } from './storage.js';
+import { keptStores, newId, result } from './storage.js';
 
-const store = 'coats';
 /** { id, name, time, bytes: a .coat file (src/scene/CoatFile.h), picture: a Blob or null } */
-const open = () => openDatabase('wet-fur-coats', (database) => database.createObjectStore(store, { keyPath: 'id' }));
+const kept = keptStores('wet-fur-coats', ['coats'], (database) => database.createObjectStore('coats', { keyPath: 'id' }));
 
 /** Tells 'change' on this page. */
 export const ownCoatsChanges = new EventTarget();
 
 async function change(work) {
-  const database = await open();
   try {
-    const transaction = database.transaction(store, 'readwrite');
-    const done = written(transaction);
-    done.catch(() => {});
-    await work(transaction.objectStore(store));
-    await done;
+    await kept.change(({ coats }) => work(coats));
   } catch (error) {
     throw error.name === 'QuotaExceededError' ? new Error('the browser has no room left; deleting coats or versions makes some') : error;
-  } finally {
-    database.close();
   }
   ownCoatsChanges.dispatchEvent(new Event('change'));
 }
 
-async function read(id) {
-  const database = await open();
-  try {
-    const coats = database.transaction(store).objectStore(store);
-    return await result(id === undefined ? coats.getAll() : coats.get(id));
-  } finally {
-    database.close();
-  }
-}
-
 /** By name. A browser without storage has none, which is told when there is something to keep. */
 export async function listOwnCoats() {
-  const all = await read().catch(() => []);
+  const all = await kept.read('coats').catch(() => []);
   return all.sort((a, b) => a.name.localeCompare(b.name) || a.time - b.time);
 }
 
 export async function ownCoat(id) {
-  const coat = await read(id);
+  const coat = await kept.read('coats', id);
   if (!coat) throw new Error("the coat is no longer in the browser's storage");
   return coat;
 }

@@ -20,5 +20,33 @@ export async function openDatabase(name, makeStores) {
   return database;
 }
 
+/**
+ * Stores of a database that is open only while it is worked with: change(work), of which all is done or nothing, where `work` is given
+ * the stores by name and may only await their requests; read(store, id), all of a store without an id.
+ */
+export function keptStores(name, stores, makeStores) {
+  const during = async (work) => {
+    const database = await openDatabase(name, makeStores);
+    try {
+      return await work(database);
+    } finally {
+      database.close();
+    }
+  };
+  return {
+    change: (work) => during(async (database) => {
+      const transaction = database.transaction(stores, 'readwrite');
+      const done = written(transaction);
+      done.catch(() => {});
+      await work(Object.fromEntries(stores.map((store) => [store, transaction.objectStore(store)])));
+      await done;
+    }),
+    read: (store, id) => during((database) => {
+      const all = database.transaction(store).objectStore(store);
+      return result(id === undefined ? all.getAll() : all.get(id));
+    }),
+  };
+}
+
 /** Of a record. */
 export const newId = () => `${Date.now().toString(36)}-${Math.random().toString(36).slice(2)}`;

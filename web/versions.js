@@ -1,5 +1,5 @@
 // Scenes that a person keeps under names, in the browser's storage beside the records of autosave.js: for the editor.
-import { newId, openDatabase, result, written } from './storage.js';
+import { keptStores, newId, result } from './storage.js';
 
 const stores = ['versions', 'documents', 'models'];
 
@@ -9,31 +9,7 @@ function makeStores(database) {
   database.createObjectStore('models');  // as opened, by what they hold: once for all their versions
 }
 /** A database of its own: tabs of before go on with theirs. */
-const open = () => openDatabase('wet-fur-versions', makeStores);
-
-/** All of it is done or nothing. `work` is given the stores and may only await their requests. */
-async function change(work) {
-  const database = await open();
-  try {
-    const transaction = database.transaction(stores, 'readwrite');
-    const done = written(transaction);
-    done.catch(() => {});
-    await work(Object.fromEntries(stores.map((name) => [name, transaction.objectStore(name)])));
-    await done;
-  } finally {
-    database.close();
-  }
-}
-
-async function read(store, id) {
-  const database = await open();
-  try {
-    const all = database.transaction(store).objectStore(store);
-    return await result(id === undefined ? all.getAll() : all.get(id));
-  } finally {
-    database.close();
-  }
-}
+const { change, read } = keptStores('wet-fur-versions', stores, makeStores);
 
 const hex = (bytes) => Array.from(new Uint8Array(bytes), (byte) => byte.toString(16).padStart(2, '0')).join('');
 

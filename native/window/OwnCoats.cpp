@@ -12,8 +12,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-Error coatRefused(const fs::path& path, const std::error_code& why) { return {ErrorId::Network, path.string() + ": " + why.message()}; }
-
 // "Winter fox!" is kept as "Winter-fox.coat": names may hold what no file's may.
 std::string coatFileName(const std::string& name) {
   std::string out;
@@ -30,19 +28,6 @@ Result<scene::CoatFile> coatIn(const fs::path& path) {
   const auto bytes = readFile(path.string());
   if (!bytes) return bytes.error();
   return scene::readCoat(bytes.value(), path.filename().string());
-}
-
-// All of it is written or nothing.
-Status writeWhole(const fs::path& path, std::span<const std::uint8_t> bytes) {
-  const fs::path part = path.string() + ".part";
-  std::error_code failure;
-  Status status = writeFile(part.string(), bytes);
-  if (status) {
-    fs::rename(part, path, failure);
-    if (failure) status = coatRefused(path, failure);
-  }
-  if (!status) fs::remove(part, failure);
-  return status;
 }
 
 }  // namespace
@@ -63,8 +48,8 @@ Status OwnCoats::keep(const std::string& name, std::span<const std::uint8_t> coa
   if (folder_.empty()) return Error{ErrorId::Network, "\"" + name + "\" was not kept: this system names no folder for it (HOME is not set)"};
   std::error_code failure;
   fs::create_directories(folder_, failure);
-  if (failure) return coatRefused(folder_, failure);
-  const Status status = writeWhole(freePath((folder_ / coatFileName(name)).string()), coat);
+  if (failure) return refused(folder_, failure);
+  const Status status = replaceFile(freePath((folder_ / coatFileName(name)).string()), coat);
   return status ? status : Status(Error{status.error().id, "\"" + name + "\" was not kept: " + status.error().message});
 }
 
@@ -72,13 +57,13 @@ Status OwnCoats::rename(const std::string& id, const std::string& name) const {
   auto coat = coatIn(folder_ / id);
   if (!coat) return coat.error();
   coat->name = name;
-  return writeWhole(folder_ / id, scene::writeCoat(*coat));
+  return replaceFile((folder_ / id).string(), scene::writeCoat(*coat));
 }
 
 Status OwnCoats::remove(const std::string& id) const {
   std::error_code failure;
   fs::remove(folder_ / id, failure);
-  return failure ? Status(coatRefused(folder_ / id, failure)) : Status(Done{});
+  return failure ? Status(refused(folder_ / id, failure)) : Status(Done{});
 }
 
 }  // namespace fur::native

@@ -51,8 +51,6 @@ std::string fileNameOf(const std::string& model) {
   return (stem.empty() ? "scene" : stem) + ".glb";
 }
 
-Error refused(const fs::path& path, const std::error_code& why) { return {ErrorId::Network, path.string() + ": " + why.message()}; }
-
 }  // namespace
 
 fs::path userFolder(const char* variable, const char* belowHome) {
@@ -110,12 +108,7 @@ Status Versions::keep(const std::string& name, const std::string& model, std::sp
 }
 
 Status Versions::rename(const std::string& id, const std::string& name) {
-  // Beside the old one first: a disk that is full leaves that as it is.
-  const fs::path whole = folder_ / id / kName, part = whole.string() + kUnfinished;
-  if (Status status = writeText(part, name); !status) return status;
-  std::error_code failure;
-  fs::rename(part, whole, failure);
-  return failure ? Status(refused(whole, failure)) : Status(Done{});
+  return replaceFile((folder_ / id / kName).string(), std::vector<std::uint8_t>(name.begin(), name.end()));
 }
 
 Result<std::string> Versions::path(const std::string& id) const {

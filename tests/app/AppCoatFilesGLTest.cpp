@@ -17,17 +17,7 @@ struct WearingRoom : test::Room {
   auto picture() { return settled().rgba; }
 };
 
-// A picture of one colour, as a file and as it is.
-struct OneColor {
-  explicit OneColor(std::array<std::uint8_t, 4> color) : rgba(color.begin(), color.end()), png(scene::writePng(1, 1, 4, rgba)) {}
-  std::vector<std::uint8_t> rgba, png;
-};
-
-double meanChannel(const std::vector<std::uint8_t>& pixels, std::size_t channel) {
-  double sum = 0;
-  for (std::size_t i = channel; i < pixels.size(); i += 4) sum += pixels[i];
-  return sum / static_cast<double>(pixels.size() / 4);
-}
+using test::OneColor, test::meanChannel;
 
 TEST(AppCoats, ASavedCoatBringsAllOfItToAnyTypeInOneStepOfUndo) {
   WearingRoom from;

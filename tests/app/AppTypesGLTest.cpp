@@ -22,18 +22,7 @@ struct Types : test::Room {
   auto picture() { return settled().rgba; }
 };
 
-// A picture of one colour.
-struct Plain {
-  explicit Plain(std::array<std::uint8_t, 4> color) : rgba{color[0], color[1], color[2], color[3]}, png(scene::writePng(1, 1, 4, rgba)) {}
-  std::vector<std::uint8_t> rgba, png;
-};
-
-// Mean of a channel.
-double meanOf(const std::vector<std::uint8_t>& pixels, std::size_t channel) {
-  double sum = 0;
-  for (std::size_t i = channel; i < pixels.size(); i += 4) sum += pixels[i];
-  return sum / static_cast<double>(pixels.size() / 4);
-}
+using test::OneColor, test::meanChannel;
 
 TEST(AppTypes, AreDrawnWithTheirOwnColoursLightAndLength) {
   Types room;
@@ -50,10 +39,10 @@ TEST(AppTypes, AColourMapIsOneStepOfUndoAndGoesWithTheScene) {
   Types room;
   room.app.setField("type2.preset", "wool");
   const auto before = room.picture();
-  const Plain red({255, 0, 0, 255});
+  const OneColor red({255, 0, 0, 255});
   ASSERT_TRUE(room.app.setTypePicture(1, red.png, 1, 1, red.rgba));
   const auto reddish = room.picture();
-  EXPECT_GT(meanOf(reddish, 0) - meanOf(reddish, 2), meanOf(before, 0) - meanOf(before, 2) + 10);
+  EXPECT_GT(meanChannel(reddish, 0) - meanChannel(reddish, 2), meanChannel(before, 0) - meanChannel(before, 2) + 10);
   ASSERT_TRUE(room.app.undo());
   EXPECT_EQ(room.picture(), before);
   ASSERT_TRUE(room.app.redo());
@@ -94,7 +83,7 @@ TEST(AppTypes, ATypeSetIsOneStepOfUndoAndGoesWithTheScene) {
 
 TEST(AppTypes, FilesOfTypesMoveToAnotherProgramWithTheState) {
   Types room;
-  const Plain red({255, 0, 0, 255});
+  const OneColor red({255, 0, 0, 255});
   ASSERT_TRUE(room.app.loadTypeSet(room.app.saveTypeSet(), "coat.fts", 2));
   ASSERT_TRUE(room.app.setTypePicture(3, red.png, 1, 1, red.rgba));
   App other;

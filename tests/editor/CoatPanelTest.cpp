@@ -91,17 +91,6 @@ struct CoatOwner : CoatPerson {
     model.ownCoats = own;
     setOpen("Own coats", true);
   }
-  void pressOf(const char* coat, const char* row, int segment, const char* one) {
-    const auto at = find(ImHashStr(one, 0, ImHashData(&segment, sizeof segment, ImHashStr(row, 0, id(coat)))));
-    ASSERT_TRUE(at) << coat << ' ' << one;
-    click(*at);
-  }
-  template <class C>
-  const C* lastOf() const {
-    for (auto command = commands.rbegin(); command != commands.rend(); ++command)
-      if (const auto* found = std::get_if<C>(&*command)) return found;
-    return nullptr;
-  }
 };
 
 TEST(CoatPanel, CoatsOfOnesOwnAreInTheListOfPresetsAndInOneOfTheirOwn) {
@@ -119,37 +108,37 @@ TEST(CoatPanel, CoatsOfOnesOwnAreInTheListOfPresetsAndInOneOfTheirOwn) {
     if ((found = ImGui::GetHoveredID() == fox)) person.click({list->Rect().GetCenter().x, y});
   }
   ASSERT_TRUE(found);
-  ASSERT_TRUE(person.lastOf<command::WearCoat>());
-  EXPECT_EQ(person.lastOf<command::WearCoat>()->id, "fox.coat");
-  person.pressOf("cloud.coat", "buttons", 0, "Wear");
-  EXPECT_EQ(person.lastOf<command::WearCoat>()->id, "cloud.coat");
-  person.pressOf("cloud.coat", "buttons", 1, "File");
-  EXPECT_EQ(person.lastOf<command::SaveOwnCoat>()->id, "cloud.coat");
+  ASSERT_TRUE(person.last<command::WearCoat>());
+  EXPECT_EQ(person.last<command::WearCoat>()->id, "fox.coat");
+  person.pressSegmentOf("cloud.coat", "buttons", 0, "Wear");
+  EXPECT_EQ(person.last<command::WearCoat>()->id, "cloud.coat");
+  person.pressSegmentOf("cloud.coat", "buttons", 1, "File");
+  EXPECT_EQ(person.last<command::SaveOwnCoat>()->id, "cloud.coat");
 }
 
 TEST(CoatPanel, ACoatIsKeptUnderTheNameOfItsTypeOrTheNextNumber) {
   CoatOwner person;
   person.press("Keep##coat");
-  ASSERT_TRUE(person.lastOf<command::KeepCoat>());
-  EXPECT_EQ(person.lastOf<command::KeepCoat>()->name, "Coat 3");
+  ASSERT_TRUE(person.last<command::KeepCoat>());
+  EXPECT_EQ(person.last<command::KeepCoat>()->name, "Coat 3");
   settings::setTypeName(person.model.settings, 0, "Snow");
   person.press("Keep##coat");
-  EXPECT_EQ(person.lastOf<command::KeepCoat>()->name, "Snow");
+  EXPECT_EQ(person.last<command::KeepCoat>()->name, "Snow");
 }
 
 TEST(CoatPanel, ACoatIsDeletedOnlyAfterItHasAskedAndRenamedByTyping) {
   CoatOwner person;
-  person.pressOf("fox.coat", "buttons", 3, "Delete");
+  person.pressSegmentOf("fox.coat", "buttons", 3, "Delete");
   EXPECT_EQ(person.count<command::DeleteCoat>(), 0);
-  person.pressOf("fox.coat", "answers", 0, "Delete");
+  person.pressSegmentOf("fox.coat", "answers", 0, "Delete");
   ASSERT_EQ(person.count<command::DeleteCoat>(), 1);
-  person.pressOf("cloud.coat", "buttons", 2, "Rename");
+  person.pressSegmentOf("cloud.coat", "buttons", 2, "Rename");
   person.frames(3);
   person.type("Storm");
   person.pressKey("Enter");
-  ASSERT_TRUE(person.lastOf<command::RenameCoat>());
-  EXPECT_EQ(person.lastOf<command::RenameCoat>()->id, "cloud.coat");
-  EXPECT_EQ(person.lastOf<command::RenameCoat>()->name, "Storm");
+  ASSERT_TRUE(person.last<command::RenameCoat>());
+  EXPECT_EQ(person.last<command::RenameCoat>()->id, "cloud.coat");
+  EXPECT_EQ(person.last<command::RenameCoat>()->name, "Storm");
 }
 
 TEST(CoatPanel, TheSeedIsSteppedAndKeptInItsRange) {

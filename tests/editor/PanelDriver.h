@@ -157,6 +157,20 @@ class PanelDriver {
     click(*at);
   }
 
+  // A segment of a row, which may be of something that is listed.
+  void pressSegment(ImGuiID row, int segment, const char* label) {
+    const auto at = find(ImHashStr(label, 0, ImHashData(&segment, sizeof segment, row)));
+    ASSERT_TRUE(at) << label;
+    click(*at);
+  }
+  void pressSegmentOf(const char* one, const char* row, int segment, const char* label) { pressSegment(ImHashStr(row, 0, id(one)), segment, label); }
+
+  template <class C>
+  const C* last() const {
+    for (auto command = commands.rbegin(); command != commands.rend(); ++command)
+      if (const auto* found = std::get_if<C>(&*command)) return found;
+    return nullptr;
+  }
   template <class C>
   int count() const {
     int n = 0;

@@ -11,11 +11,7 @@ struct PicturePerson : PanelDriver {
     model.picture.shownHeight = 800;
     openGroup("Picture");
   }
-  void choose(const char* row, int segment, const char* one) {
-    const auto at = find(ImHashStr(one, 0, ImHashData(&segment, sizeof segment, id(row))));
-    ASSERT_TRUE(at) << one;
-    click(*at);
-  }
+  void choose(const char* row, int segment, const char* one) { pressSegment(id(row), segment, one); }
   void write(const char* field, const char* text) {
     const auto at = find(id(field));
     ASSERT_TRUE(at) << field;
@@ -23,12 +19,6 @@ struct PicturePerson : PanelDriver {
     pressKey("Backspace");
     type(text);
     pressKey("Enter");
-  }
-  template <class C>
-  const C* last() const {
-    for (auto command = commands.rbegin(); command != commands.rend(); ++command)
-      if (const auto* found = std::get_if<C>(&*command)) return found;
-    return nullptr;
   }
 };
 

@@ -11,18 +11,6 @@ struct VersionsPerson : PanelDriver {
     model.versions = kept;
     openGroup("Versions");
   }
-  void choose(const char* version, const char* row, int segment, const char* one) {
-    const ImGuiID rowId = ImHashStr(row, 0, id(version));
-    const auto at = find(ImHashStr(one, 0, ImHashData(&segment, sizeof segment, rowId)));
-    ASSERT_TRUE(at) << version << ' ' << one;
-    click(*at);
-  }
-  template <class C>
-  const C* last() const {
-    for (auto command = commands.rbegin(); command != commands.rend(); ++command)
-      if (const auto* found = std::get_if<C>(&*command)) return found;
-    return nullptr;
-  }
 };
 
 TEST(VersionsPanel, KeepsUnderTheNameThatWasTypedOrTheNextNumber) {
@@ -40,26 +28,26 @@ TEST(VersionsPanel, KeepsUnderTheNameThatWasTypedOrTheNextNumber) {
 
 TEST(VersionsPanel, GoesBackToTheOneWhoseButtonWasPressed) {
   VersionsPerson person;
-  person.choose("a", "buttons", 0, "Go back");
+  person.pressSegmentOf("a", "buttons", 0, "Go back");
   ASSERT_TRUE(person.last<command::OpenVersion>());
   EXPECT_EQ(person.last<command::OpenVersion>()->id, "a");
 }
 
 TEST(VersionsPanel, DeletesOnlyAfterItHasAsked) {
   VersionsPerson person;
-  person.choose("b", "buttons", 2, "Delete");
+  person.pressSegmentOf("b", "buttons", 2, "Delete");
   EXPECT_EQ(person.count<command::DeleteVersion>(), 0);
-  person.choose("b", "answers", 1, "Cancel");
+  person.pressSegmentOf("b", "answers", 1, "Cancel");
   EXPECT_EQ(person.count<command::DeleteVersion>(), 0);
-  person.choose("b", "buttons", 2, "Delete");
-  person.choose("b", "answers", 0, "Delete");
+  person.pressSegmentOf("b", "buttons", 2, "Delete");
+  person.pressSegmentOf("b", "answers", 0, "Delete");
   ASSERT_EQ(person.count<command::DeleteVersion>(), 1);
   EXPECT_EQ(person.last<command::DeleteVersion>()->id, "b");
 }
 
 TEST(VersionsPanel, RenamesByTypingOverTheOldName) {
   VersionsPerson person;
-  person.choose("a", "buttons", 1, "Rename");
+  person.pressSegmentOf("a", "buttons", 1, "Rename");
   person.frames(3);
   person.type("Fluffy");
   person.pressKey("Enter");

@@ -3,16 +3,19 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdlib>
 #include <initializer_list>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "app/App.h"
 #include "geometry/Primitives.h"
 #include "gl/Objects.h"
 #include "native/headless/EglContext.h"
 #include "scene/Model.h"
+#include "scene/Png.h"
 
 namespace fur::test {
 
@@ -128,6 +131,19 @@ struct Room {
     return stage.draw(app);
   }
 };
+
+// A picture of one colour, as a file and as it is.
+struct OneColor {
+  explicit OneColor(std::array<std::uint8_t, 4> color) : rgba(color.begin(), color.end()), png(scene::writePng(1, 1, 4, rgba)) {}
+  std::vector<std::uint8_t> rgba, png;
+};
+
+// Of RGBA8.
+inline double meanChannel(const std::vector<std::uint8_t>& pixels, std::size_t channel) {
+  double sum = 0;
+  for (std::size_t i = channel; i < pixels.size(); i += 4) sum += pixels[i];
+  return sum / static_cast<double>(pixels.size() / 4);
+}
 
 // The app with a sphere and water that stays.
 struct Scene {

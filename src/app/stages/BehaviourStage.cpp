@@ -10,7 +10,7 @@ namespace fur::app {
 
 namespace {
 
-constexpr std::size_t kMostVoices = 4;
+constexpr std::size_t kMostActions = 4;
 constexpr float kCalms = 0.8f;             // s until it does nothing by itself any more, or does again
 constexpr float kDozesAfter = 60, kFallsAsleep = 3;  // s without anybody there
 constexpr float kNothing = 3;              // chance of no other action, as in Actions.inc
@@ -32,8 +32,8 @@ void BehaviourStage::follow(const Inputs& inputs) {
   if (!noteChange(shapeFor_, inputs.shape.surfaceRevision())) return;
   can_ = repertoireOf(inputs.shape.rig());
   played_.clear();
-  voices_.clear();
-  voices_.reserve(kMostVoices + 1);
+  actions_.clear();
+  actions_.reserve(kMostActions + 1);
   plays_ = {};
   gaze_.reset();
   waits_ = {};
@@ -43,7 +43,7 @@ void BehaviourStage::follow(const Inputs& inputs) {
   shakesLeft_ = 0;
   lively_ = lively(inputs) ? 1.0f : 0.0f;
   if (!can_.behaves()) return;
-  voices_.push_back({Action::Stand, 0, 1, 0});
+  actions_.push_back({Action::Stand, 0, 1, 0});
   of(Gesture::Breathe).seconds = of(Gesture::TailSway).seconds = 0;
 }
 
@@ -64,8 +64,8 @@ bool BehaviourStage::act(std::string_view name) {
 
 float BehaviourStage::shaking() const {
   float most = 0;
-  for (const Voice& voice : voices_)
-    if (voice.action == Action::Shake) most = std::max(most, voice.weight());
+  for (const PlayedAction& one : actions_)
+    if (one.action == Action::Shake) most = std::max(most, one.weight());
   return most;
 }
 
@@ -74,14 +74,14 @@ float BehaviourStage::shaking() const {
 void BehaviourStage::begin(Action action) {
   const ActionTraits& traits = traitsOf(action);
   const float stays = traits.manner == Manner::Once ? 0 : random_.uniform(traits.least, traits.most);
-  if (voices_.back().action == action && traits.manner != Manner::Once) {
-    voices_.back().stays = stays;
+  if (actions_.back().action == action && traits.manner != Manner::Once) {
+    actions_.back().stays = stays;
     return;
   }
   // What is done once ends nearly as it stands.
-  const ActionTraits& before = traitsOf(voices_.back().action);
+  const ActionTraits& before = traitsOf(actions_.back().action);
   fade_ = traits.manner == Manner::Rests && before.manner == Manner::Once ? before.fade : traits.fade;
-  voices_.push_back({action, 0, 0, stays});
+  actions_.push_back({action, 0, 0, stays});
 }
 
 Action BehaviourStage::chosen() {
@@ -111,35 +111,35 @@ void BehaviourStage::decideToShake(const Inputs& inputs, float seconds) {
 }
 
 void BehaviourStage::decide(const Inputs& inputs, float seconds) {
-  Voice& now = voices_.back();
+  PlayedAction& now = actions_.back();
   const ActionTraits& traits = traitsOf(now.action);
   if (lively(inputs)) decideToShake(inputs, seconds);
   now.stays -= seconds;
-  if (asked_ && voices_.size() < kMostVoices) {
+  if (asked_ && actions_.size() < kMostActions) {
     const Action action = *asked_;
     asked_.reset();
     return begin(action);
   }
   const float end = can_.of(now.action).duration - traits.fade;
   const bool over = traits.manner == Manner::Once ? now.seconds >= static_cast<double>(end) : now.stays <= 0;
-  if (traits.manner != Manner::Rests && over && voices_.size() < kMostVoices) return begin(Action::Stand);
+  if (traits.manner != Manner::Rests && over && actions_.size() < kMostActions) return begin(Action::Stand);
   if (now.action != Action::Stand || !lively(inputs)) return;
   if (inputs.hand || inputs.pointer || squints_ > 0) waits_.action = std::max(waits_.action, kMinded);
   if (passed(waits_.action, seconds, traits.least, traits.most))
     if (const Action next = chosen(); next != Action::Stand) begin(next);
 }
 
-void BehaviourStage::advanceVoices(float seconds) {
-  for (Voice& voice : voices_) {
-    const double duration = can_.of(voice.action).duration;
-    const bool rests = traitsOf(voice.action).manner == Manner::Rests;
-    voice.seconds += static_cast<double>(rests ? seconds * lively_ : seconds);
-    if (traitsOf(voice.action).manner == Manner::Once) voice.seconds = std::min(voice.seconds, duration);
-    else voice.seconds -= duration * std::floor(voice.seconds / duration);
+void BehaviourStage::advanceActions(float seconds) {
+  for (PlayedAction& one : actions_) {
+    const double duration = can_.of(one.action).duration;
+    const bool rests = traitsOf(one.action).manner == Manner::Rests;
+    one.seconds += static_cast<double>(rests ? seconds * lively_ : seconds);
+    if (traitsOf(one.action).manner == Manner::Once) one.seconds = std::min(one.seconds, duration);
+    else one.seconds -= duration * std::floor(one.seconds / duration);
   }
   const float step = seconds / fade_;
-  for (Voice& voice : voices_) voice.level = approached(voice.level, &voice == &voices_.back() ? 1.0f : 0.0f, step);
-  voices_.erase(std::remove_if(voices_.begin(), voices_.end() - 1, [](const Voice& voice) { return voice.level <= 0; }), voices_.end() - 1);
+  for (PlayedAction& one : actions_) one.level = approached(one.level, &one == &actions_.back() ? 1.0f : 0.0f, step);
+  actions_.erase(std::remove_if(actions_.begin(), actions_.end() - 1, [](const PlayedAction& one) { return one.level <= 0; }), actions_.end() - 1);
 }
 
 // --- gestures ---
@@ -238,9 +238,9 @@ void BehaviourStage::look(const Inputs& inputs, float seconds) {
   const bool eyed = can_.eyes[0] >= 0 && can_.eyes[1] >= 0;
   frame.eyes = eyed ? 0.5f * (place(can_.eyes[0]) + place(can_.eyes[1])) : place(can_.head);
   float sum = 0, looks = 0;
-  for (const Voice& voice : voices_) {
-    sum += voice.weight();
-    looks += voice.weight() * traitsOf(voice.action).looks;
+  for (const PlayedAction& one : actions_) {
+    sum += one.weight();
+    looks += one.weight() * traitsOf(one.action).looks;
   }
   gaze_.update(seconds, lookedAt(inputs, frame.eyes, seconds), sum > 0 ? looks / sum : 0, frame);
 }
@@ -250,9 +250,9 @@ void BehaviourStage::look(const Inputs& inputs, float seconds) {
 void BehaviourStage::compose() {
   mix_.clear();
   played_.assign(1, can_.of(Action::Stand).animation);
-  for (const Voice& voice : voices_)
-    if (const int animation = can_.of(voice.action).animation; std::find(played_.begin(), played_.end(), animation) == played_.end()) played_.push_back(animation);
-  for (const Voice& voice : voices_) mix_.bodies.push_back({can_.of(voice.action).animation, static_cast<float>(voice.seconds), voice.weight()});
+  for (const PlayedAction& one : actions_)
+    if (const int animation = can_.of(one.action).animation; std::find(played_.begin(), played_.end(), animation) == played_.end()) played_.push_back(animation);
+  for (const PlayedAction& one : actions_) mix_.bodies.push_back({can_.of(one.action).animation, static_cast<float>(one.seconds), one.weight()});
   for (std::size_t i = 0; i < kGestureCount; ++i) {
     const Repertoire::Clip& clip = can_.gestures[i];
     if (!clip.there()) continue;
@@ -276,14 +276,14 @@ bool BehaviourStage::active(const Inputs& inputs) const {
   if (shapeFor_ != inputs.shape.surfaceRevision()) return true;
   if (!can_.behaves() || inputs.settings.animationSpeed == 0) return false;
   const float sleeps = inputs.settings.behaviour == 0 && dozes(inputs) ? 1 : 0;
-  return lively(inputs) || lively_ > 0 || asleep_ != sleeps || voices_.size() > 1 || action() != Action::Stand || asked_ || gesturing() || gaze_.moving() ||
+  return lively(inputs) || lively_ > 0 || asleep_ != sleeps || actions_.size() > 1 || action() != Action::Stand || asked_ || gesturing() || gaze_.moving() ||
          minds(inputs) || inputs.hand || !inputs.landed.empty() || squints_ > 0;
 }
 
 bool BehaviourStage::update(const Inputs& inputs) {
   follow(inputs);
   const bool stands = inputs.shape.animationOf(inputs.settings.animation) == can_.of(Action::Stand).animation;
-  const bool before = inCharge_, acts = !voices_.empty() && (action() != Action::Stand || voices_.size() > 1 || asked_);
+  const bool before = inCharge_, acts = !actions_.empty() && (action() != Action::Stand || actions_.size() > 1 || asked_);
   inCharge_ = can_.behaves() && (inputs.settings.behaviour == 0 || stands || acts);
   if (!inCharge_) {
     revision_ += before;
@@ -298,7 +298,7 @@ bool BehaviourStage::update(const Inputs& inputs) {
   if (seconds > 0) {
     feel(inputs, seconds);
     decide(inputs, seconds);
-    advanceVoices(seconds);
+    advanceActions(seconds);
     gesture(inputs, seconds);
     look(inputs, seconds);
   }

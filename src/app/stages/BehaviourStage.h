@@ -49,14 +49,14 @@ class BehaviourStage {
   bool can(Action action) const { return can_.behaves() && can_.of(action).there(); }
   bool behaves() const { return can_.behaves(); }
   std::string actions() const { return can_.names(); }
-  Action action() const { return voices_.empty() ? Action::Stand : voices_.back().action; }
+  Action action() const { return actions_.empty() ? Action::Stand : actions_.back().action; }
   // How hard it shakes itself, 0..1.
   float shaking() const;
   const Gaze& gaze() const { return gaze_; }
 
  private:
-  // An action that plays; the last one of voices_ is done now, the others fade.
-  struct Voice {
+  // An action that plays; the last of actions_ is done now, the others fade.
+  struct PlayedAction {
     Action action = Action::Stand;
     double seconds = 0;  // of its animation
     float level = 0;     // 0..1, whose smoothed value is its weight
@@ -81,7 +81,7 @@ class BehaviourStage {
   Action chosen();
   void decide(const Inputs& inputs, float seconds);
   void decideToShake(const Inputs& inputs, float seconds);
-  void advanceVoices(float seconds);
+  void advanceActions(float seconds);
   void feel(const Inputs& inputs, float seconds);
   void gesture(const Inputs& inputs, float seconds);
   void playOnce(Gesture gesture);
@@ -96,7 +96,7 @@ class BehaviourStage {
   Repertoire can_;
   std::vector<int> played_;
   scene::PoseMix mix_;
-  std::vector<Voice> voices_;
+  std::vector<PlayedAction> actions_;
   std::array<Play, kGestureCount> plays_{};
   Gaze gaze_;
   Random random_{1};
