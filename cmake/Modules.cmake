@@ -9,9 +9,10 @@ target_compile_options(fur_options INTERFACE -Wall -Wextra -Wpedantic "$<$<NOT:$
 target_link_libraries(fur_options INTERFACE third_party_headers)
 
 # What most files include, compiled once (cmake/Precompiled.h); not under a compiler cache, which it would miss.
-# Natively one serves all modules; as wasm their options differ, so that each has its own.
+# Natively one serves all modules; as wasm their options differ, so that each has its own, which does not pay where
+# several files are compiled together.
 function(fur_precompile target)
-  if(CMAKE_CXX_COMPILER_LAUNCHER)
+  if(CMAKE_CXX_COMPILER_LAUNCHER OR (EMSCRIPTEN AND CMAKE_UNITY_BUILD))
     return()
   endif()
   if(EMSCRIPTEN OR target STREQUAL "fur_precompiled")
@@ -31,8 +32,8 @@ if(NOT EMSCRIPTEN AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   fur_precompile(fur_precompiled)
 endif()
 
-# The presets that `npm test` builds compile eight files of a target together (CMAKE_UNITY_BUILD), for little more than half
-# the time. So names in unnamed namespaces must differ within a folder, of src/, tests/ and web/.
+# The presets that `npm test` builds compile 8 files of a target together, as wasm 16 (CMAKE_UNITY_BUILD), for little more than
+# half the time. So names in unnamed namespaces must differ within a folder, of src/, tests/ and web/.
 if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # gcc takes a source that is included for a header.
   target_compile_options(fur_options INTERFACE -Wno-subobject-linkage)
@@ -122,9 +123,23 @@ function(fur_source_options sources)
   set_source_files_properties(${sources} PROPERTIES COMPILE_OPTIONS "${ARGN}" SKIP_PRECOMPILE_HEADERS ON)
 endfunction()
 
+# fur_part_options(<module> <options> <sources>...): the same for many files of a module, on top of the module's own. As a target
+# of theirs, so that they too are compiled together.
+function(fur_part_options module options)
+  set(part ${module}_part)
+  get_target_property(sources ${module} SOURCES)
+  get_target_property(linked ${module} LINK_LIBRARIES)
+  list(REMOVE_ITEM sources ${ARGN})
+  set_property(TARGET ${module} PROPERTY SOURCES ${sources} $<TARGET_OBJECTS:${part}>)
+  add_library(${part} OBJECT ${ARGN})
+  target_link_libraries(${part} PRIVATE ${linked})
+  target_compile_options(${part} PRIVATE $<TARGET_PROPERTY:${module},COMPILE_OPTIONS> ${options})
+  fur_precompile(${part})
+endfunction()
+
 if(EMSCRIPTEN)
   file(GLOB importers CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/src/scene/import/*.cpp")
-  fur_source_options("${importers};${CMAKE_SOURCE_DIR}/src/scene/export/ExportDocument.cpp" "${FUR_EXCEPTIONS}")
+  fur_part_options(fur_scene "${FUR_EXCEPTIONS}" ${importers} "${CMAKE_SOURCE_DIR}/src/scene/export/ExportDocument.cpp")
   # Much code that runs once a model, once a file or once a frame: the download counts more than its speed. Without
   # -finline-functions Emscripten leaves small functions where they are, which makes a surface take four times as long,
   # and water three times.
@@ -150,9 +165,9 @@ if(EMSCRIPTEN)
   target_compile_options(fur_dynamics PRIVATE "$<$<CONFIG:Release>:-Os;-finline-functions>" -msimd128)
   # Every guide, every step: four at a time. -O2 would be a third faster and 5 KB of download more.
   target_compile_options(fur_hair PRIVATE -msimd128)
-  foreach(source AdaptiveDetail CascadeModel Colliders Crowding ForestModel HairWaterStep Lengths ShownNodes SimulationStep SpringModel)
-    fur_source_options("${CMAKE_SOURCE_DIR}/src/hair/${source}.cpp" "$<$<CONFIG:Release>:-Os;-finline-functions>;-msimd128")
-  endforeach()
+  set(every_step AdaptiveDetail CascadeModel Colliders Crowding ForestModel HairWaterStep Lengths ShownNodes SimulationStep SpringModel)
+  list(TRANSFORM every_step REPLACE "(.+)" "${CMAKE_SOURCE_DIR}/src/hair/\\1.cpp")
+  fur_part_options(fur_hair "$<$<CONFIG:Release>:-Os;-finline-functions>" ${every_step})
   foreach(source scene/Pose render/MovingVertices render/passes/fin/MovingEdges)
     fur_source_options("${CMAKE_SOURCE_DIR}/src/${source}.cpp" "-finline-functions;-msimd128")
   endforeach()

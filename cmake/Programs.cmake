@@ -70,7 +70,8 @@ endfunction()
 # Makes the models that are shipped. Built for both targets, so that the web app alone needs no native compiler.
 fur_program(wet-fur-make-assets SOURCES assets/*.cpp LINK fur_stages)
 if(EMSCRIPTEN)
-  fur_node_program(wet-fur-make-assets -sNODERAWFS=1)
+  # It runs once a build: linking it well takes longer than it runs.
+  fur_node_program(wet-fur-make-assets -sNODERAWFS=1 "$<$<CONFIG:Release>:-O1;-Wl,--lto-O1>")
   fur_web_program(wet-fur SOURCES web/*.cpp LINK fur_app)
   fur_smallest(wet-fur)
   # The same with long hair, for models that have some.

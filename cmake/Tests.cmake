@@ -39,8 +39,8 @@ endif()
 # `if (x) EXPECT_EQ(…)` is fine: GoogleTest's macros are written for it, gcc does not see that.
 add_library(fur_test_options INTERFACE)
 target_compile_options(fur_test_options INTERFACE -Wno-dangling-else)
-# What they test is compiled as it ships; of the tests themselves compiling takes longer than running.
-target_compile_options(fur_test_options INTERFACE "$<$<CONFIG:Release>:-O1>")
+# What they test is compiled as it ships; of the tests themselves compiling takes longer than running, and as wasm linking.
+target_compile_options(fur_test_options INTERFACE "$<$<CONFIG:Release>:$<IF:$<BOOL:${EMSCRIPTEN}>,-O1,-O0>>")
 if(FUR_SANITIZE)
   # Undefined behaviour is looked for in what they test. In the tests themselves that check takes a third of the build, and
   # making them fast more than it saves.

@@ -68,6 +68,8 @@ if(FUR_GL AND EXISTS "${FUR_IMGUI_DIR}/imgui.h")
   if(EMSCRIPTEN)
     # The panel is drawn a few times a second; its download counts more than its speed.
     target_compile_options(imgui PRIVATE $<$<CONFIG:Release>:-Os>)
+  else()
+    target_compile_options(imgui PRIVATE $<$<CONFIG:Release>:-O1>)
   endif()
 
   if(TARGET third_party_gles)

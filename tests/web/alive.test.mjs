@@ -29,6 +29,7 @@ test('addresses from before the otter show the bunny; who says less motion gets 
     const page = await site.open(query, { viewport: { width: 200, height: 150 } });
     assert.equal(await withFur(page, (fur) => fur.modelName), model, query);
     if (model === 'otter') {
+      await withFur(page, (fur) => { fur.refine = false; });
       await untilStill(page);
       assert.equal(await withFur(page, (fur) => fur.waterAccounts.painted), 0);
     }

@@ -97,12 +97,12 @@ function watchTime(fast) {
   const look = () => new Promise((resolve) => { frame(() => later(resolve, 20)); });
   window.untilStill = async (fur) => {
     const drawnNow = () => fur.stats?.framesDrawn;
-    // Elsewhere on the page something may go on for ever.
-    const isLong = (since) => performance.now() - since > 600;
-    for (let looks = 0, since = performance.now(), drawn = drawnNow(); looks < 3 && !isLong(since); drawn = drawnNow()) {
+    // Elsewhere on the page something may go on for ever: frames that draw nothing are waited for so often and no more.
+    const most = 20;
+    for (let looks = 0, idle = 0, drawn = drawnNow(); looks < 3 && idle < most; drawn = drawnNow()) {
       await look();
       const isStill = drawnNow() === drawn;
-      if (!isStill) since = performance.now();
+      idle = isStill ? idle + 1 : 0;
       looks = isStill && frames.size + timers.size === 0 ? looks + 1 : 0;
       // Of a second that goes by only the end is drawn. What waits for a timer a step would put off.
       if (fast && frames.size > 0 && fur.state === 'ready' && !fur.paused) fur.step(0.1, 9);

@@ -63,7 +63,7 @@ test('a src that is not there is a network error that says what would be, and le
   });
   for (const [src, message] of [
     ['models/away.glb', /^away\.glb: the server has no such file \(404\)$/],
-    ['nosuchscene', /^nosuchscene: .*\(404\); models that go by a name are bunny, .*five-coats/],
+    ['nosuchscene', /^nosuchscene: .*\(404\); models that go by a name are otter, .*bunny, .*five-coats/],
     ['away/needs.gltf', /^gone\.bin: .*\(404\); needs\.gltf needs it$/],
   ]) {
     const error = await withFur(page, (fur, wanted) => new Promise((resolve) => {
