@@ -48,8 +48,8 @@ async function stage(name, work, { aside = false } = {}) {
 }
 
 // Node's runner for files of tests/, two at a time: so many cores has the machine that this is for.
-function nodeTests(files, { env = {}, atOnce = 2, aside = false } = {}) {
-  return runGathering(process.execPath, ['--test', `--test-concurrency=${atOnce}`, ...files], { env, aside });
+function nodeTests(files, { env = {}, aside = false } = {}) {
+  return runGathering(process.execPath, ['--test', '--test-concurrency=2', ...files], { env, aside });
 }
 
 // GoogleTest's tests in as many shares as there are cores, side by side; all of them, or those that `filter` names.
@@ -62,7 +62,7 @@ async function program(preset, name, { filter = '', aside = false } = {}) {
 }
 
 // The longest first, so that no core waits for the last of them.
-const longest = ['endless', 'contexts', 'keeping', 'page', 'editor', 'governor'].map((name) => `tests/web/${name}.test.mjs`);
+const longest = ['endless', 'contexts', 'keeping', 'alive', 'bar', 'page', 'editor', 'refine', 'governor'].map((name) => `tests/web/${name}.test.mjs`);
 const byLength = (files) => [...longest.filter((file) => files.includes(file)), ...files.filter((file) => !longest.includes(file))];
 
 /** The chosen tests by their kinds, and what has to be built for them. */
@@ -105,7 +105,7 @@ async function main() {
   if (site) await stage('dist/', buildSite);
 
   const pages = async () => {
-    if (page) await stage('the page in Chromium', () => nodeTests(byLength(kinds.page), { env: { FUR_CHROMIUM: chromiumPath() ?? '' }, atOnce: 3 }));
+    if (page) await stage('the page in Chromium', () => nodeTests(byLength(kinds.page), { env: { FUR_CHROMIUM: chromiumPath() ?? '' } }));
   };
   const withoutPages = async (how) => {
     if (kinds.cpu.length && !all) await stage('CPU tests, native', ({ aside }) => program('native-release', 'wet-fur-tests', { filter: filter(kinds.cpu), aside }), how);

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { recordContexts, startBrowser, untilStill, withFur } from './support.mjs';
 
-const site = startBrowser();
+const site = startBrowser({ viewport: { width: 160, height: 120 } });
 /** They are drawn as cheaply as can be; what is said of the look alone leaves the first model. */
 const cheap = 'quality=low&layers=8&fins=0&shadows=none';
 const animal = `?src=otter&${cheap}&refine=0&ui=0&dryRate=0`;
@@ -11,7 +11,7 @@ const animal = `?src=otter&${cheap}&refine=0&ui=0&dryRate=0`;
 const until = (page, work, argument) => page.waitForFunction(work, argument);
 
 test('the page begins with the otter, a hint and some drops; who does something has seen it', async () => {
-  const page = await site.open('?quality=low', { viewport: { width: 320, height: 240 } });
+  const page = await site.open('?quality=low');
   assert.equal(await withFur(page, (fur) => fur.modelName), 'otter');
   assert.equal(await page.inputValue('#model'), 'otter');
   await until(page, () => document.getElementById('hint').textContent.includes('the otter'));
@@ -26,10 +26,9 @@ test('the page begins with the otter, a hint and some drops; who does something 
 
 test('addresses from before the otter show the bunny; who says less motion gets no drops', async () => {
   for (const [query, model] of [[`?${cheap}`, 'bunny'], ['?light=sunset&quality=low', 'bunny'], ['?tool=comb&quality=low&motion=reduced', 'otter']]) {
-    const page = await site.open(query, { viewport: { width: 200, height: 150 } });
+    const page = await site.open(query);
     assert.equal(await withFur(page, (fur) => fur.modelName), model, query);
     if (model === 'otter') {
-      await withFur(page, (fur) => { fur.refine = false; });
       await untilStill(page);
       assert.equal(await withFur(page, (fur) => fur.waterAccounts.painted), 0);
     }
@@ -100,7 +99,7 @@ test('the menu of actions is there for animals alone, and the bar stays one row'
 });
 
 test('the program holds at most 48 MB with the otter', async () => {
-  const page = await site.open('?quality=low', { scripts: [recordContexts], viewport: { width: 320, height: 240 } });
+  const page = await site.open('?quality=low', { scripts: [recordContexts] });
   await withFur(page, (fur) => fur.setWetness(1));
   await withFur(page, (fur) => fur.step(1 / 60, 60));
   const megabytes = await page.evaluate(() => window.programMemory()) / 2 ** 20;

@@ -7,7 +7,7 @@ import { difference, light, picture, plain, sleep, startBrowser, untilStill, wit
 const site = startBrowser();
 const samples = 64;
 const refining = light.replace('refine=0', 'refine=1');
-const open = (query = '', options) => site.open(`?${refining}&src=sphere&dryRate=0${query}`, { viewport: { width: 240, height: 180 }, ...options });
+const open = (query = '', options) => site.open(`?${refining}&src=sphere&dryRate=0${query}`, { viewport: { width: 240, height: 180 }, refine: true, ...options });
 const drawn = (page) => withFur(page, (fur) => fur.stats.framesDrawn);
 const shot = async (page) => PNG.sync.read(await page.screenshot());
 

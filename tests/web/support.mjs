@@ -111,6 +111,13 @@ function watchTime(fast) {
   };
 }
 
+/** A picture that stays is not made better, as few tests are about that: on the CPU its samples take as long as all the rest. */
+function leavePictures() {
+  new MutationObserver(() => {
+    for (const fur of document.querySelectorAll('wet-fur:not([refine])')) fur.setAttribute('refine', '0');
+  }).observe(document, { childList: true, subtree: true });
+}
+
 /** Notes what the page's policy stops. */
 function noteViolations() {
   window.violations = [];
@@ -120,7 +127,7 @@ function noteViolations() {
 /**
  * Starts both before the tests of a file and stops them after; `always` are options of every page. Gives { url, open }:
  * `open(path, options)` opens a page in a context that no other page of the test has, and waits for the model. Its frames are
- * tenths of a second, unless `fast` is false. Functions in `scripts` run before the page's own scripts; `prepare(page)` sets
+ * tenths of a second, unless `fast` is false; only with `refine` do pictures that stay get better. Functions in `scripts` run before the page's own scripts; `prepare(page)` sets
  * routes and listeners. After a test its pages are used for others, but those with `keep`.
  */
 export function startBrowser({ headers = {}, subfolder = false, rasteriser = 'mesa', ...always } = {}) {
@@ -148,15 +155,15 @@ export function startBrowser({ headers = {}, subfolder = false, rasteriser = 'me
     open.clear();
     await Promise.all(used.map((one) => (passed ? pages.giveBack(one) : pages.close(one))));
   });
-  site.open = async (path, { wait = true, keep = false, fast = true, scripts = [], prepare, ...options } = {}) => {
+  site.open = async (path, { wait = true, keep = false, fast = true, refine = false, scripts = [], prepare, ...options } = {}) => {
     await (started ??= start());
-    const taken = await pages.take({ viewport, ...always, ...options, scripts: [noteViolations, `(${watchTime})(${fast})`, ...scripts] });
+    const taken = await pages.take({ viewport, ...always, ...options, scripts: [noteViolations, `(${watchTime})(${fast})`, ...refine ? [] : [leavePictures], ...scripts] });
     if (!keep) open.add(taken);
     const { page } = taken;
     page.context().setDefaultTimeout(patience);
     await prepare?.(page);
     await page.goto(new URL(path, site.url).href);
-    if (wait) await page.waitForFunction(() => document.querySelector('wet-fur').loaded);
+    if (wait) await page.waitForFunction(() => ((fur) => fur.loaded && fur.state !== 'loading')(document.querySelector('wet-fur')));
     return page;
   };
   return site;
