@@ -2,6 +2,7 @@
 #include "common.glsl"
 #include "common_shading.glsl"
 #include "common_clump.glsl"
+#include "common_locks.glsl"
 #include "common_layers.glsl"
 #include "common_classic.glsl"
 #ifdef GROOMED

@@ -15,8 +15,13 @@ float clumpProfile(float h, float w, float layers) {
 }
 
 // `held`: the water that a texel of the mask holds; 1 is saturated, what is more lies on the strands as a film.
-// How far clumps have closed into a sheet: not at all up to where fur is merely wet.
-float sheetOf(float held) { return smoothstep(FUR_SHEET_FROM, 1.0, held); }
+// How short fur of that length (model units) is for water, 0..1: clumps of short fur would be as round as beads.
+float shortnessOf(float coat) { return smoothstep(FUR_SHORT_FROM, FUR_SHORT, clumpRadius / max(coat, 1e-5)); }
+
+// How far clumps have closed into a sheet: not at all up to where fur is merely wet; short fur makes one sooner.
+float sheetOf(float held, float shortness) {
+  return smoothstep(mix(FUR_SHEET_FROM, FUR_SHORT_SHEET_FROM, shortness), mix(1.0, FUR_SHORT_SHEET, shortness), held);
+}
 
 // s: the share of the way to the clump's centre that a strand has gone at height h. A sheet opens it again.
 float clumpPull(float h, float held, float sheet) {
@@ -44,6 +49,13 @@ vec2 wetLean(vec2 lean, float held, float sheet) {
 }
 float upright(float held, float sheet) {
   return 1.0 - mix(FUR_CLUMPS_SINK * min(held, 1.0), FUR_SHEET_SINKS, sheet);
+}
+
+// Where a point lies on a lock that lies from its root along `way`; `from`: the point from its root. x: along it, 0 root .. 1 tip
+// y: across it, -1 .. 1 from rim to rim. `halfWidth`: at the root; it comes to a point.
+vec2 onLock(vec2 from, vec2 way, float halfWidth) {
+  float squared = max(dot(way, way), 1e-8), along = dot(from, way) / squared;
+  return vec2(along, (way.x * from.y - way.y * from.x) * inversesqrt(squared) / (halfWidth * max((1.0 - along) * (1.0 + 0.8 * along), 1e-3)));
 }
 
 // A clump's own colour; grey where it is dry. Views only.

@@ -1,13 +1,10 @@
 // What brushes add to the shape of the strands: curls, frizz and locks, by moving strands aside with their height.
 // Neighbours move nearly alike, so the strand that is seen at a point roots about as far aside as one rooted there moves.
 uniform sampler2D shapeMap;     // r: curl  g: frizz  b: locks
-uniform sampler2D lockCentres;  // over FUR_LOCKS_TEXELS texels of the fur tile: 0.5 + the way to the middle of the lock there / 4, in locks
 
 const float kCurl = 0.1, kCurlTurns = 1.5;  // radius in fur lengths; turns from root to tip
 const float kLocksPull = 0.7;               // at the tips
 
-// `at`, both: in locks.
-vec2 lockCentre(vec2 at) { return at + 4.0 * (textureLod(lockCentres, at / FUR_LOCKS_ACROSS, 0.0).xy - 0.5); }
 bool sameLock(vec2 centre, vec2 other) { return dot(centre - other, centre - other) < 0.02; }
 
 struct ShapedStrand {

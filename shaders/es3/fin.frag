@@ -3,6 +3,7 @@
 #include "common.glsl"
 #include "common_shading.glsl"
 #include "common_clump.glsl"
+#include "common_locks.glsl"
 #include "common_noise.glsl"
 #include "common_furshadow.glsl"
 #ifdef CLASSIC
@@ -54,13 +55,20 @@ struct Strand {
 #endif
 };
 
+// The length of the coat here, model units.
+#ifdef GROOMED
+float coatHere() { return furLength * vLength; }
+#else
+float coatHere() { return furLength; }
+#endif
+
 #ifdef WET
 void drawToClump(inout Strand s) {
   vec4 clump = maskAt(mask, vAtlas);
   float chart = chartOf(clump), furLengths = 1.0 / max(furLength * tilesPerUnit, 1e-6);
   clump.x -= chart;
   s.held = max(clump.a, 0.0);
-  s.sheet = sheetOf(s.held);
+  s.sheet = sheetOf(s.held, shortnessOf(coatHere()));
   s.outward = vec2(0.0);
 #ifdef PRINTED_CLUMPS
   s.held = min(s.held, 1.0);

@@ -65,10 +65,10 @@ void drawEdge(float opacity, float standsIn, vec3 toEye, float away) {
 }
 #endif
 
-// Shells cover a pixel faintly and still write depth, on a round body well before its outline: fins are compared as if that
-// much nearer.
-vec4 inFrontOfShells(vec3 p) {
-  vec4 nearer = clipFromModel * vec4(p + normalize(eye.xyz - p) * (2.5 * furLength), 1.0);
+// Shells cover a pixel faintly and still write depth, on a round body well before its outline: fins are compared as if 2.5 lengths
+// of the coat there nearer. By the longest fur of the model they showed through whatever lies before short fur.
+vec4 inFrontOfShells(vec3 p, float coat) {
+  vec4 nearer = clipFromModel * vec4(p + normalize(eye.xyz - p) * (2.5 * coat), 1.0);
   vec4 clip = clipFromModel * vec4(p, 1.0);
   clip.z = nearer.z / nearer.w * clip.w;
   return clip;
@@ -85,11 +85,12 @@ void standFin(float opacity) {
   vec3 normal = normalize(mix(normalA.xyz, normalB.xyz, side));
   vec4 groomed = bendOf(int(side < 0.5 ? positionA.w : positionB.w));
   vec3 bend = groomed.xyz;
-  vec3 p = strandPoint(root, normal, bend, h, furLength * groomed.w);
+  float coat = furLength * groomed.w;
+  vec3 p = strandPoint(root, normal, bend, h, coat);
 #ifdef CLASSIC
   gl_Position = clipFromModel * vec4(p, 1.0);
 #else
-  gl_Position = inFrontOfShells(p);
+  gl_Position = inFrontOfShells(p, coat);
 #endif
   vLightSpace = lightSpace(p);
 

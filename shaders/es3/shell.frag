@@ -3,6 +3,7 @@
 #include "common.glsl"
 #include "common_shading.glsl"
 #include "common_clump.glsl"
+#include "common_locks.glsl"
 #include "common_noise.glsl"
 #include "common_furshadow.glsl"
 #include "common_layers.glsl"

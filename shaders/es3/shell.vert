@@ -58,12 +58,12 @@ float shellHeight() {
 // The share of its height that the coat keeps. By the wetness around the vertex, not only at it: rays from a shell that is higher
 // than the fur would miss the outline, and pieces of fur would hang in the air. Clumps stand beside dry fur: they are as high as
 // the driest fur around them; near a hard edge as high as on average (around.w).
-float wetHeight() {
-  float sheets = 0.0, clumps = 0.0, fewest = 1.0, inCharts = 1e-6;
+float wetHeight(float coat) {
+  float shortness = shortnessOf(coat), sheets = 0.0, clumps = 0.0, fewest = 1.0, inCharts = 1e-6;
   for (int i = 0; i < 9; ++i) {
     float held = clumpAt(mask, around.xy + around.z * vec2(i % 3 - 1, i / 3 - 1)).a;
     if (held < 0.0) continue;
-    float sheet = sheetOf(held), clump = min(held, 1.0) * (1.0 - sheet);
+    float sheet = sheetOf(held, shortness), clump = min(held, 1.0) * (1.0 - sheet);
     sheets += sheet;
     clumps += clump;
     fewest = min(fewest, mix(clump, 1.0, sheet));
@@ -137,7 +137,7 @@ void main() {
   vec4 groomed = bendOf(gl_VertexID);
   vTop = shellHeight();
 #ifdef WET
-  vTop *= wetHeight();
+  vTop *= wetHeight(furLength * groomed.w);
 #endif
   Skin skin = skinAtVertex(groomed.w);
   vec3 p = strandPoint(positionFrom.xyz, skin.normal, groomed.xyz, vTop, skin.coat);

@@ -22,6 +22,14 @@ vec2 lean, tipTile;               // where its tips are from their roots: fur le
 float furLengths, atlasLength;    // how many fur lengths a tile is on average, how many tiles the atlas
 mat2 tileFromAtlas, furFromTile;  // fur lengths along axisS, axisT (shell.vert)
 
+// What lies on top of a sheet where the ray comes to it.
+struct Lying {
+  vec2 outward;  // of its lock in the surface's frame, 1 at the rim; of locksAt(): x: to which side, 1 at the rim  y: chance of the lock, -0.5..0.5
+  float rises;   // how far it is out of the gaps between locks, 0..1
+  vec2 tilt;     // of its strands: to the tip of the lock, and up or down with it
+};
+Lying lying;
+
 void enterWater() {
   tileFromAtlas = inverse(atlasFromTile());
   atlasLength = sqrt(abs(determinant(tileFromAtlas)));
@@ -33,7 +41,11 @@ void enterWater() {
   vec4 entryClump = maskAt(mask, vAtlas);
   entryChart = chartOf(entryClump);
   entryRadius = entryClump.a > 0.0 ? entryClump.z : 0.0;
-  sheet = sheetOf(entryHeld);
+#ifdef GROOMED
+  sheet = sheetOf(entryHeld, shortnessOf(furLength * vLength));
+#else
+  sheet = sheetOf(entryHeld, shortnessOf(furLength));
+#endif
   joined = sheet * (2.0 - sheet);
   coatTop = upright(entryHeld, sheet);
   lean = wetLean(0.5 * vLean.xy, entryHeld, sheet);
@@ -110,11 +122,48 @@ vec4 strandsInLine(float stored) {
   return textureLod(streaks, place, max(vLight.w - 0.5, 0.0));
 }
 
+// Locks of one size: the one that comes from furthest lies on top, as hair lies over what roots further on. `cells`: of their grid, to a
+// tile; `lies`: from root to tip, tiles.
+Lying locksAt(vec2 tile, vec2 lies, float cells) {
+  Lying top = Lying(vec2(0.0), 0.0, vec2(0.0));
+  vec2 at = tile * cells, way = lies * cells;
+  float along = 0.0;
+  for (int i = 0; i < FUR_LOCK_LOOKS; ++i) {
+    // At the middle of the map's texel the centre is exact: all of a lock agree on it.
+    vec2 texel = floor((at - way * ((float(i) + 0.5) / float(FUR_LOCK_LOOKS))) * FUR_LOCK_TEXELS) + 0.5, centre = lockCentre(texel / FUR_LOCK_TEXELS);
+    vec2 on = onLock(at - centre, way, FUR_LOCK_HALF_WIDTH);
+    if (on.x <= along || on.x >= 1.0 || abs(on.y) >= 1.0) continue;
+    along = on.x;
+    top.outward.x = on.y;
+    top.rises = (1.0 - on.y * on.y) * min(3.0 * on.x, 1.0);
+    top.outward.y = fract(dot(floor(centre), vec2(0.7548777, 0.5698403)) + 0.31) - 0.5;
+  }
+  return top;
+}
+
+// Of two sizes, as large as the fur there is long: as it grows shorter the one goes over into the other.
+void lieDown() {
+  float width = max(FUR_LOCK_WIDTH / furLengths, FUR_LEAST_LOCK * clumpRadius * tilesPerUnit), size = -log2(width), large = floor(size), small = size - large;
+  float lies = length(lean);
+  vec2 tile = tileAt(enters, min(vTop, coatTop)), way = tipTile * (max(0.85, FUR_LOCK_LENGTH * width * furLengths) / max(lies, 1e-3));
+  Lying one = locksAt(tile, way, exp2(large)), two = locksAt(tile, way, exp2(large + 1.0));
+  // What is smaller than a few pixels is seen as its mean.
+  float pixels = tileTexels * exp2(-large - vLight.w), seen = joined * smoothstep(0.05, 0.3, lies) * smoothstep(1.0, 3.0, pixels);
+  vec2 beside = furFromTile * vec2(-way.y, way.x);
+  vec2 apart = seen * mix(one.outward, two.outward, small);
+  lying.outward = beside * (apart.x / max(length(beside), 1e-6));
+  lying.rises = mix(1.0, mix(one.rises, two.rises, small), seen);
+  // No two locks lie alike: the light that runs in rings round a body breaks up.
+  lying.tilt = lean * (1.6 * apart.y / max(lies, 1e-3)) - 0.4 * lying.outward;
+}
+
 // In a sheet those that lie in line are shown instead of the one that the march met: its chance would be grain there.
 void joinStrands(inout Met met, float furry) {
   met.x = mix(met.x, enters, joined);
   met.held = mix(met.here.clump.a, entryHeld, joined);
+  lying = Lying(vec2(0.0), 1.0, vec2(0.0));
   if (sheet <= 0.0) return;
+  lieDown();
   vec4 inLine = strandsInLine(met.spot.z);
   met.strand = mix(met.strand, inLine, joined);
   met.number = mix(met.number, clamp(0.5 + 3.0 * (inLine.z - 0.5), 0.0, 1.0), joined);
@@ -132,7 +181,7 @@ vec2 tiltOf(Met met) {
 vec2 clumpTilt(Met met, March march) {
   float along = heightAt(march.metX) / coatTop, held = clumpingWetness(met.here.clump.a, met.here.clump.z * atlasLength * furLengths);
   float rises = clumpPull(along - 1.0 / layers, held, sheet) - clumpPull(along, held, sheet);
-  return furFromTile * met.here.from * (rises * layers * (1.0 - joined)) + lean / coatTop;
+  return furFromTile * met.here.from * (rises * layers * (1.0 - joined)) + lean / coatTop + lying.tilt;
 }
 
 float shadeOfOne() { return FUR_SHADE_OF_ONE * (1.0 - joined); }
@@ -141,6 +190,7 @@ vec3 soaked(vec3 albedo, float rho) { return wetAlbedo(albedo, rho); }
 vec3 waterLight(vec3 color, Met met, vec3 T, vec3 L, vec3 V, float lit) {
   vec2 outward = met.here.from / max(met.here.clump.z * atlasLength, 1e-6);
   outward *= (1.0 - joined) / max(length(outward), 1.0);
-  vec3 n = normalize(clumpNormal(outward, sheet) + vec3(0.8 * joined * tiltOf(met), 0.0));
+  vec3 n = normalize(clumpNormal(outward, sheet) + vec3(0.8 * joined * tiltOf(met) + lying.outward, 0.0));
+  color *= 0.35 + 0.65 * lying.rises;
   return clumpLight(color, T, n, L, V, met.h, met.held, sheet, lit, vView.w, met.number);
 }

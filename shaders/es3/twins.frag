@@ -47,13 +47,13 @@ void main() {
   float value = marschnerStrand(vec3(0.4), along, across, dot(L, V), 12.0).g;
 #endif
 #elif FUNCTION == 13
-  float value = clumpPull(mix(1.0 / layers, 1.0, at.x), at.y, sheetOf(at.y));
+  float value = clumpPull(mix(1.0 / layers, 1.0, at.x), at.y, sheetOf(at.y, 0.0));
 #elif FUNCTION == 18
   float value = clumpingWetness(at.x, 3.0 * at.y);
 #elif FUNCTION == 21
-  float value = upright(at.x, sheetOf(at.x));
+  float value = upright(at.x, sheetOf(at.x, 0.0));
 #elif FUNCTION == 22
-  float value = rimTaper(at.x, sheetOf(at.x), 1.5 * at.y);
+  float value = rimTaper(at.x, sheetOf(at.x, 0.0), 1.5 * at.y);
 #elif FUNCTION == 23
   float value = decodeSrgb(vec3(at.x)).x;
 #elif FUNCTION == 14
@@ -64,7 +64,7 @@ void main() {
   vec2 mirrored = waterGloss(onCircle(at.x * 3.0), clumpNormal(vec2(at.y, 0.0), 0.4), onCircle(0.7), onCircle(-0.4), 0.9, 0.4, at.x);
   float value = 0.25 * (mirrored.x + mirrored.y);
 #elif FUNCTION == 17
-  float value = wetLean(vec2(0.0, at.x), at.y, sheetOf(at.y)).y;
+  float value = wetLean(vec2(0.0, at.x), at.y, sheetOf(at.y, 0.0)).y;
 #elif FUNCTION == 24
   float value = clumpAt(mask, at).x;
 #elif FUNCTION == 25
@@ -76,7 +76,15 @@ void main() {
 #elif FUNCTION == 27
   float value = filteredWetness(mask, at);
 #elif FUNCTION == 28
-  float value = sheetOf(clumpAt(mask, at).a);
+  float value = sheetOf(clumpAt(mask, at).a, 0.0);
+#elif FUNCTION == 33
+  float value = sheetOf(at.x, at.y);
+#elif FUNCTION == 34
+  float value = shortnessOf(at.x);
+#elif FUNCTION == 35
+  float value = onLock(vec2(at.x - 0.1, 0.2 - 0.4 * at.y), vec2(1.0, 0.2), 0.6).x;
+#elif FUNCTION == 36
+  float value = clamp(onLock(vec2(at.x - 0.1, 0.2 - 0.4 * at.y), vec2(1.0, 0.2), 0.6).y, -1.0, 1.0);
 #elif FUNCTION == 29
   float value = kajiyaPower(at.x * 2.0 - 1.0, at.y * 60.0);
 #elif FUNCTION == 30

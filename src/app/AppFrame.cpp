@@ -18,6 +18,7 @@ Status App::attach() {
   State& s = *state_;
   s.renderer.emplace(std::move(*renderer));
   s.uploaded = {};
+  s.shells = {};
   s.coat.forgetLayers();
   s.groom.update(s.groomInputs());
   s.upload();
@@ -176,15 +177,18 @@ void App::State::uploadLengths(const geometry::TexelRect& changed) {
 
 // --- frames ---
 
-// Each further shell costs 0.4 of a frame. Without them pictures have visible holes where fur length times grazing share exceeds
-// kCrowded: on a torus with fur of 0.3, 0.2 % of all pixels show skin in the hole of the ring instead of fur.
+// Pictures have visible holes where fur length times grazing share exceeds kCrowded: on a torus with fur of 0.3, 0.2 % of all pixels show
+// skin in the hole of the ring instead of fur. Slender bodies, whose share is above kSlender, have slivers of sky there as well, between
+// breast and foreleg. Further shells stand only where rays may come to (the otter's frame costs about a quarter more).
 void App::State::chooseShellCount() {
-  constexpr float kCrowded = 0.024f;
+  constexpr float kCrowded = 0.024f, kSlender = 0.08f;
   constexpr int kCrowdedShells = 3;
   const float length = coatLength();
   if (shells.surface == shape.surfaceRevision() && shells.length == length) return;
-  shells = {shape.surfaceRevision(), length, 1};
-  if (length * geometry::grazingShare(shape.surface(), shape.query(), length) > kCrowded) shells.count = kCrowdedShells;
+  const float share = geometry::grazingShare(shape.surface(), shape.query(), length);
+  const bool crowded = length * share > kCrowded || share > kSlender;
+  shells = {shape.surfaceRevision(), length, crowded ? kCrowdedShells : 1};
+  renderer->setCrowded(crowded ? geometry::crowdedVertices(shape.surface(), shape.query(), length) : std::vector<std::uint8_t>{});
 }
 
 render::Frame App::State::frame(int level) const {

@@ -43,9 +43,9 @@ Status App::State::drawFrame(const Drawn& drawn) {
     finishCoat();
     groom.update(groomInputs());
   }
-  chooseShellCount();
   water.readPuddles();
   upload();
+  chooseShellCount();
   render::Frame f = frame(drawn.level);
   f.sample = drawn.sample;
   f.gathers = drawn.gathers;

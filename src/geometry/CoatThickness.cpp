@@ -13,12 +13,14 @@ float coatThickness(const SurfaceVertex& vertex, float furLength) {
   return std::min(furLength, 0.65f / std::max(hollow, 1e-6f));
 }
 
-float grazingShare(const Surface& surface, const SurfaceQuery& query, float furLength) {
-  constexpr std::size_t kAsked = 200;
-  constexpr int kWays = 6;
-  constexpr float kOn = 2.0f, kDeep = 0.66f;  // fur lengths that it has gone on; that it is over the skin there at most
-  const std::size_t step = std::max<std::size_t>(surface.vertices.size() / kAsked, 1);
-  int asked = 0, deep = 0;
+namespace {
+
+constexpr int kWays = 6;
+constexpr float kDeep = 0.66f;  // fur lengths that a ray is over the skin at most
+
+// Calls visit(point) for points so many fur lengths on along rays that graze a round part of the coat: of one vertex in `step` all ways.
+template <class Visit>
+void forGrazingRays(const Surface& surface, std::size_t step, float furLength, float on, Visit visit) {
   for (std::size_t i = 0; i < surface.vertices.size(); i += step) {
     const SurfaceVertex& vertex = surface.vertices[i];
     Vec3 s, t;
@@ -26,13 +28,39 @@ float grazingShare(const Surface& surface, const SurfaceQuery& query, float furL
     const Vec3 outside = vertex.position + coatThickness(vertex, furLength) * vertex.normal;
     for (int way = 0; way < kWays; ++way) {
       const float turn = 2 * kPi * static_cast<float>(way) / kWays, u = std::cos(turn), v = std::sin(turn);
-      ++asked;
       // Into a hollow it is known to go.
-      if (vertex.curvature.x * u * u + 2 * vertex.curvature.y * u * v + vertex.curvature.z * v * v < 0) continue;
-      deep += !query.trianglesWithin(outside + kOn * furLength * (u * s + v * t), kDeep * furLength).empty();
+      const bool hollow = vertex.curvature.x * u * u + 2 * vertex.curvature.y * u * v + vertex.curvature.z * v * v < 0;
+      visit(outside + on * furLength * (u * s + v * t), hollow);
     }
   }
+}
+
+}  // namespace
+
+float grazingShare(const Surface& surface, const SurfaceQuery& query, float furLength) {
+  constexpr std::size_t kAsked = 200;
+  constexpr float kOn = 2.0f;  // fur lengths that it has gone on
+  const std::size_t step = std::max<std::size_t>(surface.vertices.size() / kAsked, 1);
+  int asked = 0, deep = 0;
+  forGrazingRays(surface, step, furLength, kOn, [&](const Vec3& point, bool hollow) {
+    ++asked;
+    deep += !hollow && !query.trianglesWithin(point, kDeep * furLength).empty();
+  });
   return static_cast<float>(deep) / static_cast<float>(std::max(asked, 1));
+}
+
+std::vector<std::uint8_t> crowdedVertices(const Surface& surface, const SurfaceQuery& query, float furLength) {
+  constexpr std::size_t kAsked = 2000;
+  constexpr float kInCoat = 0.8f;
+  std::vector<std::uint8_t> crowded(surface.vertices.size());
+  const std::size_t step = std::max<std::size_t>(surface.vertices.size() / kAsked, 1);
+  for (const float on : {2.0f, 4.0f})
+    forGrazingRays(surface, step, furLength, on, [&](const Vec3& point, bool hollow) {
+      if (hollow) return;
+      for (const std::uint32_t triangle : query.trianglesWithin(point, kInCoat * furLength))
+        for (std::size_t k = 0; k < 3; ++k) crowded[surface.indices[3 * triangle + k]] = 1;
+    });
+  return crowded;
 }
 
 }  // namespace fur::geometry

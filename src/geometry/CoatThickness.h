@@ -15,4 +15,7 @@ float coatThickness(const SurfaceVertex& vertex, float furLength);
 // rays: of some vertices, evenly spread, all ways along the outside.
 float grazingShare(const Surface& surface, const SurfaceQuery& query, float furLength);
 
+// Where such rays come to: for each vertex whether it is of a triangle in whose coat one of them is, two or four fur lengths on.
+std::vector<std::uint8_t> crowdedVertices(const Surface& surface, const SurfaceQuery& query, float furLength);
+
 }  // namespace fur::geometry

@@ -128,6 +128,7 @@ shared::FurBlock furBlock(const Frame& frame, int tileSize, int storedLayers, co
   coat.storedLayers = static_cast<float>(storedLayers);
   coat.chartsOverlap = chartsOverlap(frame);
   coat.clumpShape = s.clumpShape;
+  coat.clumpRadius = s.clumpSize;
   coat.maskTexels = static_cast<float>(maskSize);
   fillTypes(frame, densities, pictures, coat);
   fillShading(frame, coat);

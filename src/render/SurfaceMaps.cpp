@@ -76,6 +76,7 @@ std::size_t SurfaceMaps::updateMask(const wet::MaskTexels& mask) {
     FUR_ASSERT(rect == whole, "SurfaceMaps::updateMask()", "the whole of a mask of another size", mask.texels.size());
     mask_ = gl::Texture({gl::TexelFormat::RGBA32F, mask.size, mask.size, 0, gl::Filter::Nearest, false}, {});
   }
+  if (std::any_of(mask.texels.begin(), mask.texels.end(), [](const Vec4& texel) { return texel.w > 0; })) makeLockCentres();
   mask_.update(rect.x0, rect.y0, rect.x1 - rect.x0, rect.y1 - rect.y0, gl::bytesOf(mask.texels), 0);
   return mask.texels.size() * sizeof(Vec4);
 }
@@ -107,12 +108,15 @@ std::size_t SurfaceMaps::updateEvenReach(std::span<const groom::EvenTexel> texel
 
 std::size_t SurfaceMaps::updatePaint(const groom::GroomMap& paint, const geometry::TexelRect& changed) { return update(paint_, paint, changed); }
 
+void SurfaceMaps::makeLockCentres() {
+  if (lockCentres_.bytes() > 0) return;
+  constexpr int kSize = static_cast<int>(FUR_LOCKS_ACROSS * FUR_LOCK_TEXELS);
+  const std::vector<std::array<std::uint8_t, 2>> texels = furgen::lockCentres(kSize, static_cast<int>(FUR_LOCKS_ACROSS));
+  lockCentres_ = gl::Texture({gl::TexelFormat::RG8, kSize, kSize, 0, gl::Filter::Nearest, true}, gl::bytesOf(texels));
+}
+
 std::size_t SurfaceMaps::updateShape(const groom::GroomMap& shape, const geometry::TexelRect& changed) {
-  if (lockCentres_.bytes() == 0) {
-    constexpr int kSize = 128;
-    const std::vector<std::array<std::uint8_t, 2>> texels = furgen::lockCentres(kSize, static_cast<int>(FUR_LOCKS_ACROSS));
-    lockCentres_ = gl::Texture({gl::TexelFormat::RG8, kSize, kSize, 0, gl::Filter::Nearest, true}, gl::bytesOf(texels));
-  }
+  makeLockCentres();
   return update(shape_, shape, changed);
 }
 
@@ -121,7 +125,8 @@ void SurfaceMaps::bind(const Frame& frame) const {
   bends_.bind(FUR_UNIT_BEND);
   groom_.bind(FUR_UNIT_GROOM);
   if (frame.painted) paint_.bind(FUR_UNIT_PAINT);
-  if (frame.shaped) shape_.bind(FUR_UNIT_SHAPE), lockCentres_.bind(FUR_UNIT_LOCK_CENTRES);
+  if (frame.shaped) shape_.bind(FUR_UNIT_SHAPE);
+  if (frame.shaped || frame.wet) lockCentres_.bind(FUR_UNIT_LOCK_CENTRES);
   if (frame.types) evenReach_.bind(FUR_UNIT_EVEN_REACH);
   if (hasTypePictures()) typeColors_.bind(FUR_UNIT_TYPE_COLORS);
 }

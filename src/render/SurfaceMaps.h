@@ -44,6 +44,8 @@ class SurfaceMaps {
   std::size_t bytes() const;
 
  private:
+  void makeLockCentres();  // the first time that strands gather in locks
+
   gl::Texture mask_, bends_, groom_, paint_, shape_, lockCentres_, typeColors_, evenReach_;
   TypePictures typePictures_ = kNoPictures;
   unsigned long revision_ = 0;

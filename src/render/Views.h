@@ -18,6 +18,7 @@ struct ViewPart {
 inline constexpr ViewPart kViewParts[] = {
     {View::Skin, Part::BareSkin, kPlain},
     {View::Shells, Part::Shells, kPlain},
+    {View::Fins, Part::BareSkin, kViewDim},
     {View::Fins, Part::Fins, kPlain},
     {View::Layer, Part::BareSkin, kViewDim},
     {View::Layer, Part::Shells, kViewLayer},

@@ -24,8 +24,16 @@ inline float clumpProfile(float h, float w, float layers) {
   return (1.0f - w) * height + w * std::max(1.0f + std::log(height) / std::log(layers), 0.0f);
 }
 
-// How far clumps have closed into a sheet, 0..1: smooth, so that nothing jumps as water comes and goes.
-inline float sheetOf(float rho) { return glm::smoothstep(kSheetFrom, 1.0f, rho); }
+// How short fur of that length is where clumps have that radius, 0..1. A clump that is as wide as its strands are long is a bead.
+inline float shortnessOf(float length, float clumpRadius) {
+  return glm::smoothstep(static_cast<float>(FUR_SHORT_FROM), static_cast<float>(FUR_SHORT), clumpRadius / std::max(length, 1e-5f));
+}
+
+// How far clumps have closed into a sheet, 0..1: smooth, so that nothing jumps as water comes and goes. Short fur makes a sheet
+// with less water.
+inline float sheetOf(float rho, float shortness = 0) {
+  return glm::smoothstep(glm::mix(kSheetFrom, static_cast<float>(FUR_SHORT_SHEET_FROM), shortness), glm::mix(1.0f, static_cast<float>(FUR_SHORT_SHEET), shortness), rho);
+}
 
 // s: the share of the way to the clump's centre that a strand has gone at height h. Below kSheetFrom it is f(h) rho, as
 // printed; where clumps close into a sheet it falls again, so that it never exceeds 0.853: s / (1 - s) stays finite.
@@ -58,6 +66,14 @@ inline float wetLean(float lean, float rho) {
 // How high wet fur stands, as a share of dry fur's height.
 inline float upright(float rho) {
   return 1.0f - glm::mix(kClumpsSink * std::min(rho, 1.0f), kSheetSinks, sheetOf(rho));
+}
+
+// Where a point lies on a pointed lock that lies along the skin from its root to its tip, `way`; `from`: the point from the root. x: along
+// the lock, 0 root .. 1 tip; y: across it, -1 .. 1 from rim to rim. `halfWidth`: of the lock at its root.
+inline Vec2 onLock(const Vec2& from, const Vec2& way, float halfWidth) {
+  const float squared = std::max(glm::dot(way, way), 1e-8f), along = glm::dot(from, way) / squared;
+  const float half = halfWidth * std::max((1 - along) * (1 + 0.8f * along), 1e-3f);
+  return {along, (way.x * from.y - way.y * from.x) / (std::sqrt(squared) * half)};
 }
 
 // f(h) rho: the look-up's displacement as printed, d = f rho (p - c), with p - c in radii of the clump. It stands in for the exact

@@ -24,7 +24,7 @@ const hair::StrandLook kLook{.lambert = 0.4f, .specular = 0.45f, .shininess = 60
 constexpr float kLightIntensity = 2.2f, kExposure = 1.3f;
 constexpr float kFillLight = 0.35f;
 const Vec3 kKeyLight(2.0f, 1.5f, 1.0f), kBackLight(0.8f, 0.6f, 0.4f);
-constexpr float kLayers = 32, kClumpShape = 0.6f;
+constexpr float kLayers = 32, kClumpShape = 0.6f, kClumpRadius = 0.2f;
 const Vec3 kSky(0.3f, 0.25f, 0.2f), kFloorLight(0.1f, 0.15f, 0.2f);
 
 shared::FrameBlock frameOfLook() {
@@ -49,6 +49,7 @@ shared::FurBlock coatOfLook() {
   coat.typeOcclusion.x = kLook.occlusion;
   coat.layers = kLayers;
   coat.clumpShape = kClumpShape;
+  coat.clumpRadius = kClumpRadius;
   coat.wetDarkening = kLook.wetDarkening;
   coat.wetGloss = kLook.wetGloss;
   return coat;
@@ -112,7 +113,15 @@ TEST(Twins, StrandsOfAClump) {
   EXPECT_LT(largestDifference(17, wet::wetLean), kGpuPrecision);
   EXPECT_LT(largestDifference(21, [](float u, float) { return wet::upright(u); }), kGpuPrecision);
   EXPECT_LT(largestDifference(22, [](float u, float v) { return wet::rimTaper(u, wet::sheetOf(u), 1.5f * v); }), kGpuPrecision);
+  EXPECT_LT(largestDifference(33, [](float u, float v) { return wet::sheetOf(u, v); }), kGpuPrecision);
+  EXPECT_LT(largestDifference(34, [](float u, float) { return wet::shortnessOf(u, kClumpRadius); }), kGpuPrecision);
   EXPECT_LT(largestDifference(18, [](float u, float v) { return wet::clumpingWetness(u, 3 * v); }), kGpuPrecision);
+}
+
+TEST(Twins, PlaceOnALock) {
+  const auto on = [](float u, float v) { return wet::onLock(Vec2(u - 0.1f, 0.2f - 0.4f * v), Vec2(1, 0.2f), 0.6f); };
+  EXPECT_LT(largestDifference(35, [&](float u, float v) { return on(u, v).x; }), kGpuPrecision);
+  EXPECT_LT(largestDifference(36, [&](float u, float v) { return glm::clamp(on(u, v).y, -1.0f, 1.0f); }), kGpuPrecision);
 }
 
 TEST(Twins, WaterOnStrands) {

@@ -63,5 +63,32 @@ TEST(ClumpShift, LeavesAClumpOfNoSizeWhereItIs) {
   EXPECT_EQ(clumpInverse(Vec2(0.3f), Vec2(0.3f), 0.85f), Vec2(0.3f));
 }
 
+TEST(Sheet, OfShortFurComesWithLessWaterAndNeverGoesAsThereIsMore) {
+  for (const float shortness : {0.0f, 0.3f, 1.0f}) {
+    float before = 0;
+    for (int i = 0; i <= 100; ++i) {
+      const float rho = i / 100.0f, sheet = sheetOf(rho, shortness);
+      EXPECT_GE(sheet, before);
+      EXPECT_GE(sheet, sheetOf(rho));
+      before = sheet;
+    }
+    EXPECT_EQ(sheetOf(0, shortness), 0);
+    EXPECT_EQ(before, 1);
+  }
+}
+
+TEST(Sheet, IsThatOfLongFurWhereClumpsAreSlender) {
+  EXPECT_EQ(shortnessOf(0.12f, 0.035f), 0);  // the settings' own
+  EXPECT_EQ(shortnessOf(0.01f, 0.011f), 1);  // an otter's face
+}
+
+TEST(Lock, ComesToAPoint) {
+  const Vec2 way(3, 1);
+  const auto wide = [&](float along) { return 1 / std::abs(onLock(along * way + Vec2(-0.03f, 0.09f), way, 0.6f).y); };
+  EXPECT_NEAR(onLock(0.4f * way, way, 0.6f).x, 0.4f, 1e-6f);
+  EXPECT_NEAR(onLock(0.4f * way, way, 0.6f).y, 0, 1e-6f);
+  for (int i = 1; i < 9; ++i) EXPECT_GT(wide(i / 10.0f), wide((i + 1) / 10.0f));
+}
+
 }  // namespace
 }  // namespace fur::wet

@@ -101,6 +101,8 @@ FUR_BLOCK(FurBlock) {
   float wetGloss;      // sigma_spec (Eq. 3)
   float lobePeak;      // 1 / (beta_R sqrt(2 pi)) of Marschner's lobes
   float skinPicture;   // as typePicture, of the skin
+
+  float clumpRadius;   // of clumps that form by themselves, model units
 };
 
 #define FUR_FRAME_BINDING 0
@@ -182,6 +184,8 @@ FUR_BLOCK(FurBlock) {
 // Locks that brushes make: so many across a square of so many texels of the fur tile, which then repeats.
 #define FUR_LOCKS_ACROSS 8.0
 #define FUR_LOCKS_TEXELS 224.0
+// Texels of their map along one.
+#define FUR_LOCK_TEXELS 16.0
 
 // Texels of Marschner's tables (hair/Marschner.h).
 #define FUR_STRAND_M 128.0

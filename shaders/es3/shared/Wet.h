@@ -15,6 +15,23 @@
 #define FUR_SHEET_SINKS 0.5
 #define FUR_CLUMPS_SINK 0.3
 
+// Fur is short where clumps are as wide as it is long: their radius as a share of its length, from which on it is rather short, and
+// wholly. It makes no clumps, which would be beads, but a sheet from that little water on, whole from that much.
+#define FUR_SHORT_FROM 0.32
+#define FUR_SHORT 0.5
+#define FUR_SHORT_SHEET_FROM 0.05
+#define FUR_SHORT_SHEET 0.45
+
+// Locks that lie in a sheet: how wide, as a share of the length of the fur, but no less than that share of a clump's radius; and that
+// many times as long at least, as hairs that are shorter stick to those beside them. Half their width at the root, in cells of their
+// grid (furgen/LockCentres.h).
+#define FUR_LOCK_WIDTH 0.25
+#define FUR_LEAST_LOCK 0.5
+#define FUR_LOCK_LENGTH 2.5
+#define FUR_LOCK_HALF_WIDTH 0.6
+// Look-ups for one, from the tip of the one that comes from furthest on.
+#define FUR_LOCK_LOOKS 4
+
 // The encoded mask (wet/MaskEncoding.h) tells the chart of a texel beside its clump's centre: u is stored with FUR_CHART_STEP
 // times the chart's number, and half as much again, which keeps it positive where the centre lies beside the atlas. Numbers
 // go round after FUR_CHART_NUMBERS.

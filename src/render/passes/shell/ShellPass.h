@@ -16,6 +16,8 @@ class ShellPass {
   void follow(const Skin& skin);
   // On these in place of all of the surface, until the next set(). None: there is no fur.
   void setPatches(geometry::FurPatches patches);
+  // One a vertex: rays may enter the coat there without crossing its outside, so that Frame::shellCount shells stand there instead of one.
+  void setCrowded(std::vector<std::uint8_t> vertices);
   bool empty() const { return patches_.indices.empty(); }
 
   bool draw(const Drawing& drawing, VariantBits view);
@@ -25,13 +27,15 @@ class ShellPass {
  private:
   enum class Order { NearToFar, NearToFarOverlapping, FarToNear };
   void order(const Drawing& drawing, float reach, Order wanted);
-  void drawMaterials(const Drawing& drawing, int shells) const;
+  bool isCrowded(const geometry::FurCluster& cluster) const;
+  void drawMaterials(const Drawing& drawing, int shells, int crowdedShells) const;
 
   geometry::FurPatches patches_;
   gl::Buffer indices_;  // of patches that face the eye, near to far
   gl::VertexArray array_;
+  std::vector<std::uint8_t> crowded_;
   int indexCount_ = 0;
-  IndexRanges ranges_;  // of each material, in that order
+  IndexRanges ranges_, crowdedRanges_;  // of each material, in that order: what is not crowded, and what is
   // Eye (model space) and fur length that those on the GPU were put in order for, and which order that is.
   std::optional<Vec4> orderedFor_;
   Order ordered_ = Order::NearToFar;

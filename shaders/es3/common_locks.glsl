@@ -1,0 +1,5 @@
+// Locks grow from the cells of a jittered grid that repeats (furgen/LockCentres.h): those that brushes make, and those in which wet fur lies.
+uniform sampler2D lockCentres;  // 0.5 + the way to the middle of the lock there / 4, in locks
+
+// `at`, both: in locks.
+vec2 lockCentre(vec2 at) { return at + 4.0 * (textureLod(lockCentres, at / FUR_LOCKS_ACROSS, 0.0).xy - 0.5); }
