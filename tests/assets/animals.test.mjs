@@ -18,7 +18,7 @@ const tail = (count) => Array.from({ length: count }, (_, i) => `tail${i + 1}`);
 const layers = ['breathe', 'blink', 'squint', 'earFlickL', 'earFlickR', 'tailSway', 'leanL', 'leanR'];
 const expected = {
   otter: {
-    materials: ['fur', 'eye', 'nose', 'mouth', 'claws', 'pads', 'lids', 'innerEar'], ownJoints: tail(6), loops: ['stand', 'sit', 'walk', 'swim', 'breathe', 'tailSway'], once: ['groom', 'shake'],
+    materials: ['fur', 'eye', 'nose', 'mouth', 'claws', 'pads', 'lids', 'innerEar'], ownJoints: tail(6), loops: ['stand', 'sit', 'walk', 'swim', 'breathe', 'tailSway'], once: ['groom', 'yawn', 'shake'],
   },
   pony: {
     materials: ['fur', 'eye', 'nose', 'mouth', 'hooves', 'lids', 'innerEar'], ownJoints: ['neck1', ...both(['cannonF', 'cannonH']), ...tail(3)],

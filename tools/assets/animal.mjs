@@ -20,6 +20,15 @@ export function sculpted({ at, box: [low, high], cell, sizeAt, lines = [], round
   return { ...mesh, normals: mesh.positions.map(surface.normal), surface };
 }
 
+/** `materialOf` of a mesh by the middle of each triangle: `at(p)`, a number. */
+export function materialsBy({ positions, cells }, at) {
+  const known = new Map(cells.map((cell) => [cell, at(scaled(cell.reduce((sum, v) => add(sum, positions[v]), [0, 0, 0]), 1 / 3))]));
+  return (cell) => known.get(cell);
+}
+
+/** A mesh that was sculpted with its mouth open (jaws.mjs), with its mouth shut. */
+export const shut = (mesh, jaw) => ({ ...mesh, positions: mesh.positions.map(jaw.closed), normals: mesh.positions.map((p, v) => jaw.closedWay(p, mesh.normals[v])) });
+
 /** A closed body of rings round an axis: claws, eyeballs. `rings`: [{ at, radius: [across, up] }] from its first pole to its last, `axes`: across, up. */
 export function turnedBody(rings, [across, up], segments, [first, last]) {
   const positions = [first], cells = [], ring = (i) => 1 + i * segments;

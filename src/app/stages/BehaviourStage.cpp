@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kMostActions = 4;
 constexpr float kCalms = 0.8f;             // s until it does nothing by itself any more, or does again
-constexpr float kDozesAfter = 60, kFallsAsleep = 3;  // s without anybody there
+constexpr float kYawnsAfter = 54, kDozesAfter = 60, kFallsAsleep = 3;  // s without anybody there
 constexpr float kNothing = 3;              // chance of no other action, as in Actions.inc
 constexpr float kMinded = 2;               // s without another action after somebody minded it
 // Of the mean wetness: from here on it shakes itself, and again when it is so much wetter than a shake has left it; s that it bears it,
@@ -41,6 +41,7 @@ void BehaviourStage::follow(const Inputs& inputs) {
   random_ = Random(static_cast<std::uint64_t>(inputs.settings.seed), 17);
   asleep_ = squints_ = soaked_ = shakenAt_ = 0;
   shakesLeft_ = 0;
+  yawned_ = false;
   lively_ = lively(inputs) ? 1.0f : 0.0f;
   if (!can_.behaves()) return;
   actions_.push_back({Action::Stand, 0, 1, 0});
@@ -110,10 +111,22 @@ void BehaviourStage::decideToShake(const Inputs& inputs, float seconds) {
   asked_ = Action::Shake;
 }
 
+// Once, as it becomes sleepy.
+void BehaviourStage::decideToYawn(const Inputs& inputs) {
+  if (inputs.idleTime < kYawnsAfter) yawned_ = false;
+  else if (!yawned_ && action() == Action::Stand && !asked_ && can(Action::Yawn)) {
+    yawned_ = true;
+    asked_ = Action::Yawn;
+  }
+}
+
 void BehaviourStage::decide(const Inputs& inputs, float seconds) {
   PlayedAction& now = actions_.back();
   const ActionTraits& traits = traitsOf(now.action);
-  if (lively(inputs)) decideToShake(inputs, seconds);
+  if (lively(inputs)) {
+    decideToShake(inputs, seconds);
+    decideToYawn(inputs);
+  }
   now.stays -= seconds;
   if (asked_ && actions_.size() < kMostActions) {
     const Action action = *asked_;

@@ -81,6 +81,7 @@ class BehaviourStage {
   Action chosen();
   void decide(const Inputs& inputs, float seconds);
   void decideToShake(const Inputs& inputs, float seconds);
+  void decideToYawn(const Inputs& inputs);
   void advanceActions(float seconds);
   void feel(const Inputs& inputs, float seconds);
   void gesture(const Inputs& inputs, float seconds);
@@ -111,6 +112,7 @@ class BehaviourStage {
   float soaked_ = 0;         // s for which it has been wet enough to shake itself
   float shakenAt_ = 0;       // how wet the last shake has left it
   int shakesLeft_ = 0;
+  bool yawned_ = false;  // since somebody was there
   bool inCharge_ = false, quiet_ = true;
   std::uint64_t shapeFor_ = 0, revision_ = 0;
 };

@@ -209,6 +209,23 @@ TEST(Behaviour, LeftAloneItDozesAndWakesWhenSomebodyComes) {
   EXPECT_TRUE(zoo.step(1 / 60.0f));
 }
 
+TEST(Behaviour, YawnsOnceBeforeItDozes) {
+  Zoo zoo(Animal({"yawn"}));
+  int yawns = 0;
+  bool before = false;
+  for (int i = 0; i < 110 * 60; ++i) {
+    zoo.step(1 / 60.0f);
+    const bool now = zoo.behaviour.action() == Action::Yawn;
+    if (now && !before) {
+      ++yawns;
+      EXPECT_GT(zoo.idleTime, 50);
+    }
+    before = now;
+  }
+  EXPECT_EQ(yawns, 1);
+  EXPECT_FALSE(zoo.active());
+}
+
 TEST(Behaviour, TheExtentHoldsWhatItDoesNowAndNoMore) {
   Animal large;
   large.rig.scale = 1.5f;

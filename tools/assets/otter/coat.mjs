@@ -1,7 +1,9 @@
 // The coat of the otter: colours, lengths, types, the way it lies, whiskers and brows.
 import { hex, pictureOf } from '../paint.mjs';
 import { across, clamp, cross, length, mixed, scaled, smooth, unit } from '../vectors.mjs';
-import { ear, eye } from './shape.mjs';
+import { eyeColours, eyeOf, lidColour, onEye } from '../eyes.mjs';
+import { edgesAt } from './parts.mjs';
+import { ear, eye, nostril, overMouth } from './shape.mjs';
 
 const { abs, exp, hypot, sin } = Math;
 const blend = (a, b, t) => a.map((x, k) => mixed(x, b[k], clamp(t)));
@@ -11,14 +13,19 @@ const within = (p, c, r, inner = 0.6) => smooth(1, inner, away(p, c, r));
 
 // Type 1: long glossy guard hairs over an undercoat; type 2: the plush of face and feet.
 const plush = { density: 1, thickness: 0.24, lengthVariation: 0.15, clump: 0.2, lockSize: 0.15, curl: 0.05, taper: 0.5, furLength: 0.042, undercoat: 0.4, undercoatLength: 0.7,
-  rootColor: '#85776b', tipColor: '#c0b0a2', skinColor: '#6a5446', variance: 0.3, specular: 0.03, shininess: 40, stiffness: 0.9 };
+  rootColor: '#7f7165', tipColor: '#b7a697', skinColor: '#6a5446', variance: 0.3, specular: 0.03, shininess: 40, stiffness: 0.9 };
+/** Mist over a bank: light from its left, low, and from behind along its outline. */
+const setting = { backgroundTop: '#8fa9a6', backgroundBottom: '#ece5d8', keyColor: '#fff0da', lightYaw: -0.3, lightPitch: 0.62, lightIntensity: 1, fillLight: 0.08, rimLight: 0.9, rimColor: '#ffdfb0', ambient: 0.36, skyColor: '#e2eef2', groundColor: '#f4e6d0' };
 export const settings = {
+  ...setting,
   furLength: 0.042, density: 1, thickness: 0.24, lengthVariation: 0.3, curl: 0.06, taper: 0.6, repeat: 10, clump: 0.35, lockSize: 0.25, undercoat: 0.8, undercoatLength: 0.5,
-  rootColor: '#6c5d51', tipColor: '#bba999', skinColor: '#5a463a', variance: 0.4, specular: 0.06, shininess: 90, stiffness: 0.7, gravity: 0.1, clumpSize: 0.011, wetDarkening: 0.25,
+  rootColor: '#675748', tipColor: '#ab9884', skinColor: '#5a463a', variance: 0.4, specular: 0.06, shininess: 90, stiffness: 0.7, gravity: 0.1, clumpSize: 0.011, wetDarkening: 0.25,
   type2: 'own', ...Object.fromEntries(Object.entries(plush).map(([key, value]) => [`type2.${key}`, value])),
 };
 
-const dark = hex('#3a2415'), brown = hex('#55361f'), flank = hex('#6d4a2d'), belly = hex('#8f7252'), cream = hex('#b89c76'), lip = hex('#c4ab8a');
+const dark = hex('#2e1b10'), brown = hex('#48301d'), flank = hex('#5f4229'), belly = hex('#8f7454'), cream = hex('#c6ad88'), lip = hex('#d8c6a6');
+
+const frames = { 1: eyeOf(1, eye), [-1]: eyeOf(-1, eye) };
 
 /** 1 on the head, 0 on the body. */
 const onHead = (p) => smooth(1.7, 2.5, p[2] + 0.4 * (p[1] - 2));
@@ -37,17 +44,27 @@ function furColour({ position: p, normal: n }) {
   colour = blend(colour, dark, 0.8 * smooth(0.45, 0.15, p[1]) * legs);
   colour = blend(colour, dark, 0.6 * smooth(-3.5, -6, p[2]));
   // Throat and breast, up to a line below eye and ear.
-  const line = 2.73 + 0.06 * smooth(2.9, 3.4, p[2]) - 0.25 * smooth(2.5, 2, p[2]), throat = smooth(0.12, -0.1, p[1] - line + 0.03 * mottle(p)) * head;
+  const line = 2.76 + 0.06 * smooth(2.9, 3.4, p[2]) - 0.25 * smooth(2.5, 2, p[2]), throat = smooth(0.12, -0.1, p[1] - line + 0.03 * mottle(p)) * head;
   colour = blend(colour, cream, 0.9 * throat);
   colour = blend(colour, cream, 0.7 * smooth(0.7, 1.5, p[2]) * smooth(0.1, 0.7, n[2] - 0.3 * n[1]) * (1 - legs) * (1 - head));
-  colour = blend(colour, lip, 0.85 * within(p, [0.2, 2.66, 3.5], [0.3, 0.22, 0.3]));
+  colour = blend(colour, lip, 0.85 * within(p, [0.2, 2.63, 3.46], [0.36, 0.22, 0.34]));
   colour = blend(colour, dark, 0.55 * within(p, [0, 3.02, 3.35], [0.17, 0.2, 0.45], 0.3));
-  colour = blend(colour, dark, 0.85 * within(p, eye.at, [0.21, 0.19, 0.21], 0.7));
+  colour = blend(colour, dark, 0.85 * within(p, eye.at, [0.2, 0.18, 0.2], 0.7));
   return blend(colour, dark, 0.5 * within(p, ear, [0.22, 0.22, 0.22], 0.4));
 }
 
-const bareColours = { eye: hex('#20130c'), nose: hex('#1a1412'), mouth: hex('#2b1715'), claws: hex('#4a3a2e'), pads: hex('#33251f'), lids: hex('#24160d'), innerEar: hex('#46291c') };
-export const colourOf = (materials) => (place) => (materials[place.part] === 'fur' ? furColour(place) : bareColours[materials[place.part]]);
+const bareColours = { eye: hex('#20130c'), mouth: hex('#6b3a36'), claws: hex('#4a3a2e'), pads: hex('#33251f'), innerEar: hex('#140b07') };
+function lidShown(place) {
+  const at = onEye(frames[place.position[0] < 0 ? -1 : 1], place.position);
+  return lidColour(furColour(place), at, edgesAt(at[0]));
+}
+/** Leather: dark, with fine grain. */
+const noseColour = ({ position: [x, y, z] }) => blend(hex('#15100e'), hex('#2c2320'), 0.5 + 0.5 * sin(61 * x + 3 * sin(47 * y)) * sin(57 * y + 2 * sin(53 * z)) * sin(49 * z)).map((c) => c * (1 - 0.8 * nostril([x, y, z])));
+const bare = { nose: noseColour, lids: lidShown };
+export const colourOf = (materials) => (place) => {
+  const name = materials[place.part];
+  return name === 'fur' ? furColour(place) : bare[name]?.(place) ?? bareColours[name];
+};
 
 function furLength({ position: p }) {
   const head = onHead(p), legs = onLegs(p);
@@ -58,7 +75,9 @@ function furLength({ position: p }) {
   for (const [z, far] of [[1.42, 0.35], [-1.05, 0.45]]) share = mixed(share, 0.1, smooth(z, z + far, p[2]) * smooth(z + 1, z + far, p[2]) * legs);
   share = mixed(share, 0.2, within(p, [0, 2.78, 3.55], [0.55, 0.6, 0.75], 0.35));
   share = mixed(share, 0.14, within(p, ear, [0.28, 0.28, 0.28], 0.55));
-  return share * smooth(eye.radius * 1.22, eye.radius * 1.8, away(p, eye.at));
+  if (p[2] > 3.1) share *= mixed(0.45, 1, smooth(0.02, 0.12, abs(overMouth(p))));
+  // Short on the lids, and round them.
+  return share * mixed(0.35, 1, smooth(eye.radius * 1.2, eye.radius * 2.6, away(p, eye.at)));
 }
 const plushness = ({ position: p }) => Math.max(smooth(2, 3, p[2]) * smooth(1.9, 2.5, p[1]), smooth(0.8, 0.4, p[1]) * smooth(-2.35, -2, p[2]));
 /** Length, and how much there is of the types 2 to 4. */
@@ -91,9 +110,6 @@ export const comb = (place) => {
 };
 
 export const eyePicture = () => {
-  const size = 64, iris = hex('#2f1b10'), rim = hex('#0d0805');
-  return pictureOf(size, Array.from({ length: size * size }, (_, i) => {
-    const r = 2 * hypot((i % size + 0.5) / size - 0.5, (Math.floor(i / size) + 0.5) / size - 0.5);
-    return blend(blend([0.01, 0.008, 0.006], iris, smooth(0.36, 0.46, r)), rim, smooth(0.5, 0.74, r));
-  }));
+  const iris = hex('#3b2213'), rim = hex('#0d0805');
+  return pictureOf(64, eyeColours(64, (x, y) => blend(blend([0.01, 0.008, 0.006], blend(iris, hex('#5a3a20'), 0.7 * smooth(0.2, -0.7, y)), smooth(0.36, 0.44, hypot(x, y))), rim, smooth(0.56, 0.76, hypot(x, y)))));
 };

@@ -1,8 +1,9 @@
 // What the otter does. Whole-body animations begin and end on all fours, sitting up or on its back; layers begin and end at rest.
 import { animation, ease, laidDown, placed, planted, poseTimes, rotated, swell, together } from '../motion.mjs';
+import { lidTurns } from '../eyes.mjs';
 import { add, mixed } from '../vectors.mjs';
 import { rig } from './rig.mjs';
-import { tailLine } from './shape.mjs';
+import { eye, tailLine } from './shape.mjs';
 
 const { PI, cos, max, sin } = Math;
 const wave = (t, seconds, phase = 0) => sin(2 * PI * (t / seconds + phase));
@@ -52,6 +53,17 @@ function walk(t) {
 }
 const kWalk = 0.9;
 
+/** The mouth open by so many degrees. */
+const gape = (degrees) => ({ turn: { jaw: [degrees, 0, 0] } });
+
+const kYawn = 3;
+function yawn(t) {
+  const wide = ease(0.1, 1.3, t) * (1 - ease(1.9, 2.5, t)), back = ease(0, 1.2, t) * (1 - ease(1.9, 2.8, t)), smack = swell(t - 2.3, 0.6, 0.2) * (t > 2.3 ? 1 : 0);
+  return together(stand(0), gape(32 * wide + 6 * smack), shut(ease(0.4, 1.1, t) * (1 - ease(2.1, 2.8, t))), {
+    turn: { neck: [-5 * back, 0, 0], head: [-15 * back, 0, 3 * back], earL: [-14 * wide, 20 * wide, 0], earR: [-14 * wide, -20 * wide, 0], chest: [-1.5 * back, 0, 0], upperArmL: [1.5 * back, 0, 0], upperArmR: [1.5 * back, 0, 0] },
+  });
+}
+
 const kShake = 1.6, kBeats = 5.6;
 function shake(t) {
   const much = swell(t, kShake, 0.16, 0.45), total = (place, most) => most * much * sin(2 * PI * (kBeats * t - 0.62 * place));
@@ -70,7 +82,7 @@ function shake(t) {
     before = here;
   });
   for (const side of ['L', 'R']) turn[`ear${side}`] = [0, 0, total(-0.12, 30)];
-  const body = together({ move: { root: [0, -0.12 * much, 0] }, turn }, shut(ease(0.05, 0.2, t) * (1 - ease(1.2, 1.45, t))), poseTimes(stand(0), 1));
+  const body = together({ move: { root: [0, -0.12 * much, 0] }, turn }, gape(7 * much), shut(ease(0.05, 0.2, t) * (1 - ease(1.2, 1.45, t))), poseTimes(stand(0), 1));
   return onFeet(body);
 }
 
@@ -91,7 +103,7 @@ function sit(t) {
 const kGroom = 3.6;
 function groom(t) {
   const much = swell(t, kGroom, 0.5), rub = sin(2 * PI * 2.2 * (t - 0.45)), tilt = sin(2 * PI * 0.55 * (t - 0.45));
-  const body = together(sit(0), poseTimes({ turn: { chest: [6, 0, 0], neck: [8, 0, 0], head: [10 + 5 * rub, 6 * tilt, 9 * tilt] } }, much), shut(0.9 * much));
+  const body = together(sit(0), poseTimes({ turn: { chest: [6, 0, 0], neck: [8, 0, 0], head: [10 + 5 * rub, 6 * tilt, 9 * tilt] } }, much), gape((4 + 4 * sin(2 * PI * 2.2 * (t - 0.3))) * much), shut(0.9 * much));
   const all = placed(rig, body), head = all[rig.joint('head')];
   const rubbing = ['L', 'R'].reduce((pose, side, i) => {
     const own = sin(2 * PI * 2.2 * (t - 0.45) + (i ? 0.5 : 0)), out = i ? -1 : 1;
@@ -118,9 +130,8 @@ function swim(t) {
 
 // --- layers ---
 
-const lids = (upper, lower) => ({ turn: { lidUpperL: [upper, 0, 0], lidUpperR: [upper, 0, 0], lidLowerL: [-lower, 0, 0], lidLowerR: [-lower, 0, 0] } });
 /** 1: shut. */
-const shut = (share) => lids(66 * share, 26 * share);
+const shut = (share) => lidTurns(eye, 56 * share, 13 * share);
 const lean = (side) => (t) => poseTimes(together(
   { move: { root: [side * 0.14, -0.03, 0] }, turn: { hips: [0, 0, -side * 3], spine1: [0, side * 2, -side * 3], chest: [0, side * 4, -side * 3], neck: [3, side * 6, -side * 9], head: [-3, -side * 4, -side * 16] } },
   { turn: { thighL: [0, 0, -side * 4], thighR: [0, 0, -side * 4], upperArmL: [0, 0, side * 5], upperArmR: [0, 0, side * 5], earL: [0, side * 8, 0], earR: [0, side * 8, 0] } },
@@ -135,10 +146,10 @@ const sway = (t) => turns(tail, (i) => [0, (2 + 1.6 * i) * wave(t, 3, -0.11 * i)
 
 /** As motion.mjs makes them; the first is what plays by itself. */
 export const motions = () => [
-  animation(rig, 'stand', 6, stand, { loop: true, rate: 15 }), animation(rig, 'sit', 5, sit, { loop: true, rate: 15 }), animation(rig, 'groom', kGroom, groom),
+  animation(rig, 'stand', 6, stand, { loop: true, rate: 15 }), animation(rig, 'sit', 5, sit, { loop: true, rate: 15 }), animation(rig, 'groom', kGroom, groom), animation(rig, 'yawn', kYawn, yawn),
   animation(rig, 'shake', kShake, shake, { rate: 60, degrees: 1.2 }), animation(rig, 'walk', kWalk, walk, { loop: true }), animation(rig, 'swim', kSwim, swim, { loop: true, rate: 20 }),
   animation(rig, 'breathe', kBreath, breathe, { loop: true, degrees: 0.2, way: 0.003 }), animation(rig, 'blink', 0.3, (t) => shut(swell(t, 0.3, 0.1, 0.16)), { degrees: 3 }),
-  animation(rig, 'squint', 1.4, (t) => lids(38 * swell(t, 1.4, 0.2, 0.35), 13 * swell(t, 1.4, 0.2, 0.35))),
+  animation(rig, 'squint', 1.4, (t) => shut(0.55 * swell(t, 1.4, 0.2, 0.35))),
   animation(rig, 'earFlickL', 0.4, flick('L'), { rate: 60 }), animation(rig, 'earFlickR', 0.4, flick('R'), { rate: 60 }), animation(rig, 'tailSway', 3, sway, { loop: true, rate: 20 }),
   animation(rig, 'leanL', 2, lean(1)), animation(rig, 'leanR', 2, lean(-1)),
 ];

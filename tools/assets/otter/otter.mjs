@@ -1,18 +1,18 @@
 // The otter: { name, file(program) }.
-import { animalFile, sculpted } from '../animal.mjs';
+import { animalFile, materialsBy, sculpted, shut } from '../animal.mjs';
 import { boneWeights } from '../rig.mjs';
 import { squared } from '../vectors.mjs';
 import { colourOf, comb, eyePicture, groom, settings } from './coat.mjs';
 import { motions } from './motions.mjs';
 import { parts } from './parts.mjs';
 import { bones, rig } from './rig.mjs';
-import { box, earField, mouthField, noseField, padField, sizeAt, solid } from './shape.mjs';
+import { box, earField, jaw, noseField, padField, sizeAt } from './shape.mjs';
 import { whiskers } from './whiskers.mjs';
 
 const glossy = (roughness, more = {}) => ({ pbrMetallicRoughness: { metallicFactor: 0, roughnessFactor: roughness, baseColorTexture: { index: 0 } }, ...more });
 const materials = [
   { name: 'fur', furry: true }, { name: 'eye', json: { pbrMetallicRoughness: { metallicFactor: 0, roughnessFactor: 0.12, baseColorTexture: { index: 1, texCoord: 1 } } } },
-  { name: 'nose', json: glossy(0.35) }, { name: 'mouth', json: glossy(0.4) }, { name: 'claws', json: glossy(0.35) }, { name: 'pads', json: glossy(0.7) },
+  { name: 'nose', json: glossy(0.45) }, { name: 'mouth', json: glossy(0.4) }, { name: 'claws', json: glossy(0.35) }, { name: 'pads', json: glossy(0.7) },
   { name: 'lids', json: glossy(0.9) }, { name: 'innerEar', json: glossy(1) },
 ];
 const names = materials.map(({ name }) => name), numberOf = (name) => names.indexOf(name);
@@ -25,13 +25,12 @@ function weightsOf({ joint, root }, { positions, weights }) {
   return weights[nearest];
 }
 
-/** The body alone, which takes most of the time. */
+/** The body alone, which takes most of the time. It is sculpted with its mouth open, and then shut. */
 export function body() {
-  const mesh = sculpted({ at: solid, box, cell: 0.045, sizeAt, lines: [noseField, mouthField, earField, padField], rounds: 3 });
-  const material = (p) => (noseField(p) < 0 ? 'nose' : earField(p) < 0 ? 'innerEar' : mouthField(p) < 0 ? 'mouth' : padField(p) < 0 ? 'pads' : 'fur');
-  const middle = (cell) => [0, 1, 2].map((k) => (mesh.positions[cell[0]][k] + mesh.positions[cell[1]][k] + mesh.positions[cell[2]][k]) / 3);
+  const mesh = sculpted({ at: jaw.open, box, cell: 0.045, sizeAt, lines: [noseField, jaw.mouth, earField, padField], rounds: 3 });
+  const material = (p) => (noseField(p) < 0 ? 'nose' : earField(p) < 0 ? 'innerEar' : jaw.mouth(p) < 0 ? 'mouth' : padField(p) < 0 ? 'pads' : 'fur');
   const width = (p) => (p[2] > 3.1 ? 0.12 : p[1] < 0.6 && p[2] > -2.2 ? 0.12 : p[2] < -2.4 ? 0.3 : 0.4);
-  return { ...mesh, weights: boneWeights(mesh, rig, bones, width), materialOf: (cell) => numberOf(material(middle(cell))) };
+  return { ...shut(mesh, jaw), weights: boneWeights(mesh, rig, bones, width), materialOf: materialsBy(mesh, (p) => numberOf(material(p))) };
 }
 
 export const otter = {

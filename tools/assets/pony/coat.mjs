@@ -1,8 +1,9 @@
 // The pony's coat: a chestnut with a flaxen mane, darker legs, a pale muzzle and a blaze. Colours, lengths, types and how the hair lies.
-import { hex } from '../paint.mjs';
+import { hex, pictureOf } from '../paint.mjs';
 import { across, clamp, cross, far, length, mixed, scaled, smooth, sub, unit } from '../vectors.mjs';
-import { edges, onEye } from './eyes.mjs';
-import { eye, fields, headPlace, headTurn, inHead } from './shape.mjs';
+import { eyeColours, lidColour, onEye } from '../eyes.mjs';
+import { edges, frames } from './eyes.mjs';
+import { eye, fields, fromLips, headPlace, headTurn, inHead } from './shape.mjs';
 
 const { abs, exp, hypot, sign, sin } = Math;
 const blend = (a, b, t) => a.map((x, k) => mixed(x, b[k], clamp(t)));
@@ -62,33 +63,29 @@ function furColour({ position: p, normal: n }) {
   if (p[2] < 5.2 || p[1] < 8.4) return colour;
   const h = inHead(p), muzzle = smooth(2.75, 3.5, h[2] + 0.25 * (h[1] + 0.5)), eyeFar = far([abs(h[0]), h[1], h[2]], eye.at);
   colour = blend(colour, mealy, 0.8 * muzzle);
-  colour = blend(colour, shade, 0.75 * smooth(0.12, 0.02, fields.nose(p)) + 0.5 * smooth(0.06, 0.01, fields.mouth(p)));
-  colour = blend(colour, mealy, 0.22 * smooth(0.62, 0.42, eyeFar));
-  colour = blend(colour, shade, 0.7 * smooth(0.4, 0.3, eyeFar));
+  colour = blend(colour, shade, 0.75 * smooth(0.12, 0.02, fields.nose(p)) + 0.5 * smooth(0.09, 0.04, fromLips(p)));
+  colour = blend(colour, mealy, 0.1 * smooth(0.62, 0.42, eyeFar));
+  colour = blend(colour, shade, 0.5 * smooth(0.44, 0.33, eyeFar));
   if (p[1] > 12.7) colour = blend(colour, dark, 0.5 * smooth(13.2, 13.9, p[1]));                     // tips of the ears
   return blend(colour, white, blaze(h));
 }
 
-function eyeColour({ position: p }) {
-  const [t, f] = onEye(sign(p[0]) || 1, p), iris = hex('#27130a'), rim = hex('#160a05'), pupil = hex('#050303'), whites = hex('#2a1a12');
-  const r = hypot(t, f) / 44;
-  let colour = blend(iris, hex('#4a2812'), smooth(0.2, -0.9, f / 40));
-  colour = blend(colour, rim, smooth(0.72, 0.98, r));
-  colour = blend(colour, pupil, smooth(1.1, 0.85, hypot(t / 24, f / 13)));
-  return blend(colour, whites, smooth(1, 1.08, r));
+function lidShown(place) {
+  const at = onEye(frames[sign(place.position[0]) || 1], place.position);
+  return lidColour(furColour(place), at, [edges.upper(at[0]), edges.lower(at[0])]);
 }
 
-/** Dark along the edge, brown as the coat farther off. */
-function lidColour({ position: p }) {
-  const [t, f] = onEye(sign(p[0]) || 1, p), off = Math.min(abs(f - edges.upper(t)), abs(f - edges.lower(t)));
-  return blend(hex('#1a100c'), hex('#4a2a18'), smooth(5, 20, off));
-}
+/** A brown iris about a pupil that lies, as grazers have it. */
+export const eyePicture = () => {
+  const iris = hex('#27130a'), rim = hex('#160a05'), pupil = hex('#050303');
+  return pictureOf(64, eyeColours(64, (x, y) => blend(blend(blend(iris, hex('#4a2812'), smooth(0.2, -0.6, y)), rim, smooth(0.5, 0.7, hypot(x, y))), pupil, smooth(1.1, 0.85, hypot(x / 0.41, y / 0.22)))));
+};
 
 function hoofColour({ position: [x, y, z] }) {
   return blend(blend(hex('#2c2622'), hex('#40362e'), 0.5 + 0.5 * sin(26 * y + 0.7 * sin(5 * (x + z)))), hex('#6a5c4e'), 0.35 * smooth(0.6, 0.75, y) + 0.25 * smooth(0.12, 0, y));
 }
 
-const bare = { eye: eyeColour, hooves: hoofColour, nose: () => hex('#241714'), mouth: () => hex('#22120f'), lids: lidColour, innerEar: () => hex('#5a3d2e') };
+const bare = { eye: () => hex('#27130a'), hooves: hoofColour, nose: () => hex('#241714'), mouth: () => hex('#6b403b'), lids: lidShown, innerEar: () => hex('#5a3d2e') };
 export const colourOf = (materials) => (place) => (bare[materials[place.part]] ?? furColour)(place);
 
 // --- lengths and types ---
@@ -111,7 +108,7 @@ function furLength(place) {
   share *= 1 - 0.5 * underHair(p);
   if (p[2] < 5.2 || p[1] < 8.4) return clamp(share * 0.76);
   const h = inHead(p), eyeFar = far([abs(h[0]), h[1], h[2]], eye.at);
-  share *= mixed(1, 0.32, smooth(2.4, 3.5, h[2])) * smooth(0.27, 0.55, eyeFar) ** 0.6;
+  share *= mixed(1, 0.32, smooth(2.4, 3.5, h[2])) * mixed(0.16, 1, smooth(0.35, 0.55, eyeFar)) * mixed(0.45, 1, smooth(0.04, 0.22, fromLips(p)));  // short round the eyes and on the lips
   share *= mixed(1, 0.5, smooth(12.7, 13.3, p[1]));
   return clamp(share * 0.76);
 }

@@ -1,10 +1,10 @@
 // The bodies of which the pony's mesh consists, with materials and weights.
-import { sculpted } from '../animal.mjs';
+import { materialsBy, sculpted, shut } from '../animal.mjs';
 import { bones, rig, spread } from './rig.mjs';
-import { eyeball, lid } from './eyes.mjs';
-import { eye, fields, headPlace, inHead, ponyAt } from './shape.mjs';
+import { eyeballOf, lidOf } from './eyes.mjs';
+import { eye, fields, headPlace, inHead, jaw } from './shape.mjs';
 import { boneWeights } from '../rig.mjs';
-import { far, mixed, scaled, add, smooth } from '../vectors.mjs';
+import { far, mixed, smooth } from '../vectors.mjs';
 
 export const materials = ['fur', 'eye', 'nose', 'mouth', 'hooves', 'lids', 'innerEar'];
 const numberOf = (name) => materials.indexOf(name);
@@ -26,11 +26,9 @@ export function sizeAt(place) {
 }
 
 function skin() {
-  const mesh = sculpted({ at: ponyAt, box: [[-2.9, -0.3, -6.6], [2.9, 14.6, 10]], cell: 0.075, sizeAt, lines: Object.values(fields) });
-  const middle = (cell) => scaled(cell.reduce((sum, v) => add(sum, mesh.positions[v]), [0, 0, 0]), 1 / 3);
+  const mesh = sculpted({ at: jaw.open, box: [[-2.9, -0.3, -6.6], [2.9, 14.6, 10]], cell: 0.075, sizeAt, lines: Object.values(fields) });
   const bare = Object.entries(fields).map(([name, field]) => [numberOf(name), field]);
-  const materialOf = (cell) => bare.find(([, field]) => field(middle(cell)) < 0)?.[0] ?? 0;
-  return { ...mesh, materialOf, weights: boneWeights(mesh, rig, bones, spread) };
+  return { ...shut(mesh, jaw), materialOf: materialsBy(mesh, (p) => bare.find(([, field]) => field(p) < 0)?.[0] ?? 0), weights: boneWeights(mesh, rig, bones, spread) };
 }
 
 const stiff = (body, material, joint) => ({ ...body, materialOf: () => numberOf(material), weights: body.positions.map(() => [[rig.joint(joint), 1]]) });
@@ -38,6 +36,6 @@ const stiff = (body, material, joint) => ({ ...body, materialOf: () => numberOf(
 export const ponyBodies = () => [
   skin(),
   ...[['L', 1], ['R', -1]].flatMap(([name, side]) => [
-    stiff(eyeball(side), 'eye', `eye${name}`), stiff(lid(side, 'upper'), 'lids', `lidUpper${name}`), stiff(lid(side, 'lower'), 'lids', `lidLower${name}`),
+    stiff(eyeballOf(side), 'eye', `eye${name}`), stiff(lidOf(side, 'upper'), 'lids', `lidUpper${name}`), stiff(lidOf(side, 'lower'), 'lids', `lidLower${name}`),
   ]),
 ];

@@ -1,7 +1,7 @@
 // The pony's animations. Whole-body ones, and layers that are added to them: those begin and end at rest.
 import { animation, ease, placed, planted, swell, together } from '../motion.mjs';
-import { cross } from '../vectors.mjs';
-import { eyeOf } from './eyes.mjs';
+import { lidTurns } from '../eyes.mjs';
+import { eye } from './eyes.mjs';
 import { rig } from './rig.mjs';
 
 const { PI, cos, max, min, sin } = Math;
@@ -78,7 +78,7 @@ function toss(t, seconds) {
   const dip = ease(0, 0.35, t) * (1 - ease(0.35, 0.75, t)), up = ease(0.35, 0.75, t) * (1 - ease(1.3, seconds - 0.1, t)), shake = swell(t, seconds, 0.6, 0.7) * sin(turns(2.2 * t));
   const pose = {
     move: { root: [0, -0.1 * dip + 0.03 * up, 0.08 * up] },
-    turn: { neck1: [16 * dip - 15 * up, 2 * shake, 0], neck: [14 * dip - 14 * up, 7 * shake, 0], head: [10 * dip - 12 * up, 9 * shake, 9 * shake], earL: [-8 * up, 0, 14 * up], earR: [-8 * up, 0, -14 * up], chest: [1.5 * dip - 1.5 * up, 0, 0], tail1: [10 * up, 6 * shake, 0] },
+    turn: { neck1: [16 * dip - 15 * up, 2 * shake, 0], neck: [14 * dip - 14 * up, 7 * shake, 0], head: [10 * dip - 12 * up, 9 * shake, 9 * shake], jaw: [13 * up * (0.7 + 0.3 * cos(turns(3 * t))), 0, 0], earL: [-8 * up, 0, 14 * up], earR: [-8 * up, 0, -14 * up], chest: [1.5 * dip - 1.5 * up, 0, 0], tail1: [10 * up, 6 * shake, 0] },
   };
   return standing(pose);
 }
@@ -103,7 +103,7 @@ function canter(t, seconds) {
   const radians = (pitch * PI) / 180, high = 7.4;
   return standing({
     move: { root: [0, -0.15 + rise + high * (1 - cos(radians)), -high * sin(radians)] },
-    turn: { root: [pitch, 0, 0], hips: [2.5 * sin(a), 0, 0], spine1: [-2 * sin(a), 0, 0], spine2: [-2 * sin(a + 0.2), 0, 0], neck1: [5 - 4 * cos(a + 0.8), 0, 0], neck: [2 - 3.5 * cos(a + 0.5), 0, 0], head: [-3 + 4.5 * cos(a + 0.2), 0, 0], tail1: [16 + 8 * sin(a), 0, 0], tail2: [-4 + 8 * sin(a - 0.8), 0, 0], tail3: [6 * sin(a - 1.6), 0, 0], earL: [-6, 0, 3], earR: [-6, 0, -3] },
+    turn: { root: [pitch, 0, 0], hips: [2.5 * sin(a), 0, 0], spine1: [-2 * sin(a), 0, 0], spine2: [-2 * sin(a + 0.2), 0, 0], neck1: [5 - 4 * cos(a + 0.8), 0, 0], neck: [2 - 3.5 * cos(a + 0.5), 0, 0], head: [-3 + 4.5 * cos(a + 0.2), 0, 0], jaw: [3 - 3 * cos(a), 0, 0], tail1: [16 + 8 * sin(a), 0, 0], tail2: [-4 + 8 * sin(a - 0.8), 0, 0], tail3: [6 * sin(a - 1.6), 0, 0], earL: [-6, 0, 3], earR: [-6, 0, -3] },
   }, feet);
 }
 
@@ -114,7 +114,7 @@ function shake(t, seconds) {
   return standing({
     move: { root: [wave(0.15, 0.05), -0.22 * low, 0] },
     turn: {
-      head: [6 * low, wave(0, 6), wave(0, 20)], neck: [8 * low, wave(0.05, 5), wave(0.04, 9)], neck1: [9 * low, wave(0.1, 3), wave(0.08, 5)], chest: [0, 0, wave(0.14, 3.4)], spine2: [0, 0, wave(0.18, -1)], spine1: [0, 0, wave(0.24, 1.5)],
+      head: [6 * low, wave(0, 6), wave(0, 20)], jaw: [6 * low + wave(0.05, 4), 0, 0], neck: [8 * low, wave(0.05, 5), wave(0.04, 9)], neck1: [9 * low, wave(0.1, 3), wave(0.08, 5)], chest: [0, 0, wave(0.14, 3.4)], spine2: [0, 0, wave(0.18, -1)], spine1: [0, 0, wave(0.24, 1.5)],
       hips: [0, 0, wave(0.3, 3)], tail1: [0, wave(0.36, 9), 0], tail2: [0, wave(0.42, 12), 0], tail3: [0, wave(0.45, 12), 0], earL: [0, wave(0.02, 25), 14 * low], earR: [0, wave(0.02, 25), -14 * low],
     },
   }, Object.fromEntries(legs.map(({ name, isFore }) => [name, { forward: 0.12 * low * (isFore ? 1 : -1), up: 0, pitch: 0, load: 1 }])));
@@ -125,23 +125,6 @@ function shake(t, seconds) {
 const breathe = (t, seconds) => {
   const s = 0.5 - 0.5 * cos(turns(t / seconds));
   return { move: { spine2: [0, 0.035 * s, 0], chest: [0, -0.035 * s, 0.01 * s] }, turn: { neck1: [-0.5 * s, 0, 0], head: [0.4 * s, 0, 0] } };
-};
-
-/** A turn by `degrees` about a unit axis, as a pose has turns. */
-function about([x, y, z], degrees) {
-  const c = cos((degrees * PI) / 180), s = sin((degrees * PI) / 180), k = 1 - c;
-  // R = yaw pitch roll: its third column and its second row.
-  const pitch = Math.asin(-max(-1, min(1, k * y * z - s * x))), yaw = Math.atan2(k * x * z + s * y, k * z * z + c), roll = Math.atan2(k * x * y + s * z, k * y * y + c);
-  return [pitch, yaw, roll].map((angle) => (angle * 180) / PI);
-}
-/** Lids close by so many degrees, about the line from one corner of the eye to the other. */
-const lidTurns = (upper, lower) => {
-  const turn = {};
-  for (const [name, side] of [['L', 1], ['R', -1]]) {
-    const { gaze, up } = eyeOf(side), axis = cross(up, gaze);
-    turn[`lidUpper${name}`] = about(axis, upper), turn[`lidLower${name}`] = about(axis, -lower);
-  }
-  return { turn };
 };
 
 const flick = (ear, side) => (t, seconds) => {
@@ -165,7 +148,7 @@ export const animations = () => {
   const of = (name, seconds, at, options) => animation(rig, name, seconds, (t) => at(t, seconds), options), loop = { loop: true };
   return [
     of('stand', 8, stand, loop), of('toss', 2.4, toss), of('walk', 1.3, walk, loop), of('canter', 0.62, canter, loop), of('shake', 2.4, shake),
-    of('breathe', 3.6, breathe, loop), of('blink', 0.34, (t, seconds) => { const s = swell(t, seconds, 0.12, 0.2); return lidTurns(50 * s, 6 * s); }), of('squint', 1.6, (t, seconds) => { const s = swell(t, seconds, 0.25, 0.5); return lidTurns(24 * s, 8 * s); }),
+    of('breathe', 3.6, breathe, loop), of('blink', 0.34, (t, seconds) => { const s = swell(t, seconds, 0.12, 0.2); return lidTurns(eye, 50 * s, 6 * s); }), of('squint', 1.6, (t, seconds) => { const s = swell(t, seconds, 0.25, 0.5); return lidTurns(eye, 24 * s, 8 * s); }),
     of('earFlickL', 0.7, flick('earL', 1)), of('earFlickR', 0.7, flick('earR', -1)), of('tailSway', 4.2, tailSway, loop), of('leanL', 3, lean(1)), of('leanR', 3, lean(-1)),
   ];
 };

@@ -1,6 +1,6 @@
 // The pony: { name, file(program) }.
 import { animalFile } from '../animal.mjs';
-import { colourOf, comb, groom, settings } from './coat.mjs';
+import { colourOf, comb, eyePicture, groom, settings } from './coat.mjs';
 import { hair } from './hair.mjs';
 import { materials as names, ponyBodies } from './mesh.mjs';
 import { animations } from './motion.mjs';
@@ -8,12 +8,12 @@ import { rig } from './rig.mjs';
 
 const roughness = { eye: 0.08, nose: 0.55, mouth: 0.75, hooves: 0.62, lids: 0.45, innerEar: 0.8 };
 const materials = names.map((name) => ({
-  name, furry: name === 'fur', json: { pbrMetallicRoughness: { metallicFactor: 0, roughnessFactor: roughness[name] ?? 0.8, baseColorTexture: { index: 0 } }, ...(name === 'lids' && { doubleSided: true }) },
+  name, furry: name === 'fur', json: { pbrMetallicRoughness: { metallicFactor: 0, roughnessFactor: roughness[name] ?? 0.8, baseColorTexture: name === 'eye' ? { index: 1, texCoord: 1 } : { index: 0 } }, ...(name === 'lids' && { doubleSided: true }) },
 }));
 
 export const pony = {
   name: 'pony',
   file: (program) => animalFile(program, {
-    name: 'pony', rig, materials, bodies: ponyBodies(), colour: colourOf(names), groom, comb, hair, animations: animations(), state: { settings, camera: { yaw: -0.68, pitch: 0.09, distance: 2.85, target: [0, 0.02, 0] } }, colourSize: 768,
+    name: 'pony', rig, materials, bodies: ponyBodies(), colour: colourOf(names), groom, comb, hair, animations: animations(), state: { settings, camera: { yaw: -0.68, pitch: 0.09, distance: 2.85, target: [0, 0.02, 0] } }, pictures: [eyePicture()], colourSize: 768,
   }),
 };

@@ -1,5 +1,5 @@
 // The pony's joints, and which part of the skin goes with which. Joints at x > 0 are those of its left side.
-import { ear, eye, headPlace } from './shape.mjs';
+import { ear, eye, headPlace, jaw } from './shape.mjs';
 import { sides, skeleton } from '../rig.mjs';
 import { smooth } from '../vectors.mjs';
 
@@ -8,7 +8,7 @@ export const tailAt = [[0, 9.05, -4.9], [0, 8.45, -5.6], [0, 7.55, -5.8], [0, 6.
 
 export const rig = skeleton([
   ['root', null, [0, 0, 0]], ['hips', 'root', [0, 8.3, -3.5]], ['spine1', 'hips', [0, 8.5, -1.9]], ['spine2', 'spine1', [0, 8.4, -0.3]], ['chest', 'spine2', [0, 8.3, 1.4]],
-  ['neck1', 'chest', [0, 8.6, 3.0]], ['neck', 'neck1', [0, 10.5, 4.2]], ['head', 'neck', [0, 12.1, 5.5]], ['jaw', 'head', headPlace([0, -1.0, 0.9])],
+  ['neck1', 'chest', [0, 8.6, 3.0]], ['neck', 'neck1', [0, 10.5, 4.2]], ['head', 'neck', [0, 12.1, 5.5]], ['jaw', 'head', jaw.hinge],
   ...sides([
     ['ear', 'head', ear.base], ['eye', 'head', eyeAt], ['lidUpper', 'head', eyeAt], ['lidLower', 'head', eyeAt],
     ['upperArm', 'chest', [1.15, 7.0, 3.8]], ['foreArm', '+upperArm', [1.28, 5.5, 2.95]], ['cannonF', '+foreArm', [1.13, 2.95, 3.12]], ['hand', '+cannonF', [1.1, 1.2, 3.1]],
@@ -29,7 +29,7 @@ const left = (name) => place(`${name}L`);
 export const bones = [
   line('hips', [0, 7.9, -4.6], [0, 7.7, -2.8], 2.0), line('spine1', [0, 7.4, -1.9], [0, 7.3, -0.9], 2.4), line('spine2', [0, 7.2, -0.2], [0, 7.2, 0.8], 2.4),
   line('chest', [0, 7.4, 1.6], [0, 7.6, 3.2], 2.1), line('neck1', [0, 8.4, 3.4], [0, 9.9, 4.2], 1.45, 1.3), line('neck', place('neck'), [0, 11.6, 5.1], 1.2, 1.0),
-  line('head', headPlace([0, -0.6, 0.4]), headPlace([0, -0.4, 3.8]), 0.95, 0.6), line('jaw', headPlace([0, -1.5, 1.6]), headPlace([0, -1.3, 3.6]), 0.3, 0.25),
+  { ...line('head', headPlace([0, -0.6, 0.4]), headPlace([0, -0.4, 3.8]), 0.95, 0.6), only: (p) => !jaw.onJaw(p) }, { ...line('jaw', jaw.hinge, headPlace([0, -1.3, 3.7]), 0.4), only: jaw.onJaw },
   line('tail1', [0, 8.9, -5.1], tailAt[1], 0.42), line('tail2', tailAt[1], tailAt[2], 0.34), line('tail3', tailAt[2], tailAt[3], 0.3),
   ...both([
     ['ear', ear.base, ear.tip, 0.36, 0.2],

@@ -4,7 +4,8 @@
 // Proportions after the rules that judges of ponies use: the head is 0.4 of the height, the chest over half of it deep, the body
 // a little longer than high, forelegs straight under the withers, points of hock straight under the buttocks.
 import { fromBox, limbAlong, loft } from '../lofts.mjs';
-import { ball, both, egg, groove, limb, mirrored, union, without } from '../sculpt.mjs';
+import { jawed } from '../jaws.mjs';
+import { ball, both, egg, limb, mirrored, union, without } from '../sculpt.mjs';
 import { add, dot, scaled, sub, unit } from '../vectors.mjs';
 
 const { hypot, max } = Math;
@@ -109,8 +110,11 @@ export const eye = { at: [0.585, -0.27, 1.38], radius: 0.3, gaze: unit([0.88, 0.
 const nostril = limbAlong([[0.33, -0.34, 3.46, 0.05], [0.4, -0.42, 3.62, 0.09], [0.41, -0.55, 3.72, 0.1], [0.36, -0.64, 3.68, 0.05]]);
 const wing = limbAlong([[0.27, -0.32, 3.4, 0.17], [0.33, -0.3, 3.62, 0.13], [0.31, -0.42, 3.84, 0.11], [0.3, -0.6, 3.86, 0.1]]);
 
+// The line of the mouth: how far above it a place is, and how far before its corners.
+const corners = 3.14;
+const overMouth = ([, v, u]) => v + 0.97 + 0.1 * (u - 3.9);
 /** How far from where the lips meet. */
-const mouthLine = (p) => hypot(p[1] + 0.97 + 0.1 * (p[2] - 3.9), max(0, 3.12 - p[2]));
+export const fromLips = (p) => hypot(overMouth(inHead(p)), max(0, corners - inHead(p)[2]));
 
 function head(place) {
   const p = inHead(place);
@@ -125,7 +129,6 @@ function head(place) {
   d = union(d, wing(p), 0.15);                                                                // nostrils
   d = union(d, egg(p, [0, -1.1, 3.5], [0.31, 0.2, 0.4]), 0.14);                               // lower lip, chin
   d = without(d, nostril(p), 0.06);
-  if (p[2] > 2.7) d += groove(mouthLine(p), 0.05, 0.05);
   d = without(d, ball(p, eye.at, eye.radius * 0.86), 0.12);                                   // the eyeball fills it
   return d * headSize;
 }
@@ -153,7 +156,7 @@ export const fields = {
   hooves: onBothSides((p) => (p[1] > 1.3 ? 1 : hairline(p, p[2] > 0 ? hoofAt.fore : hoofAt.hind))),
   innerEar: onBothSides((p) => (p[1] < 12 ? 1 : max(earPatch([p[0], p[1], 0]), ear.base[2] + 0.22 * (p[1] - ear.base[1]) - 0.06 - p[2]))),
   nose: onBothSides((p) => (p[1] > 11.5 || p[2] < 7 ? 1 : headSize * (nostril(inHead(p)) - 0.03))),
-  mouth: onBothSides((p) => (p[1] > 11.5 || p[2] < 7 ? 1 : headSize * (mouthLine(inHead(p)) - 0.028))),
+  mouth: (p) => (p[1] > 11.5 || p[2] < 7 ? 1 : jaw.mouth(p)),
 };
 
 const boxes = { head: [[0, 8, 4.6], [1.3, 13.6, 10]], ears: [[0.1, 12, 5.4], [1.2, 14.4, 7.2]], fore: [[0.4, 0, 2.2], [2.2, 6.8, 4.4]], hind: [[0.4, 0, -5.8], [2.2, 6.8, -2.2]], tail: [[0, 6.7, -6.2], [0.6, 9.9, -3.8]] };
@@ -169,3 +172,8 @@ function half(p) {
   return joined(p, d, boxes.hind, (q) => union(hindleg(q), hoof(q, hoofAt.hind), 0.06), 0.7);
 }
 export const ponyAt = mirrored(half, 0.01);
+/** The same with its mouth open, as it is sculpted. */
+export const jaw = jawed(ponyAt, {
+  front: mirrored(head, 0.01), over: (p) => headSize * overMouth(inHead(p)), ahead: (p) => { if (p[1] < 8 || p[2] < 6.6) return -9; const [, v, u] = inHead(p); return headSize * Math.min(u - corners, v + 3.5); }, hinge: headPlace([0, -0.9, corners]), degrees: 16, soft: 0.18, lip: 0.05,
+  tongue: (p) => headSize * egg(inHead(p), [0, -0.96, 3.45], [0.2, 0.09, 0.3]), palate: (p) => headSize * egg(inHead(p), [0, -0.94, 3.45], [0.26, 0.13, 0.32]),
+});
