@@ -55,7 +55,7 @@ void main() {
   vLight = inFrame(skin, light.xyz);
   vView = vec4(inFrame(skin, toEye / distance), furShadowAt(lightSpace(p)));
 #ifdef TYPES
-  typeShares = presences(textureLod(groom, uvAtlas.zw, 0.0).gba);
+  showShares(presences(textureLod(groom, uvAtlas.zw, 0.0).gba));
 #endif
   LightOfShell lit = lightOfShell(vLight, vView.xyz, h, vView.w, dot(skin.normal, up.xyz));
   vAround = lit.around;

@@ -15,8 +15,8 @@ LightOfShell lightOfShell(vec3 L, vec3 V, float h, float lit, float upness) {
 #ifndef MARSCHNER
   light.around.rgb += keyLight.rgb * (1.6 * lit * rimLight(dot(L, V), V.z, h));
 #endif
-  float edge = rimLight(-1.0, V.z, h), dry = max(ofType(typeDryShininess), 1.0);
-  light.glint = vec3(ofType(typeSpecular) * glossShare(L.z) * sqrt(dry / ofType(typeShininess)), edge * edge, upness);
+  float edge = rimLight(-1.0, V.z, h), dry = max(dryShininessShown(), 1.0);
+  light.glint = vec3(specularShown() * glossShare(L.z) * sqrt(dry / shininessShown()), edge * edge, upness);
   return light;
 }
 
@@ -27,9 +27,9 @@ float clumpDisplacement(float h, float rho) { return clumpProfile(h, clumpShape,
 // Silva Eq. 2, 3 and 5: occ wet (K_color max(0, L.n) + K_s I_s), with n the surface's normal. `key`: what arrives of the light
 // that they know; `around`: the sky, which they do not.
 vec3 printedLight(vec3 albedo, vec3 key, vec3 around, float nDotL, float cosine, float h, float rho) {
-  float exponent = mix(ofType(typeDryShininess), ofType(typeShininess), rho);
-  vec3 color = albedo * (key * max(nDotL, 0.0) + around) + key * (ofType(typeSpecular) * kajiyaPower(cosine, exponent));
-  return color * (1.0 + ofType(typeOcclusion) * (h - 1.0)) * (1.0 - wetDarkening * rho);
+  float exponent = mix(dryShininessShown(), shininessShown(), rho);
+  vec3 color = albedo * (key * max(nDotL, 0.0) + around) + key * (specularShown() * kajiyaPower(cosine, exponent));
+  return color * (1.0 + occlusionShown() * (h - 1.0)) * (1.0 - wetDarkening * rho);
 }
 #endif
 
@@ -41,13 +41,13 @@ vec3 printedLight(vec3 albedo, vec3 key, vec3 around, float nDotL, float cosine,
 vec3 dryLight(LightOfShell light, vec3 albedo, vec2 along, vec2 normal, float h, float strand) {
   vec2 across = sqrt(max(vec2(0.0), 1.0 - along * along)), diffuse = mix(across, max(normal, 0.0), lambert), shifts = lobeShifts(strand);
   vec2 cosines = (across.x * across.y - along.x * along.y) * (1.0 - 0.5 * shifts * shifts) + (along.x * across.y + along.y * across.x) * shifts;
-  vec2 lobes = max(vec2(0.0), 1.0 - vec2(0.125, 0.0625) * max(ofType(typeDryShininess), 1.0) * (1.0 - cosines));
+  vec2 lobes = max(vec2(0.0), 1.0 - vec2(0.125, 0.0625) * max(dryShininessShown(), 1.0) * (1.0 - cosines));
   lobes *= lobes;
   lobes *= lobes;
   lobes *= lobes * light.glint.x;
   vec3 key = keyLight.rgb * light.around.w, rim = backLight.rgb * light.glint.y;
   vec3 color = albedo * (key * (diffuse.x + lobes.y) + light.around.rgb + rim + fillLight * diffuse.y) + key * (0.7 * lobes.x) + 0.3 * rim;
-  return color * (1.0 + ofType(typeOcclusion) * (h - 1.0));
+  return color * (1.0 + occlusionShown() * (h - 1.0));
 }
 #endif
 
@@ -66,8 +66,8 @@ vec3 litStrand(LightOfShell light, vec3 albedo, vec3 T, vec3 L, vec3 V, float h,
   albedo = wetAlbedo(albedo, rho);
 #endif
   StrandLight lights = StrandLight(keyLight.rgb * light.around.w, vec3(0.0), backLight.rgb * light.glint.y, light.around.rgb);
-  float exponent = max(mix(ofType(typeDryShininess), ofType(typeShininess), rho), 1.0);
-  vec3 color = shadeStrand(lights, albedo, along, normal, dot(L, V), h, rho, strand, exponent, ofType(typeSpecular) * glossShare(L.z));
+  float exponent = max(mix(dryShininessShown(), shininessShown(), rho), 1.0);
+  vec3 color = shadeStrand(lights, albedo, along, normal, dot(L, V), h, rho, strand, exponent, specularShown() * glossShare(L.z));
 #ifdef WET
   color = clumpLight(color, T, clumpNormal(outward, sheet), L, V, h, held, sheet, lit, upness, strand);
 #endif

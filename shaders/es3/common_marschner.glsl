@@ -9,7 +9,7 @@ vec3 marschnerStrand(vec3 albedo, vec2 along, vec2 across, float lightDotView, f
   vec3 lobes = m.rgb;
 #ifdef WET
   // A power of a normal distribution is a narrower one: wet strands are smoother.
-  float sharpen = exponent / max(ofType(typeDryShininess), 1.0);
+  float sharpen = exponent / max(dryShininessShown(), 1.0);
   lobes = pow(lobes, vec3(sharpen)) * sqrt(sharpen);
 #endif
   float cosPhi = (lightDotView - along.x * along.y) * inversesqrt(max(across.x * across.x * across.y * across.y, 1e-6));

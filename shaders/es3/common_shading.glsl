@@ -1,12 +1,42 @@
 #include "shared/Light.h"
 // Light on strands and skin, in the surface's own frame: x along s, y along t, z along the normal.
 
-// One of the coat's values that each fur type has, of what is shown.
+// The coat's values that each fur type has, of what is shown: mixed once, as a software rasteriser takes as long for each member of a
+// block as for four products, and by loops of one step, over which it jumps, unlike over an if.
 #ifdef TYPES
-vec4 typeShares = vec4(1.0, 0.0, 0.0, 0.0);  // of the types in it
-float ofType(vec4 values) { return dot(typeShares, values); }
+vec4 typeShares;  // of the types in it
+vec4 shownShade;  // density, shadow, occlusion, specular
+vec3 shownGloss;  // shininess, dry shininess, variance
+vec3 shownRoot, shownTip;
+#define FUR_SHOW(type, share) \
+  for (int i = 0, once = int(share > 0.0); i < once; ++i) { \
+    shownShade += share * vec4(typeDensity[type], typeShadow[type], typeOcclusion[type], typeSpecular[type]); \
+    shownGloss += share * vec3(typeShininess[type], typeDryShininess[type], typeVariance[type]); \
+    shownRoot += share * rootColors[type].rgb; \
+    shownTip += share * tipColors[type].rgb; \
+  }
+void showShares(vec4 shares) {
+  typeShares = shares;
+  shownShade = vec4(0.0);
+  shownGloss = shownRoot = shownTip = vec3(0.0);
+  FUR_SHOW(0, shares.x)
+  FUR_SHOW(1, shares.y)
+  FUR_SHOW(2, shares.z)
+  FUR_SHOW(3, shares.w)
+}
+float densityShown() { return shownShade.x; }
+float shadowShown() { return shownShade.y; }
+float occlusionShown() { return shownShade.z; }
+float specularShown() { return shownShade.w; }
+float shininessShown() { return shownGloss.x; }
+float dryShininessShown() { return shownGloss.y; }
 #else
-float ofType(vec4 values) { return values.x; }
+float densityShown() { return typeDensity.x; }
+float shadowShown() { return typeShadow.x; }
+float occlusionShown() { return typeOcclusion.x; }
+float specularShown() { return typeSpecular.x; }
+float shininessShown() { return typeShininess.x; }
+float dryShininessShown() { return typeDryShininess.x; }
 #endif
 
 // Linear to sRGB within 0.0015 without a power: a fit over square roots (I. Taylor 2009,
@@ -45,18 +75,32 @@ vec3 decodeSrgb(vec3 c) { return c * (c * (c * 0.305306011 + 0.682171111) + 0.01
 #if defined(TEXTURED) && defined(TYPES)
 uniform sampler2DArray typeColors;  // colour maps of fur types and skin
 
-// The colour of strands of that type with roots at that uv; `uvs`: by how much it changes from pixel to pixel.
-vec3 strandModelColor(sampler2D picture, int type, vec2 uv, mat2 uvs) {
-  float layer = typePicture[type];
-  vec3 color = layer < 0.0 ? textureGrad(picture, uv, uvs[0], uvs[1]).rgb : textureGrad(typeColors, vec3(uv, layer), uvs[0], uvs[1]).rgb;
+// Loops of one step, as software rasterisers look up in both branches of an if.
+
+// A model without one has a white texel.
+bool isPicture(sampler2D picture) { return textureSize(picture, 0).x > 1; }
+
+// The mip level of a picture of that size, as textureGrad() finds it at a higher price.
+float levelBy(mat2 uvs, ivec2 size) {
+  vec2 x = uvs[0] * vec2(size), y = uvs[1] * vec2(size);
+  return 0.5 * log2(max(max(dot(x, x), dot(y, y)), 1e-12));
+}
+
+// The colour of strands with roots at that uv, of the type with that typePicture; `uvs`: by how much it changes from pixel to pixel.
+vec3 strandModelColor(sampler2D picture, float layer, vec2 uv, mat2 uvs) {
+  vec3 color = vec3(1.0);
+  for (int i = 0, once = int(layer < 0.0 && isPicture(picture)); i < once; ++i) color = textureLod(picture, uv, levelBy(uvs, textureSize(picture, 0))).rgb;
+  for (int i = 0, once = int(layer >= 0.0); i < once; ++i) color = textureLod(typeColors, vec3(uv, layer), levelBy(uvs, textureSize(typeColors, 0).xy)).rgb;
   return mix(vec3(1.0), color, textureAmount);
 }
 
 // The colour of the skin at that uv: its own picture, as far as that is opaque, over `color`.
 vec3 skinPictured(vec3 color, vec2 uv, mat2 uvs) {
-  if (skinPicture < 0.0) return color;
-  vec4 own = textureGrad(typeColors, vec3(uv, skinPicture), uvs[0], uvs[1]);
-  return mix(color, decodeSrgb(own.rgb), own.a);
+  for (int i = 0, once = int(skinPicture >= 0.0); i < once; ++i) {
+    vec4 own = textureLod(typeColors, vec3(uv, skinPicture), levelBy(uvs, textureSize(typeColors, 0).xy));
+    color = mix(color, decodeSrgb(own.rgb), own.a);
+  }
+  return color;
 }
 #endif
 
@@ -117,7 +161,7 @@ vec3 fringe(float normalDotView, float h) {
 float bodyShare(float nDotL) { return clamp(nDotL + 0.5, 0.0, 1.0); }
 // The share of the light that gets to height h of the coat: `lit` gets to that spot, strands take of it (Sheppard).
 float lightShare(float lit, float h, float nDotL) {
-  return lit * bodyShare(nDotL) * mix(1.0, furShadow(h, ofType(typeDensity), nDotL), ofType(typeShadow));
+  return lit * bodyShare(nDotL) * mix(1.0, furShadow(h, densityShown(), nDotL), shadowShown());
 }
 
 // Kajiya and Kay's lobes know no surface: past the terminator of a coat they would glow where strands of the lit side
@@ -149,7 +193,7 @@ vec3 shadeStrand(StrandLight lights, vec3 albedo, vec2 along, vec2 normal, float
   vec3 gloss = shine * lights.key * kajiyaPower(across.x * across.y - along.x * along.y, exponent) + albedo * (1.6 * lights.through);
 #else
   // A lobe's energy falls as its exponent rises; sqrt(p) keeps a strand's total about even.
-  float strength = shine * sqrt(exponent / ofType(typeShininess));
+  float strength = shine * sqrt(exponent / shininessShown());
   vec4 cosines = vec4(across.x * across.y, along.x * along.y, along * across.yx);
   vec2 shifts = lobeShifts(strand);
   vec3 gloss = (strength * lights.key) * ((0.7 - 0.35 * rho) * kajiyaLobe(shiftedCosine(cosines, shifts.x), exponent) +
@@ -158,13 +202,13 @@ vec3 shadeStrand(StrandLight lights, vec3 albedo, vec2 along, vec2 normal, float
 #endif
   gloss += (albedo + 0.3) * lights.rim;
   vec3 color = albedo * (lights.key * diffuse.x + fillLight * diffuse.y + lights.sky) + gloss;
-  return color * (1.0 + ofType(typeOcclusion) * (h - 1.0)) * (1.0 - wetDarkening * rho);
+  return color * (1.0 + occlusionShown() * (h - 1.0)) * (1.0 - wetDarkening * rho);
 }
 // Of a coat, with the exponent and gloss of its settings. `lit` is the share of the light that reaches the spot.
 vec3 shadeStrand(vec3 albedo, vec3 T, vec3 L, vec3 V, float h, float rho, float lit, float upness, float strand) {
-  float facing = dot(L, V), exponent = max(mix(ofType(typeDryShininess), ofType(typeShininess), rho), 1.0);
+  float facing = dot(L, V), exponent = max(mix(dryShininessShown(), shininessShown(), rho), 1.0);
   StrandLight lights = StrandLight(keyLight.rgb * lightShare(lit, h, L.z), keyLight.rgb * lit * rimLight(facing, V.z, h), fringe(V.z, h), skyLight(upness));
-  return shadeStrand(lights, albedo, vec2(dot(T, L), dot(T, V)), vec2(L.z, V.z), facing, h, rho, strand, exponent, ofType(typeSpecular) * glossShare(L.z));
+  return shadeStrand(lights, albedo, vec2(dot(T, L), dot(T, V)), vec2(L.z, V.z), facing, h, rho, strand, exponent, specularShown() * glossShare(L.z));
 }
 
 // Wet strands: C++ twins in hair/StrandShading.h, which says more.
@@ -183,8 +227,8 @@ vec2 waterGloss(vec2 along, vec2 normal, float facing, float nDotL, float held, 
   // From strand to strand it lies elsewhere and is as strong as chance has it: fine lines instead of a band.
   float shifted = slope + 0.5 * (1.0 - sheet) * (strand - 0.5), own = strand * strand;
   own *= mix(1.0, own, sheet);
-  float glint = kajiyaLobe(faces, 1.3 * ofType(typeShininess)) * (1.0 - 0.7 * slope * slope) * (mix(0.3, 0.1, sheet) + 3.0 * own) +
-                kajiyaLobe(sqrt(max(1.0 - shifted * shifted, 0.0)), 5.0 * ofType(typeShininess)) * faces * faces * (0.1 + 1.2 * own);
+  float glint = kajiyaLobe(faces, 1.3 * shininessShown()) * (1.0 - 0.7 * slope * slope) * (mix(0.3, 0.1, sheet) + 3.0 * own) +
+                kajiyaLobe(sqrt(max(1.0 - shifted * shifted, 0.0)), 5.0 * shininessShown()) * faces * faces * (0.1 + 1.2 * own);
   return film * film * wetGloss * vec2(glossShare(nDotL) * glint * mix(1.6, 0.5, sheet), fresnel * mix(0.5, 0.2 + 2.4 * strand, sheet));
 }
 vec2 waterGloss(vec3 T, vec3 n, vec3 L, vec3 V, float held, float sheet, float strand) {
@@ -208,6 +252,6 @@ vec3 bareSkin(vec3 albedo, float nDotL, float upness, float rho, float lit) {
 }
 // Skin seen through the fur above it, or the undergrowth up to the height h: in the shadow of the strands.
 vec3 shadeSkin(vec3 albedo, float nDotL, float upness, float h, float rho, float lit) {
-  float shadow = lit * mix(1.0, furShadow(h, ofType(typeDensity), nDotL), ofType(typeShadow));
-  return albedo * (keyLight.rgb * max(nDotL, 0.0) * shadow + skyLight(upness)) * (1.0 + ofType(typeOcclusion) * (h - 1.0)) * (1.0 - wetDarkening * rho);
+  float shadow = lit * mix(1.0, furShadow(h, densityShown(), nDotL), shadowShown());
+  return albedo * (keyLight.rgb * max(nDotL, 0.0) * shadow + skyLight(upness)) * (1.0 + occlusionShown() * (h - 1.0)) * (1.0 - wetDarkening * rho);
 }

@@ -17,11 +17,9 @@ float coatShare(vec4 texel) {
 }
 
 #ifdef TYPES
-vec3 skinColorOf(vec4 presences) {
-  vec3 color = vec3(0.0);
-  for (int type = 0; type < FUR_TYPES; ++type) color += presences[type] * skinColors[type].rgb;
-  return color;
-}
+// Written out: a loop over types costs as much as a look-up on a software rasteriser.
+#define FUR_MIXED(colors, shares) (shares.x * colors[0].rgb + shares.y * colors[1].rgb + shares.z * colors[2].rgb + shares.w * colors[3].rgb)
+vec3 skinColorOf(vec4 presences) { return FUR_MIXED(skinColors, presences); }
 #endif
 
 // Up to which height a strand stands; its dominance is 0.5..1.

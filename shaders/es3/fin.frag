@@ -105,7 +105,7 @@ bool trim(inout Strand s) {
   float chance = otherPixelNoise();
   for (int i = 0; i < FUR_TYPES - 1 && chance >= grows[i]; ++i) chance -= grows[i], s.type = i + 1;
   s.h *= typeRise[s.type];
-  typeShares = vec4(equal(ivec4(s.type), ivec4(0, 1, 2, 3)));
+  showShares(vec4(equal(ivec4(s.type), ivec4(0, 1, 2, 3))));
 #endif
   s.h *= vLength / max(texel.r, 1e-3);
   return s.h <= 1.0 && texel.r >= kBald && typeGrows[s.type] > 0.0;
@@ -198,14 +198,17 @@ void main() {
   alpha += (pixelNoise() - 0.5) / samples;
   float least = 0.5 / samples;
 #endif
-#if defined(TEXTURED) && defined(TYPES)
-  vec3 model = strandModelColor(baseColor, s.type, vUv, uvs);
-#else
+#if !defined(TEXTURED) || !defined(TYPES)
   vec3 model = modelColor(baseColor, vUv);
 #endif
   vec3 color = vec3(0.0);
   // Once or not at all: most of a fin is gaps, and a software rasteriser jumps over loops but not over an if.
-  for (int i = 0, once = int(alpha >= least); i < once; ++i) color = shade(s, textureLod(finStrand, spot, level), rho, model);
+  for (int i = 0, once = int(alpha >= least); i < once; ++i) {
+#if defined(TEXTURED) && defined(TYPES)
+    vec3 model = strandModelColor(baseColor, typePicture[s.type], vUv, uvs);
+#endif
+    color = shade(s, textureLod(finStrand, spot, level), rho, model);
+  }
   if (alpha < least) discard;
 #ifdef CLASSIC
   color *= alpha;

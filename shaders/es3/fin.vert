@@ -108,7 +108,7 @@ void standFin(float opacity) {
   vView = normalize(vView);
   vLit = furShadowAt(vLightSpace);
 #ifdef TYPES
-  typeShares = presences(textureLod(groom, mix(atlas.xy, atlas.zw, side), 0.0).gba);
+  showShares(presences(textureLod(groom, mix(atlas.xy, atlas.zw, side), 0.0).gba));
 #endif
   LightOfShell lit = lightOfShell(vLight.xyz, vView, h, vLit, vLight.w);
   vAround = lit.around;

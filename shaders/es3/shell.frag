@@ -35,8 +35,7 @@ mat2 uvSteps;  // how the model's uv changes from pixel to pixel, from before an
 void enterModel() { uvSteps = mat2(dFdx(vLean.zw), dFdy(vLean.zw)); }
 // Under strands that have a colour map skin has the model's own picture, or one of its own.
 vec3 skinAlbedo(vec3 ofStrands) {
-  vec3 model = mix(vec3(1.0), textureGrad(baseColor, vLean.zw, uvSteps[0], uvSteps[1]).rgb, textureAmount);
-  return skinPictured(skinColor() * model, vLean.zw, uvSteps);
+  return skinPictured(skinColor() * strandModelColor(baseColor, -1.0, vLean.zw, uvSteps), vLean.zw, uvSteps);
 }
 #else
 void enterModel() {}
@@ -149,7 +148,7 @@ float lightOn(Met met, float furry) {
   // A look towards the light through the fur above: real strands cast real shadows.
   if (met.h + FUR_SHADE_RISE < 1.0) {
     vec3 above = vec3(met.spot.xy + vLightStep * FUR_SHADE_RISE, nearestLayer(storedLayer(met.h + FUR_SHADE_RISE, 0.0)) + firstLayer(met.spot.z));
-    lit -= shadeOfOne() * ofType(typeShadow) * furry * textureLod(coverage, above, lod + 1.0).r;
+    lit -= shadeOfOne() * shadowShown() * furry * textureLod(coverage, above, lod + 1.0).r;
   }
   // How far the ray went, to the strands or to the skin.
   return underOthers(lit * furShadowAt(vLightSpace + vLightRay * met.x));

@@ -29,29 +29,35 @@ vec2 shapeTilt(vec4 spot, float h) { return vec2(0.0); }
 #endif
 
 #ifdef GROOMED
-vec3 skinUnder;  // colour of the skin under the strands
+#ifdef TYPES
+vec4 typesUnder;  // that the skin under the strands is of
 
 void enterGroom() {
-  vec4 texel = textureLod(groom, atlasAt(foot), 0.0);
-  grown = coatShare(texel);
-#ifdef TYPES
-  skinUnder = skinColorOf(presences(texel.gba));
   enterTypes(rootsAside());
-#else
-  skinUnder = skinColors[0].rgb;
-#endif
+  typesUnder = only(plainType);
+  grown = plainFurry;
+  for (int i = 0, once = int(plainTo < end); i < once; ++i) {
+    vec4 texel = textureLod(groom, atlasAt(foot), 0.0);
+    grown = coatShare(texel);
+    typesUnder = presences(texel.gba);
+  }
 }
-vec3 skinColor() { return skinUnder; }
+vec3 skinColor() { return skinColorOf(typesUnder); }
+#else
+void enterGroom() { grown = coatShare(textureLod(groom, atlasAt(foot), 0.0)); }
+vec3 skinColor() { return skinColors[0].rgb; }
+#endif
 
 // Vertices have room for the longest strand round them; the map knows the length of every strand.
 void trim(inout Strand here, inout March march) {
   vec4 texel = textureLod(groom, atlasAt(here.root), 0.0);
   here.along *= vLength / max(texel.r, 1e-3);
   here.open *= step(kBald, texel.r);
-  march.furry = coatShare(texel);
 #ifdef TYPES
-  here.grows = presences(texel.gba) * typeGrows;
+  here.grows = presences(texel.gba) * typesGrow;
+  march.furry = min(texel.r / 0.15, 1.0) * min(2.0 * dot(here.grows, vec4(1.0)), 1.0);  // coatShare()
 #else
+  march.furry = coatShare(texel);
   here.open *= float(here.along <= 1.0);
 #endif
 }

@@ -13,7 +13,7 @@ vec3 colorAtRoot(vec4 spot) {
   vec2 moved = abs(area) > 1e-9 ? uvs * (inverse(tiles) * root) : vec2(0.0);
   // By the entry's mip level: from strand to strand roots jump.
 #ifdef TYPES
-  return strandModelColor(baseColor, int(spot.z / storedLayers), vLean.zw + moved, uvs);
+  return strandModelColor(baseColor, dot(typePicture, only(int(spot.z / storedLayers))), vLean.zw + moved, uvs);
 #else
   return mix(vec3(1.0), textureGrad(baseColor, vLean.zw + moved, uvs[0], uvs[1]).rgb, textureAmount);
 #endif

@@ -5,17 +5,24 @@ uniform sampler2D evenReach;  // groom/EvenReach.h
 // a coat that is.
 float plainTo, plainRise, plainFurry;
 int plainType;
+// Members of the block that steps read.
+float stored;
+vec4 typesGrow, typesRise;
 
 vec4 only(int type) { return vec4(equal(ivec4(type), ivec4(0, 1, 2, 3))); }
 int firstOf(int types) { return (types & 1) > 0 ? 0 : (types & 2) > 0 ? 1 : (types & 4) > 0 ? 2 : 3; }
 // Of the type that has that layer.
-float firstLayer(float stored) { return floor(stored / storedLayers) * storedLayers; }
+float firstLayer(float layer) { return floor(layer / stored) * stored; }
+// Where that type has the layer of nearestLayer(storedLayer()).
 vec4 spotIn(int type, Strand here, float h) {
-  return vec4(here.root, nearestLayer(storedLayer(h, between)) + float(type) * storedLayers, levelOf(here));
+  return vec4(here.root, clamp(floor(h * stored + between), 0.0, stored - 1.0) + float(type) * stored, levelOf(here));
 }
 
 // `aside`: how far from where they are seen roots may lie, over the atlas.
 void enterTypes(float aside) {
+  stored = storedLayers;
+  typesGrow = typeGrows;
+  typesRise = typeRise;
   vec2 texel = textureLod(evenReach, vAtlas, 0.0).rg, size = vec2(textureSize(evenReach, 0));
   int even = int(255.0 * texel.r + 0.5);
   plainType = even & 3;
@@ -23,10 +30,11 @@ void enterTypes(float aside) {
   vec2 way = abs(atlasFromTile() * (foot - vTile.xy)) * size;
   float reach = float(even >> 2) - 0.5 - aside * size.x;
   plainTo = end * clamp(reach / max(max(way.x, way.y), 1e-3), 0.0, 1.0);
-  float grows = dot(typeGrows, only(plainType)) * step(kBald, texel.g);
+  vec4 is = only(plainType);
+  float grows = dot(typesGrow, is) * step(kBald, texel.g);
   plainFurry = grows * min(texel.g / 0.15, 1.0);
   // What does not grow has no height.
-  plainRise = dot(typeRise, only(plainType)) * vLength / max(texel.g * grows, 1e-6);
+  plainRise = dot(typesRise, is) * vLength / max(texel.g * grows, 1e-6);
 }
 
 // What the strand adds to what is hidden. What was met is worked out after the march.
@@ -50,7 +58,7 @@ float addStrand(Strand here, inout March march) {
     int type = firstOf(rest);
     rest &= rest - 1;
     vec4 is = only(type);
-    float grows = dot(here.grows, is), h = here.along * dot(typeRise, is);
+    float grows = dot(here.grows, is), h = here.along * dot(typesRise, is);
     vec4 spot = spotIn(type, here, h);
     float cover = coverAt(spot, here.open) * float(h <= 1.0);
     // Alone it stands whatever its dominance.
@@ -64,16 +72,9 @@ float addStrand(Strand here, inout March march) {
   return added;
 }
 
-void showTypes(March march) { typeShares = march.types / max(dot(march.types, vec4(1.0)), 1e-6); }
+void showTypes(March march) { showShares(march.types / max(dot(march.types, vec4(1.0)), 1e-6)); }
 
-StrandColors colorsOf() {
-  StrandColors colors = StrandColors(vec3(0.0), vec3(0.0), ofType(typeVariance));
-  for (int type = 0; type < FUR_TYPES; ++type) {
-    colors.root += typeShares[type] * rootColors[type].rgb;
-    colors.tip += typeShares[type] * tipColors[type].rgb;
-  }
-  return colors;
-}
+StrandColors colorsOf() { return StrandColors(shownRoot, shownTip, shownGloss.z); }
 
 // As the picture of the groom has it: type 1 white, the others red, green and blue.
 vec3 typeColor() {

@@ -169,7 +169,7 @@ void joinStrands(inout Met met, float furry) {
   met.number = mix(met.number, clamp(0.5 + 3.0 * (inLine.z - 0.5), 0.0, 1.0), joined);
   met.h = mix(mix(met.h, 0.7, joined * (1.0 - met.closed)), 0.3 + 0.4 * met.number, joined);
   // Through a sparse coat skin shows all the same.
-  if (reachesSkin) met.closed = mix(met.closed, 1.0, joined * furry * min(3.0 * ofType(typeDensity), 1.0));
+  if (reachesSkin) met.closed = mix(met.closed, 1.0, joined * furry * min(3.0 * densityShown(), 1.0));
 }
 
 vec2 tiltOf(Met met) {

@@ -43,7 +43,7 @@ void main() {
   vec4 grows = presences(textureLod(groom, uvAtlas.zw, 0.0).gba);
   strands *= grows.x;
   for (int type = 1; type < FUR_TYPES; ++type) strands += grows[type] * (rootColors[type].rgb + tipColors[type].rgb);
-  typeShares = grows;
+  showShares(grows);
   vec3 skin = skinColorOf(grows);
 #else
   vec3 skin = skinColors[0].rgb;
@@ -54,7 +54,7 @@ void main() {
   vec3 albedo = 0.5 * skin;
 #else
   const float h = 0.3;
-  vec3 albedo = mix(skin, 0.5 * strands, min(2.0 * ofType(typeDensity), 1.0));
+  vec3 albedo = mix(skin, 0.5 * strands, min(2.0 * densityShown(), 1.0));
 #endif
   vec3 shade = shadeSkin(vec3(1.0), nDotL, upness, h, 0.0, furShadowAt(lightSpace(position + normal * (0.3 * furLength))));
   vColor = shade * albedo;
