@@ -123,10 +123,10 @@ await command(async () => {
         continue;
       }
       const saved = [1, 2].map((i) => join(scratch, `saved${i}.glb`));
-      const save = (from, to, more) => spawnSync(program, [from, '--save-scene', to, ...more], { encoding: 'utf8', timeout: 60000 });
+      const save = (from, to, more) => spawnSync(program, [from, '--save-scene', to, ...more], { encoding: 'utf8', timeout: 300000 });
       const first = save(path, saved[0], onIt);
       if (first.status !== 0) {
-        const why = first.stderr.trim().split('\n').at(-1).replaceAll(path, '').replaceAll(basename(path), '');
+        const why = first.error ? String(first.error.code) : first.stderr.trim().split('\n').at(-1).replaceAll(path, '').replaceAll(basename(path), '');
         ++counts.refused;
         reasons.set(why, [...reasons.get(why) ?? [], name]);
         continue;
