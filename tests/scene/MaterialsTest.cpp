@@ -178,7 +178,7 @@ TEST(GltfMaterials, OneImageOfSeveralMaterialsIsKeptOnce) {
 TEST(GltfMaterials, PicturesMayLieByTwoSetsOfCoordinates) {
   const FileSet others{{"a.png", sizedPng(8, 8)}};
   TriangleFile file = two(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0,"texCoord":1}}},
-    {"normalTexture":{"index":0},"occlusionTexture":{"index":0,"texCoord":1,"extensions":{"KHR_texture_transform":{"scale":[2,3]}}},"emissiveTexture":{"index":0,"texCoord":2}}],
+    {"normalTexture":{"index":0},"emissiveTexture":{"index":0,"texCoord":1,"extensions":{"KHR_texture_transform":{"scale":[2,3]}}},"occlusionTexture":{"index":0,"texCoord":2}}],
     "textures":[{"source":0}],"images":[{"uri":"a.png"}],"samplers":[)");
   file.primitive = R"({"attributes":{"POSITION":0,"TEXCOORD_0":2,"TEXCOORD_1":3},"indices":1,"material":0},{"attributes":{"POSITION":0,"TEXCOORD_0":2,"TEXCOORD_1":3},"indices":1,"material":1})";
   const std::size_t from = file.binary().size();
@@ -196,9 +196,9 @@ TEST(GltfMaterials, PicturesMayLieByTwoSetsOfCoordinates) {
   EXPECT_EQ(model->mesh.otherUv[4], Vec2(0.75f, 0.25f));
   const Material& second = model->materials[1];
   EXPECT_FALSE(second.normalTexture.other);
-  EXPECT_TRUE(second.occlusionTexture.other);
-  EXPECT_EQ(Vec2(second.occlusionTexture.transform * Vec3(1, 1, 1)), Vec2(2, 3));
-  EXPECT_EQ(second.emissiveTexture.image, -1);
+  EXPECT_TRUE(second.emissiveTexture.other);
+  EXPECT_EQ(Vec2(second.emissiveTexture.transform * Vec3(1, 1, 1)), Vec2(2, 3));
+  EXPECT_EQ(second.occlusionTexture.image, -1);
   ASSERT_EQ(model->warnings.size(), 1u);
   EXPECT_NE(model->warnings[0].find("third set"), std::string::npos) << model->warnings[0];
   const geometry::Surface surface = geometry::buildSurface(model->mesh).value();
