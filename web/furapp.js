@@ -135,7 +135,7 @@ export class FurApp {
   loadHair(bytes, name) { this.#callOrThrow('fur_loadHair', bytes, bytes.byteLength, name); }
   get lostBySaving() { return this.program.lines(this.#call('fur_lostBySaving')); }
   saveScene() { return this.#saved('fur_saveScene'); }
-  groomAll(edit, value, [x, y, z]) { this.#callOrThrow('fur_groomAll', edit, value, x, y, z); }
+  groomAll(edit, value, [x, y, z], color = '') { this.#callOrThrow('fur_groomAll', edit, value, x, y, z, color ? parseInt(color.slice(1), 16) : -1); }
   editHair(edit, value, [x, y, z]) { this.#callOrThrow('fur_editHair', edit, value, x, y, z); }
   usePicture(use, name, { width, height, data }) { this.#callOrThrow('fur_usePicture', use, name, width, height, data); }
   groomFromImage(what, name, { width, height, data }) { this.#callOrThrow('fur_groomFromImage', what, name, width, height, data); }

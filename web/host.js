@@ -245,9 +245,10 @@ export class WetFur extends EventTarget {
 
   // --- groom ---
 
-  /** All over the model: the edits of app/tools/GroomEdits.inc. */
-  async groom(edit, value = 1, direction = [0, -1, 0]) {
-    if (edit !== 'clear') return this.#editing.groomInWorkshop((app) => app.groomAll(edit, value, direction));
+  /** All over the model: the edits of app/tools/GroomEdits.inc. `color`: of markings, "#rrggbb", in place of the setting paintColor. */
+  async groom(edit, value = 1, direction = [0, -1, 0], { color } = {}) {
+    if (color !== undefined && !/^#[0-9a-f]{6}$/i.test(color)) throw new FurError('bad-file', `groom: the color "${color}" is not #rrggbb`);
+    if (edit !== 'clear') return this.#editing.groomInWorkshop((app) => app.groomAll(edit, value, direction, color));
     if (!this.loaded) return;
     this.#app.clearGroom();
     this.#frames.afterChange();

@@ -228,7 +228,8 @@ export class Loading {
       this.#session.cameWith = { groom: app.groomed && app.groom, hair: app.haired && app.hair };
     }
     if (first) this.#applied.settingsToModel();
-    if (document) app.restoreHistory(new Uint8Array());
+    // Undo begins with what is shown.
+    if (document || first) app.restoreHistory(new Uint8Array());
     if (former) {
       this.#documents.follow(former);
       app.followModel();

@@ -338,10 +338,7 @@ async function pressTool({ dataset: { tool, place } }) {
 }
 
 /** Markings all over (app/tools/GroomEdits.inc), in the colour beside them. */
-async function markCoat(pattern) {
-  if (pattern !== 'clearPaint') fur.settings.paintColor = byId('pattern-color').value;
-  await fur.groom(pattern);
-}
+const markCoat = (pattern) => fur.groom(pattern, undefined, undefined, { color: byId('pattern-color').value });
 
 function wireBar() {
   for (const button of toolButtons) button.addEventListener('click', () => pressTool(button));

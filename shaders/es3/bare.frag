@@ -13,18 +13,22 @@ uniform sampler2D emissiveMap;
 
 in vec3 vPosition;
 in vec3 vNormal;
-in vec2 vUv;
+in vec4 vUv;  // zw: the others
 in vec3 vLightSpace;
 
 out vec4 fragColor;
 
-vec4 at(sampler2D picture, vec4 rows[2]) { return texture(picture, vec2(dot(rows[0].xyz, vec3(vUv, 1.0)), dot(rows[1].xyz, vec3(vUv, 1.0)))); }
+vec2 uvOf(vec4 rows[2]) { return rows[0].w > 0.5 ? vUv.zw : vUv.xy; }
+vec4 at(sampler2D picture, vec4 rows[2]) {
+  vec3 uv = vec3(uvOf(rows), 1.0);
+  return texture(picture, vec2(dot(rows[0].xyz, uv), dot(rows[1].xyz, uv)));
+}
 
 // The normal of the picture in the frame that position and texture coordinates span from pixel to pixel (C. Schueler 2013,
 // "Normal Mapping Without Precomputed Tangents").
 vec3 bumped(vec3 n) {
   vec3 px = dFdx(vPosition), py = dFdy(vPosition);
-  vec2 ux = dFdx(vUv), uy = dFdy(vUv);
+  vec2 uv = uvOf(normalRows), ux = dFdx(uv), uy = dFdy(uv);
   vec3 acrossX = cross(n, px), acrossY = cross(py, n);
   vec3 t = acrossY * ux.x + acrossX * uy.x, b = acrossY * ux.y + acrossX * uy.y;
   float size = max(dot(t, t), dot(b, b));
@@ -52,7 +56,7 @@ vec3 mirroredShare(vec3 f0, float roughness, float nv) {
 }
 
 void main() {
-  vec4 base = texture(baseColor, vUv);
+  vec4 base = texture(baseColor, vUv.xy);
   vec3 albedo = decodeSrgb(base.rgb) * baseColorFactor.rgb;
   float opacity = base.a * baseColorFactor.a;
   if (alphaMode < 0.5) opacity = 1.0;

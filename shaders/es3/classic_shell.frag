@@ -106,7 +106,7 @@ float groomed(inout Strand s, float level, out vec4 spot) {
     if (cover > most) most = cover, spot = there, s.type = type;
   }
   s.along *= typeRise[s.type];
-  showShares(vec4(equal(ivec4(s.type), ivec4(0, 1, 2, 3))));
+  showShares(only(s.type));
   return most;
 #else
   spot = spotOf(s, level);

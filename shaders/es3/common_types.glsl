@@ -17,6 +17,7 @@ float coatShare(vec4 texel) {
 }
 
 #ifdef TYPES
+vec4 only(int type) { return vec4(equal(ivec4(type), ivec4(0, 1, 2, 3))); }
 // Written out: a loop over types costs as much as a look-up on a software rasteriser.
 #define FUR_MIXED(colors, shares) (shares.x * colors[0].rgb + shares.y * colors[1].rgb + shares.z * colors[2].rgb + shares.w * colors[3].rgb)
 vec3 skinColorOf(vec4 presences) { return FUR_MIXED(skinColors, presences); }

@@ -105,7 +105,7 @@ bool trim(inout Strand s) {
   float chance = otherPixelNoise();
   for (int i = 0; i < FUR_TYPES - 1 && chance >= grows[i]; ++i) chance -= grows[i], s.type = i + 1;
   s.h *= typeRise[s.type];
-  showShares(vec4(equal(ivec4(s.type), ivec4(0, 1, 2, 3))));
+  showShares(only(s.type));
 #endif
   s.h *= vLength / max(texel.r, 1e-3);
   return s.h <= 1.0 && texel.r >= kBald && typeGrows[s.type] > 0.0;

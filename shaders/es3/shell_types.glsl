@@ -9,7 +9,6 @@ int plainType;
 float stored;
 vec4 typesGrow, typesRise;
 
-vec4 only(int type) { return vec4(equal(ivec4(type), ivec4(0, 1, 2, 3))); }
 int firstOf(int types) { return (types & 1) > 0 ? 0 : (types & 2) > 0 ? 1 : (types & 4) > 0 ? 2 : 3; }
 // Of the type that has that layer.
 float firstLayer(float layer) { return floor(layer / stored) * stored; }

@@ -326,6 +326,7 @@ void App::State::applyStep(const Step& step, bool undo) {
     water.apply(*m, undo);
   } else if (const auto* g = std::get_if<GroomStep>(&step)) {
     groom.apply(shape, *g, undo);
+    if (undo) water.putBack(g->dried);
   } else if (const auto* h = std::get_if<HairStep>(&step)) {
     hair->apply(*h, undo);
   }

@@ -231,7 +231,8 @@ class App {
   // --- groom (groom/Groom.h); belongs to the model ---
   // What the fur at a pixel is coloured like, 0xRRGGBB: paint, or coat and the model's picture. None off the model.
   std::optional<std::uint32_t> colorAt(Vec2 pixel) const;
-  void groomAll(GroomEdit edit, float value = 1, const Vec3& direction = Vec3(0, -1, 0));
+  // `color`: of markings, 0xRRGGBB, in place of the setting paintColor.
+  void groomAll(GroomEdit edit, float value = 1, const Vec3& direction = Vec3(0, -1, 0), std::optional<std::uint32_t> color = {});
   // An image, RGBA8 in the model's own texture coordinates.
   void groomFromImage(groom::ImageOf what, int width, int height, std::span<const std::uint8_t> rgba);
   // The same by the name of its file: one that saveMaps() wrote goes back over the atlas, whatever `what` says.

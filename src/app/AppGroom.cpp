@@ -27,11 +27,13 @@ void App::State::beginGroomStroke() {
   groom.beginStroke(shape);
 }
 
-void App::groomAll(GroomEdit edit, float value, const Vec3& direction) {
+void App::groomAll(GroomEdit edit, float value, const Vec3& direction, std::optional<std::uint32_t> color) {
   State& s = *state_;
   if (!std::isfinite(value) || !std::isfinite(direction.x + direction.y + direction.z)) return;
+  settings::Settings with = s.settings;
+  if (color) with.paintColor = *color;
   s.beginGroomStroke();
-  s.groom.edit(s.shape, edit, value, direction, s.settings, s.warnings);
+  s.groom.edit(s.shape, edit, value, direction, with, s.warnings);
   s.endStroke();
 }
 

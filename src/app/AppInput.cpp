@@ -89,7 +89,10 @@ void App::State::beginStroke(Vec2 pixel) {
 
 void App::State::endStroke() {
   hand.keyHold = 0;
-  if (auto step = groom.endStroke()) history.push(std::move(*step));
+  if (auto step = groom.endStroke()) {
+    if (step->bareBefore != step->bareAfter) step->dried = water.onBareParts(shape);
+    history.push(std::move(*step));
+  }
   if (auto step = hair->endStroke()) history.push(std::move(*step));
   if (auto step = water.endStroke()) history.push(std::move(*step));
 }

@@ -39,6 +39,7 @@ class Rounding {
     out_.mesh.positions = mesh.positions;
     out_.mesh.normals = mesh.normals;
     if (mesh.uv.size() == mesh.positions.size()) out_.mesh.uv = mesh.uv;
+    if (mesh.otherUv.size() == mesh.positions.size()) out_.mesh.otherUv = mesh.otherUv;
     out_.mesh.indices = mesh.indices;
     for (std::uint32_t t = 0; t < mesh.triangleCount(); ++t) {
       out_.triangleOf.push_back(t);
@@ -303,7 +304,8 @@ class Rounding {
   void insert(const InsertedVertex& v) {
     out_.inserted.push_back(v);
     out_.mesh.positions.push_back(v.of(out_.mesh.positions));
-    if (!out_.mesh.uv.empty()) out_.mesh.uv.push_back(v.of(out_.mesh.uv));
+    for (auto* uv : {&out_.mesh.uv, &out_.mesh.otherUv})
+      if (!uv->empty()) uv->push_back(v.of(*uv));
     given_.push_back(normalizeOr(v.of(given_), given_[v.a]));
     rim_.push_back(rim_[v.a] && rim_[v.b]);
     // Halfway a turn is a half whatever it is.

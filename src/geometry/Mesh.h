@@ -21,6 +21,7 @@ struct Mesh {
   std::vector<Vec3> positions;
   std::vector<Vec3> normals;  // empty, or one unit vector a vertex
   std::vector<Vec2> uv;       // empty, or one a vertex; (0, 0) is the first texel of an image (glTF)
+  std::vector<Vec2> otherUv{};  // empty, or one a vertex: of pictures that lie by coordinates of their own
   std::vector<Vec2> atlas;    // empty, or one a vertex: what Surface's atlas is to be; isUniqueAtlas() holds for it (AtlasUv.h)
   AtlasLayout layout{};       // empty, or the same of each triangle, before `atlas`
   std::vector<Vec2> furUv;    // empty, or one a vertex: its own coordinates for the fur tile, at any scale

@@ -87,6 +87,7 @@ void splitVertices(Surface& surface, const Mesh& mesh, const Charts& fur, const 
     vertex.position = mesh.positions[source];
     vertex.normal = mesh.normals[source];
     vertex.uv = mesh.uv.size() == mesh.positions.size() ? mesh.uv[source] : Vec2(0.0f);
+    if (mesh.otherUv.size() == mesh.positions.size()) vertex.otherUv = mesh.otherUv[source];
     vertex.atlas = atlas.corners[i];
     vertex.fur = fur.corners[i];
     vertex.chart = atlas.chartOf[i / 3];

@@ -29,6 +29,7 @@ struct SurfaceVertex {
   Vec3 position;
   Vec3 normal;  // the direction in which fur grows; near hard edges it leans over them (HardEdges.h)
   Vec2 uv;
+  Vec2 otherUv{0.0f};  // Mesh::otherUv
   Vec2 atlas;
   Vec2 fur;
   // Surface gradients of the fur coordinates s and t: a step of x along the surface moves the

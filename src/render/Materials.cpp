@@ -12,7 +12,7 @@ namespace {
 gl::Texture onePixel(const std::array<std::uint8_t, 4>& rgba) { return gl::Texture({gl::TexelFormat::RGBA8, 1, 1, 0}, gl::bytesOf(rgba)); }
 
 void fillRows(const scene::MaterialTexture& texture, Vec4 (&rows)[2]) {
-  for (int k = 0; k < 2; ++k) rows[k] = Vec4(texture.transform[0][k], texture.transform[1][k], texture.transform[2][k], 0);
+  for (int k = 0; k < 2; ++k) rows[k] = Vec4(texture.transform[0][k], texture.transform[1][k], texture.transform[2][k], texture.other);
 }
 
 shared::MaterialBlock blockOf(const scene::Material& from) {

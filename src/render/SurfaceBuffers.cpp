@@ -29,6 +29,16 @@ constexpr gl::Attribute kFurAttributes[] = {
     {FUR_LEAN, 2, offsetof(FurVertex, lean)},
 };
 
+constexpr gl::Attribute kOtherUv[] = {{FUR_OTHER_UV, 2, 0}};
+
+// Few models have any.
+gl::Buffer otherUvOf(const geometry::Surface& surface) {
+  std::vector<Vec2> uv;
+  for (const auto& v : surface.vertices) uv.push_back(v.otherUv);
+  const bool any = std::any_of(uv.begin(), uv.end(), [](const Vec2& at) { return at != Vec2(0); });
+  return any ? gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(uv), false) : gl::Buffer();
+}
+
 // FUR_AROUND: the middle of the largest triangle at that place, which is in its chart where the place may lie on a border.
 void findSurroundings(const geometry::Surface& surface, std::vector<FurVertex>& vertices) {
   std::vector<Vec3> positions;
@@ -85,6 +95,7 @@ std::size_t SurfaceBuffers::set(const geometry::Surface& surface, std::span<cons
   findSurroundings(surface, furVertices);
   vertices_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(vertices), !tangents.empty());
   furVertices_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(furVertices), false);
+  otherUv_ = otherUvOf(surface);
   indices_ = gl::Buffer(gl::BufferKind::Index, gl::bytesOf(indices), false);
   array_ = arrayOver(indices_);
   vertexCount_ = static_cast<int>(surface.vertices.size());
@@ -112,6 +123,7 @@ void SurfaceBuffers::drawMaterial(std::size_t material) const {
 gl::VertexArray SurfaceBuffers::arrayOver(const gl::Buffer& indices) const {
   gl::VertexArray array(vertices_, sizeof(SkinVertex), kSkinAttributes, 0, &indices);
   array.add(furVertices_, sizeof(FurVertex), kFurAttributes, 0);
+  if (otherUv_.bytes() > 0) array.add(otherUv_, sizeof(Vec2), kOtherUv, 0);
   return array;
 }
 

@@ -47,10 +47,10 @@ class SurfaceBuffers {
   // One instance a vertex, of its position and normal alone.
   gl::VertexArray instanceArray() const;
 
-  std::size_t bytes() const { return vertices_.bytes() + furVertices_.bytes() + indices_.bytes(); }
+  std::size_t bytes() const { return vertices_.bytes() + furVertices_.bytes() + otherUv_.bytes() + indices_.bytes(); }
 
  private:
-  gl::Buffer vertices_, furVertices_, indices_;
+  gl::Buffer vertices_, furVertices_, otherUv_, indices_;
   gl::VertexArray array_;
   int vertexCount_ = 0, indexCount_ = 0;
   bool twoSided_ = false;

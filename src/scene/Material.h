@@ -17,6 +17,7 @@ struct MaterialTexture {
   int image = -1;        // of Model::images; -1: none
   int wrapS = kWrapRepeat, wrapT = kWrapRepeat;
   Mat3 transform{1.0f};  // (u, v, 1) of the mesh to (u, v, 1) of the image
+  bool other = false;    // of the mesh's otherUv
 };
 
 struct Material {

@@ -81,6 +81,19 @@ TEST(AppGroom, EveryEditOfTheWholeIsOneUndoStep) {
   }
 }
 
+TEST(AppGroom, MarkingsInAColourOfTheirOwnAreOneStepAndLeaveThatOfTheBrush) {
+  App app;
+  ASSERT_TRUE(app.loadPrimitive("sphere"));
+  const std::uint32_t ofBrush = app.settings().paintColor;
+  app.groomAll(GroomEdit::Tabby, 1, Vec3(0), 0x102030u);
+  const auto& paint = app.groom().paint.texels();
+  EXPECT_TRUE(std::any_of(paint.begin(), paint.end(), [](const auto& texel) { return texel[0] == 0x10 && texel[1] == 0x20 && texel[2] == 0x30 && texel[3] > 0; }));
+  EXPECT_EQ(app.settings().paintColor, ofBrush);
+  EXPECT_TRUE(app.undo());
+  EXPECT_FALSE(app.groomed());
+  EXPECT_FALSE(app.canUndo());
+}
+
 TEST(AppGroom, WhatChangesNothingIsNoStep) {
   App app;
   app.groomAll(GroomEdit::Clear);

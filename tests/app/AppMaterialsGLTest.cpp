@@ -6,8 +6,9 @@
 namespace fur::app {
 namespace {
 
-// A sphere of each material, side by side: the left one's is named Body, the right one's Eyes.
-std::vector<std::uint8_t> twoSpheres(const std::string& left = R"({"name":"Body"})", const std::string& right = R"({"name":"Eyes","pbrMetallicRoughness":{"baseColorFactor":[0,1,0,1],"metallicFactor":0}})") {
+// A sphere of each material, side by side: the left one's is named Body, the right one's Eyes. `pictured`: all of it lies at the left of
+// pictures, and by other coordinates at their right; there is one, picture 0.
+std::vector<std::uint8_t> twoSpheres(const std::string& left = R"({"name":"Body"})", const std::string& right = R"({"name":"Eyes","pbrMetallicRoughness":{"baseColorFactor":[0,1,0,1],"metallicFactor":0}})", bool pictured = false) {
   geometry::Mesh sphere = geometry::makeSphere();
   std::string views, accessors, primitives;
   scene::FileBytes binary;
@@ -22,9 +23,13 @@ std::vector<std::uint8_t> twoSpheres(const std::string& left = R"({"name":"Body"
     std::vector<Vec3> positions = sphere.positions;
     for (Vec3& p : positions) p.x += material ? 1.2f : -1.2f;
     const std::string place = add(positions, 5126, "VEC3", positions.size()), normal = add(sphere.normals, 5126, "VEC3", positions.size()), index = add(sphere.indices, 5125, "SCALAR", sphere.indices.size());
-    primitives += (material ? "," : "") + std::string(R"({"attributes":{"POSITION":)") + place + R"(,"NORMAL":)" + normal + R"(},"indices":)" + index + R"(,"material":)" + std::to_string(material) + "}";
+    std::string sets;
+    for (int set = 0; pictured && set < 2; ++set)
+      sets += ",\"TEXCOORD_" + std::to_string(set) + "\":" + add(std::vector<Vec2>(positions.size(), Vec2(set ? 0.75f : 0.25f, 0.5f)), 5126, "VEC2", positions.size());
+    primitives += (material ? "," : "") + std::string(R"({"attributes":{"POSITION":)") + place + R"(,"NORMAL":)" + normal + sets + R"(},"indices":)" + index + R"(,"material":)" + std::to_string(material) + "}";
   }
   return scene::glb(R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":[)" + primitives + R"(]}],"materials":[)" + left + "," + right +
+                        (pictured ? R"(],"textures":[{"source":0}],"images":[{"uri":"data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAIAAAABCAYAAAD0In+KAAAADklEQVR4nGNgYGD4DwIADvoE/EWwHYsAAAAASUVORK5CYII="}],"samplers":[{})" : "") +
                         R"(],"accessors":[)" + accessors + R"(],"bufferViews":[)" + views + R"(],"buffers":[{"byteLength":)" + std::to_string(binary.size()) + "}]}", binary);
 }
 
@@ -177,6 +182,18 @@ TEST(AppMaterials, ABarePartEmitsItsLight) {
   EXPECT_LT(picture.at(88, 60)[0], 80);
 }
 
+// A plane of two halves: the picture of what it emits is black and white, and its other coordinates lie in the white half alone.
+TEST(AppMaterials, APictureOfABarePartLiesByTheCoordinatesThatItNames) {
+  const auto shownBy = [](int set) {
+    TwoRoom room(twoSpheres(R"({"name":"Body"})", R"({"name":"Eyes","pbrMetallicRoughness":{"baseColorFactor":[0,0,0,1],"metallicFactor":0,"baseColorTexture":{"index":0}},"emissiveFactor":[0,0,1],"emissiveTexture":{"index":0,"texCoord":)" +
+                                                         std::to_string(set) + "}}", true));
+    while (!room.app.pendingImage().bytes.empty()) room.app.provideImage(2, 1, {0, 0, 0, 255, 255, 255, 255, 255});
+    return room.settled().at(88, 60)[2];
+  };
+  EXPECT_LT(shownBy(0), 80);
+  EXPECT_GT(shownBy(1), 150);
+}
+
 TEST(AppMaterials, TheViewOfTheSkinShowsBarePartsAsTheyAre) {
   TwoRoom room;
   room.app.setField("view", "skin");
@@ -234,6 +251,28 @@ TEST(AppMaterials, APartThatBecomesFurryTakesWaterAndOneThatBecomesBareLosesIt) 
   EXPECT_LT(wetnessOf(room.app, false), 0.02f);
   const wet::Accounts water = room.app.water().accounts();
   EXPECT_NEAR(water.painted, water.held + water.film + water.drops + water.dripped + water.evaporated + water.removed, 1e-3) << "none is lost or made";
+}
+
+TEST(AppMaterials, UndoOfFurryBringsTheWaterBackThatThePartHeld) {
+  TwoRoom room;
+  room.app.setWetness(1);
+  for (int i = 0; i < 10; ++i) room.app.tick(1.0f / 60);
+  const float before = wetnessOf(room.app, false);
+  ASSERT_GT(before, 0.5f);
+  ASSERT_TRUE(room.app.setFurry(0, false));
+  for (int i = 0; i < 10; ++i) room.app.tick(1.0f / 60);
+  ASSERT_LT(wetnessOf(room.app, false), 0.02f);
+  for (int again = 0; again < 2; ++again) {
+    ASSERT_TRUE(room.app.undo());
+    // All but what the first steps let run down.
+    for (int i = 0; i < 10; ++i) room.app.tick(1.0f / 60);
+    EXPECT_NEAR(wetnessOf(room.app, false), before, 0.05f) << again;
+    const wet::Accounts water = room.app.water().accounts();
+    EXPECT_NEAR(water.painted, water.held + water.film + water.drops + water.dripped + water.evaporated + water.removed, 1e-3) << again;
+    ASSERT_TRUE(room.app.redo());
+    for (int i = 0; i < 10; ++i) room.app.tick(1.0f / 60);
+    EXPECT_LT(wetnessOf(room.app, false), 0.02f) << again;
+  }
 }
 
 TEST(AppMaterials, LongHairCoversFurryPartsAlone) {

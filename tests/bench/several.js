@@ -61,8 +61,8 @@ install(noted.gl, () => fur.step(0, 1), fur.stats);
 window.save = async () => {
   let steps = 0;
   const count = () => { ++steps; };
-  canvas.addEventListener('progress', count);
+  fur.addEventListener('progress', count);
   const begun = performance.now(), { length } = await fur.save(), ms = performance.now() - begun;
-  canvas.removeEventListener('progress', count);
+  fur.removeEventListener('progress', count);
   return { ms, bytes: length, steps };
 };

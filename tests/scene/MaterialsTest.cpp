@@ -175,6 +175,37 @@ TEST(GltfMaterials, OneImageOfSeveralMaterialsIsKeptOnce) {
   EXPECT_EQ(model->materials[1].baseColorTexture.wrapS, kWrapClamp);
 }
 
+TEST(GltfMaterials, PicturesMayLieByTwoSetsOfCoordinates) {
+  const FileSet others{{"a.png", sizedPng(8, 8)}};
+  TriangleFile file = two(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0,"texCoord":1}}},
+    {"normalTexture":{"index":0},"emissiveTexture":{"index":0,"texCoord":1,"extensions":{"KHR_texture_transform":{"scale":[2,3]}}},"occlusionTexture":{"index":0,"texCoord":2}}],
+    "textures":[{"source":0}],"images":[{"uri":"a.png"}],"samplers":[)");
+  file.primitive = R"({"attributes":{"POSITION":0,"TEXCOORD_0":2,"TEXCOORD_1":3},"indices":1,"material":0},{"attributes":{"POSITION":0,"TEXCOORD_0":2,"TEXCOORD_1":3},"indices":1,"material":1})";
+  const std::size_t from = file.binary().size();
+  appendValues(file.more, std::vector<float>{0, 0, 1, 0, 0, 1, 0.5f, 0.25f, 0.75f, 0.25f, 0.5f, 0.125f});
+  for (std::size_t i = 0; i < 2; ++i) {
+    file.moreViews += R"(,{"buffer":0,"byteOffset":)" + std::to_string(from + 24 * i) + R"(,"byteLength":24})";
+    file.moreAccessors += R"(,{"bufferView":)" + std::to_string(2 + i) + R"(,"componentType":5126,"count":3,"type":"VEC2"})";
+  }
+  auto model = importGltf(file.build(), "sets.glb", others);
+  ASSERT_TRUE(model) << model.error().message;
+  // Of a furry part its picture counts, by whichever set that lies.
+  EXPECT_EQ(model->mesh.uv[1], Vec2(0.75f, 0.25f));
+  EXPECT_EQ(model->mesh.uv[4], Vec2(1, 0));
+  EXPECT_EQ(model->mesh.otherUv[1], Vec2(0)) << "it has one";
+  EXPECT_EQ(model->mesh.otherUv[4], Vec2(0.75f, 0.25f));
+  const Material& second = model->materials[1];
+  EXPECT_FALSE(second.normalTexture.other);
+  EXPECT_TRUE(second.emissiveTexture.other);
+  EXPECT_EQ(Vec2(second.emissiveTexture.transform * Vec3(1, 1, 1)), Vec2(2, 3));
+  EXPECT_EQ(second.occlusionTexture.image, -1);
+  ASSERT_EQ(model->warnings.size(), 1u);
+  EXPECT_NE(model->warnings[0].find("third set"), std::string::npos) << model->warnings[0];
+  const geometry::Surface surface = geometry::buildSurface(model->mesh).value();
+  for (const geometry::SurfaceVertex& vertex : surface.vertices)
+    if (vertex.source < model->mesh.otherUv.size()) EXPECT_EQ(vertex.otherUv, model->mesh.otherUv[vertex.source]);
+}
+
 TEST(GltfMaterials, PicturesGoOnBeyondEachEdgeAsTheirSamplerSays) {
   const FileSet others{{"a.png", sizedPng(8, 8)}};
   const auto wrapsOf = [&](const std::string& sampler) {

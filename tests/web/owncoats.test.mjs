@@ -127,7 +127,8 @@ test('markings of the menu Groom are in the colour beside them, and Plain takes 
   await page.fill('#pattern-color', '#102030');
   await page.click('[data-pattern=tabby]');
   await page.waitForFunction(() => wetFur.groomed);
-  assert.equal(await withFur(page, (fur) => fur.settings.paintColor), '#102030');
+  assert.deepEqual(await withFur(page, (fur) => [fur.undo(), fur.groomed, fur.canUndo]), [true, false, false], 'one step');
+  await withFur(page, (fur) => fur.redo());
   await page.click('[data-pattern=clearPaint]');
   await page.waitForFunction(() => !wetFur.groomed);
   await withFur(page, (fur) => fur.undo());

@@ -249,12 +249,12 @@ FUR_EXPORT std::uint32_t fur_saveScene(App* app) {
 FUR_EXPORT std::uint32_t fur_saveMaps(App* app) {
   return guarded([&] { return web::keepSaved(scene::writeZip(app->saveMaps())); });
 }
-// `edit`: the name of an app::GroomEdit.
-FUR_EXPORT int fur_groomAll(App* app, const char* edit, float value, float x, float y, float z) {
+// `edit`: the name of an app::GroomEdit. `color`: 0xRRGGBB; below 0: that of the settings.
+FUR_EXPORT int fur_groomAll(App* app, const char* edit, float value, float x, float y, float z, int color) {
   return guarded([&] {
     const auto known = app::groomEditNamed(edit);
     if (Status status = checkEdit("groom", edit, known.has_value(), value + x + y + z); !status) return web::report(status);
-    app->groomAll(*known, value, {x, y, z});
+    app->groomAll(*known, value, {x, y, z}, color < 0 ? std::nullopt : std::optional<std::uint32_t>(color));
     return 1;
   });
 }

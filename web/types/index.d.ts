@@ -194,9 +194,10 @@ export interface WetFurApi extends WetFurMethods {
   pick(at: { x: number; y: number }): { u: number; v: number } | null;
   /**
    * Dresses the whole model, as one undo step; what `value` and `direction` are is told with each edit. What the mask protects
-   * stays as it is. Rejects with a FurError where there is no such edit. This, length maps and all that saves fetch the editor's program.
+   * stays as it is. `color`: of markings, "#rrggbb", in place of the setting `paintColor`. Rejects with a FurError where there is no
+   * such edit. This, length maps and all that saves fetch the editor's program.
    */
-  groom(edit: GroomEdit, value?: number, direction?: readonly [number, number, number]): Promise<void>;
+  groom(edit: GroomEdit, value?: number, direction?: readonly [number, number, number], options?: { color?: string }): Promise<void>;
   /** The materials of the model, by their numbers: what it has several of is furry or bare, as its names say, until somebody says otherwise. */
   readonly materials: readonly { name: string; triangles: number; furry: boolean }[];
   /** Whether fur grows on one of several materials; one undo step. Throws a FurError for a number that is none of theirs. */

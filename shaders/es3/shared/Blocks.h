@@ -120,6 +120,7 @@ FUR_BLOCK(FurBlock) {
 #define FUR_AROUND 7          // xy: atlas  z: how far from there its triangles reach; of all vertices of one place the same
                               // w: how far clumps there sink as well, 0 or 1
 #define FUR_LEAN 8            // the skin's normal along axisS and axisT, where fur leans over it
+#define FUR_OTHER_UV 9        // of pictures of bare parts that lie by coordinates of their own; where there are any
 
 // Fin instances: one an edge.
 #define FUR_FIN_POSITION_A 0  // w: vertex index, for its bend

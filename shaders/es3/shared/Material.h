@@ -9,7 +9,7 @@ namespace fur::render::shared {
 FUR_BLOCK(MaterialBlock) {
   vec4 baseColorFactor;  // linear
   vec4 emissiveFactor;   // linear
-  // The first two rows of the matrices that take the mesh's texture coordinates to those of each picture.
+  // The first two rows of the matrices that take the mesh's texture coordinates to those of each picture. w: 1 takes its others.
   vec4 normalRows[2];
   vec4 roughnessRows[2];
   vec4 occlusionRows[2];

@@ -20,7 +20,8 @@ std::size_t bytesOf(const Step& step) {
   const auto* groom = std::get_if<GroomStep>(&step);
   if (!groom) return sizeof(Step);
   std::size_t bytes = sizeof(Step) + bytesIn(groom->points) + bytesIn(groom->combBefore) + bytesIn(groom->combAfter) +
-                      bytesIn(groom->whiskersBefore) + bytesIn(groom->whiskersAfter) + bytesIn(groom->bareBefore) + bytesIn(groom->bareAfter);
+                      bytesIn(groom->whiskersBefore) + bytesIn(groom->whiskersAfter) + bytesIn(groom->bareBefore) + bytesIn(groom->bareAfter) +
+                      bytesIn(groom->dried.texels) + bytesIn(groom->dried.held) + bytesIn(groom->dried.film);
   for (const GroomStep::Map& map : groom->maps) bytes += bytesIn(map.before) + bytesIn(map.after);
   return bytes;
 }
@@ -55,7 +56,8 @@ void carry(Io& io, S& step) {
     io(step.before, step.after);
   } else if constexpr (std::is_same_v<Kind, GroomStep>) {
     for (auto& map : step.maps) io(map.rect, map.before, map.after);
-    io(step.sizeBefore, step.sizeAfter, step.points, step.combBefore, step.combAfter, step.whiskersBefore, step.whiskersAfter, step.bareBefore, step.bareAfter);
+    io(step.sizeBefore, step.sizeAfter, step.points, step.combBefore, step.combAfter, step.whiskersBefore, step.whiskersAfter, step.bareBefore, step.bareAfter,
+       step.dried.texels, step.dried.held, step.dried.film);
   }
 }
 
@@ -162,6 +164,19 @@ void apply(const GroomStep& step, bool undo, groom::Groom& groom) {
     groom.comb[step.points[i]] = (undo ? step.combBefore : step.combAfter)[i];
   if (step.bareBefore != step.bareAfter) groom.bare = undo ? step.bareBefore : step.bareAfter;
   if (step.whiskersBefore != step.whiskersAfter) groom.whiskers = undo ? step.whiskersBefore : step.whiskersAfter;
+}
+
+void putBack(const DriedParts& parts, wet::WetnessMask& mask) {
+  std::vector<Vec4> texels = mask.texels();
+  std::vector<float> film = mask.film();
+  if (film.empty() && std::any_of(parts.film.begin(), parts.film.end(), [](float amount) { return amount > 0; })) film.resize(texels.size());
+  for (std::size_t i = 0; i < parts.texels.size(); ++i) {
+    const std::size_t at = parts.texels[i];
+    if (at >= texels.size() || texels[at].w > 0) continue;
+    texels[at] = parts.held[i];
+    if (!film.empty()) film[at] = parts.film[i];
+  }
+  mask.restore(std::move(texels), std::move(film));
 }
 
 void History::push(Step step, bool mergeable) {

@@ -41,6 +41,13 @@ struct MaskStep {
   std::vector<float> hairBefore{}, hairAfter{};  // wet::WetHair::state(), where that has changed
 };
 
+// Water on parts that lost their fur, and with it the water: texels of the mask, what each held, the film on it.
+struct DriedParts {
+  std::vector<std::uint32_t> texels;
+  std::vector<Vec4> held;
+  std::vector<float> film;
+};
+
 // The changed rectangle of each map (groom::kMaps), row-major, or all of them when their size has changed; and the points
 // that were combed otherwise; and all whiskers, when any of them has changed.
 struct GroomStep {
@@ -54,6 +61,7 @@ struct GroomStep {
   std::vector<Vec3> combBefore, combAfter;
   std::vector<groom::Whisker> whiskersBefore{}, whiskersAfter{};
   std::vector<std::uint8_t> bareBefore{}, bareAfter{};
+  DriedParts dried{};
 };
 
 // All hair before and after, as HairStage::save() has it.
@@ -73,6 +81,8 @@ std::optional<GroomStep> groomStep(const groom::Groom& before, const groom::Groo
 // Puts one side of the step in place.
 void apply(const MaskStep& step, bool undo, wet::WetnessMask& mask);
 void apply(const GroomStep& step, bool undo, groom::Groom& groom);
+// Puts what the parts held where the mask is dry.
+void putBack(const DriedParts& parts, wet::WetnessMask& mask);
 // `texels` with the rectangle replaced by one side of the step.
 template <class Texel>
 std::vector<Texel> withRect(int size, std::vector<Texel> texels, const geometry::TexelRect& rect,

@@ -67,6 +67,9 @@ class WaterStage {
   // A command that is no stroke of its own: Shake, Undo, Redo.
   void note(Command what, float clump);
   void apply(const MaskStep& step, bool undo);
+  // Water on parts that have become bare, before the next update() takes it; back again once they are furry.
+  DriedParts onBareParts(const ShapeStage& shape);
+  void putBack(const DriedParts& parts);
 
   // Some drops fall from above it; no stroke.
   void sprinkle(const ShapeStage& shape, const Mat4& worldFromModel, int drops);

@@ -65,6 +65,26 @@ void WaterStage::apply(const MaskStep& step, bool undo) {
   touch();
 }
 
+DriedParts WaterStage::onBareParts(const ShapeStage& shape) {
+  DriedParts parts;
+  if (mask_.isDry()) return parts;
+  const auto& charts = wetting(shape).chartOfTexel();
+  for (std::uint32_t i = 0; i < charts.size(); ++i) {
+    const float film = mask_.filmAt(i);
+    if (charts[i] != wet::SurfaceWetting::kNoChart || (mask_.texels()[i].w <= 0 && film <= 0)) continue;
+    parts.texels.push_back(i);
+    parts.held.push_back(mask_.texels()[i]);
+    parts.film.push_back(film);
+  }
+  return parts;
+}
+
+void WaterStage::putBack(const DriedParts& parts) {
+  if (parts.texels.empty()) return;
+  app::putBack(parts, mask_);
+  touch();
+}
+
 void WaterStage::hold(std::optional<geometry::SurfacePoint> at, float pressure, float height) {
   if (at) held_ = Held{*at, pressure, height};
   else held_ = held_ ? Held{held_->at, 0, held_->height} : Held{{}, 0, 0};

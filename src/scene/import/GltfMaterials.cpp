@@ -57,6 +57,17 @@ const TexcoordUse& GltfMaterials::texcoordUse(Whole material) {
   return at->second;
 }
 
+std::optional<Whole> GltfMaterials::otherSet(Whole material) {
+  const Whole first = texcoordUse(material).set;
+  const Json* json = materialOf(material);
+  for (const auto& [key, ofRoughness, member] : kTextures) {
+    const Json* texture = child(ofRoughness ? child(json, "pbrMetallicRoughness") : json, key);
+    if (!texture || !texture->isObject()) continue;
+    if (const Whole set = readTexcoordUse(*texture, formatted("materials[%llu].%s", material, key)).set; set != first) return set;
+  }
+  return {};
+}
+
 TexcoordUse GltfMaterials::readTexcoordUse(const Json& texture, const std::string& where) const {
   TexcoordUse use;
   use.set = file_.whole(texture, "texCoord", 0, where);
@@ -137,11 +148,13 @@ void GltfMaterials::readTexture(MaterialTexture& out, const Json* holder, const 
   if (!texture->isObject()) file_.bad("%s is not an object", where.c_str());
   const TexcoordUse use = readTexcoordUse(*texture, where);
   const TexcoordUse& ofMesh = texcoordUse(material);
-  if (use.set != ofMesh.set) return warn(model, where + " has other texture coordinates than the base colour: it is left out");
+  out.other = use.set != ofMesh.set;
+  if (out.other && use.set != otherSet(material)) return warn(model, where + " has a third set of texture coordinates: it is left out");
   const Whole index = file_.whole(*texture, "index", where);
   out.image = imageOf(index, key, model);
   if (out.image < 0) return;
-  if (std::abs(glm::determinant(ofMesh.transform)) > 1e-12f) out.transform = use.transform * glm::inverse(ofMesh.transform);
+  if (out.other) out.transform = use.transform;
+  else if (std::abs(glm::determinant(ofMesh.transform)) > 1e-12f) out.transform = use.transform * glm::inverse(ofMesh.transform);
   const Json& json = file_.element("textures", index);
   if (!child(&json, "sampler")) return;
   const Json& sampler = file_.element("samplers", file_.whole(json, "sampler", where));

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,8 @@ class GltfMaterials {
   Whole of(const Json& primitive, const std::string& where) const;
   // The texture coordinates that a mesh of the material has: those of its base colour, or of its first texture.
   const TexcoordUse& texcoordUse(Whole material);
+  // Another set by which other textures of it lie, of those that are read; none: all lie by that one.
+  std::optional<Whole> otherSet(Whole material);
   // Another primitive of so many triangles; returns the material's place in Model::materials.
   std::uint8_t count(Whole material, std::size_t triangles);
   // Model::materials, which of them is the main one, and images; after count() for all primitives. An image over kMaxImageSide is

@@ -36,6 +36,7 @@ class Importer {
     if (rigged_) placeSkins();
     if (model_.mesh.indices.empty()) file_.bad("there are no triangles in it");
     if (!anyTexcoords_) model_.mesh.uv.clear();
+    if (!model_.mesh.otherUv.empty()) model_.mesh.otherUv.resize(model_.mesh.positions.size(), Vec2(0));
     model_.hasTexcoords = anyTexcoords_ && !missingTexcoords_;
     checkTexcoords();
     describeMaterials();
@@ -190,23 +191,21 @@ class Importer {
   }
 
   void readTexcoords(geometry::Mesh& part, const Json& attributes, Whole material, const std::string& where) {
-    part.uv.assign(part.positions.size(), Vec2(0.0f));
-    const TexcoordUse use = materials_.texcoordUse(material);
+    const bool read = readTexcoordSet(part.uv, part.positions.size(), attributes, materials_.texcoordUse(material), where);
+    (read ? anyTexcoords_ : missingTexcoords_) = true;
+    if (const auto other = materials_.otherSet(material)) readTexcoordSet(part.otherUv, part.positions.size(), attributes, {.set = *other}, where);
+  }
+
+  // Zero where there are none; whether there are.
+  bool readTexcoordSet(std::vector<Vec2>& uv, std::size_t vertices, const Json& attributes, const TexcoordUse& use, const std::string& where) {
+    uv.assign(vertices, Vec2(0.0f));
     const std::string key = formatted("TEXCOORD_%llu", use.set);
-    if (!attributes.find(key)) {
-      missingTexcoords_ = true;
-      return;
-    }
+    if (!attributes.find(key)) return false;
     const Whole accessor = file_.whole(attributes, key.c_str(), where);
-    if (elementCount(file_, accessor) != part.positions.size()) {
-      missingTexcoords_ = true;
-      return warn(where + ": not one texture coordinate a vertex; they are left out");
-    }
+    if (elementCount(file_, accessor) != vertices) return warn(where + ": not one texture coordinate a vertex; they are left out"), false;
     const std::vector<float> values = readFloats(file_, accessor, 2);
-    for (std::size_t i = 0; i < part.uv.size(); ++i) {
-      part.uv[i] = usableTexcoord(Vec2(use.transform * Vec3(values[2 * i], values[2 * i + 1], 1.0f)));
-    }
-    anyTexcoords_ = true;
+    for (std::size_t i = 0; i < uv.size(); ++i) uv[i] = usableTexcoord(Vec2(use.transform * Vec3(values[2 * i], values[2 * i + 1], 1.0f)));
+    return true;
   }
 
   // The values of an attribute that only we know; none where the primitive has none.
@@ -289,6 +288,8 @@ class Importer {
     const auto base = static_cast<std::uint32_t>(mesh.positions.size());
     mesh.positions.insert(mesh.positions.end(), part.positions.begin(), part.positions.end());
     mesh.normals.insert(mesh.normals.end(), part.normals.begin(), part.normals.end());
+    if (!part.otherUv.empty()) mesh.otherUv.resize(base, Vec2(0));
+    mesh.otherUv.insert(mesh.otherUv.end(), part.otherUv.begin(), part.otherUv.end());
     mesh.uv.insert(mesh.uv.end(), part.uv.begin(), part.uv.end());
     for (const std::uint32_t index : part.indices) mesh.indices.push_back(base + index);
   }
