@@ -188,6 +188,7 @@ TEST(WetLocks, OfASoakedCoatEndWhereTheSheetDoes) {
 
 TEST(WetLocks, OfASoakedCoatHaveNoGrain) {
   WetBall ball;
+  set(ball.app, {{"clumpSize", "0.3"}});  // locks that are many pixels wide
   // How much pixels differ from the mean of those beside, above and below them, for their brightness.
   const auto grain = [](const Picture& p) {
     double apart = 0, sum = 0;
