@@ -97,17 +97,26 @@ void drawToClump(inout Strand s) {
 #endif
 
 #ifdef GROOMED
-// A fin shows one type a pixel, by chance. Whether any fur stands there.
+// A fin of the march shows one type a pixel, by chance. Whether any fur stands there.
 bool trim(inout Strand s) {
   vec4 texel = textureLod(groom, vAtlas, 0.0);
 #ifdef TYPES
   vec4 grows = presences(texel.gba);
+#ifdef CLASSIC
+  // Blended, chance would show as dots: the type that most grows there, each strand as high as its dominance lets it (shell_types.glsl).
+  grows *= typeGrows;
+  for (int i = 1; i < FUR_TYPES; ++i) s.type = grows[i] > grows[s.type] ? i : s.type;
+#else
   float chance = otherPixelNoise();
   for (int i = 0; i < FUR_TYPES - 1 && chance >= grows[i]; ++i) chance -= grows[i], s.type = i + 1;
+#endif
   s.h *= typeRise[s.type];
   showShares(only(s.type));
 #endif
   s.h *= vLength / max(texel.r, 1e-3);
+#if defined(TYPES) && defined(CLASSIC)
+  if (s.h > standsUpTo(grows[s.type], textureLod(finStrand, vec3(s.u, min(s.h, 0.985), float(s.type)), 0.0).w)) return false;
+#endif
   return s.h <= 1.0 && texel.r >= kBald && typeGrows[s.type] > 0.0;
 }
 #endif

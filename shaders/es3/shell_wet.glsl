@@ -148,11 +148,12 @@ void lieDown() {
   vec2 tile = tileAt(enters, min(vTop, coatTop)), way = tipTile * (max(0.85, FUR_LOCK_LENGTH * width * furLengths) / max(lies, 1e-3));
   Lying one = locksAt(tile, way, exp2(large)), two = locksAt(tile, way, exp2(large + 1.0));
   // What is smaller than a few pixels is seen as its mean.
-  float pixels = tileTexels * exp2(-large - vLight.w), seen = joined * smoothstep(0.05, 0.3, lies) * smoothstep(1.0, 3.0, pixels);
+  float pixels = tileTexels * exp2(-large - vLight.w);
+  vec2 seen = joined * smoothstep(0.05, 0.3, lies) * smoothstep(vec2(1.5), vec2(4.0), vec2(pixels, 0.5 * pixels));
   vec2 beside = furFromTile * vec2(-way.y, way.x);
-  vec2 apart = seen * mix(one.outward, two.outward, small);
+  vec2 apart = mix(seen.x * one.outward, seen.y * two.outward, small);
   lying.outward = beside * (apart.x / max(length(beside), 1e-6));
-  lying.rises = mix(1.0, mix(one.rises, two.rises, small), seen);
+  lying.rises = mix(mix(1.0, one.rises, seen.x), mix(1.0, two.rises, seen.y), small);
   // No two locks lie alike: the light that runs in rings round a body breaks up.
   lying.tilt = lean * (1.6 * apart.y / max(lies, 1e-3)) - 0.4 * lying.outward;
 }

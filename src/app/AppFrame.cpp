@@ -177,18 +177,18 @@ void App::State::uploadLengths(const geometry::TexelRect& changed) {
 
 // --- frames ---
 
+constexpr int kCrowdedShells = 3, kSlenderShells = 2;
 // Pictures have visible holes where fur length times grazing share exceeds kCrowded: on a torus with fur of 0.3, 0.2 % of all pixels show
 // skin in the hole of the ring instead of fur. Slender bodies, whose share is above kSlender, have slivers of sky there as well, between
-// breast and foreleg. Further shells stand only where rays may come to (the otter's frame costs about a quarter more).
+// breast and foreleg: one further shell leaves little of them, in pictures of the best quality. Further shells stand only where rays may
+// come to.
 void App::State::chooseShellCount() {
   constexpr float kCrowded = 0.024f, kSlender = 0.08f;
-  constexpr int kCrowdedShells = 3;
   const float length = coatLength();
   if (shells.surface == shape.surfaceRevision() && shells.length == length) return;
   const float share = geometry::grazingShare(shape.surface(), shape.query(), length);
-  const bool crowded = length * share > kCrowded || share > kSlender;
-  shells = {shape.surfaceRevision(), length, crowded ? kCrowdedShells : 1};
-  renderer->setCrowded(crowded ? geometry::crowdedVertices(shape.surface(), shape.query(), length) : std::vector<std::uint8_t>{});
+  shells = {shape.surfaceRevision(), length, length * share > kCrowded ? kCrowdedShells : share > kSlender ? kSlenderShells : 1};
+  renderer->setCrowded(shells.count > 1 ? geometry::crowdedVertices(shape.surface(), shape.query(), length) : std::vector<std::uint8_t>{});
 }
 
 render::Frame App::State::frame(int level) const {
@@ -202,7 +202,7 @@ render::Frame App::State::frame(int level) const {
   f.pixelScale = quality.pixelScale;
   f.stepLength = quality.stepLength;
   f.hairShare = quality.hairShare;
-  f.shellCount = shells.count;
+  f.shellCount = level > 0 && shells.count == kSlenderShells ? 1 : shells.count;
   f.worldFromModel = worldFromModel();
   f.camera = view.pose();
   f.width = view.width;

@@ -48,7 +48,7 @@ std::vector<Member> furMembers() {
       FUR_MEMBER(FurBlock, storedLayers), FUR_MEMBER(FurBlock, densest), FUR_MEMBER(FurBlock, maskTexels),
       FUR_MEMBER(FurBlock, lambert), FUR_MEMBER(FurBlock, textureAmount), FUR_MEMBER(FurBlock, chartsOverlap),
       FUR_MEMBER(FurBlock, clumpShape), FUR_MEMBER(FurBlock, wetDarkening), FUR_MEMBER(FurBlock, wetGloss),
-      FUR_MEMBER(FurBlock, lobePeak), FUR_MEMBER(FurBlock, clumpRadius),
+      FUR_MEMBER(FurBlock, lobePeak), FUR_MEMBER(FurBlock, skinPicture), FUR_MEMBER(FurBlock, clumpRadius),
   };
 }
 std::vector<Member> hairMembers() {

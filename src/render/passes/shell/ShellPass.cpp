@@ -1,6 +1,7 @@
 #include "render/passes/shell/ShellPass.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -21,11 +22,14 @@ void ShellPass::follow(const Skin& skin) {
     // It may face any way now.
     if (std::exchange(cluster.cosine, -1.0f) > 0) orderedFor_.reset();
     cluster.centre = skin.positions[patches_.indices[cluster.first]];
+    cluster.axis = skin.normals[patches_.indices[cluster.first]];
   }
 }
 
 void ShellPass::setPatches(geometry::FurPatches patches) {
   patches_ = std::move(patches);
+  spreads_.clear();
+  for (const geometry::FurCluster& cluster : patches_.clusters) spreads_.push_back(cluster.cosine);
   orderedFor_.reset();
 }
 
@@ -34,8 +38,12 @@ void ShellPass::setCrowded(std::vector<std::uint8_t> vertices) {
   orderedFor_.reset();
 }
 
-bool ShellPass::isCrowded(const geometry::FurCluster& cluster) const {
+// A ray that goes down steeply has crossed the coat's outside right before. `spread`: cosine of the cone of the patch's normals.
+bool ShellPass::isCrowded(const geometry::FurCluster& cluster, float spread, const Vec3& eye) const {
+  constexpr float kSteep = 0.5f;
   if (crowded_.empty()) return false;
+  const float facing = glm::dot(normalizeOr(eye - cluster.centre, cluster.axis), cluster.axis);
+  if (facing > 0 && spread > 0 && facing * spread - std::sqrt(std::max((1 - facing * facing) * (1 - spread * spread), 0.0f)) > kSteep) return false;
   const auto first = patches_.ownIndices.begin() + cluster.ownFirst;
   return std::any_of(first, first + cluster.ownCount, [&](std::uint32_t vertex) { return crowded_[vertex] > 0; });
 }
@@ -55,7 +63,7 @@ void ShellPass::order(const Drawing& drawing, float reach, Order wanted) {
     const geometry::FurCluster& c = patches_.clusters[i];
     const auto first = overlapping ? patches_.indices.begin() + c.first : patches_.ownIndices.begin() + c.ownFirst;
     // What is blended comes in one order.
-    std::vector<std::uint32_t>& out = wanted != Order::FarToNear && isCrowded(c) ? crowded : seen;
+    std::vector<std::uint32_t>& out = wanted != Order::FarToNear && isCrowded(c, spreads_[i], eye) ? crowded : seen;
     out.insert(out.end(), first, first + (overlapping ? c.count : c.ownCount));
   }
   ranges_ = drawing.surface.sortByMaterial(seen);

@@ -27,13 +27,14 @@ class ShellPass {
  private:
   enum class Order { NearToFar, NearToFarOverlapping, FarToNear };
   void order(const Drawing& drawing, float reach, Order wanted);
-  bool isCrowded(const geometry::FurCluster& cluster) const;
+  bool isCrowded(const geometry::FurCluster& cluster, float spread, const Vec3& eye) const;
   void drawMaterials(const Drawing& drawing, int shells, int crowdedShells) const;
 
   geometry::FurPatches patches_;
   gl::Buffer indices_;  // of patches that face the eye, near to far
   gl::VertexArray array_;
   std::vector<std::uint8_t> crowded_;
+  std::vector<float> spreads_;  // of the normals of each patch at rest, as FurCluster::cosine
   int indexCount_ = 0;
   IndexRanges ranges_, crowdedRanges_;  // of each material, in that order: what is not crowded, and what is
   // Eye (model space) and fur length that those on the GPU were put in order for, and which order that is.
