@@ -12,7 +12,8 @@ const most = 128;
 const withoutComments = (text) => text.replace(/\/\/.*|\/\*[\s\S]*?\*\//g, '');
 const shaders = readdirSync(folder).filter((name) => /\.(glsl|vert|frag)$/.test(name))
   .map((name) => ({ name, text: withoutComments(readFileSync(join(folder, name), 'utf8')) }));
-const everything = [readFileSync(join(folder, 'shared/Blocks.h'), 'utf8'), ...shaders.map(({ text }) => text)].map(withoutComments).join('\n');
+const shared = readdirSync(join(folder, 'shared')).map((name) => readFileSync(join(folder, 'shared', name), 'utf8'));
+const everything = [...shared, ...shaders.map(({ text }) => text)].map(withoutComments).join('\n');
 
 /** The most that a bound can be: a number, a constant, a condition, or what stepsTo() gives, which never exceeds its last argument. */
 function largest(bound, text) {
