@@ -8,21 +8,22 @@ vec4 typeShares;  // of the types in it
 vec4 shownShade;  // density, shadow, occlusion, specular
 vec3 shownGloss;  // shininess, dry shininess, variance
 vec3 shownRoot, shownTip;
-#define FUR_SHOW(type, share) \
-  for (int i = 0, once = int(share > 0.0); i < once; ++i) { \
-    shownShade += share * vec4(typeDensity[type], typeShadow[type], typeOcclusion[type], typeSpecular[type]); \
-    shownGloss += share * vec3(typeShininess[type], typeDryShininess[type], typeVariance[type]); \
-    shownRoot += share * rootColors[type].rgb; \
-    shownTip += share * tipColors[type].rgb; \
+void showShare(int type, float share) {
+  for (int i = 0, once = int(share > 0.0); i < once; ++i) {
+    shownShade += share * vec4(typeDensity[type], typeShadow[type], typeOcclusion[type], typeSpecular[type]);
+    shownGloss += share * vec3(typeShininess[type], typeDryShininess[type], typeVariance[type]);
+    shownRoot += share * rootColors[type].rgb;
+    shownTip += share * tipColors[type].rgb;
   }
+}
 void showShares(vec4 shares) {
   typeShares = shares;
   shownShade = vec4(0.0);
   shownGloss = shownRoot = shownTip = vec3(0.0);
-  FUR_SHOW(0, shares.x)
-  FUR_SHOW(1, shares.y)
-  FUR_SHOW(2, shares.z)
-  FUR_SHOW(3, shares.w)
+  showShare(0, shares.x);
+  showShare(1, shares.y);
+  showShare(2, shares.z);
+  showShare(3, shares.w);
 }
 float densityShown() { return shownShade.x; }
 float shadowShown() { return shownShade.y; }
