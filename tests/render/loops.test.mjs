@@ -70,3 +70,7 @@ test('loops that floats, great numbers or their own bodies decide are found', ()
   for (const [text, fault] of Object.entries(kinds)) assert.match(faultsIn(text).join(), fault, text);
   assert.deepEqual(faultsIn('int once = int(x > 0.0);\nfor (int i = 0; i < once; ++i) {}'), []);
 });
+
+test('no macro of a shader goes over several lines, which tools/short-names.mjs would join', () => {
+  for (const { name, text } of shaders) assert.ok(!/\\$/m.test(text), name);
+});
