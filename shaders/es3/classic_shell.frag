@@ -37,9 +37,7 @@ in vec4 vAtlasStep;
 mat2 atlasFromTile() { return mat2(vAtlasStep.xy, vAtlasStep.zw); }
 vec2 atlasAt(vec2 tile) { return vAtlas + atlasFromTile() * (tile - vTile.xy); }
 #endif
-#ifdef GROOMED
-in float vLength;
-#endif
+#include "common_length.glsl"
 #include "shell_root.glsl"
 
 out vec4 fragColor;

@@ -24,11 +24,7 @@ void drawToClump(inout Strand s) {
   float atlasLength = sqrt(abs(determinant(tileFromAtlas))), furLengths = sqrt(abs(determinant(furFromTile)));
   vec4 under = maskAt(mask, vAtlas), clump = under;
   float held = max(filteredWetness(mask, vAtlas), 0.0), chart = chartOf(under);
-#ifdef GROOMED
-  s.sheet = sheetOf(held, shortnessOf(furLength * vLength));
-#else
-  s.sheet = sheetOf(held, shortnessOf(furLength));
-#endif
+  s.sheet = sheetOf(held, shortnessOf(coatHere()));
   // Wet strands lie down the way they lean, and stand lower.
   vec2 lean = wetLean(vTip, held, s.sheet);
   s.along /= upright(held, s.sheet);

@@ -19,8 +19,9 @@ float coatShare(vec4 texel) {
 #ifdef TYPES
 vec4 only(int type) { return vec4(equal(ivec4(type), ivec4(0, 1, 2, 3))); }
 // Written out: a loop over types costs as much as a look-up on a software rasteriser.
-#define FUR_MIXED(colors, shares) (shares.x * colors[0].rgb + shares.y * colors[1].rgb + shares.z * colors[2].rgb + shares.w * colors[3].rgb)
-vec3 skinColorOf(vec4 presences) { return FUR_MIXED(skinColors, presences); }
+vec3 skinColorOf(vec4 presences) {
+  return presences.x * skinColors[0].rgb + presences.y * skinColors[1].rgb + presences.z * skinColors[2].rgb + presences.w * skinColors[3].rgb;
+}
 #endif
 
 // Up to which height a strand stands; its dominance is 0.5..1.

@@ -33,9 +33,7 @@ in vec2 vLean;
 #if defined(WET) || defined(GROOMED) || defined(PAINTED)
 in vec2 vAtlas;
 #endif
-#ifdef GROOMED
-in float vLength;
-#endif
+#include "common_length.glsl"
 #ifdef WET
 flat in vec2 vAtlasAlong;
 #endif
@@ -54,13 +52,6 @@ struct Strand {
   vec2 outward;  // from the middle of its clump, 1 at the rim
 #endif
 };
-
-// The length of the coat here, model units.
-#ifdef GROOMED
-float coatHere() { return furLength * vLength; }
-#else
-float coatHere() { return furLength; }
-#endif
 
 #ifdef WET
 void drawToClump(inout Strand s) {

@@ -13,9 +13,7 @@ in float vTop;
 #else
 flat in float vTop;  // height where the ray enters
 #endif
-#ifdef GROOMED
-in float vLength;  // of the coat, a share of the fur length
-#endif
+#include "common_length.glsl"
 #if defined(WET) || defined(GROOMED) || defined(PAINTED)
 in vec2 vAtlas;
 in vec4 vAtlasStep;

@@ -41,11 +41,7 @@ void enterWater() {
   vec4 entryClump = maskAt(mask, vAtlas);
   entryChart = chartOf(entryClump);
   entryRadius = entryClump.a > 0.0 ? entryClump.z : 0.0;
-#ifdef GROOMED
-  sheet = sheetOf(entryHeld, shortnessOf(furLength * vLength));
-#else
-  sheet = sheetOf(entryHeld, shortnessOf(furLength));
-#endif
+  sheet = sheetOf(entryHeld, shortnessOf(coatHere()));
   joined = sheet * (2.0 - sheet);
   coatTop = upright(entryHeld, sheet);
   lean = wetLean(0.5 * vLean.xy, entryHeld, sheet);

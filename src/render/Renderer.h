@@ -46,9 +46,9 @@ class Renderer {
   void setSkin(const Skin& skin);
   // Which triangles shells are drawn on, in place of all of the surface, and the length at every vertex: fins
   // between two of none are left out. What is bald costs nothing. Until the next setSurface().
+  void setFurry(geometry::FurPatches patches, std::span<const float> vertexLengths);
   // ShellPass::setCrowded(), until the next setSurface().
   void setCrowded(std::vector<std::uint8_t> vertices) { shells_.setCrowded(std::move(vertices)); }
-  void setFurry(geometry::FurPatches patches, std::span<const float> vertexLengths);
   void setWhiskers(std::span<const groom::WhiskerHair> hairs) { uploadedBytes_ += whiskers_.set(hairs); }
   // Long hair: so many scalps; what grows on one; where the nodes of its guides are, model space, guide after guide.
   void setScalps(std::size_t count) { hair_->setScalps(count); }
