@@ -24,8 +24,9 @@ mat2 tileFromAtlas, furFromTile;  // fur lengths along axisS, axisT (shell.vert)
 
 // What lies on top of a sheet where the ray comes to it.
 struct Lying {
-  vec2 outward;  // of its lock in the surface's frame, 1 at the rim; of locksAt(): x: to which side, 1 at the rim  y: chance of the lock, -0.5..0.5
+  vec2 outward;  // of its lock in the surface's frame, 1 at the rim; of locksAt(): x: to which side, 1 at the rim
   float rises;   // how far it is out of the gaps between locks, 0..1
+  float chance;  // of the lock, -0.5..0.5
   vec2 tilt;     // of its strands: to the tip of the lock, and up or down with it
 };
 Lying lying;
@@ -121,7 +122,7 @@ vec4 strandsInLine(float stored) {
 // Locks of one size: the one that comes from furthest lies on top, as hair lies over what roots further on. `cells`: of their grid, to a
 // tile; `lies`: from root to tip, tiles.
 Lying locksAt(vec2 tile, vec2 lies, float cells) {
-  Lying top = Lying(vec2(0.0), 0.0, vec2(0.0));
+  Lying top = Lying(vec2(0.0), 0.0, 0.0, vec2(0.0));
   vec2 at = tile * cells, way = lies * cells;
   float along = 0.0;
   for (int i = 0; i < FUR_LOCK_LOOKS; ++i) {
@@ -132,7 +133,7 @@ Lying locksAt(vec2 tile, vec2 lies, float cells) {
     along = on.x;
     top.outward.x = on.y;
     top.rises = (1.0 - on.y * on.y) * min(3.0 * on.x, 1.0);
-    top.outward.y = fract(dot(floor(centre), vec2(0.7548777, 0.5698403)) + 0.31) - 0.5;
+    top.chance = min(2.0 * top.rises, 1.0) * (fract(dot(floor(centre), vec2(0.7548777, 0.5698403)) + 0.31) - 0.5 + 0.5 * (0.5 - on.x));
   }
   return top;
 }
@@ -147,18 +148,18 @@ void lieDown() {
   float pixels = tileTexels * exp2(-large - vLight.w);
   vec2 seen = joined * smoothstep(0.05, 0.3, lies) * smoothstep(vec2(1.5), vec2(4.0), vec2(pixels, 0.5 * pixels));
   vec2 beside = furFromTile * vec2(-way.y, way.x);
-  vec2 apart = mix(seen.x * one.outward, seen.y * two.outward, small);
-  lying.outward = beside * (apart.x / max(length(beside), 1e-6));
+  lying.outward = beside * (mix(seen.x * one.outward.x, seen.y * two.outward.x, small) / max(length(beside), 1e-6));
+  lying.chance = mix(seen.x * one.chance, seen.y * two.chance, small);
   lying.rises = mix(mix(1.0, one.rises, seen.x), mix(1.0, two.rises, seen.y), small);
   // No two locks lie alike: the light that runs in rings round a body breaks up.
-  lying.tilt = lean * (1.6 * apart.y / max(lies, 1e-3)) - 0.4 * lying.outward;
+  lying.tilt = -0.4 * lying.outward;
 }
 
 // In a sheet those that lie in line are shown instead of the one that the march met: its chance would be grain there.
 void joinStrands(inout Met met, float furry) {
   met.x = mix(met.x, enters, joined);
   met.held = mix(met.here.clump.a, entryHeld, joined);
-  lying = Lying(vec2(0.0), 1.0, vec2(0.0));
+  lying = Lying(vec2(0.0), 1.0, 0.0, vec2(0.0));
   if (sheet <= 0.0) return;
   lieDown();
   vec4 inLine = strandsInLine(met.spot.z);
@@ -178,16 +179,16 @@ vec2 tiltOf(Met met) {
 vec2 clumpTilt(Met met, March march) {
   float along = heightAt(march.metX) / coatTop, held = clumpingWetness(met.here.clump.a, met.here.clump.z * atlasLength * furLengths);
   float rises = clumpPull(along - 1.0 / layers, held, sheet) - clumpPull(along, held, sheet);
-  return furFromTile * met.here.from * (rises * layers * (1.0 - joined)) + lean / coatTop + lying.tilt;
+  return furFromTile * met.here.from * (rises * layers * (1.0 - joined)) + lean * ((1.0 + 2.0 * joined) / (coatTop * max(1.0 + 1.6 * lying.chance, 0.1))) + lying.tilt;
 }
 
 float shadeOfOne() { return FUR_SHADE_OF_ONE * (1.0 - joined); }
 vec3 soaked(vec3 albedo, float rho) { return wetAlbedo(albedo, rho); }
 
 vec3 waterLight(vec3 color, Met met, vec3 T, vec3 L, vec3 V, float lit) {
-  vec2 outward = met.here.from / max(met.here.clump.z * atlasLength, 1e-6);
+  vec2 nods = lean * (1.5 * lying.chance / max(length(lean), 1e-3)), outward = met.here.from / max(met.here.clump.z * atlasLength, 1e-6);
   outward *= (1.0 - joined) / max(length(outward), 1.0);
-  vec3 n = normalize(clumpNormal(outward, sheet) + vec3(0.8 * joined * tiltOf(met) + lying.outward, 0.0));
-  color *= 0.35 + 0.65 * lying.rises;
-  return clumpLight(color, T, n, L, V, met.h, met.held, sheet, lit, vView.w, met.number);
+  vec3 n = normalize(clumpNormal(outward, sheet) + vec3(0.8 * joined * tiltOf(met) + lying.outward - nods, 0.0));
+  color *= 0.2 + 0.8 * lying.rises;
+  return clumpLight(color, T, n, L, V, met.h, met.held, sheet, lit, vView.w, met.number * mix(1.0, 0.7 + 1.2 * abs(lying.chance), joined));
 }
