@@ -20,7 +20,8 @@ float shortnessOf(float coat) { return smoothstep(FUR_SHORT_FROM, FUR_SHORT, clu
 
 // How far clumps have closed into a sheet: not at all up to where fur is merely wet; short fur makes one sooner.
 float sheetOf(float held, float shortness) {
-  return smoothstep(mix(FUR_SHEET_FROM, FUR_SHORT_SHEET_FROM, shortness), mix(1.0, FUR_SHORT_SHEET, shortness), held);
+  vec2 sheets = smoothstep(vec2(FUR_SHEET_FROM, FUR_SHORT_SHEET_FROM), vec2(1.0, FUR_SHORT_SHEET), vec2(held));
+  return mix(sheets.x, sheets.y, shortness);
 }
 
 // s: the share of the way to the clump's centre that a strand has gone at height h. A sheet opens it again.

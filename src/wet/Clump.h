@@ -32,7 +32,8 @@ inline float shortnessOf(float length, float clumpRadius) {
 // How far clumps have closed into a sheet, 0..1: smooth, so that nothing jumps as water comes and goes. Short fur makes a sheet
 // with less water.
 inline float sheetOf(float rho, float shortness = 0) {
-  return glm::smoothstep(glm::mix(kSheetFrom, static_cast<float>(FUR_SHORT_SHEET_FROM), shortness), glm::mix(1.0f, static_cast<float>(FUR_SHORT_SHEET), shortness), rho);
+  const float shortSheet = glm::smoothstep(static_cast<float>(FUR_SHORT_SHEET_FROM), static_cast<float>(FUR_SHORT_SHEET), rho);
+  return glm::mix(glm::smoothstep(kSheetFrom, 1.0f, rho), shortSheet, shortness);
 }
 
 // s: the share of the way to the clump's centre that a strand has gone at height h. Below kSheetFrom it is f(h) rho, as

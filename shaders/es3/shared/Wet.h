@@ -17,10 +17,10 @@
 
 // Fur is short where clumps are as wide as it is long: their radius as a share of its length, from which on it is rather short, and
 // wholly. It makes no clumps, which would be beads, but a sheet from that little water on, whole from that much.
-#define FUR_SHORT_FROM 0.32
-#define FUR_SHORT 0.5
+#define FUR_SHORT_FROM 0.3
+#define FUR_SHORT 0.55
 #define FUR_SHORT_SHEET_FROM 0.05
-#define FUR_SHORT_SHEET 0.45
+#define FUR_SHORT_SHEET 0.55
 
 // Locks that lie in a sheet: how wide, as a share of the length of the fur, but no less than that share of a clump's radius; and that
 // many times as long at least, as hairs that are shorter stick to those beside them. Half their width at the root, in cells of their
