@@ -26,8 +26,8 @@ mat2 tileFromAtlas, furFromTile;  // fur lengths along axisS, axisT (shell.vert)
 struct Lying {
   vec2 outward;  // of its lock in the surface's frame, 1 at the rim; of locksAt(): x: to which side, 1 at the rim
   float rises;   // how far it is out of the gaps between locks, 0..1
-  float chance;  // of the lock, -0.5..0.5
-  vec2 tilt;     // of its strands: to the tip of the lock, and up or down with it
+  float chance;  // how far it is up (above 0) or down: of the lock, falling to its tip; of a sheet, by the strand as well
+  vec2 tilt;     // of its strands to the tip of the lock
 };
 Lying lying;
 
@@ -133,7 +133,8 @@ Lying locksAt(vec2 tile, vec2 lies, float cells) {
     along = on.x;
     top.outward.x = on.y;
     top.rises = (1.0 - on.y * on.y) * min(3.0 * on.x, 1.0);
-    top.chance = min(2.0 * top.rises, 1.0) * (fract(dot(floor(centre), vec2(0.7548777, 0.5698403)) + 0.31) - 0.5 + 0.5 * (0.5 - on.x));
+    float chance = fract(dot(floor(centre), vec2(0.7548777, 0.5698403)) + 0.31) - 0.5;
+    top.chance = min(2.0 * top.rises, 1.0) * (chance + 0.5 * (0.5 - on.x));
   }
   return top;
 }
@@ -151,7 +152,6 @@ void lieDown() {
   lying.outward = beside * (mix(seen.x * one.outward.x, seen.y * two.outward.x, small) / max(length(beside), 1e-6));
   lying.chance = mix(seen.x * one.chance, seen.y * two.chance, small);
   lying.rises = mix(mix(1.0, one.rises, seen.x), mix(1.0, two.rises, seen.y), small);
-  // No two locks lie alike: the light that runs in rings round a body breaks up.
   lying.tilt = -0.4 * lying.outward;
 }
 
@@ -165,6 +165,8 @@ void joinStrands(inout Met met, float furry) {
   vec4 inLine = strandsInLine(met.spot.z);
   met.strand = mix(met.strand, inLine, joined);
   met.number = mix(met.number, clamp(0.5 + 3.0 * (inLine.z - 0.5), 0.0, 1.0), joined);
+  // No two locks lie alike, nor two lines of strands in one: light breaks into glints instead of running in rings round the body.
+  lying.chance *= 2.0 * met.number;
   met.h = mix(mix(met.h, 0.7, joined * (1.0 - met.closed)), 0.3 + 0.4 * met.number, joined);
   // Through a sparse coat skin shows all the same.
   if (reachesSkin) met.closed = mix(met.closed, 1.0, joined * furry * min(3.0 * densityShown(), 1.0));
@@ -179,16 +181,19 @@ vec2 tiltOf(Met met) {
 vec2 clumpTilt(Met met, March march) {
   float along = heightAt(march.metX) / coatTop, held = clumpingWetness(met.here.clump.a, met.here.clump.z * atlasLength * furLengths);
   float rises = clumpPull(along - 1.0 / layers, held, sheet) - clumpPull(along, held, sheet);
-  return furFromTile * met.here.from * (rises * layers * (1.0 - joined)) + lean * ((1.0 + 2.0 * joined) / (coatTop * max(1.0 + 1.6 * lying.chance, 0.1))) + lying.tilt;
+  // The strands of a sheet stick to those below: light finds them flatter than the coat is high.
+  float flatter = (1.0 + 1.5 * joined) / max(1.0 + 1.6 * lying.chance, 0.1);
+  return furFromTile * met.here.from * (rises * layers * (1.0 - joined)) + lean * (flatter / coatTop) + lying.tilt;
 }
 
 float shadeOfOne() { return FUR_SHADE_OF_ONE * (1.0 - joined); }
 vec3 soaked(vec3 albedo, float rho) { return wetAlbedo(albedo, rho); }
 
 vec3 waterLight(vec3 color, Met met, vec3 T, vec3 L, vec3 V, float lit) {
-  vec2 nods = lean * (1.5 * lying.chance / max(length(lean), 1e-3)), outward = met.here.from / max(met.here.clump.z * atlasLength, 1e-6);
+  vec2 back = lean * (lying.chance / max(length(lean), 1e-3)), outward = met.here.from / max(met.here.clump.z * atlasLength, 1e-6);
   outward *= (1.0 - joined) / max(length(outward), 1.0);
-  vec3 n = normalize(clumpNormal(outward, sheet) + vec3(0.8 * joined * tiltOf(met) + lying.outward - nods, 0.0));
+  vec3 n = normalize(clumpNormal(outward, sheet) + vec3(0.8 * joined * tiltOf(met) + lying.outward - back, 0.0));
   color *= 0.2 + 0.8 * lying.rises;
-  return clumpLight(color, T, n, L, V, met.h, met.held, sheet, lit, vView.w, met.number * mix(1.0, 0.7 + 1.2 * abs(lying.chance), joined));
+  float glints = met.number * mix(1.0, 0.65 + 0.6 * abs(lying.chance), joined);
+  return clumpLight(color, T, n, L, V, met.h, met.held, sheet, lit, vView.w, glints);
 }
