@@ -181,8 +181,8 @@ vec2 tiltOf(Met met) {
 vec2 clumpTilt(Met met, March march) {
   float along = heightAt(march.metX) / coatTop, held = clumpingWetness(met.here.clump.a, met.here.clump.z * atlasLength * furLengths);
   float rises = clumpPull(along - 1.0 / layers, held, sheet) - clumpPull(along, held, sheet);
-  // The strands of a sheet stick to those below: light finds them flatter than the coat is high.
-  float flatter = (1.0 + 1.5 * joined) / max(1.0 + 1.6 * lying.chance, 0.1);
+  // The strands of a sheet stick to those below: they lie flatter than the coat is high, however little water made it.
+  float flatter = (1.0 + 1.5 * min(2.0 * joined, 1.0) / clamp(entryHeld, 0.3, 1.0)) / max(1.0 + 1.6 * lying.chance, 0.1);
   return furFromTile * met.here.from * (rises * layers * (1.0 - joined)) + lean * (flatter / coatTop) + lying.tilt;
 }
 

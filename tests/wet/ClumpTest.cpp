@@ -77,6 +77,17 @@ TEST(Sheet, OfShortFurComesWithLessWaterAndNeverGoesAsThereIsMore) {
   }
 }
 
+// Half wet, short fur is a sheet and long fur clumps: a step between them would be a border across the coat.
+TEST(Sheet, ChangesEvenlyAsFurGrowsShorter) {
+  for (const float rho : {0.1f, 0.25f, 0.5f, 0.75f, 0.95f}) {
+    for (int i = 0; i < 100; ++i) {
+      const float shorter = sheetOf(rho, (i + 1) / 100.0f) - sheetOf(rho, i / 100.0f);
+      EXPECT_GE(shorter, -1e-6f);
+      EXPECT_LE(shorter, 0.01f + 1e-6f);
+    }
+  }
+}
+
 TEST(Sheet, IsThatOfLongFurWhereClumpsAreSlender) {
   EXPECT_EQ(shortnessOf(0.12f, 0.035f), 0);  // the settings' own
   EXPECT_EQ(shortnessOf(0.01f, 0.011f), 1);  // an otter's face

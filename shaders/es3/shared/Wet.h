@@ -17,8 +17,8 @@
 
 // Fur is short where clumps are as wide as it is long: their radius as a share of its length, from which on it is rather short, and
 // wholly. It makes no clumps, which would be beads, but a sheet from that little water on, whole from that much.
-#define FUR_SHORT_FROM 0.3
-#define FUR_SHORT 0.55
+#define FUR_SHORT_FROM 0.34
+#define FUR_SHORT 0.58
 #define FUR_SHORT_SHEET_FROM 0.05
 #define FUR_SHORT_SHEET 0.55
 
