@@ -139,6 +139,7 @@ Lying locksAt(vec2 tile, vec2 lies, float cells) {
   return top;
 }
 
+const float kMeanRise = 0.6;  // of locks that lie over one another
 // Of two sizes, as large as the fur there is long: as it grows shorter the one goes over into the other.
 void lieDown() {
   float width = max(FUR_LOCK_WIDTH / furLengths, FUR_LEAST_LOCK * clumpRadius * tilesPerUnit), size = -log2(width), large = floor(size), small = size - large;
@@ -147,11 +148,13 @@ void lieDown() {
   Lying one = locksAt(tile, way, exp2(large)), two = locksAt(tile, way, exp2(large + 1.0));
   // What is smaller than a few pixels is seen as its mean.
   float pixels = tileTexels * exp2(-large - vLight.w);
-  vec2 seen = joined * smoothstep(0.05, 0.3, lies) * smoothstep(vec2(1.5), vec2(4.0), vec2(pixels, 0.5 * pixels));
+  float lie = smoothstep(0.05, 0.3, lies);
+  vec2 seen = joined * lie * smoothstep(vec2(1.5), vec2(4.0), vec2(pixels, 0.5 * pixels));
+  vec2 rises = mix(vec2(kMeanRise), vec2(one.rises, two.rises), seen / max(joined * lie, 1e-6));
   vec2 beside = furFromTile * vec2(-way.y, way.x);
   lying.outward = beside * (mix(seen.x * one.outward.x, seen.y * two.outward.x, small) / max(length(beside), 1e-6));
   lying.chance = mix(seen.x * one.chance, seen.y * two.chance, small);
-  lying.rises = mix(mix(1.0, one.rises, seen.x), mix(1.0, two.rises, seen.y), small);
+  lying.rises = mix(1.0, mix(rises.x, rises.y, small), joined * lie);
   lying.tilt = -0.4 * lying.outward;
 }
 
