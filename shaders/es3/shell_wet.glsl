@@ -146,10 +146,10 @@ void lieDown() {
   float lies = length(lean);
   vec2 tile = tileAt(enters, min(vTop, coatTop)), way = tipTile * (max(0.85, FUR_LOCK_LENGTH * width * furLengths) / max(lies, 1e-3));
   Lying one = locksAt(tile, way, exp2(large)), two = locksAt(tile, way, exp2(large + 1.0));
-  // What is smaller than a few pixels is seen as its mean.
+  // What is smaller than two pixels is seen as its mean.
   float pixels = tileTexels * exp2(-large - vLight.w);
   float lie = smoothstep(0.05, 0.3, lies);
-  vec2 seen = joined * lie * smoothstep(vec2(1.5), vec2(4.0), vec2(pixels, 0.5 * pixels));
+  vec2 seen = joined * lie * smoothstep(vec2(1.0), vec2(2.5), vec2(pixels, 0.5 * pixels));
   vec2 rises = mix(vec2(kMeanRise), vec2(one.rises, two.rises), seen / max(joined * lie, 1e-6));
   vec2 beside = furFromTile * vec2(-way.y, way.x);
   lying.outward = beside * (mix(seen.x * one.outward.x, seen.y * two.outward.x, small) / max(length(beside), 1e-6));
