@@ -49,6 +49,9 @@ export class FurApp {
       this.program.callOrThrow('fur_stageFile', fileName, content, content.byteLength);
     this.#callOrThrow('fur_loadModel', bytes, bytes.byteLength, name, keepState ? 1 : 0);
   }
+  /** What was made of the model, as bytes that spare another program with the same state most of its next loadModel(). */
+  get surface() { return this.#saved('fur_saveSurface'); }
+  set surface(bytes) { this.#call('fur_giveSurface', bytes, bytes.byteLength); }
   /** `type`: of the fur, 0 to 3. */
   loadTypeSet(bytes, name, type = 0) { this.#callOrThrow('fur_loadTypeSet', bytes, bytes.byteLength, name, type); }
   /** Its colour map: a file (PNG, JPEG, WebP) and what is in it. */

@@ -1,9 +1,11 @@
 #include "app/App.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/AppState.h"
 #include "geometry/Primitives.h"
+#include "geometry/SurfaceBytes.h"
 #include "scene/StateJson.h"
 
 namespace fur::app {
@@ -76,6 +78,16 @@ void App::State::surfaceChanged(const CameraOrbit& viewBefore) {
   settleMotion();
 }
 
+std::vector<std::uint8_t> App::saveSurface() const { return geometry::surfaceBytes(state_->shape.surface()); }
+
+void App::giveSurface(std::span<const std::uint8_t> bytes) { state_->givenSurface.assign(bytes.begin(), bytes.end()); }
+
+Result<geometry::Surface> App::State::surfaceOf(const geometry::Mesh& mesh) {
+  const std::vector<std::uint8_t> given = std::exchange(givenSurface, {});
+  if (auto surface = geometry::surfaceFromBytes(given, mesh)) return std::move(*surface);
+  return geometry::buildSurface(mesh, mapping());
+}
+
 void App::State::setModel(geometry::Mesh mesh, geometry::Surface surface, Document from, scene::Rig rig, std::vector<std::uint8_t> materialOf) {
   const CameraOrbit before = homeView();
   endStroke();
@@ -106,7 +118,7 @@ Status App::loadPrimitive(std::string_view name) {
   else return Error{ErrorId::BadFile, "there is no model called \"" + std::string(name) + '"'};
   // Their own uv are stretched, and they have no picture: charts keep droplets round.
   mesh.uv.clear();
-  auto surface = geometry::buildSurface(mesh, state_->mapping());
+  auto surface = state_->surfaceOf(mesh);
   if (!surface) return surface.error();
   state_->setModel(std::move(mesh), std::move(*surface), {.name = std::string(name)});
   state_->restoreOwnLook();
@@ -118,7 +130,7 @@ Status App::loadModel(std::span<const std::uint8_t> bytes, const std::string& na
   auto model = scene::importModel(bytes, name, others);
   if (!model) return model.error();
   State& s = *state_;
-  auto surface = geometry::buildSurface(model->mesh, s.mapping());
+  auto surface = s.surfaceOf(model->mesh);
   if (!surface) return Error{surface.error().id, name + ": " + surface.error().message};
   auto files = s.shelf.addFiles(model->fur.coats, name);
   if (!files) return files.error();

@@ -92,6 +92,10 @@ class App {
   // they were changed, the next model without any is shown as the one before was.
   Status loadModel(std::span<const std::uint8_t> bytes, const std::string& name, const scene::FileSet& others = {},
                    bool keepState = false);
+  // What was made of the model, as bytes for another program of the same build, whose next load takes it instead of making it
+  // anew: most of the time that a large model takes. What does not fit is made anew.
+  std::vector<std::uint8_t> saveSurface() const;
+  void giveSurface(std::span<const std::uint8_t> bytes);
   // The next of the images that the model came with, still encoded, until provideImage() gives it decoded, or empty where it cannot be;
   // empty when there are no more.
   const scene::EncodedImage& pendingImage() const;

@@ -69,6 +69,7 @@ struct Hand {
 struct App::State {
   settings::Settings settings;
   Document document;
+  std::vector<std::uint8_t> givenSurface;  // App::giveSurface(), for the next model
   TypeShelf shelf;
 
   BehaviourStage behaviour;
@@ -143,6 +144,7 @@ struct App::State {
   // --- App.cpp ---
   CameraOrbit startView() const { return OrbitCamera::fitting(shape.extent().centre, shape.extent().radius); }
   CameraOrbit homeView() const;  // with that, of what is played now
+  Result<geometry::Surface> surfaceOf(const geometry::Mesh& mesh);
   void setModel(geometry::Mesh mesh, geometry::Surface surface, Document from, scene::Rig rig = {}, std::vector<std::uint8_t> materialOf = {});
   void surfaceChanged(const CameraOrbit& viewBefore);
   // A view that showed all of the model still does; glides there or is there at once.

@@ -56,6 +56,21 @@ TEST(AppDocument, OpensWithTheSameStateToTheBit) {
   EXPECT_TRUE(app.coatGiven());
 }
 
+// As when the element hands its scene to the program that saves.
+TEST(AppDocument, SavesTheSameWithASurfaceThatWasGiven) {
+  const auto model = scene::Tentacle().build();
+  std::vector<std::uint8_t> files[2], surface;
+  for (auto& file : files) {
+    DocumentRoom salon;
+    if (!surface.empty()) salon.app.giveSurface(surface);
+    ASSERT_TRUE(salon.app.loadModel(model, "tentacle.glb"));
+    surface = salon.app.saveSurface();
+    furnish(salon);
+    file = salon.app.saveScene();
+  }
+  EXPECT_EQ(files[0], files[1]);
+}
+
 TEST(AppDocument, OpensWithTheSamePicture) {
   DocumentRoom salon;
   App& app = salon.app;

@@ -1,0 +1,54 @@
+#include "geometry/SurfaceBytes.h"
+
+#include <algorithm>
+
+#include "core/Bytes.h"
+
+namespace fur::geometry {
+
+namespace {
+
+// In one order for writing and reading.
+template <class Stream, class OneSurface>
+void passThrough(Stream& stream, OneSurface& s) {
+  stream(s.vertices, s.trueVertexCount, s.indices, s.furIndices, s.ownFurIndices, s.furClusters, s.edges, s.chartCount, s.turned, s.sheets, s.inserted, s.meshIndices);
+}
+
+bool allBelow(const std::vector<std::uint32_t>& indices, std::size_t count) {
+  return indices.size() % 3 == 0 && std::ranges::all_of(indices, [&](std::uint32_t i) { return i < count; });
+}
+
+// A vertex inserted lies between two before it.
+bool insertedFit(const Surface& s, std::size_t count) {
+  return std::ranges::all_of(s.inserted, [&](const InsertedVertex& v) { return std::max(v.a, v.b) < count++; });
+}
+
+bool fits(const Surface& s, const Mesh& mesh) {
+  const std::size_t count = s.vertices.size(), own = mesh.positions.size(), sources = own + s.inserted.size();
+  return s.trueVertexCount <= count && !s.indices.empty() && allBelow(s.indices, s.trueVertexCount) && allBelow(s.furIndices, count) &&
+         allBelow(s.ownFurIndices, count) && allBelow(s.meshIndices, count) &&
+         std::ranges::all_of(s.vertices, [&](const SurfaceVertex& v) { return v.source < sources; }) &&
+         std::ranges::all_of(s.edges, [&](const SurfaceEdge& e) { return e.a < count && e.b < count; }) &&
+         insertedFit(s, own) &&
+         std::ranges::all_of(s.furClusters, [&](const FurCluster& c) {
+           return std::size_t{c.first} + c.count <= s.furIndices.size() && std::size_t{c.ownFirst} + c.ownCount <= s.ownFurIndices.size();
+         });
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> surfaceBytes(const Surface& surface) {
+  ByteWriter out;
+  passThrough(out, surface);
+  return std::move(out.bytes);
+}
+
+std::optional<Surface> surfaceFromBytes(std::span<const std::uint8_t> bytes, const Mesh& mesh) {
+  ByteReader in(bytes);
+  Surface surface;
+  passThrough(in, surface);
+  if (!in.sound() || !in.atEnd() || !fits(surface, mesh)) return std::nullopt;
+  return surface;
+}
+
+}  // namespace fur::geometry
