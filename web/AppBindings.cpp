@@ -58,7 +58,6 @@ FUR_EXPORT int fur_loadModel(App* app, const std::uint8_t* bytes, std::uint32_t 
 FUR_EXPORT std::uint32_t fur_saveSurface(App* app) {
   return guarded([&] { return web::keepSaved(app->saveSurface()); });
 }
-FUR_EXPORT void fur_giveSurface(App* app, const std::uint8_t* bytes, std::uint32_t size) { app->giveSurface({bytes, size}); }
 FUR_EXPORT int fur_loadTypeSet(App* app, const std::uint8_t* bytes, std::uint32_t size, const char* name, int type) {
   return guarded([&] { return web::report(app->loadTypeSet({bytes, size}, name, type)); });
 }

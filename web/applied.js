@@ -143,11 +143,10 @@ export class AppliedOptions {
   // --- settings ---
 
   setSetting(name, value) {
-    const { app, wantedSettings } = this.#session;
-    if (!app) {
-      wantedSettings.set(name, value);
-      return;
-    }
+    const { app, loaded, wantedSettings } = this.#session;
+    // The file of the first model brings settings of its own.
+    if (!loaded) wantedSettings.set(name, value);
+    if (!app) return;
     app.setSetting(name, value);
     this.#frames.afterChange();
   }
@@ -173,6 +172,7 @@ export class AppliedOptions {
   settingsToModel() {
     const { app, wantedSettings } = this.#session;
     for (const [name, value] of wantedSettings) app.setSetting(name, value);
+    app.settingsCameWithModel();
   }
   cameraToModel() {
     for (const name of forModel) this.#apply(name);

@@ -64,7 +64,7 @@ export class Editing {
     if (program === 'editor') return work(app);
     const copy = new FurApp(await this.#instantiate('editor'));
     try {
-      copy.surface = app.surface;
+      copy.giveSurface(app.surface);
       this.#loading.putBack(copy, this.#loading.document);
       return await work(copy);
     } finally {

@@ -49,9 +49,8 @@ export class FurApp {
       this.program.callOrThrow('fur_stageFile', fileName, content, content.byteLength);
     this.#callOrThrow('fur_loadModel', bytes, bytes.byteLength, name, keepState ? 1 : 0);
   }
-  /** What was made of the model, as bytes that spare another program with the same state most of its next loadModel(). */
+  /** What was made of the model, as bytes that spare the editor's program with the same state most of its next loadModel(). */
   get surface() { return this.#saved('fur_saveSurface'); }
-  set surface(bytes) { this.#call('fur_giveSurface', bytes, bytes.byteLength); }
   /** `type`: of the fur, 0 to 3. */
   loadTypeSet(bytes, name, type = 0) { this.#callOrThrow('fur_loadTypeSet', bytes, bytes.byteLength, name, type); }
   /** Its colour map: a file (PNG, JPEG, WebP) and what is in it. */
@@ -131,6 +130,7 @@ export class FurApp {
   get hair() { return this.haired ? this.#saved('fur_saveHair') : new Uint8Array(); }
   restoreHair(bytes, undoable) { this.#callOrThrow('fur_restoreHair', bytes, bytes.byteLength, undoable ? 1 : 0); }
   // These are in the editor's program only.
+  giveSurface(bytes) { this.#call('fur_giveSurface', bytes, bytes.byteLength); }
   saveTypeSet(type = 0) { return this.#saved('fur_saveTypeSet', type); }
   saveCoat(name, type = 0) { return this.#saved('fur_saveCoat', name, type); }
   saveFo() { return this.#saved('fur_saveFo'); }

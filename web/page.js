@@ -38,13 +38,14 @@ window.wetFur = fur;
 
 // --- the address ---
 
-function applyLink(link) {
+/** `ofBefore`: it is for a scene that has a backdrop already. */
+function applyLink(link, ofBefore = false) {
   for (const text of link.warnings) {
     console.warn(`wet-fur: ${text}`);
     fur.warnings.push(text);
   }
   if (link.state) fur.setState(link.state);
-  else for (const [name, color] of Object.entries(backdrop)) fur.fur.set(name, color);
+  else if (!ofBefore) for (const [name, color] of Object.entries(backdrop)) fur.fur.set(name, color);
   if (link.preset) fur.preset = link.preset;
   // Settings beside the light rig stay over it.
   if (link.light) fur.lightRig = link.light;

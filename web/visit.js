@@ -43,7 +43,7 @@ export class Visit {
     if (keepsWork(link)) this.#autosave = new Autosave(fur, sceneOf(link), (reason) => this.#onFailure(reason));
   }
 
-  /** Until a model is shown. @param {(link: object) => void} apply what else the link asks for */
+  /** Until a model is shown. @param {(link: object, ofBefore?: boolean) => void} apply what else the link asks for */
   async open(apply) {
     compileProgram('viewer').catch(() => {});  // meanwhile
     const found = await this.#autosave?.find();
@@ -57,7 +57,7 @@ export class Visit {
 
   /** What there is to say of it; null: it could not be. */
   async #restore(document, apply) {
-    apply(withoutScene(this.#link));
+    apply(withoutScene(this.#link), true);
     if (document.source.src !== firstModel) this.#fur.querySelector('[slot=poster]')?.remove();
     try {
       await this.#fur.fur.openDocument(document);

@@ -80,11 +80,15 @@ void App::State::surfaceChanged(const CameraOrbit& viewBefore) {
 
 std::vector<std::uint8_t> App::saveSurface() const { return geometry::surfaceBytes(state_->shape.surface()); }
 
-void App::giveSurface(std::span<const std::uint8_t> bytes) { state_->givenSurface.assign(bytes.begin(), bytes.end()); }
+void App::giveSurface(std::span<const std::uint8_t> bytes) {
+  state_->givenSurface.assign(bytes.begin(), bytes.end());
+  state_->readSurface = geometry::surfaceFromBytes;
+}
 
 Result<geometry::Surface> App::State::surfaceOf(const geometry::Mesh& mesh) {
   const std::vector<std::uint8_t> given = std::exchange(givenSurface, {});
-  if (auto surface = geometry::surfaceFromBytes(given, mesh)) return std::move(*surface);
+  if (!given.empty())
+    if (auto surface = readSurface(given, mesh)) return std::move(*surface);
   return geometry::buildSurface(mesh, mapping());
 }
 
@@ -176,6 +180,8 @@ void App::State::takeFurLength(float length) {
 }
 
 // Of the model before one that brought its own, unless a person has changed that since.
+void App::settingsCameWithModel() { state_->settingsOfFile = state_->settings; }
+
 void App::State::restoreOwnLook() {
   const auto own = std::exchange(ownLook, std::nullopt);
   if (!own || settings != settingsOfFile) return;

@@ -92,6 +92,8 @@ class App {
   // they were changed, the next model without any is shown as the one before was.
   Status loadModel(std::span<const std::uint8_t> bytes, const std::string& name, const scene::FileSet& others = {},
                    bool keepState = false);
+  // What was set on top of the settings that the model brought, counts as them: it is no work of a person's.
+  void settingsCameWithModel();
   // What was made of the model, as bytes for another program of the same build, whose next load takes it instead of making it
   // anew: most of the time that a large model takes. What does not fit is made anew.
   std::vector<std::uint8_t> saveSurface() const;

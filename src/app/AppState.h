@@ -69,7 +69,9 @@ struct Hand {
 struct App::State {
   settings::Settings settings;
   Document document;
-  std::vector<std::uint8_t> givenSurface;  // App::giveSurface(), for the next model
+  // Of App::giveSurface(), for the next model. Only programs that call that carry what reads it.
+  std::vector<std::uint8_t> givenSurface;
+  std::optional<geometry::Surface> (*readSurface)(std::span<const std::uint8_t> bytes, const geometry::Mesh& mesh) = nullptr;
   TypeShelf shelf;
 
   BehaviourStage behaviour;

@@ -14,23 +14,28 @@ void passThrough(Stream& stream, OneSurface& s) {
   stream(s.vertices, s.trueVertexCount, s.indices, s.furIndices, s.ownFurIndices, s.furClusters, s.edges, s.chartCount, s.turned, s.sheets, s.inserted, s.meshIndices);
 }
 
+template <class T, class Test>
+bool allOf(const std::vector<T>& values, Test test) {
+  return std::all_of(values.begin(), values.end(), test);
+}
+
 bool allBelow(const std::vector<std::uint32_t>& indices, std::size_t count) {
-  return indices.size() % 3 == 0 && std::ranges::all_of(indices, [&](std::uint32_t i) { return i < count; });
+  return indices.size() % 3 == 0 && allOf(indices, [&](std::uint32_t i) { return i < count; });
 }
 
 // A vertex inserted lies between two before it.
 bool insertedFit(const Surface& s, std::size_t count) {
-  return std::ranges::all_of(s.inserted, [&](const InsertedVertex& v) { return std::max(v.a, v.b) < count++; });
+  return allOf(s.inserted, [&](const InsertedVertex& v) { return std::max(v.a, v.b) < count++; });
 }
 
 bool fits(const Surface& s, const Mesh& mesh) {
   const std::size_t count = s.vertices.size(), own = mesh.positions.size(), sources = own + s.inserted.size();
   return s.trueVertexCount <= count && !s.indices.empty() && allBelow(s.indices, s.trueVertexCount) && allBelow(s.furIndices, count) &&
          allBelow(s.ownFurIndices, count) && allBelow(s.meshIndices, count) &&
-         std::ranges::all_of(s.vertices, [&](const SurfaceVertex& v) { return v.source < sources; }) &&
-         std::ranges::all_of(s.edges, [&](const SurfaceEdge& e) { return e.a < count && e.b < count; }) &&
+         allOf(s.vertices, [&](const SurfaceVertex& v) { return v.source < sources; }) &&
+         allOf(s.edges, [&](const SurfaceEdge& e) { return e.a < count && e.b < count; }) &&
          insertedFit(s, own) &&
-         std::ranges::all_of(s.furClusters, [&](const FurCluster& c) {
+         allOf(s.furClusters, [&](const FurCluster& c) {
            return std::size_t{c.first} + c.count <= s.furIndices.size() && std::size_t{c.ownFirst} + c.ownCount <= s.ownFurIndices.size();
          });
 }

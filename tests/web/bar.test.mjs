@@ -215,3 +215,17 @@ test('where dark is liked the page is dark, and a link leaves that to whoever op
   const other = await site.open(new URL(await page.evaluate(() => navigator.clipboard.readText())).search);
   assert.equal(await withFur(other, (fur) => fur.backgroundBottom), '#e8e2d8');
 });
+
+test('where dark is liked, too, the otter takes its light along when it goes, and undo leads to nothing before it', async () => {
+  const dark = { colorScheme: 'dark' };
+  const settingsOf = (page) => withFur(page, (fur) => JSON.parse(fur.getState()).settings);
+  const wanted = await settingsOf(await site.open(`?${plain}&src=bunny`, dark));
+  const page = await site.open(`?${plain}&src=otter`, dark);
+  assert.equal(await withFur(page, (fur) => fur.canUndo), false);
+  assert.notDeepEqual(await settingsOf(page), wanted);
+  await withFur(page, (fur) => new Promise((resolve) => {
+    fur.addEventListener('load', resolve, { once: true });
+    fur.src = 'bunny';
+  }));
+  assert.deepEqual(await settingsOf(page), wanted);
+});

@@ -239,6 +239,8 @@ FUR_EXPORT std::uint32_t fur_saveFo(App* app) {
   return guarded([&] { return web::keepSaved(app->saveFo()); });
 }
 // What fur_saveScene() leaves out, one a line.
+// As fur_saveSurface() of any program gives it.
+FUR_EXPORT void fur_giveSurface(App* app, const std::uint8_t* bytes, std::uint32_t size) { app->giveSurface({bytes, size}); }
 FUR_EXPORT const char* fur_lostBySaving(App* app) {
   return guarded([&] { return web::text(lines(app->lostBySaving())); });
 }

@@ -72,7 +72,7 @@ void ShapeStage::setModel(geometry::Mesh mesh, geometry::Surface surface, scene:
 
 void ShapeStage::setSurface(geometry::Surface surface) {
   surface_ = std::move(surface);
-  query_ = geometry::SurfaceQuery(surface_);
+  query_.reset();
   points_.reset();
   ++surfaceRevision_;
   spreadMaterials();
@@ -92,6 +92,11 @@ void ShapeStage::spreadMaterials() {
 
 int ShapeStage::animationOf(int setting) const {
   return setting <= static_cast<int>(rig_.animations.size()) ? setting - 1 : -1;
+}
+
+const geometry::SurfaceQuery& ShapeStage::query() const {
+  if (!query_) query_.emplace(surface_);
+  return *query_;
 }
 
 const groom::SurfacePoints& ShapeStage::points() const {
@@ -219,9 +224,9 @@ bool ShapeStage::update(const Inputs& inputs) {
 }
 
 const geometry::SurfaceQuery& ShapeStage::shownQuery() const {
-  if (!pose_) return query_;
+  if (!pose_) return query();
   if (noteChange(posedQueryFor_, revision())) {
-    if (noteChange(posedQueryOf_, surfaceRevision_)) posedQuery_ = query_;
+    if (noteChange(posedQueryOf_, surfaceRevision_)) posedQuery_ = query();
     posedQuery_.follow(surface_, skin_.positions);
   }
   return posedQuery_;
@@ -240,7 +245,7 @@ std::optional<geometry::SurfacePoint> ShapeStage::nearest(const Vec3& place) con
   // Either side will do: the point is on the surface, or nearly.
   for (const float radius : {0.01f, 0.1f, 4.0f})
     for (const Vec3& side : {Vec3(0, 1, 0), Vec3(0, -1, 0), Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)})
-      if (const auto at = nearestPoint(surface_, query_, place, radius, side)) return at;
+      if (const auto at = nearestPoint(surface_, query(), place, radius, side)) return at;
   return std::nullopt;
 }
 

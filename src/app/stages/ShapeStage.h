@@ -61,7 +61,7 @@ class ShapeStage {
   const Extent& extent() const { return extent_; }
   float groundHeight() const { return groundHeight_; }  // of the floor below all that it plays, y
   float top() const { return top_; }                    // the highest that it comes there
-  const geometry::SurfaceQuery& query() const { return query_; }  // of the surface as it was made
+  const geometry::SurfaceQuery& query() const;  // of the surface as it was made
   // Positions of the surface without duplicates; made when first asked for.
   const groom::SurfacePoints& points() const;
 
@@ -106,7 +106,7 @@ class ShapeStage {
 
   geometry::Mesh mesh_;
   geometry::Surface surface_;
-  geometry::SurfaceQuery query_;
+  mutable std::optional<geometry::SurfaceQuery> query_;
   std::vector<std::uint8_t> ofMesh_, materialOf_;  // materials
   mutable std::optional<groom::SurfacePoints> points_;
   scene::Rig rig_;
