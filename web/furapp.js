@@ -130,7 +130,7 @@ export class FurApp {
   get hair() { return this.haired ? this.#saved('fur_saveHair') : new Uint8Array(); }
   restoreHair(bytes, undoable) { this.#callOrThrow('fur_restoreHair', bytes, bytes.byteLength, undoable ? 1 : 0); }
   // These are in the editor's program only.
-  giveSurface(bytes) { this.#call('fur_giveSurface', bytes, bytes.byteLength); }
+  giveSurface(bytes) { this.#callOrThrow('fur_giveSurface', bytes, bytes.byteLength); }
   saveTypeSet(type = 0) { return this.#saved('fur_saveTypeSet', type); }
   saveCoat(name, type = 0) { return this.#saved('fur_saveCoat', name, type); }
   saveFo() { return this.#saved('fur_saveFo'); }

@@ -179,9 +179,9 @@ void App::State::takeFurLength(float length) {
   settingsOfFile = settings;
 }
 
-// Of the model before one that brought its own, unless a person has changed that since.
 void App::settingsCameWithModel() { state_->settingsOfFile = state_->settings; }
 
+// Of the model before one that brought its own, unless a person has changed that since.
 void App::State::restoreOwnLook() {
   const auto own = std::exchange(ownLook, std::nullopt);
   if (!own || settings != settingsOfFile) return;

@@ -238,9 +238,14 @@ FUR_EXPORT std::uint32_t fur_saveCoat(App* app, const char* name, int type) {
 FUR_EXPORT std::uint32_t fur_saveFo(App* app) {
   return guarded([&] { return web::keepSaved(app->saveFo()); });
 }
-// What fur_saveScene() leaves out, one a line.
 // As fur_saveSurface() of any program gives it.
-FUR_EXPORT void fur_giveSurface(App* app, const std::uint8_t* bytes, std::uint32_t size) { app->giveSurface({bytes, size}); }
+FUR_EXPORT int fur_giveSurface(App* app, const std::uint8_t* bytes, std::uint32_t size) {
+  return guarded([&] {
+    app->giveSurface({bytes, size});
+    return 1;
+  });
+}
+// What fur_saveScene() leaves out, one a line.
 FUR_EXPORT const char* fur_lostBySaving(App* app) {
   return guarded([&] { return web::text(lines(app->lostBySaving())); });
 }
