@@ -87,6 +87,9 @@ TEST(SurfaceQuery, FindsTheSameTrianglesWithinARadiusAsLookingAtAll) {
       // The nearest of a fine net of points of the triangle bounds its distance from above.
       const auto v = cornersOf(surface, t);
       float nearest = 1e9f, longest = 0.0f;
+      for (std::size_t k = 0; k < 3; ++k) longest = std::max(longest, glm::length(v[k]->position - v[(k + 1) % 3]->position));
+      // No point of it is further from a corner.
+      if (glm::length(v[0]->position - centre) > radius + 1.1f * longest) continue;
       for (int a = 0; a <= 16; ++a) {
         for (int b = 0; a + b <= 16; ++b) {
           const Vec3 p = (v[0]->position * static_cast<float>(a) + v[1]->position * static_cast<float>(b) +
@@ -94,7 +97,6 @@ TEST(SurfaceQuery, FindsTheSameTrianglesWithinARadiusAsLookingAtAll) {
           nearest = std::min(nearest, glm::length(p - centre));
         }
       }
-      for (std::size_t k = 0; k < 3; ++k) longest = std::max(longest, glm::length(v[k]->position - v[(k + 1) % 3]->position));
       if (nearest <= radius) surely.push_back(t);
       if (nearest <= radius + longest / 16.0f) maybe.push_back(t);
     }
