@@ -288,7 +288,7 @@ export class WetFur extends EventTarget {
   /** A picture, and what it is of app/tools/PictureUses.inc; without that, the person is asked. Whether it was used. */
   async loadPicture(given, { as } = {}) {
     await this.ready;
-    const name = given.name ?? '';
+    const name = given.name ?? '', image = await this.#decode(given);
     // One that "Save maps" wrote says what it is.
     const known = as ?? (/-map-(length|types|paint|mask|shape)( \(\d+\))?\.png$/.test(name) ? 'length' : null);
     const use = known ?? await (await import('./askpicture.js')).askPicture(name, this.canvas);
@@ -297,11 +297,10 @@ export class WetFur extends EventTarget {
       await this.setTypePicture(use === 'skin' ? use : Number(this.settings.groomType), given);
       return true;
     }
-    const image = await this.#decode(given);
     const hadWarned = [];
     await this.#editing.groomInWorkshop((app) => {
       app.usePicture(use, name, image);
-      if (app !== this.#app) hadWarned.push(...app.takeWarnings());
+      hadWarned.push(...app.takeWarnings());
     });
     for (const warning of hadWarned) this.#session.warn(warning);
     return true;

@@ -82,6 +82,7 @@ export class Loading {
       if (!app) return;  // disposed of meanwhile
       if (picture) app.setTypePicture(type, picture.bytes, picture.image);
       else app.setSetting(type < 4 ? `type${type + 1}.picture` : 'skin.picture', '');
+      this.#session.flushWarnings();
       this.#frames.afterChange();
     } catch (error) {
       throw this.failed(asFurError(error, 'bad-file'));

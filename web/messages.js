@@ -24,6 +24,9 @@ export class Messages {
     setTimeout(() => box.remove(), noteMilliseconds);
   }
 
+  /** Stays until it is dismissed; read out politely. */
+  tell(text) { this.#add(text, 'status'); }
+
   /** With a text to take along by hand. */
   copyable(text, value) {
     const box = this.#add(text, 'status');

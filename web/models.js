@@ -21,16 +21,19 @@ export const acceptedFiles = [...Object.keys(kindOfEnding), 'image/*'].join();
 /** Endings of models, coats and hair, for people. */
 export const readEndings = Object.keys(kindOfEnding).filter((ending) => /Model|Coat|Hair/.test(kindOfEnding[ending]));
 
+/** Some systems give files no type. */
+const isPicture = ({ name, type }) => /^image\//.test(type) || (!type && /\.(png|jpe?g|webp|avif|gif|bmp)$/i.test(name));
+
 /**
- * Which of the files that were picked or dropped together is the model, which the coat, which the hair; undefined for none. A
- * picture that comes alone is a length map.
+ * Which of the files that were picked or dropped together is the model, which the coat, which the hair, and which a picture that
+ * comes alone; undefined for none.
  */
 export function sortFiles(files) {
   const list = [...files];
   const model = list.find((file) => kindOf(file) === 'Model');
   const typeSet = list.find((file) => kindOf(file) === 'Coat');
   const hair = list.find((file) => kindOf(file) === 'Hair');
-  const image = list.length === 1 && /^image\//.test(list[0].type) ? list[0] : undefined;
+  const image = list.length === 1 && isPicture(list[0]) ? list[0] : undefined;
   return { model, typeSet, hair, image, others: list.filter((file) => file !== model && file !== typeSet && file !== hair) };
 }
 

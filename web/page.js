@@ -14,7 +14,7 @@ import { packBytes, packGroom, sameBytes } from './packed.js';
 import { packWater, waterSizes } from './packedwater.js';
 import { packStrokes } from './strokes.js';
 import { Toolbar } from './toolbar.js';
-import { modelOf, Visit } from './visit.js';
+import { asksForScene, modelOf, Visit } from './visit.js';
 import { welcome } from './welcome.js';
 
 const byId = (id) => document.getElementById(id);
@@ -60,11 +60,26 @@ function applyLink(link, ofBefore = false) {
   showModelName(modelOf(link));
 }
 
+const mostTold = 3;
+
+/** What `work` warns of, in one message that begins with `what`. */
+async function tellWarnings(what, work, told = []) {
+  const note = ({ detail }) => told.push(detail.message);
+  fur.addEventListener('warning', note);
+  try {
+    return await work();
+  } finally {
+    fur.removeEventListener('warning', note);
+    const more = told.length - mostTold;
+    if (told.length > 0) messages.tell(`${what}: ${told.slice(0, mostTold).join('; ')}${more > 0 ? `; and ${more} more, which are in the console` : ''}`);
+  }
+}
+
 async function openAsLinked() {
   const link = readLink(location.href);
   if (modelOf(link) !== firstModel) fur.querySelector('[slot=poster]').remove();  // of another model
   const visit = new Visit(fur, link, messages);
-  await visit.open(applyLink);
+  await (asksForScene(link) ? tellWarnings('Not all of the link could be used', () => visit.open(applyLink), [...link.warnings]) : visit.open(applyLink));
   bar.inert = false;
   if (visit.isFirst) welcome(fur, byId('hint'));
   if (link.frames) fur.step(link.dt || 1 / 60, link.frames);
@@ -179,7 +194,7 @@ async function openFiles(files) {
     if (model) await fur.loadModel(model, { files: others });
     if (typeSet) await fur.loadTypeSet(typeSet);
     if (hair) await fur.loadHair(hair);
-    if (image) await fur.loadPicture(image);
+    if (image) await tellWarnings(image.name, () => fur.loadPicture(image));
   } catch {
     // The error event says it.
   }

@@ -18,6 +18,8 @@ const sceneOf = (link) => {
   const said = [...sceneKeys.filter((key) => link[key]).map((key) => [key, link[key]]), ...link.settings];
   return said.length > 0 ? JSON.stringify(said) : '';
 };
+/** Whether it does, read or refused. */
+export const asksForScene = (link) => sceneOf(link) !== '' || link.warnings.length > 0;
 /** An address that says how the scene looks but not of which model is from before there was another than the bunny. */
 export const modelOf = (link) => link.src ?? (sceneOf(link) ? plainModel : firstModel);
 const withoutScene = (link) => ({ ...link, ...Object.fromEntries(sceneKeys.map((key) => [key, undefined])), settings: [] });

@@ -68,6 +68,12 @@ void paintColors(Groom& groom, const GroomSurface& skin, const Picture& picture)
   });
 }
 
+bool isOpaque(const Picture& picture) {
+  for (std::size_t i = 3; i < picture.rgba.size(); i += 4)
+    if (picture.rgba[i] < 255) return false;
+  return true;
+}
+
 void lengthFromAlpha(Groom& groom, const GroomSurface& skin, const Picture& picture) {
   forPicturedTexels(groom.map, skin, picture, [](std::uint32_t, GroomMap::Texel& texel, const std::uint8_t* pixel) { texel[0] = pixel[3]; });
 }

@@ -16,6 +16,7 @@ struct Picture {
 
 // Its colours over the paint, as far as it is opaque.
 void paintColors(Groom& groom, const GroomSurface& skin, const Picture& picture);
+bool isOpaque(const Picture& picture);
 // Its alpha is the length.
 void lengthFromAlpha(Groom& groom, const GroomSurface& skin, const Picture& picture);
 // The darker, the more of the fur is `bald`, a type from 2 on: the others have what its brightness leaves them of what they had.

@@ -41,6 +41,13 @@ TEST(FromPicture, ColoursArePaintedAsFarAsThePictureIsOpaque) {
   });
 }
 
+TEST(FromPicture, IsOpaqueWhereNoTexelLetsAnythingThrough) {
+  std::vector<std::uint8_t> rgba(4 * 6, 255);
+  EXPECT_TRUE(isOpaque({3, 2, rgba}));
+  rgba.back() = 254;
+  EXPECT_FALSE(isOpaque({3, 2, rgba}));
+}
+
 TEST(FromPicture, AlphaIsTheLength) {
   PicturedSphere s;
   lengthFromAlpha(s.groom, s.groomSurface(), kPicture);

@@ -135,6 +135,19 @@ test('a picture that is dropped on any model asks what it is, and keys answer', 
   assert.equal(await withFur(page, (fur) => fur.groomed), false);
 });
 
+test('what a dropped picture cannot do is told, and one that cannot be read is not asked about', async () => {
+  const page = await site.open(`?${light}&src=sphere`), told = page.locator('#messages .message p');
+  const opaque = new PNG({ width: 4, height: 4 });
+  opaque.data.fill(255);
+  await drop(page, 'opaque.png', PNG.sync.write(opaque));
+  await page.waitForFunction(question);
+  await page.evaluate(`(${question})().querySelector('button[value=alpha]').click()`);
+  await told.filter({ hasText: 'opaque.png: the picture is opaque all over' }).waitFor();
+  await drop(page, 'broken.png', Buffer.from('not a picture'));
+  await told.filter({ hasText: 'broken.png: ' }).waitFor();
+  assert.equal(await page.evaluate(`Boolean((${question})())`), false);
+});
+
 test('pictures that are no pictures, and uses that are none, are typed errors and change nothing', async () => {
   const page = await site.open(`?${light}&src=sphere`);
   const refused = await withFur(page, async (fur) => {

@@ -52,7 +52,18 @@ test('unknown parameters and out-of-range settings warn; the page still works', 
   assert.equal(seen.view, 'final');
   for (const word of ['furLength', 'nonsense', 'view', 'preset', 'camera'])
     assert.ok(seen.warnings.some((text) => text.includes(word)), `a warning about ${word} among: ${seen.warnings.join('; ')}`);
+  // The person is told, too, however many there are.
+  const told = await tab.locator('#messages .message p').allTextContents();
+  assert.equal(told.length, 1);
+  assert.match(told[0], /^Not all of the link could be used: .*; and \d more/);
   assert.deepEqual(tab.problems, []);
+});
+
+test('a state that cannot be read, or is too long, is told on the page', async () => {
+  for (const [query, what] of [['state=%25%25garbled', /state: "%%garbled" cannot be read/], [`groom=${'x'.repeat(9000)}`, /groom: .* is longer than 8192 characters/]]) {
+    const tab = await site.open(`?${light}&src=sphere&${query}`);
+    assert.match(await tab.locator('#messages .message p').textContent(), what);
+  }
 });
 
 test('the copied link restores settings, camera, model and tool', async () => {

@@ -320,7 +320,10 @@ void GroomStage::usePicture(const ShapeStage& shape, const settings::Settings& s
     case PictureUse::TypeColor:
     case PictureUse::Skin: break;
     case PictureUse::Length: groom::paintFromImage(groom::ImageOf::Length, groom_, skin, width, height, rgba); break;
-    case PictureUse::Alpha: groom::lengthFromAlpha(groom_, skin, picture); break;
+    case PictureUse::Alpha:
+      if (!groom::isOpaque(picture)) groom::lengthFromAlpha(groom_, skin, picture);
+      else warnings.push_back("the picture is opaque all over, so that its transparency says nothing of the length");
+      break;
     case PictureUse::Density:
       if (const int bald = settings::baldType(settings)) groom::thinByPicture(groom_, skin, picture, bald);
       else warnings.push_back("fur is thinned by a type that is bald: set one of the types 2 to 4 to bald");
