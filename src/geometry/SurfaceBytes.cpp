@@ -14,6 +14,23 @@ void passThrough(Stream& stream, OneSurface& s) {
   stream(s.vertices, s.trueVertexCount, s.indices, s.furIndices, s.ownFurIndices, s.furClusters, s.edges, s.chartCount, s.turned, s.sheets, s.inserted, s.meshIndices);
 }
 
+// Of what a writer would write: so many megabytes that letting them grow would take longer than writing them.
+struct ByteCounter {
+  std::size_t bytes = 0;
+  template <class... T>
+  void operator()(const T&... values) {
+    (add(values), ...);
+  }
+  template <class T>
+  void add(const T& value) {
+    bytes += sizeof value;
+  }
+  template <class T>
+  void add(const std::vector<T>& values) {
+    bytes += sizeof(std::uint32_t) + values.size() * sizeof(T);
+  }
+};
+
 template <class T, class Test>
 bool allOf(const std::vector<T>& values, Test test) {
   return std::all_of(values.begin(), values.end(), test);
@@ -43,7 +60,10 @@ bool fits(const Surface& s, const Mesh& mesh) {
 }  // namespace
 
 std::vector<std::uint8_t> surfaceBytes(const Surface& surface) {
+  ByteCounter all;
+  passThrough(all, surface);
   ByteWriter out;
+  out.bytes.reserve(all.bytes);
   passThrough(out, surface);
   return std::move(out.bytes);
 }

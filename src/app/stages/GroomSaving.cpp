@@ -66,7 +66,7 @@ void GroomStage::read(const ShapeStage& shape, const scene::FurData& fur, Warnin
 }
 
 std::uint64_t GroomStage::hash(const ShapeStage& shape) {
-  groomSurface(shape);
+  needComb(shape);
   Fnv1a hash;
   for (const auto map : groom::kMaps) hash.add((groom_.*map).hash());
   for (const Vec3& comb : groom_.comb) hash.add(comb + 0.0f);  // -0 is 0
@@ -77,7 +77,7 @@ std::uint64_t GroomStage::hash(const ShapeStage& shape) {
 
 // The layout, the maps' size, the number of whiskers and a bit for each map that is there; those, comb, whiskers; and a byte a material.
 std::vector<std::uint8_t> GroomStage::save(const ShapeStage& shape) {
-  groomSurface(shape);
+  needComb(shape);
   std::uint32_t counts[4] = {groom_.bare.empty() ? kGroomLayout : kMaterialsLayout, static_cast<std::uint32_t>(groom_.map.size()), static_cast<std::uint32_t>(groom_.whiskers.size()), 0};
   for (unsigned i = 0; i < std::size(groom::kMaps); ++i) counts[3] |= (groom_.*groom::kMaps[i]).isPlain() ? 0u : 1u << i;
   std::vector<std::uint8_t> bytes;
@@ -95,21 +95,20 @@ std::vector<std::uint8_t> GroomStage::save(const ShapeStage& shape) {
 }
 
 bool GroomStage::restore(const ShapeStage& shape, std::span<const std::uint8_t> bytes) {
-  const groom::GroomSurface skin = this->groomSurface(shape);
   std::uint32_t counts[4] = {};
   if (bytes.size() >= sizeof counts) std::memcpy(counts, bytes.data(), sizeof counts);
   const std::uint32_t size = counts[1];
   const std::size_t texels = std::size_t{size} * size, mapBytes = texels * sizeof(groom::GroomMap::Texel);
   std::size_t at = sizeof counts, maps = 0;
   for (unsigned i = 0; i < std::size(groom::kMaps); ++i) maps += counts[3] >> i & 1u;
-  const std::size_t combAt = at + maps * mapBytes, whiskersAt = combAt + skin.points.count() * sizeof(Vec3);
+  const std::size_t combAt = at + maps * mapBytes, whiskersAt = combAt + shape.points().count() * sizeof(Vec3);
   const std::size_t bareAt = whiskersAt + counts[2] * groom::kWhiskerBytes, bareBytes = counts[0] == kMaterialsLayout ? groom_.bare.size() : 0;
   const bool sound = (counts[0] == kGroomLayout || bareBytes > 0) && size >= groom::GroomMap::kLeastSize && size <= groom::GroomMap::kMostSize &&
                      counts[2] <= groom::kMostWhiskers && bytes.size() == bareAt + bareBytes;
   if (!sound) return false;
   std::vector<std::uint8_t> bare = bareAtFirst_;
   for (std::size_t i = 0; i < bareBytes; ++i) bare[i] = bytes[bareAt + i] != 0;
-  groom_ = groom::plainGroom(static_cast<int>(size), skin.points);
+  groom_ = groom::plainGroom(static_cast<int>(size), shape.points());
   groom_.bare = std::move(bare);
   for (unsigned i = 0; i < std::size(groom::kMaps); ++i) {
     if (!(counts[3] & 1u << i)) continue;
@@ -120,7 +119,7 @@ bool GroomStage::restore(const ShapeStage& shape, std::span<const std::uint8_t> 
   }
   std::memcpy(groom_.comb.data(), &bytes[combAt], whiskersAt - combAt);
   groom_.whiskers = groom::readWhiskers(bytes.subspan(whiskersAt, bareAt - whiskersAt));
-  groom::keepSound(groom_.whiskers, shape.query());
+  if (!groom_.whiskers.empty()) groom::keepSound(groom_.whiskers, shape.query());
   touch();
   return true;
 }

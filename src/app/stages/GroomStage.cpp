@@ -76,10 +76,14 @@ void GroomStage::reset(std::vector<std::uint8_t> bare) {
   touch();
 }
 
+void GroomStage::needComb(const ShapeStage& shape) {
+  if (groom_.comb.empty()) groom_.comb.assign(shape.points().count(), Vec3(0));
+}
+
 groom::GroomSurface GroomStage::groomSurface(const ShapeStage& shape) {
   if (noteChange(atlasFor_, shape.surfaceRevision())) atlas_.reset();
   if (!atlas_ || atlas_->size() != groom_.map.size()) atlas_.emplace(shape.surface(), groom_.map.size());
-  if (groom_.comb.empty()) groom_.comb.assign(shape.points().count(), Vec3(0));
+  needComb(shape);
   return {shape.surface(), shape.query(), *atlas_, shape.points()};
 }
 

@@ -116,6 +116,7 @@ class GroomStage {
 
  private:
   void touch() { ++revision_; }
+  void needComb(const ShapeStage& shape);
   static std::vector<groom::WhiskerHair> posed(const ShapeStage& shape, std::vector<groom::WhiskerHair> hairs);
   void turnOver(std::size_t material, Warnings& warnings);
   void plant(const ShapeStage& shape, const settings::Settings& settings, const geometry::SurfacePoint& at, Warnings& warnings);
@@ -124,7 +125,7 @@ class GroomStage {
   // From a whisker's root to where a ray passes it, as far from the eye.
   static Vec3 pullAt(const Vec3& root, const Vec3& origin, const Vec3& direction);
 
-  groom::Groom groom_{groom::GroomMap(), {}, {}};  // its comb is empty until groomSurface(): upright
+  groom::Groom groom_{groom::GroomMap(), {}, {}};  // its comb is empty until needComb(): upright
   std::optional<geometry::AtlasTexels> atlas_;     // made when first needed: read it through groomSurface()
   std::uint64_t atlasFor_ = 0;                     // the surface that it is of
   std::uint64_t revision_ = 1;
