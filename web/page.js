@@ -63,15 +63,16 @@ function applyLink(link, ofBefore = false) {
 const mostTold = 3;
 
 /** What `work` warns of, in one message that begins with `what`. */
-async function tellWarnings(what, work, told = []) {
-  const note = ({ detail }) => told.push(detail.message);
+async function tellWarnings(what, work, already = []) {
+  const told = new Set(already);  // settings that wait for the model are refused twice
+  const note = ({ detail }) => told.add(detail.message);
   fur.addEventListener('warning', note);
   try {
     return await work();
   } finally {
     fur.removeEventListener('warning', note);
-    const more = told.length - mostTold;
-    if (told.length > 0) messages.tell(`${what}: ${told.slice(0, mostTold).join('; ')}${more > 0 ? `; and ${more} more, which are in the console` : ''}`);
+    const more = told.size - mostTold;
+    if (told.size > 0) messages.tell(`${what}: ${[...told].slice(0, mostTold).join('; ')}${more > 0 ? `; and ${more} more, which are in the console` : ''}`);
   }
 }
 
@@ -79,7 +80,7 @@ async function openAsLinked() {
   const link = readLink(location.href);
   if (modelOf(link) !== firstModel) fur.querySelector('[slot=poster]').remove();  // of another model
   const visit = new Visit(fur, link, messages);
-  await (asksForScene(link) ? tellWarnings('Not all of the link could be used', () => visit.open(applyLink), [...link.warnings]) : visit.open(applyLink));
+  await (asksForScene(link) ? tellWarnings('Not all of the link could be used', () => visit.open(applyLink), link.warnings) : visit.open(applyLink));
   bar.inert = false;
   if (visit.isFirst) welcome(fur, byId('hint'));
   if (link.frames) fur.step(link.dt || 1 / 60, link.frames);

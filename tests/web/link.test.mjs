@@ -55,7 +55,7 @@ test('unknown parameters and out-of-range settings warn; the page still works', 
   // The person is told, too, however many there are.
   const told = await tab.locator('#messages .message p').allTextContents();
   assert.equal(told.length, 1);
-  assert.match(told[0], /^Not all of the link could be used: .*; and \d more/);
+  assert.match(told[0], /^Not all of the link could be used: .*; and 2 more/);
   assert.deepEqual(tab.problems, []);
 });
 
