@@ -171,7 +171,9 @@ export class AppliedOptions {
   /** Over what it brought. */
   settingsToModel() {
     const { app, wantedSettings } = this.#session;
+    this.#session.flushWarnings();
     for (const [name, value] of wantedSettings) app.setSetting(name, value);
+    app.takeWarnings();  // of values that were refused, and told, when they were set first
     app.settingsCameWithModel();
   }
   cameraToModel() {

@@ -64,15 +64,15 @@ const mostTold = 3;
 
 /** What `work` warns of, in one message that begins with `what`. */
 async function tellWarnings(what, work, already = []) {
-  const told = new Set(already);  // settings that wait for the model are refused twice
-  const note = ({ detail }) => told.add(detail.message);
+  const told = [...already];
+  const note = ({ detail }) => told.push(detail.message);
   fur.addEventListener('warning', note);
   try {
     return await work();
   } finally {
     fur.removeEventListener('warning', note);
-    const more = told.size - mostTold;
-    if (told.size > 0) messages.tell(`${what}: ${[...told].slice(0, mostTold).join('; ')}${more > 0 ? `; and ${more} more, which are in the console` : ''}`);
+    const more = told.length - mostTold;
+    if (told.length > 0) messages.tell(`${what}: ${told.slice(0, mostTold).join('; ')}${more > 0 ? `; and ${more} more, which are in the console` : ''}`);
   }
 }
 
