@@ -1,8 +1,8 @@
 // node assets/makeAssets.mjs <program> <out folder>
 //
-// Makes the models that are shipped: the bunny with the program wet-fur-make-assets, its wasm build (a .js file,
-// run by this same Node) or the native one, scenes that are wet or have long hair likewise, and the others; animals are in this folder as
-// files (tools/assets). Nothing is done for a model newer than its sources.
+// Makes the models that are shipped: the bunny, and `plain-bunny`, the scan alone by which pictures are measured, with the program
+// wet-fur-make-assets, its wasm build (a .js file, run by this same Node) or the native one, scenes that are wet or have long hair likewise, and
+// the others; animals are in this folder as files (tools/assets). Nothing is done for a model newer than its sources.
 import { execFileSync } from 'node:child_process';
 import { copyFileSync, existsSync, mkdirSync, mkdtempSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -11,6 +11,7 @@ import { join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { hairText, makeScenes, scenes, waterBytes } from './scenes/scenes.mjs';
 import { meshOf, sphere } from './scenes/shapes.mjs';
+import { bunnyFile } from '../tools/assets/bunny.mjs';
 import { commandOf, meshBytes } from '../tools/assets/program.mjs';
 
 const require = createRequire(import.meta.url);
@@ -36,14 +37,19 @@ export function makeAssets(program, outFolder) {
   mkdirSync(outFolder, { recursive: true });
   copyAnimals(outFolder);
   makeScenes(resolve(outFolder));
-  const sources = [program, ...['makeAssets', 'scenes/scenes', 'scenes/shapes', 'scenes/head', 'scenes/hairstyles', '../tools/assets/sculpt', '../tools/assets/nets'].map((name) => fileURLToPath(new URL(`${name}.mjs`, import.meta.url)))];
-  const waiting = [{ name: 'bunny', shape: 'bunny' }, ...scenes.filter(({ body }) => !body)]
+  const scripts = (folder) => readdirSync(new URL(folder, import.meta.url)).filter((file) => file.endsWith('.mjs')).map((file) => fileURLToPath(new URL(`${folder}${file}`, import.meta.url)));
+  const sources = [program, ...['./', './scenes/', '../tools/assets/'].flatMap(scripts)];
+  const waiting = [{ name: 'bunny', file: bunnyFile }, { name: 'plain-bunny', shape: 'bunny' }, ...scenes.filter(({ body }) => !body)]
     .filter(({ name }) => !isNewer(join(resolve(outFolder), `${name}.glb`), [...sources, require.resolve('bunny')]));
   if (!waiting.length) return;
   const scratch = mkdtempSync(join(tmpdir(), 'wet-fur-'));
   try {
     const command = commandOf(program);
     for (const scene of waiting) {
+      if (scene.file) {
+        writeFileSync(join(resolve(outFolder), `${scene.name}.glb`), scene.file(program, require('bunny')));
+        continue;
+      }
       const mesh = join(scratch, 'mesh'), more = join(scratch, 'more');
       writeFileSync(mesh, meshBytes((scene.mesh ?? shapes[scene.shape])()));
       if (scene.drops) writeFileSync(more, waterBytes(scene));

@@ -47,7 +47,7 @@ function manifest() {
 
 /** Every file that the package's manifest names and that `folder` lacks. */
 export function missingFiles(folder) {
-  const named = [...programs, ...Object.values(entries).flat(), 'index.html', 'embed.html', ...['otter', 'pony', 'bunny', ...scenes.map(({ name }) => name)].map((name) => `models/${name}.glb`)];
+  const named = [...programs, ...Object.values(entries).flat(), 'index.html', 'embed.html', ...['otter', 'pony', 'bunny', 'plain-bunny', ...scenes.map(({ name }) => name)].map((name) => `models/${name}.glb`)];
   return named.filter((name) => !existsSync(join(folder, name)));
 }
 

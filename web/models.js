@@ -11,7 +11,8 @@ export const sceneNames = Object.freeze(['five-coats', 'shells-8', 'shells-16', 
 export const firstModel = 'otter', plainModel = 'bunny';
 /** Models that move by themselves, with a coat and a camera of their own. */
 export const animalNames = Object.freeze(['otter', 'pony']);
-const shippedModels = Object.freeze([...animalNames, 'bunny', ...sceneNames]);
+/** `plain-bunny`: the scan without eyes, by which pictures are measured. */
+const shippedModels = Object.freeze([...animalNames, 'bunny', 'plain-bunny', ...sceneNames]);
 /** The names that `src` takes beside addresses. */
 export const modelNames = Object.freeze([...shippedModels, ...primitives]);
 

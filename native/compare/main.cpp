@@ -22,7 +22,7 @@ namespace {
 using namespace fur;
 
 constexpr const char* kUsage = R"(usage: wet-fur-compare [model] [options]
-  model                 a {models} file, or bunny (default), sphere, torus, plane,
+  model                 a {models} file, or plain-bunny (default: without eyes), sphere, torus, plane,
                         or a scene as five-coats (assets/scenes/scenes.mjs has them all)
   --views A,B,...       of near, middle, far, grazing (default: all)
   --layers A,B,...      layers of the real-time picture (default 8,16,32,64)
@@ -54,7 +54,7 @@ struct Variant {
 };
 
 struct Options {
-  std::string model = "bunny", preset, folder;
+  std::string model = "plain-bunny", preset, folder;
   std::vector<View> views{std::begin(kViews), std::end(kViews)};
   std::vector<int> layers{8, 16, 32, 64};
   std::vector<Variant> variants{{"as set", {}}};

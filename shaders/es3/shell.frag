@@ -109,9 +109,9 @@ March marchCoat(float first) {
   return march;
 }
 
-// The share of the pixel's samples that is shown, dithered.
+// The share of the pixel's samples that is shown, dithered. Bare skin is left to its own pass: what stands on it, as an eye, would be hidden.
 float shownShare(March march) {
-  if (!kSkinShows || leavesSkin()) reachesSkin = false;
+  if (!kSkinShows || leavesSkin() || grown < kBareBelow) reachesSkin = false;
   float closed = min(march.alpha / closes, 1.0);
   return viewedShare((reachesSkin ? 1.0 : closed) * chartShare() + (fract(noise * 13.0) - 0.5) / samples);
 }

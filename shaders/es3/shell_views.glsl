@@ -22,6 +22,12 @@ const bool kSkinShows = false;  // its own pass has the colours
 const bool kSkinShows = true;
 #endif
 
+#ifdef VIEW_DOMINANCE
+const float kBareBelow = 0.0;  // of `grown`: shown where no strand is left, too
+#else
+const float kBareBelow = 0.25;
+#endif
+
 #ifdef VIEW_LAYER
 // A shell alone: one look-up where the ray meets it, which counts as it is. Only samples go by chance.
 const float kFirstStep = 0.0;

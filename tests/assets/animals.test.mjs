@@ -6,7 +6,10 @@ import { join } from 'node:path';
 import { describe, test } from 'node:test';
 import validator from 'gltf-validator';
 import { animals } from '../../tools/assets/animals.mjs';
+import { bunnyFile } from '../../tools/assets/bunny.mjs';
 import { readGlb } from '../../tools/assets/glb.mjs';
+import { unpackBits } from '../../tools/assets/paint.mjs';
+import { far } from '../../tools/assets/vectors.mjs';
 import { buildFolder } from '../../tools/cmake.mjs';
 import { root } from '../../tools/process.mjs';
 
@@ -97,5 +100,40 @@ for (const { name, file } of animals) describe(name, () => {
       assert.ok(a.every((value, k) => Math.abs(value - b[k]) <= 2), `picture ${i}`);
     });
     assert.deepEqual(again.view(again.json.extensions.WETFUR_fur.groom.bufferView), glb.view(fur.groom.bufferView));
+  });
+});
+
+describe('bunny', () => {
+  const bytes = bunnyFile(program, createRequire(import.meta.url)('bunny')), glb = readGlb(bytes), { json, view, numbers } = glb, fur = json.extensions.WETFUR_fur;
+  const [skin, eyes, lids] = json.meshes[0].primitives;
+  const placesOf = ({ attributes }) => inFours(numbers(attributes.POSITION), 3);
+
+  test('it is sound glTF of at most 25 thousand triangles, with eyes and lids that are bare', async () => {
+    const { issues } = await validator.validateBytes(new Uint8Array(bytes));
+    assert.deepEqual(issues.messages.filter(({ severity }) => severity < 2), []);
+    assert.ok([skin, eyes, lids].reduce((sum, { indices }) => sum + json.accessors[indices].count / 3, 0) <= 25000);
+    assert.deepEqual(json.materials.map(({ name }) => name), ['fur', 'eye', 'lids']);
+    assert.deepEqual(fur.bare, [1, 2]);
+  });
+
+  test('an eye looks out on either side of its head, half in and half out of the skin', () => {
+    const places = placesOf(eyes), halves = [places.slice(0, places.length / 2), places.slice(places.length / 2)];
+    const middles = halves.map((half) => [0, 1, 2].map((k) => half.reduce((sum, p) => sum + p[k], 0) / half.length));
+    assert.ok(far(...middles) > 0.3, `${far(...middles)}`);
+    const around = placesOf(skin);
+    for (const middle of middles) {
+      const nearest = Math.min(...around.map((p) => far(p, middle)));
+      assert.ok(nearest < 0.05 && nearest > 0.01, `${nearest}`);
+    }
+  });
+
+  test('no fur grows on the skin in which its eyes are', () => {
+    const { size, bufferView } = fur.groom, lengths = unpackBits(view(bufferView), size * size), uv = inFours(numbers(skin.attributes.TEXCOORD_0), 2), eyePlaces = placesOf(eyes);
+    const under = placesOf(skin).flatMap((p, v) => (eyePlaces.some((q) => far(p, q) < 0.02) ? [v] : []));
+    assert.ok(under.length > 8);
+    for (const v of under) {
+      const [x, y] = uv[v].map((t) => Math.min(size - 1, Math.floor((t / 65535) * size)));
+      assert.ok(lengths[x + size * y] < 0.1 * 255, `${lengths[x + size * y]}`);
+    }
   });
 });

@@ -17,7 +17,7 @@ const bare = { furLength: 0, ground: false };
 const storm = { wind: 0.6, gust: 0.6, turbulence: 0.5 };
 
 const query = (values) => new URLSearchParams({
-  page: 'hair', mesh: 'bunny', width, height, aa: options.aa,
+  page: 'hair', mesh: 'plain-bunny', width, height, aa: options.aa,
   ...Object.fromEntries(Object.entries(values).map(([name, value]) => [name, typeof value === 'object' ? JSON.stringify(value) : value])),
 }).toString();
 

@@ -1,12 +1,12 @@
 // Frame times of ours against the limit page (limit.js), in one browser, round by round, so that the
 // machine's drift cancels: node tests/bench/run.mjs [--layers 16,32,64] [--sizes 800x600] [--rounds 9]
-// [--query "wetness=0.8"] [--shots folder] [--model bunny|bunny16|torus142k] [--technique march,shells]. Absolute times mean
+// [--query "wetness=0.8"] [--shots folder] [--model plain-bunny|bunny16|torus142k] [--technique march,shells]. Absolute times mean
 // something only on a GPU. Of several techniques each has a line, measured in the same rounds.
 import { mkdir } from 'node:fs/promises';
 import { join } from 'node:path';
 import { column, median, readOptions, timeInTurn, withBrowser } from './browser.mjs';
 
-const options = readOptions({ layers: '16,32,64', sizes: '800x600', rounds: '9', query: '', shots: '', model: 'bunny', frames: '4', technique: 'march' });
+const options = readOptions({ layers: '16,32,64', sizes: '800x600', rounds: '9', query: '', shots: '', model: 'plain-bunny', frames: '4', technique: 'march' });
 const techniques = options.technique.split(',');
 
 async function measure(open, layers, size) {

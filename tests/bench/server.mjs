@@ -13,7 +13,7 @@ const made = new Map();
 async function fileAt(path) {
   if (path.startsWith('/bench/')) return readFile(join(here, path.slice(7)));
   if (path.startsWith('/models/') && !made.has(path))
-    made.set(path, benchModel(basename(path, '.glb'), await readFile(join(dist, 'models/bunny.glb'))));
+    made.set(path, benchModel(basename(path, '.glb'), await readFile(join(dist, 'models/plain-bunny.glb'))));
   return made.get(path) ?? readFile(join(dist, path));
 }
 

@@ -10,7 +10,7 @@ import { column, median, readOptions, timeInTurn, withBrowser } from './browser.
 
 const options = readOptions({ parts: 'types,materials,saving', rounds: '9', frames: '2', size: '800x600', shots: '' });
 const [width, height] = options.size.split('x');
-const query = ({ settings = {}, ...values }) => new URLSearchParams({ page: 'several', mesh: 'bunny', width, height, settings: JSON.stringify(settings), ...values }).toString();
+const query = ({ settings = {}, ...values }) => new URLSearchParams({ page: 'several', mesh: 'plain-bunny', width, height, settings: JSON.stringify(settings), ...values }).toString();
 
 async function timed(open, cases) {
   const tabs = {};

@@ -2,7 +2,7 @@
 
 const query = new URLSearchParams(location.search);
 export const setting = {
-  model: query.get('mesh') ?? 'bunny',
+  model: query.get('mesh') ?? 'plain-bunny',
   layers: Number(query.get('shells') ?? 32),
   width: Number(query.get('width') ?? 800),
   height: Number(query.get('height') ?? 600),

@@ -174,14 +174,14 @@ test('a picture that is to be the same at every visit is not kept', async () => 
 });
 
 test('undo leads back to the model before, with its groom, its water and its own steps, and redo to the next', async () => {
-  const page = await site.open(`${simple}&src=bunny`);
+  const page = await site.open(`${simple}&src=torus`);
   await work(page);
-  const bunny = await scene(page);
+  const ring = await scene(page);
   await page.selectOption('#model', 'sphere');
   await page.waitForFunction(() => wetFur.modelName === 'sphere');
   await withFur(page, (fur) => fur.splash({ u: 0.5, v: 0.5 }, { radius: 0.2, amount: 0.5 }));
   const sphere = await scene(page);
-  assert.notEqual(sphere.wet, bunny.wet);
+  assert.notEqual(sphere.wet, ring.wet);
   await withFur(page, (fur) => fur.openEditor());  // the way back is not lost with the program
   await withFur(page, (fur) => { fur.src = 'plane'; });
   await page.waitForFunction(() => wetFur.modelName === 'plane');
@@ -190,8 +190,8 @@ test('undo leads back to the model before, with its groom, its water and its own
   assert.equal(await withFur(page, (fur) => fur.undo()), true);
   assert.equal(await withFur(page, (fur) => fur.meanWetness), 0);
   assert.equal(await withFur(page, (fur) => fur.undo()), true);
-  assert.deepEqual(await scene(page), bunny);
-  await page.waitForFunction(() => document.getElementById('model').value === 'bunny');
+  assert.deepEqual(await scene(page), ring);
+  await page.waitForFunction(() => document.getElementById('model').value === 'torus');
   assert.equal(await withFur(page, (fur) => fur.undo() && fur.groomed), false);
   await withFur(page, (fur) => { fur.redo(); fur.redo(); fur.redo(); });
   assert.deepEqual(await scene(page), sphere);
@@ -213,7 +213,7 @@ test('a model of the panel is one that undo leads back from, and that closing th
 });
 
 test('a reset is undone in one step', async () => {
-  const page = await site.open(`${simple}&src=bunny`);
+  const page = await site.open(`${simple}&src=torus`);
   await work(page);
   const before = await scene(page);
   await page.click('#reset');

@@ -68,7 +68,8 @@ function gathered(bodies) {
   const all = { positions: [], normals: [], cells: [], materials: [], weights: [], uv1: [] };
   for (const { positions, normals, cells, materialOf, weights, uv1 } of bodies) {
     const base = all.positions.length;
-    for (const [key, list] of Object.entries({ positions: positions.map(filed), normals, weights, uv1: uv1 ?? positions.map(() => undefined) })) all[key].push(...list);
+    const none = () => positions.map(() => undefined);
+    for (const [key, list] of Object.entries({ positions: positions.map(filed), normals, weights: weights ?? none(), uv1: uv1 ?? none() })) all[key].push(...list);
     for (const cell of cells) {
       all.cells.push(cell.map((v) => base + v));
       all.materials.push(materialOf(cell));
@@ -99,8 +100,8 @@ function partOf(mesh, atlas, material, comb) {
       const uv = atlas[3 * t + k], key = `${v} ${uv}`;
       if (!numbers.has(key)) {
         numbers.set(key, vertices.length);
-        const { joints, bytes } = weightBytes(mesh.weights[v]), position = mesh.positions[v], normal = mesh.normals[v];
-        vertices.push({ position, normal, uv, joints, weights: bytes, ...mesh.uv1[v] && { uv1: mesh.uv1[v] }, ...comb && { comb: comb({ position, normal }) } });
+        const { joints, bytes } = mesh.weights[v] ? weightBytes(mesh.weights[v]) : {}, position = mesh.positions[v], normal = mesh.normals[v];
+        vertices.push({ position, normal, uv, ...joints && { joints, weights: bytes }, ...mesh.uv1[v] && { uv1: mesh.uv1[v] }, ...comb && { comb: comb({ position, normal }) } });
       }
       indices.push(numbers.get(key));
     });
@@ -112,9 +113,10 @@ function partOf(mesh, atlas, material, comb) {
  * The file of an animal. `bodies`: [{ positions, normals, cells, materialOf(cell), weights }]; `materials`: [{ name, furry?, json? }]; of places
  * { position, normal, part: number of the material }: `colour(place)` gives [r, g, b], `groom(place)` [length, types 2 to 4], `comb(place)` a lean
  * in radians along the skin; `steps(fit)` dresses it, or `hair(fit)` says what hair.mjs makes long hair of; `pictures`: PNG files beside that of
- * the atlas, which is the first.
+ * the atlas, which is the first. Without `rig` and `animations` it stands still; without `colour` there is no picture of the atlas, without `state`
+ * it is shown in the coat that is there.
  */
-export function animalFile(program, { name, rig, bodies, materials, colour, groom, comb, steps = () => [], hair, animations, state, pictures = [], colourSize = 512, mapSize = 256 }) {
+export function animalFile(program, { name, rig, bodies, materials, colour, groom, comb, steps = () => [], hair, animations = [], state, pictures = [], colourSize = 512, mapSize = 256 }) {
   const mesh = inOrder(gathered(bodies)), fit = fitOf(mesh.positions);
   const { atlas, glb } = laidOut(program, mesh, steps(fit));
   const parts = materials.map(({ furry }, material) => ({ material, ...partOf(mesh, atlas, material, furry && comb) })).filter(({ indices }) => indices.length);
@@ -123,10 +125,10 @@ export function animalFile(program, { name, rig, bodies, materials, colour, groo
   const texels = placesOn(mapSize, corners, triangles).map((place) => groom(place).map(byte));
   const file = animalGlb({
     name, rig, animations, parts,
-    materials: materials.map(({ name: label, json }) => ({ name: label, pbrMetallicRoughness: { metallicFactor: 0, roughnessFactor: 0.8, baseColorTexture: { index: 0 } }, ...json })),
-    pictures: [pictureOf(colourSize, placesOn(colourSize, corners, triangles).map(colour)), ...pictures],
+    materials: materials.map(({ name: label, json }) => ({ name: label, pbrMetallicRoughness: { metallicFactor: 0, roughnessFactor: 0.8, ...colour && { baseColorTexture: { index: 0 } } }, ...json })),
+    pictures: [...colour ? [pictureOf(colourSize, placesOn(colourSize, corners, triangles).map(colour))] : [], ...pictures],
     bare: materials.flatMap(({ furry }, i) => (furry ? [] : [i])),
-    fur: (writer) => ({ state: { version: 1, ...state }, groom: { size: mapSize, bufferView: writer.view(packedPlanes(texels)), texCoord: 0 }, ...wornOf(glb, writer, fit), ...hair && { hair: longHair(writer, rig, (size, reach) => placesOn(size, corners, triangles, reach), hair(fit)) } }),
+    fur: (writer) => ({ ...state && { state: { version: 1, ...state } }, groom: { size: mapSize, bufferView: writer.view(packedPlanes(texels)), texCoord: 0 }, ...wornOf(glb, writer, fit), ...hair && { hair: longHair(writer, rig, (size, reach) => placesOn(size, corners, triangles, reach), hair(fit)) } }),
   });
   return { file, triangles: mesh.cells.length, fit };
 }

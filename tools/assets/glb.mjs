@@ -63,26 +63,26 @@ export function readGlb(bytes) {
 const rounded = (list, step) => new Float32Array(list.map((x) => Math.round(x / step) * step));
 
 /**
- * A rigged model with fur. `parts`: [{ material, vertices: [{ position, normal, uv, uv1?, joints, weights (four bytes), comb? }], indices }];
+ * A model with fur, rigged if there is a `rig`. `parts`: [{ material, vertices: [{ position, normal, uv, uv1?, joints?, weights? (four bytes), comb? }], indices }];
  * `materials`: [{ name, ... as glTF has them }], whose baseColorTexture.index is one of `pictures` (PNG files); `animations` as motion.mjs makes
  * them; `fur(writer)`: WETFUR_fur without `bare`.
  */
 export function animalGlb({ name, parts, materials, pictures, rig, animations, fur, bare }) {
   const out = new GlbWriter(), { json } = out;
-  const { joints } = rig;
+  const joints = rig?.joints ?? [];
   const children = (parent) => joints.flatMap((joint, i) => (joint.parent === parent ? [i] : []));
   json.nodes = joints.map((joint, i) => ({ name: joint.name, translation: joint.offset.map((x) => Math.fround(x)), ...children(i).length && { children: children(i) } }));
-  json.nodes.push({ name, mesh: 0, skin: 0 });
+  json.nodes.push({ name, mesh: 0, ...rig && { skin: 0 } });
   json.scene = 0;
   json.scenes = [{ name, nodes: [...children(-1), joints.length] }];
   const binds = joints.flatMap(({ at }) => [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -at[0], -at[1], -at[2], 1]);
-  json.skins = [{ joints: joints.map((_, i) => i), skeleton: children(-1)[0], inverseBindMatrices: out.accessor(new Float32Array(binds), 'MAT4') }];
+  if (rig) json.skins = [{ joints: joints.map((_, i) => i), skeleton: children(-1)[0], inverseBindMatrices: out.accessor(new Float32Array(binds), 'MAT4') }];
   json.materials = materials;
   json.images = pictures.map((png) => ({ mimeType: 'image/png', bufferView: out.view(png) }));
   json.samplers = [{ magFilter: 9729, minFilter: 9987, wrapS: 33071, wrapT: 33071 }];
   json.textures = pictures.map((_, source) => ({ source, sampler: 0 }));
   json.meshes = [{ name, primitives: parts.map((part) => primitive(out, part)) }];
-  json.animations = animations.map((one) => animationJson(out, one));
+  if (animations.length) json.animations = animations.map((one) => animationJson(out, one));
   json.extensionsUsed = ['WETFUR_fur'];
   json.extensions = { WETFUR_fur: { version: 1, ...fur(out), bare } };
   return out.bytes();
@@ -97,8 +97,10 @@ function primitive(out, { material, vertices, indices }) {
       NORMAL: out.accessor(rounded(all((v) => v.normal), 2 ** -9), 'VEC3', { target }),
       TEXCOORD_0: out.accessor(new Uint16Array(all((v) => v.uv.map((x) => Math.round(65535 * x)))), 'VEC2', { target, normalized: true }),
       ...first.uv1 && { TEXCOORD_1: out.accessor(new Float32Array(all((v) => v.uv1)), 'VEC2', { target }) },
-      JOINTS_0: out.accessor(new Uint8Array(all((v) => v.joints)), 'VEC4', { target }),
-      WEIGHTS_0: out.accessor(new Uint8Array(all((v) => v.weights)), 'VEC4', { target, normalized: true }),
+      ...first.joints && {
+        JOINTS_0: out.accessor(new Uint8Array(all((v) => v.joints)), 'VEC4', { target }),
+        WEIGHTS_0: out.accessor(new Uint8Array(all((v) => v.weights)), 'VEC4', { target, normalized: true }),
+      },
       ...first.comb && { _WETFUR_COMB: out.accessor(rounded(all((v) => v.comb), 2 ** -7), 'VEC3', { target }) },
     },
     indices: out.accessor(new (vertices.length < 65536 ? Uint16Array : Uint32Array)(indices), 'SCALAR', { target: kIndices }),

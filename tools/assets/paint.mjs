@@ -28,6 +28,22 @@ export function packBits(bytes) {
   return Buffer.from(out);
 }
 
+/** The first `count` bytes of what packBits() has packed. */
+export function unpackBits(packed, count) {
+  const out = [];
+  for (let i = 0; i < packed.length && out.length < count;) {
+    const head = packed[i++];
+    if (head < 128) {
+      out.push(...packed.subarray(i, i + head + 1));
+      i += head + 1;
+    } else if (head > 128) {
+      for (let k = 257 - head; k > 0; --k) out.push(packed[i]);
+      ++i;
+    }
+  }
+  return out.slice(0, count);
+}
+
 /** Four planes, as WETFUR_fur.schema.json has them, of texels of four bytes. */
 export const packedPlanes = (texels) => packBits(Buffer.concat([0, 1, 2, 3].map((plane) => Buffer.from(texels.map((texel) => texel[plane])))));
 export const byte = (share) => Math.max(0, Math.min(255, Math.round(255 * share)));

@@ -124,12 +124,11 @@ export const padField = (p) => (p[1] > 0.3 || p[2] < -2.2 ? 1 : p[1] - 0.055);
 
 export const box = [[-1.3, -0.1, -6.8], [1.3, 3.7, 4]];
 
-/** How long edges are to be. */
+/** How long edges are to be: short where a shape is small, longer away from it, longest on the back and flanks. */
 export function sizeAt(p) {
-  const q = [abs(p[0]), p[1], p[2]], near = (c, inner, outer, size) => size + 0.2 * clamp((ball(q, c, 0) - inner) / (outer - inner)) * (outer - inner);
-  let size = p[1] < 1.2 && p[2] > -2.2 ? 0.13 : 0.16;
-  size = Math.min(size, near([0, 2.85, 3], 0.7, 1.6, 0.085), near(eye.at, 0.2, 0.5, 0.04), near([0, 2.7, 3.5], 0.32, 0.8, 0.045), near(ear, 0.22, 0.6, 0.05));
-  for (const { ball: b, reach } of [fore, hind]) size = Math.min(size, near([b[0], 0.1, b[2] + 0.5 * reach], 0.42, 1, 0.048));
-  if (p[2] > corners) size = Math.min(size, 0.032 + 0.15 * Math.max(0, abs(overMouth(jaw.closed(p))) - 0.03));
-  return Math.min(size, 0.08 + 0.1 * clamp((p[2] + 6.6) / 2.5));
+  const q = [abs(p[0]), p[1], p[2]], near = (c, reach, size) => size + 0.2 * Math.max(0, ball(q, c, 0) - reach);
+  let size = Math.min(p[1] < 1.2 && p[2] > -2.2 ? 0.2 : 0.26, near([0, 2.85, 3], 0.7, 0.1), near(eye.at, 0.2, 0.04), near([0, 2.7, 3.5], 0.32, 0.055), near(ear, 0.22, 0.055));
+  for (const { ball: b, reach } of [fore, hind]) size = Math.min(size, near([b[0], 0.1, b[2] + 0.5 * reach], 0.42, 0.055));
+  if (p[2] > corners) size = Math.min(size, 0.036 + 0.15 * Math.max(0, abs(overMouth(jaw.closed(p))) - 0.03));
+  return Math.min(size, 0.07 + 0.14 * clamp((p[2] + 6.6) / 2.5));
 }
