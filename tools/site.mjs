@@ -19,6 +19,7 @@ const entries = {
   './element': ['element.js', 'types/element.d.ts'],
   './editor': ['editor.js', 'types/editor.d.ts'],
   './core': ['core.js', 'types/core.d.ts'],
+  './companions': ['companions.js', 'types/companions.d.ts'],
 };
 
 function manifest() {
@@ -41,7 +42,7 @@ function manifest() {
       './types': { types: './types/index.d.ts' },
       './package.json': './package.json',
     },
-    sideEffects: ['./element.js', './editor.js', './shared-*.js'],
+    sideEffects: ['./element.js', './editor.js', './companions.js', './shared-*.js'],
   };
 }
 
