@@ -1,6 +1,7 @@
 // The elements that go with <wet-fur> in a text, on one page.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { root, startBrowser } from './support.mjs';
@@ -91,7 +92,7 @@ test('a button calls the method with its arguments, and tells what it throws', a
   await until(() => /^Replay: ./.test(window.splash.shadowRoot.querySelector('[part=error]').textContent));
 });
 
-test('two states are pictures of the moment, which nobody sees the figure in, and undo leads where it led', async () => {
+test('two states are pictures of the moment; the figure stays as it is, and undo leads where it led', async () => {
   await see(() => {
     fig.settings.view = 'final';
     states.scrollIntoView({ block: 'center' });
@@ -104,11 +105,9 @@ test('two states are pictures of the moment, which nobody sees the figure in, an
   const [skin, fur] = [await pixel('before'), await pixel('after')];
   assert.notEqual(skin, fur);
   const seen = await see(() => new Promise((resolve) => {
-    const views = [];
-    fig.addEventListener('state-change', () => views.push(fig.settings.view));
     states.addEventListener('picture-change', () => {
       fig.undo();
-      resolve({ views: new Set(views).size, view: fig.settings.view, curl: fig.settings.curl });
+      resolve({ view: fig.settings.view, curl: fig.settings.curl });
     }, { once: true });
     fig.settings.curl = 0.7;
     fig.settings.wind = 0.2;
@@ -206,9 +205,31 @@ test('companions follow a figure that is exchanged, removed or moved', async () 
   await until(() => document.getElementById('curl').figure === null);
   assert.match(await notice(), /no figure with the id “fig”/);
   assert.equal(await page.locator('#curl input').isDisabled(), true);
-  await see(() => document.body.prepend(Object.assign(document.createElement('wet-fur'), { id: 'fig', src: 'plane', quality: 'low' })));
+  await see(() => document.querySelector('main').prepend(Object.assign(document.createElement('wet-fur'), { id: 'fig', src: 'plane', quality: 'low' })));
   await until(() => document.getElementById('curl').figure !== null);
   assert.equal(await notice(), '');
+});
+
+test('axe-core finds nothing, in light and in dark', async () => {
+  await page.evaluate(readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8'));
+  for (const colorScheme of ['light', 'dark']) {
+    await page.emulateMedia({ colorScheme });
+    const found = await see(async () => (await axe.run(document, { resultTypes: ['violations'] })).violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target.flat().join(' ')).join(', ')}`));
+    assert.deepEqual(found, [], colorScheme);
+  }
+});
+
+test('what is set before an element is on the page is taken over', async () => {
+  const seen = await see(async () => {
+    const slider = Object.assign(document.createElement('wet-fur-slider'), { value: 0.25 });
+    const compare = Object.assign(document.createElement('wet-fur-compare'), { position: 30 });
+    document.querySelector('main').append(slider, compare);
+    const out = [slider.value, compare.position];
+    slider.remove();
+    compare.remove();
+    return out;
+  });
+  assert.deepEqual(seen, [0.25, 30]);
 });
 
 test('nothing on the page breaks its policy, and nothing goes wrong', async () => {

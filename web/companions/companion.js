@@ -59,6 +59,8 @@ export class Companion extends Base {
   /** Shows what the figure has now; `figure` may be null. */
   refresh() {}
 
+  /** Whether it shows anything yet; values that are set before wait in their attributes. */
+  get built() { return this.#built; }
   /** The <wet-fur> that this is about; null while there is none. */
   get figure() { return this.#figure; }
   get label() { return this.getAttribute('label') ?? ''; }
@@ -122,8 +124,18 @@ export class Companion extends Base {
 
   connectedCallback() {
     watch(this);
+    this.#upgradeProperties();
     this.#rebuild();
     if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', () => this.look(), { once: true });
+  }
+
+  /** Values that were set before the class was known lie on the element itself. */
+  #upgradeProperties() {
+    for (const name of Object.keys(this).filter((one) => one in Object.getPrototypeOf(this))) {
+      const value = this[name];
+      delete this[name];
+      this[name] = value;
+    }
   }
 
   /** One that is only moved keeps what it has. */

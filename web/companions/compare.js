@@ -44,7 +44,10 @@ export class WetFurCompareElement extends Companion {
   get alone() { return !this.hasAttribute('for'); }
   /** Percent of the width that shows what was before. */
   get position() { return this.#divider.percent; }
-  set position(percent) { this.#divider.percent = Number(percent); }
+  set position(percent) {
+    if (this.built) this.#divider.percent = Number(percent);
+    else this.setAttribute('position', percent);
+  }
 
   connectedCallback() {
     super.connectedCallback();

@@ -30,6 +30,10 @@ export class WetFurSliderElement extends Companion {
 
   get value() { return this.#input.valueAsNumber; }
   set value(value) {
+    if (!this.built) {
+      this.setAttribute('value', value);
+      return;
+    }
     this.#input.value = value;
     if (this.setting) this.#apply();
     this.#showValue();

@@ -15,7 +15,7 @@ const css = `
 :disabled { opacity: 0.55; }
 [part=error] { margin: 0.25em 0; padding: 0.4em 0.7em; border-inline-start: 4px solid; color: light-dark(#a3261c, #ffb0a6); overflow-wrap: anywhere; }
 [part=label] { font-weight: 600; overflow-wrap: anywhere; }
-[part=value] { font-variant-numeric: tabular-nums; white-space: nowrap; }
+[part=value] { direction: ltr; unicode-bidi: isolate; font-variant-numeric: tabular-nums; white-space: nowrap; }
 .row { display: flex; flex-wrap: wrap; justify-content: space-between; align-items: center; gap: 0 1em; }
 input, select, button { font: inherit; color: inherit; }
 input[type=range] { display: block; width: 100%; height: 2em; margin: 0; accent-color: var(--accent); }
@@ -61,7 +61,7 @@ legend { padding: 0; margin-block-end: 0.3em; }
 .steps ::slotted(section) { padding-inline-start: 1em; border-inline-start: 4px solid transparent; }
 .drives ::slotted(section) { padding-block: 8vh; }
 
-.plot svg { display: block; width: 100%; height: auto; direction: ltr; overflow: visible; font-size: 12px; fill: currentColor; }
+[part=plot] { display: block; width: 100%; height: auto; direction: ltr; overflow: visible; font-size: 12px; fill: currentColor; }
 .plot .grid { stroke: var(--line); stroke-width: 1; }
 .plot .axis { stroke: currentColor; stroke-width: 1.5; }
 .plot .curve { fill: none; stroke-width: 2.5; stroke-linejoin: round; }
@@ -80,10 +80,13 @@ thead th { font-weight: 600; }
   [part=divider]::before, [part=divider]::after { background: CanvasText; color: Canvas; forced-color-adjust: none; }
   .plot .curve, .legend .curve, .plot .axis { stroke: CanvasText; }
   .plot .grid { stroke: GrayText; }
+  .steps ::slotted(section) { border-inline-start-color: Canvas; }
+  .steps ::slotted([aria-current=step]) { border-inline-start-color: Highlight !important; }
 }
 @media print {
   input[type=range], button, details:not([open]) { display: none; }
   .beside { position: static; }
+  .drives ::slotted(section) { padding-block: 0; }
   .compare, .plot { break-inside: avoid; }
   [part=divider]::after { display: none; }
 }
