@@ -219,6 +219,37 @@ test('axe-core finds nothing, in light and in dark', async () => {
   }
 });
 
+test('companions that come and go leave no nodes and no listeners behind', async () => {
+  const session = await page.context().newCDPSession(page);
+  const counted = async () => {
+    await session.send('HeapProfiler.collectGarbage');
+    const { nodes, jsEventListeners } = await session.send('Memory.getDOMCounters');
+    return [nodes, jsEventListeners];
+  };
+  const tags = [
+    ['slider', { setting: 'curl' }], ['choice', { setting: 'view' }], ['button', { method: 'shake' }], ['readout', { value: 'frameTime' }],
+    ['compare', { before: '{}', after: '{}' }], ['steps', {}], ['plot', { equations: '[{"f": "furShadow", "args": ["x", 0.5, 0.5]}]' }],
+  ];
+  const comeAndGo = (times) => see(async ([given, n]) => {
+    for (let i = 0; i < n; i++) {
+      const all = given.map(([tag, attributes]) => {
+        const one = document.createElement(`wet-fur-${tag}`);
+        for (const [name, value] of Object.entries({ for: 'fig', ...attributes })) one.setAttribute(name, value);
+        return one;
+      });
+      document.body.append(...all);
+      await new Promise((resolve) => { requestAnimationFrame(resolve); });
+      for (const one of all) one.remove();
+      await new Promise((resolve) => { setTimeout(resolve); });
+    }
+  }, [tags, times]);
+  await comeAndGo(3);
+  const [nodes, listeners] = await counted();
+  await comeAndGo(20);
+  const [nodesAfter, listenersAfter] = await counted();
+  assert.ok(nodesAfter <= nodes + 60 && listenersAfter <= listeners + 10, `${nodes} nodes became ${nodesAfter}, ${listeners} listeners ${listenersAfter}`);
+});
+
 test('what is set before an element is on the page is taken over', async () => {
   const seen = await see(async () => {
     const slider = Object.assign(document.createElement('wet-fur-slider'), { value: 0.25 });
