@@ -4,7 +4,7 @@ import { eyeball, eyeColours, eyeOf, lid } from './eyes.mjs';
 import { hex, pictureOf } from './paint.mjs';
 import { fitOf } from './program.mjs';
 import { subdivided } from './subdivide.mjs';
-import { add, dot, far, mixed, scaled, smooth, sub, unit } from './vectors.mjs';
+import { across, add, between, dot, far, length, mixed, scaled, smooth, sub, unit } from './vectors.mjs';
 
 const { hypot, max } = Math;
 
@@ -45,6 +45,20 @@ const lengthAt = (eyes) => ({ position: p }) => {
   return share;
 };
 
+const nose = [-0.62, 0.1, 0.5], crown = [-0.3, 0.35, 0.15];
+/** Hair lies from the nose over the head, along the ears, and from there back and down. */
+function wayAt({ position: p }) {
+  const head = smooth(-0.05, 0.3, dot(p, front) + 0.35 * p[1]) * smooth(0, 0.15, p[1]) * smooth(-0.05, -0.3, p[0]);
+  const body = unit([0.8, -0.5 - 0.6 * smooth(-0.2, -0.6, p[1]), -0.25]);
+  const way = between(body, unit(sub(p, nose)), head);
+  return unit(between(way, unit(sub(p, crown)), onEars(p)));
+}
+/** How far it leans, and where to; upright where it would have to stand against its way. */
+function combAt(place) {
+  const flat = across(wayAt(place), place.normal), size = length(flat);
+  return size < 1e-3 ? [0, 0, 0] : scaled(flat, (0.95 / size) * smooth(0, 0.3, size));
+}
+
 /** Ears, which are thin, and what is round the eyes have shorter edges. */
 const isFine = (p) => onEars(p) > 0.1 || sides.some(({ near }) => far(p, near) < 2.6 * radius);
 
@@ -55,7 +69,7 @@ const of = (number) => () => number;
 export function bunnyFile(program, mesh) {
   const fit = fitOf(mesh.positions), body = withNormals(subdivided({ positions: mesh.positions.map(fit.of), cells: mesh.cells }, isFine)), eyes = eyesOf(body);
   return animalFile(program, {
-    name: 'bunny', groom: (place) => [lengthAt(eyes)(place), 0, 0, 0], pictures: [eyePicture()],
+    name: 'bunny', comb: combAt, groom: (place) => [lengthAt(eyes)(place), 0, 0, 0], pictures: [eyePicture()],
     materials: [{ name: 'fur', furry: true }, { name: 'eye', json: glossy(0.12, { baseColorTexture: { index: 0, texCoord: 1 } }) }, { name: 'lids', json: glossy(0.7, { baseColorFactor: [0.045, 0.026, 0.018, 1] }) }],
     bodies: [{ ...body, materialOf: of(0) }, ...eyes.flatMap((eye) => [{ ...eyeball(eye, { rings: 9, segments: 14 }), materialOf: of(1) }, ...lids.map((one) => ({ ...lid(eye, { ...one, columns: 10, rows: 5 }), materialOf: of(2) }))])],
   }).file;
