@@ -35,10 +35,10 @@ const eyePicture = () => pictureOf(64, eyeColours(64, (x, y) => {
   return iris.map((c, k) => mixed(mixed(0.01, c, pupil), hex('#120a06')[k], rim));
 }));
 
-const onEars = (p) => smooth(0.4, 0.52, p[1]) * smooth(0.32, 0.2, dot(p, front)) * smooth(0.3, 0.1, p[0]);
+const onEars = (p) => smooth(0.33, 0.5, p[1]) * smooth(0.34, 0.2, dot(p, front)) * smooth(0.3, 0.1, p[0]);
 /** Short on the muzzle, shorter round the eyes, none on the skin below them. */
 const lengthAt = (eyes) => ({ position: p }) => {
-  const ahead = dot(p, front), head = smooth(0.2, 0.45, ahead) * smooth(-0.1, 0.1, p[1]) * smooth(-0.05, -0.3, p[0]);
+  const ahead = dot(p, front), head = smooth(0, 0.4, ahead) * smooth(-0.1, 0.1, p[1]) * smooth(-0.05, -0.3, p[0]);
   let share = mixed(1, mixed(0.62, 0.4, smooth(0.55, 0.76, ahead)), head);
   share = mixed(share, 0.3, onEars(p));
   for (const { at } of eyes) share *= smooth(1.12 * radius, 3.4 * radius, far(p, at)) ** 0.8;
