@@ -2,6 +2,7 @@
 import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import { extname, join } from 'node:path';
 import { buildFolder } from './cmake.mjs';
+import { buildDocs } from './docs/build.mjs';
 import { notices } from './notices.mjs';
 import { Stop, root } from './process.mjs';
 import { scenes } from '../assets/scenes/scenes.mjs';
@@ -41,6 +42,7 @@ function manifest() {
       './types': { types: './types/index.d.ts' },
       './package.json': './package.json',
     },
+    files: ['*', '!docs'],  // those are of the site
     sideEffects: ['./element.js', './editor.js', './shared-*.js'],
   };
 }
@@ -104,6 +106,7 @@ export async function assemble() {
   for (const name of ['LICENSE', 'README.md', 'CHANGELOG.md']) cpSync(join(root, name), join(next, name));
   writeFileSync(join(next, 'THIRD-PARTY-NOTICES.txt'), notices());
   writeFileSync(join(next, 'package.json'), `${JSON.stringify(manifest(), null, 2)}\n`);
+  await buildDocs(next);
   const missing = missingFiles(next);
   if (missing.length > 0) throw new Stop(`dist/ would lack ${missing.join(', ')}`);
   rmSync(dist, { recursive: true, force: true });
