@@ -1,15 +1,16 @@
 // dist/docs: the pages of docs/ as plain HTML, by Eleventy. Formulas, coloured code, still plots and the tables of the reference are made
 // here; in the reader's browser only the live figures need scripts.
-import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync } from 'node:fs';
+import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { join, relative, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import Eleventy from '@11ty/eleventy';
 import { root, Stop } from '../process.mjs';
 import { excerpt, languageOf } from './excerpts.mjs';
-import { controls, escaped, figure, liveElement, plot } from './figures.mjs';
+import { controls, escaped, figure, liveElement, plot, stills } from './figures.mjs';
 import { extendMarkdown, formula, makeHighlighter } from './markdown.mjs';
 import { pictures } from './pictures.mjs';
 import { addReference } from './reference.mjs';
+import { layerPng } from './tile.mjs';
 
 const source = join(root, 'docs');
 
@@ -58,6 +59,17 @@ async function configure(config, { core, wanted, site }) {
     const items = this.ctx.collections.tutorials.map(({ data, url }) => `<li><a href="${url.slice(1)}">${data.order}. ${escaped(data.title)}</a><p>${escaped(data.description)}</p></li>`);
     return block(`<ul class="tutorials">${items.join('')}</ul>`);
   });
+  config.addPairedShortcode('stills', function (caption, spec) { return block(stills(spec, inline(caption), this.page, wanted)); });
+  config.addPairedShortcode('tile', function (caption, { id, alt, show, parameters, ...look }) {
+    const fur = core.generateFur(parameters);
+    const images = show.map((layer) => {
+      const name = `${this.page.fileSlug}-${id}-${layer}.png`;
+      mkdirSync(join(site, 'docs/pictures'), { recursive: true });
+      writeFileSync(join(site, 'docs/pictures', name), layerPng(fur, layer - 1, look));
+      return `<figure><img src="../pictures/${name}" width="256" height="256" alt="${escaped(`${alt}: layer ${layer} of ${fur.layers}`)}" loading="lazy"><figcaption>Layer ${layer} of ${fur.layers}</figcaption></figure>`;
+    });
+    return block(`<figure><div class="side-by-side strip">${images.join('')}</div><figcaption>${inline(caption)}</figcaption></figure>`);
+  });
   config.addShortcode('code', (file, what, to) => {
     const text = excerpt(file, what, typeof to === 'string' ? to : undefined);
     return block(`<figure class="code"><figcaption>${escaped(file)}</figcaption>${highlight(text, languageOf(file))}</figure>`);
@@ -77,6 +89,7 @@ export async function buildDocs(site, { complete = true } = {}) {
   const eleventy = new Eleventy(relative('', source), relative('', output), {
     quietMode: true, configPath: relative('', join(root, 'tools/docs/eleventy.mjs')), source: 'script',
     config: async (config) => {
+      config.setQuietMode(true);
       config.setUseGitIgnore(false);
       config.setIncludesDirectory('_includes');
       await configure(config, { core, wanted, site });

@@ -39,11 +39,14 @@ export function outdated(wanted) {
 /** In the page: PNG files side by side as WebP of at most so many bytes, as good as fits. */
 async function packed([sources, most]) {
   const bitmaps = await Promise.all(sources.map(async (source) => createImageBitmap(await (await fetch(source)).blob())));
-  const width = bitmaps.reduce((sum, bitmap) => sum + bitmap.width, 0) + 2 * (bitmaps.length - 1);
-  const canvas = new OffscreenCanvas(width, bitmaps[0].height), context = canvas.getContext('2d');
-  bitmaps.reduce((x, bitmap) => { context.drawImage(bitmap, x, 0); return x + bitmap.width + 2; }, 0);
+  const gap = 2, width = bitmaps.reduce((sum, bitmap) => sum + bitmap.width, gap * (bitmaps.length - 1));
   let blob;
-  for (let quality = 0.86; quality > 0.1; quality -= 0.06) {
+  // Rather smaller than of a quality that shows.
+  for (let scale = 1, quality = 0.86; ; quality -= 0.06) {
+    if (quality < 0.3) scale *= 0.85, quality = 0.5;
+    const canvas = new OffscreenCanvas(Math.round(width * scale), Math.round(bitmaps[0].height * scale)), context = canvas.getContext('2d');
+    context.scale(scale, scale);
+    bitmaps.reduce((x, bitmap) => { context.drawImage(bitmap, x, 0); return x + bitmap.width + gap; }, 0);
     blob = await canvas.convertToBlob({ type: 'image/webp', quality });
     if (blob.size <= most) break;
   }
