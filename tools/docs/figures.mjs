@@ -86,7 +86,7 @@ export function plot(spec, caption, page, equations) {
   const valueOf = (name, at) => {
     if (typeof name !== 'string') return name;
     if (name === x) return at;
-    const value = typeof parameters[name] === 'number' ? parameters[name] : still[name];
+    const value = typeof parameters[name] === 'number' ? parameters[name] : still[parameters[name]];
     if (value === undefined) throw new Stop(`docs: ${page.inputPath}: a plot knows no value of "${name}"`);
     return value;
   };
