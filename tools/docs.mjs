@@ -4,21 +4,21 @@ import { existsSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { buildNative, buildSite } from './build.mjs';
 import { buildDocs } from './docs/build.mjs';
-import { drawPictures, outdated, pictures } from './docs/pictures.mjs';
+import { drawn, drawPictures, outdated, pictures } from './docs/pictures.mjs';
 import { command, say } from './process.mjs';
 import { needs, setUp } from './setup.mjs';
 import { dist } from './site.mjs';
 
 /** @param {() => Promise<string>} renderer gives the program that draws */
 export async function makeDocs(renderer, { all = false } = {}) {
-  if (all) rmSync(join(pictures, 'inputs.json'), { force: true });
+  if (all) for (const used of [join(pictures, 'inputs.json'), drawn]) rmSync(used, { recursive: true, force: true });
   const wanted = await buildDocs(dist, { complete: false });
   const due = outdated(wanted);
   if (due.length === 0) return 0;
   say(`${due.length} pictures to draw`);
-  const drawn = await drawPictures(wanted, await renderer());
+  const count = await drawPictures(wanted, await renderer());
   await buildDocs(dist);
-  return drawn;
+  return count;
 }
 
 if (process.argv[1]?.endsWith('docs.mjs')) {

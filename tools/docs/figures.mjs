@@ -9,7 +9,7 @@ export const attributes = (values) => Object.entries(values).filter(([, value]) 
   .map(([name, value]) => (value === true ? ` ${name}` : ` ${name}="${escaped(typeof value === 'object' ? JSON.stringify(value) : value)}"`)).join('');
 
 /** A figure's picture is at most as large as this. */
-const posterBytes = 24500;
+const posterBytes = 19000;
 const knownParts = ['id', 'src', 'alt', 'preset', 'light', 'set', 'call', 'camera', 'tool', 'wetness', 'draw', 'controls', 'still', 'attributes', 'size', 'slot'];
 
 /** Elements that change the figure `id`: a setting's name stands for its slider. */
@@ -81,23 +81,25 @@ function drawing(curves, { x, from, to, alt }) {
  * the values without scripts. @param {object} equations of wet-fur/core
  */
 export function plot(spec, caption, page, equations) {
-  const { x, from, to, samples = 120, for: target, equations: list, parameters = {}, still = {}, alt, id } = spec;
+  const { x, from, to, samples = 120, for: target, equations: list, parameters = {}, still = {}, alt, id, xLabel } = spec;
   if (!alt) throw new Stop(`docs: ${page.inputPath}: a plot needs an alt`);
   const valueOf = (name, at) => {
+    if (Array.isArray(name)) return name.map((one) => valueOf(one, at));
     if (typeof name !== 'string') return name;
     if (name === x) return at;
     const value = typeof parameters[name] === 'number' ? parameters[name] : still[parameters[name]];
     if (value === undefined) throw new Stop(`docs: ${page.inputPath}: a plot knows no value of "${name}"`);
     return value;
   };
-  const curves = list.map(({ label, f, args, member }) => {
+  const curves = list.map(({ label, f, args, part = 0, xy }) => {
     if (!equations[f]) throw new Stop(`docs: ${page.inputPath}: there is no equation "${f}"`);
     return { label, points: Array.from({ length: samples + 1 }, (_, i) => {
       const at = from + (to - from) * i / samples, y = equations[f](...args.map((name) => valueOf(name, at)));
-      return [at, Number(Array.isArray(y) ? y[member ?? 0] : y)];
+      return xy ? [y[xy[0]], y[xy[1]]] : [at, Number(Array.isArray(y) ? y[part] : y)];
     }) };
   });
   const key = list.length > 1 ? `<p class="key">${list.map(({ label }, i) => `<span class="key-${i + 1}">${escaped(label)}</span>`).join(' ')}</p>` : '';
-  const tag = attributes({ id, x, from, to, samples, for: target, equations: list, parameters });
-  return `<figure class="plotted"><wet-fur-plot${tag}>${drawing(curves, { x, from, to, alt })}${key}</wet-fur-plot><figcaption>${caption}</figcaption></figure>`;
+  const tag = attributes({ id, x, from, to, samples, 'x-label': xLabel, for: target, equations: list, parameters });
+  const range = list.some(({ xy }) => xy) ? curves.flatMap(({ points }) => points.map(([px]) => px)) : [from, to];
+  return `<figure class="plotted"><wet-fur-plot${tag}>${drawing(curves, { x: xLabel ?? x, from: Math.min(...range), to: Math.max(...range), alt })}${key}</wet-fur-plot><figcaption>${caption}</figcaption></figure>`;
 }

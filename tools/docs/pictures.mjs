@@ -10,7 +10,7 @@ import { chromiumPath } from '../setup.mjs';
 
 export const pictures = join(root, 'docs/pictures');
 const inputsFile = join(pictures, 'inputs.json');
-const scratch = join(root, 'build/docs-pictures');
+export const drawn = join(root, 'build/docs-pictures');  // as PNG, by what they are made of
 
 const optionsOf = (values) => Object.entries(values).flatMap(([name, value]) => [`--${name}`, typeof value === 'boolean' ? String(Number(value)) : String(value)]);
 
@@ -25,7 +25,7 @@ export function renderArguments({ src = 'bunny', preset, light, set = {}, camera
   ];
 }
 
-/** What a picture is made of, as 16 hexadecimal digits. @param {{ parts: object[], bytes: number }} picture */
+/** What a picture is made of, as 16 hexadecimal digits. @param {{ parts: object[], bytes?: number }} picture */
 export const hashOf = ({ parts, bytes }) => createHash('sha256').update(JSON.stringify([parts.map(renderArguments), bytes])).digest('hex').slice(0, 16);
 
 const readInputs = () => (existsSync(inputsFile) ? JSON.parse(readFileSync(inputsFile, 'utf8')) : {});
@@ -53,10 +53,10 @@ async function packed([sources, most]) {
   return Array.from(new Uint8Array(await blob.arrayBuffer()), (byte) => String.fromCharCode(byte)).join('');
 }
 
-/** Draws those of `wanted` that are outdated, and takes away what no page shows any more. Gives how many it drew. */
+/** Draws, or takes from build/docs-pictures what was drawn before, those of `wanted` that are outdated, and takes away what no page shows any more. Gives how many it drew. */
 export async function drawPictures(wanted, program) {
   mkdirSync(pictures, { recursive: true });
-  mkdirSync(scratch, { recursive: true });
+  mkdirSync(drawn, { recursive: true });
   const inputs = readInputs(), due = outdated(wanted);
   const write = () => writeFileSync(inputsFile, `${JSON.stringify(Object.fromEntries(Object.entries(inputs).sort()), null, 1)}\n`);
   if (due.length > 0) {
@@ -65,9 +65,9 @@ export async function drawPictures(wanted, program) {
     try {
       const tab = await browser.newPage();
       for (const [name, picture] of due) {
-        const files = picture.parts.map((part, i) => {
-          const file = join(scratch, `${i}.png`);
-          run(program, [...renderArguments(part), '-o', file], { quiet: true });
+        const files = picture.parts.map((part) => {
+          const file = join(drawn, `${hashOf({ parts: [part] })}.png`);
+          if (!existsSync(file)) run(program, [...renderArguments(part), '-o', file], { quiet: true });
           return file;
         });
         const bytes = Buffer.from(await tab.evaluate(packed, [files.map(inline), picture.bytes]), 'latin1');
