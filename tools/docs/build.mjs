@@ -104,11 +104,24 @@ export async function buildDocs(site, { complete = true } = {}) {
     throw causes.find((one) => one instanceof Stop) ?? error;
   }
   copyFiles(output);
+  await buildThree(output);
   const there = new Set(existsSync(pictures) ? readdirSync(pictures) : []), missing = [...wanted.keys()].filter((name) => !there.has(name));
   if (complete && missing.length > 0) throw new Stop(`docs/pictures lacks ${missing.join(', ')}: npm run docs draws them`);
   mkdirSync(join(output, 'pictures'), { recursive: true });
   for (const name of wanted.keys()) if (there.has(name)) cpSync(join(pictures, name), join(output, 'pictures', name));
   return wanted;
+}
+
+/** The page that draws our fur with three.js, whose code becomes part of its script. */
+async function buildThree(output) {
+  const { build } = await import('esbuild');
+  const folder = join(output, 'three');
+  await build({
+    absWorkingDir: join(source, 'three'), entryPoints: ['page.js'], outdir: folder, bundle: true, format: 'esm', target: 'es2022', minify: true, legalComments: 'eof', logLevel: 'warning',
+    external: ['../../core.js'],
+  });
+  cpSync(join(source, 'three/index.html'), join(folder, 'index.html'));
+  cpSync(join(root, 'node_modules/three/LICENSE'), join(folder, 'LICENSE'));
 }
 
 /** Style, script, and of KaTeX what its formulas need. */
