@@ -1,6 +1,6 @@
 // dist/docs: the pages of docs/ as plain HTML, by Eleventy. Formulas, coloured code, still plots and the tables of the reference are made
 // here; in the reader's browser only the live figures need scripts.
-import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import { cpSync, existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join, relative, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import Eleventy from '@11ty/eleventy';
@@ -8,7 +8,7 @@ import { root, Stop } from '../process.mjs';
 import { excerpt, languageOf } from './excerpts.mjs';
 import { controls, escaped, figure, liveElement, plot, stills } from './figures.mjs';
 import { extendMarkdown, formula, makeHighlighter } from './markdown.mjs';
-import { pictures } from './pictures.mjs';
+import { fileOf } from './pictures.mjs';
 import { addReference } from './reference.mjs';
 import { layerPng } from './tile.mjs';
 
@@ -105,10 +105,11 @@ export async function buildDocs(site, { complete = true } = {}) {
   }
   copyFiles(output);
   await buildThree(output);
-  const there = new Set(existsSync(pictures) ? readdirSync(pictures) : []), missing = [...wanted.keys()].filter((name) => !there.has(name));
+  const there = [...wanted].filter(([name, picture]) => existsSync(fileOf(name, picture)));
+  const missing = [...wanted].filter(([name, picture]) => !picture.optional && !existsSync(fileOf(name, picture))).map(([name]) => name);
   if (complete && missing.length > 0) throw new Stop(`docs/pictures lacks ${missing.join(', ')}: npm run docs draws them`);
   mkdirSync(join(output, 'pictures'), { recursive: true });
-  for (const name of wanted.keys()) if (there.has(name)) cpSync(join(pictures, name), join(output, 'pictures', name));
+  for (const [name, picture] of there) cpSync(fileOf(name, picture), join(output, 'pictures', name));
   return wanted;
 }
 

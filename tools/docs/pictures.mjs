@@ -1,6 +1,6 @@
-// The still pictures of the pages, in docs/pictures: what a figure shows before it is live, without scripts and in print, and what
-// settings do. They are part of the tree, so that a page needs no native program to be built; inputs.json says of what each is made, and
-// those for which that has changed are drawn anew.
+// The still pictures of the pages. What a figure shows before it is live, without scripts and in print, lies in docs/pictures and is part of
+// the tree, so that pages are built without a native program; inputs.json says of what each is made, and those for which that has changed
+// are drawn anew. Optional ones, of the reference, lie in build/docs-pictures alone.
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -30,10 +30,15 @@ export const hashOf = ({ parts, bytes }) => createHash('sha256').update(JSON.str
 
 const readInputs = () => (existsSync(inputsFile) ? JSON.parse(readFileSync(inputsFile, 'utf8')) : {});
 
+/** Where an optional picture lies once it is drawn. */
+export const drawnFile = (name, picture) => join(drawn, name.replace('.webp', `-${hashOf(picture)}.webp`));
+/** Where a picture lies, or is to lie. */
+export const fileOf = (name, picture) => (picture.optional ? drawnFile(name, picture) : join(pictures, name));
+
 /** Those of `wanted` (a Map of file names) that are not there, or made of something else. */
 export function outdated(wanted) {
   const inputs = readInputs();
-  return [...wanted].filter(([name, picture]) => inputs[name] !== hashOf(picture) || !existsSync(join(pictures, name)));
+  return [...wanted].filter(([name, picture]) => (!picture.optional && inputs[name] !== hashOf(picture)) || !existsSync(fileOf(name, picture)));
 }
 
 /** In the page: PNG files side by side as WebP of at most so many bytes, as good as fits. */
@@ -71,9 +76,10 @@ export async function drawPictures(wanted, program) {
           return file;
         });
         const bytes = Buffer.from(await tab.evaluate(packed, [files.map(inline), picture.bytes]), 'latin1');
-        writeFileSync(join(pictures, name), bytes);
-        inputs[name] = hashOf(picture);
+        writeFileSync(fileOf(name, picture), bytes);
         say(`${name}: ${bytes.length} bytes`);
+        if (picture.optional) continue;
+        inputs[name] = hashOf(picture);
         write();
       }
     } finally {
