@@ -12,7 +12,7 @@ import { dist } from './site.mjs';
 /** @param {() => Promise<string>} renderer gives the program that draws */
 export async function makeDocs(renderer, { all = false } = {}) {
   if (all) for (const used of [join(pictures, 'inputs.json'), drawn]) rmSync(used, { recursive: true, force: true });
-  const wanted = await buildDocs(dist, { complete: false });
+  const wanted = await buildDocs(dist);
   const due = outdated(wanted);
   if (due.length === 0) return 0;
   say(`${due.length} pictures to draw`);

@@ -5,13 +5,15 @@ import { createHighlighter } from 'shiki';
 import { Stop } from '../process.mjs';
 
 const themes = { light: 'github-light-high-contrast', dark: 'github-dark-high-contrast' };
+// Comments on our background.
+const colorReplacements = { 'github-light-high-contrast': { '#66707b': '#58616b' } };
 const langs = ['cpp', 'glsl', 'js', 'ts', 'html', 'css', 'json', 'sh', 'text'];
 
 export async function makeHighlighter() {
   const shiki = await createHighlighter({ themes: Object.values(themes), langs });
   return (code, lang) => {
     if (lang && !langs.includes(lang)) throw new Stop(`docs: code in "${lang}", which is none of ${langs.join(', ')}`);
-    return shiki.codeToHtml(code, { lang: lang || 'text', themes, defaultColor: 'light-dark()' });
+    return shiki.codeToHtml(code, { lang: lang || 'text', themes, defaultColor: 'light-dark()', colorReplacements });
   };
 }
 

@@ -92,7 +92,7 @@ function typingsHtml(text, names) {
     if (!one) throw new Stop(`docs: the typings have no ${name}`);
     if (one.members.length === 0) return memberHtml(one, one.name);
     const extended = one.extended ? `<p>${code(one.extended)}</p>` : '';
-    return `${one.doc ? `<p>${prose(one.doc)}</p>` : ''}${extended}${one.members.map((member) => memberHtml(member, `${one.name}-${member.name.replace(/\W/g, '')}`)).join('')}`;
+    return `${one.doc ? `<p>${prose(one.doc)}</p>` : ''}${extended}${one.members.map((member, i) => memberHtml(member, one.members.findIndex(({ name: other }) => other === member.name) === i && `${one.name}-${member.name.replace(/\W/g, '')}`)).join('')}`;
   }).join('');
 }
 
