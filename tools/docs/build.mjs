@@ -44,7 +44,7 @@ async function configure(config, { core, wanted, site }) {
   config.addGlobalData('permalink', () => (data) => `${data.page.filePathStem}.html`);
   config.addGlobalData('companions', existsSync(join(site, 'companions.js')));
   config.addCollection('tutorials', numbered);
-  config.addFilter('contents', contentsOf);
+  config.addFilter('contents', (content) => contentsOf(blocks.fill(content)));
   config.addFilter('upwards', (url) => '../'.repeat(url.split('/').length - 2) || './');
   config.addFilter('beside', (list, url, step) => list[list.findIndex((one) => one.url === url) + step]);
   config.addPairedShortcode('figure', function (caption, spec) { return block(figure(spec, inline(caption), this.page, wanted)); });
@@ -56,7 +56,8 @@ async function configure(config, { core, wanted, site }) {
   });
   config.addPairedShortcode('plot', function (caption, spec) { return block(plot(spec, inline(caption), this.page, core.equations)); });
   config.addShortcode('tutorials', function () {
-    const items = this.ctx.collections.tutorials.map(({ data, url }) => `<li><a href="${url.slice(1)}">${data.order}. ${escaped(data.title)}</a><p>${escaped(data.description)}</p></li>`);
+    const items = this.ctx.collections.tutorials.map(({ data, url, fileSlug }) =>
+      `<li><img src="pictures/${fileSlug}-${data.picture}.webp" alt="" width="160" height="120"><a href="${url.slice(1)}">${data.order}. ${escaped(data.title)}</a><p>${escaped(data.description)}</p></li>`);
     return block(`<ul class="tutorials">${items.join('')}</ul>`);
   });
   config.addPairedShortcode('stills', function (caption, spec) { return block(stills(spec, inline(caption), this.page, wanted)); });
@@ -122,7 +123,6 @@ async function buildThree(output) {
     external: ['../../core.js'],
   });
   cpSync(join(source, 'three/index.html'), join(folder, 'index.html'));
-  cpSync(join(root, 'node_modules/three/LICENSE'), join(folder, 'LICENSE'));
 }
 
 /** Style, script, and of KaTeX what its formulas need. */
@@ -132,7 +132,6 @@ function copyFiles(output) {
   cpSync(join(katex, 'katex.min.css'), join(folder, 'katex.min.css'));
   const used = ['AMS-Regular', 'Main-Regular', 'Main-Italic', 'Main-Bold', 'Math-Italic', 'Size1-Regular', 'Size2-Regular', 'Size3-Regular', 'Size4-Regular', 'Caligraphic-Regular'];
   for (const name of used) cpSync(join(katex, `fonts/KaTeX_${name}.woff2`), join(folder, `fonts/KaTeX_${name}.woff2`));
-  cpSync(join(katex, '../LICENSE'), join(folder, 'LICENSE'));
   const css = readFileSync(join(folder, 'katex.min.css'), 'utf8');
   if (!css.includes('fonts/KaTeX_Main-Regular.woff2')) throw new Stop('docs: the fonts of KaTeX are not where its style looks for them');
 }

@@ -48,13 +48,14 @@ export function figure(spec, caption, page, wanted) {
   return `<figure class="live">${liveElement(spec, page, wanted)}${controls(spec.id, spec.controls)}<figcaption>${caption}</figcaption></figure>`;
 }
 
-/** Still pictures side by side: lists of `alt` and `captions`, and of what else differs; the rest is the same for all. */
+/** Still pictures side by side: lists of `alt` and `captions`, and of `src`, `set`, `wetness` and `camera` where those differ. */
 export function stills({ id = 'stills', alt, captions, size = [320, 240], ...common }, caption, page, wanted) {
   const folder = relative(dirname(page.url), '/pictures');
-  const of = (value, i) => (Array.isArray(value) && value.length === alt.length && value.some((one) => typeof one !== 'number') ? value[i] : value);
+  const listed = ['src', 'set', 'wetness', 'camera'];
+  const of = (key, value, i) => (listed.includes(key) && Array.isArray(value) && !(key === 'camera' && typeof value[0] === 'number') ? value[i] : value);
   const images = alt.map((text, i) => {
     const name = `${page.fileSlug}-${id}-${i + 1}.webp`;
-    wanted.set(name, { parts: [{ ...Object.fromEntries(Object.entries(common).filter(([key]) => key !== '__keywords').map(([key, value]) => [key, of(value, i)])), size }], bytes: 12000 });
+    wanted.set(name, { parts: [{ ...Object.fromEntries(Object.entries(common).filter(([key]) => key !== '__keywords').map(([key, value]) => [key, of(key, value, i)])), size }], bytes: 12000 });
     return `<figure><img${attributes({ src: `${folder}/${name}`, width: size[0], height: size[1], alt: text, loading: 'lazy' })}><figcaption>${escaped(captions[i])}</figcaption></figure>`;
   });
   return `<figure><div class="side-by-side strip">${images.join('')}</div><figcaption>${caption}</figcaption></figure>`;

@@ -33,7 +33,7 @@ function tableBelow(file, heading) {
 // --- settings ---
 
 const kebab = (name) => name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
-const shortNumber = (x) => String(Number(Number(x).toPrecision(4)));
+const shortNumber = (x) => String(Number(Number(x).toPrecision(6)));
 
 function rangeOf(field) {
   if (field.type === 'choice') return `${field.options.map((option) => (option === field.default ? `<strong>${escaped(option)}</strong>` : escaped(option))).join(' · ')}`;

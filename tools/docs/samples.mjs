@@ -4,7 +4,7 @@ import { existsSync } from 'node:fs';
 import { drawnFile } from './pictures.mjs';
 
 const size = [180, 135], samples = 8, bytes = 6500;
-const ball = { src: 'sphere', camera: [0.35, 0.3, 3.9], set: { furLength: 0.16, repeat: 3 } };
+const ball = { src: 'sphere', camera: [0.35, 0.3, 3], set: { furLength: 0.16, repeat: 3 } };
 const hair = { src: 'hair-shoulder' };
 const bunny = { src: 'bunny', camera: [0.35, 0.2, 3.1] };
 const whisker = { ...ball, draw: ['--whisker', '90,60,120,20', '--whisker', '70,70,20,60'] };
@@ -20,7 +20,7 @@ const none = new Set([
 const scenes = {
   ...Object.fromEntries(['lockSize', 'roll', 'stray', 'tipBreak'].map((name) => [name, on({ clump: 1, furLength: 0.25, repeat: 2 })])),
   undercoatLength: on({ undercoat: 1, density: 0.4 }), ...Object.fromEntries(['combX', 'combY', 'combZ'].map((name) => [name, on({ combStrength: 0.8, combX: 0, combY: 0, combZ: 0 })])),
-  furMapping: bunny, layers: on({ technique: 'shells' }), repeat: ball, furLength: { ...ball, ends: [0.02, 0.4], camera: [0.35, 0.3, 4.4] }, finEdges: { src: 'fins-outline' }, fins: on({ technique: 'shells', layers: 12 }),
+  furMapping: bunny, layers: on({ technique: 'shells' }), repeat: ball, furLength: { ...ball, ends: [0.02, 0.4], camera: [0.35, 0.3, 4.2] }, finEdges: { src: 'fins-outline' }, fins: on({ technique: 'shells', layers: 12 }),
   shells: { src: 'fins-outline', set: { view: 'final' } }, skin: on({ density: 0.2 }),
   printedLobe: on({ technique: 'shells', specular: 1.5 }), printedClumps: { ...on({ technique: 'shells' }, bunny), wetness: 0.7 }, printedLight: { ...on({ technique: 'shells' }, bunny), wetness: 0.7 },
   rimColor: on({ rimLight: 2.5, lightIntensity: 0.5 }), skinColor: on({ density: 0.15 }), strandModel: hair, shadowSize: on({ shadows: 'layers', lightPitch: 0.5 }, hair), shadows: on({ lightPitch: 0.5 }, bunny),
