@@ -18,7 +18,7 @@ export function controls(id, list = []) {
     if (typeof one === 'string') return `<wet-fur-slider${attributes({ for: id, setting: one })}></wet-fur-slider>`;
     const { slider, choice, button, readout, ...rest } = one;
     if (slider) return `<wet-fur-slider${attributes({ for: id, setting: slider, ...rest })}></wet-fur-slider>`;
-    if (choice) return `<wet-fur-choice${attributes({ for: id, setting: choice, ...rest })}></wet-fur-choice>`;
+    if (choice) return `<wet-fur-choice${attributes({ for: id, setting: rest.method ? undefined : choice, ...rest })}></wet-fur-choice>`;
     if (button) return `<wet-fur-button${attributes({ for: id, ...rest })}>${escaped(button)}</wet-fur-button>`;
     if (readout) return `<wet-fur-readout${attributes({ for: id, value: readout, ...rest })}></wet-fur-readout>`;
     throw new Stop(`docs: ${id}: ${JSON.stringify(one)} is no control`);
