@@ -3,6 +3,7 @@ import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, renameSync, r
 import { extname, join } from 'node:path';
 import { buildFolder } from './cmake.mjs';
 import { buildDocs } from './docs/build.mjs';
+import { attributesText, elementsOf, manifestOf } from './elements.mjs';
 import { notices } from './notices.mjs';
 import { Stop, root } from './process.mjs';
 import { scenes } from '../assets/scenes/scenes.mjs';
@@ -20,6 +21,7 @@ const entries = {
   './element': ['element.js', 'types/element.d.ts'],
   './editor': ['editor.js', 'types/editor.d.ts'],
   './core': ['core.js', 'types/core.d.ts'],
+  './companions': ['companions.js', 'types/companions.d.ts'],
 };
 
 function manifest() {
@@ -40,16 +42,21 @@ function manifest() {
       './wet-fur-core.wasm': './wet-fur-core.wasm',
       './models/*': './models/*',
       './types': { types: './types/index.d.ts' },
+      // Our tags in JSX and in Vue's templates.
+      './react': { types: './types/react.d.ts' },
+      './vue': { types: './types/vue.d.ts' },
+      './custom-elements.json': './custom-elements.json',
       './package.json': './package.json',
     },
     files: ['*', '!docs'],  // those are of the site
-    sideEffects: ['./element.js', './editor.js', './shared-*.js'],
+    customElements: './custom-elements.json',
+    sideEffects: ['./element.js', './editor.js', './companions.js', './shared-*.js'],
   };
 }
 
 /** Every file that the package's manifest names and that `folder` lacks. */
 export function missingFiles(folder) {
-  const named = [...programs, ...Object.values(entries).flat(), 'index.html', 'embed.html', ...['otter', 'pony', 'bunny', ...scenes.map(({ name }) => name)].map((name) => `models/${name}.glb`)];
+  const named = [...programs, ...Object.values(entries).flat(), 'custom-elements.json', 'types/attributes.d.ts', 'types/react.d.ts', 'types/vue.d.ts', 'index.html', 'embed.html', ...['otter', 'pony', 'bunny', ...scenes.map(({ name }) => name)].map((name) => `models/${name}.glb`)];
   return named.filter((name) => !existsSync(join(folder, name)));
 }
 
@@ -98,6 +105,9 @@ export async function assemble() {
   writeFileSync(join(next, 'types/tables.d.ts'), typingsText(tables));
   const typings = join(next, 'types');
   for (const name of readdirSync(typings)) writeFileSync(join(typings, name), withEndings(readFileSync(join(typings, name), 'utf8'), tables));
+  const elements = elementsOf(tables);
+  writeFileSync(join(typings, 'attributes.d.ts'), attributesText(elements));
+  writeFileSync(join(next, 'custom-elements.json'), `${JSON.stringify(manifestOf(elements, typings), null, 1)}\n`);
   const page = join(next, 'index.html');
   writeFileSync(page, pageText(readFileSync(page, 'utf8'), tables, drawingOf));
   await joinScripts(next);

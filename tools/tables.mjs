@@ -6,6 +6,8 @@ import { root, Stop } from './process.mjs';
 
 /** What web/ imports as '#tables' (package.json). */
 const moduleFile = join(root, 'build/generated/tables.js');
+/** What web/companions imports as '#settings': a module of its own, as the viewer has the same from its program. */
+const settingsFile = join(root, 'build/generated/settings.js');
 
 const tables = {
   tools: {
@@ -100,6 +102,28 @@ export function moduleText(all) {
     constant('queries', names(queries))}${
     constant('elementMethods', names(forElements(methods)))}${
     constant('elementQueries', names(forElements(queries)))}`;
+}
+
+const kindsOfFields = { FUR_FLOAT: 'float', FUR_INT: 'int', FUR_BOOL: 'bool', FUR_COLOR: 'color', FUR_CHOICE: 'choice' };
+const numberOf = (text) => Number(text.replace(/f$/, ''));
+
+/** A default as scripts have it. */
+function defaultOf({ macro, default: text, options }) {
+  if (macro === 'FUR_BOOL') return text === 'true';
+  if (macro === 'FUR_COLOR') return `#${Number(text).toString(16).padStart(6, '0')}`;
+  return macro === 'FUR_CHOICE' ? options.split('|')[Number(text)] : numberOf(text);
+}
+
+/** The module '#settings': label, range, unit and choices of each setting, presets and tools by their labels. */
+export function settingsText({ fields, presets, tools }) {
+  const rows = fields.map((field) => [field.name, {
+    label: field.label, type: kindsOfFields[field.macro], default: defaultOf(field),
+    ...field.min && { min: numberOf(field.min), max: numberOf(field.max) }, ...field.unit && { unit: field.unit }, ...field.options && { options: field.options },
+  }]);
+  const labels = (all) => Object.fromEntries(all.map(({ name, label }) => [name, label]));
+  return `// Made by tools/tables.mjs.\nexport const fields = ${JSON.stringify(Object.fromEntries(rows))};\n`
+    + `export const labelsOfPresets = ${JSON.stringify(labels(presets))};\n`
+    + `export const labelsOfTools = ${JSON.stringify(labels(tools.filter(({ program }) => program !== 'Editor')))};\n`;
 }
 
 const forElements = (rows) => rows.filter(({ offered }) => offered === 'Element');
@@ -199,10 +223,11 @@ export function drawingOf(icon) {
   return text.replace(/<svg[^>]*>/, '<svg viewBox="0 0 24 24" aria-hidden="true">');
 }
 
-/** Brings '#tables' up to date, and returns the tables. */
+/** Brings '#tables' and '#settings' up to date, and returns the tables. */
 export function makeTables() {
   const all = readTables();
   mkdirSync(join(moduleFile, '..'), { recursive: true });
   writeFileSync(moduleFile, moduleText(all));
+  writeFileSync(settingsFile, settingsText(all));
   return all;
 }

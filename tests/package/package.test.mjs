@@ -41,7 +41,7 @@ test('no file of ours names a place on the machine that built it', () => {
 });
 
 test('every entry can be imported in plain Node without a DOM', () => {
-  for (const entry of ['wet-fur', 'wet-fur/core', 'wet-fur/element', 'wet-fur/editor']) {
+  for (const entry of ['wet-fur', 'wet-fur/core', 'wet-fur/element', 'wet-fur/editor', 'wet-fur/companions']) {
     const { status, stderr } = runNode('--input-type=module', '-e', `await import('${entry}')`);
     assert.equal(status, 0, `${entry}: ${stderr}`);
   }

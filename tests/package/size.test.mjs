@@ -44,3 +44,9 @@ test('the page downloads at most 1.3 MB, gzipped, until the otter is there', (t)
   t.diagnostic(`${(total / 1024).toFixed(1)} KB: ${sizes.map(([name, size]) => `${name} ${(size / 1024).toFixed(1)}`).join(', ')}`);
   assert.ok(total <= 1.3e6, `${total} bytes`);
 });
+
+test('the companions download at most 16 KB, gzipped', (t) => {
+  const bytes = gzipSync(readFileSync(join(dist, 'companions.js')), { level: 9 }).length;
+  t.diagnostic(`${(bytes / 1024).toFixed(1)} KB`);
+  assert.ok(bytes <= 16 * 1024, `${bytes} bytes`);
+});

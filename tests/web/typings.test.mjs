@@ -8,11 +8,13 @@ import { test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { dist, root } from './support.mjs';
 
-test('a strict TypeScript program compiles against the typings', () => {
-  const tsc = createRequire(import.meta.url).resolve('typescript/bin/tsc');
-  const { status, stdout } = spawnSync(process.execPath, [tsc, '-p', join(root, 'tests/web/types')], { encoding: 'utf8' });
-  assert.equal(status, 0, stdout);
-});
+for (const [folder, what] of [['types', 'a strict TypeScript program compiles'], ['types/templates', 'our tags in JSX of React and in templates of Vue are checked']]) {
+  test(`${what} against the typings`, () => {
+    const tsc = createRequire(import.meta.url).resolve('typescript/bin/tsc');
+    const { status, stdout } = spawnSync(process.execPath, [tsc, '-p', join(root, 'tests/web', folder)], { encoding: 'utf8' });
+    assert.equal(status, 0, stdout);
+  });
+}
 
 test('the typings list the fields of the settings table, all and no others', async () => {
   const { loadCore } = await import(pathToFileURL(join(dist, 'core.js')).href);

@@ -1,6 +1,7 @@
 // What a strict TypeScript user writes; tsc reads it, nothing runs it.
 import { configure, createWetFur, FurError, isSupported, preload } from 'wet-fur';
 import type { CameraOrbit, FurErrorCode, SettingsField, WetFur } from 'wet-fur';
+import { WetFurSliderElement } from 'wet-fur/companions';
 import { loadCore } from 'wet-fur/core';
 import { closeEditor, openEditor, preloadEditor } from 'wet-fur/editor';
 import { WetFurElement } from 'wet-fur/element';
@@ -89,4 +90,15 @@ export async function withoutAPicture(): Promise<number> {
   // @ts-expect-error a vector has three parts
   core.equations.kajiyaDiffuse([0, 1], [0, 1, 0]);
   return tangent.length + mask.data.length + model.vertexCount + along + across + x + y + z + stiffness + mask.hash().length;
+}
+
+export function withCompanions(): void {
+  const slider: WetFurSliderElement = document.createElement('wet-fur-slider');
+  slider.setting = 'curl';
+  slider.addEventListener('change', () => console.log(slider.value.toFixed(2), slider.figure?.loaded));
+  document.createElement('wet-fur-choice').value = 'final';
+  document.createElement('wet-fur-compare').position = 30;
+  const current: number = document.createElement('wet-fur-steps').current;
+  // @ts-expect-error read only
+  document.createElement('wet-fur-steps').current = current;
 }

@@ -1,0 +1,3 @@
+// In Docusaurus: a client module (`clientModules` in docusaurus.config.js).
+import 'wet-fur/companions';
+import 'wet-fur/element';
