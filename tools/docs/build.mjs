@@ -8,7 +8,7 @@ import { root, say, Stop } from '../process.mjs';
 import { excerpt, languageOf } from './excerpts.mjs';
 import { controls, escaped, figure, liveElement, plot, stills } from './figures.mjs';
 import { extendMarkdown, formula, makeHighlighter } from './markdown.mjs';
-import { fileOf } from './pictures.mjs';
+import { fileOf, wantedFile } from './pictures.mjs';
 import { addReference } from './reference.mjs';
 import { layerPng } from './tile.mjs';
 
@@ -61,13 +61,13 @@ async function configure(config, { core, wanted, site }) {
     return block(`<ul class="tutorials">${items.join('')}</ul>`);
   });
   config.addPairedShortcode('stills', function (caption, spec) { return block(stills(spec, inline(caption), this.page, wanted)); });
-  config.addPairedShortcode('tile', function (caption, { id, alt, show, parameters, ...look }) {
+  config.addPairedShortcode('tile', function (caption, { id, alt, show, parameters, side = 128 }) {
     const fur = core.generateFur(parameters);
     const images = show.map((layer) => {
       const name = `${this.page.fileSlug}-${id}-${layer}.png`;
       mkdirSync(join(site, 'docs/pictures'), { recursive: true });
-      writeFileSync(join(site, 'docs/pictures', name), layerPng(fur, layer - 1, look));
-      return `<figure><img src="../pictures/${name}" width="256" height="256" alt="${escaped(`${alt}: layer ${layer} of ${fur.layers}`)}" loading="lazy"><figcaption>Layer ${layer} of ${fur.layers}</figcaption></figure>`;
+      writeFileSync(join(site, 'docs/pictures', name), layerPng(fur, layer - 1, side));
+      return `<figure><img src="../pictures/${name}" width="${side}" height="${side}" alt="${escaped(`${alt}: layer ${layer} of ${fur.layers}`)}" loading="lazy"><figcaption>Layer ${layer} of ${fur.layers}</figcaption></figure>`;
     });
     return block(`<figure><div class="side-by-side strip">${images.join('')}</div><figcaption>${inline(caption)}</figcaption></figure>`);
   });
@@ -110,6 +110,7 @@ export async function buildDocs(site) {
   const missing = [...wanted].filter(([name, picture]) => !picture.optional && !existsSync(fileOf(name, picture))).map(([name]) => name);
   if (missing.length > 0) say(`docs/pictures lacks ${missing.join(', ')}: npm run docs draws them`);
   mkdirSync(join(output, 'pictures'), { recursive: true });
+  writeFileSync(wantedFile, JSON.stringify([...wanted]));
   for (const [name, picture] of there) cpSync(fileOf(name, picture), join(output, 'pictures', name));
   return wanted;
 }

@@ -30,6 +30,9 @@ export const hashOf = ({ parts, bytes }) => createHash('sha256').update(JSON.str
 
 const readInputs = () => (existsSync(inputsFile) ? JSON.parse(readFileSync(inputsFile, 'utf8')) : {});
 
+/** What the pages that were built last show, for tests. */
+export const wantedFile = join(root, 'build/docs-pictures.json');
+
 /** Where an optional picture lies once it is drawn. */
 export const drawnFile = (name, picture) => join(drawn, name.replace('.webp', `-${hashOf(picture)}.webp`));
 /** Where a picture lies, or is to lie. */
