@@ -7,7 +7,7 @@ import { inline } from './photograph.mjs';
 import { command, root, run, say } from './process.mjs';
 import { chromiumPath, needs, setUp } from './setup.mjs';
 
-const frames = 36, size = [480, 360], milliseconds = 110, quality = 0.55;
+const frames = 36, size = [480, 360], milliseconds = 110, quality = 0.6;
 
 const bytes24 = (x) => [x & 255, (x >> 8) & 255, (x >> 16) & 255];
 function chunk(name, ...parts) {
@@ -51,8 +51,8 @@ export async function film(program) {
     for (let i = 0; i < frames; ++i) {
       const turn = i / frames, file = join(folder, `${i}.png`);
       // Wet from a sixth of the turn to a half, dry again at its end.
-      const wet = Math.max(0, Math.min((turn - 0.12) / 0.22, 1, (0.95 - turn) / 0.3)) * 0.9;
-      run(program, ['otter', '-o', file, '--size', size.join('x'), '--samples', '8', '--behaviour', 'none', '--camera', [0.5 + 2 * Math.PI * turn, 0.14, 3].join(','), ...wet > 0 ? ['--wetness', wet.toFixed(3)] : []], { quiet: true });
+      const wet = Math.max(0, Math.min((turn - 0.12) / 0.22, 1, (0.95 - turn) / 0.3)) * 0.78;
+      run(program, ['otter', '-o', file, '--size', size.join('x'), '--samples', '8', '--behaviour', 'none', '--camera', [0.5 + 2 * Math.PI * turn, 0.16, 2.2].join(','), ...wet > 0 ? ['--wetness', wet.toFixed(3)] : []], { quiet: true });
       const text = await tab.evaluate(async ([source, share]) => {
         const bitmap = await createImageBitmap(await (await fetch(source)).blob()), canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
         canvas.getContext('2d', { alpha: false }).drawImage(bitmap, 0, 0);

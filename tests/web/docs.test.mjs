@@ -26,7 +26,7 @@ test('fourteen tutorials, the reference and the table of figures are there, in t
   const index = written.find(({ name }) => name === 'index.html').html;
   const numbers = [...index.matchAll(/<a href="tutorials\/[\w-]+\.html">(\d+)\. /g)].map(([, number]) => Number(number));
   assert.deepEqual(numbers, Array.from({ length: 14 }, (_, i) => i + 1));
-  for (const name of ['papers', ...['index', 'element', 'package', 'core', 'settings', 'views', 'files', 'errors'].map((page) => `reference/${page}`)])
+  for (const name of ['papers', ...['index', 'element', 'companions', 'package', 'core', 'settings', 'views', 'files', 'errors'].map((page) => `reference/${page}`)])
     assert.ok(written.some((page) => page.name === `${name}.html`), name);
 });
 

@@ -91,6 +91,7 @@ export async function buildDocs(site) {
     quietMode: true, configPath: relative('', join(root, 'tools/docs/eleventy.mjs')), source: 'script',
     config: async (config) => {
       config.setQuietMode(true);
+      config.benchmarks.config.setMinimumThresholdMs(1e9);  // it would warn of each build
       config.setUseGitIgnore(false);
       config.setIncludesDirectory('_includes');
       await configure(config, { core, wanted, site });

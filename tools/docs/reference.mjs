@@ -4,6 +4,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import ts from 'typescript';
 import { WetFurElement } from '../../web/element.js';
+import { elementsOf } from '../elements.mjs';
 import { root, Stop } from '../process.mjs';
 import { readTables, typingsText, withEndings } from '../tables.mjs';
 import { attributes, escaped } from './figures.mjs';
@@ -96,60 +97,17 @@ function typingsHtml(text, names) {
   }).join('');
 }
 
-// --- the element ---
+// --- our elements ---
 
-const attributeTexts = {
-  src: 'The model: a name (`otter`, `pony`, `bunny`, `sphere`, `torus`, `plane`, a scene) or an address.',
-  alt: 'What it shows, for who cannot see it. A label of the canvas.',
-  poster: 'The address of a picture that is shown until the model is there. A picture in the slot `poster` is shown without scripts, too.',
-  loading: '`auto` and `lazy`: as soon as it comes near the window; `eager`: at once.',
-  reveal: '`auto`: as `loading` says; `interaction`: not before the poster is pressed; `manual`: not before `dismissPoster()`.',
-  'interaction-prompt': 'With `reveal="interaction"`, `auto` shows that the poster can be pressed, `none` does not.',
-  preset: 'A coat by its name. Settings beside it stay over it.', tool: 'What a press on the model does.',
-  'camera-controls': 'Visitors turn, zoom and move the model.', 'camera-orbit': 'Where the camera is: yaw, pitch and distance, with radians or `deg`, distance in bounding radii, and if wanted x, y, z of where it looks.',
-  'camera-target': 'Where it looks: x, y, z in bounding radii. Stays over the target of `camera-orbit`.', 'field-of-view': 'Of the height of the picture, in degrees, 10 to 90; `auto` is 34.',
-  'auto-rotate': 'It turns once nobody has been there for three seconds, unless less motion is asked for.',
-  quality: '`auto` draws moving pictures with less where they would not hold `frame-budget`; `low`, `medium` and `high` never change by themselves.',
-  'frame-budget': 'Milliseconds from one moving picture to the next, 4 to 1000; default 16.7.', background: 'One colour, `#rrggbb`, in place of the gradient.',
-  'fixed-dt': 'Seconds that every picture advances, whatever the clock says; 0: the clock.', paused: 'Nothing moves and nothing is drawn but by `step()`.',
-  wheel: '`page`: the wheel scrolls the page; `focus`: it zooms once the canvas has the focus; `zoom`: always.', 'touch-action': 'A CSS touch-action. Without it the page scrolls by touch until the canvas has the focus.',
-  motion: '`auto`: as the system asks; `full`; `reduced`.', editor: 'Opens the editor.', 'light-rig': 'A light by its name; what is set after it stays over it.',
+const valuesText = (type) => (/^'/.test(type) ? type.split(' | ').map((one) => code(one.slice(1, -1))).join(' ') : escaped(type));
+const elementParts = {
+  attributes: ({ attributes: rows }) => table(['attribute', 'values', 'what it does'], rows.map(({ name, type, description }) => [code(name), valuesText(type), prose(description)]), 'Attributes'),
+  events: ({ events }) => table(['event', 'type', 'when'], events.map(([name, type, description]) => [code(name), code(type), prose(description)]), 'Events'),
+  slots: ({ slots }) => table(['slot', 'what stands there'], slots.map(([name, description]) => [name ? code(name) : 'without a name', prose(description)]), 'Slots'),
+  parts: ({ parts }) => table(['part', 'what it is'], parts.map(({ name, description }) => [code(name), prose(description)]), 'Parts'),
+  variables: ({ variables }) => table(['variable', 'what it colours'], variables.map(({ name, description }) => [code(name), prose(description)]), 'CSS variables'),
 };
-const slotTexts = {
-  poster: 'Shown until the model is there, and without scripts: usually an `img`.', 'progress-bar': 'In place of the bar that shows how far loading is.',
-  'interaction-prompt': 'In place of “Show the model” on a poster that waits to be pressed.', fallback: 'Shown where the browser cannot draw it.',
-};
-const partTexts = {
-  canvas: 'The picture.', 'progress-bar': 'The bar while it loads.', 'coat-progress': 'The bar at the lower edge while a coat grows or a scene is saved.', 'interaction-prompt': 'The cue on the poster.',
-  'reload-button': '“Try again” below a message.',
-};
-const variableTexts = {
-  '--wet-fur-poster-color': 'Behind the poster, and before anything is there.', '--wet-fur-progress-color': 'The bar.', '--wet-fur-focus-ring': 'The outline of what has the focus.', '--wet-fur-text-color': 'Text below the bar, and the bar of a coat.',
-  '--wet-fur-controls-bg': 'Behind controls.', '--wet-fur-track-color': 'Behind the bar.',
-};
-
-/** A table of what there is, by name, with our words for each; complains of what has none, and of words for what is not there. */
-function described(names, texts, what) {
-  const unknown = names.filter((name) => !texts[name]);
-  if (unknown.length > 0) throw new Stop(`docs: the ${what} ${unknown.join(', ')} have no description in tools/docs/reference.mjs`);
-  return table([what, 'what it does'], names.map((name) => [code(name), prose(texts[name])]), `${what}s`);
-}
-const uniqueIn = (text, pattern) => [...new Set([...text.matchAll(pattern)].map(([, name]) => name))].sort();
-
-function elementTables(fields) {
-  const shadow = read('web/element-shadow.js');
-  const ofSettings = Object.fromEntries(WetFurElement.observedAttributes.filter((name) => !attributeTexts[name]).map((name) => {
-    const field = fields.find((one) => kebab(one.name) === name);
-    if (!field) throw new Stop(`docs: the attribute ${name} has no description in tools/docs/reference.mjs`);
-    return [name, `The setting of that name: ${field.tooltip.charAt(0).toLowerCase()}${field.tooltip.slice(1)}.`];
-  }));
-  return {
-    attributes: described(WetFurElement.observedAttributes, { ...attributeTexts, ...ofSettings }, 'attribute'),
-    slots: described(uniqueIn(shadow, /make\('slot', \{ name: '([\w-]+)'/g), slotTexts, 'slot'),
-    parts: described(uniqueIn(shadow, /part: '([\w-]+)'/g), partTexts, 'part'),
-    variables: described(uniqueIn(shadow, /(--wet-fur-[\w-]+)/g), variableTexts, 'variable'),
-  };
-}
+const elementHtml = (element, parts) => parts.filter((name) => element[name]?.length > 0).map((name) => elementParts[name](element)).join('');
 
 // --- errors ---
 
@@ -216,7 +174,11 @@ export function addReference(config, { core, block, wanted }) {
       const schema = JSON.parse(read('src/scene/WETFUR_fur.schema.json'));
       return `<p>${prose(schema.description)}</p>${table(['property', 'type', 'meaning'], schemaRows(schema, '', schema.required), 'Properties of WETFUR_fur')}`;
     },
-    ...Object.fromEntries(['attributes', 'slots', 'parts', 'variables'].map((name) => [name, () => elementTables(fields)[name]])),
+    element: (tag, ...parts) => {
+      const element = elementsOf(tables).find((one) => one.tag === tag);
+      if (!element) throw new Stop(`docs: there is no element ${tag}`);
+      return elementHtml(element, parts.length ? parts : ['attributes', 'events', 'slots', 'parts']);
+    },
   };
   config.addShortcode('reference', (name, ...given) => {
     if (!generators[name]) throw new Stop(`docs: there is no table "${name}"`);
