@@ -23,7 +23,8 @@ export function controls(id, list = []) {
     if (readout) return `<wet-fur-readout${attributes({ for: id, value: readout, ...rest })}></wet-fur-readout>`;
     throw new Stop(`docs: ${id}: ${JSON.stringify(one)} is no control`);
   });
-  return tags.length ? `<div class="controls">${tags.join('')}</div>` : '';
+  const groups = [/slider|choice/, /button/, /readout/].map((kind) => tags.filter((tag) => kind.test(/^<wet-fur-\w+/.exec(tag)[0])).join('')).filter(Boolean);
+  return tags.length ? `<div class="controls">${groups.map((group) => (/^<wet-fur-(button|readout)/.test(group) ? `<div class="row">${group}</div>` : group)).join('')}</div>` : '';
 }
 
 /**
