@@ -52,7 +52,7 @@ export async function film(program) {
       const turn = i / frames, file = join(folder, `${i}.png`);
       // Wet from a sixth of the turn to a half, dry again at its end.
       const wet = Math.max(0, Math.min((turn - 0.12) / 0.22, 1, (0.95 - turn) / 0.3)) * 0.78;
-      run(program, ['otter', '-o', file, '--size', size.join('x'), '--samples', '8', '--behaviour', 'none', '--camera', [0.5 + 2 * Math.PI * turn, 0.16, 2.2].join(','), ...wet > 0 ? ['--wetness', wet.toFixed(3)] : []], { quiet: true });
+      run(program, ['otter', '-o', file, '--size', size.join('x'), '--samples', '8', '--behaviour', 'none', '--camera', [0.5 + 2 * Math.PI * turn, 0.16, 2.65].join(','), ...wet > 0 ? ['--wetness', wet.toFixed(3)] : []], { quiet: true });
       const text = await tab.evaluate(async ([source, share]) => {
         const bitmap = await createImageBitmap(await (await fetch(source)).blob()), canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
         canvas.getContext('2d', { alpha: false }).drawImage(bitmap, 0, 0);

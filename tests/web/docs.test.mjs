@@ -10,7 +10,7 @@ import { outdated, wantedFile } from '../../tools/docs/pictures.mjs';
 import { WetFurElement } from '../../web/element.js';
 import { dist, root, startBrowser } from './support.mjs';
 
-const site = startBrowser();
+const site = startBrowser({ subfolder: true });
 const docs = join(dist, 'docs');
 const pages = readdirSync(docs, { recursive: true }).filter((name) => name.endsWith('.html')).map((name) => ({ name, html: readFileSync(join(docs, name), 'utf8') }));
 const written = pages.filter(({ name }) => !name.startsWith('three'));

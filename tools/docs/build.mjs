@@ -62,12 +62,12 @@ async function configure(config, { core, wanted, site }) {
   });
   config.addPairedShortcode('stills', function (caption, spec) { return block(stills(spec, inline(caption), this.page, wanted)); });
   config.addPairedShortcode('tile', function (caption, { id, alt, show, parameters, side = 128 }) {
-    const fur = core.generateFur(parameters);
-    const images = show.map((layer) => {
-      const name = `${this.page.fileSlug}-${id}-${layer}.png`;
-      mkdirSync(join(site, 'docs/pictures'), { recursive: true });
-      writeFileSync(join(site, 'docs/pictures', name), layerPng(fur, layer - 1, side));
-      return `<figure><img src="../pictures/${name}" width="${side}" height="${side}" alt="${escaped(`${alt}: layer ${layer} of ${fur.layers}`)}" loading="lazy"><figcaption>Layer ${layer} of ${fur.layers}</figcaption></figure>`;
+    const fur = core.generateFur(parameters), folder = join(site, 'docs/pictures');
+    mkdirSync(folder, { recursive: true });
+    const images = show.map((one, i) => {
+      const { layer, caption: text, ...look } = typeof one === 'number' ? { layer: one, caption: `Layer ${one} of ${fur.layers}` } : one, name = `${this.page.fileSlug}-${id}-${i + 1}.png`;
+      writeFileSync(join(folder, name), layerPng(fur, layer - 1, { side, ...look }));
+      return `<figure><img src="../pictures/${name}" width="${side}" height="${side}" alt="${escaped(`${alt}: ${text}`)}" loading="lazy"><figcaption>${escaped(text)}</figcaption></figure>`;
     });
     return block(`<figure><div class="side-by-side strip">${images.join('')}</div><figcaption>${inline(caption)}</figcaption></figure>`);
   });
