@@ -1,6 +1,6 @@
 // dist/docs: the pages of docs/ as plain HTML, by Eleventy. Formulas, coloured code, still plots and the tables of the reference are made
 // here; in the reader's browser only the live figures need scripts.
-import { cpSync, existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { cpSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join, relative, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import Eleventy from '@11ty/eleventy';
@@ -87,6 +87,7 @@ export async function buildDocs(site) {
   const output = join(site, 'docs'), wanted = new Map();
   const { loadCore } = await import(pathToFileURL(resolve(site, 'core.js')));
   const core = await loadCore();
+  rmSync(output, { recursive: true, force: true });
   const eleventy = new Eleventy(relative('', source), relative('', output), {
     quietMode: true, configPath: relative('', join(root, 'tools/docs/eleventy.mjs')), source: 'script',
     config: async (config) => {
