@@ -65,6 +65,26 @@ test('sliders and choices are worked by keys, set the figure, and follow it', as
   assert.equal(await see(() => fig.preset), 'wool');
 });
 
+test('a choice may call a method with its values; a slider keeps what a person has set while its tag says nothing new', async () => {
+  await see(() => {
+    const choice = Object.assign(document.createElement('wet-fur-choice'), { id: 'soak', method: 'setWetness' });
+    choice.setAttribute('values', '0=Dry, 0.5=Half wet');
+    choice.setAttribute('for', 'fig');
+    document.getElementById('controls').append(choice);
+  });
+  await page.locator('#soak select').selectOption({ label: 'Half wet' });
+  await until(() => Math.abs(fig.meanWetness - 0.5) < 1e-3);
+  await page.locator('#soak select').selectOption({ label: 'Dry' });
+  await until(() => fig.meanWetness === 0);
+  await page.locator('#theta input').focus();
+  await page.keyboard.press('End');
+  await see(() => { theta.label = 'How far it bends'; });
+  await until(() => theta.shadowRoot.querySelector('label').textContent === 'How far it bends');
+  assert.equal(await see(() => theta.value), 1.5);
+  await see(() => theta.setAttribute('value', '0.6'));
+  await until(() => theta.value === 0.6);
+});
+
 test('a drag at the slider for water is one step of undo', async () => {
   const wetness = await see(() => {
     const input = document.getElementById('wet').shadowRoot.querySelector('input');

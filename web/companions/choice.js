@@ -117,7 +117,8 @@ export class WetFurChoiceElement extends Companion {
     const { figure } = this;
     if (!figure) return;
     const { type } = this.#field;
-    const value = type === 'bool' ? given === true || given === 'true' : type === 'float' || type === 'int' ? Number(given) : given;
+    const isNumber = type === 'float' || type === 'int' || (this.method && given !== '' && Number.isFinite(Number(given)));
+    const value = type === 'bool' ? given === true || given === 'true' : isNumber ? Number(given) : given;
     if (this.method) this.whenLoaded(() => callIn(figure, this.method, [value]).then(() => this.tell('call', ''), (error) => this.tell('call', error.message)));
     else if (!setValueIn(figure, this.setting, value)) this.whenLoaded(() => setValueIn(figure, this.setting, value));
   }

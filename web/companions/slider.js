@@ -12,6 +12,7 @@ export class WetFurSliderElement extends Companion {
   #value = make('span', { part: 'value', 'aria-hidden': 'true' });
   #row = make('div', { class: 'row' }, this.#label, this.#value);
   #how = {};
+  #given = null;
   #dragged = null;  // since when one drags: of what was told last, whether that is a step of undo
 
   constructor() {
@@ -52,10 +53,18 @@ export class WetFurSliderElement extends Companion {
     this.#how = { unit: this.getAttribute('unit') ?? field.unit, digits: digitsOf(step) };
     this.#label.textContent = this.label || field.label || 'Value';
     Object.assign(this.#input, { min, max, step });
-    this.#input.value = this.number('value', field.default ?? min);
+    this.#takeValue(field.default ?? min);
     this.show(this.#row, this.#input);
-    if (name && this.hasAttribute('value')) this.whenLoaded(() => this.#apply());
     this.#showValue();
+  }
+
+  /** What the tag says counts when it says something new: else what a person has set stays. */
+  #takeValue(otherwise) {
+    const given = `${this.setting} ${this.getAttribute('value')}`;
+    if (given === this.#given) return;
+    this.#given = given;
+    this.#input.value = this.number('value', otherwise);
+    if (this.setting && this.hasAttribute('value')) this.whenLoaded(() => this.#apply());
   }
 
   refresh() {
