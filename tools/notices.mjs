@@ -61,6 +61,8 @@ export function notices() {
     ['musl (C library)', firstOf(file(join(system, 'libc/musl/COPYRIGHT')), debian('emscripten', 'system/lib/libc/musl/*'))],
     ['libc++, libc++abi, libunwind, compiler-rt (LLVM)', firstOf(file(join(system, 'libcxx/LICENSE.TXT')), debian('emscripten', 'system/lib/libcxx/*'))],
     ['Stanford bunny (models/bunny.glb)', bunnyNotice()],
+    ['KaTeX, its style and fonts (docs/katex)', firstOf(file(join(root, 'node_modules/katex/LICENSE')))],
+    ['three.js (docs/three)', firstOf(file(join(root, 'node_modules/three/LICENSE')))],
   ];
   if (existsSync(editorFont)) parts.push(['Karla (font of the editor)', firstOf(debian('fonts-karla'))]);
   const missing = parts.filter(([, text]) => !text).map(([name]) => name);

@@ -2,6 +2,7 @@
 import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import { extname, join } from 'node:path';
 import { buildFolder } from './cmake.mjs';
+import { buildDocs } from './docs/build.mjs';
 import { attributesText, elementsOf, manifestOf } from './elements.mjs';
 import { notices } from './notices.mjs';
 import { Stop, root } from './process.mjs';
@@ -47,6 +48,7 @@ function manifest() {
       './custom-elements.json': './custom-elements.json',
       './package.json': './package.json',
     },
+    files: ['*', '!docs'],  // those are of the site
     customElements: './custom-elements.json',
     sideEffects: ['./element.js', './editor.js', './companions.js', './shared-*.js'],
   };
@@ -114,6 +116,7 @@ export async function assemble() {
   for (const name of ['LICENSE', 'README.md', 'CHANGELOG.md']) cpSync(join(root, name), join(next, name));
   writeFileSync(join(next, 'THIRD-PARTY-NOTICES.txt'), notices());
   writeFileSync(join(next, 'package.json'), `${JSON.stringify(manifest(), null, 2)}\n`);
+  await buildDocs(next);
   const missing = missingFiles(next);
   if (missing.length > 0) throw new Stop(`dist/ would lack ${missing.join(', ')}`);
   rmSync(dist, { recursive: true, force: true });

@@ -3,6 +3,7 @@
  * `const core = await loadCore(); core.generateFur({ density: 0.8 })`.
  */
 import { FurError } from './errors.js';
+import { readableField } from './field.js';
 import { instantiateProgram, setGlue } from './runtime.js';
 
 export { FurError };
@@ -181,6 +182,6 @@ export async function loadCore() {
     importModel: (bytes, options) => importModel(program, bytes, options),
     decodeImage: (bytes) => decodeImage(program, bytes),
     equations: equationsOf(program),
-    settingsTable: JSON.parse(program.text(program.call('fur_settingsTable'))),
+    settingsTable: JSON.parse(program.text(program.call('fur_settingsTable'))).map(readableField),
   });
 }

@@ -1,6 +1,7 @@
 // app/App.h as JavaScript methods: one handle in one Program. Positions are pixels of the drawing buffer.
 // What crosses as it is (web/Methods.inc) becomes methods and getters at the end of the class.
 import { methods, queries } from '#tables';
+import { readableField } from './field.js';
 
 export const phases = ['down', 'move', 'up', 'cancel'];
 export const pointerKinds = ['mouse', 'touch', 'pen'];
@@ -196,10 +197,4 @@ export class FurApp {
       Object.defineProperty(this.prototype, name, { get() { return this.#crossing(`fur_${name}`, result, []); } });
     });
   }
-}
-
-/** A row of the table as people want it: the options as a list, bounds only where they mean something. */
-function readableField({ options, min, max, ...field }) {
-  if (field.type === 'choice') return Object.freeze({ ...field, options: Object.freeze(options.split('|')) });
-  return Object.freeze(field.type === 'float' || field.type === 'int' ? { ...field, min, max } : field);
 }

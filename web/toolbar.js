@@ -2,7 +2,7 @@
 // picture it leaves free. Where its groups stand is page.css's: a row, two rows, or a rail at each side.
 
 const gap = 8;
-const controlsIn = 'button, select, input:not([type=file])';
+const controlsIn = 'button, a, select, input:not([type=file])';
 
 export class Toolbar {
   #bar;

@@ -9,7 +9,7 @@ import { plain, startBrowser, untilStill, withFur } from './support.mjs';
 const site = startBrowser();
 const sizes = [[1280, 800], [1024, 768], [390, 844], [844, 390], [320, 568], [640, 400]];
 
-const controls = (page) => page.$$eval('#bar button, #bar select', (list) => list.filter((one) => one.checkVisibility()).map((one) => {
+const controls = (page) => page.$$eval('#bar button, #bar a, #bar select', (list) => list.filter((one) => one.checkVisibility()).map((one) => {
   one.scrollIntoView({ block: 'nearest', inline: 'nearest' });
   const { left, top, right, bottom, width, height } = one.getBoundingClientRect();
   return { name: one.title || one.labels?.[0]?.title || '', width, height, inside: left >= 0 && top >= 0 && right <= innerWidth && bottom <= innerHeight };
@@ -27,7 +27,7 @@ test('in windows of every size the model is clear of the bar, and every control 
     });
     assert.ok(isInSight, `${what}: the editor is found without scrolling`);
     const list = await controls(page);
-    assert.equal(list.length, 19, what);
+    assert.equal(list.length, 20, what);
     for (const one of list) {
       assert.ok(one.name.length > 2);
       assert.ok(one.width >= 44 && one.height >= 44, `${what}: ${one.name} is ${one.width} x ${one.height}`);
@@ -121,7 +121,7 @@ test('the bar is one stop for Tab; arrow keys, Home and End go through it, past 
   assert.equal(await after('ArrowRight'), 'water');
   assert.equal(await after('ArrowLeft', 'ArrowLeft'), 'editor');
   assert.equal(await after('Home'), 'droplet');
-  assert.equal(await after('End', 'ArrowLeft', 'ArrowLeft', 'ArrowLeft', 'ArrowLeft'), 'open');  // undo and redo are disabled
+  assert.equal(await after('End', 'ArrowLeft', 'ArrowLeft', 'ArrowLeft', 'ArrowLeft', 'ArrowLeft'), 'open');  // undo and redo are disabled
   assert.equal(await after('ArrowLeft', 'ArrowLeft'), 'model');
   const chosen = await page.inputValue('#model');
   assert.equal(await after('ArrowRight'), 'coat');

@@ -181,3 +181,9 @@ test('the formula sheet answers with the numbers of the papers', () => {
   near(e.tiltStiffness(8, 2, 1), 8);
   near(e.tiltStiffness(8, 2, -1), 2);
 });
+
+test('the settings table has choices as a list, and bounds where they mean something', () => {
+  const row = (name) => core.settingsTable.find((field) => field.name === name);
+  assert.deepEqual(row('technique').options, ['march', 'shells']);
+  assert.deepEqual([row('density').min, row('density').max, 'min' in row('fins')], [0, 1, false]);
+});

@@ -1,0 +1,98 @@
+// The still pictures of the pages. What a figure shows before it is live, without scripts and in print, lies in docs/pictures and is part of
+// the tree, so that pages are built without a native program; inputs.json says of what each is made, and those for which that has changed
+// are drawn anew. Optional ones, of the reference, lie in build/docs-pictures alone.
+import { createHash } from 'node:crypto';
+import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { inline } from '../photograph.mjs';
+import { root, run, say } from '../process.mjs';
+import { chromiumPath } from '../setup.mjs';
+
+export const pictures = join(root, 'docs/pictures');
+const inputsFile = join(pictures, 'inputs.json');
+export const drawn = join(root, 'build/docs-pictures');  // as PNG, by what they are made of
+
+const optionsOf = (values) => Object.entries(values).flatMap(([name, value]) => [`--${name}`, typeof value === 'boolean' ? String(Number(value)) : String(value)]);
+
+/**
+ * What `npm run render` draws for a picture. @param {{ src?: string, preset?: string, light?: string, set?: object, camera?: number[],
+ * wetness?: number, draw?: string[], size?: [number, number], samples?: number }} spec
+ */
+export function renderArguments({ src = 'bunny', preset, light, set = {}, camera, wetness, draw = [], size = [640, 480], samples = 8 }) {
+  return [
+    src, '--size', size.join('x'), '--samples', String(samples), ...preset ? ['--preset', preset] : [], ...light ? ['--light', light] : [],
+    ...camera ? ['--camera', camera.join(',')] : [], ...optionsOf(set), ...wetness === undefined ? [] : ['--wetness', String(wetness)], ...draw,
+  ];
+}
+
+/** What a picture is made of, as 16 hexadecimal digits. @param {{ parts: object[], bytes?: number }} picture */
+export const hashOf = ({ parts, bytes }) => createHash('sha256').update(JSON.stringify([parts.map(renderArguments), bytes])).digest('hex').slice(0, 16);
+
+const readInputs = () => (existsSync(inputsFile) ? JSON.parse(readFileSync(inputsFile, 'utf8')) : {});
+
+/** What the pages that were built last show, for tests. */
+export const wantedFile = join(root, 'build/docs-pictures.json');
+
+/** Where an optional picture lies once it is drawn. */
+export const drawnFile = (name, picture) => join(drawn, name.replace('.webp', `-${hashOf(picture)}.webp`));
+/** Where a picture lies, or is to lie. */
+export const fileOf = (name, picture) => (picture.optional ? drawnFile(name, picture) : join(pictures, name));
+
+/** Those of `wanted` (a Map of file names) that are not there, or made of something else. */
+export function outdated(wanted) {
+  const inputs = readInputs();
+  return [...wanted].filter(([name, picture]) => (!picture.optional && inputs[name] !== hashOf(picture)) || !existsSync(fileOf(name, picture)));
+}
+
+/** In the page: PNG files side by side as WebP of at most so many bytes, as good as fits. */
+async function packed([sources, most]) {
+  const bitmaps = await Promise.all(sources.map(async (source) => createImageBitmap(await (await fetch(source)).blob())));
+  const gap = 2, width = bitmaps.reduce((sum, bitmap) => sum + bitmap.width, gap * (bitmaps.length - 1));
+  let blob;
+  // Rather smaller than of a quality that shows.
+  for (let scale = 1, quality = 0.86; ; quality -= 0.06) {
+    if (quality < 0.3) scale *= 0.85, quality = 0.5;
+    const canvas = new OffscreenCanvas(Math.round(width * scale), Math.round(bitmaps[0].height * scale)), context = canvas.getContext('2d');
+    context.scale(scale, scale);
+    bitmaps.reduce((x, bitmap) => { context.drawImage(bitmap, x, 0); return x + bitmap.width + gap; }, 0);
+    blob = await canvas.convertToBlob({ type: 'image/webp', quality });
+    if (blob.size <= most) break;
+  }
+  return Array.from(new Uint8Array(await blob.arrayBuffer()), (byte) => String.fromCharCode(byte)).join('');
+}
+
+/** Draws, or takes from build/docs-pictures what was drawn before, those of `wanted` that are outdated, and takes away what no page shows any more. Gives how many it drew. */
+export async function drawPictures(wanted, program) {
+  mkdirSync(pictures, { recursive: true });
+  mkdirSync(drawn, { recursive: true });
+  const inputs = readInputs(), due = outdated(wanted);
+  const write = () => writeFileSync(inputsFile, `${JSON.stringify(Object.fromEntries(Object.entries(inputs).sort()), null, 1)}\n`);
+  if (due.length > 0) {
+    const { chromium } = await import('playwright-core');
+    const browser = await chromium.launch({ executablePath: chromiumPath(), args: ['--no-sandbox'] });
+    try {
+      const tab = await browser.newPage();
+      for (const [name, picture] of due) {
+        const files = picture.parts.map((part) => {
+          const file = join(drawn, `${hashOf({ parts: [part] })}.png`);
+          if (!existsSync(file)) run(program, [...renderArguments(part), '-o', file], { quiet: true });
+          return file;
+        });
+        const bytes = Buffer.from(await tab.evaluate(packed, [files.map(inline), picture.bytes]), 'latin1');
+        writeFileSync(fileOf(name, picture), bytes);
+        say(`${name}: ${bytes.length} bytes`);
+        if (picture.optional) continue;
+        inputs[name] = hashOf(picture);
+        write();
+      }
+    } finally {
+      await browser.close();
+    }
+  }
+  for (const name of readdirSync(pictures).filter((file) => file.endsWith('.webp') && !wanted.has(file))) {
+    rmSync(join(pictures, name));
+    delete inputs[name];
+  }
+  write();
+  return due.length;
+}
