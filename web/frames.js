@@ -137,12 +137,12 @@ export class Frames {
     clearTimeout(this.#stillTimer);
     if (this.#request || state !== 'ready' || !this.#app.improvable) return;
     // What waits for the graphics processor would wait in front of the next touch.
-    if (screen.busy) return this.#improveIn(busyMilliseconds);
+    if (screen.context?.busy) return this.#improveIn(busyMilliseconds);
     if (app.improve()) {
       this.#afterDrawing();
       screen.show();
     }
-    screen.setFence();
+    screen.context.setFence();
     this.#improveIn(performance.now() - lastMoved < stillMilliseconds ? stillMilliseconds : 0);
   }
   #improveIn(milliseconds) {
@@ -166,13 +166,13 @@ export class Frames {
 
   #paint(picture, samples = 1) {
     const { app, context } = this.#session;
-    context.returning = false;
     if (picture === pictures.moving) {
       lastMoved = performance.now();
       context.timer.begin();
     }
     app.draw(picture, samples);
     context.timer.end();
+    context.returned();
     this.#afterDrawing();
   }
   #afterDrawing() {

@@ -29,12 +29,30 @@ export class FurApp {
     this.settingsTable = Object.freeze(JSON.parse(program.text(program.call('fur_settingsTable'))).map(readableField));
   }
 
-  #call(name, ...args) { return this.program.call(name, this.handle, ...args); }
-  #callOrThrow(name, ...args) { return this.program.callOrThrow(name, this.handle, ...args); }
+  #screen = null;  // where it draws
+
+  // Any call may reach the context, and others may have drawn in another meanwhile.
+  #call(name, ...args) {
+    this.#screen?.context.use(this.program);
+    return this.program.call(name, this.handle, ...args);
+  }
+  #callOrThrow(name, ...args) {
+    this.#screen?.context.use(this.program);
+    return this.program.callOrThrow(name, this.handle, ...args);
+  }
   #text(name, ...args) { return this.program.text(this.#call(name, ...args)); }
 
+  /** @param {import('./screen.js').Screen} screen in whose context it has nothing yet */
+  attach(screen) {
+    this.#callOrThrow('fur_attach', screen.context.pointerIn(this.program));
+    this.#screen = screen;
+  }
   /** Deletes what it made in the context, which may have been lost. */
-  detach() { this.#call('fur_detach', 0); }
+  detach() {
+    if (!this.#screen) return;
+    this.#call('fur_detach', 0);
+    this.#screen = null;
+  }
   destroy() {
     this.#call('fur_destroy');
     this.handle = 0;
@@ -169,12 +187,21 @@ export class FurApp {
   /** `coatBudget`: seconds that may go into a coat that grows. */
   tick(seconds, coatBudget = 1e9) { return this.#call('fur_tick', seconds, coatBudget) !== 0; }
   /** For `pictures.best`, `.moving` or `.still`, as app/App.h tells. */
-  draw(picture = pictures.best, samples = 1) { this.#callOrThrow('fur_draw', picture, samples); }
+  draw(picture = pictures.best, samples = 1) {
+    this.#screen.fit();
+    this.#callOrThrow('fur_draw', picture, samples);
+  }
   set governed(governed) { this.#call('fur_setQuality', 0, governed ? 1 : 0); }
   /** A step towards the best picture; whether there is another one to show. */
-  improve() { return this.#callOrThrow('fur_improve') === 1; }
+  improve() {
+    this.#screen.fit();
+    return this.#callOrThrow('fur_improve') === 1;
+  }
   /** What has been gathered of the picture, once more; false: draw it. */
-  showAgain() { return this.#callOrThrow('fur_showAgain') === 1; }
+  showAgain() {
+    this.#screen.fit();
+    return this.#callOrThrow('fur_showAgain') === 1;
+  }
   get stats() {
     const values = this.program.numbers(this.#call('fur_stats'), statNames.length);
     return Object.fromEntries(statNames.map((name, index) => [name, values[index]]));

@@ -1,10 +1,11 @@
 // How a model comes to be shown: fetched or read, put into the program with what was done on it, and brought back by undo.
+import { forgetProgram } from './contexts.js';
 import { asFurError, FurError } from './errors.js';
 import { Documents } from './documents.js';
 import { FurApp } from './furapp.js';
 import { fetchModel, loadInto, provideModelImages, provideTypePictures, readColorMap, readGiven } from './models.js';
 import { Progress } from './progress.js';
-import { compileProgram, instantiateProgram } from './runtime.js';
+import { compileProgram, instantiateProgram, sharedProgram } from './runtime.js';
 
 /** Lets the browser show what changed before a long piece of work. */
 export const breathe = () => new Promise((resolve) => {
@@ -152,19 +153,19 @@ export class Loading {
     // A context takes long to come: the program is on its way meanwhile.
     compileProgram('viewer').catch(() => {});
     if (!this.#session.app) this.#session.context.open();
-    this.#starting ??= instantiateProgram('viewer', (loaded, total) => this.progress('program', loaded, total))
+    this.#starting ??= sharedProgram('viewer', (loaded, total) => this.progress('program', loaded, total))
       .then((program) => this.adopt(new FurApp(program)))
       .finally(() => { this.#starting = this.#session.app ? this.#starting : null; });
     await this.#starting;
   }
 
   /**
-   * The scene, if there is one, moves over to another program, in a module instance of its own on the same context. Whether it
-   * has: it may be disposed of meanwhile. @param {'viewer' | 'hair' | 'editor'} which @param {string} part that progress is told of
+   * The scene, if there is one, moves over to another program, on the same context; the editor's is an instance of its own. Whether
+   * it has: it may be disposed of meanwhile. @param {'viewer' | 'hair' | 'editor'} which @param {string} part that progress is told of
    */
   async moveTo(which, part) {
     const session = this.#session;
-    const program = await instantiateProgram(which, (loaded, total) => this.progress(part, loaded, total));
+    const program = await (which === 'editor' ? instantiateProgram : sharedProgram)(which, (loaded, total) => this.progress(part, loaded, total));
     const old = session.app;
     if (!old) return false;
     const document = session.loaded && { ...this.document, history: old.saveHistory() };
@@ -175,6 +176,7 @@ export class Loading {
     this.adopt(app);
     if (document) this.putBack(app, document);
     old.destroy();
+    if (session.program === 'editor') forgetProgram(old.program);
     session.program = which;
     session.hadHair ||= which === 'hair' || Boolean(document?.hair?.byteLength);
     return true;
@@ -183,9 +185,14 @@ export class Loading {
   /** It takes the place of the one that is there. */
   adopt(app) {
     const { context, options, phase } = this.#session;
-    if (phase === 'disposed') throw new FurError('wasm-load', 'disposed of while loading');
-    context.open();
-    context.attach(app);
+    try {
+      if (phase === 'disposed') throw new FurError('wasm-load', 'disposed of while loading');
+      context.open();
+      context.attach(app);
+    } catch (error) {
+      app.destroy();
+      throw error;
+    }
     this.#session.app = app;
     this.#hasOwnLook ||= Boolean(this.#wantedState || options.preset);
     if (this.#wantedState) this.#takeWantedState(app);

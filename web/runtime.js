@@ -1,4 +1,4 @@
-// The WebAssembly programs: fetched and compiled once a page, instantiated once an element.
+// The WebAssembly programs: fetched, compiled and, but for the editor's, instantiated once a page.
 import { FurError } from './errors.js';
 import { counted, fetchOrThrow } from './fetching.js';
 
@@ -109,6 +109,22 @@ export async function instantiateProgram(which, onBytes) {
   return new Program(emscripten, memory ?? emscripten.wasmMemory);
 }
 
+/** Instances that all figures of the page share, by program. */
+const shared = new Map();
+
+/** The instance in which all figures of the page have their scenes, one App each. */
+export function sharedProgram(which, onBytes) {
+  const had = shared.get(which);
+  if (had) {
+    if (onBytes) compileProgram(which, onBytes).catch(() => {});  // it may be on its way still
+    return had;
+  }
+  const pending = instantiateProgram(which, onBytes);
+  shared.set(which, pending);
+  pending.catch(() => shared.delete(which));
+  return pending;
+}
+
 const decoder = new TextDecoder();
 const encoder = new TextEncoder();
 
@@ -117,6 +133,8 @@ export class Program {
   constructor(emscripten, memory) {
     this.emscripten = emscripten;
     this.memory = memory;
+    /** The one that its GL calls go to. @type {import('./contexts.js').SharedContext | null} */
+    this.context = null;
   }
 
   has(name) {

@@ -75,13 +75,30 @@ struct CameraOrbit {
 // good as the frame budget allows. Still: it stays for a while, as good as is not unbearably slow.
 enum class Picture { Best, Moving, Still };
 
+// What all apps in one GL context share (render/ContextObjects.h). Of use where several contexts or apps live side by side.
+class Context {
+ public:
+  Context();  // of the context that is current, its framebuffer bound
+  ~Context();
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+  // After the platform has made it the current one in place of another.
+  void use() const;
+
+ private:
+  friend class App;
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
 class App {
  public:
   App();  // with a square, which is quick to make
   ~App();
 
   // --- GL ---
-  Status attach();          // builds every GL object in the current context
+  // Builds every GL object in the current context; `with`: what apps in it share. None: there is no other.
+  Status attach(const Context* with = nullptr);
   void detach(bool lost);   // forgets them; `lost`: the context is gone, its names are not deleted
   void resize(int width, int height, float pixelRatio);
 

@@ -10,10 +10,19 @@
 
 namespace fur::app {
 
-Status App::attach() {
+struct Context::Parts {
+  gl::PlatformFramebuffer framebuffer = gl::boundFramebuffer();
+  std::shared_ptr<render::ContextObjects> objects = std::make_shared<render::ContextObjects>();
+};
+
+Context::Context() : parts_(std::make_unique<Parts>()) {}
+Context::~Context() = default;
+void Context::use() const { gl::setPlatformFramebuffer(parts_->framebuffer); }
+
+Status App::attach(const Context* with) {
   gl::setContextAlive(true);
-  gl::rememberPlatformFramebuffer();
-  auto renderer = render::Renderer::create();
+  if (!with) gl::rememberPlatformFramebuffer();
+  auto renderer = render::Renderer::create(with ? with->parts_->objects : nullptr);
   if (!renderer) return renderer.error();
   State& s = *state_;
   s.renderer.emplace(std::move(*renderer));

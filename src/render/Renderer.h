@@ -2,16 +2,17 @@
 // README.md in this folder lists the frame in order; each pass has a folder of its own below passes/.
 #pragma once
 
+#include <memory>
 #include <span>
 
 #include "furgen/Packing.h"
 #include "geometry/Surface.h"
 #include "groom/Groom.h"
 #include "render/Blocks.h"
+#include "render/ContextObjects.h"
 #include "render/Frame.h"
 #include "render/FurTextures.h"
 #include "render/Materials.h"
-#include "render/Programs.h"
 #include "render/StrandTables.h"
 #include "render/SurfaceBuffers.h"
 #include "render/SurfaceMaps.h"
@@ -33,8 +34,9 @@ namespace fur::render {
 
 class Renderer {
  public:
-  // Needs a current context, in which the driver begins to compile what usual frames need.
-  static Result<Renderer> create();
+  // Needs a current context, in which the driver begins to compile what usual frames need. `shared`: what other renderers in it
+  // have; none: there is no other.
+  static Result<Renderer> create(std::shared_ptr<ContextObjects> shared = nullptr);
 
   // `tangents`, one a vertex, for a surface that will change its shape: setSkin(). `materialOf`: one a vertex, the same for all of a
   // triangle; none: the first.
@@ -103,8 +105,10 @@ class Renderer {
   FurShadow::Key furShadowKey(const Frame& frame) const;
   void uploadBlocks(const Frame& frame, const FurShadow::Key& shadow);
 
+  Programs& programs() const { return shared_->programs; }
+
+  std::shared_ptr<ContextObjects> shared_;
   // What passes share.
-  Programs programs_;
   gl::Buffer frameBlock_;
   SurfaceBuffers surface_;
   SurfaceMaps maps_;
