@@ -43,7 +43,8 @@ using Hash = const char*;
 // --- life ---
 
 FUR_EXPORT App* fur_create() {
-  return guarded([] { return new App(); });
+  static const auto models = app::makeModelShelf();
+  return guarded([] { return new App(models); });
 }
 FUR_EXPORT void fur_destroy(App* app) { delete app; }
 // Of the context that JavaScript has just made current. Apps that are attached with it outlive it: what they share is theirs, too.

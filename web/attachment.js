@@ -95,7 +95,7 @@ export class Attachment {
   returned() {
     if (!this.returning) return;
     this.returning = false;
-    makeRoom();
+    queueMicrotask(makeRoom);  // once the picture is where it belongs
   }
 
   /** The browser took it. Another is asked for where somebody looks. */

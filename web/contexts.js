@@ -75,6 +75,7 @@ export class SharedContext {
     this.use(program);
     return this.#inPrograms.get(program).pointer;
   }
+  isIn(program) { return this.#inPrograms.has(program); }
   /** The program has no more to draw. */
   forget(program) {
     const known = this.#inPrograms.get(program);
@@ -137,6 +138,11 @@ export function contextFor(antialias) {
 /** The program is gone, and with it what it had in any of them. */
 export function forgetProgram(program) {
   for (const context of contexts.values()) context.forget(program);
+}
+
+/** The program has failed: what it made cannot be told from what others have made, so all begin anew. */
+export function loseContextsOf(program) {
+  for (const context of [...contexts.values()]) if (context.isIn(program)) context.lose();
 }
 
 /** The screen was seen last of all. */

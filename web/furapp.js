@@ -25,21 +25,29 @@ export class FurApp {
   constructor(program) {
     this.program = program;
     this.handle = program.callOrThrow('fur_create');
-    this.presets = Object.freeze(JSON.parse(program.text(program.call('fur_presetTable'))));
-    this.settingsTable = Object.freeze(JSON.parse(program.text(program.call('fur_settingsTable'))).map(readableField));
+    program.tables ??= {
+      presets: Object.freeze(JSON.parse(program.text(program.call('fur_presetTable')))),
+      settingsTable: Object.freeze(JSON.parse(program.text(program.call('fur_settingsTable'))).map(readableField)),
+    };
+    Object.assign(this, program.tables);
   }
 
   #screen = null;  // where it draws
+  /** Whether the program failed at what it was to do for this one. */
+  failed = false;
 
   // Any call may reach the context, and others may have drawn in another meanwhile.
-  #call(name, ...args) {
-    this.#screen?.context.use(this.program);
-    return this.program.call(name, this.handle, ...args);
+  #through(way, name, args) {
+    const failedBefore = this.program.failure !== null;
+    try {
+      this.#screen?.context.use(this.program);
+      return this.program[way](name, this.handle, ...args);
+    } finally {
+      this.failed ||= !failedBefore && this.program.failure !== null;
+    }
   }
-  #callOrThrow(name, ...args) {
-    this.#screen?.context.use(this.program);
-    return this.program.callOrThrow(name, this.handle, ...args);
-  }
+  #call(name, ...args) { return this.#through('call', name, args); }
+  #callOrThrow(name, ...args) { return this.#through('callOrThrow', name, args); }
   #text(name, ...args) { return this.program.text(this.#call(name, ...args)); }
 
   /** @param {import('./screen.js').Screen} screen in whose context it has nothing yet */
@@ -49,12 +57,18 @@ export class FurApp {
   }
   /** Deletes what it made in the context, which may have been lost. */
   detach() {
-    if (!this.#screen) return;
-    this.#call('fur_detach', 0);
+    if (this.#screen && !this.program.failure) this.#call('fur_detach', 0);
     this.#screen = null;
   }
+  /** Calls back when the program fails, at whatever it does for anyone. */
+  onFailure(work) {
+    this.#onFailure = work;
+    this.program.onFailure.add(work);
+  }
+  #onFailure = null;
   destroy() {
-    this.#call('fur_destroy');
+    this.program.onFailure.delete(this.#onFailure);
+    if (!this.program.failure) this.#call('fur_destroy');
     this.handle = 0;
   }
   /**

@@ -120,8 +120,9 @@ export function sharedProgram(which, onBytes) {
     return had;
   }
   const pending = instantiateProgram(which, onBytes);
+  const drop = () => { if (shared.get(which) === pending) shared.delete(which); };
   shared.set(which, pending);
-  pending.catch(() => shared.delete(which));
+  pending.then((program) => program.onFailure.add(drop), drop);
   return pending;
 }
 
@@ -135,6 +136,10 @@ export class Program {
     this.memory = memory;
     /** The one that its GL calls go to. @type {import('./contexts.js').SharedContext | null} */
     this.context = null;
+    /** Why no call goes through any more. @type {FurError | null} */
+    this.failure = null;
+    /** Called, soon after, when it fails. @type {Set<() => void>} */
+    this.onFailure = new Set();
   }
 
   has(name) {
@@ -143,6 +148,7 @@ export class Program {
 
   /** Calls an export; strings and byte arrays among the arguments live in its memory during the call. */
   call(name, ...args) {
+    if (this.failure) throw this.failure;
     const taken = [];
     const lower = (arg) => {
       if (typeof arg === 'string') return this.#copyIn(encoder.encode(`${arg}\0`), taken);
@@ -151,8 +157,25 @@ export class Program {
     };
     try {
       return this.emscripten[`_${name}`](...args.map(lower));
+    } catch (error) {
+      if (!(error instanceof WebAssembly.RuntimeError)) throw error;
+      console.error(error);
+      this.failure = new FurError('program-failed', `The program has failed: ${error.message}`);
+      for (const tell of this.onFailure) queueMicrotask(tell);
+      throw this.failure;
     } finally {
-      for (const pointer of taken) this.emscripten._fur_free(pointer);
+      if (!this.failure) for (const pointer of taken) this.emscripten._fur_free(pointer);
+    }
+  }
+
+  /** What can still be read of one that has failed: its memory is there, though a call may fail again. */
+  salvage(read) {
+    const { failure } = this;
+    this.failure = null;
+    try {
+      return read();
+    } finally {
+      this.failure = failure;
     }
   }
 

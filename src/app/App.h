@@ -88,12 +88,16 @@ class Context {
  private:
   friend class App;
   struct Parts;
-  std::unique_ptr<Parts> parts_;
+  std::shared_ptr<Parts> parts_;
 };
+
+class ModelShelf;
+std::shared_ptr<ModelShelf> makeModelShelf();
 
 class App {
  public:
-  App();  // with a square, which is quick to make
+  // With a square, which is quick to make. `models`: what it shares with other apps in the program; none: nothing.
+  explicit App(std::shared_ptr<ModelShelf> models = nullptr);
   ~App();
 
   // --- GL ---

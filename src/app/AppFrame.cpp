@@ -10,21 +10,17 @@
 
 namespace fur::app {
 
-struct Context::Parts {
-  gl::PlatformFramebuffer framebuffer = gl::boundFramebuffer();
-  std::shared_ptr<render::ContextObjects> objects = std::make_shared<render::ContextObjects>();
-};
-
-Context::Context() : parts_(std::make_unique<Parts>()) {}
+Context::Context() : parts_(std::make_shared<Parts>()) {}
 Context::~Context() = default;
 void Context::use() const { gl::setPlatformFramebuffer(parts_->framebuffer); }
 
 Status App::attach(const Context* with) {
   gl::setContextAlive(true);
   if (!with) gl::rememberPlatformFramebuffer();
+  State& s = *state_;
+  s.context = with ? with->parts_ : nullptr;
   auto renderer = render::Renderer::create(with ? with->parts_->objects : nullptr);
   if (!renderer) return renderer.error();
-  State& s = *state_;
   s.renderer.emplace(std::move(*renderer));
   s.uploaded = {};
   s.shells = {};
@@ -38,6 +34,7 @@ Status App::attach(const Context* with) {
 void App::detach(bool lost) {
   gl::setContextAlive(!lost);
   state_->renderer.reset();
+  state_->context.reset();
   state_->forgetSamples();
   gl::setContextAlive(true);
 }
@@ -116,7 +113,7 @@ void App::State::uploadMaterials() {
   }
   if (noteChange(uploaded.images, imageRevision))
     for (std::size_t i = 0; i < document.pictures.size(); ++i)
-      if (const Document::Picture& picture = document.pictures[i]; !picture.rgba.empty()) renderer->setImage(i, picture.width, picture.height, picture.rgba);
+      if (const Document::Picture& picture = document.pictures[i]; picture.rgba) renderer->setImage(i, picture.width, picture.height, picture.rgba);
   if (noteChange(uploaded.bare, groom.groom().bare)) renderer->setBare(uploaded.bare);
 }
 
@@ -254,7 +251,7 @@ App::Stats App::stats() const {
                  s.shape.surface().indices.size() * sizeof(std::uint32_t) * 4 +
                  s.shape.surface().edges.size() * sizeof(geometry::SurfaceEdge) + s.water.mask().texels().size() * sizeof(Vec4) +
                  s.groom.groom().map.texels().size() * sizeof(groom::GroomMap::Texel) * std::size(groom::kMaps) +
-                 std::accumulate(s.document.pictures.begin(), s.document.pictures.end(), std::size_t{0}, [](std::size_t sum, const Document::Picture& picture) { return sum + picture.rgba.size(); });
+                 std::accumulate(s.document.pictures.begin(), s.document.pictures.end(), std::size_t{0}, [](std::size_t sum, const Document::Picture& picture) { return sum + (picture.rgba ? picture.rgba->size() : 0); });
   out.gpuBytes = s.renderer ? s.renderer->gpuBytes() : 0;
   out.uploadedBytes = s.uploadedBytes;
   out.framesDrawn = s.framesDrawn;

@@ -26,6 +26,17 @@
 
 namespace fur::app {
 
+// What apps in a context share: shaders, and the coats that any of them shows.
+struct Context::Parts {
+  gl::PlatformFramebuffer framebuffer = gl::boundFramebuffer();
+  std::shared_ptr<render::ContextObjects> objects = std::make_shared<render::ContextObjects>();
+  struct Coat {
+    std::weak_ptr<const WholeCoat> coat;
+    std::weak_ptr<render::FurTextures::Coat> textures;
+  };
+  std::vector<Coat> coats{};
+};
+
 // What a model's file brings besides its shape.
 struct Document {
   std::string name;
@@ -33,7 +44,7 @@ struct Document {
     scene::EncodedImage encoded{};
     bool asked = true;  // it has been decoded, or cannot be
     int width = 0, height = 0;
-    std::vector<std::uint8_t> rgba{};  // empty: not decoded
+    Pixels rgba{};  // none: not decoded
   };
   std::vector<Picture> pictures{};
   std::shared_ptr<const scene::SourceFile> file{};    // a document to be saved whole
@@ -69,6 +80,7 @@ struct Hand {
 struct App::State {
   settings::Settings settings;
   Document document;
+  std::shared_ptr<ModelShelf> models;  // what this shares with other apps
   // Of App::giveSurface(), for the next model. Only programs that call that carry what reads it.
   std::vector<std::uint8_t> givenSurface;
   std::optional<geometry::Surface> (*readSurface)(std::span<const std::uint8_t> bytes, const geometry::Mesh& mesh) = nullptr;
@@ -108,6 +120,7 @@ struct App::State {
   // Drawing. `changed` counts visible changes that belong to no stage; `noticed`: the picture's revision that tick() or draw()
   // reported last.
   std::optional<render::Renderer> renderer;
+  std::shared_ptr<Context::Parts> context;  // in which that is
   struct Uploaded {
     std::uint64_t surface = 0, pose = 0, bends = 0, images = 0, materials = 0, shelf = 0;
     std::array<std::uint32_t, settings::kFurTypes + 1> pictures{};  // of types and skin
@@ -146,8 +159,8 @@ struct App::State {
   // --- App.cpp ---
   CameraOrbit startView() const { return OrbitCamera::fitting(shape.extent().centre, shape.extent().radius); }
   CameraOrbit homeView() const;  // with that, of what is played now
-  Result<geometry::Surface> surfaceOf(const geometry::Mesh& mesh);
-  void setModel(geometry::Mesh mesh, geometry::Surface surface, Document from, scene::Rig rig = {}, std::vector<std::uint8_t> materialOf = {});
+  Result<ShownSurface> surfaceOf(const geometry::Mesh& mesh);
+  void setModel(geometry::Mesh mesh, ShownSurface surface, Document from, scene::Rig rig = {}, std::vector<std::uint8_t> materialOf = {});
   void surfaceChanged(const CameraOrbit& viewBefore);
   // A view that showed all of the model still does; glides there or is there at once.
   void keepInView(const CameraOrbit& before, bool atOnce);

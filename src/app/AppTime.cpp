@@ -31,6 +31,22 @@ struct App::State::LayerUpload final : CoatReceiver {
   void setLayer(int type, int layer, std::span<const furgen::PackedLevel> levels) override { s.renderer->setFurLayer(type, layer, levels); }
   void setFin(int type, std::span<const furgen::PackedLevel> levels) override { s.renderer->setFinMap(type, levels); }
   void show(std::span<const float> densities) override { s.renderer->showFur(densities); }
+  void share(const std::shared_ptr<const WholeCoat>& coat) override {
+    if (!s.context) return;
+    std::erase_if(s.context->coats, [](const Context::Parts::Coat& one) { return one.textures.expired(); });
+    s.context->coats.push_back({coat, s.renderer->shownFur()});
+  }
+  std::shared_ptr<const WholeCoat> showShared(const CoatParameters& types, const GivenCoats& given) override {
+    if (!s.context) return nullptr;
+    for (const Context::Parts::Coat& one : s.context->coats) {
+      auto coat = one.coat.lock();
+      auto textures = one.textures.lock();
+      if (!coat || !textures || !coat->isFor(types, given)) continue;
+      s.renderer->showFur(std::move(textures));
+      return coat;
+    }
+    return nullptr;
+  }
 
   State& s;
 };

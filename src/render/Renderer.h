@@ -44,7 +44,7 @@ class Renderer {
   // See Materials.
   void setMaterials(std::span<const scene::Material> materials, std::size_t main) { uploadedBytes_ += materials_.set(materials, main); }
   void setBare(std::span<const std::uint8_t> bare) { materials_.setBare(bare); }
-  void setImage(std::size_t image, int width, int height, std::span<const std::uint8_t> rgba) { uploadedBytes_ += materials_.setImage(image, width, height, rgba); }
+  void setImage(std::size_t image, int width, int height, const Pixels& rgba) { uploadedBytes_ += materials_.setImage(image, width, height, rgba, shared_->pictures); }
   void setSkin(const Skin& skin);
   // Which triangles shells are drawn on, in place of all of the surface, and the length at every vertex: fins
   // between two of none are left out. What is bald costs nothing. Until the next setSurface().
@@ -67,6 +67,9 @@ class Renderer {
   void setFinMap(int type, std::span<const furgen::PackedLevel> levels) { uploadedBytes_ += fur_.setFin(type, levels); }
   // `densities`, one a type: the share of its densest layer that strands cover; 0: it is bald.
   void showFur(std::span<const float> densities) { fur_.show(densities); }
+  // That of another renderer in the same context.
+  void showFur(std::shared_ptr<FurTextures::Coat> coat) { fur_.show(std::move(coat)); }
+  const std::shared_ptr<FurTextures::Coat>& shownFur() const { return fur_.shown(); }
 
   // See SurfaceMaps.
   void setTypePictures(std::span<const SurfaceMaps::Picture> pictures) { uploadedBytes_ += maps_.setTypePictures(pictures); }
