@@ -64,6 +64,13 @@ endfunction()
 function(fur_smallest target)
   if(TARGET ${target})
     target_link_options(${target} PRIVATE $<$<CONFIG:Release>:-sBINARYEN_EXTRA_PASSES=-Oz,--always-inline-max-function-size=5>)
+    # And a round after what emcc does last, which leaves some behind.
+    find_program(FUR_WASM_OPT wasm-opt HINTS "${EMSCRIPTEN_ROOT_PATH}/../bin" NO_CMAKE_FIND_ROOT_PATH)
+    if(FUR_WASM_OPT AND CMAKE_BUILD_TYPE STREQUAL "Release")
+      set(wasm "$<TARGET_FILE_DIR:${target}>/${target}.wasm")
+      add_custom_command(TARGET ${target} POST_BUILD COMMAND ${FUR_WASM_OPT} -Oz --enable-bulk-memory --enable-sign-ext
+        --enable-nontrapping-float-to-int --enable-exception-handling --enable-simd --enable-mutable-globals ${wasm} -o ${wasm} VERBATIM)
+    endif()
   endif()
 endfunction()
 

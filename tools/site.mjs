@@ -72,12 +72,18 @@ function joinExports(script) {
   return wrappers.reduce((text, [wrapper], i) => text.replace(wrapper, i === 0 ? loop : ''), script);
 }
 
+/** How the compiler's script would fetch a program and make an instance of it: web/runtime.js does both, always. */
+function leaveInstances(script) {
+  return script.replace(/if\(Module\["instantiateWasm"\]\)\{try\{var exports=Module\["instantiateWasm"\]\(info,receiveInstance\);return exports\}catch\(e\)\{[^{}]*\}\}/,
+    'return Module["instantiateWasm"](info,receiveInstance);');
+}
+
 /** Scripts without comments and long names: half of what a visitor would download. Smaller than what joins them can. */
 async function minifyScripts(folder) {
   const { minify } = await import('terser');
   for (const name of readdirSync(folder).filter((file) => /\.m?js$/.test(file))) {
     const file = join(folder, name);
-    const { code } = await minify(joinExports(readFileSync(file, 'utf8')), { module: true, ecma: 2022, compress: { passes: 3 }, format: { quote_style: 1 } });
+    const { code } = await minify(leaveInstances(joinExports(readFileSync(file, 'utf8'))), { module: true, ecma: 2022, compress: { passes: 3 }, format: { quote_style: 1 } });
     writeFileSync(file, `${code}\n`);
   }
 }

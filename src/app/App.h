@@ -40,6 +40,7 @@ namespace fur::furgen {
 struct Coat;
 }
 namespace fur::render {
+struct ContextObjects;
 struct Frame;
 struct HairGrowth;
 }
@@ -87,8 +88,7 @@ class Context {
 
  private:
   friend class App;
-  struct Parts;
-  std::shared_ptr<Parts> parts_;
+  std::shared_ptr<render::ContextObjects> objects_;
 };
 
 class ModelShelf;

@@ -10,16 +10,16 @@
 
 namespace fur::app {
 
-Context::Context() : parts_(std::make_shared<Parts>()) {}
+Context::Context() : objects_(std::make_shared<render::ContextObjects>()) { objects_->framebuffer = gl::boundFramebuffer(); }
 Context::~Context() = default;
-void Context::use() const { gl::setPlatformFramebuffer(parts_->framebuffer); }
+void Context::use() const { gl::setPlatformFramebuffer(objects_->framebuffer); }
 
 Status App::attach(const Context* with) {
   gl::setContextAlive(true);
   if (!with) gl::rememberPlatformFramebuffer();
   State& s = *state_;
-  s.context = with ? with->parts_ : nullptr;
-  auto renderer = render::Renderer::create(with ? with->parts_->objects : nullptr);
+  s.context = with ? with->objects_ : nullptr;
+  auto renderer = render::Renderer::create(s.context);
   if (!renderer) return renderer.error();
   s.renderer.emplace(std::move(*renderer));
   s.uploaded = {};

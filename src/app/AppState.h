@@ -26,17 +26,6 @@
 
 namespace fur::app {
 
-// What apps in a context share: shaders, and the coats that any of them shows.
-struct Context::Parts {
-  gl::PlatformFramebuffer framebuffer = gl::boundFramebuffer();
-  std::shared_ptr<render::ContextObjects> objects = std::make_shared<render::ContextObjects>();
-  struct Coat {
-    std::weak_ptr<const WholeCoat> coat;
-    std::weak_ptr<render::FurTextures::Coat> textures;
-  };
-  std::vector<Coat> coats{};
-};
-
 // What a model's file brings besides its shape.
 struct Document {
   std::string name;
@@ -120,7 +109,7 @@ struct App::State {
   // Drawing. `changed` counts visible changes that belong to no stage; `noticed`: the picture's revision that tick() or draw()
   // reported last.
   std::optional<render::Renderer> renderer;
-  std::shared_ptr<Context::Parts> context;  // in which that is
+  std::shared_ptr<render::ContextObjects> context;  // in which that is; none: alone
   struct Uploaded {
     std::uint64_t surface = 0, pose = 0, bends = 0, images = 0, materials = 0, shelf = 0;
     std::array<std::uint32_t, settings::kFurTypes + 1> pictures{};  // of types and skin

@@ -1,6 +1,7 @@
 // What all renderers in one GL context share, so that many of them take little more than one: shaders are compiled once.
 #pragma once
 
+#include "render/FurTextures.h"
 #include "render/Materials.h"
 #include "render/Programs.h"
 
@@ -8,7 +9,9 @@ namespace fur::render {
 
 struct ContextObjects {
   Programs programs;
-  SharedPictures pictures;
+  gl::PlatformFramebuffer framebuffer{};
+  SharedThings pictures{};  // of models: SharedPicture, by where their pixels are and how they repeat
+  SharedThings coats{};     // FurTextures::Coat, by what they were grown for
 };
 
 }  // namespace fur::render

@@ -33,9 +33,13 @@ std::size_t FurTextures::bytes() const {
 void FurTextures::begin(int size, int layers, int finRows, int types) {
   const int all = layers * types;
   next_.reset();  // first: there is room for one
-  next_ = std::make_shared<Coat>(Coat{mapOf(TexelFormat::R8, size, size, all), mapOf(TexelFormat::RGBA8, size, size, all),
-                                      mapOf(TexelFormat::RG8, size, size, all), mapOf(TexelFormat::R8, size, finRows, types),
-                                      mapOf(TexelFormat::RGBA8, size, finRows, types), layers});
+  next_ = std::make_shared<Coat>();
+  next_->layers = layers;
+  next_->coverage = mapOf(TexelFormat::R8, size, size, all);
+  next_->strand = mapOf(TexelFormat::RGBA8, size, size, all);
+  next_->offset = mapOf(TexelFormat::RG8, size, size, all);
+  next_->finCoverage = mapOf(TexelFormat::R8, size, finRows, types);
+  next_->finStrand = mapOf(TexelFormat::RGBA8, size, finRows, types);
 }
 
 std::size_t FurTextures::setLayer(int type, int layer, std::span<const furgen::PackedLevel> levels) {

@@ -43,6 +43,7 @@ class FurTextures {
     FurDensities densities{};
     std::vector<furgen::PackedLevel> streaked{};  // what streaks are made of: small levels of half-way layers, type after type
     gl::Texture streaks{};
+    std::shared_ptr<const void> of{};  // what it shows, for those who share it
     void makeStreaks();
     std::size_t bytes() const;
   };

@@ -61,7 +61,7 @@ void Materials::setBare(std::span<const std::uint8_t> bare) {
   findPictures();
 }
 
-std::size_t Materials::setImage(std::size_t image, int width, int height, const Pixels& rgba, SharedPictures& shared) {
+std::size_t Materials::setImage(std::size_t image, int width, int height, const Pixels& rgba, SharedThings& shared) {
   if (images_.size() <= image) images_.resize(image + 1);
   // One that parts use in different ways repeats.
   int wrapU = 0, wrapV = 0;
@@ -70,14 +70,16 @@ std::size_t Materials::setImage(std::size_t image, int width, int height, const 
     for (const auto texture : {&scene::Material::baseColorTexture, &scene::Material::metallicRoughnessTexture, &scene::Material::normalTexture,
                                &scene::Material::occlusionTexture, &scene::Material::emissiveTexture})
       if (const scene::MaterialTexture& of = part.material.*texture; of.image == static_cast<int>(image)) note(wrapU, of.wrapS), note(wrapV, of.wrapT);
-  std::erase_if(shared, [](const auto& one) { return one.second.expired(); });
-  auto& kept = shared[{rgba.get(), wrapU, wrapV}];
-  images_[image] = kept.lock();
-  const bool isNew = !images_[image];
-  const gl::TextureShape shape{gl::TexelFormat::RGBA8, width, height, 0, gl::Filter::Trilinear, true, 0, wrapU, wrapV};
-  if (isNew) kept = images_[image] = std::make_shared<const SharedPicture>(SharedPicture{rgba, gl::Texture(shape, gl::bytesOf(*rgba))});
+  const std::uint64_t number = reinterpret_cast<std::uintptr_t>(rgba.get()) ^ std::uint64_t(wrapU) << 32 ^ std::uint64_t(wrapV) << 48;
+  auto& kept = images_[image] = std::static_pointer_cast<SharedPicture>(shared.find(number));
+  const bool isNew = !kept;
+  if (isNew) {
+    kept = std::make_shared<SharedPicture>(SharedPicture{rgba, {}});
+    kept->texture = gl::Texture({gl::TexelFormat::RGBA8, width, height, 0, gl::Filter::Trilinear, true, 0, wrapU, wrapV}, gl::bytesOf(*rgba));
+    shared.add(number, kept);
+  }
   findPictures();
-  return isNew ? images_[image]->texture.bytes() : 0;
+  return isNew ? kept->texture.bytes() : 0;
 }
 
 void Materials::findPictures() {

@@ -3,12 +3,11 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <span>
-#include <tuple>
 #include <vector>
 
+#include "core/SharedThings.h"
 #include "gl/Objects.h"
 #include "scene/Material.h"
 #include "shared/Blocks.h"
@@ -16,13 +15,11 @@
 namespace fur::render {
 
 // A picture on the GPU. It keeps its pixels, whose place stands for them while it is there.
-using Pixels = std::shared_ptr<const std::vector<std::uint8_t>>;
+using Pixels = std::shared_ptr<std::vector<std::uint8_t>>;
 struct SharedPicture {
   Pixels pixels;
   gl::Texture texture;
 };
-// Those of the models in a context, by their pixels and how they repeat.
-using SharedPictures = std::map<std::tuple<const void*, int, int>, std::weak_ptr<const SharedPicture>>;
 
 class Materials {
  public:
@@ -33,7 +30,7 @@ class Materials {
   // One of each, 0 or 1; none: none is.
   void setBare(std::span<const std::uint8_t> bare);
   // Straight RGBA8 in sRGB, of the model's images; taken from `shared` where others show the same pixels.
-  std::size_t setImage(std::size_t image, int width, int height, const Pixels& rgba, SharedPictures& shared);
+  std::size_t setImage(std::size_t image, int width, int height, const Pixels& rgba, SharedThings& shared);
 
   std::size_t count() const { return parts_.size(); }
   std::size_t main() const { return main_; }
@@ -61,7 +58,7 @@ class Materials {
   void findPictures();
 
   std::vector<Part> parts_;
-  std::vector<std::shared_ptr<const SharedPicture>> images_;
+  std::vector<std::shared_ptr<SharedPicture>> images_;
   gl::Texture white_, flat_;  // flat: the normal of a surface without bumps
   std::size_t main_ = 0;
   bool anyBare_ = false, hasPicture_ = false;

@@ -8,16 +8,18 @@ namespace fur::app {
 
 namespace {
 
+void add(Fnv1a& hash, const void* data, std::size_t bytes) {
+  hash.add(bytes);
+  hash.addBytes(data, bytes);
+}
+
 std::uint64_t hashOf(const geometry::Mesh& mesh, geometry::FurMapping mapping) {
   Fnv1a hash;
-  const auto add = [&](const auto& values) {
-    hash.add(values.size());
-    hash.addAll(values);
-  };
+  const auto addAll = [&](const auto& values) { add(hash, values.data(), values.size() * sizeof values[0]); };
   hash.add(mapping);
   hash.add(mesh.layout.chartCount);
-  add(mesh.positions), add(mesh.normals), add(mesh.uv), add(mesh.otherUv), add(mesh.atlas), add(mesh.furUv);
-  add(mesh.indices), add(mesh.layout.chartOf), add(mesh.layout.corners);
+  addAll(mesh.positions), addAll(mesh.normals), addAll(mesh.uv), addAll(mesh.otherUv), addAll(mesh.atlas), addAll(mesh.furUv);
+  addAll(mesh.indices), addAll(mesh.layout.chartOf), addAll(mesh.layout.corners);
   return hash.value();
 }
 
@@ -41,24 +43,23 @@ const groom::SurfacePoints& ShownSurface::points() const {
 }
 
 Result<ShownSurface> ModelShelf::surfaceOf(const geometry::Mesh& mesh, geometry::FurMapping mapping) {
-  std::erase_if(surfaces_, [](const auto& one) { return one.second.expired(); });
-  auto& kept = surfaces_[hashOf(mesh, mapping)];
-  if (auto parts = kept.lock()) return ShownSurface(std::move(parts));
+  const std::uint64_t number = hashOf(mesh, mapping);
+  if (auto had = surfaces_.find(number)) return ShownSurface(std::static_pointer_cast<ShownSurface::Parts>(std::move(had)));
   auto built = geometry::buildSurface(mesh, mapping);
   if (!built) return built.error();
   ShownSurface surface(std::move(*built));
-  kept = surface.parts_;
+  surfaces_.add(number, surface.parts_);
   return surface;
 }
 
 Pixels ModelShelf::pixels(std::vector<std::uint8_t> pixels) {
-  std::erase_if(pixels_, [](const auto& one) { return one.second.expired(); });
+  // Of some thousands of them: those that are found are compared.
   Fnv1a hash;
-  hash.addAll(pixels);
-  auto& kept = pixels_[hash.value()];
-  if (auto had = kept.lock(); had && *had == pixels) return had;
-  auto own = std::make_shared<const std::vector<std::uint8_t>>(std::move(pixels));
-  kept = own;
+  hash.add(pixels.size());
+  for (std::size_t i = 0; i < pixels.size(); i += 1 + pixels.size() / 4096) hash.add(pixels[i]);
+  if (auto had = std::static_pointer_cast<std::vector<std::uint8_t>>(pixels_.find(hash.value())); had && *had == pixels) return had;
+  auto own = std::make_shared<std::vector<std::uint8_t>>(std::move(pixels));
+  pixels_.add(hash.value(), own);
   return own;
 }
 

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/Result.h"
+#include "core/SharedThings.h"
 #include "geometry/Surface.h"
 #include "geometry/SurfaceQuery.h"
 #include "groom/Groom.h"
@@ -36,7 +36,7 @@ class ShownSurface {
   std::shared_ptr<Parts> parts_;
 };
 
-using Pixels = std::shared_ptr<const std::vector<std::uint8_t>>;
+using Pixels = std::shared_ptr<std::vector<std::uint8_t>>;  // never changed
 
 // What models are made of that are shown in one program, as long as any of them is.
 class ModelShelf {
@@ -47,8 +47,7 @@ class ModelShelf {
   Pixels pixels(std::vector<std::uint8_t> pixels);
 
  private:
-  std::map<std::uint64_t, std::weak_ptr<ShownSurface::Parts>> surfaces_;
-  std::map<std::uint64_t, std::weak_ptr<const std::vector<std::uint8_t>>> pixels_;
+  SharedThings surfaces_, pixels_;
 };
 
 }  // namespace fur::app

@@ -14,7 +14,7 @@ namespace fur::app {
 namespace {
 
 // Keeps what a coat sends, as a renderer would.
-struct Layers final : CoatReceiver {
+struct Layers : CoatReceiver {
   void prepare() override { ++prepared; }
   void begin(int, int layers, int, int types) override { expected = layers * types, received = 0; }
   void setLayer(int, int, std::span<const furgen::PackedLevel>) override { ++received; }
