@@ -64,7 +64,7 @@ async function joinScripts(folder) {
 
 /** The compiler writes a function for every export of a program: a loop is shorter. */
 function joinExports(script) {
-  const wrappers = [...script.matchAll(/var _(\w+)=Module\["_\1"\]=function\(\)\{return\(_\1=Module\["_\1"\]=Module\["asm"\]\["(\w+)"\]\)\.apply\(null,arguments\)\};/g)]
+  const wrappers = [...script.matchAll(/var _(\w+)=Module\["_\1"\]=function\(\)\{return\(_\1=Module\["_\1"\]=Module\["asm"\]\["([\w$]+)"\]\)\.apply\(null,arguments\)\};/g)]
     .filter(([, name]) => name.startsWith('fur_'));
   if (wrappers.length === 0) return script;
   const keys = JSON.stringify(Object.fromEntries(wrappers.map(([, name, key]) => [`_${name}`, key])));

@@ -4,20 +4,20 @@
 namespace fur::app {
 namespace {
 
-constexpr int kWidth = 160, kHeight = 120;
+constexpr int kFigureWidth = 160, kFigureHeight = 120;
 
 struct Figure {
   explicit Figure(const char* model, const std::shared_ptr<ModelShelf>& models = nullptr) : app(models) {
     EXPECT_TRUE(app.loadPrimitive(model));
     for (const auto& [name, value] : {std::pair("layers", "8"), {"tileSize", "64"}, {"dryRate", "0"}, {"breath", "0"}}) app.setField(name, value);
-    app.resize(kWidth, kHeight, 1);
+    app.resize(kFigureWidth, kFigureHeight, 1);
   }
   ~Figure() { app.detach(false); }
   App app;
 };
 
 TEST(SharedContext, EachDrawsAsItWouldAlone) {
-  test::Stage stage(kWidth, kHeight);
+  test::Stage stage(kFigureWidth, kFigureHeight);
   const auto picture = [&](Figure& figure, const Context* context) {
     stage.attachTarget();
     EXPECT_TRUE(figure.app.attach(context));
@@ -51,7 +51,7 @@ TEST(SharedContext, EachDrawsAsItWouldAlone) {
 }
 
 TEST(SharedContext, ACoatThatOneShowsIsThereForAllWhoAskForTheSame) {
-  test::Stage stage(kWidth, kHeight);
+  test::Stage stage(kFigureWidth, kFigureHeight);
   const Context context;
   context.use();
   Figure first("torus"), second("sphere");

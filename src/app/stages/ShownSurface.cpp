@@ -28,8 +28,6 @@ std::uint64_t hashOf(const geometry::Mesh& mesh, geometry::FurMapping mapping) {
 // It is not going to grow.
 ShownSurface::ShownSurface(geometry::Surface surface) : parts_(std::make_shared<Parts>(Parts{std::move(surface)})) {
   parts_->surface.vertices.shrink_to_fit();
-  parts_->surface.edges.shrink_to_fit();
-  parts_->surface.furIndices.shrink_to_fit();
 }
 
 const geometry::SurfaceQuery& ShownSurface::query() const {
