@@ -156,7 +156,7 @@ if(EMSCRIPTEN)
   endforeach()
   # What runs for every texel of a coat gets a little more room.
   target_compile_options(fur_furgen PRIVATE "$<$<CONFIG:Release>:-Os;-finline-functions>")
-  foreach(source Json NumberText)
+  foreach(source Json NumberText SharedThings)
     fur_source_options("${CMAKE_SOURCE_DIR}/src/core/${source}.cpp" "$<$<CONFIG:Release>:-Os>")
   endforeach()
   # Every wet place, every other step: four at a time.

@@ -48,7 +48,7 @@ function(fur_web_program target)
   set_target_properties(${target} PROPERTIES SUFFIX ".mjs" RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/web")
   target_link_options(${target} PRIVATE
     -sMODULARIZE=1 -sEXPORT_ES6=1 -sENVIRONMENT=web -sFILESYSTEM=0 -sDYNAMIC_EXECUTION=0
-    -sALLOW_MEMORY_GROWTH=1 -sTOTAL_STACK=1MB -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2
+    -sALLOW_MEMORY_GROWTH=1 -sMEMORY_GROWTH_LINEAR_STEP=4MB -sTOTAL_STACK=1MB -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2
     -sMALLOC=emmalloc -sEXPORTED_FUNCTIONS=_malloc,_free
     -sEXPORTED_RUNTIME_METHODS=GL -sINCOMING_MODULE_JS_API=instantiateWasm,onAbort,print,printErr
     -sGL_SUPPORT_AUTOMATIC_ENABLE_EXTENSIONS=0 -sTEXTDECODER=2
@@ -64,6 +64,13 @@ endfunction()
 function(fur_smallest target)
   if(TARGET ${target})
     target_link_options(${target} PRIVATE $<$<CONFIG:Release>:-sBINARYEN_EXTRA_PASSES=-Oz,--always-inline-max-function-size=5>)
+    # And a round after what emcc does last, which leaves some behind.
+    find_program(FUR_WASM_OPT wasm-opt HINTS "${EMSCRIPTEN_ROOT_PATH}/../bin" NO_CMAKE_FIND_ROOT_PATH)
+    if(FUR_WASM_OPT AND CMAKE_BUILD_TYPE STREQUAL "Release")
+      set(wasm "$<TARGET_FILE_DIR:${target}>/${target}.wasm")
+      add_custom_command(TARGET ${target} POST_BUILD COMMAND ${FUR_WASM_OPT} -Oz --enable-bulk-memory --enable-sign-ext
+        --enable-nontrapping-float-to-int --enable-exception-handling --enable-simd --enable-mutable-globals ${wasm} -o ${wasm} VERBATIM)
+    endif()
   endif()
 endfunction()
 

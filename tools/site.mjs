@@ -73,7 +73,7 @@ async function joinScripts(folder) {
 
 /** The compiler writes a function for every export of a program: a loop is shorter. */
 function joinExports(script) {
-  const wrappers = [...script.matchAll(/var _(\w+)=Module\["_\1"\]=function\(\)\{return\(_\1=Module\["_\1"\]=Module\["asm"\]\["(\w+)"\]\)\.apply\(null,arguments\)\};/g)]
+  const wrappers = [...script.matchAll(/var _(\w+)=Module\["_\1"\]=function\(\)\{return\(_\1=Module\["_\1"\]=Module\["asm"\]\["([\w$]+)"\]\)\.apply\(null,arguments\)\};/g)]
     .filter(([, name]) => name.startsWith('fur_'));
   if (wrappers.length === 0) return script;
   const keys = JSON.stringify(Object.fromEntries(wrappers.map(([, name, key]) => [`_${name}`, key])));
@@ -81,12 +81,18 @@ function joinExports(script) {
   return wrappers.reduce((text, [wrapper], i) => text.replace(wrapper, i === 0 ? loop : ''), script);
 }
 
+/** How the compiler's script would fetch a program and make an instance of it: web/runtime.js does both, always. */
+function leaveInstances(script) {
+  return script.replace(/if\(Module\["instantiateWasm"\]\)\{try\{var exports=Module\["instantiateWasm"\]\(info,receiveInstance\);return exports\}catch\(e\)\{[^{}]*\}\}/,
+    'return Module["instantiateWasm"](info,receiveInstance);');
+}
+
 /** Scripts without comments and long names: half of what a visitor would download. Smaller than what joins them can. */
 async function minifyScripts(folder) {
   const { minify } = await import('terser');
   for (const name of readdirSync(folder).filter((file) => /\.m?js$/.test(file))) {
     const file = join(folder, name);
-    const { code } = await minify(joinExports(readFileSync(file, 'utf8')), { module: true, ecma: 2022, compress: { passes: 3 }, format: { quote_style: 1 } });
+    const { code } = await minify(leaveInstances(joinExports(readFileSync(file, 'utf8'))), { module: true, ecma: 2022, compress: { passes: 3 }, format: { quote_style: 1 } });
     writeFileSync(file, `${code}\n`);
   }
 }

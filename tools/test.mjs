@@ -62,7 +62,7 @@ async function program(preset, name, { filter = '', aside = false } = {}) {
 }
 
 // The longest first, so that no core waits for the last of them.
-const longest = ['endless', 'docs', 'contexts', 'keeping', 'alive', 'bar', 'page', 'editor', 'refine', 'governor', 'examples', 'companions'].map((name) => `tests/web/${name}.test.mjs`);
+const longest = ['endless', 'docs', 'many', 'keeping', 'alive', 'bar', 'page', 'editor', 'refine', 'governor', 'examples', 'companions'].map((name) => `tests/web/${name}.test.mjs`);
 const byLength = (files) => [...longest.filter((file) => files.includes(file)), ...files.filter((file) => !longest.includes(file))];
 
 /** The chosen tests by their kinds, and what has to be built for them. */

@@ -43,9 +43,17 @@ using Hash = const char*;
 // --- life ---
 
 FUR_EXPORT App* fur_create() {
-  return guarded([] { return new App(); });
+  static const auto models = app::makeModelShelf();
+  return guarded([] { return new App(models); });
 }
 FUR_EXPORT void fur_destroy(App* app) { delete app; }
+// Of the context that JavaScript has just made current. Apps that are attached with it outlive it: what they share is theirs, too.
+FUR_EXPORT app::Context* fur_createContext() { return new app::Context(); }
+FUR_EXPORT void fur_useContext(const app::Context* context) { context->use(); }
+FUR_EXPORT void fur_destroyContext(app::Context* context) { delete context; }
+FUR_EXPORT int fur_attach(App* app, const app::Context* context) {
+  return guarded([&] { return web::report(app->attach(context)); });
+}
 FUR_EXPORT void fur_detach(App* app, int lost) { app->detach(lost != 0); }
 
 // --- model ---

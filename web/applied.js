@@ -15,6 +15,7 @@ export class AppliedOptions {
   #onEditor;
   #padding = [0, 0, 0, 0];
   #reducedMotion = matchMedia('(prefers-reduced-motion: reduce)');
+  #onMotion = () => this.#applyMotion();
   #stop = new AbortController();
 
   /**
@@ -27,7 +28,6 @@ export class AppliedOptions {
     this.#input = input;
     this.#ring = ring;
     this.#onEditor = onEditor;
-    this.#reducedMotion.addEventListener('change', () => this.#applyMotion(), { signal: this.#stop.signal });
   }
 
   dispose() { this.#stop.abort(); }
@@ -159,6 +159,8 @@ export class AppliedOptions {
   // --- what was asked for before there was a program, and before there was a model ---
 
   toProgram() {
+    // Not before: the document holds whoever listens, and an element that was removed stands ready without a program.
+    this.#reducedMotion.addEventListener('change', this.#onMotion, { signal: this.#stop.signal });
     const { app, options, wantedSettings } = this.#session;
     app.governed = qualities[options.quality].governed;
     app.setFrameBudget(options.frameBudget);

@@ -1,4 +1,5 @@
 // Asks what a picture is that somebody has dropped or opened.
+import './host.js';  // which has fetched this: named here, what both need is joined into one file with it
 import { pictureUses } from '#tables';
 
 const style = `

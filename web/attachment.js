@@ -1,6 +1,6 @@
-// An app and the context it draws in, which comes when there is something to draw, goes while nobody looks, may be taken by
-// the browser, and is another one each time. The scene is the app's and does not notice; what is in the context is made anew.
-import { crowded } from './contexts.js';
+// An app and the context it draws in: what it has there comes when there is something to draw, goes while nobody looks and others need
+// the room, and may be taken by the browser. The scene is the app's and does not notice; what is in the context is made anew.
+import { makeRoom } from './contexts.js';
 import { FrameTimer } from './frametimer.js';
 
 /** Whoever is scrolled past faster than this keeps the picture it has. */
@@ -42,8 +42,7 @@ export class Attachment {
 
   /** In a context that has nothing of it yet. */
   attach(app) {
-    this.#screen.register(app.program);
-    app.attach();
+    app.attach(this.#screen);
     this.timer = new FrameTimer(this.#screen.gl);
     this.#host.panel?.attach();
     this.resize(this.#screen.width, this.#screen.height, this.#screen.pixelRatio, app);
@@ -52,7 +51,7 @@ export class Attachment {
 
   /** What is drawn, whatever the canvas on the page measures. */
   resize(width, height, ratio, app = this.#host.app) {
-    if (this.#screen.gl) Object.assign(this.#screen.gl.canvas, { width, height });
+    this.#screen.drawn = { width, height };
     app.resize(width, height, ratio);
     this.#host.panel?.resize(width, height, ratio);
   }
@@ -85,18 +84,26 @@ export class Attachment {
 
   /** The context goes. */
   onRelease() {
-    if (!this.#screen.handle) return;
+    if (!this.timer) return;
+    this.timer.dispose();
+    this.timer = null;
     this.#host.panel?.detach(true);
     this.#host.app?.detach();
-    this.#screen.unregister();
   }
 
-  /** The browser took it. Another is asked for where somebody looks, but not from the next one in view. */
+  /** What was lacking in the context is there, and takes its room. */
+  returned() {
+    if (!this.returning) return;
+    this.returning = false;
+    queueMicrotask(makeRoom);  // once the picture is where it belongs
+  }
+
+  /** The browser took it. Another is asked for where somebody looks. */
   onLost() {
     if (!this.#host.app) return;
     this.#taken = true;
-    const pending = this.returning;  // in the task in which another comes, or they would take it from each other for ever
-    const mend = this.#screen.visible && (pending || !crowded());
+    const pending = this.returning;  // in the task in which another comes, or pages would take it from each other for ever
+    const mend = this.#screen.visible;
     this.#setMending(mend);
     this.#host.emit('context-lost', {});
     if (mend) this.#host.comeBack(pending);

@@ -2,6 +2,7 @@
  * The editor: Dear ImGui over the picture, in a program of its own that is fetched when it is asked for.
  * `await openEditor(element)`; the scene moves over with its water, and back.
  */
+import './host.js';  // which has fetched this: named here, what both need is joined into one file with it
 import { download } from './download.js';
 import { modifiersOf, phases, pointerKinds } from './furapp.js';
 import { coatFileName, deleteOwnCoat, keepOwnCoat, listOwnCoats, ownCoat, ownCoatsChanges, renameOwnCoat } from './owncoats.js';

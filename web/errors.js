@@ -1,7 +1,7 @@
 /**
  * What the world did wrong, with a code that programs can test and a text that names the thing.
  * Codes: webgl-unavailable wasm-blocked wasm-load out-of-memory bad-file too-large
- * unsupported-version network.
+ * unsupported-version network program-failed.
  */
 export class FurError extends Error {
   constructor(code, message) {

@@ -3,6 +3,7 @@
 import { FurError } from './errors.js';
 import { clampDt } from './options.js';
 import { pictures } from './furapp.js';
+import { askFrame, asksFrame, cancelFrame } from './schedule.js';
 
 /** After so long without a change a picture is drawn better than moving ones are. */
 const stillMilliseconds = 300, busyMilliseconds = 8;
@@ -25,7 +26,7 @@ let lastMoved = -Infinity;
 export class Frames {
   #session;
   #events;
-  #request = 0;
+  #turn;
   #lastTime = null;
   #run = 0;  // frames that were painted one after another
   #stillTimer = 0;
@@ -36,6 +37,7 @@ export class Frames {
   constructor(session, events) {
     this.#session = session;
     this.#events = events;
+    this.#turn = { canvas: session.canvas, work: (time) => this.#onFrame(time) };
   }
 
   get #canRun() {
@@ -46,7 +48,7 @@ export class Frames {
   /** Something may have changed: draw soon. */
   wake() {
     this.#events.onModelStep();
-    if (!this.#request && this.#canRun) this.#request = requestAnimationFrame((time) => this.#onFrame(time));
+    if (this.#canRun) askFrame(this.#turn);
   }
 
   /** What was asked of the program has changed something: told now, drawn soon. */
@@ -58,7 +60,6 @@ export class Frames {
 
   #onFrame(time) {
     const { app, panel, context, screen, options } = this.#session;
-    this.#request = 0;
     if (!this.#canRun || !context.draws()) {
       this.endRun();
       return;
@@ -105,8 +106,7 @@ export class Frames {
     const goesOn = app.active || Boolean(panel?.active);
     this.#session.tellChanges(!goesOn);
     this.#session.flushWarnings();
-    if (goesOn && !this.#request) this.#request = requestAnimationFrame((next) => this.#onFrame(next));
-    if (goesOn) return;
+    if (goesOn) return askFrame(this.#turn);
     this.endRun();
     this.#improveIn(stillMilliseconds);
   }
@@ -119,8 +119,7 @@ export class Frames {
 
   /** What was drawn in a hurry is not left standing. */
   pauseNow() {
-    cancelAnimationFrame(this.#request);
-    this.#request = 0;
+    cancelFrame(this.#turn);
     this.endRun();
     this.#improve();
   }
@@ -135,14 +134,14 @@ export class Frames {
   #improve() {
     const { app, screen, state } = this.#session;
     clearTimeout(this.#stillTimer);
-    if (this.#request || state !== 'ready' || !this.#app.improvable) return;
+    if (asksFrame(this.#turn) || state !== 'ready' || !this.#app.improvable) return;
     // What waits for the graphics processor would wait in front of the next touch.
-    if (screen.busy) return this.#improveIn(busyMilliseconds);
+    if (screen.context?.busy) return this.#improveIn(busyMilliseconds);
     if (app.improve()) {
       this.#afterDrawing();
       screen.show();
     }
-    screen.setFence();
+    screen.context.setFence();
     this.#improveIn(performance.now() - lastMoved < stillMilliseconds ? stillMilliseconds : 0);
   }
   #improveIn(milliseconds) {
@@ -166,13 +165,13 @@ export class Frames {
 
   #paint(picture, samples = 1) {
     const { app, context } = this.#session;
-    context.returning = false;
     if (picture === pictures.moving) {
       lastMoved = performance.now();
       context.timer.begin();
     }
     app.draw(picture, samples);
     context.timer.end();
+    context.returned();
     this.#afterDrawing();
   }
   #afterDrawing() {
@@ -227,7 +226,7 @@ export class Frames {
   }
 
   dispose() {
-    cancelAnimationFrame(this.#request);
+    cancelFrame(this.#turn);
     clearTimeout(this.#stillTimer);
   }
 }

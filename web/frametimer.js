@@ -30,6 +30,8 @@ export class FrameTimer {
     this.#open = false;
   }
 
+  dispose() { for (const query of this.#pending.splice(0)) this.#gl.deleteQuery(query); }
+
   /** Takes in what has become known since. */
   update() {
     const gl = this.#gl;

@@ -26,18 +26,50 @@ export class FurApp {
   constructor(program) {
     this.program = program;
     this.handle = program.callOrThrow('fur_create');
-    this.presets = Object.freeze(JSON.parse(program.text(program.call('fur_presetTable'))));
-    this.settingsTable = Object.freeze(JSON.parse(program.text(program.call('fur_settingsTable'))).map(readableField));
+    program.tables ??= {
+      presets: Object.freeze(JSON.parse(program.text(program.call('fur_presetTable')))),
+      settingsTable: Object.freeze(JSON.parse(program.text(program.call('fur_settingsTable'))).map(readableField)),
+    };
+    Object.assign(this, program.tables);
   }
 
-  #call(name, ...args) { return this.program.call(name, this.handle, ...args); }
-  #callOrThrow(name, ...args) { return this.program.callOrThrow(name, this.handle, ...args); }
+  #screen = null;  // where it draws
+  /** Whether the program failed at what it was to do for this one. */
+  failed = false;
+
+  // Any call may reach the context, and others may have drawn in another meanwhile.
+  #through(way, name, args) {
+    const failedBefore = this.program.failure !== null;
+    try {
+      this.#screen?.context.use(this.program);
+      return this.program[way](name, this.handle, ...args);
+    } finally {
+      this.failed ||= !failedBefore && this.program.failure !== null;
+    }
+  }
+  #call(name, ...args) { return this.#through('call', name, args); }
+  #callOrThrow(name, ...args) { return this.#through('callOrThrow', name, args); }
   #text(name, ...args) { return this.program.text(this.#call(name, ...args)); }
 
+  /** @param {import('./screen.js').Screen} screen in whose context it has nothing yet */
+  attach(screen) {
+    this.#callOrThrow('fur_attach', screen.context.pointerIn(this.program));
+    this.#screen = screen;
+  }
   /** Deletes what it made in the context, which may have been lost. */
-  detach() { this.#call('fur_detach', 0); }
+  detach() {
+    if (this.#screen && !this.program.failure) this.#call('fur_detach', 0);
+    this.#screen = null;
+  }
+  /** Calls back when the program fails, at whatever it does for anyone. */
+  onFailure(work) {
+    this.#onFailure = work;
+    this.program.onFailure.add(work);
+  }
+  #onFailure = null;
   destroy() {
-    this.#call('fur_destroy');
+    this.program.onFailure.delete(this.#onFailure);
+    if (!this.program.failure) this.#call('fur_destroy');
     this.handle = 0;
   }
   /**
@@ -170,12 +202,21 @@ export class FurApp {
   /** `coatBudget`: seconds that may go into a coat that grows. */
   tick(seconds, coatBudget = 1e9) { return this.#call('fur_tick', seconds, coatBudget) !== 0; }
   /** For `pictures.best`, `.moving` or `.still`, as app/App.h tells. */
-  draw(picture = pictures.best, samples = 1) { this.#callOrThrow('fur_draw', picture, samples); }
+  draw(picture = pictures.best, samples = 1) {
+    this.#screen.fit();
+    this.#callOrThrow('fur_draw', picture, samples);
+  }
   set governed(governed) { this.#call('fur_setQuality', 0, governed ? 1 : 0); }
   /** A step towards the best picture; whether there is another one to show. */
-  improve() { return this.#callOrThrow('fur_improve') === 1; }
+  improve() {
+    this.#screen.fit();
+    return this.#callOrThrow('fur_improve') === 1;
+  }
   /** What has been gathered of the picture, once more; false: draw it. */
-  showAgain() { return this.#callOrThrow('fur_showAgain') === 1; }
+  showAgain() {
+    this.#screen.fit();
+    return this.#callOrThrow('fur_showAgain') === 1;
+  }
   get stats() {
     const values = this.program.numbers(this.#call('fur_stats'), statNames.length);
     return Object.fromEntries(statNames.map((name, index) => [name, values[index]]));

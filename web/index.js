@@ -2,7 +2,7 @@
  * wet-fur: fur, dry and wet, on a canvas. `const fur = await createWetFur(canvas, { src: 'otter.glb' })`.
  * The tag <wet-fur> is in wet-fur/element, the parts without a picture in wet-fur/core.
  */
-import { newContext } from './contexts.js';
+import { offersContext, setBudget } from './contexts.js';
 import { FurError } from './errors.js';
 import { setModelsUrl } from './models.js';
 import { compileProgram, setWasmUrl } from './runtime.js';
@@ -32,19 +32,21 @@ export async function preload(onBytes) {
   await compileProgram('viewer', onBytes);
 }
 
-/** Where the files lie when they are not beside the scripts; call it before the first element loads. */
-export function configure({ wasmUrl, hairWasmUrl, editorWasmUrl, coreWasmUrl, modelsUrl } = {}) {
+/**
+ * Where the files lie when they are not beside the scripts; call it before the first element loads. `gpuBudget`: bytes on the
+ * graphics processor beyond which figures out of view give theirs back.
+ */
+export function configure({ wasmUrl, hairWasmUrl, editorWasmUrl, coreWasmUrl, modelsUrl, gpuBudget } = {}) {
   if (wasmUrl) setWasmUrl('viewer', wasmUrl);
   if (hairWasmUrl) setWasmUrl('hair', hairWasmUrl);
   if (editorWasmUrl) setWasmUrl('editor', editorWasmUrl);
   if (coreWasmUrl) setWasmUrl('core', coreWasmUrl);
   if (modelsUrl) setModelsUrl(modelsUrl);
+  if (gpuBudget >= 0) setBudget(gpuBudget);
 }
 
 /** Whether this browser can draw it: WebAssembly and WebGL2. False outside a browser. */
 export function isSupported() {
   if (typeof document === 'undefined' || typeof WebAssembly !== 'object') return false;
-  const gl = newContext(1, 1);
-  gl?.getExtension('WEBGL_lose_context')?.loseContext();
-  return gl !== null;
+  return offersContext();
 }

@@ -1,10 +1,12 @@
 // How a model comes to be shown: fetched or read, put into the program with what was done on it, and brought back by undo.
+import { forgetProgram, loseContextsOf } from './contexts.js';
 import { asFurError, FurError } from './errors.js';
 import { Documents } from './documents.js';
 import { FurApp } from './furapp.js';
 import { fetchModel, loadInto, provideModelImages, provideTypePictures, readColorMap, readGiven } from './models.js';
 import { Progress } from './progress.js';
-import { compileProgram, instantiateProgram } from './runtime.js';
+import { compileProgram, instantiateProgram, sharedProgram } from './runtime.js';
+import { turnToLoad } from './schedule.js';
 
 /** Lets the browser show what changed before a long piece of work. */
 export const breathe = () => new Promise((resolve) => {
@@ -25,6 +27,8 @@ export class Loading {
   #onShown;
   #documents = new Documents();
   #turn = 0;
+  #getSource = null;  // of the newest load()
+  #failures = 0;  // of programs, by what is shown
   #abort = null;
   #told = new Progress();
   #starting = null;
@@ -123,25 +127,31 @@ export class Loading {
   /** @param {(signal: AbortSignal) => import('./models.js').ModelSource | Promise<import('./models.js').ModelSource>} getSource */
   async load(getSource, document) {
     const { loaded, phase } = this.#session;
+    this.#getSource = getSource;
     if (phase === 'error' || phase === 'unsupported') this.#newReady();
     const turn = this.#giveUp();
     this.#abort = new AbortController();
     const isStale = () => turn !== this.#turn;
     this.#told = new Progress();
+    let over;
     if (!loaded) this.#session.setPhase('loading');
     try {
       const pending = (async () => getSource(this.#abort.signal))();
       pending.catch(() => {});
       await this.#start();
       const source = await pending;
+      over = await turnToLoad(this.#session.canvas);
       if (isStale()) return;
       this.progress('fur', 0, 1);
       await breathe();
       if (isStale()) return;
       await this.#showWithHair(source, document);
     } catch (error) {
-      if (isStale()) return;
+      if (isStale() && error.code !== 'program-failed') return;
+      if (isStale()) throw error;  // #leaveFailed() tells it
       throw this.failed(asFurError(error, error instanceof RangeError ? 'out-of-memory' : 'bad-file'));
+    } finally {
+      over?.();
     }
   }
 
@@ -152,19 +162,19 @@ export class Loading {
     // A context takes long to come: the program is on its way meanwhile.
     compileProgram('viewer').catch(() => {});
     if (!this.#session.app) this.#session.context.open();
-    this.#starting ??= instantiateProgram('viewer', (loaded, total) => this.progress('program', loaded, total))
+    this.#starting ??= sharedProgram('viewer', (loaded, total) => this.progress('program', loaded, total))
       .then((program) => this.adopt(new FurApp(program)))
       .finally(() => { this.#starting = this.#session.app ? this.#starting : null; });
     await this.#starting;
   }
 
   /**
-   * The scene, if there is one, moves over to another program, in a module instance of its own on the same context. Whether it
-   * has: it may be disposed of meanwhile. @param {'viewer' | 'hair' | 'editor'} which @param {string} part that progress is told of
+   * The scene, if there is one, moves over to another program, on the same context; the editor's is an instance of its own. Whether
+   * it has: it may be disposed of meanwhile. @param {'viewer' | 'hair' | 'editor'} which @param {string} part that progress is told of
    */
   async moveTo(which, part) {
     const session = this.#session;
-    const program = await instantiateProgram(which, (loaded, total) => this.progress(part, loaded, total));
+    const program = await (which === 'editor' ? instantiateProgram : sharedProgram)(which, (loaded, total) => this.progress(part, loaded, total));
     const old = session.app;
     if (!old) return false;
     const document = session.loaded && { ...this.document, history: old.saveHistory() };
@@ -175,6 +185,7 @@ export class Loading {
     this.adopt(app);
     if (document) this.putBack(app, document);
     old.destroy();
+    if (session.program === 'editor') forgetProgram(old.program);
     session.program = which;
     session.hadHair ||= which === 'hair' || Boolean(document?.hair?.byteLength);
     return true;
@@ -183,14 +194,59 @@ export class Loading {
   /** It takes the place of the one that is there. */
   adopt(app) {
     const { context, options, phase } = this.#session;
-    if (phase === 'disposed') throw new FurError('wasm-load', 'disposed of while loading');
-    context.open();
-    context.attach(app);
+    try {
+      if (phase === 'disposed') throw new FurError('wasm-load', 'disposed of while loading');
+      context.open();
+      context.attach(app);
+    } catch (error) {
+      app.destroy();
+      throw error;
+    }
     this.#session.app = app;
+    app.onFailure(() => { if (this.#session.app === app) this.#leaveFailed(app); });
     this.#hasOwnLook ||= Boolean(this.#wantedState || options.preset);
     if (this.#wantedState) this.#takeWantedState(app);
     this.#applied.toProgram();
     this.#session.flushWarnings();
+  }
+
+  /**
+   * The program has failed, and with it all that is in it. What is shown moves over to a fresh one, as it was; where it is what has
+   * made the program fail, once.
+   */
+  async #leaveFailed(app) {
+    const session = this.#session, { source } = session, turn = this.#giveUp();
+    let document = null;
+    try {
+      document = source && app.program.salvage(() => ({ ...this.document, history: app.saveHistory() }));
+    } catch {
+      document = { source, state: '{}' };
+      session.warn('what was done on the model is lost');
+    }
+    try {
+      session.panel?.dispose();
+    } catch {
+      // The program has no more to say.
+    }
+    session.app = session.source = session.panel = this.#starting = null;
+    session.program = 'viewer';
+    await null;  // until all that were in it have left
+    loseContextsOf(app.program);
+    if (app.failed && (!document || ++this.#failures > 1)) return void this.failed(app.program.failure);
+    session.setPhase('loading');
+    if (!document) return void this.load(this.#getSource).catch(() => {});  // `ready` and the error event carry it
+    const over = await turnToLoad(session.canvas);
+    try {
+      if (turn === this.#turn) await this.#start();
+      if (turn === this.#turn && document.hair?.byteLength) await this.moveTo('hair', 'program');
+      if (turn !== this.#turn) return;
+      this.putBack(session.app, document);
+      await this.#present(source);
+    } catch (error) {
+      this.failed(asFurError(error, 'bad-file'));
+    } finally {
+      over();
+    }
   }
 
   /** Before the model, so that undo does not lead behind it. */

@@ -92,11 +92,26 @@ export async function fetchModel(src, onBytes, signal) {
   if (primitives.includes(src)) return { name: src, primitive: src, files: new Map() };
   const url = shippedModels.includes(src) ? new URL(`${src}.glb`, modelsUrl) : new URL(src, document.baseURI);
   const isAddress = /[./]/.test(src), names = isAddress ? '' : `; models that go by a name are ${modelNames.join(', ')}`;
-  const bytes = await fetchNamed(url, names, onBytes, signal);
+  const bytes = heldOnce(await fetchNamed(url, names, onBytes, signal));
   const files = new Map();
   for (const uri of isJson(bytes) ? externalUris(bytes) : [])
     files.set(unescaped(uri), await fetchNamed(new URL(uri, url), `; ${fileNameOf(url)} needs it`, undefined, signal));
   return { name: shippedModels.includes(src) ? src : fileNameOf(url), bytes, files };
+}
+
+/** Files that figures hold, each once. @type {WeakRef<Uint8Array>[]} */
+let held = [];
+function heldOnce(bytes) {
+  held = held.filter((one) => one.deref());
+  for (const one of held) {
+    const other = one.deref();
+    if (other?.length !== bytes.length) continue;
+    let same = 0;
+    while (same < bytes.length && other[same] === bytes[same]) ++same;
+    if (same === bytes.length) return other;
+  }
+  held.push(new WeakRef(bytes));
+  return bytes;
 }
 
 const bytesOf = async (blob, name) => {

@@ -1,4 +1,4 @@
-// The WebAssembly programs: fetched and compiled once a page, instantiated once an element.
+// The WebAssembly programs: fetched, compiled and, but for the editor's, instantiated once a page.
 import { FurError } from './errors.js';
 import { counted, fetchOrThrow } from './fetching.js';
 
@@ -109,6 +109,23 @@ export async function instantiateProgram(which, onBytes) {
   return new Program(emscripten, memory ?? emscripten.wasmMemory);
 }
 
+/** Instances that all figures of the page share, by program. */
+const shared = new Map();
+
+/** The instance in which all figures of the page have their scenes, one App each. */
+export function sharedProgram(which, onBytes) {
+  const had = shared.get(which);
+  if (had) {
+    if (onBytes) compileProgram(which, onBytes).catch(() => {});  // it may be on its way still
+    return had;
+  }
+  const pending = instantiateProgram(which, onBytes);
+  const drop = () => { if (shared.get(which) === pending) shared.delete(which); };
+  shared.set(which, pending);
+  pending.then((program) => program.onFailure.add(drop), drop);
+  return pending;
+}
+
 const decoder = new TextDecoder();
 const encoder = new TextEncoder();
 
@@ -117,6 +134,12 @@ export class Program {
   constructor(emscripten, memory) {
     this.emscripten = emscripten;
     this.memory = memory;
+    /** The one that its GL calls go to. @type {import('./contexts.js').SharedContext | null} */
+    this.context = null;
+    /** Why no call goes through any more. @type {FurError | null} */
+    this.failure = null;
+    /** Called, soon after, when it fails. @type {Set<() => void>} */
+    this.onFailure = new Set();
   }
 
   has(name) {
@@ -125,6 +148,7 @@ export class Program {
 
   /** Calls an export; strings and byte arrays among the arguments live in its memory during the call. */
   call(name, ...args) {
+    if (this.failure) throw this.failure;
     const taken = [];
     const lower = (arg) => {
       if (typeof arg === 'string') return this.#copyIn(encoder.encode(`${arg}\0`), taken);
@@ -133,8 +157,25 @@ export class Program {
     };
     try {
       return this.emscripten[`_${name}`](...args.map(lower));
+    } catch (error) {
+      if (!(error instanceof WebAssembly.RuntimeError)) throw error;
+      console.error(error);
+      this.failure = new FurError('program-failed', `The program has failed: ${error.message}`);
+      for (const tell of this.onFailure) queueMicrotask(tell);
+      throw this.failure;
     } finally {
-      for (const pointer of taken) this.emscripten._fur_free(pointer);
+      if (!this.failure) for (const pointer of taken) this.emscripten._fur_free(pointer);
+    }
+  }
+
+  /** What can still be read of one that has failed: its memory is there, though a call may fail again. */
+  salvage(read) {
+    const { failure } = this;
+    this.failure = null;
+    try {
+      return read();
+    } finally {
+      this.failure = failure;
     }
   }
 

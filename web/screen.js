@@ -1,6 +1,6 @@
-// A canvas as the program sees it: a WebGL2 context, its size in device pixels, whether anyone can see it.
-// The context draws on a surface of its own; the canvas is given each picture, and has it still when the context is gone.
-import { hold, letGo, makeRoom, newContext } from './contexts.js';
+// A canvas as the program sees it: its size in device pixels, whether anyone can see it, and the context that it shares with others.
+// That draws on a surface of its own; the canvas is given each picture, and has it still when what drew it is gone.
+import { contextFor, makeRoom, noteSeen } from './contexts.js';
 import { FurError } from './errors.js';
 
 const maxSide = 4096;
@@ -13,6 +13,7 @@ const keepMilliseconds = 300;
  * @property {(visible: boolean) => void} onVisible
  * @property {() => void} onRelease the context goes: what was made in it is to be deleted
  * @property {() => void} onLost the browser took it
+ * @property {() => number} gpuBytes that what was made in it takes
  */
 export class Screen {
   #events;
@@ -23,63 +24,63 @@ export class Screen {
   #maxRatio = 2;
   #deviceSize = null;
   #page = null;
-  #program = null;
   #kept = true;
   #keepTimer = 0;
-  #fence = null;
 
   /** @param {HTMLCanvasElement} canvas @param {ScreenEvents} events */
   constructor(canvas, events) {
     this.canvas = canvas;
     this.#events = events;
-    this.gl = null;
-    this.handle = 0;
+    /** @type {import('./contexts.js').SharedContext | null} */
+    this.context = null;
     this.width = this.height = 0;
     this.pixelRatio = 1;
+    /** What is drawn, whatever the canvas on the page measures. */
+    this.drawn = { width: 1, height: 1 };
   }
 
   /** Whether there is a context that can draw: one that was taken is told of later. */
-  get live() { return this.gl !== null && !this.gl.isContextLost(); }
+  get live() { return this.context !== null && !this.context.lost; }
+  get gl() { return this.context?.gl ?? null; }
+  get gpuBytes() { return this.#events.gpuBytes(); }
 
-  /** Makes it live. True: the context is a new one. Throws webgl-unavailable. */
+  /** Makes it live. True: nothing of it is in the context yet. Throws webgl-unavailable. */
   open({ antialias = true } = {}) {
-    if (!this.live) this.#lose();
+    if (!this.live) this.context?.lose();
     if (this.live) return false;  // whoever was told has opened it
     this.#page ??= this.canvas.getContext('bitmaprenderer', { alpha: false });
-    const gl = this.#page && newContext(this.width || 1, this.height || 1, {
-      antialias, powerPreference: 'high-performance',
-    });
-    if (!gl)
-      throw new FurError('webgl-unavailable', 'This browser or its graphics driver offers no WebGL2, which drawing fur needs.');
-    gl.canvas.addEventListener('webglcontextlost', () => { if (this.gl === gl) this.#lose(); });
-    this.gl = gl;
-    hold(this);
+    if (!this.#page) throw new FurError('webgl-unavailable', 'This canvas has another context already.');
+    const context = contextFor(antialias);
+    if (this.live) return false;  // likewise
+    context.join(this);
+    this.context = context;
     if (this.#observers.length > 0) return true;
     this.#watchSize();
     this.#watchVisibility(this.#stop.signal);
     return true;
   }
 
-  #lose() {
-    if (!this.gl) return;
-    this.#release();
-    this.#events.onLost();
-  }
+  tellLost() { this.#events.onLost(); }
 
   /** Until it is opened again the canvas shows what it was given last. */
   giveBack() {
-    if (!this.gl) return;
-    const { gl } = this;
+    if (!this.context) return;
     this.keep();
-    this.#release();
-    gl.getExtension('WEBGL_lose_context')?.loseContext();
+    this.release();
   }
 
-  #release() {
+  /** Leaves the context. */
+  release() {
     this.#events.onRelease();
     this.#kept = true;
-    this.gl = this.#fence = null;
-    letGo(this);
+    this.context.leave(this);
+    this.context = null;
+  }
+
+  /** Before a picture is drawn: the surface, which others have used meanwhile, is as large as it. */
+  fit() {
+    const { canvas } = this.gl, { width, height } = this.drawn;
+    if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
   }
 
   /** What was drawn goes to the canvas, unless the context went meanwhile. */
@@ -101,31 +102,6 @@ export class Screen {
     const copy = new OffscreenCanvas(this.canvas.width, this.canvas.height);
     copy.getContext('2d', { alpha: false }).drawImage(this.canvas, 0, 0);
     this.#page.transferFromImageBitmap(copy.transferToImageBitmap());
-  }
-
-  /** The context as `program` knows it. */
-  register(program) {
-    const { GL } = program.emscripten;
-    this.#program = program;
-    this.handle = GL.registerContext(this.gl, { majorVersion: 2, minorVersion: 0 });
-    GL.makeContextCurrent(this.handle);
-  }
-  unregister() {
-    this.#program.emscripten.GL.deleteContext(this.handle);
-    this.handle = 0;
-  }
-
-  /** `busy` until all that was asked of the graphics processor so far is done. */
-  setFence() {
-    this.#fence = this.gl.fenceSync(this.gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
-    this.gl.flush();
-  }
-  get busy() {
-    if (!this.#fence || !this.live) return false;
-    if (this.gl.clientWaitSync(this.#fence, 0, 0) === this.gl.TIMEOUT_EXPIRED) return true;
-    this.gl.deleteSync(this.#fence);
-    this.#fence = null;
-    return false;
   }
 
   get visible() { return this.#inView && document.visibilityState === 'visible'; }
@@ -191,8 +167,8 @@ export class Screen {
       this.#wasVisible = this.visible;
       if (!this.visible && this.live) {
         this.keep();
-        hold(this);
-        makeRoom(0);
+        noteSeen(this);
+        makeRoom();
       }
       this.#events.onVisible(this.visible);
     };

@@ -1,6 +1,7 @@
 // What the parts of one WetFur share: its canvas and context, the program at work, what that shows, what was asked for, and
 // how all of it is told. The lowest part: it knows none of the others.
 import { Attachment } from './attachment.js';
+import { forgetProgram } from './contexts.js';
 import { optionDefaults, qualities } from './options.js';
 import { Screen } from './screen.js';
 
@@ -50,6 +51,7 @@ export class Session {
       onVisible,
       onRelease: () => this.context.onRelease(),
       onLost: () => this.context.onLost(),
+      gpuBytes: () => this.app?.stats.gpuBytes ?? 0,
     });
     const session = this;
     this.context = new Attachment(this.screen, {
@@ -125,6 +127,7 @@ export class Session {
     this.panel = null;
     this.screen.close();
     this.app?.destroy();
+    if (this.program === 'editor') forgetProgram(this.app.program);
     this.app = this.source = null;
     this.phase = 'disposed';
   }

@@ -30,12 +30,15 @@ const settings::Field* onlyDifference(const settings::Settings& a, const setting
 
 }  // namespace
 
-App::App() : state_(std::make_unique<State>()) {
+std::shared_ptr<ModelShelf> makeModelShelf() { return std::make_shared<ModelShelf>(); }
+
+App::App(std::shared_ptr<ModelShelf> models) : state_(std::make_unique<State>()) {
+  state_->models = models ? std::move(models) : makeModelShelf();
   state_->water.setHair(*state_->hair);
   state_->water.setGroom(state_->groom);
   state_->view.camera.jump(state_->startView());
   geometry::Mesh square = geometry::makePlane(1);
-  auto surface = geometry::buildSurface(square, state_->mapping());
+  auto surface = state_->models->surfaceOf(square, state_->mapping());
   FUR_ASSERT(surface, "App::App()", "a square", "an error");
   state_->setModel(std::move(square), std::move(*surface), {.name = "plane"});
 }
@@ -85,14 +88,14 @@ void App::giveSurface(std::span<const std::uint8_t> bytes) {
   state_->readSurface = geometry::surfaceFromBytes;
 }
 
-Result<geometry::Surface> App::State::surfaceOf(const geometry::Mesh& mesh) {
+Result<ShownSurface> App::State::surfaceOf(const geometry::Mesh& mesh) {
   const std::vector<std::uint8_t> given = std::exchange(givenSurface, {});
   if (!given.empty())
-    if (auto surface = readSurface(given, mesh)) return std::move(*surface);
-  return geometry::buildSurface(mesh, mapping());
+    if (auto surface = readSurface(given, mesh)) return ShownSurface(std::move(*surface));
+  return models->surfaceOf(mesh, mapping());
 }
 
-void App::State::setModel(geometry::Mesh mesh, geometry::Surface surface, Document from, scene::Rig rig, std::vector<std::uint8_t> materialOf) {
+void App::State::setModel(geometry::Mesh mesh, ShownSurface surface, Document from, scene::Rig rig, std::vector<std::uint8_t> materialOf) {
   const CameraOrbit before = homeView();
   endStroke();
   document = std::move(from);
@@ -197,7 +200,7 @@ void Document::take(scene::Model& model) {
 
 const Document::Picture* Document::pictureOf(std::size_t material) const {
   const int image = materials[material].baseColorTexture.image;
-  return image < 0 || pictures[static_cast<std::size_t>(image)].rgba.empty() ? nullptr : &pictures[static_cast<std::size_t>(image)];
+  return image < 0 || !pictures[static_cast<std::size_t>(image)].rgba ? nullptr : &pictures[static_cast<std::size_t>(image)];
 }
 
 Document::Picture* Document::pending() {
@@ -225,7 +228,7 @@ void App::provideImage(int width, int height, std::vector<std::uint8_t> rgba) {
   picture->asked = true;
   picture->width = width;
   picture->height = height;
-  picture->rgba = std::move(rgba);
+  picture->rgba = state_->models->pixels(std::move(rgba));
   ++state_->imageRevision;
   ++state_->changed;
 }
@@ -264,7 +267,7 @@ void App::State::applySettings(const settings::Settings& next) {
   refreshTouch();
   if (!remapped) return;
   // Only fur coordinates change: the atlas stays, and with it what is wet.
-  auto built = geometry::buildSurface(shape.mesh(), mapping());
+  auto built = models->surfaceOf(shape.mesh(), mapping());
   FUR_ASSERT(built, "App::applySettings()", "a mesh that has made a surface before", "an error");
   const CameraOrbit before = homeView();
   shape.setSurface(std::move(*built));

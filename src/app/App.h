@@ -40,6 +40,7 @@ namespace fur::furgen {
 struct Coat;
 }
 namespace fur::render {
+struct ContextObjects;
 struct Frame;
 struct HairGrowth;
 }
@@ -75,13 +76,33 @@ struct CameraOrbit {
 // good as the frame budget allows. Still: it stays for a while, as good as is not unbearably slow.
 enum class Picture { Best, Moving, Still };
 
+// What all apps in one GL context share (render/ContextObjects.h). Of use where several contexts or apps live side by side.
+class Context {
+ public:
+  Context();  // of the context that is current, its framebuffer bound
+  ~Context();
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+  // After the platform has made it the current one in place of another.
+  void use() const;
+
+ private:
+  friend class App;
+  std::shared_ptr<render::ContextObjects> objects_;
+};
+
+class ModelShelf;
+std::shared_ptr<ModelShelf> makeModelShelf();
+
 class App {
  public:
-  App();  // with a square, which is quick to make
+  // With a square, which is quick to make. `models`: what it shares with other apps in the program; none: nothing.
+  explicit App(std::shared_ptr<ModelShelf> models = nullptr);
   ~App();
 
   // --- GL ---
-  Status attach();          // builds every GL object in the current context
+  // Builds every GL object in the current context; `with`: what apps in it share. None: there is no other.
+  Status attach(const Context* with = nullptr);
   void detach(bool lost);   // forgets them; `lost`: the context is gone, its names are not deleted
   void resize(int width, int height, float pixelRatio);
 

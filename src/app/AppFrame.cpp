@@ -10,12 +10,17 @@
 
 namespace fur::app {
 
-Status App::attach() {
+Context::Context() : objects_(std::make_shared<render::ContextObjects>()) { objects_->framebuffer = gl::boundFramebuffer(); }
+Context::~Context() = default;
+void Context::use() const { gl::setPlatformFramebuffer(objects_->framebuffer); }
+
+Status App::attach(const Context* with) {
   gl::setContextAlive(true);
-  gl::rememberPlatformFramebuffer();
-  auto renderer = render::Renderer::create();
-  if (!renderer) return renderer.error();
+  if (!with) gl::rememberPlatformFramebuffer();
   State& s = *state_;
+  s.context = with ? with->objects_ : nullptr;
+  auto renderer = render::Renderer::create(s.context);
+  if (!renderer) return renderer.error();
   s.renderer.emplace(std::move(*renderer));
   s.uploaded = {};
   s.shells = {};
@@ -29,6 +34,7 @@ Status App::attach() {
 void App::detach(bool lost) {
   gl::setContextAlive(!lost);
   state_->renderer.reset();
+  state_->context.reset();
   state_->forgetSamples();
   gl::setContextAlive(true);
 }
@@ -107,7 +113,7 @@ void App::State::uploadMaterials() {
   }
   if (noteChange(uploaded.images, imageRevision))
     for (std::size_t i = 0; i < document.pictures.size(); ++i)
-      if (const Document::Picture& picture = document.pictures[i]; !picture.rgba.empty()) renderer->setImage(i, picture.width, picture.height, picture.rgba);
+      if (const Document::Picture& picture = document.pictures[i]; picture.rgba) renderer->setImage(i, picture.width, picture.height, picture.rgba);
   if (noteChange(uploaded.bare, groom.groom().bare)) renderer->setBare(uploaded.bare);
 }
 
@@ -245,7 +251,7 @@ App::Stats App::stats() const {
                  s.shape.surface().indices.size() * sizeof(std::uint32_t) * 4 +
                  s.shape.surface().edges.size() * sizeof(geometry::SurfaceEdge) + s.water.mask().texels().size() * sizeof(Vec4) +
                  s.groom.groom().map.texels().size() * sizeof(groom::GroomMap::Texel) * std::size(groom::kMaps) +
-                 std::accumulate(s.document.pictures.begin(), s.document.pictures.end(), std::size_t{0}, [](std::size_t sum, const Document::Picture& picture) { return sum + picture.rgba.size(); });
+                 std::accumulate(s.document.pictures.begin(), s.document.pictures.end(), std::size_t{0}, [](std::size_t sum, const Document::Picture& picture) { return sum + (picture.rgba ? picture.rgba->size() : 0); });
   out.gpuBytes = s.renderer ? s.renderer->gpuBytes() : 0;
   out.uploadedBytes = s.uploadedBytes;
   out.framesDrawn = s.framesDrawn;

@@ -45,7 +45,7 @@ Vec3 App::State::pictureAt(const geometry::SurfacePoint& at) const {
     return std::min(static_cast<int>(part * static_cast<float>(size)), size - 1);
   };
   const int column = along(uv.x, picture->width, texture.wrapS), row = along(uv.y, picture->height, texture.wrapT);
-  const std::uint8_t* texel = &picture->rgba[4 * static_cast<std::size_t>(row * picture->width + column)];
+  const std::uint8_t* texel = &(*picture->rgba)[4 * static_cast<std::size_t>(row * picture->width + column)];
   return Vec3(texel[0], texel[1], texel[2]) / 255.0f;
 }
 

@@ -33,7 +33,7 @@ struct Document {
     scene::EncodedImage encoded{};
     bool asked = true;  // it has been decoded, or cannot be
     int width = 0, height = 0;
-    std::vector<std::uint8_t> rgba{};  // empty: not decoded
+    Pixels rgba{};  // none: not decoded
   };
   std::vector<Picture> pictures{};
   std::shared_ptr<const scene::SourceFile> file{};    // a document to be saved whole
@@ -69,6 +69,7 @@ struct Hand {
 struct App::State {
   settings::Settings settings;
   Document document;
+  std::shared_ptr<ModelShelf> models;  // what this shares with other apps
   // Of App::giveSurface(), for the next model. Only programs that call that carry what reads it.
   std::vector<std::uint8_t> givenSurface;
   std::optional<geometry::Surface> (*readSurface)(std::span<const std::uint8_t> bytes, const geometry::Mesh& mesh) = nullptr;
@@ -108,6 +109,7 @@ struct App::State {
   // Drawing. `changed` counts visible changes that belong to no stage; `noticed`: the picture's revision that tick() or draw()
   // reported last.
   std::optional<render::Renderer> renderer;
+  std::shared_ptr<render::ContextObjects> context;  // in which that is; none: alone
   struct Uploaded {
     std::uint64_t surface = 0, pose = 0, bends = 0, images = 0, materials = 0, shelf = 0;
     std::array<std::uint32_t, settings::kFurTypes + 1> pictures{};  // of types and skin
@@ -146,8 +148,8 @@ struct App::State {
   // --- App.cpp ---
   CameraOrbit startView() const { return OrbitCamera::fitting(shape.extent().centre, shape.extent().radius); }
   CameraOrbit homeView() const;  // with that, of what is played now
-  Result<geometry::Surface> surfaceOf(const geometry::Mesh& mesh);
-  void setModel(geometry::Mesh mesh, geometry::Surface surface, Document from, scene::Rig rig = {}, std::vector<std::uint8_t> materialOf = {});
+  Result<ShownSurface> surfaceOf(const geometry::Mesh& mesh);
+  void setModel(geometry::Mesh mesh, ShownSurface surface, Document from, scene::Rig rig = {}, std::vector<std::uint8_t> materialOf = {});
   void surfaceChanged(const CameraOrbit& viewBefore);
   // A view that showed all of the model still does; glides there or is there at once.
   void keepInView(const CameraOrbit& before, bool atOnce);

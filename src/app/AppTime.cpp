@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "app/AppState.h"
+#include "core/Fnv1a.h"
 
 namespace fur::app {
 
@@ -18,6 +19,15 @@ constexpr float kDryerWind = 0.7f;
 // An animal minds a pointer for so long after it moved, s, and looks as far along its ray as this share of the way to the model.
 constexpr float kMindsPointer = 4, kPointedAt = 0.7f;
 
+static_assert(sizeof(furgen::FurParameters) % sizeof(float) == 0 && alignof(furgen::FurParameters) == sizeof(float));  // no padding
+
+std::uint64_t numberOf(const CoatParameters& types, const GivenCoats& given) {
+  Fnv1a hash;
+  hash.addAll(types);
+  for (const GivenCoat& one : given) hash.add(one.get());
+  return hash.value();
+}
+
 }  // namespace
 
 // Hands the layers of a coat to the renderer.
@@ -31,6 +41,18 @@ struct App::State::LayerUpload final : CoatReceiver {
   void setLayer(int type, int layer, std::span<const furgen::PackedLevel> levels) override { s.renderer->setFurLayer(type, layer, levels); }
   void setFin(int type, std::span<const furgen::PackedLevel> levels) override { s.renderer->setFinMap(type, levels); }
   void show(std::span<const float> densities) override { s.renderer->showFur(densities); }
+  void share(const std::shared_ptr<const WholeCoat>& coat) override {
+    if (!s.context) return;
+    s.renderer->shownFur()->of = coat;
+    s.context->coats.add(numberOf(coat->types, coat->given), s.renderer->shownFur());
+  }
+  std::shared_ptr<const WholeCoat> showShared(const CoatParameters& types, const GivenCoats& given) override {
+    auto textures = std::static_pointer_cast<render::FurTextures::Coat>(s.context ? s.context->coats.find(numberOf(types, given)) : nullptr);
+    auto coat = std::static_pointer_cast<const WholeCoat>(textures ? textures->of : nullptr);
+    if (!coat || !coat->isFor(types, given)) return nullptr;
+    s.renderer->showFur(std::move(textures));
+    return coat;
+  }
 
   State& s;
 };

@@ -114,8 +114,7 @@ namespace {
 
 void toggle(GLenum what, bool on) { on ? glEnable(what) : glDisable(what); }
 
-int platformFramebuffer = 0;
-int samplesOfPlatform = 0;
+PlatformFramebuffer platform;
 
 }  // namespace
 
@@ -171,25 +170,27 @@ void clearDepth() {
   glClear(GL_DEPTH_BUFFER_BIT);
 }
 
-void rememberPlatformFramebuffer() {
-  glGetIntegerv(GL_FRAMEBUFFER_BINDING, &platformFramebuffer);
-  glGetIntegerv(GL_SAMPLES, &samplesOfPlatform);
+PlatformFramebuffer boundFramebuffer() {
+  PlatformFramebuffer bound;
+  glGetIntegerv(GL_FRAMEBUFFER_BINDING, &bound.name);
+  glGetIntegerv(GL_SAMPLES, &bound.samples);
+  return bound;
 }
-PlatformStandIn::PlatformStandIn() : framebuffer_(platformFramebuffer), samples_(samplesOfPlatform) { rememberPlatformFramebuffer(); }
+void setPlatformFramebuffer(const PlatformFramebuffer& framebuffer) { platform = framebuffer; }
+PlatformStandIn::PlatformStandIn() : before_(platform) { rememberPlatformFramebuffer(); }
 PlatformStandIn::~PlatformStandIn() {
-  platformFramebuffer = framebuffer_;
-  samplesOfPlatform = samples_;
+  platform = before_;
   bindPlatformFramebuffer();
 }
-int platformSamples() { return samplesOfPlatform; }
-void bindPlatformFramebuffer() { glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(platformFramebuffer)); }
+int platformSamples() { return platform.samples; }
+void bindPlatformFramebuffer() { glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(platform.name)); }
 
 // A framebuffer of our own is resolved by a blit, that of a window or a canvas by copying: each refuses the other.
 void Target::takeRows(const Texture& texture, int bottom, int count) const {
   glDisable(GL_SCISSOR_TEST);
   const int width = texture.shape().width;
-  if (platformFramebuffer != 0) {
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(platformFramebuffer));
+  if (platform.name != 0) {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(platform.name));
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.id());
     glBlitFramebuffer(0, bottom, width, bottom + count, 0, bottom, width, bottom + count, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     return;

@@ -191,8 +191,13 @@ void clear(const Vec4& color);
 void clearDepth();  // only depth
 void clearColor();  // only colour, to black
 void bindPlatformFramebuffer();
-// Makes the currently bound framebuffer the platform's (called once at attach).
-void rememberPlatformFramebuffer();
+struct PlatformFramebuffer {
+  int name = 0, samples = 0;  // 0: no multisampling
+};
+// The one that is bound now, and which of them is the platform's from now on.
+PlatformFramebuffer boundFramebuffer();
+void setPlatformFramebuffer(const PlatformFramebuffer& framebuffer);
+inline void rememberPlatformFramebuffer() { setPlatformFramebuffer(boundFramebuffer()); }
 // During its lifetime the framebuffer that was bound replaces the platform's.
 class PlatformStandIn {
  public:
@@ -202,7 +207,7 @@ class PlatformStandIn {
   PlatformStandIn& operator=(const PlatformStandIn&) = delete;
 
  private:
-  int framebuffer_, samples_;
+  PlatformFramebuffer before_;
 };
 int platformSamples();  // of the platform's framebuffer; 0: no multisampling
 // RGBA8 rows from the top of the bound framebuffer.

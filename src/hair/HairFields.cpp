@@ -3,7 +3,7 @@
 namespace fur::hair {
 
 const std::array<HairField, kHairFieldCount>& hairFields() {
-  static const std::array<HairField, kHairFieldCount> table = {{
+  static constexpr std::array<HairField, kHairFieldCount> table = {{
 #define FUR_FIELDS "hair/HairFields.inc"
 #define FUR_VALUES HairValues
 #include "settings/fields/Rows.inc"

@@ -22,27 +22,35 @@ gl::Texture mapOf(TexelFormat format, int width, int height, int layers) {
 
 }  // namespace
 
-std::size_t FurTextures::Set::bytes() const {
-  return coverage.bytes() + strand.bytes() + offset.bytes() + finCoverage.bytes() + finStrand.bytes();
+std::size_t FurTextures::Coat::bytes() const {
+  return coverage.bytes() + strand.bytes() + offset.bytes() + finCoverage.bytes() + finStrand.bytes() + streaks.bytes();
+}
+
+std::size_t FurTextures::bytes() const {
+  return shown_->bytes() / static_cast<std::size_t>(shown_.use_count()) + (next_ ? next_->bytes() : 0);
 }
 
 void FurTextures::begin(int size, int layers, int finRows, int types) {
-  nextLayers_ = layers;
   const int all = layers * types;
-  next_ = {mapOf(TexelFormat::R8, size, size, all), mapOf(TexelFormat::RGBA8, size, size, all),
-           mapOf(TexelFormat::RG8, size, size, all), mapOf(TexelFormat::R8, size, finRows, types),
-           mapOf(TexelFormat::RGBA8, size, finRows, types)};
+  next_.reset();  // first: there is room for one
+  next_ = std::make_shared<Coat>();
+  next_->layers = layers;
+  next_->coverage = mapOf(TexelFormat::R8, size, size, all);
+  next_->strand = mapOf(TexelFormat::RGBA8, size, size, all);
+  next_->offset = mapOf(TexelFormat::RG8, size, size, all);
+  next_->finCoverage = mapOf(TexelFormat::R8, size, finRows, types);
+  next_->finStrand = mapOf(TexelFormat::RGBA8, size, finRows, types);
 }
 
 std::size_t FurTextures::setLayer(int type, int layer, std::span<const furgen::PackedLevel> levels) {
   std::size_t uploaded = 0;
   for (std::size_t i = 0; i < levels.size(); ++i) {
-    const int level = static_cast<int>(i), at = type * nextLayers_ + layer;
-    next_.coverage.updateLevel(level, at, gl::bytesOf(levels[i].coverage));
-    next_.strand.updateLevel(level, at, gl::bytesOf(levels[i].strand));
-    next_.offset.updateLevel(level, at, gl::bytesOf(levels[i].offset));
+    const int level = static_cast<int>(i), at = type * next_->layers + layer;
+    next_->coverage.updateLevel(level, at, gl::bytesOf(levels[i].coverage));
+    next_->strand.updateLevel(level, at, gl::bytesOf(levels[i].strand));
+    next_->offset.updateLevel(level, at, gl::bytesOf(levels[i].offset));
     uploaded += levels[i].coverage.size() + levels[i].strand.size() + levels[i].offset.size();
-    if (layer == nextLayers_ / 2 && level >= kStreaked) next_.streaked.push_back(levels[i]);
+    if (layer == next_->layers / 2 && level >= kStreaked) next_->streaked.push_back(levels[i]);
   }
   return uploaded;
 }
@@ -50,47 +58,49 @@ std::size_t FurTextures::setLayer(int type, int layer, std::span<const furgen::P
 std::size_t FurTextures::setFin(int type, std::span<const furgen::PackedLevel> levels) {
   std::size_t uploaded = 0;
   for (std::size_t i = 0; i < levels.size(); ++i) {
-    next_.finCoverage.updateLevel(static_cast<int>(i), type, gl::bytesOf(levels[i].coverage));
-    next_.finStrand.updateLevel(static_cast<int>(i), type, gl::bytesOf(levels[i].strand));
+    next_->finCoverage.updateLevel(static_cast<int>(i), type, gl::bytesOf(levels[i].coverage));
+    next_->finStrand.updateLevel(static_cast<int>(i), type, gl::bytesOf(levels[i].strand));
     uploaded += levels[i].coverage.size() + levels[i].strand.size();
   }
   return uploaded;
 }
 
 void FurTextures::show(std::span<const float> densities) {
-  shown_ = std::exchange(next_, {});
-  layers_ = nextLayers_;
-  streaks_ = {};
-  densities_.fill(0);
-  std::copy_n(densities.begin(), std::min(densities.size(), densities_.size()), densities_.begin());
+  std::copy_n(densities.begin(), std::min(densities.size(), next_->densities.size()), next_->densities.begin());
+  show(std::exchange(next_, nullptr));
+}
+
+void FurTextures::show(std::shared_ptr<Coat> coat) {
+  shown_ = std::move(coat);
+  next_.reset();
   ++revision_;
 }
 
-float FurTextures::density() const { return *std::max_element(densities_.begin(), densities_.end()); }
+float FurTextures::density() const { return *std::max_element(shown_->densities.begin(), shown_->densities.end()); }
 
-void FurTextures::makeStreaks() {
-  if (shown_.streaked.empty()) return;
+void FurTextures::Coat::makeStreaks() {
+  if (streaked.empty()) return;
   constexpr int kTurns = static_cast<int>(FUR_STREAK_TURNS);
-  const int size = shown_.streaked.front().width;
-  streaks_ = mapOf(TexelFormat::RGBA8, size, size, kTurns * shown_.finStrand.shape().layers);
+  const int size = streaked.front().width;
+  streaks = mapOf(TexelFormat::RGBA8, size, size, kTurns * finStrand.shape().layers);
   int level = 0, type = -1;
-  for (const furgen::PackedLevel& packed : shown_.streaked) {
+  for (const furgen::PackedLevel& packed : streaked) {
     level = packed.width == size ? 0 : level + 1;
     type += level == 0;
     for (int turn = 0; turn < kTurns; ++turn)
-      streaks_.updateLevel(level, type * kTurns + turn,
-                           gl::bytesOf(furgen::streaks(packed.strand, packed.width, static_cast<float>(turn) / kTurns)));
+      streaks.updateLevel(level, type * kTurns + turn,
+                          gl::bytesOf(furgen::streaks(packed.strand, packed.width, static_cast<float>(turn) / kTurns)));
   }
 }
 
 void FurTextures::bind(bool wet) {
-  if (wet && streaks_.bytes() == 0) makeStreaks();
-  streaks_.bind(FUR_UNIT_STREAKS);
-  shown_.coverage.bind(FUR_UNIT_COVERAGE);
-  shown_.strand.bind(FUR_UNIT_STRAND);
-  shown_.offset.bind(FUR_UNIT_OFFSET);
-  shown_.finCoverage.bind(FUR_UNIT_FIN_COVERAGE);
-  shown_.finStrand.bind(FUR_UNIT_FIN_STRAND);
+  if (wet && shown_->streaks.bytes() == 0) shown_->makeStreaks();
+  shown_->streaks.bind(FUR_UNIT_STREAKS);
+  shown_->coverage.bind(FUR_UNIT_COVERAGE);
+  shown_->strand.bind(FUR_UNIT_STRAND);
+  shown_->offset.bind(FUR_UNIT_OFFSET);
+  shown_->finCoverage.bind(FUR_UNIT_FIN_COVERAGE);
+  shown_->finStrand.bind(FUR_UNIT_FIN_STRAND);
 }
 
 }  // namespace fur::render

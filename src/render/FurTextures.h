@@ -1,6 +1,7 @@
 // The coat's fur types on the GPU. A new coat comes in pieces while the one before stays in the picture.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -19,29 +20,36 @@ class FurTextures {
   std::size_t setFin(int type, std::span<const furgen::PackedLevel> levels);
   // What has come takes the place of what is shown. One density a type, the others are bald.
   void show(std::span<const float> densities);
+  // Likewise that of another renderer in the same context.
+  struct Coat;
+  void show(std::shared_ptr<Coat> coat);
+  const std::shared_ptr<Coat>& shown() const { return shown_; }
   // `wet`: with the streaks, which are made the first time.
   void bind(bool wet);
 
-  int size() const { return shown_.coverage.shape().width; }
-  int layers() const { return layers_; }  // of one type
-  const FurDensities& densities() const { return densities_; }
+  int size() const { return shown_->coverage.shape().width; }
+  int layers() const { return shown_->layers; }  // of one type
+  const FurDensities& densities() const { return shown_->densities; }
   float density() const;  // of the densest type; 0: all are bald
   // Another number whenever other fur is shown.
   unsigned long revision() const { return revision_; }
-  std::size_t bytes() const { return shown_.bytes() + next_.bytes() + streaks_.bytes(); }
+  // Of what several share, a share.
+  std::size_t bytes() const;
 
- private:
   // Layers of type after type; of the fin maps one a type.
-  struct Set {
-    gl::Texture coverage, strand, offset, finCoverage, finStrand;
-    std::vector<furgen::PackedLevel> streaked = {};  // what streaks are made of: small levels of half-way layers, type after type
+  struct Coat {
+    gl::Texture coverage{}, strand{}, offset{}, finCoverage{}, finStrand{};
+    int layers = 1;
+    FurDensities densities{};
+    std::vector<furgen::PackedLevel> streaked{};  // what streaks are made of: small levels of half-way layers, type after type
+    gl::Texture streaks{};
+    std::shared_ptr<const void> of{};  // what it shows, for those who share it
+    void makeStreaks();
     std::size_t bytes() const;
   };
-  void makeStreaks();
-  Set shown_, next_;
-  gl::Texture streaks_;
-  int layers_ = 1, nextLayers_ = 1;
-  FurDensities densities_{};
+
+ private:
+  std::shared_ptr<Coat> shown_ = std::make_shared<Coat>(), next_;
   unsigned long revision_ = 0;
 };
 

@@ -61,7 +61,7 @@ void Materials::setBare(std::span<const std::uint8_t> bare) {
   findPictures();
 }
 
-std::size_t Materials::setImage(std::size_t image, int width, int height, std::span<const std::uint8_t> rgba) {
+std::size_t Materials::setImage(std::size_t image, int width, int height, const Pixels& rgba, SharedThings& shared) {
   if (images_.size() <= image) images_.resize(image + 1);
   // One that parts use in different ways repeats.
   int wrapU = 0, wrapV = 0;
@@ -70,9 +70,16 @@ std::size_t Materials::setImage(std::size_t image, int width, int height, std::s
     for (const auto texture : {&scene::Material::baseColorTexture, &scene::Material::metallicRoughnessTexture, &scene::Material::normalTexture,
                                &scene::Material::occlusionTexture, &scene::Material::emissiveTexture})
       if (const scene::MaterialTexture& of = part.material.*texture; of.image == static_cast<int>(image)) note(wrapU, of.wrapS), note(wrapV, of.wrapT);
-  images_[image] = gl::Texture({gl::TexelFormat::RGBA8, width, height, 0, gl::Filter::Trilinear, true, 0, wrapU, wrapV}, std::as_bytes(rgba));
+  const std::uint64_t number = reinterpret_cast<std::uintptr_t>(rgba.get()) ^ std::uint64_t(wrapU) << 32 ^ std::uint64_t(wrapV) << 48;
+  auto& kept = images_[image] = std::static_pointer_cast<SharedPicture>(shared.find(number));
+  const bool isNew = !kept;
+  if (isNew) {
+    kept = std::make_shared<SharedPicture>(SharedPicture{rgba, {}});
+    kept->texture = gl::Texture({gl::TexelFormat::RGBA8, width, height, 0, gl::Filter::Trilinear, true, 0, wrapU, wrapV}, gl::bytesOf(*rgba));
+    shared.add(number, kept);
+  }
   findPictures();
-  return images_[image].bytes();
+  return isNew ? kept->texture.bytes() : 0;
 }
 
 void Materials::findPictures() {
@@ -82,7 +89,7 @@ void Materials::findPictures() {
 
 const gl::Texture& Materials::pictureOf(const scene::MaterialTexture& texture, const gl::Texture& without) const {
   const auto image = static_cast<std::size_t>(texture.image);
-  return texture.image >= 0 && image < images_.size() && images_[image].bytes() ? images_[image] : without;
+  return texture.image >= 0 && image < images_.size() && images_[image] ? images_[image]->texture : without;
 }
 
 void Materials::bind(std::size_t i) const {
@@ -102,7 +109,8 @@ void Materials::bindBare(std::size_t i) const {
 
 std::size_t Materials::bytes() const {
   std::size_t sum = white_.bytes() + flat_.bytes();
-  for (const gl::Texture& image : images_) sum += image.bytes();
+  for (const auto& image : images_)
+    if (image) sum += image->texture.bytes() / static_cast<std::size_t>(image.use_count());
   for (const Part& part : parts_) sum += part.coat.bytes() + part.block.bytes();
   return sum;
 }

@@ -3,14 +3,23 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
+#include "core/SharedThings.h"
 #include "gl/Objects.h"
 #include "scene/Material.h"
 #include "shared/Blocks.h"
 
 namespace fur::render {
+
+// A picture on the GPU. It keeps its pixels, whose place stands for them while it is there.
+using Pixels = std::shared_ptr<std::vector<std::uint8_t>>;
+struct SharedPicture {
+  Pixels pixels;
+  gl::Texture texture;
+};
 
 class Materials {
  public:
@@ -20,8 +29,8 @@ class Materials {
   std::size_t set(std::span<const scene::Material> materials, std::size_t main);
   // One of each, 0 or 1; none: none is.
   void setBare(std::span<const std::uint8_t> bare);
-  // Straight RGBA8 in sRGB, of the model's images.
-  std::size_t setImage(std::size_t image, int width, int height, std::span<const std::uint8_t> rgba);
+  // Straight RGBA8 in sRGB, of the model's images; taken from `shared` where others show the same pixels.
+  std::size_t setImage(std::size_t image, int width, int height, const Pixels& rgba, SharedThings& shared);
 
   std::size_t count() const { return parts_.size(); }
   std::size_t main() const { return main_; }
@@ -49,7 +58,7 @@ class Materials {
   void findPictures();
 
   std::vector<Part> parts_;
-  std::vector<gl::Texture> images_;
+  std::vector<std::shared_ptr<SharedPicture>> images_;
   gl::Texture white_, flat_;  // flat: the normal of a surface without bumps
   std::size_t main_ = 0;
   bool anyBare_ = false, hasPicture_ = false;

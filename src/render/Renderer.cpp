@@ -50,16 +50,17 @@ void beginPicture(const Frame& frame) {
 
 }  // namespace
 
-Result<Renderer> Renderer::create() {
+Result<Renderer> Renderer::create(std::shared_ptr<ContextObjects> shared) {
   const auto capabilities = gl::queryCapabilities();
   if (!capabilities) return capabilities.error();
   Renderer r;
+  r.shared_ = shared ? std::move(shared) : std::make_shared<ContextObjects>();
   const VariantBits usual = shadowVariant({});
   for (const auto& [shader, variant] :
        {std::pair(Shader::Shell, usual), std::pair(Shader::Fin, usual), std::pair(Shader::Skin, usual | kUnderFur),
         std::pair(Shader::ShadowMap, +kPlain), std::pair(Shader::ShadowBlur, +kShadowDepth),
         std::pair(Shader::Ground, +kPlain), std::pair(Shader::GroundShadow, +kPlain), std::pair(Shader::Blur, +kPlain), std::pair(Shader::Background, +kPlain)})
-    r.programs_.begin(shader, variant);
+    r.programs().begin(shader, variant);
   const shared::FrameBlock frame{};
   r.frameBlock_ = gl::Buffer(gl::BufferKind::Uniform, gl::bytesOf(frame), true);
   r.groundShadow_.create();
@@ -140,41 +141,41 @@ Status Renderer::draw(const Frame& frame) {
   drawnPixels_ = static_cast<long>(drawn.width) * drawn.height;
   const bool furry = fur_.density() > 0 && frame.coatLength > 0 && !shells_.empty();
   const Look look(drawn, furry, materials_.hasPicture() || maps_.hasTypePictures(), maps_.typePictures()[FUR_TYPES] >= 0);
-  const Drawing drawing{drawn, look, surface_, materials_, programs_, uploadedBytes_};
+  const Drawing drawing{drawn, look, surface_, materials_, programs(), uploadedBytes_};
   hair_->fit(drawn);
   const FurShadow::Key shadow = furShadowKey(drawn);
   uploadBlocks(drawn, shadow);
-  if (!hair_->update(programs_) || !groundShadow_.update(drawing, *hair_)) return programs_.error();
+  if (!hair_->update(programs()) || !groundShadow_.update(drawing, *hair_)) return programs().error();
   fur_.bind(frame.wet);
   maps_.bind(frame);
   uploadedBytes_ += strandTables_.use(frame.settings);
-  if (!furShadow_.update(programs_, shadow, surface_.array(), surface_.indexCount(), *hair_)) return programs_.error();
+  if (!furShadow_.update(programs(), shadow, surface_.array(), surface_.indexCount(), *hair_)) return programs().error();
   const bool direct = frame.pixelScale >= 1;
   if (!direct)
     if (Status status = small_.begin(drawn.width, drawn.height); !status) return status;
   beginPicture(drawn);
-  if (!drawPasses(drawing)) return programs_.error();
+  if (!drawPasses(drawing)) return programs().error();
   if (!direct) {
     gl::setViewport(frame.width, frame.height);
-    if (!small_.show(programs_)) return programs_.error();
+    if (!small_.show(programs())) return programs().error();
   }
-  if (frame.gathers && !gather(frame)) return programs_.error();
+  if (frame.gathers && !gather(frame)) return programs().error();
   return Done{};
 }
 
 bool Renderer::gather(const Frame& frame) {
   const Rows rows = rowsOf(frame);
   const bool last = frame.band + 1 == frame.bands;
-  if (!gathered_.add(programs_, frame.width, allRows(frame), rows.bottom, rows.count)) return false;
+  if (!gathered_.add(programs(), frame.width, allRows(frame), rows.bottom, rows.count)) return false;
   if (!last) gl::flush();
-  return !last || gathered_.show(programs_);
+  return !last || gathered_.show(programs());
 }
 
 Status Renderer::showGathered(const Frame& frame) {
   shared::FrameBlock block = frameBlock(frame);
   frameBlock_.update(gl::bytesOf(block));
   frameBlock_.bindAsBlock(FUR_FRAME_BINDING);
-  if (!gathered_.show(programs_)) return programs_.error();
+  if (!gathered_.show(programs())) return programs().error();
   return Done{};
 }
 

@@ -2,16 +2,17 @@
 // README.md in this folder lists the frame in order; each pass has a folder of its own below passes/.
 #pragma once
 
+#include <memory>
 #include <span>
 
 #include "furgen/Packing.h"
 #include "geometry/Surface.h"
 #include "groom/Groom.h"
 #include "render/Blocks.h"
+#include "render/ContextObjects.h"
 #include "render/Frame.h"
 #include "render/FurTextures.h"
 #include "render/Materials.h"
-#include "render/Programs.h"
 #include "render/StrandTables.h"
 #include "render/SurfaceBuffers.h"
 #include "render/SurfaceMaps.h"
@@ -33,8 +34,9 @@ namespace fur::render {
 
 class Renderer {
  public:
-  // Needs a current context, in which the driver begins to compile what usual frames need.
-  static Result<Renderer> create();
+  // Needs a current context, in which the driver begins to compile what usual frames need. `shared`: what other renderers in it
+  // have; none: there is no other.
+  static Result<Renderer> create(std::shared_ptr<ContextObjects> shared = nullptr);
 
   // `tangents`, one a vertex, for a surface that will change its shape: setSkin(). `materialOf`: one a vertex, the same for all of a
   // triangle; none: the first.
@@ -42,7 +44,7 @@ class Renderer {
   // See Materials.
   void setMaterials(std::span<const scene::Material> materials, std::size_t main) { uploadedBytes_ += materials_.set(materials, main); }
   void setBare(std::span<const std::uint8_t> bare) { materials_.setBare(bare); }
-  void setImage(std::size_t image, int width, int height, std::span<const std::uint8_t> rgba) { uploadedBytes_ += materials_.setImage(image, width, height, rgba); }
+  void setImage(std::size_t image, int width, int height, const Pixels& rgba) { uploadedBytes_ += materials_.setImage(image, width, height, rgba, shared_->pictures); }
   void setSkin(const Skin& skin);
   // Which triangles shells are drawn on, in place of all of the surface, and the length at every vertex: fins
   // between two of none are left out. What is bald costs nothing. Until the next setSurface().
@@ -65,6 +67,9 @@ class Renderer {
   void setFinMap(int type, std::span<const furgen::PackedLevel> levels) { uploadedBytes_ += fur_.setFin(type, levels); }
   // `densities`, one a type: the share of its densest layer that strands cover; 0: it is bald.
   void showFur(std::span<const float> densities) { fur_.show(densities); }
+  // That of another renderer in the same context.
+  void showFur(std::shared_ptr<FurTextures::Coat> coat) { fur_.show(std::move(coat)); }
+  const std::shared_ptr<FurTextures::Coat>& shownFur() const { return fur_.shown(); }
 
   // See SurfaceMaps.
   void setTypePictures(std::span<const SurfaceMaps::Picture> pictures) { uploadedBytes_ += maps_.setTypePictures(pictures); }
@@ -103,8 +108,10 @@ class Renderer {
   FurShadow::Key furShadowKey(const Frame& frame) const;
   void uploadBlocks(const Frame& frame, const FurShadow::Key& shadow);
 
+  Programs& programs() const { return shared_->programs; }
+
+  std::shared_ptr<ContextObjects> shared_;
   // What passes share.
-  Programs programs_;
   gl::Buffer frameBlock_;
   SurfaceBuffers surface_;
   SurfaceMaps maps_;

@@ -67,12 +67,6 @@ std::string_view optionName(const FieldRow& field, int index) {
   }
 }
 
-double greatestOption(const char* options) {
-  int last = 0;
-  for (const char* c = options; *c; ++c) last += *c == '|';
-  return last;
-}
-
 double soundValue(const FieldRow& field, double value, Warnings& warnings) {
   const double given = value;
   if (std::isnan(value)) value = field.standard;

@@ -72,6 +72,10 @@ template <class Values>
 std::string fieldJson(const std::type_identity_t<Values>& values, const FieldOf<Values>& field) { return valueJson(field, field.get(values)); }
 
 // The last of a choice's options is its greatest value.
-double greatestOption(const char* options);
+constexpr double greatestOption(const char* options) {
+  int last = 0;
+  for (const char* c = options; *c; ++c) last += *c == '|';
+  return last;
+}
 
 }  // namespace fur::settings

@@ -7,7 +7,7 @@
 namespace fur::settings {
 
 const std::array<Field, kFieldCount>& fields() {
-  static const std::array<Field, kFieldCount> table = {{
+  static constexpr std::array<Field, kFieldCount> table = {{
 #define FUR_FIELDS "settings/Fields.inc"
 #define FUR_VALUES Values
 #include "settings/fields/Rows.inc"

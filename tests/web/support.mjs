@@ -171,8 +171,8 @@ export function startBrowser({ headers = {}, subfolder = false, rasteriser = 'me
 
 /**
  * For `scripts`: notes every context that elements make, and what is in it. `contextsAlive()` and `contextsOf()` count
- * those that are left and all; `contextsHeld()` what they and their JavaScript objects hold; `programMemory()` the bytes of
- * the programs; `newestContext()` is the last that was made.
+ * those that are left and all, `contextsNow()` gives the former; `contextsHeld()` what they and their JavaScript objects hold;
+ * `programMemory()` the bytes of the programs; `newestContext()` is the last that was made.
  */
 export function recordContexts() {
   const made = [];
@@ -182,11 +182,15 @@ export function recordContexts() {
   OffscreenCanvas.prototype.getContext = function getContext(type, ...rest) {
     const gl = original.call(this, type, ...rest);
     if (type !== 'webgl2' || !gl || rest.length === 0) return gl;
-    const entry = { gl: new WeakRef(gl), objects: 0 };
+    const entry = { gl: new WeakRef(gl), objects: 0, programs: 0 };
     made.push(entry);
     for (const kind of kinds) {
       const [create, remove] = [gl[`create${kind}`], gl[`delete${kind}`]];
-      gl[`create${kind}`] = (...given) => { entry.objects++; return create.apply(gl, given); };
+      gl[`create${kind}`] = (...given) => {
+        entry.objects++;
+        if (kind === 'Program') entry.programs++;
+        return create.apply(gl, given);
+      };
       gl[`delete${kind}`] = (object) => { if (object) entry.objects--; remove.call(gl, object); };
     }
     return gl;
@@ -201,9 +205,10 @@ export function recordContexts() {
   window.contextsOf = () => made.length;
   window.contextsAlive = () => living().length;
   window.newestContext = () => made.at(-1).gl.deref();
+  window.contextsNow = () => living().map(({ gl }) => gl.deref());
   window.programMemory = () => memories.reduce((sum, memory) => sum + (memory?.buffer.byteLength ?? 0), 0);
   window.contextsHeld = () => ({
-    made: made.length, alive: living().length, reachable: made.filter(({ gl }) => gl.deref()).length,
+    made: made.length, programs: made.reduce((sum, { programs }) => sum + programs, 0), alive: living().length, reachable: made.filter(({ gl }) => gl.deref()).length,
     objects: living().reduce((sum, { objects }) => sum + objects, 0),
     leftInDead: made.filter((entry) => !living().includes(entry)).reduce((sum, { objects }) => sum + objects, 0),
   });

@@ -6,7 +6,7 @@ export type * from './tables.js';
 /** Why something failed; `message` names the thing and the limit. */
 export type FurErrorCode =
   | 'webgl-unavailable' | 'wasm-blocked' | 'wasm-load' | 'out-of-memory'
-  | 'bad-file' | 'too-large' | 'unsupported-version' | 'network';
+  | 'bad-file' | 'too-large' | 'unsupported-version' | 'network' | 'program-failed';
 
 export class FurError extends Error {
   readonly name: 'FurError';
@@ -308,8 +308,11 @@ export function createWetFur(canvas: HTMLCanvasElement, options?: WetFurOptions)
 /** Fetches and compiles the program before it is needed. */
 export function preload(onBytes?: (loaded: number, total: number) => void): Promise<void>;
 
-/** Where the files lie when they are not beside the scripts; `coreWasmUrl` is what wet-fur/core loads. */
-export function configure(places: { wasmUrl?: string | URL; hairWasmUrl?: string | URL; editorWasmUrl?: string | URL; coreWasmUrl?: string | URL; modelsUrl?: string | URL }): void;
+/**
+ * Where the files lie when they are not beside the scripts; `coreWasmUrl` is what wet-fur/core loads. `gpuBudget`: bytes on the
+ * graphics processor beyond which figures out of view give theirs back, by default 256 MB.
+ */
+export function configure(places: { gpuBudget?: number; wasmUrl?: string | URL; hairWasmUrl?: string | URL; editorWasmUrl?: string | URL; coreWasmUrl?: string | URL; modelsUrl?: string | URL }): void;
 
 /** Whether this browser can draw it; false outside a browser. */
 export function isSupported(): boolean;

@@ -19,19 +19,20 @@ bool CoatStage::asksForAnother(const Inputs& inputs) const {
 }
 
 void CoatStage::begin(const Inputs& inputs, Warnings& warnings) {
-  if (!shown_) inputs.receiver->prepare();
   CoatParameters wanted = coatParameters(inputs.settings, inputs.types, &warnings);
   givenFor_ = inputs.given;
   grownFor_ = wanted;
   types_ = inputs.types;
   seconds_ = 0;
   changed_ = false;
+  growth_.reset();
+  if (auto had = inputs.receiver->showShared(grownFor_, givenFor_)) return take(std::move(had));
+  if (!shown_) inputs.receiver->prepare();
   growth_.emplace(std::move(wanted), inputs.given);
 }
 
-void CoatStage::take() {
-  coat_ = growth_->take();
-  weights_ = growth_->weights();
+void CoatStage::take(std::shared_ptr<const WholeCoat> coat) {
+  coat_ = std::move(coat);
   growth_.reset();
   seconds_ = 0;
   shown_ = true;
@@ -43,10 +44,16 @@ bool CoatStage::update(const Inputs& inputs, Warnings& warnings) {
   if (!inputs.receiver) return false;
   const std::uint64_t before = revision_;
   const double begun = secondsNow();
+  // Another may have been faster.
+  if (growth_)
+    if (auto had = inputs.receiver->showShared(grownFor_, givenFor_)) take(std::move(had));
   do {
     if ((!growth_ || seconds_ + secondsNow() - begun > kPatience) && asksForAnother(inputs)) begin(inputs, warnings);
     if (!growth_) break;
-    if (growth_->step(*inputs.receiver)) take();
+    if (!growth_->step(*inputs.receiver)) continue;
+    const auto whole = std::make_shared<const WholeCoat>(WholeCoat{grownFor_, givenFor_, growth_->take(), growth_->weights()});
+    inputs.receiver->share(whole);
+    take(whole);
   } while (secondsNow() - begun < inputs.budget);
   if (growth_) seconds_ += secondsNow() - begun;
   return revision_ != before;
@@ -58,7 +65,7 @@ void CoatStage::dropUnlessFor(const Inputs& inputs) {
 
 std::array<float, settings::kFurTypes> CoatStage::weights() const {
   std::array<float, settings::kFurTypes> weights{};
-  std::copy(weights_.begin(), weights_.end(), weights.begin());
+  std::copy(coat_->weights.begin(), coat_->weights.end(), weights.begin());
   return weights;
 }
 

@@ -58,6 +58,15 @@ class DrawnCoat {
   std::vector<float> coverage_;
 };
 
+// A coat that is whole, as all share it who are to show the same.
+struct WholeCoat {
+  CoatParameters types;
+  GivenCoats given;
+  DrawnCoat first;             // of type 1
+  std::vector<float> weights;  // one a type, as FurVolume has it
+  bool isFor(const CoatParameters& otherTypes, const GivenCoats& otherGiven) const { return types == otherTypes && given == otherGiven; }
+};
+
 // Takes the layers of a coat as they come: begin(), each layer and the fin map with their mipmaps in any order, show().
 // Another begin() drops what came since the last show().
 class CoatReceiver {
@@ -69,6 +78,9 @@ class CoatReceiver {
   virtual void setFin(int type, std::span<const furgen::PackedLevel> levels) = 0;
   // `densities`, one a type: the share of its densest layer that strands cover; 0: it is bald.
   virtual void show(std::span<const float> densities) = 0;
+  // What has been shown, for others; and what others have so, if they have it: then it is shown.
+  virtual void share(const std::shared_ptr<const WholeCoat>& /*coat*/) {}
+  virtual std::shared_ptr<const WholeCoat> showShared(const CoatParameters& /*types*/, const GivenCoats& /*given*/) { return nullptr; }
 
  protected:
   ~CoatReceiver() = default;
@@ -134,7 +146,7 @@ class CoatStage {
   bool growing() const { return growth_.has_value(); }
   // 0..1: how far the coat is that the inputs ask for; 1: it is shown.
   float progress(const Inputs& inputs) const;
-  const DrawnCoat& coat() const { return coat_; }  // that is shown
+  const DrawnCoat& coat() const { return coat_->first; }  // that is shown
   unsigned shownTypes() const { return shownTypes_; }
   // One a type.
   std::array<float, settings::kFurTypes> weights() const;
@@ -142,10 +154,9 @@ class CoatStage {
  private:
   bool asksForAnother(const Inputs& inputs) const;
   void begin(const Inputs& inputs, Warnings& warnings);
-  void take();
+  void take(std::shared_ptr<const WholeCoat> coat);
 
-  DrawnCoat coat_;
-  std::vector<float> weights_;
+  std::shared_ptr<const WholeCoat> coat_ = std::make_shared<WholeCoat>();
   std::optional<CoatGrowth> growth_;
   // What `growth_` or, without it, the coat that is shown was grown for.
   CoatParameters grownFor_;

@@ -63,17 +63,15 @@ std::pair<Vec3, Vec3> axesOn(const Vec3& normal) {
   return {side, glm::cross(normal, side)};
 }
 
-void ShapeStage::setModel(geometry::Mesh mesh, geometry::Surface surface, scene::Rig rig, std::vector<std::uint8_t> materialOf) {
+void ShapeStage::setModel(geometry::Mesh mesh, ShownSurface surface, scene::Rig rig, std::vector<std::uint8_t> materialOf) {
   mesh_ = std::move(mesh);
   ofMesh_ = std::move(materialOf);
   rig_ = std::move(rig);
   setSurface(std::move(surface));
 }
 
-void ShapeStage::setSurface(geometry::Surface surface) {
-  surface_ = std::move(surface);
-  query_.reset();
-  points_.reset();
+void ShapeStage::setSurface(ShownSurface surface) {
+  shown_ = std::move(surface);
   ++surfaceRevision_;
   spreadMaterials();
   bindRig();
@@ -86,22 +84,12 @@ void ShapeStage::spreadMaterials() {
   materialOf_.clear();
   if (ofMesh_.empty()) return;
   std::vector<std::uint8_t> all = ofMesh_;
-  for (const geometry::InsertedVertex& vertex : surface_.inserted) all.push_back(all[vertex.a]);
-  for (const geometry::SurfaceVertex& vertex : surface_.vertices) materialOf_.push_back(all[vertex.source]);
+  for (const geometry::InsertedVertex& vertex : surface().inserted) all.push_back(all[vertex.a]);
+  for (const geometry::SurfaceVertex& vertex : surface().vertices) materialOf_.push_back(all[vertex.source]);
 }
 
 int ShapeStage::animationOf(int setting) const {
   return setting <= static_cast<int>(rig_.animations.size()) ? setting - 1 : -1;
-}
-
-const geometry::SurfaceQuery& ShapeStage::query() const {
-  if (!query_) query_.emplace(surface_);
-  return *query_;
-}
-
-const groom::SurfacePoints& ShapeStage::points() const {
-  if (!points_) points_.emplace(surface_);
-  return *points_;
 }
 
 // The rig as it stands by itself; the surface is new.
@@ -117,28 +105,28 @@ void ShapeStage::bindRig() {
   lastSeconds_ = 0;
   if (!rig_.moves()) return;
   pose_.emplace(rig_);
-  for (const geometry::SurfaceVertex& v : surface_.vertices) sources_.push_back(v.source);
+  for (const geometry::SurfaceVertex& v : surface().vertices) sources_.push_back(v.source);
   readSkin();
   std::vector<Vec3> positions, normals;
-  for (const geometry::SurfaceVertex& v : surface_.vertices) positions.push_back(v.position), normals.push_back(v.normal);
+  for (const geometry::SurfaceVertex& v : surface().vertices) positions.push_back(v.position), normals.push_back(v.normal);
   const geometry::Weld places = geometry::weldPositions(positions), ways = geometry::weldPositions(normals);
   Numbering points;
   // What the importer has computed in double precision.
-  for (std::size_t i = 0; i < surface_.vertices.size(); ++i) {
+  for (std::size_t i = 0; i < surface().vertices.size(); ++i) {
     const Mat3 frame = frameOf(skin_.normals[i], skin_.tangents[i]);
     skin_.positions[i] = positions[i];
     const Vec3 n = skin_.normals[i] = normals[i];
     skin_.tangents[i] = normalizeOr(skin_.tangents[i] - n * glm::dot(n, skin_.tangents[i]), Vec3(1, 0, 0));
-    if (surface_.turned)
+    if (surface().turned)
       leans_.push_back({n * frame, skin_.tangents[i] * frame, points.of(std::uint64_t{places.idOf[i]} << 32 | ways.idOf[i])});
   }
   firstTangents_ = skin_.tangents;
 }
 
 void ShapeStage::readSkin() {
-  spread(surface_, sources_, pose_->positions(), skin_.positions);
-  spread(surface_, sources_, pose_->normals(), skin_.normals);
-  spread(surface_, sources_, pose_->tangents(), skin_.tangents);
+  spread(surface(), sources_, pose_->positions(), skin_.positions);
+  spread(surface(), sources_, pose_->normals(), skin_.normals);
+  spread(surface(), sources_, pose_->tangents(), skin_.tangents);
   if (!leans_.empty()) leanOverEdges();
 }
 
@@ -160,7 +148,7 @@ void ShapeStage::measure(std::span<const int> animations) {
   measuredFor_.assign(animations.begin(), animations.end());
   extent_ = {};
   groundHeight_ = top_ = 0;
-  for (const geometry::SurfaceVertex& v : surface_.vertices) groundHeight_ = std::min(groundHeight_, v.position.y), top_ = std::max(top_, v.position.y);
+  for (const geometry::SurfaceVertex& v : surface().vertices) groundHeight_ = std::min(groundHeight_, v.position.y), top_ = std::max(top_, v.position.y);
   for (const int animation : animations) {
     const Reach& reach = reachOf(animation);
     if (animations.size() == 1) extent_ = reach.extent;
@@ -227,25 +215,25 @@ const geometry::SurfaceQuery& ShapeStage::shownQuery() const {
   if (!pose_) return query();
   if (noteChange(posedQueryFor_, revision())) {
     if (noteChange(posedQueryOf_, surfaceRevision_)) posedQuery_ = query();
-    posedQuery_.follow(surface_, skin_.positions);
+    posedQuery_.follow(surface(), skin_.positions);
   }
   return posedQuery_;
 }
 
 Vec3 ShapeStage::shownPosition(const geometry::SurfacePoint& at) const {
-  return pose_ ? valueAt(surface_, at, skin_.positions) : positionAt(surface_, at);
+  return pose_ ? valueAt(surface(), at, skin_.positions) : positionAt(surface(), at);
 }
 
 Vec3 ShapeStage::shownNormal(const geometry::SurfacePoint& at) const {
-  if (!pose_) return normalAt(surface_, at);
-  return normalizeOr(valueAt(surface_, at, skin_.normals), skin_.normals[surface_.indices[3 * std::size_t{at.triangle}]]);
+  if (!pose_) return normalAt(surface(), at);
+  return normalizeOr(valueAt(surface(), at, skin_.normals), skin_.normals[surface().indices[3 * std::size_t{at.triangle}]]);
 }
 
 std::optional<geometry::SurfacePoint> ShapeStage::nearest(const Vec3& place) const {
   // Either side will do: the point is on the surface, or nearly.
   for (const float radius : {0.01f, 0.1f, 4.0f})
     for (const Vec3& side : {Vec3(0, 1, 0), Vec3(0, -1, 0), Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)})
-      if (const auto at = nearestPoint(surface_, query(), place, radius, side)) return at;
+      if (const auto at = nearestPoint(surface(), query(), place, radius, side)) return at;
   return std::nullopt;
 }
 

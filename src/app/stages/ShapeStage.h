@@ -6,9 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/Surface.h"
-#include "geometry/SurfaceQuery.h"
-#include "groom/Groom.h"
+#include "app/stages/ShownSurface.h"
 #include "scene/Pose.h"
 
 namespace fur::app {
@@ -39,9 +37,9 @@ class ShapeStage {
   };
 
   // Another model; the rig may have no animations. `materialOf`: one a vertex of the mesh; empty: there is one.
-  void setModel(geometry::Mesh mesh, geometry::Surface surface, scene::Rig rig, std::vector<std::uint8_t> materialOf = {});
+  void setModel(geometry::Mesh mesh, ShownSurface surface, scene::Rig rig, std::vector<std::uint8_t> materialOf = {});
   // The same mesh with other fur coordinates.
-  void setSurface(geometry::Surface surface);
+  void setSurface(ShownSurface surface);
   // Plays the animation. Whether the shape has changed.
   bool update(const Inputs& inputs);
   bool active(const Inputs& inputs) const { return inputs.mix ? inputs.mixRevision != mixShown_ : inputs.animation >= 0 && inputs.speed > 0; }
@@ -53,17 +51,16 @@ class ShapeStage {
   std::uint64_t poseRevision() const { return poseRevision_; }
 
   const geometry::Mesh& mesh() const { return mesh_; }
-  const geometry::Surface& surface() const { return surface_; }
+  const geometry::Surface& surface() const { return *shown_; }
   const scene::Rig& rig() const { return rig_; }
   // The material of each vertex of the surface; empty: there is one.
   const std::vector<std::uint8_t>& materialOf() const { return materialOf_; }
-  std::size_t materialAt(std::uint32_t triangle) const { return materialOf_.empty() ? 0 : materialOf_[surface_.indices[std::size_t{3} * triangle]]; }
+  std::size_t materialAt(std::uint32_t triangle) const { return materialOf_.empty() ? 0 : materialOf_[surface().indices[std::size_t{3} * triangle]]; }
   const Extent& extent() const { return extent_; }
   float groundHeight() const { return groundHeight_; }  // of the floor below all that it plays, y
   float top() const { return top_; }                    // the highest that it comes there
-  const geometry::SurfaceQuery& query() const;  // of the surface as it was made
-  // Positions of the surface without duplicates; made when first asked for.
-  const groom::SurfacePoints& points() const;
+  const geometry::SurfaceQuery& query() const { return shown_.query(); }
+  const groom::SurfacePoints& points() const { return shown_.points(); }
 
   // nullptr for a model without animations: it is shown as it was made.
   const Skin* skin() const { return pose_ ? &skin_ : nullptr; }
@@ -105,10 +102,8 @@ class ShapeStage {
   void spreadMaterials();
 
   geometry::Mesh mesh_;
-  geometry::Surface surface_;
-  mutable std::optional<geometry::SurfaceQuery> query_;
+  ShownSurface shown_;
   std::vector<std::uint8_t> ofMesh_, materialOf_;  // materials
-  mutable std::optional<groom::SurfacePoints> points_;
   scene::Rig rig_;
   std::optional<scene::Pose> pose_;
   Skin skin_;

@@ -14,7 +14,7 @@ namespace fur::app {
 namespace {
 
 // Keeps what a coat sends, as a renderer would.
-struct Layers final : CoatReceiver {
+struct Layers : CoatReceiver {
   void prepare() override { ++prepared; }
   void begin(int, int layers, int, int types) override { expected = layers * types, received = 0; }
   void setLayer(int, int, std::span<const furgen::PackedLevel>) override { ++received; }
@@ -132,6 +132,60 @@ TEST(CoatStage, SendsAllAgainToAReceiverThatHasForgotten) {
   EXPECT_TRUE(model.coat.update(model.coatInputs(), model.warnings));
   EXPECT_EQ(model.layers.prepared, 2);
   EXPECT_EQ(model.layers.received, 8);
+}
+
+TEST(CoatStage, ShowsWhatOthersHaveGrownForTheSame) {
+  struct Shelf final : Layers {
+    void share(const std::shared_ptr<const WholeCoat>& coat) override { coats.push_back(coat); }
+    std::shared_ptr<const WholeCoat> showShared(const CoatParameters& types, const GivenCoats& given) override {
+      for (const auto& coat : coats)
+        if (coat->isFor(types, given)) return coat;
+      return nullptr;
+    }
+    std::vector<std::shared_ptr<const WholeCoat>> coats;
+  } shelf;
+  const auto inputsOf = [&](Model& model, double budget) {
+    CoatStage::Inputs inputs = model.coatInputs();
+    inputs.receiver = &shelf;
+    inputs.budget = budget;
+    return inputs;
+  };
+  Model first, second, other;
+  first.coat.update(inputsOf(first, 1e9), first.warnings);
+  EXPECT_EQ(shelf.shown, 1);
+  EXPECT_TRUE(second.coat.update(inputsOf(second, 0), second.warnings));
+  EXPECT_EQ(shelf.shown, 1);
+  EXPECT_TRUE(second.coat.shown());
+  EXPECT_EQ(&second.coat.coat(), &first.coat.coat());
+  EXPECT_EQ(second.coat.weights(), first.coat.weights());
+  other.settings.curl += 0.3f;
+  EXPECT_FALSE(other.coat.update(inputsOf(other, 0), other.warnings));
+  // One that is on its way gives way to one that comes sooner.
+  first.settings.curl += 0.3f;
+  first.coat.update(inputsOf(first, 1e9), first.warnings);
+  EXPECT_TRUE(other.coat.update(inputsOf(other, 0), other.warnings));
+  EXPECT_EQ(&other.coat.coat(), &first.coat.coat());
+}
+
+TEST(ModelShelf, HasASurfaceOnceForAsLongAsItIsShown) {
+  ModelShelf shelf;
+  const geometry::Mesh sphere = geometry::makeSphere(), torus = geometry::makeTorus();
+  const auto surface = [&](const geometry::Mesh& mesh, geometry::FurMapping mapping = geometry::FurMapping::Charts) {
+    return *shelf.surfaceOf(mesh, mapping);
+  };
+  std::optional<ShownSurface> first = surface(sphere);
+  EXPECT_EQ(&**first, &*surface(sphere));
+  EXPECT_EQ(&first->query(), &surface(sphere).query());
+  EXPECT_NE(&**first, &*surface(torus));
+  EXPECT_NE(&**first, &*surface(sphere, geometry::FurMapping::Cube));
+  geometry::Mesh moved = sphere;
+  moved.positions[0] *= 0.99f;
+  EXPECT_NE(&**first, &*surface(moved));
+  EXPECT_FALSE(shelf.surfaceOf({}, geometry::FurMapping::Charts));
+
+  const Pixels pixels = shelf.pixels({1, 2, 3, 4});
+  EXPECT_EQ(shelf.pixels({1, 2, 3, 4}), pixels);
+  EXPECT_NE(shelf.pixels({1, 2, 3, 5}), pixels);
 }
 
 TEST(GroomStage, TellsWhatAStrokeChangedAndUndoesIt) {

@@ -1,0 +1,64 @@
+#include "app/stages/ShownSurface.h"
+
+#include <utility>
+
+#include "core/Fnv1a.h"
+
+namespace fur::app {
+
+namespace {
+
+void add(Fnv1a& hash, const void* data, std::size_t bytes) {
+  hash.add(bytes);
+  hash.addBytes(data, bytes);
+}
+
+std::uint64_t hashOf(const geometry::Mesh& mesh, geometry::FurMapping mapping) {
+  Fnv1a hash;
+  const auto addAll = [&](const auto& values) { add(hash, values.data(), values.size() * sizeof values[0]); };
+  hash.add(mapping);
+  hash.add(mesh.layout.chartCount);
+  addAll(mesh.positions), addAll(mesh.normals), addAll(mesh.uv), addAll(mesh.otherUv), addAll(mesh.atlas), addAll(mesh.furUv);
+  addAll(mesh.indices), addAll(mesh.layout.chartOf), addAll(mesh.layout.corners);
+  return hash.value();
+}
+
+}  // namespace
+
+// It is not going to grow.
+ShownSurface::ShownSurface(geometry::Surface surface) : parts_(std::make_shared<Parts>(Parts{std::move(surface)})) {
+  parts_->surface.vertices.shrink_to_fit();
+}
+
+const geometry::SurfaceQuery& ShownSurface::query() const {
+  if (!parts_->query) parts_->query.emplace(parts_->surface);
+  return *parts_->query;
+}
+
+const groom::SurfacePoints& ShownSurface::points() const {
+  if (!parts_->points) parts_->points.emplace(parts_->surface);
+  return *parts_->points;
+}
+
+Result<ShownSurface> ModelShelf::surfaceOf(const geometry::Mesh& mesh, geometry::FurMapping mapping) {
+  const std::uint64_t number = hashOf(mesh, mapping);
+  if (auto had = surfaces_.find(number)) return ShownSurface(std::static_pointer_cast<ShownSurface::Parts>(std::move(had)));
+  auto built = geometry::buildSurface(mesh, mapping);
+  if (!built) return built.error();
+  ShownSurface surface(std::move(*built));
+  surfaces_.add(number, surface.parts_);
+  return surface;
+}
+
+Pixels ModelShelf::pixels(std::vector<std::uint8_t> pixels) {
+  // Of some thousands of them: those that are found are compared.
+  Fnv1a hash;
+  hash.add(pixels.size());
+  for (std::size_t i = 0; i < pixels.size(); i += 1 + pixels.size() / 4096) hash.add(pixels[i]);
+  if (auto had = std::static_pointer_cast<std::vector<std::uint8_t>>(pixels_.find(hash.value())); had && *had == pixels) return had;
+  auto own = std::make_shared<std::vector<std::uint8_t>>(std::move(pixels));
+  pixels_.add(hash.value(), own);
+  return own;
+}
+
+}  // namespace fur::app

@@ -1,0 +1,53 @@
+// A surface as all share it who show the same model: it takes more memory, and longer to make, than anything else of a model.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/Result.h"
+#include "core/SharedThings.h"
+#include "geometry/Surface.h"
+#include "geometry/SurfaceQuery.h"
+#include "groom/Groom.h"
+
+namespace fur::app {
+
+class ShownSurface {
+ public:
+  ShownSurface(geometry::Surface surface = {});
+
+  const geometry::Surface& operator*() const { return parts_->surface; }
+  const geometry::Surface* operator->() const { return &parts_->surface; }
+  // Both made when first asked for: of the surface as it was made, and its positions without duplicates.
+  const geometry::SurfaceQuery& query() const;
+  const groom::SurfacePoints& points() const;
+
+ private:
+  friend class ModelShelf;
+  struct Parts {
+    geometry::Surface surface;
+    std::optional<geometry::SurfaceQuery> query{};
+    std::optional<groom::SurfacePoints> points{};
+  };
+  explicit ShownSurface(std::shared_ptr<Parts> parts) : parts_(std::move(parts)) {}
+
+  std::shared_ptr<Parts> parts_;
+};
+
+using Pixels = std::shared_ptr<std::vector<std::uint8_t>>;  // never changed
+
+// What models are made of that are shown in one program, as long as any of them is.
+class ModelShelf {
+ public:
+  // As geometry::buildSurface(), unless there is one of such a mesh.
+  Result<ShownSurface> surfaceOf(const geometry::Mesh& mesh, geometry::FurMapping mapping);
+  // The same pixels where another model has them already.
+  Pixels pixels(std::vector<std::uint8_t> pixels);
+
+ private:
+  SharedThings surfaces_, pixels_;
+};
+
+}  // namespace fur::app

@@ -1,0 +1,84 @@
+// Figures of a page share its frames: none waits for ever, the one that a person turns to comes first.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+const frames = [];
+let clock = 0;
+globalThis.requestAnimationFrame = (work) => frames.push(work);
+globalThis.cancelAnimationFrame = () => { frames.length = 0; };
+Object.assign(globalThis, { innerWidth: 400, innerHeight: 300 });
+performance.now = () => clock;
+
+const { askFrame, asksFrame, cancelFrame, turnToLoad } = await import('../../web/schedule.js');
+
+/** A canvas so far down the page that a pointer may be over. */
+const canvasAt = (top, hovered = false) => ({ matches: () => hovered, getBoundingClientRect: () => ({ top, bottom: top + 100, left: 0, right: 100 }) });
+/** Figures that go on for ever, each frame taking so many milliseconds; `log`: whose frames come. */
+function figures(names, milliseconds, hovered) {
+  const log = [];
+  const all = names.map((name) => {
+    const one = { canvas: canvasAt(0, name === hovered), work: () => {
+      clock += milliseconds;
+      log.push(name);
+      askFrame(one);
+    } };
+    return one;
+  });
+  all.forEach(askFrame);
+  return { all, log, stop: () => all.forEach(cancelFrame) };
+}
+const pass = (count) => { for (let i = 0; i < count; i++) frames.splice(0).forEach((work) => work(clock)); };
+
+test('figures that fit into a frame all have it, and only one frame is asked for', () => {
+  const { log, stop } = figures(['a', 'b', 'c'], 1);
+  assert.equal(frames.length, 1);
+  pass(2);
+  assert.deepEqual(log, ['a', 'b', 'c', 'a', 'b', 'c']);
+  stop();
+  assert.equal(frames.length, 0);
+});
+
+test('where they do not fit each has its turn, as often as the others', () => {
+  const { log, stop } = figures(['a', 'b', 'c', 'd', 'e'], 8);
+  pass(10);
+  const counts = ['a', 'b', 'c', 'd', 'e'].map((name) => log.filter((one) => one === name).length);
+  assert.deepEqual(counts, [4, 4, 4, 4, 4]);
+  stop();
+});
+
+test('the one under the pointer has every frame, first, and the others share the rest', () => {
+  const { log, stop } = figures(['a', 'b', 'c'], 8, 'c');
+  pass(4);
+  assert.deepEqual(log, ['c', 'a', 'c', 'b', 'c', 'a', 'c', 'b']);
+  stop();
+});
+
+test('one alone has every frame, however long it takes; one that is withdrawn has none', () => {
+  const { all: [one], log, stop } = figures(['a'], 100);
+  pass(3);
+  assert.equal(log.length, 3);
+  assert.ok(asksFrame(one));
+  stop();
+  pass(1);
+  assert.equal(log.length, 3);
+  assert.ok(!asksFrame(one));
+});
+
+test('figures are loaded one after another: first the one under the pointer, then what the window shows, then the others as they came', async () => {
+  const order = [], over = await turnToLoad(canvasAt(0));
+  const places = { far: canvasAt(2000), farther: canvasAt(3000), shown: canvasAt(150), pointed: canvasAt(5000, true) };
+  const waiting = Object.entries(places).map(async ([name, canvas]) => {
+    const done = await turnToLoad(canvas);
+    order.push(name);
+    await null;
+    assert.equal(order.at(-1), name);
+    done();
+    done();
+  });
+  await null;
+  assert.deepEqual(order, []);
+  over();
+  await Promise.all(waiting);
+  assert.deepEqual(order, ['pointed', 'shown', 'far', 'farther']);
+  (await turnToLoad(canvasAt(0)))();
+});
