@@ -116,6 +116,7 @@ const errorTexts = {
   'wasm-blocked': ['WebAssembly is missing or switched off, or the page’s policy forbids it.', 'Allow `\'wasm-unsafe-eval\'` in `script-src`.'],
   'wasm-load': ['The program could not be fetched or compiled, often because the server answers with a page instead of it.', 'See whether `wet-fur.wasm` lies beside the scripts; `configure({ wasmUrl })` says where it is if not. `reload()` tries again.'],
   'out-of-memory': ['There is no memory for the model, its textures or a picture of that size.', 'Fewer `layers`, a smaller `tileSize`, a smaller picture.'],
+  'program-failed': ['The program stopped at a fault of its own. The other figures went on in a fresh one; this one made that fail as well.', '`reload()` tries once more. A model or file that does it again is worth a report.'],
   'bad-file': ['The bytes are not what they claim to be. The message names the place.', 'Open the file in another program, or with the Khronos validator, and save it anew.'],
   'too-large': ['The file is sound but over a limit, which the message names.', 'Fewer triangles, smaller pictures.'],
   'unsupported-version': ['The file is of a newer version of `WETFUR_fur`, or requires a glTF extension that is not read.', 'Use a newer wet-fur, or save the model without that extension.'],
