@@ -3,7 +3,6 @@
 import { existsSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { buildNative, buildSite } from './build.mjs';
-import { buildDocs } from './docs/build.mjs';
 import { drawn, drawPictures, outdated, pictures } from './docs/pictures.mjs';
 import { command, say } from './process.mjs';
 import { needs, setUp } from './setup.mjs';
@@ -11,6 +10,7 @@ import { dist } from './site.mjs';
 
 /** @param {() => Promise<string>} renderer gives the program that draws */
 export async function makeDocs(renderer, { all = false } = {}) {
+  const { buildDocs } = await import('./docs/build.mjs');  // not at the top: its packages may have to be installed first
   if (all) for (const used of [join(pictures, 'inputs.json'), drawn]) rmSync(used, { recursive: true, force: true });
   const wanted = await buildDocs(dist);
   const due = outdated(wanted);

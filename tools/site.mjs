@@ -2,8 +2,6 @@
 import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import { extname, join } from 'node:path';
 import { buildFolder } from './cmake.mjs';
-import { buildDocs } from './docs/build.mjs';
-import { attributesText, elementsOf, manifestOf } from './elements.mjs';
 import { notices } from './notices.mjs';
 import { Stop, root } from './process.mjs';
 import { scenes } from '../assets/scenes/scenes.mjs';
@@ -99,6 +97,8 @@ async function minifyScripts(folder) {
 
 /** Puts dist/ together anew; the old one stays until the new one is whole. */
 export async function assemble() {
+  // Not at the top: commands that install their packages import this file first.
+  const { buildDocs } = await import('./docs/build.mjs'), { attributesText, elementsOf, manifestOf } = await import('./elements.mjs');
   const next = join(root, 'build/dist.part');
   rmSync(next, { recursive: true, force: true });
   mkdirSync(next, { recursive: true });
