@@ -98,7 +98,7 @@ async function minifyScripts(folder) {
 /** Puts dist/ together anew; the old one stays until the new one is whole. */
 export async function assemble() {
   // Not at the top: commands that install their packages import this file first.
-  const { buildDocs } = await import('./docs/build.mjs'), { attributesText, elementsOf, manifestOf } = await import('./elements.mjs');
+  const { attributesText, elementsOf, manifestOf } = await import('./elements.mjs');
   const next = join(root, 'build/dist.part');
   rmSync(next, { recursive: true, force: true });
   mkdirSync(next, { recursive: true });
@@ -122,6 +122,7 @@ export async function assemble() {
   for (const name of ['LICENSE', 'README.md', 'CHANGELOG.md']) cpSync(join(root, name), join(next, name));
   writeFileSync(join(next, 'THIRD-PARTY-NOTICES.txt'), notices());
   writeFileSync(join(next, 'package.json'), `${JSON.stringify(manifest(), null, 2)}\n`);
+  const { buildDocs } = await import('./docs/build.mjs');  // it needs the tables, too
   await buildDocs(next);
   const missing = missingFiles(next);
   if (missing.length > 0) throw new Stop(`dist/ would lack ${missing.join(', ')}`);

@@ -20,8 +20,8 @@ const sceneOf = (link) => {
 };
 /** Whether it does, read or refused. */
 export const asksForScene = (link) => sceneOf(link) !== '' || link.warnings.length > 0;
-/** An address that says how the scene looks but not of which model is from before there was another than the bunny. */
-export const modelOf = (link) => link.src ?? (sceneOf(link) ? plainModel : firstModel);
+/** An address that says how the scene looks but not of which model is from before there was another than the bunny; none of those knew `behaviour`. */
+export const modelOf = (link) => link.src ?? (sceneOf(link) && !link.settings.some(([key]) => key === 'behaviour') ? plainModel : firstModel);
 const withoutScene = (link) => ({ ...link, ...Object.fromEntries(sceneKeys.map((key) => [key, undefined])), settings: [] });
 /** Not where a picture is to come out the same at every visit, nor inside another page. */
 const keepsWork = (link) => link.autoplay !== false && link.frames === undefined && !link.dt && link.ui !== false;

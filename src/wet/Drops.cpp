@@ -17,6 +17,7 @@ constexpr float kRate = Water::kStep;
 // Depth of what soaked fur holds on a square unit, which makes amounts into sizes of drops.
 constexpr float kDepth = 0.004f;
 constexpr float kFalls = 1.6e-3f;  // amount that is too heavy to hang
+constexpr float kHangsAt = 0.45f;  // share of the fur's length: wet strands lie
 constexpr float kGravity = 9.0f, kDrag = 0.9f;  // model radii a second squared; share of its speed that air takes in one
 constexpr float kLost = 8.0f;                   // farther than that a drop is gone
 constexpr float kTakes = 1.0f;                  // amount that a square unit of ground takes up
@@ -59,6 +60,13 @@ float Water::dropRadius(float amount) {
   return amount > 0.0f ? portableExp(portableLog(amount * (kDepth * 0.75f / kPi)) / 3.0f) : 0.0f;
 }
 
+float Water::furAt(const WetSurface& skin, const SurfaceTexels::Place& place, float furLength) const {
+  if (lengths_.empty()) return furLength;
+  float share = 0;
+  for (std::size_t k = 0; k < 3; ++k) share += lengths_[skin.surface.indices[std::size_t{3} * place.triangle + k]] / 3.0f;
+  return share * furLength;
+}
+
 // Hanging drops drink the film round them until they are too heavy.
 void Water::feedHanging(const WetSurface& skin, WetnessMask& mask, const Climate& climate) {
   if (hanging_ == 0) return;
@@ -84,7 +92,7 @@ void Water::feedHanging(const WetSurface& skin, WetnessMask& mask, const Climate
       // At the tips, which a wet clump lets hang.
       const auto [root, normal] = shownAt(skin, place);
       const Vec3 out = normalizeOr(normal + 0.7f * down_, normal);
-      const Vec3 at = Vec3(climate.worldFromModel * Vec4(root + 0.6f * climate.furLength * out, 1));
+      const Vec3 at = Vec3(climate.worldFromModel * Vec4(root + kHangsAt * furAt(skin, place, climate.furLength) * out, 1));
       changed_ |= at != drop.position;
       drop.position = at;
       if (drop.water > kFalls || glm::dot(normal, down_) < 0.0f || climate.shaking > 0.0f) {

@@ -92,6 +92,8 @@ class Water {
 
   // The direction in which fur lies, one for each vertex: a vector along the skin, 0 (upright) to 1 long. Model space.
   void setLay(std::vector<Vec3> lay);
+  // How long fur is at most round each vertex, as a share of Climate::furLength; empty: all of it everywhere.
+  void setLengths(std::vector<float> lengths) { lengths_ = std::move(lengths); }
   // Advances by kStep seconds; true when anything visible has changed.
   bool step(const WetSurface& skin, WetnessMask& mask, const Climate& climate);
   // Whether step() would change anything.
@@ -153,6 +155,8 @@ class Water {
   bool storeBlock(const WetSurface& skin, WetnessMask& mask, std::uint32_t block, const Amounts& now);
   void touch(WetnessMask& mask);
   void give(std::uint32_t place, float amount);
+  // The length of the fur at a place, model units.
+  float furAt(const WetSurface& skin, const SurfaceTexels::Place& place, float furLength) const;
   void feedHanging(const WetSurface& skin, WetnessMask& mask, const Climate& climate);
   void fall(const WetSurface& skin, const Climate& climate);
   void rain(const Climate& climate);
@@ -189,6 +193,7 @@ class Water {
   std::uint32_t aim_ = 0;             // changes with gravity and lay
   Vec3 down_{0, -1, 0};  // model space
   std::vector<Vec3> lay_;
+  std::vector<float> lengths_;
   float clumpSize_ = Climate{}.clumpSize;  // of the last step
 
   std::vector<Drop> drops_;

@@ -36,12 +36,12 @@ const eyePicture = () => pictureOf(64, eyeColours(64, (x, y) => {
 }));
 
 const onEars = (p) => smooth(0.33, 0.5, p[1]) * smooth(0.34, 0.2, dot(p, front)) * smooth(0.3, 0.1, p[0]);
-/** Short on the muzzle, shorter round the eyes, none on the skin below them. */
+/** Short on the muzzle, shorter round the eyes and more so before them, none on the skin below them. */
 const lengthAt = (eyes) => ({ position: p }) => {
   const ahead = dot(p, front), head = smooth(0, 0.4, ahead) * smooth(-0.1, 0.1, p[1]) * smooth(-0.05, -0.3, p[0]);
   let share = mixed(1, mixed(0.62, 0.4, smooth(0.55, 0.76, ahead)), head);
   share = mixed(share, 0.3, onEars(p));
-  for (const { at } of eyes) share *= smooth(1.12 * radius, 3.4 * radius, far(p, at)) ** 0.8;
+  for (const { at } of eyes) share *= smooth(1.15 * radius, mixed(3.4, 5, smooth(-1, 1, dot(sub(p, at), front) / radius)) * radius, far(p, at)) ** 0.9;
   return share;
 };
 

@@ -69,6 +69,7 @@ void WaterStage::layDown(const GroomStage& groom) {
   lay.reserve(groom.rests().size());
   for (const Vec3& rest : groom.rests()) lay.push_back(rest / groom::kMaxComb);
   water_.setLay(std::move(lay));
+  water_.setLengths(groom.vertexLengths());
 }
 
 wet::Climate WaterStage::climate(const Inputs& inputs) const {
