@@ -65,13 +65,16 @@ export function lid({ at, radius, gaze, across, up }, { sign, edge, outer, colum
   return dot(made.normals[v], sub(made.positions[v], at)) > 0 ? made : withNormals({ positions, cells: cells.map((cell) => [...cell].reverse()) });
 }
 
+// What light that goes from hair to hair makes of a colour: brighter and warmer than a bare surface shows it.
+const kFurLight = [0.8, 0.7, 0.58];
+
 /**
  * The colour of a lid whose fur would have the colour `fur`, at a place as onEye() says: dark along its edges, which are so many degrees across.
  * Programs take the colour of fur as shares of light, that of bare parts as sRGB.
  */
 export function lidColour(fur, [t, f], edges) {
   const off = min(...edges.map((edge) => abs(f - edge))), dark = max(0, min(1, (9 - off) / 6)), hairs = 0.86 + 0.28 * abs(sin(1.7 * t + 0.6 * sin(0.5 * f)) * cos(0.23 * f + 0.9 * t));
-  return fur.map((x) => 0.62 * x ** 0.62 * hairs * (1 - 0.75 * dark));
+  return fur.map((x, k) => kFurLight[k] * x ** 0.62 * hairs * (1 - 0.75 * dark));
 }
 
 /** A turn by `degrees` about a unit axis, as a pose has turns. */

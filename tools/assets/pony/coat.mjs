@@ -21,7 +21,7 @@ export const settings = {
 
 // --- colour ---
 
-const red = hex('#843810'), dark = hex('#552108'), light = hex('#a9622c'), liver = hex('#341a0d'), mealy = hex('#c49a70'), white = hex('#f3ece0'), feather = hex('#8a6240'), shade = hex('#2c1a14');
+const red = hex('#843810'), dark = hex('#552108'), light = hex('#a9622c'), liver = hex('#341a0d'), mealy = hex('#c49a70'), white = hex('#fff0d6'), feather = hex('#8a6240'), shade = hex('#2c1a14');
 
 // A slow unevenness, so that no area is of one colour.
 const mottle = ([x, y, z]) => 0.5 + 0.25 * sin(1.9 * x + 1.3 * sin(1.1 * z)) * sin(1.7 * y + 0.6) + 0.25 * sin(2.3 * z + 1.2 * y + sin(2.1 * x));
