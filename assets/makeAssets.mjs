@@ -34,20 +34,22 @@ function copyAnimals(outFolder) {
 
 export function makeAssets(program, outFolder) {
   program = resolve(program);
+  outFolder = resolve(outFolder);
   mkdirSync(outFolder, { recursive: true });
   copyAnimals(outFolder);
-  makeScenes(resolve(outFolder));
+  makeScenes(outFolder);
   const scripts = (folder) => readdirSync(new URL(folder, import.meta.url)).filter((file) => file.endsWith('.mjs')).map((file) => fileURLToPath(new URL(`${folder}${file}`, import.meta.url)));
   const sources = [program, ...['./', './scenes/', '../tools/assets/'].flatMap(scripts)];
   const waiting = [{ name: 'bunny', file: bunnyFile }, { name: 'plain-bunny', shape: 'bunny' }, ...scenes.filter(({ body }) => !body)]
-    .filter(({ name }) => !isNewer(join(resolve(outFolder), `${name}.glb`), [...sources, require.resolve('bunny')]));
+    .filter(({ name }) => !isNewer(join(outFolder, `${name}.glb`), [...sources, require.resolve('bunny')]));
   if (!waiting.length) return;
   const scratch = mkdtempSync(join(tmpdir(), 'wet-fur-'));
   try {
     const command = commandOf(program);
     for (const scene of waiting) {
+      const out = join(outFolder, `${scene.name}.glb`);
       if (scene.file) {
-        writeFileSync(join(resolve(outFolder), `${scene.name}.glb`), scene.file(program, require('bunny')));
+        writeFileSync(out, scene.file(program, require('bunny')));
         continue;
       }
       const mesh = join(scratch, 'mesh'), more = join(scratch, 'more');
@@ -55,7 +57,7 @@ export function makeAssets(program, outFolder) {
       if (scene.drops) writeFileSync(more, waterBytes(scene));
       if (scene.steps) writeFileSync(more, hairText(scene));
       const options = scene.drops ? [more] : scene.steps ? ['--hair', more] : [];
-      execFileSync(command[0], [...command.slice(1), mesh, join(resolve(outFolder), `${scene.name}.glb`), ...options], { stdio: 'inherit' });
+      execFileSync(command[0], [...command.slice(1), mesh, out, ...options], { stdio: 'inherit' });
     }
   } finally {
     rmSync(scratch, { recursive: true });

@@ -3,9 +3,9 @@
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { buildNative } from './build.mjs';
-import { inline } from './photograph.mjs';
+import { webpOf, withTab } from './photograph.mjs';
 import { command, root, run, say } from './process.mjs';
-import { chromiumPath, needs, setUp } from './setup.mjs';
+import { needs, setUp } from './setup.mjs';
 
 const frames = 36, size = [480, 360], milliseconds = 110, quality = 0.6;
 
@@ -44,28 +44,19 @@ export function animated(stills, [width, height], duration) {
 export async function film(program) {
   const folder = join(root, 'build/film');
   mkdirSync(folder, { recursive: true });
-  const { chromium } = await import('playwright-core');
-  const browser = await chromium.launch({ executablePath: chromiumPath(), args: ['--no-sandbox'] });
-  try {
-    const tab = await browser.newPage(), stills = [];
+  await withTab(async (tab) => {
+    const stills = [];
     for (let i = 0; i < frames; ++i) {
       const turn = i / frames, file = join(folder, `${i}.png`);
       // Wet from a sixth of the turn to a half, dry again at its end.
       const wet = Math.max(0, Math.min((turn - 0.12) / 0.22, 1, (0.95 - turn) / 0.3)) * 0.78;
       run(program, ['otter', '-o', file, '--size', size.join('x'), '--samples', '8', '--behaviour', 'none', '--camera', [0.5 + 2 * Math.PI * turn, 0.16, 2.65].join(','), ...wet > 0 ? ['--wetness', wet.toFixed(3)] : []], { quiet: true });
-      const text = await tab.evaluate(async ([source, share]) => {
-        const bitmap = await createImageBitmap(await (await fetch(source)).blob()), canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
-        canvas.getContext('2d', { alpha: false }).drawImage(bitmap, 0, 0);
-        return Array.from(new Uint8Array(await (await canvas.convertToBlob({ type: 'image/webp', quality: share })).arrayBuffer()), (byte) => String.fromCharCode(byte)).join('');
-      }, [inline(file), quality]);
-      stills.push(Buffer.from(text, 'latin1'));
+      stills.push(await webpOf(tab, [file], { quality, alpha: false }));
     }
     const bytes = animated(stills, size, milliseconds);
     writeFileSync(join(root, 'docs/otter-turn.webp'), bytes);
     say(`docs/otter-turn.webp: ${bytes.length} bytes`);
-  } finally {
-    await browser.close();
-  }
+  });
 }
 
 if (process.argv[1]?.endsWith('film.mjs')) {

@@ -114,12 +114,15 @@ function defaultOf({ macro, default: text, options }) {
   return macro === 'FUR_CHOICE' ? options.split('|')[Number(text)] : numberOf(text);
 }
 
+/** A row of Fields.inc or HairFields.inc as the settings table of the program has it, but for the options, which are as they stand there. */
+export const fieldRow = ({ macro, ...field }) => ({
+  ...field, type: kindsOfFields[macro], default: defaultOf({ macro, ...field }), ...field.min && { min: numberOf(field.min), max: numberOf(field.max) },
+});
+
 /** The module '#settings': label, range, unit and choices of each setting, presets and tools by their labels. */
 export function settingsText({ fields, presets, tools }) {
-  const rows = fields.map((field) => [field.name, {
-    label: field.label, type: kindsOfFields[field.macro], default: defaultOf(field),
-    ...field.min && { min: numberOf(field.min), max: numberOf(field.max) }, ...field.unit && { unit: field.unit }, ...field.options && { options: field.options },
-  }]);
+  // JSON has none of what a row lacks.
+  const rows = fields.map(fieldRow).map(({ name, label, type, default: standard, min, max, unit, options }) => [name, { label, type, default: standard, min, max, unit: unit || undefined, options }]);
   const labels = (all) => Object.fromEntries(all.map(({ name, label }) => [name, label]));
   return `// Made by tools/tables.mjs.\nexport const fields = ${JSON.stringify(Object.fromEntries(rows))};\n`
     + `export const labelsOfPresets = ${JSON.stringify(labels(presets))};\n`

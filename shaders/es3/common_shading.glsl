@@ -237,7 +237,8 @@ vec2 waterGloss(vec3 T, vec3 n, vec3 L, vec3 V, float held, float sheet, float s
 }
 
 // A strand's light `color` as that of one in a clump: clumps are round and stand close, so their far sides and feet get
-// less of it; and what water mirrors. Strands of a sheet shade each other the more, the wetter it is. `held`: 1 is saturated, what is more shines as a film.
+// less of it; and what water mirrors. Strands of a sheet shade each other the more, the wetter it is. `held`: 1 is saturated,
+// what is more shines as a film.
 vec3 clumpLight(vec3 color, vec3 T, vec3 n, vec3 L, vec3 V, float h, float held, float sheet, float lit, float upness, float strand) {
   float clumps = min(held, 1.0) * (1.0 - 0.75 * sheet);
   float turnedTo = clamp(0.6 + 0.8 * dot(n, L), 0.15, 1.4);

@@ -60,13 +60,6 @@ float Water::dropRadius(float amount) {
   return amount > 0.0f ? portableExp(portableLog(amount * (kDepth * 0.75f / kPi)) / 3.0f) : 0.0f;
 }
 
-float Water::furAt(const WetSurface& skin, const SurfaceTexels::Place& place, float furLength) const {
-  if (lengths_.empty()) return furLength;
-  float share = 0;
-  for (std::size_t k = 0; k < 3; ++k) share += lengths_[skin.surface.indices[std::size_t{3} * place.triangle + k]] / 3.0f;
-  return share * furLength;
-}
-
 // Hanging drops drink the film round them until they are too heavy.
 void Water::feedHanging(const WetSurface& skin, WetnessMask& mask, const Climate& climate) {
   if (hanging_ == 0) return;
@@ -92,7 +85,8 @@ void Water::feedHanging(const WetSurface& skin, WetnessMask& mask, const Climate
       // At the tips, which a wet clump lets hang.
       const auto [root, normal] = shownAt(skin, place);
       const Vec3 out = normalizeOr(normal + 0.7f * down_, normal);
-      const Vec3 at = Vec3(climate.worldFromModel * Vec4(root + kHangsAt * furAt(skin, place, climate.furLength) * out, 1));
+      const float length = climate.furLength * (lengths_.empty() ? 1.0f : meanAt(skin, place, lengths_));
+      const Vec3 at = Vec3(climate.worldFromModel * Vec4(root + kHangsAt * length * out, 1));
       changed_ |= at != drop.position;
       drop.position = at;
       if (drop.water > kFalls || glm::dot(normal, down_) < 0.0f || climate.shaking > 0.0f) {

@@ -62,9 +62,7 @@ void Water::aim(const WetSurface& skin, std::uint32_t index) {
   const float speed = std::min(kSpeed * kTurnTime, kFarthest * texels_->meanWidth());
   for (std::uint32_t i = block.first; i < block.end; ++i) {
     const SurfaceTexels::Place& place = places[i];
-    Vec3 lay(0);
-    if (!lay_.empty())
-      for (std::size_t k = 0; k < 3; ++k) lay += lay_[skin.surface.indices[std::size_t{3} * place.triangle + k]] / 3.0f;
+    Vec3 lay = lay_.empty() ? Vec3(0) : meanAt(skin, place, lay_);
     lay -= place.normal * glm::dot(lay, place.normal);
     // Down along the skin, turned towards the line in which the strands lie.
     Vec3 down = down_ - place.normal * glm::dot(down_, place.normal);

@@ -155,8 +155,13 @@ class Water {
   bool storeBlock(const WetSurface& skin, WetnessMask& mask, std::uint32_t block, const Amounts& now);
   void touch(WetnessMask& mask);
   void give(std::uint32_t place, float amount);
-  // The length of the fur at a place, model units.
-  float furAt(const WetSurface& skin, const SurfaceTexels::Place& place, float furLength) const;
+  // What the corners of the place's triangle have, one a vertex, on average.
+  template <class T>
+  static T meanAt(const WetSurface& skin, const SurfaceTexels::Place& place, const std::vector<T>& values) {
+    T mean(0);
+    for (std::size_t k = 0; k < 3; ++k) mean += values[skin.surface.indices[std::size_t{3} * place.triangle + k]] / 3.0f;
+    return mean;
+  }
   void feedHanging(const WetSurface& skin, WetnessMask& mask, const Climate& climate);
   void fall(const WetSurface& skin, const Climate& climate);
   void rain(const Climate& climate);

@@ -1,10 +1,9 @@
 // The elements that go with <wet-fur> in a text, on one page.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { root, startBrowser } from './support.mjs';
+import { axeFindings, root, startBrowser } from './support.mjs';
 
 const site = startBrowser();
 const html = readFileSync(join(root, 'tests/web/companions.html'), 'utf8');
@@ -231,11 +230,9 @@ test('companions follow a figure that is exchanged, removed or moved', async () 
 });
 
 test('axe-core finds nothing, in light and in dark', async () => {
-  await page.evaluate(readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8'));
   for (const colorScheme of ['light', 'dark']) {
     await page.emulateMedia({ colorScheme });
-    const found = await see(async () => (await axe.run(document, { resultTypes: ['violations'] })).violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target.flat().join(' ')).join(', ')}`));
-    assert.deepEqual(found, [], colorScheme);
+    assert.deepEqual(await axeFindings(page), [], colorScheme);
   }
 });
 

@@ -2,13 +2,12 @@
 // the way of who reads them by keyboard, screen reader or phone, and figures really come to life.
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync, readdirSync, statSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import { dirname, join, normalize, relative } from 'node:path';
 import { test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { outdated, wantedFile } from '../../tools/docs/pictures.mjs';
 import { WetFurElement } from '../../web/element.js';
-import { dist, root, startBrowser } from './support.mjs';
+import { axeFindings, dist, root, startBrowser } from './support.mjs';
 
 const site = startBrowser({ subfolder: true });
 const docs = join(dist, 'docs');
@@ -118,31 +117,21 @@ test('controls name a figure of their page, a setting or method that there is, a
 
 // --- in the browser ---
 
-const axe = readFileSync(createRequire(join(root, 'package.json')).resolve('axe-core/axe.min.js'), 'utf8');
 /** Pages as they are without the figures' scripts, which take most of the time. */
 const withoutScripts = (page) => page.route(/\.js$/, (route) => route.fulfill({ contentType: 'text/javascript', body: '' }));
 
 /** One style makes all pages dark: these have all that it knows. */
 const eachKind = ['index.html', 'tutorials/clumps.html', 'reference/settings.html', 'reference/core.html'];
 
-async function findings(page, only) {
-  const found = await page.evaluate(async (rules) => {
-    const { violations } = await window.axe.run(document, { iframes: false, resultTypes: ['violations'], ...rules && { runOnly: { type: 'rule', values: rules } } });
-    return violations.flatMap(({ id, nodes }) => nodes.map(({ html, any }) => `${id}: ${html.slice(0, 160)} ${any[0]?.message ?? ''}`));
-  }, only);
-  return found;
-}
-
 test('without the figures\' scripts pages are complete; axe finds nothing on any, in light and dark, and none is wider than a phone', async () => {
   const page = await site.open('docs/index.html', { wait: false, bypassCSP: true, prepare: withoutScripts, viewport: { width: 1280, height: 800 } });
   for (const { name } of written) {
     await page.setViewportSize({ width: 1280, height: 800 });
     await page.goto(new URL(`docs/${name}`, site.url).href);
-    await page.evaluate(axe);
-    assert.deepEqual(await findings(page), [], name);
+    assert.deepEqual(await axeFindings(page, { iframes: false }), [], name);
     if (eachKind.includes(name)) {
       await page.emulateMedia({ colorScheme: 'dark' });
-      assert.deepEqual(await findings(page, ['color-contrast']), [], `${name}, dark`);
+      assert.deepEqual(await axeFindings(page, { only: ['color-contrast'], iframes: false }), [], `${name}, dark`);
       await page.emulateMedia({ colorScheme: 'light' });
     }
     await page.setViewportSize({ width: 390, height: 844 });

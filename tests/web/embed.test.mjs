@@ -1,20 +1,13 @@
 // <wet-fur> among other things on a page, from a sub-folder of its host.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { recordContexts, sleep, startBrowser, untilStill, withFur } from './support.mjs';
+import { lighten, recordContexts, sleep, startBrowser, untilStill, withFur } from './support.mjs';
 
 const site = startBrowser({ subfolder: true });
 const centreOf = (page, index) => page.evaluate((i) => {
   const box = document.querySelectorAll('wet-fur')[i].getBoundingClientRect();
   return [box.left + box.width / 2, box.top + box.height / 2];
 }, index);
-/** Lighter than the page's own coats: a software rasteriser draws them. */
-const lighten = () => addEventListener('DOMContentLoaded', () => {
-  for (const fur of document.querySelectorAll('wet-fur')) {
-    fur.quality = 'low';
-    Object.assign(fur.settings, { layers: 8, fins: false });
-  }
-});
 const open = ({ scripts = [], ...options }) => site.open('embed.html', { ...options, scripts: [...scripts, lighten] });
 const scrollY = (page) => page.evaluate(() => Math.round(window.scrollY));
 

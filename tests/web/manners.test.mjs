@@ -1,30 +1,17 @@
 // How the element and the pages behave as guests: for screen readers, in layouts, in frameworks, for those who go back.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import { test } from 'node:test';
-import { startBrowser, withFur } from './support.mjs';
+import { axeFindings, lighten, startBrowser, withFur } from './support.mjs';
 
 const site = startBrowser();
-const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
-/** Lighter than the page's own coats: a software rasteriser draws them. */
-const lighten = () => addEventListener('DOMContentLoaded', () => {
-  for (const fur of document.querySelectorAll('wet-fur')) {
-    fur.quality = 'low';
-    Object.assign(fur.settings, { layers: 8, fins: false });
-  }
-});
 const embed = (options = {}) => site.open('embed.html', { scripts: [lighten], ...options });
 
 for (const [name, path] of [['the demo page', 'index.html?src=sphere&quality=low&layers=8&autoplay=0'], ['a page with figures', 'embed.html']]) {
   test(`axe finds nothing on ${name}, in light and in dark`, async () => {
     const page = await site.open(path, { scripts: [lighten], bypassCSP: true, viewport: { width: 800, height: 600 } });
-    await page.evaluate(axe);
     for (const colorScheme of ['light', 'dark']) {
       await page.emulateMedia({ colorScheme });
-      const found = await page.evaluate(async () => (await window.axe.run(document, { resultTypes: ['violations'] })).violations
-        .flatMap(({ id, nodes }) => nodes.map(({ html, any }) => `${id}: ${html.slice(0, 160)} ${any[0]?.message ?? ''}`)));
-      assert.deepEqual(found, [], colorScheme);
+      assert.deepEqual(await axeFindings(page), [], colorScheme);
     }
   });
 }

@@ -1,6 +1,7 @@
 // One Chromium and one server a test file; pages that report every error they meet.
 import assert from 'node:assert/strict';
-import { existsSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
 import { basename, dirname, join } from 'node:path';
 import { after, afterEach, before } from 'node:test';
 import { fileURLToPath } from 'node:url';
@@ -248,6 +249,24 @@ export function difference(a, b, tolerance = 0) {
     if ([0, 1, 2].some((c) => Math.abs(a.data[i + c] - b.data[i + c]) > tolerance)) differing++;
   }
   return differing / (a.data.length / 4);
+}
+
+/** For `scripts`: figures lighter than the page's own, as a software rasteriser draws them. */
+export const lighten = () => addEventListener('DOMContentLoaded', () => {
+  for (const fur of document.querySelectorAll('wet-fur')) {
+    fur.quality = 'low';
+    Object.assign(fur.settings, { layers: 8, fins: false });
+  }
+});
+
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+/** What axe-core says against the page, a line each; `only`: the names of its rules, all without; `iframes`: those within as well. */
+export async function axeFindings(page, { only, iframes = true } = {}) {
+  if (await page.evaluate(() => !window.axe)) await page.evaluate(axe);
+  return page.evaluate(async ([rules, within]) => {
+    const { violations } = await window.axe.run(document, { iframes: within, resultTypes: ['violations'], ...rules && { runOnly: { type: 'rule', values: rules } } });
+    return violations.flatMap(({ id, nodes }) => nodes.map(({ html, any }) => `${id}: ${html.slice(0, 160)} ${any[0]?.message ?? ''}`));
+  }, [only, iframes]);
 }
 
 export const sleep = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));

@@ -4,7 +4,7 @@ import { eyeball, eyeColours, eyeOf, lid } from './eyes.mjs';
 import { hex, pictureOf } from './paint.mjs';
 import { fitOf } from './program.mjs';
 import { subdivided } from './subdivide.mjs';
-import { across, add, between, dot, far, length, mixed, scaled, smooth, sub, unit } from './vectors.mjs';
+import { add, between, blend, dot, far, leaning, mixed, scaled, smooth, sub, unit } from './vectors.mjs';
 
 const { hypot, max } = Math;
 
@@ -31,8 +31,8 @@ const open = (t) => max(0, 1 - (t / 62) ** 2);
 const lids = [{ sign: 1, edge: (t) => -4 + 46 * open(t), outer: 1.12 }, { sign: -1, edge: (t) => -4 - 36 * open(t), outer: 1.1 }];
 
 const eyePicture = () => pictureOf(64, eyeColours(64, (x, y) => {
-  const iris = hex('#4a2a16').map((c, k) => mixed(c, hex('#7a4a26')[k], 0.6 * smooth(0.2, -0.7, y))), pupil = smooth(0.42, 0.5, hypot(x, y)), rim = smooth(0.6, 0.8, hypot(x, y));
-  return iris.map((c, k) => mixed(mixed(0.01, c, pupil), hex('#120a06')[k], rim));
+  const iris = blend(hex('#4a2a16'), hex('#7a4a26'), 0.6 * smooth(0.2, -0.7, y)), pupil = smooth(0.42, 0.5, hypot(x, y)), rim = smooth(0.6, 0.8, hypot(x, y));
+  return blend(blend([0.01, 0.01, 0.01], iris, pupil), hex('#120a06'), rim);
 }));
 
 const onEars = (p) => smooth(0.33, 0.5, p[1]) * smooth(0.34, 0.2, dot(p, front)) * smooth(0.3, 0.1, p[0]);
@@ -54,10 +54,7 @@ function wayAt({ position: p }) {
   return unit(between(way, unit(sub(p, crown)), onEars(p)));
 }
 /** How far it leans, and where to; upright where it would have to stand against its way. */
-function combAt(place) {
-  const flat = across(wayAt(place), place.normal), size = length(flat);
-  return size < 1e-3 ? [0, 0, 0] : scaled(flat, (0.95 / size) * smooth(0, 0.3, size));
-}
+const combAt = (place) => leaning(wayAt(place), place.normal, 0.95, 0.3);
 
 /** Ears, which are thin, and what is round the eyes have shorter edges. */
 const isFine = (p) => onEars(p) > 0.1 || sides.some(({ near }) => far(p, near) < 2.6 * radius);

@@ -18,8 +18,16 @@ export const across = (a, n) => sub(a, scaled(n, dot(a, n)));
 
 export const mixed = (a, b, t) => a + (b - a) * t;
 export const clamp = (x, low = 0, high = 1) => Math.max(low, Math.min(high, x));
+/** From a at 0 and below to b at 1 and above: places, directions, colours. */
+export const blend = (a, b, t) => a.map((x, k) => mixed(x, b[k], clamp(t)));
 /** From 0 at `low` to 1 at `high`, which may be below it. */
 export const smooth = (low, high, x) => {
   const t = clamp((x - low) / (high - low));
   return t * t * (3 - 2 * t);
 };
+
+/** How far hair leans that is to lie along `way`: `lean` radians across the unit vector `normal`, and less where its way leads along that. */
+export function leaning(way, normal, lean, full = 0.35) {
+  const flat = across(way, normal), size = length(flat);
+  return size < 1e-3 ? [0, 0, 0] : scaled(flat, (1 / size) * lean * smooth(0, full, size));
+}

@@ -4,9 +4,8 @@
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { inline } from '../photograph.mjs';
+import { webpOf, withTab } from '../photograph.mjs';
 import { root, run, say } from '../process.mjs';
-import { chromiumPath } from '../setup.mjs';
 
 export const pictures = join(root, 'docs/pictures');
 const inputsFile = join(pictures, 'inputs.json');
@@ -44,23 +43,6 @@ export function outdated(wanted) {
   return [...wanted].filter(([name, picture]) => (!picture.optional && inputs[name] !== hashOf(picture)) || !existsSync(fileOf(name, picture)));
 }
 
-/** In the page: PNG files side by side as WebP of at most so many bytes, as good as fits. */
-async function packed([sources, most]) {
-  const bitmaps = await Promise.all(sources.map(async (source) => createImageBitmap(await (await fetch(source)).blob())));
-  const gap = 2, width = bitmaps.reduce((sum, bitmap) => sum + bitmap.width, gap * (bitmaps.length - 1));
-  let blob;
-  // Rather smaller than of a quality that shows.
-  for (let scale = 1, quality = 0.86; ; quality -= 0.06) {
-    if (quality < 0.3) scale *= 0.85, quality = 0.5;
-    const canvas = new OffscreenCanvas(Math.round(width * scale), Math.round(bitmaps[0].height * scale)), context = canvas.getContext('2d');
-    context.scale(scale, scale);
-    bitmaps.reduce((x, bitmap) => { context.drawImage(bitmap, x, 0); return x + bitmap.width + gap; }, 0);
-    blob = await canvas.convertToBlob({ type: 'image/webp', quality });
-    if (blob.size <= most) break;
-  }
-  return Array.from(new Uint8Array(await blob.arrayBuffer()), (byte) => String.fromCharCode(byte)).join('');
-}
-
 /** Draws, or takes from build/docs-pictures what was drawn before, those of `wanted` that are outdated, and takes away what no page shows any more. Gives how many it drew. */
 export async function drawPictures(wanted, program) {
   mkdirSync(pictures, { recursive: true });
@@ -68,26 +50,21 @@ export async function drawPictures(wanted, program) {
   const inputs = readInputs(), due = outdated(wanted);
   const write = () => writeFileSync(inputsFile, `${JSON.stringify(Object.fromEntries(Object.entries(inputs).sort()), null, 1)}\n`);
   if (due.length > 0) {
-    const { chromium } = await import('playwright-core');
-    const browser = await chromium.launch({ executablePath: chromiumPath(), args: ['--no-sandbox'] });
-    try {
-      const tab = await browser.newPage();
+    await withTab(async (tab) => {
       for (const [name, picture] of due) {
         const files = picture.parts.map((part) => {
           const file = join(drawn, `${hashOf({ parts: [part] })}.png`);
           if (!existsSync(file)) run(program, [...renderArguments(part), '-o', file], { quiet: true });
           return file;
         });
-        const bytes = Buffer.from(await tab.evaluate(packed, [files.map(inline), picture.bytes]), 'latin1');
+        const bytes = await webpOf(tab, files, { quality: 0.86, most: picture.bytes });
         writeFileSync(fileOf(name, picture), bytes);
         say(`${name}: ${bytes.length} bytes`);
         if (picture.optional) continue;
         inputs[name] = hashOf(picture);
         write();
       }
-    } finally {
-      await browser.close();
-    }
+    });
   }
   for (const name of readdirSync(pictures).filter((file) => file.endsWith('.webp') && !wanted.has(file))) {
     rmSync(join(pictures, name));

@@ -6,7 +6,7 @@ import ts from 'typescript';
 import { WetFurElement } from '../../web/element.js';
 import { elementsOf } from '../elements.mjs';
 import { root, Stop } from '../process.mjs';
-import { readTables, typingsText, withEndings } from '../tables.mjs';
+import { fieldRow, readTables, typingsText, withEndings } from '../tables.mjs';
 import { attributes, escaped } from './figures.mjs';
 import { settingPicture, viewPicture } from './samples.mjs';
 
@@ -60,13 +60,6 @@ function settingsHtml(fields, pictureOf) {
   const groups = [...new Set(fields.map(({ group }) => group))];
   return groups.map((group) => `<h2 id="group-${groupId(group)}">${escaped(group)}</h2>${fields.filter((field) => field.group === group).map((field) => settingHtml(field, pictureOf(field))).join('')}`).join('');
 }
-
-/** Rows of Fields.inc as the settings table of the program has them. */
-const tableRow = ({ macro, ...field }) => ({
-  ...field, type: { FUR_FLOAT: 'float', FUR_INT: 'int', FUR_BOOL: 'bool', FUR_COLOR: 'color', FUR_CHOICE: 'choice' }[macro],
-  default: macro === 'FUR_CHOICE' ? field.options.split('|')[Number(field.default)] : macro === 'FUR_COLOR' ? `#${Number(field.default).toString(16).padStart(6, '0')}` : field.default.replace(/f$/, ''),
-  ...field.options && { options: field.options.split('|') }, ...field.min && { min: parseFloat(field.min), max: parseFloat(field.max) },
-});
 
 // --- typings ---
 
@@ -153,7 +146,7 @@ export function addReference(config, { core, block, wanted }) {
   const named = (rows, cells, head, caption) => table(head, rows.map(cells), caption);
   const generators = {
     settings: () => settingsHtml(fields, (field) => settingPicture(field, wanted)),
-    hairValues: () => settingsHtml(tables.hairFields.map(tableRow).map((field) => ({ ...field, name: `hair-${field.name}`, group: `Long hair: ${field.group.toLowerCase()}` })), () => undefined).replaceAll('<code>hair-', '<code>'),
+    hairValues: () => settingsHtml(tables.hairFields.map(fieldRow).map((field) => ({ ...field, ...field.options && { options: field.options.split('|') }, name: `hair-${field.name}`, group: `Long hair: ${field.group.toLowerCase()}` })), () => undefined).replaceAll('<code>hair-', '<code>'),
     views: () => tableBelow('src/render/README.md', '## Views').flatMap(([names, what]) => names.split(',').map((name) => name.trim().replaceAll('`', '')).map((name) => {
       const picture = viewPicture(name, wanted), field = fields.find((one) => one.name === 'view');
       if (!field.options.includes(name)) throw new Stop(`docs: src/render/README.md tells of a view ${name} that there is not`);

@@ -1,12 +1,11 @@
 // The coat of the otter: colours, lengths, types, the way it lies, whiskers and brows.
 import { hex, pictureOf } from '../paint.mjs';
-import { across, clamp, cross, length, mixed, scaled, smooth, unit } from '../vectors.mjs';
+import { blend, cross, leaning, mixed, smooth, unit } from '../vectors.mjs';
 import { eyeColours, eyeOf, lidColour, onEye } from '../eyes.mjs';
 import { edgesAt } from './parts.mjs';
 import { ear, eye, nostril, overMouth } from './shape.mjs';
 
 const { abs, exp, hypot, sin } = Math;
-const blend = (a, b, t) => a.map((x, k) => mixed(x, b[k], clamp(t)));
 /** How far from a place on either side, in half axes. */
 const away = (p, c, [rx, ry, rz] = [1, 1, 1]) => hypot((abs(p[0]) - c[0]) / rx, (p[1] - c[1]) / ry, (p[2] - c[2]) / rz);
 const within = (p, c, r, inner = 0.6) => smooth(1, inner, away(p, c, r));
@@ -104,9 +103,9 @@ function lie({ position: p, normal: n }) {
 }
 /** How far it leans, and where to. */
 export const comb = (place) => {
-  const flat = across(lie(place), place.normal), size = length(flat), { position: p } = place;
+  const { position: p } = place;
   const lean = mixed(mixed(0.85, 0.72, onHead(p)), 0.6, within(p, [0, 2.78, 3.55], [0.5, 0.5, 0.6], 0.4));
-  return size < 1e-3 ? [0, 0, 0] : scaled(flat, (1 / size) * lean * smooth(0, 0.35, size));
+  return leaning(lie(place), place.normal, lean);
 };
 
 export const eyePicture = () => {

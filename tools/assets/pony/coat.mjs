@@ -1,12 +1,11 @@
 // The pony's coat: a chestnut with a flaxen mane, darker legs, a pale muzzle and a blaze. Colours, lengths, types and how the hair lies.
 import { hex, pictureOf } from '../paint.mjs';
-import { across, clamp, cross, far, length, mixed, scaled, smooth, sub, unit } from '../vectors.mjs';
+import { across, blend, clamp, cross, far, leaning, length, mixed, scaled, smooth, sub, unit } from '../vectors.mjs';
 import { eyeColours, lidColour, onEye } from '../eyes.mjs';
 import { edges, frames } from './eyes.mjs';
 import { eye, fields, fromLips, headPlace, headTurn, inHead } from './shape.mjs';
 
 const { abs, exp, hypot, sign, sin } = Math;
-const blend = (a, b, t) => a.map((x, k) => mixed(x, b[k], clamp(t)));
 
 // Lengths are in bounding radii, about 9 decimetres.
 export const settings = {
@@ -149,7 +148,4 @@ function lie({ position: p, normal: n }) {
 }
 
 /** A lean along the skin, radians. */
-export const comb = (place) => {
-  const flat = across(lie(place), place.normal), size = length(flat), feather = featherAt(place);
-  return size < 1e-3 ? [0, 0, 0] : scaled(flat, (mixed(1.08, 1.14, feather) * smooth(0, 0.35, size)) / size);
-};
+export const comb = (place) => leaning(lie(place), place.normal, mixed(1.08, 1.14, featherAt(place)));
