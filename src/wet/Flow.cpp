@@ -246,8 +246,20 @@ bool Water::dry(const Climate& climate, std::uint32_t index, Amounts& now) {
 float Water::rest(std::uint32_t index, const Amounts& now, bool moves) {
   float most = 0, deepest = 0;
   for (std::size_t i = 0; i < kPlaces; ++i) most = std::max(most, now.held[i]), deepest = std::max(deepest, now.film[i]);
-  flags_[index] = static_cast<std::uint8_t>((std::max(most, deepest) > 0.0f ? kWet : 0) | (moves ? kMoving : 0));
+  const int changed = flags_[index] & kChanged;
+  flags_[index] = static_cast<std::uint8_t>((std::max(most, deepest) > 0.0f ? kWet : 0) | (moves ? kMoving : 0) | changed);
   return deepest;
+}
+
+// Beside a block that is drier now than before, water may run that was at rest.
+void Water::wakeBeside(std::uint32_t index) {
+  const SurfaceTexels::Block& block = texels_->blocks()[index];
+  for (std::uint32_t i = block.first; i < block.end; ++i)
+    for (const std::uint32_t there : texels_->links()[i]) {
+      if (there == SurfaceTexels::kNone || there - block.first < block.end - block.first) continue;
+      std::uint8_t& flags = flags_[texels_->blockOf(there)];
+      if (flags & kWet) flags |= kMoving;
+    }
 }
 
 void Water::evaporate(const WetSurface& skin, WetnessMask& mask, const Climate& climate, std::uint32_t index) {
@@ -266,7 +278,13 @@ void Water::receive(const WetSurface& skin, WetnessMask& mask, const Climate* cl
   if (!(flags_[index] & kWet)) dried_[index] = steps_;
   if (climate && steps_ - dried_[index] >= kDryingTurns) moves |= dry(*climate, index, now);
   moves |= storeBlock(skin, mask, index, now);
-  if (rest(index, now, moves) <= kHangs) return;
+  if (moves) flags_[index] |= kChanged;
+  const float deepest = rest(index, now, moves);
+  if (!moves && flags_[index] & kChanged) {
+    flags_[index] &= static_cast<std::uint8_t>(~kChanged);
+    wakeBeside(index);
+  }
+  if (deepest <= kHangs) return;
   const SurfaceTexels::Block& block = texels_->blocks()[index];
   for (std::uint32_t i = block.first; i < block.end && hanging_ < kMostHanging && drops_.size() < kMostDrops; ++i)
     if (film_[i] > kHangs && !hasDrop_[i] && glm::dot(texels_->places()[i].normal, down_) > 0.25f) {

@@ -131,7 +131,8 @@ class Water {
   // Steps between two updates of water that only dries: enough for a visible change, so that slow drying does not redraw the
   // picture in every frame.
   static std::uint32_t dryingTurns(const Climate& climate);
-  enum : std::uint8_t { kWet = 1, kMoving = 2, kReceived = 4, kFlows = 8 };
+  // kChanged: since it was last at rest.
+  enum : std::uint8_t { kWet = 1, kMoving = 2, kReceived = 4, kFlows = 8, kChanged = 16 };
 
   static constexpr std::size_t kPlaces = SurfaceTexels::kBlock * SurfaceTexels::kBlock;  // of a block, at most
   struct Amounts {
@@ -152,6 +153,7 @@ class Water {
   bool soak(std::uint32_t block, Amounts& now);
   bool dry(const Climate& climate, std::uint32_t block, Amounts& now);
   float rest(std::uint32_t block, const Amounts& now, bool moves);
+  void wakeBeside(std::uint32_t block);
   bool storeBlock(const WetSurface& skin, WetnessMask& mask, std::uint32_t block, const Amounts& now);
   void touch(WetnessMask& mask);
   void give(std::uint32_t place, float amount);
