@@ -55,10 +55,12 @@ float enterCoat() {
   // blend, and half a level sharper than a pixel's footprint: fur hides the grain, blur would make felt of it.
   lod = floor(max(vLight.w - 0.5 - finer, 0.0) + quadNoise());
   float pixels = exp2(-vLight.w);  // that a texel covers
-  sharp = max(pixels, 1.0);
+  // Samples together have soft edges when each has sharp ones.
+  sharp = max(pixels * (finer > 0.0 ? 4.0 : 1.0), 1.0);
   end = rayTo(vTop, reachesSkin);
   if (chartShare() <= 0.0) end = 0.0;
-  stepSize = stepOver(min(pixels, 1.0));
+  // A ray along a level coat is long: no more steps than there may be.
+  stepSize = max(stepOver(min(pixels, 1.0)), end / float(FUR_MOST_STEPS));
   // Where the first step falls, which layer stands for a height between two, which samples are covered: each by
   // chance, so that nothing forms rings.
   noise = otherPixelNoise();
@@ -142,13 +144,32 @@ vec3 tangentOf(Met met, March march) {
   return normalize(tangent);
 }
 
-// The share of the key light that other strands leave.
+// Looks towards the light in samples after the first, which count strands; the first of them so many texels away, as the light begins
+// within its own strand.
+const int kLooks = 8;
+const float kOwnTexels = 3.0;
+
+// What covers the way to the light that much higher up.
+float coverAbove(Met met, float rise, float level) {
+  float layer = nearestLayer(storedLayer(met.h + rise, 0.0)) + firstLayer(met.spot.z);
+  return textureLod(coverage, vec3(met.spot.xy + vLightStep * rise, layer), level).r;
+}
+
+// The share of the key light that other strands leave: real strands cast real shadows.
 float lightOn(Met met, float furry) {
-  float lit = 1.0;
-  // A look towards the light through the fur above: real strands cast real shadows.
-  if (met.h + FUR_SHADE_RISE < 1.0) {
-    vec3 above = vec3(met.spot.xy + vLightStep * FUR_SHADE_RISE, nearestLayer(storedLayer(met.h + FUR_SHADE_RISE, 0.0)) + firstLayer(met.spot.z));
-    lit -= shadeOfOne() * shadowShown() * furry * textureLod(coverage, above, lod + 1.0).r;
+  float lit = 1.0, ofOne = shadeOfOne() * shadowShown() * furry;
+  bool counts = finer > 0.0 && lod < 0.5;
+  // One look says what is there on average.
+  for (int i = 0, once = int(!counts && met.h + FUR_SHADE_RISE < 1.0); i < once; ++i) lit -= ofOne * coverAbove(met, FUR_SHADE_RISE, lod + 1.0);
+  // Several find the strands that the light crosses, each of which takes its share.
+  float rise = min(kOwnTexels / (tileTexels * length(vLightStep) + 1e-6), 0.5 * FUR_SHADE_RISE), before = 1.0;
+  float stride = (FUR_SHADE_RISE - rise) / float(kLooks);
+  rise += stride * pixelNoise();
+  for (int i = 0, looks = counts ? kLooks : 0; i < looks && met.h + rise < 1.0; ++i) {
+    float there = clamp((coverAbove(met, rise, lod) - 0.5) * sharp + 0.5, 0.0, 1.0);
+    lit *= 1.0 - ofOne * max(there - before, 0.0);
+    before = there;
+    rise += stride;
   }
   // How far the ray went, to the strands or to the skin.
   return underOthers(lit * furShadowAt(vLightSpace + vLightRay * met.x));

@@ -13,6 +13,8 @@ layout(location = FUR_GRAD_S) in vec4 gradSCurvature;
 layout(location = FUR_GRAD_T) in vec3 gradT;
 layout(location = FUR_ATLAS_FROM_FUR) in vec4 atlasFromFur;
 layout(location = FUR_LEAN) in vec2 leaning;
+layout(location = FUR_HESSIAN_S) in vec3 hessianS;
+layout(location = FUR_HESSIAN_T) in vec3 hessianT;
 
 // A point x fur lengths down the ray is at the height h = top + x (path.x + x path.y), over the tile
 // coordinates tile + x (step + x turn) + lean (top^2 - h^2).
@@ -114,6 +116,9 @@ void castRay(Skin skin, vec3 ray, vec3 bend, float top) {
   if (inwards > 0.0 && descent > 0.0) path.y = min(path.y, 0.5 * max(more, 0.0) * descent);
   vPath = vec4(path / arc.x, turning * len);
   vec2 stride = skin.tileFromAxes * (len * foot), turn = skin.tileFromAxes * (A * turning * (-down * len * len));
+  // The tile's coordinates change faster in some places of a chart than in others.
+  vec3 squares = vec3(foot.x * foot.x, 2.0 * foot.x * foot.y, foot.y * foot.y);
+  turn += 0.5 * tilesPerUnit * len * len * vec2(dot(hessianS, squares), dot(hessianT, squares));
   vTile = vec4(furCurvature.xy * tilesPerUnit, stride);
   vTurn = vec4(turn, skin.tileFromAxes * (A * aside * len));
   vLean = vec4(2.0 * aside, uvAtlas.xy);

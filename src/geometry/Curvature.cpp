@@ -11,24 +11,28 @@ using Matrix = glm::dmat3;
 // Of a triangle whose fur leans, and the least of what it weighs: beside others that do not it says nothing of the skin.
 constexpr double kUprightCosine = 0.9986, kLeaningWeight = 1e-6;
 
-// The symmetric operator S in the triangle's plane for which S e = dn along its three sides, least squares.
-// `turned` as in the header; `leans`: what it is for is so.
-Matrix ofTriangle(const SurfaceVertex* const v[3], bool turned, double& area, glm::dvec3& facing, bool& leans) {
-  const glm::dvec3 p[3] = {v[0]->position, v[1]->position, v[2]->position};
-  const glm::dvec3 cross = glm::cross(p[1] - p[0], p[2] - p[0]);
+struct Plane {
+  glm::dvec3 facing;
+  double area;
+};
+Plane planeOf(const SurfaceVertex* const v[3]) {
+  const glm::dvec3 p(v[0]->position);
+  const glm::dvec3 cross = glm::cross(glm::dvec3(v[1]->position) - p, glm::dvec3(v[2]->position) - p);
   const double length = glm::length(cross);
-  area = 0.5 * length;
-  facing = cross / length;
-  const glm::dvec3 mean = glm::dvec3(v[0]->normal) + glm::dvec3(v[1]->normal) + glm::dvec3(v[2]->normal);
-  const Matrix upright = turned && glm::dot(mean, mean) > 1e-6 ? turnBetween(glm::normalize(mean), facing) : Matrix(1.0);
-  leans = turned && glm::dot(mean, facing) < kUprightCosine * glm::length(mean);
+  return {cross / length, 0.5 * length};
+}
+
+// The symmetric operator S in the triangle's plane for which S e is how `vectors`, one a corner, change along its three sides e, least
+// squares.
+Matrix fit(const SurfaceVertex* const v[3], const glm::dvec3& facing, const glm::dvec3 vectors[3]) {
+  const glm::dvec3 p[3] = {v[0]->position, v[1]->position, v[2]->position};
   const glm::dvec3 axisX = glm::normalize(p[1] - p[0]), axisY = glm::cross(facing, axisX);
   // Normal equations for (a, b, c) of S = (a b; b c).
   glm::dmat3 normal(0.0);
   glm::dvec3 right(0.0);
   for (int k = 0; k < 3; ++k) {
     const glm::dvec3 side = p[(k + 1) % 3] - p[k];
-    const glm::dvec3 turn = upright * (glm::dvec3(v[(k + 1) % 3]->normal) - glm::dvec3(v[k]->normal));
+    const glm::dvec3 turn = vectors[(k + 1) % 3] - vectors[k];
     const double x = glm::dot(side, axisX), y = glm::dot(side, axisY);
     const glm::dvec3 rows[2] = {{x, y, 0.0}, {0.0, x, y}};
     const double values[2] = {glm::dot(turn, axisX), glm::dot(turn, axisY)};
@@ -39,6 +43,24 @@ Matrix ofTriangle(const SurfaceVertex* const v[3], bool turned, double& area, gl
   const glm::dvec3 s = glm::inverse(normal) * right;
   return glm::outerProduct(axisX, axisX) * s.x + (glm::outerProduct(axisX, axisY) + glm::outerProduct(axisY, axisX)) * s.y +
          glm::outerProduct(axisY, axisY) * s.z;
+}
+
+// Of normals. `turned` as in the header; `leans`: what it is for is so.
+Matrix curvatureOf(const SurfaceVertex* const v[3], const glm::dvec3& facing, bool turned, bool& leans) {
+  const glm::dvec3 mean = glm::dvec3(v[0]->normal) + glm::dvec3(v[1]->normal) + glm::dvec3(v[2]->normal);
+  const Matrix upright = turned && glm::dot(mean, mean) > 1e-6 ? turnBetween(glm::normalize(mean), facing) : Matrix(1.0);
+  leans = turned && glm::dot(mean, facing) < kUprightCosine * glm::length(mean);
+  glm::dvec3 normals[3];
+  for (int k = 0; k < 3; ++k) normals[k] = upright * glm::dvec3(v[k]->normal);
+  return fit(v, facing, normals);
+}
+
+// What of `matrix` lies along the axes, and both at once: (ss, st, tt).
+Vec3 inAxes(const Matrix& matrix, const SurfaceVertex& v) {
+  Vec3 s, t;
+  tangentAxes(v, s, t);
+  const glm::dvec3 ds(s), dt(t);
+  return Vec3(glm::dot(ds, matrix * ds), glm::dot(ds, matrix * dt), glm::dot(dt, matrix * dt));
 }
 
 }  // namespace
@@ -62,10 +84,9 @@ void computeCurvature(Surface& surface, const std::vector<std::uint32_t>& triang
   for (std::size_t i = 0; i < triangles.size(); i += 3) {
     const SurfaceVertex* v[3];
     for (std::size_t k = 0; k < 3; ++k) v[k] = &surface.vertices[triangles[i + k]];
-    double area = 0.0;
-    glm::dvec3 facing;
+    auto [facing, area] = planeOf(v);
     bool leans = false;
-    const Matrix matrix = ofTriangle(v, turned, area, facing, leans);
+    const Matrix matrix = curvatureOf(v, facing, turned, leans);
     if (leans) area *= kLeaningWeight;
     for (std::size_t k = 0; k < 3; ++k) {
       const Matrix turn = turned ? turnBetween(facing, glm::dvec3(v[k]->normal)) : Matrix(1.0);
@@ -76,11 +97,40 @@ void computeCurvature(Surface& surface, const std::vector<std::uint32_t>& triang
   for (std::size_t i = 0; i < surface.vertices.size(); ++i) {
     SurfaceVertex& v = surface.vertices[i];
     const std::uint32_t id = weld.idOf[i];
-    const Matrix mean = areas[id] > 0.0 ? sums[id] / areas[id] : Matrix(0.0);
-    Vec3 s, t;
-    tangentAxes(v, s, t);
-    const glm::dvec3 ds(s), dt(t);
-    v.curvature = Vec3(glm::dot(ds, mean * ds), glm::dot(ds, mean * dt), glm::dot(dt, mean * dt));
+    v.curvature = inAxes(areas[id] > 0.0 ? sums[id] / areas[id] : Matrix(0.0), v);
+  }
+}
+
+void computeHessians(Surface& surface, const std::vector<std::uint32_t>& triangles, const std::vector<std::uint32_t>& pointOf) {
+  struct Sum {
+    Matrix s{0.0}, t{0.0};
+    double area = 0.0;
+  };
+  std::vector<Sum> sums(surface.vertices.size());
+  for (std::size_t i = 0; i < triangles.size(); i += 3) {
+    const SurfaceVertex* v[3];
+    for (std::size_t k = 0; k < 3; ++k) v[k] = &surface.vertices[triangles[i + k]];
+    const Plane plane = planeOf(v);
+    glm::dvec3 s[3], t[3];
+    for (int k = 0; k < 3; ++k) {
+      const Matrix turn = turnBetween(glm::dvec3(v[k]->normal), plane.facing);
+      s[k] = turn * glm::dvec3(v[k]->gradS);
+      t[k] = turn * glm::dvec3(v[k]->gradT);
+    }
+    const Matrix ofS = fit(v, plane.facing, s), ofT = fit(v, plane.facing, t);
+    for (std::size_t k = 0; k < 3; ++k) {
+      Sum& sum = sums[pointOf[triangles[i + k]]];
+      sum.s += ofS * plane.area;
+      sum.t += ofT * plane.area;
+      sum.area += plane.area;
+    }
+  }
+  for (std::size_t i = 0; i < surface.vertices.size(); ++i) {
+    SurfaceVertex& v = surface.vertices[i];
+    const Sum& sum = sums[pointOf[i]];
+    const double share = sum.area > 0.0 ? 1.0 / sum.area : 0.0;
+    v.hessianS = inAxes(sum.s * share, v);
+    v.hessianT = inAxes(sum.t * share, v);
   }
 }
 

@@ -15,6 +15,10 @@ namespace fur::geometry {
 // `turned`: see SurfaceSteps.h.
 void computeCurvature(Surface& surface, const std::vector<std::uint32_t>& triangles, const Weld& weld, bool turned = false);
 
+// Sets hessianS and hessianT from how gradS and gradT, which must be set, change over `triangles`: fits and means as above. `pointOf`: as
+// furPoints() in SurfaceSteps.h has it, one mean for each.
+void computeHessians(Surface& surface, const std::vector<std::uint32_t>& triangles, const std::vector<std::uint32_t>& pointOf);
+
 // The smallest rotation from one unit vector to another; the identity for opposite ones.
 glm::dmat3 turnBetween(const glm::dvec3& from, const glm::dvec3& to);
 

@@ -177,7 +177,9 @@ Result<Surface> buildSurface(const Mesh& mesh, FurMapping mapping) {
   triangles.insert(triangles.end(), surface.furIndices.begin() + static_cast<std::ptrdiff_t>(overlap.firstCopy),
                    surface.furIndices.end());
   const Weld weldAll = weldVertices(surface);
-  computeSteps(surface, triangles, overlap.chartOfVertex, weldAll, surface.turned);
+  const std::vector<std::uint32_t> points = furPoints(surface.vertices, overlap.chartOfVertex, weldAll);
+  computeSteps(surface, triangles, points, surface.turned);
+  computeHessians(surface, triangles, points);
   computeCurvature(surface, surface.indices, weldAll, surface.turned);
   if (surface.turned) measureLean(surface, rounded.given);
   std::vector<std::uint32_t> furChartOf(overlap.triangleOf.size());

@@ -36,6 +36,9 @@ struct SurfaceVertex {
   // coordinates by (dot(gradS, x), dot(gradT, x)). Both are perpendicular to the normal.
   Vec3 gradS;
   Vec3 gradT;
+  // How they change along the surface, the second derivatives of s and t: (ss, st, tt) in the axes of Curvature.h.
+  Vec3 hessianS{0.0f};
+  Vec3 hessianT{0.0f};
   // The shape operator, how the normal turns along the surface: (S_ss, S_st, S_tt) in the axes of
   // Curvature.h, per model unit; positive where the surface is convex.
   Vec3 curvature{0.0f};

@@ -12,23 +12,6 @@ namespace fur::geometry {
 
 namespace {
 
-// One id for all vertices of a fur chart with one position and one pair of fur coordinates.
-std::vector<std::uint32_t> furPoints(const std::vector<SurfaceVertex>& vertices,
-                                     const std::vector<std::uint32_t>& furChartOf, const Weld& weld) {
-  const auto key = [&](std::uint32_t v) {
-    return std::tuple(furChartOf[v], weld.idOf[v], vertices[v].fur.x, vertices[v].fur.y);
-  };
-  std::vector<std::uint32_t> order(vertices.size()), points(vertices.size());
-  std::iota(order.begin(), order.end(), 0u);
-  sortStably(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
-  std::uint32_t point = 0;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    if (i > 0 && key(order[i]) != key(order[i - 1])) ++point;
-    points[order[i]] = point;
-  }
-  return points;
-}
-
 struct Gradients {
   glm::dvec3 s{0.0}, t{0.0};
   double area = 0.0;
@@ -80,9 +63,22 @@ double evenStep(const Surface& surface) {
 
 }  // namespace
 
-void computeSteps(Surface& surface, const std::vector<std::uint32_t>& triangles,
-                  const std::vector<std::uint32_t>& furChartOf, const Weld& weld, bool turned) {
-  const std::vector<std::uint32_t> points = furPoints(surface.vertices, furChartOf, weld);
+std::vector<std::uint32_t> furPoints(const std::vector<SurfaceVertex>& vertices, const std::vector<std::uint32_t>& furChartOf, const Weld& weld) {
+  const auto key = [&](std::uint32_t v) {
+    return std::tuple(furChartOf[v], weld.idOf[v], vertices[v].fur.x, vertices[v].fur.y);
+  };
+  std::vector<std::uint32_t> order(vertices.size()), points(vertices.size());
+  std::iota(order.begin(), order.end(), 0u);
+  sortStably(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+  std::uint32_t point = 0;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (i > 0 && key(order[i]) != key(order[i - 1])) ++point;
+    points[order[i]] = point;
+  }
+  return points;
+}
+
+void computeSteps(Surface& surface, const std::vector<std::uint32_t>& triangles, const std::vector<std::uint32_t>& points, bool turned) {
   std::vector<Gradients> gradients(surface.vertices.size());
   std::vector<Step> steps(surface.vertices.size());
   for (std::size_t i = 0; i < triangles.size(); i += 3) {

@@ -9,10 +9,12 @@
 
 namespace fur::geometry {
 
-// Area-weighted means over `triangles`. All vertices of one fur chart at one position get the same gradients. `furChartOf`:
-// one for each vertex; `weld`: over the surface's vertices. `turned`: fur leans over hard edges (HardEdges.h); then each
-// triangle is first rotated to the vertex's normal, which keeps lengths along the skin.
-void computeSteps(Surface& surface, const std::vector<std::uint32_t>& triangles,
-                  const std::vector<std::uint32_t>& furChartOf, const Weld& weld, bool turned = false);
+// One id for all vertices of a fur chart with one position and one pair of fur coordinates. `furChartOf`: one for each vertex; `weld`: over
+// the surface's vertices.
+std::vector<std::uint32_t> furPoints(const std::vector<SurfaceVertex>& vertices, const std::vector<std::uint32_t>& furChartOf, const Weld& weld);
+
+// Area-weighted means over `triangles`. All vertices of one of `points` get the same gradients. `turned`: fur leans over hard edges
+// (HardEdges.h); then each triangle is first rotated to the vertex's normal, which keeps lengths along the skin.
+void computeSteps(Surface& surface, const std::vector<std::uint32_t>& triangles, const std::vector<std::uint32_t>& points, bool turned = false);
 
 }  // namespace fur::geometry

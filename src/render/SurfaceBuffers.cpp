@@ -16,8 +16,9 @@ struct FurVertex {
   Vec4 uvAtlas, fur, atlasFromFur;
   Vec4 around;
   Vec2 lean;
+  Vec3 hessianS, hessianT;
 };
-static_assert(sizeof(FurVertex) == 18 * sizeof(float));
+static_assert(sizeof(FurVertex) == 24 * sizeof(float));
 
 constexpr gl::Attribute kSkinAttributes[] = {
     {FUR_POSITION, 4, offsetof(SkinVertex, position)}, {FUR_NORMAL, 4, offsetof(SkinVertex, normal)},
@@ -26,7 +27,8 @@ constexpr gl::Attribute kSkinAttributes[] = {
 constexpr gl::Attribute kFurAttributes[] = {
     {FUR_UV_ATLAS, 4, offsetof(FurVertex, uvAtlas)}, {FUR_FUR_COORD, 4, offsetof(FurVertex, fur)},
     {FUR_ATLAS_FROM_FUR, 4, offsetof(FurVertex, atlasFromFur)}, {FUR_AROUND, 4, offsetof(FurVertex, around)},
-    {FUR_LEAN, 2, offsetof(FurVertex, lean)},
+    {FUR_LEAN, 2, offsetof(FurVertex, lean)},           {FUR_HESSIAN_S, 3, offsetof(FurVertex, hessianS)},
+    {FUR_HESSIAN_T, 3, offsetof(FurVertex, hessianT)},
 };
 
 constexpr gl::Attribute kOtherUv[] = {{FUR_OTHER_UV, 2, 0}};
@@ -90,7 +92,7 @@ std::size_t SurfaceBuffers::set(const geometry::Surface& surface, std::span<cons
   const bool hasUv = std::any_of(surface.vertices.begin(), surface.vertices.end(), [](const auto& v) { return v.uv != Vec2(0); });
   for (const auto& v : surface.vertices) {
     vertices.push_back({Vec4(v.position, v.strands.x), Vec4(v.normal, v.strands.y), Vec4(v.gradS, v.curvature.z), v.gradT});
-    furVertices.push_back({Vec4(hasUv ? v.uv : v.atlas, v.atlas), Vec4(v.fur, v.curvature.x, v.curvature.y), v.atlasFromFur, {}, v.lean});
+    furVertices.push_back({Vec4(hasUv ? v.uv : v.atlas, v.atlas), Vec4(v.fur, v.curvature.x, v.curvature.y), v.atlasFromFur, {}, v.lean, v.hessianS, v.hessianT});
   }
   findSurroundings(surface, furVertices);
   vertices_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(vertices), !tangents.empty());

@@ -129,6 +129,17 @@ TEST(Refine, TheLightOfThePictureStays) {
   }
 }
 
+// Rays along a level coat go through more of it than there may be steps.
+TEST(Refine, NoRayEndsBeforeItsStrands) {
+  GatheringScene studio;
+  ASSERT_TRUE(studio.app.setField("repeat", "4"));
+  ASSERT_TRUE(studio.app.loadPrimitive("plane"));
+  studio.app.setCamera({0.4f, 0.15f, 1.3f});
+  studio.app.settle();
+  const double once = light(studio.of(1));
+  EXPECT_NEAR(light(studio.of(16)), once, once / 20);
+}
+
 // A bare sphere before a plain wall: as many rows as before go from one to the other within two pixels.
 TEST(Refine, WhatIsSharpStaysSharp) {
   GatheringScene studio;

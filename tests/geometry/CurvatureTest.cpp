@@ -54,6 +54,43 @@ TEST(Curvature, OfATorusIsThatOfItsTubeAndTurnsHollowInside) {
   EXPECT_GT(shareOf(surface, [&](const SurfaceVertex& v) { return std::abs(principal(v).x - median) < 0.03f * median; }), 0.95f);
 }
 
+TEST(Hessians, AreTheSecondDerivativesOfFurCoordinates) {
+  constexpr int kSide = 16;
+  Mesh mesh;
+  for (int j = 0; j <= kSide; ++j)
+    for (int i = 0; i <= kSide; ++i) {
+      const float x = 1.0f * static_cast<float>(i) / kSide - 0.5f, z = 1.0f * static_cast<float>(j) / kSide - 0.5f;
+      mesh.positions.push_back({x, 0, z});
+      mesh.normals.push_back({0, 1, 0});
+      mesh.furUv.push_back({2 * x + 0.2f * x * x, -2 * z + 0.3f * x * z});
+    }
+  for (std::uint32_t j = 0; j < kSide; ++j)
+    for (std::uint32_t i = 0; i < kSide; ++i) {
+      const std::uint32_t a = j * (kSide + 1) + i, b = a + 1, c = a + kSide + 1, d = c + 1;
+      for (const std::uint32_t v : {a, c, b, b, c, d}) mesh.indices.push_back(v);
+    }
+  const Surface surface = built(mesh);
+  // Fur coordinates are scaled to the surface's size; ratios of derivatives stay.
+  std::size_t inside = 0;
+  for (const SurfaceVertex& v : surface.vertices) {
+    if (std::max(std::abs(v.position.x), std::abs(v.position.z)) > 0.35f || v.normal.y < 0.9999f) continue;
+    Vec3 s, t;
+    tangentAxes(v, s, t);
+    const float scale = glm::length(v.gradS) / (2 + 0.4f * v.position.x);
+    const auto along = [&](const Vec3& hessian, const Vec3& way) {
+      const float x = glm::dot(way, s), y = glm::dot(way, t);
+      return (hessian.x * x * x + 2 * hessian.y * x * y + hessian.z * y * y) / scale;
+    };
+    const Vec3 diagonal = glm::normalize(Vec3(1, 0, 1));
+    ASSERT_NEAR(along(v.hessianS, Vec3(1, 0, 0)), 0.4f, 0.02f);
+    ASSERT_NEAR(along(v.hessianS, Vec3(0, 0, 1)), 0, 0.02f);
+    ASSERT_NEAR(along(v.hessianT, Vec3(1, 0, 0)), 0, 0.02f);
+    ASSERT_NEAR(along(v.hessianT, diagonal), 0.3f, 0.02f);
+    ++inside;
+  }
+  EXPECT_GT(inside, 50u);
+}
+
 TEST(Curvature, IsTheSameForAllVerticesOfOnePoint) {
   const Surface surface = built(makeLump());
   std::vector<const SurfaceVertex*> order;
