@@ -133,6 +133,10 @@ std::vector<wet::MaskTexels> WaterStage::takeTexels(const ShapeStage& shape, boo
   return texels;
 }
 
+wet::MaskTexels WaterStage::texels(const ShapeStage& shape) {
+  return wet::encodeMask(mask_, {0, 0, mask_.size(), mask_.size()}, {wetting(shape).chartOfTexel(), wetting(shape).atlas().triangleOf()});
+}
+
 // Where the vertices lie, and how many of them there are at a point.
 void WaterStage::placeVertices(const ShapeStage& shape) {
   const groom::SurfacePoints& points = shape.points();
