@@ -105,7 +105,7 @@ bool WaterStage::update(const Inputs& inputs) {
   // A hair early rather than a step late, as Water::step().
   for (due_ = std::min(due_ + inputs.seconds, 1.0f); due_ > wet::Water::kStep * 0.999f; due_ -= wet::Water::kStep) {
     if (!working() && !flows(climate(inputs))) continue;
-    for (const double begun = secondsNow(); !water_.prepare(on, kPlacesAtOnce);)
+    for (const double begun = secondsNow(); !water_.prepare(on, kPlacesAtOnce, inputs.settings.clumpSize);)
       if (secondsNow() - begun >= inputs.budget) {
         due_ = 0;
         return revision_ != before;
