@@ -38,10 +38,13 @@ class Shimmer : public test::Scene {
   static float halfPixel(float distance) { return 0.5f * (distance - 1) / (kShimmerHeight / (2 * std::tan(0.3f))); }
 };
 
-TEST(Shimmer, Measure) {
+// From near and from the page's own distance. From further off locks shimmer more than dry fur does: tests/bench/shimmer.mjs tells by how much.
+TEST(Shimmer, OfWetFurIsNoMoreThanOfDryFur) {
   Shimmer shimmer;
-  for (const float distance : {2.2f, 2.75f, 5.0f}) {
-    for (const float rho : {0.0f, 0.25f, 0.5f, 0.8f, 1.0f}) std::printf("%.2f: %.2f %.4f\n", distance, rho, shimmer.at(rho, distance));
+  for (const float distance : {2.2f, 2.75f}) {
+    const float dry = shimmer.at(0, distance);
+    EXPECT_GT(dry, 0.02f) << "the camera moves";
+    for (const float rho : {0.5f, 0.8f, 1.0f}) EXPECT_LE(shimmer.at(rho, distance), dry) << "wetness " << rho << " from " << distance;
   }
 }
 
