@@ -15,6 +15,28 @@ bool Water::prepare(const WetSurface& skin, std::uint32_t places, float clumpSiz
     sites_ = ClumpSites(*texels_, clumpSize);
   }
   if (!texels_->link(skin.surface, skin.query, places) || !sites_.find(*texels_, places)) return false;
+  if (ways_.empty()) makePlaces();
+  // The ways of the water, too: when all of a model is wet at once they would be a pause.
+  for (std::uint32_t found = 0; aimedUpTo_ < flags_.size() && found < places; ++aimedUpTo_) {
+    aim(skin, aimedUpTo_);
+    const SurfaceTexels::Block& block = texels_->blocks()[aimedUpTo_];
+    found += block.end - block.first;
+  }
+  if (aimedUpTo_ < flags_.size()) return false;
+  puddles_.resize(std::size_t{kGroundCells} * kGroundCells, 0.0f);
+  seen_ = 0xffffffffu;
+  // What was restored.
+  const std::size_t count = texels_->places().size();
+  for (std::uint32_t i = 0; i < count; ++i)
+    if (incoming_[i] != 0.0f) flags_[texels_->blockOf(i)] |= kReceived;
+  for (Drop& drop : drops_) {
+    if (drop.place >= count) drop.place = Drop::kNoPlace;
+    else hasDrop_[drop.place] = 1, ++hanging_;
+  }
+  return ready_ = true;
+}
+
+void Water::makePlaces() {
   const std::size_t count = texels_->places().size();
   for (auto* values : {&held_, &film_}) values->assign(count + kPlaces, 0.0f);
   incoming_.resize(count, 0.0f);
@@ -30,16 +52,7 @@ bool Water::prepare(const WetSurface& skin, std::uint32_t places, float clumpSiz
   dried_.assign(flags_.size(), 0);
   aimed_.assign(flags_.size(), 0);
   aim_ = 1;
-  puddles_.resize(std::size_t{kGroundCells} * kGroundCells, 0.0f);
-  seen_ = 0xffffffffu;
-  // What was restored.
-  for (std::uint32_t i = 0; i < count; ++i)
-    if (incoming_[i] != 0.0f) flags_[texels_->blockOf(i)] |= kReceived;
-  for (Drop& drop : drops_) {
-    if (drop.place >= count) drop.place = Drop::kNoPlace;
-    else hasDrop_[drop.place] = 1, ++hanging_;
-  }
-  return ready_ = true;
+  aimedUpTo_ = 0;
 }
 
 void Water::forgetPlaces() {
@@ -51,6 +64,7 @@ void Water::forgetPlaces() {
   incoming_.clear();
   held_.clear();
   film_.clear();
+  ways_.clear();
   sites_ = {};
   texels_.reset();
   ready_ = false;
@@ -186,7 +200,7 @@ bool Water::step(const WetSurface& skin, WetnessMask& mask, const Climate& clima
   for (std::uint32_t b = turn; b < flags_.size() && aims > 0; b += kTurns)
     if (flags_[b] & kMoving && aimed_[b] != aim_) aim(skin, b), --aims;
   for (std::uint32_t b = turn; b < flags_.size(); b += kTurns)
-    if (flags_[b] & kMoving && aimed_[b]) crossBorders(b), flow(b);
+    if (flags_[b] & kMoving) crossBorders(b), flow(b);
   for (std::uint32_t b = turn; b < flags_.size(); b += kTurns)
     if (flags_[b] & (kReceived | kMoving)) receive(skin, mask, &climate, b);
   feedHanging(skin, mask, climate);

@@ -134,8 +134,8 @@ class Water {
   static std::uint32_t dryingTurns(const Climate& climate);
   // kChanged: since it was last at rest. kSoaked: all of its places hold so much that water does not creep to them.
   enum : std::uint8_t { kWet = 1, kMoving = 2, kReceived = 4, kFlows = 8, kChanged = 16, kSoaked = 32 };
-  // So many blocks at most find their ways in a step: when all of a model is flooded at once, the others begin to flow a little later.
-  static constexpr int kMostAimed = 64;
+  // When the ways have changed, so many blocks at most find the new ones in a step.
+  static constexpr int kMostAimed = 128;
 
   static constexpr std::size_t kPlaces = SurfaceTexels::kBlock * SurfaceTexels::kBlock;  // of a block, at most
   struct Amounts {
@@ -146,6 +146,7 @@ class Water {
   void notice(const WetSurface& skin, WetnessMask& mask);
   void noticeHair(const WetHair& hair);
   bool meetHair(WetHair& hair, Drop& drop, const Vec3& way);
+  void makePlaces();
   void aim(const WetSurface& skin, std::uint32_t block);
   bool isAmongSoaked(std::uint32_t block) const;
   void flow(std::uint32_t block);
@@ -204,6 +205,7 @@ class Water {
   std::vector<std::uint32_t> dried_;  // the step of its last drying
   std::vector<std::uint32_t> aimed_;  // the aim_ for which its ways were computed
   std::uint32_t aim_ = 0;             // changes with gravity and lay
+  std::uint32_t aimedUpTo_ = 0;       // by prepare()
   Vec3 down_{0, -1, 0};  // model space
   std::vector<Vec3> lay_;
   std::vector<float> lengths_;
