@@ -80,7 +80,7 @@ set(FUR_PURE_MODULES fur_core fur_tools fur_geometry fur_settings fur_furgen fur
 if(NOT EMSCRIPTEN)
   # The reference renderer: minutes of several threads, nothing for a web page.
   find_package(Threads REQUIRED)
-  fur_library(fur_truth src/truth fur_furgen fur_dynamics fur_hair Threads::Threads)
+  fur_library(fur_truth src/truth fur_furgen fur_wet fur_dynamics fur_hair Threads::Threads)
   target_include_directories(fur_truth PUBLIC "${CMAKE_SOURCE_DIR}/shaders/es3")
   list(APPEND FUR_PURE_MODULES fur_truth)
 endif()

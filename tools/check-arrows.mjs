@@ -27,7 +27,7 @@ export const arrows = {
   'src/hair': [...fields, 'groom', 'dynamics/Wind.h', 'dynamics/Lanes.h'],
   'src/scene': [...pure, ...importers],
   // The reference renderer reads the very numbers that the shaders are given, and no more of render.
-  'src/truth': [...fields, 'furgen', 'dynamics', 'hair', 'shared'],
+  'src/truth': [...fields, 'furgen', 'dynamics', 'hair', 'wet/Clump.h', 'wet/MaskTexels.h', 'shared'],
   'src/gl': ['core', 'gles', 'emscripten'],
   // Of wet and hair only what a picture is made of: never a solver.
   'src/render': [...fields, 'furgen', 'groom', 'scene', 'wet/Drop.h', 'wet/MaskTexels.h', 'wet/Puddles.h', 'hair/HairView.h', 'hair/Marschner.h', 'hair/HairValues.h', 'hair/MemberStrands.h', 'hair/Wisps.h', 'gl', 'shared'],

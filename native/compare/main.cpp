@@ -25,6 +25,7 @@ constexpr const char* kUsage = R"(usage: wet-fur-compare [model] [options]
   model                 a {models} file, or plain-bunny (default: without eyes), sphere, torus, plane,
                         or a scene as five-coats (assets/scenes/scenes.mjs has them all)
   --views A,B,...       of near, middle, far, grazing (default: all)
+  --wetness A,B,...     how wet the coat is, 0 to 1: 0.5 is half wet, 1 soaked (default 0)
   --layers A,B,...      layers of the real-time picture (default 8,16,32,64)
   --preset NAME         a coat by its name, such as rabbit
   --variant N=V,...     one more real-time picture beside the one of the settings, with these settings over
@@ -56,6 +57,7 @@ struct Variant {
 struct Options {
   std::string model = "plain-bunny", preset, folder;
   std::vector<View> views{std::begin(kViews), std::end(kViews)};
+  std::vector<float> wetness{0};
   std::vector<int> layers{8, 16, 32, 64};
   std::vector<Variant> variants{{"as set", {}}};
   int width = 800, height = 600, gathered = 1;
@@ -98,6 +100,16 @@ std::string readLayers(const std::string& value, Options& o) {
   return "";
 }
 
+std::string readWetness(const std::string& value, Options& o) {
+  o.wetness.clear();
+  for (const std::string& word : split(value, ',')) {
+    char* stop = nullptr;
+    o.wetness.push_back(std::strtof(word.c_str(), &stop));
+    if (word.empty() || *stop || !(o.wetness.back() >= 0 && o.wetness.back() <= 1)) return "--wetness " + value + ": expected numbers from 0 to 1";
+  }
+  return "";
+}
+
 std::string readVariant(const std::string& value, Options& o) {
   Variant variant{value, {}};
   for (const std::string& part : split(value, ',')) {
@@ -114,6 +126,7 @@ std::string readVariant(const std::string& value, Options& o) {
 std::string readOption(const std::string& name, const std::string& value, Options& o) {
   if (name == "--views") return readViews(value, o);
   if (name == "--layers") return readLayers(value, o);
+  if (name == "--wetness") return readWetness(value, o);
   if (name == "--variant") return readVariant(value, o);
   if (name == "--preset") o.preset = value;
   else if (name == "--out") o.folder = value;
@@ -188,36 +201,41 @@ class Comparison {
     std::printf("flip: mean FLIP of the picture; model: of the pixels that the model covers, as the other two\n"
                 "lab: distance in CIELAB; light: how much lighter than the reference, of 100\n");
     for (std::size_t k = 0; k < o_.variants.size(); ++k) std::printf("%zu: %s\n", k, o_.variants[k].name.c_str());
-    std::printf("\n%-8s layers", "view");
+    std::printf("\n%-8s wetness layers", "view");
     for (std::size_t k = 0; k < o_.variants.size(); ++k) std::printf(" | %zu: flip  model   lab  light", k);
     std::printf("\n");
     for (const View& view : o_.views)
-      if (Status status = compareView(view); !status) return status;
+      for (const float wetness : o_.wetness)
+        if (Status status = compareView(view, wetness); !status) return status;
     return Done{};
   }
 
  private:
-  Status compareView(const View& view) {
+  Status compareView(const View& view, float wetness) {
     app_.setSettings(base_);
     app_.setCamera(view.orbit);
+    app_.setWetness(0);
+    if (wetness > 0) app_.setWetness(wetness);
     app_.settle();
     const furgen::Coat* coat = app_.grownCoat();
     if (!coat) return Error{ErrorId::BadFile, "a coat of a type set has no strands to draw"};
     const std::vector<truth::LongHair> hair = longHair();
     const auto begun = std::chrono::steady_clock::now();
     const render::Frame frame = app_.frame();
+    const wet::MaskTexels mask = app_.shownMask();
     truth::Scene scene{app_.surface(), *coat, app_.bends(), render::frameBlock(frame),
                        render::furBlock(frame, coat->parameters.size, frame.settings.layers, {truth::densestSection(*coat)}, 1),
-                       static_cast<dynamics::BendCurve>(frame.settings.bendCurve), hair};
+                       static_cast<dynamics::BendCurve>(frame.settings.bendCurve), hair, wetness > 0 ? &mask : nullptr};
     const truth::Picture reference = truth::render(scene, o_.width, o_.height, o_.truth);
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begun;
-    if (Status status = save(reference, std::string(view.name) + "-truth"); !status) return status;
+    const std::string name = view.name + wetName(wetness);
+    if (Status status = save(reference, name + "-truth"); !status) return status;
     const truth::Picture empty = emptyPicture(scene);
-    std::fprintf(stderr, "%s: the reference took %.1f s\n", view.name, taken.count());
+    std::fprintf(stderr, "%s: the reference took %.1f s\n", name.c_str(), taken.count());
     for (const int layers : o_.layers) {
-      std::printf("%-8s %6d", view.name, layers);
+      std::printf("%-8s %7.2f %6d", view.name, static_cast<double>(wetness), layers);
       for (std::size_t k = 0; k < o_.variants.size(); ++k) {
-        const std::string stem = std::string(view.name) + "-" + std::to_string(layers) + (k > 0 ? "-" + std::to_string(k) : "");
+        const std::string stem = name + "-" + std::to_string(layers) + (k > 0 ? "-" + std::to_string(k) : "");
         if (Status status = compareOne(o_.variants[k], layers, stem, reference, empty); !status) return status;
       }
       std::printf("\n");
@@ -225,6 +243,9 @@ class Comparison {
     }
     return Done{};
   }
+
+  // In names of files: nothing where it is dry.
+  static std::string wetName(float wetness) { return wetness > 0 ? "-wet" + std::to_string(std::lround(100 * wetness)) : ""; }
 
   Status compareOne(const Variant& variant, int layers, const std::string& stem, const truth::Picture& reference, const truth::Picture& empty) {
     app_.setSettings(base_);
@@ -290,6 +311,8 @@ Status compare(const Options& o, const char* program) {
   // What the reference does not draw.
   app.setField("ground", "false");
   app.setField("textureAmount", "0");
+  // Wet fur stays as it is.
+  app.setField("dryRate", "0");
   for (const std::string& warning : app.takeWarnings()) std::fprintf(stderr, "warning: %s\n", warning.c_str());
   if (!o.folder.empty()) {
     std::error_code failure;

@@ -33,6 +33,7 @@
 #include "scene/Model.h"
 #include "scene/Zip.h"
 #include "settings/Settings.h"
+#include "wet/MaskTexels.h"
 #include "wet/Water.h"
 #include "wet/WetnessMask.h"
 
@@ -240,6 +241,8 @@ class App {
   std::uint64_t wetnessHash() const;
   // The whole mask, and its way back: size * size texels.
   const wet::WetnessMask& wetnessMask() const;
+  // As the shaders read it (wet/MaskEncoding.h).
+  wet::MaskTexels shownMask() const;
   void restoreWetness(std::vector<Vec4> texels, std::vector<float> film = {});
   // All water and what was done with it, to go on in another App with the same model. No file: bytes that a later build may not know.
   std::vector<std::uint8_t> saveWater() const;

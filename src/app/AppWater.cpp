@@ -118,6 +118,8 @@ float App::meanWetness() const { return state_->water.meanWetness(state_->shape)
 std::uint64_t App::wetnessHash() const { return state_->water.mask().hash(); }
 const wet::WetnessMask& App::wetnessMask() const { return state_->water.mask(); }
 
+wet::MaskTexels App::shownMask() const { return state_->water.texels(state_->shape); }
+
 void App::restoreWetness(std::vector<Vec4> texels, std::vector<float> film) {
   state_->water.restoreMask(std::move(texels), std::move(film));
 }

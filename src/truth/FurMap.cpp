@@ -114,6 +114,37 @@ Vec2 FurMap::strands(const ChartPoint& spot) const {
   return sum;
 }
 
+Vec2 FurMap::atlas(const ChartPoint& spot) const {
+  Vec2 sum(0);
+  for (int k = 0; k < 3; ++k) sum += spot.weights[k] * corner(spot.triangle, k).atlas;
+  return sum;
+}
+
+glm::dvec2 FurMap::tileFromAtlas(std::uint32_t triangle, const Vec2& step) const {
+  const auto c = corners(triangle);
+  const glm::dvec2 a(corner(triangle, 0).atlas), u = glm::dvec2(corner(triangle, 1).atlas) - a, v = glm::dvec2(corner(triangle, 2).atlas) - a, way(step);
+  const double area = crossOf(u, v);
+  if (area == 0) return glm::dvec2(0);
+  return (c[1] - c[0]) * (crossOf(way, v) / area) + (c[2] - c[0]) * (crossOf(u, way) / area);
+}
+
+glm::dvec2 FurMap::tileStep(const ChartPoint& spot, const Vec3& step) const {
+  glm::dvec2 sum(0);
+  for (int k = 0; k < 3; ++k) {
+    const geometry::SurfaceVertex& v = corner(spot.triangle, k);
+    sum += static_cast<double>(spot.weights[k]) * glm::dvec2(glm::dot(v.gradS, step), glm::dot(v.gradT, step));
+  }
+  return sum * static_cast<double>(tiles_);
+}
+
+float FurMap::unitsPerAtlas(std::uint32_t triangle) const {
+  const Vec3 a = corner(triangle, 0).position;
+  const float area = glm::length(glm::cross(corner(triangle, 1).position - a, corner(triangle, 2).position - a));
+  const Vec2 origin = corner(triangle, 0).atlas;
+  const auto inAtlas = static_cast<float>(std::abs(crossOf(corner(triangle, 1).atlas - origin, corner(triangle, 2).atlas - origin)));
+  return inAtlas > 0 ? std::sqrt(area / inAtlas) : 0.0f;
+}
+
 float FurMap::scale(const ChartPoint& spot, float h) const {
   const Vec3 a = raised(spot.triangle, 0, h);
   const float area = glm::length(glm::cross(raised(spot.triangle, 1, h) - a, raised(spot.triangle, 2, h) - a));

@@ -38,6 +38,15 @@ class FurMap {
   Vec3 normal(const ChartPoint& spot) const;  // unit
   // SurfaceVertex::strands there, not clamped.
   Vec2 strands(const ChartPoint& spot) const;
+  Vec2 atlas(const ChartPoint& spot) const;
+  // Of the atlas.
+  std::uint32_t chart(const ChartPoint& spot) const { return corner(spot.triangle, 0).chart; }
+  // A step in the atlas as one in tiles, by the triangle; none where that has no area.
+  glm::dvec2 tileFromAtlas(std::uint32_t triangle, const Vec2& step) const;
+  // A step along the skin, model units, as one in tiles.
+  glm::dvec2 tileStep(const ChartPoint& spot, const Vec3& step) const;
+  // Model units per atlas unit on the skin: the square root of the ratio of areas.
+  float unitsPerAtlas(std::uint32_t triangle) const;
   // Model units per tile unit at that height: the square root of the ratio of areas.
   float scale(const ChartPoint& spot, float h) const;
 

@@ -8,6 +8,7 @@
 #include "hair/StrandShading.h"
 #include "truth/Parallel.h"
 #include "truth/Spans.h"
+#include "truth/Wetting.h"
 
 namespace fur::truth {
 
@@ -220,12 +221,15 @@ void Raster::drawSkin(std::uint32_t triangle, const Square& square, const Found&
 
 Vec3 Raster::skinColor(std::uint32_t triangle, const Vec3& weights) const {
   Vec3 point(0), normal(0);
+  Vec2 atlas(0);
   for (std::uint32_t k = 0; k < 3; ++k) {
     const geometry::SurfaceVertex& v = scene_.surface.vertices[scene_.surface.indices[triangle + k]];
     point += weights[static_cast<int>(k)] * v.position;
     normal += weights[static_cast<int>(k)] * v.normal;
+    atlas += weights[static_cast<int>(k)] * v.atlas;
   }
-  return shadeSkin(scene_, point, normalizeOr(normal, Vec3(scene_.frame.up)), rootCover_, shadows_, options_.light);
+  const float held = scene_.mask ? wetnessAt(*scene_.mask, atlas) : 0.0f;
+  return shadeSkin(scene_, point, normalizeOr(normal, Vec3(scene_.frame.up)), rootCover_, held, shadows_, options_.light);
 }
 
 void Raster::drawSquare(int index) {

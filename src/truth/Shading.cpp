@@ -12,12 +12,42 @@ namespace {
 constexpr float kSkinOffset = 0.01f, kSkinBias = 0.002f;
 constexpr float kAllTheWay = 1e9f;
 
-// The share of the key light that comes to a node.
-float keyAt(const Scene& scene, const hair::StrandLook& look, const TubeNode& node, const Vec3& tangent, const Shadows& shadows, Light light) {
-  if (light == Light::Traced) return shadows.onAllTheWay(scene, node, tangent);
+// How far a strand of a sheet is one with those beside it.
+float joinedOf(const Wetness& water) { return water.sheet * (2 - water.sheet); }
+
+// The share of the key light that comes to a node, and that which what is next to it leaves (Formula).
+struct Share {
+  float key, lit;
+};
+Share keyAt(const Scene& scene, const hair::StrandLook& look, const TubeNode& node, const Wetness& water, const Vec3& tangent, const Shadows& shadows, Light light) {
+  if (light == Light::Traced) {
+    const float share = shadows.onAllTheWay(scene, node, tangent);
+    return {share, share};
+  }
   const float nDotL = glm::dot(node.normal, Vec3(scene.frame.light)), rise = std::min(kLook, 1 - node.height) * scene.coat.furLength;
-  const float lit = shadows.coat.shareThrough(node.position, node.radius, tangent, shareOfOneStrand(scene), rise / std::max(nDotL, float(FUR_LOWEST_LIGHT)));
-  return hair::keyShare(look, node.height, nDotL, lit * shadows.throughHair(scene, node.position, node.radius, tangent));
+  // Strands that water has joined to a sheet are one.
+  const float through = glm::mix(shareOfOneStrand(scene), 1.0f, joinedOf(water));
+  float lit = shadows.coat.shareThrough(node.position, node.radius, tangent, through, rise / std::max(nDotL, float(FUR_LOWEST_LIGHT)));
+  lit *= shadows.throughHair(scene, node.position, node.radius, tangent);
+  return {hair::keyShare(look, node.height, nDotL, lit), lit};
+}
+
+// The light `color` of a strand as that of one in a clump or in a sheet: clumpLight() of common_shading.glsl.
+Vec3 wetLight(const Scene& scene, const hair::StrandLook& look, const Tube& tube, const TubeNode& node, const Vec3& tangent, const Vec3& view, const Vec3& color, float lit) {
+  const Wetness& water = tube.water;
+  const Vec3 up = node.normal, right = normalizeOr(glm::cross(up, std::abs(up.y) < 0.9f ? Vec3(0, 1, 0) : Vec3(1, 0, 0)), Vec3(1, 0, 0)), on = glm::cross(up, right);
+  const auto inFrame = [&](const Vec3& v) { return Vec3(glm::dot(v, right), glm::dot(v, on), glm::dot(v, up)); };
+  const float sheet = water.sheet, joined = joinedOf(water), held = std::min(water.held, 1.0f), h = node.height;
+  const Vec3 light = inFrame(Vec3(scene.frame.light)), eye = inFrame(view), along = inFrame(tangent), beside = inFrame(water.beside);
+  Vec3 n = hair::clumpNormal(Vec2(inFrame(water.outward)) * (1 - joined), sheet);
+  n = glm::normalize(n + joined * Vec3(Vec2(beside) * water.lock.x - Vec2(along) * (2 * water.lock.z * tube.variance), 0));
+  const float clumps = held * (1 - 0.75f * sheet), turnedTo = glm::clamp(0.6f + 0.8f * glm::dot(n, light), 0.15f, 1.4f);
+  Vec3 out = color * glm::mix(1.0f, 0.2f + 0.8f * water.lock.y, joined) * glm::mix(1.0f, turnedTo, 0.7f * clumps) *
+             glm::mix(1.0f, glm::smoothstep(-0.1f, 0.8f, h), 0.55f * clumps) * (1 - 0.35f * held) * (1 - 0.38f * sheet * glm::smoothstep(0.3f, 0.85f, water.held));
+  const float number = glm::mix(1.0f, 0.65f + 0.6f * std::abs(water.lock.z), joined) * tube.variance;
+  const Vec2 mirrored = hair::waterGloss(along, n, light, eye, water.held, sheet, look.wetGloss, look.shininess, number) * glm::mix(1.0f, h, clumps);
+  out += 0.5f * held * hair::fringe(eye.z, h) * Vec3(scene.frame.backLight);
+  return out + mirrored.x * lit * Vec3(scene.frame.keyLight) + mirrored.y * glm::mix(0.6f, 1.0f, lit) * skyLight(scene, up);
 }
 
 }  // namespace
@@ -59,21 +89,24 @@ std::vector<Vec3> shadeNodes(const Scene& scene, const Tubes& tubes, const Shado
     for (std::uint32_t k = tube.firstNode; k < tube.firstNode + tube.nodeCount; ++k) {
       const TubeNode& node = tubes.nodes[k];
       const Vec3 tangent = tangentAt(tubes, tube, k), view = normalizeOr(eye - node.position, node.normal);
-      const Vec3 albedo = hair::strandColor(Vec3(scene.coat.rootColors[0]), Vec3(scene.coat.tipColors[0]), node.height, tube.variance, scene.coat.typeVariance.x);
-      const float share = keyAt(scene, look, node, tangent, shadows, light), nDotV = glm::dot(node.normal, view);
+      Vec3 albedo = hair::strandColor(Vec3(scene.coat.rootColors[0]), Vec3(scene.coat.tipColors[0]), node.height, tube.variance, scene.coat.typeVariance.x);
+      const auto [share, lit] = keyAt(scene, look, node, tube.water, tangent, shadows, light);
+      const float nDotV = glm::dot(node.normal, view), rho = std::min(tube.water.held, 1.0f);
+      if (rho > 0) albedo = hair::wetAlbedo(albedo, rho);
       hair::StrandLight lights;
       lights.key = Vec3(scene.frame.keyLight) * share;
       lights.through = lights.key * hair::rimLight(glm::dot(toLight, view), nDotV, node.height);
       lights.fill = scene.frame.fillLight;
       lights.rim = Vec3(scene.frame.backLight) * hair::fringe(nDotV, node.height);
       lights.sky = skyLight(scene, node.normal);
-      out[k] = hair::shadeStrand(look, albedo, tangent, toLight, view, glm::dot(node.normal, toLight), nDotV, node.height, 0, lights, tube.variance);
+      out[k] = hair::shadeStrand(look, albedo, tangent, toLight, view, glm::dot(node.normal, toLight), nDotV, node.height, rho, lights, tube.variance);
+      if (rho > 0) out[k] = wetLight(scene, look, tube, node, tangent, view, out[k], lit);
     }
   });
   return out;
 }
 
-Vec3 shadeSkin(const Scene& scene, const Vec3& point, const Vec3& normal, float roots, const Shadows& shadows, Light light) {
+Vec3 shadeSkin(const Scene& scene, const Vec3& point, const Vec3& normal, float roots, float held, const Shadows& shadows, Light light) {
   const hair::StrandLook look = lookOf(scene);
   const bool furry = roots > 0;
   const float nDotL = glm::dot(normal, Vec3(scene.frame.light));
@@ -86,7 +119,7 @@ Vec3 shadeSkin(const Scene& scene, const Vec3& point, const Vec3& normal, float 
   }
   const Vec3 albedo = Vec3(scene.coat.skinColors[0]) * (1 - 0.5f * roots);
   const Vec3 color = albedo * (Vec3(scene.frame.keyLight) * (std::max(nDotL, 0.0f) * share) + skyLight(scene, normal));
-  return color * (furry ? 1 - look.occlusion : 1.0f);
+  return color * (furry ? 1 - look.occlusion : 1.0f) * hair::wetDarkening(std::min(held, 1.0f), look.wetDarkening);
 }
 
 }  // namespace fur::truth

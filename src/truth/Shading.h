@@ -50,7 +50,7 @@ void forTubes(const Tubes& tubes, const Work& work) {
 std::vector<Vec3> shadeNodes(const Scene& scene, const Tubes& tubes, const Shadows& shadows, Light light);
 
 // Linear light from a point of the skin to the eye; diffuse. Pores are averaged: `roots` is the share of the skin that roots
-// cover.
-Vec3 shadeSkin(const Scene& scene, const Vec3& point, const Vec3& normal, float roots, const Shadows& shadows, Light light);
+// cover, `held` how wet it is.
+Vec3 shadeSkin(const Scene& scene, const Vec3& point, const Vec3& normal, float roots, float held, const Shadows& shadows, Light light);
 
 }  // namespace fur::truth

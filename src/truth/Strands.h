@@ -21,10 +21,21 @@ struct TubeNode {
   float share = 1;  // of long hair: what other hair leaves of the light from all around
 };
 
+// What water makes of a strand.
+struct Wetness {
+  float held = 0;   // 1 is saturated, what is more lies on it as a film
+  float sheet = 0;  // how far clumps have closed into a sheet, wet::sheetOf()
+  Vec3 outward{0};  // from its clump's centre to its root along the skin, 1 at the rim; model space
+  Vec3 beside{0};   // across its lock of a sheet, unit; model space
+  // Of that lock: how far to that side it roots, -1 to 1 from rim to rim; how far out of the gaps beside it, 0 to 1; chance, -0.5 to 0.5.
+  Vec3 lock{0, 1, 0};
+};
+
 struct Tube {
   std::uint32_t firstNode, nodeCount;  // two or more, root to tip
   float variance;                      // of its strand
   std::uint32_t scalp = 0;             // of long hair
+  Wetness water{};
 };
 
 struct Tubes {
@@ -41,6 +52,7 @@ struct Root {
   std::uint32_t strand;
   glm::dvec2 tile;
   ChartPoint spot;
+  float number = 0;  // strandNumber()
 };
 
 class RootFinder {
@@ -54,7 +66,8 @@ class RootFinder {
   std::vector<std::uint32_t> byRow_;  // strands in the order of their root's y
 };
 
-// Nodes within `tolerance` (model units) of a straight tube between their neighbours are left out.
-Tubes placeStrands(const FurMap& map, const furgen::Coat& coat, float tolerance);
+class Wetting;
+// Nodes within `tolerance` (model units) of a straight tube between their neighbours are left out. `wetting`: none on dry fur.
+Tubes placeStrands(const FurMap& map, const furgen::Coat& coat, float tolerance, const Wetting* wetting = nullptr);
 
 }  // namespace fur::truth

@@ -5,6 +5,7 @@
 
 #include "truth/Hair.h"
 #include "truth/Raster.h"
+#include "truth/Wetting.h"
 
 namespace fur::truth {
 
@@ -13,9 +14,12 @@ Picture render(const Scene& scene, int width, int height, const Options& options
   const float distance = std::max(glm::length(Vec3(scene.frame.eye)) - 1.3f, 0.3f);
   const float tolerance = 0.1f * distance / scene.frame.pixelsPerUnit;  // a tenth of a pixel
   Tubes tubes;
-  if (scene.coat.furLength > 0)
-    tubes = placeStrands(FurMap(scene.surface, scene.bends, scene.coat.furLength, scene.coat.tilesPerUnit, scene.curve), scene.strands,
-                         tolerance);
+  if (scene.coat.furLength > 0) {
+    const FurMap map(scene.surface, scene.bends, scene.coat.furLength, scene.coat.tilesPerUnit, scene.curve);
+    std::optional<Wetting> wetting;
+    if (scene.mask) wetting.emplace(map, *scene.mask, scene.coat);
+    tubes = placeStrands(map, scene.strands, tolerance, wetting ? &*wetting : nullptr);
+  }
   const Vec3 light(scene.frame.light);
   const DeepShadow coatShadow(scene.surface, tubes, light, options.shadowTexels);
   const Tubes hair = placeHair(scene);

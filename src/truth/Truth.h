@@ -2,6 +2,7 @@
 // long hair on the model as a thin tapered tube, supersampled, in seconds on the CPU, without layers and textures.
 //
 //   FurMap         from the tile's volume to space: the mapping of the shells
+//   Wetting        where water takes a strand
 //   Strands        one tube for each strand of the coat wherever its root falls on the model
 //   Hair           one tube for each strand of long hair, and light on it
 //   DeepShadow     how many strands the light crosses on its way to a point
@@ -16,8 +17,7 @@
 // The real-time picture is blended and resolved in sRGB, after the tone curve: where bright tips stand before dark
 // gaps it is therefore a little darker.
 //
-// Does not do: wet fur (drawn as if dry), the model's own picture (white), the ground and its shadow, light scattered from
-// strand to strand. Back faces of the skin are not drawn, as in the real-time picture.
+// Does not do: drops, wet ground, the model's own picture (white), the ground and its shadow, light scattered from strand to strand. Back faces of the skin are not drawn, as in the real-time picture.
 #pragma once
 
 #include <cstdint>
@@ -31,6 +31,7 @@
 #include "hair/MemberStrands.h"
 #include "hair/Wisps.h"
 #include "shared/Blocks.h"
+#include "wet/MaskTexels.h"
 
 namespace fur::truth {
 
@@ -54,6 +55,7 @@ struct Scene {
   render::shared::FurBlock coat;
   dynamics::BendCurve curve = dynamics::BendCurve::Arc;
   std::span<const LongHair> hair{};
+  const wet::MaskTexels* mask = nullptr;  // all of it, as the shaders read it; none: dry fur
 };
 
 enum class Light {

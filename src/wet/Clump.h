@@ -38,9 +38,10 @@ inline float sheetOf(float rho, float shortness = 0) {
 
 // s: the share of the way to the clump's centre that a strand has gone at height h. Below kSheetFrom it is f(h) rho, as
 // printed; where clumps close into a sheet it falls again, so that it never exceeds 0.853: s / (1 - s) stays finite.
-inline float clumpPull(float h, float w, float layers, float rho) {
-  return clumpProfile(h, w, layers) * glm::clamp(rho, 0.0f, 1.0f) * (1.0f - kSheetOpens * sheetOf(rho));
+inline float clumpPull(float h, float w, float layers, float rho, float sheet) {
+  return clumpProfile(h, w, layers) * glm::clamp(rho, 0.0f, 1.0f) * (1.0f - kSheetOpens * sheet);
 }
+inline float clumpPull(float h, float w, float layers, float rho) { return clumpPull(h, w, layers, rho, sheetOf(rho)); }
 
 // The wetness that counts for the pull of a clump of that radius (fur lengths): limited so that no strand is displaced by more
 // than kMaxDisplacement of its length.
@@ -60,14 +61,12 @@ inline float rimTaper(float rho, float sheet, float outward) {
 
 // The displacement of a wet strand's tip (fur lengths), in the direction in which the dry coat leans by `lean`: wet strands
 // lie down the way they lean.
-inline float wetLean(float lean, float rho) {
-  return (0.75f * rho + 0.1f * sheetOf(rho)) * glm::smoothstep(0.0f, 0.12f, lean);
-}
+inline float wetLean(float lean, float rho, float sheet) { return (0.75f * rho + 0.1f * sheet) * glm::smoothstep(0.0f, 0.12f, lean); }
+inline float wetLean(float lean, float rho) { return wetLean(lean, rho, sheetOf(rho)); }
 
 // How high wet fur stands, as a share of dry fur's height.
-inline float upright(float rho) {
-  return 1.0f - glm::mix(kClumpsSink * std::min(rho, 1.0f), kSheetSinks, sheetOf(rho));
-}
+inline float upright(float rho, float sheet) { return 1.0f - glm::mix(kClumpsSink * std::min(rho, 1.0f), kSheetSinks, sheet); }
+inline float upright(float rho) { return upright(rho, sheetOf(rho)); }
 
 // Where a point lies on a pointed lock that lies along the skin from its root to its tip, `way`; `from`: the point from the root. x: along
 // the lock, 0 root .. 1 tip; y: across it, -1 .. 1 from rim to rim. `halfWidth`: of the lock at its root.

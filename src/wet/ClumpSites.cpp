@@ -1,6 +1,8 @@
 #include "wet/ClumpSites.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace fur::wet {
 
@@ -12,6 +14,9 @@ constexpr float kRadiiPerSpacing = 1.2f;
 // So far out, in radii, a place may lie in its clump: all sites are nearer than 1 / kRadiiPerSpacing.
 constexpr float kHeld = 0.9f;
 
+// The 27 cells round one, as x + 3 y + 9 z: it itself, those at its sides, edges and corners.
+constexpr int kCells[27] = {13, 4, 10, 12, 14, 16, 22, 1, 3, 5, 7, 9, 11, 15, 17, 19, 21, 23, 25, 0, 2, 6, 8, 18, 20, 24, 26};
+
 int cell(float x, float spacing) { return static_cast<int>(std::floor(x / spacing)); }
 
 }  // namespace
@@ -22,15 +27,20 @@ ClumpSites::ClumpSites(const SurfaceTexels& texels, float radius) : radius_(radi
   while (buckets < count / 8) buckets *= 2;
   heads_.assign(buckets, SurfaceTexels::kNone);
   siteOf_.assign(count, SurfaceTexels::kNone);
-  // Every place becomes a site unless one is near. Steps by the golden section visit them evenly.
-  auto stride = static_cast<std::uint32_t>(0.6180339887 * count) | 1u;
+  // Steps by the golden section visit places evenly.
+  stride_ = static_cast<std::uint32_t>(0.6180339887 * count) | 1u;
   const auto common = [](std::uint32_t a, std::uint32_t b) {
     while (b) a %= b, std::swap(a, b);
     return a;
   };
-  while (count > 1 && common(stride, count) != 1) stride += 2;
-  for (std::uint64_t i = 0; i < count; ++i) {
-    const auto index = static_cast<std::uint32_t>(i * stride % count);
+  while (count > 1 && common(stride_, count) != 1) stride_ += 2;
+}
+
+// Every place becomes a site unless one is near.
+bool ClumpSites::find(const SurfaceTexels& texels, std::uint32_t places) {
+  const std::uint64_t count = siteOf_.size(), end = std::min<std::uint64_t>(count, std::uint64_t{seen_} + places);
+  for (; seen_ < end; ++seen_) {
+    const auto index = static_cast<std::uint32_t>(std::uint64_t{seen_} * stride_ % count);
     const SurfaceTexels::Place& place = texels.places()[index];
     bool free = true;
     forSitesNear(place.position, [&](std::uint32_t site) {
@@ -45,6 +55,7 @@ ClumpSites::ClumpSites(const SurfaceTexels& texels, float radius) : radius_(radi
     head = static_cast<std::uint32_t>(sites_.size());
     sites_.push_back(index);
   }
+  return seen_ == count;
 }
 
 std::size_t ClumpSites::bucketOf(int x, int y, int z) const {
@@ -57,9 +68,11 @@ std::size_t ClumpSites::bucketOf(int x, int y, int z) const {
 template <class Visit>
 void ClumpSites::forSitesNear(const Vec3& position, Visit visit) const {
   const int x = cell(position.x, spacing_), y = cell(position.y, spacing_), z = cell(position.z, spacing_);
-  for (int k = 0; k < 27; ++k)
+  // The nearest cells first, in which a visit most likely ends.
+  for (const int k : kCells) {
     for (std::uint32_t site = heads_[bucketOf(x + k % 3 - 1, y + k / 3 % 3 - 1, z + k / 9 - 1)]; site != SurfaceTexels::kNone; site = next_[site])
       if (!visit(site)) return;
+  }
 }
 
 std::uint32_t ClumpSites::siteOf(const SurfaceTexels& texels, std::uint32_t index) {

@@ -14,8 +14,10 @@ namespace fur::wet {
 class ClumpSites {
  public:
   ClumpSites() = default;
-  // `radius`: of the clumps, model units.
+  // `radius`: of the clumps, model units. Sites are missing until find() is done.
   ClumpSites(const SurfaceTexels& texels, float radius);
+  // Looks at up to `places` more places; true when sites are spread over all. The result does not depend on the slicing.
+  bool find(const SurfaceTexels& texels, std::uint32_t places = 0xffffffffu);
 
   float radius() const { return radius_; }
   // The place of the nearest site whose normal faces the same way.
@@ -31,6 +33,7 @@ class ClumpSites {
   std::size_t bucketOf(int x, int y, int z) const;
 
   float radius_ = 0, spacing_ = 0;
+  std::uint32_t seen_ = 0, stride_ = 1;  // places that find() has looked at, and from one to the next
   std::vector<std::uint32_t> sites_;          // places
   std::vector<std::uint32_t> heads_, next_;   // buckets of sites by the cell that they lie in
   std::vector<std::uint32_t> siteOf_;         // one a place, index of a site; kNone: not looked up yet

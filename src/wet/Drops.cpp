@@ -332,7 +332,7 @@ void Water::clear() {
 
 Accounts Water::accounts() const {
   Accounts sum = accounts_;
-  for (std::size_t i = 0; i < held_.size(); ++i) {
+  for (std::size_t i = 0; texels_ && i < texels_->places().size() && i < held_.size(); ++i) {
     const double area = texels_->places()[i].area;
     sum.held += held_[i] * area;
     sum.film += film_[i] * area + incoming_[i];

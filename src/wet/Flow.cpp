@@ -104,17 +104,28 @@ void Water::aim(const WetSurface& skin, std::uint32_t index) {
 
 void Water::crossBorders(std::uint32_t index) {
   const std::size_t turn = steps_ / kTurns % 2;
-  const SurfaceTexels::Block& block = texels_->blocks()[index];
-  const std::vector<SurfaceTexels::Crossing>& all = texels_->crossings();
-  auto crossing = std::lower_bound(all.begin(), all.end(), block.first, [](const auto& one, std::uint32_t from) { return one.from < from; });
-  for (; crossing != all.end() && crossing->from < block.end; ++crossing) {
-    Ways& ways = ways_[crossing->from];
+  for (const SurfaceTexels::Crossing& crossing : texels_->crossingsFrom(index)) {
+    Ways& ways = ways_[crossing.from];
     for (std::size_t k = 0; k < 2; ++k)
-      if (ways.sides[k] == crossing->side) ways.down[k] = crossing->to[turn];
+      if (ways.sides[k] == crossing.side) ways.down[k] = crossing.to[turn];
   }
 }
 
+// Whether no water creeps from the block's places, as those beside them hold all that comes of itself.
+bool Water::isAmongSoaked(std::uint32_t index) const {
+  if (!(flags_[index] & kSoaked)) return false;
+  for (const std::uint32_t block : texels_->blocksBeside(index))
+    if (!(flags_[block] & kSoaked)) return false;
+  return true;
+}
+
 void Water::flow(std::uint32_t index) {
+  if (isAmongSoaked(index) ? flowFrom<false>(index) : flowFrom<true>(index)) flags_[index] |= kFlows;
+}
+
+// Whether any water leaves its place.
+template <bool kCreeps>
+bool Water::flowFrom(std::uint32_t index) {
   const std::uint32_t first = texels_->blocks()[index].first, end = texels_->blocks()[index].end;
   float* const incoming = incoming_.data();
   float* const heldOf = held_.data();
@@ -124,13 +135,13 @@ void Water::flow(std::uint32_t index) {
   for (std::uint32_t i = first; i < end; ++i) {
     const float film = filmOf[i], held = heldOf[i];
     const float mobile = film > kCling + kLeast ? film - kCling : 0.0f;
-    if (mobile == 0.0f && held <= kDamp) continue;
+    if (mobile == 0.0f && held <= (kCreeps ? kDamp : kField + kLeast)) continue;
     const Ways& ways = waysOf[i];
     const std::uint32_t* const beside = ways.beside.data();
     const float runs = ways.runs[0] + ways.runs[1];
     const float filmRuns = mobile * std::min(0.25f + mobile, kFastest), heldRuns = held > kField + kLeast ? kSeep * (held - kField) : 0.0f;
     Four creeps{}, levels{};
-    if (held > kDamp) {
+    if (kCreeps && held > kDamp) {
       Four wicks;
       std::memcpy(&wicks, ways.wicks.data(), sizeof wicks);
       const Four there{heldOf[beside[0]], heldOf[beside[1]], heldOf[beside[2]], heldOf[beside[3]]};
@@ -150,14 +161,17 @@ void Water::flow(std::uint32_t index) {
       if (to - first >= end - first) flags_[texels_->blockOf(to)] |= kReceived;
     };
     for (std::size_t k = 0; k < 2; ++k) leave(ways.down[k], ways.runs[k] * (filmRuns + heldRuns) * area);
-    const Four aside = (creeps + levels) * area;
-    if (held > kDamp || film > kPool)
+    if ((kCreeps && held > kDamp) || film > kPool) {
+      const Four aside = (creeps + levels) * area;
       for (std::size_t k = 0; k < 4; ++k) leave(beside[k], aside[k]);
+    }
     // A film changes at the end of the step, so that it does not run on through all the places behind.
     incoming[i] -= outFilm * area;
     heldOf[i] -= outHeld;
+    // What crept away may have been more than what flowed in: blocks beside may let some creep here.
+    if (kCreeps && heldOf[i] < kFull) flags_[index] &= static_cast<std::uint8_t>(~kSoaked);
   }
-  if (flows) flags_[index] |= kFlows;
+  return flows;
 }
 
 // Puts the water of a block in the mask; whether any has changed by as much as is worth following.
@@ -165,46 +179,57 @@ bool Water::storeBlock(const WetSurface& skin, WetnessMask& mask, std::uint32_t 
   const SurfaceTexels::Block& block = texels_->blocks()[index];
   const std::uint32_t* const texelOf = &texelOf_[block.first];
   const std::size_t count = block.end - block.first;
-  float heldBefore[kPlaces] = {};
-  for (std::size_t i = 0; i < count; ++i) heldBefore[i] = mask.texels()[texelOf[i]].w;
+  Amounts before{};
+  for (std::size_t i = 0; i < count; ++i) before.held[i] = mask.texels()[texelOf[i]].w;
   float *const heldOf = &held_[block.first], *const filmOf = &film_[block.first];
-  bool moves = false, stored = false;
+  std::copy(filmOf, filmOf + count, before.film);
+  std::copy(now.held, now.held + count, heldOf);
+  int moves = 0;
+  for (std::size_t i = 0; i < kPlaces; ++i)
+    moves |= int{std::abs(now.held[i] - before.held[i]) > kLeast} | int{std::abs(now.film[i] - before.film[i]) > kLeast};
+  bool stored = false;
   for (std::size_t i = 0; i < count; ++i) {
-    const float held = now.held[i], film = now.film[i], filmBefore = filmOf[i];
-    heldOf[i] = held;
-    if (held == heldBefore[i] && film == filmBefore) continue;
-    moves |= std::abs(held - heldBefore[i]) > kLeast || std::abs(film - filmBefore) > kLeast;
+    const float held = now.held[i], film = now.film[i];
+    if (held == before.held[i] && film == before.film[i]) continue;
     const auto place = static_cast<std::uint32_t>(block.first + i);
-    if (!(heldBefore[i] > 0.0f && held > 0.0f)) {
+    if (!(before.held[i] > 0.0f && held > 0.0f)) {
       store(skin, mask, place, held, film);
       continue;
     }
     // Its clump stays.
     filmOf[i] = film;
     stored = true;
-    mask.setWater(texelOf[i], held, film, filmBefore);
-    texels_->forMirrors(place, [&](std::uint32_t mirror) { carryOn(mask, mirror, mask.texels()[texelOf[i]], film); });
+    mask.setWater(texelOf[i], held, film, before.film[i]);
+    if (block.repeated) texels_->forMirrors(place, [&](std::uint32_t mirror) { carryOn(mask, mirror, mask.texels()[texelOf[i]], film); });
   }
   stored_[index] |= stored;
   return moves;
 }
 
-// What a block holds when all that has come to it has arrived, and the film has soaked in; whether any has.
+// What a block holds when all that has come to it has arrived, and the film has soaked in; whether any has. Loops over all places that
+// a block may have read on into the next one's.
 bool Water::soak(std::uint32_t index, Amounts& now) {
   const SurfaceTexels::Block& block = texels_->blocks()[index];
+  const std::size_t count = block.end - block.first;
   const float *const heldOf = &held_[block.first], *const filmOf = &film_[block.first], *const areas = &areas_[block.first];
   float* const incoming = &incoming_[block.first];
-  int soaks = 0;
-  for (std::size_t i = 0; i < block.end - block.first; ++i) {
+  float soaks[kPlaces];
+  for (std::size_t i = 0; i < kPlaces; ++i) {
     // Of a film that has all run off a rounding may be left on either side of nothing.
-    const float standing = std::max(filmOf[i] + incoming[i] / areas[i], 0.0f), room = 1.0f - heldOf[i];
-    incoming[i] = 0.0f;
-    const float taken = std::min(standing > 4 * kLeast ? standing * (kAbsorb * kTurnTime) : standing, room);
-    soaks |= (standing > 0.0f) & (room > 0.0f);
-    now.held[i] = std::min(heldOf[i] + taken, 1.0f);
+    const float come = filmOf[i] + incoming[i] / areas[i], standing = come > 0.0f ? come : 0.0f, room = 1.0f - heldOf[i];
+    const float soaking = standing > 4 * kLeast ? standing * (kAbsorb * kTurnTime) : standing, taken = room < soaking ? room : soaking;
+    const float held = heldOf[i] + taken;
+    now.held[i] = held < 1.0f ? held : 1.0f;
     now.film[i] = standing - taken;
+    soaks[i] = room > 0.0f ? standing : 0.0f;
   }
-  return soaks;
+  std::fill(incoming, incoming + count, 0.0f);
+  std::fill(now.held + count, now.held + kPlaces, 0.0f);
+  std::fill(now.film + count, now.film + kPlaces, 0.0f);
+  std::fill(soaks + count, soaks + kPlaces, 0.0f);
+  int any = 0;
+  for (std::size_t i = 0; i < kPlaces; ++i) any |= soaks[i] > 0.0f;
+  return any;
 }
 
 // Takes from a block what goes since it has last dried; whether any film is left.
@@ -217,38 +242,43 @@ bool Water::dry(const Climate& climate, std::uint32_t index, Amounts& now) {
   const float reach = block.radius + climate.blowRadius;
   const bool blown = climate.blow > 0.0f && glm::dot(toBlock, toBlock) <= reach * reach;
   if (!blown && !(still > 0.0f)) return false;
-  float drying[kPlaces] = {};
-  for (std::size_t i = 0; i < count; ++i) drying[i] = still * time;
+  float drying[kPlaces];
+  std::fill(drying, drying + kPlaces, still * time);
   for (std::size_t i = 0; blown && i < count; ++i) {
     const Vec3 apart = texels_->places()[block.first + i].position - climate.blowCentre;
     const float left = std::max(1.0f - glm::dot(apart, apart) / (climate.blowRadius * climate.blowRadius), 0.0f);
     drying[i] += climate.blow * left * left * time;
   }
   const float* const areas = &areas_[block.first];
-  float lost[kPlaces] = {};
+  float lost[kPlaces];
   int film = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const float held = now.held[i];
-    const float loss = dryingLoss(held, drying[i]);
-    const float heldLeft = std::max(held - loss, 0.0f), filmLeft = std::max(now.film[i] - loss, 0.0f);
+  for (std::size_t i = 0; i < kPlaces; ++i) {
+    const float held = now.held[i], loss = dryingLoss(held, drying[i]), heldLess = held - loss, filmLess = now.film[i] - loss;
+    const float heldLeft = heldLess > 0.0f ? heldLess : 0.0f, filmLeft = filmLess > 0.0f ? filmLess : 0.0f;
     now.held[i] = ((heldLeft < kLeast) & (filmLeft == 0.0f)) ? 0.0f : heldLeft;
     lost[i] = ((held - now.held[i]) + (now.film[i] - filmLeft)) * areas[i];
     now.film[i] = filmLeft;
     film |= filmLeft > 0.0f;
   }
-  double all = 0;
-  for (std::size_t i = 0; i < count; ++i) all += lost[i];
-  accounts_.evaporated += all;
+  double all[4] = {};
+  for (std::size_t i = 0; i < kPlaces; i += 4)
+    for (std::size_t k = 0; k < 4; ++k) all[k] += lost[i + k];
+  accounts_.evaporated += (all[0] + all[1]) + (all[2] + all[3]);
   return film;
 }
 
-// Notes of a block whether it is wet and moves; the deepest film on it.
-float Water::rest(std::uint32_t index, const Amounts& now, bool moves) {
-  float most = 0, deepest = 0;
-  for (std::size_t i = 0; i < kPlaces; ++i) most = std::max(most, now.held[i]), deepest = std::max(deepest, now.film[i]);
-  const int changed = flags_[index] & kChanged;
-  flags_[index] = static_cast<std::uint8_t>((std::max(most, deepest) > 0.0f ? kWet : 0) | (moves ? kMoving : 0) | changed);
-  return deepest;
+// Notes of a block whether it is wet and moves; whether a drop may hang from the film on it.
+bool Water::rest(std::uint32_t index, const Amounts& now, bool moves) {
+  const auto count = static_cast<int>(texels_->blocks()[index].end - texels_->blocks()[index].first);
+  int wet = 0, deep = 0, full = 0;
+  for (std::size_t i = 0; i < kPlaces; ++i) {
+    wet |= int{now.held[i] > 0.0f} | int{now.film[i] > 0.0f};
+    deep |= now.film[i] > kHangs;
+    full += now.held[i] >= kFull;
+  }
+  const int kept = flags_[index] & kChanged;
+  flags_[index] = static_cast<std::uint8_t>((wet ? kWet : 0) | (moves ? kMoving : 0) | (full == count ? kSoaked : 0) | kept);
+  return deep;
 }
 
 // Beside a block that is drier now than before, water may run that was at rest.
@@ -277,14 +307,14 @@ void Water::receive(const WetSurface& skin, WetnessMask& mask, const Climate* cl
   bool moves = soak(index, now) || flags_[index] & kFlows;
   if (!(flags_[index] & kWet)) dried_[index] = steps_;
   if (climate && steps_ - dried_[index] >= kDryingTurns) moves |= dry(*climate, index, now);
-  moves |= storeBlock(skin, mask, index, now);
+  moves |= storeBlock(skin, mask, index, now) || (flags_[index] & kMoving && aimed_[index] != aim_);
   if (moves) flags_[index] |= kChanged;
-  const float deepest = rest(index, now, moves);
+  const bool deep = rest(index, now, moves);
   if (!moves && flags_[index] & kChanged) {
     flags_[index] &= static_cast<std::uint8_t>(~kChanged);
     wakeBeside(index);
   }
-  if (deepest <= kHangs) return;
+  if (!deep) return;
   const SurfaceTexels::Block& block = texels_->blocks()[index];
   for (std::uint32_t i = block.first; i < block.end && hanging_ < kMostHanging && drops_.size() < kMostDrops; ++i)
     if (film_[i] > kHangs && !hasDrop_[i] && glm::dot(texels_->places()[i].normal, down_) > 0.25f) {

@@ -85,6 +85,7 @@ SurfaceTexels::SurfaceTexels(const Surface& surface, const geometry::AtlasTexels
   std::vector<std::uint32_t> next(mirrorStart_.begin(), mirrorStart_.end() - 1);
   for (const auto& [at, source] : atlas.gutter())
     if (placeOf_[source] != kNone) mirrors_[next[placeOf_[source]]++] = at;
+  for (Block& block : blocks_) block.repeated = mirrorStart_[block.end] > mirrorStart_[block.first];
   // Only now: a gutter texel is nobody's source.
   for (const auto& [at, source] : atlas.gutter()) placeOf_[at] = placeOf_[source];
 }
@@ -130,7 +131,27 @@ bool SurfaceTexels::link(const Surface& surface, const geometry::SurfaceQuery& q
       if (other != kNone && other != link) crossings_.push_back({linked_, side, {link, other}});
     }
   }
-  return linked_ == places_.size();
+  if (linked_ < places_.size()) return false;
+  if (besideStart_.empty()) joinBlocks();
+  return true;
+}
+
+void SurfaceTexels::joinBlocks() {
+  besideStart_ = crossingStart_ = {0};
+  std::uint32_t crossing = 0;
+  for (std::uint32_t b = 0; b < blocks_.size(); ++b) {
+    const auto begin = static_cast<std::ptrdiff_t>(besideBlocks_.size());
+    const auto join = [&](std::uint32_t place) {
+      if (place == kNone || blockOf_[place] == b) return;
+      if (std::find(besideBlocks_.begin() + begin, besideBlocks_.end(), blockOf_[place]) == besideBlocks_.end()) besideBlocks_.push_back(blockOf_[place]);
+    };
+    for (std::uint32_t i = blocks_[b].first; i < blocks_[b].end; ++i)
+      for (const std::uint32_t link : links_[i]) join(link);
+    for (; crossing < crossings_.size() && crossings_[crossing].from < blocks_[b].end; ++crossing)
+      for (const std::uint32_t to : crossings_[crossing].to) join(to);
+    besideStart_.push_back(static_cast<std::uint32_t>(besideBlocks_.size()));
+    crossingStart_.push_back(crossing);
+  }
 }
 
 // The place a step away, and so much of a step to the left of it.

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -41,6 +42,7 @@ class SurfaceTexels {
     geometry::TexelRect rect;  // of texels, with the gutters that repeat them
     Vec3 centre;
     float radius;
+    bool repeated = false;  // gutters repeat some of them
   };
 
   // Links across borders are missing until link() is done.
@@ -54,6 +56,14 @@ class SurfaceTexels {
   const std::vector<Crossing>& crossings() const { return crossings_; }  // by `from`; once link() is done
   const std::vector<Block>& blocks() const { return blocks_; }
   float meanWidth() const { return meanWidth_; }  // of the places, model units
+  // The blocks that links of a block's places lead to, itself not among them; once link() is done.
+  std::span<const std::uint32_t> blocksBeside(std::uint32_t block) const {
+    return {&besideBlocks_[besideStart_[block]], besideStart_[block + 1] - besideStart_[block]};
+  }
+  // The crossings from a block's places; once link() is done.
+  std::span<const Crossing> crossingsFrom(std::uint32_t block) const {
+    return {crossings_.data() + crossingStart_[block], crossingStart_[block + 1] - crossingStart_[block]};
+  }
   std::uint32_t blockOf(std::uint32_t place) const { return blockOf_[place]; }
   // The place that owns a texel's water; kNone off the model.
   std::uint32_t placeOf(std::uint32_t texel) const { return placeOf_[texel]; }
@@ -82,6 +92,7 @@ class SurfaceTexels {
   }
 
  private:
+  void joinBlocks();
   std::uint32_t acrossBorder(const geometry::Surface& surface, const geometry::SurfaceQuery& query, std::uint32_t place,
                              int side, float aside) const;
 
@@ -95,6 +106,8 @@ class SurfaceTexels {
   std::vector<std::uint32_t> placeOf_;  // one a texel; gutters lead to what they repeat
   std::vector<std::uint32_t> blockOf_;  // one a place
   std::vector<std::uint32_t> mirrorStart_, mirrors_;
+  // One a block, and one for the end.
+  std::vector<std::uint32_t> besideStart_, besideBlocks_, crossingStart_;
 };
 
 }  // namespace fur::wet

@@ -8,26 +8,25 @@
 
 namespace fur::wet {
 
-bool Water::prepare(const WetSurface& skin, std::uint32_t places) {
+bool Water::prepare(const WetSurface& skin, std::uint32_t places, float clumpSize) {
   if (ready_) return true;
-  if (!texels_) texels_ = std::make_unique<SurfaceTexels>(skin.surface, skin.wetting.atlas());
-  if (!texels_->link(skin.surface, skin.query, places)) return false;
-  const std::size_t count = texels_->places().size();
-  for (auto* values : {&held_, &film_}) values->assign(count, 0.0f);
-  incoming_.resize(count, 0.0f);
-  ways_.assign(count, {});
-  areas_.clear();
-  texelOf_.clear();
-  for (const SurfaceTexels::Place& place : texels_->places()) areas_.push_back(place.area), texelOf_.push_back(place.texel);
-  hasDrop_.assign(count, 0);
-  flags_.assign(texels_->blocks().size(), 0);
-  stored_.assign(flags_.size(), 0);
-  dried_.assign(flags_.size(), 0);
-  aimed_.assign(flags_.size(), 0);
-  aim_ = 1;
+  if (!texels_) {
+    texels_ = std::make_unique<SurfaceTexels>(skin.surface, skin.wetting.atlas());
+    sites_ = ClumpSites(*texels_, clumpSize);
+  }
+  if (!texels_->link(skin.surface, skin.query, places) || !sites_.find(*texels_, places)) return false;
+  if (ways_.empty()) makePlaces();
+  // The ways of the water, too: when all of a model is wet at once they would be a pause.
+  for (std::uint32_t found = 0; aimedUpTo_ < flags_.size() && found < places; ++aimedUpTo_) {
+    aim(skin, aimedUpTo_);
+    const SurfaceTexels::Block& block = texels_->blocks()[aimedUpTo_];
+    found += block.end - block.first;
+  }
+  if (aimedUpTo_ < flags_.size()) return false;
   puddles_.resize(std::size_t{kGroundCells} * kGroundCells, 0.0f);
   seen_ = 0xffffffffu;
   // What was restored.
+  const std::size_t count = texels_->places().size();
   for (std::uint32_t i = 0; i < count; ++i)
     if (incoming_[i] != 0.0f) flags_[texels_->blockOf(i)] |= kReceived;
   for (Drop& drop : drops_) {
@@ -35,6 +34,25 @@ bool Water::prepare(const WetSurface& skin, std::uint32_t places) {
     else hasDrop_[drop.place] = 1, ++hanging_;
   }
   return ready_ = true;
+}
+
+void Water::makePlaces() {
+  const std::size_t count = texels_->places().size();
+  for (auto* values : {&held_, &film_}) values->assign(count + kPlaces, 0.0f);
+  incoming_.resize(count, 0.0f);
+  incoming_.resize(count + kPlaces, 0.0f);
+  ways_.assign(count, {});
+  areas_.clear();
+  texelOf_.clear();
+  for (const SurfaceTexels::Place& place : texels_->places()) areas_.push_back(place.area), texelOf_.push_back(place.texel);
+  areas_.resize(count + kPlaces, 1.0f);
+  hasDrop_.assign(count, 0);
+  flags_.assign(texels_->blocks().size(), 0);
+  stored_.assign(flags_.size(), 0);
+  dried_.assign(flags_.size(), 0);
+  aimed_.assign(flags_.size(), 0);
+  aim_ = 1;
+  aimedUpTo_ = 0;
 }
 
 void Water::forgetPlaces() {
@@ -46,6 +64,7 @@ void Water::forgetPlaces() {
   incoming_.clear();
   held_.clear();
   film_.clear();
+  ways_.clear();
   sites_ = {};
   texels_.reset();
   ready_ = false;
@@ -111,7 +130,10 @@ void Water::store(const WetSurface& skin, WetnessMask& mask, std::uint32_t index
   const std::uint32_t at = texels_->places()[index].texel;
   Vec4 texel = mask.texels()[at];
   if (held > 0.0f && texel.w <= 0.0f) {
-    if (sites_.radius() != clumpSize_) sites_ = ClumpSites(*texels_, clumpSize_);
+    if (sites_.radius() != clumpSize_) {
+      sites_ = ClumpSites(*texels_, clumpSize_);
+      sites_.find(*texels_);
+    }
     texel = Vec4(sites_.clumpOf(*texels_, skin.surface, skin.query, skin.wetting, index), held);
   }
   texel.w = held;
@@ -119,7 +141,9 @@ void Water::store(const WetSurface& skin, WetnessMask& mask, std::uint32_t index
   held_[index] = held;
   film_[index] = film;
   mask.set(at, texel, film);
-  stored_[texels_->blockOf(index)] = 1;
+  const std::uint32_t block = texels_->blockOf(index);
+  stored_[block] = 1;
+  flags_[block] &= static_cast<std::uint8_t>(~kSoaked);
   texels_->forMirrors(index, [&](std::uint32_t mirror) { carryOn(mask, mirror, texel, film); });
 }
 
@@ -172,8 +196,9 @@ bool Water::step(const WetSurface& skin, WetnessMask& mask, const Climate& clima
     for (std::size_t i = before; i < drops_.size(); ++i) accounts_.hair -= drops_[i].water;
   }
   const std::uint32_t turn = steps_ % kTurns;
-  for (std::uint32_t b = turn; b < flags_.size(); b += kTurns)
-    if (flags_[b] & kMoving && aimed_[b] != aim_) aim(skin, b);
+  int aims = kMostAimed;
+  for (std::uint32_t b = turn; b < flags_.size() && aims > 0; b += kTurns)
+    if (flags_[b] & kMoving && aimed_[b] != aim_) aim(skin, b), --aims;
   for (std::uint32_t b = turn; b < flags_.size(); b += kTurns)
     if (flags_[b] & kMoving) crossBorders(b), flow(b);
   for (std::uint32_t b = turn; b < flags_.size(); b += kTurns)

@@ -79,7 +79,8 @@ class Water {
   }
   // Finds how places are connected, once for each model, at most `places` of them in one call. True when done; until then step()
   // and the tools do nothing.
-  bool prepare(const WetSurface& skin, std::uint32_t places = 0xffffffffu);
+  // `clumpSize`: of the climate to come.
+  bool prepare(const WetSurface& skin, std::uint32_t places = 0xffffffffu, float clumpSize = Climate{}.clumpSize);
   bool ready() const { return ready_; }
   // Other parts of the skin take water from now on: prepare() begins anew, and what the mask holds stays where it may.
   void forgetPlaces();
@@ -131,8 +132,10 @@ class Water {
   // Steps between two updates of water that only dries: enough for a visible change, so that slow drying does not redraw the
   // picture in every frame.
   static std::uint32_t dryingTurns(const Climate& climate);
-  // kChanged: since it was last at rest.
-  enum : std::uint8_t { kWet = 1, kMoving = 2, kReceived = 4, kFlows = 8, kChanged = 16 };
+  // kChanged: since it was last at rest. kSoaked: all of its places hold so much that water does not creep to them.
+  enum : std::uint8_t { kWet = 1, kMoving = 2, kReceived = 4, kFlows = 8, kChanged = 16, kSoaked = 32 };
+  // When the ways have changed, so many blocks at most find the new ones in a step.
+  static constexpr int kMostAimed = 128;
 
   static constexpr std::size_t kPlaces = SurfaceTexels::kBlock * SurfaceTexels::kBlock;  // of a block, at most
   struct Amounts {
@@ -143,8 +146,12 @@ class Water {
   void notice(const WetSurface& skin, WetnessMask& mask);
   void noticeHair(const WetHair& hair);
   bool meetHair(WetHair& hair, Drop& drop, const Vec3& way);
+  void makePlaces();
   void aim(const WetSurface& skin, std::uint32_t block);
+  bool isAmongSoaked(std::uint32_t block) const;
   void flow(std::uint32_t block);
+  template <bool kCreeps>
+  bool flowFrom(std::uint32_t block);
   void crossBorders(std::uint32_t block);
   void receive(const WetSurface& skin, WetnessMask& mask, const Climate* climate, std::uint32_t block);
   void evaporate(const WetSurface& skin, WetnessMask& mask, const Climate& climate, std::uint32_t block);
@@ -152,7 +159,7 @@ class Water {
   static void carryOn(WetnessMask& mask, std::uint32_t mirror, const Vec4& texel, float film);
   bool soak(std::uint32_t block, Amounts& now);
   bool dry(const Climate& climate, std::uint32_t block, Amounts& now);
-  float rest(std::uint32_t block, const Amounts& now, bool moves);
+  bool rest(std::uint32_t block, const Amounts& now, bool moves);
   void wakeBeside(std::uint32_t block);
   bool storeBlock(const WetSurface& skin, WetnessMask& mask, std::uint32_t block, const Amounts& now);
   void touch(WetnessMask& mask);
@@ -178,7 +185,7 @@ class Water {
   std::unique_ptr<SurfaceTexels> texels_;
   ClumpSites sites_;
   bool ready_ = false;
-  // One a place.
+  // One a place; those of floats with room for a block behind the last.
   std::vector<float> held_, film_, incoming_;
   // How water leaves a place in a turn: the shares of running water that go to the two links next to its direction, and the
   // shares of the difference in wetness that go to the four links along u and v. Missing links lead to the place itself.
@@ -198,6 +205,7 @@ class Water {
   std::vector<std::uint32_t> dried_;  // the step of its last drying
   std::vector<std::uint32_t> aimed_;  // the aim_ for which its ways were computed
   std::uint32_t aim_ = 0;             // changes with gravity and lay
+  std::uint32_t aimedUpTo_ = 0;       // by prepare()
   Vec3 down_{0, -1, 0};  // model space
   std::vector<Vec3> lay_;
   std::vector<float> lengths_;

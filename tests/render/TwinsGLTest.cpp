@@ -110,7 +110,7 @@ TEST(Twins, ClumpProfile) {
 TEST(Twins, StrandsOfAClump) {
   EXPECT_LT(largestDifference(13, [](float u, float v) { return wet::clumpPull(glm::mix(1 / kLayers, 1.0f, u), kClumpShape, kLayers, v); }), kGpuPrecision);
   EXPECT_LT(largestDifference(14, wet::alongStrand), kGpuPrecision);
-  EXPECT_LT(largestDifference(17, wet::wetLean), kGpuPrecision);
+  EXPECT_LT(largestDifference(17, [](float u, float v) { return wet::wetLean(u, v); }), kGpuPrecision);
   EXPECT_LT(largestDifference(21, [](float u, float) { return wet::upright(u); }), kGpuPrecision);
   EXPECT_LT(largestDifference(22, [](float u, float v) { return wet::rimTaper(u, wet::sheetOf(u), 1.5f * v); }), kGpuPrecision);
   EXPECT_LT(largestDifference(33, [](float u, float v) { return wet::sheetOf(u, v); }), kGpuPrecision);

@@ -34,8 +34,9 @@ struct Desk {
       out.pixels.push_back(Vec3(drawn.rgba[i], drawn.rgba[i + 1], drawn.rgba[i + 2]) / 255.0f);
     return out;
   }
-  Picture reference() {
+  Picture reference(bool wet = false) {
     const furgen::Coat& coat = *app.grownCoat();
+    const wet::MaskTexels mask = app.shownMask();
     const render::Frame frame = app.frame();
     Options options;
     options.samples = 4;
@@ -46,7 +47,7 @@ struct Desk {
       hair.push_back({growth.wisps, growth.members, app.hairNodes(0), growth.nodes, growth.values, growth.ambient, frame.settings.hairOcclusion});
     }
     return render({app.surface(), coat, app.bends(), render::frameBlock(frame),
-                   render::furBlock(frame, coat.parameters.size, 64, {densestSection(coat)}, 1), dynamics::BendCurve::Arc, hair},
+                   render::furBlock(frame, coat.parameters.size, 64, {densestSection(coat)}, 1), dynamics::BendCurve::Arc, hair, wet ? &mask : nullptr},
                   kWidth, kHeight, options);
   }
 };
@@ -65,6 +66,17 @@ TEST(Truth, ShowsTheSameStrandsAsTheRealTimePicture) {
   desk.app.settle();
   const float others = flip(desk.reference(), realTime).mean;
   EXPECT_LT(same, 0.8f * others) << same << " against " << others;
+}
+
+// As the march differs from it by the coat that stands there and by the clumps into which water draws it.
+TEST(Truth, ShowsTheSameClumpsAsTheRealTimePicture) {
+  Desk desk;
+  desk.app.setField("dryRate", "0");
+  desk.app.setWetness(0.6f);
+  desk.app.settle();
+  const Picture realTime = desk.realTime();
+  const float wet = flip(desk.reference(true), realTime).mean, dry = flip(desk.reference(), realTime).mean;
+  EXPECT_LT(wet, 0.85f * dry) << wet << " against " << dry;
 }
 
 TEST(Truth, IsAsBrightAsTheRealTimePicture) {

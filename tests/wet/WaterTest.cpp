@@ -118,6 +118,7 @@ TEST(ClumpSites, HoldEveryPlaceInItsOwnLock) {
     const SurfaceTexels& texels = *pond.water.texels();
     for (const float radius : {0.02f, 0.035f, 0.06f, 0.1f}) {
       ClumpSites sites(texels, radius);
+      sites.find(texels);
       for (std::uint32_t i = 0; i < texels.places().size(); ++i)
         ASSERT_LT(outwardness(pond.mask, texels.places()[i].texel, sites.clumpOf(texels, pond.surface, pond.query, pond.wetting, i)), 0.92f)
             << "radius " << radius << ", place " << i;
@@ -145,6 +146,7 @@ TEST(ClumpSites, LieApartAndLeaveNoSpotWithoutOne) {
   const Pond pond(torus());
   const SurfaceTexels& texels = *pond.water.texels();
   ClumpSites sites(texels, 0.06f);
+  sites.find(texels);
   ASSERT_GT(sites.sites().size(), 100u);
   for (std::uint32_t i = 0; i < texels.places().size(); ++i) {
     const std::uint32_t site = sites.siteOf(texels, i);
@@ -156,6 +158,32 @@ TEST(ClumpSites, LieApartAndLeaveNoSpotWithoutOne) {
       const auto &pa = texels.places()[sites.sites()[a]], &pb = texels.places()[sites.sites()[b]];
       if (glm::dot(pa.normal, pb.normal) > 0) ASSERT_GT(glm::length(pa.position - pb.position), 0.049f);
     }
+}
+
+TEST(ClumpSites, AreTheSameHoweverTheyAreSliced) {
+  const Pond pond(torus());
+  const SurfaceTexels& texels = *pond.water.texels();
+  ClumpSites once(texels, 0.06f), sliced(texels, 0.06f);
+  once.find(texels);
+  while (!sliced.find(texels, 97)) {
+  }
+  EXPECT_EQ(once.sites(), sliced.sites());
+}
+
+TEST(Water, OnAWholeModelAtOnceFlowsEverywhereBeforeLong) {
+  Pond pond(sphere(), 256);
+  pond.climate.dryRate = 0;
+  // Walls all round: film on each runs.
+  for (const SurfaceTexels::Place& place : pond.water.texels()->places())
+    if (std::abs(place.normal.y) < 0.7f && place.texel % 5 == 0) pond.wetting.addDroplet(pond.mask, pond.surface, pond.query, place.position, place.normal, 0.05f, 1);
+  pond.run(1);
+  const std::vector<float> before = pond.mask.film();
+  pond.run(60);
+  std::size_t still = 0, all = 0;
+  for (const SurfaceTexels::Place& place : pond.water.texels()->places())
+    if (std::abs(place.normal.y) < 0.6f && before[place.texel] > 0.5f) ++all, still += pond.mask.filmAt(place.texel) == before[place.texel];
+  ASSERT_GT(all, 1000u);
+  EXPECT_EQ(still, 0u);
 }
 
 TEST(Water, DoesNothingWhereNothingIsWet) {

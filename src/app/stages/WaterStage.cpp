@@ -105,7 +105,7 @@ bool WaterStage::update(const Inputs& inputs) {
   // A hair early rather than a step late, as Water::step().
   for (due_ = std::min(due_ + inputs.seconds, 1.0f); due_ > wet::Water::kStep * 0.999f; due_ -= wet::Water::kStep) {
     if (!working() && !flows(climate(inputs))) continue;
-    for (const double begun = secondsNow(); !water_.prepare(on, kPlacesAtOnce);)
+    for (const double begun = secondsNow(); !water_.prepare(on, kPlacesAtOnce, inputs.settings.clumpSize);)
       if (secondsNow() - begun >= inputs.budget) {
         due_ = 0;
         return revision_ != before;
@@ -131,6 +131,10 @@ std::vector<wet::MaskTexels> WaterStage::takeTexels(const ShapeStage& shape, boo
   for (const wet::TexelRect& part : parts)
     texels.push_back(wet::encodeMask(mask_, part, {wetting(shape).chartOfTexel(), wetting(shape).atlas().triangleOf()}, softened));
   return texels;
+}
+
+wet::MaskTexels WaterStage::texels(const ShapeStage& shape) {
+  return wet::encodeMask(mask_, {0, 0, mask_.size(), mask_.size()}, {wetting(shape).chartOfTexel(), wetting(shape).atlas().triangleOf()});
 }
 
 // Where the vertices lie, and how many of them there are at a point.

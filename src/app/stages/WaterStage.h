@@ -89,6 +89,8 @@ class WaterStage {
   // What the picture takes of the mask, where it has changed since the last call, or all of it.
   // `softened`: see wet/MaskEncoding.h.
   std::vector<wet::MaskTexels> takeTexels(const ShapeStage& shape, bool all, bool softened = true);
+  // All of it, whatever has changed.
+  wet::MaskTexels texels(const ShapeStage& shape);
   // 0..1, one a vertex of the surface; vertices of one point have the same.
   const std::vector<float>& vertexWetness(const ShapeStage& shape);
   float meanWetness(const ShapeStage& shape);
