@@ -125,15 +125,18 @@ Vec3 wayOfModel(const Patches& patches) {
   return glm::mix(kDown, kBackwards, share);
 }
 
+float squaresOf(const Mat3& m) { return glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]); }
+
 // What runs along the axis of a part, by what its normals face; where there is none it stays as it is, along the skin.
 Mat3 alongAxis(const Mat3& facing) {
   Mat3 out = Mat3(1.0f) - facing;
   out = out * out;
   out = out * out;
-  float squares = 0;
-  for (int k = 0; k < 3; ++k) squares += glm::dot(out[k], out[k]);
-  return out / std::sqrt(squares);
+  return out / std::sqrt(squaresOf(out));
 }
+
+// Whether there is a part at all: 0 on a flat sheet, whose border draws together as well when it is averaged.
+float roundness(const Mat3& facing) { return saturate(4 * (1 - squaresOf(facing))); }
 
 // To the tip of the part that a place is of: away from where the body draws together when it is averaged. Nothing on what stands
 // out to the front, as heads do: their fur goes the other way, from the nose. Feet go on down and to the front.
@@ -151,7 +154,7 @@ std::vector<Vec3> waysOf(const Patches& patches) {
   const Vec3 liked = wayOfModel(patches);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Vec3& normal = patches.all[i].normal;
-    const Vec3 way = onSkin(alongAxis(facing[i]) * (liked + outwards(onSkin(places[i] - body[i], normal))), normal);
+    const Vec3 way = onSkin(alongAxis(facing[i]) * (liked + roundness(facing[i]) * outwards(onSkin(places[i] - body[i], normal))), normal);
     ways.push_back(way / std::max(std::sqrt(glm::dot(way, way)), kCrown));
   }
   return patches.averaged(std::move(ways), kWayRounds);

@@ -41,7 +41,6 @@ struct FurData {
   int mapSize = 0;
   // One for each vertex of the mesh, or empty.
   std::vector<Vec3> comb;      // model space, radians; not validated yet: see groom::soundComb()
-  bool isLying = false;        // fur lies by itself where the comb is 0; without a comb it does anyway
   std::vector<float> lengths;  // share of the longest, 0..1
   std::vector<int> types;      // 1..groom::kTypes
   std::vector<groom::Whisker> whiskers{};  // roots in model space; not validated yet; at most kMostWhiskers
@@ -53,6 +52,7 @@ struct FurData {
   hair::Hairstyle hair{};  // positions in model space
   std::vector<int> bare{};  // materials of the file without fur; -1: primitives without one
   bool hasBare = false;    // a document of several materials, of which `bare` tells
+  bool isLying = false;    // fur lies by itself where the comb is 0; without a comb it does anyway
 };
 
 }  // namespace fur::scene

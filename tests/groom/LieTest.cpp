@@ -28,7 +28,7 @@ struct Lying : Setting {
   std::vector<Vec3> lie;
 };
 
-// A barrel along z on four legs, with a tail; all of boxes with round normals, not joined.
+// A barrel along z on four legs; all of stretched balls, which are not joined.
 geometry::Mesh makeBeast() {
   geometry::Mesh mesh;
   const auto limb = [&](const Vec3& from, const Vec3& to, float radius) {
@@ -105,7 +105,7 @@ TEST(Lie, NeighboursDifferLittleWhereFurLies) {
       ++sides;
       apart += glm::length(one.lie[a] - one.lie[b]) > 0.5f;
     }
-    EXPECT_LT(static_cast<float>(apart) / static_cast<float>(sides), 0.02f);
+    EXPECT_LT(static_cast<float>(apart) / static_cast<float>(sides), 0.05f) << "crowns and partings alone";
   }
 }
 
@@ -122,7 +122,7 @@ TEST(Lie, IsMirroredAsTheBodyIs) {
     ++found;
     alike += glm::length(beast.lie[i] * Vec3(-1, 1, 1) - beast.lie[other[i]]) < 0.15f;
   }
-  ASSERT_GT(found, beast.points.count() / 2);
+  ASSERT_GT(found, beast.points.count() / 4);
   EXPECT_GT(static_cast<float>(alike) / static_cast<float>(found), 0.97f);
 }
 
