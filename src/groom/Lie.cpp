@@ -35,8 +35,9 @@ Vec3 onSkin(const Vec3& way, const Vec3& normal) { return way - normal * glm::do
 std::size_t cellOf(const Vec3& place, const Vec3& normal) {
   std::size_t cell = 0;
   for (int k = 0; k < 3; ++k) {
-    const float at = (glm::clamp(place[k], -1.0f, 1.0f) + 1) / kPatch;
-    cell = cell * kCells + static_cast<std::size_t>(std::min(static_cast<int>(at), kCells - 1));
+    // The same on both sides of the middle, as bodies are.
+    const int away = std::min(static_cast<int>(std::min(std::abs(place[k]), 1.0f) / kPatch), kCells / 2 - 1);
+    cell = cell * kCells + static_cast<std::size_t>(place[k] < 0 ? kCells / 2 - 1 - away : kCells / 2 + away);
   }
   const Vec3 size = glm::abs(normal);
   const int most = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
@@ -44,13 +45,17 @@ std::size_t cellOf(const Vec3& place, const Vec3& normal) {
 }
 
 struct Patches {
-  Patches(const geometry::Surface& surface, const SurfacePoints& points) : of(points.count()), areas(points.count(), 0.0f) {
+  Patches(const geometry::Surface& surface, const SurfacePoints& points) : of(points.count()), normals(points.count(), Vec3(0)), areas_(points.count(), 0.0f) {
     const std::vector<std::uint32_t>& indices = surface.indices;
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
       const auto at = [&](std::size_t k) { return points.positions[points.pointOf[indices[i + k]]]; };
       const Vec3 twice = glm::cross(at(1) - at(0), at(2) - at(0));
-      for (std::size_t k = 0; k < 3; ++k) areas[points.pointOf[indices[i + k]]] += std::sqrt(glm::dot(twice, twice)) / 6;
+      for (std::size_t k = 0; k < 3; ++k) {
+        areas_[points.pointOf[indices[i + k]]] += std::sqrt(glm::dot(twice, twice)) / 6;
+        normals[points.pointOf[indices[i + k]]] += twice;
+      }
     }
+    for (std::size_t i = 0; i < normals.size(); ++i) normals[i] = normalizeOr(normals[i], points.normals[i]);
     gather(points);
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
       for (std::size_t k = 0; k < 3; ++k) join(of[points.pointOf[indices[i + k]]], of[points.pointOf[indices[i + (k + 1) % 3]]]);
@@ -74,14 +79,16 @@ struct Patches {
 
   std::vector<Patch> all;
   std::vector<std::uint32_t> of;  // of each point
-  std::vector<float> areas;       // likewise
+  std::vector<Vec3> normals;      // likewise; of the faces there: over hard edges and rims fur leans
 
  private:
+  std::vector<float> areas_;  // of each point
+
   void gather(const SurfacePoints& points) {
     constexpr std::uint32_t kNone = 0xffffffffu;
     std::vector<std::uint32_t> at(std::size_t{6} * kCells * kCells * kCells, kNone);
     for (std::size_t i = 0; i < of.size(); ++i) {
-      const Vec3 &place = points.positions[i], &normal = points.normals[i];
+      const Vec3 &place = points.positions[i], &normal = normals[i];
       std::uint32_t& patch = at[cellOf(place, normal)];
       if (patch == kNone) {
         patch = static_cast<std::uint32_t>(all.size());
@@ -89,7 +96,7 @@ struct Patches {
       }
       of[i] = patch;
       Patch& here = all[patch];
-      const float area = std::max(areas[i], 1e-12f);
+      const float area = std::max(areas_[i], 1e-12f);
       here.place += place * area;
       here.normal += normal * area;
       here.facing += glm::outerProduct(normal, normal) * area;
@@ -169,19 +176,19 @@ std::vector<Vec3> onPoints(const Patches& patches, const std::vector<Vec3>& ways
     const auto add = [&](std::uint32_t at, float least) {
       const Vec3 apart = (patches.all[at].place - points.positions[i]) / (2.2f * kPatch);
       const float near = std::max(1 - glm::dot(apart, apart), 0.0f);
-      const float share = std::max(near * near * glm::dot(patches.all[at].normal, points.normals[i]), least);
+      const float share = std::max(near * near * glm::dot(patches.all[at].normal, patches.normals[i]), least);
       sum += ways[at] * share;
       weight += share;
     };
     add(patches.of[i], 1e-3f);
     for (const std::uint32_t j : patches.all[patches.of[i]].beside) add(j, 0);
-    out.push_back(onSkin(sum / weight, points.normals[i]));
+    out.push_back(onSkin(sum / weight, patches.normals[i]));
   }
   return out;
 }
 
 // Evens out what is left of the patches' borders.
-std::vector<Vec3> smoothed(std::vector<Vec3> lie, const geometry::Surface& surface, const SurfacePoints& points) {
+std::vector<Vec3> smoothed(std::vector<Vec3> lie, const geometry::Surface& surface, const SurfacePoints& points, const std::vector<Vec3>& normals) {
   for (int round = 0; round < kPointRounds; ++round) {
     std::vector<Vec3> sums = lie;
     std::vector<float> counts(lie.size(), 1.0f);
@@ -191,7 +198,7 @@ std::vector<Vec3> smoothed(std::vector<Vec3> lie, const geometry::Surface& surfa
         sums[a] += lie[b], sums[b] += lie[a];
         ++counts[a], ++counts[b];
       }
-    for (std::size_t i = 0; i < lie.size(); ++i) lie[i] = onSkin(sums[i] / counts[i], points.normals[i]);
+    for (std::size_t i = 0; i < lie.size(); ++i) lie[i] = onSkin(sums[i] / counts[i], normals[i]);
   }
   return lie;
 }
@@ -200,8 +207,10 @@ std::vector<Vec3> smoothed(std::vector<Vec3> lie, const geometry::Surface& surfa
 
 std::vector<Vec3> naturalLie(const geometry::Surface& surface, const SurfacePoints& points) {
   const Patches patches(surface, points);
-  std::vector<Vec3> lie = smoothed(onPoints(patches, waysOf(patches), points), surface, points);
-  for (Vec3& way : lie) {
+  std::vector<Vec3> lie = smoothed(onPoints(patches, waysOf(patches), points), surface, points, patches.normals);
+  for (std::size_t i = 0; i < lie.size(); ++i) {
+    Vec3& way = lie[i];
+    way = onSkin(way, points.normals[i]);
     const float length = std::sqrt(glm::dot(way, way)), share = std::min(length / kAgreed, 1.0f);
     way *= share * share * (3 - 2 * share) / std::max(length, 1e-6f);
   }
