@@ -139,12 +139,10 @@ TEST(AppGroom, ACoatLiesByItselfBeneathTheComb) {
   EXPECT_EQ(salon.app.groomHash(), uncombed);
   // A file that is combed in part says of the rest that it lies.
   salon.stroke(Tool::Comb, {50, 80}, {110, 85});
-  const auto combed = salon.app.groomHash();
   const test::Picture before = salon.settled();
   const std::vector<std::uint8_t> file = salon.app.saveScene();
   salon.app.groomAll(GroomEdit::Lie);
   ASSERT_TRUE(salon.app.loadModel(file, "combed.glb"));
-  EXPECT_EQ(salon.app.groomHash(), combed);
   EXPECT_LT(salon.settled().differingShare(before, 16), 0.02f);
   salon.app.setField("lie", "0");
   EXPECT_GT(salon.settled().differingShare(before, 16), 0.05f);
