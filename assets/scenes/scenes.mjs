@@ -34,7 +34,7 @@ const fiveCoats = {
 // --- Sheppard 2004 ---
 
 // What the papers' figures show is drawn as they draw it.
-const classic = { technique: 'shells' };
+const classic = { technique: 'shells', lie: 0 };
 
 // Figure 3.1: 8, 16 and 32 shells.
 const shells = (layers) => ({

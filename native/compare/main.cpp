@@ -35,7 +35,7 @@ constexpr const char* kUsage = R"(usage: wet-fur-compare [model] [options]
   --samples N           of the reference, along each side of a pixel, 1 to 16 (default 8)
   --gathered N          samples of the real-time picture, 1 to 64 (default 1)
   --out FOLDER          for the pictures and their differences (default: none are written)
-  --<setting> VALUE     any field of the settings table, as --furLength 0.2
+  --<setting> VALUE     any field of the settings table, as --furLength 0.2; lie is 0 unless it is given
 )";
 
 struct View {
@@ -62,7 +62,7 @@ struct Options {
   std::vector<Variant> variants{{"as set", {}}};
   int width = 800, height = 600, gathered = 1;
   truth::Options truth;
-  Fields fields;
+  Fields fields{{"lie", "0"}};  // which figures are of, unless it is asked for
 };
 
 std::vector<std::string> split(const std::string& text, char separator) {

@@ -93,6 +93,21 @@ vec3 moveShell(vec3 position, vec3 normal) {
 
 #include "shell_skin.glsl"
 
+// How fast a ray of that slope gets away from the skin again, at the height z over it. Where the skin is a circle under the ray, of
+// the radius r at that height, the ray's height is sqrt((r - slope x)^2 + (round x)^2) - r + z: near its outline the parabola takes
+// the lowest of that. By the second derivative at its start alone rays met the skin of thin parts, as ears, where they come past
+// them: ears were three times as thick, ended at the polygons of the coat's outside, and had no strands there. No skin counts as
+// rounder than 0.75 of the coat's length: on ridges, which go on behind, there were holes. What is four lengths round stays as it is.
+float bentBack(vec2 way, vec2 turning, float slope, float z, float coat) {
+  float bent = dot(way, turning), turned = length(turning);
+  if (bent < 1e-4 || slope <= 0.0) return bent;
+  float curvature = min(turned * turned / bent, 1.0 / (z + 0.75 * coat)), round = bent / turned, whole = length(vec2(slope, round));
+  // How far from the circle's middle the ray comes past, of the radius of the skin.
+  float skin = 1.0 / curvature - z, past = round / (whole * curvature * skin);
+  float thin = clamp(2.0 - 0.5 * skin / max(coat, 1e-4), 0.0, 1.0);
+  return mix(bent, 0.5 * curvature * whole * (whole + round), thin * smoothstep(0.5, 1.0, past));
+}
+
 // The ray's way through the coat from the height `top`, as two parabolas.
 void castRay(Skin skin, vec3 ray, vec3 bend, float top) {
   float len = skin.coat;
@@ -108,7 +123,7 @@ void castRay(Skin skin, vec3 ray, vec3 bend, float top) {
   vec2 foot = A * way, turning = skin.curvature * foot;
   // Height of the ray: falls with the slope, rises with the curvature, and falls with the skin where fur leans over it;
   // foot of the ray: see render/README.md.
-  vec2 path = vec2(down + dot(leaning, foot), 0.5 * len * dot(way, turning));
+  vec2 path = vec2(down + dot(leaning, foot), 0.5 * len * bentBack(way, turning, -down - dot(leaning, foot), z, len));
   // Near a hard edge normals lean by `leaning` off the face's. On the way to the middle of the face they turn to the face's and no
   // further, and the ray goes on down from there: its curvature is limited so that it still comes to the skin.
   float inwards = dot(leaning, way), onFace = inwards + down * sqrt(max(1.0 - dot(leaning, leaning), 0.0));

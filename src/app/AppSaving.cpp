@@ -127,6 +127,7 @@ scene::FurData App::State::furData() const {
   if (!from.paint.isPlain()) fur.paint = from.paint.texels();
   if (!from.shape.isPlain()) fur.shape = from.shape.texels();
   if (!from.mask.isPlain()) fur.mask = from.mask.texels();
+  fur.isLying = groom.isLying();
   fur.whiskers = from.whiskers;
   fur.hair = hair->style();
   hair->addWetness(fur.hair);
@@ -162,7 +163,7 @@ std::vector<std::uint8_t> App::State::saveMesh(scene::FurData fur) const {
     mesh.atlas.push_back(v.atlas);
     if (!shape.mesh().furUv.empty()) mesh.furUv.push_back(v.fur);
   }
-  if (!groom.upright()) fur.comb = ofVertices(groom::restBends(groom.groom(), shape.surface(), shape.points()), own.vertexOf);
+  if (groom.isCombed()) fur.comb = ofVertices(groom::restBends(groom.groom(), shape.surface(), shape.points()), own.vertexOf);
   const scene::Material& main = document.materials[document.main];
   const int image = main.baseColorTexture.image;
   static const scene::EncodedImage none;
@@ -174,7 +175,7 @@ std::vector<std::uint8_t> App::saveScene() const {
   scene::FurData fur = s.furData();
   fur.state = state();
   if (!s.document.file) return s.saveMesh(std::move(fur));
-  if (!s.groom.upright()) fur.comb = s.combOfMesh();
+  if (s.groom.isCombed()) fur.comb = s.combOfMesh();
   return keeping->write(*s.document.file, scene::furSurface(s.shape.surface(), s.shape.mesh()), fur);
 }
 

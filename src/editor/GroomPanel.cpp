@@ -287,9 +287,10 @@ void GroomPanel::drawLengths() {
 
 void GroomPanel::drawDirections() {
   rowLabel("Comb all");
-  const int way = segments("ways", {{"Down", false}, {"Back", false}, {"Up", false}, {"Upright", false}});
+  const int way = segments("ways", {{"Down", false}, {"Back", false}, {"Up", false}, {"Upright", false}, {"As it lies", false}});
   constexpr float kWays[3][3] = {{0, -1, 0}, {0, -0.3f, -1}, {0, 1, 0}};
-  if (way == 3) edit(GroomEdit::Raise);
+  if (way == 4) edit(GroomEdit::Lie);
+  else if (way == 3) edit(GroomEdit::Raise);
   else if (way >= 0) edit(GroomEdit::Comb, 1, {kWays[way][0], kWays[way][1], kWays[way][2]});
 }
 

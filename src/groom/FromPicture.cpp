@@ -111,7 +111,7 @@ void combFromPicture(Groom& groom, const GroomSurface& skin, const Picture& pict
     }
   }
   for (std::size_t i = 0; i < sums.size(); ++i)
-    if (counts[i] > 0) groom.comb[i] = sums[i] * (kMaxComb / counts[i]);
+    if (counts[i] > 0) groom.comb[i] = combOf(sums[i] * (kMaxComb / counts[i]), skin.lie, i);
   groom.comb = soundComb(std::move(groom.comb), skin.points);
 }
 

@@ -155,14 +155,25 @@ Groom plainGroom(int mapSize, const SurfacePoints& points) {
   return {GroomMap(mapSize), std::vector<Vec3>(points.count(), Vec3(0))};
 }
 
-std::vector<Vec3> restBends(const Groom& groom, const geometry::Surface& surface, const SurfacePoints& points) {
+Vec3 bendAt(const Groom& groom, std::span<const Vec3> lie, std::size_t point) {
+  const Vec3& comb = groom.comb[point];
+  return lie.empty() || comb != Vec3(0) ? comb : lie[point];
+}
+
+Vec3 combOf(const Vec3& bend, std::span<const Vec3> lie, std::size_t point) {
+  constexpr float kUpright = 1e-3f, kStanding = 1e-4f;  // radians; not ever nearer to upright
+  if (glm::dot(bend, bend) >= kUpright * kUpright) return bend;
+  return lie.empty() ? Vec3(0) : kStanding * normalizeOr(lie[point], Vec3(0));
+}
+
+std::vector<Vec3> restBends(const Groom& groom, const geometry::Surface& surface, const SurfacePoints& points, std::span<const Vec3> lie) {
   FUR_ASSERT(groom.comb.size() == points.count(), "groom::restBends()", "a comb of the surface's points", groom.comb.size());
   std::vector<Vec3> out;
   out.reserve(surface.vertices.size());
   for (std::size_t i = 0; i < surface.vertices.size(); ++i) {
-    const Vec3& comb = groom.comb[points.pointOf[i]];
+    const Vec3 bend = bendAt(groom, lie, points.pointOf[i]);
     const Vec3& normal = surface.vertices[i].normal;
-    out.push_back(comb - normal * glm::dot(comb, normal));
+    out.push_back(bend - normal * glm::dot(bend, normal));
   }
   return out;
 }

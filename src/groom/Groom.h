@@ -14,7 +14,8 @@
 //
 // comb: the bend of the fur at rest, as in dynamics::BendField: model space, radians, one for each point of the surface
 // (SurfacePoints). Vertices of one position share it, so that it survives another fur mapping; each vertex uses the part
-// perpendicular to its own normal.
+// perpendicular to its own normal. 0 is not combed: fur lies as it does by itself there (Lie.h), or stands. What is combed upright
+// has a bend that nobody sees.
 //
 // whiskers: single hairs that stand out of the coat (Whiskers.h).
 //
@@ -117,14 +118,19 @@ struct GroomSurface {
   const geometry::SurfaceQuery& query;
   const geometry::AtlasTexels& atlas;
   const SurfacePoints& points;
+  std::span<const Vec3> lie{};  // as Groom::comb, where that is 0; empty: fur stands there
 };
 
 // Makes a comb from outside valid: bends that are not finite become 0, others perpendicular to the normals and at most kMaxComb.
 std::vector<Vec3> soundComb(std::vector<Vec3> comb, const SurfacePoints& points);
 Groom plainGroom(int mapSize, const SurfacePoints& points);
 
+// The bend at a point: the comb, or where there is none how fur lies by itself. `lie`: as GroomSurface has it.
+Vec3 bendAt(const Groom& groom, std::span<const Vec3> lie, std::size_t point);
+// The comb that gives that bend: upright fur that would lie by itself keeps as much of a bend as nobody sees.
+Vec3 combOf(const Vec3& bend, std::span<const Vec3> lie, std::size_t point);
 // One a vertex, for BendField::setRest.
-std::vector<Vec3> restBends(const Groom& groom, const geometry::Surface& surface, const SurfacePoints& points);
+std::vector<Vec3> restBends(const Groom& groom, const geometry::Surface& surface, const SurfacePoints& points, std::span<const Vec3> lie = {});
 // The length of each type's longest strand as a share of the coat's length; 0: the type is bald.
 using TypeHeights = std::array<float, kTypes>;
 inline constexpr TypeHeights kAllFull{1, 1, 1, 1};

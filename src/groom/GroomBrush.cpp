@@ -16,9 +16,6 @@ constexpr float kLeastWeight = 0.5f / 255.0f;
 // So far round what is painted its colour goes on, as none of it: filtered look-ups meet no other one.
 constexpr float kRim = 0.04f;
 
-// Less of a lean nobody sees: upright, not ever nearer to it.
-constexpr float kUpright = 1e-3f;  // radians
-
 // Nearer to a pole of the direction than this (its sine) the fur stands up, instead of whirling.
 constexpr float kPole = 0.35f;
 
@@ -97,6 +94,8 @@ std::vector<PointUnder> pointsOf(const GroomSurface& skin, const std::vector<std
   return points;
 }
 
+Vec3 bendAt(const Groom& groom, const GroomSurface& skin, std::size_t point) { return bendAt(groom, skin.lie, point); }
+
 // goals[i] is where the comb of points[i] is drawn to.
 bool dabPoints(Groom& groom, const GroomSurface& skin, const Brush& brush, const std::vector<PointUnder>& points,
                const std::vector<Vec3>& goals) {
@@ -107,9 +106,8 @@ bool dabPoints(Groom& groom, const GroomSurface& skin, const Brush& brush, const
     float weight = weightOf(brush, skin.points.positions[point]);
     if (weight <= 0.0f || glm::dot(skin.points.normals[point], brush.normal) <= 0.0f) continue;
     weight *= 1.0f - groom.mask.at(skin.surface.vertices[vertex].atlas).w;
-    const Vec3 before = comb;
-    comb += (goals[i] - comb) * weight;
-    if (glm::dot(comb, comb) < kUpright * kUpright) comb = Vec3(0);
+    const Vec3 before = comb, bend = bendAt(groom, skin, point);
+    comb = combOf(bend + (goals[i] - bend) * weight, skin.lie, point);
     changed = changed || comb != before;
   }
   return changed;
@@ -198,7 +196,7 @@ bool comb(Groom& groom, const GroomSurface& skin, const Brush& brush, const Vec3
   std::vector<Vec3> goals;
   for (const auto [point, vertex] : points) {
     const Vec3 goal = combedTo(direction, skin.points.normals[point]);
-    goals.push_back(goal == Vec3(0) ? groom.comb[point] : goal);
+    goals.push_back(goal == Vec3(0) ? bendAt(groom, skin, point) : goal);
   }
   return dabPoints(groom, skin, brush, points, goals);
 }
@@ -235,7 +233,7 @@ bool smooth(Groom& groom, const GroomSurface& skin, const Brush& brush) {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto at = static_cast<std::size_t>(
           std::lower_bound(points.begin(), points.end(), PointUnder{pointOf(skin, t, k), 0}) - points.begin());
-      goals[at] += groom.comb[pointOf(skin, t, (k + 1) % 3)] + groom.comb[pointOf(skin, t, (k + 2) % 3)];
+      goals[at] += bendAt(groom, skin, pointOf(skin, t, (k + 1) % 3)) + bendAt(groom, skin, pointOf(skin, t, (k + 2) % 3));
       counts[at] += 2.0f;
     }
   for (std::size_t i = 0; i < points.size(); ++i) {

@@ -63,12 +63,16 @@ void varyLength(Groom& groom, const GroomSurface& skin, float amount, float grai
   });
 }
 
-void combAlong(Groom& groom, const SurfacePoints& points, const Vec3& direction, float amount) {
+void combAlong(Groom& groom, const SurfacePoints& points, const Vec3& direction, float amount, std::span<const Vec3> lie) {
   for (std::size_t i = 0; i < groom.comb.size(); ++i)
-    groom.comb[i] = glm::mix(groom.comb[i], combedTo(direction, points.normals[i]), saturate(amount));
+    groom.comb[i] = combOf(glm::mix(bendAt(groom, lie, i), combedTo(direction, points.normals[i]), saturate(amount)), lie, i);
 }
 
-void raiseAll(Groom& groom) { std::fill(groom.comb.begin(), groom.comb.end(), Vec3(0)); }
+void raiseAll(Groom& groom, std::span<const Vec3> lie) {
+  for (std::size_t i = 0; i < groom.comb.size(); ++i) groom.comb[i] = combOf(Vec3(0), lie, i);
+}
+
+void letLie(Groom& groom) { std::fill(groom.comb.begin(), groom.comb.end(), Vec3(0)); }
 
 void paintAll(Groom& groom, std::uint32_t color) {
   const auto channel = [color](unsigned shift) { return static_cast<std::uint8_t>(color >> shift); };
@@ -93,7 +97,8 @@ void keepProtected(Groom& groom, const Groom& before, const GroomSurface& skin) 
   for (std::size_t i = 0; i < skin.surface.trueVertexCount; ++i)
     kept[skin.points.pointOf[i]] = groom.mask.at(skin.surface.vertices[i].atlas).w;
   for (std::size_t i = 0; i < groom.comb.size(); ++i)
-    groom.comb[i] = glm::mix(groom.comb[i], before.comb.empty() ? Vec3(0) : before.comb[i], kept[i]);
+    if (kept[i] >= 1) groom.comb[i] = before.comb[i];
+    else if (kept[i] > 0) groom.comb[i] = combOf(glm::mix(bendAt(groom, skin.lie, i), bendAt(before, skin.lie, i), kept[i]), skin.lie, i);
 }
 
 GroomMap paintUnderMask(const Groom& groom) {

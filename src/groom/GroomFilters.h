@@ -15,8 +15,10 @@ void invertLength(GroomMap& map);            // share -> 1 - share
 void varyLength(Groom& groom, const GroomSurface& skin, float amount, float grain, std::uint32_t seed);
 
 // --- the comb ---
-void combAlong(Groom& groom, const SurfacePoints& points, const Vec3& direction, float amount);  // amount 0..1
-void raiseAll(Groom& groom);
+// `lie`: as GroomSurface has it.
+void combAlong(Groom& groom, const SurfacePoints& points, const Vec3& direction, float amount, std::span<const Vec3> lie = {});  // amount 0..1
+void raiseAll(Groom& groom, std::span<const Vec3> lie = {});
+void letLie(Groom& groom);  // as if nobody had combed it
 
 // --- paint and mask ---
 void paintAll(Groom& groom, std::uint32_t color);  // 0xRRGGBB

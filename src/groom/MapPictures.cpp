@@ -45,7 +45,7 @@ MapPicture combPicture(const Groom& groom, const GroomSurface& skin) {
   MapPicture out{"comb", size, 3, {}};
   out.pixels.reserve(3 * texels);
   for (std::size_t i = 0; i < texels; ++i) out.pixels.insert(out.pixels.end(), {128, 128, 0});
-  const std::vector<Vec3> bends = restBends(groom, skin.surface, skin.points);
+  const std::vector<Vec3> bends = restBends(groom, skin.surface, skin.points, skin.lie);
   for (std::uint32_t t = 0; t < skin.surface.triangleCount(); ++t) {
     const std::uint32_t* corners = &skin.surface.indices[std::size_t{3} * t];
     const auto vertex = [&](std::size_t k) -> const geometry::SurfaceVertex& { return skin.surface.vertices[corners[k]]; };

@@ -52,6 +52,7 @@ struct FurData {
   hair::Hairstyle hair{};  // positions in model space
   std::vector<int> bare{};  // materials of the file without fur; -1: primitives without one
   bool hasBare = false;    // a document of several materials, of which `bare` tells
+  bool isLying = false;    // fur lies by itself where the comb is 0; without a comb it does anyway
 };
 
 }  // namespace fur::scene

@@ -124,6 +124,30 @@ TEST(AppGroom, ACombBendsThePictureAndRaisingBringsItBack) {
   EXPECT_EQ(salon.settled().differingShare(upright, 0), 0);
 }
 
+TEST(AppGroom, ACoatLiesByItselfBeneathTheComb) {
+  GroomRoom salon;
+  const test::Picture upright = salon.settled();
+  salon.app.setField("lie", "0.8");
+  const test::Picture lying = salon.settled();
+  EXPECT_GT(lying.differingShare(upright, 16), 0.1f);
+  EXPECT_FALSE(salon.app.groomed()) << "nobody has combed it";
+  const auto uncombed = salon.app.groomHash();
+  salon.app.groomAll(GroomEdit::Raise);
+  EXPECT_LT(salon.settled().differingShare(upright, 16), 0.02f) << "what is raised stands";
+  salon.app.groomAll(GroomEdit::Lie);
+  EXPECT_EQ(salon.settled().differingShare(lying, 0), 0);
+  EXPECT_EQ(salon.app.groomHash(), uncombed);
+  // A file that is combed in part says of the rest that it lies.
+  salon.stroke(Tool::Comb, {50, 80}, {110, 85});
+  const test::Picture before = salon.settled();
+  const std::vector<std::uint8_t> file = salon.app.saveScene();
+  salon.app.groomAll(GroomEdit::Lie);
+  ASSERT_TRUE(salon.app.loadModel(file, "combed.glb"));
+  EXPECT_LT(salon.settled().differingShare(before, 16), 0.02f);
+  salon.app.setField("lie", "0");
+  EXPECT_GT(salon.settled().differingShare(before, 16), 0.05f);
+}
+
 TEST(AppGroom, CombedFurSwingsOverAndComesToRest) {
   GroomRoom salon;
   salon.app.groomAll(GroomEdit::Comb);

@@ -13,7 +13,7 @@ app.resize(800, 600, 1);
 const mouse = (phase, x, y, extra = {}) => app.pointer(phase, { pointerType: 'mouse', pointerId: 1, buttons: 1, ...extra }, x, y);
 
 function time(settings, { wetness = 0, each = () => {}, tool = 'none' } = {}) {
-  for (const [name, value] of Object.entries({ wind: 0, gust: 0, turbulence: 0, dryRate: 0, breath: 0, animationSpeed: 1, ...settings })) app.setSetting(name, value);
+  for (const [name, value] of Object.entries({ wind: 0, gust: 0, turbulence: 0, dryRate: 0, breath: 0, lie: 0, animationSpeed: 1, ...settings })) app.setSetting(name, value);
   app.tool = tool;
   app.setWetness(wetness);
   for (let i = 0; i < 300; ++i) app.tick(1 / 60);

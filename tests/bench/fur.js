@@ -5,7 +5,7 @@ import { install, makeCanvas, noteContext, setting, view } from './shared.js';
 const noted = noteContext(), canvas = makeCanvas();
 const query = new URLSearchParams(location.search), pageSettings = ['page', 'shells', 'width', 'height', 'mesh', 'length', 'aa', 'wetness'];
 const fur = await createWetFur(canvas, {
-  src: new URL(`/models/${setting.model}.glb`, location).href, quality: setting.antialias ? 'medium' : 'low', paused: true, dryRate: 0,
+  src: new URL(`/models/${setting.model}.glb`, location).href, quality: setting.antialias ? 'medium' : 'low', paused: true, dryRate: 0, lie: 0,
   cameraOrbit: `${view.yaw}rad ${view.pitch}rad ${view.distance}m`,
   ...Object.fromEntries([...query].filter(([name]) => !pageSettings.includes(name))), layers: setting.layers, furLength: setting.furLength,
 });

@@ -13,7 +13,7 @@ if (query.has('plain')) {
 }
 const noted = noteContext(), canvas = makeCanvas();
 const fur = await createWetFur(canvas, {
-  src: new URL(`/models/${setting.model}.glb`, location).href, quality: setting.antialias ? 'medium' : 'low', paused: true, dryRate: 0,
+  src: new URL(`/models/${setting.model}.glb`, location).href, quality: setting.antialias ? 'medium' : 'low', paused: true, dryRate: 0, lie: 0,
   cameraOrbit: `${view.yaw}rad ${view.pitch}rad ${query.get('distance') ?? view.distance}m`,
   ...JSON.parse(query.get('settings') ?? '{}'), ...query.has('plain') && { shadows: 'none' },
 });

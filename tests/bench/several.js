@@ -6,7 +6,7 @@ import { install, loadMesh, makeCanvas, noteContext, setting, view } from './sha
 const query = new URLSearchParams(location.search), settings = JSON.parse(query.get('settings') ?? '{}');
 const noted = noteContext(), canvas = makeCanvas();
 const fur = await createWetFur(canvas, {
-  src: new URL(`/models/${setting.model}.glb`, location).href, quality: setting.antialias ? 'medium' : 'low', paused: true, dryRate: 0,
+  src: new URL(`/models/${setting.model}.glb`, location).href, quality: setting.antialias ? 'medium' : 'low', paused: true, dryRate: 0, lie: 0,
   cameraOrbit: `${view.yaw}rad ${view.pitch}rad ${view.distance}m`, ...settings,
 });
 

@@ -19,7 +19,7 @@ export const size = { width: 224, height: 168 };
 export const scenes = readdirSync(folder).filter((file) => file.endsWith('.json')).sort().map((file) => {
   const name = basename(file, '.json');
   const scene = JSON.parse(readFileSync(join(folder, file), 'utf8'));
-  return { name, picture: join(folder, `${name}.png`), ...scene, settings: { breath: 0, ...scene.settings } };
+  return { name, picture: join(folder, `${name}.png`), ...scene, settings: { breath: 0, lie: 0, ...scene.settings } };
 });
 /** What the scene's model is, when this folder makes it: the text of an .obj file. */
 export const solidOf = (scene) => scene.solid && solid(scene.solid);

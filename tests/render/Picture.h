@@ -77,6 +77,7 @@ class Stage {
   void attach(app::App& app) {
     target_.bind();
     if (app.modelName() == "plane") EXPECT_TRUE(app.loadPrimitive("sphere"));
+    app.setField("lie", "0");  // upright, as what tests are about
     app.resize(width_, height_, 1);
     const Status status = app.attach();
     ASSERT_TRUE(status) << (status ? "" : status.error().message);

@@ -54,7 +54,7 @@ const patience = 300000;
 
 /** Small, because a software rasteriser draws; light, because most tests are not about the coat, its shadow, how it breathes or how a picture gets better. */
 const viewport = { width: 480, height: 360 };
-export const plain = 'quality=low&layers=8&fins=0&breath=0&shadows=none&refine=0';
+export const plain = 'quality=low&layers=8&fins=0&breath=0&lie=0&shadows=none&refine=0';
 export const light = `${plain}&ui=0`;
 
 /**

@@ -27,7 +27,7 @@ FurAt GroomStage::numbersAt(const ShapeStage& shape, const geometry::SurfacePoin
   out.length = texel.x;
   out.types = {saturate(1 - texel.y - texel.z - texel.w), texel.y, texel.z, texel.w};
   for (int k = 0; k < 3; ++k)
-    out.comb += at.weights[k] * groom_.comb[skin.points.pointOf[skin.surface.indices[std::size_t{3} * at.triangle + static_cast<std::size_t>(k)]]];
+    out.comb += at.weights[k] * groom::bendAt(groom_, skin.lie, skin.points.pointOf[skin.surface.indices[std::size_t{3} * at.triangle + static_cast<std::size_t>(k)]]);
   out.comb -= out.normal * glm::dot(out.comb, out.normal);
   return out;
 }

@@ -57,6 +57,7 @@ void GroomStage::read(const ShapeStage& shape, const scene::FurData& fur, Warnin
     if (!lengths.empty()) lengths[point] = meshLengths[i];
     if (!types.empty()) types[point] = meshTypes[i];
   }
+  isLying_ = combs.empty() || fur.isLying;
   groom_.comb = groom::soundComb(std::move(groom_.comb), at.points);
   groom::paintFromVertices(groom_, at, perVertex(lengths, at), perVertex(types, at));
   groom_.whiskers = fur.whiskers;

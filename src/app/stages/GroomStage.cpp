@@ -71,6 +71,9 @@ const GroomStage::EditorBrushes* GroomStage::editorBrushes() { return brushesOfE
 void GroomStage::reset(std::vector<std::uint8_t> bare) {
   bareAtFirst_ = bare;
   groom_ = {groom::GroomMap(), {}, {}, std::move(bare)};
+  isLying_ = true;
+  lie_.clear();
+  lieFor_ = {};
   before_.reset();
   lastDab_.reset();
   touch();
@@ -84,7 +87,7 @@ groom::GroomSurface GroomStage::groomSurface(const ShapeStage& shape) {
   if (noteChange(atlasFor_, shape.surfaceRevision())) atlas_.reset();
   if (!atlas_ || atlas_->size() != groom_.map.size()) atlas_.emplace(shape.surface(), groom_.map.size());
   needComb(shape);
-  return {shape.surface(), shape.query(), *atlas_, shape.points()};
+  return {shape.surface(), shape.query(), *atlas_, shape.points(), lie_};
 }
 
 bool GroomStage::upright() const {
@@ -95,7 +98,7 @@ bool GroomStage::upright() const {
 
 bool GroomStage::active(const Inputs& inputs) const {
   return updatedFor_ != revision_ || surfaceFor_ != inputs.shape.surfaceRevision() || (types_ > 1 && heightsOf(inputs) != heights_) ||
-         combOfAll(inputs.settings) != combOfAll_;
+         combOfAll(inputs.settings) != combOfAll_ || lieFor(inputs.settings) != lieFor_;
 }
 
 bool GroomStage::update(const Inputs& inputs) {
@@ -113,6 +116,7 @@ bool GroomStage::update(const Inputs& inputs) {
     if (i == 0) readLengths(inputs.shape);
   }
   combOfAll_ = combOfAll(inputs.settings);
+  if (noteChange(lieFor_, lieFor(inputs.settings)) || otherSurface) readLie(inputs.shape);
   readRests(inputs.shape);
   return true;
 }
@@ -128,9 +132,20 @@ void GroomStage::readLengths(const ShapeStage& shape) {
     vertexTypes_.push_back(static_cast<std::uint8_t>(groom_.map.typeAt(vertex.atlas) - 1));
 }
 
+// What is combed by the vector of the settings lies less by itself.
+float GroomStage::lieFor(const settings::Settings& settings) const { return isLying_ ? settings.lie * (1 - settings.combStrength) : 0; }
+
+void GroomStage::readLie(const ShapeStage& shape) {
+  lie_.clear();
+  if (lieFor_ <= 0) return;
+  lie_ = shape.naturalLie();
+  for (Vec3& way : lie_) way *= lieFor_ * groom::kMaxComb;
+}
+
 void GroomStage::readRests(const ShapeStage& shape) {
   rests_.clear();
-  if (!upright()) rests_ = groom::restBends(groom_, shape.surface(), shape.points());
+  if (!lie_.empty()) needComb(shape);
+  if (!lie_.empty() || !upright()) rests_ = groom::restBends(groom_, shape.surface(), shape.points(), lie_);
   if (combOfAll_ == Vec3(0)) return;
   rests_.resize(shape.surface().vertices.size(), Vec3(0));
   for (std::size_t i = 0; i < rests_.size(); ++i) {
@@ -278,8 +293,9 @@ void GroomStage::edit(const ShapeStage& shape, GroomEdit edit, float value, cons
     case GroomEdit::Invert: groom::invertLength(groom_.map); break;
     case GroomEdit::Vary: groom::varyLength(groom_, skin, value, kGrain, seed); break;
     case GroomEdit::Type: groom::setType(groom_.map, static_cast<int>(glm::clamp(value, 1.0f, 4.0f))); break;
-    case GroomEdit::Comb: groom::combAlong(groom_, skin.points, direction, value); break;
-    case GroomEdit::Raise: groom::raiseAll(groom_); break;
+    case GroomEdit::Comb: groom::combAlong(groom_, skin.points, direction, value, lie_); break;
+    case GroomEdit::Raise: groom::raiseAll(groom_, lie_); break;
+    case GroomEdit::Lie: groom::letLie(groom_); break;
     case GroomEdit::Size: groom::resize(groom_, static_cast<int>(glm::clamp(value, 0.0f, 1e4f))); break;
     case GroomEdit::Paint: groom::paintAll(groom_, static_cast<std::uint32_t>(glm::clamp(value, 0.0f, 16777215.0f))); break;
     case GroomEdit::Tabby: pattern(groom::Pattern::Tabby); break;

@@ -46,6 +46,9 @@ class GroomStage {
 
   const groom::Groom& groom() const { return groom_; }
   bool upright() const;  // nothing is combed
+  // Where nothing is combed fur lies by itself, as far as the settings say. Not on a model whose file has a comb and does not say so.
+  bool isLying() const { return isLying_; }
+  bool isCombed() const { return !isLying_ || !upright(); }  // files are to have a comb
   bool isPlain() const { return groom_.isPlain() && groom_.bare == bareAtFirst_; }
   bool isBare(std::size_t material) const { return material < groom_.bare.size() && groom_.bare[material]; }
   // What the functions of groom/ know of the model.
@@ -59,7 +62,7 @@ class GroomStage {
   const std::vector<float>& vertexLengths() const { return vertexLengths_; }
   // The type that most grows there, 0 to 3; empty: 0 everywhere.
   const std::vector<std::uint8_t>& vertexTypes() const { return vertexTypes_; }
-  // Bends that the comb, and that of the settings, give, radians in model space; empty: none.
+  // Bends that the comb, how fur lies by itself, and the comb of the settings give, radians in model space; empty: none.
   const std::vector<Vec3>& rests() const { return rests_; }
   unsigned types() const { return types_; }                        // a bit for each that is anywhere
   bool hasLengths() const { return !plain_[0]; }  // or types: the map says more than full length of one type
@@ -121,6 +124,8 @@ class GroomStage {
   void turnOver(std::size_t material, Warnings& warnings);
   void plant(const ShapeStage& shape, const settings::Settings& settings, const geometry::SurfacePoint& at, Warnings& warnings);
   void readLengths(const ShapeStage& shape);
+  float lieFor(const settings::Settings& settings) const;
+  void readLie(const ShapeStage& shape);
   void readRests(const ShapeStage& shape);
   // From a whisker's root to where a ray passes it, as far from the eye.
   static Vec3 pullAt(const Vec3& root, const Vec3& origin, const Vec3& direction);
@@ -130,11 +135,14 @@ class GroomStage {
   std::uint64_t atlasFor_ = 0;                     // the surface that it is of
   std::uint64_t revision_ = 1;
   std::vector<std::uint8_t> bareAtFirst_;  // as the model came
+  bool isLying_ = true;                    // fur lies by itself where it is not combed: a file has not combed all of it
 
   // As of the last update(), and what it was for.
   std::uint64_t updatedFor_ = 0, surfaceFor_ = 0, verticesRevision_ = 0;
   groom::TypeHeights heights_ = groom::kAllFull;
   Vec3 combOfAll_{0};
+  float lieFor_ = 0;
+  std::vector<Vec3> lie_;  // as GroomSurface has it
   std::vector<float> vertexLengths_;
   std::vector<std::uint8_t> vertexTypes_;
   std::vector<std::uint8_t> bareFor_;

@@ -61,6 +61,7 @@ class ShapeStage {
   float top() const { return top_; }                    // the highest that it comes there
   const geometry::SurfaceQuery& query() const { return shown_.query(); }
   const groom::SurfacePoints& points() const { return shown_.points(); }
+  const std::vector<Vec3>& naturalLie() const { return shown_.naturalLie(); }  // groom/Lie.h
 
   // nullptr for a model without animations: it is shown as it was made.
   const Skin* skin() const { return pose_ ? &skin_ : nullptr; }

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/Fnv1a.h"
+#include "groom/Lie.h"
 
 namespace fur::app {
 
@@ -38,6 +39,11 @@ const geometry::SurfaceQuery& ShownSurface::query() const {
 const groom::SurfacePoints& ShownSurface::points() const {
   if (!parts_->points) parts_->points.emplace(parts_->surface);
   return *parts_->points;
+}
+
+const std::vector<Vec3>& ShownSurface::naturalLie() const {
+  if (!parts_->lie) parts_->lie.emplace(groom::naturalLie(parts_->surface, points()));
+  return *parts_->lie;
 }
 
 Result<ShownSurface> ModelShelf::surfaceOf(const geometry::Mesh& mesh, geometry::FurMapping mapping) {

@@ -20,9 +20,10 @@ class ShownSurface {
 
   const geometry::Surface& operator*() const { return parts_->surface; }
   const geometry::Surface* operator->() const { return &parts_->surface; }
-  // Both made when first asked for: of the surface as it was made, and its positions without duplicates.
+  // All made when first asked for: of the surface as it was made, its positions without duplicates, and how fur lies there by itself.
   const geometry::SurfaceQuery& query() const;
   const groom::SurfacePoints& points() const;
+  const std::vector<Vec3>& naturalLie() const;
 
  private:
   friend class ModelShelf;
@@ -30,6 +31,7 @@ class ShownSurface {
     geometry::Surface surface;
     std::optional<geometry::SurfaceQuery> query{};
     std::optional<groom::SurfacePoints> points{};
+    std::optional<std::vector<Vec3>> lie{};
   };
   explicit ShownSurface(std::shared_ptr<Parts> parts) : parts_(std::move(parts)) {}
 

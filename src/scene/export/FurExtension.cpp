@@ -104,6 +104,7 @@ std::string furExtension(GlbWriter& writer, const FurData& fur, const FurPlace& 
     const auto* from = reinterpret_cast<const std::uint8_t*>(fur.whiskers.data());
     out += ",\"whiskers\":{\"bufferView\":" + std::to_string(writer.addView({from, fur.whiskers.size() * groom::kWhiskerBytes})) + "}";
   }
+  if (fur.isLying && !fur.comb.empty()) out += ",\"lie\":true";
   if (fur.hasBare) {
     out += ",\"bare\":[";
     for (const int& material : fur.bare) out += (&material == fur.bare.data() ? "" : ",") + std::to_string(material);

@@ -149,6 +149,7 @@ GltfFur readFur(const GltfFile& file, FurData& fur) {
   readTypeSet(file, *found, "WETFUR_fur", fur.coats[0]);
   if (const Json* types = found->find("types")) readTypes(file, *types, fur);
   if (const Json* picture = found->find("skinPicture")) readPicture(file, *picture, "WETFUR_fur.skinPicture", fur.coats[groom::kTypes].picture);
+  if (const Json* lie = found->find("lie")) fur.isLying = lie->isTrue();
   if (const Json* bare = found->find("bare")) out.bare = readBare(file, *bare);
   if (const Json* whiskers = found->find("whiskers")) readWhiskers(file, *whiskers, fur);
   return out;

@@ -258,6 +258,7 @@ class Importer {
     FurData kept;
     kept.state = std::move(model_.fur.state);
     kept.comb = std::move(model_.fur.comb);
+    kept.isLying = model_.fur.isLying;
     kept.coats = std::move(model_.fur.coats);
     if (!fur_.surface) kept.whiskers = std::move(model_.fur.whiskers);
     model_.fur = std::move(kept);

@@ -347,6 +347,8 @@ TEST(ShapeStage, AModelWithoutAnimationsIsShownAsItWasMade) {
 
 TEST(GroomStage, TheCombOfTheSettingsLeansAllFurThatWayBesideWhatIsCombedByHand) {
   Model model;
+  model.settings.lie = 0;
+  model.groom.update({model.shape, model.settings});
   EXPECT_TRUE(model.groom.rests().empty());
   model.settings.combStrength = 0.8f;
   EXPECT_TRUE(model.groom.active({model.shape, model.settings}));
@@ -363,6 +365,43 @@ TEST(GroomStage, TheCombOfTheSettingsLeansAllFurThatWayBesideWhatIsCombedByHand)
   model.settings.combStrength = 0;
   model.groom.update({model.shape, model.settings});
   EXPECT_TRUE(model.groom.rests().empty());
+}
+
+TEST(GroomStage, FurLiesByItselfUnlessTheFileHasCombedIt) {
+  Model model;
+  const auto restsWith = [&](float lie, float combStrength = 0) {
+    model.settings.lie = lie;
+    model.settings.combStrength = combStrength;
+    model.groom.update({model.shape, model.settings});
+    EXPECT_FALSE(model.groom.active({model.shape, model.settings}));
+    return model.groom.rests();
+  };
+  const auto longest = [](const std::vector<Vec3>& rests) {
+    float most = 0;
+    for (const Vec3& rest : rests) most = std::max(most, glm::length(rest));
+    return most;
+  };
+  EXPECT_NEAR(longest(restsWith(0.8f)), 0.8f * groom::kMaxComb, 1e-3f);
+  EXPECT_NEAR(longest(restsWith(0.4f)), 0.4f * groom::kMaxComb, 1e-3f);
+  EXPECT_TRUE(restsWith(0).empty());
+  const std::vector<Vec3> combed = restsWith(0, 1);
+  EXPECT_EQ(restsWith(0.8f, 1), combed) << "the vector of the settings takes its place";
+  EXPECT_TRUE(model.groom.upright()) << "nobody has combed it";
+  EXPECT_FALSE(model.groom.isCombed());
+
+  // One vertex is combed; the file does not say that the others lie.
+  scene::FurData fur;
+  fur.comb.assign(model.shape.mesh().positions.size(), Vec3(0));
+  fur.comb[1000] = 0.5f * normalizeOr(glm::cross(model.shape.mesh().normals[1000], Vec3(1, 2, 3)), Vec3(0));
+  Warnings warnings;
+  for (const bool lies : {false, true}) {
+    model.groom.reset();
+    fur.isLying = lies;
+    model.groom.read(model.shape, fur, warnings);
+    EXPECT_EQ(model.groom.isLying(), lies);
+    EXPECT_NEAR(longest(restsWith(0.8f)), lies ? 0.8f * groom::kMaxComb : 0.5f, 1e-3f);
+    EXPECT_NEAR(longest(restsWith(0)), 0.5f, 1e-3f) << "combs stay as they are";
+  }
 }
 
 }  // namespace
