@@ -16,6 +16,10 @@ Strand standingAt(float h, inout March march) {
   return here;
 }
 
+const int kStretch = 1;
+void enterStretch(inout March march, int left) {}
+Strand standingOn(inout March march) { return standingAt(heightAt(march.x), march); }
+
 vec4 strandAt(vec4 spot, Strand here) { return textureLod(strand, spot.xyz, spot.w); }
 void joinStrands(inout Met met, float furry) {}
 vec2 tiltOf(Met met) { return met.strand.xy * 2.0 - 1.0; }
