@@ -130,7 +130,8 @@ Met resolve(March march) {
   met.x = march.alpha > 0.0 ? march.xSum * perStrand : end;
   // Worked out again instead of carried through the march.
   march.x = march.metX;
-  met.here = standingAt(heightAt(march.metX), march);
+  enterStretch(march, 1);
+  met.here = standingOn(march);
   met.spot = spotOf(met.here, march);
   if (march.alpha <= 0.0) met.spot.xyz = vec3(foot, 0.0);
   met.h = heightMet(march, perStrand, met.x);
@@ -175,7 +176,7 @@ vec3 overSkin(vec3 color, Met met, vec3 model, float lit) {
   for (int i = 0, once = int(reachesSkin && met.closed < 1.0); i < once; ++i) {
     vec3 bare = paintSkin(skinAlbedo(model), met);
     float rho = min(met.held, 1.0);
-    vec3 skin = shadeSkin(bare * 0.5, vLight.z, vView.w, 0.0, rho, lit);
+    vec3 skin = shadeSkin(bare * 0.5, vLight.z, vView.w, 0.35 * rho, rho, lit);
     // Pores: the lowest layer says where strands root (Sheppard 5.2).
     skin *= 1.0 - 0.4 * grown * textureLod(coverage, vec3(foot, firstLayer(met.spot.z)), lod).r;
     skin = thinned(skin, bare, rho, lit);

@@ -67,7 +67,8 @@ void trim(inout Strand here, inout March march) {
 void leavePlain(inout March march) {
   March at = march;
   at.x = march.metX;
-  Strand met = standingAt(heightAt(at.x), at);
+  enterStretch(at, 1);
+  Strand met = standingOn(at);
   shape(met);
   march.spot = spotIn(plainType, met, met.along * plainRise);
 #ifndef WET

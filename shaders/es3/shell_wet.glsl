@@ -18,6 +18,7 @@ float entryRadius;                // of its clump, 0: it is dry
 float sheet, joined;              // how much of a sheet the coat is; how much of what is shown
 float coatTop;                    // how high it stands
 float enters, closes;             // where the ray comes to that; what hides all
+float locksInClumps;              // to a tile
 vec2 lean, tipTile;               // where its tips are from their roots: fur lengths, tiles
 float furLengths, atlasLength;    // how many fur lengths a tile is on average, how many tiles the atlas
 mat2 tileFromAtlas, furFromTile;  // fur lengths along axisS, axisT (shell.vert)
@@ -38,6 +39,7 @@ void enterWater() {
   mat2 tileFromFur = mat2(vTileOfFur.xy, 0.0, vTileOfFur.z);
   furFromTile = inverse(tileFromFur);
   furLengths = sqrt(abs(determinant(furFromTile)));
+  locksInClumps = FUR_LOCKS_IN_CLUMP / (clumpRadius * tilesPerUnit);
   entryHeld = filteredWetness(mask, vAtlas);
   vec4 entryClump = maskAt(mask, vAtlas);
   entryChart = chartOf(entryClump);
@@ -99,14 +101,11 @@ vec4 clumpThere(vec2 tile, inout March march, out vec2 mirrored) {
   return clump;
 }
 vec2 leantTile(float x, float h) { return tileAt(x, h) - tipTile * (h / coatTop); }
-// What that clump holds, and the water that draws it together.
-float clumpHeld(vec4 clump) { return clump.a < 0.0 ? entryHeld : clump.a; }
-float drawnBy(vec4 clump) { return clump.a > 0.0 ? clumpingWetness(clump.a, clump.z * atlasLength * furLengths) : 0.0; }
 
-Standing standIn(vec4 clump, vec2 mirrored, float drawn, float x, float h) {
+Standing standIn(vec4 clump, vec2 mirrored, float drawn, float x) {
   Standing stands;
+  float h = heightAt(x), side = mirrored == vec2(0.0) ? 1.0 : -1.0;
   vec2 tile = leantTile(x, h), a = atlasAt(tile);
-  float side = mirrored == vec2(0.0) ? 1.0 : -1.0;
   stands.along = h / coatTop;
   stands.pull = clumpPull(stands.along, drawn, sheet);
   stands.from = (mirrored + side * a - clump.xy) / (1.0 - stands.pull);
@@ -116,61 +115,58 @@ Standing standIn(vec4 clump, vec2 mirrored, float drawn, float x, float h) {
   return stands;
 }
 
-// The strand that the ray meets at height h.
-Strand standingAt(float h, inout March march) {
-  Strand here;
-  vec2 mirrored;
-  here.clump = clumpThere(leantTile(march.x, h), march, mirrored);
-  Standing stands = standIn(here.clump, mirrored, drawnBy(here.clump), march.x, h);
-  here.clump.a = clumpHeld(here.clump);
-  here.from = tileFromAtlas * stands.from * (mirrored == vec2(0.0) ? 1.0 : -1.0);
-  here.root = stands.root;
-  here.pull = stands.pull;
-  here.along = stands.along * rimTaper(here.clump.a, sheet, dot(stands.from, stands.from) / (here.clump.z * here.clump.z + 1e-12));
-  here.open = 1.0;
-  return here;
+// A clump holds smaller locks, to whose middles strands draw together once more: at its tip it splits into them.
+float insideLock(float outward) { return clamp(3.0 - 3.0 * outward, 0.0, 1.0); }
+vec2 inLock(inout vec2 root, float along, float drawn) {
+  vec2 middle = lockCentre(root * locksInClumps) / locksInClumps;
+  float pull = FUR_LOCK_IN_CLUMP_PULL * drawn * along * along;
+  vec2 from = (root - middle) / (1.0 - pull);
+  root = middle + from;
+  return from * locksInClumps;
 }
 
 // Steps that ask for their clump together: it changes seldom on the way, and within it a strand's root moves nearly evenly.
-const int kStretch = 3;
+const int kStretch = 2;
 struct Stretch {
   vec4 clump;
   vec2 root, rootStep;
-  vec3 way, wayStep;  // along the strand, share of the pull, squared distance of the root from the middle, 1 at the rim
-  float taken, last;  // of its steps
-  float own, taper;
+  vec4 way, wayStep;  // along the strand, share of the pull, squared distances of the root from the middles of clump and lock, 1 at the rim
+  vec2 from;          // of the first root, from the middle of its clump, tiles
+  float own, taper, taken, last;  // whether strands are of the clump, how it narrows; steps taken, the last of them
 };
 Stretch stretch;
 void enterStretch(inout March march, int left) {
-  float last = float(min(left, kStretch) - 1), x1 = march.x + last * stepSize, middle = march.x + 0.5 * last * stepSize;
+  stretch.last = float(min(left, kStretch) - 1);
+  stretch.taken = 0.0;
+  float middle = march.x + 0.5 * stretch.last * stepSize, share = 1.0 / max(stretch.last, 1.0);
   vec2 mirrored;
   vec4 clump = clumpThere(leantTile(middle, heightAt(middle)), march, mirrored);
-  float drawn = drawnBy(clump);
-  Standing from = standIn(clump, mirrored, drawn, march.x, heightAt(march.x)), to = standIn(clump, mirrored, drawn, x1, heightAt(x1));
-  bool clumped = clump.a > 0.0;
-  clump.a = clumpHeld(clump);
-  float perSquare = 1.0 / (clump.z * clump.z + 1e-12), share = 1.0 / max(last, 1.0);
+  float clumped = float(clump.a > 0.0), drawn = clumped * clumpingWetness(clump.a, clump.z * atlasLength * furLengths);
+  Standing one = standIn(clump, mirrored, drawn, march.x), two = standIn(clump, mirrored, drawn, march.x + stretch.last * stepSize);
+  drawn *= 1.0 - sheet;
+  vec2 oneIn = inLock(one.root, one.along, drawn), twoIn = inLock(two.root, two.along, drawn);
+  if (clump.a < 0.0) clump.a = entryHeld;
+  float perSquare = clumped / (clump.z * clump.z + 1e-12);
   stretch.clump = clump;
-  stretch.own = clumped ? ownClump(mask, clump, entryChart, 0.5 * (from.from + to.from)) : 1.0;
-  stretch.taper = clumped ? FUR_RIM_TAPER * min(clump.a, 1.0) * (1.0 - sheet) : 0.0;
-  stretch.root = from.root;
-  stretch.rootStep = (to.root - from.root) * share;
-  vec2 squares = clumped ? vec2(dot(from.from, from.from), dot(to.from, to.from)) * perSquare : vec2(0.0);
-  stretch.way = vec3(from.along, from.pull, squares.x);
-  stretch.wayStep = (vec3(to.along, to.pull, squares.y) - stretch.way) * share;
-  stretch.taken = 0.0;
-  stretch.last = last;
+  stretch.own = ownClump(mask, clump, entryChart, 0.5 * (one.from + two.from)) * clumped + 1.0 - clumped;
+  stretch.taper = FUR_RIM_TAPER * drawn;
+  stretch.root = one.root;
+  stretch.rootStep = (two.root - one.root) * share;
+  stretch.way = vec4(one.along, one.pull, dot(one.from, one.from) * perSquare, dot(oneIn, oneIn));
+  stretch.wayStep = (vec4(two.along, two.pull, dot(two.from, two.from) * perSquare, dot(twoIn, twoIn)) - stretch.way) * share;
+  stretch.from = tileFromAtlas * one.from * (mirrored == vec2(0.0) ? 1.0 : -1.0);
 }
+
+// The strand that the ray meets at the stretch's next step.
 Strand standingOn(inout March march) {
-  Strand here;
-  here.clump = stretch.clump;
-  here.root = stretch.root + stretch.taken * stretch.rootStep;
-  vec3 way = stretch.way + stretch.taken * stretch.wayStep;
-  here.pull = way.y;
-  here.along = way.x * (1.0 + stretch.taper * min(way.z, 1.0));
-  here.from = vec2(0.0);
+  vec4 way = stretch.way + stretch.taken * stretch.wayStep;
+  Strand here = Strand(stretch.root + stretch.taken * stretch.rootStep, way.x * (1.0 + stretch.taper * min(way.z, 1.0)), 0.0, way.y, stretch.clump, stretch.from
+#ifdef TYPES
+  , vec4(0.0)
+#endif
+  );
   // A sheet nearly closes the gaps.
-  float own = mix(clamp(6.0 - 6.0 * way.z, 0.0, 1.0) * stretch.own, 1.0, 0.7 * sheet) * (1.0 + 2.0 * here.pull + sheet);
+  float own = mix(insideRim(way.z) * insideLock(way.w) * stretch.own, 1.0, 0.7 * sheet) * (1.0 + 2.0 * here.pull + sheet);
   here.open = own * float(here.along <= 1.0 && stretch.taken <= stretch.last);
   stretch.taken += 1.0;
   return here;

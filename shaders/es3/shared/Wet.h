@@ -32,6 +32,10 @@
 // Look-ups for one, from the tip of the one that comes from furthest on.
 #define FUR_LOCK_LOOKS 4
 
+// The smaller locks that a clump holds: how many along its radius, and how far soaked strands draw together to them at their tips.
+#define FUR_LOCKS_IN_CLUMP 2.0
+#define FUR_LOCK_IN_CLUMP_PULL 0.6
+
 // The encoded mask (wet/MaskEncoding.h) tells the chart of a texel beside its clump's centre: u is stored with FUR_CHART_STEP
 // times the chart's number, and half as much again, which keeps it positive where the centre lies beside the atlas. Numbers
 // go round after FUR_CHART_NUMBERS.
