@@ -14,6 +14,9 @@ float clumpProfile(float h, float w, float layers) {
   return (1.0 - w) * h + w * (1.0 + naturalLog(max(h, 1.0 / layers)) / naturalLog(layers));
 }
 
+// How it changes with h.
+float clumpProfileSlope(float h, float w, float layers) { return 1.0 - w + w / (max(h, 1.0 / layers) * naturalLog(layers)); }
+
 // `held`: the water that a texel of the mask holds; 1 is saturated, what is more lies on the strands as a film.
 // How short fur of that length (model units) is for water, 0..1: clumps of short fur would be as round as beads.
 float shortnessOf(float coat) { return smoothstep(FUR_SHORT_FROM, FUR_SHORT, clumpRadius / max(coat, 1e-5)); }

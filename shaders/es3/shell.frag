@@ -129,9 +129,7 @@ Met resolve(March march) {
   float perStrand = 1.0 / max(march.alpha, 1e-3);
   met.x = march.alpha > 0.0 ? march.xSum * perStrand : end;
   // Worked out again instead of carried through the march.
-  march.x = march.metX;
-  enterStretch(march, 1);
-  met.here = standingOn(march);
+  met.here = standingAt(march.metX, march);
   met.spot = spotOf(met.here, march);
   if (march.alpha <= 0.0) met.spot.xyz = vec3(foot, 0.0);
   met.h = heightMet(march, perStrand, met.x);

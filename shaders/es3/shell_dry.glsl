@@ -17,6 +17,10 @@ Strand standingOn(inout March march) {
   here.pull = 0.0;
   return here;
 }
+Strand standingAt(float x, March march) {
+  march.x = x;
+  return standingOn(march);
+}
 
 vec4 strandAt(vec4 spot, Strand here) { return textureLod(strand, spot.xyz, spot.w); }
 void joinStrands(inout Met met, float furry) {}

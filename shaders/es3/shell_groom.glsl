@@ -65,10 +65,7 @@ void trim(inout Strand here, inout March march) {
 #ifdef TYPES
 // After the steps of addPlain().
 void leavePlain(inout March march) {
-  March at = march;
-  at.x = march.metX;
-  enterStretch(at, 1);
-  Strand met = standingOn(at);
+  Strand met = standingAt(march.metX, march);
   shape(met);
   march.spot = spotIn(plainType, met, met.along * plainRise);
 #ifndef WET

@@ -51,7 +51,7 @@ void enterWater() {
   tipTile = tileFromFur * lean;
   // Clumps are denser than dry fur: they close sooner, and longer steps find them.
   stepSize *= 1.0 + 0.7 * min(entryHeld, 1.0);
-  closes = kClosed * (1.0 - 0.6 * sheet);
+  closes = kClosed * (1.0 - 0.6 * sheet - 0.12 * min(entryHeld, 1.0) * (1.0 - sheet));
   enters = 0.0;
   if (vTop > coatTop) {
     bool comesDown;
@@ -63,20 +63,19 @@ void enterWater() {
 float rootsAside() { return entryRadius; }
 bool underSheet() { return reachesSkin && joined > kWholeSheet; }
 
-const float kFarOn = 2.0;  // fur lengths
-// Whether the ray comes to an edge first, behind which there is no such skin, as one that goes on so far may.
-bool leavesSkin() {
-  if (end <= kFarOn) return false;
-  vec4 texel = maskAt(mask, atlasAt(foot));
-  texel.x -= entryChart;
-  return isBeside(texel);
-}
-
 // The clump at the atlas point `a`, less its chart's number.
 vec4 clumpIn(vec2 a) {
   vec4 clump = maskAt(mask, a);
   clump.x -= entryChart;
   return clump;
+}
+
+const float kFarOn = 2.0;  // fur lengths
+// Whether the ray comes to an edge first, behind which there is no such skin, as one that goes on so far may.
+bool leavesSkin() {
+  bool leaves = false;
+  for (int i = 0, once = int(end > kFarOn); i < once; ++i) leaves = isBeside(clumpIn(atlasAt(foot)));
+  return leaves;
 }
 
 // Where a point of the ray lies in a clump: what it shows of it.
@@ -102,6 +101,9 @@ vec4 clumpThere(vec2 tile, inout March march, out vec2 mirrored) {
 }
 vec2 leantTile(float x, float h) { return tileAt(x, h) - tipTile * (h / coatTop); }
 
+// The water that draws a clump's strands together.
+float drawnBy(vec4 clump) { return clump.a > 0.0 ? clumpingWetness(clump.a, clump.z * atlasLength * furLengths) : 0.0; }
+
 Standing standIn(vec4 clump, vec2 mirrored, float drawn, float x) {
   Standing stands;
   float h = heightAt(x), side = mirrored == vec2(0.0) ? 1.0 : -1.0;
@@ -118,7 +120,7 @@ Standing standIn(vec4 clump, vec2 mirrored, float drawn, float x) {
 // A clump holds smaller locks, to whose middles strands draw together once more: at its tip it splits into them.
 float insideLock(float outward) { return clamp(3.0 - 3.0 * outward, 0.0, 1.0); }
 vec2 inLock(inout vec2 root, float along, float drawn) {
-  vec2 middle = lockCentre(root * locksInClumps) / locksInClumps;
+  vec2 middle = lockCentreNear(root * locksInClumps) / locksInClumps;
   float pull = FUR_LOCK_IN_CLUMP_PULL * drawn * along * along;
   vec2 from = (root - middle) / (1.0 - pull);
   root = middle + from;
@@ -141,7 +143,7 @@ void enterStretch(inout March march, int left) {
   float middle = march.x + 0.5 * stretch.last * stepSize, share = 1.0 / max(stretch.last, 1.0);
   vec2 mirrored;
   vec4 clump = clumpThere(leantTile(middle, heightAt(middle)), march, mirrored);
-  float clumped = float(clump.a > 0.0), drawn = clumped * clumpingWetness(clump.a, clump.z * atlasLength * furLengths);
+  float clumped = float(clump.a > 0.0), drawn = drawnBy(clump);
   Standing one = standIn(clump, mirrored, drawn, march.x), two = standIn(clump, mirrored, drawn, march.x + stretch.last * stepSize);
   drawn *= 1.0 - sheet;
   vec2 oneIn = inLock(one.root, one.along, drawn), twoIn = inLock(two.root, two.along, drawn);
@@ -170,6 +172,25 @@ Strand standingOn(inout March march) {
   here.open = own * float(here.along <= 1.0 && stretch.taken <= stretch.last);
   stretch.taken += 1.0;
   return here;
+}
+
+// The strand that the ray has met, alone.
+Strand standingAt(float x, March march) {
+  vec2 mirrored;
+  vec4 clump = clumpThere(leantTile(x, heightAt(x)), march, mirrored);
+  float drawn = drawnBy(clump);
+  Standing one = standIn(clump, mirrored, drawn, x);
+  inLock(one.root, one.along, drawn * (1.0 - sheet));
+  if (clump.a < 0.0) clump.a = entryHeld;
+  stretch.from = tileFromAtlas * one.from * (mirrored == vec2(0.0) ? 1.0 : -1.0);
+  stretch.way = vec4(one.along, one.pull, dot(one.from, one.from) / (clump.z * clump.z + 1e-12), 0.0);
+  stretch.wayStep = vec4(0.0);
+  stretch.taper = FUR_RIM_TAPER * drawn * (1.0 - sheet);
+  stretch.clump = clump;
+  stretch.root = one.root;
+  stretch.own = 1.0;
+  stretch.taken = stretch.last = 0.0;
+  return standingOn(march);
 }
 
 // Strands that water joins are one as far as light is concerned: as many as a pixel has.
@@ -255,11 +276,11 @@ vec2 tiltOf(Met met) {
 
 // Eq. 4: the strand moves by -d, in fur lengths.
 vec2 clumpTilt(Met met, March march) {
-  float along = heightAt(march.metX) / coatTop, held = clumpingWetness(met.here.clump.a, met.here.clump.z * atlasLength * furLengths);
-  float rises = clumpPull(along - 1.0 / layers, held, sheet) - clumpPull(along, held, sheet);
+  float along = heightAt(march.metX) / coatTop;
+  float turns = -clumpProfileSlope(along, clumpShape, layers) * drawnBy(met.here.clump) * (1.0 - FUR_SHEET_OPENS * sheet);
   // The strands of a sheet stick to those below: they lie flatter than the coat is high, however little water made it.
   float flatter = (1.0 + 1.5 * min(2.0 * joined, 1.0) / clamp(entryHeld, 0.3, 1.0)) / max(1.0 + 1.6 * lying.chance, 0.1);
-  return furFromTile * met.here.from * (rises * layers * (1.0 - joined)) + lean * (flatter / coatTop) + lying.tilt;
+  return furFromTile * met.here.from * (turns * (1.0 - joined)) + lean * (flatter / coatTop) + lying.tilt;
 }
 
 float shadeOfOne() { return FUR_SHADE_OF_ONE * (1.0 - joined); }
