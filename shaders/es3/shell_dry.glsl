@@ -17,6 +17,9 @@ Strand standingOn(inout March march) {
   here.pull = 0.0;
   return here;
 }
+#ifdef GROOMED
+vec4 furAt(Strand here) { return textureLod(groom, atlasAt(here.root), 0.0); }
+#endif
 Strand standingAt(float x, March march) {
   march.x = x;
   return standingOn(march);

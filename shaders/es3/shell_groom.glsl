@@ -50,7 +50,7 @@ vec3 skinColor() { return skinColors[0].rgb; }
 
 // Vertices have room for the longest strand round them; the map knows the length of every strand.
 void trim(inout Strand here, inout March march) {
-  vec4 texel = textureLod(groom, atlasAt(here.root), 0.0);
+  vec4 texel = furAt(here);
   here.along *= vLength / max(texel.r, 1e-3);
   here.open *= step(kBald, texel.r);
 #ifdef TYPES

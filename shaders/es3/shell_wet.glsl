@@ -50,7 +50,7 @@ void enterWater() {
   lean = wetLean(0.5 * vLean.xy, entryHeld, sheet);
   tipTile = tileFromFur * lean;
   // Clumps are denser than dry fur: they close sooner, and longer steps find them.
-  stepSize *= 1.0 + 0.7 * min(entryHeld, 1.0);
+  stepSize *= 1.0 + min(entryHeld, 1.0);
   closes = kClosed * (1.0 - 0.6 * sheet - 0.12 * min(entryHeld, 1.0) * (1.0 - sheet));
   enters = 0.0;
   if (vTop > coatTop) {
@@ -61,7 +61,6 @@ void enterWater() {
 }
 
 float rootsAside() { return entryRadius; }
-bool underSheet() { return reachesSkin && joined > kWholeSheet; }
 
 // The clump at the atlas point `a`, less its chart's number.
 vec4 clumpIn(vec2 a) {
@@ -77,6 +76,9 @@ bool leavesSkin() {
   for (int i = 0, once = int(end > kFarOn); i < once; ++i) leaves = isBeside(clumpIn(atlasAt(foot)));
   return leaves;
 }
+
+// Whether a sheet hides all, and skin under it fills what it leaves open: nothing is marched for.
+bool underSheet() { return reachesSkin && joined > kWholeSheet && !leavesSkin(); }
 
 // Where a point of the ray lies in a clump: what it shows of it.
 struct Standing {
@@ -134,6 +136,9 @@ struct Stretch {
   vec2 root, rootStep;
   vec4 way, wayStep;  // along the strand, share of the pull, squared distances of the root from the middles of clump and lock, 1 at the rim
   vec2 from;          // of the first root, from the middle of its clump, tiles
+#ifdef GROOMED
+  vec4 fur;           // what the groom's map has there
+#endif
   float own, taper, taken, last;  // whether strands are of the clump, how it narrows; steps taken, the last of them
 };
 Stretch stretch;
@@ -157,7 +162,13 @@ void enterStretch(inout March march, int left) {
   stretch.way = vec4(one.along, one.pull, dot(one.from, one.from) * perSquare, dot(oneIn, oneIn));
   stretch.wayStep = (vec4(two.along, two.pull, dot(two.from, two.from) * perSquare, dot(twoIn, twoIn)) - stretch.way) * share;
   stretch.from = tileFromAtlas * one.from * (mirrored == vec2(0.0) ? 1.0 : -1.0);
+#ifdef GROOMED
+  stretch.fur = textureLod(groom, atlasAt(0.5 * (one.root + two.root)), 0.0);
+#endif
 }
+#ifdef GROOMED
+vec4 furAt(Strand here) { return stretch.fur; }
+#endif
 
 // The strand that the ray meets at the stretch's next step.
 Strand standingOn(inout March march) {
@@ -212,8 +223,7 @@ Lying locksAt(vec2 tile, vec2 lies, float cells, float frays) {
   vec2 at = tile * cells, way = lies * cells;
   float along = 0.0;
   for (int i = 0; i < FUR_LOCK_LOOKS; ++i) {
-    // At the middle of the map's texel the centre is exact: all of a lock agree on it.
-    vec2 texel = floor((at - way * ((float(i) + 0.5) / float(FUR_LOCK_LOOKS))) * FUR_LOCK_TEXELS) + 0.5, centre = lockCentre(texel / FUR_LOCK_TEXELS);
+    vec2 centre = lockCentreNear(at - way * ((float(i) + 0.5) / float(FUR_LOCK_LOOKS)));
     // No two are alike: of another length and width, and to another side.
     vec2 chances = fract(dot(floor(centre), vec2(0.7548777, 0.5698403)) + vec2(0.31, 0.31 * 7.3 + 3.1 * centre.x));
     vec2 own = way * (0.6 + 0.6 * chances.x) + vec2(-way.y, way.x) * (0.3 * (chances.y - 0.5));
