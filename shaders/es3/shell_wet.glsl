@@ -40,10 +40,7 @@ void enterWater() {
   furFromTile = inverse(tileFromFur);
   furLengths = sqrt(abs(determinant(furFromTile)));
   locksInClumps = FUR_LOCKS_IN_CLUMP / (clumpRadius * tilesPerUnit);
-  // Water goes further along some strands than along others: its border is ragged as they lie.
-  vec4 chance = textureLod(strand, vec3(vTile.xy, 0.0), lod + 1.0) - 0.5;
-  vec2 frays = tileFromFur * (0.5 * chance.xy) + 1.6 * chance.z * vTurn.zw;
-  entryHeld = filteredWetness(mask, vAtlas + atlasFromTile() * frays);
+  entryHeld = filteredWetness(mask, vAtlas);
   vec4 entryClump = maskAt(mask, vAtlas);
   entryChart = chartOf(entryClump);
   entryRadius = entryClump.a > 0.0 ? entryClump.z : 0.0;
