@@ -32,6 +32,9 @@ float clumpPull(float h, float held, float sheet) {
   return clumpProfile(h, clumpShape, layers) * min(held, 1.0) * (1.0 - FUR_SHEET_OPENS * sheet);
 }
 
+// A clump holds smaller locks, to whose middles strands draw together once more: it splits into them at its tip.
+float lockPull(float h, float held, float sheet) { return FUR_LOCK_IN_CLUMP_PULL * min(held, 1.0) * (1.0 - sheet) * h * h; }
+
 // The water that a clump of that radius (fur lengths) can draw its strands together by: none is drawn further aside than
 // it is long, so large drops on short fur leave it standing.
 float clumpingWetness(float held, float radius) { return min(held, FUR_MAX_DISPLACEMENT / max(radius, 1e-6)); }

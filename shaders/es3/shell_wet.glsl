@@ -119,12 +119,11 @@ Standing standIn(vec4 clump, vec2 mirrored, float drawn, float x) {
   return stands;
 }
 
-// A clump holds smaller locks, to whose middles strands draw together once more: at its tip it splits into them.
+// The way of the strand's root, which it moves, from the middle of its lock (lockPull()), 1 at the rim.
 float insideLock(float outward) { return clamp(3.0 - 3.0 * outward, 0.0, 1.0); }
 vec2 inLock(inout vec2 root, float along, float drawn) {
   vec2 middle = lockCentreNear(root * locksInClumps) / locksInClumps;
-  float pull = FUR_LOCK_IN_CLUMP_PULL * drawn * along * along;
-  vec2 from = (root - middle) / (1.0 - pull);
+  vec2 from = (root - middle) / (1.0 - lockPull(min(along, 1.0), drawn, sheet));
   root = middle + from;
   return from * locksInClumps;
 }
@@ -150,13 +149,12 @@ void enterStretch(inout March march, int left) {
   vec4 clump = clumpThere(leantTile(middle, heightAt(middle)), march, mirrored);
   float clumped = float(clump.a > 0.0), drawn = drawnBy(clump);
   Standing one = standIn(clump, mirrored, drawn, march.x), two = standIn(clump, mirrored, drawn, march.x + stretch.last * stepSize);
-  drawn *= 1.0 - sheet;
   vec2 oneIn = inLock(one.root, one.along, drawn), twoIn = inLock(two.root, two.along, drawn);
   if (clump.a < 0.0) clump.a = entryHeld;
   float perSquare = clumped / (clump.z * clump.z + 1e-12);
   stretch.clump = clump;
   stretch.own = ownClump(mask, clump, entryChart, 0.5 * (one.from + two.from)) * clumped + 1.0 - clumped;
-  stretch.taper = FUR_RIM_TAPER * drawn;
+  stretch.taper = FUR_RIM_TAPER * drawn * (1.0 - sheet);
   stretch.root = one.root;
   stretch.rootStep = (two.root - one.root) * share;
   stretch.way = vec4(one.along, one.pull, dot(one.from, one.from) * perSquare, dot(oneIn, oneIn));
@@ -191,7 +189,7 @@ Strand standingAt(float x, March march) {
   vec4 clump = clumpThere(leantTile(x, heightAt(x)), march, mirrored);
   float drawn = drawnBy(clump);
   Standing one = standIn(clump, mirrored, drawn, x);
-  inLock(one.root, one.along, drawn * (1.0 - sheet));
+  inLock(one.root, one.along, drawn);
   if (clump.a < 0.0) clump.a = entryHeld;
   stretch.from = tileFromAtlas * one.from * (mirrored == vec2(0.0) ? 1.0 : -1.0);
   stretch.way = vec4(one.along, one.pull, dot(one.from, one.from) / (clump.z * clump.z + 1e-12), 0.0);
