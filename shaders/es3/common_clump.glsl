@@ -14,6 +14,9 @@ float clumpProfile(float h, float w, float layers) {
   return (1.0 - w) * h + w * (1.0 + naturalLog(max(h, 1.0 / layers)) / naturalLog(layers));
 }
 
+// How it changes with h.
+float clumpProfileSlope(float h, float w, float layers) { return 1.0 - w + w / (max(h, 1.0 / layers) * naturalLog(layers)); }
+
 // `held`: the water that a texel of the mask holds; 1 is saturated, what is more lies on the strands as a film.
 // How short fur of that length (model units) is for water, 0..1: clumps of short fur would be as round as beads.
 float shortnessOf(float coat) { return smoothstep(FUR_SHORT_FROM, FUR_SHORT, clumpRadius / max(coat, 1e-5)); }
@@ -28,6 +31,9 @@ float sheetOf(float held, float shortness) {
 float clumpPull(float h, float held, float sheet) {
   return clumpProfile(h, clumpShape, layers) * min(held, 1.0) * (1.0 - FUR_SHEET_OPENS * sheet);
 }
+
+// A clump holds smaller locks, to whose middles strands draw together once more: it splits into them at its tip.
+float lockPull(float h, float held, float sheet) { return FUR_LOCK_IN_CLUMP_PULL * min(held, 1.0) * (1.0 - sheet) * h * h; }
 
 // The water that a clump of that radius (fur lengths) can draw its strands together by: none is drawn further aside than
 // it is long, so large drops on short fur leave it standing.
@@ -94,14 +100,18 @@ float filteredWetness(sampler2D mask, vec2 a) {
   return mix(across.x, across.y, part.y);
 }
 
-// Whether the strand rooted `from` the centre of the clump is one of its own, 0..1. Algorithm 2: a root outside the clump, in a
+// Whether the strand rooted `from` the centre of the clump is of it, 0 or 1. Algorithm 2: a root outside the clump, in a
 // dry texel or in another clump is no strand here. A root beyond the chart's border stands on the next chart, which draws the
-// other half of the clump: it is one of its own. The rim fades over a twelfth of the radius, so that clumps have soft edges.
-float ownStrand(sampler2D mask, vec4 clump, float chart, vec2 from) {
+// other half of the clump: it is one of its own.
+float ownClump(sampler2D mask, vec4 clump, float chart, vec2 from) {
   vec4 home = maskAt(mask, clump.xy + from);
   home.x -= chart;
   vec2 apart = home.xy - clump.xy;
-  float squared = clump.z * clump.z;
-  bool beyond = isBeside(home), same = home.a > 0.0 && dot(apart, apart) <= 0.25 * squared;
-  return clamp(6.0 - 6.0 * dot(from, from) / max(squared, 1e-12), 0.0, 1.0) * float(beyond || same);
+  bool beyond = isBeside(home), same = home.a > 0.0 && dot(apart, apart) <= 0.25 * clump.z * clump.z;
+  return float(beyond || same);
+}
+// And inside of its rim, which fades over a twelfth of the radius, so that clumps have soft edges; `outward`: squared, 1 at the rim.
+float insideRim(float outward) { return clamp(6.0 - 6.0 * outward, 0.0, 1.0); }
+float ownStrand(sampler2D mask, vec4 clump, float chart, vec2 from) {
+  return insideRim(dot(from, from) / max(clump.z * clump.z, 1e-12)) * ownClump(mask, clump, chart, from);
 }

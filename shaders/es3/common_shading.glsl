@@ -241,8 +241,8 @@ vec2 waterGloss(vec3 T, vec3 n, vec3 L, vec3 V, float held, float sheet, float s
 // what is more shines as a film.
 vec3 clumpLight(vec3 color, vec3 T, vec3 n, vec3 L, vec3 V, float h, float held, float sheet, float lit, float upness, float strand) {
   float clumps = min(held, 1.0) * (1.0 - 0.75 * sheet);
-  float turnedTo = clamp(0.6 + 0.8 * dot(n, L), 0.15, 1.4);
-  color *= mix(1.0, turnedTo, 0.7 * clumps) * mix(1.0, smoothstep(-0.1, 0.8, h), 0.55 * clumps) * (1.0 - 0.35 * min(held, 1.0)) * (1.0 - 0.38 * sheet * smoothstep(0.3, 0.85, held));
+  float turnedTo = clamp(0.6 + 0.8 * dot(n, L), 0.3, 1.4);
+  color *= mix(1.0, turnedTo, 0.7 * clumps) * mix(1.0, smoothstep(-0.2, 0.8, h), 0.45 * clumps) * (1.0 - 0.35 * min(held, 1.0)) * (1.0 - 0.38 * sheet * smoothstep(0.3, 0.85, held));
   vec2 mirrored = waterGloss(T, n, L, V, held, sheet, strand) * mix(1.0, h, clumps);
   color += 0.5 * min(held, 1.0) * fringe(V.z, h);
   return color + mirrored.x * lit * keyLight.rgb + mirrored.y * mix(0.6, 1.0, lit) * skyLight(upness);

@@ -93,20 +93,27 @@ March marchCoat(float first) {
   int steps = stepsTo(end, march.x, stepSize, mostSteps);
 #ifdef TYPES
   int plainSteps = stepsTo(plainTo, march.x, stepSize, mostSteps);
-  for (int i = 0; i < plainSteps && march.alpha <= closes; ++i) {
-    Strand here = standingAt(heightAt(march.x), march);
-    shape(here);
-    stepOn(march, here, addPlain(here, march));
+  plainSteps -= plainSteps % kStretch;
+  for (int i = 0; i < plainSteps && march.alpha <= closes; i += kStretch) {
+    enterStretch(march, plainSteps - i);
+    for (int k = 0; k < kStretch; ++k) {
+      Strand here = standingOn(march);
+      shape(here);
+      stepOn(march, here, addPlain(here, march));
+    }
   }
   if (plainSteps > 0) leavePlain(march);
 #else
   const int plainSteps = 0;
 #endif
-  for (int i = plainSteps; i < steps && march.alpha <= closes; ++i) {
-    Strand here = standingAt(heightAt(march.x), march);
-    shape(here);
-    trim(here, march);
-    stepOn(march, here, addStrand(here, march));
+  for (int i = plainSteps; i < steps && march.alpha <= closes; i += kStretch) {
+    enterStretch(march, steps - i);
+    for (int k = 0; k < kStretch; ++k) {
+      Strand here = standingOn(march);
+      shape(here);
+      trim(here, march);
+      stepOn(march, here, addStrand(here, march));
+    }
   }
   return march;
 }
@@ -124,8 +131,7 @@ Met resolve(March march) {
   float perStrand = 1.0 / max(march.alpha, 1e-3);
   met.x = march.alpha > 0.0 ? march.xSum * perStrand : end;
   // Worked out again instead of carried through the march.
-  march.x = march.metX;
-  met.here = standingAt(heightAt(march.metX), march);
+  met.here = standingAt(march.metX, march);
   met.spot = spotOf(met.here, march);
   if (march.alpha <= 0.0) met.spot.xyz = vec3(foot, 0.0);
   met.h = heightMet(march, perStrand, met.x);
@@ -189,7 +195,7 @@ vec3 overSkin(vec3 color, Met met, vec3 model, float lit) {
   for (int i = 0, once = int(reachesSkin && met.closed < 1.0); i < once; ++i) {
     vec3 bare = paintSkin(skinAlbedo(model), met);
     float rho = min(met.held, 1.0);
-    vec3 skin = shadeSkin(bare * 0.5, vLight.z, vView.w, 0.0, rho, lit);
+    vec3 skin = shadeSkin(bare * 0.5, vLight.z, vView.w, 0.35 * rho, rho, lit);
     // Pores: the lowest layer says where strands root (Sheppard 5.2).
     skin *= 1.0 - 0.4 * grown * textureLod(coverage, vec3(foot, firstLayer(met.spot.z)), lod).r;
     skin = thinned(skin, bare, rho, lit);

@@ -50,7 +50,7 @@ vec3 skinColor() { return skinColors[0].rgb; }
 
 // Vertices have room for the longest strand round them; the map knows the length of every strand.
 void trim(inout Strand here, inout March march) {
-  vec4 texel = textureLod(groom, atlasAt(here.root), 0.0);
+  vec4 texel = furAt(here);
   here.along *= vLength / max(texel.r, 1e-3);
   here.open *= step(kBald, texel.r);
 #ifdef TYPES
@@ -65,9 +65,7 @@ void trim(inout Strand here, inout March march) {
 #ifdef TYPES
 // After the steps of addPlain().
 void leavePlain(inout March march) {
-  March at = march;
-  at.x = march.metX;
-  Strand met = standingAt(heightAt(at.x), at);
+  Strand met = standingAt(march.metX, march);
   shape(met);
   march.spot = spotIn(plainType, met, met.along * plainRise);
 #ifndef WET

@@ -18,6 +18,7 @@ float entryRadius;                // of its clump, 0: it is dry
 float sheet, joined;              // how much of a sheet the coat is; how much of what is shown
 float coatTop;                    // how high it stands
 float enters, closes;             // where the ray comes to that; what hides all
+float locksInClumps;              // to a tile
 vec2 lean, tipTile;               // where its tips are from their roots: fur lengths, tiles
 float furLengths, atlasLength;    // how many fur lengths a tile is on average, how many tiles the atlas
 mat2 tileFromAtlas, furFromTile;  // fur lengths along axisS, axisT (shell.vert)
@@ -38,6 +39,7 @@ void enterWater() {
   mat2 tileFromFur = mat2(vTileOfFur.xy, 0.0, vTileOfFur.z);
   furFromTile = inverse(tileFromFur);
   furLengths = sqrt(abs(determinant(furFromTile)));
+  locksInClumps = FUR_LOCKS_IN_CLUMP / (clumpRadius * tilesPerUnit);
   entryHeld = filteredWetness(mask, vAtlas);
   vec4 entryClump = maskAt(mask, vAtlas);
   entryChart = chartOf(entryClump);
@@ -48,8 +50,8 @@ void enterWater() {
   lean = wetLean(0.5 * vLean.xy, entryHeld, sheet);
   tipTile = tileFromFur * lean;
   // Clumps are denser than dry fur: they close sooner, and longer steps find them.
-  stepSize *= 1.0 + 0.7 * min(entryHeld, 1.0);
-  closes = kClosed * (1.0 - 0.6 * sheet);
+  stepSize *= 1.0 + min(entryHeld, 1.0);
+  closes = kClosed * (1.0 - 0.6 * sheet - 0.12 * min(entryHeld, 1.0) * (1.0 - sheet));
   enters = 0.0;
   if (vTop > coatTop) {
     bool comesDown;
@@ -59,16 +61,6 @@ void enterWater() {
 }
 
 float rootsAside() { return entryRadius; }
-bool underSheet() { return reachesSkin && joined > kWholeSheet; }
-
-const float kFarOn = 2.0;  // fur lengths
-// Whether the ray comes to an edge first, behind which there is no such skin, as one that goes on so far may.
-bool leavesSkin() {
-  if (end <= kFarOn) return false;
-  vec4 texel = maskAt(mask, atlasAt(foot));
-  texel.x -= entryChart;
-  return isBeside(texel);
-}
 
 // The clump at the atlas point `a`, less its chart's number.
 vec4 clumpIn(vec2 a) {
@@ -77,85 +69,191 @@ vec4 clumpIn(vec2 a) {
   return clump;
 }
 
-// The strand that the ray meets at height h.
-Strand standingAt(float h, inout March march) {
-  Strand here;
-  vec2 tile = tileAt(march.x, h) - tipTile * (h / coatTop), a = atlasAt(tile);
-  here.clump = clumpIn(a);
-  float side = 1.0;
-  if (isBeside(here.clump)) {
-    // Where a ray along the outline soon is: clumps as inside the chart, mirrored where it left.
-    a = 2.0 * march.inside - a;
-    side = -1.0;
-    here.clump = clumpIn(a);
-    if (isBeside(here.clump)) here.clump.a = -1.0;
-  } else {
-    march.inside = a;
+const float kFarOn = 2.0;  // fur lengths
+// Whether the ray comes to an edge first, behind which there is no such skin, as one that goes on so far may.
+bool leavesSkin() {
+  bool leaves = false;
+  for (int i = 0, once = int(end > kFarOn); i < once; ++i) leaves = isBeside(clumpIn(atlasAt(foot)));
+  return leaves;
+}
+
+// Whether a sheet hides all, and skin under it fills what it leaves open: nothing is marched for.
+bool underSheet() { return reachesSkin && joined > kWholeSheet && !leavesSkin(); }
+
+// Where a point of the ray lies in a clump: what it shows of it.
+struct Standing {
+  vec2 root, from;  // the strand's root, tiles; from the clump's middle, atlas
+  float along, pull;
+};
+
+// The clump where the ray is at height h. `mirrored`: 0, or where the ray leaves its chart: as inside it, mirrored there.
+vec4 clumpThere(vec2 tile, inout March march, out vec2 mirrored) {
+  vec2 a = atlasAt(tile);
+  vec4 clump = clumpIn(a);
+  mirrored = vec2(0.0);
+  bool beside = isBeside(clump);
+  for (int i = 0, once = int(beside); i < once; ++i) {
+    // A ray along the outline is there soon.
+    mirrored = 2.0 * march.inside;
+    clump = clumpIn(mirrored - a);
+    if (isBeside(clump)) clump.a = -1.0;
   }
-  bool clumped = here.clump.a > 0.0;
-  if (here.clump.a < 0.0) here.clump.a = entryHeld;
-  here.along = h / coatTop;
-  here.pull = clumped ? clumpPull(here.along, clumpingWetness(here.clump.a, here.clump.z * atlasLength * furLengths), sheet) : 0.0;
-  vec2 from = (a - here.clump.xy) / (1.0 - here.pull);
-  here.from = tileFromAtlas * from * side;
-  vec2 aside = here.from * here.pull;
-  here.root = tile + aside;
-  here.along = alongStrand(here.along, furFromTile * aside);
-  if (clumped) here.along *= rimTaper(here.clump.a, sheet, dot(from, from) / (here.clump.z * here.clump.z + 1e-12));
+  if (!beside) march.inside = a;
+  return clump;
+}
+vec2 leantTile(float x, float h) { return tileAt(x, h) - tipTile * (h / coatTop); }
+
+// The water that draws a clump's strands together.
+float drawnBy(vec4 clump) { return clump.a > 0.0 ? clumpingWetness(clump.a, clump.z * atlasLength * furLengths) : 0.0; }
+
+Standing standIn(vec4 clump, vec2 mirrored, float drawn, float x) {
+  Standing stands;
+  float h = heightAt(x), side = mirrored == vec2(0.0) ? 1.0 : -1.0;
+  vec2 tile = leantTile(x, h), a = atlasAt(tile);
+  stands.along = h / coatTop;
+  stands.pull = clumpPull(stands.along, drawn, sheet);
+  stands.from = (mirrored + side * a - clump.xy) / (1.0 - stands.pull);
+  vec2 aside = tileFromAtlas * stands.from * (side * stands.pull);
+  stands.root = tile + aside;
+  stands.along = alongStrand(stands.along, furFromTile * aside);
+  return stands;
+}
+
+// The way of the strand's root, which it moves, from the middle of its lock (lockPull()), 1 at the rim.
+float insideLock(float outward) { return clamp(3.0 - 3.0 * outward, 0.0, 1.0); }
+vec2 inLock(inout vec2 root, float along, float drawn) {
+  vec2 middle = lockCentreNear(root * locksInClumps) / locksInClumps;
+  vec2 from = (root - middle) / (1.0 - lockPull(min(along, 1.0), drawn, sheet));
+  root = middle + from;
+  return from * locksInClumps;
+}
+
+// Steps that ask for their clump together: it changes seldom on the way, and within it a strand's root moves nearly evenly.
+const int kStretch = 2;
+struct Stretch {
+  vec4 clump;
+  vec2 root, rootStep;
+  vec4 way, wayStep;  // along the strand, share of the pull, squared distances of the root from the middles of clump and lock, 1 at the rim
+  vec2 from;          // of the first root, from the middle of its clump, tiles
+#ifdef GROOMED
+  vec4 fur;           // what the groom's map has there
+#endif
+  float own, taper, taken, last;  // whether strands are of the clump, how it narrows; steps taken, the last of them
+};
+Stretch stretch;
+void enterStretch(inout March march, int left) {
+  stretch.last = float(min(left, kStretch) - 1);
+  stretch.taken = 0.0;
+  float middle = march.x + 0.5 * stretch.last * stepSize, share = 1.0 / max(stretch.last, 1.0);
+  vec2 mirrored;
+  vec4 clump = clumpThere(leantTile(middle, heightAt(middle)), march, mirrored);
+  float clumped = float(clump.a > 0.0), drawn = drawnBy(clump);
+  Standing one = standIn(clump, mirrored, drawn, march.x), two = standIn(clump, mirrored, drawn, march.x + stretch.last * stepSize);
+  vec2 oneIn = inLock(one.root, one.along, drawn), twoIn = inLock(two.root, two.along, drawn);
+  if (clump.a < 0.0) clump.a = entryHeld;
+  float perSquare = clumped / (clump.z * clump.z + 1e-12);
+  stretch.clump = clump;
+  stretch.own = ownClump(mask, clump, entryChart, 0.5 * (one.from + two.from)) * clumped + 1.0 - clumped;
+  stretch.taper = FUR_RIM_TAPER * drawn * (1.0 - sheet);
+  stretch.root = one.root;
+  stretch.rootStep = (two.root - one.root) * share;
+  stretch.way = vec4(one.along, one.pull, dot(one.from, one.from) * perSquare, dot(oneIn, oneIn));
+  stretch.wayStep = (vec4(two.along, two.pull, dot(two.from, two.from) * perSquare, dot(twoIn, twoIn)) - stretch.way) * share;
+  stretch.from = tileFromAtlas * one.from * (mirrored == vec2(0.0) ? 1.0 : -1.0);
+#ifdef GROOMED
+  stretch.fur = textureLod(groom, atlasAt(0.5 * (one.root + two.root)), 0.0);
+#endif
+}
+#ifdef GROOMED
+vec4 furAt(Strand here) { return stretch.fur; }
+#endif
+
+// The strand that the ray meets at the stretch's next step.
+Strand standingOn(inout March march) {
+  vec4 way = stretch.way + stretch.taken * stretch.wayStep;
+  Strand here = Strand(stretch.root + stretch.taken * stretch.rootStep, way.x * (1.0 + stretch.taper * min(way.z, 1.0)), 0.0, way.y, stretch.clump, stretch.from
+#ifdef TYPES
+  , vec4(0.0)
+#endif
+  );
   // A sheet nearly closes the gaps.
-  float own = mix(ownStrand(mask, here.clump, entryChart, from), 1.0, 0.7 * sheet) * (1.0 + 2.0 * here.pull + sheet);
-  here.open = (clumped ? own : 1.0) * float(here.along <= 1.0);
+  float own = mix(insideRim(way.z) * insideLock(way.w) * stretch.own, 1.0, 0.7 * sheet) * (1.0 + 2.0 * here.pull + sheet);
+  here.open = own * float(here.along <= 1.0 && stretch.taken <= stretch.last);
+  stretch.taken += 1.0;
   return here;
+}
+
+// The strand that the ray has met, alone.
+Strand standingAt(float x, March march) {
+  vec2 mirrored;
+  vec4 clump = clumpThere(leantTile(x, heightAt(x)), march, mirrored);
+  float drawn = drawnBy(clump);
+  Standing one = standIn(clump, mirrored, drawn, x);
+  inLock(one.root, one.along, drawn);
+  if (clump.a < 0.0) clump.a = entryHeld;
+  stretch.from = tileFromAtlas * one.from * (mirrored == vec2(0.0) ? 1.0 : -1.0);
+  stretch.way = vec4(one.along, one.pull, dot(one.from, one.from) / (clump.z * clump.z + 1e-12), 0.0);
+  stretch.wayStep = vec4(0.0);
+  stretch.taper = FUR_RIM_TAPER * drawn * (1.0 - sheet);
+  stretch.clump = clump;
+  stretch.root = one.root;
+  stretch.own = 1.0;
+  stretch.taken = stretch.last = 0.0;
+  return standingOn(march);
 }
 
 // Strands that water joins are one as far as light is concerned: as many as a pixel has.
 vec4 strandAt(vec4 spot, Strand here) { return textureLod(strand, spot.xyz, spot.w + 1.5 * min(here.clump.a, 1.0)); }
 
-// In a sheet light knows strands by those that lie in line where the ray comes to it; `stored`: of the type that was met.
-vec4 strandsInLine(float stored) {
+// In a sheet light knows strands by those that lie in line where the ray comes to it, `wide` times as wide as they are; `stored`: of the
+// type that was met.
+vec4 strandsInLine(float stored, float wide) {
   float top = min(vTop, coatTop), turn = floor(atan(tipTile.y, tipTile.x + 1e-9) * (FUR_STREAK_TURNS / 3.14159265) + 0.5);
   // Where they are seen, not where they root: over the length of a strand stretched charts would turn the lines aside.
-  vec3 place = vec3(2.0 * tileAt(enters, top), mod(turn, FUR_STREAK_TURNS) + firstLayer(stored) / storedLayers * FUR_STREAK_TURNS);
-  return textureLod(streaks, place, max(vLight.w - 0.5, 0.0));
+  vec3 place = vec3((2.0 / wide) * tileAt(enters, top), mod(turn, FUR_STREAK_TURNS) + firstLayer(stored) / storedLayers * FUR_STREAK_TURNS);
+  return textureLod(streaks, place, max(vLight.w - 0.5 - log2(wide), 0.7));
 }
 
 // Locks of one size: the one that comes from furthest lies on top, as hair lies over what roots further on. `cells`: of their grid, to a
-// tile; `lies`: from root to tip, tiles.
-Lying locksAt(vec2 tile, vec2 lies, float cells) {
+// tile; `lies`: from root to tip, tiles; `frays`: by how much its strands lie beside where the lock has them, so that rims and tips fray.
+Lying locksAt(vec2 tile, vec2 lies, float cells, float frays) {
   Lying top = Lying(vec2(0.0), 0.0, 0.0, vec2(0.0));
   vec2 at = tile * cells, way = lies * cells;
   float along = 0.0;
   for (int i = 0; i < FUR_LOCK_LOOKS; ++i) {
-    // At the middle of the map's texel the centre is exact: all of a lock agree on it.
-    vec2 texel = floor((at - way * ((float(i) + 0.5) / float(FUR_LOCK_LOOKS))) * FUR_LOCK_TEXELS) + 0.5, centre = lockCentre(texel / FUR_LOCK_TEXELS);
-    vec2 on = onLock(at - centre, way, FUR_LOCK_HALF_WIDTH);
+    vec2 centre = lockCentreNear(at - way * ((float(i) + 0.5) / float(FUR_LOCK_LOOKS)));
+    // No two are alike: of another length and width, and to another side.
+    vec2 chances = fract(dot(floor(centre), vec2(0.7548777, 0.5698403)) + vec2(0.31, 0.31 * 7.3 + 3.1 * centre.x));
+    vec2 own = way * (0.6 + 0.6 * chances.x) + vec2(-way.y, way.x) * (0.3 * (chances.y - 0.5));
+    vec2 on = onLock(at - centre, own, FUR_LOCK_HALF_WIDTH * (0.75 + 0.5 * chances.y));
+    on += vec2(0.25 * abs(frays), frays);
     if (on.x <= along || on.x >= 1.0 || abs(on.y) >= 1.0) continue;
     along = on.x;
     top.outward.x = on.y;
-    top.rises = (1.0 - on.y * on.y) * min(3.0 * on.x, 1.0);
-    float chance = fract(dot(floor(centre), vec2(0.7548777, 0.5698403)) + 0.31) - 0.5;
-    top.chance = min(2.0 * top.rises, 1.0) * (chance + 0.5 * (0.5 - on.x));
+    top.rises = (1.0 - on.y * on.y) * min(0.35 + 2.0 * on.x, 1.0);
+    top.chance = min(2.0 * top.rises, 1.0) * (chances.x - 0.5 + 0.5 * (0.5 - on.x));
   }
   return top;
 }
 
 const float kMeanRise = 0.6;  // of locks that lie over one another
-// Of two sizes, as large as the fur there is long: as it grows shorter the one goes over into the other.
-void lieDown() {
+// Of two sizes, as large as the fur there is long: as it grows shorter each goes over into the next.
+void lieDown(float frays, float line) {
   float width = max(FUR_LOCK_WIDTH / furLengths, FUR_LEAST_LOCK * clumpRadius * tilesPerUnit), size = -log2(width), large = floor(size), small = size - large;
   float lies = length(lean);
   vec2 tile = tileAt(enters, min(vTop, coatTop)), way = tipTile * (max(0.85, FUR_LOCK_LENGTH * width * furLengths) / max(lies, 1e-3));
-  Lying one = locksAt(tile, way, exp2(large)), two = locksAt(tile, way, exp2(large + 1.0));
+  Lying one = locksAt(tile, way, exp2(large), frays), two = locksAt(tile, 0.7 * way, exp2(large + 1.0), frays);
   // What is smaller than two pixels is seen as its mean.
   float pixels = tileTexels * exp2(-large - vLight.w);
   float lie = smoothstep(0.05, 0.3, lies);
-  vec2 seen = joined * lie * smoothstep(vec2(1.0), vec2(2.5), vec2(pixels, 0.5 * pixels));
-  vec2 rises = mix(vec2(kMeanRise), vec2(one.rises, two.rises), seen / max(joined * lie, 1e-6));
+  vec2 share = vec2(1.0 - small, small);
+  vec2 seen = joined * lie * share * smoothstep(vec2(1.0), vec2(2.5), vec2(pixels, 0.5 * pixels));
+  vec2 rises = mix(vec2(1.0), vec2(one.rises, two.rises) / kMeanRise, seen);
   vec2 beside = furFromTile * vec2(-way.y, way.x);
-  lying.outward = beside * (mix(seen.x * one.outward.x, seen.y * two.outward.x, small) / max(length(beside), 1e-6));
-  lying.chance = mix(seen.x * one.chance, seen.y * two.chance, small);
-  lying.rises = mix(1.0, mix(rises.x, rises.y, small), joined * lie);
-  lying.tilt = -0.4 * lying.outward;
+  lying.outward = beside * ((0.85 * dot(seen, vec2(one.outward.x, two.outward.x)) + joined * line) / max(length(beside), 1e-6));
+  lying.chance = dot(seen, vec2(one.chance, two.chance));
+  lying.rises = mix(1.0, min(kMeanRise * rises.x * rises.y, 1.0), joined * lie);
+  lying.tilt = -0.6 * lying.outward;
 }
 
 // In a sheet those that lie in line are shown instead of the one that the march met: its chance would be grain there.
@@ -163,16 +261,20 @@ void joinStrands(inout Met met, float furry) {
   met.x = mix(met.x, enters, joined);
   met.held = mix(met.here.clump.a, entryHeld, joined);
   lying = Lying(vec2(0.0), 1.0, 0.0, vec2(0.0));
-  if (sheet <= 0.0) return;
-  lieDown();
-  vec4 inLine = strandsInLine(met.spot.z);
-  met.strand = mix(met.strand, inLine, joined);
-  met.number = mix(met.number, clamp(0.5 + 3.0 * (inLine.z - 0.5), 0.0, 1.0), joined);
-  // No two locks lie alike, nor two lines of strands in one: light breaks into glints instead of running in rings round the body.
-  lying.chance *= 2.0 * met.number;
-  met.h = mix(mix(met.h, 0.7, joined * (1.0 - met.closed)), 0.3 + 0.4 * met.number, joined);
-  // Through a sparse coat skin shows all the same.
-  if (reachesSkin) met.closed = mix(met.closed, 1.0, joined * furry * min(3.0 * densityShown(), 1.0));
+  for (int i = 0, once = int(sheet > 0.0); i < once; ++i) {
+    vec4 inLine = strandsInLine(met.spot.z, 0.35), some = strandsInLine(met.spot.z, 1.2), many = strandsInLine(met.spot.z, 4.0);
+    lieDown(2.0 * (inLine.z - 0.5) + 1.0 * (some.z - 0.5), 4.0 * (inLine.z - 0.5) + 2.0 * (some.z - 0.5));
+    float deep = clamp(0.8 + 2.0 * (some.z - 0.5) + 6.0 * (many.z - 0.5), 0.0, 1.0);
+    lying.rises *= mix(1.0, deep, joined);
+    met.number = mix(met.number, clamp(0.45 + 2.5 * (some.z - 0.5) + 4.5 * (inLine.z - 0.5), 0.0, 0.9), joined);
+    inLine.z = clamp(0.5 + 4.0 * (inLine.z - 0.5), 0.0, 1.0);
+    met.strand = mix(met.strand, inLine, joined);
+    // No two locks lie alike, nor two lines of strands in one: light breaks into glints instead of running in rings round the body.
+    lying.chance *= 2.0 * met.number;
+    met.h = mix(mix(met.h, 0.7, joined * (1.0 - met.closed)), 0.3 + 0.4 * met.number, joined);
+    // Through a sparse coat skin shows all the same.
+    if (reachesSkin) met.closed = mix(met.closed, 1.0, joined * furry * min(3.0 * densityShown(), 1.0));
+  }
 }
 
 vec2 tiltOf(Met met) {
@@ -182,11 +284,11 @@ vec2 tiltOf(Met met) {
 
 // Eq. 4: the strand moves by -d, in fur lengths.
 vec2 clumpTilt(Met met, March march) {
-  float along = heightAt(march.metX) / coatTop, held = clumpingWetness(met.here.clump.a, met.here.clump.z * atlasLength * furLengths);
-  float rises = clumpPull(along - 1.0 / layers, held, sheet) - clumpPull(along, held, sheet);
+  float along = heightAt(march.metX) / coatTop;
+  float turns = -clumpProfileSlope(along, clumpShape, layers) * drawnBy(met.here.clump) * (1.0 - FUR_SHEET_OPENS * sheet);
   // The strands of a sheet stick to those below: they lie flatter than the coat is high, however little water made it.
   float flatter = (1.0 + 1.5 * min(2.0 * joined, 1.0) / clamp(entryHeld, 0.3, 1.0)) / max(1.0 + 1.6 * lying.chance, 0.1);
-  return furFromTile * met.here.from * (rises * layers * (1.0 - joined)) + lean * (flatter / coatTop) + lying.tilt;
+  return furFromTile * met.here.from * (turns * (1.0 - joined)) + lean * (flatter / coatTop) + lying.tilt;
 }
 
 float shadeOfOne() { return FUR_SHADE_OF_ONE * (1.0 - joined); }
@@ -196,7 +298,7 @@ vec3 waterLight(vec3 color, Met met, vec3 T, vec3 L, vec3 V, float lit) {
   vec2 back = lean * (lying.chance / max(length(lean), 1e-3)), outward = met.here.from / max(met.here.clump.z * atlasLength, 1e-6);
   outward *= (1.0 - joined) / max(length(outward), 1.0);
   vec3 n = normalize(clumpNormal(outward, sheet) + vec3(0.8 * joined * tiltOf(met) + lying.outward - back, 0.0));
-  color *= 0.2 + 0.8 * lying.rises;
+  color *= 0.25 + 0.75 * lying.rises;
   float glints = met.number * mix(1.0, 0.65 + 0.6 * abs(lying.chance), joined);
   return clumpLight(color, T, n, L, V, met.h, met.held, sheet, lit, vView.w, glints);
 }

@@ -64,7 +64,7 @@ void main() {
 #ifdef WET
   // Between clumps, in their shade.
   float rho = clamp(clumpAt(mask, vUvAtlas.zw).a, 0.0, 1.0);
-  color = wetAlbedo(color, rho) * (1.0 - wetDarkening * rho) * (1.0 - 0.5 * rho);
+  color = wetAlbedo(color, rho) * (1.0 - wetDarkening * rho) * (1.0 - 0.3 * rho);
 #endif
   fragColor = vec4(encodeSrgb(toneMap(color)), 1.0);
 #else

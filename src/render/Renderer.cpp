@@ -141,7 +141,7 @@ Status Renderer::draw(const Frame& frame) {
   drawnPixels_ = static_cast<long>(drawn.width) * drawn.height;
   const bool furry = fur_.density() > 0 && frame.coatLength > 0 && !shells_.empty();
   const Look look(drawn, furry, materials_.hasPicture() || maps_.hasTypePictures(), maps_.typePictures()[FUR_TYPES] >= 0);
-  const Drawing drawing{drawn, look, surface_, materials_, programs(), uploadedBytes_};
+  const Drawing drawing{drawn, look, surface_, materials_, maps_.wetCells(), programs(), uploadedBytes_};
   hair_->fit(drawn);
   const FurShadow::Key shadow = furShadowKey(drawn);
   uploadBlocks(drawn, shadow);

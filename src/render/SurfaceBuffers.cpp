@@ -42,7 +42,7 @@ gl::Buffer otherUvOf(const geometry::Surface& surface) {
 }
 
 // FUR_AROUND: the middle of the largest triangle at that place, which is in its chart where the place may lie on a border.
-void findSurroundings(const geometry::Surface& surface, std::vector<FurVertex>& vertices) {
+std::vector<Vec3> findSurroundings(const geometry::Surface& surface) {
   std::vector<Vec3> positions;
   for (const auto& v : surface.vertices) positions.push_back(v.position);
   const geometry::Weld weld = geometry::weldPositions(positions);
@@ -56,7 +56,9 @@ void findSurroundings(const geometry::Surface& surface, std::vector<FurVertex>& 
       if (edge > at.z) at = Vec3(a + (b + c) / 3.0f, edge);
     }
   }
-  for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i].around = Vec4(found[weld.idOf[i]], surface.turned ? 1.0f : 0.0f);
+  std::vector<Vec3> around;
+  for (std::size_t i = 0; i < surface.vertices.size(); ++i) around.push_back(found[weld.idOf[i]]);
+  return around;
 }
 
 }  // namespace
@@ -94,7 +96,8 @@ std::size_t SurfaceBuffers::set(const geometry::Surface& surface, std::span<cons
     vertices.push_back({Vec4(v.position, v.strands.x), Vec4(v.normal, v.strands.y), Vec4(v.gradS, v.curvature.z), v.gradT});
     furVertices.push_back({Vec4(hasUv ? v.uv : v.atlas, v.atlas), Vec4(v.fur, v.curvature.x, v.curvature.y), v.atlasFromFur, {}, v.lean, v.hessianS, v.hessianT});
   }
-  findSurroundings(surface, furVertices);
+  surroundings_ = findSurroundings(surface);
+  for (std::size_t i = 0; i < furVertices.size(); ++i) furVertices[i].around = Vec4(surroundings_[i], surface.turned ? 1.0f : 0.0f);
   vertices_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(vertices), !tangents.empty());
   furVertices_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(furVertices), false);
   otherUv_ = otherUvOf(surface);

@@ -36,6 +36,8 @@ class SurfaceBuffers {
   std::size_t materialOf(std::uint32_t vertex) const { return materials_.empty() ? 0 : materials_[vertex]; }
   IndexRanges sortByMaterial(std::vector<std::uint32_t>& indices) const { return IndexRanges::sort(indices, materials_); }
   const gl::VertexArray& array() const { return array_; }
+  // Of each vertex the attribute FUR_AROUND: where it asks how wet the coat is round it, and how far.
+  std::span<const Vec3> surroundings() const { return surroundings_; }
   int indexCount() const { return indexCount_; }
   int vertexCount() const { return vertexCount_; }
   bool twoSided() const { return twoSided_; }  // it has sheets, whose skin is seen from both sides
@@ -55,6 +57,7 @@ class SurfaceBuffers {
   int vertexCount_ = 0, indexCount_ = 0;
   bool twoSided_ = false;
   unsigned long revision_ = 0;
+  std::vector<Vec3> surroundings_;
   std::vector<std::uint8_t> materials_;  // of each vertex; empty: there is one
   IndexRanges ranges_;
   std::optional<MovingVertices> moving_;

@@ -76,6 +76,7 @@ std::size_t SurfaceMaps::updateMask(const wet::MaskTexels& mask) {
     FUR_ASSERT(rect == whole, "SurfaceMaps::updateMask()", "the whole of a mask of another size", mask.texels.size());
     mask_ = gl::Texture({gl::TexelFormat::RGBA32F, mask.size, mask.size, 0, gl::Filter::Nearest, false}, {});
   }
+  wetCells_.update(mask);
   // All texels are looked through only until the first water.
   if (lockCentres_.bytes() == 0 && std::any_of(mask.texels.begin(), mask.texels.end(), [](const Vec4& texel) { return texel.w > 0; })) makeLockCentres();
   mask_.update(rect.x0, rect.y0, rect.x1 - rect.x0, rect.y1 - rect.y0, gl::bytesOf(mask.texels), 0);

@@ -8,6 +8,7 @@
 #include "gl/Objects.h"
 #include "groom/EvenReach.h"
 #include "render/Blocks.h"
+#include "render/WetCells.h"
 #include "wet/MaskTexels.h"
 
 namespace fur::render {
@@ -38,6 +39,7 @@ class SurfaceMaps {
   void bind(const Frame& frame) const;
   bool hasTypePictures() const { return typeColors_.bytes() > 0; }
   const TypePictures& typePictures() const { return typePictures_; }
+  const WetCells& wetCells() const { return wetCells_; }
   int maskSize() const { return mask_.shape().width; }
   // Another number whenever strands stand otherwise: bends or groom are others.
   unsigned long revision() const { return revision_; }
@@ -47,6 +49,7 @@ class SurfaceMaps {
   void makeLockCentres();  // the first time that strands gather in locks
 
   gl::Texture mask_, bends_, groom_, paint_, shape_, lockCentres_, typeColors_, evenReach_;
+  WetCells wetCells_;
   TypePictures typePictures_ = kNoPictures;
   unsigned long revision_ = 0;
 };

@@ -24,6 +24,12 @@ inline float clumpProfile(float h, float w, float layers) {
   return (1.0f - w) * height + w * std::max(1.0f + std::log(height) / std::log(layers), 0.0f);
 }
 
+// How it changes with h.
+inline float clumpProfileSlope(float h, float w, float layers) {
+  if (!(layers > 1.0f)) return 0.0f;
+  return 1.0f - w + w / (glm::clamp(h, 1.0f / layers, 1.0f) * std::log(layers));
+}
+
 // How short fur of that length is where clumps have that radius, 0..1. A clump that is as wide as its strands are long is a bead.
 inline float shortnessOf(float length, float clumpRadius) {
   return glm::smoothstep(static_cast<float>(FUR_SHORT_FROM), static_cast<float>(FUR_SHORT), clumpRadius / std::max(length, 1e-5f));
@@ -47,6 +53,12 @@ inline float clumpPull(float h, float w, float layers, float rho) { return clump
 // than kMaxDisplacement of its length.
 inline constexpr float kMaxDisplacement = FUR_MAX_DISPLACEMENT;
 inline float clumpingWetness(float rho, float radius) { return std::min(rho, kMaxDisplacement / std::max(radius, 1e-6f)); }
+
+// The share of the way to the middle of a smaller lock that a strand of a clump has gone at height h: a clump holds several, and
+// splits into them at its tip.
+inline float lockPull(float h, float rho, float sheet) {
+  return FUR_LOCK_IN_CLUMP_PULL * std::min(rho, 1.0f) * (1.0f - sheet) * h * h;
+}
 
 // The position along a strand of constant length of a point at height h that is displaced by `aside`, all in fur lengths. So
 // the outer strands of a clump end lower, which makes the clump pointed.

@@ -105,9 +105,11 @@ TEST(Twins, SheppardsPolynomial) {
 TEST(Twins, ClumpProfile) {
   EXPECT_LT(largestDifference(2, [](float u, float v) { return wet::clumpProfile(glm::mix(1 / 32.0f, 1.0f, u), v, 32); }),
             kGpuPrecision);
+  EXPECT_LT(largestDifference(37, [](float u, float v) { return 0.1f * wet::clumpProfileSlope(glm::mix(1 / 32.0f, 1.0f, u), v, 32); }), kGpuPrecision);
 }
 
 TEST(Twins, StrandsOfAClump) {
+  EXPECT_LT(largestDifference(38, [](float u, float v) { return wet::lockPull(u, 1.5f * v, wet::sheetOf(v)); }), kGpuPrecision);
   EXPECT_LT(largestDifference(13, [](float u, float v) { return wet::clumpPull(glm::mix(1 / kLayers, 1.0f, u), kClumpShape, kLayers, v); }), kGpuPrecision);
   EXPECT_LT(largestDifference(14, wet::alongStrand), kGpuPrecision);
   EXPECT_LT(largestDifference(17, [](float u, float v) { return wet::wetLean(u, v); }), kGpuPrecision);

@@ -43,8 +43,8 @@ export function faultsIn(text) {
   const faults = [];
   if (/\b(while|do)\b/.test(text)) faults.push('a loop that is not counted');
   for (const { 0: loop, 1: head, index } of text.matchAll(/\bfor\s*\(([^{;]*;[^;]*;[^{]*?)\)\s*(?=[{\w])/g)) {
-    const counted = head.match(/^int (\w+) = [^;]*; *\1 <(=?) ([\w -]+?)( && [^;]*)?; *\+\+\1$/);
-    if (!counted) faults.push(`not counted by a whole number: ${loop}`);
+    const counted = head.match(/^int (\w+) = [^;]*; *\1 <(=?) ([\w -]+?)( && [^;]*)?; *(?:\+\+\1|\1 \+= (k\w+))$/);
+    if (!counted || (counted[5] && !(largest(counted[5], text) <= most))) faults.push(`not counted by a whole number: ${loop}`);
     else if (!(largest(counted[3], text) + (counted[2] ? 1 : 0) <= most)) faults.push(`no bound of at most ${most}: ${loop}`);
     else if (new RegExp(`(?<!\\.)\\b${counted[1]} *([-+*/]?=)[^=]`).test(bodyAt(text, index + loop.length)))
       faults.push(`its count is changed inside: ${loop}`);
@@ -65,6 +65,7 @@ test('loops that floats, great numbers or their own bodies decide are found', ()
     'for (int i = 0; i < 100000; ++i) {}': /no bound/,
     'int n = int(x);\nfor (int i = 0; i < n; ++i) {}': /no bound/,
     'for (int i = 0; i < 8; ++i) {\n i = 0;\n  }': /changed inside/,
+    'for (int i = 0; i < 8; i += kNowhere) {}': /not counted by a whole number/,
     'for (bool once = x > 0.0; once; once = false) {}': /not counted by a whole number/,
   };
   for (const [text, fault] of Object.entries(kinds)) assert.match(faultsIn(text).join(), fault, text);

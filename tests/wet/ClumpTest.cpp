@@ -27,6 +27,22 @@ TEST(ClumpProfile, BendsInEarlierWithMoreShape) {
   for (const float h : {0.2f, 0.5f, 0.8f}) EXPECT_GT(clumpProfile(h, 1, 16), clumpProfile(h, 0, 16));
 }
 
+TEST(ClumpProfile, HasTheSlopeOfItsDifferences) {
+  for (const float w : {0.0f, 0.4f, 1.0f})
+    for (const float h : {0.1f, 0.3f, 0.7f, 0.95f}) {
+      const float step = 1e-2f, difference = (clumpProfile(h + step, w, 16) - clumpProfile(h - step, w, 16)) / (2 * step);
+      EXPECT_NEAR(clumpProfileSlope(h, w, 16), difference, 0.02f) << "w " << w << ", h " << h;
+    }
+}
+
+TEST(LockPull, SplitsClumpsAtTheirTipsAndNeitherTheirFeetNorASheet) {
+  EXPECT_EQ(lockPull(0, 1, 0), 0);
+  EXPECT_EQ(lockPull(1, 1, 1), 0);
+  EXPECT_EQ(lockPull(1, 0, 0), 0);
+  EXPECT_LT(lockPull(0.5f, 0.6f, 0), 0.3f * lockPull(1, 0.6f, 0));
+  EXPECT_LT(lockPull(1, 5, 0), 0.9f);  // 1 / (1 - pull) stays finite, however much water there is
+}
+
 TEST(ClumpShift, LeadsBackExactlyToTheRoot) {
   Random random(1);
   for (int k = 0; k < 1000; ++k) {

@@ -25,12 +25,16 @@
 // Locks that lie in a sheet: how wide, as a share of the length of the fur, but no less than that share of a clump's radius; and that
 // many times as long at least, as hairs that are shorter stick to those beside them. Half their width at the root, in cells of their
 // grid (furgen/LockCentres.h).
-#define FUR_LOCK_WIDTH 0.25
+#define FUR_LOCK_WIDTH 0.3
 #define FUR_LEAST_LOCK 0.5
-#define FUR_LOCK_LENGTH 2.5
+#define FUR_LOCK_LENGTH 3.5
 #define FUR_LOCK_HALF_WIDTH 0.6
 // Look-ups for one, from the tip of the one that comes from furthest on.
 #define FUR_LOCK_LOOKS 4
+
+// The smaller locks that a clump holds: how many along its radius, and how far soaked strands draw together to them at their tips.
+#define FUR_LOCKS_IN_CLUMP 2.0
+#define FUR_LOCK_IN_CLUMP_PULL 0.6
 
 // The encoded mask (wet/MaskEncoding.h) tells the chart of a texel beside its clump's centre: u is stored with FUR_CHART_STEP
 // times the chart's number, and half as much again, which keeps it positive where the centre lies beside the atlas. Numbers

@@ -23,6 +23,12 @@ constexpr float kHose = 0.012f, kHoseLength = 2.0f, kHoseSpeed = 11.5f;
 constexpr float kSprinkleReach = 0.75f, kSprinkleHeight = 1.7f, kSprinkle = 4e-3f;
 constexpr float kHoseSlope = 0.3f;  // it meets the skin at no less; a sine
 
+// Clumps come in sizes: many small ones, a few large ones.
+float dropletRadius(float clump, Random& random) {
+  const float chance = random.uniform();
+  return clump * (0.6f + 0.95f * chance * chance);
+}
+
 }  // namespace
 
 void WaterStage::beginStroke(WaterStroke head) {
@@ -151,7 +157,7 @@ void WaterStage::scatter(const ShapeStage& shape, const Vec3& centre, const Vec3
     const auto hit = shape.query().castRay(above + 0.5f * radius * normal, -normal);
     if (!hit || hit->distance > 2.5f * radius) continue;
     wetting(shape).addDroplet(mask_, shape.surface(), shape.query(), positionAt(shape.surface(), *hit), normalAt(shape.surface(), *hit),
-                              droplet * random_.uniform(0.75f, 1.25f), amount);
+                              dropletRadius(droplet, random_), amount);
   }
 }
 
@@ -177,7 +183,7 @@ void WaterStage::soak(const ShapeStage& shape, float amount, float clump) {
     const auto triangle = std::min<std::size_t>(static_cast<std::size_t>(at - areaBelow.begin()), areaBelow.size() - 1);
     float u = random.uniform(), v = random.uniform();
     if (u + v > 1) u = 1 - u, v = 1 - v;
-    wet({static_cast<std::uint32_t>(triangle), Vec3(1 - u - v, u, v), 0}, clump * random.uniform(0.75f, 1.25f));
+    wet({static_cast<std::uint32_t>(triangle), Vec3(1 - u - v, u, v), 0}, dropletRadius(clump, random));
   }
   // What chance has missed.
   const auto& triangles = wetting.atlas().triangleOf();

@@ -8,6 +8,7 @@
 #include "render/Materials.h"
 #include "render/Programs.h"
 #include "render/SurfaceBuffers.h"
+#include "render/WetCells.h"
 
 namespace fur::render {
 
@@ -17,6 +18,7 @@ struct Drawing {
   const Look& look;
   const SurfaceBuffers& surface;
   const Materials& materials;
+  const WetCells& wetCells;
   Programs& programs;
   std::size_t& uploadedBytes;  // passes add theirs
 };

@@ -11,6 +11,12 @@ namespace fur::render {
 
 std::size_t ShellPass::set(const geometry::Surface& surface, const SurfaceBuffers& buffers) {
   crowded_.clear();
+  places_.clear();
+  for (const geometry::SurfaceVertex& v : surface.vertices) {
+    const Vec4& a = v.atlasFromFur;
+    const float most = glm::length(Vec2(a)) * glm::length(v.gradS) + glm::length(Vec2(a.z, a.w)) * glm::length(v.gradT);
+    places_.emplace_back(v.atlas, most);
+  }
   setPatches({surface.furIndices, surface.ownFurIndices, surface.furClusters});
   indices_ = gl::Buffer(gl::BufferKind::Index, gl::bytesOf(patches_.indices), true);
   array_ = buffers.arrayOver(indices_);
@@ -31,6 +37,43 @@ void ShellPass::setPatches(geometry::FurPatches patches) {
   spreads_.clear();
   for (const geometry::FurCluster& cluster : patches_.clusters) spreads_.push_back(cluster.cosine);
   orderedFor_.reset();
+  cellsFor_ = -1;
+}
+
+// What may lie under the rays that enter the coat on a patch: their triangles and two fur lengths round them; and where its vertices
+// ask how high wet fur stands, as those of a patch beside it ask there as well.
+void ShellPass::findCells(const SurfaceBuffers& surface, float coatLength) {
+  constexpr float kRays = 2.0f;
+  if (cellsFor_ == coatLength) return;
+  cellsFor_ = coatLength;
+  cells_.clear();
+  firstCell_.assign(1, 0);
+  std::vector<std::uint16_t> cells;
+  for (const geometry::FurCluster& cluster : patches_.clusters) {
+    cells.clear();
+    for (std::uint32_t i = cluster.first; i < cluster.first + cluster.count; i += 3) {
+      Vec2 low(1), high(0);
+      float reach = 0;
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t vertex = patches_.indices[i + k];
+        const Vec3 &place = places_[vertex], &around = surface.surroundings()[vertex];
+        low = glm::min(low, Vec2(place));
+        high = glm::max(high, Vec2(place));
+        reach = std::max(reach, kRays * coatLength * place.z);
+        addCells(Vec2(around) - around.z, Vec2(around) + around.z, cells);
+      }
+      addCells(low - reach, high + reach, cells);
+    }
+    std::sort(cells.begin(), cells.end());
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    cells_.insert(cells_.end(), cells.begin(), cells.end());
+    firstCell_.push_back(cells_.size());
+  }
+}
+
+bool ShellPass::isWet(const WetCells& wet, std::uint32_t cluster) const {
+  const auto cell = [this](std::size_t i) { return cells_.begin() + static_cast<std::ptrdiff_t>(firstCell_[i]); };
+  return std::any_of(cell(cluster), cell(cluster + 1), [&](std::uint16_t at) { return wet.isWet(at); });
 }
 
 void ShellPass::setCrowded(std::vector<std::uint8_t> vertices) {
@@ -49,49 +92,73 @@ bool ShellPass::isCrowded(const geometry::FurCluster& cluster, float spread, con
 }
 
 // Near to far: what is covered is rejected by depth. Without what faces away. Only there do charts overlap: copies share samples.
-void ShellPass::order(const Drawing& drawing, float reach, Order wanted) {
+void ShellPass::order(const Drawing& drawing, float reach, Order wanted, bool divides) {
   const Vec3 eye = eyeInModel(drawing.frame);
-  if (orderedFor_ == Vec4(eye, reach) && ordered_ == wanted) return;
+  const bool same = divided_ == divides && (!divides || wetFor_ == drawing.wetCells.revision());
+  if (same && orderedFor_ == Vec4(eye, reach) && ordered_ == wanted) return;
   orderedFor_ = Vec4(eye, reach);
   ordered_ = wanted;
+  divided_ = divides;
+  wetFor_ = drawing.wetCells.revision();
+  if (divides) findCells(drawing.surface, reach);
   const bool overlapping = wanted == Order::NearToFarOverlapping;
-  std::vector<std::uint32_t> seen, crowded;
-  seen.reserve(patches_.indices.size());
+  struct Triangles {
+    std::vector<std::uint32_t> plain, crowded;
+  };
+  std::array<Triangles, 2> seen;
   std::vector<std::uint32_t> clusters = geometry::clustersNearToFar(patches_.clusters, eye, reach);
   if (wanted == Order::FarToNear) std::reverse(clusters.begin(), clusters.end());
   for (const std::uint32_t i : clusters) {
     const geometry::FurCluster& c = patches_.clusters[i];
     const auto first = overlapping ? patches_.indices.begin() + c.first : patches_.ownIndices.begin() + c.ownFirst;
     // What is blended comes in one order.
-    std::vector<std::uint32_t>& out = wanted != Order::FarToNear && isCrowded(c, spreads_[i], eye) ? crowded : seen;
+    Triangles& group = seen[divides && isWet(drawing.wetCells, i)];
+    std::vector<std::uint32_t>& out = wanted != Order::FarToNear && isCrowded(c, spreads_[i], eye) ? group.crowded : group.plain;
     out.insert(out.end(), first, first + (overlapping ? c.count : c.ownCount));
   }
-  ranges_ = drawing.surface.sortByMaterial(seen);
-  crowdedRanges_ = drawing.surface.sortByMaterial(crowded);
-  for (IndexRanges::Range& range : crowdedRanges_.of) range.first += static_cast<int>(seen.size());
-  seen.insert(seen.end(), crowded.begin(), crowded.end());
-  indexCount_ = static_cast<int>(seen.size());
-  if (seen.empty()) return;
-  indices_.update(gl::bytesOf(seen));
-  drawing.uploadedBytes += seen.size() * sizeof(std::uint32_t);
+  std::vector<std::uint32_t> all;
+  all.reserve(patches_.indices.size());
+  const auto append = [&](std::vector<std::uint32_t>& triangles) {
+    IndexRanges ranges = drawing.surface.sortByMaterial(triangles);
+    for (IndexRanges::Range& range : ranges.of) range.first += static_cast<int>(all.size());
+    all.insert(all.end(), triangles.begin(), triangles.end());
+    return ranges;
+  };
+  for (std::size_t wet = 0; wet < groups_.size(); ++wet) {
+    groups_[wet].indexCount = static_cast<int>(seen[wet].plain.size() + seen[wet].crowded.size());
+    groups_[wet].plain = append(seen[wet].plain);
+    groups_[wet].crowded = append(seen[wet].crowded);
+  }
+  if (all.empty()) return;
+  indices_.update(gl::bytesOf(all));
+  drawing.uploadedBytes += all.size() * sizeof(std::uint32_t);
 }
 
+// On a coat that is wet in places patches that are dry are drawn as dry fur is, which costs less.
 bool ShellPass::draw(const Drawing& drawing, VariantBits view) {
   if (!drawing.look.furry()) return true;
   const Frame& frame = drawing.frame;
-  if (!drawing.programs.use(Shader::Shell, drawing.look.shells(view))) return false;
   const bool exploded = view & kViewExploded;
-  order(drawing, frame.coatLength + (exploded ? FUR_EXPLODED_SHELLS * FUR_EXPLODED_GAP : 0), chartsOverlap(frame) && !exploded ? Order::NearToFarOverlapping : Order::NearToFar);
-  if (indexCount_ == 0) return true;
+  const VariantBits variant = drawing.look.shells(view);
+  const bool divides = !view && variant & kWet;
+  order(drawing, frame.coatLength + (exploded ? FUR_EXPLODED_SHELLS * FUR_EXPLODED_GAP : 0),
+        chartsOverlap(frame) && !exploded ? Order::NearToFarOverlapping : Order::NearToFar, divides);
   gl::apply(stateOf(view, {.alphaToCoverage = true, .alpha = false}));
-  const int shells = exploded ? FUR_EXPLODED_SHELLS : 1;
-  drawMaterials(drawing, shells, exploded || view & kViewLayer ? shells : frame.shellCount);
+  const int shells = exploded ? FUR_EXPLODED_SHELLS : 1, crowded = exploded || view & kViewLayer ? shells : frame.shellCount;
+  if (!divides) return drawGroup(drawing, variant, false, shells, crowded);
+  return drawGroup(drawing, variant & ~kWet, false, shells, crowded) && drawGroup(drawing, variant, true, shells, crowded);
+}
+
+bool ShellPass::drawGroup(const Drawing& drawing, VariantBits variant, bool wet, int shells, int crowdedShells) const {
+  if (groups_[wet].indexCount == 0) return true;
+  if (!drawing.programs.use(Shader::Shell, variant)) return false;
+  drawMaterials(drawing, wet, shells, crowdedShells);
   return true;
 }
 
-void ShellPass::drawMaterials(const Drawing& drawing, int shells, int crowdedShells) const {
+void ShellPass::drawMaterials(const Drawing& drawing, bool wet, int shells, int crowdedShells) const {
   forFurry(drawing.materials, [&](std::size_t material) {
-    const IndexRanges::Range range = ranges_.at(material), crowded = crowdedRanges_.at(material);
+    const IndexRanges::Range range = groups_[wet].plain.at(material), crowded = groups_[wet].crowded.at(material);
     if (range.count > 0) array_.drawIndexed(range.count, shells, range.first);
     if (crowded.count > 0) array_.drawIndexed(crowded.count, crowdedShells, crowded.first);
   });
@@ -100,10 +167,10 @@ void ShellPass::drawMaterials(const Drawing& drawing, int shells, int crowdedShe
 bool ShellPass::drawClassic(const Drawing& drawing) {
   if (!drawing.look.furry()) return true;
   if (!drawing.programs.use(Shader::ClassicShell, drawing.look.classicFur())) return false;
-  order(drawing, drawing.frame.coatLength, Order::FarToNear);
-  if (indexCount_ == 0) return true;
+  order(drawing, drawing.frame.coatLength, Order::FarToNear, false);
+  if (groups_[0].indexCount == 0) return true;
   gl::apply({.blend = gl::Blend::Over});
-  drawMaterials(drawing, drawing.frame.settings.layers, drawing.frame.settings.layers);
+  drawMaterials(drawing, false, drawing.frame.settings.layers, drawing.frame.settings.layers);
   return true;
 }
 
