@@ -3,10 +3,10 @@ import { forgetProgram, loseContextsOf } from './contexts.js';
 import { asFurError, FurError } from './errors.js';
 import { Documents } from './documents.js';
 import { FurApp } from './furapp.js';
-import { fetchModel, loadInto, provideModelImages, provideTypePictures, readColorMap, readGiven } from './models.js';
+import { fetchModel, loadInto, prepare, provideModelImages, provideTypePictures, readColorMap, readGiven } from './models.js';
 import { Progress } from './progress.js';
 import { compileProgram, instantiateProgram, sharedProgram } from './runtime.js';
-import { turnToLoad } from './schedule.js';
+import { pause, pieceSeconds, turnToLoad } from './schedule.js';
 
 /** Lets the browser show what changed before a long piece of work. */
 export const breathe = () => new Promise((resolve) => {
@@ -163,7 +163,11 @@ export class Loading {
     compileProgram('viewer').catch(() => {});
     if (!this.#session.app) this.#session.context.open();
     this.#starting ??= sharedProgram('viewer', (loaded, total) => this.progress('program', loaded, total))
-      .then((program) => this.adopt(new FurApp(program)))
+      .then(async (program) => {
+        const app = new FurApp(program);
+        await pause();
+        this.adopt(app);
+      })
       .finally(() => { this.#starting = this.#session.app ? this.#starting : null; });
     await this.#starting;
   }
@@ -275,7 +279,8 @@ export class Loading {
 
   /** In place of the one that is there, which undo brings back. */
   async #show(source, document) {
-    const { app, loaded } = this.#session;
+    const { app, loaded } = this.#session, turn = this.#turn;
+    if (!await prepare(app, source, () => turn === this.#turn && this.#session.app === app)) return;
     const first = !loaded;
     const former = !first && { ...this.document, history: app.saveHistory(true) };
     this.#session.cameWith = cameWithOf(document);
@@ -333,10 +338,13 @@ export class Loading {
   async #present(source) {
     const session = this.#session;
     session.source = source;
-    session.changesAtLoad = session.app.changes;
+    const { app } = session, isShown = () => session.app === app && session.source === source;
+    session.changesAtLoad = app.changes;
+    session.context.returning = true;
     const warning = await this.provideImage();
     if (warning) session.warn(warning);
-    if (!session.app || session.source !== source) return;  // disposed of meanwhile, or another came
+    while (isShown() && !app.workOnPicture(pieceSeconds)) await pause();
+    if (!isShown()) return;  // disposed of meanwhile, or another came
     session.flushWarnings();
     session.setPhase('ready');
     this.#frames.drawNow();

@@ -125,6 +125,13 @@ void App::State::workOnCoat(double budget) {
   if (coat.update(inputs, warnings)) governor.forget();
 }
 
+bool App::workOnPicture(float seconds) {
+  State& s = *state_;
+  s.groom.update(s.groomInputs());  // it says which types there are
+  if (s.renderer) s.workOnCoat(seconds);
+  return !s.renderer || (!s.coat.active(s.coatInputs()) && s.chooseShellCount(seconds));
+}
+
 void App::State::finishCoat() {
   groom.update(groomInputs());  // it says which types there are
   coat.dropUnlessFor(coatInputs());
