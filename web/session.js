@@ -19,10 +19,10 @@ export class Session {
   app = null;
   /** @type {import('./editor.js').EditorPanel | null} */
   panel = null;
-  /** Which program `app` is in: 'viewer', 'hair' (the viewer with long hair) or 'editor'. */
+  /** Which program `app` is in: 'viewer', 'hair' (the viewer with long hair and all formats) or 'editor'. */
   program = 'viewer';
-  /** Whether a model here has had long hair: undo may lead back to it. */
-  hadHair = false;
+  /** Whether something here has needed more than the viewer's program: undo may lead back to it. */
+  needsLarger = false;
   /** The model that is shown. @type {import('./models.js').ModelSource | null} */
   source = null;
   cameWith = null;  // groom and long hair of the file that is shown, water of a link; null: not known

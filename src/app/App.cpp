@@ -189,7 +189,8 @@ Status App::showComing(bool keepState) {
   if (!model->fur.wetness.empty()) s.water.readMask(model->fur.wetness, model->fur.wetnessSize);
   s.groom.read(s.shape, model->fur, s.warnings);
   if (!model->fur.hair.empty()) s.hair->setStyle(std::move(model->fur.hair));
-  s.settleMotion();
+  // Hair grows when it is to be seen: it takes long.
+  s.settleMotion(false);
   // Of a mask as this program has them; else what `wetness` says of it remains.
   if (!model->fur.water.empty() && !s.water.restore(model->fur.water)) addWarning(name + ": its drops and running water are left out");
   if (keepState) return Done{};

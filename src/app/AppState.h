@@ -189,7 +189,7 @@ struct App::State {
   bool updateShape(float seconds);
   void workOnCoat(double budget);
   void finishCoat();
-  void settleMotion();
+  void settleMotion(bool withHair = true);
   void advance(float seconds, double coatBudget);
   // Of all that is seen; another number whenever any of it has changed.
   std::uint64_t pictureRevision() const;

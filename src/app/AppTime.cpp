@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "app/AppState.h"
+#include "core/Clock.h"
 #include "core/Fnv1a.h"
 
 namespace fur::app {
@@ -128,8 +129,11 @@ void App::State::workOnCoat(double budget) {
 bool App::workOnPicture(float seconds) {
   State& s = *state_;
   s.groom.update(s.groomInputs());  // it says which types there are
-  if (s.renderer) s.workOnCoat(seconds);
-  return !s.renderer || (!s.coat.active(s.coatInputs()) && s.chooseShellCount(seconds));
+  for (const double begun = secondsNow(); !s.hair->workOnGrowth(s.hairInputs(0));)
+    if (secondsNow() - begun > seconds) return false;
+  if (!s.renderer) return true;
+  s.workOnCoat(seconds);
+  return !s.coat.active(s.coatInputs()) && s.chooseShellCount(seconds);
 }
 
 void App::State::finishCoat() {
@@ -138,11 +142,11 @@ void App::State::finishCoat() {
   workOnCoat(1e9);
 }
 
-void App::State::settleMotion() {
+void App::State::settleMotion(bool withHair) {
   updateShape(0);
   groom.update(groomInputs());
   motion.settle(motionInputs(0));
-  hair->settle(hairInputs(0));
+  if (withHair) hair->settle(hairInputs(0));
   ++changed;
 }
 
