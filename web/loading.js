@@ -183,7 +183,7 @@ export class Loading {
     const program = await (which === 'editor' ? instantiateProgram : sharedProgram)(which, (loaded, total) => this.progress(part, loaded, total));
     const old = session.app;
     if (!old) return false;
-    const document = session.loaded && { ...this.document, history: old.saveHistory() };
+    const document = session.source && { ...this.document, history: old.saveHistory() };
     session.panel?.dispose();
     session.panel = null;
     session.screen.giveBack();
@@ -236,6 +236,7 @@ export class Loading {
     }
     const wasHair = session.program === 'hair';
     session.app = session.source = session.panel = this.#starting = null;
+    session.shown = false;
     session.program = 'viewer';
     await null;  // until all that were in it have left
     loseContextsOf(app.program);
@@ -350,6 +351,7 @@ export class Loading {
     if (warning) session.warn(warning);
     while (isShown() && !app.workOnPicture(pieceSeconds)) await pause();
     if (!isShown()) return;  // disposed of meanwhile, or another came
+    session.shown = true;
     session.flushWarnings();
     session.setPhase('ready');
     this.#frames.drawNow();

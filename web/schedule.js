@@ -42,7 +42,7 @@ function onFrame(time) {
 }
 
 /** How long a piece of work may take that goes on after a pause(). */
-export const pieceSeconds = 0.012;
+export const pieceSeconds = 0.016;
 let channel = null;
 const paused = [];
 
