@@ -96,7 +96,7 @@ export function elementsOf({ fields, presets, tools }) {
     },
     {
       tag: 'wet-fur-compare', name: 'WetFurCompareElement', module: 'companions.js', description: 'Before and after, with a divider: two figures or pictures inside it, or two states of the figure that `for` names.',
-      attributes: [figureOf, attribute('before', json, 'Settings of the first state.'), attribute('after', json, 'Settings of the second state.'),
+      attributes: [figureOf, attribute('before', json, 'Settings of the first state, `wetness` and `cameraOrbit` among them.'), attribute('after', json, 'The same of the second state.'),
         attribute('before-label', text, 'A caption.'), attribute('after-label', text, 'A caption.'), attribute('position', number, 'Percent of the width that shows what was before.'), labelOf],
       events: [['divide', 'CustomEvent<{ position: number }>', 'A person moved the divider.'], ['picture-change', 'CustomEvent<null>', 'There are new pictures of the two states.']],
       slots: [['before', 'The first figure; without names the first two children are taken.'], ['after', 'The second figure.']],

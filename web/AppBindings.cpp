@@ -62,6 +62,16 @@ FUR_EXPORT int fur_loadModel(App* app, const std::uint8_t* bytes, std::uint32_t 
                              int keepState) {
   return guarded([&] { return web::report(app->loadModel({bytes, size}, name, web::takeStagedFiles(), keepState != 0)); });
 }
+FUR_EXPORT int fur_beginModel(App* app, const std::uint8_t* bytes, std::uint32_t size, const char* name) {
+  return guarded([&] { return web::report(app->beginModel({bytes, size}, name, web::takeStagedFiles())); });
+}
+// 1: all is done, 2: not yet, 0: an error.
+FUR_EXPORT int fur_workOnComing(App* app, float seconds) {
+  return guarded([&] { return 2 - app->workOnComing(seconds); });
+}
+FUR_EXPORT int fur_workOnPicture(App* app, float seconds) {
+  return guarded([&] { return 2 - app->workOnPicture(seconds); });
+}
 // As fur_saveGroom() gives its bytes.
 FUR_EXPORT std::uint32_t fur_saveSurface(App* app) {
   return guarded([&] { return web::keepSaved(app->saveSurface()); });

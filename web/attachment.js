@@ -26,7 +26,7 @@ export class Attachment {
 
   /** Measures what is drawn in this context. */
   timer = null;
-  /** A new context lacks the coat still: the canvas shows what was drawn last. */
+  /** A new context, or one with another model, lacks the coat still: the canvas shows what was drawn last. */
   returning = false;
   /** A context was taken and another is being asked for. */
   mending = false;

@@ -82,7 +82,7 @@ class WetnessMask {
 
   addDroplet({ u, v, radius = 0.05, wetness = 0.5 }) { this.#call('fur_maskAddDroplet', u, v, radius, wetness); }
   dryAt({ u, v, radius = 0.05, amount = 0.5 }) { this.#call('fur_maskDryAt', u, v, radius, amount); }
-  dry(seconds, { rate = 0.02 } = {}) { this.#call('fur_maskDry', seconds, rate); }
+  dry(seconds, { rate = 0.002 } = {}) { this.#call('fur_maskDry', seconds, rate); }
   clear() { this.#call('fur_maskClear'); }
   at(u, v) {
     const [centreU, centreV, radius, wetness] = this.#program.numbers(this.#call('fur_maskAt', u, v), 4);

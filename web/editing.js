@@ -25,7 +25,7 @@ export class Editing {
   open(open) {
     const session = this.#session;
     session.options.editor = open;
-    this.#switching = this.#switching.then(() => this.#moveTo(open ? 'editor' : this.#session.hadHair || this.#session.app?.haired ? 'hair' : 'viewer'))
+    this.#switching = this.#switching.then(() => this.#moveTo(open ? 'editor' : this.#session.needsLarger || this.#session.app?.haired ? 'hair' : 'viewer'))
       .catch((error) => {
         session.options.editor = session.panel !== null;
         const known = asFurError(error, 'wasm-load');

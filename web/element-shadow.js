@@ -39,6 +39,8 @@ canvas:focus-visible:not([data-pointer-focus]) { outline: 3px solid var(--wet-fu
 .status { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }
 @media (prefers-color-scheme: dark) { .message, .prompt { color: #eceff3; background: #20252df2; } .message button { background: #5b7086; }
   .progress { color: var(--wet-fur-text-color, #99a); } }
+@media (forced-colors: active) { .track { outline: 1px solid CanvasText; } .bar { forced-color-adjust: none; background: Highlight; } .message, .prompt { border: 1px solid CanvasText; }
+  .message button { border: 1px solid ButtonText; } }
 @media (prefers-reduced-motion: reduce) { .bar, .prompt { transition: none; } }
 `;
 

@@ -77,11 +77,23 @@ export class FurApp {
    * @param {boolean} keepState not the settings that a saved scene brings
    */
   loadModel(bytes, name, files, keepState = false) {
+    this.#stage(files);
+    this.#callOrThrow('fur_loadModel', bytes, bytes.byteLength, name, keepState ? 1 : 0);
+  }
+  #stage(files) {
     this.program.call('fur_clearStagedFiles');
     for (const [fileName, content] of files)
       this.program.callOrThrow('fur_stageFile', fileName, content, content.byteLength);
-    this.#callOrThrow('fur_loadModel', bytes, bytes.byteLength, name, keepState ? 1 : 0);
   }
+  /** The same in pieces: workOnComing() until it returns true, and showComing(). */
+  beginModel(bytes, name, files) {
+    this.#stage(files);
+    this.#callOrThrow('fur_beginModel', bytes, bytes.byteLength, name);
+  }
+  /** About so many seconds of work; whether that was all. */
+  workOnComing(seconds) { return this.#callOrThrow('fur_workOnComing', seconds) === 1; }
+  /** The same of what the next picture needs. */
+  workOnPicture(seconds) { return this.#callOrThrow('fur_workOnPicture', seconds) === 1; }
   /** What was made of the model, as bytes that spare the editor's program with the same state most of its next loadModel(). */
   get surface() { return this.#saved('fur_saveSurface'); }
   /** `type`: of the fur, 0 to 3. */

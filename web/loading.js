@@ -3,10 +3,10 @@ import { forgetProgram, loseContextsOf } from './contexts.js';
 import { asFurError, FurError } from './errors.js';
 import { Documents } from './documents.js';
 import { FurApp } from './furapp.js';
-import { fetchModel, loadInto, provideModelImages, provideTypePictures, readColorMap, readGiven } from './models.js';
+import { fetchModel, loadInto, prepare, provideModelImages, provideTypePictures, readColorMap, readGiven } from './models.js';
 import { Progress } from './progress.js';
 import { compileProgram, instantiateProgram, sharedProgram } from './runtime.js';
-import { turnToLoad } from './schedule.js';
+import { pause, pieceSeconds, turnToLoad } from './schedule.js';
 
 /** Lets the browser show what changed before a long piece of work. */
 export const breathe = () => new Promise((resolve) => {
@@ -66,9 +66,10 @@ export class Loading {
     await this.ready;
     try {
       const typeSet = await readGiven(given, name ?? given?.name ?? 'coat.fts');
+      await this.#inLarger(() => this.#session.app?.loadTypeSet(typeSet.bytes, typeSet.name, type));
       const { app } = this.#session;
       if (!app) return;  // disposed of meanwhile
-      app.loadTypeSet(typeSet.bytes, typeSet.name, type);
+      this.#session.needsLarger = true;
       const warning = await provideTypePictures(app, () => this.#session.app === app);
       if (warning) this.#session.warn(warning);
       this.#frames.afterChange();
@@ -145,7 +146,8 @@ export class Loading {
       this.progress('fur', 0, 1);
       await breathe();
       if (isStale()) return;
-      await this.#showWithHair(source, document);
+      if (document?.hair?.byteLength && !this.#isLarger) await this.moveTo('hair', 'program');
+      await this.#inLarger(() => this.#show(source, document));
     } catch (error) {
       if (isStale() && error.code !== 'program-failed') return;
       if (isStale()) throw error;  // #leaveFailed() tells it
@@ -163,7 +165,11 @@ export class Loading {
     compileProgram('viewer').catch(() => {});
     if (!this.#session.app) this.#session.context.open();
     this.#starting ??= sharedProgram('viewer', (loaded, total) => this.progress('program', loaded, total))
-      .then((program) => this.adopt(new FurApp(program)))
+      .then(async (program) => {
+        const app = new FurApp(program);
+        await pause();
+        this.adopt(app);
+      })
       .finally(() => { this.#starting = this.#session.app ? this.#starting : null; });
     await this.#starting;
   }
@@ -177,7 +183,7 @@ export class Loading {
     const program = await (which === 'editor' ? instantiateProgram : sharedProgram)(which, (loaded, total) => this.progress(part, loaded, total));
     const old = session.app;
     if (!old) return false;
-    const document = session.loaded && { ...this.document, history: old.saveHistory() };
+    const document = session.source && { ...this.document, history: old.saveHistory() };
     session.panel?.dispose();
     session.panel = null;
     session.screen.giveBack();
@@ -187,7 +193,7 @@ export class Loading {
     old.destroy();
     if (session.program === 'editor') forgetProgram(old.program);
     session.program = which;
-    session.hadHair ||= which === 'hair' || Boolean(document?.hair?.byteLength);
+    session.needsLarger ||= which === 'hair' || Boolean(document?.hair?.byteLength);
     return true;
   }
 
@@ -228,7 +234,9 @@ export class Loading {
     } catch {
       // The program has no more to say.
     }
+    const wasHair = session.program === 'hair';
     session.app = session.source = session.panel = this.#starting = null;
+    session.shown = false;
     session.program = 'viewer';
     await null;  // until all that were in it have left
     loseContextsOf(app.program);
@@ -238,7 +246,7 @@ export class Loading {
     const over = await turnToLoad(session.canvas);
     try {
       if (turn === this.#turn) await this.#start();
-      if (turn === this.#turn && document.hair?.byteLength) await this.moveTo('hair', 'program');
+      if (turn === this.#turn && (wasHair || document.hair?.byteLength)) await this.moveTo('hair', 'program');
       if (turn !== this.#turn) return;
       this.putBack(session.app, document);
       await this.#present(source);
@@ -261,21 +269,22 @@ export class Loading {
 
   // --- showing ---
 
-  /** The same; where there is long hair, which the viewer's program does not grow, in the one that does. */
-  async #showWithHair(source, document) {
-    const grows = () => this.#session.program !== 'viewer';
-    if (document?.hair?.byteLength && !grows()) await this.moveTo('hair', 'program');
+  /** Does it; where the viewer's program cannot, as with long hair and formats that are not glTF, in the one that can. */
+  async #inLarger(work) {
     try {
-      await this.#show(source, document);
+      await work();
     } catch (error) {
-      if (error.code !== 'long-hair' || grows() || !await this.moveTo('hair', 'program')) throw error;
-      await this.#show(source, document);
+      if (error.code !== 'larger-program' || this.#isLarger || !await this.moveTo('hair', 'program')) throw error;
+      await work();
     }
   }
+  get #isLarger() { return this.#session.program !== 'viewer'; }
 
   /** In place of the one that is there, which undo brings back. */
   async #show(source, document) {
-    const { app, loaded } = this.#session;
+    const { app, loaded } = this.#session, turn = this.#turn;
+    if (!await prepare(app, source, () => turn === this.#turn && this.#session.app === app)) return;
+    this.#session.needsLarger ||= !source.primitive && !/\.gl(b|tf)$/i.test(source.name);
     const first = !loaded;
     const former = !first && { ...this.document, history: app.saveHistory(true) };
     this.#session.cameWith = cameWithOf(document);
@@ -301,6 +310,7 @@ export class Loading {
       try {
         work();
       } catch (error) {
+        if (error.code === 'larger-program') throw error;
         this.#session.warn(`${what}: ${error.message}`);
       }
     };
@@ -310,6 +320,7 @@ export class Loading {
     if (groom) put('groom', () => app.restoreGroom(groom, false));
     if (hair) put('hair', () => app.restoreHair(hair, false));
     if (typeFiles) put('coat', () => { app.typeFiles = typeFiles; });
+    this.#session.needsLarger ||= typeFiles?.byteLength > 3e6;  // as much as the coat of a type set takes
     if (typeSet) put('coat', () => app.loadTypeSet(typeSet.bytes, typeSet.name));  // as it was kept before types had files of their own
     if (water) put('water', () => { app.water = water; });
     if (history) put('history', () => app.restoreHistory(history));
@@ -333,10 +344,14 @@ export class Loading {
   async #present(source) {
     const session = this.#session;
     session.source = source;
-    session.changesAtLoad = session.app.changes;
+    const { app } = session, isShown = () => session.app === app && session.source === source;
+    session.changesAtLoad = app.changes;
+    session.context.returning = true;
     const warning = await this.provideImage();
     if (warning) session.warn(warning);
-    if (!session.app || session.source !== source) return;  // disposed of meanwhile, or another came
+    while (isShown() && !app.workOnPicture(pieceSeconds)) await pause();
+    if (!isShown()) return;  // disposed of meanwhile, or another came
+    session.shown = true;
     session.flushWarnings();
     session.setPhase('ready');
     this.#frames.drawNow();

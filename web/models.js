@@ -2,6 +2,7 @@
 import { kindOfEnding } from '#tables';
 import { FurError } from './errors.js';
 import { fetchBytes, fileNameOf, maxFileBytes } from './fetching.js';
+import { pause, pieceSeconds } from './schedule.js';
 
 export const primitives = Object.freeze(['sphere', 'torus', 'plane']);
 /** Models with a groom, a look and a camera of their own (assets/scenes/scenes.mjs). */
@@ -146,9 +147,28 @@ export async function readModel(given, { name, files = [] } = {}) {
   return { ...model, files: byName };
 }
 
+/** What each app has prepared. @type {WeakMap<import('./furapp.js').FurApp, ModelSource>} */
+const prepared = new WeakMap();
+
+/** Does in pieces what takes long of loadInto(), which follows. A failure throws. @param {ModelSource} source @param {() => boolean} wanted still; the result is the last answer */
+export async function prepare(app, source, wanted) {
+  prepared.delete(app);
+  if (source.primitive) app.beginPrimitive(source.primitive);
+  else app.beginModel(source.bytes, source.name, source.files);
+  do {
+    await pause();
+    if (!wanted()) return false;
+  } while (!app.workOnComing(pieceSeconds));
+  prepared.set(app, source);
+  return true;
+}
+
 /** Loads into the app; a failure throws a FurError and leaves the app's old scene. @param {ModelSource} source */
 export function loadInto(app, source, keepState) {
-  if (source.primitive) app.loadPrimitive(source.primitive);
+  const isPrepared = prepared.get(app) === source;
+  prepared.delete(app);
+  if (isPrepared) app.showComing(keepState && !source.primitive ? 1 : 0);
+  else if (source.primitive) app.loadPrimitive(source.primitive);
   else app.loadModel(source.bytes, source.name, source.files, keepState);
 }
 

@@ -41,6 +41,23 @@ function onFrame(time) {
   if (asking.size > 0) request ||= requestAnimationFrame(onFrame);
 }
 
+/** How long a piece of work may take that goes on after a pause(). */
+export const pieceSeconds = 0.016;
+let channel = null;
+const paused = [];
+
+/** Between two pieces of work the page does what waits. Soon: timers would wait in turn. */
+export function pause() {
+  if (!channel) {
+    channel = new MessageChannel();
+    channel.port1.onmessage = () => paused.shift()();
+  }
+  return new Promise((resolve) => {
+    paused.push(resolve);
+    channel.port2.postMessage(null);
+  });
+}
+
 /** Those that wait to be loaded, who came first first. @type {{ canvas: HTMLCanvasElement, go: () => void }[]} */
 const waiting = [];
 let loading = false;

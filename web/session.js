@@ -19,12 +19,14 @@ export class Session {
   app = null;
   /** @type {import('./editor.js').EditorPanel | null} */
   panel = null;
-  /** Which program `app` is in: 'viewer', 'hair' (the viewer with long hair) or 'editor'. */
+  /** Which program `app` is in: 'viewer', 'hair' (the viewer with long hair and all formats) or 'editor'. */
   program = 'viewer';
-  /** Whether a model here has had long hair: undo may lead back to it. */
-  hadHair = false;
-  /** The model that is shown. @type {import('./models.js').ModelSource | null} */
+  /** Whether something here has needed more than the viewer's program: undo may lead back to it. */
+  needsLarger = false;
+  /** The model that is shown, or about to be. @type {import('./models.js').ModelSource | null} */
   source = null;
+  /** Whether any has been. */
+  shown = false;
   cameWith = null;  // groom and long hair of the file that is shown, water of a link; null: not known
   changesAtLoad = 0;  // what the program's `changes` was when it had come
   options = { ...optionDefaults };
@@ -65,7 +67,7 @@ export class Session {
     });
   }
 
-  get loaded() { return this.source !== null; }
+  get loaded() { return this.shown && this.source !== null; }
   /** Whether a person can do anything with it: then it takes the focus and pointers. */
   get interactive() { return this.options.cameraControls || (this.app?.tool ?? this.options.tool) !== 'none' || this.panel !== null; }
   get state() {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/AppState.h"
+#include "core/Clock.h"
 #include "geometry/Primitives.h"
 #include "geometry/SurfaceBytes.h"
 #include "scene/StateJson.h"
@@ -88,12 +89,32 @@ void App::giveSurface(std::span<const std::uint8_t> bytes) {
   state_->readSurface = geometry::surfaceFromBytes;
 }
 
-Result<ShownSurface> App::State::surfaceOf(const geometry::Mesh& mesh) {
+void App::State::begin(scene::Model model, Document document) {
+  coming = Coming{std::move(model), std::move(document), mapping()};
   const std::vector<std::uint8_t> given = std::exchange(givenSurface, {});
   if (!given.empty())
-    if (auto surface = readSurface(given, mesh)) return ShownSurface(std::move(*surface));
-  return models->surfaceOf(mesh, mapping());
+    if (auto surface = readSurface(given, coming->model.mesh)) coming->given = ShownSurface(std::move(*surface));
+  if (!coming->given) coming->surface.emplace(*models, coming->model.mesh, coming->mapping);
 }
+
+bool App::State::workOnComing(double budget) {
+  FUR_ASSERT(coming, "App::workOnComing()", "a model that was begun", "none");
+  coming->done |= !coming->surface;
+  for (const double begun = secondsNow(); !coming->done;) {
+    coming->done = coming->surface->step();
+    if (secondsNow() - begun > budget) break;
+  }
+  return coming->done;
+}
+
+Result<ShownSurface> App::State::surfaceOfComing() {
+  // Settings may have changed since it was begun.
+  if (coming->mapping != mapping()) return models->surfaceOf(coming->model.mesh, mapping());
+  workOnComing(1e9);
+  return coming->given ? std::move(*coming->given) : coming->surface->take();
+}
+
+bool App::workOnComing(float seconds) { return state_->workOnComing(seconds); }
 
 void App::State::setModel(geometry::Mesh mesh, ShownSurface surface, Document from, scene::Rig rig, std::vector<std::uint8_t> materialOf) {
   const CameraOrbit before = homeView();
@@ -117,39 +138,59 @@ void App::State::setModel(geometry::Mesh mesh, ShownSurface surface, Document fr
   surfaceChanged(before);
 }
 
-Status App::loadPrimitive(std::string_view name) {
-  geometry::Mesh mesh;
+Status App::beginPrimitive(std::string_view name) {
+  scene::Model model;
+  geometry::Mesh& mesh = model.mesh;
   if (name == "sphere") mesh = geometry::makeSphere();
   else if (name == "torus") mesh = geometry::makeTorus();
   else if (name == "plane") mesh = geometry::makePlane();
   else return Error{ErrorId::BadFile, "there is no model called \"" + std::string(name) + '"'};
   // Their own uv are stretched, and they have no picture: charts keep droplets round.
   mesh.uv.clear();
-  auto surface = state_->surfaceOf(mesh);
-  if (!surface) return surface.error();
-  state_->setModel(std::move(mesh), std::move(*surface), {.name = std::string(name)});
-  state_->restoreOwnLook();
+  model.name = name;
+  state_->begin(std::move(model), {.name = std::string(name)});
+  return Done{};
+}
+
+Status App::loadPrimitive(std::string_view name) {
+  if (Status status = beginPrimitive(name); !status) return status;
+  return showComing();
+}
+
+Status App::beginModel(std::span<const std::uint8_t> bytes, const std::string& name, const scene::FileSet& others) {
+  auto model = scene::importModel(bytes, name, others);
+  if (!model) return model.error();
+  Document from{.name = model->name};
+  from.take(*model);
+  if (model->isGltf) state_->keepFile(from, bytes, others);
+  state_->begin(std::move(*model), std::move(from));
   return Done{};
 }
 
 Status App::loadModel(std::span<const std::uint8_t> bytes, const std::string& name, const scene::FileSet& others,
                       bool keepState) {
-  auto model = scene::importModel(bytes, name, others);
-  if (!model) return model.error();
+  if (Status status = beginModel(bytes, name, others); !status) return status;
+  return showComing(keepState);
+}
+
+Status App::showComing(bool keepState) {
   State& s = *state_;
-  auto surface = s.surfaceOf(model->mesh);
+  FUR_ASSERT(s.coming, "App::showComing()", "a model that was begun", "none");
+  auto surface = s.surfaceOfComing();
+  auto coming = std::exchange(s.coming, std::nullopt);
+  scene::Model* model = &coming->model;
+  const std::string& name = model->name;
   if (!surface) return Error{surface.error().id, name + ": " + surface.error().message};
   auto files = s.shelf.addFiles(model->fur.coats, name);
   if (!files) return files.error();
   for (const std::string& warning : model->warnings) s.warnings.push_back(warning);
-  Document from{.name = model->name};
-  from.take(*model);
-  if (model->isGltf) s.keepFile(from, bytes, others);
+  Document& from = coming->document;
   s.setModel(std::move(model->mesh), std::move(*surface), std::move(from), std::move(model->rig), std::move(model->materialOf));
   if (!model->fur.wetness.empty()) s.water.readMask(model->fur.wetness, model->fur.wetnessSize);
   s.groom.read(s.shape, model->fur, s.warnings);
   if (!model->fur.hair.empty()) s.hair->setStyle(std::move(model->fur.hair));
-  s.settleMotion();
+  // Hair grows when it is to be seen: it takes long.
+  s.settleMotion(false);
   // Of a mask as this program has them; else what `wetness` says of it remains.
   if (!model->fur.water.empty() && !s.water.restore(model->fur.water)) addWarning(name + ": its drops and running water are left out");
   if (keepState) return Done{};

@@ -114,6 +114,14 @@ class App {
   // they were changed, the next model without any is shown as the one before was.
   Status loadModel(std::span<const std::uint8_t> bytes, const std::string& name, const scene::FileSet& others = {},
                    bool keepState = false);
+  // The same in pieces, for programs that have others to answer meanwhile: the one before is shown until showComing(). What takes long
+  // is done by workOnComing(), for so many seconds, or a step if that takes longer; it returns whether all is.
+  Status beginPrimitive(std::string_view name);
+  Status beginModel(std::span<const std::uint8_t> bytes, const std::string& name, const scene::FileSet& others = {});
+  bool workOnComing(float seconds);
+  Status showComing(bool keepState = false);
+  // The same of what the next picture needs and takes long: coat and shells.
+  bool workOnPicture(float seconds);
   // What was set on top of the settings that the model brought, counts as them: it is no work of a person's.
   void settingsCameWithModel();
   // What was made of the model, as bytes for another program of the same build, whose next load takes it instead of making it

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "app/AppState.h"
+#include "core/Clock.h"
 #include "core/NoteChange.h"
-#include "geometry/CoatThickness.h"
 #include "groom/EvenReach.h"
 
 namespace fur::app {
@@ -188,13 +188,21 @@ constexpr int kCrowdedShells = 3, kSlenderShells = 2;
 // skin in the hole of the ring instead of fur. Slender bodies, whose share is above kSlender, have slivers of sky there as well, between
 // breast and foreleg: one further shell leaves little of them, in pictures of the best quality. Further shells stand only where rays may
 // come to.
-void App::State::chooseShellCount() {
+bool App::State::chooseShellCount(double budget) {
   constexpr float kCrowded = 0.024f, kSlender = 0.08f;
   const float length = coatLength();
-  if (shells.surface == shape.surfaceRevision() && shells.length == length) return;
-  const float share = geometry::grazingShare(shape.surface(), shape.query(), length);
-  shells = {shape.surfaceRevision(), length, length * share > kCrowded ? kCrowdedShells : share > kSlender ? kSlenderShells : 1};
-  renderer->setCrowded(shells.count > 1 ? geometry::crowdedVertices(shape.surface(), shape.query(), length) : std::vector<std::uint8_t>{});
+  if (shells.surface != shape.surfaceRevision() || shells.length != length) {
+    const float share = geometry::grazingShare(shape.surface(), shape.query(), length);
+    shells = {shape.surfaceRevision(), length, length * share > kCrowded ? kCrowdedShells : share > kSlender ? kSlenderShells : 1};
+    if (shells.count > 1) shells.search.emplace(shape.surface(), shape.query(), length);
+    else renderer->setCrowded({});
+  }
+  if (!shells.search) return true;
+  for (const double begun = secondsNow(); !shells.search->step();)
+    if (secondsNow() - begun > budget) return false;
+  renderer->setCrowded(shells.search->take());
+  shells.search.reset();
+  return true;
 }
 
 render::Frame App::State::frame(int level) const {

@@ -21,6 +21,7 @@
 #include "app/view/QualityGovernor.h"
 #include "app/view/View.h"
 #include "core/NoteChange.h"
+#include "geometry/CoatThickness.h"
 #include "render/Renderer.h"
 #include "settings/FurTypes.h"
 
@@ -74,6 +75,16 @@ struct App::State {
   std::vector<std::uint8_t> givenSurface;
   std::optional<geometry::Surface> (*readSurface)(std::span<const std::uint8_t> bytes, const geometry::Mesh& mesh) = nullptr;
   TypeShelf shelf;
+  // A model that is not shown yet.
+  struct Coming {
+    scene::Model model;
+    Document document;
+    geometry::FurMapping mapping;
+    std::optional<ShownSurface> given{};              // of App::giveSurface()
+    std::optional<ModelShelf::Coming> surface{};      // else
+    bool done = false;
+  };
+  std::optional<Coming> coming;
 
   BehaviourStage behaviour;
   ShapeStage shape;
@@ -129,6 +140,7 @@ struct App::State {
     std::uint64_t surface = 0;
     float length = -1;
     int count = 1;
+    std::optional<geometry::CrowdedSearch> search{};  // that goes on
   } shells;  // Frame::shellCount, and what it is for
   bool saved = false, transparent = false;  // as setSaved() said
   int bottomRow = 0, rows = 0;  // as render::Frame has them
@@ -148,7 +160,9 @@ struct App::State {
   // --- App.cpp ---
   CameraOrbit startView() const { return OrbitCamera::fitting(shape.extent().centre, shape.extent().radius); }
   CameraOrbit homeView() const;  // with that, of what is played now
-  Result<ShownSurface> surfaceOf(const geometry::Mesh& mesh);
+  void begin(scene::Model model, Document document);
+  bool workOnComing(double budget);
+  Result<ShownSurface> surfaceOfComing();
   void setModel(geometry::Mesh mesh, ShownSurface surface, Document from, scene::Rig rig = {}, std::vector<std::uint8_t> materialOf = {});
   void surfaceChanged(const CameraOrbit& viewBefore);
   // A view that showed all of the model still does; glides there or is there at once.
@@ -175,7 +189,7 @@ struct App::State {
   bool updateShape(float seconds);
   void workOnCoat(double budget);
   void finishCoat();
-  void settleMotion();
+  void settleMotion(bool withHair = true);
   void advance(float seconds, double coatBudget);
   // Of all that is seen; another number whenever any of it has changed.
   std::uint64_t pictureRevision() const;
@@ -196,7 +210,7 @@ struct App::State {
   void uploadEvenReach();
   bool showsMask() const;  // with the paint, for who is grooming
   bool showsForces() const { return static_cast<render::View>(settings.view) == render::View::Forces; }
-  void chooseShellCount();
+  bool chooseShellCount(double budget = 1e9);  // seconds that it may take; whether it is chosen
   render::Frame frame(int level) const;
   render::Frame frame() const { return frame(bestLevel); }
 

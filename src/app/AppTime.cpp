@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "app/AppState.h"
+#include "core/Clock.h"
 #include "core/Fnv1a.h"
 
 namespace fur::app {
@@ -125,17 +126,27 @@ void App::State::workOnCoat(double budget) {
   if (coat.update(inputs, warnings)) governor.forget();
 }
 
+bool App::workOnPicture(float seconds) {
+  State& s = *state_;
+  s.groom.update(s.groomInputs());  // it says which types there are
+  for (const double begun = secondsNow(); !s.hair->workOnGrowth(s.hairInputs(0));)
+    if (secondsNow() - begun > seconds) return false;
+  if (!s.renderer) return true;
+  s.workOnCoat(seconds);
+  return !s.coat.active(s.coatInputs()) && s.chooseShellCount(seconds);
+}
+
 void App::State::finishCoat() {
   groom.update(groomInputs());  // it says which types there are
   coat.dropUnlessFor(coatInputs());
   workOnCoat(1e9);
 }
 
-void App::State::settleMotion() {
+void App::State::settleMotion(bool withHair) {
   updateShape(0);
   groom.update(groomInputs());
   motion.settle(motionInputs(0));
-  hair->settle(hairInputs(0));
+  if (withHair) hair->settle(hairInputs(0));
   ++changed;
 }
 

@@ -3,7 +3,7 @@
 
 namespace fur::app {
 
-// From then on apps grow hair, and models are read with theirs. Without it a model that has hair is an error, long-hair, and
+// From then on apps grow hair, and models are read with theirs. Without it a model that has hair is an error, larger-program, and
 // other programs are asked.
 void growLongHair();
 

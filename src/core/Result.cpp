@@ -10,7 +10,7 @@ const char* errorCode(ErrorId id) {
     case ErrorId::TooLarge: return "too-large";
     case ErrorId::UnsupportedVersion: return "unsupported-version";
     case ErrorId::Network: return "network";
-    case ErrorId::LongHair: return "long-hair";
+    case ErrorId::LargerProgram: return "larger-program";
   }
   return "bad-file";
 }

@@ -18,7 +18,7 @@ enum class ErrorId {
   TooLarge,            // well-formed, but over a stated limit
   UnsupportedVersion,  // well-formed, but of a version or extension that we do not read
   Network,             // a file could not be fetched or opened
-  LongHair,            // it has hair, which only other programs grow (app/LongHair.h)
+  LargerProgram,       // only larger programs read it: long hair, and formats beside glTF (scene/Model.h)
 };
 
 // The spelling that JavaScript and the command line see: "bad-file".

@@ -109,20 +109,24 @@ class Cloth {
 
 }  // namespace
 
-void relaxCharts(Charts& charts, const std::vector<Vec3>& positions, const std::vector<std::uint32_t>& indices,
-                 const Weld& weld) {
-  std::vector<std::vector<std::uint32_t>> trianglesOf(charts.count);
-  for (std::uint32_t t = 0; t < charts.chartOf.size(); ++t) trianglesOf[charts.chartOf[t]].push_back(t);
-  std::vector<std::uint32_t> pointOf(weld.count, 0xffffffffu);
-  for (const std::vector<std::uint32_t>& triangles : trianglesOf) {
-    if (triangles.size() < 2) continue;  // one triangle lies in its own plane already
-    Cloth cloth(charts, triangles, positions, indices, weld, pointOf);
-    cloth.relax();
-    if (!cloth.liesFlat()) continue;
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-      for (std::size_t k = 0; k < 3; ++k) charts.corners[3 * triangles[i] + k] = cloth.corner(3 * i + k);
-    }
+ChartRelaxation::ChartRelaxation(Charts& charts, const std::vector<Vec3>& positions, const std::vector<std::uint32_t>& indices,
+                                 const Weld& weld)
+    : charts_(charts), positions_(positions), indices_(indices), weld_(weld), trianglesOf_(charts.count), pointOf_(weld.count, 0xffffffffu) {
+  for (std::uint32_t t = 0; t < charts.chartOf.size(); ++t) trianglesOf_[charts.chartOf[t]].push_back(t);
+}
+
+bool ChartRelaxation::step() {
+  // One triangle lies in its own plane already.
+  while (chart_ < trianglesOf_.size() && trianglesOf_[chart_].size() < 2) ++chart_;
+  if (chart_ == trianglesOf_.size()) return true;
+  const std::vector<std::uint32_t>& triangles = trianglesOf_[chart_++];
+  Cloth cloth(charts_, triangles, positions_, indices_, weld_, pointOf_);
+  cloth.relax();
+  if (!cloth.liesFlat()) return false;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) charts_.corners[3 * triangles[i] + k] = cloth.corner(3 * i + k);
   }
+  return false;
 }
 
 }  // namespace fur::geometry

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <queue>
 
 #include "core/Sort.h"
@@ -45,22 +46,63 @@ struct Frame {
   Vec3 u, v;
 };
 
-class ChartMaker {
+// A step goes on until it has compared so many triangles.
+constexpr std::size_t kComparisonsAStep = 30000;
+
+// Flattening loses area where a surface bulges: every chart gets as much as it has on the surface.
+void restoreAreas(Charts& charts, const std::vector<Vec3>& positions, const std::vector<std::uint32_t>& indices) {
+  std::vector<double> flat(charts.count, 0.0), round(charts.count, 0.0);
+  for (std::size_t i = 0; i < indices.size(); i += 3) {
+    const Vec2 a = charts.corners[i + 1] - charts.corners[i], b = charts.corners[i + 2] - charts.corners[i];
+    const Vec3 cross = glm::cross(positions[indices[i + 1]] - positions[indices[i]], positions[indices[i + 2]] - positions[indices[i]]);
+    flat[charts.chartOf[i / 3]] += std::abs(a.x * b.y - a.y * b.x);
+    round[charts.chartOf[i / 3]] += std::sqrt(glm::dot(cross, cross));
+  }
+  for (std::size_t i = 0; i < charts.corners.size(); ++i) {
+    const std::uint32_t chart = charts.chartOf[i / 3];
+    if (flat[chart] > 0.0) charts.corners[i] *= static_cast<float>(std::sqrt(round[chart] / flat[chart]));
+  }
+}
+
+}  // namespace
+
+class ChartMaking::Maker {
  public:
-  ChartMaker(const std::vector<Vec3>& positions, const std::vector<std::uint32_t>& indices, const Weld& weld)
-      : positions_(positions), indices_(indices) {
-    across_ = neighboursAcrossSides(sortedSides(indices, weld), indices.size() / 3);
-    measureFaces();
-    regionOf_.assign(areas_.size(), kNoRegion);
+  Maker(const std::vector<Vec3>& positions, const std::vector<std::uint32_t>& indices, const Weld& weld)
+      : positions_(positions), indices_(indices), weld_(weld) {}
+
+  bool step() {
+    switch (stage_) {
+      case Stage::Measure:
+        across_ = neighboursAcrossSides(sortedSides(indices_, weld_), indices_.size() / 3);
+        measureFaces();
+        regionOf_.assign(areas_.size(), kNoRegion);
+        stage_ = Stage::Grow;
+        return false;
+      case Stage::Grow:
+        if (relaxations_ < 0) seedUntilCovered();
+        else relax();
+        if (++relaxations_ < kRelaxations) return false;
+        beginFlat();
+        stage_ = Stage::LayFlat;
+        return false;
+      case Stage::LayFlat:
+        if (layFlat()) stage_ = Stage::Join;
+        return false;
+      case Stage::Join:
+        if (!joinRegions()) return false;
+        charts_ = result();
+        relaxation_.emplace(charts_, positions_, indices_, weld_);
+        stage_ = Stage::Relax;
+        return false;
+      case Stage::Relax: break;
+    }
+    if (!relaxation_->step()) return false;
+    restoreAreas(charts_, positions_, indices_);
+    return true;
   }
 
-  Charts make() {
-    seedUntilCovered();
-    for (int i = 0; i < kRelaxations; ++i) relax();
-    layFlat();
-    joinRegions();
-    return result();
-  }
+  Charts take() { return std::move(charts_); }
 
  private:
   struct Candidate {
@@ -233,20 +275,23 @@ class ChartMaker {
     return TriangleGrid(low, high, triangles.size(), kTouching);
   }
 
-  // Splits every region until its projection overlaps nowhere and keeps its area.
-  void layFlat() {
-    std::vector<Region> pending;
-    pending.swap(regions_);
+  void beginFlat() {
+    pending_.swap(regions_);
     std::fill(regionOf_.begin(), regionOf_.end(), kNoRegion);
-    std::vector<std::uint32_t> groupOf(regionOf_.size(), kNoRegion);
-    for (std::uint32_t group = 0; group < pending.size(); ++group) {
-      for (const std::uint32_t t : pending[group].triangles) groupOf[t] = group;
+    groupOf_.assign(regionOf_.size(), kNoRegion);
+    for (std::uint32_t group = 0; group < pending_.size(); ++group) {
+      for (const std::uint32_t t : pending_[group].triangles) groupOf_[t] = group;
     }
-    for (std::uint32_t group = 0; group < pending.size(); ++group) {
+  }
+
+  // Splits every region until its projection overlaps nowhere and keeps its area. Whether all are.
+  bool layFlat() {
+    const std::size_t before = comparisons_;
+    for (; group_ < pending_.size() && comparisons_ - before < kComparisonsAStep; ++group_) {
       // Triangles are in growth order, from the middle outwards; what is refused starts over.
-      std::vector<std::uint32_t> rest = pending[group].triangles;
+      std::vector<std::uint32_t> rest = std::move(pending_[group_].triangles);
       while (!rest.empty() && !overBudget()) {
-        growFlat(rest, group, groupOf);
+        growFlat(rest, group_, groupOf_);
         std::erase_if(rest, [&](std::uint32_t t) { return regionOf_[t] != kNoRegion; });
       }
       for (const std::uint32_t t : rest) {
@@ -254,6 +299,7 @@ class ChartMaker {
         take(t, static_cast<std::uint32_t>(regions_.size() - 1));
       }
     }
+    return group_ == pending_.size();
   }
 
   void growFlat(const std::vector<std::uint32_t>& rest, std::uint32_t group, const std::vector<std::uint32_t>& groupOf) {
@@ -280,15 +326,22 @@ class ChartMaker {
 
   bool overBudget() const { return comparisons_ > kComparisonsPerTriangle * (areas_.size() + 1000); }
 
-  // Joins neighbours whose union lies flat, the longest common borders first.
-  void joinRegions() {
-    for (bool joined = true; joined && !overBudget();) {
-      joined = false;
-      for (const auto& [length, a, b] : commonBorders()) {
-        if (regions_[a].triangles.empty() || regions_[b].triangles.empty()) continue;
-        joined |= tryJoin(a, b);
+  // Joins neighbours whose union lies flat, the longest common borders first, again while any are joined. Whether that is done.
+  bool joinRegions() {
+    const std::size_t before = comparisons_;
+    while (comparisons_ - before < kComparisonsAStep) {
+      if (border_ == borders_.size()) {
+        if (!joined_ || overBudget()) return true;
+        joined_ = false;
+        borders_ = commonBorders();
+        border_ = 0;
+        continue;
       }
+      const auto& [length, a, b] = borders_[border_++];
+      if (regions_[a].triangles.empty() || regions_[b].triangles.empty()) continue;
+      joined_ |= tryJoin(a, b);
     }
+    return false;
   }
 
   struct Border { double length; std::uint32_t a, b; };
@@ -353,8 +406,21 @@ class ChartMaker {
     return charts;
   }
 
+  enum class Stage { Measure, Grow, LayFlat, Join, Relax };
+
   const std::vector<Vec3>& positions_;
   const std::vector<std::uint32_t>& indices_;
+  const Weld& weld_;
+  Stage stage_ = Stage::Measure;
+  int relaxations_ = -1;
+  std::vector<Region> pending_;         // that are to be laid flat
+  std::vector<std::uint32_t> groupOf_;  // of each triangle: its region among those
+  std::uint32_t group_ = 0;
+  std::vector<Border> borders_;
+  std::size_t border_ = 0;
+  bool joined_ = true;
+  Charts charts_;
+  std::optional<ChartRelaxation> relaxation_;
   std::vector<std::uint32_t> across_;
   std::vector<Vec3> normals_, smooth_;
   std::vector<float> areas_;
@@ -364,28 +430,10 @@ class ChartMaker {
   std::vector<Region> regions_;
 };
 
-// Flattening loses area where a surface bulges: every chart gets as much as it has on the surface.
-void restoreAreas(Charts& charts, const std::vector<Vec3>& positions, const std::vector<std::uint32_t>& indices) {
-  std::vector<double> flat(charts.count, 0.0), round(charts.count, 0.0);
-  for (std::size_t i = 0; i < indices.size(); i += 3) {
-    const Vec2 a = charts.corners[i + 1] - charts.corners[i], b = charts.corners[i + 2] - charts.corners[i];
-    const Vec3 cross = glm::cross(positions[indices[i + 1]] - positions[indices[i]], positions[indices[i + 2]] - positions[indices[i]]);
-    flat[charts.chartOf[i / 3]] += std::abs(a.x * b.y - a.y * b.x);
-    round[charts.chartOf[i / 3]] += std::sqrt(glm::dot(cross, cross));
-  }
-  for (std::size_t i = 0; i < charts.corners.size(); ++i) {
-    const std::uint32_t chart = charts.chartOf[i / 3];
-    if (flat[chart] > 0.0) charts.corners[i] *= static_cast<float>(std::sqrt(round[chart] / flat[chart]));
-  }
-}
-
-}  // namespace
-
-Charts makeCharts(const std::vector<Vec3>& positions, const std::vector<std::uint32_t>& indices, const Weld& weld) {
-  Charts charts = ChartMaker(positions, indices, weld).make();
-  relaxCharts(charts, positions, indices, weld);
-  restoreAreas(charts, positions, indices);
-  return charts;
-}
+ChartMaking::ChartMaking(const std::vector<Vec3>& positions, const std::vector<std::uint32_t>& indices, const Weld& weld)
+    : maker_(std::make_unique<Maker>(positions, indices, weld)) {}
+ChartMaking::~ChartMaking() = default;
+bool ChartMaking::step() { return maker_->step(); }
+Charts ChartMaking::take() { return maker_->take(); }
 
 }  // namespace fur::geometry

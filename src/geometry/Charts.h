@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "core/Math.h"
@@ -22,8 +23,20 @@ struct Charts {
   std::vector<Vec2> corners;           // three a triangle: flat coordinates in model units, counter-clockwise
 };
 
-// `indices`: triangles of non-zero area, counter-clockwise. The same input gives the same charts on
-// every platform.
-Charts makeCharts(const std::vector<Vec3>& positions, const std::vector<std::uint32_t>& indices, const Weld& weld);
+// In steps of some milliseconds.
+class ChartMaking {
+ public:
+  // `indices`: triangles of non-zero area, counter-clockwise. The same input gives the same charts on every platform. All of it must
+  // outlive this.
+  ChartMaking(const std::vector<Vec3>& positions, const std::vector<std::uint32_t>& indices, const Weld& weld);
+  ~ChartMaking();
+  // Whether the charts are done. Not to be called after.
+  bool step();
+  Charts take();
+
+ private:
+  class Maker;
+  std::unique_ptr<Maker> maker_;
+};
 
 }  // namespace fur::geometry

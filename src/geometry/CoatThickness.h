@@ -1,6 +1,9 @@
 // How thick a coat of fur stands on a surface, and where the coats of two of its parts meet.
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include "geometry/Surface.h"
 #include "geometry/SurfaceQuery.h"
 
@@ -15,7 +18,21 @@ float coatThickness(const SurfaceVertex& vertex, float furLength);
 // rays: of some vertices, evenly spread, all ways along the outside.
 float grazingShare(const Surface& surface, const SurfaceQuery& query, float furLength);
 
-// Where such rays come to: for each vertex whether it is of a triangle in whose coat one of them is, two or four fur lengths on.
-std::vector<std::uint8_t> crowdedVertices(const Surface& surface, const SurfaceQuery& query, float furLength);
+// Where such rays come to, some of them a step. Surface and query must outlive it.
+class CrowdedSearch {
+ public:
+  CrowdedSearch(const Surface& surface, const SurfaceQuery& query, float furLength);
+  // Whether all rays have been followed.
+  bool step();
+  // For each vertex whether it is of a triangle in whose coat one of them is, two or four fur lengths on.
+  std::vector<std::uint8_t> take() { return std::move(crowded_); }
+
+ private:
+  const Surface* surface_;
+  const SurfaceQuery* query_;
+  float furLength_;
+  std::size_t vertex_ = 0;
+  std::vector<std::uint8_t> crowded_;
+};
 
 }  // namespace fur::geometry

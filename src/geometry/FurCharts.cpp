@@ -52,9 +52,9 @@ Charts ownCharts(const Mesh& mesh, float density, const std::vector<std::uint32_
 
 }  // namespace
 
-Charts furCharts(const Mesh& mesh, const Weld& weld, FurMapping mapping) {
+std::optional<Charts> givenFurCharts(const Mesh& mesh, const Weld& weld, FurMapping mapping) {
   const float density = ownDensity(mesh);
-  if (density == 0.0f && mapping == FurMapping::Charts) return makeCharts(mesh.positions, mesh.indices, weld);
+  if (density == 0.0f && mapping == FurMapping::Charts) return std::nullopt;
   const auto across = neighboursAcrossSides(sortedSides(mesh.indices, weld), mesh.triangleCount());
   return density > 0.0f ? ownCharts(mesh, density, across) : cubeCharts(mesh, across);
 }

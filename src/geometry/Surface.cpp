@@ -1,6 +1,9 @@
 #include "geometry/Surface.h"
 
 #include <cmath>
+#include <iterator>
+#include <optional>
+#include <utility>
 
 #include "core/Numbering.h"
 #include "geometry/Adjacency.h"
@@ -141,51 +144,133 @@ Weld weldVertices(const Surface& surface) {
 
 }  // namespace
 
-Result<Surface> buildSurface(const Mesh& mesh, FurMapping mapping) {
-  Mesh whole = mesh;
-  keepTrianglesWithArea(whole);
-  if (whole.indices.empty()) return Error{ErrorId::BadFile, "the model has no triangle with an area"};
-  whole.normals = unitNormals(whole);
+class SurfaceBuilding::Work {
+ public:
+  Work(Mesh mesh, FurMapping mapping) : whole_(std::move(mesh)), mapping_(mapping) {}
 
-  const Weld weld = weldPositions(whole.positions);
-  Charts fur = furCharts(whole, weld, mapping);
-  AtlasLayout atlas;
-  if (!whole.layout.empty()) atlas = whole.layout;
-  else if (whole.atlas.size() == whole.positions.size()) atlas = ownLayout(whole, whole.atlas, weld);
-  else if (isUniqueAtlas(whole, whole.indices)) atlas = ownLayout(whole, whole.uv, weld);
-  else if (mapping == FurMapping::Charts && whole.furUv.empty()) atlas = packedLayout(fur);
-  else atlas = packedLayout(makeCharts(whole.positions, whole.indices, weld));
-
-  Surface surface;
-  RoundedMesh rounded = roundHardEdges(whole);
-  surface.turned = rounded.changed;
-  surface.sheets = rounded.sheets;
-  if (surface.turned) {
-    follow(rounded, fur.chartOf, fur.corners);
-    follow(rounded, atlas.chartOf, atlas.corners);
-    splitVertices(surface, rounded.mesh, fur, atlas);
-    if (!rounded.inserted.empty()) surface.meshIndices = ownCorners(rounded, surface.indices, whole.indices.size());
-    surface.inserted = std::move(rounded.inserted);
-  } else {
-    splitVertices(surface, whole, fur, atlas);
+  bool step() {
+    static constexpr bool (Work::*kSteps[])() = {&Work::begin, &Work::cutFurCharts, &Work::layAtlas,     &Work::cutAtlas,
+                                                 &Work::round, &Work::split,        &Work::overlapCharts, &Work::measureSteps,
+                                                 &Work::measureCurvature};
+    if ((this->*kSteps[next_])()) ++next_;
+    return whole_.indices.empty() || next_ == std::size(kSteps);
   }
-  const Weld trueWeld = weldVertices(surface);
-  surface.edges = findEdges(surface.vertices, surface.indices, trueWeld);
-  if (surface.turned) findFacets(surface, rounded.given);
-  const FurOverlap overlap = overlapFurCharts(surface, fur.chartOf, fur.count, trueWeld);
-  std::vector<std::uint32_t> triangles = surface.indices;
-  triangles.insert(triangles.end(), surface.furIndices.begin() + static_cast<std::ptrdiff_t>(overlap.firstCopy),
-                   surface.furIndices.end());
-  const Weld weldAll = weldVertices(surface);
-  const std::vector<std::uint32_t> points = furPoints(surface.vertices, overlap.chartOfVertex, weldAll);
-  computeSteps(surface, triangles, points, surface.turned);
-  computeHessians(surface, triangles, points);
-  computeCurvature(surface, surface.indices, weldAll, surface.turned);
-  if (surface.turned) measureLean(surface, rounded.given);
-  std::vector<std::uint32_t> furChartOf(overlap.triangleOf.size());
-  for (std::size_t t = 0; t < furChartOf.size(); ++t) furChartOf[t] = overlap.chartOfVertex[surface.furIndices[3 * t]];
-  surface.furClusters = makeFurClusters(surface, overlap.triangleOf, furChartOf);
-  return surface;
+
+  Result<Surface> take() {
+    if (whole_.indices.empty()) return Error{ErrorId::BadFile, "the model has no triangle with an area"};
+    return std::move(surface_);
+  }
+
+ private:
+  // Each: whether it is done.
+  bool begin() {
+    keepTrianglesWithArea(whole_);
+    if (whole_.indices.empty()) return true;
+    whole_.normals = unitNormals(whole_);
+    weld_ = weldPositions(whole_.positions);
+    if (auto given = givenFurCharts(whole_, weld_, mapping_)) fur_ = std::move(*given);
+    else cut();
+    return true;
+  }
+
+  void cut() { making_.emplace(whole_.positions, whole_.indices, weld_); }
+
+  bool cutFurCharts() {
+    if (!making_) return true;
+    if (!making_->step()) return false;
+    fur_ = making_->take();
+    making_.reset();
+    return true;
+  }
+
+  bool layAtlas() {
+    if (!whole_.layout.empty()) atlas_ = whole_.layout;
+    else if (whole_.atlas.size() == whole_.positions.size()) atlas_ = ownLayout(whole_, whole_.atlas, weld_);
+    else if (isUniqueAtlas(whole_, whole_.indices)) atlas_ = ownLayout(whole_, whole_.uv, weld_);
+    else if (mapping_ == FurMapping::Charts && whole_.furUv.empty()) atlas_ = packedLayout(fur_);
+    else cut();
+    return true;
+  }
+
+  bool cutAtlas() {
+    if (!making_) return true;
+    if (!making_->step()) return false;
+    atlas_ = packedLayout(making_->take());
+    making_.reset();
+    return true;
+  }
+
+  bool round() {
+    rounded_ = roundHardEdges(whole_);
+    surface_.turned = rounded_.changed;
+    surface_.sheets = rounded_.sheets;
+    return true;
+  }
+
+  bool split() {
+    if (surface_.turned) {
+      follow(rounded_, fur_.chartOf, fur_.corners);
+      follow(rounded_, atlas_.chartOf, atlas_.corners);
+      splitVertices(surface_, rounded_.mesh, fur_, atlas_);
+      if (!rounded_.inserted.empty()) surface_.meshIndices = ownCorners(rounded_, surface_.indices, whole_.indices.size());
+      surface_.inserted = std::move(rounded_.inserted);
+    } else {
+      splitVertices(surface_, whole_, fur_, atlas_);
+    }
+    trueWeld_ = weldVertices(surface_);
+    surface_.edges = findEdges(surface_.vertices, surface_.indices, trueWeld_);
+    if (surface_.turned) findFacets(surface_, rounded_.given);
+    return true;
+  }
+
+  bool overlapCharts() {
+    overlap_ = overlapFurCharts(surface_, fur_.chartOf, fur_.count, trueWeld_);
+    return true;
+  }
+
+  bool measureSteps() {
+    std::vector<std::uint32_t> triangles = surface_.indices;
+    triangles.insert(triangles.end(), surface_.furIndices.begin() + static_cast<std::ptrdiff_t>(overlap_.firstCopy),
+                     surface_.furIndices.end());
+    weldAll_ = weldVertices(surface_);
+    const std::vector<std::uint32_t> points = furPoints(surface_.vertices, overlap_.chartOfVertex, weldAll_);
+    computeSteps(surface_, triangles, points, surface_.turned);
+    computeHessians(surface_, triangles, points);
+    return true;
+  }
+
+  bool measureCurvature() {
+    computeCurvature(surface_, surface_.indices, weldAll_, surface_.turned);
+    if (surface_.turned) measureLean(surface_, rounded_.given);
+    std::vector<std::uint32_t> furChartOf(overlap_.triangleOf.size());
+    for (std::size_t t = 0; t < furChartOf.size(); ++t) furChartOf[t] = overlap_.chartOfVertex[surface_.furIndices[3 * t]];
+    surface_.furClusters = makeFurClusters(surface_, overlap_.triangleOf, furChartOf);
+    return true;
+  }
+
+  Mesh whole_;
+  FurMapping mapping_;
+  std::size_t next_ = 0;
+  Weld weld_, trueWeld_, weldAll_;
+  std::optional<ChartMaking> making_;
+  Charts fur_;
+  AtlasLayout atlas_;
+  RoundedMesh rounded_;
+  FurOverlap overlap_;
+  Surface surface_;
+};
+
+SurfaceBuilding::SurfaceBuilding(Mesh mesh, FurMapping mapping) : work_(std::make_unique<Work>(std::move(mesh), mapping)) {}
+SurfaceBuilding::SurfaceBuilding(SurfaceBuilding&&) noexcept = default;
+SurfaceBuilding& SurfaceBuilding::operator=(SurfaceBuilding&&) noexcept = default;
+SurfaceBuilding::~SurfaceBuilding() = default;
+bool SurfaceBuilding::step() { return work_->step(); }
+Result<Surface> SurfaceBuilding::take() { return work_->take(); }
+
+Result<Surface> buildSurface(const Mesh& mesh, FurMapping mapping) {
+  SurfaceBuilding building(mesh, mapping);
+  while (!building.step()) {}
+  return building.take();
 }
 
 OwnSurface ownSurface(const Surface& surface, const Mesh& mesh) {

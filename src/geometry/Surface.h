@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "core/Math.h"
@@ -84,6 +85,22 @@ struct Surface {
 // `mesh` has positions in the unit sphere. Missing normals are computed; missing or overlapping uv get charts. Degenerate
 // triangles are dropped; fails (bad-file) when none is left. `mapping` is ignored for a mesh with furUv.
 Result<Surface> buildSurface(const Mesh& mesh, FurMapping mapping = FurMapping::Charts);
+
+// The same in steps of some milliseconds, so that a page need not wait for all of it.
+class SurfaceBuilding {
+ public:
+  SurfaceBuilding(Mesh mesh, FurMapping mapping);
+  SurfaceBuilding(SurfaceBuilding&&) noexcept;
+  SurfaceBuilding& operator=(SurfaceBuilding&&) noexcept;
+  ~SurfaceBuilding();
+  // Whether that was the last. Not to be called after.
+  bool step();
+  Result<Surface> take();
+
+ private:
+  class Work;
+  std::unique_ptr<Work> work_;
+};
 
 // The surface as it is written to a file: without inserted vertices and copies, with the normals of `mesh`. `vertexOf`: the
 // vertex of `surface` for each vertex.

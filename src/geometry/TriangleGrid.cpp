@@ -27,10 +27,19 @@ bool separatedByAnEdge(const FlatTriangle& a, const FlatTriangle& b, double tole
   return false;
 }
 
+// Triangles whose boxes are apart are apart along an edge, too.
+bool boxesApart(const FlatTriangle& a, const FlatTriangle& b) {
+  for (int k = 0; k < 2; ++k)
+    if (std::max({a[0][k], a[1][k], a[2][k]}) < std::min({b[0][k], b[1][k], b[2][k]}) ||
+        std::max({b[0][k], b[1][k], b[2][k]}) < std::min({a[0][k], a[1][k], a[2][k]}))
+      return true;
+  return false;
+}
+
 }  // namespace
 
 bool trianglesOverlap(const FlatTriangle& a, const FlatTriangle& b, float tolerance) {
-  return !separatedByAnEdge(a, b, tolerance) && !separatedByAnEdge(b, a, tolerance);
+  return !boxesApart(a, b) && !separatedByAnEdge(a, b, tolerance) && !separatedByAnEdge(b, a, tolerance);
 }
 
 TriangleGrid::TriangleGrid(const Vec2& low, const Vec2& high, std::size_t expected, float tolerance)

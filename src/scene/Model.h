@@ -51,8 +51,10 @@ using FileSet = std::map<std::string, std::vector<std::uint8_t>>;
 // statements if the ending is unknown.
 Result<Model> importModel(std::span<const std::uint8_t> bytes, const std::string& name, const FileSet& others = {});
 
-// From then on models have their long hair; before, such a model is an error, long-hair.
+// From then on models have their long hair; before, such a model is an error, larger-program.
 void readLongHair();
+// The same of .obj and .fo, and of type sets and saved coats (TypeSet.h, CoatFile.h).
+void readAllFormats();
 
 // .glb or .gltf; `others` holds external buffers and images.
 Result<Model> importGltf(std::span<const std::uint8_t> bytes, const std::string& name, const FileSet& others = {});

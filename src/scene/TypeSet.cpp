@@ -10,7 +10,7 @@
 #include "furgen/NearestFill.h"
 #include "furgen/Packing.h"
 #include "scene/StrandTracing.h"
-#include "scene/import/ImportError.h"
+#include "scene/import/Readers.h"
 
 namespace fur::scene {
 
@@ -84,7 +84,7 @@ Error bad(std::string text) { return {ErrorId::BadFile, std::move(text)}; }
 
 }  // namespace
 
-Result<FurVolume> readTypeSet(std::span<const std::uint8_t> bytes, const std::string& name) {
+Result<FurVolume> readTypeSetFile(std::span<const std::uint8_t> bytes, const std::string& name) {
   if (bytes.size() != kTypeSetBytes)
     return bad(formatted("%.200s: a type set has %zu bytes; this file has %zu", name.c_str(), kTypeSetBytes, bytes.size()));
   float ends[2];

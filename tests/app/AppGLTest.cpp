@@ -132,6 +132,33 @@ TEST(App, HomeIsTheViewThatTheFileBroughtAndTheUsualOneOfTheNextModel) {
   EXPECT_FLOAT_EQ(desk.app.camera().yaw, usual);
 }
 
+TEST(App, AModelComesInPiecesWhileTheOneBeforeIsShown) {
+  Desk desk;
+  const std::string before = desk.app.modelName();
+  ASSERT_TRUE(desk.app.beginPrimitive("torus"));
+  int pieces = 1;
+  for (; !desk.app.workOnComing(0); ++pieces) ASSERT_EQ(desk.app.modelName(), before);
+  EXPECT_GT(pieces, 20);
+  ASSERT_TRUE(desk.app.showComing());
+  EXPECT_EQ(desk.app.modelName(), "torus");
+  Desk other;
+  ASSERT_TRUE(other.app.loadPrimitive("torus"));
+  EXPECT_EQ(desk.app.saveSurface(), other.app.saveSurface());
+}
+
+TEST(App, WhatAPictureNeedsGrowsInPieces) {
+  Desk desk;
+  ASSERT_TRUE(desk.app.loadPrimitive("torus"));
+  desk.app.setField("furLength", "0.3");  // into the hole of the ring
+  desk.app.setField("curl", "0.9");
+  int pieces = 1;
+  while (!desk.app.workOnPicture(0)) ++pieces;
+  // Strands, then layers, then where further shells stand.
+  EXPECT_GT(pieces, 2 * desk.app.settings().layers);
+  EXPECT_EQ(desk.app.coatProgress(), 1);
+  EXPECT_TRUE(desk.app.workOnPicture(0));
+}
+
 TEST(App, StateGoesRoundTrip) {
   Desk desk;
   desk.app.setField("furLength", "0.2");

@@ -6,7 +6,7 @@
 
 namespace fur::test {
 
-inline const bool growsHair = (app::growLongHair(), true);
+inline const bool growsHair = (app::growLongHair(), scene::readAllFormats(), true);
 
 struct Salon : Room {
   // Pixels of a side, and guides that are planted.

@@ -37,7 +37,10 @@ TEST(CoatThickness, OfARingIsCrowdedWhereLongFurFillsItsHole) {
 TEST(CoatThickness, VerticesAreCrowdedWhereRaysGoOnIntoAnotherPart) {
   const auto crowdedOf = [](const Mesh& mesh, float furLength) {
     const Surface surface = built(mesh);
-    const std::vector<std::uint8_t> crowded = crowdedVertices(surface, SurfaceQuery(surface), furLength);
+    const SurfaceQuery query(surface);
+    CrowdedSearch search(surface, query, furLength);
+    while (!search.step()) {}
+    const std::vector<std::uint8_t> crowded = search.take();
     EXPECT_EQ(crowded.size(), surface.vertices.size());
     return std::count(crowded.begin(), crowded.end(), 1);
   };

@@ -135,5 +135,17 @@ TEST(Surface, TakesMeshesWithMoreThanTwoFacesAtAnEdge) {
   EXPECT_EQ(surface.edges.size(), 8u);  // six of their own, the shared one twice: a pair and an odd one
 }
 
+TEST(Surface, IsMadeInManyStepsOfWhichNoneCutsAllOfItsCharts) {
+  const Mesh mesh = makeLump(192, 96);
+  SurfaceBuilding building(mesh, FurMapping::Charts);
+  int steps = 1;
+  while (!building.step()) ++steps;
+  const auto surface = building.take();
+  ASSERT_TRUE(surface);
+  EXPECT_EQ(surface.value().triangleCount(), mesh.triangleCount());
+  // The steps of SurfaceBuilding, and those of its charts: each relaxation of their borders, and each chart that is flattened.
+  EXPECT_GT(steps, 15 + static_cast<int>(surface.value().chartCount) / 2);
+}
+
 }  // namespace
 }  // namespace fur::geometry

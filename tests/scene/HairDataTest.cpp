@@ -15,7 +15,7 @@
 namespace fur::scene {
 namespace {
 
-[[maybe_unused]] const bool readsHair = (readLongHair(), true);
+[[maybe_unused]] const bool readsAll = (readLongHair(), readAllFormats(), true);
 
 // A plane with an atlas and two scalps, one of them still without guides.
 struct HairScene {
@@ -328,7 +328,7 @@ TEST(HairData, AProgramThatGrowsNoneSaysSoByTheErrorsId) {
   auto without = bald.throughAFile();
   readHairWith(reader);
   ASSERT_FALSE(model);
-  EXPECT_EQ(model.error().id, ErrorId::LongHair);
+  EXPECT_EQ(model.error().id, ErrorId::LargerProgram);
   EXPECT_EQ(model.error().message, "plane.glb: it has long hair, which this program does not grow");
   EXPECT_TRUE(without);
 }

@@ -94,7 +94,7 @@ test('the menu of actions is there for animals alone, and the bar stays one row'
   await page.keyboard.press('Escape');
   await page.selectOption('#model', 'sphere');
   await until(page, () => wetFur.modelName === 'sphere');
-  assert.equal(await page.isVisible('#act'), false);
+  await until(page, () => !document.querySelector('#act').checkVisibility());
   assert.deepEqual(page.problems, []);
 });
 

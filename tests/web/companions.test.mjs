@@ -136,6 +136,25 @@ test('two states are pictures of the moment; the figure stays as it is, and undo
   assert.ok(Math.abs(seen.curl - 0.7) < 1e-6, 'undo took the wind back, no state of a picture');
 });
 
+test('a state may be seen from elsewhere; the figure is not', async () => {
+  const orbit = await see(() => {
+    states.scrollIntoView({ block: 'center' });
+    return fig.cameraOrbitText;
+  });
+  const taken = (before) => see((text) => new Promise((resolve) => {
+    states.addEventListener('picture-change', () => {
+      const data = (side) => states.shadowRoot.querySelector(`.${side} canvas`).toDataURL();
+      resolve(data('before') === data('after'));
+    }, { once: true });
+    states.setAttribute('before', text);
+  }), before);
+  const after = await see(() => states.getAttribute('after')), was = await see(() => states.getAttribute('before'));
+  assert.ok(await taken(after), 'the same of both');
+  assert.ok(!await taken(JSON.stringify({ ...JSON.parse(after), cameraOrbit: '100deg 40deg 3' })), 'the first from elsewhere');
+  assert.equal(await see(() => fig.cameraOrbitText), orbit);
+  await taken(was);
+});
+
 test('the divider moves by key and pointer, the other way round where lines begin at the right', async () => {
   const handle = page.locator('#two [part=divider]');
   await handle.focus();

@@ -52,7 +52,7 @@ test('the buttons Comb and Trim choose their tools, and Reset takes their work a
   await withFur(page, (fur) => fur.groom('length', 0.5));
   assert.equal(await withFur(page, (fur) => fur.groomed), true);
   await page.click('#reset');
-  assert.equal(await withFur(page, (fur) => fur.groomed), false);
+  await page.waitForFunction(() => !wetFur.groomed);
 });
 
 test('the editor takes the groom over and gives it back', async () => {

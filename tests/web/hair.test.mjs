@@ -48,6 +48,15 @@ test('a model without hair fetches nothing of it; the first scalp does, and is s
   assert.deepEqual(page.problems, []);
 });
 
+test('what is not glTF is read by the larger program, which is fetched for it', async () => {
+  const { page, fetched } = await open();
+  assert.ok(!fetched('wet-fur-hair'));
+  await takes(page, 'loadModel', Buffer.from('v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n').toString('base64'), 'corner.obj');
+  assert.ok(fetched('wet-fur-hair'));
+  assert.deepEqual(await withFur(page, (fur) => [fur.modelName, fur.stats.triangles]), ['corner.obj', 4]);
+  assert.deepEqual(page.problems, []);
+});
+
 test('each edit and each value is one step of undo, back to the bare model', async () => {
   const { page } = await open();
   await grow(page);

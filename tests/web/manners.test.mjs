@@ -16,6 +16,30 @@ for (const [name, path] of [['the demo page', 'index.html?src=sphere&quality=low
   });
 }
 
+test('with forced colours the page shows what is chosen, what cannot be pressed and where the focus is, and axe finds nothing', async () => {
+  const page = await site.open('index.html?src=sphere&quality=low&layers=8&autoplay=0', { scripts: [lighten], bypassCSP: true, viewport: { width: 800, height: 600 } });
+  await page.emulateMedia({ forcedColors: 'active' });
+  const colors = await page.evaluate(() => {
+    const system = (color) => {
+      const probe = document.body.appendChild(Object.assign(document.createElement('i'), { style: `forced-color-adjust: none; color: ${color}` }));
+      const found = getComputedStyle(probe).color;
+      probe.remove();
+      return found;
+    };
+    const style = (button) => (button ? [getComputedStyle(button).backgroundColor, getComputedStyle(button).color] : null);
+    const first = (selector) => [...document.querySelectorAll(selector)].find((one) => one.checkVisibility());
+    const pressed = first('.bar button[aria-pressed="true"]'), plain = first('.bar button[aria-pressed="false"]:enabled'), disabled = first('.bar button:disabled');
+    plain.focus();
+    return { pressed: style(pressed), plain: style(plain), disabled: style(disabled), chosen: [system('Highlight'), system('HighlightText')], gray: system('GrayText') };
+  });
+  assert.deepEqual(colors.pressed, colors.chosen);
+  assert.notDeepEqual(colors.plain, colors.pressed);
+  assert.equal(colors.disabled[1], colors.gray);
+  await page.keyboard.press('ArrowRight');
+  assert.notEqual(await page.evaluate(() => getComputedStyle(document.activeElement).outlineStyle), 'none');
+  assert.deepEqual(await axeFindings(page), []);
+});
+
 test('nothing on the page moves while figures load', async () => {
   const page = await embed({ viewport: { width: 480, height: 600 } });
   const shifts = await page.evaluate(() => new Promise((resolve) => {

@@ -108,12 +108,11 @@ export async function buildDocs(site) {
   }
   copyFiles(output);
   await buildThree(output);
-  const there = [...wanted].filter(([name, picture]) => existsSync(fileOf(name, picture)));
-  const missing = [...wanted].filter(([name, picture]) => !picture.optional && !existsSync(fileOf(name, picture))).map(([name]) => name);
+  const there = [...wanted.keys()].filter((name) => existsSync(fileOf(name))), missing = [...wanted.keys()].filter((name) => !existsSync(fileOf(name)));
   if (missing.length > 0) say(`docs/pictures lacks ${missing.join(', ')}: npm run docs draws them`);
   mkdirSync(join(output, 'pictures'), { recursive: true });
   writeFileSync(wantedFile, JSON.stringify([...wanted]));
-  for (const [name, picture] of there) cpSync(fileOf(name, picture), join(output, 'pictures', name));
+  for (const name of there) cpSync(fileOf(name), join(output, 'pictures', name));
   return wanted;
 }
 
@@ -126,6 +125,8 @@ async function buildThree(output) {
     external: ['../../core.js'],
   });
   cpSync(join(source, 'three/index.html'), join(folder, 'index.html'));
+  // As they are written, for readers.
+  for (const name of ['page.js', 'shaders.js']) cpSync(join(source, 'three', name), join(folder, 'source', name));
 }
 
 /** Style, script, and of KaTeX what its formulas need. */

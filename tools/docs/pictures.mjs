@@ -1,6 +1,6 @@
 // The still pictures of the pages. What a figure shows before it is live, without scripts and in print, lies in docs/pictures and is part of
 // the tree, so that pages are built without a native program; inputs.json says of what each is made, and those for which that has changed
-// are drawn anew. Optional ones, of the reference, lie in build/docs-pictures alone.
+// are drawn anew.
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -32,15 +32,13 @@ const readInputs = () => (existsSync(inputsFile) ? JSON.parse(readFileSync(input
 /** What the pages that were built last show, for tests. */
 export const wantedFile = join(root, 'build/docs-pictures.json');
 
-/** Where an optional picture lies once it is drawn. */
-export const drawnFile = (name, picture) => join(drawn, name.replace('.webp', `-${hashOf(picture)}.webp`));
 /** Where a picture lies, or is to lie. */
-export const fileOf = (name, picture) => (picture.optional ? drawnFile(name, picture) : join(pictures, name));
+export const fileOf = (name) => join(pictures, name);
 
 /** Those of `wanted` (a Map of file names) that are not there, or made of something else. */
 export function outdated(wanted) {
   const inputs = readInputs();
-  return [...wanted].filter(([name, picture]) => (!picture.optional && inputs[name] !== hashOf(picture)) || !existsSync(fileOf(name, picture)));
+  return [...wanted].filter(([name, picture]) => inputs[name] !== hashOf(picture) || !existsSync(fileOf(name)));
 }
 
 /** Draws, or takes from build/docs-pictures what was drawn before, those of `wanted` that are outdated, and takes away what no page shows any more. Gives how many it drew. */
@@ -58,9 +56,8 @@ export async function drawPictures(wanted, program) {
           return file;
         });
         const bytes = await webpOf(tab, files, { quality: 0.86, most: picture.bytes });
-        writeFileSync(fileOf(name, picture), bytes);
+        writeFileSync(fileOf(name), bytes);
         say(`${name}: ${bytes.length} bytes`);
-        if (picture.optional) continue;
         inputs[name] = hashOf(picture);
         write();
       }

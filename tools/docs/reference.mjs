@@ -150,7 +150,7 @@ export function addReference(config, { core, block, wanted }) {
     views: () => tableBelow('src/render/README.md', '## Views').flatMap(([names, what]) => names.split(',').map((name) => name.trim().replaceAll('`', '')).map((name) => {
       const picture = viewPicture(name, wanted), field = fields.find((one) => one.name === 'view');
       if (!field.options.includes(name)) throw new Stop(`docs: src/render/README.md tells of a view ${name} that there is not`);
-      return `<section class="setting"><h3 id="${name}">${code(name)}</h3><p>${prose(what)}.</p>${picture ? `<img${attributes({ ...picture.size, src: picture.src, alt: picture.alt, loading: 'lazy' })}>` : ''}</section>`;
+      return `<section class="setting"><h3 id="${name}">${code(name)}</h3><p>${prose(what[0].toUpperCase() + what.slice(1))}.</p>${picture ? `<img${attributes({ ...picture.size, src: picture.src, alt: picture.alt, loading: 'lazy' })}>` : ''}</section>`;
     })).join(''),
     hairViews: () => table(['hair view', 'shows'], tableBelow('src/render/README.md', '## Long hair').map(([name, what]) => [prose(name), prose(what)]), 'Hair views'),
     tools: () => named(tables.tools, ({ name, tooltip, program }) => [code(name), `${escaped(tooltip)}${program === 'Editor' ? ' (while the editor is open)' : ''}`], ['tool', 'what it does'], 'Tools'),

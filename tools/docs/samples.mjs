@@ -1,7 +1,7 @@
-// Small pictures for the reference: what the two ends of a setting look like, and each view. They are drawn by `npm run docs` alone, and kept
-// in build/docs-pictures; a page that is built without them has none.
+// Small pictures for the reference: what the two ends of a setting look like, and each view. They lie in docs/pictures as the others do; of
+// a setting that is new there is none until `npm run docs` has drawn it.
 import { existsSync } from 'node:fs';
-import { drawnFile } from './pictures.mjs';
+import { fileOf } from './pictures.mjs';
 
 const size = [180, 135], samples = 8, bytes = 6500;
 const ball = { src: 'sphere', camera: [0.35, 0.3, 3], set: { furLength: 0.16, repeat: 3 } };
@@ -43,7 +43,7 @@ function endsOf({ type, name, min, max, options, default: standard }) {
 /** The image for a page below reference/; undefined while it has not been drawn. */
 function image(name, picture, alt, wanted) {
   wanted.set(name, picture);
-  if (!existsSync(drawnFile(name, picture))) return undefined;
+  if (!existsSync(fileOf(name))) return undefined;
   return { src: `../pictures/${name}`, alt, size: { width: picture.parts.length * size[0] + 2 * (picture.parts.length - 1), height: size[1] } };
 }
 
@@ -51,10 +51,10 @@ export function settingPicture(field, wanted) {
   if (none.has(field.name)) return undefined;
   const { ends: _, ...scene } = scenes[field.name] ?? ball, ends = endsOf(field);
   const parts = ends.map((value) => ({ ...scene, set: { ...scene.set, [field.name]: value }, size, samples: field.name === 'refine' && value === false ? 1 : samples }));
-  return image(`setting-${field.name}.webp`, { parts, bytes, optional: true }, `${field.label}: ${ends.join(' and ')}`, wanted);
+  return image(`setting-${field.name}.webp`, { parts, bytes }, `${field.label}: ${ends.join(' and ')}`, wanted);
 }
 
 export function viewPicture(view, wanted) {
   const scene = { wetness: { ...bunny, wetness: 0.6 }, clumps: { ...bunny, wetness: 0.6 }, types: { src: 'interpolation' }, dominance: { src: 'interpolation' }, forces: on({ wind: 0.4 }) }[view] ?? bunny;
-  return image(`view-${view}.webp`, { parts: [{ ...scene, set: { ...scene.set, view }, size: [240, 180], samples }], bytes, optional: true }, `The view ${view}`, wanted);
+  return image(`view-${view}.webp`, { parts: [{ ...scene, set: { ...scene.set, view }, size: [240, 180], samples }], bytes }, `The view ${view}`, wanted);
 }

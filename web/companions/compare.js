@@ -81,7 +81,7 @@ export class WetFurCompareElement extends Companion {
     for (const key of Object.keys(values)) {
       const field = fieldOf(key);
       if (!field) throw new MarkupError(`There is no setting “${key}”.`);
-      if (field.type === 'text' || key === 'preset') throw new MarkupError(`${name} takes settings and wetness: for “${key}” put two figures into this element.`);
+      if (key !== 'cameraOrbit' && (field.type === 'text' || key === 'preset')) throw new MarkupError(`${name} takes settings, wetness and cameraOrbit: for “${key}” put two figures into this element.`);
     }
     return values;
   }

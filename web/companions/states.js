@@ -4,8 +4,10 @@ import { setQuietly, valueIn } from './values.js';
 
 const samples = 4;
 
-/** @returns {Promise<Blob>} of the figure with these values */
-export function pictureWith(figure, values) {
+/** @returns {Promise<Blob>} of the figure with these values, seen from `cameraOrbit` if that is among them */
+export function pictureWith(figure, { cameraOrbit, ...values }) {
+  const orbit = figure.cameraOrbitText;
+  if (cameraOrbit) figure.cameraOrbit = cameraOrbit;
   const before = Object.entries(values).map(([name]) => [name, valueIn(figure, name)]);
   let steps = 0;
   for (const [name, value] of Object.entries(values)) {
@@ -20,5 +22,6 @@ export function pictureWith(figure, values) {
     while (steps-- > 0) figure.undo();
     // A step that had joined a person's own has taken that back as well: it is done again.
     for (const [name, value] of before) if (valueIn(figure, name) !== value) setQuietly(figure, name, value);
+    if (cameraOrbit) figure.cameraOrbit = orbit;
   }
 }

@@ -103,6 +103,7 @@ FUR_EXPORT const char* fur_maskHash(WetnessMask* mask) { return web::hexadecimal
 
 FUR_EXPORT scene::Model* fur_importModel(const std::uint8_t* bytes, std::uint32_t size, const char* name) {
   return guarded([&]() -> scene::Model* {
+    scene::readAllFormats();
     Result<scene::Model> model = scene::importModel({bytes, size}, name, web::takeStagedFiles());
     if (model) return new scene::Model(std::move(*model));
     web::setError(model.error());

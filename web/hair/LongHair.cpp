@@ -1,8 +1,9 @@
-// Programs with this file grow long hair: wet-fur-hair and wet-fur-editor.
+// Programs with this file grow long hair and read all formats: wet-fur-hair and wet-fur-editor.
 #include "app/LongHair.h"
+#include "scene/Model.h"
 
 namespace {
 
-const bool growsHair = (fur::app::growLongHair(), true);
+const bool growsHair = (fur::app::growLongHair(), fur::scene::readAllFormats(), true);
 
 }  // namespace

@@ -63,7 +63,7 @@ export interface WetnessMask {
   readonly meanWetness: number;
   addDroplet(droplet: { u: number; v: number; radius?: number; wetness?: number }): void;
   dryAt(brush: { u: number; v: number; radius?: number; amount?: number }): void;
-  /** `rate` (default 0.02): wetness that half-wet fur loses in a second. */
+  /** `rate` (default 0.002, as the setting `dryRate`): wetness that half-wet fur loses in a second. */
   dry(seconds: number, options?: { rate?: number }): void;
   clear(): void;
   at(u: number, v: number): { centreU: number; centreV: number; radius: number; wetness: number };

@@ -81,17 +81,40 @@ void GrownHair::touch() {
   // None is left over that a picture would take for another.
   if (scalps_.size() > style_.scalps.size()) scalps_.clear();
   stale_ = true;
+  growing_ = {};
   ++revision_;
 }
 
-void GrownHair::grow(const ShapeStage& shape) {
+bool GrownHair::growSome(const ShapeStage& shape) {
+  if (noteChange(surfaceFor_, shape.surfaceRevision())) stale_ = true, growing_ = {};
+  if (!stale_) return true;
   scalps_.resize(style_.scalps.size());
-  for (std::size_t i = 0; i < scalps_.size(); ++i) grow(style_.scalps[i], scalps_[i], shape);
+  if (growing_.scalp < scalps_.size()) {
+    const hair::Scalp& scalp = style_.scalps[growing_.scalp];
+    LiveScalp& live = scalps_[growing_.scalp];
+    switch (growing_.part++) {
+      case 0: growGuides(scalp, live, shape); break;
+      case 1: growWisps(scalp, live, shape); break;
+      case 2: growLight(scalp, live, shape); break;
+      default:
+        growStrands(scalp, live);
+        growing_ = {growing_.scalp + 1};
+    }
+    return false;
+  }
   takeState();
   stale_ = false;
+  growing_ = {};
+  return true;
 }
 
-void GrownHair::grow(const hair::Scalp& scalp, LiveScalp& live, const ShapeStage& shape) {
+bool GrownHair::workOnGrowth(const Inputs& inputs) {
+  if (!growSome(inputs.shape)) return false;
+  if (!settled_ && !scalps_.empty()) settle(inputs);
+  return true;
+}
+
+void GrownHair::growGuides(const hair::Scalp& scalp, LiveScalp& live, const ShapeStage& shape) {
   live.asMade = hair::rootFrames(shape.surface(), shape.query(), scalp.guides);
   live.roots.clear();
   for (const hair::RootFrame& root : live.asMade) {
@@ -99,16 +122,18 @@ void GrownHair::grow(const hair::Scalp& scalp, LiveScalp& live, const ShapeStage
     live.roots.push_back(geometry::nearestPoint(shape.surface(), shape.query(), root.position, kReach, root.normal).value_or(geometry::SurfacePoint{0, Vec3(1, 0, 0), 0}));
   }
   // Hair goes on swinging where only its looks have changed.
-  const bool otherSurface = noteChange(live.surfaceFor, shape.surfaceRevision());
-  if (live.guides != scalp.guides || otherSurface) {
-    live.guides = scalp.guides;
-    live.simulation.reset(scalp.guides, live.asMade);
-    settled_ = false;
-  }
+  growing_.otherSurface = noteChange(live.surfaceFor, shape.surfaceRevision());
+  if (live.guides == scalp.guides && !growing_.otherSurface) return;
+  live.guides = scalp.guides;
+  live.simulation.reset(scalp.guides, live.asMade);
+  settled_ = false;
+}
+
+void GrownHair::growWisps(const hair::Scalp& scalp, LiveScalp& live, const ShapeStage& shape) {
   // What the wisps were planted for: a comb changes none of it.
   const std::uint64_t roots = rootsHash(scalp.guides), map = scalp.map.hash();
-  const bool sameLooks = live.values == scalp.values && !live.growth.members.empty();
-  const bool sameWisps = sameLooks && live.plantedFor == std::pair(roots, map) && !otherSurface;
+  growing_.sameLooks = live.values == scalp.values && !live.growth.members.empty();
+  const bool sameWisps = growing_.sameLooks && live.plantedFor == std::pair(roots, map) && !growing_.otherSurface;
   if (sameWisps) {
     hair::followGuides(live.growth.wisps, scalp.guides, live.asMade, hair::shapeOf(scalp.values));
   } else {
@@ -117,12 +142,17 @@ void GrownHair::grow(const hair::Scalp& scalp, LiveScalp& live, const ShapeStage
   }
   // Dabs change little of the light: it waits for the stroke's end.
   live.lightStale = sameWisps && stroking();
-  if (!live.lightStale) {
-    const std::vector<hair::GuideNode> rest = hair::restNodes(scalp.guides, live.asMade);
-    live.growth.ambient = hair::ambientVisibility(shape.surface(), live.growth.wisps, rest, scalp.guides.nodes, scalp.values);
-    live.growth.baseTangents = hair::baseTangents({shape.surface(), scalp.map}, live.growth.wisps, rest, scalp.guides.nodes, scalp.values);
-  }
-  if (!sameLooks) {
+}
+
+void GrownHair::growLight(const hair::Scalp& scalp, LiveScalp& live, const ShapeStage& shape) {
+  if (live.lightStale) return;
+  const std::vector<hair::GuideNode> rest = hair::restNodes(scalp.guides, live.asMade);
+  live.growth.ambient = hair::ambientVisibility(shape.surface(), live.growth.wisps, rest, scalp.guides.nodes, scalp.values);
+  live.growth.baseTangents = hair::baseTangents({shape.surface(), scalp.map}, live.growth.wisps, rest, scalp.guides.nodes, scalp.values);
+}
+
+void GrownHair::growStrands(const hair::Scalp& scalp, LiveScalp& live) {
+  if (!growing_.sameLooks) {
     live.growth.members = hair::memberStrands(scalp.values.strands, scalp.values);
     live.growth.strips = hair::drawStrips(live.growth.members, scalp.values.strandWidth, scalp.values.mostWidth, scalp.values.tipWidth);
   }
@@ -162,7 +192,7 @@ bool GrownHair::active(const Inputs& inputs) const {
 }
 
 void GrownHair::growWhereStale(const ShapeStage& shape) {
-  if (noteChange(surfaceFor_, shape.surfaceRevision()) || stale_) grow(shape);
+  while (!growSome(shape)) {}
 }
 
 // Calls work(scalp, values of its motion, what acts on it) for each.

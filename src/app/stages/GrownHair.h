@@ -13,6 +13,7 @@ class GrownHair final : public HairStage, private wet::WetHair {
   void reset() override;
   bool update(const Inputs& inputs) override;
   void settle(const Inputs& inputs) override;
+  bool workOnGrowth(const Inputs& inputs) override;
   bool active(const Inputs& inputs) const override;
 
   void setStyle(hair::Hairstyle style) override;
@@ -89,8 +90,12 @@ class GrownHair final : public HairStage, private wet::WetHair {
   hair::Body* body();  // that is selected
   void placeBodies(const ShapeStage& shape);
   bool dragBody(const Dab& dab);
-  void grow(const ShapeStage& shape);
-  void grow(const hair::Scalp& scalp, LiveScalp& live, const ShapeStage& shape);
+  // One part of one scalp after another. Whether all has grown.
+  bool growSome(const ShapeStage& shape);
+  void growGuides(const hair::Scalp& scalp, LiveScalp& live, const ShapeStage& shape);
+  void growWisps(const hair::Scalp& scalp, LiveScalp& live, const ShapeStage& shape);
+  void growLight(const hair::Scalp& scalp, LiveScalp& live, const ShapeStage& shape);
+  void growStrands(const hair::Scalp& scalp, LiveScalp& live);
   std::vector<hair::RootFrame> rootsNow(const LiveScalp& live, const Inputs& inputs) const;
   // --- GrownHairWater.cpp ---
   double water() const override;
@@ -148,6 +153,13 @@ class GrownHair final : public HairStage, private wet::WetHair {
   std::uint64_t linesFor_ = 0, colorsFor_ = 0;  // hashes of what view_ is made of
   std::pair<std::size_t, std::size_t> pointedAt_{};  // guide and node
   bool stale_ = false;             // style_ has changed since they grew
+  // What grows next, and what is known of that scalp.
+  struct Growing {
+    std::size_t scalp = 0;
+    int part = 0;
+    bool otherSurface = false, sameLooks = false;
+  };
+  Growing growing_;
   bool settled_ = false;
   std::uint64_t surfaceFor_ = 0;
 };

@@ -17,7 +17,7 @@ Status HairStage::setValue(std::size_t scalp, std::string_view, std::string_view
 }
 
 Status HairStage::readFile(const ShapeStage&, const groom::GroomSurface&, std::span<const std::uint8_t>, const std::string& name) {
-  return Error{ErrorId::LongHair, name + ": this program does not grow long hair"};
+  return Error{ErrorId::LargerProgram, name + ": this program does not grow long hair"};
 }
 
 Result<std::vector<std::uint8_t>> HairStage::writeFile() const { return Error{ErrorId::BadFile, "there is no hair to save"}; }

@@ -72,6 +72,8 @@ class HairStage {
   virtual bool update(const Inputs&) { return false; }
   // Hangs at once as it does at rest.
   virtual void settle(const Inputs&) {}
+  // A step of what update() does at once for hair that is new. Whether that was the last.
+  virtual bool workOnGrowth(const Inputs&) { return true; }
   virtual bool active(const Inputs&) const { return false; }
   std::uint64_t revision() const { return revision_; }
 

@@ -46,14 +46,30 @@ const std::vector<Vec3>& ShownSurface::naturalLie() const {
   return *parts_->lie;
 }
 
-Result<ShownSurface> ModelShelf::surfaceOf(const geometry::Mesh& mesh, geometry::FurMapping mapping) {
-  const std::uint64_t number = hashOf(mesh, mapping);
-  if (auto had = surfaces_.find(number)) return ShownSurface(std::static_pointer_cast<ShownSurface::Parts>(std::move(had)));
-  auto built = geometry::buildSurface(mesh, mapping);
-  if (!built) return built.error();
+ModelShelf::Coming::Coming(ModelShelf& shelf, const geometry::Mesh& mesh, geometry::FurMapping mapping) : shelf_(&shelf), number_(hashOf(mesh, mapping)) {
+  if (auto had = shelf.surfaces_.find(number_)) surface_ = ShownSurface(std::static_pointer_cast<ShownSurface::Parts>(std::move(had)));
+  else building_.emplace(mesh, mapping);
+}
+
+bool ModelShelf::Coming::step() {
+  if (surface_) {
+    if (*surface_) (void)surface_->value().query(), (void)surface_->value().points();
+    return true;
+  }
+  if (!building_->step()) return false;
+  auto built = building_->take();
+  building_.reset();
+  if (!built) return surface_ = built.error(), true;
   ShownSurface surface(std::move(*built));
-  surfaces_.add(number, surface.parts_);
-  return surface;
+  shelf_->surfaces_.add(number_, surface.parts_);
+  surface_ = std::move(surface);
+  return false;
+}
+
+Result<ShownSurface> ModelShelf::surfaceOf(const geometry::Mesh& mesh, geometry::FurMapping mapping) {
+  Coming coming(*this, mesh, mapping);
+  while (!coming.step()) {}
+  return coming.take();
 }
 
 Pixels ModelShelf::pixels(std::vector<std::uint8_t> pixels) {

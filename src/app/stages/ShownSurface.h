@@ -45,6 +45,22 @@ class ModelShelf {
  public:
   // As geometry::buildSurface(), unless there is one of such a mesh.
   Result<ShownSurface> surfaceOf(const geometry::Mesh& mesh, geometry::FurMapping mapping);
+
+  // The same in steps of some milliseconds, with what is asked of a surface when it is shown. The shelf must outlive it.
+  class Coming {
+   public:
+    Coming(ModelShelf& shelf, const geometry::Mesh& mesh, geometry::FurMapping mapping);
+    // Whether that was the last. Not to be called after.
+    bool step();
+    Result<ShownSurface> take() { return std::move(*surface_); }
+
+   private:
+    ModelShelf* shelf_;
+    std::uint64_t number_;
+    std::optional<geometry::SurfaceBuilding> building_;
+    std::optional<Result<ShownSurface>> surface_;
+  };
+
   // The same pixels where another model has them already.
   Pixels pixels(std::vector<std::uint8_t> pixels);
 

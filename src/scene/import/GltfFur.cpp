@@ -142,7 +142,7 @@ GltfFur readFur(const GltfFile& file, FurData& fur) {
   }
   if (const Json* water = found->find("water")) readWater(file, *water, fur);
   if (const Json* hair = found->find("hair")) {
-    if (!hairReader()) file.fail(ErrorId::LongHair, "it has long hair, which this program does not grow");
+    if (!hairReader()) file.fail(ErrorId::LargerProgram, "it has long hair, which this program does not grow");
     fur.hair = hairReader()->read(file, *hair, out.warnings);
     noteAtlas(file, *hair, "WETFUR_fur.hair", out);
   }

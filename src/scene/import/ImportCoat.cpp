@@ -85,7 +85,7 @@ bool isCoatFile(std::span<const std::uint8_t> bytes) {
   return first != bytes.end() && *first == '{' && bytes.size() != kTypeSetBytes;
 }
 
-Result<CoatFile> readCoat(std::span<const std::uint8_t> bytes, const std::string& file) {
+Result<CoatFile> readCoatFile(Bytes bytes, const std::string& file) {
   if (bytes.size() > kMostCoatBytes)
     return Error{ErrorId::TooLarge, file + formatted(": a coat of %zu bytes; the limit is %zu", bytes.size(), kMostCoatBytes)};
   return guardedImport<CoatFile>(file, [&] { return CoatReader(bytes, file).read(); });

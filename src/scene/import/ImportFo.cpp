@@ -149,7 +149,7 @@ Result<FoModel> readFo(std::span<const std::uint8_t> bytes, const std::string& n
   return guardedImport<FoModel>(name, [&] { return FoReader(bytes, name).run(); });
 }
 
-void readFo(Bytes bytes, const FileSet&, Model& model) {
+void readFoFile(Bytes bytes, const FileSet&, Model& model) {
   FoModel fo = FoReader(bytes, model.name).run();
   CornerLists lists;
   for (const FoModel::Texcoord& t : fo.texcoords) lists.texcoords.emplace_back(t.colour.x, 1.0f - t.colour.y);

@@ -3,8 +3,8 @@
 
 #include "scene/Formats.h"
 #include "scene/Model.h"
+#include "scene/TypeSet.h"
 #include "scene/import/Readers.h"
-#include "scene/import/StatementReader.h"
 
 namespace fur::scene {
 
@@ -21,10 +21,17 @@ const EncodedImage& Model::baseColor() const {
 
 namespace {
 
-using Reader = void (*)(Bytes bytes, const FileSet& others, Model& model);
+const OtherReaders* otherReaders = nullptr;
+
+Error larger(const std::string& name) { return {ErrorId::LargerProgram, name + ": this program does not read such files"}; }
+
+const OtherReaders& othersFor(const std::string& name) {
+  if (!otherReaders) throw ImportError(larger(name));
+  return *otherReaders;
+}
 
 // Nullptr where the format is none of models.
-Reader readerOf(Format format) {
+ModelReader readerOf(Format format) {
   switch (format) {
 #define FUR_MODEL_FORMAT(id, endings, mime, savedAs, reader) case Format::id: return reader;
 #define FUR_FORMAT(id, ...) case Format::id: return nullptr;
@@ -43,20 +50,10 @@ bool isGltf(Bytes bytes) {
   return text.substr(0, 4) == "glTF" || (start != std::string_view::npos && text[start] == '{');
 }
 
-// Both text formats begin with v; the first other statement of a mesh tells them apart.
-std::optional<Format> formatOfStatements(Bytes bytes, const std::string& name) {
-  for (StatementReader reader(bytes, name); reader.next();) {
-    const std::string_view keyword = reader.keyword();
-    if (keyword == "vt" || keyword == "vn" || keyword == "f") return Format::Obj;
-    if (keyword == "t" || keyword == "p") return Format::Fo;
-  }
-  return std::nullopt;
-}
-
 std::optional<Format> formatOf(Bytes bytes, const std::string& name) {
   if (isGltf(bytes)) return Format::Glb;
   const auto named = formatNamed(name);
-  return named && readerOf(*named) ? named : formatOfStatements(bytes, name);
+  return named && readerOf(*named) ? named : othersFor(name).formatOf(bytes, name);
 }
 
 Result<Model> importAs(std::optional<Format> format, Bytes bytes, const std::string& name, const FileSet& others) {
@@ -71,6 +68,21 @@ Result<Model> importAs(std::optional<Format> format, Bytes bytes, const std::str
 }
 
 }  // namespace
+
+void readOthersWith(const OtherReaders* readers) { otherReaders = readers; }
+
+void readObj(Bytes bytes, const FileSet& others, Model& model) { othersFor(model.name).obj(bytes, others, model); }
+void readFo(Bytes bytes, const FileSet& others, Model& model) { othersFor(model.name).fo(bytes, others, model); }
+
+Result<furgen::FurVolume> readTypeSet(std::span<const std::uint8_t> bytes, const std::string& name) {
+  if (!otherReaders) return larger(name);
+  return otherReaders->typeSet(bytes, name);
+}
+
+Result<CoatFile> readCoat(std::span<const std::uint8_t> bytes, const std::string& file) {
+  if (!otherReaders) return larger(file);
+  return otherReaders->coat(bytes, file);
+}
 
 Result<Model> importModel(std::span<const std::uint8_t> bytes, const std::string& name, const FileSet& others) {
   return importAs(std::nullopt, bytes, name, others);

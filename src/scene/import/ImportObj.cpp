@@ -103,6 +103,6 @@ class ObjReader {
 
 }  // namespace
 
-void readObj(Bytes bytes, const FileSet&, Model& model) { ObjReader(bytes, model).run(); }
+void readObjFile(Bytes bytes, const FileSet&, Model& model) { ObjReader(bytes, model).run(); }
 
 }  // namespace fur::scene

@@ -410,5 +410,19 @@ TEST(HairStage, OfAProgramWithoutHairHasNone) {
   EXPECT_FALSE(none.setValue(0, "curl", "1", warnings));
 }
 
+TEST(GrownHair, GrowsInPiecesAsAtOnce) {
+  Head head, other;
+  other.growEverywhere();
+  head.hair.setStyle(other.hair.style());
+  int pieces = 1;
+  while (!head.hair.workOnGrowth(head.inputs(0))) ++pieces;
+  EXPECT_GE(pieces, 5);
+  EXPECT_FALSE(head.hair.update(head.inputs(0)));  // nothing is left to do
+  ASSERT_EQ(head.hair.scalpCount(), 1u);
+  EXPECT_EQ(head.hair.growth(0).wisps.size(), other.hair.growth(0).wisps.size());
+  EXPECT_EQ(head.hair.growth(0).ambient, other.hair.growth(0).ambient);
+  EXPECT_EQ(head.tip(), other.tip());
+}
+
 }  // namespace
 }  // namespace fur::app
