@@ -299,8 +299,9 @@ TEST(Views, AClumpHasOneColourAndItsNeighbourAnother) {
 
 TEST(Views, ShadowIsGreyBrighterTowardsTheLightAndKnowsNoColour) {
   Study scene;
+  // A coarse coat, in which one sees deep enough for strands to stand above.
   for (const auto& [name, value] : {std::pair("lightYaw", "-1.57"), std::pair("lightPitch", "0.2"),
-                                    std::pair("view", "shadow")})
+                                    std::pair("view", "shadow"), std::pair("thickness", "0.35"), std::pair("repeat", "4")})
     scene.app.setField(name, value);
   const Picture shadow = scene.draw();
   double left = 0, right = 0;

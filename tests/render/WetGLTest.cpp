@@ -188,7 +188,7 @@ TEST(WetLocks, OfASoakedCoatEndWhereTheSheetDoes) {
 
 TEST(WetLocks, OfASoakedCoatHaveNoGrain) {
   WetBall ball;
-  set(ball.app, {{"clumpSize", "0.3"}});  // locks that are many pixels wide
+  set(ball.app, {{"clumpSize", "0.3"}, {"repeat", "4"}, {"thickness", "0.35"}});  // locks that are many pixels wide, strands that are pixels wide
   // How much pixels differ from the mean of those beside, above and below them, for their brightness.
   const auto grain = [](const Picture& p) {
     double apart = 0, sum = 0;
