@@ -50,7 +50,8 @@ void enterWater() {
   lean = wetLean(0.5 * vLean.xy, entryHeld, sheet);
   tipTile = tileFromFur * lean;
   // Clumps are denser than dry fur: they close sooner, and longer steps find them.
-  stepSize *= 1.0 + min(entryHeld, 1.0);
+  // Less so from where they begin to close into a sheet, or that would be a jump.
+  stepSize *= 1.0 + min(entryHeld, 1.0) * (1.0 - 0.3 * smoothstep(0.6, 0.8, entryHeld));
   closes = kClosed * (1.0 - 0.6 * sheet - 0.12 * min(entryHeld, 1.0) * (1.0 - sheet));
   enters = 0.0;
   if (vTop > coatTop) {
@@ -264,10 +265,10 @@ void joinStrands(inout Met met, float furry) {
   for (int i = 0, once = int(sheet > 0.0); i < once; ++i) {
     vec4 inLine = strandsInLine(met.spot.z, 0.35), some = strandsInLine(met.spot.z, 1.2), many = strandsInLine(met.spot.z, 4.0);
     lieDown(2.0 * (inLine.z - 0.5) + 1.0 * (some.z - 0.5), 4.0 * (inLine.z - 0.5) + 2.0 * (some.z - 0.5));
-    float deep = clamp(0.8 + 2.0 * (some.z - 0.5) + 6.0 * (many.z - 0.5), 0.0, 1.0);
+    float deep = clamp(0.8 + 2.0 * (some.z - 0.5) + 5.0 * (many.z - 0.5), 0.4, 1.0);
     lying.rises *= mix(1.0, deep, joined);
     met.number = mix(met.number, clamp(0.45 + 2.5 * (some.z - 0.5) + 4.5 * (inLine.z - 0.5), 0.0, 0.9), joined);
-    inLine.z = clamp(0.5 + 4.0 * (inLine.z - 0.5), 0.0, 1.0);
+    inLine.z = clamp(0.5 + 3.0 * (inLine.z - 0.5), 0.0, 1.0);
     met.strand = mix(met.strand, inLine, joined);
     // No two locks lie alike, nor two lines of strands in one: light breaks into glints instead of running in rings round the body.
     lying.chance *= 2.0 * met.number;
@@ -298,7 +299,7 @@ vec3 waterLight(vec3 color, Met met, vec3 T, vec3 L, vec3 V, float lit) {
   vec2 back = lean * (lying.chance / max(length(lean), 1e-3)), outward = met.here.from / max(met.here.clump.z * atlasLength, 1e-6);
   outward *= (1.0 - joined) / max(length(outward), 1.0);
   vec3 n = normalize(clumpNormal(outward, sheet) + vec3(0.8 * joined * tiltOf(met) + lying.outward - back, 0.0));
-  color *= 0.25 + 0.75 * lying.rises;
+  color *= 0.55 + 0.45 * lying.rises;
   float glints = met.number * mix(1.0, 0.65 + 0.6 * abs(lying.chance), joined);
   return clumpLight(color, T, n, L, V, met.h, met.held, sheet, lit, vView.w, glints);
 }

@@ -1,4 +1,5 @@
 // Wet fur in the picture: where strands of a clump stand, and that nothing jumps as it gets wetter.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -81,6 +82,7 @@ struct Droplet : Scene {
         along = wet::alongStrand(stands, pull * glm::length(Vec2(q->x, q->z)) / s.furLength) *
                 wet::rimTaper(wetness, wet::sheetOf(wetness), glm::dot(Vec2(q->x, q->z), Vec2(q->x, q->z)) / (kRadius * kRadius));
       if (!q || along > 0.95f || glm::length(Vec2(q->x, q->z)) > 0.85f * kRadius) continue;
+      // The smaller locks in a clump (wet::lockPull()) are so small beside this droplet that they move no strand by a texel.
       const Vec2 at = wet::clumpForward(Vec2(q->x, q->z), Vec2(0), pull);
       const float height = ground + s.viewLayer * s.furLength;
       ++found.strands;
@@ -341,6 +343,28 @@ TEST(WetLocks, AreSoundAtTheEndsOfEveryRange) {
         for (std::size_t i = 0; i < p.rgba.size(); i += 4) black += p.rgba[i] + p.rgba[i + 1] + p.rgba[i + 2] == 0;
         EXPECT_LT(black, 200) << "w " << w << ", radius " << radius << ", centre " << centre;
       }
+}
+
+// --- wet in places ---
+
+// Far from the water patches are drawn as dry fur is, to the pixel, and nothing is left out where wet ones begin.
+TEST(WetPatches, LeaveTheRestOfTheCoatAsItWas) {
+  Scene scene(240, 240, 0);
+  EXPECT_TRUE(scene.app.loadPrimitive("sphere"));
+  scene.app.setCamera({0.3f, 0.2f, 3.2f});
+  set(scene.app, {{"furLength", "0.1"}, {"stayWet", "true"}});
+  const Picture dry = scene.draw();
+  EXPECT_TRUE(scene.app.splashPixel(Vec2(160, 120), 0.1f, 0.7f));
+  scene.app.settle();
+  const Picture wet = scene.draw();
+  const auto differ = [&](int fromX, int toX) {
+    int count = 0;
+    for (int y = 60; y < 180; ++y)
+      for (int x = fromX; x < toX; ++x) count += !std::equal(dry.at(x, y), dry.at(x, y) + 4, wet.at(x, y));
+    return count;
+  };
+  EXPECT_GT(differ(140, 180), 500);
+  EXPECT_EQ(differ(20, 55), 0);
 }
 
 }  // namespace

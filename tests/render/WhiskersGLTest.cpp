@@ -103,7 +103,7 @@ TEST(Whiskers, CostNothingWhereThereAreNone) {
   const SurfaceBuffers none;
   const Materials materials;
   std::size_t uploadedBytes = 0;
-  EXPECT_TRUE(WhiskerPass().draw({frame, look, none, materials, programs, uploadedBytes})) << "and nothing is compiled, with no context's help";
+  EXPECT_TRUE(WhiskerPass().draw({frame, look, none, materials, WetCells(), programs, uploadedBytes})) << "and nothing is compiled, with no context's help";
 }
 
 TEST(Whiskers, TaperAndAreAsWideAsTheDistanceHasThem) {
