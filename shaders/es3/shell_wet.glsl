@@ -267,8 +267,8 @@ void joinStrands(inout Met met, float furry) {
     lieDown(2.0 * (inLine.z - 0.5) + 1.0 * (some.z - 0.5), 4.0 * (inLine.z - 0.5) + 2.0 * (some.z - 0.5));
     float deep = clamp(0.8 + 2.0 * (some.z - 0.5) + 5.0 * (many.z - 0.5), 0.4, 1.0);
     lying.rises *= mix(1.0, deep, joined);
-    met.number = mix(met.number, clamp(0.45 + 2.5 * (some.z - 0.5) + 4.5 * (inLine.z - 0.5), 0.0, 0.9), joined);
-    inLine.z = clamp(0.5 + 3.0 * (inLine.z - 0.5), 0.0, 1.0);
+    met.number = mix(met.number, clamp(0.45 + 2.5 * (some.z - 0.5) + 4.5 * (inLine.z - 0.5), 0.15, 0.9), joined);
+    inLine.z = clamp(0.5 + 2.0 * (inLine.z - 0.5), 0.0, 1.0);
     met.strand = mix(met.strand, inLine, joined);
     // No two locks lie alike, nor two lines of strands in one: light breaks into glints instead of running in rings round the body.
     lying.chance *= 2.0 * met.number;
