@@ -164,7 +164,7 @@ float coverAbove(Met met, float rise, float level) {
 // The share of the key light that other strands leave: real strands cast real shadows.
 float lightOn(Met met, float furry) {
   float lit = 1.0, ofOne = shadeOfOne() * shadowShown() * furry;
-  bool counts = finer > 0.0 && lod < 0.5;
+  bool counts = kCountsShades && finer > 0.0 && lod < 0.5;
   // One look says what is there on average.
   for (int i = 0, once = int(!counts && met.h + FUR_SHADE_RISE < 1.0); i < once; ++i) lit -= ofOne * coverAbove(met, FUR_SHADE_RISE, lod + 1.0);
   // Several find the strands that the light crosses, each of which takes its share.

@@ -1,6 +1,7 @@
 // Dry fur: strands stand where they root. shell_wet.glsl has the same functions for wet fur.
 const float entryHeld = 0.0, enters = 0.0, closes = kClosed;
 const int kSheetSteps = 0;
+const bool kCountsShades = true;
 
 void enterWater() {}
 float rootsAside() { return 0.0; }

@@ -11,6 +11,8 @@ const int kSheetSteps = 1;  // which fur there is
 #else
 const int kSheetSteps = 0;
 #endif
+// In clumps strands stand so close that each would shade the next.
+const bool kCountsShades = false;
 
 // Of the whole ray, by where it enters.
 float entryHeld, entryChart;      // the water there; chartOf()
@@ -51,7 +53,8 @@ void enterWater() {
   tipTile = tileFromFur * lean;
   // Clumps are denser than dry fur: they close sooner, and longer steps find them.
   // Less so from where they begin to close into a sheet, or that would be a jump.
-  stepSize *= 1.0 + min(entryHeld, 1.0) * (1.0 - 0.3 * smoothstep(0.6, 0.8, entryHeld));
+  // Samples after the first take about the steps of the first: shorter ones find more of the clumps' strands, and the picture grew lighter.
+  stepSize *= (finer > 0.0 ? 3.0 : 1.0) * (1.0 + min(entryHeld, 1.0) * (1.0 - 0.3 * smoothstep(0.6, 0.8, entryHeld)));
   closes = kClosed * (1.0 - 0.6 * sheet - 0.12 * min(entryHeld, 1.0) * (1.0 - sheet));
   enters = 0.0;
   if (vTop > coatTop) {

@@ -303,6 +303,7 @@ TEST(Views, ShadowIsGreyBrighterTowardsTheLightAndKnowsNoColour) {
   for (const auto& [name, value] : {std::pair("lightYaw", "-1.57"), std::pair("lightPitch", "0.2"),
                                     std::pair("view", "shadow"), std::pair("thickness", "0.35"), std::pair("repeat", "4")})
     scene.app.setField(name, value);
+  scene.app.settle();
   const Picture shadow = scene.draw();
   double left = 0, right = 0;
   for (int y = 60; y < 140; ++y)
