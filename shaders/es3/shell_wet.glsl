@@ -51,10 +51,9 @@ void enterWater() {
   coatTop = upright(entryHeld, sheet);
   lean = wetLean(0.5 * vLean.xy, entryHeld, sheet);
   tipTile = tileFromFur * lean;
-  // Clumps are denser than dry fur: they close sooner, and longer steps find them.
-  // Less so from where they begin to close into a sheet, or that would be a jump.
   // Samples after the first take about the steps of the first: shorter ones find more of the clumps' strands, and the picture grew lighter.
-  stepSize *= (finer > 0.0 ? 3.0 : 1.0) * (1.0 + min(entryHeld, 1.0) * (1.0 - 0.3 * smoothstep(0.6, 0.8, entryHeld)));
+  // Clumps are denser than dry fur, and longer steps find them; twice as long ones missed them: clumps fell into dots.
+  stepSize *= (finer > 0.0 ? 3.0 : 1.0) * (1.0 + 0.3 * min(entryHeld, 1.0));
   closes = kClosed * (1.0 - 0.6 * sheet - 0.12 * min(entryHeld, 1.0) * (1.0 - sheet));
   enters = 0.0;
   if (vTop > coatTop) {
