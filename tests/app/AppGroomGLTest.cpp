@@ -475,6 +475,20 @@ TEST(AppGroom, WhiskersEndAtTheirLimitWithAWarning) {
   EXPECT_FALSE(salon.app.groomed());
 }
 
+TEST(AppGroom, AnEditBeginsFromTheLieOfTheSettingsHoweverShortlyBeforeTheyChanged) {
+  const auto combed = [](const char* first, const char* then) {
+    GroomRoom salon;
+    salon.app.setField("lie", first);
+    salon.app.settle();
+    salon.app.setField("lie", then);
+    salon.app.groomAll(GroomEdit::Comb, 0.5f, Vec3(0.2f, -1, 0));
+    return salon.app.groomHash();
+  };
+  EXPECT_EQ(combed("0.8", "0"), combed("0", "0"));
+  EXPECT_EQ(combed("0", "0.8"), combed("0.8", "0.8"));
+  EXPECT_NE(combed("0", "0"), combed("0.8", "0.8"));
+}
+
 TEST(AppGroom, WaterStaysWaterWhateverTheTool) {
   GroomRoom salon;
   salon.app.setTool(Tool::Comb);

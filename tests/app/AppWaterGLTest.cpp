@@ -349,6 +349,7 @@ TEST(AppWater, ARecordedSessionHasTheSameHashOnEveryPlatform) {
   App app;
   app.loadPrimitive("sphere").value();
   app.setField("dryRate", "0.02");
+  app.setField("lie", "0");
   EXPECT_TRUE(app.replay(
       "[[0,0.2,0.6,0.05,0,0,3,0,100,0.3,0.3,1],[3,0.2,0.8,0.05,0,1,3,5,300,0.3,0.3,1,40,310,0.3,0.3,1,60,310,0.3,0.3,0],"
       "[2,0.2,0.8,0.05,0,0,3,70,300,0.3,0.3,1,110,300,0.3,0.3,0],[100,0.05,0.8,0.05,0,0,3,120,200,0.3,0.3,1,120,220,0.3,0.3,1],"

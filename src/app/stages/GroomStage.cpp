@@ -116,7 +116,7 @@ bool GroomStage::update(const Inputs& inputs) {
     if (i == 0) readLengths(inputs.shape);
   }
   combOfAll_ = combOfAll(inputs.settings);
-  if (noteChange(lieFor_, lieFor(inputs.settings)) || otherSurface) readLie(inputs.shape);
+  followLie(inputs.shape, inputs.settings);
   readRests(inputs.shape);
   return true;
 }
@@ -135,7 +135,9 @@ void GroomStage::readLengths(const ShapeStage& shape) {
 // What is combed by the vector of the settings lies less by itself.
 float GroomStage::lieFor(const settings::Settings& settings) const { return isLying_ ? settings.lie * (1 - settings.combStrength) : 0; }
 
-void GroomStage::readLie(const ShapeStage& shape) {
+void GroomStage::followLie(const ShapeStage& shape, const settings::Settings& settings) {
+  const bool otherSurface = noteChange(lieSurfaceFor_, shape.surfaceRevision());
+  if (!noteChange(lieFor_, lieFor(settings)) && !otherSurface) return;
   lie_.clear();
   if (lieFor_ <= 0) return;
   lie_ = shape.naturalLie();
@@ -283,6 +285,7 @@ void GroomStage::setBare(std::size_t material, bool bare) {
 }
 
 void GroomStage::edit(const ShapeStage& shape, GroomEdit edit, float value, const Vec3& direction, const settings::Settings& settings, Warnings& warnings) {
+  followLie(shape, settings);  // which may have changed since the last update
   const groom::GroomSurface skin = this->groomSurface(shape);
   const auto seed = static_cast<std::uint32_t>(settings.seed);
   const auto pattern = [&](groom::Pattern which) { groom::paintPattern(groom_, skin, which, value, settings.paintColor, seed); };

@@ -125,7 +125,7 @@ class GroomStage {
   void plant(const ShapeStage& shape, const settings::Settings& settings, const geometry::SurfacePoint& at, Warnings& warnings);
   void readLengths(const ShapeStage& shape);
   float lieFor(const settings::Settings& settings) const;
-  void readLie(const ShapeStage& shape);
+  void followLie(const ShapeStage& shape, const settings::Settings& settings);
   void readRests(const ShapeStage& shape);
   // From a whisker's root to where a ray passes it, as far from the eye.
   static Vec3 pullAt(const Vec3& root, const Vec3& origin, const Vec3& direction);
@@ -138,7 +138,7 @@ class GroomStage {
   bool isLying_ = true;                    // fur lies by itself where it is not combed: a file has not combed all of it
 
   // As of the last update(), and what it was for.
-  std::uint64_t updatedFor_ = 0, surfaceFor_ = 0, verticesRevision_ = 0;
+  std::uint64_t updatedFor_ = 0, surfaceFor_ = 0, lieSurfaceFor_ = 0, verticesRevision_ = 0;
   groom::TypeHeights heights_ = groom::kAllFull;
   Vec3 combOfAll_{0};
   float lieFor_ = 0;
