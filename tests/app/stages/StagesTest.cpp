@@ -288,6 +288,8 @@ TEST(MotionStage, ReducedMotionHasNoWind) {
   Model model;
   model.settings.wind = 1;
   model.settings.gravity = 0;
+  model.settings.lie = 0;
+  model.groom.update({model.shape, model.settings});
   MotionStage::Inputs inputs = model.motionInputs(0);
   inputs.reducedMotion = true;
   model.motion.settle(inputs);
