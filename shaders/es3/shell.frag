@@ -171,7 +171,7 @@ float lightOn(Met met, float furry) {
   float rise = min(kOwnTexels / (tileTexels * length(vLightStep) + 1e-6), 0.5 * FUR_SHADE_RISE), before = 1.0;
   float stride = (FUR_SHADE_RISE - rise) / float(kLooks);
   rise += stride * pixelNoise();
-  for (int i = 0, looks = counts ? kLooks : 0; i < looks && met.h + rise < 1.0; ++i) {
+  for (int i = 0; i < kLooks && counts && met.h + rise < 1.0; ++i) {
     float there = clamp((coverAbove(met, rise, lod) - 0.5) * sharp + 0.5, 0.0, 1.0);
     lit *= 1.0 - ofOne * max(there - before, 0.0);
     before = there;

@@ -7,7 +7,7 @@ import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 
 const folder = join(dirname(fileURLToPath(import.meta.url)), '../../shaders/es3');
-const most = 128;
+const most = 256;
 
 const withoutComments = (text) => text.replace(/\/\/.*|\/\*[\s\S]*?\*\//g, '');
 const shaders = readdirSync(folder).filter((name) => /\.(glsl|vert|frag)$/.test(name))

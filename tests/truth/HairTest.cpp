@@ -89,14 +89,14 @@ TEST(TruthHair, HairKeepsLightFromTheSkinAndFromTheHairBehindIt) {
     const std::vector<Vec3> light = shadeHair(scene, tubes, {none, &shadow}, Light::Formula);
     const Tube& last = tubes.tubes[5];
     for (std::uint32_t k = 0; k < last.firstNode + last.nodeCount; ++k) sum += light[k].g;
-    return std::pair(sum, shadeSkin(scene, {-0.1f, 0, 0}, {0, 1, 0}, 0, {none, &shadow}, Light::Formula).g);
+    return std::pair(sum, shadeSkin(scene, {-0.1f, 0, 0}, {0, 1, 0}, 0, 0, {none, &shadow}, Light::Formula).g);
   };
   const auto [alone, skinByOne] = shade({wisps.data(), 1});
   const auto [shaded, skinByTwo] = shade(wisps);
   EXPECT_LT(shaded, 0.9f * alone);
   const Scene bald = lock.scene({});
   const DeepShadow none(bald.surface, {}, Vec3(lock.frame.light), 256);
-  const float bare = shadeSkin(bald, {-0.1f, 0, 0}, {0, 1, 0}, 0, {none}, Light::Formula).g;
+  const float bare = shadeSkin(bald, {-0.1f, 0, 0}, {0, 1, 0}, 0, 0, {none}, Light::Formula).g;
   EXPECT_LT(skinByOne, 0.9f * bare);
   EXPECT_LT(skinByTwo, skinByOne + 1e-6f);
 }
