@@ -18,8 +18,9 @@ namespace fur::truth {
 
 class Wetting {
  public:
-  // `mask`: all of it, as the shaders read it (wet/MaskEncoding.h). Both must outlive this.
+  // `mask`: all of it, as the shaders read it (wet/MaskEncoding.h). All three must outlive this.
   Wetting(const FurMap& map, const wet::MaskTexels& mask, const render::shared::FurBlock& coat);
+  Wetting(const FurMap& map, const wet::MaskTexels& mask, render::shared::FurBlock&& coat) = delete;
 
   // Of one strand.
   struct Strand {

@@ -102,13 +102,14 @@ TEST(Wetting, StrandsOfAClumpComeToItsCentreByEquationOne) {
 TEST(Wetting, AStrandKeepsItsLengthHoweverWetAndHoweverItLies) {
   const geometry::Surface surface = atlasSquare();
   const furgen::Coat coat = lawn(0.4f);
+  const render::shared::FurBlock fur = test::furOf(kWetLength, 1);
   for (const float bend : {0.0f, 0.9f}) {
     const std::vector<Vec4> bends(4, Vec4(bend, 0, 0, 1));
     const FurMap map(surface, bends, kWetLength, 1);
     const Tubes dry = placeStrands(map, coat, 0);
     for (const float rho : {0.3f, 0.7f, 0.95f, 1.4f}) {
       const wet::MaskTexels mask = maskOf({0.52f, 0.47f, 0.1f, rho});
-      const Wetting wetting(map, mask, test::furOf(kWetLength, 1));
+      const Wetting wetting(map, mask, fur);
       const Tubes wet = placeStrands(map, coat, 0, &wetting);
       ASSERT_EQ(dry.tubes.size(), wet.tubes.size());
       for (std::size_t t = 0; t < dry.tubes.size(); ++t) {
@@ -126,10 +127,11 @@ TEST(Wetting, FurThatLeansLiesDownTheWayItLeansAndWhatStandsDoesNot) {
   for (furgen::Node& node : coat.nodes) node.shift = Vec2(0);
   // No clump: beside the charts, where the mask tells the water alone.
   const wet::MaskTexels mask = maskOf({0, 0, 0, -1.7f});
+  const render::shared::FurBlock fur = test::furOf(kWetLength, 1);
   for (const float bend : {0.0f, 0.6f}) {
     const std::vector<Vec4> bends(4, Vec4(0, 0, bend, 1));
     const FurMap map(surface, bends, kWetLength, 1);
-    const Wetting wetting(map, mask, test::furOf(kWetLength, 1));
+    const Wetting wetting(map, mask, fur);
     const Tubes dry = placeStrands(map, coat, 0), wet = placeStrands(map, coat, 0, &wetting);
     for (std::size_t t = 0; t < dry.tubes.size(); ++t) {
       const auto way = [&](const Tubes& of) {
