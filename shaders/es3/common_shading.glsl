@@ -236,13 +236,15 @@ vec2 waterGloss(vec3 T, vec3 n, vec3 L, vec3 V, float held, float sheet, float s
   return waterGloss(vec2(dot(T, L), dot(T, V)), vec2(dot(n, L), dot(n, V)), dot(L, V), L.z, held, sheet, strand);
 }
 
-// A strand's light `color` as that of one in a clump: clumps are round and stand close, so their far sides and feet get
-// less of it; and what water mirrors. Strands of a sheet shade each other the more, the wetter it is. `held`: 1 is saturated,
-// what is more shines as a film.
+// C++ twin in hair/StrandShading.h, which says more.
+float clumpShade(float facing, float h, float held, float sheet) {
+  float clumps = min(held, 1.0) * (1.0 - 0.75 * sheet), turnedTo = clamp(0.6 + 0.8 * facing, 0.3, 1.4);
+  return mix(1.0, turnedTo, 0.7 * clumps) * mix(1.0, smoothstep(-0.2, 0.8, h), 0.45 * clumps) * (1.0 - 0.35 * min(held, 1.0)) * (1.0 - 0.38 * sheet * smoothstep(0.3, 0.85, held));
+}
+// A strand's light `color` as that of one in a clump; and what water mirrors. `held`: 1 is saturated, what is more shines as a film.
 vec3 clumpLight(vec3 color, vec3 T, vec3 n, vec3 L, vec3 V, float h, float held, float sheet, float lit, float upness, float strand) {
   float clumps = min(held, 1.0) * (1.0 - 0.75 * sheet);
-  float turnedTo = clamp(0.6 + 0.8 * dot(n, L), 0.3, 1.4);
-  color *= mix(1.0, turnedTo, 0.7 * clumps) * mix(1.0, smoothstep(-0.2, 0.8, h), 0.45 * clumps) * (1.0 - 0.35 * min(held, 1.0)) * (1.0 - 0.38 * sheet * smoothstep(0.3, 0.85, held));
+  color *= clumpShade(dot(n, L), h, held, sheet);
   vec2 mirrored = waterGloss(T, n, L, V, held, sheet, strand) * mix(1.0, h, clumps);
   color += 0.5 * min(held, 1.0) * fringe(V.z, h);
   return color + mirrored.x * lit * keyLight.rgb + mirrored.y * mix(0.6, 1.0, lit) * skyLight(upness);

@@ -60,7 +60,7 @@ float enterCoat() {
   end = rayTo(vTop, reachesSkin);
   if (chartShare() <= 0.0) end = 0.0;
   // A ray along a level coat is long: no more steps than there may be.
-  stepSize = max(stepOver(min(pixels, 1.0)), end / float(FUR_MOST_STEPS));
+  stepSize = max(stepOver(min(pixels, 1.0)) * (finer > 0.0 ? kSampleStep : 1.0), end / float(FUR_MOST_STEPS));
   // Where the first step falls, which layer stands for a height between two, which samples are covered: each by
   // chance, so that nothing forms rings.
   noise = otherPixelNoise();
@@ -195,7 +195,7 @@ vec3 overSkin(vec3 color, Met met, vec3 model, float lit) {
   for (int i = 0, once = int(reachesSkin && met.closed < 1.0); i < once; ++i) {
     vec3 bare = paintSkin(skinAlbedo(model), met);
     float rho = min(met.held, 1.0);
-    vec3 skin = shadeSkin(bare * 0.5, vLight.z, vView.w, 0.35 * rho, rho, lit);
+    vec3 skin = shadeSkin(bare * 0.5, vLight.z, vView.w, FUR_WET_SKIN_HEIGHT * rho, rho, lit);
     // Pores: the lowest layer says where strands root (Sheppard 5.2).
     skin *= 1.0 - 0.4 * grown * textureLod(coverage, vec3(foot, firstLayer(met.spot.z)), lod).r;
     skin = thinned(skin, bare, rho, lit);

@@ -11,7 +11,9 @@ const int kSheetSteps = 1;  // which fur there is
 #else
 const int kSheetSteps = 0;
 #endif
-// In clumps strands stand so close that each would shade the next.
+// Shorter steps of samples find more of the clumps' strands than the first does, and the picture grew lighter. In clumps strands stand so close
+// that each would shade the next.
+const float kSampleStep = 0.75;
 const bool kCountsShades = false;
 
 // Of the whole ray, by where it enters.
@@ -51,9 +53,8 @@ void enterWater() {
   coatTop = upright(entryHeld, sheet);
   lean = wetLean(0.5 * vLean.xy, entryHeld, sheet);
   tipTile = tileFromFur * lean;
-  // Samples after the first take about the steps of the first: shorter ones find more of the clumps' strands, and the picture grew lighter.
   // Clumps are denser than dry fur, and longer steps find them; twice as long ones missed them: clumps fell into dots.
-  stepSize *= (finer > 0.0 ? 3.0 : 1.0) * (1.0 + 0.3 * min(entryHeld, 1.0));
+  stepSize *= 1.0 + 0.3 * min(entryHeld, 1.0);
   closes = kClosed * (1.0 - 0.6 * sheet - 0.12 * min(entryHeld, 1.0) * (1.0 - sheet));
   enters = 0.0;
   if (vTop > coatTop) {
@@ -301,7 +302,7 @@ vec3 waterLight(vec3 color, Met met, vec3 T, vec3 L, vec3 V, float lit) {
   vec2 back = lean * (lying.chance / max(length(lean), 1e-3)), outward = met.here.from / max(met.here.clump.z * atlasLength, 1e-6);
   outward *= (1.0 - joined) / max(length(outward), 1.0);
   vec3 n = normalize(clumpNormal(outward, sheet) + vec3(0.8 * joined * tiltOf(met) + lying.outward - back, 0.0));
-  color *= 0.55 + 0.45 * lying.rises;
+  color *= mix(FUR_LOCK_GAP, 1.0, lying.rises);
   float glints = met.number * mix(1.0, 0.65 + 0.6 * abs(lying.chance), joined);
   return clumpLight(color, T, n, L, V, met.h, met.held, sheet, lit, vView.w, glints);
 }

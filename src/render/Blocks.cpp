@@ -34,7 +34,7 @@ void fillCamera(const Frame& frame, shared::FrameBlock& block) {
   block.bottomRow = static_cast<float>(frame.bottomRow);
   block.exposure = frame.settings.exposure;
   block.viewLayer = frame.settings.viewLayer;
-  block.stepLength = frame.stepLength * (frame.sample > 0 ? kSampleStep : 1);
+  block.stepLength = frame.stepLength;
   block.finer = frame.sample > 0 ? kSampleLevels : 0;
   block.chance = sampleChance(frame.sample);
   block.sampleShare = 1 / static_cast<float>(frame.sample + 1);

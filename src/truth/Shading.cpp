@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "shared/Wet.h"
 
 namespace fur::truth {
 
@@ -41,9 +42,8 @@ Vec3 wetLight(const Scene& scene, const hair::StrandLook& look, const Tube& tube
   const Vec3 light = inFrame(Vec3(scene.frame.light)), eye = inFrame(view), along = inFrame(tangent), beside = inFrame(water.beside);
   Vec3 n = hair::clumpNormal(Vec2(inFrame(water.outward)) * (1 - joined), sheet);
   n = glm::normalize(n + joined * Vec3(Vec2(beside) * water.lock.x - Vec2(along) * (2 * water.lock.z * tube.variance), 0));
-  const float clumps = held * (1 - 0.75f * sheet), turnedTo = glm::clamp(0.6f + 0.8f * glm::dot(n, light), 0.15f, 1.4f);
-  Vec3 out = color * glm::mix(1.0f, 0.2f + 0.8f * water.lock.y, joined) * glm::mix(1.0f, turnedTo, 0.7f * clumps) *
-             glm::mix(1.0f, glm::smoothstep(-0.1f, 0.8f, h), 0.55f * clumps) * (1 - 0.35f * held) * (1 - 0.38f * sheet * glm::smoothstep(0.3f, 0.85f, water.held));
+  const float clumps = held * (1 - 0.75f * sheet), gap = static_cast<float>(FUR_LOCK_GAP);
+  Vec3 out = color * (glm::mix(1.0f, glm::mix(gap, 1.0f, water.lock.y), joined) * hair::clumpShade(glm::dot(n, light), h, water.held, sheet));
   const float number = glm::mix(1.0f, 0.65f + 0.6f * std::abs(water.lock.z), joined) * tube.variance;
   const Vec2 mirrored = hair::waterGloss(along, n, light, eye, water.held, sheet, look.wetGloss, look.shininess, number) * glm::mix(1.0f, h, clumps);
   out += 0.5f * held * hair::fringe(eye.z, h) * Vec3(scene.frame.backLight);
@@ -119,7 +119,8 @@ Vec3 shadeSkin(const Scene& scene, const Vec3& point, const Vec3& normal, float 
   }
   const Vec3 albedo = Vec3(scene.coat.skinColors[0]) * (1 - 0.5f * roots);
   const Vec3 color = albedo * (Vec3(scene.frame.keyLight) * (std::max(nDotL, 0.0f) * share) + skyLight(scene, normal));
-  return color * (furry ? 1 - look.occlusion : 1.0f) * hair::wetDarkening(std::min(held, 1.0f), look.wetDarkening);
+  const float rho = std::min(held, 1.0f), height = furry ? static_cast<float>(FUR_WET_SKIN_HEIGHT) * rho : 1.0f;
+  return color * hair::occlusionFactor(height, look.occlusion) * hair::wetDarkening(rho, look.wetDarkening);
 }
 
 }  // namespace fur::truth

@@ -57,24 +57,28 @@ void Wetting::lieDown(const Root& root, float lies, Strand& strand) const {
   const float width = std::max(static_cast<float>(FUR_LOCK_WIDTH) / furLengths, static_cast<float>(FUR_LEAST_LOCK) * coat_.clumpRadius * coat_.tilesPerUnit);
   const float size = -std::log2(width), large = std::floor(size);
   // Of the two sizes each strand has one.
-  const float cells = std::exp2(large + (root.number < size - large ? 1.0f : 0.0f));
-  const float length = std::max(0.85f, static_cast<float>(FUR_LOCK_LENGTH) * width * furLengths);
+  const bool isSmall = root.number < size - large;
+  const float cells = std::exp2(large + (isSmall ? 1.0f : 0.0f));
+  const float length = (isSmall ? 0.7f : 1.0f) * std::max(0.85f, static_cast<float>(FUR_LOCK_LENGTH) * width * furLengths);
   const Vec2 at = Vec2(root.tile * static_cast<double>(cells)), lean = Vec2(strand.lean) * cells, way = lean * (length / lies);
   for (int i = 0; i < FUR_LOCK_LOOKS; ++i) {
     const Vec2 texel = glm::floor((at - way * ((static_cast<float>(i) + 0.5f) / FUR_LOCK_LOOKS)) * static_cast<float>(FUR_LOCK_TEXELS));
     const auto wrapped = [](float x) { return static_cast<std::size_t>(x - kLockMap * std::floor(x / kLockMap)); };
     const auto& stored = locks_[wrapped(texel.y) * kLockMap + wrapped(texel.x)];
     const Vec2 centre = (texel + 0.5f) / static_cast<float>(FUR_LOCK_TEXELS) + 4.0f * (Vec2(stored[0], stored[1]) / 255.0f - 0.5f);
-    const Vec2 on = wet::onLock(at - centre, way, FUR_LOCK_HALF_WIDTH);
+    // No two are alike, as locksAt() of shell_wet.glsl has them.
+    const Vec2 chances = glm::fract(glm::dot(glm::floor(centre), Vec2(0.7548777f, 0.5698403f)) + Vec2(0.31f, 0.31f * 7.3f + 3.1f * centre.x));
+    const Vec2 own = way * (0.6f + 0.6f * chances.x) + Vec2(-way.y, way.x) * (0.3f * (chances.y - 0.5f));
+    const float halfWidth = static_cast<float>(FUR_LOCK_HALF_WIDTH) * (0.75f + 0.5f * chances.y);
+    const Vec2 on = wet::onLock(at - centre, own, halfWidth);
     if (on.x <= strand.along || on.x >= 1 || std::abs(on.y) >= 1) continue;
     strand.along = on.x;
     strand.aside = on.y;
-    strand.across = glm::dvec2(Vec2(-way.y, way.x) / glm::length(way));
-    strand.halfWidth = static_cast<float>(FUR_LOCK_HALF_WIDTH) / cells;
-    strand.reach = lies / length;
-    const float chance = glm::fract(glm::dot(glm::floor(centre), Vec2(0.7548777f, 0.5698403f)) + 0.31f) - 0.5f;
-    const float rises = (1 - on.y * on.y) * std::min(3 * on.x, 1.0f);
-    strand.water.lock = {on.y, rises, std::min(2 * rises, 1.0f) * chance};
+    strand.across = glm::dvec2(Vec2(-own.y, own.x) / glm::length(own));
+    strand.halfWidth = halfWidth / cells;
+    strand.reach = lies / length * glm::length(way) / glm::length(own);
+    const float rises = (1 - on.y * on.y) * std::min(0.35f + 2 * on.x, 1.0f);
+    strand.water.lock = {on.y, rises, std::min(2 * rises, 1.0f) * (chances.x - 0.5f)};
     const ChartPoint beside = map_.find(root.spot.triangle, root.tile + strand.across * 1e-2);
     strand.water.beside = normalizeOr(map_.point(beside, 0) - map_.point(root.spot, 0), Vec3(0));
   }

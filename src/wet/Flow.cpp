@@ -283,13 +283,8 @@ bool Water::rest(std::uint32_t index, const Amounts& now, bool moves) {
 
 // Beside a block that is drier now than before, water may run that was at rest.
 void Water::wakeBeside(std::uint32_t index) {
-  const SurfaceTexels::Block& block = texels_->blocks()[index];
-  for (std::uint32_t i = block.first; i < block.end; ++i)
-    for (const std::uint32_t there : texels_->links()[i]) {
-      if (there == SurfaceTexels::kNone || there - block.first < block.end - block.first) continue;
-      std::uint8_t& flags = flags_[texels_->blockOf(there)];
-      if (flags & kWet) flags |= kMoving;
-    }
+  for (const std::uint32_t block : texels_->blocksBeside(index))
+    if (flags_[block] & kWet) flags_[block] |= kMoving;
 }
 
 void Water::evaporate(const WetSurface& skin, WetnessMask& mask, const Climate& climate, std::uint32_t index) {

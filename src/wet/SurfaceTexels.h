@@ -53,7 +53,6 @@ class SurfaceTexels {
   int size() const { return size_; }
   const std::vector<Place>& places() const { return places_; }
   const std::vector<Links>& links() const { return links_; }
-  const std::vector<Crossing>& crossings() const { return crossings_; }  // by `from`; once link() is done
   const std::vector<Block>& blocks() const { return blocks_; }
   float meanWidth() const { return meanWidth_; }  // of the places, model units
   // The blocks that links of a block's places lead to, itself not among them; once link() is done.

@@ -39,8 +39,8 @@ bool Water::prepare(const WetSurface& skin, std::uint32_t places, float clumpSiz
 void Water::makePlaces() {
   const std::size_t count = texels_->places().size();
   for (auto* values : {&held_, &film_}) values->assign(count + kPlaces, 0.0f);
-  incoming_.resize(count, 0.0f);
-  incoming_.resize(count + kPlaces, 0.0f);
+  incoming_.resize(count, 0.0f);            // what was restored
+  incoming_.resize(count + kPlaces, 0.0f);  // and the room behind it
   ways_.assign(count, {});
   areas_.clear();
   texelOf_.clear();

@@ -121,8 +121,8 @@ FUR_BLOCK(FurBlock) {
                               // w: how far clumps there sink as well, 0 or 1
 #define FUR_LEAN 8            // the skin's normal along axisS and axisT, where fur leans over it
 #define FUR_OTHER_UV 9        // of pictures of bare parts that lie by coordinates of their own; where there are any
-#define FUR_HESSIAN_S 10       // second derivatives of s: along axisS, along both axes, along axisT
-#define FUR_HESSIAN_T 11       // of t
+#define FUR_HESSIAN_S 10      // second derivatives of s: along axisS, along both axes, along axisT
+#define FUR_HESSIAN_T 11      // of t
 
 // Fin instances: one an edge.
 #define FUR_FIN_POSITION_A 0  // w: vertex index, for its bend
