@@ -17,6 +17,7 @@ layout(location = FUR_FUR_COORD) in vec4 furCurvature;
 layout(location = FUR_GRAD_S) in vec4 gradSCurvature;
 layout(location = FUR_GRAD_T) in vec3 gradT;
 layout(location = FUR_ATLAS_FROM_FUR) in vec4 atlasFromFur;
+layout(location = FUR_LEAN) in vec3 leanRoom;
 
 out vec4 vTile;   // xy: tile  z: mip level, rounded down  w: pixels that a texel covers, 1 at least
 flat out vec2 vShell;  // x: height  y: layer of its texture

@@ -21,6 +21,7 @@ layout(location = FUR_FIN_NORMAL_B) in vec4 normalB;
 layout(location = FUR_FIN_FACE_0) in vec4 face0;
 layout(location = FUR_FIN_FACE_1) in vec4 face1;
 layout(location = FUR_FIN_ATLAS) in vec4 atlas;
+layout(location = FUR_FIN_ROOM) in vec2 room;
 
 out vec4 vFin;    // x: along the fin map  y: height 0..1  z: opacity  w: mip level
 out vec4 vLight;  // xyz: light in the fin's frame (x along the edge, z along the normal)  w: N.up
@@ -85,7 +86,7 @@ void standFin(float opacity) {
   vec3 normal = normalize(mix(normalA.xyz, normalB.xyz, side));
   vec4 groomed = bendOf(int(side < 0.5 ? positionA.w : positionB.w));
   vec3 bend = groomed.xyz;
-  float coat = furLength * groomed.w;
+  float coat = min(furLength * groomed.w, side < 0.5 ? room.x : room.y);
   vec3 p = strandPoint(root, normal, bend, h, coat);
 #ifdef CLASSIC
   gl_Position = clipFromModel * vec4(p, 1.0);

@@ -12,7 +12,7 @@ layout(location = FUR_FUR_COORD) in vec4 furCurvature;
 layout(location = FUR_GRAD_S) in vec4 gradSCurvature;
 layout(location = FUR_GRAD_T) in vec3 gradT;
 layout(location = FUR_ATLAS_FROM_FUR) in vec4 atlasFromFur;
-layout(location = FUR_LEAN) in vec2 leaning;
+layout(location = FUR_LEAN) in vec3 leanRoom;
 layout(location = FUR_HESSIAN_S) in vec3 hessianS;
 layout(location = FUR_HESSIAN_T) in vec3 hessianT;
 
@@ -111,6 +111,7 @@ float bentBack(vec2 way, vec2 turning, float slope, float z, float coat) {
 // The ray's way through the coat from the height `top`, as two parabolas.
 void castRay(Skin skin, vec3 ray, vec3 bend, float top) {
   float len = skin.coat;
+  vec2 leaning = leanRoom.xy;
   // A bent coat is lower: arc.x of its length; and its strands stand arc.y h^2 aside.
   float theta = length(bend);
   vec2 arc = arcBend(theta, 1.0);

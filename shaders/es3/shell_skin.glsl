@@ -13,9 +13,7 @@ Skin skinAtVertex(float grown) {
   skin.normal = normalTo.xyz;
   skin.curvature = S;
   // In a crease the coat ends before its strands would cross those of the other side.
-  float meanS = 0.5 * (S[0][0] + S[1][1]), apart = 0.5 * (S[0][0] - S[1][1]);
-  float hollow = sqrt(apart * apart + S[0][1] * S[0][1]) - meanS;
-  skin.coat = max(min(furLength * grown, 0.65 / max(hollow, 1e-6)), 1e-4);
+  skin.coat = max(min(furLength * grown, leanRoom.z), 1e-4);
   skin.axisS = normalize(gradS + vec3(1e-8, 0.0, 0.0));
   skin.axisT = cross(skin.normal, skin.axisS);
   skin.tileFromAxes = tilesPerUnit *

@@ -240,6 +240,7 @@ Lying locksAt(vec2 tile, vec2 lies, float cells, float frays) {
   return top;
 }
 
+const float kHidesLying = 6.0;  // what a strand that lies hides of the skin, beside one that stands
 const float kMeanRise = 0.6;  // of locks that lie over one another
 // Of two sizes, as large as the fur there is long: as it grows shorter each goes over into the next.
 void lieDown(float frays, float line) {
@@ -276,8 +277,9 @@ void joinStrands(inout Met met, float furry) {
     // No two locks lie alike, nor two lines of strands in one: light breaks into glints instead of running in rings round the body.
     lying.chance *= 2.0 * met.number;
     met.h = mix(mix(met.h, 0.7, joined * (1.0 - met.closed)), 0.3 + 0.4 * met.number, joined);
-    // Through a sparse coat skin shows all the same.
-    if (reachesSkin) met.closed = mix(met.closed, 1.0, joined * furry * min(3.0 * densityShown(), 1.0));
+    // Through a sparse coat skin shows all the same, between lines of strands: lying ones hide more than those that stand.
+    float share = min(kHidesLying * densityShown(), 1.0), hides = clamp(share + 4.0 * (share - 1.0 + (met.number - 0.15) / 0.75), 0.0, 1.0);
+    if (reachesSkin) met.closed = mix(met.closed, 1.0, joined * furry * hides);
   }
 }
 

@@ -7,10 +7,56 @@
 
 namespace fur::geometry {
 
-float coatThickness(const SurfaceVertex& vertex, float furLength) {
-  const Vec3& S = vertex.curvature;
+namespace {
+
+constexpr float kShareOfRadius = 0.65f;
+constexpr float kRise = 0.6f;  // room for a unit of way from a crease: by 1 the outside of long coats was still folded
+constexpr int kMostSweeps = 16;
+
+// Of the crease that the curvature has.
+float roomOf(const Vec3& S) {
   const float apart = 0.5f * (S.x - S.z), hollow = std::sqrt(apart * apart + S.y * S.y) - 0.5f * (S.x + S.z);
-  return std::min(furLength, 0.65f / std::max(hollow, 1e-6f));
+  return kShareOfRadius / std::max(hollow, kShareOfRadius / kAnyThickness);
+}
+
+// Strands at its ends meet at that height.
+float roomOf(const SurfaceVertex& a, const SurfaceVertex& b) {
+  const Vec3 edge = b.position - a.position;
+  const float together = -glm::dot(edge, b.normal - a.normal), squared = glm::dot(edge, edge);
+  return together * kAnyThickness > kShareOfRadius * squared ? kShareOfRadius * squared / together : kAnyThickness;
+}
+
+}  // namespace
+
+void measureRoom(Surface& surface, const std::vector<std::uint32_t>& triangles, const Weld& weld) {
+  std::vector<float> rooms(weld.count, kAnyThickness);
+  for (std::size_t i = 0; i < surface.vertices.size(); ++i) rooms[weld.idOf[i]] = std::min(rooms[weld.idOf[i]], roomOf(surface.vertices[i].curvature));
+  const auto forEdges = [&](std::size_t triangle, auto visit) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = triangles[3 * triangle + k], b = triangles[3 * triangle + (k + 1) % 3];
+      visit(surface.vertices[a], surface.vertices[b], rooms[weld.idOf[a]], rooms[weld.idOf[b]]);
+    }
+  };
+  const std::size_t count = triangles.size() / 3;
+  for (std::size_t t = 0; t < count; ++t)
+    forEdges(t, [](const SurfaceVertex& a, const SurfaceVertex& b, float& ofA, float& ofB) {
+      const float room = roomOf(a, b);
+      ofA = std::min(ofA, room);
+      ofB = std::min(ofB, room);
+    });
+  // Forwards and backwards, as most meshes are written piece by piece.
+  bool changes = true;
+  for (int sweep = 0; sweep < kMostSweeps && changes; ++sweep) {
+    changes = false;
+    for (std::size_t t = 0; t < count; ++t)
+      forEdges(sweep % 2 ? count - 1 - t : t, [&](const SurfaceVertex& a, const SurfaceVertex& b, float& ofA, float& ofB) {
+        const float way = glm::distance(a.position, b.position);
+        if (std::abs(ofA - ofB) <= kRise * way) return;
+        (ofA > ofB ? ofA : ofB) = std::min(ofA, ofB) + kRise * way;
+        changes = true;
+      });
+  }
+  for (std::size_t i = 0; i < surface.vertices.size(); ++i) surface.vertices[i].room = rooms[weld.idOf[i]];
 }
 
 namespace {

@@ -1,17 +1,24 @@
 // How thick a coat of fur stands on a surface, and where the coats of two of its parts meet.
 #pragma once
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
 #include "geometry/Surface.h"
 #include "geometry/SurfaceQuery.h"
+#include "geometry/Weld.h"
 
 namespace fur::geometry {
 
-// The thickness of a coat of that fur length at a vertex. In a crease it is at most 0.65 of the crease's radius: beyond that
-// strands of both sides would cross.
-float coatThickness(const SurfaceVertex& vertex, float furLength);
+// Sets SurfaceVertex::room: in a crease a coat is at most 0.65 of the crease's radius thick, as beyond that strands of both sides would
+// cross. The radius is that of the curvature, which must be set, and of each edge whose ends lean together. Away from a crease room
+// grows with the way to it: strands that stand further off would reach into the other side, and the coat's outside would fold.
+// `triangles` cover the surface once; `weld` is over all its vertices.
+void measureRoom(Surface& surface, const std::vector<std::uint32_t>& triangles, const Weld& weld);
+
+// The thickness of a coat of that fur length at a vertex.
+inline float coatThickness(const SurfaceVertex& vertex, float furLength) { return std::min(furLength, vertex.room); }
 
 // A ray that grazes a round part of the coat comes out of it again, by the shape of the skin there. Where another part is near, as
 // across the hollow of a ring, it goes on deep in that one's coat instead, whose outside it never crosses. The share of such

@@ -9,6 +9,7 @@
 #include "geometry/Adjacency.h"
 #include "geometry/AtlasUv.h"
 #include "geometry/ChartPacking.h"
+#include "geometry/CoatThickness.h"
 #include "geometry/Curvature.h"
 #include "geometry/FurCharts.h"
 #include "geometry/FurOverlap.h"
@@ -241,6 +242,7 @@ class SurfaceBuilding::Work {
 
   bool measureCurvature() {
     computeCurvature(surface_, surface_.indices, weldAll_, surface_.turned);
+    measureRoom(surface_, surface_.indices, weldAll_);
     if (surface_.turned) measureLean(surface_, rounded_.given);
     std::vector<std::uint32_t> furChartOf(overlap_.triangleOf.size());
     for (std::size_t t = 0; t < furChartOf.size(); ++t) furChartOf[t] = overlap_.chartOfVertex[surface_.furIndices[3 * t]];

@@ -26,6 +26,8 @@ namespace fur::geometry {
 // (CubeMapping.h) is Sheppard's. FurDensity.h measures how even they are.
 enum class FurMapping { Charts, Cube };
 
+inline constexpr float kAnyThickness = 1e6f;  // model units; where nothing limits it
+
 struct SurfaceVertex {
   Vec3 position;
   Vec3 normal;  // the direction in which fur grows; near hard edges it leans over them (HardEdges.h)
@@ -43,6 +45,8 @@ struct SurfaceVertex {
   // The shape operator, how the normal turns along the surface: (S_ss, S_st, S_tt) in the axes of
   // Curvature.h, per model unit; positive where the surface is convex.
   Vec3 curvature{0.0f};
+  // How thick a coat can stand here, model units (CoatThickness.h).
+  float room = kAnyThickness;
   // Where fur leans over a hard edge: the face's own normal, its parts along those axes.
   Vec2 lean{0.0f};
   // d(atlas)/d(fur), a 2x2 matrix by columns: (du/ds, dv/ds, du/dt, dv/dt). Invertible.

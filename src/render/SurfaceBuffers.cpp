@@ -15,10 +15,10 @@ namespace {
 struct FurVertex {
   Vec4 uvAtlas, fur, atlasFromFur;
   Vec4 around;
-  Vec2 lean;
+  Vec3 leanRoom;
   Vec3 hessianS, hessianT;
 };
-static_assert(sizeof(FurVertex) == 24 * sizeof(float));
+static_assert(sizeof(FurVertex) == 25 * sizeof(float));
 
 constexpr gl::Attribute kSkinAttributes[] = {
     {FUR_POSITION, 4, offsetof(SkinVertex, position)}, {FUR_NORMAL, 4, offsetof(SkinVertex, normal)},
@@ -27,7 +27,7 @@ constexpr gl::Attribute kSkinAttributes[] = {
 constexpr gl::Attribute kFurAttributes[] = {
     {FUR_UV_ATLAS, 4, offsetof(FurVertex, uvAtlas)}, {FUR_FUR_COORD, 4, offsetof(FurVertex, fur)},
     {FUR_ATLAS_FROM_FUR, 4, offsetof(FurVertex, atlasFromFur)}, {FUR_AROUND, 4, offsetof(FurVertex, around)},
-    {FUR_LEAN, 2, offsetof(FurVertex, lean)},           {FUR_HESSIAN_S, 3, offsetof(FurVertex, hessianS)},
+    {FUR_LEAN, 3, offsetof(FurVertex, leanRoom)},       {FUR_HESSIAN_S, 3, offsetof(FurVertex, hessianS)},
     {FUR_HESSIAN_T, 3, offsetof(FurVertex, hessianT)},
 };
 
@@ -94,7 +94,7 @@ std::size_t SurfaceBuffers::set(const geometry::Surface& surface, std::span<cons
   const bool hasUv = std::any_of(surface.vertices.begin(), surface.vertices.end(), [](const auto& v) { return v.uv != Vec2(0); });
   for (const auto& v : surface.vertices) {
     vertices.push_back({Vec4(v.position, v.strands.x), Vec4(v.normal, v.strands.y), Vec4(v.gradS, v.curvature.z), v.gradT});
-    furVertices.push_back({Vec4(hasUv ? v.uv : v.atlas, v.atlas), Vec4(v.fur, v.curvature.x, v.curvature.y), v.atlasFromFur, {}, v.lean, v.hessianS, v.hessianT});
+    furVertices.push_back({Vec4(hasUv ? v.uv : v.atlas, v.atlas), Vec4(v.fur, v.curvature.x, v.curvature.y), v.atlasFromFur, {}, Vec3(v.lean, v.room), v.hessianS, v.hessianT});
   }
   surroundings_ = findSurroundings(surface);
   for (std::size_t i = 0; i < furVertices.size(); ++i) furVertices[i].around = Vec4(surroundings_[i], surface.turned ? 1.0f : 0.0f);

@@ -1,9 +1,11 @@
 #include "geometry/CoatThickness.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "geometry/Solids.h"
 #include "geometry/SurfaceChecks.h"
 
 namespace fur::geometry {
@@ -14,14 +16,41 @@ float shareOf(const Mesh& mesh, float furLength) {
   return grazingShare(surface, SurfaceQuery(surface), furLength);
 }
 
+// A strip bent to half a turn of that radius, hollow above.
+Mesh trough(float radius, int steps) {
+  Mesh mesh;
+  for (int i = 0; i <= steps; ++i) {
+    const float angle = kPi * (static_cast<float>(i) / static_cast<float>(steps) - 1);
+    const Vec3 out(std::cos(angle), std::sin(angle), 0);
+    for (const float z : {-1.0f, 1.0f}) mesh.positions.push_back(radius * out + Vec3(0, 0, z)), mesh.normals.push_back(-out);
+    const auto at = static_cast<std::uint32_t>(2 * i);
+    if (i < steps) mesh.indices.insert(mesh.indices.end(), {at, at + 1, at + 2, at + 1, at + 3, at + 2});
+  }
+  return mesh;
+}
+
 TEST(CoatThickness, IsThatOfTheStrandsWhereNothingIsInTheirWay) {
   for (const SurfaceVertex& vertex : built(makeSphere()).vertices) EXPECT_EQ(coatThickness(vertex, 0.3f), 0.3f);
 }
 
 TEST(CoatThickness, EndsInACreaseBeforeItsStrandsCross) {
-  SurfaceVertex vertex;
-  vertex.curvature = Vec3(-4, 0, 1);  // hollow, of radius 0.25
-  EXPECT_FLOAT_EQ(coatThickness(vertex, 1), 0.65f * 0.25f);
+  for (const SurfaceVertex& vertex : built(trough(0.25f, 24)).vertices) {
+    EXPECT_NEAR(coatThickness(vertex, 1), 0.65f * 0.25f, 0.01f);
+    EXPECT_EQ(coatThickness(vertex, 0.1f), 0.1f);
+  }
+}
+
+// Offset edges keep their direction.
+TEST(CoatThickness, TheOutsideOfACoatDoesNotFoldHoweverLongItIs) {
+  for (const Mesh& mesh : {makeTorus(), trough(0.25f, 6), test::makePrism({{-1, -1}, {1, -1}, {1, 0}, {0, 0}, {0, 1}, {-1, 1}}, {{0, 1, 2, 3}, {0, 3, 4, 5}}, 0.5f)}) {
+    const Surface surface = built(mesh);
+    for (std::size_t i = 0; i < surface.indices.size(); ++i) {
+      const SurfaceVertex& a = surface.vertices[surface.indices[i]], &b = surface.vertices[surface.indices[i % 3 == 2 ? i - 2 : i + 1]];
+      const Vec3 edge = b.position - a.position;
+      const Vec3 outside = edge + coatThickness(b, 2) * b.normal - coatThickness(a, 2) * a.normal;
+      ASSERT_GT(glm::dot(edge, outside), 0) << i;
+    }
+  }
 }
 
 TEST(CoatThickness, OfNoConvexBodyIsCrowded) {

@@ -119,7 +119,7 @@ FUR_BLOCK(FurBlock) {
 #define FUR_ATLAS_FROM_FUR 6  // 2x2 by columns
 #define FUR_AROUND 7          // xy: atlas  z: how far from there its triangles reach; of all vertices of one place the same
                               // w: how far clumps there sink as well, 0 or 1
-#define FUR_LEAN 8            // the skin's normal along axisS and axisT, where fur leans over it
+#define FUR_LEAN 8            // xy: the skin's normal along axisS and axisT, where fur leans over it  z: SurfaceVertex::room
 #define FUR_OTHER_UV 9        // of pictures of bare parts that lie by coordinates of their own; where there are any
 #define FUR_HESSIAN_S 10      // second derivatives of s: along axisS, along both axes, along axisT
 #define FUR_HESSIAN_T 11      // of t
@@ -132,6 +132,7 @@ FUR_BLOCK(FurBlock) {
 #define FUR_FIN_FACE_0 4      // w: model u at the edge's middle
 #define FUR_FIN_FACE_1 5      // w: model v at the edge's middle
 #define FUR_FIN_ATLAS 6       // atlas of a, atlas of b
+#define FUR_FIN_ROOM 7        // SurfaceVertex::room of a, of b
 
 #define FUR_WHISKER_ROOT 0       // w: width at the root
 #define FUR_WHISKER_DIRECTION 1  // w: length

@@ -37,7 +37,7 @@ std::vector<FinEdge> finEdges(const geometry::Surface& surface) {
     const Vec2 uv = 0.5f * (a.uv + b.uv);
     out.push_back({Vec4(a.position, static_cast<float>(e.a)), Vec4(b.position, static_cast<float>(e.b)),
                    Vec4(a.normal, e.finStart), Vec4(b.normal, curvatureAcross(e, a, b, surface.turned)), Vec4(e.faceNormal0, uv.x), Vec4(e.faceNormal1, uv.y),
-                   Vec4(a.atlas, b.atlas)});
+                   Vec4(a.atlas, b.atlas), Vec2(a.room, b.room)});
   }
   return out;
 }

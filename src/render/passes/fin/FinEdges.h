@@ -11,6 +11,7 @@ namespace fur::render {
 // A fin instance, in the order of shared/Blocks.h.
 struct FinEdge {
   Vec4 positionA, positionB, normalA, normalB, face0, face1, atlas;
+  Vec2 room;
 };
 
 std::vector<FinEdge> finEdges(const geometry::Surface& surface);

@@ -15,7 +15,7 @@ constexpr gl::Attribute kEdgeAttributes[] = {
     {FUR_FIN_POSITION_A, 4, offsetof(FinEdge, positionA)}, {FUR_FIN_POSITION_B, 4, offsetof(FinEdge, positionB)},
     {FUR_FIN_NORMAL_A, 4, offsetof(FinEdge, normalA)},     {FUR_FIN_NORMAL_B, 4, offsetof(FinEdge, normalB)},
     {FUR_FIN_FACE_0, 4, offsetof(FinEdge, face0)},         {FUR_FIN_FACE_1, 4, offsetof(FinEdge, face1)},
-    {FUR_FIN_ATLAS, 4, offsetof(FinEdge, atlas)},
+    {FUR_FIN_ATLAS, 4, offsetof(FinEdge, atlas)},          {FUR_FIN_ROOM, 2, offsetof(FinEdge, room)},
 };
 
 // fin.vert's test for the outline, with a margin for its rounding.
