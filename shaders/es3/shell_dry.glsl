@@ -6,6 +6,9 @@ const float kSampleStep = 0.25;
 const bool kCountsShades = true;
 
 void enterWater() {}
+#ifdef GROOMED
+vec2 footInAtlas() { return atlasAt(foot); }
+#endif
 float rootsAside() { return 0.0; }
 bool underSheet() { return false; }
 bool leavesSkin() { return false; }

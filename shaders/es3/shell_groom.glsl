@@ -37,14 +37,14 @@ void enterGroom() {
   typesUnder = only(plainType);
   grown = plainFurry;
   for (int i = 0, once = int(plainTo < end); i < once; ++i) {
-    vec4 texel = textureLod(groom, atlasAt(foot), 0.0);
+    vec4 texel = textureLod(groom, footInAtlas(), 0.0);
     grown = coatShare(texel);
     typesUnder = presences(texel.gba);
   }
 }
 vec3 skinColor() { return skinColorOf(typesUnder); }
 #else
-void enterGroom() { grown = coatShare(textureLod(groom, atlasAt(foot), 0.0)); }
+void enterGroom() { grown = coatShare(textureLod(groom, footInAtlas(), 0.0)); }
 vec3 skinColor() { return skinColors[0].rgb; }
 #endif
 

@@ -73,6 +73,14 @@ vec4 clumpIn(vec2 a) {
   return clump;
 }
 
+#ifdef GROOMED
+// Beside the chart lies fur of other parts, or none.
+vec2 footInAtlas() {
+  vec2 a = atlasAt(foot);
+  return isBeside(clumpIn(a)) ? vAtlas : a;
+}
+#endif
+
 const float kFarOn = 2.0;  // fur lengths
 // Whether the ray comes to an edge first, behind which there is no such skin, as one that goes on so far may.
 bool leavesSkin() {
@@ -165,7 +173,7 @@ void enterStretch(inout March march, int left) {
   stretch.wayStep = (vec4(two.along, two.pull, dot(two.from, two.from) * perSquare, dot(twoIn, twoIn)) - stretch.way) * share;
   stretch.from = tileFromAtlas * one.from * (mirrored == vec2(0.0) ? 1.0 : -1.0);
 #ifdef GROOMED
-  stretch.fur = textureLod(groom, atlasAt(0.5 * (one.root + two.root)), 0.0);
+  stretch.fur = textureLod(groom, mirrored == vec2(0.0) ? atlasAt(0.5 * (one.root + two.root)) : march.inside, 0.0);
 #endif
 }
 #ifdef GROOMED
