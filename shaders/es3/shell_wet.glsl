@@ -43,13 +43,14 @@ vec4 strandsInLine(vec2 tile, vec2 way, float type, float wide) {
   return textureLod(streaks, place, max(vLight.w - 0.5 - log2(wide), 0.7));
 }
 
+const float kAllSheet = 1.0 - FUR_SHEET_SINKS + 0.01;  // how high vertices stand between sheets
 // The water where the ray enters. In short fur, where it lies in no clumps, lines of strands draw it in further or less far: its border frays
 // the way that they lie.
 float waterOfLine(mat2 tileFromFur, float shortness) {
-  float lies = length(vLean.xy), shift = shortness * smoothstep(0.1, 0.5, lies);
+  float lies = length(vLean.xy), shift = shortness * smoothstep(0.1, 0.5, lies) * float(vTop > kAllSheet);
   vec2 way = tileFromFur * (vLean.xy / max(lies, 1e-3)), at = vAtlas;
   for (int i = 0, once = int(shift > 0.0); i < once; ++i) {
-    float chance = 4.0 * (strandsInLine(vTile.xy, way, 0.0, 1.2).z - 0.5) + 1.5 * (strandsInLine(vTile.xy, way, 0.0, 0.6).z - 0.5);
+    float chance = 4.5 * (strandsInLine(vTile.xy, way, 0.0, 0.9).z - 0.5);
     at -= atlasFromTile() * (way * (1.3 * shift * clamp(chance, -1.0, 1.0)));
   }
   return filteredWetness(mask, at);
