@@ -58,6 +58,12 @@ float upright(float held, float sheet) {
   return 1.0 - mix(FUR_CLUMPS_SINK * min(held, 1.0), FUR_SHEET_SINKS, sheet);
 }
 
+// How large a bead a strand holds at its tip, 0..1: more and larger ones with more water, until they run down. `chance`: the strand's own.
+float beadSize(float held, float chance) {
+  float many = smoothstep(FUR_BEADS_FROM, FUR_BEADS, held) * (1.0 - smoothstep(FUR_BEADS_RUN, FUR_NO_BEADS, held));
+  return clamp(3.0 * (many - chance), 0.0, 1.0);
+}
+
 // Where a point lies on a lock that lies from its root along `way`; `from`: the point from its root. x: along it, 0 root .. 1 tip
 // y: across it, -1 .. 1 from rim to rim. `halfWidth`: at the root; it comes to a point.
 vec2 onLock(vec2 from, vec2 way, float halfWidth) {

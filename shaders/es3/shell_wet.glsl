@@ -36,6 +36,26 @@ struct Lying {
 };
 Lying lying;
 
+// The means of strands that lie along `way`, at that tile: `wide` times as wide as they are; `type`: its layer of the streaks.
+vec4 strandsInLine(vec2 tile, vec2 way, float type, float wide) {
+  float turn = floor(atan(way.y, way.x + 1e-9) * (FUR_STREAK_TURNS / 3.14159265) + 0.5);
+  vec3 place = vec3((2.0 / wide) * tile, mod(turn, FUR_STREAK_TURNS) + type * FUR_STREAK_TURNS);
+  return textureLod(streaks, place, max(vLight.w - 0.5 - log2(wide), 0.7));
+}
+
+const float kAllSheet = 1.0 - FUR_SHEET_SINKS + 0.01;  // how high vertices stand between sheets
+// The water where the ray enters. In short fur, where it lies in no clumps, lines of strands draw it in further or less far: its border frays
+// the way that they lie.
+float waterOfLine(mat2 tileFromFur, float shortness) {
+  float lies = length(vLean.xy), shift = shortness * smoothstep(0.1, 0.5, lies) * float(vTop > kAllSheet);
+  vec2 way = tileFromFur * (vLean.xy / max(lies, 1e-3)), at = vAtlas;
+  for (int i = 0, once = int(shift > 0.0); i < once; ++i) {
+    float chance = 4.5 * (strandsInLine(vTile.xy, way, 0.0, 0.9).z - 0.5);
+    at -= atlasFromTile() * (way * (1.3 * shift * clamp(chance, -1.0, 1.0)));
+  }
+  return filteredWetness(mask, at);
+}
+
 void enterWater() {
   tileFromAtlas = inverse(atlasFromTile());
   atlasLength = sqrt(abs(determinant(tileFromAtlas)));
@@ -44,11 +64,12 @@ void enterWater() {
   furFromTile = inverse(tileFromFur);
   furLengths = sqrt(abs(determinant(furFromTile)));
   locksInClumps = FUR_LOCKS_IN_CLUMP / (clumpRadius * tilesPerUnit);
-  entryHeld = filteredWetness(mask, vAtlas);
+  float shortness = shortnessOf(coatHere());
+  entryHeld = waterOfLine(tileFromFur, shortness);
   vec4 entryClump = maskAt(mask, vAtlas);
   entryChart = chartOf(entryClump);
   entryRadius = entryClump.a > 0.0 ? entryClump.z : 0.0;
-  sheet = sheetOf(entryHeld, shortnessOf(coatHere()));
+  sheet = sheetOf(entryHeld, shortness);
   joined = sheet * (2.0 - sheet);
   coatTop = upright(entryHeld, sheet);
   lean = wetLean(0.5 * vLean.xy, entryHeld, sheet);
@@ -217,13 +238,10 @@ Strand standingAt(float x, March march) {
 // Strands that water joins are one as far as light is concerned: as many as a pixel has.
 vec4 strandAt(vec4 spot, Strand here) { return textureLod(strand, spot.xyz, spot.w + 1.5 * min(here.clump.a, 1.0)); }
 
-// In a sheet light knows strands by those that lie in line where the ray comes to it, `wide` times as wide as they are; `stored`: of the
-// type that was met.
-vec4 strandsInLine(float stored, float wide) {
-  float top = min(vTop, coatTop), turn = floor(atan(tipTile.y, tipTile.x + 1e-9) * (FUR_STREAK_TURNS / 3.14159265) + 0.5);
-  // Where they are seen, not where they root: over the length of a strand stretched charts would turn the lines aside.
-  vec3 place = vec3((2.0 / wide) * tileAt(enters, top), mod(turn, FUR_STREAK_TURNS) + firstLayer(stored) / storedLayers * FUR_STREAK_TURNS);
-  return textureLod(streaks, place, max(vLight.w - 0.5 - log2(wide), 0.7));
+// In a sheet light knows strands by those that lie in line where the ray comes to it; `stored`: of the type that was met. Where they are
+// seen, not where they root: over the length of a strand stretched charts would turn the lines aside.
+vec4 strandsOfSheet(float stored, float wide) {
+  return strandsInLine(tileAt(enters, min(vTop, coatTop)), tipTile, firstLayer(stored) / storedLayers, wide);
 }
 
 // Locks of one size: the one that comes from furthest lies on top, as hair lies over what roots further on. `cells`: of their grid, to a
@@ -275,7 +293,7 @@ void joinStrands(inout Met met, float furry) {
   met.held = mix(met.here.clump.a, entryHeld, joined);
   lying = Lying(vec2(0.0), 1.0, 0.0, vec2(0.0));
   for (int i = 0, once = int(sheet > 0.0); i < once; ++i) {
-    vec4 inLine = strandsInLine(met.spot.z, 0.35), some = strandsInLine(met.spot.z, 1.2), many = strandsInLine(met.spot.z, 4.0);
+    vec4 inLine = strandsOfSheet(met.spot.z, 0.35), some = strandsOfSheet(met.spot.z, 1.2), many = strandsOfSheet(met.spot.z, 4.0);
     lieDown(2.0 * (inLine.z - 0.5) + 1.0 * (some.z - 0.5), 4.0 * (inLine.z - 0.5) + 2.0 * (some.z - 0.5));
     float deep = clamp(0.8 + 2.0 * (some.z - 0.5) + 5.0 * (many.z - 0.5), 0.4, 1.0);
     lying.rises *= mix(1.0, deep, joined);

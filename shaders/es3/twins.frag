@@ -91,6 +91,8 @@ void main() {
   float value = lockPull(at.x, 1.5 * at.y, sheetOf(at.y, 0.0));
 #elif FUNCTION == 39
   float value = clumpShade(at.x * 2.0 - 1.0, at.y, 1.2 * at.y, sheetOf(at.x, 0.0));
+#elif FUNCTION == 40
+  float value = beadSize(at.x, at.y);
 #elif FUNCTION == 29
   float value = kajiyaPower(at.x * 2.0 - 1.0, at.y * 60.0);
 #elif FUNCTION == 30

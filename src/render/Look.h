@@ -22,6 +22,7 @@ class Look {
   VariantBits skin(VariantBits view) const;      // under the fur, where there is any
   VariantBits bareSkin(VariantBits view) const;  // alone
   VariantBits whiskers() const;
+  VariantBits beads() const { return bend_; }
   VariantBits hair() const;
   VariantBits arrows(VariantBits view) const { return view ? view : bend_; }
   // Of a coat in the fur's shadow map.

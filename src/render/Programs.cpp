@@ -41,7 +41,8 @@ const char* fragmentOf(Shader shader, VariantBits variant) {
     case Shader::Mean: return shaders::kMeanFrag;
     case Shader::ShowMean: return shaders::kShowMeanFrag;
     case Shader::Whisker: return shaders::kWhiskerFrag;
-    case Shader::Drop: return shaders::kDropFrag;
+    case Shader::Drop:
+    case Shader::Bead: return shaders::kDropFrag;
     case Shader::Ball: return shaders::kBallFrag;
     case Shader::Arrow: return shaders::kArrowFrag;
     case Shader::Bare: return shaders::kBareFrag;
@@ -71,6 +72,7 @@ Source sourceOf(Shader shader) {
     case Shader::Fin: return {"fin", shaders::kFinVert};
     case Shader::Whisker: return {"whisker", shaders::kWhiskerVert};
     case Shader::Drop: return {"drop", shaders::kDropVert};
+    case Shader::Bead: return {"bead", shaders::kBeadVert};
     case Shader::ShadowMap: return {"shadow_map", shaders::kShadowMapVert};
     case Shader::Ball: return {"ball", shaders::kBallVert};
     case Shader::Arrow: return {"arrow", shaders::kArrowVert};
@@ -222,7 +224,7 @@ std::vector<std::pair<Shader, VariantBits>> allVariants() {
   std::vector<std::pair<Shader, VariantBits>> all = {
       {Shader::Background, kPlain}, {Shader::GroundShadow, kPlain}, {Shader::Blur, kPlain}, {Shader::ShadowBlur, kShadowDepth},
       {Shader::Skin, kViewWetness}, {Shader::Skin, kViewNormals},   {Shader::Skin, kViewLayout},  {Shader::ShadowMap, kPlain},
-      {Shader::Enlarge, kPlain},    {Shader::Mean, kPlain},       {Shader::ShowMean, kPlain},    {Shader::Drop, kPlain},       {Shader::Ground, kPlain},      {Shader::Ground, kWet},     {Shader::Ball, kPlain},
+      {Shader::Enlarge, kPlain},    {Shader::Mean, kPlain},       {Shader::ShowMean, kPlain},    {Shader::Drop, kPlain}, {Shader::Bead, kPlain}, {Shader::Bead, kPolynomial},       {Shader::Ground, kPlain},      {Shader::Ground, kWet},     {Shader::Ball, kPlain},
       {Shader::ShadowMap, kShadowLayers}, {Shader::ShadowMap, kSkinOnly},
       {Shader::ShadowMap, kBall},   {Shader::GroundShadow, kBall},
       {Shader::Skin, kViewClumps},  {Shader::Skin, kViewDim},     {Shader::Fin, kViewEdges},

@@ -10,7 +10,7 @@
 
 namespace fur::render {
 
-enum class Shader { Background, Ground, GroundShadow, Blur, Skin, Shell, ClassicShell, ShadowMap, ShadowBlur, Fin, Enlarge, Mean, ShowMean, Whisker, Drop, Ball, Arrow, Bare, Hair, BlendedHair, HairPoints, HairShadow, HairDepth, HairSkin, HairMap, HairWisp, HairLine, HiddenHairLine };
+enum class Shader { Background, Ground, GroundShadow, Blur, Skin, Shell, ClassicShell, ShadowMap, ShadowBlur, Fin, Enlarge, Mean, ShowMean, Whisker, Drop, Bead, Ball, Arrow, Bare, Hair, BlendedHair, HairPoints, HairShadow, HairDepth, HairSkin, HairMap, HairWisp, HairLine, HiddenHairLine };
 
 // Bits of a variant; each is a #define in the shader.
 using VariantBits = std::uint64_t;

@@ -73,6 +73,7 @@ void Renderer::setSurface(const geometry::Surface& surface, std::span<const Vec3
   uploadedBytes_ += shells_.set(surface, surface_);
   uploadedBytes_ += fins_.set(surface, !tangents.empty());
   arrows_.set(surface_);
+  beads_.set(surface);
   updateBends(std::vector<Vec4>(surface.vertices.size(), Vec4(0, 0, 0, 1)));
 }
 
@@ -80,6 +81,7 @@ void Renderer::setSkin(const Skin& skin) {
   uploadedBytes_ += surface_.follow(skin);
   shells_.follow(skin);
   fins_.follow(skin);
+  beads_.follow(skin);
 }
 
 void Renderer::setFurry(geometry::FurPatches patches, std::span<const float> vertexLengths) {
@@ -191,7 +193,8 @@ bool Renderer::drawPasses(const Drawing& drawing) {
 bool Renderer::drawFinal(const Drawing& drawing) {
   if (drawing.look.classic()) return drawClassic(drawing);
   return drawBall(drawing) && drawModel(drawing, kPlain) && (hairViews_ ? hairViews_->draw(drawing, *hair_) : hair_->draw(drawing)) && whiskers_.draw(drawing) &&
-         ground_.draw(drawing, groundShadow_) && drawBackground(drawing) && drawBlended(drawing) && drops_.draw(drawing) && (!hairViews_ || hairViews_->drawLines(drawing));
+         ground_.draw(drawing, groundShadow_) && drawBackground(drawing) && drawBlended(drawing) && beads_.draw(drawing, whiskers_) && drops_.draw(drawing) &&
+         (!hairViews_ || hairViews_->drawLines(drawing));
 }
 
 // The technique `shells`: what is blended comes over all that is not.
@@ -237,7 +240,7 @@ bool Renderer::drawPart(const Drawing& drawing, const ViewPart& part) {
 
 std::size_t Renderer::gpuBytes() const {
   return surface_.bytes() + maps_.bytes() + materials_.bytes() + fur_.bytes() + strandTables_.bytes() + groundShadow_.bytes() + furShadow_.bytes() + shells_.bytes() +
-         fins_.bytes() + hair_->bytes() + (hairViews_ ? hairViews_->bytes() : 0) + whiskers_.bytes() + ground_.bytes() + drops_.bytes() + small_.bytes() + gathered_.bytes();
+         fins_.bytes() + hair_->bytes() + (hairViews_ ? hairViews_->bytes() : 0) + whiskers_.bytes() + ground_.bytes() + beads_.bytes() + drops_.bytes() + small_.bytes() + gathered_.bytes();
 }
 
 std::size_t Renderer::takeUploadedBytes() { return std::exchange(uploadedBytes_, 0); }

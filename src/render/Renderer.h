@@ -18,6 +18,7 @@
 #include "render/SurfaceMaps.h"
 #include "render/Views.h"
 #include "render/passes/arrow/ArrowPass.h"
+#include "render/passes/bead/BeadPass.h"
 #include "render/passes/drop/DropPass.h"
 #include "render/passes/enlarge/SmallPicture.h"
 #include "render/passes/fin/FinPass.h"
@@ -129,6 +130,7 @@ class Renderer {
   std::unique_ptr<HairViews> hairViews_ = HairViews::make();
   WhiskerPass whiskers_;
   GroundPass ground_;
+  BeadPass beads_;
   DropPass drops_;
   SmallPicture small_;
   Gathered gathered_;

@@ -80,6 +80,14 @@ inline float wetLean(float lean, float rho) { return wetLean(lean, rho, sheetOf(
 inline float upright(float rho, float sheet) { return 1.0f - glm::mix(kClumpsSink * std::min(rho, 1.0f), kSheetSinks, sheet); }
 inline float upright(float rho) { return upright(rho, sheetOf(rho)); }
 
+// How large a bead of water a strand holds near its tip, as a share of the largest: lightly wet fur has more and larger ones with more
+// water, until they run together and down. `chance`: the strand's own number, 0..1; none has a bead without water.
+inline float beadSize(float rho, float chance) {
+  const float come = glm::smoothstep(static_cast<float>(FUR_BEADS_FROM), static_cast<float>(FUR_BEADS), rho);
+  const float run = glm::smoothstep(static_cast<float>(FUR_BEADS_RUN), static_cast<float>(FUR_NO_BEADS), rho);
+  return glm::clamp(3 * (come * (1 - run) - chance), 0.0f, 1.0f);
+}
+
 // Where a point lies on a pointed lock that lies along the skin from its root to its tip, `way`; `from`: the point from the root. x: along
 // the lock, 0 root .. 1 tip; y: across it, -1 .. 1 from rim to rim. `halfWidth`: of the lock at its root.
 inline Vec2 onLock(const Vec2& from, const Vec2& way, float halfWidth) {

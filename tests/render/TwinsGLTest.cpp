@@ -120,6 +120,8 @@ TEST(Twins, StrandsOfAClump) {
   EXPECT_LT(largestDifference(18, [](float u, float v) { return wet::clumpingWetness(u, 3 * v); }), kGpuPrecision);
 }
 
+TEST(Twins, SizeOfABead) { EXPECT_LT(largestDifference(40, wet::beadSize), kGpuPrecision); }
+
 TEST(Twins, PlaceOnALock) {
   const auto on = [](float u, float v) { return wet::onLock(Vec2(u - 0.1f, 0.2f - 0.4f * v), Vec2(1, 0.2f), 0.6f); };
   EXPECT_LT(largestDifference(35, [&](float u, float v) { return on(u, v).x; }), kGpuPrecision);

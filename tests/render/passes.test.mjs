@@ -20,7 +20,7 @@ test('the table lists the passes in the order in which the renderer draws them',
   const frame = bodyOf('draw').replace('drawPasses(', bodyOf('drawFinal').replace('drawModel(', bodyOf('drawModel')));
   const calls = {
     'ground shadow': 'groundShadow_.update(', 'fur shadow': 'furShadow_.update(', ball: 'drawBall(', shells: 'shells_.draw(', fins: 'fins_.draw(',
-    skin: 'drawSkin(', hair: 'hair_->draw(', whiskers: 'whiskers_.draw(', ground: 'ground_.draw(', background: 'drawBackground(', 'bare parts': 'drawBlended(', drops: 'drops_.draw(', enlarge: 'small_.show(', gather: 'gather(',
+    skin: 'drawSkin(', hair: 'hair_->draw(', whiskers: 'whiskers_.draw(', ground: 'ground_.draw(', background: 'drawBackground(', 'bare parts': 'drawBlended(', beads: 'beads_.draw(', drops: 'drops_.draw(', enlarge: 'small_.show(', gather: 'gather(',
   };
   const names = rows.map(({ name }) => name).filter((name) => name !== 'arrows' && name !== 'hair views');  // of views alone
   assert.deepEqual(names.toSorted(), Object.keys(calls).sort());

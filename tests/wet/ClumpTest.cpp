@@ -35,6 +35,24 @@ TEST(ClumpProfile, HasTheSlopeOfItsDifferences) {
     }
 }
 
+TEST(BeadSize, IsNothingOnDryAndOnSoakedStrands) {
+  for (const float chance : {0.0f, 0.3f, 0.9f}) {
+    EXPECT_EQ(beadSize(0, chance), 0);
+    EXPECT_EQ(beadSize(0.5f, chance), 0);
+    EXPECT_EQ(beadSize(1.5f, chance), 0);
+  }
+}
+
+TEST(BeadSize, GrowsWithWaterAndThenFallsOnEveryStrand) {
+  for (const float chance : {0.0f, 0.3f, 0.6f})
+    for (int i = 1; i <= 60; ++i) {
+      const float rho = 0.01f * static_cast<float>(i), change = beadSize(rho, chance) - beadSize(rho - 0.01f, chance);
+      if (rho <= 0.12f) EXPECT_GE(change, 0) << rho;
+      else EXPECT_LE(change, 0) << rho;
+    }
+  EXPECT_GT(beadSize(0.2f, 0.3f), 0);
+}
+
 TEST(LockPull, SplitsClumpsAtTheirTipsAndNeitherTheirFeetNorASheet) {
   EXPECT_EQ(lockPull(0, 1, 0), 0);
   EXPECT_EQ(lockPull(1, 1, 1), 0);

@@ -35,6 +35,12 @@
 // Look-ups for one, from the tip of the one that comes from furthest on.
 #define FUR_LOCK_LOOKS 4
 
+// The wetness from and up to which a strand holds a bead at its tip: none, as many as there are; as many, none.
+#define FUR_BEADS_FROM 0.02
+#define FUR_BEADS 0.12
+#define FUR_BEADS_RUN 0.3
+#define FUR_NO_BEADS 0.5
+
 // The smaller locks that a clump holds: how many along its radius, and how far soaked strands draw together to them at their tips.
 #define FUR_LOCKS_IN_CLUMP 2.0
 #define FUR_LOCK_IN_CLUMP_PULL 0.6

@@ -18,13 +18,15 @@ static_assert(sizeof(WhiskerHair) == 27 * sizeof(float) && FUR_WHISKER_POINTS ==
 
 }  // namespace
 
+gl::VertexArray hairArray(const gl::Buffer& hairs) { return gl::VertexArray(hairs, sizeof(WhiskerHair), kHairAttributes, 1, nullptr); }
+
 std::size_t WhiskerPass::set(std::span<const WhiskerHair> hairs) {
   count_ = static_cast<int>(hairs.size());
   array_ = {};
   hairs_ = {};
   if (hairs.empty()) return 0;
   hairs_ = gl::Buffer(gl::BufferKind::Vertex, std::as_bytes(hairs), false);
-  array_ = gl::VertexArray(hairs_, sizeof(WhiskerHair), kHairAttributes, 1, nullptr);
+  array_ = hairArray(hairs_);
   return hairs_.bytes();
 }
 

@@ -9,11 +9,16 @@
 
 namespace fur::render {
 
+// One instance a hair.
+gl::VertexArray hairArray(const gl::Buffer& hairs);
+
 class WhiskerPass {
  public:
   // Those that stand on the surface, until the next call. Returns the bytes that were uploaded.
   std::size_t set(std::span<const groom::WhiskerHair> hairs);
   bool draw(const Drawing& drawing) const;
+  // By the program of BeadPass, which is in use: one on each.
+  void drawBeads() const { if (count_ > 0) array_.drawStrips(4, count_); }
   std::size_t bytes() const { return hairs_.bytes(); }
 
  private:
