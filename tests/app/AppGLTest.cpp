@@ -152,11 +152,32 @@ TEST(App, WhatAPictureNeedsGrowsInPieces) {
   desk.app.setField("furLength", "0.3");  // into the hole of the ring
   desk.app.setField("curl", "0.9");
   int pieces = 1;
-  while (!desk.app.workOnPicture(0)) ++pieces;
+  while (desk.app.workOnPicture(0) == Work::GoesOn) ++pieces;
   // Strands, then layers, then where further shells stand.
   EXPECT_GT(pieces, 2 * desk.app.settings().layers);
   EXPECT_EQ(desk.app.coatProgress(), 1);
-  EXPECT_TRUE(desk.app.workOnPicture(0));
+  EXPECT_EQ(desk.app.workOnPicture(0), Work::Done);
+}
+
+TEST(App, AFirstPictureOfFewerLayersBecomesThatOfTheWholeCoat) {
+  const auto drawn = [](Desk& desk) {
+    desk.app.invalidate();
+    desk.app.tick(0);
+    return desk.stage.draw(desk.app).rgba;
+  };
+  Desk desk, whole;
+  for (Desk* one : {&desk, &whole}) {
+    one->app.setField("lie", "0");
+    ASSERT_TRUE(one->app.loadPrimitive("torus"));
+  }
+  desk.app.detach(false);
+  desk.stage.attach(desk.app);
+  while (desk.app.workOnPicture(0, true) == Work::GoesOn) {
+  }
+  EXPECT_LT(desk.app.coatProgress(), 1);
+  EXPECT_LT(desk.app.coatLayers(), desk.app.settings().layers);
+  EXPECT_EQ(drawn(desk), drawn(whole));
+  EXPECT_EQ(desk.app.coatLayers(), desk.app.settings().layers);
 }
 
 TEST(App, StateGoesRoundTrip) {
