@@ -62,7 +62,7 @@ export function missingFiles(folder) {
 async function joinScripts(folder) {
   const { build } = await import('esbuild');
   await build({
-    absWorkingDir: join(root, 'web'), outdir: folder, bundle: true, splitting: true, format: 'esm', target: 'es2022', logLevel: 'warning', minifySyntax: true,
+    absWorkingDir: join(root, 'web'), outdir: folder, bundle: true, splitting: true, format: 'esm', target: 'es2022', logLevel: 'warning', minifySyntax: true, minifyIdentifiers: true,
     entryPoints: [...Object.values(entries).map(([script]) => script), 'page.js', 'embed.js'], chunkNames: 'shared-[hash]',
     // The programs' scripts are fetched when they are needed, again if that has failed.
     external: ['./wet-fur*.mjs', 'node:*'],

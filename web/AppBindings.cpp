@@ -48,7 +48,7 @@ FUR_EXPORT App* fur_create() {
 }
 FUR_EXPORT void fur_destroy(App* app) { delete app; }
 // Of the context that JavaScript has just made current. Apps that are attached with it outlive it: what they share is theirs, too.
-FUR_EXPORT app::Context* fur_createContext() { return new app::Context(); }
+FUR_EXPORT app::Context* fur_createContext(int linksTold) { return new app::Context(linksTold != 0); }
 FUR_EXPORT void fur_useContext(const app::Context* context) { context->use(); }
 FUR_EXPORT void fur_destroyContext(app::Context* context) { delete context; }
 FUR_EXPORT int fur_attach(App* app, const app::Context* context) {
@@ -65,12 +65,12 @@ FUR_EXPORT int fur_loadModel(App* app, const std::uint8_t* bytes, std::uint32_t 
 FUR_EXPORT int fur_beginModel(App* app, const std::uint8_t* bytes, std::uint32_t size, const char* name) {
   return guarded([&] { return web::report(app->beginModel({bytes, size}, name, web::takeStagedFiles())); });
 }
-// 1: all is done, 2: not yet, 0: an error.
+// 1: all is done, 2: not yet, 3: it waits for the driver, 0: an error.
 FUR_EXPORT int fur_workOnComing(App* app, float seconds) {
   return guarded([&] { return 2 - app->workOnComing(seconds); });
 }
-FUR_EXPORT int fur_workOnPicture(App* app, float seconds) {
-  return guarded([&] { return 2 - app->workOnPicture(seconds); });
+FUR_EXPORT int fur_workOnPicture(App* app, float seconds, int coarse) {
+  return guarded([&] { return 1 + static_cast<int>(app->workOnPicture(seconds, coarse != 0)); });
 }
 // As fur_saveGroom() gives its bytes.
 FUR_EXPORT std::uint32_t fur_saveSurface(App* app) {

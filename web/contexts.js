@@ -66,7 +66,7 @@ export class SharedContext {
     if (!known.pointer) {
       this.#inPrograms.set(program, known);
       this.gl.bindFramebuffer(this.gl.FRAMEBUFFER, null);  // another program may have drawn last
-      known.pointer = program.callOrThrow('fur_createContext');
+      known.pointer = program.callOrThrow('fur_createContext', this.gl.getExtension('KHR_parallel_shader_compile') ? 1 : 0);
     }
     program.call('fur_useContext', known.pointer);
   }

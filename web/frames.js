@@ -179,16 +179,16 @@ export class Frames {
     this.#events.onDrawn();
   }
 
-  /** The picture of this moment, in this task. */
-  drawNow() {
-    if (this.#drawMoment()) this.#session.screen.show();
+  /** The picture of this moment, in this task; `coatBudget`: seconds that a coat which grows may take. */
+  drawNow(coatBudget) {
+    if (this.#drawMoment(1, coatBudget)) this.#session.screen.show();
   }
   /** The same for nobody to see; false: there is nothing to draw with. */
-  #drawMoment(samples = 1) {
+  #drawMoment(samples = 1, coatBudget = undefined) {
     const { app, panel, context, loaded } = this.#session;
     if (!loaded || !context.draws()) return false;
     app.invalidate();
-    app.tick(0);
+    app.tick(0, coatBudget);
     panel?.update(0);
     this.#paint(pictures.best, samples);
     return true;

@@ -92,8 +92,11 @@ export class FurApp {
   }
   /** About so many seconds of work; whether that was all. */
   workOnComing(seconds) { return this.#callOrThrow('fur_workOnComing', seconds) === 1; }
-  /** The same of what the next picture needs. */
-  workOnPicture(seconds) { return this.#callOrThrow('fur_workOnPicture', seconds) === 1; }
+  /**
+   * The same of what the next picture needs: 1 that was all, 2 it goes on, 3 it waits for the driver. `coarse`: with a coat of fewer
+   * layers, where none is shown yet; the whole one follows by tick().
+   */
+  workOnPicture(seconds, coarse) { return this.#callOrThrow('fur_workOnPicture', seconds, coarse ? 1 : 0); }
   /** What was made of the model, as bytes that spare the editor's program with the same state most of its next loadModel(). */
   get surface() { return this.#saved('fur_saveSurface'); }
   /** `type`: of the fur, 0 to 3. */

@@ -8,6 +8,10 @@ import { Progress } from './progress.js';
 import { compileProgram, instantiateProgram, sharedProgram } from './runtime.js';
 import { pause, pieceSeconds, turnToLoad } from './schedule.js';
 
+/** How soon a driver that compiles is asked again whether it is done. */
+const driverMilliseconds = 4;
+const wait = (milliseconds) => new Promise((resolve) => { setTimeout(resolve, milliseconds); });
+
 /** Lets the browser show what changed before a long piece of work. */
 export const breathe = () => new Promise((resolve) => {
   const timer = setTimeout(resolve, 60);
@@ -144,7 +148,7 @@ export class Loading {
       over = await turnToLoad(this.#session.canvas);
       if (isStale()) return;
       this.progress('fur', 0, 1);
-      await breathe();
+      await pause();
       if (isStale()) return;
       if (document?.hair?.byteLength && !this.#isLarger) await this.moveTo('hair', 'program');
       await this.#inLarger(() => this.#show(source, document));
@@ -291,7 +295,7 @@ export class Loading {
     if (document) this.putBack(app, { ...document, source });
     else {
       loadInto(app, source, first && this.#hasOwnLook);
-      this.#session.cameWith = { groom: app.groomed && app.groom, hair: app.haired && app.hair };
+      this.#session.cameWith = undefined;
     }
     if (first) this.#applied.settingsToModel();
     // Undo begins with what is shown.
@@ -349,12 +353,16 @@ export class Loading {
     session.context.returning = true;
     const warning = await this.provideImage();
     if (warning) session.warn(warning);
-    while (isShown() && !app.workOnPicture(pieceSeconds)) await pause();
+    // Those that nothing follows, or that are to come out the same everywhere, begin with the whole coat.
+    const coarse = !session.options.paused && !session.options.fixedDt;
+    for (let work; isShown() && (work = app.workOnPicture(pieceSeconds, coarse)) !== 1;) await (work === 2 ? pause() : wait(driverMilliseconds));
     if (!isShown()) return;  // disposed of meanwhile, or another came
     session.shown = true;
     session.flushWarnings();
     session.setPhase('ready');
-    this.#frames.drawNow();
+    this.#frames.drawNow(coarse ? 0 : undefined);
+    // Told apart when the picture is on its way.
+    if (session.cameWith === undefined) session.cameWith = { groom: app.groomed && app.groom, hair: app.haired && app.hair };
     this.progress('fur', 1, 1);
     this.#ready.resolve();
     session.emit('load', { name: source.name, src: source.src ?? null });

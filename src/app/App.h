@@ -77,10 +77,14 @@ struct CameraOrbit {
 // good as the frame budget allows. Still: it stays for a while, as good as is not unbearably slow.
 enum class Picture { Best, Moving, Still };
 
+// How far something that takes long has come. Waits: for the graphics driver, with nothing else to do.
+enum class Work { Done, GoesOn, Waits };
+
 // What all apps in one GL context share (render/ContextObjects.h). Of use where several contexts or apps live side by side.
 class Context {
  public:
-  Context();  // of the context that is current, its framebuffer bound
+  // Of the context that is current, its framebuffer bound. `linksTold`: as gl::setLinksTold() has it.
+  explicit Context(bool linksTold = false);
   ~Context();
   Context(const Context&) = delete;
   Context& operator=(const Context&) = delete;
@@ -120,8 +124,9 @@ class App {
   Status beginModel(std::span<const std::uint8_t> bytes, const std::string& name, const scene::FileSet& others = {});
   bool workOnComing(float seconds);
   Status showComing(bool keepState = false);
-  // The same of what the next picture needs and takes long: coat and shells.
-  bool workOnPicture(float seconds);
+  // The same of what the next picture needs and takes long: coat, shells and shaders. `coarse`: with a coat of fewer layers, where none is
+  // shown yet; the whole one follows by tick().
+  Work workOnPicture(float seconds, bool coarse = false);
   // What was set on top of the settings that the model brought, counts as them: it is no work of a person's.
   void settingsCameWithModel();
   // What was made of the model, as bytes for another program of the same build, whose next load takes it instead of making it

@@ -7,10 +7,14 @@
 #include "core/Clock.h"
 #include "core/NoteChange.h"
 #include "groom/EvenReach.h"
+#include "scene/StateJson.h"
 
 namespace fur::app {
 
-Context::Context() : objects_(std::make_shared<render::ContextObjects>()) { objects_->framebuffer = gl::boundFramebuffer(); }
+Context::Context(bool linksTold) : objects_(std::make_shared<render::ContextObjects>()) {
+  objects_->framebuffer = gl::boundFramebuffer();
+  gl::setLinksTold(linksTold);
+}
 Context::~Context() = default;
 void Context::use() const { gl::setPlatformFramebuffer(objects_->framebuffer); }
 
@@ -25,8 +29,6 @@ Status App::attach(const Context* with) {
   s.uploaded = {};
   s.shells = {};
   s.coat.forgetLayers();
-  s.groom.update(s.groomInputs());
-  s.upload();
   ++s.changed;
   return Done{};
 }
@@ -76,13 +78,33 @@ void App::setFieldOfView(float radians) {
 
 bool App::State::showsMask() const { return GroomStage::editorBrushes() && !saved && grooms(hand.tool) && groom.hasMask(); }
 
+void App::State::expect(const scene::Model& model) {
+  if (!renderer) return;
+  const scene::FurData& fur = model.fur;
+  const auto varies = [](const std::vector<groom::GroomMap::Texel>& map) { return std::any_of(map.begin(), map.end(), [&](const auto& texel) { return texel != map[0]; }); };
+  render::Frame f = frame();
+  if (!fur.state.empty())
+    if (auto state = scene::readState(fur.state)) f.settings = state->settings;
+  f.coatLength = f.settings.furLength;
+  f.settings.fins = false;  // not of a first picture
+  f.wet = !fur.wetness.empty();
+  f.types = std::any_of(fur.map.begin(), fur.map.end(), [](const auto& texel) { return texel[1] | texel[2] | texel[3]; });
+  f.groomed = f.types || varies(fur.map);
+  f.painted = varies(fur.paint);
+  f.shaped = varies(fur.shape);
+  render::Renderer::Parts parts{.whiskers = !fur.whiskers.empty()};
+  for (const scene::Material& material : model.materials) (material.bare ? parts.bare : parts.textured) |= material.bare || material.baseColorTexture.image >= 0;
+  for (const scene::TypeFiles& coat : fur.coats) parts.textured |= !coat.picture.bytes.empty();
+  parts.skinPictured = !fur.coats.back().picture.bytes.empty();
+  renderer->begin(f, parts);
+}
+
 void App::State::upload() {
   const bool whole = noteChange(uploaded.surface, shape.surfaceRevision());
   if (whole) renderer->setSurface(shape.surface(), shape.firstTangents(), shape.materialOf());
   uploadMaterials();
   uploadPictures();
-  const bool softened = !(settings.technique == 1 && settings.printedMask), anew = noteChange(uploaded.softened, softened) || whole;
-  for (const wet::MaskTexels& part : water.takeTexels(shape, anew, softened)) renderer->updateMask(part);
+  uploadMask(whole);
   if (noteChange(uploaded.bends, motion.bendsRevision()) || whole) renderer->updateBends(motion.shown());
   renderer->viewHair(hairView = hair->view(hairLook(hand.pointers.empty() ? hand.hover : hand.lastPosition)));
   uploadGroom(whole);
@@ -93,6 +115,14 @@ void App::State::upload() {
     renderer->setWhiskers(groom.hairs(shape));
   }
   uploadHair();
+}
+
+// Shaders of dry fur do not look at it: until there is water, or a view that shows it, there is none.
+void App::State::uploadMask(bool whole) {
+  if (whole) uploaded.mask = false;
+  if (!uploaded.mask && water.mask().isDry() && static_cast<render::View>(settings.view) == render::View::Final) return;
+  const bool softened = !(settings.technique == 1 && settings.printedMask), other = noteChange(uploaded.softened, softened);
+  for (const wet::MaskTexels& part : water.takeTexels(shape, other || !std::exchange(uploaded.mask, true), softened)) renderer->updateMask(part);
 }
 
 // Colour maps of the types and the skin, where they have one.
@@ -211,7 +241,7 @@ render::Frame App::State::frame(int level) const {
   f.settings = settings;
   f.coatLength = coatLength();
   f.typeHeights = groom.typeHeights();
-  f.settings.fins &= quality.fins;
+  f.settings.fins &= quality.fins && !coat.isCoarse();
   f.settings.shadows = std::min(f.settings.shadows, quality.shadows);
   f.pixelScale = quality.pixelScale;
   f.stepLength = quality.stepLength;

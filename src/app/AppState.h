@@ -132,7 +132,7 @@ struct App::State {
       std::uint64_t growth = 0, nodes = 0;
     };
     std::vector<Scalp> scalps{};
-    bool softened = true;  // the mask
+    bool mask = false, softened = true;  // the mask; there is one, and how
   } uploaded;
   const hair::HairView* hairView = nullptr;
   std::uint64_t changed = 1, noticed = 0, imageRevision = 1, materialsRevision = 1;
@@ -156,6 +156,7 @@ struct App::State {
   float bustle = 0;     // changes that came lately
   bool refines = true;  // as setRefining() said
   bool governed = false;
+  bool warm = false;  // the renderer has warmed up for the coat that grows
 
   // --- App.cpp ---
   CameraOrbit startView() const { return OrbitCamera::fitting(shape.extent().centre, shape.extent().radius); }
@@ -187,7 +188,10 @@ struct App::State {
   HairStage::Inputs hairInputs(float seconds);
   bool turns() const { return view.autoRotate && !view.camera.isFree() && !reducedMotion && hand.pointers.empty(); }
   bool updateShape(float seconds);
-  void workOnCoat(double budget);
+  void workOnCoat(double budget, bool coarseFirst = false);
+  void beginFins();
+  // For the first picture of a coat, once its shaders are compiled. Whether it has, or need not any more.
+  bool warmUpWhenReady();
   void finishCoat();
   void settleMotion(bool withHair = true);
   void advance(float seconds, double coatBudget);
@@ -197,7 +201,9 @@ struct App::State {
   bool noticeChanges() { return noteChange(noticed, pictureRevision()); }
 
   // --- AppFrame.cpp ---
+  void expect(const scene::Model& model);  // its shaders, before it is there
   void upload();
+  void uploadMask(bool whole);
   void uploadMaterials();
   void uploadGroom(bool whole);
   void uploadHair();

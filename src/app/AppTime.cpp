@@ -36,7 +36,9 @@ struct App::State::LayerUpload final : CoatReceiver {
   explicit LayerUpload(State& state) : s(state) {}
   void prepare() override {
     s.upload();
-    s.renderer->warmUp(s.frame());
+    s.renderer->begin(s.frame());
+    s.warm = false;
+    s.warmUpWhenReady();
   }
   void begin(int size, int layers, int finRows, int types) override { s.renderer->beginFur(size, layers, finRows, types); }
   void setLayer(int type, int layer, std::span<const furgen::PackedLevel> levels) override { s.renderer->setFurLayer(type, layer, levels); }
@@ -117,23 +119,42 @@ bool App::State::updateShape(float seconds) {
   return moved;
 }
 
-void App::State::workOnCoat(double budget) {
+bool App::State::warmUpWhenReady() {
+  if (warm || coat.shown()) return true;
+  warm = renderer->ready();
+  if (warm) renderer->warmUp(frame());
+  return warm;
+}
+
+// Which a first picture does without.
+void App::State::beginFins() {
+  render::Frame f = frame();
+  f.settings.fins = settings.fins;
+  renderer->begin(f);
+}
+
+void App::State::workOnCoat(double budget, bool coarseFirst) {
   if (!renderer) return;
+  if (coat.growing()) warmUpWhenReady();
+  if (coat.isCoarse() && !coarseFirst) beginFins();
   LayerUpload receiver(*this);
   CoatStage::Inputs inputs = coatInputs();
   inputs.receiver = &receiver;
   inputs.budget = budget;
+  inputs.coarseFirst = coarseFirst;
   if (coat.update(inputs, warnings)) governor.forget();
 }
 
-bool App::workOnPicture(float seconds) {
+Work App::workOnPicture(float seconds, bool coarse) {
   State& s = *state_;
   s.groom.update(s.groomInputs());  // it says which types there are
   for (const double begun = secondsNow(); !s.hair->workOnGrowth(s.hairInputs(0));)
-    if (secondsNow() - begun > seconds) return false;
-  if (!s.renderer) return true;
-  s.workOnCoat(seconds);
-  return !s.coat.active(s.coatInputs()) && s.chooseShellCount(seconds);
+    if (secondsNow() - begun > seconds) return Work::GoesOn;
+  if (!s.renderer) return Work::Done;
+  const auto isDone = [&] { return coarse ? s.coat.shows(s.coatInputs()) : !s.coat.active(s.coatInputs()); };
+  if (!isDone()) s.workOnCoat(seconds, coarse);
+  if (!isDone() || !s.chooseShellCount(seconds)) return Work::GoesOn;
+  return s.renderer->ready() ? Work::Done : Work::Waits;
 }
 
 void App::State::finishCoat() {

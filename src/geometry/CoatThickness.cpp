@@ -90,7 +90,7 @@ float grazingShare(const Surface& surface, const SurfaceQuery& query, float furL
   for (std::size_t i = 0; i < surface.vertices.size(); i += oneIn(surface, kAsked))
     forGrazingRays(surface.vertices[i], furLength, kOn, [&](const Vec3& point, bool hollow) {
       ++asked;
-      deep += !hollow && !query.trianglesWithin(point, kDeep * furLength).empty();
+      deep += !hollow && query.isNear(point, kDeep * furLength);
     });
   return static_cast<float>(deep) / static_cast<float>(std::max(asked, 1));
 }

@@ -169,29 +169,43 @@ std::optional<SurfacePoint> SurfaceQuery::castRay(const Vec3& origin, const Vec3
   return best;
 }
 
-std::vector<std::uint32_t> SurfaceQuery::trianglesWithin(const Vec3& centre, float radius) const {
-  std::vector<std::uint32_t> found;
-  if (nodes_.empty() || !(radius >= 0.0f)) return found;
+// Calls visit(triangle) for those, in no order, until it returns false.
+template <class Visit>
+void SurfaceQuery::forTrianglesWithin(const Vec3& centre, float radius, Visit visit) const {
+  if (nodes_.empty() || !(radius >= 0.0f)) return;
   const float squared = radius * radius;
-  std::vector<std::uint32_t> stack{0};
-  while (!stack.empty()) {
-    const Node& node = nodes_[stack.back()];
-    stack.pop_back();
+  std::array<std::uint32_t, 64> stack{};  // as in castRay()
+  for (std::size_t waiting = 1; waiting > 0;) {
+    const Node& node = nodes_[stack[--waiting]];
     const Vec3 away = centre - glm::clamp(centre, node.low, node.high);
     if (glm::dot(away, away) > squared * 1.00001f) continue;
     if (node.count == 0) {
-      stack.push_back(node.first);
-      stack.push_back(node.first + 1);
+      stack[waiting++] = node.first;
+      stack[waiting++] = node.first + 1;
       continue;
     }
-    for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
-      if (squaredDistance(centre, corners_[3 * k], corners_[3 * k + 1], corners_[3 * k + 2]) <= squared) {
-        found.push_back(order_[k]);
-      }
-    }
+    for (std::uint32_t k = node.first; k < node.first + node.count; ++k)
+      if (squaredDistance(centre, corners_[3 * k], corners_[3 * k + 1], corners_[3 * k + 2]) <= squared && !visit(order_[k])) return;
   }
+}
+
+std::vector<std::uint32_t> SurfaceQuery::trianglesWithin(const Vec3& centre, float radius) const {
+  std::vector<std::uint32_t> found;
+  forTrianglesWithin(centre, radius, [&](std::uint32_t triangle) {
+    found.push_back(triangle);
+    return true;
+  });
   sortStably(found.begin(), found.end());
   return found;
+}
+
+bool SurfaceQuery::isNear(const Vec3& centre, float radius) const {
+  bool near = false;
+  forTrianglesWithin(centre, radius, [&](std::uint32_t) {
+    near = true;
+    return false;
+  });
+  return near;
 }
 
 namespace {

@@ -37,8 +37,13 @@ class SurfaceQuery {
   std::optional<SurfacePoint> castRay(const Vec3& origin, const Vec3& direction, const Lifted* lifted = nullptr, float farthest = 3e38f) const;
   // All triangles within `radius` of `centre`, in ascending order.
   std::vector<std::uint32_t> trianglesWithin(const Vec3& centre, float radius) const;
+  // Whether there is one.
+  bool isNear(const Vec3& centre, float radius) const;
 
  private:
+  template <class Visit>
+  void forTrianglesWithin(const Vec3& centre, float radius, Visit visit) const;
+
   struct Node {
     Vec3 low, high;
     std::uint32_t first, count;  // count 0: an inner node, children at first and first + 1

@@ -17,6 +17,9 @@ namespace fur::gl {
 // gone.
 void setContextAlive(bool alive);
 
+// Whether the context has KHR_parallel_shader_compile, switched on.
+void setLinksTold(bool told);
+
 // The name of a GL object and the function that deletes it.
 class Name {
  public:
@@ -44,6 +47,8 @@ class Program {
                               std::string_view defines = {});
   // The same in two parts, so that the driver can compile in between. `label` must outlive the program.
   static Program begin(const char* label, std::string_view vertex, std::string_view fragment, std::string_view defines);
+  // Whether finish() need not wait for the driver; true where that cannot be told (setLinksTold()).
+  bool linked() const;
   Status finish();
   // Names that the program does not use are ignored, as the compiler may remove them.
   void bindBlock(const char* name, unsigned binding) const;

@@ -7,6 +7,10 @@ namespace fur::gl {
 
 namespace {
 
+constexpr unsigned kCompletionStatus = 0x91B1;  // GL_COMPLETION_STATUS_KHR
+
+bool linksTold = false;
+
 std::string infoLog(unsigned id, bool program) {
   int length = 0;
   program ? glGetProgramiv(id, GL_INFO_LOG_LENGTH, &length) : glGetShaderiv(id, GL_INFO_LOG_LENGTH, &length);
@@ -32,6 +36,8 @@ bool compiled(const Name& shader) {
 
 }  // namespace
 
+void setLinksTold(bool told) { linksTold = told; }
+
 Result<Program> Program::link(const char* label, std::string_view vertex, std::string_view fragment,
                               std::string_view defines) {
   Program program = begin(label, vertex, fragment, defines);
@@ -51,6 +57,12 @@ Program Program::begin(const char* label, std::string_view vertex, std::string_v
   glAttachShader(id, program.fragment_.id());
   glLinkProgram(id);
   return program;
+}
+
+bool Program::linked() const {
+  int done = 1;
+  if (linksTold) glGetProgramiv(name_.id(), kCompletionStatus, &done);
+  return done != 0;
 }
 
 // Asks for nothing but the link: each question waits for the driver.

@@ -120,6 +120,7 @@ void paintFromVertices(Groom& groom, const GroomSurface& skin, std::span<const f
   const auto fits = [count](std::size_t given) { return given == 0 || given == count; };
   FUR_ASSERT(fits(lengths.size()) && fits(types.size()), "groom::paintFromVertices()", "one a true vertex, or none",
              lengths.size());
+  if (lengths.empty() && types.empty()) return groom.map.fillGutter(skin.atlas, {0, 0, groom.map.size(), groom.map.size()});
   forSurfaceTexels(groom.map, skin, [&](GroomMap::Texel& texel, const geometry::SurfacePoint& at) {
     float length = 0, presence[kTypes] = {};
     for (int k = 0; k < 3; ++k) {

@@ -30,16 +30,27 @@ std::size_t FurTextures::bytes() const {
   return shown_->bytes() / static_cast<std::size_t>(shown_.use_count()) + (next_ ? next_->bytes() : 0);
 }
 
-void FurTextures::begin(int size, int layers, int finRows, int types) {
+std::shared_ptr<FurTextures::Coat> FurTextures::emptyCoat(int size, int layers, int finRows, int types) {
   const int all = layers * types;
+  auto coat = std::make_shared<Coat>();
+  coat->layers = layers;
+  coat->coverage = mapOf(TexelFormat::R8, size, size, all);
+  coat->strand = mapOf(TexelFormat::RGBA8, size, size, all);
+  coat->offset = mapOf(TexelFormat::RG8, size, size, all);
+  coat->finCoverage = mapOf(TexelFormat::R8, size, finRows, types);
+  coat->finStrand = mapOf(TexelFormat::RGBA8, size, finRows, types);
+  return coat;
+}
+
+void FurTextures::begin(int size, int layers, int finRows, int types) {
   next_.reset();  // first: there is room for one
-  next_ = std::make_shared<Coat>();
-  next_->layers = layers;
-  next_->coverage = mapOf(TexelFormat::R8, size, size, all);
-  next_->strand = mapOf(TexelFormat::RGBA8, size, size, all);
-  next_->offset = mapOf(TexelFormat::RG8, size, size, all);
-  next_->finCoverage = mapOf(TexelFormat::R8, size, finRows, types);
-  next_->finStrand = mapOf(TexelFormat::RGBA8, size, finRows, types);
+  next_ = emptyCoat(size, layers, finRows, types);
+}
+
+void FurTextures::showTexel(float density) {
+  shown_ = emptyCoat(1, 1, 1, 1);
+  shown_->densities[0] = density;
+  ++revision_;
 }
 
 std::size_t FurTextures::setLayer(int type, int layer, std::span<const furgen::PackedLevel> levels) {

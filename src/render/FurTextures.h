@@ -20,6 +20,8 @@ class FurTextures {
   std::size_t setFin(int type, std::span<const furgen::PackedLevel> levels);
   // What has come takes the place of what is shown. One density a type, the others are bald.
   void show(std::span<const float> densities);
+  // In place of what is shown, and beside what comes: one texel, bald at density 0.
+  void showTexel(float density);
   // Likewise that of another renderer in the same context.
   struct Coat;
   void show(std::shared_ptr<Coat> coat);
@@ -49,6 +51,8 @@ class FurTextures {
   };
 
  private:
+  static std::shared_ptr<Coat> emptyCoat(int size, int layers, int finRows, int types);
+
   std::shared_ptr<Coat> shown_ = std::make_shared<Coat>(), next_;
   unsigned long revision_ = 0;
 };

@@ -1,5 +1,6 @@
 #include "render/Programs.h"
 
+#include <algorithm>
 #include <array>
 
 #include "core/Assert.h"
@@ -157,6 +158,10 @@ void Programs::begin(Shader shader, VariantBits variant) {
   const Source source = sourceOf(shader);
   begun_.emplace(key, gl::Program::begin(source.label, stageText(source.vertex), stageText(fragmentOf(shader, variant)),
                                          source.defines + definesOf(variant)));
+}
+
+bool Programs::ready() const {
+  return std::all_of(begun_.begin(), begun_.end(), [](const auto& entry) { return entry.second.linked(); });
 }
 
 bool Programs::finish(gl::Program& program) {

@@ -71,6 +71,8 @@ class Programs {
 
   // Lets the driver compile it while the program goes on; use() waits for it.
   void begin(Shader shader, VariantBits variant);
+  // Whether use() need not wait for any that was begun.
+  bool ready() const;
   // The program, bound for use; null where the driver refuses a shader of it, which error() then tells.
   [[nodiscard]] const gl::Program* use(Shader shader, VariantBits variant);
   const Error& error() const { return error_; }

@@ -31,6 +31,11 @@ int shadowTexels(const Frame& frame, float radius) {
   return texels;
 }
 
+// Variant of the shader that draws the coat into the fur's shadow map.
+VariantBits shadowedCoat(const Frame& frame) {
+  return curveVariant(frame.settings) | (frame.groomed || frame.types ? kGroomed : kPlain) | (frame.types ? kTypes : kPlain);
+}
+
 // Rows of the framebuffer that the band has.
 struct Rows {
   int bottom, count;
@@ -55,11 +60,7 @@ Result<Renderer> Renderer::create(std::shared_ptr<ContextObjects> shared) {
   if (!capabilities) return capabilities.error();
   Renderer r;
   r.shared_ = shared ? std::move(shared) : std::make_shared<ContextObjects>();
-  const VariantBits usual = shadowVariant({});
-  for (const auto& [shader, variant] :
-       {std::pair(Shader::Shell, usual), std::pair(Shader::Fin, usual), std::pair(Shader::Skin, usual | kUnderFur),
-        std::pair(Shader::ShadowMap, +kPlain), std::pair(Shader::ShadowBlur, +kShadowDepth),
-        std::pair(Shader::Ground, +kPlain), std::pair(Shader::GroundShadow, +kPlain), std::pair(Shader::Blur, +kPlain), std::pair(Shader::Background, +kPlain)})
+  for (const auto& [shader, variant] : {std::pair(Shader::GroundShadow, kPlain), std::pair(Shader::Blur, kPlain), std::pair(Shader::Ground, kPlain), std::pair(Shader::Background, kPlain)})
     r.programs().begin(shader, variant);
   const shared::FrameBlock frame{};
   r.frameBlock_ = gl::Buffer(gl::BufferKind::Uniform, gl::bytesOf(frame), true);
@@ -99,7 +100,7 @@ FurShadow::Key Renderer::furShadowKey(const Frame& frame) const {
   const float radius = shadowRadius(s.furLength, reach);
   return {static_cast<Shadows>(s.shadows), shadowTexels(frame, radius), lightFromModel(light, radius),
           volumeShadow(s, fur_.density(), reach),
-          curveVariant(s) | (frame.groomed || frame.types ? kGroomed : kPlain) | (frame.types ? kTypes : kPlain),
+          shadowedCoat(frame),
           surface_.revision() + maps_.revision() + fur_.revision() + hair_->revision(),
           frame.ball, frame.ball.w > 0 ? frame.worldFromModel : Mat4(1.0f)};
 }
@@ -121,16 +122,33 @@ void Renderer::uploadBlocks(const Frame& frame, const FurShadow::Key& shadow) {
   uploadedBytes_ += sizeof block;
 }
 
+void Renderer::begin(const Frame& frame, const Parts& parts) {
+  const settings::Settings& s = frame.settings;
+  const bool furry = frame.coatLength > 0;
+  const Look look(frame, furry, parts.textured, parts.skinPictured);
+  if (static_cast<View>(s.view) != View::Final) return;  // those are for study
+  // What takes longest first.
+  if (furry && s.shells) programs().begin(look.classic() ? Shader::ClassicShell : Shader::Shell, look.classic() ? look.classicFur() : look.shells(kPlain));
+  if (furry && s.fins) programs().begin(Shader::Fin, look.classic() ? look.classicFur() : look.fins(kPlain));
+  if (s.skin) programs().begin(Shader::Skin, look.skin(kPlain));
+  if (parts.bare) programs().begin(Shader::Bare, shadowVariant(s));
+  if (parts.whiskers) programs().begin(Shader::Whisker, look.whiskers());
+  if (static_cast<Shadows>(s.shadows) == Shadows::None) return;
+  programs().begin(Shader::ShadowMap, shadowedCoat(frame));
+  if (static_cast<Shadows>(s.shadows) == Shadows::Depth) programs().begin(Shader::ShadowBlur, kShadowDepth);
+}
+
+void Renderer::begin(const Frame& frame) {
+  const bool skinPictured = maps_.typePictures()[FUR_TYPES] >= 0;
+  begin(frame, {.textured = materials_.hasPicture() || maps_.hasTypePictures(), .skinPictured = skinPictured, .bare = materials_.anyBare(), .whiskers = whiskers_.bytes() > 0});
+}
+
 void Renderer::warmUp(const Frame& frame) {
-  const auto showTexel = [&](float density) {
-    beginFur(1, 1, 1, 1);
-    showFur({&density, 1});
-  };
-  showTexel(1);
+  fur_.showTexel(1);
   Frame pixel = frame;
   pixel.width = pixel.height = 1;
   (void)draw(pixel);  // whoever draws next has the error, too
-  showTexel(0);
+  fur_.showTexel(0);
   gl::flush();
   // Drivers put off a pass that is flushed until another begins.
   groundShadow_.drawNothing();

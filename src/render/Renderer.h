@@ -35,7 +35,7 @@ namespace fur::render {
 
 class Renderer {
  public:
-  // Needs a current context, in which the driver begins to compile what usual frames need. `shared`: what other renderers in it
+  // Needs a current context, in which the driver begins to compile what every frame needs. `shared`: what other renderers in it
   // have; none: there is no other.
   static Result<Renderer> create(std::shared_ptr<ContextObjects> shared = nullptr);
 
@@ -82,6 +82,16 @@ class Renderer {
   void updatePaint(const groom::GroomMap& paint, const geometry::TexelRect& changed) { uploadedBytes_ += maps_.updatePaint(paint, changed); }
   void updateShape(const groom::GroomMap& shape, const geometry::TexelRect& changed) { uploadedBytes_ += maps_.updateShape(shape, changed); }
 
+  // What of a model says which shaders it needs.
+  struct Parts {
+    bool textured = false, skinPictured = false;  // as Look has them
+    bool bare = false, whiskers = false;          // it has some
+  };
+  // Has the driver compile what pictures like this one need: of the model that is there, or of one that is about to come.
+  void begin(const Frame& frame);
+  void begin(const Frame& frame, const Parts& parts);
+  // Whether all that was begun is compiled: draw() would wait for it.
+  bool ready() const { return programs().ready(); }
   // Before there is a coat: has the driver make ready, in its own time, for pictures like this one. Drivers compile
   // for good when something is first drawn: that is one pixel, which the next picture paints over.
   void warmUp(const Frame& frame);

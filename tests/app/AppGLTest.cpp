@@ -152,11 +152,28 @@ TEST(App, WhatAPictureNeedsGrowsInPieces) {
   desk.app.setField("furLength", "0.3");  // into the hole of the ring
   desk.app.setField("curl", "0.9");
   int pieces = 1;
-  while (!desk.app.workOnPicture(0)) ++pieces;
+  while (desk.app.workOnPicture(0) == Work::GoesOn) ++pieces;
   // Strands, then layers, then where further shells stand.
   EXPECT_GT(pieces, 2 * desk.app.settings().layers);
   EXPECT_EQ(desk.app.coatProgress(), 1);
-  EXPECT_TRUE(desk.app.workOnPicture(0));
+  EXPECT_EQ(desk.app.workOnPicture(0), Work::Done);
+}
+
+TEST(App, AFirstPictureOfFewerLayersBecomesThatOfTheWholeCoat) {
+  const auto picture = [](bool coarse) {
+    Desk desk;
+    EXPECT_TRUE(desk.app.loadPrimitive("torus"));
+    desk.app.detach(false);
+    desk.stage.attach(desk.app);
+    while (desk.app.workOnPicture(0, coarse) == Work::GoesOn) {
+    }
+    EXPECT_EQ(desk.app.coatProgress() < 1, coarse);
+    EXPECT_EQ(desk.app.coatLayers() < desk.app.settings().layers, coarse);
+    desk.app.tick(0);
+    EXPECT_EQ(desk.app.coatLayers(), desk.app.settings().layers);
+    return desk.stage.draw(desk.app).rgba;
+  };
+  EXPECT_EQ(picture(true), picture(false));
 }
 
 TEST(App, StateGoesRoundTrip) {

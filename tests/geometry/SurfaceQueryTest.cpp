@@ -101,6 +101,7 @@ TEST(SurfaceQuery, FindsTheSameTrianglesWithinARadiusAsLookingAtAll) {
       if (nearest <= radius + longest / 16.0f) maybe.push_back(t);
     }
     const auto found = query.trianglesWithin(centre, radius);
+    EXPECT_EQ(query.isNear(centre, radius), !found.empty());
     ASSERT_TRUE(std::includes(found.begin(), found.end(), surely.begin(), surely.end()));
     ASSERT_TRUE(std::includes(maybe.begin(), maybe.end(), found.begin(), found.end()));
   }

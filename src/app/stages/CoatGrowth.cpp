@@ -92,37 +92,37 @@ bool differOnlyInCoat(const Settings& a, Settings b) {
 
 // --- DrawnCoat ---
 
-DrawnCoat::DrawnCoat(furgen::Coat grown, std::vector<float> coverage)
+DrawnCoat::DrawnCoat(std::shared_ptr<const furgen::Coat> grown, std::vector<float> coverage)
     : grown_(std::move(grown)), coverage_(std::move(coverage)) {}
 
 DrawnCoat::DrawnCoat(GivenCoat volume, std::vector<float> coverage)
     : volume_(std::move(volume)), coverage_(std::move(coverage)) {}
 
 int DrawnCoat::layers() const { return static_cast<int>(coverage_.size()); }
-int DrawnCoat::size() const { return volume_ ? volume_->size : grown_.parameters.size; }
-int DrawnCoat::strandCount() const {
-  return volume_ ? volume_->strandCount : static_cast<int>(grown_.strands.size());
-}
-float DrawnCoat::weight() const { return volume_ ? volume_->weight : grown_.weight; }
+int DrawnCoat::size() const { return volume_ ? volume_->size : grown_ ? grown_->parameters.size : 0; }
+int DrawnCoat::strandCount() const { return volume_ ? volume_->strandCount : grown_ ? static_cast<int>(grown_->strands.size()) : 0; }
+float DrawnCoat::weight() const { return volume_ ? volume_->weight : grown_ ? grown_->weight : 0; }
 
 furgen::TilePicture DrawnCoat::tilePicture(int layer, furgen::TileChannel channel) const {
   if (layers() == 0) return {};
   layer = std::clamp(layer, 0, layers() - 1);
   if (volume_) return furgen::pictureOf(layerOf(*volume_, layer), size(), channel);
   furgen::LayerMaps maps;
-  furgen::LayerPainter(grown_).paint(layer, layers(), maps);
+  furgen::LayerPainter(*grown_).paint(layer, layers(), maps);
   return furgen::pictureOf(maps, size(), channel);
 }
 
 furgen::TilePicture DrawnCoat::finPicture(furgen::TileChannel channel) const {
   if (layers() == 0) return {};
-  if (!volume_) return furgen::pictureOf(furgen::paintFin(grown_, furgen::finRows(layers())), size(), channel);
+  if (!volume_) return furgen::pictureOf(furgen::paintFin(*grown_, furgen::finRows(layers())), size(), channel);
   return furgen::pictureOf(finOf(*volume_), size(), channel);
 }
 
 // --- CoatGrowth ---
 
-CoatGrowth::CoatGrowth(CoatParameters types, GivenCoats given) : types_(std::move(types)), given_(std::move(given)) {
+CoatGrowth::CoatGrowth(CoatParameters types, GivenCoats given, Strands strands)
+    : types_(std::move(types)), given_(std::move(given)), strands_(std::move(strands)) {
+  strands_.resize(types_.size());
   for (std::size_t type = 0; type < given_.size(); ++type)
     if (type > 0 && (type >= types_.size() || types_[type].density <= 0)) given_[type] = nullptr;  // it is nowhere
   for (FurParameters& p : types_) {
@@ -135,7 +135,7 @@ CoatGrowth::CoatGrowth(CoatParameters types, GivenCoats given) : types_(std::mov
 
 void CoatGrowth::beginType() {
   grower_.reset();
-  if (!given()) grower_.emplace(types_[type()]);
+  if (!given() && !strands_[type()]) grower_.emplace(types_[type()]);
   stage_ = Stage::Grow;
 }
 
@@ -145,16 +145,16 @@ bool CoatGrowth::step(CoatReceiver& receiver) {
   switch (stage_) {
     case Stage::Grow:
       if (!given()) {
-        if (!grower_->step(kStrandsAStep)) return false;
-        coat_ = std::make_unique<furgen::Coat>(grower_->take());
-        painter_.emplace(*coat_);
+        if (grower_ && !grower_->step(kStrandsAStep)) return false;
+        if (grower_) strands_[this->type()] = std::make_shared<const furgen::Coat>(grower_->take());
+        painter_.emplace(*strands_[this->type()]);
       }
       stage_ = Stage::Fin;
       return false;
     case Stage::Fin: {
       const int rows = given() ? given()->finRows : furgen::finRows(p.layers);
       if (type == 0) receiver.begin(p.size, p.layers, rows, static_cast<int>(types_.size()));
-      const furgen::FinMaps fin = given() ? finOf(*given()) : furgen::paintFin(*coat_, rows);
+      const furgen::FinMaps fin = given() ? finOf(*given()) : furgen::paintFin(*strands_[this->type()], rows);
       receiver.setFin(type, furgen::packLevels(p.size, rows, {fin.coverage, fin.dominance, fin.variance, fin.tangent, {}}));
       stage_ = Stage::Paint;
       return false;
@@ -178,8 +178,8 @@ bool CoatGrowth::finishType(CoatReceiver& receiver) {
   const float densest = *std::max_element(coverage_.begin(), coverage_.end());
   const float density = given() && densest > 0 ? std::max(given()->density, 1e-3f) : densest;
   painter_.reset();
-  weights_.push_back(given() ? given()->weight : coat_->weight);
-  if (type() == 0) first_ = given() ? DrawnCoat(given(), std::move(coverage_)) : DrawnCoat(std::move(*coat_), std::move(coverage_));
+  weights_.push_back(given() ? given()->weight : strands_[type()]->weight);
+  if (type() == 0) first_ = given() ? DrawnCoat(given(), std::move(coverage_)) : DrawnCoat(strands_[type()], std::move(coverage_));
   densities_.push_back(density);
   coverage_.clear();
   while (type() < types_.size() && types_[type()].density <= 0) densities_.push_back(0), weights_.push_back(0);

@@ -11,6 +11,8 @@ namespace {
 // A coat on its way is finished first when settings change again, so that a slider that is dragged shows
 // coat after coat, unless it has taken this many seconds: then the newest settings win.
 constexpr double kPatience = 0.4;
+// Of the first coat: fewer show steps between them.
+constexpr int kCoarseLayers = 8;
 
 }  // namespace
 
@@ -24,16 +26,30 @@ void CoatStage::begin(const Inputs& inputs, Warnings& warnings) {
   grownFor_ = wanted;
   types_ = inputs.types;
   seconds_ = 0;
-  changed_ = false;
+  changed_ = coarse_ = showsCoarse_ = false;
   growth_.reset();
   if (auto had = inputs.receiver->showShared(grownFor_, givenFor_)) return take(std::move(had));
+  coarse_ = inputs.coarseFirst && !shown_ && wanted[0].layers > kCoarseLayers && inputs.given == GivenCoats{};
   if (!shown_) inputs.receiver->prepare();
+  if (coarse_)
+    for (furgen::FurParameters& p : wanted) p.layers = kCoarseLayers;
   growth_.emplace(std::move(wanted), inputs.given);
+}
+
+// The strands go on into the whole one.
+void CoatStage::takeCoarse() {
+  coat_ = std::make_shared<const WholeCoat>(WholeCoat{grownFor_, givenFor_, growth_->take(), growth_->weights()});
+  growth_.emplace(grownFor_, givenFor_, growth_->takeStrands());
+  coarse_ = false;
+  shown_ = showsCoarse_ = true;
+  shownTypes_ = types_;
+  ++revision_;
 }
 
 void CoatStage::take(std::shared_ptr<const WholeCoat> coat) {
   coat_ = std::move(coat);
   growth_.reset();
+  coarse_ = showsCoarse_ = false;
   seconds_ = 0;
   shown_ = true;
   shownTypes_ = types_;
@@ -51,6 +67,11 @@ bool CoatStage::update(const Inputs& inputs, Warnings& warnings) {
     if ((!growth_ || seconds_ + secondsNow() - begun > kPatience) && asksForAnother(inputs)) begin(inputs, warnings);
     if (!growth_) break;
     if (!growth_->step(*inputs.receiver)) continue;
+    if (coarse_) {
+      takeCoarse();
+      if (inputs.coarseFirst) break;
+      continue;
+    }
     const auto whole = std::make_shared<const WholeCoat>(WholeCoat{grownFor_, givenFor_, growth_->take(), growth_->weights()});
     inputs.receiver->share(whole);
     take(whole);

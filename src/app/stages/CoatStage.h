@@ -37,7 +37,7 @@ using GivenCoats = std::array<GivenCoat, settings::kFurTypes>;
 class DrawnCoat {
  public:
   DrawnCoat() = default;
-  DrawnCoat(furgen::Coat grown, std::vector<float> coverage);
+  DrawnCoat(std::shared_ptr<const furgen::Coat> grown, std::vector<float> coverage);
   DrawnCoat(GivenCoat volume, std::vector<float> coverage);
 
   int layers() const;
@@ -48,12 +48,12 @@ class DrawnCoat {
   furgen::TilePicture tilePicture(int layer, furgen::TileChannel channel) const;
   furgen::TilePicture finPicture(furgen::TileChannel channel) const;
   // nullptr: it was read, or there is none yet.
-  const furgen::Coat* grown() const { return volume_ || layers() == 0 ? nullptr : &grown_; }
+  const furgen::Coat* grown() const { return grown_.get(); }
   // nullptr: it was grown.
   const furgen::FurVolume* volume() const { return volume_.get(); }
 
  private:
-  furgen::Coat grown_;
+  std::shared_ptr<const furgen::Coat> grown_;
   GivenCoat volume_;
   std::vector<float> coverage_;
 };
@@ -89,13 +89,16 @@ class CoatReceiver {
 // A coat on its way.
 class CoatGrowth {
  public:
-  // `given` take the place of those that would grow; all follow their size and layers, which are those of the format.
-  CoatGrowth(CoatParameters types, GivenCoats given);
+  // `given` take the place of those that would grow; all follow their size and layers, which are those of the format. `strands`: grown
+  // before for the same but the number of layers.
+  using Strands = std::vector<std::shared_ptr<const furgen::Coat>>;
+  CoatGrowth(CoatParameters types, GivenCoats given, Strands strands = {});
 
   // Some milliseconds of work; returns whether the coat is whole and shown. Not to be called after.
   bool step(CoatReceiver& receiver);
   float progress() const;  // 0..1
   DrawnCoat take() { return std::move(first_); }
+  Strands takeStrands() { return std::move(strands_); }
   const std::vector<float>& weights() const { return weights_; }  // one a type, as FurVolume has it
 
  private:
@@ -115,7 +118,7 @@ class CoatGrowth {
   // The type at work, and its layer.
   Stage stage_ = Stage::Grow;
   std::optional<furgen::CoatGrower> grower_;
-  std::unique_ptr<furgen::Coat> coat_;  // stays where it is: the painter looks at it
+  Strands strands_;  // one a type, as far as they have grown
   std::optional<furgen::LayerPainter> painter_;
   furgen::LayerMaps maps_;
   std::vector<float> coverage_;  // of the layers that are out
@@ -129,6 +132,7 @@ class CoatStage {
     GivenCoats given{};               // in place of grown ones
     CoatReceiver* receiver = nullptr;  // none: nothing grows
     double budget = 1e9;              // seconds of this machine's time; what comes out does not depend on it
+    bool coarseFirst = false;         // where none is shown, one of fewer layers is, before the whole one
   };
 
   // Goes on with the coat that the inputs ask for; the one before stays until it is whole. Whether another one is shown.
@@ -143,7 +147,10 @@ class CoatStage {
   void forgetLayers();
 
   bool shown() const { return shown_; }  // the receiver has a coat
+  // What the inputs ask for, if only of fewer layers.
+  bool shows(const Inputs& inputs) const { return shown_ && !asksForAnother(inputs) && (!growth_ || showsCoarse_); }
   bool growing() const { return growth_.has_value(); }
+  bool isCoarse() const { return coarse_ || showsCoarse_; }  // the one that is shown, or is to be next
   // 0..1: how far the coat is that the inputs ask for; 1: it is shown.
   float progress(const Inputs& inputs) const;
   const DrawnCoat& coat() const { return coat_->first; }  // that is shown
@@ -155,9 +162,11 @@ class CoatStage {
   bool asksForAnother(const Inputs& inputs) const;
   void begin(const Inputs& inputs, Warnings& warnings);
   void take(std::shared_ptr<const WholeCoat> coat);
+  void takeCoarse();
 
   std::shared_ptr<const WholeCoat> coat_ = std::make_shared<WholeCoat>();
   std::optional<CoatGrowth> growth_;
+  bool coarse_ = false, showsCoarse_ = false;  // that is one of fewer layers; it was one, and the whole one follows
   // What `growth_` or, without it, the coat that is shown was grown for.
   CoatParameters grownFor_;
   GivenCoats givenFor_;

@@ -124,6 +124,31 @@ TEST(CoatStage, GrowsInSlicesWhileTheOneBeforeStays) {
   EXPECT_EQ(model.coat.progress(slice), 1);
 }
 
+TEST(CoatStage, ShowsFewerLayersFirstWhereThatIsAskedForAndEndsWithTheSameCoat) {
+  Model model, whole;
+  model.settings.layers = whole.settings.layers = 12;
+  whole.coat.update(whole.coatInputs(), whole.warnings);
+  CoatStage::Inputs first = model.coatInputs();
+  first.coarseFirst = true;
+  EXPECT_TRUE(model.coat.update(first, model.warnings));
+  EXPECT_TRUE(model.coat.shows(first));
+  EXPECT_TRUE(model.coat.isCoarse());
+  EXPECT_LT(model.layers.received, 12);
+  EXPECT_EQ(model.coat.coat().strandCount(), whole.coat.coat().strandCount());
+  EXPECT_LT(model.coat.progress(first), 1);
+  EXPECT_TRUE(model.coat.update(model.coatInputs(), model.warnings));
+  EXPECT_FALSE(model.coat.isCoarse());
+  EXPECT_EQ(model.layers.shown, 2);
+  EXPECT_EQ(model.layers.received, 12);
+  EXPECT_EQ(model.coat.coat().coverage(), whole.coat.coat().coverage());
+  EXPECT_EQ(model.coat.weights(), whole.coat.weights());
+  // Another coat takes the place of one that is there whole.
+  model.settings.curl += 0.3f;
+  EXPECT_FALSE(model.coat.shows(first));
+  EXPECT_TRUE(model.coat.update(first, model.warnings));
+  EXPECT_FALSE(model.coat.isCoarse());
+}
+
 TEST(CoatStage, SendsAllAgainToAReceiverThatHasForgotten) {
   Model model;
   model.coat.update(model.coatInputs(), model.warnings);
