@@ -511,7 +511,7 @@ TEST(AppWater, SoakedFurHasNoDrySpotAndLocksOfSeveralSizes) {
 TEST(History, TakesTenThousandStrokesBackAndDoesThemAgain) {
   constexpr int kStrokes = 10000;
   History history;
-  wet::WetnessMask mask(64);
+  wet::WetnessMask mask(32);  // every step is hashed
   Random random(9);
   std::vector<std::uint64_t> hashes{mask.hash()};
   const auto hash = [&mask] {
@@ -523,7 +523,7 @@ TEST(History, TakesTenThousandStrokesBackAndDoesThemAgain) {
   hashes[0] = hash();
   for (int i = 0; i < kStrokes; ++i) {
     const MaskImage before{mask.texels(), mask.film()};
-    const wet::Droplet at{Vec2(random.uniform(), random.uniform()), random.uniform(0.005f, 0.02f), random.uniform(0.1f, 1.0f)};
+    const wet::Droplet at{Vec2(random.uniform(), random.uniform()), random.uniform(0.01f, 0.04f), random.uniform(0.1f, 1.0f)};
     if (i % 3) mask.addDroplet(at);
     else mask.dryAt(at);
     if (auto step = maskStep(before, mask)) {

@@ -8,7 +8,7 @@
 namespace fur::app {
 namespace {
 
-constexpr int kSide = 160;
+constexpr int kSide = 96;
 constexpr std::size_t kPixels = std::size_t{kSide} * kSide;
 
 struct GatheringScene {
@@ -250,7 +250,7 @@ TEST(Refine, PartsOfAPictureAreThoseOfTheWhole) {
   studio.app.setSaved(true);
   const test::Picture whole = studio.of(8);
   studio.app.setSaved(false);
-  constexpr int kRows = 40;
+  constexpr int kRows = kSide / 4;
   test::Stage part(kSide, kRows, 4);
   int differing = 0;
   for (int bottom = 0; bottom < kSide; bottom += kRows) {

@@ -69,8 +69,8 @@ TEST(PonyHair, StaysOutsideOfTheBodyOverAMinuteOfShaking) {
     for (std::size_t scalp = 0; scalp < pony.hair.scalpCount(); ++scalp) {
       const auto nodes = pony.hair.nodes(scalp);
       const auto each = static_cast<std::size_t>(pony.style.scalps[scalp].guides.nodes);
-      // The first two are at the root, within the coat.
-      for (std::size_t i = 0; i < nodes.size(); ++i)
+      // The first two are at the root, within the coat. A third of the others, another one each time: looking takes longest.
+      for (std::size_t i = static_cast<std::size_t>(frame) / 15 % 3; i < nodes.size(); i += 3)
         if (i % each >= 2) deepest = std::max(deepest, pony.depth(nodes[i].position, 0.15f));
     }
   }

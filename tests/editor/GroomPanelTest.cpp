@@ -37,9 +37,7 @@ struct GroomPerson : PanelDriver {
     for (float y = rect.Min.y + 3; y < rect.Max.y; y += 12)
       for (float share = 0.05f; share < 1; share += 0.08f) {
         const Vec2 at(rect.Min.x + rect.GetWidth() * share, y);
-        input.pointer(PointerKind::Mouse, at, 0);
-        frames(2);
-        const ImGuiID hovered = ImGui::GetHoveredID();
+        const ImGuiID hovered = hoveredAt(at);
         if (hovered) places.emplace(hovered, at);
         if (hovered == item) return;
       }

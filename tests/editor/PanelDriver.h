@@ -141,10 +141,15 @@ class PanelDriver {
     for (const float share : {0.47f, 0.7f, 0.2f, 0.92f})
       for (float y = rect.Min.y + 3; y < rect.Max.y; y += 6) {
         const Vec2 at(rect.Min.x + rect.GetWidth() * share, y);
-        input.pointer(PointerKind::Mouse, at, 0);
-        frames(2);
-        if (const ImGuiID hovered = ImGui::GetHoveredID(); hovered && !goesOn(at, hovered)) return;
+        if (const ImGuiID hovered = hoveredAt(at); hovered && !goesOn(at, hovered)) return;
       }
+  }
+
+  // What the pointer hovers there, and not what it hovered the frame before.
+  ImGuiID hoveredAt(Vec2 at) {
+    input.pointer(PointerKind::Mouse, at, 0);
+    frames(1);
+    return context_->HoveredId;
   }
 
   void openGroup(const char* name) {

@@ -41,16 +41,17 @@ struct OverlapShape {
   Surface surface;
 };
 
-std::vector<OverlapShape> overlapShapes() {
-  Mesh coarse = withoutUv(makeSphere(14, 7));
-  return {{"lump", built(makeLump())},
-          {"torus", built(makeTorus())},
-          {"fine sphere", built(withoutUv(makeSphere(200, 100)))},
-          {"coarse sphere", built(coarse)},
-          {"cube-mapped lump", buildSurface(makeLump(), FurMapping::Cube).value()},
-          {"cube-mapped torus", buildSurface(makeTorus(), FurMapping::Cube).value()},
-          {"cube", built(makeCube())},
-          {"scraps", built(makeScraps())}};
+// Made once for all tests: they only look.
+const std::vector<OverlapShape>& overlapShapes() {
+  static const std::vector<OverlapShape> shapes = {{"lump", built(makeLump())},
+                                                   {"torus", built(makeTorus())},
+                                                   {"fine sphere", built(withoutUv(makeSphere(120, 60)))},
+                                                   {"coarse sphere", built(withoutUv(makeSphere(14, 7)))},
+                                                   {"cube-mapped lump", buildSurface(makeLump(), FurMapping::Cube).value()},
+                                                   {"cube-mapped torus", buildSurface(makeTorus(), FurMapping::Cube).value()},
+                                                   {"cube", built(makeCube())},
+                                                   {"scraps", built(makeScraps())}};
+  return shapes;
 }
 
 // The triangles of furIndices on each true triangle, by their corners' positions.

@@ -126,7 +126,7 @@ TEST(Strands, NoneIsTornApartWhereItCrossesTrianglesOrLeavesItsChart) {
   const auto bends = test::straight(surface);
   furgen::FurParameters coiled;
   coiled.thickness = 0.6f, coiled.coil = 0.55f, coiled.clump = 1;
-  const Tubes tubes = placeStrands(FurMap(surface, bends, 0.12f, 4), furgen::growCoat(coiled), 0);
+  const Tubes tubes = placeStrands(FurMap(surface, bends, 0.12f, 2), furgen::growCoat(coiled), 0);
   ASSERT_GT(tubes.tubes.size(), 1000u);
   // As high as the coat, a little aside, and aside by half as much again where the body bulges.
   for (const Tube& tube : tubes.tubes)

@@ -9,7 +9,7 @@ const site = startBrowser();
 
 test('the editor takes over water, settings, camera and model, and gives them back', async () => {
   const requested = [];
-  const page = await site.open(`?${plain}&dryRate=0&furLength=0.2`, {
+  const page = await site.open(`?${plain}&src=sphere&dryRate=0&furLength=0.2`, {
     viewport: { width: 800, height: 400 },
     prepare: (tab) => tab.on('request', (request) => requested.push(request.url())),
   });

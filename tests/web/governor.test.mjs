@@ -4,7 +4,7 @@ import { test } from 'node:test';
 import { PNG } from 'pngjs';
 import { difference, picture, sleep, startBrowser, untilStill, withFur } from './support.mjs';
 
-const site = startBrowser();
+const site = startBrowser({ viewport: { width: 240, height: 180 } });
 // The level rises by a step every second and a half at most, from the lowest eight; a failed try waits four more.
 const patience = 300000;
 
@@ -58,7 +58,7 @@ test('work is taken out of the picture while it is too slow, and comes back', { 
 });
 
 test('a picture that stays is drawn once more, as well as it can be', { timeout: 600000 }, async () => {
-  const page = await open('wind=1&motion=full&quality=auto', { viewport: { width: 240, height: 180 } });
+  const page = await open('wind=1&motion=full&quality=auto');
   await withFur(page, (fur) => { fur.frameBudget = 4; });  // no machine that draws this in software
   await page.waitForFunction(() => wetFur.stats.level > 2, null, { timeout: patience });
   const canvasWidth = () => withFur(page, (fur) => fur.shadowRoot.querySelector('canvas').width);
@@ -72,7 +72,7 @@ test('a picture that stays is drawn once more, as well as it can be', { timeout:
 });
 
 test('a machine on which one whole frame takes long shows all of a picture that stays, in its own time', { timeout: 1200000 }, async (t) => {
-  const page = await open('wind=1&motion=full&quality=auto', { viewport: { width: 240, height: 180 }, scripts: [repeatDraws] });
+  const page = await open('wind=1&motion=full&quality=auto', { scripts: [repeatDraws] });
   await withFur(page, (fur) => { fur.frameBudget = 4; });
   await page.waitForFunction(() => wetFur.stats.level > 2, null, { timeout: patience });
   // More and more work, until the best picture is out of reach at once. The time of a frame is that of some before it.

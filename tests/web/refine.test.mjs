@@ -7,7 +7,7 @@ import { difference, light, picture, plain, sleep, startBrowser, untilStill, wit
 const site = startBrowser();
 const samples = 64;
 const refining = light.replace('refine=0', 'refine=1');
-const open = (query = '', options) => site.open(`?${refining}&src=sphere&dryRate=0${query}`, { viewport: { width: 240, height: 180 }, refine: true, ...options });
+const open = (query = '', options) => site.open(`?${refining}&src=sphere&dryRate=0${query}`, { viewport: { width: 160, height: 120 }, refine: true, ...options });
 const drawn = (page) => withFur(page, (fur) => fur.stats.framesDrawn);
 const shot = async (page) => PNG.sync.read(await page.screenshot());
 
@@ -76,14 +76,14 @@ test('what always moves gathers nothing', async () => {
 });
 
 test('a panel that moves alone leaves the picture as it has become', { timeout: 600000 }, async () => {
-  const page = await site.open(`?${plain.replace('refine=0', 'refine=1')}&ui=0&src=sphere&dryRate=0&editor=1`, { viewport: { width: 640, height: 480 } });
+  const page = await site.open(`?${plain.replace('refine=0', 'refine=1')}&ui=0&src=sphere&dryRate=0&editor=1`, { viewport: { width: 640, height: 300 } });
   await page.waitForFunction(() => document.querySelector('wet-fur').editorOpen);
   await page.waitForFunction((n) => wetFur.stats.framesDrawn >= n, samples, { timeout: 300000 });
   const before = await untilStill(page);
-  const model = { clip: { x: 60, y: 120, width: 200, height: 240 } };
+  const model = { clip: { x: 60, y: 60, width: 200, height: 180 } };
   const part = async () => PNG.sync.read(await page.screenshot(model));
   const shown = await part();
-  for (let y = 60; y < 400; y += 20) await page.mouse.move(560, y);
+  for (let y = 60; y < 280; y += 20) await page.mouse.move(560, y);
   await untilStill(page);
   assert.equal(await drawn(page), before);
   assert.equal(difference(shown, await part(), 0), 0);

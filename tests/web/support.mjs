@@ -105,8 +105,8 @@ function watchTime(fast) {
       const isStill = drawnNow() === drawn;
       idle = isStill ? idle + 1 : 0;
       looks = isStill && frames.size + timers.size === 0 ? looks + 1 : 0;
-      // Of a second that goes by only the end is drawn. What waits for a timer a step would put off.
-      if (fast && frames.size > 0 && fur.state === 'ready' && !fur.paused) fur.step(0.1, 9);
+      // Of five seconds that go by only the end is drawn. What waits for a timer a step would put off.
+      if (fast && frames.size > 0 && fur.state === 'ready' && !fur.paused) fur.step(0.1, 49);
     }
     return drawnNow();
   };

@@ -113,10 +113,10 @@ float outwardness(const WetnessMask& mask, std::uint32_t texel, const Vec3& clum
 }
 
 TEST(ClumpSites, HoldEveryPlaceInItsOwnLock) {
-  for (const auto& mesh : {sphere(), torus()}) {
+  for (const auto& [mesh, radii] : {std::pair(sphere(), std::array{0.02f, 0.06f}), std::pair(torus(), std::array{0.035f, 0.1f})}) {
     const Pond pond(mesh, 256);
     const SurfaceTexels& texels = *pond.water.texels();
-    for (const float radius : {0.02f, 0.035f, 0.06f, 0.1f}) {
+    for (const float radius : radii) {
       ClumpSites sites(texels, radius);
       sites.find(texels);
       for (std::uint32_t i = 0; i < texels.places().size(); ++i)
@@ -194,7 +194,7 @@ TEST(Water, DoesNothingWhereNothingIsWet) {
 }
 
 TEST(Water, KeepsItsAccountsOverTenThousandSteps) {
-  Pond pond(sphere(), 64);
+  Pond pond(sphere(), 32);
   pond.climate.dryRate = 0.02f;
   Random random(3);
   for (int i = 0; i < 10000; ++i) {
@@ -501,17 +501,16 @@ TEST(Water, RunsAsFastInAllChartsHoweverTheyLie) {
 }
 
 TEST(Water, IsAtRestWhereverItIsTakenTo) {
-  for (int size : {64, 256})
-    for (int drops : {1, 2, 6}) {
-      Pond pond(sphere(), size);
-      for (int i = 0; i < drops; ++i) pond.droplet(Vec3(0, 0.6f, 0.8f), 0.25f, 0.9f);
-      for (int i = 0; i < 200 && pond.water.active(pond.mask, pond.climate); ++i) pond.run(60);
-      ASSERT_FALSE(pond.water.active(pond.mask, pond.climate));
-      Pond other(sphere(), size);
-      other.mask.restore(pond.mask.texels(), pond.mask.film());
-      other.run(120);
-      EXPECT_EQ(other.mask.hash(), pond.mask.hash()) << drops << " drops on " << size;
-    }
+  for (const auto& [size, drops] : {std::pair(64, 1), std::pair(64, 2), std::pair(64, 6), std::pair(128, 2)}) {
+    Pond pond(sphere(), size);
+    for (int i = 0; i < drops; ++i) pond.droplet(Vec3(0, 0.6f, 0.8f), 0.25f, 0.9f);
+    for (int i = 0; i < 200 && pond.water.active(pond.mask, pond.climate); ++i) pond.run(60);
+    ASSERT_FALSE(pond.water.active(pond.mask, pond.climate));
+    Pond other(sphere(), size);
+    other.mask.restore(pond.mask.texels(), pond.mask.film());
+    other.run(120);
+    EXPECT_EQ(other.mask.hash(), pond.mask.hash()) << drops << " drops on " << size;
+  }
 }
 
 TEST(Water, StaysFiniteWhereThereIsNoSize) {
