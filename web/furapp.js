@@ -133,6 +133,7 @@ export class FurApp {
   /** Number, boolean, option name or "#rrggbb"; undefined for an unknown name. */
   getSetting(name) {
     if (name === 'skin.picture') return this.#text('fur_getSetting', name);
+    if (name === 'lightRig') return this.#text('fur_getSetting', name) || undefined;
     const [, ofType] = /^type[1-4]\.(\w+)$/.exec(name) ?? [];
     const field = this.settingsTable.find((one) => (ofType ? one.ofType && one.name === ofType : one.name === name));
     if (!field) return ofType && ['name', 'picture', 'typeSet'].includes(ofType) ? this.#text('fur_getSetting', name) : undefined;

@@ -37,6 +37,10 @@ bool isSetting(std::string_view name) {
 }
 
 std::string settingText(const Settings& settings, std::string_view name) {
+  if (name == "lightRig") {
+    const LightRig* rig = lightRigOf(settings);
+    return rig ? rig->name : "";
+  }
   if (const auto of = typeFieldOf(name)) return typeFieldText(settings, *of);
   const Field* field = findField(name);
   return field ? fieldText(settings, *field) : std::string();

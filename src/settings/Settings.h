@@ -53,7 +53,7 @@ const Field* findField(std::string_view name);
 // "type2.curl" is a value of a fur type, "skin.picture" the number of a colour map (FurTypes.h).
 bool setField(Settings& settings, std::string_view name, std::string_view text, Warnings& warnings);
 
-// Whether setField() knows the name; what it has been set to, "" where there is none.
+// Whether setField() knows the name; what it has been set to, "" where there is none; the rig whose light that is.
 bool isSetting(std::string_view name);
 std::string settingText(const Settings& settings, std::string_view name);
 

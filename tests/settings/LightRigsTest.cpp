@@ -58,6 +58,17 @@ TEST(LightRigs, DaylightIsTheDefault) {
   EXPECT_STREQ(lightRigOf({})->name, "daylight");
 }
 
+TEST(LightRigs, TheirNameIsReadAsLongAsTheLightIsTheirs) {
+  Settings settings;
+  Warnings warnings;
+  for (const LightRig& rig : lightRigs()) {
+    ASSERT_TRUE(setField(settings, "lightRig", rig.name, warnings));
+    EXPECT_EQ(settingText(settings, "lightRig"), rig.name);
+  }
+  settings.lightYaw += 0.1f;
+  EXPECT_EQ(settingText(settings, "lightRig"), "");
+}
+
 TEST(LightRigs, AnUnknownNameChangesNothingAndTheWarningListsAll) {
   Settings settings;
   Warnings warnings;

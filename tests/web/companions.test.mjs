@@ -255,6 +255,37 @@ test('axe-core finds nothing, in light and in dark', async () => {
   }
 });
 
+test('a choice of lights shows the one that the figure has, and none when something of it was changed', async () => {
+  const seen = await see(async () => {
+    const choice = document.createElement('wet-fur-choice');
+    for (const [name, value] of Object.entries({ for: 'fig', setting: 'lightRig', values: 'daylight,night' })) choice.setAttribute(name, value);
+    document.body.append(choice);
+    const shown = async (set) => {
+      set();
+      for (let i = 0; i < 3; i++) await new Promise((resolve) => { requestAnimationFrame(resolve); });
+      return choice.value;
+    };
+    const out = [await shown(() => {}), await shown(() => { fig.lightRig = 'night'; }), await shown(() => { fig.settings.lightYaw = 2; }), await shown(() => { fig.lightRig = 'daylight'; })];
+    choice.remove();
+    return out;
+  });
+  assert.deepEqual(seen, ['daylight', 'night', undefined, 'daylight']);
+});
+
+test('a read-out of the time between pictures shows a dash as long as none is known', async () => {
+  const seen = await see(() => ['left', 'right'].map((id) => {
+    const figure = document.getElementById(id), readout = document.createElement('wet-fur-readout');
+    Object.defineProperty(figure, 'stats', { value: { frameTime: id === 'left' ? 0 : 12.5 }, configurable: true });
+    for (const [name, value] of Object.entries({ for: id, value: 'frameTime', digits: 1 })) readout.setAttribute(name, value);
+    document.body.append(readout);
+    const text = readout.shadowRoot.querySelector('output').value;
+    readout.remove();
+    delete figure.stats;
+    return text;
+  }));
+  assert.deepEqual(seen, ['–', '12.5\u00a0ms']);
+});
+
 test('companions that come and go leave no nodes and no listeners behind', async () => {
   const session = await page.context().newCDPSession(page);
   const counted = async () => {

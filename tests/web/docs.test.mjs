@@ -123,12 +123,24 @@ const withoutScripts = (page) => page.route(/\.js$/, (route) => route.fulfill({ 
 /** One style makes all pages dark: these have all that it knows. */
 const eachKind = ['index.html', 'tutorials/clumps.html', 'reference/settings.html', 'reference/core.html'];
 
-test('without the figures\' scripts pages are complete; axe finds nothing on any, in light and dark, and none is wider than a phone', async () => {
+/** Formulas and code that run out of their column, and formulas that their number lies over. */
+const crowded = (page) => page.evaluate(() => {
+  const runsOut = [...document.querySelectorAll('.formula, pre')].filter(({ scrollWidth, clientWidth }) => scrollWidth > clientWidth + 1);
+  const meet = (a, b) => a.right > b.left + 1 && a.left < b.right - 1 && a.bottom > b.top + 2 && a.top < b.bottom - 2;
+  const over = [...document.querySelectorAll('.formula:has(.tag)')].filter((one) => {
+    const number = one.querySelector('.tag').getBoundingClientRect();
+    return [...one.querySelectorAll('.base')].filter((part) => !part.closest('.tag')).some((part) => meet(part.getBoundingClientRect(), number));
+  });
+  return [...runsOut, ...over].map(({ textContent }) => textContent.slice(0, 60));
+});
+
+test('without the figures\' scripts pages are complete; axe finds nothing on any, in light and dark, none is wider than a phone, and formulas and code fit', async () => {
   const page = await site.open('docs/index.html', { wait: false, bypassCSP: true, prepare: withoutScripts, viewport: { width: 1280, height: 800 } });
   for (const { name } of written) {
     await page.setViewportSize({ width: 1280, height: 800 });
     await page.goto(new URL(`docs/${name}`, site.url).href);
     assert.deepEqual(await axeFindings(page, { iframes: false }), [], name);
+    assert.deepEqual(await crowded(page), [], name);
     if (eachKind.includes(name)) {
       await page.emulateMedia({ colorScheme: 'dark' });
       assert.deepEqual(await axeFindings(page, { only: ['color-contrast'], iframes: false }), [], `${name}, dark`);
@@ -136,6 +148,7 @@ test('without the figures\' scripts pages are complete; axe finds nothing on any
     }
     await page.setViewportSize({ width: 390, height: 844 });
     assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390, `${name} is wider than a phone`);
+    assert.deepEqual(await crowded(page), [], `${name} on a phone`);
     const unseen = await page.$$eval('wet-fur > img', (all) => all.filter((one) => !one.checkVisibility()).length), idle = await page.$$eval('.controls', (all) => all.filter((one) => one.checkVisibility()).length);
     assert.deepEqual([unseen, idle], [0, 0], `${name}: without scripts each figure is its picture, and nothing that does not work is shown`);
   }

@@ -10,7 +10,7 @@ import { controls, escaped, figure, liveElement, plot, stills } from './figures.
 import { extendMarkdown, formula, makeHighlighter } from './markdown.mjs';
 import { fileOf, wantedFile } from './pictures.mjs';
 import { addReference } from './reference.mjs';
-import { layerPng } from './tile.mjs';
+import { layerPng, strandTablePng } from './tile.mjs';
 
 const source = join(root, 'docs');
 
@@ -70,6 +70,16 @@ async function configure(config, { core, wanted, site }) {
       return `<figure><img src="../pictures/${name}" width="${side}" height="${side}" alt="${escaped(`${alt}: ${text}`)}" loading="lazy"><figcaption>${escaped(text)}</figcaption></figure>`;
     });
     return block(`<figure><div class="side-by-side strip">${images.join('')}</div><figcaption>${inline(caption)}</figcaption></figure>`);
+  });
+  config.addPairedShortcode('strandTables', function (caption, { id, captions, alt, side = 128 }) {
+    const folder = join(site, 'docs/pictures');
+    mkdirSync(folder, { recursive: true });
+    const images = ['M', 'N'].map((which, i) => {
+      const name = `${this.page.fileSlug}-${id}-${i + 1}.png`;
+      writeFileSync(join(folder, name), strandTablePng(core.equations, which, { side }));
+      return `<figure><img src="../pictures/${name}" width="${side}" height="${side}" alt="${escaped(alt[i])}" loading="lazy"><figcaption>${inline(captions[i])}</figcaption></figure>`;
+    });
+    return block(`<figure><div class="side-by-side strip tables">${images.join('')}</div><figcaption>${inline(caption)}</figcaption></figure>`);
   });
   config.addShortcode('code', (file, what, to) => {
     const text = excerpt(file, what, typeof to === 'string' ? to : undefined);

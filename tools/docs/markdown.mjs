@@ -9,18 +9,32 @@ const themes = { light: 'github-light-high-contrast', dark: 'github-dark-high-co
 const colorReplacements = { 'github-light-high-contrast': { '#66707b': '#58616b' } };
 const langs = ['cpp', 'glsl', 'js', 'ts', 'html', 'css', 'json', 'sh', 'text'];
 
+/** How far a line of code is indented, for what goes on below it (docs.css); no further than a narrow page bears. */
+const indented = {
+  line(node, number) {
+    const [spaces] = /^ */.exec(this.source.split('\n')[number - 1]);
+    if (spaces) node.properties.style = `--indent:${Math.min(spaces.length, 10)}ch`;
+  },
+};
+
 export async function makeHighlighter() {
   const shiki = await createHighlighter({ themes: Object.values(themes), langs });
   return (code, lang) => {
     if (lang && !langs.includes(lang)) throw new Stop(`docs: code in "${lang}", which is none of ${langs.join(', ')}`);
-    return shiki.codeToHtml(code, { lang: lang || 'text', themes, defaultColor: 'light-dark()', colorReplacements });
+    return shiki.codeToHtml(code, { lang: lang || 'text', themes, defaultColor: 'light-dark()', colorReplacements, transformers: [indented] });
   };
+}
+
+/** Of several formulas in a row each stays whole where a narrow page breaks the row (docs.css). */
+function breakable(text) {
+  const [, row, tag = ''] = /^(.*?)(\\tag\{[^}]*\})?$/s.exec(text.trim()), parts = row.split('\\qquad');
+  return parts.length > 1 ? `${parts.map((part) => `{${part.trim()}}`).join('\\qquad\\allowbreak ')}${tag}` : text;
 }
 
 /** A formula as HTML and MathML; a formula with an error stops the build. */
 export function formula(text, displayMode = false) {
   try {
-    return katex.renderToString(text, { displayMode, throwOnError: true, strict: 'error', output: 'htmlAndMathml' });
+    return katex.renderToString(displayMode ? breakable(text) : text, { displayMode, throwOnError: true, strict: 'error', output: 'htmlAndMathml' });
   } catch (error) {
     throw new Stop(`docs: the formula ${text}: ${error.message}`);
   }

@@ -52,6 +52,7 @@ export function valueIn(figure, name) {
   const field = readableOf(name);
   if (!field.stat) return figure.settings[name];
   const value = figure.stats?.[name];
+  if (name === 'frameTime' && value === 0) return undefined;  // before anything has moved
   return field.unit === 'MB' && value !== undefined ? value / 1e6 : value;
 }
 

@@ -64,7 +64,7 @@ export interface WetFurOptions extends Partial<FurSettings> {
    * beside the page's other work, for a second or more; the old one is shown until then.
    */
   preset?: PresetName | '';
-  /** Sets the light; what is set after it stays over it. Undefined when it is read: see the settings that it sets. */
+  /** Sets the light; what is set after it stays over it. Read: undefined when the light is no rig's. */
   lightRig?: LightRig;
   tool?: Tool;
   cameraControls?: boolean;
