@@ -117,12 +117,9 @@ void App::State::upload() {
   uploadHair();
 }
 
-// Shaders of dry fur do not look at it: until there is water, or a view that shows it, there is none.
 void App::State::uploadMask(bool whole) {
-  if (whole) uploaded.mask = false;
-  if (!uploaded.mask && water.mask().isDry() && static_cast<render::View>(settings.view) == render::View::Final) return;
-  const bool softened = !(settings.technique == 1 && settings.printedMask), other = noteChange(uploaded.softened, softened);
-  for (const wet::MaskTexels& part : water.takeTexels(shape, other || !std::exchange(uploaded.mask, true), softened)) renderer->updateMask(part);
+  const bool softened = !(settings.technique == 1 && settings.printedMask), anew = noteChange(uploaded.softened, softened) || whole;
+  for (const wet::MaskTexels& part : water.takeTexels(shape, anew, softened)) renderer->updateMask(part);
 }
 
 // Colour maps of the types and the skin, where they have one.

@@ -132,7 +132,7 @@ struct App::State {
       std::uint64_t growth = 0, nodes = 0;
     };
     std::vector<Scalp> scalps{};
-    bool mask = false, softened = true;  // the mask; there is one, and how
+    bool softened = true;  // the mask
   } uploaded;
   const hair::HairView* hairView = nullptr;
   std::uint64_t changed = 1, noticed = 0, imageRevision = 1, materialsRevision = 1;

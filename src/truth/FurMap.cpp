@@ -4,6 +4,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "geometry/CoatThickness.h"
+
 namespace fur::truth {
 
 namespace {
@@ -93,7 +95,7 @@ ChartPoint FurMap::find(std::uint32_t from, const glm::dvec2& tile) const {
 Vec3 FurMap::raised(std::uint32_t triangle, int k, float h) const {
   const geometry::SurfaceVertex& v = corner(triangle, k);
   const std::uint32_t index = surface_.furIndices[3 * triangle + static_cast<std::uint32_t>(k)];
-  return dynamics::strandPoint(v.position, v.normal, Vec3(bends_[index]), length_, h, curve_);
+  return dynamics::strandPoint(v.position, v.normal, Vec3(bends_[index]), geometry::coatThickness(v, length_), h, curve_);
 }
 
 Vec3 FurMap::point(const ChartPoint& spot, float h) const {
