@@ -16,15 +16,20 @@ float shareOf(const Mesh& mesh, float furLength) {
   return grazingShare(surface, SurfaceQuery(surface), furLength);
 }
 
-// A strip bent to half a turn of that radius, hollow above.
+// A strip bent to half a turn of that radius, hollow above, from z = -1 to 1.
 Mesh trough(float radius, int steps) {
+  constexpr int kAlong = 8;
   Mesh mesh;
   for (int i = 0; i <= steps; ++i) {
     const float angle = kPi * (static_cast<float>(i) / static_cast<float>(steps) - 1);
     const Vec3 out(std::cos(angle), std::sin(angle), 0);
-    for (const float z : {-1.0f, 1.0f}) mesh.positions.push_back(radius * out + Vec3(0, 0, z)), mesh.normals.push_back(-out);
-    const auto at = static_cast<std::uint32_t>(2 * i);
-    if (i < steps) mesh.indices.insert(mesh.indices.end(), {at, at + 1, at + 2, at + 1, at + 3, at + 2});
+    for (int j = 0; j <= kAlong; ++j) {
+      mesh.positions.push_back(radius * out + Vec3(0, 0, 2.0f * static_cast<float>(j) / kAlong - 1));
+      mesh.normals.push_back(-out);
+      if (i == steps || j == kAlong) continue;
+      const auto at = static_cast<std::uint32_t>((kAlong + 1) * i + j), next = at + kAlong + 1;
+      mesh.indices.insert(mesh.indices.end(), {at, at + 1, next, at + 1, next + 1, next});
+    }
   }
   return mesh;
 }
@@ -35,8 +40,9 @@ TEST(CoatThickness, IsThatOfTheStrandsWhereNothingIsInTheirWay) {
 
 TEST(CoatThickness, EndsInACreaseBeforeItsStrandsCross) {
   for (const SurfaceVertex& vertex : built(trough(0.25f, 24)).vertices) {
-    EXPECT_NEAR(coatThickness(vertex, 1), 0.65f * 0.25f, 0.01f);
     EXPECT_EQ(coatThickness(vertex, 0.1f), 0.1f);
+    // At its rims normals lean outwards.
+    if (std::abs(vertex.position.z) < 0.8f && vertex.position.y < -0.1f) EXPECT_NEAR(coatThickness(vertex, 1), 0.65f * 0.25f, 0.01f);
   }
 }
 
