@@ -9,9 +9,8 @@ struct Skin {
 Skin skinAtVertex(float grown) {
   Skin skin;
   vec3 gradS = gradSCurvature.xyz;
-  mat2 S = mat2(furCurvature.z, furCurvature.w, furCurvature.w, gradSCurvature.w);
   skin.normal = normalTo.xyz;
-  skin.curvature = S;
+  skin.curvature = mat2(furCurvature.z, furCurvature.w, furCurvature.w, gradSCurvature.w);
   // In a crease the coat ends before its strands would cross those of the other side.
   skin.coat = max(min(furLength * grown, leanRoom.z), 1e-4);
   skin.axisS = normalize(gradS + vec3(1e-8, 0.0, 0.0));
