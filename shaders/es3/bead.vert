@@ -1,4 +1,4 @@
-// Beads of water on strands and whiskers that are a little wet: one instance each, a hair as whiskers are, of which it hangs near the tip.
+// Beads of water on strands and whiskers that are a little wet: one point each, with a hair as whiskers are, of which it hangs near the tip.
 // Drawn as a drop that clings (drop.frag).
 #include "common.glsl"
 #include "common_bend.glsl"
@@ -14,7 +14,7 @@ layout(location = FUR_WHISKER_VERTICES) in vec4 verticesV;
 layout(location = FUR_WHISKER_WEIGHTS) in vec3 weights;
 
 // As drop.vert has them.
-out vec2 vAt;
+flat out float vReach;
 flat out vec4 vSize;
 flat out mat3 vFrame;
 flat out float vPasses;
@@ -28,7 +28,8 @@ void main() {
   float coat = furLength * coatHere.w, radius = beadSize(held, chance) * mix(0.5, 1.0, other);
   bool ofCoat = directionLength.w == 0.0;
   radius *= ofCoat ? min(kRadius, kRadiusOfCoat * coat) : kRadius;
-  vAt = vec2(0.0);
+  vReach = 0.0;
+  gl_PointSize = 1.0;
   vSize = vec4(0.0);
   vFrame = mat3(1.0);
   vPasses = 0.0;
@@ -41,17 +42,18 @@ void main() {
   float distance = length(toEye), pixels = pixelsPerUnit / distance;
   toEye /= distance;
   vFrame[2] = mat3(worldFromModel) * toEye;
-  vFrame[0] = normalize(cross(vFrame[2], vec3(0.31, 0.2, 0.93)));
+  // As the point lies in the picture: across is level.
+  vFrame[0] = normalize(cross(vec3(0.0, 1.0, 0.0), vFrame[2]));
   vFrame[1] = cross(vFrame[2], vFrame[0]);
-  float drawn = max(radius, 0.5 / pixels), margin = drawn + 1.0 / pixels;
-  vec2 at = margin * (2.0 * vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1)) - 1.0);
-  vAt = at / drawn;
+  float drawn = max(radius, 0.5 / pixels);
+  vReach = 1.0 + 1.0 / (drawn * pixels);
+  gl_PointSize = 2.0 * vReach * drawn * pixels;
   // It shows the fur round it where no light makes it bright; far off beads are a sparkle.
   float bright = mix(0.25, 0.9, clamp(dot(normalShade.xyz, light.xyz) + 0.4, 0.0, 1.0));
   vSize = vec4(drawn * pixels, radius * radius / (drawn * drawn), 0.0, bright * smoothstep(0.1, 0.8, radius * pixels));
   // It stands before its strand, and shells have the depth of the coat's outside.
   vec3 nearer = p + toEye * (radius + (ofCoat ? 0.3 : 0.0) * coat);
-  gl_Position = clipFromWorld * (worldFromModel * vec4(p, 1.0) + vec4(vFrame[0] * at.x + vFrame[1] * at.y, 0.0));
+  gl_Position = clipFromModel * vec4(p, 1.0);
   vec4 clip = clipFromModel * vec4(nearer, 1.0);
   gl_Position.z = clip.z / clip.w * gl_Position.w;
 }

@@ -2,7 +2,11 @@
 // there, and at the rim it mirrors them. The light shows twice: as a glint, and gathered at the far side.
 #include "common.glsl"
 
+#ifdef BEAD
+flat in float vReach;  // of the point, in radii
+#else
 in vec2 vAt;
+#endif
 flat in vec4 vSize;
 flat in mat3 vFrame;
 flat in float vPasses;
@@ -12,6 +16,9 @@ out vec4 fragColor;
 vec3 seen(vec3 to) { return mix(backgroundBottom.rgb, backgroundTop.rgb, smoothstep(-0.5, 0.5, to.y)); }
 
 void main() {
+#ifdef BEAD
+  vec2 vAt = vReach * vec2(2.0, -2.0) * (gl_PointCoord - 0.5);
+#endif
   vec2 disc = vec2(vAt.x, sign(vAt.y) * max(abs(vAt.y) - vSize.z, 0.0));
   float out2 = dot(disc, disc), thin = max(0.15, fwidth(out2)), covers = clamp((1.0 - sqrt(out2)) * vSize.x + 0.5, 0.0, 1.0) * vSize.y * vSize.w;
   if (covers <= 0.0) discard;

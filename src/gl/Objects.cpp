@@ -92,6 +92,12 @@ void VertexArray::drawIndexed(int indexCount, int instances, int first) const {
   glBindVertexArray(0);
 }
 
+void VertexArray::drawPoints(int count) const {
+  glBindVertexArray(name_.id());
+  glDrawArrays(GL_POINTS, 0, count);
+  glBindVertexArray(0);
+}
+
 void VertexArray::drawStrips(int vertexCount, int instances) const {
   glBindVertexArray(name_.id());
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, vertexCount, instances);

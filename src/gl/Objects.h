@@ -107,6 +107,7 @@ class VertexArray {
   void add(const Buffer& vertices, int strideBytes, std::span<const Attribute> attributes, unsigned divisor);
   void drawIndexed(int indexCount, int instances, int first = 0) const;  // triangles, 32-bit indices
   void drawStrips(int vertexCount, int instances) const;
+  void drawPoints(int count) const;
 
  private:
   Name name_;

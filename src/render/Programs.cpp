@@ -73,7 +73,7 @@ Source sourceOf(Shader shader) {
     case Shader::Fin: return {"fin", shaders::kFinVert};
     case Shader::Whisker: return {"whisker", shaders::kWhiskerVert};
     case Shader::Drop: return {"drop", shaders::kDropVert};
-    case Shader::Bead: return {"bead", shaders::kBeadVert};
+    case Shader::Bead: return {"bead", shaders::kBeadVert, "#define BEAD\n"};
     case Shader::ShadowMap: return {"shadow_map", shaders::kShadowMapVert};
     case Shader::Ball: return {"ball", shaders::kBallVert};
     case Shader::Arrow: return {"arrow", shaders::kArrowVert};

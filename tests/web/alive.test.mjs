@@ -93,7 +93,7 @@ test('the menu of actions is there for animals alone, and the bar stays one row'
   await until(page, () => document.querySelector('#acts [data-action=sit]').getAttribute('aria-pressed') === 'true');
   await page.keyboard.press('Escape');
   await page.selectOption('#model', 'sphere');
-  await until(page, () => wetFur.modelName === 'sphere');
+  await until(page, () => wetFur.loaded && wetFur.modelName === 'sphere');
   await until(page, () => !document.querySelector('#act').checkVisibility());
   assert.deepEqual(page.problems, []);
 });

@@ -169,7 +169,7 @@ test('a scene says what it shows', async () => {
   const said = () => page.locator('[role=status]#caption').innerText();
   assert.equal(await said(), captions.fading);
   await page.selectOption('#model', 'sphere');
-  await page.waitForFunction(() => wetFur.modelName === 'sphere' && document.getElementById('caption').textContent === '');
+  await page.waitForFunction(() => wetFur.loaded && wetFur.modelName === 'sphere' && document.getElementById('caption').textContent === '');
   assert.equal(await said(), '');
 });
 

@@ -8,7 +8,7 @@ namespace fur::render {
 
 namespace {
 
-// Enough to sparkle all over. Each costs a software rasteriser two microseconds a frame, whether it is seen or not.
+// Enough to sparkle all over. A software rasteriser has to work out each, whether it is seen or not.
 constexpr std::size_t kBeads = 2048;
 
 }  // namespace
@@ -70,18 +70,18 @@ void BeadPass::follow(const Skin& skin) {
 
 bool BeadPass::draw(const Drawing& drawing, const WhiskerPass& whiskers) {
   if (!drawing.frame.wet || !drawing.look.furry() || strands_.empty()) return true;
-  if (instances_.bytes() == 0) {
-    instances_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(strands_), true);
-    array_ = hairArray(instances_);
-    drawing.uploadedBytes += instances_.bytes();
+  if (vertices_.bytes() == 0) {
+    vertices_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(strands_), true);
+    array_ = hairArray(vertices_, false);
+    drawing.uploadedBytes += vertices_.bytes();
   } else if (changed_) {
-    instances_.update(gl::bytesOf(strands_));
-    drawing.uploadedBytes += instances_.bytes();
+    vertices_.update(gl::bytesOf(strands_));
+    drawing.uploadedBytes += vertices_.bytes();
   }
   changed_ = false;
   if (!drawing.programs.use(Shader::Bead, drawing.look.beads())) return false;
   gl::apply({.depthWrite = false, .cullBack = false, .blend = gl::Blend::Over});
-  array_.drawStrips(4, static_cast<int>(strands_.size()));
+  array_.drawPoints(static_cast<int>(strands_.size()));
   whiskers.drawBeads();
   return true;
 }

@@ -20,12 +20,12 @@ class BeadPass {
   void follow(const Skin& skin);
   // Over a picture that is whole.
   bool draw(const Drawing& drawing, const WhiskerPass& whiskers);
-  std::size_t bytes() const { return instances_.bytes(); }
+  std::size_t bytes() const { return vertices_.bytes(); }
 
  private:
   std::vector<groom::WhiskerHair> strands_;
   bool changed_ = false;  // since they were uploaded
-  gl::Buffer instances_;
+  gl::Buffer vertices_;
   gl::VertexArray array_;
 };
 

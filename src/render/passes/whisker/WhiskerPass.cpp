@@ -18,15 +18,19 @@ static_assert(sizeof(WhiskerHair) == 27 * sizeof(float) && FUR_WHISKER_POINTS ==
 
 }  // namespace
 
-gl::VertexArray hairArray(const gl::Buffer& hairs) { return gl::VertexArray(hairs, sizeof(WhiskerHair), kHairAttributes, 1, nullptr); }
+gl::VertexArray hairArray(const gl::Buffer& hairs, bool instanced) {
+  return gl::VertexArray(hairs, sizeof(WhiskerHair), kHairAttributes, instanced ? 1 : 0, nullptr);
+}
 
 std::size_t WhiskerPass::set(std::span<const WhiskerHair> hairs) {
   count_ = static_cast<int>(hairs.size());
   array_ = {};
+  beads_ = {};
   hairs_ = {};
   if (hairs.empty()) return 0;
   hairs_ = gl::Buffer(gl::BufferKind::Vertex, std::as_bytes(hairs), false);
   array_ = hairArray(hairs_);
+  beads_ = hairArray(hairs_, false);
   return hairs_.bytes();
 }
 

@@ -9,8 +9,8 @@
 
 namespace fur::render {
 
-// One instance a hair.
-gl::VertexArray hairArray(const gl::Buffer& hairs);
+// One instance a hair, or one vertex.
+gl::VertexArray hairArray(const gl::Buffer& hairs, bool instanced = true);
 
 class WhiskerPass {
  public:
@@ -18,12 +18,12 @@ class WhiskerPass {
   std::size_t set(std::span<const groom::WhiskerHair> hairs);
   bool draw(const Drawing& drawing) const;
   // By the program of BeadPass, which is in use: one on each.
-  void drawBeads() const { if (count_ > 0) array_.drawStrips(4, count_); }
+  void drawBeads() const { if (count_ > 0) beads_.drawPoints(count_); }
   std::size_t bytes() const { return hairs_.bytes(); }
 
  private:
   gl::Buffer hairs_;
-  gl::VertexArray array_;
+  gl::VertexArray array_, beads_;
   int count_ = 0;
 };
 
