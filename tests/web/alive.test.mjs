@@ -1,7 +1,7 @@
 // Animals on the page: what it begins with, what they do and when they keep still.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { recordContexts, startBrowser, untilStill, withFur } from './support.mjs';
+import { recordContexts, startBrowser, untilShown, untilStill, withFur } from './support.mjs';
 
 const site = startBrowser({ viewport: { width: 160, height: 120 } });
 /** They are drawn as cheaply as can be; what is said of the look alone leaves the first model. */
@@ -93,7 +93,7 @@ test('the menu of actions is there for animals alone, and the bar stays one row'
   await until(page, () => document.querySelector('#acts [data-action=sit]').getAttribute('aria-pressed') === 'true');
   await page.keyboard.press('Escape');
   await page.selectOption('#model', 'sphere');
-  await until(page, () => wetFur.loaded && wetFur.modelName === 'sphere');
+  await untilShown(page, 'sphere');
   await until(page, () => !document.querySelector('#act').checkVisibility());
   assert.deepEqual(page.problems, []);
 });

@@ -4,7 +4,7 @@ import { test } from 'node:test';
 import { readTables } from '../../tools/tables.mjs';
 import { captions } from '../../web/captions.js';
 import { sceneNames } from '../../web/models.js';
-import { plain, startBrowser, untilStill, withFur } from './support.mjs';
+import { plain, startBrowser, untilShown, untilStill, withFur } from './support.mjs';
 
 const site = startBrowser();
 const sizes = [[1280, 800], [1024, 768], [390, 844], [844, 390], [320, 568], [640, 400]];
@@ -169,7 +169,8 @@ test('a scene says what it shows', async () => {
   const said = () => page.locator('[role=status]#caption').innerText();
   assert.equal(await said(), captions.fading);
   await page.selectOption('#model', 'sphere');
-  await page.waitForFunction(() => wetFur.loaded && wetFur.modelName === 'sphere' && document.getElementById('caption').textContent === '');
+  await untilShown(page, 'sphere');
+  await page.waitForFunction(() => document.getElementById('caption').textContent === '');
   assert.equal(await said(), '');
 });
 

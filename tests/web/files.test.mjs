@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { badModels, furnished, hugeImage, incomplete, tetrahedron } from './glb.mjs';
-import { difference, light, picture, sleep, startBrowser, untilStill, withFur } from './support.mjs';
+import { difference, light, picture, sleep, startBrowser, untilShown, untilStill, withFur } from './support.mjs';
 
 const site = startBrowser();
 let page;
@@ -63,7 +63,7 @@ test('a .gltf dropped together with its buffer is shown; alone, its buffer is mi
   await page.waitForSelector('#messages .message:has-text("four.gltf")');
   await page.keyboard.press('Escape');
   await drop([['four.gltf', text], ['four corners.bin', binary]]);
-  await page.waitForFunction(() => wetFur.loaded && wetFur.modelName === 'four.gltf');
+  await untilShown(page, 'four.gltf');
   assert.equal(await withFur(page, (fur) => fur.stats.triangles), 4);
   assert.equal(await page.$eval('#model', (select) => select.selectedOptions[0].textContent), 'four.gltf');
   assert.equal(await withFur(page, (fur) => fur.meanWetness), 0);  // another model, and a dry one
@@ -87,7 +87,7 @@ const pyramid = 'v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nv 0 1.5 0\nf 4 3 2 1\nf
 
 test('an .obj from the file dialog is shown', async () => {
   await page.setInputFiles('#file', { name: 'pyramid.obj', mimeType: 'text/plain', buffer: Buffer.from(pyramid) });
-  await page.waitForFunction(() => wetFur.loaded && wetFur.modelName === 'pyramid.obj');
+  await untilShown(page, 'pyramid.obj');
   assert.equal(await withFur(page, (fur) => fur.stats.triangles), 6);
   assert.equal(await page.$eval('#model', (select) => select.selectedOptions[0].textContent), 'pyramid.obj');
 });

@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { packStrokes, unpackStrokes } from '../../web/strokes.js';
 import { tetrahedron } from './glb.mjs';
-import { dist, sleep, spotOnModel, startBrowser, withFur } from './support.mjs';
+import { dist, sleep, spotOnModel, startBrowser, untilShown, withFur } from './support.mjs';
 
 const site = startBrowser({ reducedMotion: 'reduce' });  // nothing here is about fur that breathes
 const simple = '?quality=low&motion=reduced';
@@ -184,13 +184,13 @@ test('undo leads back to the model before, with its groom, its water and its own
   await work(page);
   const ring = await scene(page);
   await page.selectOption('#model', 'sphere');
-  await page.waitForFunction(() => wetFur.loaded && wetFur.modelName === 'sphere');
+  await untilShown(page, 'sphere');
   await withFur(page, (fur) => fur.splash({ u: 0.5, v: 0.5 }, { radius: 0.2, amount: 0.5 }));
   const sphere = await scene(page);
   assert.notEqual(sphere.wet, ring.wet);
   await withFur(page, (fur) => fur.openEditor());  // the way back is not lost with the program
   await withFur(page, (fur) => { fur.src = 'plane'; });
-  await page.waitForFunction(() => wetFur.loaded && wetFur.modelName === 'plane');
+  await untilShown(page, 'plane');
   assert.equal(await withFur(page, (fur) => fur.undo()), true);
   assert.deepEqual(await scene(page), sphere);
   assert.equal(await withFur(page, (fur) => fur.undo()), true);
@@ -212,10 +212,10 @@ test('a model of the panel is one that undo leads back from, and that closing th
   const page = await open(`${simple}&editor=1`);
   await page.waitForFunction(() => wetFur.editorOpen);
   await withFur(page, (fur) => { fur.src = 'sphere'; });
-  await page.waitForFunction(() => wetFur.loaded && wetFur.modelName === 'sphere');
+  await untilShown(page, 'sphere');
   await page.locator('wet-fur').focus();
   await page.keyboard.press('Control+z');
-  await page.waitForFunction(() => wetFur.loaded && wetFur.modelName === 'otter');
+  await untilShown(page, 'otter');
 });
 
 test('a reset is undone in one step', async () => {

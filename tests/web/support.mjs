@@ -62,6 +62,7 @@ export const light = `${plain}&ui=0`;
  * machine, but at once: nobody waits for water to run and fur to settle. `untilStill(fur)` resolves when no frame is drawn any more.
  */
 function watchTime(fast) {
+  document.addEventListener('load', ({ target, detail }) => { if (target.localName === 'wet-fur') target.shownName = detail.name; }, true);
   const { requestAnimationFrame: frame, cancelAnimationFrame: cancelFrame, setTimeout: later, clearTimeout: cancelLater } = window;
   const soon = 400;  // ms: what is asked for later than that draws nothing
   const frames = new Set(), timers = new Set();  // that are asked for
@@ -270,6 +271,9 @@ export async function axeFindings(page, { only, iframes = true } = {}) {
 }
 
 export const sleep = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
+
+/** Waits until the page's figure shows the model of that name: `modelName` is that already while it comes. */
+export const untilShown = (page, name) => page.waitForFunction((wanted) => wetFur.shownName === wanted, name);
 
 /** Waits until no frame is drawn any more, on a machine of any speed; gives how many were. */
 export const untilStill = (page) => withFur(page, (fur) => window.untilStill(fur));
