@@ -4,6 +4,8 @@ uniform sampler2DArray streaks;  // strand, the mean of those in line: layers tu
 
 in vec3 vTileOfFur;  // tiles that a fur length covers: along axisS (x, y), along axisT (0, z)
 
+// Near the eye, up to the first of these mip levels, soaked fur is strands in clumps that lie; from the second on it is drawn as one.
+const float kStrandsTo = 2.2, kSheetFrom = 2.6;
 // From here on what the march finds of a sheet does not show (what it finds is weighted by 1 - joined): that many steps.
 const float kWholeSheet = 0.98;
 #ifdef GROOMED
@@ -19,7 +21,8 @@ const bool kCountsShades = false;
 // Of the whole ray, by where it enters.
 float entryHeld, entryChart;      // the water there; chartOf()
 float entryRadius;                // of its clump, 0: it is dry
-float sheet, joined;              // how much of a sheet the coat is; how much of what is shown
+float soakedShare;                // how much of a sheet the coat is
+float sheet, joined;              // how far the clumps that are drawn have closed into it; how much of what is shown is drawn as one
 float coatTop;                    // how high it stands
 float enters, closes;             // where the ray comes to that; what hides all
 float locksInClumps;              // to a tile
@@ -69,14 +72,16 @@ void enterWater() {
   vec4 entryClump = maskAt(mask, vAtlas);
   entryChart = chartOf(entryClump);
   entryRadius = entryClump.a > 0.0 ? entryClump.z : 0.0;
-  sheet = sheetOf(entryHeld, shortness);
-  joined = sheet * (2.0 - sheet);
-  coatTop = upright(entryHeld, sheet);
-  lean = wetLean(0.5 * vLean.xy, entryHeld, sheet);
+  soakedShare = sheetOf(entryHeld, shortness);
+  float far = smoothstep(kStrandsTo, kSheetFrom, vLight.w);
+  sheet = mix(nearSheet(soakedShare, shortness), soakedShare, far);
+  joined = soakedShare * (2.0 - soakedShare) * far;
+  coatTop = upright(entryHeld, soakedShare);
+  lean = wetLean(0.5 * vLean.xy, entryHeld, soakedShare);
   tipTile = tileFromFur * lean;
   // Clumps are denser than dry fur, and longer steps find them; twice as long ones missed them: clumps fell into dots.
   stepSize *= 1.0 + 0.3 * min(entryHeld, 1.0);
-  closes = kClosed * (1.0 - 0.6 * sheet - 0.12 * min(entryHeld, 1.0) * (1.0 - sheet));
+  closes = kClosed * (1.0 - 0.6 * soakedShare - 0.12 * min(entryHeld, 1.0) * (1.0 - sheet));
   enters = 0.0;
   if (vTop > coatTop) {
     bool comesDown;
@@ -287,12 +292,16 @@ void lieDown(float frays, float line) {
   lying.tilt = -0.6 * lying.outward;
 }
 
-// In a sheet those that lie in line are shown instead of the one that the march met: its chance would be grain there.
+// Far from the eye those of a sheet that lie in line are shown instead of the one that the march met: its chance would be grain there. Near to
+// it clumps, and strands in them, are up or down by chance, or light would run in rings round the body; and get as much light as they
+// lie low.
 void joinStrands(inout Met met, float furry) {
   met.x = mix(met.x, enters, joined);
-  met.held = mix(met.here.clump.a, entryHeld, joined);
+  met.held = mix(met.here.clump.a, entryHeld, soakedShare);
+  met.h *= mix(1.0, FUR_SHEET_LIT, soakedShare);
   lying = Lying(vec2(0.0), 1.0, 0.0, vec2(0.0));
-  for (int i = 0, once = int(sheet > 0.0); i < once; ++i) {
+  float ofStrand = soakedShare * (1.0 - joined) * liesBy(chanceOfClump(met.here.clump.xy), met.number);
+  for (int i = 0, once = int(joined > 0.0); i < once; ++i) {
     vec4 inLine = strandsOfSheet(met.spot.z, 0.35), some = strandsOfSheet(met.spot.z, 1.2), many = strandsOfSheet(met.spot.z, 4.0);
     lieDown(2.0 * (inLine.z - 0.5) + 1.0 * (some.z - 0.5), 4.0 * (inLine.z - 0.5) + 2.0 * (some.z - 0.5));
     float deep = clamp(0.8 + 2.0 * (some.z - 0.5) + 5.0 * (many.z - 0.5), 0.4, 1.0);
@@ -307,6 +316,7 @@ void joinStrands(inout Met met, float furry) {
     float share = min(kHidesLying * densityShown(), 1.0), hides = clamp(share + 4.0 * (share - 1.0 + (met.number - 0.15) / 0.75), 0.0, 1.0);
     if (reachesSkin) met.closed = mix(met.closed, 1.0, joined * furry * hides);
   }
+  lying.chance += ofStrand;
 }
 
 vec2 tiltOf(Met met) {
@@ -331,6 +341,6 @@ vec3 waterLight(vec3 color, Met met, vec3 T, vec3 L, vec3 V, float lit) {
   outward *= (1.0 - joined) / max(length(outward), 1.0);
   vec3 n = normalize(clumpNormal(outward, sheet) + vec3(0.8 * joined * tiltOf(met) + lying.outward - back, 0.0));
   color *= mix(FUR_LOCK_GAP, 1.0, lying.rises);
-  float glints = met.number * mix(1.0, 0.65 + 0.6 * abs(lying.chance), joined);
+  float glints = met.number * mix(1.0 - 0.25 * soakedShare, 0.65 + 0.6 * abs(lying.chance), joined);
   return clumpLight(color, T, n, L, V, met.h, met.held, sheet, lit, vView.w, glints);
 }

@@ -93,6 +93,10 @@ void main() {
   float value = clumpShade(at.x * 2.0 - 1.0, at.y, 1.2 * at.y, sheetOf(at.x, 0.0));
 #elif FUNCTION == 40
   float value = beadSize(at.x, at.y);
+#elif FUNCTION == 41
+  float value = nearSheet(at.x, at.y);
+#elif FUNCTION == 42
+  float value = liesBy(chanceOfClump(0.005 * at), at.y);
 #elif FUNCTION == 29
   float value = kajiyaPower(at.x * 2.0 - 1.0, at.y * 60.0);
 #elif FUNCTION == 30

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "shared/Wet.h"
+#include "wet/Clump.h"
 
 namespace fur::truth {
 
@@ -13,38 +14,35 @@ namespace {
 constexpr float kSkinOffset = 0.01f, kSkinBias = 0.002f;
 constexpr float kAllTheWay = 1e9f;
 
-// How far a strand of a sheet is one with those beside it.
-float joinedOf(const Wetness& water) { return water.sheet * (2 - water.sheet); }
+// The height at which a strand gets light: those of a sheet lie low.
+float litHeight(const TubeNode& node, const Wetness& water) { return node.height * glm::mix(1.0f, static_cast<float>(FUR_SHEET_LIT), water.soaked); }
 
 // The share of the key light that comes to a node, and that which what is next to it leaves (Formula).
 struct Share {
   float key, lit;
 };
-Share keyAt(const Scene& scene, const hair::StrandLook& look, const TubeNode& node, const Wetness& water, const Vec3& tangent, const Shadows& shadows, Light light) {
+Share keyAt(const Scene& scene, const hair::StrandLook& look, const TubeNode& node, float height, const Vec3& tangent, const Shadows& shadows, Light light) {
   if (light == Light::Traced) {
     const float share = shadows.onAllTheWay(scene, node, tangent);
     return {share, share};
   }
-  const float nDotL = glm::dot(node.normal, Vec3(scene.frame.light)), rise = std::min(kLook, 1 - node.height) * scene.coat.furLength;
-  // Strands that water has joined to a sheet are one.
-  const float through = glm::mix(shareOfOneStrand(scene), 1.0f, joinedOf(water));
-  float lit = shadows.coat.shareThrough(node.position, node.radius, tangent, through, rise / std::max(nDotL, float(FUR_LOWEST_LIGHT)));
+  const float nDotL = glm::dot(node.normal, Vec3(scene.frame.light)), rise = std::min(kLook, 1 - height) * scene.coat.furLength;
+  float lit = shadows.coat.shareThrough(node.position, node.radius, tangent, shareOfOneStrand(scene), rise / std::max(nDotL, float(FUR_LOWEST_LIGHT)));
   lit *= shadows.throughHair(scene, node.position, node.radius, tangent);
-  return {hair::keyShare(look, node.height, nDotL, lit), lit};
+  return {hair::keyShare(look, height, nDotL, lit), lit};
 }
 
 // The light `color` of a strand as that of one in a clump or in a sheet: clumpLight() of common_shading.glsl.
-Vec3 wetLight(const Scene& scene, const hair::StrandLook& look, const Tube& tube, const TubeNode& node, const Vec3& tangent, const Vec3& view, const Vec3& color, float lit) {
+Vec3 wetLight(const Scene& scene, const hair::StrandLook& look, const Tube& tube, const TubeNode& node, float h, const Vec3& tangent, const Vec3& view, const Vec3& color, float lit) {
   const Wetness& water = tube.water;
   const Vec3 up = node.normal, right = normalizeOr(glm::cross(up, std::abs(up.y) < 0.9f ? Vec3(0, 1, 0) : Vec3(1, 0, 0)), Vec3(1, 0, 0)), on = glm::cross(up, right);
   const auto inFrame = [&](const Vec3& v) { return Vec3(glm::dot(v, right), glm::dot(v, on), glm::dot(v, up)); };
-  const float sheet = water.sheet, joined = joinedOf(water), held = std::min(water.held, 1.0f), h = node.height;
-  const Vec3 light = inFrame(Vec3(scene.frame.light)), eye = inFrame(view), along = inFrame(tangent), beside = inFrame(water.beside);
-  Vec3 n = hair::clumpNormal(Vec2(inFrame(water.outward)) * (1 - joined), sheet);
-  n = glm::normalize(n + joined * Vec3(Vec2(beside) * water.lock.x - Vec2(along) * (2 * water.lock.z * tube.variance), 0));
-  const float clumps = held * (1 - 0.75f * sheet), gap = static_cast<float>(FUR_LOCK_GAP);
-  Vec3 out = color * (glm::mix(1.0f, glm::mix(gap, 1.0f, water.lock.y), joined) * hair::clumpShade(glm::dot(n, light), h, water.held, sheet));
-  const float number = glm::mix(1.0f, 0.65f + 0.6f * std::abs(water.lock.z), joined) * tube.variance;
+  const float sheet = water.sheet, held = std::min(water.held, 1.0f);
+  const Vec3 light = inFrame(Vec3(scene.frame.light)), eye = inFrame(view), along = inFrame(tangent);
+  const Vec2 lies = Vec2(along) / std::max(glm::length(Vec2(along)), 1e-3f);
+  const Vec3 n = glm::normalize(hair::clumpNormal(Vec2(inFrame(water.outward)), sheet) - Vec3(lies * (water.soaked * wet::liesBy(water.chance, tube.variance)), 0));
+  const float clumps = held * (1 - 0.75f * sheet), number = (1 - 0.25f * water.soaked) * tube.variance;
+  Vec3 out = color * hair::clumpShade(glm::dot(n, light), h, water.held, sheet);
   const Vec2 mirrored = hair::waterGloss(along, n, light, eye, water.held, sheet, look.wetGloss, look.shininess, number) * glm::mix(1.0f, h, clumps);
   out += 0.5f * held * hair::fringe(eye.z, h) * Vec3(scene.frame.backLight);
   return out + mirrored.x * lit * Vec3(scene.frame.keyLight) + mirrored.y * glm::mix(0.6f, 1.0f, lit) * skyLight(scene, up);
@@ -89,18 +87,19 @@ std::vector<Vec3> shadeNodes(const Scene& scene, const Tubes& tubes, const Shado
     for (std::uint32_t k = tube.firstNode; k < tube.firstNode + tube.nodeCount; ++k) {
       const TubeNode& node = tubes.nodes[k];
       const Vec3 tangent = tangentAt(tubes, tube, k), view = normalizeOr(eye - node.position, node.normal);
-      Vec3 albedo = hair::strandColor(Vec3(scene.coat.rootColors[0]), Vec3(scene.coat.tipColors[0]), node.height, tube.variance, scene.coat.typeVariance.x);
-      const auto [share, lit] = keyAt(scene, look, node, tube.water, tangent, shadows, light);
+      const float height = litHeight(node, tube.water);
+      Vec3 albedo = hair::strandColor(Vec3(scene.coat.rootColors[0]), Vec3(scene.coat.tipColors[0]), height, tube.variance, scene.coat.typeVariance.x);
+      const auto [share, lit] = keyAt(scene, look, node, height, tangent, shadows, light);
       const float nDotV = glm::dot(node.normal, view), rho = std::min(tube.water.held, 1.0f);
       if (rho > 0) albedo = hair::wetAlbedo(albedo, rho);
       hair::StrandLight lights;
       lights.key = Vec3(scene.frame.keyLight) * share;
-      lights.through = lights.key * hair::rimLight(glm::dot(toLight, view), nDotV, node.height);
+      lights.through = lights.key * hair::rimLight(glm::dot(toLight, view), nDotV, height);
       lights.fill = scene.frame.fillLight;
-      lights.rim = Vec3(scene.frame.backLight) * hair::fringe(nDotV, node.height);
+      lights.rim = Vec3(scene.frame.backLight) * hair::fringe(nDotV, height);
       lights.sky = skyLight(scene, node.normal);
-      out[k] = hair::shadeStrand(look, albedo, tangent, toLight, view, glm::dot(node.normal, toLight), nDotV, node.height, rho, lights, tube.variance);
-      if (rho > 0) out[k] = wetLight(scene, look, tube, node, tangent, view, out[k], lit);
+      out[k] = hair::shadeStrand(look, albedo, tangent, toLight, view, glm::dot(node.normal, toLight), nDotV, height, rho, lights, tube.variance);
+      if (rho > 0) out[k] = wetLight(scene, look, tube, node, height, tangent, view, out[k], lit);
     }
   });
   return out;

@@ -23,12 +23,11 @@ struct TubeNode {
 
 // What water makes of a strand.
 struct Wetness {
-  float held = 0;   // 1 is saturated, what is more lies on it as a film
-  float sheet = 0;  // how far clumps have closed into a sheet, wet::sheetOf()
-  Vec3 outward{0};  // from its clump's centre to its root along the skin, 1 at the rim; model space
-  Vec3 beside{0};   // across its lock of a sheet, unit; model space
-  // Of that lock: how far to that side it roots, -1 to 1 from rim to rim; how far out of the gaps beside it, 0 to 1; chance, -0.5 to 0.5.
-  Vec3 lock{0, 1, 0};
+  float held = 0;    // 1 is saturated, what is more lies on it as a film
+  float soaked = 0;  // how much of a sheet the coat is there, wet::sheetOf()
+  float sheet = 0;   // how far clumps have closed into it, wet::nearSheet()
+  float chance = 0;  // of its clump, wet::chanceOfClump()
+  Vec3 outward{0};   // from its clump's centre to its root along the skin, 1 at the rim; model space
 };
 
 struct Tube {

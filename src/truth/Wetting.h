@@ -1,13 +1,10 @@
 // Where water takes a strand: the forward formulas of Silva et al. 2010, whose inverse the shaders take at each step (wet/Clump.h).
 // A strand belongs to the clump in whose texel of the mask it roots. What the paper leaves open is as src/render/README.md has it:
-// wet strands lie down the way they lean and stand lower, and soaked ones lie in locks. Here a strand keeps its length to the end,
+// wet strands lie down the way they lean and stand lower, and soaked clumps open a little. Here a strand keeps its length to the end,
 // and one that roots in a clump's rim is no shorter than the others.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <optional>
-#include <vector>
 
 #include "shared/Blocks.h"
 #include "truth/FurMap.h"
@@ -29,10 +26,6 @@ class Wetting {
     float drawn = 0;          // wet::clumpingWetness(); 0: it belongs to no clump
     glm::dvec2 lean{0};       // of the tip, tiles
     float upright = 1;        // wet::upright()
-    // Of its lock: the direction across it (tiles); how far aside from its middle the strand roots, -1 to 1 from rim to rim; half its width
-    // at its root (tiles); where along it the strand roots, 0 root to 1 tip; and how far along it the strand reaches.
-    glm::dvec2 across{0};
-    float aside = 0, halfWidth = 0, along = 0, reach = 0;
   };
   // None where it is dry.
   std::optional<Strand> at(const Root& root) const;
@@ -44,13 +37,10 @@ class Wetting {
 
  private:
   glm::dvec2 centreOf(const Root& root, const Vec2& centre) const;
-  // `lies`: how far aside the strand's tip is, fur lengths.
-  void lieDown(const Root& root, float lies, Strand& strand) const;
 
   const FurMap& map_;
   const wet::MaskTexels& mask_;
   const render::shared::FurBlock& coat_;
-  std::vector<std::array<std::uint8_t, 2>> locks_;
 };
 
 // How wet the mask is there, 0 dry, 1 saturated and more; between texels the nearest. Numbers that are none count as dry.

@@ -42,6 +42,17 @@ inline float sheetOf(float rho, float shortness = 0) {
   return glm::mix(glm::smoothstep(kSheetFrom, 1.0f, rho), shortSheet, shortness);
 }
 
+// How much of a sheet it is where its strands are seen, near to the eye and in the reference: they stay in their clumps. Further off a sheet is
+// drawn as one (shell_wet.glsl).
+inline float nearSheet(float sheet, float shortness) {
+  return sheet * glm::mix(static_cast<float>(FUR_NEAR_SHEET), static_cast<float>(FUR_NEAR_SHORT_SHEET), shortness);
+}
+
+// By how much the strands of a clump lie further up or down together than others, -0.5..0.5: without it light would run in rings round a
+// soaked body. `centre`: of the clump as the mask has it, less its chart. Of a strand with that number: the slope by which its normal turns.
+inline float chanceOfClump(const Vec2& centre) { return glm::fract(glm::dot(centre, Vec2(37.3f, 91.7f))) - 0.5f; }
+inline float liesBy(float ofClump, float strand) { return 0.5f * ofClump + 0.3f * (strand - 0.5f); }
+
 // s: the share of the way to the clump's centre that a strand has gone at height h. Below kSheetFrom it is f(h) rho, as
 // printed; where clumps close into a sheet it falls again, so that it never exceeds 0.853: s / (1 - s) stays finite.
 inline float clumpPull(float h, float w, float layers, float rho, float sheet) {

@@ -120,6 +120,11 @@ TEST(Twins, StrandsOfAClump) {
   EXPECT_LT(largestDifference(18, [](float u, float v) { return wet::clumpingWetness(u, 3 * v); }), kGpuPrecision);
 }
 
+TEST(Twins, ClumpsOfASheetNearToTheEye) {
+  EXPECT_LT(largestDifference(41, wet::nearSheet), kGpuPrecision);
+  EXPECT_LT(largestDifference(42, [](float u, float v) { return wet::liesBy(wet::chanceOfClump(0.005f * Vec2(u, v)), v); }), kGpuPrecision);
+}
+
 TEST(Twins, SizeOfABead) { EXPECT_LT(largestDifference(40, wet::beadSize), kGpuPrecision); }
 
 TEST(Twins, PlaceOnALock) {

@@ -53,6 +53,27 @@ TEST(BeadSize, GrowsWithWaterAndThenFallsOnEveryStrand) {
   EXPECT_GT(beadSize(0.2f, 0.3f), 0);
 }
 
+TEST(NearSheet, KeepsTheClumpsOfASheetThatIsSeenNearAndThoseOfShortFurLess) {
+  EXPECT_EQ(nearSheet(0, 0), 0);
+  for (const float shortness : {0.0f, 0.5f, 1.0f}) {
+    EXPECT_LT(nearSheet(1, shortness), 1);
+    EXPECT_GT(clumpPull(1, 0.5f, 16, 1, nearSheet(1, shortness)), clumpPull(1, 0.5f, 16, 1, 1));
+  }
+  EXPECT_LT(nearSheet(1, 0), nearSheet(1, 1));
+}
+
+TEST(LiesBy, TurnsAsManyStrandsUpAsDown) {
+  Random random(3);
+  double sum = 0;
+  constexpr int kStrands = 20000;
+  for (int k = 0; k < kStrands; ++k) {
+    const float slope = liesBy(chanceOfClump({random.uniform(), random.uniform()}), random.uniform());
+    EXPECT_LE(std::abs(slope), 0.4f);
+    sum += slope;
+  }
+  EXPECT_NEAR(sum / kStrands, 0, 0.01);
+}
+
 TEST(LockPull, SplitsClumpsAtTheirTipsAndNeitherTheirFeetNorASheet) {
   EXPECT_EQ(lockPull(0, 1, 0), 0);
   EXPECT_EQ(lockPull(1, 1, 1), 0);
