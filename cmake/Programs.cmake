@@ -57,20 +57,25 @@ function(fur_web_program target)
     $<$<CONFIG:Debug>:-sASSERTIONS=1>
     # After the compiler's own -O3, wasm-opt's adds size but no speed that we could measure.
     $<$<CONFIG:Release>:-Oz> --no-entry)
-endfunction()
-
-# A visitor waits for these: a second round of wasm-opt finds 1 % more, inlining what is shorter than a call with it. (Rounds until
-# nothing is found would take as long again for some bytes.)
-function(fur_smallest target)
-  if(TARGET ${target})
-    target_link_options(${target} PRIVATE $<$<CONFIG:Release>:-sBINARYEN_EXTRA_PASSES=-Oz,--always-inline-max-function-size=5>)
-    # And a round after what emcc does last, which leaves some behind.
-    find_program(FUR_WASM_OPT wasm-opt HINTS "${EMSCRIPTEN_ROOT_PATH}/../bin" NO_CMAKE_FIND_ROOT_PATH)
-    if(FUR_WASM_OPT AND CMAKE_BUILD_TYPE STREQUAL "Release")
-      set(wasm "$<TARGET_FILE_DIR:${target}>/${target}.wasm")
-      add_custom_command(TARGET ${target} POST_BUILD COMMAND ${FUR_WASM_OPT} -Oz --enable-bulk-memory --enable-sign-ext
-        --enable-nontrapping-float-to-int --enable-exception-handling --enable-simd --enable-mutable-globals ${wasm} -o ${wasm} VERBATIM)
-    endif()
+  if(NOT CMAKE_BUILD_TYPE STREQUAL "Release")
+    return()
+  endif()
+  # A visitor waits for it. Small functions stay where they are until a last round of wasm-opt, which sees all of them: apart, and
+  # without those that one other alone calls, more of them are alike.
+  set(wasm "$<TARGET_FILE_DIR:${target}>/${target}.wasm")
+  find_program(FUR_WASM_OPT wasm-opt HINTS "${EMSCRIPTEN_ROOT_PATH}/../bin" NO_CMAKE_FIND_ROOT_PATH)
+  if(FUR_WASM_OPT)
+    target_link_options(${target} PRIVATE
+      -sBINARYEN_EXTRA_PASSES=--always-inline-max-function-size=0,--one-caller-inline-max-function-size=0)
+    add_custom_command(TARGET ${target} POST_BUILD COMMAND ${FUR_WASM_OPT} -Oz --always-inline-max-function-size=5
+      --one-caller-inline-max-function-size=20 --enable-bulk-memory --enable-sign-ext --enable-nontrapping-float-to-int
+      --enable-exception-handling --enable-simd --enable-mutable-globals ${wasm} -o ${wasm} VERBATIM)
+  endif()
+  # And those that are alike come next to each other.
+  if(FUR_NODE)
+    set(order "${CMAKE_SOURCE_DIR}/tools/order-functions.mjs")
+    add_custom_command(TARGET ${target} POST_BUILD COMMAND "${FUR_NODE}" "${order}" ${wasm} VERBATIM)
+    set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS "${order}")
   endif()
 endfunction()
 
@@ -80,10 +85,8 @@ if(EMSCRIPTEN)
   # It runs once a build: linking it well takes longer than it runs.
   fur_node_program(wet-fur-make-assets -sNODERAWFS=1 "$<$<CONFIG:Release>:-O1;-Wl,--lto-O1>")
   fur_web_program(wet-fur SOURCES web/*.cpp LINK fur_app)
-  fur_smallest(wet-fur)
   # The same with long hair, for models that have some.
   fur_web_program(wet-fur-hair SOURCES web/*.cpp web/hair/*.cpp LINK fur_app)
-  fur_smallest(wet-fur-hair)
   fur_web_program(wet-fur-editor SOURCES web/*.cpp web/hair/*.cpp web/editor/*.cpp LINK fur_app_editor)
   # What a visitor of the viewer need not download, and those who draw nothing need not take with the rest.
   fur_web_program(wet-fur-core SOURCES web/Boundary.cpp web/SettingsBindings.cpp web/core/*.cpp LINK fur_scene fur_hair)
