@@ -37,9 +37,10 @@ function(fur_node_program target)
 endfunction()
 
 # The wasm programs: modules for the browser that can also be imported, and with a given wasmBinary
-# instantiated, in Node; no eval, no file system.
+# instantiated, in Node; no eval, no file system. SMALLEST: what any page waits for.
 function(fur_web_program target)
-  fur_program(${target} ${ARGN})
+  cmake_parse_arguments(arg "SMALLEST" "" "" ${ARGN})
+  fur_program(${target} ${arg_UNPARSED_ARGUMENTS})
   if(NOT TARGET ${target})
     return()
   endif()
@@ -57,20 +58,29 @@ function(fur_web_program target)
     $<$<CONFIG:Debug>:-sASSERTIONS=1>
     # After the compiler's own -O3, wasm-opt's adds size but no speed that we could measure.
     $<$<CONFIG:Release>:-Oz> --no-entry)
-endfunction()
-
-# A visitor waits for these: a second round of wasm-opt finds 1 % more, inlining what is shorter than a call with it. (Rounds until
-# nothing is found would take as long again for some bytes.)
-function(fur_smallest target)
-  if(TARGET ${target})
-    target_link_options(${target} PRIVATE $<$<CONFIG:Release>:-sBINARYEN_EXTRA_PASSES=-Oz,--always-inline-max-function-size=5>)
-    # And a round after what emcc does last, which leaves some behind.
-    find_program(FUR_WASM_OPT wasm-opt HINTS "${EMSCRIPTEN_ROOT_PATH}/../bin" NO_CMAKE_FIND_ROOT_PATH)
-    if(FUR_WASM_OPT AND CMAKE_BUILD_TYPE STREQUAL "Release")
-      set(wasm "$<TARGET_FILE_DIR:${target}>/${target}.wasm")
-      add_custom_command(TARGET ${target} POST_BUILD COMMAND ${FUR_WASM_OPT} -Oz --enable-bulk-memory --enable-sign-ext
-        --enable-nontrapping-float-to-int --enable-exception-handling --enable-simd --enable-mutable-globals ${wasm} -o ${wasm} VERBATIM)
+  if(NOT CMAKE_BUILD_TYPE STREQUAL "Release")
+    return()
+  endif()
+  # Another round of wasm-opt after what emcc does last inlines what is shorter than a call with it.
+  set(wasm "$<TARGET_FILE_DIR:${target}>/${target}.wasm")
+  find_program(FUR_WASM_OPT wasm-opt HINTS "${EMSCRIPTEN_ROOT_PATH}/../bin" NO_CMAKE_FIND_ROOT_PATH)
+  if(FUR_WASM_OPT)
+    set(round -Oz --always-inline-max-function-size=5)
+    if(arg_SMALLEST)
+      # The linker inlines only what one other alone calls, as each module has inlined what its speed needs, and emcc nothing: apart,
+      # more functions are alike. (Long hair would move 4 % slower.)
+      target_link_options(${target} PRIVATE -Wl,-mllvm,-inline-threshold=-100
+        -sBINARYEN_EXTRA_PASSES=--always-inline-max-function-size=0,--one-caller-inline-max-function-size=0)
+      list(APPEND round --one-caller-inline-max-function-size=20)
     endif()
+    add_custom_command(TARGET ${target} POST_BUILD COMMAND ${FUR_WASM_OPT} ${round} --enable-bulk-memory --enable-sign-ext
+      --enable-nontrapping-float-to-int --enable-exception-handling --enable-simd --enable-mutable-globals ${wasm} -o ${wasm} VERBATIM)
+  endif()
+  # And functions that are alike come next to each other.
+  if(FUR_NODE)
+    set(order "${CMAKE_SOURCE_DIR}/tools/order-functions.mjs")
+    add_custom_command(TARGET ${target} POST_BUILD COMMAND "${FUR_NODE}" "${order}" ${wasm} VERBATIM)
+    set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS "${order}")
   endif()
 endfunction()
 
@@ -79,11 +89,9 @@ fur_program(wet-fur-make-assets SOURCES assets/*.cpp LINK fur_stages)
 if(EMSCRIPTEN)
   # It runs once a build: linking it well takes longer than it runs.
   fur_node_program(wet-fur-make-assets -sNODERAWFS=1 "$<$<CONFIG:Release>:-O1;-Wl,--lto-O1>")
-  fur_web_program(wet-fur SOURCES web/*.cpp LINK fur_app)
-  fur_smallest(wet-fur)
+  fur_web_program(wet-fur SMALLEST SOURCES web/*.cpp LINK fur_app)
   # The same with long hair, for models that have some.
   fur_web_program(wet-fur-hair SOURCES web/*.cpp web/hair/*.cpp LINK fur_app)
-  fur_smallest(wet-fur-hair)
   fur_web_program(wet-fur-editor SOURCES web/*.cpp web/hair/*.cpp web/editor/*.cpp LINK fur_app_editor)
   # What a visitor of the viewer need not download, and those who draw nothing need not take with the rest.
   fur_web_program(wet-fur-core SOURCES web/Boundary.cpp web/SettingsBindings.cpp web/core/*.cpp LINK fur_scene fur_hair)

@@ -17,6 +17,16 @@ std::vector<std::uint8_t> saved;
 
 void setError(Error error) { lastError = std::move(error); }
 
+void setCaughtError() {
+  try {
+    throw;
+  } catch (const std::bad_alloc&) {
+    setError({ErrorId::OutOfMemory, "the browser gives no more memory"});
+  } catch (const std::exception& error) {
+    setError({ErrorId::BadFile, error.what()});
+  }
+}
+
 int fail(Error error) {
   setError(std::move(error));
   return 0;

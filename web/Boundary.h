@@ -21,6 +21,7 @@
 namespace fur::web {
 
 void setError(Error error);
+void setCaughtError();       // of the exception that is being handled; once, as every export has a handler
 int fail(Error error);       // sets the error; 0
 int report(Status status);   // 1, or sets the error and 0
 const char* text(std::string value);
@@ -36,10 +37,8 @@ template <class Work>
 auto guarded(Work&& work) -> decltype(work()) {
   try {
     return work();
-  } catch (const std::bad_alloc&) {
-    setError({ErrorId::OutOfMemory, "the browser gives no more memory"});
-  } catch (const std::exception& error) {
-    setError({ErrorId::BadFile, error.what()});
+  } catch (...) {
+    setCaughtError();
   }
   return {};
 }
