@@ -5,9 +5,9 @@ uniform sampler2DArray streaks;  // strand, the mean of those in line: layers tu
 in vec3 vTileOfFur;  // tiles that a fur length covers: along axisS (x, y), along axisT (0, z)
 
 // Near the eye, up to the first of these mip levels, soaked fur is strands in clumps that lie; from the second on it is drawn as one.
-const float kStrandsTo = 2.2, kSheetFrom = 2.6;
+const float kNearLevel = 2.2, kFarLevel = 2.6;
 // So are clumps with radii of no more pixels than the first of these, whose strands and gaps would be grain; from the second on they are clumps.
-const float kClumpsFrom = 1.0, kClumpsTo = 4.5;
+const float kSmallClump = 1.0, kLargeClump = 4.5;
 // From here on what the march finds of a sheet does not show (what it finds is weighted by 1 - joined): that many steps.
 const float kWholeSheet = 0.98;
 #ifdef GROOMED
@@ -75,9 +75,9 @@ void enterWater() {
   entryChart = chartOf(entryClump);
   entryRadius = entryClump.a > 0.0 ? entryClump.z : 0.0;
   soakedShare = sheetOf(entryHeld, shortness);
-  float far = smoothstep(kStrandsTo, kSheetFrom, vLight.w);
+  float far = smoothstep(kNearLevel, kFarLevel, vLight.w);
   sheet = mix(nearSheet(soakedShare, shortness), soakedShare, far);
-  float clumpPixels = clumpRadius * tilesPerUnit * tileTexels * exp2(-vLight.w), smallClumps = 1.0 - smoothstep(kClumpsFrom, kClumpsTo, clumpPixels);
+  float clumpPixels = clumpRadius * tilesPerUnit * tileTexels * exp2(-vLight.w), smallClumps = 1.0 - smoothstep(kSmallClump, kLargeClump, clumpPixels);
   joined = max(soakedShare * (2.0 - soakedShare) * far, min(2.0 * entryHeld, 1.0) * smallClumps);
   coatTop = upright(entryHeld, soakedShare);
   lean = wetLean(0.5 * vLean.xy, entryHeld, soakedShare);
