@@ -6,7 +6,7 @@ import { FurApp } from './furapp.js';
 import { fetchModel, loadInto, prepare, provideModelImages, provideTypePictures, readColorMap, readGiven } from './models.js';
 import { Progress } from './progress.js';
 import { compileProgram, instantiateProgram, sharedProgram } from './runtime.js';
-import { pause, pieceSeconds, turnToLoad } from './schedule.js';
+import { LoadingTurn, pause, pieceSeconds } from './schedule.js';
 
 /** How soon a driver that compiles is asked again whether it is done. */
 const driverMilliseconds = 4;
@@ -138,14 +138,14 @@ export class Loading {
     this.#abort = new AbortController();
     const isStale = () => turn !== this.#turn;
     this.#told = new Progress();
-    let over;
+    const place = new LoadingTurn(this.#session.canvas);
     if (!loaded) this.#session.setPhase('loading');
     try {
       const pending = (async () => getSource(this.#abort.signal))();
       pending.catch(() => {});
       await this.#start();
       const source = await pending;
-      over = await turnToLoad(this.#session.canvas);
+      await place.take();
       if (isStale()) return;
       this.progress('fur', 0, 1);
       await pause();
@@ -157,7 +157,7 @@ export class Loading {
       if (isStale()) throw error;  // #leaveFailed() tells it
       throw this.failed(asFurError(error, error instanceof RangeError ? 'out-of-memory' : 'bad-file'));
     } finally {
-      over?.();
+      place.end();
     }
   }
 
@@ -247,7 +247,8 @@ export class Loading {
     if (app.failed && (!document || ++this.#failures > 1)) return void this.failed(app.program.failure);
     session.setPhase('loading');
     if (!document) return void this.load(this.#getSource).catch(() => {});  // `ready` and the error event carry it
-    const over = await turnToLoad(session.canvas);
+    const place = new LoadingTurn(session.canvas);
+    await place.take();
     try {
       if (turn === this.#turn) await this.#start();
       if (turn === this.#turn && (wasHair || document.hair?.byteLength)) await this.moveTo('hair', 'program');
@@ -257,7 +258,7 @@ export class Loading {
     } catch (error) {
       this.failed(asFurError(error, 'bad-file'));
     } finally {
-      over();
+      place.end();
     }
   }
 

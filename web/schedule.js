@@ -58,29 +58,60 @@ export function pause() {
   });
 }
 
-/** Those that wait to be loaded, who came first first. @type {{ canvas: HTMLCanvasElement, go: () => void }[]} */
-const waiting = [];
-let loading = false;
+/** Figures that are to be loaded, who came first first. @type {LoadingTurn[]} */
+const coming = [];
+/** @type {LoadingTurn | null} */
+let holder = null;
+let decision = 0;  // a timer
+/** Milliseconds: those that have come together are compared; who is held back asks again so soon, as the page may have been scrolled. */
+const together = 4, again = 100;
 
+const topOf = ({ canvas }) => canvas.getBoundingClientRect().top;
 function inWindow({ canvas }) {
   const { top, bottom, left, right } = canvas.getBoundingClientRect();
   return bottom > 0 && right > 0 && top < innerHeight && left < innerWidth;
 }
 
-function next() {
-  loading = waiting.length > 0;
-  if (!loading) return;
-  const best = [attended, inWindow, () => true].map((is) => waiting.findIndex(is)).find((at) => at >= 0);
-  waiting.splice(best, 1)[0].go();
+function decideIn(milliseconds) {
+  clearTimeout(decision);
+  decision = setTimeout(decide, milliseconds);
 }
 
-/** Resolves when it is its turn to be loaded: one at a time, what is seen first. @returns {Promise<() => void>} to be called after */
-export async function turnToLoad(canvas) {
-  if (loading) await new Promise((go) => { waiting.push({ canvas, go }); });
-  loading = true;
-  let over = false;
-  return () => {
-    if (!over) next();
-    over = true;
-  };
+/** First the one that a person turns to, then what the window shows, from its top down, then the others. */
+function decide() {
+  if (holder) return;
+  const ready = coming.filter(({ go }) => go), shown = ready.filter(inWindow).sort((a, b) => topOf(a) - topOf(b));
+  const best = ready.find(attended) ?? shown[0] ?? (coming.some(inWindow) ? null : ready[0]);
+  if (best) (holder = best).go();
+  else if (ready.length > 0) decideIn(again);
+}
+
+/**
+ * Figures come to be shown one after another. A turn is made as soon as a figure is to be loaded, so that what the window does not show
+ * waits for what it shows, whose file is on its way.
+ */
+export class LoadingTurn {
+  constructor(canvas) {
+    this.canvas = canvas;
+    this.go = null;  // once it is ready
+    coming.push(this);
+  }
+
+  /** Resolves when it is its turn. */
+  take() {
+    return new Promise((go) => {
+      this.go = go;
+      if (coming.length > 1) decideIn(together);
+      else decide();
+    });
+  }
+
+  /** In any case, taken or not. */
+  end() {
+    const at = coming.indexOf(this);
+    if (at < 0) return;
+    coming.splice(at, 1);
+    if (holder === this) holder = null;
+    decide();
+  }
 }

@@ -9,7 +9,7 @@ globalThis.cancelAnimationFrame = () => { frames.length = 0; };
 Object.assign(globalThis, { innerWidth: 400, innerHeight: 300 });
 performance.now = () => clock;
 
-const { askFrame, asksFrame, cancelFrame, turnToLoad } = await import('../../web/schedule.js');
+const { askFrame, asksFrame, cancelFrame, LoadingTurn } = await import('../../web/schedule.js');
 
 /** A canvas so far down the page that a pointer may be over. */
 const canvasAt = (top, hovered = false) => ({ matches: () => hovered, getBoundingClientRect: () => ({ top, bottom: top + 100, left: 0, right: 100 }) });
@@ -64,21 +64,38 @@ test('one alone has every frame, however long it takes; one that is withdrawn ha
   assert.ok(!asksFrame(one));
 });
 
-test('figures are loaded one after another: first the one under the pointer, then what the window shows, then the others as they came', async () => {
-  const order = [], over = await turnToLoad(canvasAt(0));
-  const places = { far: canvasAt(2000), farther: canvasAt(3000), shown: canvasAt(150), pointed: canvasAt(5000, true) };
+test('figures are loaded one after another: first the one under the pointer, then what the window shows from its top, then the others as they came', async () => {
+  const order = [], first = new LoadingTurn(canvasAt(0));
+  await first.take();
+  const places = { far: canvasAt(2000), farther: canvasAt(3000), lower: canvasAt(250), shown: canvasAt(150), pointed: canvasAt(5000, true) };
   const waiting = Object.entries(places).map(async ([name, canvas]) => {
-    const done = await turnToLoad(canvas);
+    const turn = new LoadingTurn(canvas);
+    await turn.take();
     order.push(name);
     await null;
     assert.equal(order.at(-1), name);
-    done();
-    done();
+    turn.end();
+    turn.end();
   });
   await null;
   assert.deepEqual(order, []);
-  over();
+  first.end();
   await Promise.all(waiting);
-  assert.deepEqual(order, ['pointed', 'shown', 'far', 'farther']);
-  (await turnToLoad(canvasAt(0)))();
+  assert.deepEqual(order, ['pointed', 'shown', 'lower', 'far', 'farther']);
+});
+
+test('what the window does not show waits for what it shows, whose file is on its way, and goes if that does not come', async () => {
+  const shown = new LoadingTurn(canvasAt(0)), far = new LoadingTurn(canvasAt(2000));
+  let gone = false;
+  const going = far.take().then(() => { gone = true; });
+  for (let i = 0; i < 3; ++i) await new Promise((resolve) => setTimeout(resolve, 110));
+  assert.equal(gone, false);
+  await shown.take();
+  shown.end();
+  await going;
+  far.end();
+  const missing = new LoadingTurn(canvasAt(0)), last = new LoadingTurn(canvasAt(2000)), came = last.take();
+  missing.end();
+  await came;
+  last.end();
 });
