@@ -24,7 +24,7 @@ const companionVariables = variables(
 const part = (name, description) => ({ name, description });
 const errorPart = part('error', 'What is wrong with the tag, or went wrong.');
 const figureOf = attribute('for', text, 'The id of the <wet-fur> that this is about; without it, the nearest one.');
-const labelOf = attribute('label', text, 'What it is called; by default as the settings table has it.');
+const labelOf = attribute('label', text, 'What it is called; what is tied to a setting by default as the settings table has it.');
 const setting = attribute('setting', text, 'The name of a setting, "wetness", "preset" or "tool".');
 
 /** @param {ReturnType<typeof import('./tables.mjs').readTables>} tables */
@@ -96,7 +96,7 @@ export function elementsOf({ fields, presets, tools }) {
     },
     {
       tag: 'wet-fur-compare', name: 'WetFurCompareElement', module: 'companions.js', description: 'Before and after, with a divider: two figures or pictures inside it, or two states of the figure that `for` names.',
-      attributes: [figureOf, attribute('before', json, 'Settings of the first state, `wetness` and `cameraOrbit` among them.'), attribute('after', json, 'The same of the second state.'),
+      attributes: [attribute('for', text, 'The id of the <wet-fur> whose two states are shown; without it the two figures inside are.'), attribute('before', json, 'Of the first state: any settings, `wetness`, 0 to 1, and `cameraOrbit`.'), attribute('after', json, 'The same of the second state.'),
         attribute('before-label', text, 'A caption.'), attribute('after-label', text, 'A caption.'), attribute('position', number, 'Percent of the width that shows what was before.'), labelOf],
       events: [['divide', 'CustomEvent<{ position: number }>', 'A person moved the divider.'], ['picture-change', 'CustomEvent<null>', 'There are new pictures of the two states.']],
       slots: [['before', 'The first figure; without names the first two children are taken.'], ['after', 'The second figure.']],
