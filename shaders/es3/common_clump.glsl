@@ -43,7 +43,7 @@ float clumpPull(float h, float held, float sheet) {
 float lockPull(float h, float held, float sheet) { return FUR_LOCK_IN_CLUMP_PULL * min(held, 1.0) * (1.0 - sheet) * h * h; }
 
 // The water that a clump of that radius (fur lengths) can draw its strands together by: none is drawn further aside than
-// it is long, so large drops on short fur leave it standing.
+// FUR_MAX_DISPLACEMENT of its length, so a large drop draws short fur together by less.
 float clumpingWetness(float held, float radius) { return min(held, FUR_MAX_DISPLACEMENT / max(radius, 1e-6)); }
 
 // How far along the strand of constant length a point at height h lies that has been drawn `aside` (fur lengths): the

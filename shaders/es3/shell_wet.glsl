@@ -4,11 +4,11 @@ uniform sampler2DArray streaks;  // strand, the mean of those in line: layers tu
 
 in vec3 vTileOfFur;  // tiles that a fur length covers: along axisS (x, y), along axisT (0, z)
 
-// Near the eye, up to the first of these mip levels, soaked fur is strands in clumps that lie; from the second on it is drawn as one.
+// Up to the first of these mip levels, near to the eye, soaked fur is strands in clumps that lie; from the second on it is drawn as one.
 const float kNearLevel = 2.2, kFarLevel = 2.6;
-// So are clumps with radii of no more pixels than the first of these, whose strands and gaps would be grain; from the second on they are clumps.
+// Clumps of as few pixels in radius as the first of these are drawn as one as well, as their strands and gaps would be grain; from the second on none.
 const float kSmallClump = 1.0, kLargeClump = 4.5;
-// From here on what the march finds of a sheet does not show (what it finds is weighted by 1 - joined): that many steps.
+// Of what is drawn as one, from here on what the march finds does not show (it is weighted by 1 - joined): that many steps.
 const float kWholeSheet = 0.98;
 #ifdef GROOMED
 const int kSheetSteps = 1;  // which fur there is
@@ -77,7 +77,8 @@ void enterWater() {
   soakedShare = sheetOf(entryHeld, shortness);
   float far = smoothstep(kNearLevel, kFarLevel, vLight.w);
   sheet = mix(nearSheet(soakedShare, shortness), soakedShare, far);
-  float clumpPixels = clumpRadius * tilesPerUnit * tileTexels * exp2(-vLight.w), smallClumps = 1.0 - smoothstep(kSmallClump, kLargeClump, clumpPixels);
+  float clumpPixels = clumpRadius * tilesPerUnit * tileTexels * exp2(-vLight.w);
+  float smallClumps = 1.0 - smoothstep(kSmallClump, kLargeClump, clumpPixels);
   joined = max(soakedShare * (2.0 - soakedShare) * far, min(2.0 * entryHeld, 1.0) * smallClumps);
   coatTop = upright(entryHeld, soakedShare);
   lean = wetLean(0.5 * vLean.xy, entryHeld, soakedShare);
@@ -118,7 +119,7 @@ bool leavesSkin() {
   return leaves;
 }
 
-// Whether a sheet hides all, and skin under it fills what it leaves open: nothing is marched for.
+// Whether strands that are drawn as one hide all, and skin under them fills what they leave open: nothing is marched for.
 bool underSheet() { return reachesSkin && joined > kWholeSheet && !leavesSkin(); }
 
 // Where a point of the ray lies in a clump: what it shows of it.
@@ -295,9 +296,9 @@ void lieDown(float frays, float line) {
   lying.tilt = -0.6 * lying.outward;
 }
 
-// Far from the eye those of a sheet that lie in line are shown instead of the one that the march met: its chance would be grain there. Near to
-// it clumps, and strands in them, are up or down by chance, or light would run in rings round the body; and get as much light as they
-// lie low.
+// Where strands are drawn as one, those that lie in line are shown instead of the one that the march met: its chance would be grain there.
+// Near to the eye soaked clumps, and strands in them, lie up or down by chance, or light would run in rings round the body, and get the
+// light of a lower height.
 void joinStrands(inout Met met, float furry) {
   met.x = mix(met.x, enters, joined);
   met.held = mix(met.here.clump.a, entryHeld, soakedShare);
@@ -344,6 +345,6 @@ vec3 waterLight(vec3 color, Met met, vec3 T, vec3 L, vec3 V, float lit) {
   outward *= (1.0 - joined) / max(length(outward), 1.0);
   vec3 n = normalize(clumpNormal(outward, sheet) + vec3(0.8 * joined * tiltOf(met) + lying.outward - back, 0.0));
   color *= mix(FUR_LOCK_GAP, 1.0, lying.rises);
-  float glints = met.number * mix(1.0 - 0.25 * soakedShare, 0.65 + 0.6 * abs(lying.chance), joined);
+  float glints = met.number * mix(mix(1.0, FUR_SHEET_GLINTS, soakedShare), 0.65 + 0.6 * abs(lying.chance), joined);
   return clumpLight(color, T, n, L, V, met.h, met.held, sheet, lit, vView.w, glints);
 }

@@ -99,3 +99,14 @@ test('what the window does not show waits for what it shows, whose file is on it
   await came;
   last.end();
 });
+
+test('what is scrolled into the window need not wait for what it showed before', async () => {
+  const place = { top: 2000 }, shown = new LoadingTurn(canvasAt(0));
+  const scrolled = new LoadingTurn({ matches: () => false, getBoundingClientRect: () => ({ ...place, bottom: place.top + 100, left: 0, right: 100 }) });
+  const came = scrolled.take();
+  await new Promise((resolve) => setTimeout(resolve, 30));  // by then it has been held back
+  place.top = 100;
+  await came;
+  scrolled.end();
+  shown.end();
+});

@@ -62,7 +62,6 @@ export const light = `${plain}&ui=0`;
  * machine, but at once: nobody waits for water to run and fur to settle. `untilStill(fur)` resolves when no frame is drawn any more.
  */
 function watchTime(fast) {
-  document.addEventListener('load', ({ target, detail }) => { if (target.localName === 'wet-fur') target.shownName = detail.name; }, true);
   const { requestAnimationFrame: frame, cancelAnimationFrame: cancelFrame, setTimeout: later, clearTimeout: cancelLater } = window;
   const soon = 400;  // ms: what is asked for later than that draws nothing
   const frames = new Set(), timers = new Set();  // that are asked for
@@ -126,6 +125,11 @@ function noteViolations() {
   document.addEventListener('securitypolicyviolation', (event) => window.violations.push(event.violatedDirective));
 }
 
+/** Notes which model each figure shows (`untilShown()`). */
+function noteShown() {
+  document.addEventListener('load', ({ target, detail }) => { if (target.localName === 'wet-fur') target.shownName = detail.name; }, true);
+}
+
 /**
  * Starts both before the tests of a file and stops them after; `always` are options of every page. Gives { url, open }:
  * `open(path, options)` opens a page in a context that no other page of the test has, and waits for the model. Its frames are
@@ -159,7 +163,7 @@ export function startBrowser({ headers = {}, subfolder = false, rasteriser = 'me
   });
   site.open = async (path, { wait = true, keep = false, fast = true, refine = false, scripts = [], prepare, ...options } = {}) => {
     await (started ??= start());
-    const taken = await pages.take({ viewport, ...always, ...options, scripts: [noteViolations, `(${watchTime})(${fast})`, ...refine ? [] : [leavePictures], ...scripts] });
+    const taken = await pages.take({ viewport, ...always, ...options, scripts: [noteViolations, noteShown, `(${watchTime})(${fast})`, ...refine ? [] : [leavePictures], ...scripts] });
     if (!keep) open.add(taken);
     const { page } = taken;
     page.context().setDefaultTimeout(patience);

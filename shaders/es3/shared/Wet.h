@@ -15,11 +15,12 @@
 #define FUR_SHEET_SINKS 0.5
 #define FUR_CLUMPS_SINK 0.3
 
-// Near the eye, where strands are seen, clumps of a sheet are drawn as no more open than by that much of it; in short fur by more.
-// The share of their height at which strands of a sheet get light, as they lie low.
+// How far clumps of a sheet open where its strands are seen, near to the eye: of long fur, of short fur. The share of their height at which
+// such strands get light, as they lie low, and of their glints.
 #define FUR_NEAR_SHEET 0.4
 #define FUR_NEAR_SHORT_SHEET 0.8
 #define FUR_SHEET_LIT 0.5
+#define FUR_SHEET_GLINTS 0.75
 
 // Fur is short where clumps are as wide as it is long: their radius as a share of its length, from which on it is rather short, and
 // wholly. It makes no clumps, which would be beads, but a sheet from that little water on, whole from that much.

@@ -72,7 +72,7 @@ bool BeadPass::draw(const Drawing& drawing, const WhiskerPass& whiskers) {
   if (!drawing.frame.wet || !drawing.look.furry() || strands_.empty()) return true;
   if (vertices_.bytes() == 0) {
     vertices_ = gl::Buffer(gl::BufferKind::Vertex, gl::bytesOf(strands_), true);
-    array_ = hairArray(vertices_, false);
+    array_ = hairArray(vertices_, 0);
     drawing.uploadedBytes += vertices_.bytes();
   } else if (changed_) {
     vertices_.update(gl::bytesOf(strands_));

@@ -18,8 +18,8 @@ static_assert(sizeof(WhiskerHair) == 27 * sizeof(float) && FUR_WHISKER_POINTS ==
 
 }  // namespace
 
-gl::VertexArray hairArray(const gl::Buffer& hairs, bool instanced) {
-  return gl::VertexArray(hairs, sizeof(WhiskerHair), kHairAttributes, instanced ? 1 : 0, nullptr);
+gl::VertexArray hairArray(const gl::Buffer& hairs, unsigned divisor) {
+  return gl::VertexArray(hairs, sizeof(WhiskerHair), kHairAttributes, divisor, nullptr);
 }
 
 std::size_t WhiskerPass::set(std::span<const WhiskerHair> hairs) {
@@ -29,8 +29,8 @@ std::size_t WhiskerPass::set(std::span<const WhiskerHair> hairs) {
   hairs_ = {};
   if (hairs.empty()) return 0;
   hairs_ = gl::Buffer(gl::BufferKind::Vertex, std::as_bytes(hairs), false);
-  array_ = hairArray(hairs_);
-  beads_ = hairArray(hairs_, false);
+  array_ = hairArray(hairs_, 1);
+  beads_ = hairArray(hairs_, 0);
   return hairs_.bytes();
 }
 

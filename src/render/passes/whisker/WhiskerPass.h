@@ -9,8 +9,8 @@
 
 namespace fur::render {
 
-// One instance a hair, or one vertex.
-gl::VertexArray hairArray(const gl::Buffer& hairs, bool instanced = true);
+// `divisor`: 1, an instance a hair; 0, a vertex a hair.
+gl::VertexArray hairArray(const gl::Buffer& hairs, unsigned divisor);
 
 class WhiskerPass {
  public:
