@@ -23,10 +23,11 @@ void drawToClump(inout Strand s) {
   mat2 tileFromAtlas = inverse(atlasFromTile()), tileFromFur = mat2(vTileOfFur.xy, 0.0, vTileOfFur.z), furFromTile = inverse(tileFromFur);
   float atlasLength = sqrt(abs(determinant(tileFromAtlas))), furLengths = sqrt(abs(determinant(furFromTile)));
   vec4 under = maskAt(mask, vAtlas), clump = under;
-  float held = max(filteredWetness(mask, vAtlas), 0.0), chart = chartOf(under);
+  vec2 water = max(filteredWater(mask, vAtlas), 0.0);
+  float held = water.x, chart = chartOf(under);
   s.sheet = sheetOf(held, shortnessOf(coatHere()));
   // Wet strands lie down the way they lean, and stand lower.
-  vec2 lean = wetLean(vTip, held, s.sheet);
+  vec2 lean = wetLean(vTip, water.y, sheetOf(water.y, shortnessOf(coatHere())));
   s.along /= upright(held, s.sheet);
   vec2 tile = vTile.xy - tileFromFur * lean * s.along, a = atlasAt(tile);
   clump = maskAt(mask, a);

@@ -89,6 +89,7 @@ vec3 clumpColor(vec4 clump) {
 // below 0 beside the charts, as it is beside the map. Unfiltered: centres do not mix.
 vec4 maskAt(sampler2D mask, vec2 a) {
   vec4 texel = texelFetch(mask, clamp(ivec2(a * maskTexels), ivec2(0), ivec2(int(maskTexels) - 1)), 0);
+  texel.z -= FUR_LYING_STEP * floor(texel.z / FUR_LYING_STEP);
   return a == clamp(a, 0.0, 1.0) ? texel : vec4(0.0, 0.0, 0.0, -1.0);
 }
 // What a texel's u is stored with: of each chart another, in multiples of FUR_CHART_STEP.
@@ -102,15 +103,16 @@ vec4 clumpAt(sampler2D mask, vec2 a) {
   return texel;
 }
 
-// The water held there, between four texels. Those beside the charts have -1 less than the water next to them.
-float filteredWetness(sampler2D mask, vec2 a) {
+// Between four texels, x: the water held there; y: that by which fur lies down. Beside the charts they have -1 less than the water next to them.
+vec2 filteredWater(sampler2D mask, vec2 a) {
   vec2 texel = a * maskTexels - 0.5, corner = floor(texel), part = texel - corner;
   ivec2 most = ivec2(int(maskTexels) - 1), low = clamp(ivec2(corner), ivec2(0), most), high = min(low + 1, most);
-  vec4 held = vec4(texelFetch(mask, low, 0).a, texelFetch(mask, ivec2(high.x, low.y), 0).a,
-                   texelFetch(mask, ivec2(low.x, high.y), 0).a, texelFetch(mask, high, 0).a);
+  vec4 water = vec4(texelFetch(mask, low, 0).zw, texelFetch(mask, ivec2(high.x, low.y), 0).zw);
+  vec4 above = vec4(texelFetch(mask, ivec2(low.x, high.y), 0).zw, texelFetch(mask, high, 0).zw);
+  vec4 lying = floor(vec4(water.xz, above.xz) / FUR_LYING_STEP) / FUR_LYING_STEPS, held = vec4(water.yw, above.yw);
   held = mix(held, -1.0 - held, step(held, vec4(-1.0)));
-  vec2 across = mix(held.xz, held.yw, part.x);
-  return mix(across.x, across.y, part.y);
+  vec4 across = mix(vec4(held.xz, lying.xz), vec4(held.yw, lying.yw), part.x);
+  return mix(across.xz, across.yw, part.y);
 }
 
 // Whether the strand rooted `from` the centre of the clump is of it, 0 or 1. Algorithm 2: a root outside the clump, in a

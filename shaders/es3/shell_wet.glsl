@@ -50,15 +50,15 @@ vec4 strandsInLine(vec2 tile, vec2 way, float type, float wide) {
 
 const float kAllSheet = 1.0 - FUR_SHEET_SINKS + 0.01;  // how high vertices stand between sheets
 // The water where the ray enters. In short fur, where it lies in no clumps, lines of strands draw it in further or less far: its border frays
-// the way that they lie.
-float waterOfLine(mat2 tileFromFur, float shortness) {
+// the way that they lie. As filteredWater().
+vec2 waterOfLine(mat2 tileFromFur, float shortness) {
   float lies = length(vLean.xy), shift = shortness * smoothstep(0.1, 0.5, lies) * float(vTop > kAllSheet);
   vec2 way = tileFromFur * (vLean.xy / max(lies, 1e-3)), at = vAtlas;
   for (int i = 0, once = int(shift > 0.0); i < once; ++i) {
     float chance = 4.5 * (strandsInLine(vTile.xy, way, 0.0, 0.9).z - 0.5);
     at -= atlasFromTile() * (way * (1.3 * shift * clamp(chance, -1.0, 1.0)));
   }
-  return filteredWetness(mask, at);
+  return filteredWater(mask, at);
 }
 
 void enterWater() {
@@ -70,7 +70,8 @@ void enterWater() {
   furLengths = sqrt(abs(determinant(furFromTile)));
   locksInClumps = FUR_LOCKS_IN_CLUMP / (clumpRadius * tilesPerUnit);
   float shortness = shortnessOf(coatHere());
-  entryHeld = waterOfLine(tileFromFur, shortness);
+  vec2 water = waterOfLine(tileFromFur, shortness);
+  entryHeld = water.x;
   vec4 entryClump = maskAt(mask, vAtlas);
   entryChart = chartOf(entryClump);
   entryRadius = entryClump.a > 0.0 ? entryClump.z : 0.0;
@@ -81,7 +82,7 @@ void enterWater() {
   float smallClumps = 1.0 - smoothstep(kSmallClump, kLargeClump, clumpPixels);
   joined = max(soakedShare * (2.0 - soakedShare) * far, min(2.0 * entryHeld, 1.0) * smallClumps);
   coatTop = upright(entryHeld, soakedShare);
-  lean = wetLean(0.5 * vLean.xy, entryHeld, soakedShare);
+  lean = wetLean(0.5 * vLean.xy, water.y, sheetOf(water.y, shortness));
   tipTile = tileFromFur * lean;
   // Clumps are denser than dry fur, and longer steps find them; twice as long ones missed them: clumps fell into dots.
   stepSize *= 1.0 + 0.3 * min(entryHeld, 1.0);

@@ -14,7 +14,7 @@
 #include "common_furshadow.glsl"
 #include "common_types.glsl"
 out vec4 fragColor;
-#if FUNCTION >= 24 && FUNCTION <= 28
+#if (FUNCTION >= 24 && FUNCTION <= 28) || FUNCTION == 43
 uniform sampler2D mask;
 #endif
 
@@ -74,7 +74,9 @@ void main() {
   texel.x -= FUR_CHART_STEP * 5.5;  // of chart 5
   float value = float(isBeside(texel));
 #elif FUNCTION == 27
-  float value = filteredWetness(mask, at);
+  float value = filteredWater(mask, at).x;
+#elif FUNCTION == 43
+  float value = filteredWater(mask, at).y;
 #elif FUNCTION == 28
   float value = sheetOf(clumpAt(mask, at).a, 0.0);
 #elif FUNCTION == 33

@@ -3,7 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shared/Wet.h"
+
 namespace fur::render {
+
+namespace {
+
+// Dry fur beside wet fur lies down with it: by less water than that it is not seen.
+constexpr float kLies = FUR_LYING_STEP * (FUR_LYING_STEPS / 16);
+bool looksWet(const Vec4& texel) { return texel.w > 0 || texel.z >= kLies; }
+
+}  // namespace
 
 void WetCells::update(const wet::MaskTexels& mask) {
   if (mask.rect.empty()) return;
@@ -17,7 +27,7 @@ void WetCells::update(const wet::MaskTexels& mask) {
   const auto row = [&](int y) { return static_cast<std::size_t>(y) * static_cast<std::size_t>(size_); };
   const Vec4* from = mask.texels.data();
   for (int y = rect.y0; y < rect.y1; ++y)
-    for (int x = rect.x0; x < rect.x1; ++x) texels_[row(y) + static_cast<std::size_t>(x)] = (from++)->w > 0;
+    for (int x = rect.x0; x < rect.x1; ++x) texels_[row(y) + static_cast<std::size_t>(x)] = looksWet(*from++);
   // A mask may have fewer texels than there are cells: each cell has one at least.
   const auto first = [&](int cell) { return cell * size_ / kAcross; };
   const auto last = [&](int cell) { return std::max((cell + 1) * size_ / kAcross, first(cell) + 1); };

@@ -1,4 +1,5 @@
-// Where the atlas is wet, coarsely: cells of which any texel of the mask is. Tells which patches of the coat can be drawn as dry fur.
+// Where the atlas is wet, coarsely: cells of which any texel of the mask is, or lies down by the water
+// round it. Tells which patches of the coat can be drawn as dry fur.
 #pragma once
 
 #include <cstdint>

@@ -51,6 +51,8 @@ glm::dvec2 Wetting::centreOf(const Root& root, const Vec2& centre) const {
 std::optional<Wetting::Strand> Wetting::at(const Root& root) const {
   const Vec2 atlas = map_.atlas(root.spot);
   Vec4 texel = texelAt(mask_, atlas);
+  const float lyingSteps = std::floor(texel.z / static_cast<float>(FUR_LYING_STEP)), lying = lyingSteps / static_cast<float>(FUR_LYING_STEPS);
+  texel.z -= static_cast<float>(FUR_LYING_STEP) * lyingSteps;
   Strand strand;
   strand.root = strand.centre = root.tile;
   Wetness& water = strand.water;
@@ -64,7 +66,7 @@ std::optional<Wetting::Strand> Wetting::at(const Root& root) const {
   // Of the dry strand's tip, along the skin.
   const Vec3 normal = map_.normal(root.spot), tip = (map_.point(root.spot, 1) - map_.point(root.spot, 0)) / coat_.furLength;
   const Vec3 aside = tip - normal * glm::dot(tip, normal);
-  const float much = glm::length(aside), lies = wet::wetLean(much, rho, water.soaked);
+  const float much = glm::length(aside), lies = wet::wetLean(much, lying, wet::sheetOf(lying, shortness));
   if (much > 1e-6f) strand.lean = map_.tileStep(root.spot, aside * (lies / much * coat_.furLength));
   texel.x -= static_cast<float>(FUR_CHART_STEP) * (std::floor(texel.x / static_cast<float>(FUR_CHART_STEP)) + 0.5f);
   const Vec2 centre(texel);

@@ -66,6 +66,7 @@ class SurfaceTexels {
   std::uint32_t blockOf(std::uint32_t place) const { return blockOf_[place]; }
   // The place that owns a texel's water; kNone off the model.
   std::uint32_t placeOf(std::uint32_t texel) const { return placeOf_[texel]; }
+  const std::vector<std::uint32_t>& placesOfTexels() const { return placeOf_; }  // of all
   std::uint32_t placeAt(const Vec2& atlas) const;
   // The vectors from texel to texel in u and in v along the place's triangle, model units; 0 for a triangle without area.
   std::pair<Vec3, Vec3> stepsAt(const geometry::Surface& surface, std::uint32_t place) const;

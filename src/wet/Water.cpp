@@ -8,12 +8,15 @@
 
 namespace fur::wet {
 
+const SurfaceTexels& Water::texelsOf(const WetSurface& skin) {
+  if (!texels_) texels_ = std::make_unique<SurfaceTexels>(skin.surface, skin.wetting.atlas());
+  return *texels_;
+}
+
 bool Water::prepare(const WetSurface& skin, std::uint32_t places, float clumpSize) {
   if (ready_) return true;
-  if (!texels_) {
-    texels_ = std::make_unique<SurfaceTexels>(skin.surface, skin.wetting.atlas());
-    sites_ = ClumpSites(*texels_, clumpSize);
-  }
+  texelsOf(skin);
+  if (sites_.radius() == 0) sites_ = ClumpSites(*texels_, clumpSize);
   if (!texels_->link(skin.surface, skin.query, places) || !sites_.find(*texels_, places)) return false;
   if (ways_.empty()) makePlaces();
   // The ways of the water, too: when all of a model is wet at once they would be a pause.

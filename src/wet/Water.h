@@ -123,6 +123,8 @@ class Water {
   // FNV-1a over the mask, its film, drops and puddles.
   std::uint64_t hash(const WetnessMask& mask) const;
   const SurfaceTexels* texels() const { return texels_.get(); }
+  // The same of a surface whose places may not be known yet; of what is not linked before prepare() no link.
+  const SurfaceTexels& texelsOf(const WetSurface& skin);
 
  private:
   // Smaller amounts count as dry, do not flow, and smaller changes as none.

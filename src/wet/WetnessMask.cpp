@@ -67,16 +67,10 @@ void blend(Vec4& texel, const Droplet& droplet, float radius, float wetness) {
   }
 }
 
-// One bit for each tile of a row that [from, to) meets.
-std::uint16_t tileBits(int from, int to, int tile) {
-  const int first = from / tile, last = (to - 1) / tile;
-  return static_cast<std::uint16_t>((0xffffu << first) & (0xffffu >> (15 - last)));
-}
-
 }  // namespace
 
 WetnessMask::WetnessMask(int size)
-    : size_(std::clamp(size, 16, 2048)), texels_(static_cast<std::size_t>(size_) * size_, Vec4(0)) {}
+    : size_(std::clamp(size, 16, 2048)), texels_(static_cast<std::size_t>(size_) * size_, Vec4(0)), changed_(size_) {}
 
 TexelRect WetnessMask::addDroplet(const Droplet& droplet, const std::uint16_t* chartOfTexel, std::uint16_t chart) {
   if (!usable(droplet)) return {};
@@ -167,14 +161,6 @@ void WetnessMask::restore(std::vector<Vec4> texels, std::vector<float> film) {
   note({0, 0, size_, size_});
 }
 
-void WetnessMask::touch(const TexelRect& changed) {
-  if (changed.empty()) return;
-  changed_ = unite(changed_, changed);
-  const int tile = (size_ + kTiles - 1) / kTiles;
-  const std::uint16_t bits = tileBits(changed.x0, changed.x1, tile);
-  for (int row = changed.y0 / tile; row <= (changed.y1 - 1) / tile; ++row) changedTiles_[static_cast<std::size_t>(row)] |= bits;
-}
-
 void WetnessMask::note(const TexelRect& changed) {
   if (changed.empty()) return;
   ++revision_;
@@ -200,40 +186,6 @@ std::uint64_t WetnessMask::hash() const {
   Fnv1a hash;
   hash.addAll(texels_);
   return hash.value();
-}
-
-TexelRect WetnessMask::takeChanged() {
-  changedTiles_ = {};
-  return std::exchange(changed_, TexelRect{});
-}
-
-std::vector<TexelRect> WetnessMask::takeChangedParts() {
-  const std::array<std::uint16_t, kTiles> tiles = changedTiles_;
-  const TexelRect all = takeChanged();
-  if (all.empty()) return {};
-  const int tile = (size_ + kTiles - 1) / kTiles;
-  std::vector<TexelRect> parts;
-  long area = 0;
-  for (int row = 0; row < kTiles; ++row) {
-    std::uint16_t bits = tiles[static_cast<std::size_t>(row)];
-    // Rows with the same tiles are one part.
-    int rows = 1;
-    while (bits && row + rows < kTiles && tiles[static_cast<std::size_t>(row + rows)] == bits) ++rows;
-    for (int x = 0; x < kTiles; ++x) {
-      if (!(bits >> x & 1)) continue;
-      int end = x + 1;
-      while (end < kTiles && (bits >> end & 1)) ++end;
-      parts.push_back({std::max(x * tile, all.x0), std::max(row * tile, all.y0), std::min(end * tile, all.x1),
-                       std::min((row + rows) * tile, all.y1)});
-      area += long{parts.back().x1 - parts.back().x0} * (parts.back().y1 - parts.back().y0);
-      x = end;
-    }
-    if (bits) row += rows - 1;
-  }
-  // Many calls cost more than a few texels.
-  const long whole = long{all.x1 - all.x0} * (all.y1 - all.y0);
-  if (parts.size() > 12 || 3 * area > 2 * whole) return {all};
-  return parts;
 }
 
 }  // namespace fur::wet

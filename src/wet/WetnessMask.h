@@ -2,13 +2,13 @@
 // Does not know the model: a droplet acts in the plane of the atlas. SurfaceWetting maps it onto the charts.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
 #include "core/Math.h"
 #include "geometry/AtlasTexels.h"
+#include "wet/ChangedTiles.h"
 
 namespace fur::wet {
 
@@ -68,7 +68,7 @@ class WetnessMask {
     filmTexels_ += static_cast<std::size_t>(film > 0.0f) - static_cast<std::size_t>(before > 0.0f);
     film_[texel] = film;
   }
-  void touch(const TexelRect& changed);
+  void touch(const TexelRect& changed) { changed_.note(changed); }
 
   // In atlas units.
   Vec2 texelCentre(std::size_t texel) const {
@@ -88,12 +88,10 @@ class WetnessMask {
   std::uint64_t hash() const;
   // What changed since the last call: what the renderer uploads. One rectangle round all of it, or a few that are
   // smaller together.
-  TexelRect takeChanged();
-  std::vector<TexelRect> takeChangedParts();
+  TexelRect takeChanged() { return changed_.take(); }
+  std::vector<TexelRect> takeChangedParts() { return changed_.takeParts(); }
 
  private:
-  static constexpr int kTiles = 16;  // along the mask
-
   bool lower(std::size_t texel, float amount);
   void setFilm(std::size_t texel, float value) {
     if (film_.empty()) {
@@ -110,8 +108,8 @@ class WetnessMask {
   std::vector<float> film_;
   std::size_t wetTexels_ = 0, filmTexels_ = 0;
   std::uint32_t revision_ = 0;
-  TexelRect changed_, painted_;
-  std::array<std::uint16_t, kTiles> changedTiles_{};  // a bit for each of a row
+  ChangedTiles changed_;
+  TexelRect painted_;
 };
 
 }  // namespace fur::wet

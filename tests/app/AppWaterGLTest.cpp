@@ -484,7 +484,8 @@ TEST(AppWater, OnlyWhatHasChangedGoesToTheGpu) {
   basin.app.splashPixel({100, 100}, 0.04f, 0.3f);
   const long splash = bytes() - still;
   EXPECT_GT(splash, 0);
-  EXPECT_LT(splash, mask / 20);
+  // Fur lies down as far as water shows in means, 0.3 of the model round it: a twentieth of the skin, in rectangles.
+  EXPECT_LT(splash, mask / 10);
   // A ground that is wet but does not change goes there once.
   basin.app.setWetness(1);
   basin.settle();

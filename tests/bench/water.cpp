@@ -2,8 +2,10 @@
 // Node as wet-fur-water-bench.js of the wasm preset, or natively. The best of some rounds each.
 #include <chrono>
 #include <cstdio>
+#include <optional>
 
 #include "geometry/Primitives.h"
+#include "wet/MaskEncoding.h"
 #include "wet/Water.h"
 
 using namespace fur;
@@ -61,6 +63,13 @@ int main() {
   for (int round = 0; round < 2; ++round)
     for (std::size_t i = 0; i < places.size(); i += 40) wetting.addDroplet(mask, surface, query, places[i].position, places[i].normal, 0.06f, 0.7f);
   show("first step after a flood", best(1, step));
+  std::optional<wet::WaterAround> around;
+  show("cells of the water round each place, once a model", best(1, [&](int) { around.emplace(*water.texels()); }));
+  const auto encode = [&](int) {
+    around->update(mask, mask.takeChangedParts());
+    for (const wet::TexelRect& part : around->takeChanged()) wet::encodeMask(mask, part, wetting.chartOfTexel(), &*around);
+  };
+  encode(0);
   double worst = 0, sum = 0;
   for (int i = 0; i < 60; ++i) {
     const double ms = best(1, step);
@@ -69,6 +78,12 @@ int main() {
   }
   show("step, flooded: mean of a second", sum);
   show("step, flooded: worst of a second", worst);
+  sum = 0;
+  for (int i = 0; i < 20; ++i) {
+    step(0);
+    sum += best(1, encode) / 20;
+  }
+  show("what the picture takes of it, flooded: mean", sum);
   show("step, flooded, that a stroke goes on in", best(20, [&](int) {
     wetting.addDroplet(mask, surface, query, places[9].position, places[9].normal, 0.05f, 0.35f);
     step(0);

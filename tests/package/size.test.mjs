@@ -16,8 +16,9 @@ import { dist } from '../../tools/site.mjs';
 // gathered from samples 3; saved coats, the skin's picture, markings and bare parts that stay dry, 4; locks of soaked fur, shells for
 // slender bodies and pictures by two sets of coordinates, 4. What reads formats beside glTF is in the larger program: 13 less; models in
 // pieces 3; how a coat lies, wet locks and what finds dry patches 10; beads of water
-// and a coat's room beside creases 2. Functions that are alike lie together and are inlined last: 15 less. Soaked fur near to the eye 1.
-const budgetBytes = 326 * 1024;
+// and a coat's room beside creases 2. Functions that are alike lie together and are inlined last: 15 less. Soaked fur near to the eye 1, water that
+// knows no charts 2.
+const budgetBytes = 328 * 1024;
 
 // The scripts that `entry` imports, at once or later, but for the editor's and those of long hair.
 function scriptsFrom(entry, seen = new Set()) {
@@ -30,7 +31,7 @@ function scriptsFrom(entry, seen = new Set()) {
   return seen;
 }
 
-test('the viewer downloads at most 326 KB, gzipped', (t) => {
+test('the viewer downloads at most 328 KB, gzipped', (t) => {
   const files = [...new Set(['index.js', 'element.js'].flatMap((entry) => [...scriptsFrom(entry)])), 'wet-fur.wasm'];
   const sizes = files.map((name) => [name, gzipSync(readFileSync(join(dist, name)), { level: 9 }).length]);
   const total = sizes.reduce((sum, [, size]) => sum + size, 0);

@@ -30,8 +30,7 @@ struct DropScene {
     renderer.emplace(std::move(Renderer::create().value()));
     renderer->setSurface(geometry::buildSurface(geometry::makeSphere()).value());
     const std::vector<std::uint16_t> charts(16 * 16, 0);
-    const std::vector<std::uint32_t> triangles(16 * 16, 0);
-    renderer->updateMask(wet::encodeMask(wet::WetnessMask(16), {0, 0, 16, 16}, {charts, triangles}));
+    renderer->updateMask(wet::encodeMask(wet::WetnessMask(16), {0, 0, 16, 16}, charts, nullptr));
     frame.camera = {Vec3(0, 0.6f, 6), Vec3(0), 0.6f};
     frame.width = frame.height = kDropSide;
     frame.settings.backgroundTop = 0x2040a0;

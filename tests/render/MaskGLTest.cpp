@@ -1,10 +1,10 @@
 // The mask as wet/MaskEncoding.h writes it, read by the shaders' own functions (common_clump.glsl).
 #include "core/Random.h"
-#include "geometry/Adjacency.h"
 #include "render/ShaderSources.h"
 #include "render/ShaderText.h"
 #include "shared/Blocks.h"
 #include "tests/render/TwinPicture.h"
+#include "tests/wet/FlatSkin.h"
 #include "wet/Clump.h"
 #include "wet/MaskEncoding.h"
 #include "wet/SurfaceWetting.h"
@@ -20,19 +20,24 @@ constexpr int kFirstEnds = 14, kSecondBegins = 17, kSecondEnds = 27, kThirdBegin
 struct Atlas {
   wet::WetnessMask mask{kSize};
   std::vector<std::uint16_t> charts;
-  std::vector<std::uint32_t> triangles;
+  std::vector<std::uint8_t> skin;
 
   Atlas() {
     for (int i = 0; i < kSize * kSize; ++i) {
       const int x = i % kSize;
       charts.push_back(x < kFirstEnds ? 5 : x < kSecondBegins ? wet::SurfaceWetting::kNoChart : x < kSecondEnds ? 63 : x < kThirdBegins ? wet::SurfaceWetting::kNoChart : 127);
-      triangles.push_back(charts.back() == wet::SurfaceWetting::kNoChart ? geometry::kNoTriangle : 0);
+      skin.push_back(charts.back() != wet::SurfaceWetting::kNoChart);
     }
     Random random(9);
     for (int i = 0; i < 30; ++i)
       mask.addDroplet({Vec2(random.uniform(-0.1f, 1.1f), random.uniform(-0.1f, 1.1f)), random.uniform(0.05f, 0.3f), random.uniform(0.3f, 1.0f)});
     // Some soaked, with a film.
     for (int i = 0; i < kSize * 20; ++i) mask.set(static_cast<std::uint32_t>(i), Vec4(0.5f, 0.3f, 0.1f, 1), 0.5f);
+  }
+  wet::MaskTexels encoded() const {
+    wet::WaterAround around = test::flatSkin(kSize, skin).around();
+    around.update(mask, {});
+    return wet::encodeMask(mask, {0, 0, kSize, kSize}, charts, &around);
   }
   bool onChart(int texel) const { return charts[static_cast<std::size_t>(texel)] != wet::SurfaceWetting::kNoChart; }
 };
@@ -65,7 +70,7 @@ class EncodedMask : public testing::Test {
 
   test::Stage stage{kSize, kSize};
   Atlas atlas;
-  wet::MaskTexels encoded = wet::encodeMask(atlas.mask, {0, 0, kSize, kSize}, {atlas.charts, atlas.triangles});
+  wet::MaskTexels encoded = atlas.encoded();
 };
 
 // Of the fixed point over [-2, 2).
@@ -100,6 +105,21 @@ TEST_F(EncodedMask, TellsTheShadersTheWaterBetweenTexelsAndAcrossTheBordersOfCha
     if (!atlas.onChart(i) && i < kSize * 19) least = std::min(least, held[i]);
   }
   EXPECT_GT(least, 0.1f) << "between two wet charts it is not dry";
+}
+
+TEST_F(EncodedMask, TellsTheShadersTheWaterByWhichFurLies) {
+  const std::vector<float> lying = read(43);
+  const auto lyingIn = [&](int x, int y) { return std::floor(encoded.texels[static_cast<std::size_t>(y * kSize + x)].z / static_cast<float>(FUR_LYING_STEP)) / static_cast<float>(FUR_LYING_STEPS); };
+  float most = 0;
+  for (int i = 0; i < kSize * kSize; ++i) {
+    const Vec2 at = Vec2(i % kSize, i / kSize) * (kSize / (kSize - 1.0f)) - 0.5f, corner = glm::floor(at), part = at - corner;
+    const int x = static_cast<int>(corner.x), y = static_cast<int>(corner.y);
+    if (x < 0 || y < 0 || x + 1 >= kSize || y + 1 >= kSize) continue;
+    const float expected = glm::mix(glm::mix(lyingIn(x, y), lyingIn(x + 1, y), part.x), glm::mix(lyingIn(x, y + 1), lyingIn(x + 1, y + 1), part.x), part.y);
+    EXPECT_NEAR(lying[i], expected, 1e-5f) << i;
+    most = std::max(most, lying[i]);
+  }
+  EXPECT_GT(most, 0.5f);
 }
 
 TEST_F(EncodedMask, IsASheetToTheShadersWhereItIsOneToTheEncoding) {

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "shared/Wet.h"
+
 namespace fur::render {
 namespace {
 
@@ -30,6 +32,15 @@ TEST(WetCells, AreWetWhereAnyTexelOfTheMaskIs) {
     EXPECT_TRUE(cells.isWet(there[0])) << size;
     EXPECT_EQ(wetCells(cells), std::max(WetCells::kAcross / size, 1) * std::max(WetCells::kAcross / size, 1)) << size;
   }
+}
+
+TEST(WetCells, AreWetWhereFurLiesDownBesideWetFur) {
+  WetCells cells;
+  wet::MaskTexels mask = dryMask(64);
+  mask.texels[70].z = FUR_LYING_STEP * 80;
+  mask.texels[90].z = FUR_LYING_STEP * 4;  // by so little that nobody sees it
+  cells.update(mask);
+  EXPECT_EQ(wetCells(cells), 1);
 }
 
 TEST(WetCells, FollowPartsOfAMaskAndCountWhatChanges) {

@@ -126,7 +126,7 @@ TEST(Wetting, FurThatLeansLiesDownTheWayItLeansAndWhatStandsDoesNot) {
   furgen::Coat coat = lawn();
   for (furgen::Node& node : coat.nodes) node.shift = Vec2(0);
   // No clump: beside the charts, where the mask tells the water alone.
-  const wet::MaskTexels mask = maskOf({0, 0, 0, -1.7f});
+  const wet::MaskTexels mask = maskOf({0, 0, FUR_LYING_STEP * std::round(0.7f * FUR_LYING_STEPS), -1.7f});
   const render::shared::FurBlock fur = test::furOf(kWetLength, 1);
   for (const float bend : {0.0f, 0.6f}) {
     const std::vector<Vec4> bends(4, Vec4(0, 0, bend, 1));

@@ -57,3 +57,6 @@
 // go round after FUR_CHART_NUMBERS.
 #define FUR_CHART_STEP 4.0
 #define FUR_CHART_NUMBERS 64
+// And the water by which fur lies down beside its clump's radius: z is stored with so much for each of that many steps.
+#define FUR_LYING_STEP 4.0
+#define FUR_LYING_STEPS 255.0

@@ -59,6 +59,7 @@ const wet::SurfaceWetting& WaterStage::wetting(const ShapeStage& shape) {
   std::vector<std::uint8_t> bare;
   for (std::uint32_t t = 0; t < shape.surface().triangleCount() && !bareFor_.empty(); ++t) bare.push_back(groom_->isBare(shape.materialAt(t)));
   wetting_.emplace(shape.surface(), mask_.size(), bare);
+  around_.reset();
   if (!isAnew) water_.forgetPlaces();  // of a new model it knows none
   return *wetting_;
 }
@@ -124,17 +125,31 @@ bool WaterStage::update(const Inputs& inputs) {
 
 // --- what there is ---
 
+// None while nothing has been wet: a model that nobody wets needs no means.
+wet::WaterAround* WaterStage::around(const ShapeStage& shape) {
+  const wet::WetSurface on{shape.surface(), shape.query(), wetting(shape)};  // may drop those of another model
+  if (!around_ && !mask_.isDry()) around_.emplace(water_.texelsOf(on));
+  return around_ ? &*around_ : nullptr;
+}
+
 std::vector<wet::MaskTexels> WaterStage::takeTexels(const ShapeStage& shape, bool all, bool softened) {
   std::vector<wet::TexelRect> parts = mask_.takeChangedParts();
+  wet::WaterAround* const round = around(shape);
+  if (round) {
+    round->update(mask_, parts);
+    parts = round->takeChanged();
+  }
   if (all) parts = {{0, 0, mask_.size(), mask_.size()}};
   std::vector<wet::MaskTexels> texels;
-  for (const wet::TexelRect& part : parts)
-    texels.push_back(wet::encodeMask(mask_, part, {wetting(shape).chartOfTexel(), wetting(shape).atlas().triangleOf()}, softened));
+  for (const wet::TexelRect& part : parts) texels.push_back(wet::encodeMask(mask_, part, wetting(shape).chartOfTexel(), softened ? round : nullptr));
   return texels;
 }
 
 wet::MaskTexels WaterStage::texels(const ShapeStage& shape) {
-  return wet::encodeMask(mask_, {0, 0, mask_.size(), mask_.size()}, {wetting(shape).chartOfTexel(), wetting(shape).atlas().triangleOf()});
+  const wet::TexelRect whole{0, 0, mask_.size(), mask_.size()};
+  wet::WaterAround* const round = around(shape);
+  if (round) round->update(mask_, {&whole, 1});
+  return wet::encodeMask(mask_, whole, wetting(shape).chartOfTexel(), round);
 }
 
 // Where the vertices lie, and how many of them there are at a point.

@@ -119,6 +119,7 @@ class WaterStage {
   bool flows(const wet::Climate& climate) const { return water_.active(mask_, climate) || (wetHair() && wetHair()->active(climate)); }
   // Of the point where the tool is held, as it is shown; model space.
   Vec3 placeOfHeld(const ShapeStage& shape) const { return hair_ ? hair_->placeOf(shape, held_->at, held_->height) : shape.shownPosition(held_->at); }
+  wet::WaterAround* around(const ShapeStage& shape);
   // What the texels of the mask lie on.
   const wet::SurfaceWetting& wetting(const ShapeStage& shape);
   wet::Climate climate(const Inputs& inputs) const;
@@ -138,6 +139,7 @@ class WaterStage {
   HairStage* hair_ = nullptr;
   const GroomStage* groom_ = nullptr;
   std::optional<wet::SurfaceWetting> wetting_;  // made when first needed: read it through wetting()
+  std::optional<wet::WaterAround> around_;      // likewise, through around()
   std::uint64_t wettingFor_ = 0, layFor_ = 0;   // revisions of surface and groom
   std::vector<std::uint8_t> bareFor_;
   std::uint64_t revision_ = 1;
