@@ -76,16 +76,18 @@ void enterWater() {
   entryChart = chartOf(entryClump);
   entryRadius = entryClump.a > 0.0 ? entryClump.z : 0.0;
   soakedShare = sheetOf(entryHeld, shortness);
-  float far = smoothstep(kNearLevel, kFarLevel, vLight.w);
+  // In the pixels that are shown: where fewer are drawn for a while, all stays as it is.
+  float shown = vLight.w + log2(drawnShare), far = smoothstep(kNearLevel, kFarLevel, shown);
   sheet = mix(nearSheet(soakedShare, shortness), soakedShare, far);
-  float clumpPixels = clumpRadius * tilesPerUnit * tileTexels * exp2(-vLight.w);
+  float clumpPixels = clumpRadius * tilesPerUnit * tileTexels * exp2(-shown);
   float smallClumps = 1.0 - smoothstep(kSmallClump, kLargeClump, clumpPixels);
   joined = max(soakedShare * (2.0 - soakedShare) * far, min(2.0 * entryHeld, 1.0) * smallClumps);
   coatTop = upright(entryHeld, soakedShare);
   lean = wetLean(0.5 * vLean.xy, water.y, sheetOf(water.y, shortness));
   tipTile = tileFromFur * lean;
   // Clumps are denser than dry fur, and longer steps find them; twice as long ones missed them: clumps fell into dots.
-  stepSize *= 1.0 + 0.3 * min(entryHeld, 1.0);
+  // Where the machine has too little time dry fur takes longer steps; clumps would grow darker, and the picture jumps when it goes back.
+  stepSize *= (1.0 + 0.3 * min(entryHeld, 1.0)) * mix(1.0, 1.0 / stepLength, min(2.0 * entryHeld, 1.0));
   closes = kClosed * (1.0 - 0.6 * soakedShare - 0.12 * min(entryHeld, 1.0) * (1.0 - sheet));
   enters = 0.0;
   if (vTop > coatTop) {

@@ -35,6 +35,7 @@ void fillCamera(const Frame& frame, shared::FrameBlock& block) {
   block.exposure = frame.settings.exposure;
   block.viewLayer = frame.settings.viewLayer;
   block.stepLength = frame.stepLength;
+  block.drawnShare = std::min(frame.pixelScale, 1.0f);
   block.finer = frame.sample > 0 ? kSampleLevels : 0;
   block.chance = sampleChance(frame.sample);
   block.sampleShare = 1 / static_cast<float>(frame.sample + 1);

@@ -35,7 +35,7 @@ std::vector<Member> frameMembers() {
       FUR_MEMBER(FrameBlock, ballRadius), FUR_MEMBER(FrameBlock, shadowExtinction), FUR_MEMBER(FrameBlock, shadowBias),
       FUR_MEMBER(FrameBlock, shadowLayerDepth), FUR_MEMBER(FrameBlock, shadowSurface), FUR_MEMBER(FrameBlock, shadowRange),
       FUR_MEMBER(FrameBlock, stepLength), FUR_MEMBER(FrameBlock, sampleShare), FUR_MEMBER(FrameBlock, transparent),
-      FUR_MEMBER(FrameBlock, finer),
+      FUR_MEMBER(FrameBlock, finer), FUR_MEMBER(FrameBlock, drawnShare),
   };
 }
 std::vector<Member> furMembers() {

@@ -64,6 +64,7 @@ FUR_BLOCK(FrameBlock) {
   float sampleShare;      // of the mean of this sample and those before it
   float transparent;      // 0 or 1: there is no background
   float finer;            // mip levels by which this sample of a mean reads the coat finer than a picture that stands alone
+  float drawnShare;       // pixels that are drawn along a side, as a share of those that are shown
 };
 
 // The coat. One a change of the settings. Arrays and vec4s of "type" hold one of each fur type.
