@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "furgen/LockCentres.h"
 #include "wet/Clump.h"
 
 namespace fur::truth {
@@ -11,6 +12,7 @@ namespace {
 
 // A clump's centre is a few triangles from a strand.
 constexpr int kCentreSteps = 4;
+constexpr int kLockTexels = static_cast<int>(FUR_LOCKS_ACROSS * FUR_LOCK_TEXELS);
 constexpr float kAtCentre = 1e-6f, kFarthestCentre = 16.0f;  // atlas units
 
 Vec4 texelAt(const wet::MaskTexels& mask, const Vec2& atlas) {
@@ -28,7 +30,8 @@ float waterOf(const Vec4& texel) { return glm::clamp(texel.w < 0 ? -1 - texel.w 
 float wetnessAt(const wet::MaskTexels& mask, const Vec2& atlas) { return waterOf(texelAt(mask, atlas)); }
 
 Wetting::Wetting(const FurMap& map, const wet::MaskTexels& mask, const render::shared::FurBlock& coat)
-    : map_(map), mask_(mask), coat_(coat) {
+    : map_(map), mask_(mask), coat_(coat), lockCentres_(furgen::lockCentres(kLockTexels, static_cast<int>(FUR_LOCKS_ACROSS))),
+      locksPerTile_(FUR_LOCKS_IN_CLUMP / std::max(coat.clumpRadius * coat.tilesPerUnit, 1e-6f)) {
   FUR_ASSERT(mask.texels.size() == static_cast<std::size_t>(mask.size) * static_cast<std::size_t>(mask.size), "Wetting::Wetting()", "a whole mask",
              mask.texels.size());
 }
@@ -48,13 +51,21 @@ glm::dvec2 Wetting::centreOf(const Root& root, const Vec2& centre) const {
   return tile;
 }
 
+// As lockCentreNear() in common_locks.glsl.
+glm::dvec2 Wetting::lockOf(const glm::dvec2& tile) const {
+  const glm::dvec2 texel = glm::floor(tile * locksPerTile_ * double{FUR_LOCK_TEXELS});
+  const auto repeated = [](double x) { return static_cast<std::size_t>(static_cast<std::int64_t>(x) & (kLockTexels - 1)); };
+  const std::array<std::uint8_t, 2>& way = lockCentres_[repeated(texel.y) * kLockTexels + repeated(texel.x)];
+  return ((texel + 0.5) / double{FUR_LOCK_TEXELS} + 4.0 * (glm::dvec2(way[0], way[1]) / 255.0 - 0.5)) / locksPerTile_;
+}
+
 std::optional<Wetting::Strand> Wetting::at(const Root& root) const {
   const Vec2 atlas = map_.atlas(root.spot);
   Vec4 texel = texelAt(mask_, atlas);
   const float lyingSteps = std::floor(texel.z / static_cast<float>(FUR_LYING_STEP)), lying = lyingSteps / static_cast<float>(FUR_LYING_STEPS);
   texel.z -= static_cast<float>(FUR_LYING_STEP) * lyingSteps;
   Strand strand;
-  strand.root = strand.centre = root.tile;
+  strand.root = strand.centre = strand.lock = root.tile;
   Wetness& water = strand.water;
   water.held = waterOf(texel);
   if (water.held <= 0) return std::nullopt;
@@ -76,6 +87,7 @@ std::optional<Wetting::Strand> Wetting::at(const Root& root) const {
   const float radius = texel.z * map_.unitsPerAtlas(root.spot.triangle), apart = glm::length(way);
   if (!std::isfinite(apart + radius) || !(radius > 0)) return strand;
   strand.centre = at;
+  strand.lock = lockOf(root.tile);
   water.chance = wet::chanceOfClump(centre);
   strand.drawn = wet::clumpingWetness(rho, std::max(radius, apart) / coat_.furLength);
   water.outward = (way - normal * glm::dot(way, normal)) / std::max(radius, apart);
@@ -89,7 +101,8 @@ float Wetting::pullAt(const Strand& strand, float h) const {
 }
 
 glm::dvec2 Wetting::tileAt(const Strand& strand, const glm::dvec2& dry, float h) const {
-  return dry - static_cast<double>(pullAt(strand, h)) * (dry - strand.centre) + strand.lean * static_cast<double>(h);
+  const glm::dvec2 inLock = dry - double{wet::lockPull(h, strand.drawn, strand.water.sheet)} * (strand.root - strand.lock);
+  return inLock - double{pullAt(strand, h)} * (inLock - strand.centre) + strand.lean * double{h};
 }
 
 }  // namespace fur::truth
