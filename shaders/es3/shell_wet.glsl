@@ -8,6 +8,7 @@ in vec3 vTileOfFur;  // tiles that a fur length covers: along axisS (x, y), alon
 const float kNearLevel = 2.2, kFarLevel = 2.6;
 // Clumps of as few pixels in radius as the first of these are drawn as one as well, as their strands and gaps would be grain; from the second on none.
 const float kSmallClump = 1.0, kLargeClump = 4.5;
+const float kFewestDrawn = 0.55;  // pixels along a side, as a share of those shown
 // Of what is drawn as one, from here on what the march finds does not show (it is weighted by 1 - joined): that many steps.
 const float kWholeSheet = 0.98;
 #ifdef GROOMED
@@ -76,8 +77,8 @@ void enterWater() {
   entryChart = chartOf(entryClump);
   entryRadius = entryClump.a > 0.0 ? entryClump.z : 0.0;
   soakedShare = sheetOf(entryHeld, shortness);
-  // In the pixels that are shown: where fewer are drawn for a while, all stays as it is.
-  float shown = vLight.w + log2(drawnShare), far = smoothstep(kNearLevel, kFarLevel, shown);
+  // In the pixels that are shown: where fewer are drawn for a while, all stays as it is; with still fewer it would be dots.
+  float shown = vLight.w + log2(max(drawnShare, kFewestDrawn)), far = smoothstep(kNearLevel, kFarLevel, shown);
   sheet = mix(nearSheet(soakedShare, shortness), soakedShare, far);
   float clumpPixels = clumpRadius * tilesPerUnit * tileTexels * exp2(-shown);
   float smallClumps = 1.0 - smoothstep(kSmallClump, kLargeClump, clumpPixels);
