@@ -24,10 +24,10 @@ void drawToClump(inout Strand s) {
   float atlasLength = sqrt(abs(determinant(tileFromAtlas))), furLengths = sqrt(abs(determinant(furFromTile)));
   vec4 under = maskAt(mask, vAtlas), clump = under;
   vec2 water = max(filteredWater(mask, vAtlas), 0.0);
-  float held = water.x, chart = chartOf(under);
-  s.sheet = sheetOf(held, shortnessOf(coatHere()));
+  float held = water.x, chart = chartOf(under), shortness = shortnessOf(coatHere());
+  s.sheet = sheetOf(held, shortness);
   // Wet strands lie down the way they lean, and stand lower.
-  vec2 lean = wetLean(vTip, water.y, sheetOf(water.y, shortnessOf(coatHere())));
+  vec2 lean = wetLean(vTip, water.y, sheetOf(water.y, shortness));
   s.along /= upright(held, s.sheet);
   vec2 tile = vTile.xy - tileFromFur * lean * s.along, a = atlasAt(tile);
   clump = maskAt(mask, a);

@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "shared/Wet.h"
-
 namespace fur::render {
 
 namespace {
 
 // Dry fur beside wet fur lies down with it: by less water than that it is not seen.
-constexpr float kLies = FUR_LYING_STEP * (FUR_LYING_STEPS / 16);
-bool looksWet(const Vec4& texel) { return texel.w > 0 || texel.z >= kLies; }
+constexpr float kLies = 1.0f / 16;
+bool looksWet(const Vec4& texel) { return texel.w > 0 || wet::lyingOf(texel) >= kLies; }
 
 }  // namespace
 

@@ -62,8 +62,7 @@ glm::dvec2 Wetting::lockOf(const glm::dvec2& tile) const {
 std::optional<Wetting::Strand> Wetting::at(const Root& root) const {
   const Vec2 atlas = map_.atlas(root.spot);
   Vec4 texel = texelAt(mask_, atlas);
-  const float lyingSteps = std::floor(texel.z / static_cast<float>(FUR_LYING_STEP)), lying = lyingSteps / static_cast<float>(FUR_LYING_STEPS);
-  texel.z -= static_cast<float>(FUR_LYING_STEP) * lyingSteps;
+  const float lying = wet::lyingOf(texel), clumpRadius = wet::radiusOf(texel);
   Strand strand;
   strand.root = strand.centre = strand.lock = root.tile;
   Wetness& water = strand.water;
@@ -81,10 +80,10 @@ std::optional<Wetting::Strand> Wetting::at(const Root& root) const {
   if (much > 1e-6f) strand.lean = map_.tileStep(root.spot, aside * (lies / much * coat_.furLength));
   texel.x -= static_cast<float>(FUR_CHART_STEP) * (std::floor(texel.x / static_cast<float>(FUR_CHART_STEP)) + 0.5f);
   const Vec2 centre(texel);
-  if (texel.w <= 0 || !(texel.z > 0) || glm::length(centre - atlas) > kFarthestCentre) return strand;
+  if (texel.w <= 0 || !(clumpRadius > 0) || glm::length(centre - atlas) > kFarthestCentre) return strand;
   const glm::dvec2 at = centreOf(root, centre);
   const Vec3 way = map_.point(root.spot, 0) - map_.point(map_.find(root.spot.triangle, at), 0);
-  const float radius = texel.z * map_.unitsPerAtlas(root.spot.triangle), apart = glm::length(way);
+  const float radius = clumpRadius * map_.unitsPerAtlas(root.spot.triangle), apart = glm::length(way);
   if (!std::isfinite(apart + radius) || !(radius > 0)) return strand;
   strand.centre = at;
   strand.lock = lockOf(root.tile);

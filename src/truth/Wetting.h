@@ -1,6 +1,7 @@
 // Where water takes a strand: the forward formulas of Silva et al. 2010, whose inverse the shaders take at each step (wet/Clump.h).
 // A strand belongs to the clump in whose texel of the mask it roots. What the paper leaves open is as src/render/README.md has it:
-// wet strands lie down the way they lean and stand lower, soaked clumps open a little, and each clump holds smaller locks. Here a strand keeps its length to the end,
+// wet strands lie down the way they lean and stand lower, soaked clumps open a little, and each clump holds smaller locks. Here a strand
+// keeps its length to the end,
 // and one that roots in a clump's rim is no shorter than the others.
 #pragma once
 

@@ -29,7 +29,6 @@ float weightOf(const Vec3& way, float radius, const Vec3& normal, const Vec3& ot
 WaterAround::WaterAround(int size, std::span<const SurfaceTexels::Place> places, std::span<const std::uint32_t> placeOf, float width)
     : size_(size), cellTexels_(std::clamp(static_cast<int>(std::lround(kCell / std::max(width, 1e-6f))), 1, size)),
       width_(width), radius_(kReach * static_cast<float>(cellTexels_) * width), placeOf_(placeOf.begin(), placeOf.end()), changed_(size) {
-  for (const SurfaceTexels::Place& place : places) texelOf_.push_back(place.texel), areaOf_.push_back(place.area);
   makeCells(places);
   findNear();
   share(places);
@@ -61,12 +60,12 @@ void WaterAround::makeCells(std::span<const SurfaceTexels::Place> places) {
     cell.area += place.area;
     cell.rect.include(x, y);
   }
-  firstPlace_.assign(cells_.size() + 1, 0);
-  for (const std::uint32_t c : cellOf_) ++firstPlace_[c + 1];
-  for (std::size_t c = 0; c < cells_.size(); ++c) firstPlace_[c + 1] += firstPlace_[c];
-  places_.resize(places.size());
-  std::vector<std::uint32_t> to(firstPlace_.begin(), firstPlace_.end() - 1);
-  for (std::uint32_t i = 0; i < places.size(); ++i) places_[to[cellOf_[i]]++] = i;
+  firstTexel_.assign(cells_.size() + 1, 0);
+  for (const std::uint32_t c : cellOf_) ++firstTexel_[c + 1];
+  for (std::size_t c = 0; c < cells_.size(); ++c) firstTexel_[c + 1] += firstTexel_[c];
+  texels_.resize(places.size());
+  std::vector<std::uint32_t> to(firstTexel_.begin(), firstTexel_.end() - 1);
+  for (std::size_t i = 0; i < places.size(); ++i) texels_[to[cellOf_[i]]++] = {places[i].texel, places[i].area};
   constexpr int kRim = geometry::AtlasTexels::kGutter + kBeside;
   for (Cell& cell : cells_) {
     cell.centre /= cell.area;
@@ -86,20 +85,23 @@ void WaterAround::findNear() {
     std::uint32_t& head = first[indexOf(cubeOf(cell.centre.x), cubeOf(cell.centre.y), cubeOf(cell.centre.z))];
     next.push_back(std::exchange(head, static_cast<std::uint32_t>(next.size())));
   }
-  const auto add = [&](const Cell& cell, std::uint32_t c) {
-    const float weight = cells_[c].area * weightOf(cells_[c].centre - cell.centre, radius, cell.normal, cells_[c].normal);
+  const auto add = [&](std::uint32_t c, float weight) {
     // Shares name them by a byte.
-    if (weight <= 0.0f || near_.size() - nearStart_.back() > 0xff) return;
+    if (!(weight > 0.0f) || near_.size() - nearStart_.back() > 0xff) return;
     near_.push_back(c);
     nearWeight_.push_back(weight);
   };
   nearStart_ = {0};
-  for (const Cell& cell : cells_) {
+  for (std::uint32_t own = 0; own < cells_.size(); ++own) {
+    const Cell& cell = cells_[own];
+    // Itself, however many others there are, and where it has no normal.
+    add(own, cell.area);
     const int x = cubeOf(cell.centre.x), y = cubeOf(cell.centre.y), z = cubeOf(cell.centre.z);
     for (int w = std::max(z - 1, 0); w <= std::min(z + 1, side - 1); ++w)
       for (int v = std::max(y - 1, 0); v <= std::min(y + 1, side - 1); ++v)
         for (int u = std::max(x - 1, 0); u <= std::min(x + 1, side - 1); ++u)
-          for (std::uint32_t c = first[indexOf(u, v, w)]; c != kNone; c = next[c]) add(cell, c);
+          for (std::uint32_t c = first[indexOf(u, v, w)]; c != kNone; c = next[c])
+            if (c != own) add(c, cells_[c].area * weightOf(cells_[c].centre - cell.centre, radius, cell.normal, cells_[c].normal));
     float all = 0;
     for (std::size_t k = nearStart_.back(); k < near_.size(); ++k) all += nearWeight_[k];
     for (std::size_t k = nearStart_.back(); k < near_.size(); ++k) nearWeight_[k] /= all;
@@ -143,15 +145,14 @@ void WaterAround::spreadBeside(std::span<const std::uint32_t> placeOf) {
 }
 
 WaterAround::Water WaterAround::sum(const WetnessMask& mask, std::size_t cell) const {
-  float held = 0, film = 0, area = 0;
-  for (std::uint32_t k = firstPlace_[cell]; k < firstPlace_[cell + 1]; ++k) {
-    const std::uint32_t place = places_[k], texel = texelOf_[place];
+  float held = 0, film = 0;
+  for (std::uint32_t k = firstTexel_[cell]; k < firstTexel_[cell + 1]; ++k) {
+    const auto [texel, area] = texels_[k];
     const float water = mask.texels()[texel].w + mask.filmAt(texel);
-    held += areaOf_[place] * std::min(water, 1.0f);
-    film += areaOf_[place] * glm::clamp(water - 1.0f, 0.0f, kMostFilm);
-    area += areaOf_[place];
+    held += area * std::min(water, 1.0f);
+    film += area * glm::clamp(water - 1.0f, 0.0f, kMostFilm);
   }
-  return {.held = inSteps(held / area, kStep), .film = inSteps(film / area, kStep)};
+  return {.held = inSteps(held / cells_[cell].area, kStep), .film = inSteps(film / cells_[cell].area, kStep)};
 }
 
 void WaterAround::update(const WetnessMask& mask, std::span<const geometry::TexelRect> changed) {

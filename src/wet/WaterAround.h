@@ -8,7 +8,6 @@
 
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "geometry/AtlasTexels.h"
@@ -51,6 +50,10 @@ class WaterAround {
     float area = 0;
     geometry::TexelRect rect;
   };
+  struct Texel {
+    std::uint32_t at;
+    float area;
+  };
   // In whole steps, so that a change ends somewhere.
   struct Water {
     float held = 0, film = 0, wide = 0, widest = 0;
@@ -71,14 +74,13 @@ class WaterAround {
   float width_;                         // of a place on average
   float radius_;                        // R of the near means
   std::vector<Cell> cells_;
-  std::vector<std::uint32_t> firstPlace_, places_;  // the places of each cell; one more for the end
+  std::vector<std::uint32_t> firstTexel_;        // of each cell; one more for the end
+  std::vector<Texel> texels_;                    // cell by cell
   std::vector<std::uint32_t> cellOf_;   // one a place
   std::vector<std::uint32_t> nearStart_, near_;  // the cells near each, itself among them
   std::vector<float> nearWeight_;
   std::vector<Share> shares_;           // one a place
   std::vector<std::uint32_t> placeOf_;  // one a texel, some beside charts among them
-  std::vector<std::uint32_t> texelOf_;  // one a place
-  std::vector<float> areaOf_;           // one a place
   std::vector<Water> water_;            // one a cell
   ChangedTiles changed_;
   bool fresh_ = true;

@@ -272,32 +272,18 @@ TEST(App, CheaperLevelsDrawFewerPixelsOfTheSameScene) {
   EXPECT_EQ(desk.stage.draw(desk.app).differingShare(best, 0), 0);
 }
 
-// Means of squares of 10 pixels.
-std::vector<float> squaresOf(const test::Picture& picture) {
-  std::vector<float> means;
-  for (int top = 0; top < picture.height; top += 10)
-    for (int left = 0; left < picture.width; left += 10) {
-      float sum = 0;
-      for (int i = 0; i < 300; ++i) sum += picture.at(left + i / 3 % 10, top + i / 30)[i % 3];
-      means.push_back(sum / 300);
-    }
-  return means;
-}
-
 TEST(App, NothingJumpsWhenItIsDrawnBetterAgain) {
   Desk desk;
-  // The light, and where locks are: strands get sharper. Half of the squares are fur; where locks are as wide as a few pixels they differ more.
+  // The light, and where locks are: strands get sharper. Half of the blocks are fur; where locks are as wide as a few pixels they differ more.
   for (const auto& [wetness, most, light] : {std::tuple{0.0f, 1.5f, 0.6f}, {0.6f, 3.5f, 1.2f}, {1.0f, 1.5f, 0.6f}}) {
     desk.app.setWetness(wetness);
     desk.app.setQuality(5, false);
-    std::vector<float> before = squaresOf(desk.stage.draw(desk.app));
+    test::Picture before = desk.stage.draw(desk.app);
     for (int level = 4; level >= 0; --level) {
       desk.app.setQuality(level, false);
-      const std::vector<float> now = squaresOf(desk.stage.draw(desk.app));
-      float lighter = 0, moved = 0;
-      for (std::size_t i = 0; i < now.size(); ++i) lighter += now[i] - before[i], moved += std::abs(now[i] - before[i]);
-      EXPECT_LT(moved / static_cast<float>(now.size()), most) << wetness << ", " << level;
-      EXPECT_LT(std::abs(lighter) / static_cast<float>(now.size()), light) << wetness << ", " << level;
+      const test::Picture now = desk.stage.draw(desk.app);
+      EXPECT_LT(test::meanDifference(test::blocksOf(now), test::blocksOf(before)), most) << wetness << ", " << level;
+      EXPECT_LT(std::abs(now.brightness() - before.brightness()), light) << wetness << ", " << level;
       before = now;
     }
   }

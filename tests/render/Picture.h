@@ -42,6 +42,21 @@ struct Picture {
   }
 };
 
+// Means over all channels of blocks of 10 by 10 pixels, row by row; and how far two of them are apart on average, 0..255.
+inline std::vector<float> blocksOf(const Picture& picture) {
+  const int across = picture.width / 10;
+  std::vector<float> means(static_cast<std::size_t>(across * (picture.height / 10)));
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x)
+      for (int k = 0; k < 3; ++k) means[static_cast<std::size_t>(y / 10 * across + x / 10)] += static_cast<float>(picture.at(x, y)[k]) / 300;
+  return means;
+}
+inline float meanDifference(const std::vector<float>& a, const std::vector<float>& b) {
+  float sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += std::abs(a[i] - b[i]);
+  return sum / static_cast<float>(a.size());
+}
+
 // One context a test program; each test draws into its own target.
 class Stage {
  public:

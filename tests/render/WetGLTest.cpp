@@ -119,27 +119,13 @@ struct WetBall : Scene {
   }
 };
 
-// Means of all channels over blocks of 10 x 10 pixels.
-std::vector<float> blocksOf(const Picture& p) {
-  std::vector<float> sums(20 * 20);
-  for (int y = 0; y < 200; ++y)
-    for (int x = 0; x < 200; ++x)
-      for (int k = 0; k < 3; ++k) sums[static_cast<std::size_t>(y / 10 * 20 + x / 10)] += static_cast<float>(p.at(x, y)[k]) / 300;
-  return sums;
-}
-float meanDifference(const std::vector<float>& a, const std::vector<float>& b) {
-  float sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += std::abs(a[i] - b[i]);
-  return sum / static_cast<float>(a.size());
-}
-
 TEST(WetLocks, CloseIntoASheetAndOpenAgainWithoutAJump) {
   WetBall ball;
   // In each half of the way to a soaked coat no step of an eightieth is more than four times as large as the mean one.
-  std::vector<float> last = blocksOf(ball.wet(0.8f)), steps;
+  std::vector<float> last = test::blocksOf(ball.wet(0.8f)), steps;
   for (int i = 1; i <= 16; ++i) {
-    std::vector<float> next = blocksOf(ball.wet(0.8f + 0.0125f * static_cast<float>(i)));
-    steps.push_back(meanDifference(last, next));
+    std::vector<float> next = test::blocksOf(ball.wet(0.8f + 0.0125f * static_cast<float>(i)));
+    steps.push_back(test::meanDifference(last, next));
     last = std::move(next);
   }
   float sum = 0, most = 0;

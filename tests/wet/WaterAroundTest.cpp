@@ -92,6 +92,21 @@ TEST(WaterAround, KnowsNothingOfTheOtherSideOfAnEar) {
   }
 }
 
+TEST(WaterAround, IsANumberWhereMoreCellsLieThanCanBeNamedAndWithoutNormals) {
+  test::FlatSkin crowded = test::flatSkin(kSkinSize, allSkin()), blank = crowded;
+  // All texels at a few points, so that each cell has all others near it.
+  for (auto& place : crowded.places) place.position = 0.01f * place.position;
+  for (auto& place : blank.places) place.normal = Vec3(0);
+  for (const test::FlatSkin* skin : {&crowded, &blank}) {
+    WaterAround around = skin->around();
+    around.update(wetMask([](int, int) { return 0.8f; }), {});
+    for (std::size_t i = 0; i < kSkinSize * kSkinSize; ++i) {
+      EXPECT_NEAR(around.at(i).held, 0.8f, 1 / 1024.0f) << i;
+      EXPECT_NEAR(around.at(i).widest, 0.8f, 1 / 256.0f) << i;
+    }
+  }
+}
+
 TEST(WaterAround, TellsWhatAChangeAltersAndIsTheSameAsOfTheWhole) {
   const test::FlatSkin skin = test::flatSkin(kSkinSize, allSkin());
   WetnessMask mask(kSkinSize);
