@@ -94,8 +94,9 @@ TEST(WaterAround, KnowsNothingOfTheOtherSideOfAnEar) {
 
 TEST(WaterAround, IsANumberWhereMoreCellsLieThanCanBeNamedAndWithoutNormals) {
   test::FlatSkin crowded = test::flatSkin(kSkinSize, allSkin()), blank = crowded;
-  // All texels at a few points, so that each cell has all others near it.
-  for (auto& place : crowded.places) place.position = 0.01f * place.position;
+  // One cell, and all others at one point: near enough to be named, too far to count where the one lies.
+  for (int i = 0; i < kSkinSize * kSkinSize; ++i)
+    crowded.places[static_cast<std::size_t>(i)].position = i % kSkinSize < 4 && i / kSkinSize < 4 ? Vec3(0) : Vec3(1.8f * WaterAround::kCell, 0, 0);
   for (auto& place : blank.places) place.normal = Vec3(0);
   for (const test::FlatSkin* skin : {&crowded, &blank}) {
     WaterAround around = skin->around();
