@@ -27,12 +27,16 @@ float sheetOf(float held, float shortness) {
   return mix(sheets.x, sheets.y, shortness);
 }
 
+// How far clumps have closed that are so much of a sheet: short fur makes none, whatever water it holds.
+float clumpsClosed(float held, float sheet, float shortness) { return mix(sheet, 1.0, shortness * smoothstep(0.0, FUR_SHORT_SHEET_FROM, held)); }
 // How much of a sheet that is where its strands are seen: they stay in their clumps.
 float nearSheet(float sheet, float shortness) { return sheet * mix(FUR_NEAR_SHEET, FUR_NEAR_SHORT_SHEET, shortness); }
 // How far the strands of a clump lie up or down together, by chance, -0.5..0.5.
 float chanceOfClump(vec2 centre) { return fract(dot(centre, vec2(37.3, 91.7))) - 0.5; }
-// Of a strand with that number: the slope by which its normal turns.
-float liesBy(float ofClump, float strand) { return 0.5 * ofClump + 0.3 * (strand - 0.5); }
+// Of a strand with that number: the slope by which its normal turns. In short fur, which makes no clumps, each has a chance of its own.
+float liesBy(float ofClump, float strand, float shortness) {
+  return 0.5 * mix(ofClump, fract(37.3 * strand) - 0.5, shortness) + 0.3 * (strand - 0.5);
+}
 
 // s: the share of the way to the clump's centre that a strand has gone at height h. A sheet opens it again.
 float clumpPull(float h, float held, float sheet) {

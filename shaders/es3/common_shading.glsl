@@ -177,6 +177,14 @@ struct StrandLight {
   vec3 sky;      // from all around
 };
 
+// How much a strand mirrors on its scales: under a film of water, which any water makes, an eighth of what it does in air. What the film
+// itself mirrors is waterGloss(). C++ twin in hair/StrandShading.h.
+float whiteLobe(float rho) {
+  float bare = 1.0 - min(rho, 1.0);
+  bare *= bare;
+  return 0.09 + 0.61 * bare * bare;
+}
+
 // Kajiya & Kay 1989 with a small Lambert term (Sheppard 5.3.1) and the factors of Silva et al. 2010:
 //   C = occ wet (C_d + C_s)                                  Eq. 2
 //   exponent p (1 + sigma_spec (rho - 1))                    Eq. 3: from dryShininess to shininess
@@ -197,7 +205,7 @@ vec3 shadeStrand(StrandLight lights, vec3 albedo, vec2 along, vec2 normal, float
   float strength = shine * sqrt(exponent / shininessShown());
   vec4 cosines = vec4(across.x * across.y, along.x * along.y, along * across.yx);
   vec2 shifts = lobeShifts(strand);
-  vec3 gloss = (strength * lights.key) * ((0.7 - 0.35 * rho) * kajiyaLobe(shiftedCosine(cosines, shifts.x), exponent) +
+  vec3 gloss = (strength * lights.key) * (whiteLobe(rho) * kajiyaLobe(shiftedCosine(cosines, shifts.x), exponent) +
                                           albedo * kajiyaLobe(shiftedCosine(cosines, shifts.y), 0.5 * exponent));
   gloss += albedo * (1.6 * lights.through);
 #endif
@@ -219,17 +227,19 @@ vec3 clumpNormal(vec2 outward, float sheet) {
   return normalize(vec3(outward * (1.0 - 0.85 * sheet), mix(sqrt(max(1.0 - dot(outward, outward), 0.0)), 1.0, sheet) + 0.25));
 }
 
+const float kWaterShininess = 60.0;
 // What water mirrors, as shares: x of the light, y of the sky. Cosines as of shadeStrand(), `normal` to the clump's.
 vec2 waterGloss(vec2 along, vec2 normal, float facing, float nDotL, float held, float sheet, float strand) {
   vec2 middle = vec2(normal.x + normal.y, along.x + along.y) * inversesqrt(max(2.0 + 2.0 * facing, 1e-6));  // of L + V
   float away = 1.0 - clamp(normal.y, 0.0, 1.0), faces = max(middle.x, 0.0), slope = middle.y;
   float fresnel = away * away, film = min(held, 1.25);
   fresnel = 0.04 + 0.6 * fresnel * fresnel * away;
+  float water = max(shininessShown(), kWaterShininess);
   // From strand to strand it lies elsewhere and is as strong as chance has it: fine lines instead of a band.
   float shifted = slope + 0.5 * (1.0 - sheet) * (strand - 0.5), own = strand * strand;
   own *= mix(1.0, own, sheet);
-  float glint = kajiyaLobe(faces, 1.3 * shininessShown()) * (1.0 - 0.7 * slope * slope) * (mix(0.3, 0.1, sheet) + 3.0 * own) +
-                kajiyaLobe(sqrt(max(1.0 - shifted * shifted, 0.0)), 5.0 * shininessShown()) * faces * faces * (0.1 + 1.2 * own);
+  float glint = kajiyaLobe(faces, 1.3 * water) * (1.0 - 0.7 * slope * slope) * (mix(0.3, 0.1, sheet) + 3.0 * own) +
+                kajiyaLobe(sqrt(max(1.0 - shifted * shifted, 0.0)), 5.0 * water) * faces * faces * (0.1 + 1.2 * own);
   return film * film * wetGloss * vec2(glossShare(nDotL) * glint * mix(1.6, 0.5, sheet), fresnel * mix(0.5, 0.2 + 2.4 * strand, sheet));
 }
 vec2 waterGloss(vec3 T, vec3 n, vec3 L, vec3 V, float held, float sheet, float strand) {

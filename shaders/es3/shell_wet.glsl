@@ -25,6 +25,7 @@ const bool kCountsShades = false;
 float entryHeld, entryChart;      // the water there; chartOf()
 float entryRadius;                // of its clump, 0: it is dry
 float soakedShare;                // how much of a sheet the coat is
+float shortness, closed;          // shortnessOf() of the coat there; clumpsClosed()
 float sheet, joined;              // how far the clumps that are drawn have closed into it; how much of what is shown is drawn as one
 float coatTop;                    // how high it stands
 float enters, closes;             // where the ray comes to that; what hides all
@@ -52,7 +53,7 @@ vec4 strandsInLine(vec2 tile, vec2 way, float type, float wide) {
 const float kAllSheet = 1.0 - FUR_SHEET_SINKS + 0.01;  // how high vertices stand between sheets
 // The water where the ray enters. In short fur, where it lies in no clumps, lines of strands draw it in further or less far: its border frays
 // the way that they lie. As filteredWater().
-vec2 waterOfLine(mat2 tileFromFur, float shortness) {
+vec2 waterOfLine(mat2 tileFromFur) {
   float lies = length(vLean.xy), shift = shortness * smoothstep(0.1, 0.5, lies) * float(vTop > kAllSheet);
   vec2 way = tileFromFur * (vLean.xy / max(lies, 1e-3)), at = vAtlas;
   for (int i = 0, once = int(shift > 0.0); i < once; ++i) {
@@ -70,8 +71,8 @@ void enterWater() {
   furFromTile = inverse(tileFromFur);
   furLengths = sqrt(abs(determinant(furFromTile)));
   locksInClumps = FUR_LOCKS_IN_CLUMP / (clumpRadius * tilesPerUnit);
-  float shortness = shortnessOf(coatHere());
-  vec2 water = waterOfLine(tileFromFur, shortness);
+  shortness = shortnessOf(coatHere());
+  vec2 water = waterOfLine(tileFromFur);
   entryHeld = water.x;
   vec4 entryClump = maskAt(mask, vAtlas);
   entryChart = chartOf(entryClump);
@@ -79,7 +80,8 @@ void enterWater() {
   soakedShare = sheetOf(entryHeld, shortness);
   // In the pixels that are shown: where fewer are drawn for a while, all stays as it is; with still fewer it would be dots.
   float shown = vLight.w + log2(max(drawnShare, kFewestDrawn)), far = smoothstep(kNearLevel, kFarLevel, shown);
-  sheet = mix(nearSheet(soakedShare, shortness), soakedShare, far);
+  closed = clumpsClosed(entryHeld, soakedShare, shortness);
+  sheet = mix(nearSheet(closed, shortness), closed, far);
   float clumpPixels = clumpRadius * tilesPerUnit * tileTexels * exp2(-shown);
   float smallClumps = 1.0 - smoothstep(kSmallClump, kLargeClump, clumpPixels);
   joined = max(soakedShare * (2.0 - soakedShare) * far, min(2.0 * entryHeld, 1.0) * smallClumps);
@@ -305,10 +307,10 @@ void lieDown(float frays, float line) {
 // light of a lower height.
 void joinStrands(inout Met met, float furry) {
   met.x = mix(met.x, enters, joined);
-  met.held = mix(met.here.clump.a, entryHeld, soakedShare);
+  met.held = mix(met.here.clump.a, entryHeld, closed);
   met.h *= mix(1.0, FUR_SHEET_LIT, soakedShare);
   lying = Lying(vec2(0.0), 1.0, 0.0, vec2(0.0));
-  float ofStrand = soakedShare * (1.0 - joined) * liesBy(chanceOfClump(met.here.clump.xy), met.number);
+  float ofStrand = soakedShare * (1.0 - joined) * liesBy(chanceOfClump(met.here.clump.xy), met.number, shortness);
   for (int i = 0, once = int(joined > 0.0); i < once; ++i) {
     vec4 inLine = strandsOfSheet(met.spot.z, 0.35), some = strandsOfSheet(met.spot.z, 1.2), many = strandsOfSheet(met.spot.z, 4.0);
     lieDown(2.0 * (inLine.z - 0.5) + 1.0 * (some.z - 0.5), 4.0 * (inLine.z - 0.5) + 2.0 * (some.z - 0.5));
@@ -346,7 +348,7 @@ vec3 soaked(vec3 albedo, float rho) { return wetAlbedo(albedo, rho); }
 
 vec3 waterLight(vec3 color, Met met, vec3 T, vec3 L, vec3 V, float lit) {
   vec2 back = lean * (lying.chance / max(length(lean), 1e-3)), outward = met.here.from / max(met.here.clump.z * atlasLength, 1e-6);
-  outward *= (1.0 - joined) / max(length(outward), 1.0);
+  outward *= (1.0 - shortness) * (1.0 - joined) / max(length(outward), 1.0);
   vec3 n = normalize(clumpNormal(outward, sheet) + vec3(0.8 * joined * tiltOf(met) + lying.outward - back, 0.0));
   color *= mix(FUR_LOCK_GAP, 1.0, lying.rises);
   float glints = met.number * mix(mix(1.0, FUR_SHEET_GLINTS, soakedShare), 0.65 + 0.6 * abs(lying.chance), joined);

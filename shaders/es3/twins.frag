@@ -97,8 +97,10 @@ void main() {
   float value = beadSize(at.x, at.y);
 #elif FUNCTION == 41
   float value = nearSheet(at.x, at.y);
+#elif FUNCTION == 44
+  float value = clumpsClosed(0.2 * at.x, 0.3, at.y);
 #elif FUNCTION == 42
-  float value = liesBy(chanceOfClump(0.005 * at), at.y);
+  float value = liesBy(chanceOfClump(0.005 * at), at.y, at.x);
 #elif FUNCTION == 29
   float value = kajiyaPower(at.x * 2.0 - 1.0, at.y * 60.0);
 #elif FUNCTION == 30

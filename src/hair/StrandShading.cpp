@@ -8,6 +8,9 @@ namespace fur::hair {
 namespace {
 // sin of the angle whose cosine is `c`; rounding may carry |c| of unit vectors past 1.
 float sineOf(float c) { return std::sqrt(std::max(1.0f - c * c, 0.0f)); }
+
+// Water is as smooth on blunt fur as on sleek: what its film mirrors is no wider than at this exponent.
+constexpr float kWaterShininess = 60;
 }  // namespace
 
 float kajiyaDiffuse(const Vec3& tangent, const Vec3& light) { return sineOf(glm::dot(tangent, light)); }
@@ -62,6 +65,11 @@ float keyShare(const StrandLook& look, float height, float nDotL, float lit) {
 
 float glossShare(float nDotL) { return saturate(1.6f * nDotL + 0.6f); }
 
+float whiteLobe(float wetness) {
+  const float bare = 1 - std::min(wetness, 1.0f);
+  return 0.09f + 0.61f * bare * bare * bare * bare;
+}
+
 Vec3 shadeStrand(const StrandLook& look, const Vec3& albedo, const Vec3& tangent, const Vec3& light, const Vec3& view,
                  float nDotL, float nDotV, float height, float wetness, const StrandLight& lights, float strand) {
   const float exponent = std::max(glm::mix(look.dryShininess, look.shininess, wetness), 1.0f);
@@ -69,7 +77,7 @@ Vec3 shadeStrand(const StrandLook& look, const Vec3& albedo, const Vec3& tangent
   const float strength = look.specular * std::sqrt(exponent / look.shininess) * glossShare(nDotL);
   const Vec2 shifts = lobeShifts(strand);
   const auto lobe = [&](float shift, float p) { return kajiyaLobe(shiftedCosine(tangent, light, view, shift), p); };
-  const Vec3 gloss = strength * lights.key * ((0.7f - 0.35f * wetness) * lobe(shifts.x, exponent) + albedo * lobe(shifts.y, 0.5f * exponent));
+  const Vec3 gloss = strength * lights.key * (whiteLobe(wetness) * lobe(shifts.x, exponent) + albedo * lobe(shifts.y, 0.5f * exponent));
   const float diffuse = glm::mix(kajiyaDiffuse(tangent, light), std::max(nDotL, 0.0f), look.lambert);
   const float filled = lights.fill * glm::mix(kajiyaDiffuse(tangent, view), std::max(nDotV, 0.0f), look.lambert);
   const Vec3 color = albedo * (lights.key * diffuse + 1.6f * lights.through + filled + lights.sky) + (albedo + 0.3f) * lights.rim + gloss;
@@ -103,8 +111,9 @@ Vec2 waterGloss(const Vec3& tangent, const Vec3& n, const Vec3& light, const Vec
   const float away = 1 - saturate(glm::dot(n, view)), faces = std::max(glm::dot(n, half), 0.0f), slope = glm::dot(tangent, half);
   const float fresnel = 0.04f + 0.6f * away * away * away * away * away;
   const float shifted = slope + 0.5f * (1 - sheet) * (strand - 0.5f), own = strand * strand * glm::mix(1.0f, strand * strand, sheet);
-  const float glint = kajiyaLobe(faces, 1.3f * exponent) * (1 - 0.7f * slope * slope) * (glm::mix(0.3f, 0.1f, sheet) + 3 * own) +
-                      kajiyaLobe(sineOf(shifted), 5 * exponent) * faces * faces * (0.1f + 1.2f * own);
+  const float water = std::max(exponent, kWaterShininess);
+  const float glint = kajiyaLobe(faces, 1.3f * water) * (1 - 0.7f * slope * slope) * (glm::mix(0.3f, 0.1f, sheet) + 3 * own) +
+                      kajiyaLobe(sineOf(shifted), 5 * water) * faces * faces * (0.1f + 1.2f * own);
   const float film = std::min(wetness, 1.25f), wet = film * film * wetGloss;
   return wet * Vec2(glossShare(light.z) * glint * glm::mix(1.6f, 0.5f, sheet), fresnel * glm::mix(0.5f, 0.2f + 2.4f * strand, sheet));
 }

@@ -69,6 +69,9 @@ struct StrandLight {
 };
 // By how much the tangent of a strand of long hair leans to the way that it is turned, -0.12 to 0.12: it is not as even as its wisp.
 float strandTilt(float strand, float height);
+// How much a strand mirrors on its scales. Keratin in air mirrors 0.047 of the light that comes straight at it, under water 0.006 (Fresnel's
+// formula with indices of 1.55 and 1.33): an eighth, and any water makes a film. What the film itself mirrors is waterGloss().
+float whiteLobe(float wetness);
 // Light from strand to eye, all vectors in one frame: Kajiya & Kay 1989 with a Lambert term and the factors of Silva et
 // al. 2010, Eq. 2-5; two lobes, a white one and a wider one of the strand's colour. `strand`: its random number.
 Vec3 shadeStrand(const StrandLook& look, const Vec3& albedo, const Vec3& tangent, const Vec3& light, const Vec3& view,

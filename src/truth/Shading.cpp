@@ -40,7 +40,7 @@ Vec3 wetLight(const Scene& scene, const hair::StrandLook& look, const Tube& tube
   const float sheet = water.sheet, held = std::min(water.held, 1.0f);
   const Vec3 light = inFrame(Vec3(scene.frame.light)), eye = inFrame(view), along = inFrame(tangent);
   const Vec2 lies = Vec2(along) / std::max(glm::length(Vec2(along)), 1e-3f);
-  const Vec3 n = glm::normalize(hair::clumpNormal(Vec2(inFrame(water.outward)), sheet) - Vec3(lies * (water.soaked * wet::liesBy(water.chance, tube.variance)), 0));
+  const Vec3 n = glm::normalize(hair::clumpNormal(Vec2(inFrame(water.outward)), sheet) - Vec3(lies * (water.soaked * wet::liesBy(water.chance, tube.variance, water.shortness)), 0));
   const float clumps = held * (1 - 0.75f * sheet), number = glm::mix(1.0f, static_cast<float>(FUR_SHEET_GLINTS), water.soaked) * tube.variance;
   Vec3 out = color * hair::clumpShade(glm::dot(n, light), h, water.held, sheet);
   const Vec2 mirrored = hair::waterGloss(along, n, light, eye, water.held, sheet, look.wetGloss, look.shininess, number) * glm::mix(1.0f, h, clumps);

@@ -26,6 +26,7 @@ struct Wetness {
   float held = 0;    // 1 is saturated, what is more lies on it as a film
   float soaked = 0;  // how much of a sheet the coat is there, wet::sheetOf()
   float sheet = 0;   // how far clumps have closed into it, wet::nearSheet()
+  float shortness = 0;  // wet::shortnessOf() the coat
   float chance = 0;  // of its clump, wet::chanceOfClump()
   Vec3 outward{0};   // from its clump's centre to its root along the skin, 1 at the rim; model space
 };

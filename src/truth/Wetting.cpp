@@ -70,8 +70,9 @@ std::optional<Wetting::Strand> Wetting::at(const Root& root) const {
   if (water.held <= 0) return std::nullopt;
   const float rho = std::min(water.held, 1.0f);
   const float shortness = wet::shortnessOf(coat_.furLength, coat_.clumpRadius);
+  water.shortness = shortness;
   water.soaked = wet::sheetOf(water.held, shortness);
-  water.sheet = wet::nearSheet(water.soaked, shortness);
+  water.sheet = wet::nearSheet(wet::clumpsClosed(water.held, water.soaked, shortness), shortness);
   strand.upright = wet::upright(rho, water.soaked);
   // Of the dry strand's tip, along the skin.
   const Vec3 normal = map_.normal(root.spot), tip = (map_.point(root.spot, 1) - map_.point(root.spot, 0)) / coat_.furLength;
@@ -89,7 +90,7 @@ std::optional<Wetting::Strand> Wetting::at(const Root& root) const {
   strand.lock = lockOf(root.tile);
   water.chance = wet::chanceOfClump(centre);
   strand.drawn = wet::clumpingWetness(rho, std::max(radius, apart) / coat_.furLength);
-  water.outward = (way - normal * glm::dot(way, normal)) / std::max(radius, apart);
+  water.outward = (1 - shortness) * (way - normal * glm::dot(way, normal)) / std::max(radius, apart);
   return strand;
 }
 

@@ -42,6 +42,12 @@ inline float sheetOf(float rho, float shortness = 0) {
   return glm::mix(glm::smoothstep(kSheetFrom, 1.0f, rho), shortSheet, shortness);
 }
 
+// How far clumps have closed that are so much of a sheet: short fur makes none, whatever water it holds, as each would cover many strands
+// that it cannot draw together.
+inline float clumpsClosed(float rho, float sheet, float shortness) {
+  return glm::mix(sheet, 1.0f, shortness * glm::smoothstep(0.0f, static_cast<float>(FUR_SHORT_SHEET_FROM), rho));
+}
+
 // How much of a sheet it is where its strands are seen, near to the eye and in the reference: they stay in their clumps. Further off a sheet is
 // drawn as one (shell_wet.glsl).
 inline float nearSheet(float sheet, float shortness) {
@@ -50,8 +56,11 @@ inline float nearSheet(float sheet, float shortness) {
 
 // By how much the strands of a clump lie further up or down together than others, -0.5..0.5: without it light would run in rings round a
 // soaked body. `centre`: of the clump as the mask has it, less its chart. Of a strand with that number: the slope by which its normal turns.
+// In short fur, which makes no clumps, each has a chance of its own.
 inline float chanceOfClump(const Vec2& centre) { return glm::fract(glm::dot(centre, Vec2(37.3f, 91.7f))) - 0.5f; }
-inline float liesBy(float ofClump, float strand) { return 0.5f * ofClump + 0.3f * (strand - 0.5f); }
+inline float liesBy(float ofClump, float strand, float shortness) {
+  return 0.5f * glm::mix(ofClump, glm::fract(37.3f * strand) - 0.5f, shortness) + 0.3f * (strand - 0.5f);
+}
 
 // s: the share of the way to the clump's centre that a strand has gone at height h. Below kSheetFrom it is f(h) rho, as
 // printed; where clumps close into a sheet it falls again, so that it never exceeds 0.853: s / (1 - s) stays finite.

@@ -105,6 +105,19 @@ TEST(FurShadow, FollowsThePrintedFormula) {
   EXPECT_NEAR(furShadow(0.35f, 0.5f, 0.2f), 0.5f, 1e-5f);
 }
 
+TEST(WhiteLobe, FallsToAnEighthUnderWaterAndMostOfTheWayWithTheFirstOfIt) {
+  EXPECT_NEAR(whiteLobe(1) / whiteLobe(0), 0.125f, 0.01f);
+  EXPECT_EQ(whiteLobe(1), whiteLobe(1.25f)) << "a film is as good as more of it";
+  EXPECT_LT(whiteLobe(0.5f), 0.2f * whiteLobe(0));
+  for (float rho = 0.05f; rho <= 1; rho += 0.05f) EXPECT_LT(whiteLobe(rho), whiteLobe(rho - 0.05f)) << rho;
+}
+
+TEST(WaterGloss, IsNoBlunterOnBluntFur) {
+  const Vec3 along(1, 0, 0), up(0, 0, 1), light = glm::normalize(Vec3(0.3f, 0.4f, 1)), view = glm::normalize(Vec3(-0.2f, 0.1f, 1));
+  EXPECT_EQ(waterGloss(along, up, light, view, 1, 0.5f, 1, 20, 0.6f), waterGloss(along, up, light, view, 1, 0.5f, 1, 60, 0.6f));
+  EXPECT_NE(waterGloss(along, up, light, view, 1, 0.5f, 1, 90, 0.6f), waterGloss(along, up, light, view, 1, 0.5f, 1, 60, 0.6f));
+}
+
 TEST(WetLight, IsUnchangedWhereSigmaIsNought) {
   EXPECT_EQ(wetSpecularExponent(24, 0.3f, 0), 24.0f);
   EXPECT_EQ(occlusionFactor(0.2f, 0), 1.0f);

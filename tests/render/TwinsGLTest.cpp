@@ -122,7 +122,8 @@ TEST(Twins, StrandsOfAClump) {
 
 TEST(Twins, ClumpsOfASheetNearToTheEye) {
   EXPECT_LT(largestDifference(41, wet::nearSheet), kGpuPrecision);
-  EXPECT_LT(largestDifference(42, [](float u, float v) { return wet::liesBy(wet::chanceOfClump(0.005f * Vec2(u, v)), v); }), kGpuPrecision);
+  EXPECT_LT(largestDifference(44, [](float u, float v) { return wet::clumpsClosed(0.2f * u, 0.3f, v); }), kGpuPrecision);
+  EXPECT_LT(largestDifference(42, [](float u, float v) { return wet::liesBy(wet::chanceOfClump(0.005f * Vec2(u, v)), v, u); }), kGpuPrecision);
 }
 
 TEST(Twins, SizeOfABead) { EXPECT_LT(largestDifference(40, wet::beadSize), kGpuPrecision); }

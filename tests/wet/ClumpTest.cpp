@@ -62,12 +62,23 @@ TEST(NearSheet, KeepsTheClumpsOfASheetThatIsSeenNearAndThoseOfShortFurLess) {
   EXPECT_LT(nearSheet(1, 0), nearSheet(1, 1));
 }
 
+TEST(ClumpsClosed, ShortFurHasNoneAndLongFurHasThoseThatItsSheetLeaves) {
+  for (const float rho : {0.0f, 0.1f, 0.5f, 1.0f}) EXPECT_EQ(clumpsClosed(rho, sheetOf(rho, 0), 0), sheetOf(rho, 0)) << rho;
+  for (const float rho : {0.05f, 0.1f, 0.5f, 1.0f}) EXPECT_EQ(clumpsClosed(rho, sheetOf(rho, 1), 1), 1) << rho;
+  EXPECT_EQ(clumpsClosed(0, 0, 1), 0) << "dry fur is as it was";
+}
+
+TEST(LiesBy, OfShortFurKnowsNoClump) {
+  EXPECT_EQ(liesBy(-0.4f, 0.3f, 1), liesBy(0.4f, 0.3f, 1));
+  EXPECT_NE(liesBy(-0.4f, 0.3f, 0), liesBy(0.4f, 0.3f, 0));
+}
+
 TEST(LiesBy, TurnsAsManyStrandsUpAsDown) {
   Random random(3);
   double sum = 0;
   constexpr int kStrands = 20000;
   for (int k = 0; k < kStrands; ++k) {
-    const float slope = liesBy(chanceOfClump({random.uniform(), random.uniform()}), random.uniform());
+    const float slope = liesBy(chanceOfClump({random.uniform(), random.uniform()}), random.uniform(), random.uniform());
     EXPECT_LE(std::abs(slope), 0.4f);
     sum += slope;
   }
