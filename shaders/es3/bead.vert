@@ -38,6 +38,7 @@ void main() {
   vec3 direction = directionLength.xyz;
   vec3 bend = curveGive.xyz + curveGive.w * (coatHere.xyz - direction * dot(direction, coatHere.xyz));
   float along = ofCoat ? mix(0.8, 1.0, fract(other * 7.0)) : mix(0.35, 0.95, other), len = ofCoat ? coat * upright(held, sheetOf(held, shortnessOf(coat))) : directionLength.w;
+  along *= 1.0 - 0.7 * beadRun(held, chance);
   vec3 p = strandPoint(rootWidth.xyz, direction, bend, along, len), toEye = eye.xyz - p;
   float distance = length(toEye), pixels = pixelsPerUnit / distance;
   toEye /= distance;

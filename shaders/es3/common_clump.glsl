@@ -69,10 +69,17 @@ float upright(float held, float sheet) {
   return 1.0 - mix(FUR_CLUMPS_SINK * min(held, 1.0), FUR_SHEET_SINKS, sheet);
 }
 
-// How large a bead a strand holds at its tip, 0..1: more and larger ones with more water, until they run down. `chance`: the strand's own.
+// How large a bead a strand holds at its tip, as a share of the largest alone: more and larger ones with more water; then some run down, and those left
+// grow by what they held. `chance`: the strand's own.
+float beadsLeft(float held) { return 1.0 - smoothstep(FUR_BEADS_RUN, FUR_NO_BEADS, held); }
 float beadSize(float held, float chance) {
-  float many = smoothstep(FUR_BEADS_FROM, FUR_BEADS, held) * (1.0 - smoothstep(FUR_BEADS_RUN, FUR_NO_BEADS, held));
-  return clamp(3.0 * (many - chance), 0.0, 1.0);
+  float left = beadsLeft(held);
+  return clamp(3.0 * (smoothstep(FUR_BEADS_FROM, FUR_BEADS, held) * left - chance), 0.0, 1.0) * pow(max(left, 0.25), -1.0 / 3.0);
+}
+// How far it has run down to the strand's root.
+float beadRun(float held, float chance) {
+  float left = beadsLeft(held);
+  return clamp(1.0 - 3.0 * (left - chance), 0.0, 1.0) * clamp(4.0 - 4.0 * left, 0.0, 1.0);
 }
 
 // Where a point lies on a lock that lies from its root along `way`; `from`: the point from its root. x: along it, 0 root .. 1 tip

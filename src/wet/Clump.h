@@ -100,12 +100,18 @@ inline float wetLean(float lean, float rho) { return wetLean(lean, rho, sheetOf(
 inline float upright(float rho, float sheet) { return 1.0f - glm::mix(kClumpsSink * std::min(rho, 1.0f), kSheetSinks, sheet); }
 inline float upright(float rho) { return upright(rho, sheetOf(rho)); }
 
-// How large a bead of water a strand holds near its tip, as a share of the largest: lightly wet fur has more and larger ones with more
-// water, until they run together and down. `chance`: the strand's own number, 0..1; none has a bead without water.
+// How large a bead of water a strand holds near its tip, as a share of the largest that stands alone: lightly wet fur has more and larger ones with
+// more water. Then some run down their strands, those that are left grow by what these held, up to four beads in one, and run down as the
+// last. `chance`: the strand's own number, 0..1; none has a bead without water.
+inline float beadsLeft(float rho) { return 1 - glm::smoothstep(static_cast<float>(FUR_BEADS_RUN), static_cast<float>(FUR_NO_BEADS), rho); }
 inline float beadSize(float rho, float chance) {
-  const float come = glm::smoothstep(static_cast<float>(FUR_BEADS_FROM), static_cast<float>(FUR_BEADS), rho);
-  const float run = glm::smoothstep(static_cast<float>(FUR_BEADS_RUN), static_cast<float>(FUR_NO_BEADS), rho);
-  return glm::clamp(3 * (come * (1 - run) - chance), 0.0f, 1.0f);
+  const float come = glm::smoothstep(static_cast<float>(FUR_BEADS_FROM), static_cast<float>(FUR_BEADS), rho), left = beadsLeft(rho);
+  return glm::clamp(3 * (come * left - chance), 0.0f, 1.0f) * std::cbrt(1 / std::max(left, 0.25f));
+}
+// How far the strand's bead has run down to its root, 0..1.
+inline float beadRun(float rho, float chance) {
+  const float left = beadsLeft(rho);
+  return glm::clamp(1 - 3 * (left - chance), 0.0f, 1.0f) * glm::clamp(4 * (1 - left), 0.0f, 1.0f);
 }
 
 // Where a point lies on a pointed lock that lies along the skin from its root to its tip, `way`; `from`: the point from the root. x: along

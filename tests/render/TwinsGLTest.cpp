@@ -126,7 +126,10 @@ TEST(Twins, ClumpsOfASheetNearToTheEye) {
   EXPECT_LT(largestDifference(42, [](float u, float v) { return wet::liesBy(wet::chanceOfClump(0.005f * Vec2(u, v)), v, u); }), kGpuPrecision);
 }
 
-TEST(Twins, SizeOfABead) { EXPECT_LT(largestDifference(40, wet::beadSize), kGpuPrecision); }
+TEST(Twins, SizeAndRunOfABead) {
+  EXPECT_LT(largestDifference(40, wet::beadSize), kGpuPrecision);
+  EXPECT_LT(largestDifference(45, wet::beadRun), kGpuPrecision);
+}
 
 TEST(Twins, PlaceOnALock) {
   const auto on = [](float u, float v) { return wet::onLock(Vec2(u - 0.1f, 0.2f - 0.4f * v), Vec2(1, 0.2f), 0.6f); };

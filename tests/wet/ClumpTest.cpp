@@ -43,14 +43,46 @@ TEST(BeadSize, IsNothingOnDryAndOnSoakedStrands) {
   }
 }
 
-TEST(BeadSize, GrowsWithWaterAndThenFallsOnEveryStrand) {
+TEST(BeadSize, GrowsWithWaterAndStaysUntilBeadsRun) {
   for (const float chance : {0.0f, 0.3f, 0.6f})
-    for (int i = 1; i <= 60; ++i) {
+    for (int i = 1; i <= 30; ++i) {
       const float rho = 0.01f * static_cast<float>(i), change = beadSize(rho, chance) - beadSize(rho - 0.01f, chance);
-      if (rho <= 0.12f) EXPECT_GE(change, 0) << rho;
-      else EXPECT_LE(change, 0) << rho;
+      EXPECT_GE(change, 0) << rho;
+      EXPECT_LT(change, 0.5f) << rho << ": it does not appear at once";
     }
   EXPECT_GT(beadSize(0.2f, 0.3f), 0);
+}
+
+TEST(BeadSize, OfThoseThatAreLeftIsLargerByWhatOthersHeldAndNoneComesAgain) {
+  const float alone = beadSize(0.3f, 0), late = beadSize(0.45f, 0.01f);
+  EXPECT_GT(beadSize(0.4f, 0), 1.2f * alone) << "two in one";
+  EXPECT_LT(late, 1.6f * alone);
+  for (const float chance : {0.1f, 0.4f, 0.8f}) {
+    bool gone = false;
+    for (float rho = 0.3f; rho < 0.6f; rho += 0.01f) {
+      const float size = beadSize(rho, chance);
+      EXPECT_FALSE(gone && size > 0) << rho;
+      gone = gone || size == 0;
+    }
+    EXPECT_TRUE(gone);
+  }
+  // All together never hold more than they did.
+  const auto total = [](float rho) {
+    double sum = 0;
+    for (int k = 0; k < 1000; ++k) sum += std::pow(beadSize(rho, (static_cast<float>(k) + 0.5f) / 1000), 3.0);
+    return sum;
+  };
+  for (float rho = 0.31f; rho < 0.5f; rho += 0.01f) EXPECT_LE(total(rho), 1.01 * total(0.3f)) << rho;
+}
+
+TEST(BeadRun, StandsStillWhileWaterIsLittleAndReachesTheRootAsTheBeadEnds) {
+  for (const float chance : {0.0f, 0.3f, 0.9f})
+    for (float rho = 0; rho <= 0.3f; rho += 0.05f) EXPECT_EQ(beadRun(rho, chance), 0) << rho;
+  for (const float chance : {0.1f, 0.4f, 0.7f})
+    for (float rho = 0.3f; rho < 0.5f; rho += 0.005f) {
+      if (beadSize(rho, chance) == 0 && beadsLeft(rho) < 0.75f) EXPECT_EQ(beadRun(rho, chance), 1) << rho;
+      EXPECT_GE(beadRun(rho + 0.005f, chance), beadRun(rho, chance)) << rho << ": it does not run up again";
+    }
 }
 
 TEST(NearSheet, KeepsTheClumpsOfASheetThatIsSeenNearAndThoseOfShortFurLess) {
