@@ -30,7 +30,7 @@ layout(location = FUR_AROUND) in vec4 around;
 #include "common_clump.glsl"
 uniform sampler2D mask;
 out float vTop;
-out vec3 vTileOfFur;  // tiles that a fur length covers: along axisS (x, y), along axisT (0, z)
+out vec4 vTileOfFur;  // tiles that a fur length covers: along axisS (x, y), along axisT (0, z); mip levels that the chart's stretch adds
 #else
 flat out float vTop;  // the shell's height, 0..1
 #endif
@@ -139,7 +139,7 @@ void castRay(Skin skin, vec3 ray, vec3 bend, float top) {
   vTurn = vec4(turn, skin.tileFromAxes * (A * aside * len));
   vLean = vec4(2.0 * aside, uvAtlas.xy);
 #ifdef WET
-  vTileOfFur = len * vec3(skin.tileFromAxes[0], skin.tileFromAxes[1].y);
+  vTileOfFur = vec4(len * vec3(skin.tileFromAxes[0], skin.tileFromAxes[1].y), log2(length(gradSCurvature.xyz)));
 #endif
 }
 

@@ -2,7 +2,7 @@
 uniform sampler2D mask;
 uniform sampler2DArray streaks;  // strand, the mean of those in line: layers turn by a half
 
-in vec3 vTileOfFur;  // tiles that a fur length covers: along axisS (x, y), along axisT (0, z)
+in vec4 vTileOfFur;  // tiles that a fur length covers: along axisS (x, y), along axisT (0, z); mip levels that the chart's stretch adds
 
 // Up to the first of these mip levels, near to the eye, soaked fur is strands in clumps that lie; from the second on it is drawn as one.
 const float kNearLevel = 2.2, kFarLevel = 2.6;
@@ -78,8 +78,9 @@ void enterWater() {
   entryChart = chartOf(entryClump);
   entryRadius = entryClump.a > 0.0 ? entryClump.z : 0.0;
   soakedShare = sheetOf(entryHeld, shortness);
-  // In the pixels that are shown: where fewer are drawn for a while, all stays as it is; with still fewer it would be dots.
-  float shown = vLight.w + log2(max(drawnShare, kFewestDrawn)), far = smoothstep(kNearLevel, kFarLevel, shown);
+  // In the pixels that are shown: where fewer are drawn for a while, all stays as it is; with still fewer it would be dots. And as if no chart
+  // were stretched: from one to the next the level jumps.
+  float shown = vLight.w - vTileOfFur.w + log2(max(drawnShare, kFewestDrawn)), far = smoothstep(kNearLevel, kFarLevel, shown);
   closed = clumpsClosed(entryHeld, soakedShare, shortness);
   sheet = mix(nearSheet(closed, shortness), closed, far);
   float clumpPixels = clumpRadius * tilesPerUnit * tileTexels * exp2(-shown);
