@@ -5,7 +5,7 @@ uniform sampler2DArray streaks;  // strand, the mean of those in line: layers tu
 in vec4 vTileOfFur;  // tiles that a fur length covers: along axisS (x, y), along axisT (0, z); mip levels that the chart's stretch adds
 
 // Up to the first of these mip levels, near to the eye, soaked fur is strands in clumps that lie; from the second on it is drawn as one.
-const float kNearLevel = 2.2, kFarLevel = 2.6;
+const float kNearLevel = 2.6, kFarLevel = 3.0;
 // Clumps of as few pixels in radius as the first of these are drawn as one as well, as their strands and gaps would be grain; from the second on none.
 const float kSmallClump = 1.0, kLargeClump = 4.5;
 const float kFewestDrawn = 0.55;  // pixels along a side, as a share of those shown
