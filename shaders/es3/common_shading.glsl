@@ -227,6 +227,7 @@ vec3 clumpNormal(vec2 outward, float sheet) {
   return normalize(vec3(outward * (1.0 - 0.85 * sheet), mix(sqrt(max(1.0 - dot(outward, outward), 0.0)), 1.0, sheet) + 0.25));
 }
 
+// Water is as smooth on blunt fur as on sleek.
 const float kWaterShininess = 60.0;
 // What water mirrors, as shares: x of the light, y of the sky. Cosines as of shadeStrand(), `normal` to the clump's.
 vec2 waterGloss(vec2 along, vec2 normal, float facing, float nDotL, float held, float sheet, float strand) {

@@ -18,8 +18,8 @@ before(async () => {
 after(() => server?.close());
 
 const lighter = () => {
-  // Counted from the start: a picture may come before a test asks for it.
-  document.addEventListener('picture-change', () => { window.picturesCame = (window.picturesCame ?? 0) + 1; }, true);
+  // Heard from the start: a picture may come before a test asks for it.
+  document.addEventListener('picture-change', ({ target }) => { window.comparisonDrawn ||= target.localName === 'wet-fur-compare'; }, true);
   const lighten = () => document.querySelectorAll('wet-fur:not([quality])').forEach((fur) => {
     fur.setAttribute('quality', 'low');
     customElements.whenDefined('wet-fur').then(() => Object.assign(fur.settings, { layers: 8, tileSize: '64' }));
@@ -59,7 +59,7 @@ for (const name of exampleNames.filter((one) => one !== 'server-side' && one !==
 /** Pictures of two states and a plot come without anything that the policy does not let pass. */
 async function drawsUnderThePolicy(page) {
   await page.evaluate(() => document.querySelector('wet-fur-compare').scrollIntoView({ block: 'end' }));
-  await page.waitForFunction(() => window.picturesCame > 0);
+  await page.waitForFunction(() => window.comparisonDrawn);
   await page.evaluate(() => document.querySelector('wet-fur-plot').scrollIntoView());
   await page.waitForFunction(() => document.querySelector('wet-fur-plot').shadowRoot.querySelector('path.curve'));
 }
