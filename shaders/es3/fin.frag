@@ -70,7 +70,6 @@ void drawToClump(inout Strand s) {
   s.open = float(dot(fromCentre, fromCentre) * (1.0 + pull) * (1.0 + pull) <= clump.z * clump.z);
 #else
   s.h /= upright(s.held, s.sheet);
-  s.sheet = clumpsClosed(s.held, s.sheet, shortnessOf(coatHere()));
   if (s.held <= 0.0) return;
   float drawn = clumpingWetness(s.held, clump.z * furLengths / max(length(vAtlasAlong), 1e-6));
   float pull = clumpPull(s.h, drawn, s.sheet), below = clumpPull(s.h - 1.0 / layers, drawn, s.sheet);
