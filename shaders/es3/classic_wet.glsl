@@ -45,7 +45,7 @@ void drawToClump(inout Strand s) {
   vec2 from = (a - clump.xy) / (1.0 - pull), root = tileFromAtlas * from, aside = root * pull;
   s.tilt += furFromTile * root * ((clumpPull(s.along - 1.0 / layers, drawn, s.sheet) - pull) * layers);
   s.root += aside;
-  s.along = alongStrand(s.along, furFromTile * aside) * rimTaper(s.held, s.sheet, dot(from, from) / (clump.z * clump.z + 1e-12));
+  s.along = alongStrand(s.along, furFromTile * aside) * rimTaper(s.sheet, s.sheet, dot(from, from) / (clump.z * clump.z + 1e-12));
   s.open = mix(ownStrand(mask, clump, chart, from), 1.0, 0.7 * s.sheet) * (1.0 + 2.0 * pull + s.sheet);
   s.outward = root / max(clump.z * atlasLength, 1e-6);
 }

@@ -54,11 +54,9 @@ float clumpingWetness(float held, float radius) { return min(held, FUR_MAX_DISPL
 // outer strands of a clump end lower, which is what points it.
 float alongStrand(float h, vec2 aside) { return length(vec3(aside, h)); }
 
-// How much shorter a strand of a clump looks; `outward`: squared, 1 at the rim. Water holds the outer ones to the middle by
-// their sides, their tips further down: that, too, points it.
-float rimTaper(float held, float sheet, float outward) {
-  return 1.0 + FUR_RIM_TAPER * min(held, 1.0) * (1.0 - sheet) * min(outward, 1.0);
-}
+// How much shorter a strand of a clump looks that is so much `soaked` (sheetOf()); `outward`: squared, 1 at the rim. Water holds the outer ones
+// to the middle by their sides, their tips further down: that, too, points it.
+float rimTaper(float soaked, float sheet, float outward) { return 1.0 + FUR_RIM_TAPER * soaked * (1.0 - sheet) * min(outward, 1.0); }
 
 // Wet strands lie down the way they lean: so far aside at their tips, and no higher than upright().
 vec2 wetLean(vec2 lean, float held, float sheet) {
@@ -137,7 +135,7 @@ float ownClump(sampler2D mask, vec4 clump, float chart, vec2 from) {
   return float(beyond || same);
 }
 // And inside of its rim, which fades over a twelfth of the radius, so that clumps have soft edges; `outward`: squared, 1 at the rim.
-float insideRim(float outward) { return clamp(6.0 - 6.0 * outward, 0.0, 1.0); }
+float insideRim(float outward) { return clamp(2.2 - 1.2 * outward, 0.0, 1.0); }
 float ownStrand(sampler2D mask, vec4 clump, float chart, vec2 from) {
   return insideRim(dot(from, from) / max(clump.z * clump.z, 1e-12)) * ownClump(mask, clump, chart, from);
 }

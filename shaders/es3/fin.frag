@@ -80,7 +80,7 @@ void drawToClump(inout Strand s) {
   vec2 apart = vec2(dot(fromCentre, vAtlasAlong), dot(fromCentre, across)) / max(dot(vAtlasAlong, vAtlasAlong), 1e-12);
   s.u += apart.x * pull;
 #ifndef PRINTED_CLUMPS
-  s.h = alongStrand(s.h, apart * (pull * furLengths)) * rimTaper(s.held, s.sheet, dot(fromCentre, fromCentre) / (clump.z * clump.z + 1e-12));
+  s.h = alongStrand(s.h, apart * (pull * furLengths)) * rimTaper(sheetOf(s.held, shortnessOf(coatHere())), s.sheet, dot(fromCentre, fromCentre) / (clump.z * clump.z + 1e-12));
 #endif
   s.lean = apart * ((below - pull) * layers * furLengths);
   s.outward = apart * length(vAtlasAlong) / max(clump.z, 1e-6);

@@ -93,27 +93,20 @@ March marchCoat(float first) {
   int steps = stepsTo(end, march.x, stepSize, mostSteps);
 #ifdef TYPES
   int plainSteps = stepsTo(plainTo, march.x, stepSize, mostSteps);
-  plainSteps -= plainSteps % kStretch;
-  for (int i = 0; i < plainSteps && march.alpha <= closes; i += kStretch) {
-    enterStretch(march, plainSteps - i);
-    for (int k = 0; k < kStretch; ++k) {
-      Strand here = standingOn(march);
-      shape(here);
-      stepOn(march, here, addPlain(here, march));
-    }
+  for (int i = 0; i < plainSteps && march.alpha <= closes; ++i) {
+    Strand here = standingAt(march.x, march);
+    shape(here);
+    stepOn(march, here, addPlain(here, march));
   }
   if (plainSteps > 0) leavePlain(march);
 #else
   const int plainSteps = 0;
 #endif
-  for (int i = plainSteps; i < steps && march.alpha <= closes; i += kStretch) {
-    enterStretch(march, steps - i);
-    for (int k = 0; k < kStretch; ++k) {
-      Strand here = standingOn(march);
-      shape(here);
-      trim(here, march);
-      stepOn(march, here, addStrand(here, march));
-    }
+  for (int i = plainSteps; i < steps && march.alpha <= closes; ++i) {
+    Strand here = standingAt(march.x, march);
+    shape(here);
+    trim(here, march);
+    stepOn(march, here, addStrand(here, march));
   }
   return march;
 }

@@ -13,23 +13,17 @@ float rootsAside() { return 0.0; }
 bool underSheet() { return false; }
 bool leavesSkin() { return false; }
 
-const int kStretch = 1;
-void enterStretch(inout March march, int left) {}
-Strand standingOn(inout March march) {
+Strand standingAt(float x, March march) {
   Strand here;
-  here.along = heightAt(march.x);
-  here.root = tileAt(march.x, here.along);
+  here.along = heightAt(x);
+  here.root = tileAt(x, here.along);
   here.open = 1.0;
-  here.pull = 0.0;
+  here.coarser = 0.0;
   return here;
 }
 #ifdef GROOMED
 vec4 furAt(Strand here) { return textureLod(groom, atlasAt(here.root), 0.0); }
 #endif
-Strand standingAt(float x, March march) {
-  march.x = x;
-  return standingOn(march);
-}
 
 vec4 strandAt(vec4 spot, Strand here) { return textureLod(strand, spot.xyz, spot.w); }
 void joinStrands(inout Met met, float furry) {}

@@ -14,7 +14,8 @@ void shape(inout Strand here) {
   ShapedStrand shaped = shapedStrandAt(here.root, here.along, shapeAmount, shapeLength);
   here.root = shaped.root;
   here.open *= shaped.open;
-  here.pull = max(here.pull, shaped.pull);
+  // Not all of it: locks keep their lines.
+  here.coarser = max(here.coarser, step(0.3, shaped.pull) + step(0.63, shaped.pull));
 }
 
 vec2 shapeTilt(vec4 spot, float h) {

@@ -10,7 +10,7 @@ struct Strand {
   vec2 root;   // tile
   float along; // its own length, 0..1; more: past its tip
   float open;  // how many stand there: 0 none, 1 as in the tile, more where many are drawn together
-  float pull;  // share of the way to the middle of its clump or lock that it has gone
+  float coarser; // mip levels: drawn together, strands are thinner than a pixel
 #ifdef WET
   vec4 clump;  // a: the water it holds
   vec2 from;   // of its root from the clump's middle, tiles
@@ -89,14 +89,16 @@ struct StrandColors {
   float variance;
 };
 
-// The mip level that a strand is read from. Drawn together, strands are that much thinner than a pixel. Not all of it: clumps
-// keep their lines.
-float levelOf(Strand here) { return lod + step(0.3, here.pull) + step(0.63, here.pull); }
+float levelOf(Strand here) { return lod + here.coarser; }
 
 // How much there is of what `open` strands cover. Magnified strands get edges one pixel wide; minified ones keep their
 // fractional coverage.
 float coverAt(vec4 spot, float open) {
+#ifdef WET
+  return clamp((textureLod(coverage, spot.xyz, spot.w).r * open - 0.5) * sharp + 0.5, 0.0, 1.0);
+#else
   return min(clamp((textureLod(coverage, spot.xyz, spot.w).r - 0.5) * sharp + 0.5, 0.0, 1.0) * open, 1.0);
+#endif
 }
 // Stands in for 1 - (1 - c)^softness.
 float stepCover(float cover) { return min(cover * mix(softness, 1.0, cover), 1.0); }

@@ -22,8 +22,10 @@ const float kSampleStep = 0.75;
 const bool kCountsShades = false;
 
 // Of the whole ray, by where it enters.
+
 float entryHeld, entryChart;      // the water there; chartOf()
 float entryRadius;                // of its clump, 0: it is dry
+float seenApart;                  // how far strands that are drawn together are seen one by one
 float soakedShare;                // how much of a sheet the coat is
 float shortness, closed;          // shortnessOf() of the coat there; clumpsClosed()
 float sheet, joined;              // how far the clumps that are drawn have closed into it; how much of what is shown is drawn as one
@@ -31,6 +33,8 @@ float coatTop;                    // how high it stands
 float enters, closes;             // where the ray comes to that; what hides all
 float locksInClumps;              // to a tile
 vec2 lean, tipTile;               // where its tips are from their roots: fur lengths, tiles
+vec2 bend;                        // and where they would be when dry
+float wetLength;                  // of its strands that no clump draws aside, fur lengths
 float furLengths, atlasLength;    // how many fur lengths a tile is on average, how many tiles the atlas
 mat2 tileFromAtlas, furFromTile;  // fur lengths along axisS, axisT (shell.vert)
 
@@ -77,6 +81,7 @@ void enterWater() {
   vec4 entryClump = maskAt(mask, vAtlas);
   entryChart = chartOf(entryClump);
   entryRadius = entryClump.a > 0.0 ? entryClump.z : 0.0;
+  seenApart = smoothstep(0.4, 0.8, entryHeld);
   soakedShare = sheetOf(entryHeld, shortness);
   // In the pixels that are shown: where fewer are drawn for a while, all stays as it is; with still fewer it would be dots. And as if no chart
   // were stretched: from one to the next the level jumps.
@@ -87,8 +92,10 @@ void enterWater() {
   float smallClumps = 1.0 - smoothstep(kSmallClump, kLargeClump, clumpPixels);
   joined = max(soakedShare * (2.0 - soakedShare) * far, min(2.0 * entryHeld, 1.0) * smallClumps);
   coatTop = upright(entryHeld, soakedShare);
-  lean = wetLean(0.5 * vLean.xy, water.y, sheetOf(water.y, shortness));
+  bend = 0.5 * vLean.xy;
+  lean = wetLean(bend, water.y, sheetOf(water.y, shortness));
   tipTile = tileFromFur * lean;
+  wetLength = alongStrand(coatTop, lean + bend * (coatTop * coatTop));
   // Clumps are denser than dry fur, and longer steps find them; twice as long ones missed them: clumps fell into dots.
   // Where the machine has too little time dry fur takes longer steps; clumps would grow darker, and the picture jumps when it goes back.
   stepSize *= (1.0 + 0.3 * min(entryHeld, 1.0)) * mix(1.0, 1.0 / stepLength, min(2.0 * entryHeld, 1.0));
@@ -111,6 +118,7 @@ vec4 clumpIn(vec2 a) {
 }
 
 #ifdef GROOMED
+vec2 furThere;  // where the map has the fur of the strand that was asked for last
 // Beside the chart lies fur of other parts, or none.
 vec2 footInAtlas() {
   vec2 a = atlasAt(foot);
@@ -129,15 +137,8 @@ bool leavesSkin() {
 // Whether strands that are drawn as one hide all, and skin under them fills what they leave open: nothing is marched for.
 bool underSheet() { return reachesSkin && joined > kWholeSheet && !leavesSkin(); }
 
-// Where a point of the ray lies in a clump: what it shows of it.
-struct Standing {
-  vec2 root, from;  // the strand's root, tiles; from the clump's middle, atlas
-  float along, pull;
-};
-
-// The clump where the ray is at height h. `mirrored`: 0, or where the ray leaves its chart: as inside it, mirrored there.
-vec4 clumpThere(vec2 tile, inout March march, out vec2 mirrored) {
-  vec2 a = atlasAt(tile);
+// The clump at the atlas point `a`, which the ray sees. `mirrored`: 0, or where the ray leaves its chart: as inside it, mirrored there.
+vec4 clumpThere(vec2 a, inout March march, out vec2 mirrored) {
   vec4 clump = clumpIn(a);
   mirrored = vec2(0.0);
   bool beside = isBeside(clump);
@@ -150,109 +151,46 @@ vec4 clumpThere(vec2 tile, inout March march, out vec2 mirrored) {
   if (!beside) march.inside = a;
   return clump;
 }
-vec2 leantTile(float x, float h) { return tileAt(x, h) - tipTile * (h / coatTop); }
 
 // The water that draws a clump's strands together.
 float drawnBy(vec4 clump) { return clump.a > 0.0 ? clumpingWetness(clump.a, clump.z * atlasLength * furLengths) : 0.0; }
 
-Standing standIn(vec4 clump, vec2 mirrored, float drawn, float x) {
-  Standing stands;
-  float h = heightAt(x), side = mirrored == vec2(0.0) ? 1.0 : -1.0;
-  vec2 tile = leantTile(x, h), a = atlasAt(tile);
-  stands.along = h / coatTop;
-  stands.pull = clumpPull(stands.along, drawn, sheet);
-  stands.from = (mirrored + side * a - clump.xy) / (1.0 - stands.pull);
-  vec2 aside = tileFromAtlas * stands.from * (side * stands.pull);
-  stands.root = tile + aside;
-  stands.along = alongStrand(stands.along, furFromTile * aside);
-  return stands;
-}
-
-// The way of the strand's root, which it moves, from the middle of its lock (lockPull()), 1 at the rim.
-float insideLock(float outward) { return clamp(3.0 - 3.0 * outward, 0.0, 1.0); }
-vec2 inLock(inout vec2 root, float along, float drawn) {
-  vec2 middle = lockCentreNear(root * locksInClumps) / locksInClumps;
-  vec2 from = (root - middle) / (1.0 - lockPull(min(along, 1.0), drawn, sheet));
-  root = middle + from;
-  return from * locksInClumps;
-}
-
-// Steps that ask for their clump together: it changes seldom on the way, and within it a strand's root moves nearly evenly.
-const int kStretch = 2;
-struct Stretch {
-  vec4 clump;
-  vec2 root, rootStep;
-  vec4 way, wayStep;  // along the strand, share of the pull, squared distances of the root from the middles of clump and lock, 1 at the rim
-  vec2 from;          // of the first root, from the middle of its clump, tiles
+// The strand that the ray meets at x: the clump there says where it roots and how far along it that is, its lock which one it is.
+Strand standingAt(float x, inout March march) {
+  float h = heightAt(x), along = h / coatTop;
+  vec2 tile = tileAt(x, h) - tipTile * along, a = atlasAt(tile), mirrored;
+  vec4 clump = clumpThere(a, march, mirrored);
+  float drawn = drawnBy(clump), pull = clumpPull(along, drawn, sheet);
+  float side = mirrored == vec2(0.0) ? 1.0 : -1.0, own = 1.0, outward = 0.0;
+  vec2 from = (mirrored + side * a - clump.xy) / (1.0 - pull), aside = tileFromAtlas * from * (side * pull);
+  for (int i = 0, once = int(clump.a > 0.0); i < once; ++i) {
+    outward = dot(from, from) / max(clump.z * clump.z, 1e-12);
+    own = insideRim(outward) * ownClump(mask, clump, entryChart, from);
+  }
+  along = alongStrand(h, lean * along + bend * (h * h) - furFromTile * aside) / wetLength * rimTaper(soakedShare, sheet, outward);
+  // Locks draw their strands together once more. So close together strands hide one another: of as many as there are, so many are seen as
+  // have room, each as wide as it is.
+  vec2 root = tile + aside, middle = lockCentreNear(root * locksInClumps) / locksInClumps;
+  float apart = 1.0 - lockPull(min(along, 1.0), drawn, sheet), left = (1.0 - pull) * apart;
+  root = middle + (root - middle) / apart * mix(1.0, left, seenApart);
 #ifdef GROOMED
-  vec4 fur;           // what the groom's map has there
+  furThere = mirrored == vec2(0.0) ? atlasAt(root) : march.inside;
 #endif
-  float own, taper, taken, last;  // whether strands are of the clump, how it narrows; steps taken, the last of them
-};
-Stretch stretch;
-void enterStretch(inout March march, int left) {
-  stretch.last = float(min(left, kStretch) - 1);
-  stretch.taken = 0.0;
-  float middle = march.x + 0.5 * stretch.last * stepSize, share = 1.0 / max(stretch.last, 1.0);
-  vec2 mirrored;
-  vec4 clump = clumpThere(leantTile(middle, heightAt(middle)), march, mirrored);
-  float clumped = float(clump.a > 0.0), drawn = drawnBy(clump);
-  Standing one = standIn(clump, mirrored, drawn, march.x), two = standIn(clump, mirrored, drawn, march.x + stretch.last * stepSize);
-  vec2 oneIn = inLock(one.root, one.along, drawn), twoIn = inLock(two.root, two.along, drawn);
+  // A sheet nearly closes the gaps.
+  own = mix(own, 1.0, 0.7 * sheet) * mix(1.0 / (left * left), 5.0 - 4.0 * left, seenApart) * float(along <= 1.0);
   if (clump.a < 0.0) clump.a = entryHeld;
-  float perSquare = clumped / (clump.z * clump.z + 1e-12);
-  stretch.clump = clump;
-  stretch.own = ownClump(mask, clump, entryChart, 0.5 * (one.from + two.from)) * clumped + 1.0 - clumped;
-  stretch.taper = FUR_RIM_TAPER * drawn * (1.0 - sheet);
-  stretch.root = one.root;
-  stretch.rootStep = (two.root - one.root) * share;
-  stretch.way = vec4(one.along, one.pull, dot(one.from, one.from) * perSquare, dot(oneIn, oneIn));
-  stretch.wayStep = (vec4(two.along, two.pull, dot(two.from, two.from) * perSquare, dot(twoIn, twoIn)) - stretch.way) * share;
-  stretch.from = tileFromAtlas * one.from * (mirrored == vec2(0.0) ? 1.0 : -1.0);
-#ifdef GROOMED
-  stretch.fur = textureLod(groom, mirrored == vec2(0.0) ? atlasAt(0.5 * (one.root + two.root)) : march.inside, 0.0);
-#endif
-}
-#ifdef GROOMED
-vec4 furAt(Strand here) { return stretch.fur; }
-#endif
-
-// The strand that the ray meets at the stretch's next step.
-Strand standingOn(inout March march) {
-  vec4 way = stretch.way + stretch.taken * stretch.wayStep;
-  Strand here = Strand(stretch.root + stretch.taken * stretch.rootStep, way.x * (1.0 + stretch.taper * min(way.z, 1.0)), 0.0, way.y, stretch.clump, stretch.from
+  return Strand(root, along, own, min(2.0 - 2.0 * left, 1.0) * (2.0 - seenApart), clump, tileFromAtlas * from * side
 #ifdef TYPES
   , vec4(0.0)
 #endif
   );
-  // A sheet nearly closes the gaps.
-  float own = mix(insideRim(way.z) * insideLock(way.w) * stretch.own, 1.0, 0.7 * sheet) * (1.0 + 2.0 * here.pull + sheet);
-  here.open = own * float(here.along <= 1.0 && stretch.taken <= stretch.last);
-  stretch.taken += 1.0;
-  return here;
 }
-
-// The strand that the ray has met, alone.
-Strand standingAt(float x, March march) {
-  vec2 mirrored;
-  vec4 clump = clumpThere(leantTile(x, heightAt(x)), march, mirrored);
-  float drawn = drawnBy(clump);
-  Standing one = standIn(clump, mirrored, drawn, x);
-  inLock(one.root, one.along, drawn);
-  if (clump.a < 0.0) clump.a = entryHeld;
-  stretch.from = tileFromAtlas * one.from * (mirrored == vec2(0.0) ? 1.0 : -1.0);
-  stretch.way = vec4(one.along, one.pull, dot(one.from, one.from) / (clump.z * clump.z + 1e-12), 0.0);
-  stretch.wayStep = vec4(0.0);
-  stretch.taper = FUR_RIM_TAPER * drawn * (1.0 - sheet);
-  stretch.clump = clump;
-  stretch.root = one.root;
-  stretch.own = 1.0;
-  stretch.taken = stretch.last = 0.0;
-  return standingOn(march);
-}
+#ifdef GROOMED
+vec4 furAt(Strand here) { return textureLod(groom, furThere, 0.0); }
+#endif
 
 // Strands that water joins are one as far as light is concerned: as many as a pixel has.
-vec4 strandAt(vec4 spot, Strand here) { return textureLod(strand, spot.xyz, spot.w + 1.5 * min(here.clump.a, 1.0)); }
+vec4 strandAt(vec4 spot, Strand here) { return textureLod(strand, spot.xyz, lod); }
 
 // In a sheet light knows strands by those that lie in line where the ray comes to it; `stored`: of the type that was met. Where they are
 // seen, not where they root: over the length of a strand stretched charts would turn the lines aside.

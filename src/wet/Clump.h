@@ -84,11 +84,11 @@ inline float lockPull(float h, float rho, float sheet) {
 // the outer strands of a clump end lower, which makes the clump pointed.
 inline float alongStrand(float h, float aside) { return std::sqrt(h * h + aside * aside); }
 
-// A factor for the position along a strand: above 1 the strand looks shorter. `outward`: the squared distance of its root from
-// the clump's centre, 1 at the rim. Water holds the tips of outer strands further down, which makes the clump pointed, too.
+// A factor for the position along a strand of a clump that is so much `soaked` (sheetOf()): above 1 the strand looks shorter. `outward`: the
+// squared distance of its root from the clump's centre, 1 at the rim. Water holds the tips of outer strands further down, which makes the clump pointed, too.
 inline constexpr float kRimTaper = FUR_RIM_TAPER;
-inline float rimTaper(float rho, float sheet, float outward) {
-  return 1.0f + kRimTaper * std::min(rho, 1.0f) * (1.0f - sheet) * std::min(outward, 1.0f);
+inline float rimTaper(float soaked, float sheet, float outward) {
+  return 1.0f + kRimTaper * soaked * (1.0f - sheet) * std::min(outward, 1.0f);
 }
 
 // The displacement of a wet strand's tip (fur lengths), in the direction in which the dry coat leans by `lean`: wet strands
