@@ -29,6 +29,7 @@ void drawToClump(inout Strand s) {
   // Wet strands lie down the way they lean, and stand lower.
   vec2 lean = wetLean(vTip, water.y, sheetOf(water.y, shortness));
   s.along /= upright(held, s.sheet);
+  s.sheet = clumpsClosed(held, s.sheet, shortness);
   vec2 tile = vTile.xy - tileFromFur * lean * s.along, a = atlasAt(tile);
   clump = maskAt(mask, a);
   clump.x -= chart;

@@ -250,7 +250,7 @@ vec2 waterGloss(vec3 T, vec3 n, vec3 L, vec3 V, float held, float sheet, float s
 // C++ twin in hair/StrandShading.h, which says more.
 float clumpShade(float facing, float h, float held, float sheet) {
   float clumps = min(held, 1.0) * (1.0 - 0.75 * sheet), turnedTo = clamp(0.6 + 0.8 * facing, 0.3, 1.4);
-  return mix(1.0, turnedTo, 0.7 * clumps) * mix(1.0, smoothstep(-0.2, 0.8, h), 0.45 * clumps) * (1.0 - 0.35 * min(held, 1.0)) * (1.0 - 0.38 * sheet * smoothstep(0.3, 0.85, held));
+  return mix(1.0, turnedTo, 0.7 * clumps) * mix(1.0, smoothstep(-0.2, 0.8, h), 0.45 * clumps) * (1.0 - 0.52 * min(held, 1.0)) * (1.0 - 0.16 * sheet * smoothstep(0.3, 0.85, held));
 }
 // A strand's light `color` as that of one in a clump; and what water mirrors. `held`: 1 is saturated, what is more shines as a film.
 vec3 clumpLight(vec3 color, vec3 T, vec3 n, vec3 L, vec3 V, float h, float held, float sheet, float lit, float upness, float strand) {

@@ -70,6 +70,7 @@ void drawToClump(inout Strand s) {
   s.open = float(dot(fromCentre, fromCentre) * (1.0 + pull) * (1.0 + pull) <= clump.z * clump.z);
 #else
   s.h /= upright(s.held, s.sheet);
+  s.sheet = clumpsClosed(s.held, s.sheet, shortnessOf(coatHere()));
   if (s.held <= 0.0) return;
   float drawn = clumpingWetness(s.held, clump.z * furLengths / max(length(vAtlasAlong), 1e-6));
   float pull = clumpPull(s.h, drawn, s.sheet), below = clumpPull(s.h - 1.0 / layers, drawn, s.sheet);
@@ -80,7 +81,7 @@ void drawToClump(inout Strand s) {
   vec2 apart = vec2(dot(fromCentre, vAtlasAlong), dot(fromCentre, across)) / max(dot(vAtlasAlong, vAtlasAlong), 1e-12);
   s.u += apart.x * pull;
 #ifndef PRINTED_CLUMPS
-  s.h = alongStrand(s.h, apart * (pull * furLengths)) * rimTaper(sheetOf(s.held, shortnessOf(coatHere())), s.sheet, dot(fromCentre, fromCentre) / (clump.z * clump.z + 1e-12));
+  s.h = alongStrand(s.h, apart * (pull * furLengths)) * rimTaper(s.sheet, s.sheet, dot(fromCentre, fromCentre) / (clump.z * clump.z + 1e-12));
 #endif
   s.lean = apart * ((below - pull) * layers * furLengths);
   s.outward = apart * length(vAtlasAlong) / max(clump.z, 1e-6);

@@ -101,8 +101,8 @@ Vec3 clumpNormal(const Vec2& outward, float sheet) {
 
 float clumpShade(float facing, float height, float wetness, float sheet) {
   const float held = std::min(wetness, 1.0f), clumps = held * (1 - 0.75f * sheet), turnedTo = glm::clamp(0.6f + 0.8f * facing, 0.3f, 1.4f);
-  return glm::mix(1.0f, turnedTo, 0.7f * clumps) * glm::mix(1.0f, glm::smoothstep(-0.2f, 0.8f, height), 0.45f * clumps) * (1 - 0.35f * held) *
-         (1 - 0.38f * sheet * glm::smoothstep(0.3f, 0.85f, wetness));
+  return glm::mix(1.0f, turnedTo, 0.7f * clumps) * glm::mix(1.0f, glm::smoothstep(-0.2f, 0.8f, height), 0.45f * clumps) * (1 - 0.52f * held) *
+         (1 - 0.16f * sheet * glm::smoothstep(0.3f, 0.85f, wetness));
 }
 
 Vec2 waterGloss(const Vec3& tangent, const Vec3& n, const Vec3& light, const Vec3& view, float wetness, float sheet,

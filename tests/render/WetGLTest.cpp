@@ -80,7 +80,7 @@ struct Droplet : Scene {
       std::optional<Vec3> q;
       for (int k = 0; k < 8 && (q = pointAt(tubes, tube, along)); ++k)
         along = wet::alongStrand(stands, pull * glm::length(Vec2(q->x, q->z)) / s.furLength) *
-                wet::rimTaper(wetness, wet::sheetOf(wetness), glm::dot(Vec2(q->x, q->z), Vec2(q->x, q->z)) / (kRadius * kRadius));
+                wet::rimTaper(wet::sheetOf(wetness), wet::sheetOf(wetness), glm::dot(Vec2(q->x, q->z), Vec2(q->x, q->z)) / (kRadius * kRadius));
       if (!q || along > 0.95f || glm::length(Vec2(q->x, q->z)) > 0.85f * kRadius) continue;
       // The smaller locks in a clump (wet::lockPull()) are so small beside this droplet that they move no strand by a texel.
       const Vec2 at = wet::clumpForward(Vec2(q->x, q->z), Vec2(0), pull);

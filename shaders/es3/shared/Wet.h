@@ -27,7 +27,7 @@
 #define FUR_SHORT_FROM 0.34
 #define FUR_SHORT 0.58
 #define FUR_SHORT_SHEET_FROM 0.05
-#define FUR_SHORT_SHEET 0.85
+#define FUR_SHORT_SHEET 1.0
 
 // Locks that lie in a sheet: how wide, as a share of the length of the fur, but no less than that share of a clump's radius; and that
 // many times as long at least, as hairs that are shorter stick to those beside them. Half their width at the root, in cells of their
