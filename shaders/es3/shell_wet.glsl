@@ -177,7 +177,7 @@ Strand standingAt(float x, inout March march) {
   furThere = mirrored == vec2(0.0) ? atlasAt(root) : march.inside;
 #endif
   // A sheet nearly closes the gaps.
-  own = mix(own, 1.0, 0.7 * sheet) / (left * left) * float(along <= 1.0);
+  own = mix(own / (left * left), 1.0, 0.7 * sheet) * float(along <= 1.0);
   if (clump.a < 0.0) clump.a = entryHeld;
   return Strand(root, along, own, min(2.0 - 2.0 * left, 1.0) * (2.0 - 0.8 * seenApart), clump, tileFromAtlas * from * side
 #ifdef TYPES
