@@ -177,7 +177,7 @@ Strand standingAt(float x, inout March march) {
   furThere = mirrored == vec2(0.0) ? atlasAt(root) : march.inside;
 #endif
   // A sheet nearly closes the gaps.
-  own = mix(own / (left * left), 1.0, 0.7 * sheet) * float(along <= 1.0);
+  own = max(own / (left * left), min(2.5 * sheet, 1.0)) * float(along <= 1.0);
   if (clump.a < 0.0) clump.a = entryHeld;
   return Strand(root, along, own, min(2.0 - 2.0 * left, 1.0) * (2.0 - 0.8 * seenApart), clump, tileFromAtlas * from * side
 #ifdef TYPES
@@ -190,7 +190,7 @@ vec4 furAt(Strand here) { return textureLod(groom, furThere, 0.0); }
 #endif
 
 // Strands that water joins are one as far as light is concerned: as many as a pixel has.
-vec4 strandAt(vec4 spot, Strand here) { return textureLod(strand, spot.xyz, lod); }
+vec4 strandAt(vec4 spot, Strand here) { return textureLod(strand, spot.xyz, lod + soakedShare); }
 
 // In a sheet light knows strands by those that lie in line where the ray comes to it; `stored`: of the type that was met. Where they are
 // seen, not where they root: over the length of a strand stretched charts would turn the lines aside.

@@ -129,7 +129,7 @@ TEST(WetLocks, CloseIntoASheetAndOpenAgainWithoutAJump) {
     last = std::move(next);
   }
   float sum = 0, most = 0;
-  for (const float step : steps) sum += step, most = std::max(most, step), printf("%.2f ", step);
+  for (const float step : steps) sum += step, most = std::max(most, step);
   EXPECT_GT(sum, 3) << "soaked fur looks like wet fur";
   EXPECT_LT(most, 3 * sum / static_cast<float>(steps.size()));
   // The way back is the same one.

@@ -10,7 +10,7 @@
 
 // Soaked clumps close into a sheet from this wetness on; there strands are drawn together by so much less. Sheets and
 // saturated clumps stand by so much lower.
-#define FUR_SHEET_FROM 0.85
+#define FUR_SHEET_FROM 0.82
 #define FUR_SHEET_OPENS 0.85
 #define FUR_SHEET_SINKS 0.5
 #define FUR_CLUMPS_SINK 0.3
