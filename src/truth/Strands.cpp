@@ -137,7 +137,7 @@ void wetten(const FurMap& map, const Wetting& wetting, const Wetting::Strand& we
     const float piece = glm::distance(a.position, b.position);
     for (int i = k == 0 ? 0 : 1; i <= kWetPieces; ++i) {
       const float t = static_cast<float>(i) / kWetPieces;
-      TubeNode node = curve.walkTo(length + t * piece, dry);
+      TubeNode node = curve.walkTo((length + t * piece) / wet.shorter, dry);
       node.radius = glm::mix(a.radius, b.radius, t);
       node.height = glm::mix(a.height, b.height, t);
       const Vec3& p = node.position;

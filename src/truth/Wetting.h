@@ -31,6 +31,7 @@ class Wetting {
     float drawn = 0;          // wet::clumpingWetness(); 0: it belongs to no clump
     glm::dvec2 lean{0};       // of the tip, tiles
     float upright = 1;        // wet::upright()
+    float shorter = 1;        // wet::rimTaper()
   };
   // None where it is dry.
   std::optional<Strand> at(const Root& root) const;
