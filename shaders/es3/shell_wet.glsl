@@ -155,18 +155,18 @@ vec4 clumpThere(vec2 a, inout March march, out vec2 mirrored) {
 // The water that draws a clump's strands together.
 float drawnBy(vec4 clump) { return clump.a > 0.0 ? clumpingWetness(clump.a, clump.z * atlasLength * furLengths) : 0.0; }
 
+const float kMiddle = 0.3;  // squared, 1 at the rim
 // The strand that the ray meets at x: the clump there says where it roots and how far along it that is, its lock which one it is.
 Strand standingAt(float x, inout March march) {
   float h = heightAt(x), along = h / coatTop;
   vec2 tile = tileAt(x, h) - tipTile * along, a = atlasAt(tile), mirrored;
   vec4 clump = clumpThere(a, march, mirrored);
   float drawn = drawnBy(clump), pull = clumpPull(along, drawn, sheet);
-  float side = mirrored == vec2(0.0) ? 1.0 : -1.0, own = 1.0, outward = 0.0;
+  float side = mirrored == vec2(0.0) ? 1.0 : -1.0;
   vec2 from = (mirrored + side * a - clump.xy) / (1.0 - pull), aside = tileFromAtlas * from * (side * pull);
-  for (int i = 0, once = int(clump.a > 0.0); i < once; ++i) {
-    outward = dot(from, from) / max(clump.z * clump.z, 1e-12);
-    own = insideRim(outward) * ownClump(mask, clump, entryChart, from);
-  }
+  float outward = dot(from, from) / max(clump.z * clump.z, 1e-12) * float(clump.a > 0.0), own = insideRim(outward);
+  // The middle of a clump is its own. A loop of one step, as software rasterisers look up in both branches of an if.
+  for (int i = 0, once = int(outward > kMiddle && own > 0.0); i < once; ++i) own *= ownClump(mask, clump, entryChart, from);
   along = alongStrand(h, lean * along + bend * (h * h) - furFromTile * aside) / wetLength * rimTaper(soakedShare, sheet, outward);
   // Locks draw their strands together once more. So close together strands hide one another: of as many as there are, so many are seen as
   // have room, each as wide as it is.
