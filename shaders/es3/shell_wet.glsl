@@ -177,7 +177,7 @@ Strand standingAt(float x, inout March march) {
   furThere = mirrored == vec2(0.0) ? atlasAt(root) : march.inside;
 #endif
   // A sheet nearly closes the gaps.
-  own = max(own / (left * left), min(2.5 * sheet, 1.0)) * float(along <= 1.0);
+  own = max(own / (left * left), min(2.5 * sheet, 1.0)) * clamp(8.0 - 8.0 * along, 0.0, 1.0);  // ends in points
   if (clump.a < 0.0) clump.a = entryHeld;
   return Strand(root, along, own, min(2.0 - 2.0 * left, 1.0) * (2.0 - 0.8 * seenApart), clump, tileFromAtlas * from * side
 #ifdef TYPES
