@@ -38,6 +38,9 @@ float liesBy(float ofClump, float strand, float shortness) {
   return 0.5 * mix(ofClump, fract(37.3 * strand) - 0.5, shortness) + 0.3 * (strand - 0.5);
 }
 
+// The share of a strand's height at which it gets its light: the wetter, the lower, as strands that water joins shade each other.
+float litLower(float held) { return mix(1.0, FUR_WET_LIT, smoothstep(FUR_WET_LIT_FROM, 1.0, held)); }
+
 // s: the share of the way to the clump's centre that a strand has gone at height h. A sheet opens it again.
 float clumpPull(float h, float held, float sheet) {
   return clumpProfile(h, clumpShape, layers) * min(held, 1.0) * (1.0 - FUR_SHEET_OPENS * sheet);

@@ -125,6 +125,9 @@ void shape(inout Strand s, float rho) {
 #endif
 
 vec3 shade(Strand s, vec4 strand, float rho, vec3 model) {
+#if defined(WET) && !defined(PRINTED_LIGHT)
+  s.h *= litLower(s.held);
+#endif
   vec2 tilt = strand.xy * 2.0 - 1.0;
   vec3 tangent = normalize(vec3(tilt + vLean + s.lean, sqrt(max(0.05, 1.0 - dot(tilt, tilt)))));
   vec3 albedo = strandColor(rootColors[s.type].rgb, tipColors[s.type].rgb, typeVariance[s.type], s.h, strand.z, model);

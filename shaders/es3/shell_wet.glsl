@@ -241,13 +241,16 @@ void lieDown(float frays, float line) {
   lying.tilt = -0.6 * lying.outward;
 }
 
+// Strands that come from where it is dry, or of another chart, where a ray leaves its own, are as wet as what lies round them, nearly.
+const float kWetAsAround = 0.9;
+
 // Where strands are drawn as one, those that lie in line are shown instead of the one that the march met: its chance would be grain there.
 // Near to the eye soaked clumps, and strands in them, lie up or down by chance, or light would run in rings round the body, and get the
 // light of a lower height.
 void joinStrands(inout Met met, float furry) {
   met.x = mix(met.x, enters, joined);
-  met.held = mix(met.here.clump.a, entryHeld, closed);
-  met.h *= mix(1.0, FUR_SHEET_LIT, soakedShare);
+  met.held = max(mix(met.here.clump.a, entryHeld, closed), kWetAsAround * entryHeld);
+  met.h *= litLower(met.held);
   lying = Lying(vec2(0.0), 1.0, 0.0, vec2(0.0));
   float ofStrand = soakedShare * (1.0 - joined) * liesBy(chanceOfClump(met.here.clump.xy), met.number, shortness);
   for (int i = 0, once = int(joined > 0.0); i < once; ++i) {

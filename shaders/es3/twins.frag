@@ -95,6 +95,8 @@ void main() {
   float value = clumpShade(at.x * 2.0 - 1.0, at.y, 1.2 * at.y, sheetOf(at.x, 0.0));
 #elif FUNCTION == 40
   float value = beadSize(at.x, at.y);
+#elif FUNCTION == 46
+  float value = litLower(1.2 * at.x);
 #elif FUNCTION == 45
   float value = beadRun(at.x, at.y);
 #elif FUNCTION == 41

@@ -14,8 +14,8 @@ namespace {
 constexpr float kSkinOffset = 0.01f, kSkinBias = 0.002f;
 constexpr float kAllTheWay = 1e9f;
 
-// The height at which a strand gets light: those of a sheet lie low.
-float litHeight(const TubeNode& node, const Wetness& water) { return node.height * glm::mix(1.0f, static_cast<float>(FUR_SHEET_LIT), water.soaked); }
+// The height at which a strand gets light.
+float litHeight(const TubeNode& node, const Wetness& water) { return node.height * wet::litLower(water.held); }
 
 // The share of the key light that comes to a node, and that which what is next to it leaves (Formula).
 struct Share {

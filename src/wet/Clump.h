@@ -62,6 +62,9 @@ inline float liesBy(float ofClump, float strand, float shortness) {
   return 0.5f * glm::mix(ofClump, glm::fract(37.3f * strand) - 0.5f, shortness) + 0.3f * (strand - 0.5f);
 }
 
+// The share of a strand's height at which it gets its light: the wetter, the lower, as strands that water joins shade each other.
+inline float litLower(float rho) { return glm::mix(1.0f, float{FUR_WET_LIT}, glm::smoothstep(float{FUR_WET_LIT_FROM}, 1.0f, rho)); }
+
 // s: the share of the way to the clump's centre that a strand has gone at height h. Below kSheetFrom it is f(h) rho, as
 // printed; where clumps close into a sheet it falls again, so that it never exceeds 0.853: s / (1 - s) stays finite.
 inline float clumpPull(float h, float w, float layers, float rho, float sheet) {

@@ -121,6 +121,7 @@ TEST(Twins, StrandsOfAClump) {
 }
 
 TEST(Twins, ClumpsOfASheetNearToTheEye) {
+  EXPECT_LT(largestDifference(46, [](float u, float) { return wet::litLower(1.2f * u); }), kGpuPrecision);
   EXPECT_LT(largestDifference(41, wet::nearSheet), kGpuPrecision);
   EXPECT_LT(largestDifference(44, [](float u, float v) { return wet::clumpsClosed(0.2f * u, 0.3f, v); }), kGpuPrecision);
   EXPECT_LT(largestDifference(42, [](float u, float v) { return wet::liesBy(wet::chanceOfClump(0.005f * Vec2(u, v)), v, u); }), kGpuPrecision);

@@ -15,11 +15,10 @@
 #define FUR_SHEET_SINKS 0.5
 #define FUR_CLUMPS_SINK 0.3
 
-// How far clumps of a sheet open where its strands are seen, near to the eye: of long fur, of short fur. The share of their height at which
-// such strands get light, as they lie low, and of their glints.
+// How far clumps of a sheet open where its strands are seen, near to the eye: of long fur, of short fur. The share of their glints
+// that such strands have.
 #define FUR_NEAR_SHEET 0.4
 #define FUR_NEAR_SHORT_SHEET 0.8
-#define FUR_SHEET_LIT 0.5
 #define FUR_SHEET_GLINTS 0.75
 
 // Fur is short where clumps are as wide as it is long: their radius as a share of its length, from which on it is rather short, and
@@ -28,6 +27,10 @@
 #define FUR_SHORT 0.58
 #define FUR_SHORT_SHEET_FROM 0.05
 #define FUR_SHORT_SHEET 1.0
+
+// The share of their height at which soaked strands get light, and the wetness from which on they get it lower than dry ones.
+#define FUR_WET_LIT 0.5
+#define FUR_WET_LIT_FROM 0.2
 
 // Locks that lie in a sheet: how wide, as a share of the length of the fur, but no less than that share of a clump's radius; and that
 // many times as long at least, as hairs that are shorter stick to those beside them. Half their width at the root, in cells of their
