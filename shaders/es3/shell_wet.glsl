@@ -155,8 +155,8 @@ vec4 clumpThere(vec2 a, inout March march, out vec2 mirrored) {
 // The water that draws a clump's strands together.
 float drawnBy(vec4 clump) { return clump.a > 0.0 ? clumpingWetness(clump.a, clump.z * atlasLength * furLengths) : 0.0; }
 
-const float kMiddle = 0.3;  // squared, 1 at the rim
-// The strand that the ray meets at x: the clump there says where it roots and how far along it that is, its lock which one it is.
+const float kMiddle = 0.3;  // whose roots are a clump's own for certain: squared, 1 at its rim
+// The strand that the ray meets at x: the clump there says where it roots and how far along it that is, its lock which one is seen.
 Strand standingAt(float x, inout March march) {
   float h = heightAt(x), along = h / coatTop;
   vec2 tile = tileAt(x, h) - tipTile * along, a = atlasAt(tile), mirrored;
@@ -165,7 +165,7 @@ Strand standingAt(float x, inout March march) {
   float side = mirrored == vec2(0.0) ? 1.0 : -1.0;
   vec2 from = (mirrored + side * a - clump.xy) / (1.0 - pull), aside = tileFromAtlas * from * (side * pull);
   float outward = dot(from, from) / max(clump.z * clump.z, 1e-12) * float(clump.a > 0.0), own = insideRim(outward);
-  // The middle of a clump is its own. A loop of one step, as software rasterisers look up in both branches of an if.
+  // A loop of one step, as software rasterisers look up in both branches of an if.
   for (int i = 0, once = int(outward > kMiddle && own > 0.0); i < once; ++i) own *= ownClump(mask, clump, entryChart, from);
   along = alongStrand(h, lean * along + bend * (h * h) - furFromTile * aside) / wetLength * rimTaper(soakedShare, sheet, outward);
   // Locks draw their strands together once more. So close together strands hide one another: of as many as there are, so many are seen as
@@ -176,8 +176,8 @@ Strand standingAt(float x, inout March march) {
 #ifdef GROOMED
   furThere = mirrored == vec2(0.0) ? atlasAt(root) : march.inside;
 #endif
-  // A sheet nearly closes the gaps.
-  own = max(own / (left * left), min(2.5 * sheet, 1.0)) * clamp(8.0 - 8.0 * along, 0.0, 1.0);  // ends in points
+  // As many stand there as were drawn together; a sheet closes the gaps between clumps; all end in points.
+  own = max(own / (left * left), min(2.5 * sheet, 1.0)) * clamp(8.0 - 8.0 * along, 0.0, 1.0);
   if (clump.a < 0.0) clump.a = entryHeld;
   return Strand(root, along, own, min(2.0 - 2.0 * left, 1.0) * (2.0 - 0.8 * seenApart), clump, tileFromAtlas * from * side
 #ifdef TYPES

@@ -66,7 +66,7 @@ inline float liesBy(float ofClump, float strand, float shortness) {
 inline float litLower(float rho) { return glm::mix(1.0f, float{FUR_WET_LIT}, glm::smoothstep(float{FUR_WET_LIT_FROM}, 1.0f, rho)); }
 
 // s: the share of the way to the clump's centre that a strand has gone at height h. Below kSheetFrom it is f(h) rho, as
-// printed; where clumps close into a sheet it falls again, so that it never exceeds 0.853: s / (1 - s) stays finite.
+// printed; where clumps close into a sheet it falls again, so that it never exceeds 0.824: s / (1 - s) stays finite.
 inline float clumpPull(float h, float w, float layers, float rho, float sheet) {
   return clumpProfile(h, w, layers) * glm::clamp(rho, 0.0f, 1.0f) * (1.0f - kSheetOpens * sheet);
 }
