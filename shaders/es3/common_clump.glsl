@@ -137,7 +137,7 @@ float ownClump(sampler2D mask, vec4 clump, float chart, vec2 from) {
   bool beyond = isBeside(home), same = home.a > 0.0 && dot(apart, apart) <= 0.25 * clump.z * clump.z;
   return float(beyond || same);
 }
-// And inside of its rim, which fades over a twelfth of the radius, so that clumps have soft edges; `outward`: squared, 1 at the rim.
+// And how many of its strands are left there: cells are no circles, so beyond the radius they get fewer, and end at 1.35 times it. `outward`: squared, 1 at the rim.
 float insideRim(float outward) { return clamp(2.2 - 1.2 * outward, 0.0, 1.0); }
 float ownStrand(sampler2D mask, vec4 clump, float chart, vec2 from) {
   return insideRim(dot(from, from) / max(clump.z * clump.z, 1e-12)) * ownClump(mask, clump, chart, from);

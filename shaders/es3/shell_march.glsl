@@ -92,7 +92,7 @@ struct StrandColors {
 float levelOf(Strand here) { return lod + here.coarser; }
 
 // How much there is of what `open` strands cover. Magnified strands get edges one pixel wide; minified ones keep their
-// fractional coverage.
+// fractional coverage. Wet strands that are drawn together grow towards each other.
 float coverAt(vec4 spot, float open) {
 #ifdef WET
   return clamp((textureLod(coverage, spot.xyz, spot.w).r * open - 0.5) * sharp + 0.5, 0.0, 1.0);

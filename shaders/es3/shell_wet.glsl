@@ -155,7 +155,7 @@ vec4 clumpThere(vec2 a, inout March march, out vec2 mirrored) {
 // The water that draws a clump's strands together.
 float drawnBy(vec4 clump) { return clump.a > 0.0 ? clumpingWetness(clump.a, clump.z * atlasLength * furLengths) : 0.0; }
 
-const float kMiddle = 0.3;  // whose roots are a clump's own for certain: squared, 1 at its rim
+const float kMiddle = 0.3;  // whose roots are a clump's own nearly always: squared, 1 at its rim
 // The strand that the ray meets at x: the clump there says where it roots and how far along it that is, its lock which one is seen.
 Strand standingAt(float x, inout March march) {
   float h = heightAt(x), along = h / coatTop;
@@ -174,7 +174,7 @@ Strand standingAt(float x, inout March march) {
   float apart = 1.0 - lockPull(min(along, 1.0), drawn, sheet), left = (1.0 - pull) * apart;
   root = middle + (root - middle) / apart * mix(1.0, left, seenApart);
 #ifdef GROOMED
-  furThere = mirrored == vec2(0.0) ? atlasAt(root) : march.inside;
+  furThere = side > 0.0 ? atlasAt(root) : march.inside;
 #endif
   // As many stand there as were drawn together; a sheet closes the gaps between clumps; all end in points.
   own = max(own / (left * left), min(2.5 * sheet, 1.0)) * clamp(8.0 - 8.0 * along, 0.0, 1.0);

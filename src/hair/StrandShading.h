@@ -83,7 +83,7 @@ Vec3 wetAlbedo(const Vec3& albedo, float wetness);
 // The normal of a clump in the surface's frame; `outward`: from its middle, 1 at its rim. `sheet`: wet::sheetOf().
 Vec3 clumpNormal(const Vec2& outward, float sheet);
 // The share that a strand at `height` of a clump keeps of its light: clumps are round and stand close, so their far sides and feet get
-// less, and strands of a sheet shade each other the more, the wetter it is. `facing`: the cosine between the clump's normal and the light.
+// less, and strands that water joins shade each other the more, the wetter they are, in a sheet somewhat more. `facing`: the cosine between the clump's normal and the light.
 float clumpShade(float facing, float height, float wetness, float sheet);
 // The share of the key light and the share of the sky that water mirrors to the eye off a strand of the clump with the
 // normal `n`: glints that run along strands where the clump is turned to the light, more of both at grazing.

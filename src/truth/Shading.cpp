@@ -14,9 +14,6 @@ namespace {
 constexpr float kSkinOffset = 0.01f, kSkinBias = 0.002f;
 constexpr float kAllTheWay = 1e9f;
 
-// The height at which a strand gets light.
-float litHeight(const TubeNode& node, const Wetness& water) { return node.height * wet::litLower(water.held); }
-
 // The share of the key light that comes to a node, and that which what is next to it leaves (Formula).
 struct Share {
   float key, lit;
@@ -87,7 +84,7 @@ std::vector<Vec3> shadeNodes(const Scene& scene, const Tubes& tubes, const Shado
     for (std::uint32_t k = tube.firstNode; k < tube.firstNode + tube.nodeCount; ++k) {
       const TubeNode& node = tubes.nodes[k];
       const Vec3 tangent = tangentAt(tubes, tube, k), view = normalizeOr(eye - node.position, node.normal);
-      const float height = litHeight(node, tube.water);
+      const float height = node.height * wet::litLower(tube.water.held);
       Vec3 albedo = hair::strandColor(Vec3(scene.coat.rootColors[0]), Vec3(scene.coat.tipColors[0]), height, tube.variance, scene.coat.typeVariance.x);
       const auto [share, lit] = keyAt(scene, look, node, height, tangent, shadows, light);
       const float nDotV = glm::dot(node.normal, view), rho = std::min(tube.water.held, 1.0f);

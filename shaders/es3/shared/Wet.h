@@ -5,7 +5,7 @@
 
 // No strand is drawn further aside than this share of its length.
 #define FUR_MAX_DISPLACEMENT 0.7
-// The strands at the rim of a clump look so much shorter.
+// The strands at the rim of a soaked clump look so much shorter.
 #define FUR_RIM_TAPER 0.7
 
 // Soaked clumps close into a sheet from this wetness on; there strands are drawn together by so much less. Sheets and
