@@ -116,14 +116,14 @@ float groomed(inout Strand s, float level, out vec4 spot) {
 vec3 shade(Strand s, vec4 spot, vec3 model) {
   vec4 texel = textureLod(strand, spot.xyz, spot.w);
   vec2 tilt = texel.xy * 2.0 - 1.0;
-  float h = min(s.along, 1.0);
+  float own = min(s.along, 1.0), h = own;
 #if defined(WET) && !defined(PRINTED_LIGHT)
   h *= litLower(s.held);
 #endif
   vec3 T = normalize(vec3(tilt + vLean.xy + s.tilt, sqrt(max(0.05, 1.0 - dot(tilt, tilt))))), L = vLight, V = vView.xyz;
-  vec3 albedo = strandColor(rootColors[s.type].rgb, tipColors[s.type].rgb, typeVariance[s.type], h, texel.z, model);
+  vec3 albedo = strandColor(rootColors[s.type].rgb, tipColors[s.type].rgb, typeVariance[s.type], own, texel.z, model);
 #ifdef PAINTED
-  albedo = paintedStrand(albedo, rootInAtlas(spot), typeVariance[s.type], h, texel.z);
+  albedo = paintedStrand(albedo, rootInAtlas(spot), typeVariance[s.type], own, texel.z);
 #endif
   return litStrand(LightOfShell(vAround, vGlint), albedo, T, L, V, h, vView.w, texel.z, s.held, s.sheet, s.outward);
 }

@@ -63,7 +63,7 @@ vec3 litStrand(LightOfShell light, vec3 albedo, vec3 T, vec3 L, vec3 V, float h,
   return printedLight(albedo, keyLight.rgb * lit, skyLight(upness), L.z, across.x * across.y - along.x * along.y, h, rho);
 #else
 #ifdef WET
-  albedo = wetAlbedo(albedo, rho);
+  albedo = wetCoatAlbedo(albedo, rho);
 #endif
   StrandLight lights = StrandLight(keyLight.rgb * light.around.w, vec3(0.0), backLight.rgb * light.glint.y, light.around.rgb);
   float exponent = max(mix(dryShininessShown(), shininessShown(), rho), 1.0);

@@ -223,6 +223,11 @@ vec3 shadeStrand(vec3 albedo, vec3 T, vec3 L, vec3 V, float h, float rho, float 
 // Wet strands: C++ twins in hair/StrandShading.h, which says more.
 vec3 wetAlbedo(vec3 albedo, float rho) { return mix(albedo, albedo / mix(vec3(1.77), vec3(1.0), albedo), rho * (2.0 - rho)); }
 
+vec3 wetCoatAlbedo(vec3 albedo, float rho) {
+  vec3 ofStrand = wetAlbedo(albedo, rho);
+  return ofStrand / mix(vec3(1.0 + 1.8 * rho), vec3(1.0), ofStrand);
+}
+
 vec3 clumpNormal(vec2 outward, float sheet) {
   return normalize(vec3(outward * (1.0 - 0.85 * sheet), mix(sqrt(max(1.0 - dot(outward, outward), 0.0)), 1.0, sheet) + 0.25));
 }
@@ -248,17 +253,19 @@ vec2 waterGloss(vec3 T, vec3 n, vec3 L, vec3 V, float held, float sheet, float s
 }
 
 // C++ twin in hair/StrandShading.h, which says more.
-float clumpShade(float facing, float h, float held, float sheet) {
-  float clumps = min(held, 1.0) * (1.0 - 0.75 * sheet), turnedTo = clamp(0.6 + 0.8 * facing, 0.3, 1.4);
-  return mix(1.0, turnedTo, 0.7 * clumps) * mix(1.0, smoothstep(-0.2, 0.8, h), 0.45 * clumps) * (1.0 - 0.52 * min(held, 1.0)) * (1.0 - 0.16 * sheet * smoothstep(0.3, 0.85, held));
+float clumpShade(float facing, float keyed, float h, float held, float sheet) {
+  float clumps = min(held, 1.0) * (1.0 - 0.75 * sheet), turnedTo = mix(0.9, clamp(0.6 + 0.8 * facing, 0.3, 1.4), keyed);
+  return mix(1.0, turnedTo, 0.7 * clumps) * mix(1.0, smoothstep(-0.2, 0.8, h), 0.45 * clumps) * (1.0 - 0.5 * keyed * min(held, 1.0)) *
+         (1.0 - 0.16 * sheet * smoothstep(0.3, 0.85, held));
 }
 // A strand's light `color` as that of one in a clump; and what water mirrors. `held`: 1 is saturated, what is more shines as a film.
 vec3 clumpLight(vec3 color, vec3 T, vec3 n, vec3 L, vec3 V, float h, float held, float sheet, float lit, float upness, float strand) {
   float clumps = min(held, 1.0) * (1.0 - 0.75 * sheet);
-  color *= clumpShade(dot(n, L), h, held, sheet);
+  color *= clumpShade(dot(n, L), lit * glossShare(L.z), h, held, sheet);
   vec2 mirrored = waterGloss(T, n, L, V, held, sheet, strand) * mix(1.0, h, clumps);
   color += 0.5 * min(held, 1.0) * fringe(V.z, h);
-  return color + mirrored.x * lit * keyLight.rgb + mirrored.y * mix(0.6, 1.0, lit) * skyLight(upness);
+  // What is mirrored is the bright half of all that is round it.
+  return color + mirrored.x * lit * keyLight.rgb + mirrored.y * 2.0 * skyLight(upness);
 }
 
 // Skin without fur, darker where it is wet; `lit` is the share of the light that reaches it.

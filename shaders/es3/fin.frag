@@ -126,7 +126,9 @@ void shape(inout Strand s, float rho) {
 
 vec3 shade(Strand s, vec4 strand, float rho, vec3 model) {
 #if defined(WET) && !defined(PRINTED_LIGHT)
-  s.h *= litLower(s.held);
+  float h = s.h * litLower(s.held);
+#else
+  float h = s.h;
 #endif
   vec2 tilt = strand.xy * 2.0 - 1.0;
   vec3 tangent = normalize(vec3(tilt + vLean + s.lean, sqrt(max(0.05, 1.0 - dot(tilt, tilt)))));
@@ -140,19 +142,19 @@ vec3 shade(Strand s, vec4 strand, float rho, vec3 model) {
 #ifdef WET
   held = s.held, sheet = s.sheet, outward = s.outward;
 #endif
-  return encodeSrgb(toneMap(litStrand(LightOfShell(vAround, vGlint), albedo, tangent, vLight.xyz, vView, s.h, vLit, strand.z,
+  return encodeSrgb(toneMap(litStrand(LightOfShell(vAround, vGlint), albedo, tangent, vLight.xyz, vView, h, vLit, strand.z,
                                       held, sheet, outward)));
 #else
   // Nothing stands before an outline: light reaches it from the side, further down than inside the coat.
-  float exposed = mix(s.h, 1.0, 0.4);
+  float exposed = mix(h, 1.0, 0.4);
   vec3 L = normalize(vLight.xyz), V = normalize(vView);
   float lit = 0.75 * furShadowAt(vLightSpace);
 #ifdef WET
-  albedo = wetAlbedo(albedo, rho);
+  albedo = wetCoatAlbedo(albedo, rho);
 #endif
   vec3 color = shadeStrand(albedo, tangent, L, V, exposed, rho, lit, vLight.w, strand.z);
 #ifdef WET
-  color = clumpLight(color, tangent, clumpNormal(s.outward, s.sheet), L, V, s.h, s.held, s.sheet, lit, vLight.w, strand.z);
+  color = clumpLight(color, tangent, clumpNormal(s.outward, s.sheet), L, V, h, s.held, s.sheet, lit, vLight.w, strand.z);
 #endif
 #ifdef VIEW_SHADOW
   return vec3(lightShare(lit, exposed, L.z));

@@ -150,7 +150,7 @@ const float kOwnTexels = 3.0;
 
 // What covers the way to the light that much higher up.
 float coverAbove(Met met, float rise, float level) {
-  float layer = nearestLayer(storedLayer(met.h + rise, 0.0)) + firstLayer(met.spot.z);
+  float layer = nearestLayer(storedLayer(litHeight(met) + rise, 0.0)) + firstLayer(met.spot.z);
   return textureLod(coverage, vec3(met.spot.xy + vLightStep * rise, layer), level).r;
 }
 
@@ -159,12 +159,12 @@ float lightOn(Met met, float furry) {
   float lit = 1.0, ofOne = shadeOfOne() * shadowShown() * furry;
   bool counts = kCountsShades && finer > 0.0 && lod < 0.5;
   // One look says what is there on average.
-  for (int i = 0, once = int(!counts && met.h + FUR_SHADE_RISE < 1.0); i < once; ++i) lit -= ofOne * coverAbove(met, FUR_SHADE_RISE, lod + 1.0);
+  for (int i = 0, once = int(!counts && litHeight(met) + FUR_SHADE_RISE < 1.0); i < once; ++i) lit -= ofOne * coverAbove(met, FUR_SHADE_RISE, lod + 1.0);
   // Several find the strands that the light crosses, each of which takes its share.
   float rise = min(kOwnTexels / (tileTexels * length(vLightStep) + 1e-6), 0.5 * FUR_SHADE_RISE), before = 1.0;
   float stride = (FUR_SHADE_RISE - rise) / float(kLooks);
   rise += stride * pixelNoise();
-  for (int i = 0; i < kLooks && counts && met.h + rise < 1.0; ++i) {
+  for (int i = 0; i < kLooks && counts && litHeight(met) + rise < 1.0; ++i) {
     float there = clamp((coverAbove(met, rise, lod) - 0.5) * sharp + 0.5, 0.0, 1.0);
     lit *= 1.0 - ofOne * max(there - before, 0.0);
     before = there;
@@ -179,7 +179,7 @@ vec3 shadeStrands(Met met, March march, vec3 model, vec3 T, vec3 L, vec3 V, floa
   vec3 albedo = strandColor(colors.root, colors.tip, colors.variance, met.h, met.strand.z, model);
   float rho = min(met.held, 1.0);
   albedo = soaked(paintStrand(albedo, met, colors.variance), rho);
-  vec3 color = shadeStrand(albedo, T, L, V, underOthers(met.h), rho, lit, vView.w, met.strand.z);
+  vec3 color = shadeStrand(albedo, T, L, V, underOthers(litHeight(met)), rho, lit, vView.w, met.strand.z);
   return waterLight(color, met, T, L, V, lit);
 }
 

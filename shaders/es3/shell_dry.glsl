@@ -29,6 +29,7 @@ vec4 strandAt(vec4 spot, Strand here) { return textureLod(strand, spot.xyz, spot
 void joinStrands(inout Met met, float furry) {}
 vec2 tiltOf(Met met) { return met.strand.xy * 2.0 - 1.0; }
 vec2 clumpTilt(Met met, March march) { return vec2(0.0); }
+float litHeight(Met met) { return met.h; }
 float shadeOfOne() { return FUR_SHADE_OF_ONE; }
 vec3 soaked(vec3 albedo, float rho) { return albedo; }
 vec3 waterLight(vec3 color, Met met, vec3 T, vec3 L, vec3 V, float lit) { return color; }

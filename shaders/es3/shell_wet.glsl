@@ -5,7 +5,7 @@ uniform sampler2DArray streaks;  // strand, the mean of those in line: layers tu
 in vec4 vTileOfFur;  // tiles that a fur length covers: along axisS (x, y), along axisT (0, z); mip levels that the chart's stretch adds
 
 // Up to the first of these mip levels, near to the eye, soaked fur is strands in clumps that lie; from the second on it is drawn as one.
-const float kNearLevel = 2.6, kFarLevel = 3.0;
+const float kNearLevel = 3.7, kFarLevel = 4.0;
 // Clumps of as few pixels in radius as the first of these are drawn as one as well, as their strands and gaps would be grain; from the second on none.
 const float kSmallClump = 1.0, kLargeClump = 4.5;
 const float kFewestDrawn = 0.55;  // pixels along a side, as a share of those shown
@@ -250,7 +250,6 @@ const float kWetAsAround = 0.9;
 void joinStrands(inout Met met, float furry) {
   met.x = mix(met.x, enters, joined);
   met.held = max(mix(met.here.clump.a, entryHeld, closed), kWetAsAround * entryHeld);
-  met.h *= litLower(met.held);
   lying = Lying(vec2(0.0), 1.0, 0.0, vec2(0.0));
   float ofStrand = soakedShare * (1.0 - joined) * liesBy(chanceOfClump(met.here.clump.xy), met.number, shortness);
   for (int i = 0, once = int(joined > 0.0); i < once; ++i) {
@@ -285,8 +284,10 @@ vec2 clumpTilt(Met met, March march) {
   return furFromTile * met.here.from * (turns * (1.0 - joined)) + lean * (flatter / coatTop) + lying.tilt;
 }
 
+// Where a strand gets its light.
+float litHeight(Met met) { return met.h * litLower(met.held); }
 float shadeOfOne() { return FUR_SHADE_OF_ONE * (1.0 - joined); }
-vec3 soaked(vec3 albedo, float rho) { return wetAlbedo(albedo, rho); }
+vec3 soaked(vec3 albedo, float rho) { return wetCoatAlbedo(albedo, rho); }
 
 vec3 waterLight(vec3 color, Met met, vec3 T, vec3 L, vec3 V, float lit) {
   vec2 back = lean * (lying.chance / max(length(lean), 1e-3)), outward = met.here.from / max(met.here.clump.z * atlasLength, 1e-6);
@@ -294,5 +295,5 @@ vec3 waterLight(vec3 color, Met met, vec3 T, vec3 L, vec3 V, float lit) {
   vec3 n = normalize(clumpNormal(outward, sheet) + vec3(0.8 * joined * tiltOf(met) + lying.outward - back, 0.0));
   color *= mix(FUR_LOCK_GAP, 1.0, lying.rises);
   float glints = met.number * mix(mix(1.0, FUR_SHEET_GLINTS, soakedShare), 0.65 + 0.6 * abs(lying.chance), joined);
-  return clumpLight(color, T, n, L, V, met.h, met.held, sheet, lit, vView.w, glints);
+  return clumpLight(color, T, n, L, V, litHeight(met), met.held, sheet, lit, vView.w, glints);
 }

@@ -59,7 +59,7 @@ void main() {
 #elif FUNCTION == 14
   float value = alongStrand(at.x, vec2(at.y, 0.0));
 #elif FUNCTION == 15
-  float value = wetAlbedo(vec3(at.x), at.y).x;
+  float value = 0.5 * (wetAlbedo(vec3(at.x), at.y).x + wetCoatAlbedo(vec3(at.x), at.y).x);
 #elif FUNCTION == 16
   vec2 mirrored = waterGloss(onCircle(at.x * 3.0), clumpNormal(vec2(at.y, 0.0), 0.4), onCircle(0.7), onCircle(-0.4), 0.9, 0.4, at.x);
   float value = 0.25 * (mirrored.x + mirrored.y);
@@ -92,7 +92,7 @@ void main() {
 #elif FUNCTION == 38
   float value = lockPull(at.x, 1.5 * at.y, sheetOf(at.y, 0.0));
 #elif FUNCTION == 39
-  float value = clumpShade(at.x * 2.0 - 1.0, at.y, 1.2 * at.y, sheetOf(at.x, 0.0));
+  float value = clumpShade(at.x * 2.0 - 1.0, 1.0 - at.x * at.y, at.y, 1.2 * at.y, sheetOf(at.x, 0.0));
 #elif FUNCTION == 40
   float value = beadSize(at.x, at.y);
 #elif FUNCTION == 46

@@ -94,14 +94,19 @@ Vec3 wetAlbedo(const Vec3& albedo, float wetness) {
   return glm::mix(albedo, albedo / glm::mix(Vec3(1.77f), Vec3(1.0f), albedo), wetness * (2 - wetness));
 }
 
+Vec3 wetCoatAlbedo(const Vec3& albedo, float wetness) {
+  const Vec3 ofStrand = wetAlbedo(albedo, wetness);
+  return ofStrand / glm::mix(Vec3(1 + 1.8f * wetness), Vec3(1.0f), ofStrand);
+}
+
 Vec3 clumpNormal(const Vec2& outward, float sheet) {
   const float up = glm::mix(std::sqrt(std::max(1.0f - glm::dot(outward, outward), 0.0f)), 1.0f, sheet) + 0.25f;
   return glm::normalize(Vec3(outward * (1.0f - 0.85f * sheet), up));
 }
 
-float clumpShade(float facing, float height, float wetness, float sheet) {
-  const float held = std::min(wetness, 1.0f), clumps = held * (1 - 0.75f * sheet), turnedTo = glm::clamp(0.6f + 0.8f * facing, 0.3f, 1.4f);
-  return glm::mix(1.0f, turnedTo, 0.7f * clumps) * glm::mix(1.0f, glm::smoothstep(-0.2f, 0.8f, height), 0.45f * clumps) * (1 - 0.52f * held) *
+float clumpShade(float facing, float keyed, float height, float wetness, float sheet) {
+  const float held = std::min(wetness, 1.0f), clumps = held * (1 - 0.75f * sheet), turnedTo = glm::mix(0.9f, glm::clamp(0.6f + 0.8f * facing, 0.3f, 1.4f), keyed);
+  return glm::mix(1.0f, turnedTo, 0.7f * clumps) * glm::mix(1.0f, glm::smoothstep(-0.2f, 0.8f, height), 0.45f * clumps) * (1 - 0.5f * keyed * held) *
          (1 - 0.16f * sheet * glm::smoothstep(0.3f, 0.85f, wetness));
 }
 

@@ -39,10 +39,10 @@ Vec3 wetLight(const Scene& scene, const hair::StrandLook& look, const Tube& tube
   const Vec2 lies = Vec2(along) / std::max(glm::length(Vec2(along)), 1e-3f);
   const Vec3 n = glm::normalize(hair::clumpNormal(Vec2(inFrame(water.outward)), sheet) - Vec3(lies * (water.soaked * wet::liesBy(water.chance, tube.variance, water.shortness)), 0));
   const float clumps = held * (1 - 0.75f * sheet), number = glm::mix(1.0f, static_cast<float>(FUR_SHEET_GLINTS), water.soaked) * tube.variance;
-  Vec3 out = color * hair::clumpShade(glm::dot(n, light), h, water.held, sheet);
+  Vec3 out = color * hair::clumpShade(glm::dot(n, light), lit * hair::glossShare(light.z), h, water.held, sheet);
   const Vec2 mirrored = hair::waterGloss(along, n, light, eye, water.held, sheet, look.wetGloss, look.shininess, number) * glm::mix(1.0f, h, clumps);
   out += 0.5f * held * hair::fringe(eye.z, h) * Vec3(scene.frame.backLight);
-  return out + mirrored.x * lit * Vec3(scene.frame.keyLight) + mirrored.y * glm::mix(0.6f, 1.0f, lit) * skyLight(scene, up);
+  return out + mirrored.x * lit * Vec3(scene.frame.keyLight) + mirrored.y * 2.0f * skyLight(scene, up);
 }
 
 }  // namespace
@@ -85,10 +85,10 @@ std::vector<Vec3> shadeNodes(const Scene& scene, const Tubes& tubes, const Shado
       const TubeNode& node = tubes.nodes[k];
       const Vec3 tangent = tangentAt(tubes, tube, k), view = normalizeOr(eye - node.position, node.normal);
       const float height = node.height * wet::litLower(tube.water.held);
-      Vec3 albedo = hair::strandColor(Vec3(scene.coat.rootColors[0]), Vec3(scene.coat.tipColors[0]), height, tube.variance, scene.coat.typeVariance.x);
+      Vec3 albedo = hair::strandColor(Vec3(scene.coat.rootColors[0]), Vec3(scene.coat.tipColors[0]), node.height, tube.variance, scene.coat.typeVariance.x);
       const auto [share, lit] = keyAt(scene, look, node, height, tangent, shadows, light);
       const float nDotV = glm::dot(node.normal, view), rho = std::min(tube.water.held, 1.0f);
-      if (rho > 0) albedo = hair::wetAlbedo(albedo, rho);
+      if (rho > 0) albedo = hair::wetCoatAlbedo(albedo, rho);
       hair::StrandLight lights;
       lights.key = Vec3(scene.frame.keyLight) * share;
       lights.through = lights.key * hair::rimLight(glm::dot(toLight, view), nDotV, height);
