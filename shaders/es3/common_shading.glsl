@@ -225,7 +225,7 @@ vec3 wetAlbedo(vec3 albedo, float rho) { return mix(albedo, albedo / mix(vec3(1.
 
 vec3 wetCoatAlbedo(vec3 albedo, float rho) {
   vec3 ofStrand = wetAlbedo(albedo, rho);
-  return ofStrand / mix(vec3(1.0 + 1.8 * rho), vec3(1.0), ofStrand);
+  return ofStrand / mix(vec3(1.0 + 1.2 * rho), vec3(1.0), ofStrand);
 }
 
 vec3 clumpNormal(vec2 outward, float sheet) {
@@ -246,7 +246,7 @@ vec2 waterGloss(vec2 along, vec2 normal, float facing, float nDotL, float held, 
   own *= mix(1.0, own, sheet);
   float glint = kajiyaLobe(faces, 1.3 * water) * (1.0 - 0.7 * slope * slope) * (mix(0.3, 0.1, sheet) + 3.0 * own) +
                 kajiyaLobe(sqrt(max(1.0 - shifted * shifted, 0.0)), 5.0 * water) * faces * faces * (0.1 + 1.2 * own);
-  return film * film * wetGloss * vec2(glossShare(nDotL) * glint * mix(1.6, 0.5, sheet), fresnel * mix(0.5, 0.2 + 2.4 * strand, sheet));
+  return film * film * wetGloss * vec2(glossShare(nDotL) * glint * mix(1.6, 0.5, sheet), fresnel * mix(0.5, 0.1 + 3.0 * strand * strand, sheet));
 }
 vec2 waterGloss(vec3 T, vec3 n, vec3 L, vec3 V, float held, float sheet, float strand) {
   return waterGloss(vec2(dot(T, L), dot(T, V)), vec2(dot(n, L), dot(n, V)), dot(L, V), L.z, held, sheet, strand);
@@ -254,8 +254,8 @@ vec2 waterGloss(vec3 T, vec3 n, vec3 L, vec3 V, float held, float sheet, float s
 
 // C++ twin in hair/StrandShading.h, which says more.
 float clumpShade(float facing, float keyed, float h, float held, float sheet) {
-  float clumps = min(held, 1.0) * (1.0 - 0.75 * sheet), turnedTo = mix(0.9, clamp(0.6 + 0.8 * facing, 0.3, 1.4), keyed);
-  return mix(1.0, turnedTo, 0.7 * clumps) * mix(1.0, smoothstep(-0.2, 0.8, h), 0.45 * clumps) * (1.0 - 0.5 * keyed * min(held, 1.0)) *
+  float clumps = min(held, 1.0) * (1.0 - 0.75 * sheet), turnedTo = mix(1.2, clamp(0.6 + 0.8 * facing, 0.3, 1.4), keyed);
+  return mix(1.0, turnedTo, 0.7 * clumps) * mix(1.0, smoothstep(-0.2, 0.8, h), 0.45 * clumps) * (1.0 - 0.62 * keyed * min(held, 1.0)) *
          (1.0 - 0.16 * sheet * smoothstep(0.3, 0.85, held));
 }
 // A strand's light `color` as that of one in a clump; and what water mirrors. `held`: 1 is saturated, what is more shines as a film.
@@ -264,8 +264,8 @@ vec3 clumpLight(vec3 color, vec3 T, vec3 n, vec3 L, vec3 V, float h, float held,
   color *= clumpShade(dot(n, L), lit * glossShare(L.z), h, held, sheet);
   vec2 mirrored = waterGloss(T, n, L, V, held, sheet, strand) * mix(1.0, h, clumps);
   color += 0.5 * min(held, 1.0) * fringe(V.z, h);
-  // What is mirrored is the bright half of all that is round it.
-  return color + mirrored.x * lit * keyLight.rgb + mirrored.y * 2.0 * skyLight(upness);
+  // In shade it shows the sky over the whole of it.
+  return color + mirrored.x * lit * keyLight.rgb + mirrored.y * mix(1.6, 1.0, lit) * skyLight(upness);
 }
 
 // Skin without fur, darker where it is wet; `lit` is the share of the light that reaches it.

@@ -42,7 +42,7 @@ Vec3 wetLight(const Scene& scene, const hair::StrandLook& look, const Tube& tube
   Vec3 out = color * hair::clumpShade(glm::dot(n, light), lit * hair::glossShare(light.z), h, water.held, sheet);
   const Vec2 mirrored = hair::waterGloss(along, n, light, eye, water.held, sheet, look.wetGloss, look.shininess, number) * glm::mix(1.0f, h, clumps);
   out += 0.5f * held * hair::fringe(eye.z, h) * Vec3(scene.frame.backLight);
-  return out + mirrored.x * lit * Vec3(scene.frame.keyLight) + mirrored.y * 2.0f * skyLight(scene, up);
+  return out + mirrored.x * lit * Vec3(scene.frame.keyLight) + mirrored.y * glm::mix(1.6f, 1.0f, lit) * skyLight(scene, up);
 }
 
 }  // namespace

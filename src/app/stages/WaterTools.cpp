@@ -194,6 +194,9 @@ void WaterStage::soak(const ShapeStage& shape, float amount, float clump) {
   std::vector<Vec4> even = mask_.texels();
   for (Vec4& texel : even)
     if (texel.w > 0) texel.w = std::min(amount, 1.0f);
+  // Gutters that no droplet has met: look-ups beside a chart would find dry fur.
+  for (const auto& [gutter, source] : wetting.atlas().gutter())
+    if (even[gutter].w <= 0) even[gutter] = even[source];
   mask_.restore(std::move(even));
 }
 
