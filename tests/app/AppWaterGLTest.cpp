@@ -52,6 +52,16 @@ TEST(AppWater, RunsWithTheClockAndComesToRest) {
   EXPECT_FALSE(basin.app.tick(1 / 60.0f));
 }
 
+// A look-up beside a border found dry fur where no droplet had met the gutter.
+TEST(AppWater, SoaksTheGuttersOfTheChartsAsWell) {
+  Basin basin;
+  basin.app.setWetness(0.75f);
+  int dry = 0, wet = 0;
+  for (const Vec4& texel : basin.app.shownMask().texels) ++(texel.w == 0 ? dry : wet);
+  EXPECT_EQ(dry, 0);
+  EXPECT_GT(wet, 0);
+}
+
 TEST(AppWater, EveryStrokeOfEveryToolIsOneStepBack) {
   Basin basin;
   basin.app.setWetness(0.6f);

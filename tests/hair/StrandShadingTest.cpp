@@ -118,6 +118,25 @@ TEST(WaterGloss, IsNoBlunterOnBluntFur) {
   EXPECT_NE(waterGloss(along, up, light, view, 1, 0.5f, 1, 90, 0.6f), waterGloss(along, up, light, view, 1, 0.5f, 1, 60, 0.6f));
 }
 
+TEST(WetCoatAlbedo, LeavesWhiteFurLightAndDarkensAllOther) {
+  EXPECT_EQ(wetCoatAlbedo(Vec3(0.5f), 0), Vec3(0.5f));
+  const auto left = [](float albedo) { return wetCoatAlbedo(Vec3(albedo), 1).x / albedo; };
+  for (const float albedo : {0.1f, 0.3f, 0.5f, 0.7f, 0.9f}) {
+    EXPECT_LT(wetCoatAlbedo(Vec3(albedo), 1).x, wetAlbedo(Vec3(albedo), 1).x) << albedo;
+    EXPECT_LT(left(albedo), left(albedo + 0.1f)) << albedo;
+  }
+  EXPECT_FLOAT_EQ(left(1), 1);
+  EXPECT_GT(left(0.9f), 0.7f);
+  EXPECT_LT(left(0.3f), 0.4f);
+}
+
+TEST(ClumpShade, TakesOfTheKeyLightAloneWhatStrandsShadeAndFarSidesMiss) {
+  for (const float facing : {-1.0f, 0.0f, 1.0f}) EXPECT_FLOAT_EQ(clumpShade(facing, 0, 1, 1, 0), clumpShade(0, 0, 1, 1, 0)) << facing;
+  EXPECT_GT(clumpShade(1, 1, 1, 1, 0), clumpShade(-1, 1, 1, 1, 0));
+  EXPECT_LT(clumpShade(0.5f, 1, 1, 1, 0), 0.5f * clumpShade(0.5f, 0, 1, 1, 0));
+  EXPECT_FLOAT_EQ(clumpShade(-1, 1, 0.2f, 0, 0), 1) << "dry";
+}
+
 TEST(WetLight, IsUnchangedWhereSigmaIsNought) {
   EXPECT_EQ(wetSpecularExponent(24, 0.3f, 0), 24.0f);
   EXPECT_EQ(occlusionFactor(0.2f, 0), 1.0f);
