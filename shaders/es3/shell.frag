@@ -137,7 +137,7 @@ Met resolve(March march) {
 
 vec3 tangentOf(Met met, March march) {
   vec2 tilt = tiltOf(met);
-  vec3 tangent = vec3(tilt + vLean.xy * met.h, sqrt(max(0.05, 1.0 - dot(tilt, tilt))));
+  vec3 tangent = vec3(tilt + vLean.xy * litHeight(met), sqrt(max(0.05, 1.0 - dot(tilt, tilt))));
   tangent.xy += clumpTilt(met, march);
   tangent.xy += shapeTilt(met.spot, met.h);
   return normalize(tangent);

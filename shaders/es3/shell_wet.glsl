@@ -4,8 +4,9 @@ uniform sampler2DArray streaks;  // strand, the mean of those in line: layers tu
 
 in vec4 vTileOfFur;  // tiles that a fur length covers: along axisS (x, y), along axisT (0, z); mip levels that the chart's stretch adds
 
-// Up to the first of these mip levels, near to the eye, soaked fur is strands in clumps that lie; from the second on it is drawn as one.
-const float kNearLevel = 3.7, kFarLevel = 4.0;
+// Up to the first of these mip levels, near to the eye, soaked fur is strands in clumps that lie; from the second on it is drawn as one. Short fur
+// has no clumps: its single strands would shine as one patch.
+const vec2 kFarLevels = vec2(3.7, 4.0), kShortFarLevels = vec2(2.6, 3.0);
 // Clumps of as few pixels in radius as the first of these are drawn as one as well, as their strands and gaps would be grain; from the second on none.
 const float kSmallClump = 1.0, kLargeClump = 4.5;
 const float kFewestDrawn = 0.55;  // pixels along a side, as a share of those shown
@@ -85,7 +86,9 @@ void enterWater() {
   soakedShare = sheetOf(entryHeld, shortness);
   // In the pixels that are shown: where fewer are drawn for a while, all stays as it is; with still fewer it would be dots. And as if no chart
   // were stretched: from one to the next the level jumps.
-  float shown = vLight.w - vTileOfFur.w + log2(max(drawnShare, kFewestDrawn)), far = smoothstep(kNearLevel, kFarLevel, shown);
+  float shown = vLight.w - vTileOfFur.w + log2(max(drawnShare, kFewestDrawn)), far;
+  vec2 farLevels = mix(kFarLevels, kShortFarLevels, shortness);
+  far = smoothstep(farLevels.x, farLevels.y, shown);
   closed = clumpsClosed(entryHeld, soakedShare, shortness);
   sheet = mix(nearSheet(closed, shortness), closed, far);
   float clumpPixels = clumpRadius * tilesPerUnit * tileTexels * exp2(-shown);
