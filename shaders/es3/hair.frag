@@ -70,7 +70,7 @@ void main() {
   float held = vBand.w, narrows = mix(0.35, 2.0, smoothstep(0.2, 0.6, h));
   // Wet strands cling together and mirror as one: what each by itself shines along a bend goes with the first water.
   float shine = vLight.y * (1.0 - 0.6 * min(2.0 * held, 1.0));
-  vec3 color = shadeStrand(lights, wetAlbedo(albedo, held), along, vTurned.xy, vTurned.w, open, held, strand, hairShininess * mix(1.0, narrows, min(1.5 * held, 1.0)), shine);
+  vec3 color = shadeStrand(lights, wetCoatAlbedo(albedo, held), along, vTurned.xy, vTurned.w, open, held, strand, hairShininess * mix(1.0, narrows, min(1.5 * held, 1.0)), shine);
   vec2 mirrored = strandGloss(along, vTurned.x, vTurned.w, held, h, strand);
   color += mirrored.x * vLight.x * keyLight.rgb + mirrored.y * skyLight(vTurned.z);
 #else
