@@ -264,7 +264,7 @@ vec3 clumpLight(vec3 color, vec3 T, vec3 n, vec3 L, vec3 V, float h, float held,
   color *= clumpShade(dot(n, L), lit * glossShare(L.z), h, held, sheet);
   vec2 mirrored = waterGloss(T, n, L, V, held, sheet, strand) * mix(1.0, h, clumps);
   color += 0.5 * min(held, 1.0) * fringe(V.z, h);
-  // In shade it shows the sky over the whole of it.
+  // In shade, where little else is seen of it, a film mirrors more of the sky.
   return color + mirrored.x * lit * keyLight.rgb + mirrored.y * mix(1.6, 1.0, lit) * skyLight(upness);
 }
 

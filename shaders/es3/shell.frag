@@ -137,6 +137,7 @@ Met resolve(March march) {
 
 vec3 tangentOf(Met met, March march) {
   vec2 tilt = tiltOf(met);
+  // As where they are lit: wet strands that lean by their whole height shine in rings round the body.
   vec3 tangent = vec3(tilt + vLean.xy * litHeight(met), sqrt(max(0.05, 1.0 - dot(tilt, tilt))));
   tangent.xy += clumpTilt(met, march);
   tangent.xy += shapeTilt(met.spot, met.h);
@@ -148,24 +149,24 @@ vec3 tangentOf(Met met, March march) {
 const int kLooks = 8;
 const float kOwnTexels = 3.0;
 
-// What covers the way to the light that much higher up.
-float coverAbove(Met met, float rise, float level) {
-  float layer = nearestLayer(storedLayer(litHeight(met) + rise, 0.0)) + firstLayer(met.spot.z);
+// What covers the way to the light `rise` higher up than the strand, at height h.
+float coverAbove(Met met, float h, float rise, float level) {
+  float layer = nearestLayer(storedLayer(h, 0.0)) + firstLayer(met.spot.z);
   return textureLod(coverage, vec3(met.spot.xy + vLightStep * rise, layer), level).r;
 }
 
 // The share of the key light that other strands leave: real strands cast real shadows.
 float lightOn(Met met, float furry) {
-  float lit = 1.0, ofOne = shadeOfOne() * shadowShown() * furry;
+  float lit = 1.0, ofOne = shadeOfOne() * shadowShown() * furry, h = litHeight(met);
   bool counts = kCountsShades && finer > 0.0 && lod < 0.5;
   // One look says what is there on average.
-  for (int i = 0, once = int(!counts && litHeight(met) + FUR_SHADE_RISE < 1.0); i < once; ++i) lit -= ofOne * coverAbove(met, FUR_SHADE_RISE, lod + 1.0);
+  for (int i = 0, once = int(!counts && h + FUR_SHADE_RISE < 1.0); i < once; ++i) lit -= ofOne * coverAbove(met, h + FUR_SHADE_RISE, FUR_SHADE_RISE, lod + 1.0);
   // Several find the strands that the light crosses, each of which takes its share.
   float rise = min(kOwnTexels / (tileTexels * length(vLightStep) + 1e-6), 0.5 * FUR_SHADE_RISE), before = 1.0;
   float stride = (FUR_SHADE_RISE - rise) / float(kLooks);
   rise += stride * pixelNoise();
-  for (int i = 0; i < kLooks && counts && litHeight(met) + rise < 1.0; ++i) {
-    float there = clamp((coverAbove(met, rise, lod) - 0.5) * sharp + 0.5, 0.0, 1.0);
+  for (int i = 0; i < kLooks && counts && h + rise < 1.0; ++i) {
+    float there = clamp((coverAbove(met, h + rise, rise, lod) - 0.5) * sharp + 0.5, 0.0, 1.0);
     lit *= 1.0 - ofOne * max(there - before, 0.0);
     before = there;
     rise += stride;

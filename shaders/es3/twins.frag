@@ -59,7 +59,9 @@ void main() {
 #elif FUNCTION == 14
   float value = alongStrand(at.x, vec2(at.y, 0.0));
 #elif FUNCTION == 15
-  float value = 0.5 * (wetAlbedo(vec3(at.x), at.y).x + wetCoatAlbedo(vec3(at.x), at.y).x);
+  float value = wetAlbedo(vec3(at.x), at.y).x;
+#elif FUNCTION == 47
+  float value = wetCoatAlbedo(vec3(at.x), at.y).x;
 #elif FUNCTION == 16
   vec2 mirrored = waterGloss(onCircle(at.x * 3.0), clumpNormal(vec2(at.y, 0.0), 0.4), onCircle(0.7), onCircle(-0.4), 0.9, 0.4, at.x);
   float value = 0.25 * (mirrored.x + mirrored.y);

@@ -80,7 +80,7 @@ Vec3 shadeStrand(const StrandLook& look, const Vec3& albedo, const Vec3& tangent
 // out again, so that a wet coat is darker and its colour richer (Lekner and Dorf 1988, mirrors left out). The
 // first water does most of it.
 Vec3 wetAlbedo(const Vec3& albedo, float wetness);
-// Of strands in a coat: light that water lets from one to the next meets more of them before it comes out again. White fur stays light, all
+// Of strands among others, in a coat or a mane: light that water lets from one to the next meets more of them before it comes out again. White fur stays light, all
 // other grows much darker and richer.
 Vec3 wetCoatAlbedo(const Vec3& albedo, float wetness);
 // The normal of a clump in the surface's frame; `outward`: from its middle, 1 at its rim. `sheet`: wet::sheetOf().
