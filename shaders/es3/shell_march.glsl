@@ -89,7 +89,8 @@ struct StrandColors {
   float variance;
 };
 
-float levelOf(Strand here) { return lod + here.coarser; }
+// Rounded as the texture would: software rasterisers are quicker with whole levels.
+float levelOf(Strand here) { return floor(lod + here.coarser + 0.5); }
 
 // How much there is of what `open` strands cover. Magnified strands get edges one pixel wide; minified ones keep their
 // fractional coverage. Wet strands that are drawn together grow towards each other.

@@ -12,6 +12,7 @@ const float kSmallClump = 1.0, kLargeClump = 4.5;
 const float kFewestDrawn = 0.55;  // pixels along a side, as a share of those shown
 // Of what is drawn as one, from here on what the march finds does not show (it is weighted by 1 - joined): that many steps.
 const float kWholeSheet = 0.98;
+const float kUnseenSheet = 0.05;  // so little of it costs as much as all and is not seen
 #ifdef GROOMED
 const int kSheetSteps = 1;  // which fur there is
 #else
@@ -94,6 +95,7 @@ void enterWater() {
   float clumpPixels = clumpRadius * tilesPerUnit * tileTexels * exp2(-shown);
   float smallClumps = 1.0 - smoothstep(kSmallClump, kLargeClump, clumpPixels);
   joined = max(soakedShare * (2.0 - soakedShare) * far, min(2.0 * entryHeld, 1.0) * smallClumps);
+  joined = max((1.0 + kUnseenSheet) * joined - kUnseenSheet, 0.0);
   coatTop = upright(entryHeld, soakedShare);
   bend = 0.5 * vLean.xy;
   lean = wetLean(bend, water.y, sheetOf(water.y, shortness));
@@ -158,6 +160,7 @@ vec4 clumpThere(vec2 a, inout March march, out vec2 mirrored) {
 // The water that draws a clump's strands together.
 float drawnBy(vec4 clump) { return clump.a > 0.0 ? clumpingWetness(clump.a, clump.z * atlasLength * furLengths) : 0.0; }
 
+const float kOneSheet = 0.75;  // from here on it does not matter to which clump a strand belongs
 const float kMiddle = 0.3;  // whose roots are a clump's own nearly always: squared, 1 at its rim
 // The strand that the ray meets at x: the clump there says where it roots and how far along it that is, its lock which one is seen.
 Strand standingAt(float x, inout March march) {
@@ -169,7 +172,7 @@ Strand standingAt(float x, inout March march) {
   vec2 from = (mirrored + side * a - clump.xy) / (1.0 - pull), aside = tileFromAtlas * from * (side * pull);
   float outward = dot(from, from) / max(clump.z * clump.z, 1e-12) * float(clump.a > 0.0), own = insideRim(outward);
   // A loop of one step, as software rasterisers look up in both branches of an if.
-  for (int i = 0, once = int(outward > kMiddle && own > 0.0); i < once; ++i) own *= ownClump(mask, clump, entryChart, from);
+  for (int i = 0, once = int(outward > kMiddle && own > 0.0 && sheet < kOneSheet); i < once; ++i) own *= ownClump(mask, clump, entryChart, from);
   along = alongStrand(h, lean * along + bend * (h * h) - furFromTile * aside) / wetLength * rimTaper(soakedShare, sheet, outward);
   // Locks draw their strands together once more. So close together strands hide one another: of as many as there are, so many are seen as
   // have room, each as wide as it is.
@@ -230,12 +233,14 @@ void lieDown(float frays, float line) {
   float width = max(FUR_LOCK_WIDTH / furLengths, FUR_LEAST_LOCK * clumpRadius * tilesPerUnit), size = -log2(width), large = floor(size), small = size - large;
   float lies = length(lean);
   vec2 tile = tileAt(enters, min(vTop, coatTop)), way = tipTile * (max(0.85, FUR_LOCK_LENGTH * width * furLengths) / max(lies, 1e-3));
-  Lying one = locksAt(tile, way, exp2(large), frays), two = locksAt(tile, 0.7 * way, exp2(large + 1.0), frays);
   // What is smaller than two pixels is seen as its mean.
   float pixels = tileTexels * exp2(-large - vLight.w);
   float lie = smoothstep(0.05, 0.3, lies);
-  vec2 share = vec2(1.0 - small, small);
-  vec2 seen = joined * lie * share * smoothstep(vec2(1.0), vec2(2.5), vec2(pixels, 0.5 * pixels));
+  small = smoothstep(0.2, 0.8, small);  // seldom are there both sizes: each costs as much as all the rest of the light
+  vec2 seen = joined * lie * vec2(1.0 - small, small) * smoothstep(vec2(1.0), vec2(2.5), vec2(pixels, 0.5 * pixels));
+  Lying one = Lying(vec2(0.0), 0.0, 0.0, vec2(0.0)), two = one;
+  for (int i = 0, once = int(seen.x > 0.0); i < once; ++i) one = locksAt(tile, way, exp2(large), frays);
+  for (int i = 0, once = int(seen.y > 0.0); i < once; ++i) two = locksAt(tile, 0.7 * way, exp2(large + 1.0), frays);
   vec2 rises = mix(vec2(1.0), vec2(one.rises, two.rises) / kMeanRise, seen);
   vec2 beside = furFromTile * vec2(-way.y, way.x);
   lying.outward = beside * ((0.85 * dot(seen, vec2(one.outward.x, two.outward.x)) + joined * line) / max(length(beside), 1e-6));
