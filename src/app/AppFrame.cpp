@@ -119,7 +119,7 @@ void App::State::upload() {
 
 void App::State::uploadMask(bool whole) {
   const bool softened = !(settings.technique == 1 && settings.printedMask), anew = noteChange(uploaded.softened, softened) || whole;
-  for (const wet::MaskTexels& part : water.takeTexels(shape, anew, softened)) renderer->updateMask(part);
+  water.takeTexels(shape, anew, softened, [this](const wet::MaskTexels& part) { renderer->updateMask(part); });
 }
 
 // Colour maps of the types and the skin, where they have one.

@@ -72,8 +72,7 @@ std::size_t SurfaceMaps::updateMask(const wet::MaskTexels& mask) {
   const geometry::TexelRect& rect = mask.rect;
   if (rect.empty()) return 0;
   if (mask_.shape().width != mask.size || mask_.bytes() == 0) {
-    const geometry::TexelRect whole{0, 0, mask.size, mask.size};
-    FUR_ASSERT(rect == whole, "SurfaceMaps::updateMask()", "the whole of a mask of another size", mask.texels.size());
+    FUR_ASSERT(rect.x0 == 0 && rect.y0 == 0 && rect.x1 == mask.size, "SurfaceMaps::updateMask()", "a mask of another size from its first row on", mask.texels.size());
     mask_ = gl::Texture({gl::TexelFormat::RGBA32F, mask.size, mask.size, 0, gl::Filter::Nearest, false}, {});
   }
   wetCells_.update(mask);

@@ -31,6 +31,9 @@ std::pair<Vec3, Vec3> stepsAlong(const Surface& surface, std::uint32_t triangle)
 SurfaceTexels::SurfaceTexels(const Surface& surface, const geometry::AtlasTexels& atlas)
     : size_(atlas.size()), placeOf_(atlas.triangleOf().size(), kNone) {
   const float texel = 1.0f / static_cast<float>(size_);
+  const std::size_t free = std::count(atlas.triangleOf().begin(), atlas.triangleOf().end(), geometry::kNoTriangle), most = placeOf_.size() - free;
+  places_.reserve(most);
+  blockOf_.reserve(most);
   for (int y0 = 0; y0 < size_; y0 += kBlock)
     for (int x0 = 0; x0 < size_; x0 += kBlock) {
       Block block{static_cast<std::uint32_t>(places_.size()), 0, {}, Vec3(0), 0};
@@ -70,9 +73,9 @@ SurfaceTexels::SurfaceTexels(const Surface& surface, const geometry::AtlasTexels
     const Vec3 a = corner(surface, t, 0).position, b = corner(surface, t, 1).position, c = corner(surface, t, 2).position;
     area += 0.5 * glm::length(glm::cross(b - a, c - a));
   }
-  const float most = static_cast<float>(8 * area / static_cast<double>(std::max<std::size_t>(places_.size(), 1)));
+  const float mostArea = static_cast<float>(8 * area / static_cast<double>(std::max<std::size_t>(places_.size(), 1)));
   double sum = 0;
-  for (Place& place : places_) sum += place.area = std::min(place.area, most);
+  for (Place& place : places_) sum += place.area = std::min(place.area, mostArea);
   for (Place& place : places_) place.area *= static_cast<float>(area / sum);
   meanWidth_ = static_cast<float>(std::sqrt(area / static_cast<double>(std::max<std::size_t>(places_.size(), 1))));
 

@@ -47,6 +47,8 @@ void Water::makePlaces() {
   ways_.assign(count, {});
   areas_.clear();
   texelOf_.clear();
+  areas_.reserve(count + kPlaces);
+  texelOf_.reserve(count);
   for (const SurfaceTexels::Place& place : texels_->places()) areas_.push_back(place.area), texelOf_.push_back(place.texel);
   areas_.resize(count + kPlaces, 1.0f);
   hasDrop_.assign(count, 0);

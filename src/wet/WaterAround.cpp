@@ -39,6 +39,7 @@ WaterAround::WaterAround(int size, std::span<const SurfaceTexels::Place> places,
 // Squares of texels; where charts meet in one each has its own, as it has wherever normals turn away.
 void WaterAround::makeCells(std::span<const SurfaceTexels::Place> places) {
   const int side = (size_ + cellTexels_ - 1) / cellTexels_;
+  cellOf_.reserve(places.size());
   std::vector<std::uint32_t> first(static_cast<std::size_t>(side * side), kNone), next;  // the cells of each square
   for (const SurfaceTexels::Place& place : places) {
     const int x = static_cast<int>(place.texel) % size_, y = static_cast<int>(place.texel) / size_;
@@ -111,6 +112,7 @@ void WaterAround::findNear() {
 
 // Of the cells near its own those that weigh most, the heaviest first.
 void WaterAround::share(std::span<const SurfaceTexels::Place> places) {
+  shares_.reserve(places.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
     const std::uint32_t own = cellOf_[i];
     float weights[kShares] = {}, all = 0;

@@ -132,7 +132,7 @@ wet::WaterAround* WaterStage::around(const ShapeStage& shape) {
   return around_ ? &*around_ : nullptr;
 }
 
-std::vector<wet::MaskTexels> WaterStage::takeTexels(const ShapeStage& shape, bool all, bool softened) {
+void WaterStage::takeTexels(const ShapeStage& shape, bool all, bool softened, const UseTexels& use) {
   std::vector<wet::TexelRect> parts = mask_.takeChangedParts();
   wet::WaterAround* const round = around(shape);
   if (round) {
@@ -140,9 +140,12 @@ std::vector<wet::MaskTexels> WaterStage::takeTexels(const ShapeStage& shape, boo
     parts = round->takeChanged();
   }
   if (all) parts = {{0, 0, mask_.size(), mask_.size()}};
-  std::vector<wet::MaskTexels> texels;
-  for (const wet::TexelRect& part : parts) texels.push_back(wet::encodeMask(mask_, part, wetting(shape).chartOfTexel(), softened ? round : nullptr));
-  return texels;
+  for (const wet::TexelRect& part : parts) {
+    if (part.empty()) continue;
+    const int rows = std::max(kBandTexels / (part.x1 - part.x0), 1);
+    for (int y = part.y0; y < part.y1; y += rows)
+      use(wet::encodeMask(mask_, {part.x0, y, part.x1, std::min(y + rows, part.y1)}, wetting(shape).chartOfTexel(), softened ? round : nullptr));
+  }
 }
 
 wet::MaskTexels WaterStage::texels(const ShapeStage& shape) {
@@ -232,6 +235,8 @@ bool WaterStage::isWet() const {
 
 std::vector<std::uint8_t> WaterStage::save(bool forFile) const {
   ByteWriter to;
+  // Mask, film and what comes in, and some drops: growing step by step it would be there three times.
+  to.bytes.reserve(mask_.texels().size() * (sizeof(Vec4) + 2 * sizeof(float)) + (std::size_t{1} << 16));
   to(kWaterLayout, mask_.texels(), mask_.film());
   water_.save(to);
   to(steps_, hair_ ? hair_->waterState() : std::vector<float>());
