@@ -43,6 +43,7 @@ export function elementsOf({ fields, presets, tools }) {
         attribute('reveal', oneOf('auto', 'interaction', 'manual'), '"interaction": nothing is loaded before the poster is pressed; "manual": before dismissPoster().'),
         attribute('interaction-prompt', oneOf('auto', 'none'), 'Whether the poster of reveal="interaction" shows that it can be pressed.'),
         attribute('preset', names(presets), 'A coat by its name.'),
+        attribute('wetness', number, 'How wet the first model is when it comes, 0 to 1; set later it wets what is shown. Without it the model is as its file has it.'),
         attribute('tool', names(tools.filter(({ program }) => program !== 'Editor')), 'What a press or a drag on the model does.'),
         attribute('camera-controls', truth, 'A person can turn the view, zoom and move.'),
         attribute('camera-orbit', text, '"yaw pitch distance", angles in radians or with "deg", the distance in bounding radii of the model.'),

@@ -71,6 +71,7 @@ export class AppliedOptions {
       this.#applyPreset();
       this.#frames.afterChange();
     }
+    if (name === 'wetness' && value !== '' && source) app.setWetness(value);
     if (name === 'cameraControls') app.setCameraControls(value);
     if (name === 'autoRotate') app.setAutoRotate(value);
     if (name === 'cameraOrbit' && value) this.#applyOrbit(value);
@@ -177,6 +178,10 @@ export class AppliedOptions {
     for (const [name, value] of wantedSettings) app.setSetting(name, value);
     app.takeWarnings();  // of values that were refused, and told, when they were set first
     app.settingsCameWithModel();
+  }
+  waterToModel() {
+    const { app, options } = this.#session;
+    if (options.wetness !== '') app.setWetness(options.wetness);
   }
   cameraToModel() {
     for (const name of forModel) this.#apply(name);

@@ -55,6 +55,7 @@ const readers = {
   water: readPacked,
   preset: (text) => text,  // the program knows the names
   light: (text) => text,  // likewise
+  wetness: boundedNumber(0, 1, false),
   tool: oneOf(choices.tool),
   quality: oneOf(choices.quality),
   motion: oneOf(choices.motion),
@@ -68,7 +69,7 @@ const readers = {
 
 /**
  * @param {string} pageUrl the page's whole address
- * @returns {{ src?: string, state?: string, strokes?: string, groom?: string, hair?: string, water?: string, preset?: string, light?: string, tool?: string, quality?: string, motion?: string, camera?: string, dt?: number,
+ * @returns {{ src?: string, state?: string, strokes?: string, groom?: string, hair?: string, water?: string, preset?: string, light?: string, wetness?: number, tool?: string, quality?: string, motion?: string, camera?: string, dt?: number,
  *   frames?: number, ui?: boolean, editor?: boolean, autoplay?: boolean, settings: [string, string][], warnings: string[] }}
  *   `settings` holds the keys that are none of these: fields of the settings table, or unknown; the program knows which.
  */

@@ -299,6 +299,7 @@ export class Loading {
       this.#session.cameWith = undefined;
     }
     if (first) this.#applied.settingsToModel();
+    if (first && !document) this.#applied.waterToModel();
     // Undo begins with what is shown.
     if (document || first) app.restoreHistory(new Uint8Array());
     if (former) {

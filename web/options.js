@@ -13,7 +13,7 @@ export const qualities = Object.freeze({
 });
 
 export const optionDefaults = Object.freeze({
-  preset: '', tool: 'none', cameraControls: false, cameraOrbit: '', cameraTarget: '', fieldOfView: 'auto', autoRotate: false, quality: 'auto', frameBudget: 1000 / 60, background: '', fixedDt: 0, paused: false,
+  preset: '', wetness: '', tool: 'none', cameraControls: false, cameraOrbit: '', cameraTarget: '', fieldOfView: 'auto', autoRotate: false, quality: 'auto', frameBudget: 1000 / 60, background: '', fixedDt: 0, paused: false,
   wheel: 'focus', touchAction: '', motion: 'auto', editor: false,
 });
 
@@ -36,11 +36,18 @@ function clampBudget(value) {
   return milliseconds > 0 ? Math.min(Math.max(milliseconds, 4), 1000) : optionDefaults.frameBudget;
 }
 
+/** How wet a model is when it comes, 0 to 1; '': as it came. */
+function clampWetness(value) {
+  const wetness = Number(value);
+  return value === '' || !Number.isFinite(wetness) ? '' : Math.min(Math.max(wetness, 0), 1);
+}
+
 /** The value as the option holds it; undefined when it is none of the option's choices. */
 export function optionValue(name, value) {
   if (choices[name]) return choices[name].includes(value) ? value : undefined;
   const kind = typeof optionDefaults[name];
   if (name === 'frameBudget') return clampBudget(value);
+  if (name === 'wetness') return clampWetness(value ?? '');
   if (kind === 'boolean') return Boolean(value);
   return kind === 'number' ? clampDt(value) : value;
 }

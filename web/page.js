@@ -50,6 +50,7 @@ function applyLink(link, ofBefore = false) {
   // Settings beside the light rig stay over it.
   if (link.light) fur.lightRig = link.light;
   for (const [name, text] of link.settings) fur.fur.set(name, text);
+  if (link.wetness !== undefined) fur.fur.set('wetness', link.wetness);
   if (link.tool) setTool(link.tool);
   if (link.quality) fur.quality = link.quality;
   if (link.motion) fur.motion = link.motion;

@@ -217,6 +217,36 @@ test('the light-rig attribute is the light, what is set after it stays over it, 
   assert.match(seen.warnings[0], /disco.*daylight.*night/);
 });
 
+test('the wetness attribute is how wet the first model comes, without a step of undo; set later it wets what is shown', async () => {
+  const page = await open({ viewport: { width: 480, height: 600 } });
+  const seen = await page.evaluate(async () => {
+    const fur = document.createElement('wet-fur');
+    for (const [name, value] of Object.entries({ wetness: '0.5', 'dry-rate': 0, paused: '', quality: 'low', src: 'plane', loading: 'eager' }))
+      fur.setAttribute(name, value);
+    Object.assign(fur.settings, { layers: 8, fins: false });
+    document.body.append(fur);
+    await fur.ready;
+    const came = [fur.meanWetness, fur.undo()];
+    const option = fur.wetness;
+    fur.wetness = 7;
+    const more = fur.meanWetness;
+    for (const none of ['much', '', null]) fur.wetness = none;
+    const kept = fur.meanWetness, { warnings } = fur;
+    const loaded = new Promise((resolve) => { fur.addEventListener('load', resolve, { once: true }); });
+    fur.src = 'sphere';
+    await loaded;
+    const next = fur.meanWetness;
+    fur.remove();
+    return { came, option, more, kept, next, warnings };
+  });
+  assert.ok(Math.abs(seen.came[0] - 0.5) < 0.01, `${seen.came[0]}: of 0.5, but for steps of a byte`);
+  assert.equal(seen.came[1], false);
+  assert.ok(seen.more > 0.99, `${seen.more}: 7 is more than there may be`);
+  assert.equal(seen.kept, seen.more, 'what is no number wets nothing');
+  assert.equal(seen.next, 0, 'another model comes as its file has it');
+  assert.deepEqual(seen.warnings, []);
+});
+
 test('the preset attribute is the coat, what is set beside it stays over it, and it can be changed', async () => {
   const page = await open({ viewport: { width: 480, height: 600 } });
   const seen = await page.evaluate(async () => {

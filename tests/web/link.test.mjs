@@ -31,6 +31,13 @@ test('a light rig of the address is set before the settings beside it', async ()
   assert.deepEqual(seen, ['#9db8ff', 0.25, 0]);
 });
 
+test('an address says how wet the model comes', async () => {
+  const view = await site.open(`?${light}&src=plane&wetness=0.4&dryRate=0&autoplay=0`);
+  const seen = await withFur(view, (fur) => [fur.meanWetness, fur.warnings.length]);
+  assert.ok(Math.abs(seen[0] - 0.4) < 0.01 && seen[1] === 0, `${seen}`);
+  assert.match(readLink(`${page}?wetness=2`).warnings[0], /wetness.*outside 0 to 1/);
+});
+
 test('an overlong state, value or list of parameters is not read', () => {
   assert.equal(readLink(`${page}?state=${'A'.repeat(9000)}`).state, undefined);
   assert.equal(readLink(`${page}?wind=${'1'.repeat(600)}`).settings.length, 0);

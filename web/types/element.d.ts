@@ -16,6 +16,7 @@ export class WetFurElement extends HTMLElement {
   /** Whether the poster of reveal="interaction" shows that it can be pressed; the slot of that name takes another cue. */
   interactionPrompt: 'auto' | 'none';
   preset: PresetName | '';
+  wetness: number | '';
   /** Attribute light-rig. */
   lightRig: LightRig | undefined;
   tool: Tool;

@@ -66,6 +66,8 @@ export interface WetFurOptions extends Partial<FurSettings> {
   preset?: PresetName | '';
   /** Sets the light; what is set after it stays over it. Read: undefined when the light is no rig's. */
   lightRig?: LightRig;
+  /** How wet the first model is when it comes, 0 to 1; set later it wets what is shown. '', the default: as its file has it. */
+  wetness?: number | '';
   tool?: Tool;
   cameraControls?: boolean;
   /** "yaw pitch distance [x y z]", radians or with "deg". */
