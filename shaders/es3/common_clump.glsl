@@ -29,8 +29,8 @@ float sheetOf(float held, float shortness) {
 
 // How far clumps have closed that are so much of a sheet: short fur makes none, whatever water it holds.
 float clumpsClosed(float held, float sheet, float shortness) { return mix(sheet, 1.0, shortness * smoothstep(0.0, FUR_SHORT_SHEET_FROM, held)); }
-// How much of a sheet that is where its strands are seen: they stay in their clumps.
-float nearSheet(float sheet, float shortness) { return sheet * mix(FUR_NEAR_SHEET, FUR_NEAR_SHORT_SHEET, shortness); }
+// How much of a sheet that is where its strands are seen: those of long fur stay in their clumps.
+float nearSheet(float sheet, float shortness) { return sheet * mix(FUR_NEAR_SHEET, 1.0, shortness); }
 // How far the strands of a clump lie up or down together, by chance, -0.5..0.5.
 float chanceOfClump(vec2 centre) { return fract(dot(centre, vec2(37.3, 91.7))) - 0.5; }
 // Of a strand with that number: the slope by which its normal turns. In short fur, which makes no clumps, each has a chance of its own.
@@ -43,7 +43,7 @@ float litLower(float held) { return mix(1.0, FUR_WET_LIT, smoothstep(FUR_WET_LIT
 
 // s: the share of the way to the clump's centre that a strand has gone at height h. A sheet opens it again.
 float clumpPull(float h, float held, float sheet) {
-  return clumpProfile(h, clumpShape, layers) * min(held, 1.0) * (1.0 - FUR_SHEET_OPENS * sheet);
+  return clumpProfile(h, clumpShape, layers) * min(held, 1.0) * (1.0 - sheet);
 }
 
 // A clump holds smaller locks, to whose middles strands draw together once more: it splits into them at its tip.

@@ -14,7 +14,7 @@ namespace fur::wet {
 
 // Soaked clumps close into a sheet: from this wetness on, strands are drawn together by so much less. Sheets and
 // saturated clumps stand by so much lower.
-inline constexpr float kSheetFrom = FUR_SHEET_FROM, kSheetOpens = FUR_SHEET_OPENS, kSheetSinks = FUR_SHEET_SINKS, kClumpsSink = FUR_CLUMPS_SINK;
+inline constexpr float kSheetFrom = FUR_SHEET_FROM, kSheetSinks = FUR_SHEET_SINKS, kClumpsSink = FUR_CLUMPS_SINK;
 
 // f(h) = (1 - w) h + w (1 + ln h / ln N), h clamped to [1/N, 1]. f(1/N) = (1 - w)/N, f(1) = 1,
 // monotone. One layer is the tip alone: 1.
@@ -48,10 +48,10 @@ inline float clumpsClosed(float rho, float sheet, float shortness) {
   return glm::mix(sheet, 1.0f, shortness * glm::smoothstep(0.0f, static_cast<float>(FUR_SHORT_SHEET_FROM), rho));
 }
 
-// How much of a sheet it is where its strands are seen, near to the eye and in the reference: they stay in their clumps. Further off a sheet is
+// How much of a sheet it is where its strands are seen, near to the eye and in the reference: those of long fur stay in their clumps. Further off a sheet is
 // drawn as one (shell_wet.glsl).
 inline float nearSheet(float sheet, float shortness) {
-  return sheet * glm::mix(static_cast<float>(FUR_NEAR_SHEET), static_cast<float>(FUR_NEAR_SHORT_SHEET), shortness);
+  return sheet * glm::mix(static_cast<float>(FUR_NEAR_SHEET), 1.0f, shortness);
 }
 
 // By how much the strands of a clump lie further up or down together than others, -0.5..0.5: without it light would run in rings round a
@@ -66,9 +66,9 @@ inline float liesBy(float ofClump, float strand, float shortness) {
 inline float litLower(float rho) { return glm::mix(1.0f, float{FUR_WET_LIT}, glm::smoothstep(float{FUR_WET_LIT_FROM}, 1.0f, rho)); }
 
 // s: the share of the way to the clump's centre that a strand has gone at height h. Below kSheetFrom it is f(h) rho, as
-// printed; where clumps close into a sheet it falls again, so that it never exceeds 0.824: s / (1 - s) stays finite.
+// printed; where clumps close into a sheet it falls to 0, so that it never exceeds 0.824: s / (1 - s) stays finite.
 inline float clumpPull(float h, float w, float layers, float rho, float sheet) {
-  return clumpProfile(h, w, layers) * glm::clamp(rho, 0.0f, 1.0f) * (1.0f - kSheetOpens * sheet);
+  return clumpProfile(h, w, layers) * glm::clamp(rho, 0.0f, 1.0f) * (1.0f - sheet);
 }
 inline float clumpPull(float h, float w, float layers, float rho) { return clumpPull(h, w, layers, rho, sheetOf(rho)); }
 

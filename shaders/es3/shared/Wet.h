@@ -8,17 +8,14 @@
 // The strands at the rim of a soaked clump look so much shorter.
 #define FUR_RIM_TAPER 0.7
 
-// Soaked clumps close into a sheet from this wetness on; there strands are drawn together by so much less. Sheets and
-// saturated clumps stand by so much lower.
+// Soaked clumps close into a sheet from this wetness on. Sheets and saturated clumps stand by so much lower.
 #define FUR_SHEET_FROM 0.82
-#define FUR_SHEET_OPENS 0.85
 #define FUR_SHEET_SINKS 0.5
 #define FUR_CLUMPS_SINK 0.3
 
-// How far clumps of a sheet open where its strands are seen, near to the eye: of long fur, of short fur. The share of their glints
-// that such strands have.
+// How much of a sheet of long fur is one where its strands are seen, near to the eye: the rest stays in clumps. The share of their glints that
+// such strands have.
 #define FUR_NEAR_SHEET 0.4
-#define FUR_NEAR_SHORT_SHEET 0.8
 #define FUR_SHEET_GLINTS 0.75
 
 // Fur is short where clumps are as wide as it is long: their radius as a share of its length, from which on it is rather short, and
