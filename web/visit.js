@@ -11,7 +11,7 @@ import { unpackStrokes } from './strokes.js';
 const hopeless = ['webgl-unavailable', 'wasm-blocked', 'wasm-load', 'out-of-memory'];
 /** Of what a link holds, that which lies on the model, and all that is about the scene. */
 const parts = ['groom', 'hair', 'strokes', 'water'];
-const sceneKeys = ['src', 'state', ...parts, 'preset', 'light', 'camera'];
+const sceneKeys = ['src', 'state', ...parts, 'preset', 'light', 'wetness', 'camera'];
 
 /** What the address says of the scene, '' for nothing. */
 const sceneOf = (link) => {
@@ -20,8 +20,9 @@ const sceneOf = (link) => {
 };
 /** Whether it does, read or refused. */
 export const asksForScene = (link) => sceneOf(link) !== '' || link.warnings.length > 0;
-/** An address that says how the scene looks but not of which model is from before there was another than the bunny; none of those knew `behaviour`. */
-export const modelOf = (link) => link.src ?? (sceneOf(link) && !link.settings.some(([key]) => key === 'behaviour') ? plainModel : firstModel);
+/** An address that says how the scene looks but not of which model is from before there was another than the bunny; none of those knew `behaviour` or `wetness`. */
+const isNewer = (link) => link.wetness !== undefined || link.settings.some(([key]) => key === 'behaviour');
+export const modelOf = (link) => link.src ?? (sceneOf(link) && !isNewer(link) ? plainModel : firstModel);
 const withoutScene = (link) => ({ ...link, ...Object.fromEntries(sceneKeys.map((key) => [key, undefined])), settings: [] });
 /** Not where a picture is to come out the same at every visit, nor inside another page. */
 const keepsWork = (link) => link.autoplay !== false && link.frames === undefined && !link.dt && link.ui !== false;

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { makeLink, readLink } from '../../web/link.js';
 import { orbitText, parseOrbit } from '../../web/orbit.js';
+import { asksForScene, modelOf } from '../../web/visit.js';
 import { light, plain, startBrowser, withFur } from './support.mjs';
 
 const site = startBrowser();
@@ -36,6 +37,8 @@ test('an address says how wet the model comes', async () => {
   const seen = await withFur(view, (fur) => [fur.meanWetness, fur.warnings.length]);
   assert.ok(Math.abs(seen[0] - 0.4) < 0.01 && seen[1] === 0, `${seen}`);
   assert.match(readLink(`${page}?wetness=2`).warnings[0], /wetness.*outside 0 to 1/);
+  const wet = readLink(`${page}?wetness=0.4`);
+  assert.deepEqual([modelOf(wet), asksForScene(wet)], ['otter', true], 'of the page as it is now, and over the work of before');
 });
 
 test('an overlong state, value or list of parameters is not read', () => {
