@@ -102,7 +102,18 @@ March marchCoat(float first) {
 #else
   const int plainSteps = 0;
 #endif
-  for (int i = plainSteps; i < steps && march.alpha <= closes; ++i) {
+  int aloneSteps = plainSteps;
+#ifdef WET
+  // In a loop of their own: a step with a branch in it costs more than what that saves.
+  if (drawsNothing()) aloneSteps = steps;
+  for (int i = plainSteps; i < aloneSteps && march.alpha <= closes; ++i) {
+    Strand here = aloneAt(march.x);
+    shape(here);
+    trim(here, march);
+    stepOn(march, here, addStrand(here, march));
+  }
+#endif
+  for (int i = aloneSteps; i < steps && march.alpha <= closes; ++i) {
     Strand here = standingAt(march.x, march);
     shape(here);
     trim(here, march);

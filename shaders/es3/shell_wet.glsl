@@ -161,50 +161,51 @@ vec4 clumpThere(vec2 a, inout March march, out vec2 mirrored) {
 float drawnBy(vec4 clump) { return clump.a > 0.0 ? clumpingWetness(clump.a, clump.z * atlasLength * furLengths) : 0.0; }
 
 const float kNoClumps = 0.999;  // in a sheet as whole as that clumps draw nothing aside
-const float kOneSheet = 0.75;   // from here on it does not matter to which clump a strand belongs
-const float kMiddle = 0.3;      // whose roots are a clump's own nearly always: squared, 1 at its rim
-// A strand that would stand at `here`, as its clump draws it: that says where it roots and how far along it the ray meets it, at the height h,
-// its lock which one is seen. `share`: of the coat's height. As it lies alone it would be `lies` aside there, in fur lengths.
-void drawTogether(inout Strand here, inout March march, float h, float share, vec2 lies) {
-  vec2 tile = here.root, a = atlasAt(tile), mirrored;
+bool drawsNothing() { return sheet > kNoClumps; }
+// The strand that the ray meets at x where no clump draws it aside.
+Strand aloneAt(float x) {
+  float h = heightAt(x), share = h / coatTop, along = alongStrand(h, lean * share + bend * (h * h)) / wetLength;
+  vec2 root = tileAt(x, h) - tipTile * share;
+#ifdef GROOMED
+  furThere = atlasAt(root);
+#endif
+  return Strand(root, along, clamp(8.0 - 8.0 * along, 0.0, 1.0), 0.0, vec4(0.0, 0.0, 0.0, entryHeld), vec2(0.0)
+#ifdef TYPES
+  , vec4(0.0)
+#endif
+  );
+}
+
+const float kOneSheet = 0.75;  // from here on it does not matter to which clump a strand belongs
+const float kMiddle = 0.3;     // whose roots are a clump's own nearly always: squared, 1 at its rim
+// The strand that the ray meets at x: the clump there says where it roots and how far along it that is, its lock which one is seen.
+Strand standingAt(float x, inout March march) {
+  float h = heightAt(x), along = h / coatTop;
+  vec2 tile = tileAt(x, h) - tipTile * along, a = atlasAt(tile), mirrored;
   vec4 clump = clumpThere(a, march, mirrored);
-  float drawn = drawnBy(clump), pull = clumpPull(share, drawn, sheet);
+  float drawn = drawnBy(clump), pull = clumpPull(along, drawn, sheet);
   float side = mirrored == vec2(0.0) ? 1.0 : -1.0;
   vec2 from = (mirrored + side * a - clump.xy) / (1.0 - pull), aside = tileFromAtlas * from * (side * pull);
   float outward = dot(from, from) / max(clump.z * clump.z, 1e-12) * float(clump.a > 0.0), own = insideRim(outward);
   // A loop of one step, as software rasterisers look up in both branches of an if.
   for (int i = 0, once = int(outward > kMiddle && own > 0.0 && sheet < kOneSheet); i < once; ++i) own *= ownClump(mask, clump, entryChart, from);
-  here.along = alongStrand(h, lies - furFromTile * aside) / wetLength * rimTaper(soakedShare, sheet, outward);
+  along = alongStrand(h, lean * along + bend * (h * h) - furFromTile * aside) / wetLength * rimTaper(soakedShare, sheet, outward);
   // Locks draw their strands together once more. So close together strands hide one another: of as many as there are, so many are seen as
   // have room, each as wide as it is.
   vec2 root = tile + aside, middle = lockCentreNear(root * locksInClumps) / locksInClumps;
-  float apart = 1.0 - lockPull(min(here.along, 1.0), drawn, sheet), left = (1.0 - pull) * apart;
-  here.root = middle + (root - middle) / apart * mix(1.0, left, seenApart);
+  float apart = 1.0 - lockPull(min(along, 1.0), drawn, sheet), left = (1.0 - pull) * apart;
+  root = middle + (root - middle) / apart * mix(1.0, left, seenApart);
 #ifdef GROOMED
-  furThere = side > 0.0 ? atlasAt(here.root) : march.inside;
+  furThere = side > 0.0 ? atlasAt(root) : march.inside;
 #endif
-  // As many stand there as were drawn together; a sheet closes the gaps between clumps.
-  here.open = max(own / (left * left), min(2.5 * sheet, 1.0));
-  here.coarser = min(2.0 - 2.0 * left, 1.0) * (2.0 - 0.8 * seenApart);
-  if (clump.a >= 0.0) here.clump = clump;
-  here.from = tileFromAtlas * from * side;
-}
-
-// The strand that the ray meets at x.
-Strand standingAt(float x, inout March march) {
-  float h = heightAt(x), share = h / coatTop;
-  vec2 lies = lean * share + bend * (h * h), tile = tileAt(x, h) - tipTile * share;
-  Strand here = Strand(tile, alongStrand(h, lies) / wetLength, 1.0, 0.0, vec4(0.0, 0.0, 0.0, entryHeld), vec2(0.0)
+  // As many stand there as were drawn together; a sheet closes the gaps between clumps; all end in points.
+  own = max(own / (left * left), min(2.5 * sheet, 1.0)) * clamp(8.0 - 8.0 * along, 0.0, 1.0);
+  if (clump.a < 0.0) clump.a = entryHeld;
+  return Strand(root, along, own, min(2.0 - 2.0 * left, 1.0) * (2.0 - 0.8 * seenApart), clump, tileFromAtlas * from * side
 #ifdef TYPES
   , vec4(0.0)
 #endif
   );
-#ifdef GROOMED
-  furThere = atlasAt(tile);
-#endif
-  for (int i = 0, once = int(sheet < kNoClumps); i < once; ++i) drawTogether(here, march, h, share, lies);
-  here.open *= clamp(8.0 - 8.0 * here.along, 0.0, 1.0);  // all end in points
-  return here;
 }
 #ifdef GROOMED
 vec4 furAt(Strand here) { return textureLod(groom, furThere, 0.0); }
