@@ -102,18 +102,19 @@ March marchCoat(float first) {
 #else
   const int plainSteps = 0;
 #endif
-  int aloneSteps = plainSteps;
+  int begun = plainSteps;
 #ifdef WET
   // In a loop of their own: a step with a branch in it costs more than what that saves.
-  if (drawsNothing()) aloneSteps = steps;
-  for (int i = plainSteps; i < aloneSteps && march.alpha <= closes; ++i) {
+  bool alone = drawsNothing();
+  for (int i = begun; i < steps && alone && march.alpha <= closes; ++i) {
     Strand here = aloneAt(march.x);
     shape(here);
     trim(here, march);
     stepOn(march, here, addStrand(here, march));
   }
+  if (alone) begun = steps;
 #endif
-  for (int i = aloneSteps; i < steps && march.alpha <= closes; ++i) {
+  for (int i = begun; i < steps && march.alpha <= closes; ++i) {
     Strand here = standingAt(march.x, march);
     shape(here);
     trim(here, march);
