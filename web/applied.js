@@ -71,7 +71,7 @@ export class AppliedOptions {
       this.#applyPreset();
       this.#frames.afterChange();
     }
-    if (name === 'wetness' && value !== '' && source) app.setWetness(value);
+    if (name === 'wetness' && source) this.waterToModel();
     if (name === 'cameraControls') app.setCameraControls(value);
     if (name === 'autoRotate') app.setAutoRotate(value);
     if (name === 'cameraOrbit' && value) this.#applyOrbit(value);

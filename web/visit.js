@@ -20,8 +20,9 @@ const sceneOf = (link) => {
 };
 /** Whether it does, read or refused. */
 export const asksForScene = (link) => sceneOf(link) !== '' || link.warnings.length > 0;
-/** An address that says how the scene looks but not of which model is from before there was another than the bunny; none of those knew `behaviour` or `wetness`. */
+/** Whether it says what no address from before the otter could. */
 const isNewer = (link) => link.wetness !== undefined || link.settings.some(([key]) => key === 'behaviour');
+/** An address that says how the scene looks but not of which model is from before there was another than the bunny, unless it is newer. */
 export const modelOf = (link) => link.src ?? (sceneOf(link) && !isNewer(link) ? plainModel : firstModel);
 const withoutScene = (link) => ({ ...link, ...Object.fromEntries(sceneKeys.map((key) => [key, undefined])), settings: [] });
 /** Not where a picture is to come out the same at every visit, nor inside another page. */

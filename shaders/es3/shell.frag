@@ -83,6 +83,13 @@ void stepOn(inout March march, Strand here, float add) {
   march.x += stepSize;
 }
 
+// The step at which the ray meets a strand, as the groom has it.
+void stepPast(inout March march, Strand here) {
+  shape(here);
+  trim(here, march);
+  stepOn(march, here, addStrand(here, march));
+}
+
 // Steps along the ray until strands hide what is behind them, FUR_MOST_STEPS times at most. Look-ups in a step: 1; GROOMED 1 more;
 // TYPES up to 2 for each type that is present instead of the 1, while the map is not even; WET 3 more, 2 in the middle of a clump, another outside its chart, none in a whole sheet. On a software rasteriser the loop itself costs as much
 // as they do: few variables and one way out.
@@ -107,18 +114,13 @@ March marchCoat(float first) {
   // In a loop of their own: a step with a branch in it costs more than what that saves.
   bool alone = drawsNothing();
   for (int i = begun; i < steps && alone && march.alpha <= closes; ++i) {
-    Strand here = aloneAt(march.x);
-    shape(here);
-    trim(here, march);
-    stepOn(march, here, addStrand(here, march));
+    stepPast(march, aloneAt(march.x));
   }
   if (alone) begun = steps;
 #endif
   for (int i = begun; i < steps && march.alpha <= closes; ++i) {
-    Strand here = standingAt(march.x, march);
-    shape(here);
-    trim(here, march);
-    stepOn(march, here, addStrand(here, march));
+    Strand here = standingAt(march.x, march);  // notes where it looked
+    stepPast(march, here);
   }
   return march;
 }

@@ -12,8 +12,8 @@
 
 namespace fur::wet {
 
-// Soaked clumps close into a sheet: from this wetness on, strands are drawn together by so much less. Sheets and
-// saturated clumps stand by so much lower.
+// Soaked clumps close into a sheet from this wetness on: in a whole one nothing draws strands together. Sheets and saturated
+// clumps stand by so much lower.
 inline constexpr float kSheetFrom = FUR_SHEET_FROM, kSheetSinks = FUR_SHEET_SINKS, kClumpsSink = FUR_CLUMPS_SINK;
 
 // f(h) = (1 - w) h + w (1 + ln h / ln N), h clamped to [1/N, 1]. f(1/N) = (1 - w)/N, f(1) = 1,
