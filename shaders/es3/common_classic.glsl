@@ -69,7 +69,7 @@ vec3 litStrand(LightOfShell light, vec3 albedo, vec3 T, vec3 L, vec3 V, float h,
   float exponent = max(mix(dryShininessShown(), shininessShown(), rho), 1.0);
   vec3 color = shadeStrand(lights, albedo, along, normal, dot(L, V), h, rho, strand, exponent, specularShown() * glossShare(L.z));
 #ifdef WET
-  color = clumpLight(color, T, clumpNormal(outward, sheet), L, V, h, held, sheet, lit, upness, strand);
+  color = clumpLight(color, albedo, T, clumpNormal(outward, sheet), L, V, h, held, sheet, lit, upness, strand, 1.0);
 #endif
   return color;
 #endif

@@ -225,7 +225,7 @@ vec3 wetAlbedo(vec3 albedo, float rho) { return mix(albedo, albedo / mix(vec3(1.
 
 vec3 wetCoatAlbedo(vec3 albedo, float rho) {
   vec3 ofStrand = wetAlbedo(albedo, rho);
-  return ofStrand / mix(vec3(1.0 + 1.2 * rho), vec3(1.0), ofStrand);
+  return ofStrand / mix(vec3(1.0 + 0.8 * rho * (2.0 - rho)), vec3(1.0), ofStrand);
 }
 
 vec3 clumpNormal(vec2 outward, float sheet) {
@@ -234,35 +234,38 @@ vec3 clumpNormal(vec2 outward, float sheet) {
 
 // Water is as smooth on blunt fur as on sleek.
 const float kWaterShininess = 60.0;
-// What water mirrors, as shares: x of the light, y of the sky. Cosines as of shadeStrand(), `normal` to the clump's.
-vec2 waterGloss(vec2 along, vec2 normal, float facing, float nDotL, float held, float sheet, float strand) {
+// What water mirrors, as shares: x of the light, y of the sky. Cosines as of shadeStrand(), `normal` to the clump's. C++ twin in hair/StrandShading.h,
+// which says more.
+vec2 waterGloss(vec2 along, vec2 normal, float facing, float nDotL, float held, float sheet, float strand, float smoothness) {
   vec2 middle = vec2(normal.x + normal.y, along.x + along.y) * inversesqrt(max(2.0 + 2.0 * facing, 1e-6));  // of L + V
   float away = 1.0 - clamp(normal.y, 0.0, 1.0), faces = max(middle.x, 0.0), slope = middle.y;
   float fresnel = away * away, film = min(held, 1.25);
   fresnel = 0.04 + 0.6 * fresnel * fresnel * away;
-  float water = max(shininessShown(), kWaterShininess);
+  float water = max(shininessShown(), kWaterShininess) * smoothness;
   // From strand to strand it lies elsewhere and is as strong as chance has it: fine lines instead of a band.
   float shifted = slope + 0.5 * (1.0 - sheet) * (strand - 0.5), own = strand * strand;
   own *= mix(1.0, own, sheet);
   float glint = kajiyaLobe(faces, 1.3 * water) * (1.0 - 0.7 * slope * slope) * (mix(0.3, 0.1, sheet) + 3.0 * own) +
                 kajiyaLobe(sqrt(max(1.0 - shifted * shifted, 0.0)), 5.0 * water) * faces * faces * (0.1 + 1.2 * own);
-  return film * film * wetGloss * vec2(glossShare(nDotL) * glint * mix(1.6, 0.5, sheet), fresnel * mix(0.5, 0.1 + 3.0 * strand * strand, sheet));
+  return film * film * wetGloss * vec2(smoothness * glossShare(nDotL) * glint * mix(1.6, 0.5, sheet), fresnel * mix(0.5, 0.1 + 3.0 * strand * strand, sheet));
 }
-vec2 waterGloss(vec3 T, vec3 n, vec3 L, vec3 V, float held, float sheet, float strand) {
-  return waterGloss(vec2(dot(T, L), dot(T, V)), vec2(dot(n, L), dot(n, V)), dot(L, V), L.z, held, sheet, strand);
+vec2 waterGloss(vec3 T, vec3 n, vec3 L, vec3 V, float held, float sheet, float strand, float smoothness) {
+  return waterGloss(vec2(dot(T, L), dot(T, V)), vec2(dot(n, L), dot(n, V)), dot(L, V), L.z, held, sheet, strand, smoothness);
 }
 
 // C++ twin in hair/StrandShading.h, which says more.
 float clumpShade(float facing, float keyed, float h, float held, float sheet) {
   float clumps = min(held, 1.0) * (1.0 - 0.75 * sheet), turnedTo = mix(1.2, clamp(0.6 + 0.8 * facing, 0.3, 1.4), keyed);
-  return mix(1.0, turnedTo, 0.7 * clumps) * mix(1.0, smoothstep(-0.2, 0.8, h), 0.45 * clumps) * (1.0 - 0.62 * keyed * min(held, 1.0)) *
+  return mix(1.0, turnedTo, 0.7 * clumps) * mix(1.0, smoothstep(-0.2, 0.8, h), 0.45 * clumps) * (1.0 - 0.45 * keyed * min(held, 1.0) * (2.0 - min(held, 1.0))) *
          (1.0 - 0.16 * sheet * smoothstep(0.3, 0.85, held));
 }
+// C++ twin in hair/StrandShading.h, which says more.
+vec3 passedOn(float share, vec3 albedo) { return share / (1.0 - albedo * (1.0 - share)); }
 // A strand's light `color` as that of one in a clump; and what water mirrors. `held`: 1 is saturated, what is more shines as a film.
-vec3 clumpLight(vec3 color, vec3 T, vec3 n, vec3 L, vec3 V, float h, float held, float sheet, float lit, float upness, float strand) {
+vec3 clumpLight(vec3 color, vec3 albedo, vec3 T, vec3 n, vec3 L, vec3 V, float h, float held, float sheet, float lit, float upness, float strand, float smoothness) {
   float clumps = min(held, 1.0) * (1.0 - 0.75 * sheet);
-  color *= clumpShade(dot(n, L), lit * glossShare(L.z), h, held, sheet);
-  vec2 mirrored = waterGloss(T, n, L, V, held, sheet, strand) * mix(1.0, h, clumps);
+  color *= passedOn(clumpShade(dot(n, L), lit * glossShare(L.z), h, held, sheet), albedo);
+  vec2 mirrored = waterGloss(T, n, L, V, held, sheet, strand, smoothness) * mix(1.0, h, clumps);
   color += 0.5 * min(held, 1.0) * fringe(V.z, h);
   // In shade, where little else is seen of it, a film mirrors more of the sky.
   return color + mirrored.x * lit * keyLight.rgb + mirrored.y * mix(1.6, 1.0, lit) * skyLight(upness);

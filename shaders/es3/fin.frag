@@ -154,7 +154,7 @@ vec3 shade(Strand s, vec4 strand, float rho, vec3 model) {
 #endif
   vec3 color = shadeStrand(albedo, tangent, L, V, exposed, rho, lit, vLight.w, strand.z);
 #ifdef WET
-  color = clumpLight(color, tangent, clumpNormal(s.outward, s.sheet), L, V, h, s.held, s.sheet, lit, vLight.w, strand.z);
+  color = clumpLight(color, albedo, tangent, clumpNormal(s.outward, s.sheet), L, V, h, s.held, s.sheet, lit, vLight.w, strand.z, 1.0);
 #endif
 #ifdef VIEW_SHADOW
   return vec3(lightShare(lit, exposed, L.z));

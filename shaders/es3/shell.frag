@@ -174,7 +174,7 @@ float lightOn(Met met, float furry) {
   float lit = 1.0, ofOne = shadeOfOne() * shadowShown() * furry, h = litHeight(met);
   bool counts = kCountsShades && finer > 0.0 && lod < 0.5;
   // One look says what is there on average.
-  for (int i = 0, once = int(!counts && h + FUR_SHADE_RISE < 1.0); i < once; ++i) lit -= ofOne * coverAbove(met, h + FUR_SHADE_RISE, FUR_SHADE_RISE, lod + 1.0);
+  for (int i = 0, once = int(!counts && ofOne > 0.0 && h + FUR_SHADE_RISE < 1.0); i < once; ++i) lit -= ofOne * coverAbove(met, h + FUR_SHADE_RISE, FUR_SHADE_RISE, lod + 1.0);
   // Several find the strands that the light crosses, each of which takes its share.
   float rise = min(kOwnTexels / (tileTexels * length(vLightStep) + 1e-6), 0.5 * FUR_SHADE_RISE), before = 1.0;
   float stride = (FUR_SHADE_RISE - rise) / float(kLooks);
@@ -186,7 +186,7 @@ float lightOn(Met met, float furry) {
     rise += stride;
   }
   // How far the ray went, to the strands or to the skin.
-  return underOthers(lit * furShadowAt(vLightSpace + vLightRay * met.x));
+  return underOthers(lit * furShadowAt(vLightSpace + vLightRay * (met.x - enters)));
 }
 
 vec3 shadeStrands(Met met, March march, vec3 model, vec3 T, vec3 L, vec3 V, float lit) {
@@ -195,7 +195,7 @@ vec3 shadeStrands(Met met, March march, vec3 model, vec3 T, vec3 L, vec3 V, floa
   float rho = min(met.held, 1.0);
   albedo = soaked(paintStrand(albedo, met, colors.variance), rho);
   vec3 color = shadeStrand(albedo, T, L, V, underOthers(litHeight(met)), rho, lit, vView.w, met.strand.z);
-  return waterLight(color, met, T, L, V, lit);
+  return waterLight(color, albedo, met, T, L, V, lit);
 }
 
 // `color` over the skin that strands leave open.

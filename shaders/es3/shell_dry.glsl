@@ -32,4 +32,4 @@ vec2 clumpTilt(Met met, March march) { return vec2(0.0); }
 float litHeight(Met met) { return met.h; }
 float shadeOfOne() { return FUR_SHADE_OF_ONE; }
 vec3 soaked(vec3 albedo, float rho) { return albedo; }
-vec3 waterLight(vec3 color, Met met, vec3 T, vec3 L, vec3 V, float lit) { return color; }
+vec3 waterLight(vec3 color, vec3 albedo, Met met, vec3 T, vec3 L, vec3 V, float lit) { return color; }

@@ -9,6 +9,7 @@ in vec4 vTileOfFur;  // tiles that a fur length covers: along axisS (x, y), alon
 const vec2 kFarLevels = vec2(3.7, 4.0), kShortFarLevels = vec2(2.6, 3.0);
 // Clumps of as few pixels in radius as the first of these are drawn as one as well, as their strands and gaps would be grain; from the second on none.
 const float kSmallClump = 1.0, kLargeClump = 4.5;
+const float kLeastSmooth = 0.35;  // clumpsSmooth of the smallest that are drawn; four times as large as that all is left
 const float kFewestDrawn = 0.55;  // pixels along a side, as a share of those shown
 // Of what is drawn as one, from here on what the march finds does not show (it is weighted by 1 - joined): that many steps.
 const float kWholeSheet = 0.98;
@@ -31,6 +32,7 @@ float seenApart;                  // how far strands that are drawn together are
 float soakedShare;                // how much of a sheet the coat is
 float shortness, closed;          // shortnessOf() of the coat there; clumpsClosed()
 float sheet, joined;              // how far the clumps that are drawn have closed into it; how much of what is shown is drawn as one
+float clumpsSmooth;               // what glints on soaked clumps has left of its smoothness where they are small
 float coatTop;                    // how high it stands
 float enters, closes;             // where the ray comes to that; what hides all
 float locksInClumps;              // to a tile
@@ -46,6 +48,7 @@ struct Lying {
   float rises;   // how far it is out of the gaps between locks, 0..1
   float chance;  // how far it is up (above 0) or down: of the lock, falling to its tip; of a sheet, by the strand as well
   vec2 tilt;     // of its strands to the tip of the lock
+  float smoothness;  // waterGloss()
 };
 Lying lying;
 
@@ -94,6 +97,7 @@ void enterWater() {
   sheet = mix(nearSheet(closed, shortness), closed, far);
   float clumpPixels = clumpRadius * tilesPerUnit * tileTexels * exp2(-shown);
   float smallClumps = 1.0 - smoothstep(kSmallClump, kLargeClump, clumpPixels);
+  clumpsSmooth = mix(1.0, mix(kLeastSmooth, 1.0, smoothstep(kLargeClump, 4.0 * kLargeClump, clumpPixels)), soakedShare);
   joined = max(soakedShare * (2.0 - soakedShare) * far, min(2.0 * entryHeld, 1.0) * smallClumps);
   joined = max((1.0 + kUnseenSheet) * joined - kUnseenSheet, 0.0);
   coatTop = upright(entryHeld, soakedShare);
@@ -223,7 +227,7 @@ vec4 strandsOfSheet(float stored, float wide) {
 // Locks of one size: the one that comes from furthest lies on top, as hair lies over what roots further on. `cells`: of their grid, to a
 // tile; `lies`: from root to tip, tiles; `frays`: by how much its strands lie beside where the lock has them, so that rims and tips fray.
 Lying locksAt(vec2 tile, vec2 lies, float cells, float frays) {
-  Lying top = Lying(vec2(0.0), 0.0, 0.0, vec2(0.0));
+  Lying top = Lying(vec2(0.0), 0.0, 0.0, vec2(0.0), 1.0);
   vec2 at = tile * cells, way = lies * cells;
   float along = 0.0;
   for (int i = 0; i < FUR_LOCK_LOOKS; ++i) {
@@ -243,6 +247,7 @@ Lying locksAt(vec2 tile, vec2 lies, float cells, float frays) {
 }
 
 const float kHidesLying = 6.0;  // what a strand that lies hides of the skin, beside one that stands
+const float kUnseenLocks = 0.12;  // what glints have left of their smoothness on locks that are too small to be seen
 const float kMeanRise = 0.6;  // of locks that lie over one another
 // Of two sizes, as large as the fur there is long: as it grows shorter each goes over into the next.
 void lieDown(float frays, float line) {
@@ -253,8 +258,8 @@ void lieDown(float frays, float line) {
   float pixels = tileTexels * exp2(-large - vLight.w);
   float lie = smoothstep(0.05, 0.3, lies);
   small = smoothstep(0.2, 0.8, small);  // seldom are there both sizes: each costs as much as all the rest of the light
-  vec2 seen = joined * lie * vec2(1.0 - small, small) * smoothstep(vec2(1.0), vec2(2.5), vec2(pixels, 0.5 * pixels));
-  Lying one = Lying(vec2(0.0), 0.0, 0.0, vec2(0.0)), two = one;
+  vec2 seen = joined * lie * vec2(1.0 - small, small) * smoothstep(vec2(2.0), vec2(7.0), vec2(pixels, 0.5 * pixels));
+  Lying one = Lying(vec2(0.0), 0.0, 0.0, vec2(0.0), 1.0), two = one;
   for (int i = 0, once = int(seen.x > 0.0); i < once; ++i) one = locksAt(tile, way, exp2(large), frays);
   for (int i = 0, once = int(seen.y > 0.0); i < once; ++i) two = locksAt(tile, 0.7 * way, exp2(large + 1.0), frays);
   vec2 rises = mix(vec2(1.0), vec2(one.rises, two.rises) / kMeanRise, seen);
@@ -262,6 +267,7 @@ void lieDown(float frays, float line) {
   lying.outward = beside * ((0.85 * dot(seen, vec2(one.outward.x, two.outward.x)) + joined * line) / max(length(beside), 1e-6));
   lying.chance = dot(seen, vec2(one.chance, two.chance));
   lying.rises = mix(1.0, min(kMeanRise * rises.x * rises.y, 1.0), joined * lie);
+  lying.smoothness = mix(lying.smoothness, mix(1.0, kUnseenLocks, lie - (seen.x + seen.y) / joined), joined);
   lying.tilt = -0.6 * lying.outward;
 }
 
@@ -274,7 +280,7 @@ const float kWetAsAround = 0.9;
 void joinStrands(inout Met met, float furry) {
   met.x = mix(met.x, enters, joined);
   met.held = max(mix(met.here.clump.a, entryHeld, closed), kWetAsAround * entryHeld);
-  lying = Lying(vec2(0.0), 1.0, 0.0, vec2(0.0));
+  lying = Lying(vec2(0.0), 1.0, 0.0, vec2(0.0), clumpsSmooth);
   float ofStrand = soakedShare * (1.0 - joined) * liesBy(chanceOfClump(met.here.clump.xy), met.number, shortness);
   for (int i = 0, once = int(joined > 0.0); i < once; ++i) {
     vec4 inLine = strandsOfSheet(met.spot.z, 0.35), some = strandsOfSheet(met.spot.z, 1.2), many = strandsOfSheet(met.spot.z, 4.0);
@@ -286,7 +292,7 @@ void joinStrands(inout Met met, float furry) {
     met.strand = mix(met.strand, inLine, joined);
     // No two locks lie alike, nor two lines of strands in one: light breaks into glints instead of running in rings round the body.
     lying.chance *= 2.0 * met.number;
-    met.h = mix(mix(met.h, 0.7, joined * (1.0 - met.closed)), 0.3 + 0.4 * met.number, joined);
+    met.h = mix(mix(met.h, 0.7, joined * (1.0 - met.closed)), 0.5 + 0.4 * met.number, joined);
     // Through a sparse coat skin shows all the same, between lines of strands: lying ones hide more than those that stand.
     float share = min(kHidesLying * densityShown(), 1.0), hides = clamp(share + 4.0 * (share - 1.0 + (met.number - 0.15) / 0.75), 0.0, 1.0);
     if (reachesSkin) met.closed = mix(met.closed, 1.0, joined * furry * hides);
@@ -308,16 +314,18 @@ vec2 clumpTilt(Met met, March march) {
   return furFromTile * met.here.from * (turns * (1.0 - joined)) + lean * (flatter / coatTop) + lying.tilt;
 }
 
-// Where a strand gets its light.
-float litHeight(Met met) { return met.h * litLower(met.held); }
-float shadeOfOne() { return FUR_SHADE_OF_ONE * (1.0 - joined); }
+// Where a strand gets its light: the march comes deeper between clumps than one sees when every strand is drawn.
+const float kSeenDeeper = 0.4;
+float litHeight(Met met) { return mix(met.h, 1.0, kSeenDeeper * min(2.0 * met.held, 1.0)) * litLower(met.held); }
+// Half-wet strands let light through to the next.
+float shadeOfOne() { return FUR_SHADE_OF_ONE * (1.0 - joined) * max(1.0 - 2.0 * entryHeld, 0.0); }
 vec3 soaked(vec3 albedo, float rho) { return wetCoatAlbedo(albedo, rho); }
 
-vec3 waterLight(vec3 color, Met met, vec3 T, vec3 L, vec3 V, float lit) {
+vec3 waterLight(vec3 color, vec3 albedo, Met met, vec3 T, vec3 L, vec3 V, float lit) {
   vec2 back = lean * (lying.chance / max(length(lean), 1e-3)), outward = met.here.from / max(met.here.clump.z * atlasLength, 1e-6);
   outward *= (1.0 - shortness) * (1.0 - joined) / max(length(outward), 1.0);
   vec3 n = normalize(clumpNormal(outward, sheet) + vec3(0.8 * joined * tiltOf(met) + lying.outward - back, 0.0));
   color *= mix(FUR_LOCK_GAP, 1.0, lying.rises);
   float glints = met.number * mix(mix(1.0, FUR_SHEET_GLINTS, soakedShare), 0.65 + 0.6 * abs(lying.chance), joined);
-  return clumpLight(color, T, n, L, V, litHeight(met), met.held, sheet, lit, vView.w, glints);
+  return clumpLight(color, albedo, T, n, L, V, litHeight(met), met.held, sheet, lit, vView.w, glints, lying.smoothness);
 }

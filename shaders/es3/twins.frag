@@ -62,8 +62,10 @@ void main() {
   float value = wetAlbedo(vec3(at.x), at.y).x;
 #elif FUNCTION == 47
   float value = wetCoatAlbedo(vec3(at.x), at.y).x;
+#elif FUNCTION == 48
+  float value = passedOn(1.3 * at.x, vec3(0.8 * at.y)).x;
 #elif FUNCTION == 16
-  vec2 mirrored = waterGloss(onCircle(at.x * 3.0), clumpNormal(vec2(at.y, 0.0), 0.4), onCircle(0.7), onCircle(-0.4), 0.9, 0.4, at.x);
+  vec2 mirrored = waterGloss(onCircle(at.x * 3.0), clumpNormal(vec2(at.y, 0.0), 0.4), onCircle(0.7), onCircle(-0.4), 0.9, 0.4, at.x, 0.3 + 0.7 * at.y);
   float value = 0.25 * (mirrored.x + mirrored.y);
 #elif FUNCTION == 17
   float value = wetLean(vec2(0.0, at.x), at.y, sheetOf(at.y, 0.0)).y;

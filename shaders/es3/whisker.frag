@@ -38,7 +38,7 @@ void main() {
   vec3 color = shadeStrand(albedo, frame * T, frame * L, frame * V, h, vBand.w, lit, dot(z, up.xyz), vTangent.w);
 #ifdef WET
   // Round: where its normal lies between those to the eye and to the light it shines, all along.
-  vec2 mirrored = waterGloss(frame * T, normalize(frame * (V - T * dot(T, V)) + vec3(0.0, rim, 0.0)), frame * L, frame * V, vBand.w, 0.0, vTangent.w);
+  vec2 mirrored = waterGloss(frame * T, normalize(frame * (V - T * dot(T, V)) + vec3(0.0, rim, 0.0)), frame * L, frame * V, vBand.w, 0.0, vTangent.w, 1.0);
   color += mirrored.x * lit * keyLight.rgb + mirrored.y * skyLight(dot(z, up.xyz));
 #endif
   fragColor = vec4(encodeSrgb(toneMap(color)), alpha);

@@ -96,7 +96,7 @@ Vec3 wetAlbedo(const Vec3& albedo, float wetness) {
 
 Vec3 wetCoatAlbedo(const Vec3& albedo, float wetness) {
   const Vec3 ofStrand = wetAlbedo(albedo, wetness);
-  return ofStrand / glm::mix(Vec3(1 + 1.2f * wetness), Vec3(1.0f), ofStrand);
+  return ofStrand / glm::mix(Vec3(1 + 0.8f * wetness * (2 - wetness)), Vec3(1.0f), ofStrand);
 }
 
 Vec3 clumpNormal(const Vec2& outward, float sheet) {
@@ -106,21 +106,23 @@ Vec3 clumpNormal(const Vec2& outward, float sheet) {
 
 float clumpShade(float facing, float keyed, float height, float wetness, float sheet) {
   const float held = std::min(wetness, 1.0f), clumps = held * (1 - 0.75f * sheet), turnedTo = glm::mix(1.2f, glm::clamp(0.6f + 0.8f * facing, 0.3f, 1.4f), keyed);
-  return glm::mix(1.0f, turnedTo, 0.7f * clumps) * glm::mix(1.0f, glm::smoothstep(-0.2f, 0.8f, height), 0.45f * clumps) * (1 - 0.62f * keyed * held) *
+  return glm::mix(1.0f, turnedTo, 0.7f * clumps) * glm::mix(1.0f, glm::smoothstep(-0.2f, 0.8f, height), 0.45f * clumps) * (1 - 0.45f * keyed * held * (2 - held)) *
          (1 - 0.16f * sheet * glm::smoothstep(0.3f, 0.85f, wetness));
 }
 
+Vec3 passedOn(float share, const Vec3& albedo) { return share / (1.0f - albedo * (1 - share)); }
+
 Vec2 waterGloss(const Vec3& tangent, const Vec3& n, const Vec3& light, const Vec3& view, float wetness, float sheet,
-                float wetGloss, float exponent, float strand) {
+                float wetGloss, float exponent, float strand, float smoothness) {
   const Vec3 half = glm::normalize(light + view);
   const float away = 1 - saturate(glm::dot(n, view)), faces = std::max(glm::dot(n, half), 0.0f), slope = glm::dot(tangent, half);
   const float fresnel = 0.04f + 0.6f * away * away * away * away * away;
   const float shifted = slope + 0.5f * (1 - sheet) * (strand - 0.5f), own = strand * strand * glm::mix(1.0f, strand * strand, sheet);
-  const float water = std::max(exponent, kWaterShininess);
+  const float water = smoothness * std::max(exponent, kWaterShininess);
   const float glint = kajiyaLobe(faces, 1.3f * water) * (1 - 0.7f * slope * slope) * (glm::mix(0.3f, 0.1f, sheet) + 3 * own) +
                       kajiyaLobe(sineOf(shifted), 5 * water) * faces * faces * (0.1f + 1.2f * own);
   const float film = std::min(wetness, 1.25f), wet = film * film * wetGloss;
-  return wet * Vec2(glossShare(light.z) * glint * glm::mix(1.6f, 0.5f, sheet), fresnel * glm::mix(0.5f, 0.1f + 3.0f * strand * strand, sheet));
+  return wet * Vec2(smoothness * glossShare(light.z) * glint * glm::mix(1.6f, 0.5f, sheet), fresnel * glm::mix(0.5f, 0.1f + 3.0f * strand * strand, sheet));
 }
 
 Vec3 strandColor(const Vec3& root, const Vec3& tip, float height, float variance, float spread) {

@@ -90,11 +90,15 @@ Vec3 clumpNormal(const Vec2& outward, float sheet);
 // the clump's normal and the light; `keyed`: the share of the key light that comes there, as what comes from all round knows no far sides
 // and comes to clumps, which stand apart, from more of it.
 float clumpShade(float facing, float keyed, float height, float wetness, float sheet);
+// What a coat sends back of light of which its strands leave each other `share`: what they take they pass on by as much as they are white, so
+// that all of it comes back from white fur, and `share` from black.
+Vec3 passedOn(float share, const Vec3& albedo);
 // The share of the key light and the share of the sky that water mirrors to the eye off a strand of the clump with the
 // normal `n`: glints that run along strands where the clump is turned to the light, more of both at grazing.
-// `wetGloss`: sigma_spec, `exponent`: of soaked strands.
+// `wetGloss`: sigma_spec, `exponent`: of soaked strands, `smoothness`: the share of it that is left where what is too small to be seen is turned
+// to all sides: light is spread wider and is as much fainter.
 Vec2 waterGloss(const Vec3& tangent, const Vec3& n, const Vec3& light, const Vec3& view, float wetness, float sheet,
-                float wetGloss, float exponent, float strand);
+                float wetGloss, float exponent, float strand, float smoothness = 1);
 
 // Root to tip, brighter or darker from strand to strand (variance and spread in 0..1).
 Vec3 strandColor(const Vec3& root, const Vec3& tip, float height, float variance, float spread);

@@ -30,7 +30,7 @@ Share keyAt(const Scene& scene, const hair::StrandLook& look, const TubeNode& no
 }
 
 // The light `color` of a strand as that of one in a clump or in a sheet: clumpLight() of common_shading.glsl.
-Vec3 wetLight(const Scene& scene, const hair::StrandLook& look, const Tube& tube, const TubeNode& node, float h, const Vec3& tangent, const Vec3& view, const Vec3& color, float lit) {
+Vec3 wetLight(const Scene& scene, const hair::StrandLook& look, const Tube& tube, const TubeNode& node, float h, const Vec3& tangent, const Vec3& view, const Vec3& color, const Vec3& albedo, float lit) {
   const Wetness& water = tube.water;
   const Vec3 up = node.normal, right = normalizeOr(glm::cross(up, std::abs(up.y) < 0.9f ? Vec3(0, 1, 0) : Vec3(1, 0, 0)), Vec3(1, 0, 0)), on = glm::cross(up, right);
   const auto inFrame = [&](const Vec3& v) { return Vec3(glm::dot(v, right), glm::dot(v, on), glm::dot(v, up)); };
@@ -39,7 +39,7 @@ Vec3 wetLight(const Scene& scene, const hair::StrandLook& look, const Tube& tube
   const Vec2 lies = Vec2(along) / std::max(glm::length(Vec2(along)), 1e-3f);
   const Vec3 n = glm::normalize(hair::clumpNormal(Vec2(inFrame(water.outward)), sheet) - Vec3(lies * (water.soaked * wet::liesBy(water.chance, tube.variance, water.shortness)), 0));
   const float clumps = held * (1 - 0.75f * sheet), number = glm::mix(1.0f, static_cast<float>(FUR_SHEET_GLINTS), water.soaked) * tube.variance;
-  Vec3 out = color * hair::clumpShade(glm::dot(n, light), lit * hair::glossShare(light.z), h, water.held, sheet);
+  Vec3 out = color * hair::passedOn(hair::clumpShade(glm::dot(n, light), lit * hair::glossShare(light.z), h, water.held, sheet), albedo);
   const Vec2 mirrored = hair::waterGloss(along, n, light, eye, water.held, sheet, look.wetGloss, look.shininess, number) * glm::mix(1.0f, h, clumps);
   out += 0.5f * held * hair::fringe(eye.z, h) * Vec3(scene.frame.backLight);
   return out + mirrored.x * lit * Vec3(scene.frame.keyLight) + mirrored.y * glm::mix(1.6f, 1.0f, lit) * skyLight(scene, up);
@@ -96,7 +96,7 @@ std::vector<Vec3> shadeNodes(const Scene& scene, const Tubes& tubes, const Shado
       lights.rim = Vec3(scene.frame.backLight) * hair::fringe(nDotV, height);
       lights.sky = skyLight(scene, node.normal);
       out[k] = hair::shadeStrand(look, albedo, tangent, toLight, view, glm::dot(node.normal, toLight), nDotV, height, rho, lights, tube.variance);
-      if (rho > 0) out[k] = wetLight(scene, look, tube, node, height, tangent, view, out[k], lit);
+      if (rho > 0) out[k] = wetLight(scene, look, tube, node, height, tangent, view, out[k], albedo, lit);
     }
   });
   return out;

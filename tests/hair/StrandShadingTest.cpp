@@ -118,6 +118,23 @@ TEST(WaterGloss, IsNoBlunterOnBluntFur) {
   EXPECT_NE(waterGloss(along, up, light, view, 1, 0.5f, 1, 90, 0.6f), waterGloss(along, up, light, view, 1, 0.5f, 1, 60, 0.6f));
 }
 
+TEST(WaterGloss, IsSpreadWiderAndAsMuchFainterByWhatIsTooSmallToBeSeen) {
+  const Vec3 along(1, 0, 0), up(0, 0, 1), view = up;
+  const auto mirrored = [&](float slope, float smoothness) {
+    return waterGloss(along, up, glm::normalize(Vec3(0, slope, 1)), view, 1, 1, 1, 60, 0, smoothness).x;
+  };
+  EXPECT_LT(mirrored(0, 0.2f), 0.3f * mirrored(0, 1));
+  EXPECT_GT(mirrored(0.9f, 0.2f), mirrored(0.9f, 1));
+  EXPECT_GT(mirrored(0.9f, 0.2f), 0);
+}
+
+TEST(PassedOn, LeavesAllLightToWhiteFurAndItsShareToBlack) {
+  EXPECT_FLOAT_EQ(passedOn(0.4f, Vec3(1)).x, 1);
+  EXPECT_FLOAT_EQ(passedOn(0.4f, Vec3(0)).x, 0.4f);
+  EXPECT_GT(passedOn(0.4f, Vec3(0.5f)).x, 0.4f);
+  for (const float albedo : {0.0f, 0.3f, 0.9f}) EXPECT_FLOAT_EQ(passedOn(1, Vec3(albedo)).x, 1) << albedo;
+}
+
 TEST(WetCoatAlbedo, LeavesWhiteFurLightAndDarkensAllOther) {
   EXPECT_EQ(wetCoatAlbedo(Vec3(0.5f), 0), Vec3(0.5f));
   const auto left = [](float albedo) { return wetCoatAlbedo(Vec3(albedo), 1).x / albedo; };

@@ -142,9 +142,10 @@ TEST(Twins, WaterOnStrands) {
   EXPECT_LT(largestDifference(39, [](float u, float v) { return hair::clumpShade(2 * u - 1, 1 - u * v, v, 1.2f * v, wet::sheetOf(u)); }), kGpuPrecision);
   EXPECT_LT(largestDifference(15, [](float u, float v) { return hair::wetAlbedo(Vec3(u), v).x; }), kGpuPrecision);
   EXPECT_LT(largestDifference(47, [](float u, float v) { return hair::wetCoatAlbedo(Vec3(u), v).x; }), kGpuPrecision);
+  EXPECT_LT(largestDifference(48, [](float u, float v) { return hair::passedOn(1.3f * u, Vec3(0.8f * v)).x; }), kGpuPrecision);
   const auto mirrored = [](float u, float v) {
     const Vec2 shares = hair::waterGloss(onCircle(3 * u), hair::clumpNormal(Vec2(v, 0), 0.4f), onCircle(0.7f), onCircle(-0.4f), 0.9f, 0.4f,
-                                         kLook.wetGloss, kLook.shininess, u);
+                                         kLook.wetGloss, kLook.shininess, u, 0.3f + 0.7f * v);
     return 0.25f * (shares.x + shares.y);
   };
   EXPECT_LT(largestDifference(16, mirrored), 2 * kGpuPrecision);

@@ -38,7 +38,7 @@
 #define FUR_LOCK_HALF_WIDTH 0.6
 // The light that strands in the gaps between locks have left. Skin between clumps gets as much as at that height of the coat.
 #define FUR_LOCK_GAP 0.55
-#define FUR_WET_SKIN_HEIGHT 0.35
+#define FUR_WET_SKIN_HEIGHT 0.55
 // Look-ups for one, from the tip of the one that comes from furthest on.
 #define FUR_LOCK_LOOKS 4
 
