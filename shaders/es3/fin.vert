@@ -66,10 +66,10 @@ void drawEdge(float opacity, float standsIn, vec3 toEye, float away) {
 }
 #endif
 
-// Shells cover a pixel faintly and still write depth, on a round body well before its outline: fins are compared as if 2.5 lengths
-// of the coat there nearer. By the longest fur of the model they showed through whatever lies before short fur.
+// Shells cover a pixel faintly and still write depth, on a round body well before its outline: fins are compared as if a third of a length
+// of the coat there nearer. By more they showed through what lies on the coat, as a mane, and through whatever is before short fur.
 vec4 inFrontOfShells(vec3 p, float coat) {
-  vec4 nearer = clipFromModel * vec4(p + normalize(eye.xyz - p) * (2.5 * coat), 1.0);
+  vec4 nearer = clipFromModel * vec4(p + normalize(eye.xyz - p) * (0.3 * coat), 1.0);
   vec4 clip = clipFromModel * vec4(p, 1.0);
   clip.z = nearer.z / nearer.w * clip.w;
   return clip;
