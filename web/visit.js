@@ -15,7 +15,7 @@ const sceneKeys = ['src', 'state', ...parts, 'preset', 'light', 'wetness', 'came
 
 /** What the address says of the scene, '' for nothing. */
 const sceneOf = (link) => {
-  const said = [...sceneKeys.filter((key) => link[key]).map((key) => [key, link[key]]), ...link.settings];
+  const said = [...sceneKeys.filter((key) => (link[key] ?? '') !== '').map((key) => [key, link[key]]), ...link.settings];
   return said.length > 0 ? JSON.stringify(said) : '';
 };
 /** Whether it does, read or refused. */

@@ -39,6 +39,8 @@ test('an address says how wet the model comes', async () => {
   assert.match(readLink(`${page}?wetness=2`).warnings[0], /wetness.*outside 0 to 1/);
   const wet = readLink(`${page}?wetness=0.4`);
   assert.deepEqual([modelOf(wet), asksForScene(wet)], ['otter', true], 'of the page as it is now, and over the work of before');
+  assert.ok(asksForScene(readLink(`${page}?wetness=0`)), 'dry is asked for, too');
+  assert.ok(!asksForScene(readLink(page)));
 });
 
 test('an overlong state, value or list of parameters is not read', () => {
