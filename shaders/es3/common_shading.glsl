@@ -225,7 +225,7 @@ vec3 wetAlbedo(vec3 albedo, float rho) { return mix(albedo, albedo / mix(vec3(1.
 
 vec3 wetCoatAlbedo(vec3 albedo, float rho) {
   vec3 ofStrand = wetAlbedo(albedo, rho);
-  return ofStrand / mix(vec3(1.0 + 0.8 * rho * (2.0 - rho)), vec3(1.0), ofStrand);
+  return ofStrand / (1.0 + 1.1 * rho * (2.0 - rho) * (1.0 - ofStrand) * ofStrand / (ofStrand + 0.08));
 }
 
 vec3 clumpNormal(vec2 outward, float sheet) {
@@ -255,8 +255,8 @@ vec2 waterGloss(vec3 T, vec3 n, vec3 L, vec3 V, float held, float sheet, float s
 
 // C++ twin in hair/StrandShading.h, which says more.
 float clumpShade(float facing, float keyed, float h, float held, float sheet) {
-  float clumps = min(held, 1.0) * (1.0 - 0.75 * sheet), turnedTo = mix(1.2, clamp(0.6 + 0.8 * facing, 0.3, 1.4), keyed);
-  return mix(1.0, turnedTo, 0.7 * clumps) * mix(1.0, smoothstep(-0.2, 0.8, h), 0.45 * clumps) * (1.0 - 0.45 * keyed * min(held, 1.0) * (2.0 - min(held, 1.0))) *
+  float much = min(held, 1.0), clumps = much * (1.0 - 0.75 * sheet), turnedTo = mix(1.2, clamp(0.6 + 0.8 * facing, 0.3, 1.4), keyed);
+  return mix(1.0, turnedTo, 0.7 * clumps) * mix(1.0, smoothstep(-0.2, 0.8, h), 0.45 * clumps) * (1.0 + (0.6 - 1.05 * keyed) * much * (2.0 - much)) *
          (1.0 - 0.16 * sheet * smoothstep(0.3, 0.85, held));
 }
 // C++ twin in hair/StrandShading.h, which says more.

@@ -9,7 +9,7 @@ in vec4 vTileOfFur;  // tiles that a fur length covers: along axisS (x, y), alon
 const vec2 kFarLevels = vec2(3.7, 4.0), kShortFarLevels = vec2(2.6, 3.0);
 // Clumps of as few pixels in radius as the first of these are drawn as one as well, as their strands and gaps would be grain; from the second on none.
 const float kSmallClump = 1.0, kLargeClump = 4.5;
-const float kLeastSmooth = 0.35;  // clumpsSmooth of the smallest that are drawn; four times as large as that all is left
+const float kLeastSmooth = 0.15;  // clumpsSmooth of the smallest that are drawn; four times as large as that all is left
 const float kFewestDrawn = 0.55;  // pixels along a side, as a share of those shown
 // Of what is drawn as one, from here on what the march finds does not show (it is weighted by 1 - joined): that many steps.
 const float kWholeSheet = 0.98;
@@ -247,11 +247,14 @@ Lying locksAt(vec2 tile, vec2 lies, float cells, float frays) {
 }
 
 const float kHidesLying = 6.0;  // what a strand that lies hides of the skin, beside one that stands
-const float kUnseenLocks = 0.12;  // what glints have left of their smoothness on locks that are too small to be seen
+const float kLockGloss = 0.25, kUnseenLocks = 0.12;  // the smoothness of locks: strands in one are not even; of those that are too small to be seen
+const float kLockPixels = 7.0, kLargestLock = 1.7;  // from further off larger locks are seen: of that many pixels, or as many times as large
 const float kMeanRise = 0.6;  // of locks that lie over one another
 // Of two sizes, as large as the fur there is long: as it grows shorter each goes over into the next.
 void lieDown(float frays, float line) {
-  float width = max(FUR_LOCK_WIDTH / furLengths, FUR_LEAST_LOCK * clumpRadius * tilesPerUnit), size = -log2(width), large = floor(size), small = size - large;
+  float width = max(FUR_LOCK_WIDTH / furLengths, FUR_LEAST_LOCK * clumpRadius * tilesPerUnit);
+  width = clamp(kLockPixels * exp2(vLight.w - vTileOfFur.w) / tileTexels, width, kLargestLock * width);
+  float size = -log2(width), large = floor(size), small = size - large;
   float lies = length(lean);
   vec2 tile = tileAt(enters, min(vTop, coatTop)), way = tipTile * (max(0.85, FUR_LOCK_LENGTH * width * furLengths) / max(lies, 1e-3));
   // What is smaller than two pixels is seen as its mean.
@@ -267,7 +270,7 @@ void lieDown(float frays, float line) {
   lying.outward = beside * ((0.85 * dot(seen, vec2(one.outward.x, two.outward.x)) + joined * line) / max(length(beside), 1e-6));
   lying.chance = dot(seen, vec2(one.chance, two.chance));
   lying.rises = mix(1.0, min(kMeanRise * rises.x * rises.y, 1.0), joined * lie);
-  lying.smoothness = mix(lying.smoothness, mix(1.0, kUnseenLocks, lie - (seen.x + seen.y) / joined), joined);
+  lying.smoothness = mix(lying.smoothness, mix(kLockGloss, kUnseenLocks, lie - (seen.x + seen.y) / joined), joined);
   lying.tilt = -0.6 * lying.outward;
 }
 

@@ -1,5 +1,6 @@
 // Pointers and keys, and what the tool does where they are.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "app/AppState.h"
@@ -402,14 +403,18 @@ bool App::State::moveCamera(std::string_view key) {
 
 template <class Seen>
 std::vector<Vec2> App::State::ring(const Vec3& centre, const Vec3& normal, float radius, Seen&& seenAt) const {
-  constexpr int kCorners = 24;
+  constexpr std::size_t kCorners = 64;  // the largest rings are seen as round
   const auto [side, up] = axesOn(normal);
+  std::array<Vec3, kCorners> places;
+  for (std::size_t k = 0; k < kCorners; ++k) {
+    const float angle = 2 * kPi * static_cast<float>(k) / kCorners;
+    places[k] = seenAt(centre + radius * (portableCos(angle) * side + portableSin(angle) * up));
+  }
   const Mat4 toClip = view.clipFromWorld() * worldFromModel();
   std::vector<Vec2> ring;
-  for (int k = 0; k < kCorners; ++k) {
-    const float angle = 2 * kPi * static_cast<float>(k) / kCorners;
-    ring.push_back(view.pixelAt(toClip * Vec4(seenAt(centre + radius * (portableCos(angle) * side + portableSin(angle) * up)), 1)));
-  }
+  // Between their neighbours: the model has corners.
+  for (std::size_t k = 0; k < kCorners; ++k)
+    ring.push_back(view.pixelAt(toClip * Vec4(0.25f * (places[(k + kCorners - 1) % kCorners] + 2.0f * places[k] + places[(k + 1) % kCorners]), 1)));
   return ring;
 }
 

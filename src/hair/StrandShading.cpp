@@ -96,7 +96,7 @@ Vec3 wetAlbedo(const Vec3& albedo, float wetness) {
 
 Vec3 wetCoatAlbedo(const Vec3& albedo, float wetness) {
   const Vec3 ofStrand = wetAlbedo(albedo, wetness);
-  return ofStrand / glm::mix(Vec3(1 + 0.8f * wetness * (2 - wetness)), Vec3(1.0f), ofStrand);
+  return ofStrand / (1.0f + 1.1f * wetness * (2 - wetness) * (1.0f - ofStrand) * ofStrand / (ofStrand + 0.08f));
 }
 
 Vec3 clumpNormal(const Vec2& outward, float sheet) {
@@ -106,7 +106,7 @@ Vec3 clumpNormal(const Vec2& outward, float sheet) {
 
 float clumpShade(float facing, float keyed, float height, float wetness, float sheet) {
   const float held = std::min(wetness, 1.0f), clumps = held * (1 - 0.75f * sheet), turnedTo = glm::mix(1.2f, glm::clamp(0.6f + 0.8f * facing, 0.3f, 1.4f), keyed);
-  return glm::mix(1.0f, turnedTo, 0.7f * clumps) * glm::mix(1.0f, glm::smoothstep(-0.2f, 0.8f, height), 0.45f * clumps) * (1 - 0.45f * keyed * held * (2 - held)) *
+  return glm::mix(1.0f, turnedTo, 0.7f * clumps) * glm::mix(1.0f, glm::smoothstep(-0.2f, 0.8f, height), 0.45f * clumps) * (1 + (0.6f - 1.05f * keyed) * held * (2 - held)) *
          (1 - 0.16f * sheet * glm::smoothstep(0.3f, 0.85f, wetness));
 }
 

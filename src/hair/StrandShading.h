@@ -80,15 +80,15 @@ Vec3 shadeStrand(const StrandLook& look, const Vec3& albedo, const Vec3& tangent
 // out again, so that a wet coat is darker and its colour richer (Lekner and Dorf 1988, mirrors left out). The
 // first water does most of it.
 Vec3 wetAlbedo(const Vec3& albedo, float wetness);
-// Of strands among others, in a coat or a mane: light that water lets from one to the next meets more of them before it comes out again. White fur stays light, all
-// other grows much darker and richer.
+// Of strands among others, in a coat or a mane: light that water lets from one to the next meets more of them before it comes out again. White fur stays light, and from
+// black fur little comes back of what has met several strands; all between grows much darker and richer.
 Vec3 wetCoatAlbedo(const Vec3& albedo, float wetness);
 // The normal of a clump in the surface's frame; `outward`: from its middle, 1 at its rim. `sheet`: wet::sheetOf().
 Vec3 clumpNormal(const Vec2& outward, float sheet);
 // The share that a strand at `height` of a clump keeps of its light: clumps are round and stand close, so their far sides and feet get
-// less, and strands that water joins shade each other the more, the wetter they are, in a sheet somewhat more. `facing`: the cosine between
+// less, and strands that water joins shade each other the more, the wetter they are, in a sheet somewhat more; `facing`: the cosine between
 // the clump's normal and the light; `keyed`: the share of the key light that comes there, as what comes from all round knows no far sides
-// and comes to clumps, which stand apart, from more of it.
+// and comes to clumps, which stand apart, from more of it, the more, the wetter they are.
 float clumpShade(float facing, float keyed, float height, float wetness, float sheet);
 // What a coat sends back of light of which its strands leave each other `share`: what they take they pass on by as much as they are white, so
 // that all of it comes back from white fur, and `share` from black.

@@ -119,13 +119,13 @@ TEST(WaterGloss, IsNoBlunterOnBluntFur) {
 }
 
 TEST(WaterGloss, IsSpreadWiderAndAsMuchFainterByWhatIsTooSmallToBeSeen) {
-  const Vec3 along(1, 0, 0), up(0, 0, 1), view = up;
+  const Vec3 along(0, 1, 0), up(0, 0, 1), view = up;
   const auto mirrored = [&](float slope, float smoothness) {
     return waterGloss(along, up, glm::normalize(Vec3(0, slope, 1)), view, 1, 1, 1, 60, 0, smoothness).x;
   };
   EXPECT_LT(mirrored(0, 0.2f), 0.3f * mirrored(0, 1));
-  EXPECT_GT(mirrored(0.9f, 0.2f), mirrored(0.9f, 1));
-  EXPECT_GT(mirrored(0.9f, 0.2f), 0);
+  EXPECT_GT(mirrored(1.5f, 0.2f), mirrored(1.5f, 1));
+  EXPECT_GT(mirrored(1.5f, 0.2f), 0);
 }
 
 TEST(PassedOn, LeavesAllLightToWhiteFurAndItsShareToBlack) {
@@ -135,16 +135,17 @@ TEST(PassedOn, LeavesAllLightToWhiteFurAndItsShareToBlack) {
   for (const float albedo : {0.0f, 0.3f, 0.9f}) EXPECT_FLOAT_EQ(passedOn(1, Vec3(albedo)).x, 1) << albedo;
 }
 
-TEST(WetCoatAlbedo, LeavesWhiteFurLightAndDarkensAllOther) {
+TEST(WetCoatAlbedo, LeavesWhiteFurLightAndDarkensAllOtherTheMostBetweenWhiteAndBlack) {
   EXPECT_EQ(wetCoatAlbedo(Vec3(0.5f), 0), Vec3(0.5f));
   const auto left = [](float albedo) { return wetCoatAlbedo(Vec3(albedo), 1).x / albedo; };
   for (const float albedo : {0.1f, 0.3f, 0.5f, 0.7f, 0.9f}) {
     EXPECT_LT(wetCoatAlbedo(Vec3(albedo), 1).x, wetAlbedo(Vec3(albedo), 1).x) << albedo;
-    EXPECT_LT(left(albedo), left(albedo + 0.1f)) << albedo;
+    if (albedo > 0.25f) EXPECT_LT(left(albedo), left(albedo + 0.1f)) << albedo;
   }
   EXPECT_FLOAT_EQ(left(1), 1);
   EXPECT_GT(left(0.9f), 0.7f);
   EXPECT_LT(left(0.3f), 0.4f);
+  EXPECT_GT(left(0.02f), 1.1f * left(0.2f)) << "little light that comes out of black fur has met several strands";
 }
 
 TEST(ClumpShade, TakesOfTheKeyLightAloneWhatStrandsShadeAndFarSidesMiss) {
