@@ -202,11 +202,11 @@ std::uint64_t App::State::revisionButWater() const { return changed + shape.revi
 bool App::tick(float seconds, float coatBudget) {
   State& s = *state_;
   const bool told = s.pictureRevision() != s.noticed;
-  const std::uint64_t others = s.revisionButWater();
+  const std::uint64_t others = s.revisionButWater(), water = s.water.revision();
   if (!s.paused) s.advance(std::max(seconds, 0.0f), coatBudget);
   s.bustle = std::max(s.bustle - kSeldom * seconds, 0.0f);
   if (!s.noticeChanges()) return false;
-  s.bustle = std::min(s.bustle + 1, 2 * kSeldom);
+  if (s.water.revision() != water || !s.motion.swaysUnseen(s.motionInputs(0))) s.bustle = std::min(s.bustle + 1, 2 * kSeldom);
   const bool slight = !told && others == s.revisionButWater() && s.bustle <= kSeldom && s.samplesShown > 1;
   slight ? void(s.stale = true) : s.forgetSamples();
   return !slight;

@@ -359,6 +359,7 @@ void BendField::advanceBlock(const StepForces& common, std::size_t number, Advan
     bends_.set(i, four.bend);
     velocities_.set(i, four.speed);
   }
+  left_ = std::max(left_, largest(worstAngle));
   const bool still = largest(worstAngle) < kStillAngle * kStillAngle && largest(worstSpeed) < kStillSpeed * kStillSpeed;
   block.awake = !still || (swings && common.moving);
   // The last hair's breadth at once; what is held stays where it is held.
@@ -369,6 +370,7 @@ void BendField::advanceBlock(const StepForces& common, std::size_t number, Advan
 
 void BendField::advance(const StepForces& common, Advance how) {
   atRest_ = true;
+  left_ = 0;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     if (!blocks_[b].awake) continue;
     advanceBlock(common, b, how);

@@ -13,6 +13,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -78,6 +79,8 @@ class BendField {
   const std::vector<Vec4>& forces() const { return shownForces_; }
   // True when nothing moves: no need to step, upload or draw.
   bool atRest() const { return atRest_; }
+  // How far from its rest what swings was at most in the last step, rad.
+  float left() const { return std::sqrt(left_); }
 
  private:
   // The velocity of the rest position p in the world is linear * p + constant.
@@ -137,6 +140,7 @@ class BendField {
   BendForces lastForces_;
   std::vector<Press> presses_, lastPresses_;
   bool atRest_ = true;
+  float left_ = 0;  // squared
   bool hasLast_ = false;
 };
 

@@ -184,9 +184,9 @@ bool Water::storeBlock(const WetSurface& skin, WetnessMask& mask, std::uint32_t 
   float *const heldOf = &held_[block.first], *const filmOf = &film_[block.first];
   std::copy(filmOf, filmOf + count, before.film);
   std::copy(now.held, now.held + count, heldOf);
-  int moves = 0;
-  for (std::size_t i = 0; i < kPlaces; ++i)
-    moves |= int{std::abs(now.held[i] - before.held[i]) > kLeast} | int{std::abs(now.film[i] - before.film[i]) > kLeast};
+  float most = 0;
+  for (std::size_t i = 0; i < kPlaces; ++i) most = std::max(most, std::max(std::abs(now.held[i] - before.held[i]), std::abs(now.film[i] - before.film[i])));
+  change_ = std::max(change_, most);
   bool stored = false;
   for (std::size_t i = 0; i < count; ++i) {
     const float held = now.held[i], film = now.film[i];
@@ -203,7 +203,7 @@ bool Water::storeBlock(const WetSurface& skin, WetnessMask& mask, std::uint32_t 
     if (block.repeated) texels_->forMirrors(place, [&](std::uint32_t mirror) { carryOn(mask, mirror, mask.texels()[texelOf[i]], film); });
   }
   stored_[index] |= stored;
-  return moves;
+  return most > kLeast;
 }
 
 // What a block holds when all that has come to it has arrived, and the film has soaked in; whether any has. Loops over all places that

@@ -186,6 +186,7 @@ bool Water::step(const WetSurface& skin, WetnessMask& mask, const Climate& clima
       if (flags & kWet) flags |= kMoving;
   }
   changed_ = false;
+  change_ = 0;
   landed_.clear();
   const std::uint32_t groundBefore = groundRevision_;
   ++steps_;
@@ -216,6 +217,7 @@ bool Water::step(const WetSurface& skin, WetnessMask& mask, const Climate& clima
   if (groundMoves_ ? steps_ % kDryingTurns == 0 : steps_ % turns == 0 && groundWet_ && climate.dryRate > 0.0f)
     seepGround(kPuddleDrying * climate.dryRate * kStep * static_cast<float>(groundMoves_ ? kDryingTurns : turns));
   touch(mask);
+  if (drops_.size() > hanging_ || groundMoves_) change_ = 1;
   return changed_ || groundRevision_ != groundBefore;
 }
 

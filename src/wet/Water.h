@@ -97,6 +97,8 @@ class Water {
   void setLengths(std::vector<float> lengths) { lengths_ = std::move(lengths); }
   // Advances by kStep seconds; true when anything visible has changed.
   bool step(const WetSurface& skin, WetnessMask& mask, const Climate& climate);
+  // By how much the last step has changed wetness or film where it has changed them the most; 1 when drops fall or water runs on the ground.
+  float change() const { return change_; }
   // Whether step() would change anything.
   bool active(const WetnessMask& mask, const Climate& climate) const;
 
@@ -223,6 +225,7 @@ class Water {
   float rainDue_ = 0;
   std::uint32_t steps_ = 0, seen_ = 0xffffffffu;
   bool changed_ = false;
+  float change_ = 0;
   Accounts accounts_;  // without held, film and drops
 };
 

@@ -199,6 +199,29 @@ TEST(Refine, FurThatDriesKeepsItsPictureUntilTheNextIsGathered) {
   EXPECT_TRUE(studio.app.tick(1 / 60.0f));
 }
 
+// It creeps for minutes: that was a picture without end, drawn anew as fast as the machine could.
+TEST(Refine, WaterThatCreepsInTheFurKeepsItsPictureUntilTheNextIsGathered) {
+  GatheringScene studio;
+  studio.app.setWetness(0.3f);
+  ASSERT_TRUE(studio.app.splashPixel({kSide / 2, kSide / 2}, 0.2f, 0.6f));
+  for (int i = 0; i < 900; ++i) studio.app.tick(1 / 60.0f);
+  studio.of(1);
+  studio.improve();
+  const float before = studio.app.meanWetness();
+  int moved = 0, shown = 0;
+  for (int i = -60; i < 300; ++i) {
+    const bool draws = studio.app.tick(1 / 60.0f);
+    if (draws) studio.of(1);
+    moved += draws && i >= 0;
+    if (!studio.app.improvable()) continue;
+    studio.stage.attachTarget();
+    shown += studio.app.improve().value() && i >= 0;
+  }
+  EXPECT_NE(studio.app.meanWetness(), before);
+  EXPECT_EQ(moved, 0);
+  EXPECT_GE(shown, 2);
+}
+
 TEST(Refine, APanelThatMovesAloneFindsThePictureAsItWas) {
   GatheringScene studio;
   studio.of(1);

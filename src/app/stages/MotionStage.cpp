@@ -13,6 +13,7 @@ namespace {
 // Idle fur breathes for so long after somebody was there, then calms down and sleeps.
 constexpr float kBreathTime = 7, kCalming = 3;  // s
 constexpr float kBreathWind = 0.1f;  // strength of the wind at a setting of 1
+constexpr float kSeenSway = 0.02f;  // rad
 
 }  // namespace
 
@@ -55,7 +56,7 @@ dynamics::BendForces MotionStage::forces(const Inputs& inputs) const {
 
 MotionStage::Felt MotionStage::felt(const Inputs& inputs) const {
   Felt felt{forces(inputs), inputs.shape.surfaceRevision(), inputs.shape.poseRevision(), inputs.groom.verticesRevision(),
-            inputs.water.revision(), inputs.showForces};
+            inputs.water.vertexRevision(inputs.shape), inputs.showForces};
   felt.forces.wind.time = 0;
   return felt;
 }
@@ -88,6 +89,10 @@ void MotionStage::follow(const Inputs& inputs) {
 
 bool MotionStage::active(const Inputs& inputs) const {
   return body_.moving() || !bends_.atRest() || touch_.moving() || gusty(inputs) || !felt_ || felt(inputs) != *felt_;
+}
+
+bool MotionStage::swaysUnseen(const Inputs& inputs) const {
+  return !body_.moving() && !touch_.moving() && !gusty(inputs) && bends_.left() < kSeenSway;
 }
 
 bool MotionStage::update(const Inputs& inputs) {

@@ -40,6 +40,8 @@ class MotionStage {
   // Whether the next update() changes anything.
   bool active(const Inputs& inputs) const;
   std::uint64_t revision() const { return revision_; }
+  // Whether what moves is nothing but fur that settles by less than one sees, as it dries.
+  bool swaysUnseen(const Inputs& inputs) const;
 
   ModelMotion& body() { return body_; }  // the model under the hand
   const ModelMotion& body() const { return body_; }

@@ -21,6 +21,11 @@ constexpr float kDryerRate = 1.6f;
 // Of save(), which browsers keep from visit to visit: another one whenever that changes.
 constexpr std::uint32_t kWaterLayout = 4;
 constexpr std::size_t kMostLanded = 64;
+// Water that creeps and dries in the fur does so all the time: nobody sees it change by less than this, nor how it gets there within a second.
+constexpr float kSeenChange = 1.0f / 64;
+constexpr std::uint32_t kMostUnseenSteps = 60;
+// Nor does fur hang lower by less than this, and it would sway at each change.
+constexpr float kFeltChange = 1.0f / 32;
 
 // What files may hold: more is no water.
 bool areAmounts(std::span<const float> values) {
@@ -32,7 +37,17 @@ bool isTexel(const Vec4& texel) {
 
 }  // namespace
 
-void WaterStage::touch() { ++revision_; }
+void WaterStage::touch() {
+  ++revision_;
+  unseen_ = 0;
+  unseenSteps_ = 0;
+}
+
+void WaterStage::noteStep(float change) {
+  unseen_ += change;
+  ++unseenSteps_;
+  if (unseen_ > 0 && (working() || unseen_ >= kSeenChange || unseenSteps_ >= kMostUnseenSteps)) touch();
+}
 
 void WaterStage::noteLanded(std::span<const std::uint32_t> triangles) {
   for (const std::uint32_t triangle : triangles)
@@ -102,7 +117,6 @@ bool WaterStage::update(const Inputs& inputs) {
   }
   on.hair = wetHair();
   const std::uint64_t before = revision_;
-  bool changed = false;
   // A hair early rather than a step late, as Water::step().
   for (due_ = std::min(due_ + inputs.seconds, 1.0f); due_ > wet::Water::kStep * 0.999f; due_ -= wet::Water::kStep) {
     if (!working() && !flows(climate(inputs))) continue;
@@ -115,11 +129,10 @@ bool WaterStage::update(const Inputs& inputs) {
     const wet::Climate now = climate(inputs);
     if (!flows(now)) continue;
     if (inputs.shape.skin() && !water_.drops().empty()) on.shown = &inputs.shape.shownQuery();
-    changed |= water_.step(on, mask_, now);
+    noteStep(water_.step(on, mask_, now) ? water_.change() : 0);
     noteLanded(water_.landed());
     ++steps_;
   }
-  if (changed) touch();
   return revision_ != before;
 }
 
@@ -175,8 +188,15 @@ const std::vector<float>& WaterStage::vertexWetness(const ShapeStage& shape) {
   pointSums_.assign(pointVertices_.size(), 0);
   for (std::size_t i = 0; i < vertexTexels_.size(); ++i) pointSums_[pointOf[i]] += mask_.texels()[vertexTexels_[i]].w;
   for (std::size_t i = 0; i < pointSums_.size(); ++i) pointSums_[i] /= pointVertices_[i];
+  bool felt = vertexWetness_.size() != vertexTexels_.size();
+  for (std::size_t i = 0; i < vertexTexels_.size() && !felt; ++i) {
+    const float now = pointSums_[pointOf[i]];
+    felt = std::abs(now - vertexWetness_[i]) > kFeltChange || (now > 0) != (vertexWetness_[i] > 0);
+  }
+  if (!felt) return vertexWetness_;
   vertexWetness_.resize(vertexTexels_.size());
   for (std::size_t i = 0; i < vertexTexels_.size(); ++i) vertexWetness_[i] = pointSums_[pointOf[i]];
+  ++vertexRevision_;
   return vertexWetness_;
 }
 

@@ -48,6 +48,7 @@ class WaterStage {
   // Time goes by: it dries, runs and falls, and the tool that is held works. Whether anything has changed.
   bool update(const Inputs& inputs);
   bool active(const Inputs& inputs) const { return working() || flows(climate(inputs)); }
+  // Another number when what can be seen has changed; water that creeps or dries slowly changes it about once a second.
   std::uint64_t revision() const { return revision_; }
 
   // --- strokes: each ends in the step that undoes it ---
@@ -94,8 +95,9 @@ class WaterStage {
   void takeTexels(const ShapeStage& shape, bool all, bool softened, const UseTexels& use);
   // All of it, whatever has changed.
   wet::MaskTexels texels(const ShapeStage& shape);
-  // 0..1, one a vertex of the surface; vertices of one point have the same.
+  // 0..1, one a vertex of the surface; vertices of one point have the same. Changes by what fur feels of it, vertexRevision() with it.
   const std::vector<float>& vertexWetness(const ShapeStage& shape);
+  std::uint64_t vertexRevision(const ShapeStage& shape) { return vertexWetness(shape), vertexRevision_; }
   float meanWetness(const ShapeStage& shape);
   // How wet the ground is, 0..255, as render::Frame has it; empty: dry. Of the last readPuddles(), which changes its
   // revision when the change is visible.
@@ -133,6 +135,7 @@ class WaterStage {
   void scatter(const ShapeStage& shape, const Vec3& centre, const Vec3& normal, float radius, float clump, float amount);
   void soak(const ShapeStage& shape, float amount, float clump);
   void touch();
+  void noteStep(float change);
   void placeVertices(const ShapeStage& shape);
   void noteLanded(std::span<const std::uint32_t> triangles);
 
@@ -146,6 +149,8 @@ class WaterStage {
   std::uint64_t wettingFor_ = 0, layFor_ = 0;   // revisions of surface and groom
   std::vector<std::uint8_t> bareFor_;
   std::uint64_t revision_ = 1;
+  float unseen_ = 0;                            // sum of what steps have changed since, each where it changed most
+  std::uint32_t unseenSteps_ = 0;
 
   std::vector<WaterStroke> strokes_;
   std::optional<MaskImage> before_;  // the stroke at work
@@ -157,6 +162,7 @@ class WaterStage {
   std::uint32_t steps_ = 0;
 
   std::vector<float> vertexWetness_;
+  std::uint64_t vertexRevision_ = 0;
   std::vector<std::uint32_t> vertexTexels_;  // in which the vertices of the surface lie
   std::vector<float> pointVertices_, pointSums_;  // of each point of the surface: how many vertices, and what they have
   std::uint64_t vertexWetnessFor_ = 0, vertexSurfaceFor_ = 0;
