@@ -86,7 +86,7 @@ Vec3 wetCoatAlbedo(const Vec3& albedo, float wetness);
 // The normal of a clump in the surface's frame; `outward`: from its middle, 1 at its rim. `sheet`: wet::sheetOf().
 Vec3 clumpNormal(const Vec2& outward, float sheet);
 // The share that a strand at `height` of a clump keeps of its light: clumps are round and stand close, so their far sides and feet get
-// less, and strands that water joins shade each other the more, the wetter they are, in a sheet somewhat more; `facing`: the cosine between
+// less, and strands that water joins shade each other the more, the wetter they are, in a sheet somewhat more. `facing`: the cosine between
 // the clump's normal and the light; `keyed`: the share of the key light that comes there, as what comes from all round knows no far sides
 // and comes to clumps, which stand apart, from more of it, the more, the wetter they are.
 float clumpShade(float facing, float keyed, float height, float wetness, float sheet);
