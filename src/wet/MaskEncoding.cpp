@@ -1,6 +1,7 @@
 #include "wet/MaskEncoding.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "wet/Clump.h"
 #include "wet/SurfaceWetting.h"
@@ -37,6 +38,17 @@ float shownWater(const WaterAround::Means& around, float own, float clumpRadius)
   return glm::mix(kSheetFrom, shown, sheet) + sheet * sheet * around.film;
 }
 
+// A gutter has the clump of a texel that lies inside of it, and may be further off than that reaches: no strand would stand there. Its clump
+// comes so much nearer.
+void holdWithin(Vec4& texel, const Vec2& at) {
+  const Vec2 way = Vec2(texel) - at;
+  const float squared = glm::dot(way, way), most = texel.z * texel.z;
+  if (!(texel.w > 0 && squared > most && most > 0)) return;
+  const Vec2 nearer = at + way * std::sqrt(most / squared);
+  texel.x = nearer.x;
+  texel.y = nearer.y;
+}
+
 constexpr float kMostRadius = 0.999f * FUR_LYING_STEP;
 // With the water that fur lies down by there.
 float withLying(float radius, float water) {
@@ -58,6 +70,7 @@ MaskTexels encodeMask(const WetnessMask& mask, const TexelRect& rect, std::span<
         continue;
       }
       Vec4 texel = mask.texels()[i];
+      holdWithin(texel, (Vec2(x, y) + 0.5f) / static_cast<float>(mask.size()));
       texel.x += static_cast<float>(FUR_CHART_STEP) * (static_cast<float>(charts[i] % FUR_CHART_NUMBERS) + 0.5f);
       const float radius = texel.z;
       texel.z = withLying(texel.z, around ? means.wide : texel.w);

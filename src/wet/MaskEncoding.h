@@ -1,7 +1,7 @@
 // The wetness mask made ready for the picture: softened where wet fur meets dry fur, and told which chart each texel is of.
 //
 // Of a chart's texel:  x  the clump centre's u, plus FUR_CHART_STEP * (chart mod FUR_CHART_NUMBERS + 1/2)
-//                      y  its v
+//                      y  its v; both no further from the texel than the clump reaches
 //                      z  the clump's radius (atlas units, below FUR_LYING_STEP), plus FUR_LYING_STEP times the water by which fur lies
 //                         down there, 0..1, in FUR_LYING_STEPS steps: the wide mean of WaterAround. By its own water each clump would lie
 //                         another way than the next, and strands would wave

@@ -32,7 +32,7 @@ struct Atlas {
     for (int i = 0; i < 30; ++i)
       mask.addDroplet({Vec2(random.uniform(-0.1f, 1.1f), random.uniform(-0.1f, 1.1f)), random.uniform(0.05f, 0.3f), random.uniform(0.3f, 1.0f)});
     // Some soaked, with a film.
-    for (int i = 0; i < kSize * 20; ++i) mask.set(static_cast<std::uint32_t>(i), Vec4(0.5f, 0.3f, 0.1f, 1), 0.5f);
+    for (int i = 0; i < kSize * 20; ++i) mask.set(static_cast<std::uint32_t>(i), Vec4(0.5f, 0.3f, 1.5f, 1), 0.5f);
   }
   wet::MaskTexels encoded() const {
     wet::WaterAround around = test::flatSkin(kSize, skin).around();

@@ -156,6 +156,23 @@ TEST(MaskEncoding, WithoutMeansKeepsTheWaterOfAlgorithm1) {
   for (int i = 0; i < kMaskSize * kMaskSize; ++i) EXPECT_EQ(encoded.texels[i].w, atlas.mask.texels()[i].w) << i;
 }
 
+// A gutter repeats the clump of a texel inside: where that did not reach no strand stood, and each chart's border had dark gaps.
+TEST(MaskEncoding, AClumpReachesToEachTexelThatHasIt) {
+  Atlas atlas;
+  constexpr float kRadius = 0.02f;
+  atlas.wet(kRadius, [](int, int) { return 0.5f; });
+  std::vector<Vec4> texels = atlas.mask.texels();
+  const std::size_t far = 10 * kMaskSize + 20, near = far + 5;
+  texels[far].x -= 3 * kRadius;
+  texels[near].y += 0.5f * kRadius;
+  atlas.mask.restore(std::move(texels));
+  const MaskTexels encoded = encodeMask(atlas.mask, kWhole, atlas.charts, nullptr);
+  const auto way = [&](std::size_t i) { return Vec2(encoded.texels[i]) - Vec2(0.5f * FUR_CHART_STEP, 0) - atlas.mask.texelCentre(i); };
+  EXPECT_NEAR(way(far).x, -kRadius, 1e-5f) << "nearer, the same way";
+  EXPECT_NEAR(way(far).y, 0, 1e-5f);
+  EXPECT_NEAR(way(near).y, 0.5f * kRadius, 1e-5f);
+}
+
 TEST(MaskEncoding, OfNoChangeIsNothing) {
   const Atlas atlas;
   const MaskTexels encoded = encodeMask(atlas.mask, {}, atlas.charts, nullptr);
