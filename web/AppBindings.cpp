@@ -223,7 +223,7 @@ FUR_EXPORT const double* fur_pick(App* app, float x, float y) {
   return hit ? web::numbers({hit->x, hit->y}) : nullptr;
 }
 
-// 24 points (x, y), or null
+// App::kRingCorners points (x, y), or null
 FUR_EXPORT const float* fur_brushRing(App* app, float x, float y) {
   static std::vector<Vec2> ring;
   ring = app->brushRing({x, y});

@@ -3,6 +3,7 @@
 import { methods, queries } from '#tables';
 import { readableField } from './field.js';
 
+const ringCorners = 64;  // App::kRingCorners
 export const phases = ['down', 'move', 'up', 'cancel'];
 export const pointerKinds = ['mouse', 'touch', 'pen'];
 export const pictures = { best: 0, moving: 1, still: 2 };
@@ -202,7 +203,7 @@ export class FurApp {
   /** x, y, x, y, ... round what the tool would reach from there, or null. */
   brushRing(x, y) {
     const points = this.#call('fur_brushRing', x, y);
-    return points ? this.program.array(Float32Array, points, 48) : null;
+    return points ? this.program.array(Float32Array, points, 2 * ringCorners) : null;
   }
 
   pointer(phase, event, x, y) {

@@ -262,7 +262,8 @@ class App {
   Status restoreWater(std::span<const std::uint8_t> bytes);
   // The surface's atlas coordinates under a pixel of the drawing buffer; none off the model.
   std::optional<Vec2> pick(Vec2 pixel) const;
-  // The footprint that the tool would have there: a ring on the skin, in pixels; empty off the model, or of no brush.
+  static constexpr std::size_t kRingCorners = 64;  // the largest rings are seen as round; furapp.js has them, too
+  // The footprint that the tool would have there: a ring of kRingCorners on the skin, in pixels; empty off the model, or of no brush.
   // `ofMirror`: what it would have at the same time on the other side, by the setting `mirror`.
   std::vector<Vec2> brushRing(Vec2 pixel, bool ofMirror = false) const;
   // The pixel where keys put the tool to work.

@@ -403,7 +403,7 @@ bool App::State::moveCamera(std::string_view key) {
 
 template <class Seen>
 std::vector<Vec2> App::State::ring(const Vec3& centre, const Vec3& normal, float radius, Seen&& seenAt) const {
-  constexpr std::size_t kCorners = 64;  // the largest rings are seen as round
+  constexpr std::size_t kCorners = App::kRingCorners;
   const auto [side, up] = axesOn(normal);
   std::array<Vec3, kCorners> places;
   for (std::size_t k = 0; k < kCorners; ++k) {
