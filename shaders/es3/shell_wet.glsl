@@ -257,7 +257,7 @@ void lieDown(float frays, float line) {
   float size = -log2(width), large = floor(size), small = size - large;
   float lies = length(lean);
   vec2 tile = tileAt(enters, min(vTop, coatTop)), way = tipTile * (max(0.85, FUR_LOCK_LENGTH * width * furLengths) / max(lies, 1e-3));
-  // What is smaller than two pixels is seen as its mean.
+  // What is smaller than seven pixels goes over into its mean.
   float pixels = tileTexels * exp2(-large - vLight.w);
   float lie = smoothstep(0.05, 0.3, lies);
   small = smoothstep(0.2, 0.8, small);  // seldom are there both sizes: each costs as much as all the rest of the light

@@ -359,8 +359,9 @@ void BendField::advanceBlock(const StepForces& common, std::size_t number, Advan
     bends_.set(i, four.bend);
     velocities_.set(i, four.speed);
   }
-  left_ = std::max(left_, largest(worstAngle));
-  const bool still = largest(worstAngle) < kStillAngle * kStillAngle && largest(worstSpeed) < kStillSpeed * kStillSpeed;
+  const float farthest = largest(worstAngle);
+  left_ = std::max(left_, farthest);
+  const bool still = farthest < kStillAngle * kStillAngle && largest(worstSpeed) < kStillSpeed * kStillSpeed;
   block.awake = !still || (swings && common.moving);
   // The last hair's breadth at once; what is held stays where it is held.
   if (swings && !block.awake && !block.touched) return advanceBlock(common, number, Advance::Jump);

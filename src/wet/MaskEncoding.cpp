@@ -70,7 +70,7 @@ MaskTexels encodeMask(const WetnessMask& mask, const TexelRect& rect, std::span<
         continue;
       }
       Vec4 texel = mask.texels()[i];
-      holdWithin(texel, (Vec2(x, y) + 0.5f) / static_cast<float>(mask.size()));
+      holdWithin(texel, mask.texelCentre(i));
       texel.x += static_cast<float>(FUR_CHART_STEP) * (static_cast<float>(charts[i] % FUR_CHART_NUMBERS) + 0.5f);
       const float radius = texel.z;
       texel.z = withLying(texel.z, around ? means.wide : texel.w);

@@ -174,6 +174,24 @@ TEST(Refine, AChangeStartsAfresh) {
   EXPECT_LT(distance(gathered, changed), 8);
 }
 
+// Frames of the five seconds after the next one: those drawn because something has moved, and improvements that are shown and that are not yet.
+struct SlowFrames {
+  int moved = 0, shown = 0, hidden = 0;
+};
+SlowFrames framesOf(GatheringScene& studio) {
+  SlowFrames frames;
+  // What had run down the fur until then is a burst of changes: a second later it is forgotten.
+  for (int i = -60; i < 300; ++i) {
+    const bool draws = studio.app.tick(1 / 60.0f);
+    if (draws) studio.of(1);
+    frames.moved += draws && i >= 0;
+    if (!studio.app.improvable()) continue;
+    studio.stage.attachTarget();
+    (studio.app.improve().value() ? frames.shown : frames.hidden) += i >= 0;
+  }
+  return frames;
+}
+
 // Else it would be grainy for a moment once a second.
 TEST(Refine, FurThatDriesKeepsItsPictureUntilTheNextIsGathered) {
   GatheringScene studio;
@@ -181,16 +199,7 @@ TEST(Refine, FurThatDriesKeepsItsPictureUntilTheNextIsGathered) {
   for (int i = 0; i < 600; ++i) studio.app.tick(1 / 60.0f);
   studio.of(1);
   EXPECT_EQ(studio.improve().first, 15);
-  int moved = 0, shown = 0, hidden = 0;
-  // What had run down the fur until then is a burst of changes: a second later it is forgotten.
-  for (int i = -60; i < 300; ++i) {
-    const bool draws = studio.app.tick(1 / 60.0f);
-    if (draws) studio.of(1);
-    moved += draws && i >= 0;
-    if (!studio.app.improvable()) continue;
-    studio.stage.attachTarget();
-    (studio.app.improve().value() ? shown : hidden) += i >= 0;
-  }
+  const auto [moved, shown, hidden] = framesOf(studio);
   EXPECT_EQ(moved, 0);
   EXPECT_GE(shown, 2);
   EXPECT_GE(hidden, 14 * shown);
@@ -208,18 +217,10 @@ TEST(Refine, WaterThatCreepsInTheFurKeepsItsPictureUntilTheNextIsGathered) {
   studio.of(1);
   studio.improve();
   const float before = studio.app.meanWetness();
-  int moved = 0, shown = 0;
-  for (int i = -60; i < 300; ++i) {
-    const bool draws = studio.app.tick(1 / 60.0f);
-    if (draws) studio.of(1);
-    moved += draws && i >= 0;
-    if (!studio.app.improvable()) continue;
-    studio.stage.attachTarget();
-    shown += studio.app.improve().value() && i >= 0;
-  }
+  const SlowFrames frames = framesOf(studio);
   EXPECT_NE(studio.app.meanWetness(), before);
-  EXPECT_EQ(moved, 0);
-  EXPECT_GE(shown, 2);
+  EXPECT_EQ(frames.moved, 0);
+  EXPECT_GE(frames.shown, 2);
 }
 
 TEST(Refine, APanelThatMovesAloneFindsThePictureAsItWas) {
