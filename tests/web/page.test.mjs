@@ -201,7 +201,7 @@ test('keys move the tool over the model, and what they wet is told', async () =>
   assert.equal(await yaw(), before);
   for (let i = 0; i < 3; i++) await page.keyboard.press('Space');
   assert.ok(await page.evaluate(() => window.spot) > 0.2);
-  await page.waitForFunction(() => wetFur.shadowRoot.querySelector('polygon').points.numberOfItems === 24);
+  await page.waitForFunction(() => wetFur.shadowRoot.querySelector('polygon').points.numberOfItems === 64);
   await page.waitForFunction(() => /^Here \d+ percent\. Wetness \d+ percent$/.test(wetFur.shadowRoot.querySelector('[role=status]').textContent));
   assert.match(await withFur(page, (fur) => fur.shadowRoot.querySelector('canvas').getAttribute('aria-description')), /Shift with arrow keys/);
   assert.deepEqual(page.problems, []);
