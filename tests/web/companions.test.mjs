@@ -354,7 +354,9 @@ const mistakes = [
   ['<wet-fur-readout for="elsewhere" value="wetness"></wet-fur-readout>', /no figure with the id “elsewhere”/],
 ];
 test('each mistake in a tag stands in the element as text', async () => {
-  const other = await open(withBody(`<wet-fur id="fig" src="plane" loading="lazy" reveal="manual"></wet-fur>${mistakes.map(([tag]) => tag).join('\n')}`), { wait: false });
+  // All of it is in the window: a plot asks for its equations when it comes near.
+  const viewport = { width: 900, height: 2000 };
+  const other = await open(withBody(`<wet-fur id="fig" src="plane" loading="lazy" reveal="manual"></wet-fur>${mistakes.map(([tag]) => tag).join('\n')}`), { wait: false, viewport });
   try {
     const texts = () => other.evaluate(() => [...document.body.children].slice(1).map((one) => one.shadowRoot?.querySelector('[part=error]')?.textContent ?? ''));
     await other.waitForFunction((n) => [...document.body.children].slice(1).filter((one) => one.shadowRoot?.querySelector('[part=error]')?.textContent).length === n, mistakes.length);
