@@ -132,6 +132,7 @@ Result<bool> App::improve() {
   const int still = s.levelFor(Picture::Still);
   if (s.pictureRevision() != s.noticed || still < s.drawnLevel) {
     if (Status status = draw(Picture::Still); !status) return status.error();
+    if (!improvable()) s.renderer->rest();
     return true;
   }
   if (s.stale && s.bandsDrawn == 0 && s.samplesDone >= s.samplesShown) {
@@ -149,6 +150,7 @@ Result<bool> App::improve() {
   s.drawnLevel = s.bestLevel;
   s.samplesShown = s.samplesDone;
   ++s.framesDrawn;
+  if (!improvable()) s.renderer->rest();
   return true;
 }
 

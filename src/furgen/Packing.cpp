@@ -23,6 +23,7 @@ struct Sum {
 Sum sumAt(const MapsToPack& maps, std::size_t i) {
   // The nearest strand of an empty texel counts a little, so that every mean is of something.
   const float cover = maps.coverage[i], weight = cover + 1.0f;
+  if (maps.tangent.empty()) return {cover, weight, 0, 0, Vec3(0), Vec2(0)};
   const std::int8_t* t = &maps.tangent[i * 3];
   return {cover, weight, weight * static_cast<float>(maps.variance[i]), weight * static_cast<float>(maps.dominance[i]),
           weight * Vec3(t[0], t[1], t[2]),
@@ -41,19 +42,20 @@ std::vector<Sum> halved(const At& at, int width, int height) {
   return out;
 }
 
-PackedLevel emptyLevel(int width, int height) {
-  const std::size_t texels = static_cast<std::size_t>(width) * height;
-  return {width, height, std::vector<std::uint8_t>(texels), std::vector<std::uint8_t>(4 * texels), std::vector<std::uint8_t>(2 * texels)};
+PackedLevel emptyLevel(int width, int height, bool strands) {
+  const std::size_t texels = static_cast<std::size_t>(width) * height, ofStrands = strands ? texels : 0;
+  return {width, height, std::vector<std::uint8_t>(texels), std::vector<std::uint8_t>(4 * ofStrands), std::vector<std::uint8_t>(2 * ofStrands)};
 }
 
 std::uint8_t meanByte(float sum, float weight) { return static_cast<std::uint8_t>(sum / weight + 0.5f); }
 
 // The texels themselves. `offsetScale`: from offsets to widths of the map.
 PackedLevel packTexels(const MapsToPack& maps, int width, int height, float offsetScale) {
-  PackedLevel level = emptyLevel(width, height);
+  PackedLevel level = emptyLevel(width, height, !maps.tangent.empty());
+  std::copy(maps.coverage.begin(), maps.coverage.end(), level.coverage.begin());
+  if (maps.tangent.empty()) return level;
   std::uint8_t tangentByte[256];
   for (int t = -128; t < 128; ++t) tangentByte[static_cast<std::uint8_t>(t)] = unitByte(static_cast<float>(t) / 127.0f * 0.5f + 0.5f);
-  std::copy(maps.coverage.begin(), maps.coverage.end(), level.coverage.begin());
   for (std::size_t i = 0; i < maps.coverage.size(); ++i) {
     std::uint8_t* strand = &level.strand[4 * i];
     strand[0] = tangentByte[static_cast<std::uint8_t>(maps.tangent[3 * i])];
@@ -66,12 +68,13 @@ PackedLevel packTexels(const MapsToPack& maps, int width, int height, float offs
 }
 
 // `texels` of level 0 to one of these.
-PackedLevel packSums(const std::vector<Sum>& sums, int width, int height, float texels, float offsetScale) {
-  PackedLevel level = emptyLevel(width, height);
+PackedLevel packSums(const std::vector<Sum>& sums, int width, int height, float texels, float offsetScale, bool strands) {
+  PackedLevel level = emptyLevel(width, height, strands);
   for (std::size_t i = 0; i < sums.size(); ++i) {
     const Sum& s = sums[i];
-    const Vec3 t = normalizeOr(s.tangent, Vec3(0, 0, 1));
     level.coverage[i] = meanByte(s.cover, texels);
+    if (!strands) continue;
+    const Vec3 t = normalizeOr(s.tangent, Vec3(0, 0, 1));
     std::uint8_t* strand = &level.strand[4 * i];
     strand[0] = unitByte(t.x * 0.5f + 0.5f), strand[1] = unitByte(t.y * 0.5f + 0.5f);
     strand[2] = meanByte(s.variance, s.weight), strand[3] = meanByte(s.dominance, s.weight);
@@ -93,7 +96,7 @@ std::vector<PackedLevel> packLevels(int width, int height, const MapsToPack& map
                               : halved([&](std::size_t i) -> const Sum& { return sums[i]; }, width, height);
     texels *= static_cast<float>((width > 1 ? 2 : 1) * (height > 1 ? 2 : 1));
     width = std::max(width / 2, 1), height = std::max(height / 2, 1);
-    levels.push_back(packSums(sums, width, height, texels, offsetScale));
+    levels.push_back(packSums(sums, width, height, texels, offsetScale, !maps.tangent.empty()));
   }
   return levels;
 }

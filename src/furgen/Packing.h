@@ -30,7 +30,13 @@ struct PackedLevel {
   std::vector<std::uint8_t> offset;    // RG8: 0.5 + the way back to the strand's root in widths of the map
 };
 
-// The maps to pack, see LayerMaps. `offset` may be empty.
+// Strands hardly change from a layer to the next, and none begins above the skin: each layer has its coverage, every second one
+// the strands of itself and of the one above it. Half the bytes, and a tenth less to pack.
+inline constexpr int kLayersOfStrands = 2;
+inline bool hasStrands(int layer) { return layer % kLayersOfStrands == 0; }
+inline int strandLayers(int layers) { return (layers + kLayersOfStrands - 1) / kLayersOfStrands; }
+
+// The maps to pack, see LayerMaps. `offset` may be empty, and all but the coverage: then levels have that alone.
 struct MapsToPack {
   std::span<const std::uint8_t> coverage, dominance, variance;
   std::span<const std::int8_t> tangent;

@@ -31,12 +31,11 @@ std::size_t FurTextures::bytes() const {
 }
 
 std::shared_ptr<FurTextures::Coat> FurTextures::emptyCoat(int size, int layers, int finRows, int types) {
-  const int all = layers * types;
   auto coat = std::make_shared<Coat>();
   coat->layers = layers;
-  coat->coverage = mapOf(TexelFormat::R8, size, size, all);
-  coat->strand = mapOf(TexelFormat::RGBA8, size, size, all);
-  coat->offset = mapOf(TexelFormat::RG8, size, size, all);
+  coat->coverage = mapOf(TexelFormat::R8, size, size, layers * types);
+  coat->strand = mapOf(TexelFormat::RGBA8, size, size, furgen::strandLayers(layers) * types);
+  coat->offset = mapOf(TexelFormat::RG8, size, size, furgen::strandLayers(layers) * types);
   coat->finCoverage = mapOf(TexelFormat::R8, size, finRows, types);
   coat->finStrand = mapOf(TexelFormat::RGBA8, size, finRows, types);
   return coat;
@@ -55,13 +54,16 @@ void FurTextures::showTexel(float density) {
 
 std::size_t FurTextures::setLayer(int type, int layer, std::span<const furgen::PackedLevel> levels) {
   std::size_t uploaded = 0;
+  const int ofStrands = type * furgen::strandLayers(next_->layers) + layer / furgen::kLayersOfStrands;
+  const int halfWay = next_->layers / 2 / furgen::kLayersOfStrands * furgen::kLayersOfStrands;
   for (std::size_t i = 0; i < levels.size(); ++i) {
-    const int level = static_cast<int>(i), at = type * next_->layers + layer;
-    next_->coverage.updateLevel(level, at, gl::bytesOf(levels[i].coverage));
-    next_->strand.updateLevel(level, at, gl::bytesOf(levels[i].strand));
-    next_->offset.updateLevel(level, at, gl::bytesOf(levels[i].offset));
+    const int level = static_cast<int>(i);
+    next_->coverage.updateLevel(level, type * next_->layers + layer, gl::bytesOf(levels[i].coverage));
     uploaded += levels[i].coverage.size() + levels[i].strand.size() + levels[i].offset.size();
-    if (layer == next_->layers / 2 && level >= kStreaked) next_->streaked.push_back(levels[i]);
+    if (!furgen::hasStrands(layer)) continue;
+    next_->strand.updateLevel(level, ofStrands, gl::bytesOf(levels[i].strand));
+    next_->offset.updateLevel(level, ofStrands, gl::bytesOf(levels[i].offset));
+    if (layer == halfWay && level >= kStreaked) next_->streaked.push_back(levels[i]);
   }
   return uploaded;
 }

@@ -15,7 +15,7 @@ class FurTextures {
  public:
   // What setLayer() and setFin() fill from now on; drops what came since the last show(). `types`: 1..4.
   void begin(int size, int layers, int finRows, int types);
-  // Both return the bytes that were uploaded.
+  // Both return the bytes that were uploaded. Of layers without strands (furgen::hasStrands()) levels may have their coverage alone.
   std::size_t setLayer(int type, int layer, std::span<const furgen::PackedLevel> levels);
   std::size_t setFin(int type, std::span<const furgen::PackedLevel> levels);
   // What has come takes the place of what is shown. One density a type, the others are bald.
@@ -38,7 +38,7 @@ class FurTextures {
   // Of what several share, a share.
   std::size_t bytes() const;
 
-  // Layers of type after type; of the fin maps one a type.
+  // Layers of type after type, strands and offsets of every second one (furgen/Packing.h); of the fin maps one a type.
   struct Coat {
     gl::Texture coverage{}, strand{}, offset{}, finCoverage{}, finStrand{};
     int layers = 1;

@@ -199,6 +199,11 @@ Status Renderer::showGathered(const Frame& frame) {
   return Done{};
 }
 
+void Renderer::rest() {
+  small_ = {};
+  gathered_.rest();
+}
+
 bool Renderer::drawPasses(const Drawing& drawing) {
   const auto view = static_cast<View>(drawing.frame.settings.view);
   const bool ofHair = view == View::Final && hairViews_ && hairViews_->instead();

@@ -99,6 +99,8 @@ class Renderer {
   Status draw(const Frame& frame);
   // The mean of the samples that have been gathered for a frame like this one, once more.
   Status showGathered(const Frame& frame);
+  // The picture stays as it is: gives back the memory that only another one needs.
+  void rest();
 
   std::size_t gpuBytes() const;
   // Of the last picture: less than the framebuffer has when it was drawn small and enlarged.

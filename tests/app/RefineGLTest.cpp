@@ -261,12 +261,29 @@ TEST(Refine, NobodyGathersWithoutTheSettingOrWhileItIsNotWanted) {
   EXPECT_EQ(studio.app.savedSamples(), 1);
 }
 
-TEST(Refine, ItTakesTwentyBytesAPixel) {
+TEST(Refine, ItTakesTwentyBytesAPixelAndEightOnceThePictureIsAsGoodAsItGets) {
   GatheringScene studio;
   studio.of(1);
   const std::size_t before = studio.app.stats().gpuBytes;
+  studio.improve(8);
+  EXPECT_EQ(studio.app.stats().gpuBytes, before + 20 * kPixels);
   studio.improve();
-  EXPECT_LE(studio.app.stats().gpuBytes, before + 20 * kPixels);
+  EXPECT_EQ(studio.app.stats().gpuBytes, before + 8 * kPixels);
+}
+
+TEST(Refine, APictureThatIsChangedAfterItCameToRestAndChangedBackIsTheSame) {
+  GatheringScene studio;
+  studio.app.setField("lightYaw", "-0.75");
+  const auto gathered = [&](int most) {
+    studio.of(1);
+    studio.improve(most);
+    return studio.stage.read();
+  };
+  const test::Picture whole = gathered(100'000);
+  studio.app.setField("lightYaw", "1");
+  EXPECT_GT(distance(gathered(8), whole), 1);
+  studio.app.setField("lightYaw", "-0.75");
+  EXPECT_EQ(gathered(100'000).differingShare(whole, 0), 0);
 }
 
 TEST(Refine, PartsOfAPictureAreThoseOfTheWhole) {

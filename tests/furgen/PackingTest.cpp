@@ -64,6 +64,27 @@ TEST(PackLevels, KeepsTheCoverageAtEveryLevel) {
     }
 }
 
+TEST(PackLevels, OfCoverageAloneHoldsTheSameCoverageAndNothingElse) {
+  const FurVolume v = coat(1);
+  const auto whole = levelsOf(v, 1), alone = packLevels(v.size, v.size, {std::span(v.coverage).subspan(v.coverage.size() / 4, v.coverage.size() / 4), {}, {}, {}, {}});
+  ASSERT_EQ(alone.size(), whole.size());
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    EXPECT_EQ(alone[i].coverage, whole[i].coverage);
+    EXPECT_TRUE(alone[i].strand.empty() && alone[i].offset.empty());
+  }
+}
+
+// Of which two layers share the strands of the lower one.
+TEST(PackLevels, AStrandThatALayerHasStandsInTheOneBelowIt) {
+  const FurVolume v = coat(0);
+  const std::size_t texels = static_cast<std::size_t>(v.size) * v.size;
+  int covered = 0, others = 0;
+  for (std::size_t i = 0; i < texels; ++i)
+    if (v.coverage[texels + i] > 128) ++covered, others += v.variance[texels + i] != v.variance[i];
+  ASSERT_GT(covered, 1000);
+  EXPECT_LT(others, covered / 20);  // where strands lean over one another
+}
+
 TEST(PackLevels, AveragesVarianceOverTheStrandsAndNotOverTheGapsBetweenThem) {
   // A quarter of the texels is covered and bright; the nearest-strand fill of the rest counts for next to nothing.
   const std::vector<std::uint8_t> coverage{255, 0, 0, 0}, variance{200, 10, 10, 10};

@@ -167,8 +167,9 @@ bool CoatGrowth::step(CoatReceiver& receiver) {
     case Stage::Upload: break;
   }
   coverage_.push_back(furgen::meanCover(maps_.coverage));
-  receiver.setLayer(type, layer, furgen::packLevels(p.size, p.size, {maps_.coverage, maps_.dominance, maps_.variance,
-                                                                        maps_.tangent, maps_.offset}));
+  furgen::MapsToPack maps{maps_.coverage, {}, {}, {}, {}};
+  if (furgen::hasStrands(layer)) maps = {maps_.coverage, maps_.dominance, maps_.variance, maps_.tangent, maps_.offset};
+  receiver.setLayer(type, layer, furgen::packLevels(p.size, p.size, maps));
   stage_ = Stage::Paint;
   return layer + 1 == p.layers && finishType(receiver);
 }

@@ -5,8 +5,8 @@
 namespace fur::render {
 
 void Gathered::fit(int width, int height) {
-  if (taken_.bytes() && taken_.shape().width == width && taken_.shape().height == height) return;
   const auto make = [&](gl::TexelFormat format, gl::Texture& texture, gl::Target& target) {
+    if (texture.bytes() && texture.shape().width == width && texture.shape().height == height) return;
     texture = gl::Texture({.format = format, .width = width, .height = height, .filter = gl::Filter::Nearest}, {});
     target = gl::Target::toTexture(texture);
   };
@@ -32,10 +32,17 @@ bool Gathered::add(Programs& programs, int width, int height, int bottom, int co
   return true;
 }
 
+void Gathered::rest() {
+  takes_ = {};
+  taken_ = {};
+  targets_[1 - newest_] = {};
+  means_[1 - newest_] = {};
+}
+
 bool Gathered::show(Programs& programs) const {
   gl::bindPlatformFramebuffer();
   if (!programs.use(Shader::ShowMean, kPlain)) return false;
-  gl::setViewport(taken_.shape().width, taken_.shape().height);
+  gl::setViewport(means_[newest_].shape().width, means_[newest_].shape().height);
   // The depth that lies there is of no use to anyone, nor the colour.
   gl::clear(Vec4(0, 0, 0, 1));
   gl::apply({.depthTest = false, .depthWrite = false, .cullBack = false});

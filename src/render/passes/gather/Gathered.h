@@ -14,6 +14,8 @@ class Gathered {
   bool add(Programs& programs, int width, int height, int bottom, int count);
   // The mean of all whole samples, into the platform's framebuffer.
   bool show(Programs& programs) const;
+  // Gives back what only a further sample needs, three fifths of the bytes.
+  void rest();
   std::size_t bytes() const { return taken_.bytes() + means_[0].bytes() + means_[1].bytes(); }
 
  private:
