@@ -224,7 +224,7 @@ class Comparison {
     const render::Frame frame = app_.frame();
     const wet::MaskTexels mask = app_.shownMask();
     truth::Scene scene{app_.surface(), *coat, app_.bends(), render::frameBlock(frame),
-                       render::furBlock(frame, coat->parameters.size, frame.settings.layers, {truth::densestSection(*coat)}, 1),
+                       render::furBlock(frame, {.size = coat->parameters.size, .layers = frame.settings.layers}, {truth::densestSection(*coat)}, 1),
                        static_cast<dynamics::BendCurve>(frame.settings.bendCurve), hair, wetness > 0 ? &mask : nullptr};
     const truth::Picture reference = truth::render(scene, o_.width, o_.height, o_.truth);
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begun;

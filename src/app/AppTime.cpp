@@ -40,7 +40,7 @@ struct App::State::LayerUpload final : CoatReceiver {
     s.warm = false;
     s.warmUpWhenReady();
   }
-  void begin(int size, int layers, int finRows, int types) override { s.renderer->beginFur(size, layers, finRows, types); }
+  void begin(const furgen::CoatShape& shape) override { s.renderer->beginFur(shape); }
   void setLayer(int type, int layer, std::span<const furgen::PackedLevel> levels) override { s.renderer->setFurLayer(type, layer, levels); }
   void setFin(int type, std::span<const furgen::PackedLevel> levels) override { s.renderer->setFinMap(type, levels); }
   void show(std::span<const float> densities) override { s.renderer->showFur(densities); }

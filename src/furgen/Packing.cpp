@@ -86,6 +86,8 @@ PackedLevel packSums(const std::vector<Sum>& sums, int width, int height, float 
 
 }  // namespace
 
+bool sharesStrands(const FurParameters& parameters) { return parameters.coil <= 0 && parameters.curl <= 0.5f; }
+
 std::vector<PackedLevel> packLevels(int width, int height, const MapsToPack& maps) {
   const float offsetScale = 1.0f / (64.0f * static_cast<float>(width));
   std::vector<PackedLevel> levels{packTexels(maps, width, height, offsetScale)};

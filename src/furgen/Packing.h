@@ -30,11 +30,19 @@ struct PackedLevel {
   std::vector<std::uint8_t> offset;    // RG8: 0.5 + the way back to the strand's root in widths of the map
 };
 
-// Strands hardly change from a layer to the next, and none begins above the skin: each layer has its coverage, every second one
-// the strands of itself and of the one above it. Half the bytes, and a tenth less to pack.
-inline constexpr int kLayersOfStrands = 2;
-inline bool hasStrands(int layer) { return layer % kLayersOfStrands == 0; }
-inline int strandLayers(int layers) { return (layers + kLayersOfStrands - 1) / kLayersOfStrands; }
+// How a coat lies in textures. Each layer has its coverage; where strands hardly change from one to the next, two layers share
+// those of the lower one, as none begins above the skin: half the bytes, and less to pack.
+struct CoatShape {
+  int size = 1, layers = 1, finRows = 1, types = 1;
+  bool sharesStrands = false;
+
+  bool hasStrands(int layer) const { return !sharesStrands || layer % 2 == 0; }
+  int strandLayer(int layer) const { return sharesStrands ? layer / 2 : layer; }
+  int strandLayers() const { return strandLayer(layers - 1) + 1; }
+};
+
+// Whether two of its layers can share strands: coils, and curls from so much on, have moved on by a strand's width.
+bool sharesStrands(const FurParameters& parameters);
 
 // The maps to pack, see LayerMaps. `offset` may be empty, and all but the coverage: then levels have that alone.
 struct MapsToPack {

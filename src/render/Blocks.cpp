@@ -118,15 +118,16 @@ shared::FrameBlock frameBlock(const Frame& frame) {
   return block;
 }
 
-shared::FurBlock furBlock(const Frame& frame, int tileSize, int storedLayers, const FurDensities& densities, int maskSize, const TypePictures& pictures) {
+shared::FurBlock furBlock(const Frame& frame, const furgen::CoatShape& shape, const FurDensities& densities, int maskSize, const TypePictures& pictures) {
   const settings::Settings& s = frame.settings;
   shared::FurBlock coat{};
   coat.furLength = frame.coatLength;
-  coat.tilesPerUnit = s.repeat * 256.0f / static_cast<float>(tileSize);
+  coat.tilesPerUnit = s.repeat * 256.0f / static_cast<float>(shape.size);
   coat.layers = static_cast<float>(s.layers);
   coat.shellCount = static_cast<float>(frame.shellCount);
-  coat.tileTexels = static_cast<float>(tileSize);
-  coat.storedLayers = static_cast<float>(storedLayers);
+  coat.tileTexels = static_cast<float>(shape.size);
+  coat.storedLayers = static_cast<float>(shape.layers);
+  coat.strandShare = shape.sharesStrands ? 0.5f : 1.0f;
   coat.chartsOverlap = chartsOverlap(frame);
   coat.clumpShape = s.clumpShape;
   coat.clumpRadius = s.clumpSize;

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "furgen/Packing.h"
 #include "render/Frame.h"
 #include "shared/Blocks.h"
 
@@ -21,7 +22,7 @@ using TypePictures = std::array<int, FUR_TYPES + 1>;  // the last: of the skin
 inline constexpr TypePictures kNoPictures{-1, -1, -1, -1, -1};
 
 // A tile of that many texels along a side and that many layers for each type.
-shared::FurBlock furBlock(const Frame& frame, int tileSize, int storedLayers, const FurDensities& densities, int maskSize,
+shared::FurBlock furBlock(const Frame& frame, const furgen::CoatShape& shape, const FurDensities& densities, int maskSize,
                           const TypePictures& pictures = kNoPictures);
 
 }  // namespace fur::render

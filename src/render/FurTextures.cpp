@@ -30,40 +30,40 @@ std::size_t FurTextures::bytes() const {
   return shown_->bytes() / static_cast<std::size_t>(shown_.use_count()) + (next_ ? next_->bytes() : 0);
 }
 
-std::shared_ptr<FurTextures::Coat> FurTextures::emptyCoat(int size, int layers, int finRows, int types) {
+std::shared_ptr<FurTextures::Coat> FurTextures::emptyCoat(const furgen::CoatShape& shape) {
   auto coat = std::make_shared<Coat>();
-  coat->layers = layers;
-  coat->coverage = mapOf(TexelFormat::R8, size, size, layers * types);
-  coat->strand = mapOf(TexelFormat::RGBA8, size, size, furgen::strandLayers(layers) * types);
-  coat->offset = mapOf(TexelFormat::RG8, size, size, furgen::strandLayers(layers) * types);
-  coat->finCoverage = mapOf(TexelFormat::R8, size, finRows, types);
-  coat->finStrand = mapOf(TexelFormat::RGBA8, size, finRows, types);
+  coat->shape = shape;
+  coat->coverage = mapOf(TexelFormat::R8, shape.size, shape.size, shape.layers * shape.types);
+  coat->strand = mapOf(TexelFormat::RGBA8, shape.size, shape.size, shape.strandLayers() * shape.types);
+  coat->offset = mapOf(TexelFormat::RG8, shape.size, shape.size, shape.strandLayers() * shape.types);
+  coat->finCoverage = mapOf(TexelFormat::R8, shape.size, shape.finRows, shape.types);
+  coat->finStrand = mapOf(TexelFormat::RGBA8, shape.size, shape.finRows, shape.types);
   return coat;
 }
 
-void FurTextures::begin(int size, int layers, int finRows, int types) {
+void FurTextures::begin(const furgen::CoatShape& shape) {
   next_.reset();  // first: there is room for one
-  next_ = emptyCoat(size, layers, finRows, types);
+  next_ = emptyCoat(shape);
 }
 
 void FurTextures::showTexel(float density) {
-  shown_ = emptyCoat(1, 1, 1, 1);
+  shown_ = emptyCoat({});
   shown_->densities[0] = density;
   ++revision_;
 }
 
 std::size_t FurTextures::setLayer(int type, int layer, std::span<const furgen::PackedLevel> levels) {
   std::size_t uploaded = 0;
-  const int ofStrands = type * furgen::strandLayers(next_->layers) + layer / furgen::kLayersOfStrands;
-  const int halfWay = next_->layers / 2 / furgen::kLayersOfStrands * furgen::kLayersOfStrands;
+  const furgen::CoatShape& shape = next_->shape;
+  const int ofStrands = type * shape.strandLayers() + shape.strandLayer(layer);
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const int level = static_cast<int>(i);
-    next_->coverage.updateLevel(level, type * next_->layers + layer, gl::bytesOf(levels[i].coverage));
+    next_->coverage.updateLevel(level, type * shape.layers + layer, gl::bytesOf(levels[i].coverage));
     uploaded += levels[i].coverage.size() + levels[i].strand.size() + levels[i].offset.size();
-    if (!furgen::hasStrands(layer)) continue;
+    if (!shape.hasStrands(layer)) continue;
     next_->strand.updateLevel(level, ofStrands, gl::bytesOf(levels[i].strand));
     next_->offset.updateLevel(level, ofStrands, gl::bytesOf(levels[i].offset));
-    if (layer == halfWay && level >= kStreaked) next_->streaked.push_back(levels[i]);
+    if (shape.strandLayer(layer) == shape.strandLayer(shape.layers / 2) && level >= kStreaked) next_->streaked.push_back(levels[i]);
   }
   return uploaded;
 }

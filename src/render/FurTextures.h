@@ -13,9 +13,9 @@ namespace fur::render {
 
 class FurTextures {
  public:
-  // What setLayer() and setFin() fill from now on; drops what came since the last show(). `types`: 1..4.
-  void begin(int size, int layers, int finRows, int types);
-  // Both return the bytes that were uploaded. Of layers without strands (furgen::hasStrands()) levels may have their coverage alone.
+  // What setLayer() and setFin() fill from now on; drops what came since the last show().
+  void begin(const furgen::CoatShape& shape);
+  // Both return the bytes that were uploaded. Of layers without strands (CoatShape::hasStrands()) levels may have their coverage alone.
   std::size_t setLayer(int type, int layer, std::span<const furgen::PackedLevel> levels);
   std::size_t setFin(int type, std::span<const furgen::PackedLevel> levels);
   // What has come takes the place of what is shown. One density a type, the others are bald.
@@ -29,8 +29,7 @@ class FurTextures {
   // `wet`: with the streaks, which are made the first time.
   void bind(bool wet);
 
-  int size() const { return shown_->coverage.shape().width; }
-  int layers() const { return shown_->layers; }  // of one type
+  const furgen::CoatShape& shape() const { return shown_->shape; }
   const FurDensities& densities() const { return shown_->densities; }
   float density() const;  // of the densest type; 0: all are bald
   // Another number whenever other fur is shown.
@@ -38,10 +37,10 @@ class FurTextures {
   // Of what several share, a share.
   std::size_t bytes() const;
 
-  // Layers of type after type, strands and offsets of every second one (furgen/Packing.h); of the fin maps one a type.
+  // Layers of type after type; of the fin maps one a type.
   struct Coat {
     gl::Texture coverage{}, strand{}, offset{}, finCoverage{}, finStrand{};
-    int layers = 1;
+    furgen::CoatShape shape{};
     FurDensities densities{};
     std::vector<furgen::PackedLevel> streaked{};  // what streaks are made of: small levels of half-way layers, type after type
     gl::Texture streaks{};
@@ -51,7 +50,7 @@ class FurTextures {
   };
 
  private:
-  static std::shared_ptr<Coat> emptyCoat(int size, int layers, int finRows, int types);
+  static std::shared_ptr<Coat> emptyCoat(const furgen::CoatShape& shape);
 
   std::shared_ptr<Coat> shown_ = std::make_shared<Coat>(), next_;
   unsigned long revision_ = 0;

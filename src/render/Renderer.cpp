@@ -110,7 +110,7 @@ void Renderer::uploadBlocks(const Frame& frame, const FurShadow::Key& shadow) {
   for (std::size_t i = 0; i < materials_.count(); ++i) {
     if (materials_.isBare(i) && i != materials_.main()) continue;
     of.baseColorFactor = materials_.at(i).baseColor;
-    materials_.updateCoat(i, furBlock(of, fur_.size(), fur_.layers(), fur_.densities(), maps_.maskSize(), maps_.typePictures()));
+    materials_.updateCoat(i, furBlock(of, fur_.shape(), fur_.densities(), maps_.maskSize(), maps_.typePictures()));
     uploadedBytes_ += sizeof(shared::FurBlock);
   }
   shared::FrameBlock block = frameBlock(frame);

@@ -63,7 +63,7 @@ class Renderer {
 
   // A coat comes in pieces, while the one before stays in the picture: beginFur(), each layer and the fin
   // map with their mipmaps in any order, showFur(). beginFur() anew drops what came.
-  void beginFur(int size, int layers, int finRows, int types) { fur_.begin(size, layers, finRows, types); }
+  void beginFur(const furgen::CoatShape& shape) { fur_.begin(shape); }
   void setFurLayer(int type, int layer, std::span<const furgen::PackedLevel> levels) { uploadedBytes_ += fur_.setLayer(type, layer, levels); }
   void setFinMap(int type, std::span<const furgen::PackedLevel> levels) { uploadedBytes_ += fur_.setFin(type, levels); }
   // `densities`, one a type: the share of its densest layer that strands cover; 0: it is bald.

@@ -74,7 +74,19 @@ TEST(PackLevels, OfCoverageAloneHoldsTheSameCoverageAndNothingElse) {
   }
 }
 
-// Of which two layers share the strands of the lower one.
+TEST(CoatShape, TwoLayersShareTheStrandsOfTheLowerOneUnlessTheyCoil) {
+  CoatShape shape{.layers = 5, .sharesStrands = true};
+  EXPECT_EQ(shape.strandLayers(), 3);
+  EXPECT_TRUE(shape.hasStrands(2) && !shape.hasStrands(3) && shape.strandLayer(2) == 1 && shape.strandLayer(3) == 1);
+  shape.sharesStrands = false;
+  EXPECT_EQ(shape.strandLayers(), 5);
+  EXPECT_TRUE(shape.hasStrands(3) && shape.strandLayer(3) == 3);
+  FurParameters coils;
+  EXPECT_TRUE(sharesStrands(coils));
+  coils.coil = 0.3f;
+  EXPECT_FALSE(sharesStrands(coils));
+}
+
 TEST(PackLevels, AStrandThatALayerHasStandsInTheOneBelowIt) {
   const FurVolume v = coat(0);
   const std::size_t texels = static_cast<std::size_t>(v.size) * v.size;

@@ -58,7 +58,7 @@ struct Droplet : Scene {
     const Picture picture = draw();
     const render::Frame f = app.frame();
     const settings::Settings& s = f.settings;
-    const shared::FurBlock block = furBlock(f, app.grownCoat()->parameters.size, s.layers, {0.3f}, 1);
+    const shared::FurBlock block = furBlock(f, {.size = app.grownCoat()->parameters.size, .layers = s.layers}, {0.3f}, 1);
     const truth::FurMap map(app.surface(), app.bends(), s.furLength, block.tilesPerUnit);
     const truth::Tubes tubes = truth::placeStrands(map, *app.grownCoat(), 1e-5f);
     const float texel = 1 / (block.tilesPerUnit * block.tileTexels), ground = app.surface().vertices[0].position.y;

@@ -47,7 +47,7 @@ struct Desk {
       hair.push_back({growth.wisps, growth.members, app.hairNodes(0), growth.nodes, growth.values, growth.ambient, frame.settings.hairOcclusion});
     }
     return render({app.surface(), coat, app.bends(), render::frameBlock(frame),
-                   render::furBlock(frame, coat.parameters.size, 64, {densestSection(coat)}, 1), dynamics::BendCurve::Arc, hair, wet ? &mask : nullptr},
+                   render::furBlock(frame, {.size = coat.parameters.size, .layers = 64}, {densestSection(coat)}, 1), dynamics::BendCurve::Arc, hair, wet ? &mask : nullptr},
                   kWidth, kHeight, options);
   }
 };

@@ -104,6 +104,7 @@ FUR_BLOCK(FurBlock) {
   float skinPicture;   // as typePicture, of the skin
 
   float clumpRadius;   // of clumps that form by themselves, model units
+  float strandShare;   // layers of strands among storedLayers: 1 or 1/2
 };
 
 #define FUR_FRAME_BINDING 0

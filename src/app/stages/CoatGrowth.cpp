@@ -153,7 +153,11 @@ bool CoatGrowth::step(CoatReceiver& receiver) {
       return false;
     case Stage::Fin: {
       const int rows = given() ? given()->finRows : furgen::finRows(p.layers);
-      if (type == 0) receiver.begin(p.size, p.layers, rows, static_cast<int>(types_.size()));
+      if (type == 0) {
+        shape_ = {p.size, p.layers, rows, static_cast<int>(types_.size()), std::all_of(types_.begin(), types_.end(), furgen::sharesStrands)};
+        for (const GivenCoat& one : given_) shape_.sharesStrands &= !one;
+        receiver.begin(shape_);
+      }
       const furgen::FinMaps fin = given() ? finOf(*given()) : furgen::paintFin(*strands_[this->type()], rows);
       receiver.setFin(type, furgen::packLevels(p.size, rows, {fin.coverage, fin.dominance, fin.variance, fin.tangent, {}}));
       stage_ = Stage::Paint;
@@ -168,7 +172,7 @@ bool CoatGrowth::step(CoatReceiver& receiver) {
   }
   coverage_.push_back(furgen::meanCover(maps_.coverage));
   furgen::MapsToPack maps{maps_.coverage, {}, {}, {}, {}};
-  if (furgen::hasStrands(layer)) maps = {maps_.coverage, maps_.dominance, maps_.variance, maps_.tangent, maps_.offset};
+  if (shape_.hasStrands(layer)) maps = {maps_.coverage, maps_.dominance, maps_.variance, maps_.tangent, maps_.offset};
   receiver.setLayer(type, layer, furgen::packLevels(p.size, p.size, maps));
   stage_ = Stage::Paint;
   return layer + 1 == p.layers && finishType(receiver);

@@ -73,7 +73,7 @@ class CoatReceiver {
  public:
   // Before the first coat grows: a renderer may have shaders compiled meanwhile.
   virtual void prepare() = 0;
-  virtual void begin(int size, int layers, int finRows, int types) = 0;
+  virtual void begin(const furgen::CoatShape& shape) = 0;
   virtual void setLayer(int type, int layer, std::span<const furgen::PackedLevel> levels) = 0;
   virtual void setFin(int type, std::span<const furgen::PackedLevel> levels) = 0;
   // `densities`, one a type: the share of its densest layer that strands cover; 0: it is bald.
@@ -115,6 +115,7 @@ class CoatGrowth {
   GivenCoats given_;
   DrawnCoat first_;
   std::vector<float> densities_, weights_;  // of the types that are whole
+  furgen::CoatShape shape_;
   // The type at work, and its layer.
   Stage stage_ = Stage::Grow;
   std::optional<furgen::CoatGrower> grower_;

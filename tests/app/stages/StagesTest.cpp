@@ -16,7 +16,7 @@ namespace {
 // Keeps what a coat sends, as a renderer would.
 struct Layers : CoatReceiver {
   void prepare() override { ++prepared; }
-  void begin(int, int layers, int, int types) override { expected = layers * types, received = 0; }
+  void begin(const furgen::CoatShape& shape) override { expected = shape.layers * shape.types, received = 0; }
   void setLayer(int, int, std::span<const furgen::PackedLevel>) override { ++received; }
   void setFin(int, std::span<const furgen::PackedLevel>) override { ++fins; }
   void show(std::span<const float> densities) override { ++shown, types = densities.size(); }
