@@ -53,19 +53,18 @@ bool AtlasTriangle::meets(int x, int y, float margin) const {
 
 AtlasTexels::AtlasTexels(const Surface& surface, int size, std::span<const std::uint8_t> without)
     : size_(size), triangleOf_(static_cast<std::size_t>(size) * static_cast<std::size_t>(size), kNoTriangle) {
-  rasterise(surface, without);
+  rasterise(surface);
   growGutter();
+  if (!without.empty()) leaveOut(without);
 }
 
 AtlasTriangle AtlasTexels::flatten(const Surface& surface, std::uint32_t t) const {
   return {atlasOf(surface, t, 0), atlasOf(surface, t, 1), atlasOf(surface, t, 2), size_};
 }
 
-void AtlasTexels::rasterise(const Surface& surface, std::span<const std::uint8_t> without) {
+void AtlasTexels::rasterise(const Surface& surface) {
   const auto count = static_cast<std::uint32_t>(surface.triangleCount());
-  const auto isWithout = [&](std::uint32_t t) { return !without.empty() && without[t]; };
   for (std::uint32_t t = 0; t < count; ++t) {
-    if (isWithout(t)) continue;
     const AtlasTriangle flat = flatten(surface, t);
     const TexelRect box = flat.bounds(0.0f);
     for (int y = box.y0; y < box.y1; ++y)
@@ -75,7 +74,7 @@ void AtlasTexels::rasterise(const Surface& surface, std::span<const std::uint8_t
   // Triangles too fine to hold a texel's centre.
   const auto last = static_cast<float>(size_ - 1);
   for (std::uint32_t t = 0; t < count; ++t)
-    for (std::size_t k = 0; k < 3 && !isWithout(t); ++k) {
+    for (std::size_t k = 0; k < 3; ++k) {
       const Vec2 at = glm::clamp(atlasOf(surface, t, k) * static_cast<float>(size_), Vec2(0.0f), Vec2(last));
       std::uint32_t& owner = triangleOf_[static_cast<std::size_t>(at.y) * size_ + static_cast<std::size_t>(at.x)];
       if (owner == kNoTriangle) owner = t;
@@ -102,6 +101,13 @@ void AtlasTexels::growGutter() {
         if (before[texel] == kNone && source[texel] != kNone) gutter_.emplace_back(texel, source[texel]);
       }
   }
+}
+
+// Others do not grow into where they were: what lies there in other maps is theirs.
+void AtlasTexels::leaveOut(std::span<const std::uint8_t> without) {
+  std::erase_if(gutter_, [&](const auto& pair) { return without[triangleOf_[pair.second]] != 0; });
+  for (std::uint32_t& triangle : triangleOf_)
+    if (triangle != kNoTriangle && without[triangle]) triangle = kNoTriangle;
 }
 
 Vec3 AtlasTexels::weightsAt(const Surface& surface, std::uint32_t t, std::uint32_t texel) const {

@@ -67,8 +67,9 @@ class AtlasTexels {
 
  private:
   AtlasTriangle flatten(const Surface& surface, std::uint32_t triangle) const;
-  void rasterise(const Surface& surface, std::span<const std::uint8_t> without);
+  void rasterise(const Surface& surface);
   void growGutter();
+  void leaveOut(std::span<const std::uint8_t> without);
 
   int size_;
   std::vector<std::uint32_t> triangleOf_;

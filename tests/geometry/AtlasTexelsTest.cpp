@@ -51,6 +51,24 @@ TEST(AtlasTexels, EachTexelIsVisitedOnceAndKnowsWhereItLies) {
   for (std::size_t i = 0; i < visits.size(); ++i) ASSERT_EQ(visits[i], texels.triangleOf()[i] == kNoTriangle ? 0 : 1);
 }
 
+// What other maps have there is of the triangles that were left out.
+TEST(AtlasTexels, NoGutterGrowsIntoWhereTrianglesWereLeftOut) {
+  const Surface surface = chartedTorus();
+  const AtlasTexels all(surface, kSize);
+  std::vector<std::uint8_t> without(surface.triangleCount());
+  for (std::uint32_t t = 0; t < surface.triangleCount(); ++t) without[t] = surface.vertices[surface.indices[3 * t]].chart % 2;
+  const AtlasTexels some(surface, kSize, without);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < all.triangleOf().size(); ++i) {
+    const std::uint32_t owner = all.triangleOf()[i];
+    ASSERT_EQ(some.triangleOf()[i], owner != kNoTriangle && without[owner] ? kNoTriangle : owner);
+  }
+  for (const auto& [texel, source] : all.gutter()) kept += !without[all.triangleOf()[source]];
+  EXPECT_LT(kept, all.gutter().size());
+  EXPECT_EQ(some.gutter().size(), kept);
+  for (const auto& [texel, source] : some.gutter()) EXPECT_FALSE(without[some.triangleOf()[source]]);
+}
+
 TEST(AtlasTexels, GuttersRepeatATexelThatIsNear) {
   const AtlasTexels texels(chartedTorus(), kSize);
   EXPECT_FALSE(texels.gutter().empty());
