@@ -319,7 +319,8 @@ test('figures that are alike share shaders and coat', async () => {
     return { once, both, apart, left: first.stats.gpuBytes };
   });
   const coat = seen.apart.bytes - seen.both.bytes;
-  assert.ok(coat > 8 * 64 * 64 * 7, `a coat of ${coat} bytes`);
+  // Eight layers of a byte of coverage, of which two share six bytes of strands a texel.
+  assert.ok(coat > 8 * 64 * 64 * 4, `a coat of ${coat} bytes`);
   assert.equal(seen.both.programs, seen.once.programs);
   assert.equal(seen.apart.programs, seen.once.programs);
   assert.equal(seen.left, seen.once.bytes);
