@@ -100,7 +100,7 @@ float groomed(inout Strand s, float level, out vec4 spot) {
     any.type = type;
     any.along = s.along * typeRise[type];
     vec4 there = spotOf(any, level);
-    float cover = coverAt(any, there) * float(grows[type] > 0.0 && any.along <= standsUpTo(grows[type], textureLod(strand, vec3(there.xy, strandLayer(there.z)), there.w).w));
+    float cover = coverAt(any, there) * float(grows[type] > 0.0 && any.along <= standsUpTo(grows[type], textureLod(strand, strandSpot(there), there.w).w));
     if (cover > most) most = cover, spot = there, s.type = type;
   }
   s.along *= typeRise[s.type];
@@ -114,7 +114,7 @@ float groomed(inout Strand s, float level, out vec4 spot) {
 #endif
 
 vec3 shade(Strand s, vec4 spot, vec3 model) {
-  vec4 texel = textureLod(strand, vec3(spot.xy, strandLayer(spot.z)), spot.w);
+  vec4 texel = textureLod(strand, strandSpot(spot), spot.w);
   vec2 tilt = texel.xy * 2.0 - 1.0;
   float own = min(s.along, 1.0), h = own;
 #if defined(WET) && !defined(PRINTED_LIGHT)

@@ -4,8 +4,8 @@
 float storedLayer(float h, float between) { return h * storedLayers + between - 0.5; }
 // What arrays do by themselves, where one texture holds the layers of one fur type.
 float nearestLayer(float stored) { return clamp(floor(stored + 0.5), 0.0, storedLayers - 1.0); }
-// Where the strands of a layer of the coverage are: two layers may share them (furgen/Packing.h).
-float strandLayer(float stored) {
-  float layer = floor(stored + 0.5), type = floor((layer + 0.5) / storedLayers);
-  return floor(strandShare * (layer - type * storedLayers)) + type * ceil(strandShare * storedLayers);
+// Where the strands of a spot of the coverage (tile, layer, mip level) are: two layers may share them (furgen/Packing.h).
+vec3 strandSpot(vec4 spot) {
+  float layer = floor(spot.z + 0.5), type = floor((layer + 0.5) / storedLayers);
+  return vec3(spot.xy, floor(strandShare * (layer - type * storedLayers)) + type * ceil(strandShare * storedLayers));
 }

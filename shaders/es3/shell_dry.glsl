@@ -25,7 +25,7 @@ Strand standingAt(float x, March march) {
 vec4 furAt(Strand here) { return textureLod(groom, atlasAt(here.root), 0.0); }
 #endif
 
-vec4 strandAt(vec4 spot, Strand here) { return textureLod(strand, vec3(spot.xy, strandLayer(spot.z)), spot.w); }
+vec4 strandAt(vec4 spot, Strand here) { return textureLod(strand, strandSpot(spot), spot.w); }
 void joinStrands(inout Met met, float furry) {}
 vec2 tiltOf(Met met) { return met.strand.xy * 2.0 - 1.0; }
 vec2 clumpTilt(Met met, March march) { return vec2(0.0); }

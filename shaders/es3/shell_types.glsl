@@ -62,7 +62,7 @@ float addStrand(Strand here, inout March march) {
     float cover = coverAt(spot, here.open) * float(h <= 1.0);
     // Alone it stands whatever its dominance.
     for (int n = 0, once = int(cover > 0.0 && grows < 1.0); n < once; ++n)
-      cover *= float(h <= standsUpTo(grows, textureLod(strand, vec3(spot.xy, strandLayer(spot.z)), spot.w).w));
+      cover *= float(h <= standsUpTo(grows, textureLod(strand, strandSpot(spot), spot.w).w));
     float add = stepCover(cover) * (1.0 - march.alpha - added);
     added += add;
     march.types += (add + 1e-3 * grows) * is;

@@ -71,7 +71,7 @@ vec3 viewed(vec3 color, Met met, March march, vec3 T, vec3 L, float lit) {
 #elif defined(VIEW_DOMINANCE)
   return vec3(met.strand.w * 2.0 - 1.0);
 #elif defined(VIEW_OFFSET)
-  return vec3(clamp(0.5 + 12.0 * (textureLod(offset, vec3(met.spot.xy, strandLayer(met.spot.z)), met.spot.w).xy - 0.5), 0.0, 1.0), 0.5);
+  return vec3(clamp(0.5 + 12.0 * (textureLod(offset, strandSpot(met.spot), met.spot.w).xy - 0.5), 0.0, 1.0), 0.5);
 #elif defined(VIEW_TYPES)
   return typeColor() * mix(0.3, 0.9, met.h);
 #elif defined(VIEW_CLUMPS)

@@ -216,7 +216,7 @@ vec4 furAt(Strand here) { return textureLod(groom, furThere, 0.0); }
 #endif
 
 // Strands that water joins are one as far as light is concerned: as many as a pixel has.
-vec4 strandAt(vec4 spot, Strand here) { return textureLod(strand, vec3(spot.xy, strandLayer(spot.z)), lod + 1.5 * min(entryHeld, 1.0)); }
+vec4 strandAt(vec4 spot, Strand here) { return textureLod(strand, strandSpot(spot), lod + 1.5 * min(entryHeld, 1.0)); }
 
 // In a sheet light knows strands by those that lie in line where the ray comes to it; `stored`: of the type that was met. Where they are
 // seen, not where they root: over the length of a strand stretched charts would turn the lines aside.

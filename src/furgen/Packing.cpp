@@ -23,7 +23,7 @@ struct Sum {
 Sum sumAt(const MapsToPack& maps, std::size_t i) {
   // The nearest strand of an empty texel counts a little, so that every mean is of something.
   const float cover = maps.coverage[i], weight = cover + 1.0f;
-  if (maps.tangent.empty()) return {cover, weight, 0, 0, Vec3(0), Vec2(0)};
+  if (!maps.hasStrands()) return {cover, weight, 0, 0, Vec3(0), Vec2(0)};
   const std::int8_t* t = &maps.tangent[i * 3];
   return {cover, weight, weight * static_cast<float>(maps.variance[i]), weight * static_cast<float>(maps.dominance[i]),
           weight * Vec3(t[0], t[1], t[2]),
@@ -51,9 +51,9 @@ std::uint8_t meanByte(float sum, float weight) { return static_cast<std::uint8_t
 
 // The texels themselves. `offsetScale`: from offsets to widths of the map.
 PackedLevel packTexels(const MapsToPack& maps, int width, int height, float offsetScale) {
-  PackedLevel level = emptyLevel(width, height, !maps.tangent.empty());
+  PackedLevel level = emptyLevel(width, height, maps.hasStrands());
   std::copy(maps.coverage.begin(), maps.coverage.end(), level.coverage.begin());
-  if (maps.tangent.empty()) return level;
+  if (!maps.hasStrands()) return level;
   std::uint8_t tangentByte[256];
   for (int t = -128; t < 128; ++t) tangentByte[static_cast<std::uint8_t>(t)] = unitByte(static_cast<float>(t) / 127.0f * 0.5f + 0.5f);
   for (std::size_t i = 0; i < maps.coverage.size(); ++i) {
@@ -98,7 +98,7 @@ std::vector<PackedLevel> packLevels(int width, int height, const MapsToPack& map
                               : halved([&](std::size_t i) -> const Sum& { return sums[i]; }, width, height);
     texels *= static_cast<float>((width > 1 ? 2 : 1) * (height > 1 ? 2 : 1));
     width = std::max(width / 2, 1), height = std::max(height / 2, 1);
-    levels.push_back(packSums(sums, width, height, texels, offsetScale, !maps.tangent.empty()));
+    levels.push_back(packSums(sums, width, height, texels, offsetScale, maps.hasStrands()));
   }
   return levels;
 }

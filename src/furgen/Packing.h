@@ -46,9 +46,11 @@ bool sharesStrands(const FurParameters& parameters);
 
 // The maps to pack, see LayerMaps. `offset` may be empty, and all but the coverage: then levels have that alone.
 struct MapsToPack {
-  std::span<const std::uint8_t> coverage, dominance, variance;
-  std::span<const std::int8_t> tangent;
-  std::span<const std::int16_t> offset;
+  std::span<const std::uint8_t> coverage{}, dominance{}, variance{};
+  std::span<const std::int8_t> tangent{};
+  std::span<const std::int16_t> offset{};
+
+  bool hasStrands() const { return !tangent.empty(); }
 };
 
 // Level 0 and its mipmaps down to 1 x 1. A mipmap's texel has the mean coverage (the renderer uses fractional coverage, so fur

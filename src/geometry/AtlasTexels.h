@@ -42,7 +42,7 @@ class AtlasTexels {
  public:
   static constexpr int kGutter = 2;
 
-  // `without`: one a triangle, those that have no texels; empty: all have.
+  // `without`: one a triangle, those that have no texels, nor others where these and their gutters would be; empty: all have.
   AtlasTexels(const Surface& surface, int size, std::span<const std::uint8_t> without = {});
 
   int size() const { return size_; }

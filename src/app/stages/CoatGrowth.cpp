@@ -154,8 +154,8 @@ bool CoatGrowth::step(CoatReceiver& receiver) {
     case Stage::Fin: {
       const int rows = given() ? given()->finRows : furgen::finRows(p.layers);
       if (type == 0) {
-        shape_ = {p.size, p.layers, rows, static_cast<int>(types_.size()), std::all_of(types_.begin(), types_.end(), furgen::sharesStrands)};
-        for (const GivenCoat& one : given_) shape_.sharesStrands &= !one;
+        const bool grown = std::none_of(given_.begin(), given_.end(), [](const GivenCoat& one) { return one != nullptr; });
+        shape_ = {p.size, p.layers, rows, static_cast<int>(types_.size()), grown && std::all_of(types_.begin(), types_.end(), furgen::sharesStrands)};
         receiver.begin(shape_);
       }
       const furgen::FinMaps fin = given() ? finOf(*given()) : furgen::paintFin(*strands_[this->type()], rows);
@@ -171,7 +171,7 @@ bool CoatGrowth::step(CoatReceiver& receiver) {
     case Stage::Upload: break;
   }
   coverage_.push_back(furgen::meanCover(maps_.coverage));
-  furgen::MapsToPack maps{maps_.coverage, {}, {}, {}, {}};
+  furgen::MapsToPack maps{maps_.coverage};
   if (shape_.hasStrands(layer)) maps = {maps_.coverage, maps_.dominance, maps_.variance, maps_.tangent, maps_.offset};
   receiver.setLayer(type, layer, furgen::packLevels(p.size, p.size, maps));
   stage_ = Stage::Paint;
