@@ -49,9 +49,13 @@ float clumpPull(float h, float held, float sheet) {
 // A clump holds smaller locks, to whose middles strands draw together once more: it splits into them at its tip.
 float lockPull(float h, float held, float sheet) { return FUR_LOCK_IN_CLUMP_PULL * min(held, 1.0) * (1.0 - sheet) * h * h; }
 
-// The water that a clump of that radius (fur lengths) can draw its strands together by: none is drawn further aside than
+// The water by which a clump of that radius (fur lengths) draws its strands together, at most 1: of little water more than there is, as
+// half-wet hair comes to a point, not to half of one; and none is drawn further aside than
 // FUR_MAX_DISPLACEMENT of its length, so a large drop draws short fur together by less.
-float clumpingWetness(float held, float radius) { return min(held, FUR_MAX_DISPLACEMENT / max(radius, 1e-6)); }
+float clumpingWetness(float held, float radius) {
+  float full = min(held, 1.0);
+  return min(full * (1.0 + FUR_EARLY_CLUMPS * max(FUR_SHEET_FROM - full, 0.0)), FUR_MAX_DISPLACEMENT / max(radius, 1e-6));
+}
 
 // How far along the strand of constant length a point at height h lies that has been drawn `aside` (fur lengths): the
 // outer strands of a clump end lower, which is what points it.

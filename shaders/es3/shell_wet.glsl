@@ -146,13 +146,21 @@ bool leavesSkin() {
 // Whether strands that are drawn as one hide all, and skin under them fills what they leave open: nothing is marched for.
 bool underSheet() { return reachesSkin && joined > kWholeSheet && !leavesSkin(); }
 
+const int kHalves = 5;
 // The clump at the atlas point `a`, which the ray sees. `mirrored`: 0, or where the ray leaves its chart: as inside it, mirrored there.
 vec4 clumpThere(vec2 a, inout March march, out vec2 mirrored) {
   vec4 clump = clumpIn(a);
   mirrored = vec2(0.0);
   bool beside = isBeside(clump);
   for (int i = 0, once = int(beside); i < once; ++i) {
-    // A ray along the outline is there soon.
+    // A ray along the outline is there soon. Where it leaves by halves, as by whole steps neighbours would mirror at other points, and their
+    // strands fall into rungs.
+    vec2 outside = a;
+    for (int k = 0; k < kHalves; ++k) {
+      vec2 middle = 0.5 * (march.inside + outside);
+      if (isBeside(clumpIn(middle))) outside = middle;
+      else march.inside = middle;
+    }
     mirrored = 2.0 * march.inside;
     clump = clumpIn(mirrored - a);
     if (isBeside(clump)) clump.a = -1.0;

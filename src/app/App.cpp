@@ -90,7 +90,7 @@ void App::giveSurface(std::span<const std::uint8_t> bytes) {
 }
 
 void App::State::begin(scene::Model model, Document document) {
-  expect(model);
+  expect(model.fur, document.materials);
   coming = Coming{std::move(model), std::move(document), mapping()};
   const std::vector<std::uint8_t> given = std::exchange(givenSurface, {});
   if (!given.empty())

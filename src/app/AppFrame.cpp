@@ -78,9 +78,8 @@ void App::setFieldOfView(float radians) {
 
 bool App::State::showsMask() const { return GroomStage::editorBrushes() && !saved && grooms(hand.tool) && groom.hasMask(); }
 
-void App::State::expect(const scene::Model& model) {
+void App::State::expect(const scene::FurData& fur, std::span<const scene::Material> materials) {
   if (!renderer) return;
-  const scene::FurData& fur = model.fur;
   const auto varies = [](const std::vector<groom::GroomMap::Texel>& map) { return std::any_of(map.begin(), map.end(), [&](const auto& texel) { return texel != map[0]; }); };
   render::Frame f = frame();
   if (!fur.state.empty())
@@ -93,7 +92,7 @@ void App::State::expect(const scene::Model& model) {
   f.painted = varies(fur.paint);
   f.shaped = varies(fur.shape);
   render::Renderer::Parts parts{.whiskers = !fur.whiskers.empty()};
-  for (const scene::Material& material : model.materials) (material.bare ? parts.bare : parts.textured) |= material.bare || material.baseColorTexture.image >= 0;
+  for (const scene::Material& material : materials) (material.bare ? parts.bare : parts.textured) |= material.bare || material.baseColorTexture.image >= 0;
   for (const scene::TypeFiles& coat : fur.coats) parts.textured |= !coat.picture.bytes.empty();
   parts.skinPictured = !fur.coats.back().picture.bytes.empty();
   renderer->begin(f, parts);

@@ -201,7 +201,7 @@ struct App::State {
   bool noticeChanges() { return noteChange(noticed, pictureRevision()); }
 
   // --- AppFrame.cpp ---
-  void expect(const scene::Model& model);  // its shaders, before it is there
+  void expect(const scene::FurData& fur, std::span<const scene::Material> materials);  // the shaders of such a model, before it is there
   void upload();
   void uploadMask(bool whole);
   void uploadMaterials();

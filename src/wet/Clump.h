@@ -72,10 +72,14 @@ inline float clumpPull(float h, float w, float layers, float rho, float sheet) {
 }
 inline float clumpPull(float h, float w, float layers, float rho) { return clumpPull(h, w, layers, rho, sheetOf(rho)); }
 
-// The wetness that counts for the pull of a clump of that radius (fur lengths): limited so that no strand is displaced by more
-// than kMaxDisplacement of its length.
+// The wetness that counts for the pull of a clump of that radius (fur lengths), at most 1. Silva Eq. 1 takes rho itself, which draws half-wet
+// locks half of the way together: blunt ones, like scales. Hair comes to a point as soon as it is wet, so less than FUR_SHEET_FROM counts for
+// more than it is. Limited so that no strand is displaced by more than kMaxDisplacement of its length.
 inline constexpr float kMaxDisplacement = FUR_MAX_DISPLACEMENT;
-inline float clumpingWetness(float rho, float radius) { return std::min(rho, kMaxDisplacement / std::max(radius, 1e-6f)); }
+inline float clumpingWetness(float rho, float radius) {
+  const float full = std::min(rho, 1.0f);
+  return std::min(full * (1 + float{FUR_EARLY_CLUMPS} * std::max(float{FUR_SHEET_FROM} - full, 0.0f)), kMaxDisplacement / std::max(radius, 1e-6f));
+}
 
 // The share of the way to the middle of a smaller lock that a strand of a clump has gone at height h: a clump holds several, and
 // splits into them at its tip.

@@ -117,6 +117,18 @@ TEST(LiesBy, TurnsAsManyStrandsUpAsDown) {
   EXPECT_NEAR(sum / kStrands, 0, 0.01);
 }
 
+TEST(ClumpingWetness, OfLittleWaterIsMoreThanThereIsAndOfMuchNoMore) {
+  for (const float rho : {0.0f, 0.82f, 0.9f, 1.0f}) EXPECT_FLOAT_EQ(clumpingWetness(rho, 0.1f), rho);
+  EXPECT_FLOAT_EQ(clumpingWetness(3, 0.1f), 1);
+  for (float rho = 0.1f; rho < 0.8f; rho += 0.1f) EXPECT_GT(clumpingWetness(rho, 0.1f), rho);
+  for (float rho = 0; rho < 1; rho += 0.01f) EXPECT_GT(clumpingWetness(rho + 0.01f, 0.1f), clumpingWetness(rho, 0.1f)) << rho << ": more water never opens a clump";
+}
+
+TEST(ClumpingWetness, DrawsNoStrandAsideByMoreThanItsLengthAllows) {
+  for (float radius = 0.1f; radius < 5; radius += 0.1f)
+    for (const float rho : {0.2f, 0.6f, 1.0f, 2.0f}) EXPECT_LE(clumpingWetness(rho, radius) * radius, kMaxDisplacement * 1.001f) << radius;
+}
+
 TEST(LockPull, SplitsClumpsAtTheirTipsAndNeitherTheirFeetNorASheet) {
   EXPECT_EQ(lockPull(0, 1, 0), 0);
   EXPECT_EQ(lockPull(1, 1, 1), 0);

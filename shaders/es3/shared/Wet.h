@@ -13,6 +13,9 @@
 #define FUR_SHEET_SINKS 0.5
 #define FUR_CLUMPS_SINK 0.3
 
+// Strands that hold less water than that are drawn together as by this share more of it for what they lack of that.
+#define FUR_EARLY_CLUMPS 0.9
+
 // How much of a sheet of long fur is one where its strands are seen, near to the eye: the rest stays in clumps. The share of their glints that
 // such strands have.
 #define FUR_NEAR_SHEET 0.4
