@@ -42,7 +42,7 @@ void drawToClump(inout Strand s) {
   s.tilt = lean;
   s.held = max(clump.a, 0.0);
   if (s.held <= 0.0) return;
-  float drawn = clumpingWetness(s.held, clump.z * atlasLength * furLengths), pull = clumpPull(s.along, drawn, s.sheet);
+  float drawn = clumpingWetness(s.held, clump.z * atlasLength * furLengths, chanceOfClump(clump.xy)), pull = clumpPull(s.along, drawn, s.sheet);
   vec2 from = (a - clump.xy) / (1.0 - pull), root = tileFromAtlas * from, aside = root * pull;
   s.tilt += furFromTile * root * ((clumpPull(s.along - 1.0 / layers, drawn, s.sheet) - pull) * layers);
   s.root += aside;

@@ -49,11 +49,12 @@ float clumpPull(float h, float held, float sheet) {
 // A clump holds smaller locks, to whose middles strands draw together once more: it splits into them at its tip.
 float lockPull(float h, float held, float sheet) { return FUR_LOCK_IN_CLUMP_PULL * min(held, 1.0) * (1.0 - sheet) * h * h; }
 
-// The water by which a clump of that radius (fur lengths) draws its strands together, at most 1: of little water more than there is, as
-// half-wet hair comes to a point, not to half of one; and none is drawn further aside than
-// FUR_MAX_DISPLACEMENT of its length, so a large drop draws short fur together by less.
-float clumpingWetness(float held, float radius) {
-  float full = min(held, 1.0);
+// The water by which a clump of that radius (fur lengths) draws its strands together, at most 1. In little water some clumps have formed
+// (`chance`: chanceOfClump()); those are drawn together by more than there is, as half-wet hair comes to a point, not to half of one. None is
+// drawn further aside than FUR_MAX_DISPLACEMENT of its length, so a large drop draws short fur together by less.
+float clumpingWetness(float held, float radius, float chance) {
+  float begins = FUR_LAST_CLUMP * (chance + 0.5) - 0.5 * FUR_CLUMP_FORMS;
+  float full = min(held, 1.0) * smoothstep(begins, begins + FUR_CLUMP_FORMS, held);
   return min(full * (1.0 + FUR_EARLY_CLUMPS * max(FUR_SHEET_FROM - full, 0.0)), FUR_MAX_DISPLACEMENT / max(radius, 1e-6));
 }
 

@@ -72,7 +72,7 @@ void drawToClump(inout Strand s) {
   s.h /= upright(s.held, s.sheet);
   s.sheet = clumpsClosed(s.held, s.sheet, shortnessOf(coatHere()));
   if (s.held <= 0.0) return;
-  float drawn = clumpingWetness(s.held, clump.z * furLengths / max(length(vAtlasAlong), 1e-6));
+  float drawn = clumpingWetness(s.held, clump.z * furLengths / max(length(vAtlasAlong), 1e-6), chanceOfClump(clump.xy));
   float pull = clumpPull(s.h, drawn, s.sheet), below = clumpPull(s.h - 1.0 / layers, drawn, s.sheet);
   vec2 fromCentre = (vAtlas - clump.xy) / (1.0 - pull), across = vec2(-vAtlasAlong.y, vAtlasAlong.x);
   s.open = mix(ownStrand(mask, clump, chart, fromCentre), 1.0, 0.7 * s.sheet);

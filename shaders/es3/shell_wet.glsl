@@ -170,7 +170,7 @@ vec4 clumpThere(vec2 a, inout March march, out vec2 mirrored) {
 }
 
 // The water that draws a clump's strands together.
-float drawnBy(vec4 clump) { return clump.a > 0.0 ? clumpingWetness(clump.a, clump.z * atlasLength * furLengths) : 0.0; }
+float drawnBy(vec4 clump) { return clump.a > 0.0 ? clumpingWetness(clump.a, clump.z * atlasLength * furLengths, chanceOfClump(clump.xy)) : 0.0; }
 
 const float kNoClumps = 0.999;  // in a sheet as whole as that clumps draw nothing aside
 bool drawsNothing() { return sheet > kNoClumps; }

@@ -49,7 +49,7 @@ void main() {
 #elif FUNCTION == 13
   float value = clumpPull(mix(1.0 / layers, 1.0, at.x), at.y, sheetOf(at.y, 0.0));
 #elif FUNCTION == 18
-  float value = clumpingWetness(at.x, 3.0 * at.y);
+  float value = clumpingWetness(at.x, 3.0 * at.y, at.y - 0.5);
 #elif FUNCTION == 21
   float value = upright(at.x, sheetOf(at.x, 0.0));
 #elif FUNCTION == 22

@@ -89,7 +89,7 @@ std::optional<Wetting::Strand> Wetting::at(const Root& root) const {
   strand.centre = at;
   strand.lock = lockOf(root.tile);
   water.chance = wet::chanceOfClump(centre);
-  strand.drawn = wet::clumpingWetness(rho, std::max(radius, apart) / coat_.furLength);
+  strand.drawn = wet::clumpingWetness(rho, std::max(radius, apart) / coat_.furLength, water.chance);
   strand.shorter = wet::rimTaper(water.soaked, water.sheet, apart * apart / (radius * radius));
   water.outward = (1 - shortness) * (way - normal * glm::dot(way, normal)) / std::max(radius, apart);
   return strand;

@@ -74,10 +74,12 @@ inline float clumpPull(float h, float w, float layers, float rho) { return clump
 
 // The wetness that counts for the pull of a clump of that radius (fur lengths), at most 1. Silva Eq. 1 takes rho itself, which draws half-wet
 // locks half of the way together: blunt ones, like scales. Hair comes to a point as soon as it is wet, so less than FUR_SHEET_FROM counts for
-// more than it is. Limited so that no strand is displaced by more than kMaxDisplacement of its length.
+// more than it is. Not all form at once: `chance`, of chanceOfClump(), says when. Limited so that no strand is
+// displaced by more than kMaxDisplacement of its length.
 inline constexpr float kMaxDisplacement = FUR_MAX_DISPLACEMENT;
-inline float clumpingWetness(float rho, float radius) {
-  const float full = std::min(rho, 1.0f);
+inline float clumpingWetness(float rho, float radius, float chance) {
+  const float begins = float{FUR_LAST_CLUMP} * (chance + 0.5f) - 0.5f * float{FUR_CLUMP_FORMS};
+  const float full = std::min(rho, 1.0f) * glm::smoothstep(begins, begins + float{FUR_CLUMP_FORMS}, rho);
   return std::min(full * (1 + float{FUR_EARLY_CLUMPS} * std::max(float{FUR_SHEET_FROM} - full, 0.0f)), kMaxDisplacement / std::max(radius, 1e-6f));
 }
 

@@ -117,16 +117,30 @@ TEST(LiesBy, TurnsAsManyStrandsUpAsDown) {
   EXPECT_NEAR(sum / kStrands, 0, 0.01);
 }
 
-TEST(ClumpingWetness, OfLittleWaterIsMoreThanThereIsAndOfMuchNoMore) {
-  for (const float rho : {0.0f, 0.82f, 0.9f, 1.0f}) EXPECT_FLOAT_EQ(clumpingWetness(rho, 0.1f), rho);
-  EXPECT_FLOAT_EQ(clumpingWetness(3, 0.1f), 1);
-  for (float rho = 0.1f; rho < 0.8f; rho += 0.1f) EXPECT_GT(clumpingWetness(rho, 0.1f), rho);
-  for (float rho = 0; rho < 1; rho += 0.01f) EXPECT_GT(clumpingWetness(rho + 0.01f, 0.1f), clumpingWetness(rho, 0.1f)) << rho << ": more water never opens a clump";
+TEST(ClumpingWetness, OfHalfWetFurIsMoreThanItsWaterAndOfSoakedFurNoMore) {
+  for (const float chance : {-0.5f, 0.0f, 0.5f}) {
+    EXPECT_EQ(clumpingWetness(0, 0.1f, chance), 0);
+    for (const float rho : {0.82f, 0.9f, 1.0f}) EXPECT_FLOAT_EQ(clumpingWetness(rho, 0.1f, chance), rho);
+    EXPECT_FLOAT_EQ(clumpingWetness(3, 0.1f, chance), 1);
+    for (float rho = 0.66f; rho < 0.8f; rho += 0.02f) EXPECT_GT(clumpingWetness(rho, 0.1f, chance), rho) << "all have formed";
+  }
+}
+
+TEST(ClumpingWetness, OfMoreWaterNeverOpensAClump) {
+  for (float chance = -0.5f; chance <= 0.5f; chance += 0.1f)
+    for (float rho = 0; rho < 1; rho += 0.01f) EXPECT_GE(clumpingWetness(rho + 0.01f, 0.1f, chance), clumpingWetness(rho, 0.1f, chance)) << rho;
+}
+
+TEST(ClumpingWetness, ComesToOneClumpAfterTheOther) {
+  const float rho = 0.25f;
+  EXPECT_GT(clumpingWetness(rho, 0.1f, -0.5f), rho);
+  EXPECT_EQ(clumpingWetness(rho, 0.1f, 0.5f), 0);
+  for (float chance = -0.4f; chance <= 0.5f; chance += 0.1f) EXPECT_LE(clumpingWetness(rho, 0.1f, chance), clumpingWetness(rho, 0.1f, chance - 0.1f)) << chance;
 }
 
 TEST(ClumpingWetness, DrawsNoStrandAsideByMoreThanItsLengthAllows) {
   for (float radius = 0.1f; radius < 5; radius += 0.1f)
-    for (const float rho : {0.2f, 0.6f, 1.0f, 2.0f}) EXPECT_LE(clumpingWetness(rho, radius) * radius, kMaxDisplacement * 1.001f) << radius;
+    for (const float rho : {0.2f, 0.6f, 1.0f, 2.0f}) EXPECT_LE(clumpingWetness(rho, radius, -0.5f) * radius, kMaxDisplacement * 1.001f) << radius;
 }
 
 TEST(LockPull, SplitsClumpsAtTheirTipsAndNeitherTheirFeetNorASheet) {
