@@ -53,8 +53,7 @@ float lockPull(float h, float held, float sheet) { return FUR_LOCK_IN_CLUMP_PULL
 // (`chance`: chanceOfClump()); those are drawn together by more than there is, as half-wet hair comes to a point, not to half of one. None is
 // drawn further aside than FUR_MAX_DISPLACEMENT of its length, so a large drop draws short fur together by less.
 float clumpingWetness(float held, float radius, float chance) {
-  float begins = FUR_LAST_CLUMP * (chance + 0.5) - 0.5 * FUR_CLUMP_FORMS;
-  float full = min(held, 1.0) * smoothstep(begins, begins + FUR_CLUMP_FORMS, held);
+  float full = min(held, 1.0) * smoothstep(0.0, FUR_CLUMP_FORMS, held - FUR_CLUMPS_BEGIN - FUR_CLUMPS_APART * chance);
   return min(full * (1.0 + FUR_EARLY_CLUMPS * max(FUR_SHEET_FROM - full, 0.0)), FUR_MAX_DISPLACEMENT / max(radius, 1e-6));
 }
 

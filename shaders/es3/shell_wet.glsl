@@ -146,7 +146,6 @@ bool leavesSkin() {
 // Whether strands that are drawn as one hide all, and skin under them fills what they leave open: nothing is marched for.
 bool underSheet() { return reachesSkin && joined > kWholeSheet && !leavesSkin(); }
 
-const int kHalves = 5;
 // The clump at the atlas point `a`, which the ray sees. `mirrored`: 0, or where the ray leaves its chart: as inside it, mirrored there.
 vec4 clumpThere(vec2 a, inout March march, out vec2 mirrored) {
   vec4 clump = clumpIn(a);
@@ -155,11 +154,10 @@ vec4 clumpThere(vec2 a, inout March march, out vec2 mirrored) {
   for (int i = 0, once = int(beside); i < once; ++i) {
     // A ray along the outline is there soon. Where it leaves by halves, as by whole steps neighbours would mirror at other points, and their
     // strands fall into rungs.
-    vec2 outside = a;
-    for (int k = 0; k < kHalves; ++k) {
-      vec2 middle = 0.5 * (march.inside + outside);
-      if (isBeside(clumpIn(middle))) outside = middle;
-      else march.inside = middle;
+    vec2 way = a - march.inside;
+    for (int k = 0; k < 5; ++k) {
+      way *= 0.5;
+      if (!isBeside(clumpIn(march.inside + way))) march.inside += way;
     }
     mirrored = 2.0 * march.inside;
     clump = clumpIn(mirrored - a);
@@ -170,7 +168,7 @@ vec4 clumpThere(vec2 a, inout March march, out vec2 mirrored) {
 }
 
 // The water that draws a clump's strands together.
-float drawnBy(vec4 clump) { return clump.a > 0.0 ? clumpingWetness(clump.a, clump.z * atlasLength * furLengths, chanceOfClump(clump.xy)) : 0.0; }
+float drawnBy(vec4 clump) { return clumpingWetness(clump.a, clump.z * atlasLength * furLengths, chanceOfClump(clump.xy)); }
 
 const float kNoClumps = 0.999;  // in a sheet as whole as that clumps draw nothing aside
 bool drawsNothing() { return sheet > kNoClumps; }

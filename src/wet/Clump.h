@@ -78,8 +78,8 @@ inline float clumpPull(float h, float w, float layers, float rho) { return clump
 // displaced by more than kMaxDisplacement of its length.
 inline constexpr float kMaxDisplacement = FUR_MAX_DISPLACEMENT;
 inline float clumpingWetness(float rho, float radius, float chance) {
-  const float begins = float{FUR_LAST_CLUMP} * (chance + 0.5f) - 0.5f * float{FUR_CLUMP_FORMS};
-  const float full = std::min(rho, 1.0f) * glm::smoothstep(begins, begins + float{FUR_CLUMP_FORMS}, rho);
+  const float begins = float{FUR_CLUMPS_BEGIN} + float{FUR_CLUMPS_APART} * chance;
+  const float full = std::min(rho, 1.0f) * glm::smoothstep(0.0f, float{FUR_CLUMP_FORMS}, rho - begins);
   return std::min(full * (1 + float{FUR_EARLY_CLUMPS} * std::max(float{FUR_SHEET_FROM} - full, 0.0f)), kMaxDisplacement / std::max(radius, 1e-6f));
 }
 

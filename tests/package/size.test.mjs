@@ -17,8 +17,9 @@ import { dist } from '../../tools/site.mjs';
 // slender bodies and pictures by two sets of coordinates, 4. What reads formats beside glTF is in the larger program: 13 less; models in
 // pieces 3; how a coat lies, wet locks and what finds dry patches 10; beads of water
 // and a coat's room beside creases 2. Functions that are alike lie together and are inlined last: 15 less. Soaked fur near to the eye 1, water that
-// knows no charts 2. Wet fur that comes to rest and keeps its colour 1.
-const budgetBytes = 329 * 1024;
+// knows no charts 2. Wet fur that comes to rest and keeps its colour 1, clumps that form one
+// by one half of one.
+const budgetBytes = 330 * 1024;
 
 // The scripts that `entry` imports, at once or later, but for the editor's and those of long hair.
 function scriptsFrom(entry, seen = new Set()) {
@@ -31,7 +32,7 @@ function scriptsFrom(entry, seen = new Set()) {
   return seen;
 }
 
-test('the viewer downloads at most 329 KB, gzipped', (t) => {
+test('the viewer downloads at most 330 KB, gzipped', (t) => {
   const files = [...new Set(['index.js', 'element.js'].flatMap((entry) => [...scriptsFrom(entry)])), 'wet-fur.wasm'];
   const sizes = files.map((name) => [name, gzipSync(readFileSync(join(dist, name)), { level: 9 }).length]);
   const total = sizes.reduce((sum, [, size]) => sum + size, 0);

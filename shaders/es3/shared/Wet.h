@@ -15,8 +15,10 @@
 
 // Strands that hold less water than that are drawn together as by this share more of it for what they lack of that.
 #define FUR_EARLY_CLUMPS 0.9
-// Clumps form one by one, by chance: the last at that wetness, each over a range as long as that. All at once they were as the tiles of a floor.
-#define FUR_LAST_CLUMP 0.5
+// Clumps form one by one, by chance: at that wetness on the average they begin to, the last so much after the first, and each forms over a
+// range as long as that. All at once they were as the tiles of a floor.
+#define FUR_CLUMPS_BEGIN 0.1
+#define FUR_CLUMPS_APART 0.5
 #define FUR_CLUMP_FORMS 0.3
 
 // How much of a sheet of long fur is one where its strands are seen, near to the eye: the rest stays in clumps. The share of their glints that
