@@ -64,7 +64,8 @@ struct Droplet : Scene {
     const float texel = 1 / (block.tilesPerUnit * block.tileTexels), ground = app.surface().vertices[0].position.y;
     const Mat4 clip = clipFromWorld(f) * f.worldFromModel;
     const float stands = s.viewLayer / wet::upright(wetness);
-    const float pull = wet::clumpPull(stands, s.clumpShape, static_cast<float>(s.layers), wet::clumpingWetness(wetness, kRadius / s.furLength, 0));
+    constexpr float kChance = 0;  // of a centre at (0.5, 0.5)
+    const float pull = wet::clumpPull(stands, s.clumpShape, static_cast<float>(s.layers), wet::clumpingWetness(wetness, kRadius / s.furLength, kChance));
     const auto hasFur = [&](const Vec3& at) {
       const Vec4 c = clip * Vec4(at, 1);
       const Vec2 pixel((0.5f + 0.5f * c.x / c.w) * kWetSide, (0.5f - 0.5f * c.y / c.w) * kWetSide);

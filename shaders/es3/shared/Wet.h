@@ -13,10 +13,11 @@
 #define FUR_SHEET_SINKS 0.5
 #define FUR_CLUMPS_SINK 0.3
 
-// Strands that hold less water than that are drawn together as by this share more of it for what they lack of that.
+// A clump that holds less water than FUR_SHEET_FROM draws its strands together as if it held more: by what it lacks of that, times this, as
+// a share of what it holds.
 #define FUR_EARLY_CLUMPS 0.9
-// Clumps form one by one, by chance: at that wetness on the average they begin to, the last so much after the first, and each forms over a
-// range as long as that. All at once they were as the tiles of a floor.
+// Clumps form one by one, by chance: the wetness at which they begin to, on the average; how much later the last begins than the first; and
+// how much more water one takes to form.
 #define FUR_CLUMPS_BEGIN 0.1
 #define FUR_CLUMPS_APART 0.5
 #define FUR_CLUMP_FORMS 0.3
