@@ -155,6 +155,26 @@ test('a state may be seen from elsewhere; the figure is not', async () => {
   await taken(was);
 });
 
+test('states that are asked for while pictures are taken are the ones that are shown', async () => {
+  const same = await see(() => new Promise((resolve) => {
+    states.scrollIntoView({ block: 'center' });
+    const was = states.getAttribute('before');
+    fig.toBlob = (...options) => {  // the first of the two pictures
+      delete fig.toBlob;
+      const picture = fig.toBlob(...options);
+      states.addEventListener('picture-change', () => {
+        const data = (side) => states.shadowRoot.querySelector(`.${side} canvas`).toDataURL();
+        resolve(data('before') === data('after'));
+        states.setAttribute('before', was);
+      }, { once: true });
+      states.setAttribute('before', states.getAttribute('after'));
+      return picture;
+    };
+    states.setAttribute('before', '{"view": "tangents"}');
+  }));
+  assert.ok(same);
+});
+
 test('the divider moves by key and pointer, the other way round where lines begin at the right', async () => {
   const handle = page.locator('#two [part=divider]');
   await handle.focus();

@@ -140,6 +140,10 @@ export class WetFurCompareElement extends Companion {
     try {
       const blobs = await Promise.all(this.#states.map((values) => pictureWith(figure, values)));
       const pictures = await Promise.all(blobs.map((blob) => createImageBitmap(blob)));
+      if (seen !== this.#taken) {  // others have been asked for meanwhile
+        for (const picture of pictures) picture.close();
+        return;
+      }
       [this.#before, this.#after].forEach(({ canvas }, i) => {
         Object.assign(canvas, { width: pictures[i].width, height: pictures[i].height });
         canvas.getContext('2d').drawImage(pictures[i], 0, 0);
@@ -148,6 +152,7 @@ export class WetFurCompareElement extends Companion {
       this.tell('picture', '');
       this.dispatchEvent(new CustomEvent('picture-change'));
     } catch (error) {
+      if (seen !== this.#taken) return;
       this.#taken = '';
       this.tell('picture', error.message);
     }
