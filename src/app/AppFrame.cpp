@@ -85,7 +85,7 @@ void App::State::expect(const scene::FurData& fur, std::span<const scene::Materi
   if (!fur.state.empty())
     if (auto state = scene::readState(fur.state)) f.settings = state->settings;
   f.coatLength = f.settings.furLength;
-  f.settings.fins = false;  // not of a first picture
+  f.settings.fins = f.castsShadows = false;  // not of a first picture
   f.wet = !fur.wetness.empty();
   f.types = std::any_of(fur.map.begin(), fur.map.end(), [](const auto& texel) { return texel[1] | texel[2] | texel[3]; });
   f.groomed = f.types || varies(fur.map);
@@ -237,12 +237,13 @@ render::Frame App::State::frame(int level) const {
   f.settings = settings;
   f.coatLength = coatLength();
   f.typeHeights = groom.typeHeights();
+  f.castsShadows = !coat.isCoarse();
   f.settings.fins &= quality.fins && !coat.isCoarse();
   f.settings.shadows = std::min(f.settings.shadows, quality.shadows);
   f.pixelScale = quality.pixelScale;
   f.stepLength = quality.stepLength;
   f.hairShare = quality.hairShare;
-  f.shellCount = level > 0 && shells.count == kSlenderShells ? 1 : shells.count;
+  f.shellCount = coat.isCoarse() || (level > 0 && shells.count == kSlenderShells) ? 1 : shells.count;
   f.worldFromModel = worldFromModel();
   f.camera = view.pose();
   f.width = view.width;

@@ -45,7 +45,7 @@ Status App::State::drawFrame(const Drawn& drawn) {
   }
   water.readPuddles();
   upload();
-  chooseShellCount();
+  if (!coat.isCoarse()) chooseShellCount();
   render::Frame f = frame(drawn.level);
   f.sample = drawn.sample;
   f.gathers = drawn.gathers;

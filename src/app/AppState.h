@@ -189,7 +189,7 @@ struct App::State {
   bool turns() const { return view.autoRotate && !view.camera.isFree() && !reducedMotion && hand.pointers.empty(); }
   bool updateShape(float seconds);
   void workOnCoat(double budget, bool coarseFirst = false);
-  void beginFins();
+  void beginRest();
   // For the first picture of a coat, once its shaders are compiled. Whether it has, or need not any more.
   bool warmUpWhenReady();
   void finishCoat();

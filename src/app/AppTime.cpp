@@ -126,17 +126,20 @@ bool App::State::warmUpWhenReady() {
   return warm;
 }
 
-// Which a first picture does without.
-void App::State::beginFins() {
+// The shaders that a first picture does without.
+void App::State::beginRest() {
   render::Frame f = frame();
   f.settings.fins = settings.fins;
+  f.castsShadows = true;
   renderer->begin(f);
 }
 
 void App::State::workOnCoat(double budget, bool coarseFirst) {
   if (!renderer) return;
+  const bool whole = coat.growing() && !coarseFirst;
+  if (whole && (coat.isCoarse() || !coat.shown())) beginRest();
   if (coat.growing()) warmUpWhenReady();
-  if (coat.isCoarse() && !coarseFirst) beginFins();
+  if (whole && coat.isCoarse() && !chooseShellCount(budget)) return;
   LayerUpload receiver(*this);
   CoatStage::Inputs inputs = coatInputs();
   inputs.receiver = &receiver;
@@ -153,7 +156,7 @@ Work App::workOnPicture(float seconds, bool coarse) {
   if (!s.renderer) return Work::Done;
   const auto isDone = [&] { return coarse ? s.coat.shows(s.coatInputs()) : !s.coat.active(s.coatInputs()); };
   if (!isDone()) s.workOnCoat(seconds, coarse);
-  if (!isDone() || !s.chooseShellCount(seconds)) return Work::GoesOn;
+  if (!isDone() || (!s.coat.isCoarse() && !s.chooseShellCount(seconds))) return Work::GoesOn;
   return s.renderer->ready() ? Work::Done : Work::Waits;
 }
 

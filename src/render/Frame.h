@@ -48,6 +48,7 @@ struct Frame {
   bool transparent = false;
   int bottomRow = 0;  // the lowest that the framebuffer has: of a picture in parts, each in a framebuffer of its own
   int rows = 0;       // that it has; 0: all from there on
+  bool castsShadows = true;   // false: as the setting `shadows`, but nothing casts any, on the ground neither: no shader is needed for them
   bool wet = false;           // any texel of the mask is: picks the shaders that look at it
   bool wetHair = false;       // long hair is: likewise
   bool groomed = false;       // the groom's map says more than full length of one type: likewise

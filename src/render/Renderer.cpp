@@ -60,8 +60,7 @@ Result<Renderer> Renderer::create(std::shared_ptr<ContextObjects> shared) {
   if (!capabilities) return capabilities.error();
   Renderer r;
   r.shared_ = shared ? std::move(shared) : std::make_shared<ContextObjects>();
-  for (const auto& [shader, variant] : {std::pair(Shader::GroundShadow, kPlain), std::pair(Shader::Blur, kPlain), std::pair(Shader::Ground, kPlain), std::pair(Shader::Background, kPlain)})
-    r.programs().begin(shader, variant);
+  for (const Shader shader : {Shader::Ground, Shader::Background}) r.programs().begin(shader, kPlain);
   const shared::FrameBlock frame{};
   r.frameBlock_ = gl::Buffer(gl::BufferKind::Uniform, gl::bytesOf(frame), true);
   r.groundShadow_.create();
@@ -102,7 +101,7 @@ FurShadow::Key Renderer::furShadowKey(const Frame& frame) const {
           volumeShadow(s, fur_.density(), reach),
           shadowedCoat(frame),
           surface_.revision() + maps_.revision() + fur_.revision() + hair_->revision(),
-          frame.ball, frame.ball.w > 0 ? frame.worldFromModel : Mat4(1.0f)};
+          frame.ball, frame.ball.w > 0 ? frame.worldFromModel : Mat4(1.0f), frame.castsShadows};
 }
 
 void Renderer::uploadBlocks(const Frame& frame, const FurShadow::Key& shadow) {
@@ -133,6 +132,9 @@ void Renderer::begin(const Frame& frame, const Parts& parts) {
   if (s.skin) programs().begin(Shader::Skin, look.skin(kPlain));
   if (parts.bare) programs().begin(Shader::Bare, shadowVariant(s));
   if (parts.whiskers) programs().begin(Shader::Whisker, look.whiskers());
+  if (!frame.castsShadows) return;
+  if (s.ground)
+    for (const Shader shader : {Shader::GroundShadow, Shader::Blur}) programs().begin(shader, kPlain);
   if (static_cast<Shadows>(s.shadows) == Shadows::None) return;
   programs().begin(Shader::ShadowMap, shadowedCoat(frame));
   if (static_cast<Shadows>(s.shadows) == Shadows::Depth) programs().begin(Shader::ShadowBlur, kShadowDepth);

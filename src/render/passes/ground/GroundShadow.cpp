@@ -25,8 +25,6 @@ void GroundShadow::drawNothing() const {
 }
 
 bool GroundShadow::drawModel(const Drawing& drawing, const HairPass& hair) {
-  targets_[0].bind();
-  gl::clear(Vec4(0));
   if (!drawing.programs.use(Shader::GroundShadow, kPlain)) return false;
   const gl::DrawState added{.depthTest = false, .depthWrite = false, .cullBack = false, .blend = gl::Blend::Add};
   gl::apply(added);
@@ -56,10 +54,12 @@ bool GroundShadow::update(const Drawing& drawing, const HairPass& hair) {
   const Frame& frame = drawing.frame;
   if (!frame.settings.ground) return true;
   const Key key{drawing.surface.revision(), hair.revision(), frame.worldFromModel, lightDirection(frame), frame.coatLength, frame.groundHeight,
-                frame.ball, frame.puddles.empty() ? Vec3(0) : frame.camera.eye};
+                frame.ball, frame.puddles.empty() ? Vec3(0) : frame.camera.eye, frame.castsShadows};
   if (key_ == key) return true;
   gl::setViewport(kSize, kSize);
-  const bool drawn = drawModel(drawing, hair) && blur(drawing.programs);
+  targets_[0].bind();
+  gl::clear(Vec4(0));
+  const bool drawn = !frame.castsShadows || (drawModel(drawing, hair) && blur(drawing.programs));
   gl::bindPlatformFramebuffer();
   if (drawn) key_ = key;
   return drawn;

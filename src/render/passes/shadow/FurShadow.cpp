@@ -73,9 +73,16 @@ void FurShadow::prepare(int size, bool layers) {
   }
 }
 
-bool FurShadow::drawFirst(Programs& programs, const Key& key, bool layers, const gl::VertexArray& surface, int indexCount, const HairPass& hair) {
+void FurShadow::clear(bool layers) {
   firstTarget_[0].bind();
   gl::clear(Vec4(1));
+  if (!layers) return;
+  opacityTarget_.bind();
+  gl::clear(Vec4(0));
+}
+
+bool FurShadow::drawFirst(Programs& programs, const Key& key, bool layers, const gl::VertexArray& surface, int indexCount, const HairPass& hair) {
+  firstTarget_[0].bind();
   for (const bool skin : {false, true}) {
     if (skin && !layers) break;
     if (!programs.use(Shader::ShadowMap, key.curve | (skin ? +kSkinOnly : +kPlain))) return false;
@@ -108,7 +115,6 @@ bool FurShadow::drawLayers(Programs& programs, VariantBits curve, const gl::Vert
   if (!programs.use(Shader::ShadowMap, curve | kShadowLayers)) return false;
   first_[0].bind(FUR_UNIT_SHADOW);
   opacityTarget_.bind();
-  gl::clear(Vec4(0));
   const gl::DrawState added{.depthTest = false, .depthWrite = false, .cullBack = false, .blend = gl::Blend::Add};
   gl::apply(added);
   surface.drawIndexed(indexCount, FUR_SHADOW_SHELLS);
@@ -121,8 +127,9 @@ bool FurShadow::update(Programs& programs, const Key& key, const gl::VertexArray
   if (key_ != key) {
     prepare(key.size, layers);
     gl::setViewport(key.size, key.size);
-    const bool drawn = drawFirst(programs, key, layers, surface, indexCount, hair) &&
-                       (layers ? drawLayers(programs, key.curve, surface, indexCount, hair) : blur(programs));
+    clear(layers);
+    const bool drawn = !key.casts || (drawFirst(programs, key, layers, surface, indexCount, hair) &&
+                                      (layers ? drawLayers(programs, key.curve, surface, indexCount, hair) : blur(programs)));
     gl::bindPlatformFramebuffer();
     if (!drawn) return false;
     key_ = key;

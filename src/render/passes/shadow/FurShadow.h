@@ -47,6 +47,7 @@ class FurShadow {
     unsigned long scene;  // another one whenever surface, bends or coat are others
     Vec4 ball;            // as Frame has it
     Mat4 worldFromModel;  // where there is one
+    bool casts;           // as Frame has it
     bool operator==(const Key&) const = default;
     void fill(shared::FrameBlock& block) const;
   };
@@ -58,6 +59,7 @@ class FurShadow {
 
  private:
   void prepare(int size, bool layers);
+  void clear(bool layers);
   bool drawFirst(Programs& programs, const Key& key, bool layers, const gl::VertexArray& surface, int indexCount, const HairPass& hair);
   bool blur(Programs& programs);
   bool drawLayers(Programs& programs, VariantBits curve, const gl::VertexArray& surface, int indexCount, const HairPass& hair);
