@@ -4,6 +4,7 @@
  */
 import { offersContext, setBudget } from './contexts.js';
 import { FurError } from './errors.js';
+import { WetFur } from './host.js';
 import { setModelsUrl } from './models.js';
 import { compileProgram, setWasmUrl } from './runtime.js';
 
@@ -16,7 +17,6 @@ export { FurError };
  * @param {import('./types/index.d.ts').WetFurOptions} [options]
  */
 export async function createWetFur(canvas, options = {}) {
-  const { WetFur } = await import('./host.js');
   const fur = new WetFur(canvas, { src: 'bunny', ...options });
   try {
     await fur.ready;

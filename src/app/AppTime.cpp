@@ -136,7 +136,8 @@ void App::State::beginRest() {
 
 void App::State::workOnCoat(double budget, bool coarseFirst) {
   if (!renderer) return;
-  const bool whole = coat.growing() && !coarseFirst;
+  // The first picture is to be drawn in this very tick where there is no time for more.
+  const bool whole = coat.growing() && !coarseFirst && budget > 0;
   if (whole && (coat.isCoarse() || !coat.shown())) beginRest();
   if (coat.growing()) warmUpWhenReady();
   if (whole && coat.isCoarse() && !chooseShellCount(budget)) return;

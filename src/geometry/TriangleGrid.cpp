@@ -16,30 +16,21 @@ bool separatedByAnEdge(const FlatTriangle& a, const FlatTriangle& b, double tole
   const double turn = d1.x * d2.y - d1.y * d2.x >= 0.0 ? 1.0 : -1.0;
   for (int k = 0; k < 3; ++k) {
     const glm::dvec2 edge = p[(k + 1) % 3] - p[k];
-    const double length = std::sqrt(edge.x * edge.x + edge.y * edge.y);
     const glm::dvec2 outward = glm::dvec2(edge.y, -edge.x) * turn;
     double nearest = 1e300;
     for (const Vec2& q : b) {
       nearest = std::min(nearest, glm::dot(glm::dvec2(q) - p[k], outward));
     }
-    if (length > 0.0 && nearest >= -tolerance * length) return true;
+    const double squaredLength = glm::dot(edge, edge);
+    if (squaredLength > 0.0 && (nearest >= 0.0 || nearest * nearest <= tolerance * tolerance * squaredLength)) return true;
   }
-  return false;
-}
-
-// Triangles whose boxes are apart are apart along an edge, too.
-bool boxesApart(const FlatTriangle& a, const FlatTriangle& b) {
-  for (int k = 0; k < 2; ++k)
-    if (std::max({a[0][k], a[1][k], a[2][k]}) < std::min({b[0][k], b[1][k], b[2][k]}) ||
-        std::max({b[0][k], b[1][k], b[2][k]}) < std::min({a[0][k], a[1][k], a[2][k]}))
-      return true;
   return false;
 }
 
 }  // namespace
 
 bool trianglesOverlap(const FlatTriangle& a, const FlatTriangle& b, float tolerance) {
-  return !boxesApart(a, b) && !separatedByAnEdge(a, b, tolerance) && !separatedByAnEdge(b, a, tolerance);
+  return !separatedByAnEdge(a, b, tolerance) && !separatedByAnEdge(b, a, tolerance);
 }
 
 TriangleGrid::TriangleGrid(const Vec2& low, const Vec2& high, std::size_t expected, float tolerance)
@@ -52,6 +43,7 @@ TriangleGrid::TriangleGrid(const Vec2& low, const Vec2& high, std::size_t expect
   cellsPerUnit_ = Vec2(size_) / extent;
   heads_.assign(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y), kNoLink);
   triangles_.reserve(expected);
+  boxes_.reserve(expected);
   lastCompared_.reserve(expected);
 }
 
@@ -66,32 +58,39 @@ bool TriangleGrid::visitCells(const FlatTriangle& triangle, Visit visit) const {
   const float slack = 1e-3f;
   const int y0 = cellOf(std::min({q[0].y, q[1].y, q[2].y}) - slack, size_.y);
   const int y1 = cellOf(std::max({q[0].y, q[1].y, q[2].y}) + slack, size_.y);
+  const int left = cellOf(std::min({q[0].x, q[1].x, q[2].x}) - slack, size_.x), right = cellOf(std::max({q[0].x, q[1].x, q[2].x}) + slack, size_.x);
+  const auto visitRow = [&](int y, int from, int to) {
+    for (int x = from; x <= to; ++x)
+      if (!visit(static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.x) + static_cast<std::size_t>(x))) return false;
+    return true;
+  };
+  // Of most triangles: to find out which of so few cells they reach takes longer than to visit all.
+  if ((right - left + 1) * (y1 - y0 + 1) <= 4) {
+    for (int y = y0; y <= y1; ++y)
+      if (!visitRow(y, left, right)) return false;
+    return true;
+  }
   for (int y = y0; y <= y1; ++y) {
     const float bottom = static_cast<float>(y) - slack, top = static_cast<float>(y + 1) + slack;
-    float left = 1e30f, right = -1e30f;
+    float sliceLeft = 1e30f, sliceRight = -1e30f;
     for (int k = 0; k < 3; ++k) {
       const Vec2 &a = q[k], &b = q[(k + 1) % 3];
       const float from = std::max(bottom, std::min(a.y, b.y)), to = std::min(top, std::max(a.y, b.y));
       if (from > to) continue;
       const float rise = b.y - a.y;
       if (std::abs(rise) < 1e-6f) {
-        left = std::min({left, a.x, b.x});
-        right = std::max({right, a.x, b.x});
+        sliceLeft = std::min({sliceLeft, a.x, b.x});
+        sliceRight = std::max({sliceRight, a.x, b.x});
         continue;
       }
       for (const float at : {from, to}) {
         const float x = a.x + (b.x - a.x) * glm::clamp((at - a.y) / rise, 0.0f, 1.0f);
-        left = std::min(left, x);
-        right = std::max(right, x);
+        sliceLeft = std::min(sliceLeft, x);
+        sliceRight = std::max(sliceRight, x);
       }
     }
-    if (left > right) continue;
-    const int x1 = cellOf(right + slack, size_.x);
-    for (int x = cellOf(left - slack, size_.x); x <= x1; ++x) {
-      if (!visit(static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.x) + static_cast<std::size_t>(x))) {
-        return false;
-      }
-    }
+    if (sliceLeft > sliceRight) continue;
+    if (!visitRow(y, cellOf(sliceLeft - slack, size_.x), cellOf(sliceRight + slack, size_.x))) return false;
   }
   return true;
 }
@@ -99,18 +98,23 @@ bool TriangleGrid::visitCells(const FlatTriangle& triangle, Visit visit) const {
 bool TriangleGrid::tryAdd(const FlatTriangle& triangle) {
   const auto self = static_cast<std::uint32_t>(triangles_.size());
   const std::uint32_t mark = ++trials_;
+  const Box box{glm::min(glm::min(triangle[0], triangle[1]), triangle[2]), glm::max(glm::max(triangle[0], triangle[1]), triangle[2])};
   const bool free = visitCells(triangle, [&](std::size_t cell) {
     for (std::uint32_t link = heads_[cell]; link != kNoLink; link = links_[link].next) {
       const std::uint32_t other = links_[link].triangle;
       ++comparisons_;
       if (lastCompared_[other] == mark) continue;
       lastCompared_[other] = mark;
+      // Triangles whose boxes are apart are apart along an edge, too.
+      const Box& with = boxes_[other];
+      if (with.high.x < box.low.x || box.high.x < with.low.x || with.high.y < box.low.y || box.high.y < with.low.y) continue;
       if (trianglesOverlap(triangles_[other], triangle, tolerance_)) return false;
     }
     return true;
   });
   if (!free) return false;
   triangles_.push_back(triangle);
+  boxes_.push_back(box);
   lastCompared_.push_back(0);
   visitCells(triangle, [&](std::size_t cell) {
     links_.push_back({self, heads_[cell]});

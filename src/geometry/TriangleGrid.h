@@ -36,6 +36,7 @@ class TriangleGrid {
 
  private:
   struct Link { std::uint32_t triangle, next; };
+  struct Box { Vec2 low, high; };
 
   template <class Visit>
   bool visitCells(const FlatTriangle& triangle, Visit visit) const;
@@ -49,6 +50,7 @@ class TriangleGrid {
   std::vector<std::uint32_t> heads_;  // one a cell
   std::vector<Link> links_;
   std::vector<FlatTriangle> triangles_;
+  std::vector<Box> boxes_;  // of each, as most pairs are apart by their boxes
   std::vector<std::uint32_t> lastCompared_;  // the trial that last compared this triangle
 };
 

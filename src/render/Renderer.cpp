@@ -122,6 +122,12 @@ void Renderer::uploadBlocks(const Frame& frame, const FurShadow::Key& shadow) {
 }
 
 void Renderer::begin(const Frame& frame, const Parts& parts) {
+  beginPrograms(frame, parts);
+  // Or the driver hears of them with the next picture.
+  gl::flush();
+}
+
+void Renderer::beginPrograms(const Frame& frame, const Parts& parts) {
   const settings::Settings& s = frame.settings;
   const bool furry = frame.coatLength > 0;
   const Look look(frame, furry, parts.textured, parts.skinPictured);

@@ -110,6 +110,7 @@ class Renderer {
 
  private:
   Renderer() = default;
+  void beginPrograms(const Frame& frame, const Parts& parts);
   bool drawPasses(const Drawing& drawing);
   bool gather(const Frame& frame);
   bool drawFinal(const Drawing& drawing);

@@ -158,9 +158,10 @@ bool CoatGrowth::step(CoatReceiver& receiver) {
         shape_ = {p.size, p.layers, rows, static_cast<int>(types_.size()), grown && std::all_of(types_.begin(), types_.end(), furgen::sharesStrands)};
         receiver.begin(shape_);
       }
+      stage_ = Stage::Paint;
+      if (!hasFins_) return false;
       const furgen::FinMaps fin = given() ? finOf(*given()) : furgen::paintFin(*strands_[this->type()], rows);
       receiver.setFin(type, furgen::packLevels(p.size, rows, {fin.coverage, fin.dominance, fin.variance, fin.tangent, {}}));
-      stage_ = Stage::Paint;
       return false;
     }
     case Stage::Paint:

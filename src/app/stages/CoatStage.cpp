@@ -34,6 +34,7 @@ void CoatStage::begin(const Inputs& inputs, Warnings& warnings) {
   if (coarse_)
     for (furgen::FurParameters& p : wanted) p.layers = kCoarseLayers;
   growth_.emplace(std::move(wanted), inputs.given);
+  if (coarse_) growth_->leaveFins();
 }
 
 // The strands go on into the whole one.

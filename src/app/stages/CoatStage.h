@@ -93,6 +93,8 @@ class CoatGrowth {
   // before for the same but the number of layers.
   using Strands = std::vector<std::shared_ptr<const furgen::Coat>>;
   CoatGrowth(CoatParameters types, GivenCoats given, Strands strands = {});
+  // Before the first step: its fins stay empty, as no picture shows them.
+  void leaveFins() { hasFins_ = false; }
 
   // Some milliseconds of work; returns whether the coat is whole and shown. Not to be called after.
   bool step(CoatReceiver& receiver);
@@ -118,6 +120,7 @@ class CoatGrowth {
   furgen::CoatShape shape_;
   // The type at work, and its layer.
   Stage stage_ = Stage::Grow;
+  bool hasFins_ = true;
   std::optional<furgen::CoatGrower> grower_;
   Strands strands_;  // one a type, as far as they have grown
   std::optional<furgen::LayerPainter> painter_;
