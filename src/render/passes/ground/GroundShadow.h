@@ -26,7 +26,7 @@ class GroundShadow {
     float length, height;
     Vec4 ball;
     Vec3 mirrorsTo;  // the eye, where the ground is wet
-    bool casts;      // as Frame has it
+    bool casts = true;  // as Frame has it
     bool operator==(const Key&) const = default;
   };
   bool drawModel(const Drawing& drawing, const HairPass& hair);

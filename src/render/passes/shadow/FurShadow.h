@@ -47,7 +47,7 @@ class FurShadow {
     unsigned long scene;  // another one whenever surface, bends or coat are others
     Vec4 ball;            // as Frame has it
     Mat4 worldFromModel;  // where there is one
-    bool casts;           // as Frame has it
+    bool casts = true;    // as Frame has it
     bool operator==(const Key&) const = default;
     void fill(shared::FrameBlock& block) const;
   };
