@@ -238,13 +238,13 @@ render::Frame App::State::frame(int level) const {
   f.settings = settings;
   f.coatLength = coatLength();
   f.typeHeights = groom.typeHeights();
-  f.castsShadows = !coat.isCoarse();
+  f.castsShadows = !coat.isCoarse() || casts;
   f.settings.fins &= quality.fins && !coat.isCoarse();
   f.settings.shadows = std::min(f.settings.shadows, quality.shadows);
   f.pixelScale = quality.pixelScale;
   f.stepLength = quality.stepLength;
   f.hairShare = quality.hairShare;
-  f.shellCount = coat.isCoarse() || (level > 0 && shells.count == kSlenderShells) ? 1 : shells.count;
+  f.shellCount = level > 0 && shells.count == kSlenderShells ? 1 : shells.count;
   f.worldFromModel = worldFromModel();
   f.camera = view.pose();
   f.width = view.width;

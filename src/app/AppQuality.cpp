@@ -45,7 +45,7 @@ Status App::State::drawFrame(const Drawn& drawn) {
   }
   water.readPuddles();
   upload();
-  if (!coat.isCoarse()) chooseShellCount();
+  chooseShellCount();
   render::Frame f = frame(drawn.level);
   f.sample = drawn.sample;
   f.gathers = drawn.gathers;

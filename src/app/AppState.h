@@ -157,6 +157,7 @@ struct App::State {
   bool refines = true;  // as setRefining() said
   bool governed = false;
   bool warm = false;  // the renderer has warmed up for the coat that grows
+  bool casts = false;  // shadows, while the coat is coarse: their shaders are compiled
 
   // --- App.cpp ---
   CameraOrbit startView() const { return OrbitCamera::fitting(shape.extent().centre, shape.extent().radius); }

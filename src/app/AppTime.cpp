@@ -136,11 +136,13 @@ void App::State::beginRest() {
 
 void App::State::workOnCoat(double budget, bool coarseFirst) {
   if (!renderer) return;
-  // The first picture is to be drawn in this very tick where there is no time for more.
-  const bool whole = coat.growing() && !coarseFirst && budget > 0;
-  if (whole && (coat.isCoarse() || !coat.shown())) beginRest();
   if (coat.growing()) warmUpWhenReady();
-  if (whole && coat.isCoarse() && !chooseShellCount(budget)) return;
+  // The first picture, which is drawn where there is no budget, waits for no shadow; those after it have some as soon as they need not wait.
+  if (coarseFirst || budget <= 0) casts = false;
+  else if (coat.isCoarse()) {
+    beginRest();
+    changed += noteChange(casts, renderer->ready());
+  }
   LayerUpload receiver(*this);
   CoatStage::Inputs inputs = coatInputs();
   inputs.receiver = &receiver;
@@ -156,8 +158,12 @@ Work App::workOnPicture(float seconds, bool coarse) {
     if (secondsNow() - begun > seconds) return Work::GoesOn;
   if (!s.renderer) return Work::Done;
   const auto isDone = [&] { return coarse ? s.coat.shows(s.coatInputs()) : !s.coat.active(s.coatInputs()); };
-  if (!isDone()) s.workOnCoat(seconds, coarse);
-  if (!isDone() || (!s.coat.isCoarse() && !s.chooseShellCount(seconds))) return Work::GoesOn;
+  if (!isDone()) {
+    const bool shown = s.coat.shown();
+    s.workOnCoat(seconds, coarse);
+    if (!shown && s.coat.shown()) s.settleMotion(false);  // as strands of all its types lie
+  }
+  if (!isDone() || !s.chooseShellCount(seconds)) return Work::GoesOn;
   return s.renderer->ready() ? Work::Done : Work::Waits;
 }
 
