@@ -176,6 +176,30 @@ TEST(App, AFirstPictureOfFewerLayersBecomesThatOfTheWholeCoat) {
   EXPECT_EQ(picture(true), picture(false));
 }
 
+TEST(App, NothingCastsAShadowInAFirstPictureAndAllDoesInThoseThatFollow) {
+  const auto pictures = [](const char* shadows) {
+    Desk desk;
+    desk.app.setField("shadows", shadows);
+    EXPECT_TRUE(desk.app.loadPrimitive("torus"));
+    desk.app.detach(false);
+    desk.stage.attach(desk.app);
+    while (desk.app.workOnPicture(0, true) != Work::Done) {
+    }
+    desk.app.tick(0, 0);
+    EXPECT_FALSE(desk.app.frame().castsShadows);
+    const auto first = desk.stage.draw(desk.app).rgba;
+    while (desk.app.coatProgress() < 1) desk.app.tick(0, 1e-6f);
+    EXPECT_TRUE(desk.app.frame().castsShadows);
+    return std::pair(first, desk.stage.draw(desk.app).rgba);
+  };
+  const auto with = pictures("depth"), without = pictures("none");
+  // By rounding: the map that nothing is in leaves all of the light but for its last bit.
+  int most = 0;
+  for (std::size_t i = 0; i < with.first.size(); ++i) most = std::max(most, std::abs(with.first[i] - without.first[i]));
+  EXPECT_LE(most, 2);
+  EXPECT_NE(with.second, without.second);
+}
+
 TEST(App, StateGoesRoundTrip) {
   Desk desk;
   desk.app.setField("furLength", "0.2");
