@@ -126,12 +126,15 @@ bool App::State::warmUpWhenReady() {
   return warm;
 }
 
-// The shaders that a first picture does without.
+// The shaders that a first picture does without: those of shadows, and when these are compiled those of fins.
 void App::State::beginRest() {
   render::Frame f = frame();
-  f.settings.fins = settings.fins;
   f.castsShadows = true;
+  f.settings.fins = casts && settings.fins;
   renderer->begin(f);
+  if (casts || !renderer->ready()) return;
+  casts = true;
+  ++changed;
 }
 
 void App::State::workOnCoat(double budget, bool coarseFirst) {
@@ -139,10 +142,7 @@ void App::State::workOnCoat(double budget, bool coarseFirst) {
   if (coat.growing()) warmUpWhenReady();
   // The first picture, which is drawn where there is no budget, waits for no shadow; those after it have some as soon as they need not wait.
   if (coarseFirst || budget <= 0) casts = false;
-  else if (coat.isCoarse()) {
-    beginRest();
-    changed += noteChange(casts, renderer->ready());
-  }
+  else if (coat.isCoarse()) beginRest();
   LayerUpload receiver(*this);
   CoatStage::Inputs inputs = coatInputs();
   inputs.receiver = &receiver;
