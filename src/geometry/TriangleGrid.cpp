@@ -58,39 +58,32 @@ bool TriangleGrid::visitCells(const FlatTriangle& triangle, Visit visit) const {
   const float slack = 1e-3f;
   const int y0 = cellOf(std::min({q[0].y, q[1].y, q[2].y}) - slack, size_.y);
   const int y1 = cellOf(std::max({q[0].y, q[1].y, q[2].y}) + slack, size_.y);
-  const int left = cellOf(std::min({q[0].x, q[1].x, q[2].x}) - slack, size_.x), right = cellOf(std::max({q[0].x, q[1].x, q[2].x}) + slack, size_.x);
-  const auto visitRow = [&](int y, int from, int to) {
-    for (int x = from; x <= to; ++x)
-      if (!visit(static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.x) + static_cast<std::size_t>(x))) return false;
-    return true;
-  };
-  // Of most triangles: to find out which of so few cells they reach takes longer than to visit all.
-  if ((right - left + 1) * (y1 - y0 + 1) <= 4) {
-    for (int y = y0; y <= y1; ++y)
-      if (!visitRow(y, left, right)) return false;
-    return true;
-  }
   for (int y = y0; y <= y1; ++y) {
     const float bottom = static_cast<float>(y) - slack, top = static_cast<float>(y + 1) + slack;
-    float sliceLeft = 1e30f, sliceRight = -1e30f;
+    float left = 1e30f, right = -1e30f;
     for (int k = 0; k < 3; ++k) {
       const Vec2 &a = q[k], &b = q[(k + 1) % 3];
       const float from = std::max(bottom, std::min(a.y, b.y)), to = std::min(top, std::max(a.y, b.y));
       if (from > to) continue;
       const float rise = b.y - a.y;
       if (std::abs(rise) < 1e-6f) {
-        sliceLeft = std::min({sliceLeft, a.x, b.x});
-        sliceRight = std::max({sliceRight, a.x, b.x});
+        left = std::min({left, a.x, b.x});
+        right = std::max({right, a.x, b.x});
         continue;
       }
       for (const float at : {from, to}) {
         const float x = a.x + (b.x - a.x) * glm::clamp((at - a.y) / rise, 0.0f, 1.0f);
-        sliceLeft = std::min(sliceLeft, x);
-        sliceRight = std::max(sliceRight, x);
+        left = std::min(left, x);
+        right = std::max(right, x);
       }
     }
-    if (sliceLeft > sliceRight) continue;
-    if (!visitRow(y, cellOf(sliceLeft - slack, size_.x), cellOf(sliceRight + slack, size_.x))) return false;
+    if (left > right) continue;
+    const int x1 = cellOf(right + slack, size_.x);
+    for (int x = cellOf(left - slack, size_.x); x <= x1; ++x) {
+      if (!visit(static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.x) + static_cast<std::size_t>(x))) {
+        return false;
+      }
+    }
   }
   return true;
 }
