@@ -103,8 +103,7 @@ void App::State::upload() {
   if (whole) renderer->setSurface(shape.surface(), shape.firstTangents(), shape.materialOf());
   uploadMaterials();
   uploadPictures();
-  // The first picture of dry fur does without.
-  if (!coat.isCoarse() || !water.mask().isDry()) uploadMask();
+  uploadMask(whole);
   if (noteChange(uploaded.bends, motion.bendsRevision()) || whole) renderer->updateBends(motion.shown());
   renderer->viewHair(hairView = hair->view(hairLook(hand.pointers.empty() ? hand.hover : hand.lastPosition)));
   uploadGroom(whole);
@@ -117,9 +116,9 @@ void App::State::upload() {
   uploadHair();
 }
 
-void App::State::uploadMask() {
-  const bool softened = !(settings.technique == 1 && settings.printedMask), other = noteChange(uploaded.softened, softened);
-  water.takeTexels(shape, noteChange(uploaded.maskOf, shape.surfaceRevision()) || other, softened, [this](const wet::MaskTexels& part) { renderer->updateMask(part); });
+void App::State::uploadMask(bool whole) {
+  const bool softened = !(settings.technique == 1 && settings.printedMask), anew = noteChange(uploaded.softened, softened) || whole;
+  water.takeTexels(shape, anew, softened, [this](const wet::MaskTexels& part) { renderer->updateMask(part); });
 }
 
 // Colour maps of the types and the skin, where they have one.

@@ -122,7 +122,7 @@ struct App::State {
   std::optional<render::Renderer> renderer;
   std::shared_ptr<render::ContextObjects> context;  // in which that is; none: alone
   struct Uploaded {
-    std::uint64_t surface = 0, maskOf = 0, pose = 0, bends = 0, images = 0, materials = 0, shelf = 0;
+    std::uint64_t surface = 0, pose = 0, bends = 0, images = 0, materials = 0, shelf = 0;
     std::array<std::uint32_t, settings::kFurTypes + 1> pictures{};  // of types and skin
     std::vector<std::uint8_t> bare{};
     std::vector<groom::Whisker> whiskers{};
@@ -204,7 +204,7 @@ struct App::State {
   // --- AppFrame.cpp ---
   void expect(const scene::FurData& fur, std::span<const scene::Material> materials);  // the shaders of such a model, before it is there
   void upload();
-  void uploadMask();
+  void uploadMask(bool whole);
   void uploadMaterials();
   void uploadGroom(bool whole);
   void uploadHair();

@@ -159,9 +159,8 @@ Work App::workOnPicture(float seconds, bool coarse) {
   if (!s.renderer) return Work::Done;
   const auto isDone = [&] { return coarse ? s.coat.shows(s.coatInputs()) : !s.coat.active(s.coatInputs()); };
   if (!isDone()) {
-    const bool shown = s.coat.shown();
     s.workOnCoat(seconds, coarse);
-    if (!shown && s.coat.shown()) s.settleMotion(false);  // as strands of all its types lie
+    if (isDone()) s.settleMotion(false);  // as strands of all its types lie
   }
   if (!isDone() || !s.chooseShellCount(seconds)) return Work::GoesOn;
   return s.renderer->ready() ? Work::Done : Work::Waits;

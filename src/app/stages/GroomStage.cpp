@@ -170,8 +170,7 @@ std::vector<groom::WhiskerHair> GroomStage::hairsOf(const ShapeStage& shape, std
 std::vector<groom::WhiskerHair> GroomStage::hairs(const ShapeStage& shape) const {
   if (noteChange(hairsFor_, shape.surfaceRevision()) || hairsOf_ != groom_.whiskers) {
     hairsOf_ = groom_.whiskers;
-    hairs_.clear();
-    if (!hairsOf_.empty()) hairs_ = groom::whiskerHairs(hairsOf_, shape.surface(), shape.query());
+    hairs_ = groom::whiskerHairs(hairsOf_, shape.surface(), shape.query());
   }
   return posed(shape, hairs_);
 }

@@ -53,7 +53,7 @@ ModelShelf::Coming::Coming(ModelShelf& shelf, const geometry::Mesh& mesh, geomet
 
 bool ModelShelf::Coming::step() {
   if (surface_) {
-    if (*surface_) (void)surface_->value().points();
+    if (*surface_) (void)surface_->value().query(), (void)surface_->value().points();
     return true;
   }
   if (!building_->step()) return false;

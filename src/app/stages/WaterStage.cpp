@@ -107,7 +107,8 @@ wet::Climate WaterStage::climate(const Inputs& inputs) const {
   return c;
 }
 
-wet::WetSurface WaterStage::wetSurface(const Inputs& inputs) {
+bool WaterStage::update(const Inputs& inputs) {
+  layDown(inputs.groom);
   wet::WetSurface on{inputs.shape.surface(), inputs.shape.query(), wetting(inputs.shape)};
   if (const auto* skin = inputs.shape.skin()) on.positions = skin->positions, on.normals = skin->normals;
   if (const ShapeStage::Before before = inputs.shape.before(); inputs.bySkin && inputs.shape.skin()) {
@@ -115,16 +116,10 @@ wet::WetSurface WaterStage::wetSurface(const Inputs& inputs) {
     on.seconds = before.seconds > 0 ? before.seconds : 1;
   }
   on.hair = wetHair();
-  return on;
-}
-
-bool WaterStage::update(const Inputs& inputs) {
-  layDown(inputs.groom);
   const std::uint64_t before = revision_;
   // A hair early rather than a step late, as Water::step().
   for (due_ = std::min(due_ + inputs.seconds, 1.0f); due_ > wet::Water::kStep * 0.999f; due_ -= wet::Water::kStep) {
     if (!working() && !flows(climate(inputs))) continue;
-    wet::WetSurface on = wetSurface(inputs);
     for (const double begun = secondsNow(); !water_.prepare(on, kPlacesAtOnce, inputs.settings.clumpSize);)
       if (secondsNow() - begun >= inputs.budget) {
         due_ = 0;
@@ -145,8 +140,8 @@ bool WaterStage::update(const Inputs& inputs) {
 
 // None while nothing has been wet: a model that nobody wets needs no means.
 wet::WaterAround* WaterStage::around(const ShapeStage& shape) {
-  const wet::SurfaceWetting& wetting = this->wetting(shape);  // may drop those of another model
-  if (!around_ && !mask_.isDry()) around_.emplace(water_.texelsOf({shape.surface(), shape.query(), wetting}));
+  const wet::WetSurface on{shape.surface(), shape.query(), wetting(shape)};  // may drop those of another model
+  if (!around_ && !mask_.isDry()) around_.emplace(water_.texelsOf(on));
   return around_ ? &*around_ : nullptr;
 }
 

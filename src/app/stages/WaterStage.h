@@ -125,7 +125,6 @@ class WaterStage {
   // Of the point where the tool is held, as it is shown; model space.
   Vec3 placeOfHeld(const ShapeStage& shape) const { return hair_ ? hair_->placeOf(shape, held_->at, held_->height) : shape.shownPosition(held_->at); }
   wet::WaterAround* around(const ShapeStage& shape);
-  wet::WetSurface wetSurface(const Inputs& inputs);
   // What the texels of the mask lie on.
   const wet::SurfaceWetting& wetting(const ShapeStage& shape);
   wet::Climate climate(const Inputs& inputs) const;
