@@ -38,7 +38,7 @@ inline int fail(const Error& error) {
 }
 
 // Reads `values` into `options`, whose `model` is the last word that is no option; `readOption(name, value, options)`
-// takes the rest and says what is wrong with it; `flags` have no value. "" when nothing is.
+// takes the rest, as `--name value` and `--name=value`, and says what is wrong with it; `flags` have no value. "" when nothing is.
 template <class Options, class ReadOption>
 std::string readArguments(int count, char** values, Options& options, ReadOption readOption,
                           std::initializer_list<std::string_view> flags = {}) {
@@ -48,9 +48,11 @@ std::string readArguments(int count, char** values, Options& options, ReadOption
       options.model = word;
       continue;
     }
-    const bool flag = std::find(flags.begin(), flags.end(), word) != flags.end();
-    if (!flag && i + 1 == count) return word + ": a value is missing";
-    if (const std::string wrong = readOption(word, flag ? "" : values[++i], options); !wrong.empty()) return wrong;
+    const std::size_t equals = word.find('=');
+    const bool joined = equals != std::string::npos, flag = std::find(flags.begin(), flags.end(), word) != flags.end();
+    if (!joined && !flag && i + 1 == count) return word + ": a value is missing";
+    const std::string value = joined ? word.substr(equals + 1) : flag ? "" : values[++i];
+    if (const std::string wrong = readOption(word.substr(0, equals), value, options); !wrong.empty()) return wrong;
   }
   return "";
 }

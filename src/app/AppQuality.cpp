@@ -51,6 +51,7 @@ Status App::State::drawFrame(const Drawn& drawn) {
   f.gathers = drawn.gathers;
   f.bands = drawn.bands;
   f.band = drawn.band;
+  f.flows = drawn.flows;
   const Status status = renderer->draw(f);
   uploadedBytes = renderer->takeUploadedBytes();
   noticeChanges();
@@ -67,11 +68,23 @@ Status App::State::drawSamples(int level, int samples) {
 void App::State::forgetSamples() {
   samplesDone = bandsDrawn = 0;
   stale = false;
+  flowsBeside.reset();
+}
+
+bool App::State::flowsAt(int level) const {
+  const bool whole = qualityLevels()[static_cast<std::size_t>(level)].pixelScale >= 1;
+  return flowsBeside == revisionButWater() && settings.refine && refines && !coat.growing() && whole && bandsOfBest() == 1;
 }
 
 Status App::draw(Picture picture, int samples) {
   State& s = *state_;
   s.drawnLevel = s.levelFor(picture);
+  if (picture == Picture::Moving && s.flowsAt(s.drawnLevel)) {
+    if (Status status = s.drawFrame({.level = s.drawnLevel, .sample = s.samplesDone, .gathers = true, .flows = true}); !status) return status;
+    s.samplesShown = std::min(++s.samplesDone, render::kFlowingSamples);
+    ++s.framesDrawn;
+    return Done{};
+  }
   s.samplesShown = std::clamp(samples, 1, render::kMostSamples);
   s.forgetSamples();
   if (Status status = s.drawSamples(s.drawnLevel, s.samplesShown); !status) return status;
@@ -135,7 +148,8 @@ Result<bool> App::improve() {
     if (!improvable()) s.renderer->rest();
     return true;
   }
-  if (s.stale && s.bandsDrawn == 0 && s.samplesDone >= s.samplesShown) {
+  const bool rests = s.flowsBeside.has_value();  // the water does, or moves by what nobody sees
+  if (s.bandsDrawn == 0 && (rests || (s.stale && s.samplesDone >= s.samplesShown))) {
     s.forgetSamples();
     s.samplesShown = std::min(s.samplesShown, kFewSamples) - 1;  // it makes room for as many
   }
@@ -156,7 +170,7 @@ Result<bool> App::improve() {
 
 Result<bool> App::showAgain() {
   State& s = *state_;
-  if (s.pictureRevision() != s.noticed || s.samplesDone == 0 || s.samplesDone < s.samplesShown) return false;
+  if (s.pictureRevision() != s.noticed || s.flowsBeside || s.samplesDone == 0 || s.samplesDone < s.samplesShown) return false;
   render::Frame f = s.frame(s.bestLevel);
   f.sample = s.samplesDone - 1;
   if (Status status = s.renderer->showGathered(f); !status) return status.error();

@@ -153,6 +153,8 @@ struct App::State {
   int samplesDone = 0, samplesShown = 1;
   int bands = 1, bandsDrawn = 0;
   bool stale = false;   // what is gathered lacks a slight change
+  // While nothing but water moves: revisionButWater() of what the samples show.
+  std::optional<std::uint64_t> flowsBeside;
   float bustle = 0;     // changes that came lately
   bool refines = true;  // as setRefining() said
   bool governed = false;
@@ -226,12 +228,14 @@ struct App::State {
     int level, sample = 0;
     bool gathers = false;
     int bands = 1, band = 0;
+    bool flows = false;
   };
   int levelFor(Picture picture) const;
   int bandsOfBest() const;
   int samplesWanted() const;
   Status drawFrame(const Drawn& drawn);
   Status drawSamples(int level, int samples);
+  bool flowsAt(int level) const;  // the next picture is a sample more, of water that has moved
   void forgetSamples();
 
   // --- AppInput.cpp ---

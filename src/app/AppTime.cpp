@@ -207,7 +207,7 @@ std::uint64_t App::State::revisionButWater() const { return changed + shape.revi
 // --- App's side --------------------------------------------------------------------------------
 
 // Fur that dries changes about once a second by what nobody sees. A picture that has been gathered stays until that is gathered, too, or
-// its grain would come and go.
+// its grain would come and go. Where water runs and drops fall, and nothing else moves, the picture is a mean that follows them.
 bool App::tick(float seconds, float coatBudget) {
   State& s = *state_;
   const bool told = s.pictureRevision() != s.noticed;
@@ -215,10 +215,13 @@ bool App::tick(float seconds, float coatBudget) {
   if (!s.paused) s.advance(std::max(seconds, 0.0f), coatBudget);
   s.bustle = std::max(s.bustle - kSeldom * seconds, 0.0f);
   if (!s.noticeChanges()) return false;
-  if (s.water.revision() != water || !s.motion.swaysUnseen(s.motionInputs(0))) s.bustle = std::min(s.bustle + 1, 2 * kSeldom);
-  const bool slight = !told && others == s.revisionButWater() && s.bustle <= kSeldom && s.samplesShown > 1;
-  slight ? void(s.stale = true) : s.forgetSamples();
-  return !slight;
+  const bool sways = !s.motion.swaysUnseen(s.motionInputs(0)), byWater = !told && others == s.revisionButWater();
+  if (s.water.revision() != water || sways) s.bustle = std::min(s.bustle + 1, 2 * kSeldom);
+  const bool slight = byWater && s.bustle <= kSeldom && s.samplesShown > 1;
+  if (slight) return s.stale = true, false;
+  if (!byWater || sways) s.forgetSamples();
+  else s.flowsBeside = others, s.bandsDrawn = 0, s.stale = false;
+  return true;
 }
 
 void App::settle() {

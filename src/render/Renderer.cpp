@@ -187,16 +187,23 @@ Status Renderer::draw(const Frame& frame) {
     gl::setViewport(frame.width, frame.height);
     if (!small_.show(programs())) return programs().error();
   }
-  if (frame.gathers && !gather(frame)) return programs().error();
+  if (frame.gathers && !gather(drawing)) return programs().error();
   return Done{};
 }
 
-bool Renderer::gather(const Frame& frame) {
+bool Renderer::gather(const Drawing& drawing) {
+  const Frame& frame = drawing.frame;
   const Rows rows = rowsOf(frame);
   const bool last = frame.band + 1 == frame.bands;
   if (!gathered_.add(programs(), frame.width, allRows(frame), rows.bottom, rows.count)) return false;
   if (!last) gl::flush();
-  return !last || gathered_.show(programs());
+  if (!last || !gathered_.show(programs(), frame.flows)) return !last;
+  if (!frame.flows) return true;
+  // From the middle of the pixels, or drops that hang would tremble.
+  Frame middle = frame;
+  middle.sample = 0;
+  frameBlock_.update(gl::bytesOf(frameBlock(middle)));
+  return drops_.draw(drawing);
 }
 
 Status Renderer::showGathered(const Frame& frame) {
@@ -224,7 +231,7 @@ bool Renderer::drawPasses(const Drawing& drawing) {
 bool Renderer::drawFinal(const Drawing& drawing) {
   if (drawing.look.classic()) return drawClassic(drawing);
   return drawBall(drawing) && drawModel(drawing, kPlain) && (hairViews_ ? hairViews_->draw(drawing, *hair_) : hair_->draw(drawing)) && whiskers_.draw(drawing) &&
-         ground_.draw(drawing, groundShadow_) && drawBackground(drawing) && drawBlended(drawing) && beads_.draw(drawing, whiskers_) && drops_.draw(drawing) &&
+         ground_.draw(drawing, groundShadow_) && drawBackground(drawing) && drawBlended(drawing) && beads_.draw(drawing, whiskers_) && (drawing.frame.flows || drops_.draw(drawing)) &&
          (!hairViews_ || hairViews_->drawLines(drawing));
 }
 
@@ -233,7 +240,7 @@ bool Renderer::drawClassic(const Drawing& drawing) {
   const settings::Settings& s = drawing.frame.settings;
   return drawBall(drawing) && (!s.skin || drawSkin(drawing, drawing.look.skin(kPlain))) &&
          (hairViews_ ? hairViews_->draw(drawing, *hair_) : hair_->draw(drawing)) && whiskers_.draw(drawing) && ground_.draw(drawing, groundShadow_) &&
-         drawBackground(drawing) && drawBlended(drawing) && fins_.drawClassic(drawing) && (!s.shells || shells_.drawClassic(drawing)) && drops_.draw(drawing) &&
+         drawBackground(drawing) && drawBlended(drawing) && fins_.drawClassic(drawing) && (!s.shells || shells_.drawClassic(drawing)) && (drawing.frame.flows || drops_.draw(drawing)) &&
          (!hairViews_ || hairViews_->drawLines(drawing));
 }
 

@@ -9,6 +9,9 @@ namespace fur::render {
 // Samples of a picture at most: what is better then nobody sees.
 inline constexpr int kMostSamples = 64;
 
+// Of a picture in which water moves, the mean follows it by so many: a seventh of a second, in which grain becomes less by three quarters.
+inline constexpr int kFlowingSamples = 8;
+
 // Samples after the first need not hide the grain and the blur of a single picture: they read the coat from a finer mip level, go through
 // it in shorter steps (kSampleStep in shell_dry.glsl and shell_wet.glsl), half a step earlier, as a strand that is found between two is
 // half a step back, give strands edges a quarter as wide, and count the strands that shade what they see. On dry fur each takes 1.4 to 1.5 times as long as the first. Sixteen are nearer to

@@ -204,8 +204,9 @@ float Water::wetGround(const Vec3& at, float amount) {
 }
 
 // What the ground does not take up spreads over it, and all of it dries.
-void Water::seepGround(float dries) {
+float Water::seepGround(float dries) {
   groundWet_ = groundMoves_ = false;
+  const std::vector<float> before = puddles_;
   constexpr std::size_t kRow = kGroundCells, kLast = kRow * (kRow - 1) - 1;
   for (std::size_t i = kRow + 1; i < kLast; ++i) {
     const float much = 0.1f * std::max(puddles_[i] - kTakes, 0.0f);
@@ -214,11 +215,14 @@ void Water::seepGround(float dries) {
     puddles_[i] -= 4 * much;
     for (const std::size_t there : {i - 1, i + 1, i - kRow, i + kRow}) puddles_[there] += much;
   }
-  for (float& water : puddles_) {
-    water = std::max(water - dries, 0.0f);
-    groundWet_ |= water > 0.0f;
+  float most = 0;
+  for (std::size_t i = 0; i < puddles_.size(); ++i) {
+    puddles_[i] = std::max(puddles_[i] - dries, 0.0f);
+    groundWet_ |= puddles_[i] > 0.0f;
+    most = std::max(most, std::abs(seenOfPuddle(puddles_[i]) - seenOfPuddle(before[i])));
   }
   ++groundRevision_;
+  return most;
 }
 
 void Water::rain(const Climate& climate) {

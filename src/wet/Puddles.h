@@ -10,6 +10,9 @@ namespace fur::wet {
 inline constexpr int kGroundCells = 128;
 inline constexpr float kGroundReach = 3.2f;
 
+// How wet a cell looks, 0..1, that has so much water on a square unit.
+inline float seenOfPuddle(float water) { return water < 2 ? 0.5f * water : 1; }
+
 struct Puddles {
   std::span<const std::uint8_t> cells;  // 0..255 each; none: it is dry
   std::uint32_t revision = 0;           // another number when they are others; 0: none yet

@@ -215,9 +215,9 @@ bool Water::step(const WetSurface& skin, WetnessMask& mask, const Climate& clima
     for (std::uint32_t b = 0; b < flags_.size(); ++b)
       if (flags_[b] & kWet && steps_ - dried_[b] >= turns) evaporate(skin, mask, climate, b);
   if (groundMoves_ ? steps_ % kDryingTurns == 0 : steps_ % turns == 0 && groundWet_ && climate.dryRate > 0.0f)
-    seepGround(kPuddleDrying * climate.dryRate * kStep * static_cast<float>(groundMoves_ ? kDryingTurns : turns));
+    change_ = std::max(change_, seepGround(kPuddleDrying * climate.dryRate * kStep * static_cast<float>(groundMoves_ ? kDryingTurns : turns)));
   touch(mask);
-  if (drops_.size() > hanging_ || groundMoves_) change_ = 1;
+  if (drops_.size() > hanging_) change_ = 1;
   return changed_ || groundRevision_ != groundBefore;
 }
 

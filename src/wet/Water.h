@@ -97,7 +97,7 @@ class Water {
   void setLengths(std::vector<float> lengths) { lengths_ = std::move(lengths); }
   // Advances by kStep seconds; true when anything visible has changed.
   bool step(const WetSurface& skin, WetnessMask& mask, const Climate& climate);
-  // By how much the last step has changed wetness or film where it has changed them the most; 1 when drops fall or water runs on the ground.
+  // By how much the last step has changed wetness, film or what is seen of puddles where it has changed them the most; 1 when drops fall.
   float change() const { return change_; }
   // Whether step() would change anything.
   bool active(const WetnessMask& mask, const Climate& climate) const;
@@ -184,7 +184,8 @@ class Water {
   void spray(const Vec3& at, const Vec3& normal, float speed);
   void splash(const Vec3& centre, const Vec3& normal, float radius, float amount, std::uint32_t nearest);
   float wetGround(const Vec3& at, float amount);
-  void seepGround(float dries);
+  // By how much it changes what is seen of the ground (Puddles.h) where it does the most, 0..1.
+  float seepGround(float dries);
 
   std::unique_ptr<SurfaceTexels> texels_;
   ClumpSites sites_;

@@ -223,6 +223,51 @@ TEST(Refine, WaterThatCreepsInTheFurKeepsItsPictureUntilTheNextIsGathered) {
   EXPECT_GE(frames.shown, 2);
 }
 
+// Sixtieths of a second in which water runs down soaked fur, each drawn as it is on a page.
+void run(GatheringScene& studio, int frames) {
+  for (int i = 0; i < frames; ++i)
+    if (studio.app.tick(1 / 60.0f)) {
+      studio.stage.attachTarget();
+      EXPECT_TRUE(studio.app.draw(Picture::Moving));
+    }
+}
+
+// Water runs down soaked fur, and drops off it, for a minute and more: all that time one saw the grain of single pictures.
+TEST(Refine, WhileNothingButWaterMovesThePictureIsAMeanThatFollowsIt) {
+  GatheringScene studio;
+  ASSERT_TRUE(studio.app.setField("wind", "0"));
+  studio.app.setWetness(1);
+  for (int i = 0; i < 1200; ++i) studio.app.tick(1 / 60.0f);  // what hangs down wet has come to rest
+  run(studio, 40);
+  const test::Picture followed = studio.stage.read(), best = studio.of(64), once = studio.of(1);
+  EXPECT_LT(distance(followed, best), 0.6 * distance(once, best));
+  // What is done to it is there in the next picture as if it had been drawn once.
+  run(studio, 10);
+  studio.app.setField("rimLight", "1");
+  run(studio, 1);
+  EXPECT_EQ(studio.stage.read().differingShare(studio.of(1), 0), 0);
+}
+
+// In a mean of eight a drop that falls would be eight drops that hardly show.
+TEST(Refine, DropsFlyOverAMeanAsOverASinglePicture) {
+  GatheringScene studio;
+  ASSERT_TRUE(studio.app.drawPart({kSide, kSide, 0, kSide, true, 16}));
+  const test::Picture model = studio.stage.read(), before = studio.of(1);
+  studio.app.sprinkle(60);
+  run(studio, 24);
+  const test::Picture followed = studio.stage.read(), once = studio.of(1);
+  int drops = 0, alike = 0, trails = 0;
+  for (std::size_t i = 0; i < 4 * kPixels; i += 4) {
+    if (model.rgba[i + 3] > 0) continue;
+    const auto apart = [&](const test::Picture& a, const test::Picture& b) { return std::abs(a.rgba[i] - b.rgba[i]) > 6; };
+    if (apart(once, before)) ++drops, alike += !apart(followed, once);
+    else trails += apart(followed, once);
+  }
+  EXPECT_GT(drops, 20) << "there are some";
+  EXPECT_EQ(alike, drops);
+  EXPECT_EQ(trails, 0);
+}
+
 TEST(Refine, APanelThatMovesAloneFindsThePictureAsItWas) {
   GatheringScene studio;
   studio.of(1);

@@ -364,6 +364,26 @@ TEST(Water, WhatTheGroundCannotTakeUpSpreadsOverIt) {
   EXPECT_GT(later[2], 4 * fallen[2]);
 }
 
+// A soaked model stood in water that spread for minutes by less and less, and its picture was drawn anew for each step of it.
+TEST(Water, PuddlesThatSpreadChangeByWhatIsSeenOfThem) {
+  Pond pond(sphere(), 32);
+  pond.climate.groundHeight = -1;
+  for (int i = 0; i < 40; ++i) pond.water.launch(Vec3(2, -0.9f, 0), Vec3(0, -1, 0), 0.01f);
+  pond.run(60);
+  ASSERT_TRUE(pond.water.drops().empty());
+  float first = 0, last = 0;
+  for (int i = 0; i < 1200; ++i) {
+    const std::vector<float> before(pond.water.ground().begin(), pond.water.ground().end());
+    pond.run(1);
+    float most = 0;
+    for (std::size_t k = 0; k < before.size(); ++k) most = std::max(most, std::abs(seenOfPuddle(pond.water.ground()[k]) - seenOfPuddle(before[k])));
+    ASSERT_EQ(pond.water.change(), most);
+    (i < 60 ? first : last) += i < 60 || i >= 1140 ? most : 0;
+  }
+  EXPECT_GT(first, 0.05f);
+  EXPECT_LT(last, 0.5f * first);
+}
+
 TEST(Water, DropsHangFromAndHitTheModelWhereItIsShown) {
   Pond pond(sphere(), 64);
   const Vec3 aside(1.5f, 0.5f, 0);

@@ -219,7 +219,7 @@ void WaterStage::readPuddles() {
   bool wet = false, seen = false;
   for (const float amount : water_.ground()) {
     wet |= amount > 0;
-    now.push_back(static_cast<std::uint8_t>(255.0f * std::min(0.5f * amount, 1.0f)));
+    now.push_back(static_cast<std::uint8_t>(255.0f * wet::seenOfPuddle(amount)));
     // Nobody sees a ground that is drier by a step of a byte.
     const int was = puddles_.empty() ? 0 : puddles_[now.size() - 1];
     seen |= std::abs(now.back() - was) > 1;

@@ -39,12 +39,12 @@ void Gathered::rest() {
   means_[1 - newest_] = {};
 }
 
-bool Gathered::show(Programs& programs) const {
+bool Gathered::show(Programs& programs, bool keepsDepth) const {
   gl::bindPlatformFramebuffer();
   if (!programs.use(Shader::ShowMean, kPlain)) return false;
   gl::setViewport(means_[newest_].shape().width, means_[newest_].shape().height);
-  // The depth that lies there is of no use to anyone, nor the colour.
-  gl::clear(Vec4(0, 0, 0, 1));
+  // The colour that lies there is of no use to anyone, nor mostly the depth.
+  if (!keepsDepth) gl::clear(Vec4(0, 0, 0, 1));
   gl::apply({.depthTest = false, .depthWrite = false, .cullBack = false});
   means_[newest_].bind(FUR_UNIT_MEAN);
   gl::drawWithoutVertices(3);

@@ -12,8 +12,8 @@ class Gathered {
   // Takes `count` rows from `bottom` on of what the platform's framebuffer has, which is width x height pixels. The frame block says for
   // how much they count; once all rows have come the sample is whole.
   bool add(Programs& programs, int width, int height, int bottom, int count);
-  // The mean of all whole samples, into the platform's framebuffer.
-  bool show(Programs& programs) const;
+  // The mean of all whole samples, into the platform's framebuffer. `keepsDepth`: of the last of them, for what is drawn over it.
+  bool show(Programs& programs, bool keepsDepth = false) const;
   // Gives back what only a further sample needs, three fifths of the bytes.
   void rest();
   std::size_t bytes() const { return taken_.bytes() + means_[0].bytes() + means_[1].bytes(); }
