@@ -49,9 +49,9 @@ async function tell(what) {
   const program = programs.reduce((sum, bytes) => sum + bytes, 0);
   console.log(`${what.padEnd(28)} program ${mega(program)} MB (${programs.map(mega).join(', ')}), GL ${mega(gpu)} MB, together ${mega(program + gpu)} MB; scripts ${mega(usedSize)} MB, stats.cpuBytes ${mega(cpu)}`);
 }
-/** Waits until nothing more is drawn. */
+/** Waits until nothing more is drawn, and no samples are gathered out of sight. */
 const settled = () => page.evaluate(async () => {
-  for (let before = -1, same = 0; same < 3;) {
+  for (let before = -1, same = 0; same < 15;) {
     await new Promise((resolve) => setTimeout(resolve, 700));
     same = wetFur.stats.framesDrawn === before ? same + 1 : 0;
     before = wetFur.stats.framesDrawn;
@@ -65,7 +65,7 @@ await page.evaluate(async ({ wetness, seconds }) => {
 }, { wetness: Number(options.wetness), seconds: Number(options.seconds) });
 await tell('wet');
 await page.evaluate(() => { wetFur.stayWet = true; });
-await Promise.race([settled(), new Promise((resolve) => setTimeout(resolve, 60000))]);
+await Promise.race([settled(), new Promise((resolve) => setTimeout(resolve, 120000))]);
 await tell('wet, picture gathered');
 await browser.close();
 await close();
