@@ -196,8 +196,11 @@ bool Renderer::gather(const Drawing& drawing) {
   const Rows rows = rowsOf(frame);
   const bool last = frame.band + 1 == frame.bands;
   if (!gathered_.add(programs(), frame.width, allRows(frame), rows.bottom, rows.count)) return false;
-  if (!last) gl::flush();
-  if (!last || !gathered_.show(programs(), frame.flows)) return !last;
+  if (!last) {
+    gl::flush();
+    return true;
+  }
+  if (!gathered_.show(programs(), frame.flows)) return false;
   if (!frame.flows) return true;
   // From the middle of the pixels, or drops that hang would tremble.
   Frame middle = frame;
@@ -231,8 +234,8 @@ bool Renderer::drawPasses(const Drawing& drawing) {
 bool Renderer::drawFinal(const Drawing& drawing) {
   if (drawing.look.classic()) return drawClassic(drawing);
   return drawBall(drawing) && drawModel(drawing, kPlain) && (hairViews_ ? hairViews_->draw(drawing, *hair_) : hair_->draw(drawing)) && whiskers_.draw(drawing) &&
-         ground_.draw(drawing, groundShadow_) && drawBackground(drawing) && drawBlended(drawing) && beads_.draw(drawing, whiskers_) && (drawing.frame.flows || drops_.draw(drawing)) &&
-         (!hairViews_ || hairViews_->drawLines(drawing));
+         ground_.draw(drawing, groundShadow_) && drawBackground(drawing) && drawBlended(drawing) && beads_.draw(drawing, whiskers_) &&
+         (drawing.frame.flows || drops_.draw(drawing)) && (!hairViews_ || hairViews_->drawLines(drawing));
 }
 
 // The technique `shells`: what is blended comes over all that is not.
@@ -240,8 +243,8 @@ bool Renderer::drawClassic(const Drawing& drawing) {
   const settings::Settings& s = drawing.frame.settings;
   return drawBall(drawing) && (!s.skin || drawSkin(drawing, drawing.look.skin(kPlain))) &&
          (hairViews_ ? hairViews_->draw(drawing, *hair_) : hair_->draw(drawing)) && whiskers_.draw(drawing) && ground_.draw(drawing, groundShadow_) &&
-         drawBackground(drawing) && drawBlended(drawing) && fins_.drawClassic(drawing) && (!s.shells || shells_.drawClassic(drawing)) && (drawing.frame.flows || drops_.draw(drawing)) &&
-         (!hairViews_ || hairViews_->drawLines(drawing));
+         drawBackground(drawing) && drawBlended(drawing) && fins_.drawClassic(drawing) && (!s.shells || shells_.drawClassic(drawing)) &&
+         (drawing.frame.flows || drops_.draw(drawing)) && (!hairViews_ || hairViews_->drawLines(drawing));
 }
 
 bool Renderer::drawModel(const Drawing& drawing, VariantBits view) {
