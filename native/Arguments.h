@@ -49,10 +49,12 @@ std::string readArguments(int count, char** values, Options& options, ReadOption
       continue;
     }
     const std::size_t equals = word.find('=');
-    const bool joined = equals != std::string::npos, flag = std::find(flags.begin(), flags.end(), word) != flags.end();
-    if (!joined && !flag && i + 1 == count) return word + ": a value is missing";
-    const std::string value = joined ? word.substr(equals + 1) : flag ? "" : values[++i];
-    if (const std::string wrong = readOption(word.substr(0, equals), value, options); !wrong.empty()) return wrong;
+    const std::string name = word.substr(0, equals);
+    const bool joined = equals != std::string::npos, flag = std::find(flags.begin(), flags.end(), name) != flags.end();
+    if (flag && joined) return name + ": it takes no value";
+    if (!flag && !joined && i + 1 == count) return name + ": a value is missing";
+    const std::string value = flag ? "" : joined ? word.substr(equals + 1) : values[++i];
+    if (const std::string wrong = readOption(name, value, options); !wrong.empty()) return wrong;
   }
   return "";
 }

@@ -1,7 +1,7 @@
 // What the programs say when they cannot do what was asked, and where they say it.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
@@ -23,6 +23,28 @@ test('an option that cannot be read is named in one line', () => {
   const { status, stderr } = run('wet-fur-render', '-o', 'x.png', '--sise', '4x4');
   assert.equal(status, 2);
   assert.match(stderr, /^.*--sise.*\n--help lists the options\n$/);
+});
+
+test('a value stands behind its option or, after =, in one word with it; only options that have one take it', () => {
+  const scratch = mkdtempSync(join(tmpdir(), 'wet-fur-'));
+  try {
+    const out = join(scratch, 'x.png');
+    const common = ['plane', '-o', out, '--layers', '4'];
+    const split = run('wet-fur-render', ...common, '--size', '24x16', '--camera', '-0.6,0.4,3'), apart = readFileSync(out);
+    const joined = run('wet-fur-render', ...common, '--size=24x16', '--camera=-0.6,0.4,3'), together = readFileSync(out);
+    assert.deepEqual([split.status, joined.status], [0, 0], split.stderr + joined.stderr);
+    assert.deepEqual(together, apart);
+    for (const [args, message] of [
+      [['--transparent=0'], '--transparent: it takes no value'], [['--camera'], '--camera: a value is missing'],
+      [['--sise=4x4'], /--sise/], [['--size='], /--size/],
+    ]) {
+      const { status, stderr } = run('wet-fur-render', ...common, ...args);
+      assert.equal(status, 2, stderr);
+      assert.match(stderr, message instanceof RegExp ? message : new RegExp(`^${message}\\n`));
+    }
+  } finally {
+    rmSync(scratch, { recursive: true });
+  }
 });
 
 test('a file that cannot be shown is named with the reason, and nothing else', () => {
