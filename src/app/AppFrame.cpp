@@ -118,7 +118,7 @@ void App::State::upload() {
 
 void App::State::uploadMask(bool whole) {
   const bool softened = !(settings.technique == 1 && settings.printedMask), anew = noteChange(uploaded.softened, softened) || whole;
-  water.takeTexels(shape, anew, softened, [this](const wet::MaskTexels& part) { renderer->updateMask(part); });
+  for (const wet::TexelRect& part : water.takeChanged(shape, anew)) renderer->updateMask(water.texels(shape, part, softened));
 }
 
 // Colour maps of the types and the skin, where they have one.

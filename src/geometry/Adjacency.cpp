@@ -49,9 +49,7 @@ std::vector<std::uint32_t> neighboursAcrossSides(const std::vector<TriangleSide>
   return across;
 }
 
-std::vector<std::uint32_t> connectedPieces(const std::vector<std::uint32_t>& across,
-                                           const std::function<bool(std::uint32_t, std::size_t, std::uint32_t)>& joined,
-                                           std::uint32_t& count) {
+std::vector<std::uint32_t> connectedPieces(const std::vector<std::uint32_t>& across, JoinedFunction joined, const void* asked, std::uint32_t& count) {
   constexpr std::uint32_t kNone = 0xffffffffu;
   std::vector<std::uint32_t> pieces(across.size() / 3, kNone), stack;
   count = 0;
@@ -64,7 +62,7 @@ std::vector<std::uint32_t> connectedPieces(const std::vector<std::uint32_t>& acr
       stack.pop_back();
       for (std::size_t side = 0; side < 3; ++side) {
         const std::uint32_t other = across[3 * t + side];
-        if (other == kNoTriangle || pieces[other] != kNone || !joined(t, side, other)) continue;
+        if (other == kNoTriangle || pieces[other] != kNone || !joined(asked, t, side, other)) continue;
         pieces[other] = count;
         stack.push_back(other);
       }

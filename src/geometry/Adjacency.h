@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include "geometry/Weld.h"
@@ -26,10 +25,17 @@ inline constexpr std::uint32_t kNoTriangle = 0xffffffffu;
 // more than two triangles and between triangles of opposite winding.
 std::vector<std::uint32_t> neighboursAcrossSides(const std::vector<TriangleSide>& sides, std::size_t triangles);
 
+// As below; `asked`: what joined() is given first. A function pointer, as each std::function would add to the download.
+using JoinedFunction = bool (*)(const void* asked, std::uint32_t, std::size_t, std::uint32_t);
+std::vector<std::uint32_t> connectedPieces(const std::vector<std::uint32_t>& across, JoinedFunction joined, const void* asked, std::uint32_t& count);
+
 // The connected component of each triangle, 0-based in order of first appearance: triangles t and across[3 t + side]
 // belong to one component when joined(t, side, across[3 t + side]) is true.
-std::vector<std::uint32_t> connectedPieces(const std::vector<std::uint32_t>& across,
-                                           const std::function<bool(std::uint32_t, std::size_t, std::uint32_t)>& joined,
-                                           std::uint32_t& count);
+template <class Joined>
+std::vector<std::uint32_t> connectedPieces(const std::vector<std::uint32_t>& across, const Joined& joined, std::uint32_t& count) {
+  return connectedPieces(across, [](const void* asked, std::uint32_t t, std::size_t side, std::uint32_t other) {
+    return static_cast<bool>((*static_cast<const Joined*>(asked))(t, side, other));
+  }, &joined, count);
+}
 
 }  // namespace fur::geometry

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/Sort.h"
 #include "scene/Pose.h"
 
 namespace fur::scene {
@@ -81,7 +82,7 @@ std::vector<hair::Body> fitBodies(const Rig& rig) {
     const Vec3 sum = body.a + body.b;
     if (std::isfinite(sum.x + sum.y + sum.z + body.radius)) bodies.push_back(body);
   }
-  std::stable_sort(bodies.begin(), bodies.end(), [](const hair::Body& a, const hair::Body& b) { return volumeOf(a) > volumeOf(b); });
+  sortStably(bodies.begin(), bodies.end(), [](const hair::Body& a, const hair::Body& b) { return volumeOf(a) > volumeOf(b); });
   if (bodies.size() > hair::kMostBodies) bodies.resize(hair::kMostBodies);
   return bodies;
 }

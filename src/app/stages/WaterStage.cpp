@@ -145,10 +145,9 @@ wet::WaterAround* WaterStage::around(const ShapeStage& shape) {
   return around_ ? &*around_ : nullptr;
 }
 
-void WaterStage::takeTexels(const ShapeStage& shape, bool all, bool softened, const UseTexels& use) {
-  std::vector<wet::TexelRect> parts = mask_.takeChangedParts();
-  wet::WaterAround* const round = around(shape);
-  if (round) {
+std::vector<wet::TexelRect> WaterStage::takeChanged(const ShapeStage& shape, bool all) {
+  std::vector<wet::TexelRect> parts = mask_.takeChangedParts(), bands;
+  if (wet::WaterAround* const round = around(shape)) {
     round->update(mask_, parts);
     parts = round->takeChanged();
   }
@@ -156,9 +155,13 @@ void WaterStage::takeTexels(const ShapeStage& shape, bool all, bool softened, co
   for (const wet::TexelRect& part : parts) {
     if (part.empty()) continue;
     const int rows = std::max(kBandTexels / (part.x1 - part.x0), 1);
-    for (int y = part.y0; y < part.y1; y += rows)
-      use(wet::encodeMask(mask_, {part.x0, y, part.x1, std::min(y + rows, part.y1)}, wetting(shape).chartOfTexel(), softened ? round : nullptr));
+    for (int y = part.y0; y < part.y1; y += rows) bands.push_back({part.x0, y, part.x1, std::min(y + rows, part.y1)});
   }
+  return bands;
+}
+
+wet::MaskTexels WaterStage::texels(const ShapeStage& shape, const wet::TexelRect& part, bool softened) {
+  return wet::encodeMask(mask_, part, wetting(shape).chartOfTexel(), softened ? around(shape) : nullptr);
 }
 
 wet::MaskTexels WaterStage::texels(const ShapeStage& shape) {

@@ -2,7 +2,6 @@
 // (wet/Water.h). Remembers the strokes, so that they can be done again. Has a clock of its own, in steps of Water::kStep.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -88,11 +87,12 @@ class WaterStage {
   // Triangles on which drops or a tool have brought water since forgetLanded(); some of them, if they are many.
   std::span<const std::uint32_t> landed() const { return landed_; }
   void forgetLanded() { landed_.clear(); }
-  // Gives what the picture takes of the mask, where it has changed since the last call, or all of it, to `use`: in bands, as all at
-  // once would be another mask's memory. `softened`: see wet/MaskEncoding.h.
+  // Parts of the mask that have changed for the picture since the last call, or all of it: in bands, as all at once would be another mask's
+  // memory.
   static constexpr int kBandTexels = 8192;
-  using UseTexels = std::function<void(const wet::MaskTexels&)>;
-  void takeTexels(const ShapeStage& shape, bool all, bool softened, const UseTexels& use);
+  std::vector<wet::TexelRect> takeChanged(const ShapeStage& shape, bool all);
+  // What the picture takes of a part. `softened`: see wet/MaskEncoding.h.
+  wet::MaskTexels texels(const ShapeStage& shape, const wet::TexelRect& part, bool softened);
   // All of it, whatever has changed.
   wet::MaskTexels texels(const ShapeStage& shape);
   // 0..1, one a vertex of the surface; vertices of one point have the same. Changes by what fur feels of it, vertexRevision() with it.

@@ -61,7 +61,7 @@ struct Model {
   }
   std::size_t texelsTaken(bool all) {
     std::size_t sum = 0;
-    water.takeTexels(shape, all, true, [&](const wet::MaskTexels& band) { sum += band.texels.size(); });
+    for (const wet::TexelRect& band : water.takeChanged(shape, all)) sum += water.texels(shape, band, true).texels.size();
     return sum;
   }
   float longestBend() const {
@@ -262,13 +262,14 @@ TEST(WaterStage, GivesThePictureAllOfTheMaskInBandsThatAreNoMasksMemory) {
   Model model;
   model.stroke(Command::Soak, 0.1f);
   int next = 0;
-  model.water.takeTexels(model.shape, true, true, [&](const wet::MaskTexels& band) {
+  for (const wet::TexelRect& part : model.water.takeChanged(model.shape, true)) {
+    const wet::MaskTexels band = model.water.texels(model.shape, part, true);
     const geometry::TexelRect rows{0, next, band.size, band.rect.y1};
     EXPECT_EQ(band.rect, rows);
     EXPECT_LE(band.texels.size(), static_cast<std::size_t>(WaterStage::kBandTexels));
     EXPECT_EQ(band.texels.size(), static_cast<std::size_t>(band.rect.y1 - band.rect.y0) * WaterStage::kMaskSize);
     next = band.rect.y1;
-  });
+  }
   EXPECT_EQ(next, WaterStage::kMaskSize);
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/Sort.h"
 #include "render/Blocks.h"
 
 namespace fur::render {
@@ -64,7 +65,7 @@ void ShellPass::findCells(const SurfaceBuffers& surface, float coatLength) {
       }
       addCells(low - reach, high + reach, cells);
     }
-    std::sort(cells.begin(), cells.end());
+    sortStably(cells.begin(), cells.end());
     cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
     cells_.insert(cells_.end(), cells.begin(), cells.end());
     firstCell_.push_back(cells_.size());
