@@ -34,7 +34,7 @@ std::vector<std::uint32_t> connectedPieces(const std::vector<std::uint32_t>& acr
 template <class Joined>
 std::vector<std::uint32_t> connectedPieces(const std::vector<std::uint32_t>& across, const Joined& joined, std::uint32_t& count) {
   return connectedPieces(across, [](const void* asked, std::uint32_t t, std::size_t side, std::uint32_t other) {
-    return static_cast<bool>((*static_cast<const Joined*>(asked))(t, side, other));
+    return (*static_cast<const Joined*>(asked))(t, side, other);
   }, &joined, count);
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/Sort.h"
+
 namespace fur::hair {
 
 namespace {
@@ -45,7 +47,7 @@ std::vector<std::uint32_t> clusteredOrder(std::span<const Vec3> roots, std::span
     keys[i] = bits(at.x) | bits(at.y) << 1u | bits(at.z) << 2u | ((flags[i] & kStatic) ? 1u << 30u : 0u);
   }
   std::iota(order.begin(), order.end(), 0u);
-  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return keys[a] < keys[b]; });
+  sortStably(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return keys[a] < keys[b]; });
   // Along a cluster the blocks take turns: 0 2 1 3.
   constexpr std::size_t kBlockOf[4] = {0, 2, 1, 3};
   std::vector<std::uint32_t> out = order;
