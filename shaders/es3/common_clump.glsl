@@ -101,12 +101,20 @@ vec3 clumpColor(vec4 clump) {
   return clump.a > 0.0 ? mix(hue, vec3(0.95), 0.6 * chance.y) : vec3(0.45);
 }
 
-// The mask's texel under the atlas point `a`: a clump's centre u (with the chart, chartOf()), v, radius, water held; that is
-// below 0 beside the charts, as it is beside the map. Unfiltered: centres do not mix.
-vec4 maskAt(sampler2D mask, vec2 a) {
+// The mask's texel under the atlas point `a` as it is stored; with -1 of water beside the map.
+vec4 storedAt(sampler2D mask, vec2 a) {
   vec4 texel = texelFetch(mask, clamp(ivec2(a * maskTexels), ivec2(0), ivec2(int(maskTexels) - 1)), 0);
-  texel.z -= FUR_LYING_STEP * floor(texel.z / FUR_LYING_STEP);
   return a == clamp(a, 0.0, 1.0) ? texel : vec4(0.0, 0.0, 0.0, -1.0);
+}
+// The number of the border beyond a gutter's texel; 0: none.
+float borderOf(vec4 stored) { return floor(stored.y / FUR_BORDER_STEP + 0.25); }
+// A clump's centre u (with the chart, chartOf()), v, radius, water held; that is below 0 beside the charts, as it is beside the map. Unfiltered:
+// centres do not mix.
+vec4 maskAt(sampler2D mask, vec2 a) {
+  vec4 texel = storedAt(mask, a);
+  texel.y -= FUR_BORDER_STEP * borderOf(texel);
+  texel.z -= FUR_LYING_STEP * floor(texel.z / FUR_LYING_STEP);
+  return texel;
 }
 // What a texel's u is stored with: of each chart another, in multiples of FUR_CHART_STEP.
 float chartOf(vec4 texel) { return FUR_CHART_STEP * floor(texel.x / FUR_CHART_STEP) + 0.5 * FUR_CHART_STEP; }
@@ -131,15 +139,18 @@ vec2 filteredWater(sampler2D mask, vec2 a) {
   return mix(across.xz, across.yw, part.y);
 }
 
-// Whether the strand rooted `from` the centre of the clump is of it, 0 or 1. Algorithm 2: a root outside the clump, in a
-// dry texel or in another clump is no strand here. A root beyond the chart's border stands on the next chart, which draws the
+// Whether the strand that roots in the texel `home` is of the clump, 0 or 1; both less the number of its chart. Algorithm 2: a root outside the
+// clump, in a dry texel or in another clump is no strand here. A root beyond the chart's border stands on the next chart, which draws the
 // other half of the clump: it is one of its own.
+float rootsInClump(vec4 home, vec4 clump, bool beyond) {
+  vec2 apart = home.xy - clump.xy;
+  return float(beyond || (home.a > 0.0 && dot(apart, apart) <= 0.25 * clump.z * clump.z));
+}
+// Of the strand rooted `from` the centre of the clump.
 float ownClump(sampler2D mask, vec4 clump, float chart, vec2 from) {
   vec4 home = maskAt(mask, clump.xy + from);
   home.x -= chart;
-  vec2 apart = home.xy - clump.xy;
-  bool beyond = isBeside(home), same = home.a > 0.0 && dot(apart, apart) <= 0.25 * clump.z * clump.z;
-  return float(beyond || same);
+  return rootsInClump(home, clump, isBeside(home));
 }
 // And how many of its strands are left there: cells are no circles, so beyond the radius they get fewer, and end at 1.35 times it. `outward`: squared, 1 at the rim.
 float insideRim(float outward) { return clamp(2.2 - 1.2 * outward, 0.0, 1.0); }

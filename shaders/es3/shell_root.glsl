@@ -1,7 +1,13 @@
 // Where the strand at a spot (tile, layer, mip level) has its root, and the model's colour there.
 #if defined(TEXTURED) || defined(PAINTED)
 // How far from where the ray enters the strand that was met has its root, so that a curl has one colour up to its tip.
-vec2 toRoot(vec4 spot) { return spot.xy + textureLod(offset, strandSpot(spot), spot.w).xy - 0.5 - vTile.xy; }
+vec2 toRoot(vec4 spot) {
+  vec2 root = spot.xy + textureLod(offset, strandSpot(spot), spot.w).xy - 0.5;
+#ifdef BORDERS
+  root = inThisTile(root);
+#endif
+  return root - vTile.xy;
+}
 #endif
 #ifdef TEXTURED
 // The model's own colour there: the model's uv a tile on is solved out of what both do from pixel to pixel.

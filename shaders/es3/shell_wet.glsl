@@ -119,12 +119,26 @@ void enterWater() {
 
 float rootsAside() { return entryRadius; }
 
-// The clump at the atlas point `a`, less its chart's number.
+bool isBeyond = false;  // whether what the ray sees roots in the chart beyond a border
+#ifdef BORDERS
+#include "shell_border.glsl"
+#else
+// Locks end where two charts meet. shell_border.glsl has the same functions, by which they run on.
+
+// The clump at the atlas point `a`, less this chart's number.
 vec4 clumpIn(vec2 a) {
   vec4 clump = maskAt(mask, a);
   clump.x -= entryChart;
   return clump;
 }
+bool hasLeft(vec4 clump) { return isBeside(clump); }
+bool goesBeyond(vec4 gutter, vec2 a, inout vec4 clump) { return false; }
+vec2 ownMiddle(vec4 clump) { return clump.xy; }
+float isOwn(vec4 clump, vec2 from) { return ownClump(mask, clump, entryChart, from); }
+vec2 inOwnTile(vec2 tile) { return tile; }
+vec2 wayInThisTile(vec2 way) { return way; }
+vec2 furSpot(vec2 root) { return atlasAt(root); }
+#endif
 
 #ifdef GROOMED
 vec2 furThere;  // where the map has the fur of the strand that was asked for last
@@ -146,29 +160,36 @@ bool leavesSkin() {
 // Whether strands that are drawn as one hide all, and skin under them fills what they leave open: nothing is marched for.
 bool underSheet() { return reachesSkin && joined > kWholeSheet && !leavesSkin(); }
 
-// The clump at the atlas point `a`, which the ray sees. `mirrored`: 0, or where the ray leaves its chart: as inside it, mirrored there.
+// The clump at the atlas point `a`, which the ray sees. `mirrored`: 0; or, where the ray leaves its chart and nothing is known of what lies beyond,
+// twice where it does: clumps are as those inside, mirrored there.
 vec4 clumpThere(vec2 a, inout March march, out vec2 mirrored) {
   vec4 clump = clumpIn(a);
   mirrored = vec2(0.0);
-  bool beside = isBeside(clump);
-  for (int i = 0, once = int(beside); i < once; ++i) {
-    // A ray along the outline is there soon. Where it leaves by halves, as by whole steps neighbours would mirror at other points, and their
+  bool left = hasLeft(clump);
+  isBeyond = false;
+  for (int i = 0, once = int(left); i < once; ++i) {
+    // A ray along the outline is there soon. Where it leaves by halves, as by whole steps neighbours would leave at other points, and their
     // strands fall into rungs.
     vec2 way = a - march.inside;
+    vec4 gutter = clump;
     for (int k = 0; k < 5; ++k) {
       way *= 0.5;
-      if (!isBeside(clumpIn(march.inside + way))) march.inside += way;
+      vec4 there = clumpIn(march.inside + way);
+      if (hasLeft(there)) gutter = there;
+      else march.inside += way;
     }
+    isBeyond = goesBeyond(gutter, a, clump);
+    if (isBeyond) continue;
     mirrored = 2.0 * march.inside;
     clump = clumpIn(mirrored - a);
-    if (isBeside(clump)) clump.a = -1.0;
+    if (hasLeft(clump)) clump.a = -1.0;
   }
-  if (!beside) march.inside = a;
+  if (!left) march.inside = a;
   return clump;
 }
 
 // The water that draws a clump's strands together.
-float drawnBy(vec4 clump) { return clumpingWetness(clump.a, clump.z * atlasLength * furLengths, chanceOfClump(clump.xy)); }
+float drawnBy(vec4 clump) { return clumpingWetness(clump.a, clump.z * atlasLength * furLengths, chanceOfClump(ownMiddle(clump))); }
 
 const float kNoClumps = 0.999;  // in a sheet as whole as that clumps draw nothing aside
 bool drawsNothing() { return sheet > kNoClumps; }
@@ -198,19 +219,20 @@ Strand standingAt(float x, inout March march) {
   vec2 from = (mirrored + side * a - clump.xy) / (1.0 - pull), aside = tileFromAtlas * from * (side * pull);
   float outward = dot(from, from) / max(clump.z * clump.z, 1e-12) * float(clump.a > 0.0), own = insideRim(outward);
   // A loop of one step, as software rasterisers look up in both branches of an if.
-  for (int i = 0, once = int(outward > kMiddle && own > 0.0 && sheet < kOneSheet); i < once; ++i) own *= ownClump(mask, clump, entryChart, from);
+  for (int i = 0, once = int(outward > kMiddle && own > 0.0 && sheet < kOneSheet); i < once; ++i) own *= isOwn(clump, from);
   along = alongStrand(h, lean * along + bend * (h * h) - furFromTile * aside) / wetLength * rimTaper(soakedShare, sheet, outward);
   // Locks draw their strands together once more. So close together strands hide one another: of as many as there are, so many are seen as
   // have room, each as wide as it is.
-  vec2 root = tile + aside, middle = lockCentreNear(root * locksInClumps) / locksInClumps;
+  vec2 root = inOwnTile(tile + aside), middle = lockCentreNear(root * locksInClumps) / locksInClumps;
   float apart = 1.0 - lockPull(min(along, 1.0), drawn, sheet), left = (1.0 - pull) * apart;
   root = middle + (root - middle) / apart * mix(1.0, left, seenApart);
 #ifdef GROOMED
-  furThere = side > 0.0 ? atlasAt(root) : march.inside;
+  furThere = side > 0.0 ? furSpot(root) : march.inside;
 #endif
   // As many stand there as were drawn together; a sheet closes the gaps between clumps; all end in points.
   own = max(own / (left * left), min(2.5 * sheet, 1.0)) * clamp(8.0 - 8.0 * along, 0.0, 1.0);
   if (clump.a < 0.0) clump.a = entryHeld;
+  clump.xy = ownMiddle(clump);
   return Strand(root, along, own, min(2.0 - 2.0 * left, 1.0) * (2.0 - 0.8 * seenApart), clump, tileFromAtlas * from * side
 #ifdef TYPES
   , vec4(0.0)
@@ -222,7 +244,10 @@ vec4 furAt(Strand here) { return textureLod(groom, furThere, 0.0); }
 #endif
 
 // Strands that water joins are one as far as light is concerned: as many as a pixel has.
-vec4 strandAt(vec4 spot, Strand here) { return textureLod(strand, strandSpot(spot), lod + 1.5 * min(entryHeld, 1.0)); }
+vec4 strandAt(vec4 spot, Strand here) {
+  vec4 met = textureLod(strand, strandSpot(spot), lod + 1.5 * min(entryHeld, 1.0));
+  return vec4(0.5 + wayInThisTile(met.xy - 0.5), met.zw);
+}
 
 // In a sheet light knows strands by those that lie in line where the ray comes to it; `stored`: of the type that was met. Where they are
 // seen, not where they root: over the length of a strand stretched charts would turn the lines aside.

@@ -14,7 +14,7 @@
 #include "common_furshadow.glsl"
 #include "common_types.glsl"
 out vec4 fragColor;
-#if (FUNCTION >= 24 && FUNCTION <= 28) || FUNCTION == 43
+#if (FUNCTION >= 24 && FUNCTION <= 28) || FUNCTION == 43 || FUNCTION == 49 || FUNCTION == 50
 uniform sampler2D mask;
 #endif
 
@@ -73,6 +73,10 @@ void main() {
   float value = clumpAt(mask, at).x;
 #elif FUNCTION == 25
   float value = chartOf(maskAt(mask, at)) / (FUR_CHART_STEP * float(FUR_CHART_NUMBERS));
+#elif FUNCTION == 49
+  float value = borderOf(storedAt(mask, at)) / float(FUR_MOST_BORDERS);
+#elif FUNCTION == 50
+  float value = clumpAt(mask, at).y;
 #elif FUNCTION == 26
   vec4 texel = maskAt(mask, at);
   texel.x -= FUR_CHART_STEP * 5.5;  // of chart 5

@@ -118,7 +118,9 @@ void App::State::upload() {
 
 void App::State::uploadMask(bool whole) {
   const bool softened = !(settings.technique == 1 && settings.printedMask), anew = noteChange(uploaded.softened, softened) || whole;
-  for (const wet::TexelRect& part : water.takeChanged(shape, anew)) renderer->updateMask(water.texels(shape, part, softened));
+  const wet::ChartBorders* borders = water.takeBorders(shape, whole);
+  if (borders) renderer->setChartBorders(water.mask().size(), borders->texels());
+  for (const wet::TexelRect& part : water.takeChanged(shape, anew || borders)) renderer->updateMask(water.texels(shape, part, softened));
 }
 
 // Colour maps of the types and the skin, where they have one.

@@ -153,6 +153,7 @@ Result<bool> App::improve() {
     s.forgetSamples();
     s.samplesShown = std::min(s.samplesShown, kFewSamples) - 1;  // it makes room for as many
   }
+  if (s.samplesDone == 1 && s.bandsDrawn == 0 && !s.renderer->ready()) return false;  // for what the next ones are drawn with
   // The best picture is the first of its samples.
   if (s.bandsDrawn == 0) s.bands = s.bandsOfBest();
   if (Status status = s.drawFrame({s.bestLevel, s.samplesDone, true, s.bands, s.bandsDrawn}); !status) return status.error();

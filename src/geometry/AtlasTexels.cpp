@@ -98,9 +98,10 @@ void AtlasTexels::growGutter() {
           if (nx < 0 || ny < 0 || nx >= size_ || ny >= size_) continue;
           source[texel] = before[static_cast<std::size_t>(ny) * size_ + nx];
         }
-        if (before[texel] == kNone && source[texel] != kNone) gutter_.emplace_back(texel, source[texel]);
       }
   }
+  for (std::uint32_t i = 0; i < source.size(); ++i)
+    if (triangleOf_[i] == kNoTriangle && source[i] != kNone) gutter_.emplace_back(i, source[i]);
 }
 
 // Others do not grow into where they were: what lies there in other maps is theirs.

@@ -48,7 +48,7 @@ class AtlasTexels {
   int size() const { return size_; }
   // size * size, row-major; kNoTriangle (Adjacency.h) in gutters and between charts.
   const std::vector<std::uint32_t>& triangleOf() const { return triangleOf_; }
-  // Pairs of a gutter texel and the texel that it repeats.
+  // Pairs of a gutter texel and the texel that it repeats; row-major.
   const std::vector<std::pair<std::uint32_t, std::uint32_t>>& gutter() const { return gutter_; }
 
   // Calls visit(texel, weights) for each texel of the triangle. The weights are barycentric, of the texel's centre, or of

@@ -44,7 +44,7 @@ class Program {
   // Sources without the #version line; `defines` ("#define WET 1\n") come first. An error is webgl-unavailable with the
   // driver's message.
   static Result<Program> link(const char* label, std::string_view vertex, std::string_view fragment,
-                              std::string_view defines = {});
+                              std::string_view defines = "");
   // The same in two parts, so that the driver can compile in between. `label` must outlive the program.
   static Program begin(const char* label, std::string_view vertex, std::string_view fragment, std::string_view defines);
   // Whether finish() need not wait for the driver; true where that cannot be told (setLinksTold()).
@@ -88,6 +88,7 @@ std::span<const std::byte> bytesOf(const std::vector<T>& values) {
 }
 template <class T>
 std::span<const std::byte> bytesOf(const T& value) {
+  static_assert(!requires { typename T::element_type; }, "of a span std::as_bytes()");
   return std::as_bytes(std::span<const T, 1>(&value, 1));
 }
 

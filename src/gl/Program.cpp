@@ -20,10 +20,12 @@ std::string infoLog(unsigned id, bool program) {
   return text;
 }
 
-Name compile(unsigned stage, const std::string& source) {
+Name compile(unsigned stage, std::string_view defines, std::string_view source) {
   Name name(glCreateShader(stage), [](unsigned id) { glDeleteShader(id); });
-  const char* text = source.c_str();
-  glShaderSource(name.id(), 1, &text, nullptr);
+  constexpr std::string_view kVersion = "#version 300 es\n";
+  const char* const texts[] = {kVersion.data(), defines.data(), source.data()};
+  const int lengths[] = {static_cast<int>(kVersion.size()), static_cast<int>(defines.size()), static_cast<int>(source.size())};
+  glShaderSource(name.id(), 3, texts, lengths);
   glCompileShader(name.id());
   return name;
 }
@@ -46,11 +48,10 @@ Result<Program> Program::link(const char* label, std::string_view vertex, std::s
 }
 
 Program Program::begin(const char* label, std::string_view vertex, std::string_view fragment, std::string_view defines) {
-  const std::string head = "#version 300 es\n" + std::string(defines);
   Program program;
   program.label_ = label;
-  program.vertex_ = compile(GL_VERTEX_SHADER, head + std::string(vertex));
-  program.fragment_ = compile(GL_FRAGMENT_SHADER, head + std::string(fragment));
+  program.vertex_ = compile(GL_VERTEX_SHADER, defines, vertex);
+  program.fragment_ = compile(GL_FRAGMENT_SHADER, defines, fragment);
   program.name_ = Name(glCreateProgram(), [](unsigned id) { glDeleteProgram(id); });
   const unsigned id = program.name_.id();
   glAttachShader(id, program.vertex_.id());

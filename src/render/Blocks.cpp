@@ -36,7 +36,7 @@ void fillCamera(const Frame& frame, shared::FrameBlock& block) {
   block.viewLayer = frame.settings.viewLayer;
   block.stepLength = frame.stepLength;
   block.drawnShare = std::min(frame.pixelScale, 1.0f);
-  block.finer = frame.sample > 0 && !frame.flows ? kSampleLevels : 0;
+  block.finer = isFiner(frame) ? kSampleLevels : 0;
   block.chance = sampleChance(frame.sample);
   block.sampleShare = 1 / static_cast<float>(frame.flows ? std::min(frame.sample + 1, kFlowingSamples) : frame.sample + 1);
   block.transparent = frame.transparent;

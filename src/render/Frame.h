@@ -73,6 +73,9 @@ enum class View {
   Wetness, Clumps, Shadow, Overdraw, Steps, Bends, Forces, Layout
 };
 
+// Whether it is a sample that is made finer than a picture which is drawn once (Samples.h).
+inline bool isFiner(const Frame& frame) { return frame.sample > 0 && !frame.flows; }
+
 Mat4 clipFromWorld(const Frame& frame);
 // Pixels that a model unit covers at distance 1 from the eye; divide by the distance for others.
 float pixelsPerUnit(const Frame& frame);

@@ -44,9 +44,9 @@ constexpr VariantBits kNotOfSkin = kWet | kMarschner | kShaped;
 
 Look::Look(const Frame& frame, bool furry, bool textured, bool skinPictured)
     : furry_(furry), wetHair_(frame.wetHair), classic_(showsClassic(frame.settings)), notOfBare_(skinPictured ? +kPlain : kFurOnly), final_(finalLook(frame, textured)),
-      bend_(curveVariant(frame.settings)), printed_(printedVariant(frame)) {}
+      bend_(curveVariant(frame.settings)), borders_(frame.wet && isFiner(frame) ? kBorders : kPlain), printed_(printedVariant(frame)) {}
 
-VariantBits Look::shells(VariantBits view) const { return bend_ | shown(final_, view); }
+VariantBits Look::shells(VariantBits view) const { return bend_ | shown(final_, view) | (view == kPlain || view == kViewClumps ? borders_ : +kPlain); }
 
 // Edges that pass the fins' test are lines, which do not bend.
 VariantBits Look::fins(VariantBits view) const { return view & kViewEdges ? view : bend_ | shown(final_, view); }

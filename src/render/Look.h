@@ -33,6 +33,7 @@ class Look {
   VariantBits notOfBare_;  // what bare skin has no use for
   VariantBits final_;  // all bits but those of `bend_`
   VariantBits bend_;   // how strands bend
+  VariantBits borders_;  // whether locks run on across the borders of charts
   VariantBits printed_;  // which equations are the papers' as they are printed
 };
 

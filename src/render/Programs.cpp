@@ -120,6 +120,7 @@ std::string definesOf(VariantBits variant) {
       {kPrintedLobe, "PRINTED_LOBE"},
       {kPrintedClumps, "PRINTED_CLUMPS"},
       {kPrintedLight, "PRINTED_LIGHT"},
+      {kBorders, "BORDERS"},
   };
   std::string text;
   for (const auto& [bit, name] : kNames)
@@ -152,16 +153,19 @@ void addClassic(std::vector<std::pair<Shader, VariantBits>>& all) {
 
 void Programs::provide(Shader shader, const ProvidedShader& text) { provided[static_cast<std::size_t>(shader) - kOfHair] = &text; }
 
+std::vector<Programs::Entry>::iterator Programs::find(Shader shader, VariantBits variant) {
+  return std::find_if(programs_.begin(), programs_.end(), [&](const Entry& entry) { return entry.shader == shader && entry.variant == variant; });
+}
+
 void Programs::begin(Shader shader, VariantBits variant) {
-  const auto key = std::pair(shader, variant);
-  if (programs_.contains(key) || begun_.contains(key)) return;
+  if (find(shader, variant) != programs_.end()) return;
   const Source source = sourceOf(shader);
-  begun_.emplace(key, gl::Program::begin(source.label, stageText(source.vertex), stageText(fragmentOf(shader, variant)),
-                                         source.defines + definesOf(variant)));
+  programs_.push_back({shader, variant,
+                       gl::Program::begin(source.label, stageText(source.vertex), stageText(fragmentOf(shader, variant)), source.defines + definesOf(variant))});
 }
 
 bool Programs::ready() const {
-  return std::all_of(begun_.begin(), begun_.end(), [](const auto& entry) { return entry.second.linked(); });
+  return std::all_of(programs_.begin(), programs_.end(), [](const Entry& entry) { return entry.finished || entry.program.linked(); });
 }
 
 bool Programs::finish(gl::Program& program) {
@@ -213,16 +217,15 @@ bool Programs::finish(gl::Program& program) {
 }
 
 const gl::Program* Programs::use(Shader shader, VariantBits variant) {
-  const auto key = std::pair(shader, variant);
-  auto found = programs_.find(key);
-  if (found == programs_.end()) {
-    begin(shader, variant);
-    auto linked = begun_.extract(key);
-    if (!finish(linked.mapped())) return nullptr;
-    found = programs_.insert(std::move(linked)).position;
+  begin(shader, variant);
+  const auto entry = find(shader, variant);
+  if (!entry->finished && !finish(entry->program)) {
+    programs_.erase(entry);
+    return nullptr;
   }
-  found->second.use();
-  return &found->second;
+  entry->finished = true;
+  entry->program.use();
+  return &entry->program;
 }
 
 std::vector<std::pair<Shader, VariantBits>> allVariants() {
@@ -243,6 +246,8 @@ std::vector<std::pair<Shader, VariantBits>> allVariants() {
       {Shader::Skin, kPainted}, {Shader::Skin, kPainted | kTextured},
       {Shader::Shell, kPolynomial}, {Shader::Fin, kPolynomial},   {Shader::Whisker, kPolynomial},
   };
+  for (const VariantBits look : {+kPlain, +kViewClumps, +kShadowDepth, kShadowDepth | kTextured, kShadowDepth | kMarschner, kShadowLayers | kPainted | kTextured})
+    for (const VariantBits groom : kGrooms) all.emplace_back(Shader::Shell, look | groom | kWet | kBorders);
   for (const Shader counted : {Shader::Shell, Shader::Fin, Shader::Skin}) all.emplace_back(counted, kViewOverdraw);
   // Paint looks the same in whatever shadow.
   for (const VariantBits look : {+kPlain, +kWet, +kTextured, kWet | kTextured})

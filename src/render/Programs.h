@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <utility>
+#include <vector>
 
 #include "gl/Objects.h"
 #include "render/Frame.h"
@@ -54,6 +54,7 @@ enum Variant : VariantBits {
   kPrintedLobe = 1ull << 33,    // ClassicShell, Fin, and the next two: the papers' equations as printed (settings of these names)
   kPrintedClumps = 1ull << 34,
   kPrintedLight = 1ull << 35,
+  kBorders = 1ull << 36,      // Shell, wet: locks run on across the borders of charts
 };
 
 constexpr bool isView(VariantBits variant) { return variant & (((kViewForces << 1) - kViewTangents) | kViewLayout); }
@@ -73,19 +74,26 @@ class Programs {
   void begin(Shader shader, VariantBits variant);
   // Whether use() need not wait for any that was begun.
   bool ready() const;
-  // The program, bound for use; null where the driver refuses a shader of it, which error() then tells.
+  // The program, bound for use, until the next is begun; null where the driver refuses a shader of it, which error() then tells.
   [[nodiscard]] const gl::Program* use(Shader shader, VariantBits variant);
   const Error& error() const { return error_; }
 
  private:
+  struct Entry {
+    Shader shader;
+    VariantBits variant;
+    gl::Program program;
+    bool finished = false;
+  };
+  std::vector<Entry>::iterator find(Shader shader, VariantBits variant);
   [[nodiscard]] bool finish(gl::Program& program);
 
-  std::map<std::pair<Shader, VariantBits>, gl::Program> begun_, programs_;
+  std::vector<Entry> programs_;  // some dozens
   Error error_{};
 };
 
-// The variants that the renderer can ask for (Look.h), of those with paint and with Sheppard's bend a sample: a test compiles
-// them all.
+// The variants that the renderer can ask for (Look.h), of those with paint, with Sheppard's bend and with borders a sample: a test
+// compiles them all.
 std::vector<std::pair<Shader, VariantBits>> allVariants();
 
 }  // namespace fur::render

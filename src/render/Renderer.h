@@ -75,6 +75,7 @@ class Renderer {
   // See SurfaceMaps.
   void setTypePictures(std::span<const SurfaceMaps::Picture> pictures) { uploadedBytes_ += maps_.setTypePictures(pictures); }
   bool hasTypePictures() const { return maps_.hasTypePictures(); }
+  void setChartBorders(int maskSize, std::span<const Vec4> texels) { uploadedBytes_ += maps_.setChartBorders(maskSize, texels); }
   void updateMask(const wet::MaskTexels& mask) { uploadedBytes_ += maps_.updateMask(mask); }
   void updateBends(std::span<const Vec4> bends) { uploadedBytes_ += maps_.updateBends(bends); }
   void updateGroom(const groom::GroomMap& map, const geometry::TexelRect& changed) { uploadedBytes_ += maps_.updateGroom(map, changed); }

@@ -14,7 +14,8 @@ inline constexpr int kFlowingSamples = 8;
 
 // Samples after the first need not hide the grain and the blur of a single picture: they read the coat from a finer mip level, go through
 // it in shorter steps (kSampleStep in shell_dry.glsl and shell_wet.glsl), half a step earlier, as a strand that is found between two is
-// half a step back, give strands edges a quarter as wide, and count the strands that shade what they see. On dry fur each takes 1.4 to 1.5 times as long as the first. Sixteen are nearer to
+// half a step back, give strands edges a quarter as wide, and count the strands that shade what they see. On dry fur each takes 1.4 to 1.5 times as long as the first. On wet
+// fur locks run on across the borders of charts (shell_border.glsl). Sixteen are nearer to
 // the reference (npm run compare) by a tenth near and a seventh at the middle. Two levels, as many as sixteen points along a pixel's
 // sides would have, are nearer still to the reference far off, but darker than the moving picture, which would be seen each time.
 inline constexpr float kSampleLevels = 1.5f;

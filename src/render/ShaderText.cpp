@@ -1,6 +1,7 @@
 #include "render/ShaderText.h"
 
-#include <set>
+#include <algorithm>
+#include <vector>
 
 #include "render/ShaderSources.h"
 
@@ -11,7 +12,7 @@ namespace {
 std::span<const shaders::Included> others;
 
 // `seen`: the files that are in the text.
-void append(std::string& text, std::string_view source, std::set<std::string_view>& seen) {
+void append(std::string& text, std::string_view source, std::vector<const shaders::Included*>& seen) {
   constexpr std::string_view kInclude = "#include \"";
   while (!source.empty()) {
     const std::size_t end = source.find('\n');
@@ -23,8 +24,11 @@ void append(std::string& text, std::string_view source, std::set<std::string_vie
     }
     const std::string_view name = line.substr(kInclude.size(), line.size() - kInclude.size() - 1);
     for (const std::span<const shaders::Included> files : {std::span<const shaders::Included>(shaders::kIncluded), others})
-      for (const shaders::Included& file : files)
-        if (name == file.name && seen.insert(name).second) append(text, file.text, seen);
+      for (const shaders::Included& file : files) {
+        if (name != file.name || std::find(seen.begin(), seen.end(), &file) != seen.end()) continue;
+        seen.push_back(&file);
+        append(text, file.text, seen);
+      }
   }
 }
 
@@ -32,7 +36,7 @@ void append(std::string& text, std::string_view source, std::set<std::string_vie
 
 std::string stageText(std::string_view source) {
   std::string text;
-  std::set<std::string_view> seen;
+  std::vector<const shaders::Included*> seen;
   append(text, source, seen);
   return text;
 }

@@ -82,6 +82,13 @@ std::size_t SurfaceMaps::updateMask(const wet::MaskTexels& mask) {
   return mask.texels.size() * sizeof(Vec4);
 }
 
+std::size_t SurfaceMaps::setChartBorders(int maskSize, std::span<const Vec4> texels) {
+  const int rows = static_cast<int>(texels.size()) / maskSize;
+  mask_ = gl::Texture({gl::TexelFormat::RGBA32F, maskSize, maskSize + rows, 0, gl::Filter::Nearest, false}, {});
+  if (rows > 0) mask_.update(0, maskSize, maskSize, rows, std::as_bytes(texels), 0);
+  return texels.size_bytes();
+}
+
 std::size_t SurfaceMaps::updateBends(std::span<const Vec4> bends) {
   ++revision_;
   const int rows = std::max(1, (static_cast<int>(bends.size()) + FUR_BEND_ROW - 1) / FUR_BEND_ROW);

@@ -24,6 +24,8 @@ class SurfaceMaps {
     std::span<const std::uint8_t> rgba{};
   };
   std::size_t setTypePictures(std::span<const Picture> pictures);
+  // What gutters of the mask lead to by their numbers (wet/ChartBorders.h). The whole mask, of that size, is to be uploaded after it.
+  std::size_t setChartBorders(int maskSize, std::span<const Vec4> texels);
   // A mask of another size than the one before comes whole.
   std::size_t updateMask(const wet::MaskTexels& mask);
   // One a vertex; w: length of the fur there, a share; for View::Forces the forces.

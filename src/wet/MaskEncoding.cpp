@@ -57,7 +57,7 @@ float withLying(float radius, float water) {
 
 }  // namespace
 
-MaskTexels encodeMask(const WetnessMask& mask, const TexelRect& rect, std::span<const std::uint16_t> charts, const WaterAround* around) {
+MaskTexels encodeMask(const WetnessMask& mask, const TexelRect& rect, std::span<const std::uint16_t> charts, const WaterAround* around, const ChartBorders* borders) {
   MaskTexels out{mask.size(), rect, {}};
   if (rect.empty()) return out;
   out.texels.reserve(static_cast<std::size_t>(rect.x1 - rect.x0) * static_cast<std::size_t>(rect.y1 - rect.y0));
@@ -76,6 +76,11 @@ MaskTexels encodeMask(const WetnessMask& mask, const TexelRect& rect, std::span<
       texel.z = withLying(texel.z, around ? means.wide : texel.w);
       if (texel.w > 0 && around) texel.w = shownWater(means, texel.w + mask.filmAt(i), around->onSkin(radius));
       out.texels.push_back(texel);
+    }
+  if (borders)
+    for (const auto& [texel, border] : borders->gutter()) {
+      const int x = static_cast<int>(texel) % mask.size() - rect.x0, y = static_cast<int>(texel) / mask.size() - rect.y0, across = rect.x1 - rect.x0;
+      if (x >= 0 && x < across && y >= 0 && y < rect.y1 - rect.y0) out.texels[static_cast<std::size_t>(y * across + x)].y += static_cast<float>(FUR_BORDER_STEP * border);
     }
   return out;
 }

@@ -22,7 +22,7 @@ void addView(const Look& look, const ViewPart& part, Variants& asked) {
 // Of all kinds of frames: of the coat, with and without a picture on the model, and of all views.
 Variants askedFor() {
   Variants asked;
-  for (unsigned bits = 0; bits < 1u << 8; ++bits)
+  for (unsigned bits = 0; bits < 1u << 9; ++bits)
     for (int shadows = 0; shadows < 3; ++shadows) {
       const auto bit = [bits](int i) { return (bits >> i & 1u) != 0; };
       Frame frame;
@@ -30,6 +30,7 @@ Variants askedFor() {
       frame.settings.strandModel = bit(5);
       frame.settings.bendCurve = bit(6);
       frame.settings.shadows = shadows;
+      frame.sample = bit(8);
       const Look look(frame, true, bit(7)), bald(frame, false, bit(7));
       // The skin's picture needs the types' shaders, and is one of the pictures.
       if (frame.types && frame.groomed && bit(7) && !frame.painted && !frame.shaped) {
@@ -51,9 +52,9 @@ Variants askedFor() {
 TEST(Look, AsksForVariantsThatTestsCompileAndForAllOfThem) {
   const std::vector<std::pair<Shader, VariantBits>> listed = allVariants();
   const Variants compiled(listed.begin(), listed.end()), asked = askedFor();
-  // Of those with paint and with Sheppard's bend a sample is compiled: what they add stands alone in the shaders.
+  // Of those with paint, with Sheppard's bend and with borders a sample is compiled: what they add stands alone in the shaders.
   for (const auto& [shader, variant] : asked)
-    if (!(variant & (kPainted | kPolynomial))) EXPECT_TRUE(compiled.contains({shader, variant})) << static_cast<int>(shader) << " " << std::hex << variant;
+    if (!(variant & (kPainted | kPolynomial | kBorders))) EXPECT_TRUE(compiled.contains({shader, variant})) << static_cast<int>(shader) << " " << std::hex << variant;
   for (const auto& [shader, variant] : compiled)
     if (!(variant & kClassic) && (shader == Shader::Shell || shader == Shader::Fin || shader == Shader::Skin || shader == Shader::Whisker || shader == Shader::Arrow))
       EXPECT_TRUE(asked.contains({shader, variant})) << static_cast<int>(shader) << " " << std::hex << variant;

@@ -92,6 +92,18 @@ TEST_F(EncodedMask, TellsTheShadersEachChart) {
   }
 }
 
+TEST_F(EncodedMask, TellsTheShadersTheBordersBeyondGutters) {
+  const std::vector<float> without = read(50);
+  const auto numberOf = [](int i) { return i % 3 == 0 ? 0.0f : std::floor(static_cast<float>(i) * static_cast<float>(FUR_MOST_BORDERS) / (kSize * kSize)); };
+  for (int i = 0; i < kSize * kSize; ++i) encoded.texels[i].y += static_cast<float>(FUR_BORDER_STEP) * numberOf(i);
+  const std::vector<float> borders = read(49), v = read(50);
+  for (int i = 0; i < kSize * kSize; ++i) {
+    EXPECT_NEAR(borders[i] * static_cast<float>(FUR_MOST_BORDERS), numberOf(i), 0.01f) << i;
+    // The last bit of a float near FUR_BORDER_STEP * FUR_MOST_BORDERS.
+    EXPECT_NEAR(v[i], without[i], 1 / 1024.0f) << i;
+  }
+}
+
 TEST_F(EncodedMask, TellsTheShadersTheWaterBetweenTexelsAndAcrossTheBordersOfCharts) {
   const std::vector<float> held = read(27);
   float least = 1;

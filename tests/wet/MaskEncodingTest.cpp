@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <map>
+
 #include "core/Random.h"
+#include "geometry/Primitives.h"
 #include "tests/wet/FlatSkin.h"
 #include "wet/Clump.h"
 #include "wet/SurfaceWetting.h"
@@ -171,6 +175,29 @@ TEST(MaskEncoding, AClumpReachesToEachTexelThatHasIt) {
   EXPECT_NEAR(way(far).x, -kRadius, 1e-5f) << "nearer, the same way";
   EXPECT_NEAR(way(far).y, 0, 1e-5f);
   EXPECT_NEAR(way(near).y, 0.5f * kRadius, 1e-5f);
+}
+
+TEST(MaskEncoding, TellsGuttersTheBordersBeyondThem) {
+  geometry::Mesh mesh = geometry::makeSphere();
+  mesh.uv.clear();
+  const geometry::Surface surface = geometry::buildSurface(mesh).value();
+  const SurfaceWetting wetting(surface, kMaskSize);
+  const ChartBorders borders(surface, wetting);
+  WetnessMask mask(kMaskSize);
+  Random random(3);
+  rainOn(mask, random, 30);
+  const TexelRect part{8, 16, 56, 40};
+  const MaskTexels plain = encodeMask(mask, part, wetting.chartOfTexel(), nullptr), told = encodeMask(mask, part, wetting.chartOfTexel(), nullptr, &borders);
+  std::map<std::uint32_t, std::uint32_t> numbers(borders.gutter().begin(), borders.gutter().end());
+  int gutters = 0;
+  for (int i = 0; i < 48 * 24; ++i) {
+    const auto number = static_cast<float>(numbers[static_cast<std::uint32_t>((16 + i / 48) * kMaskSize + 8 + i % 48)]);
+    gutters += number > 0;
+    EXPECT_EQ(std::floor(told.texels[i].y / static_cast<float>(FUR_BORDER_STEP) + 0.25f), number) << i;
+    EXPECT_NEAR(told.texels[i].y - static_cast<float>(FUR_BORDER_STEP) * number, plain.texels[i].y, 1e-3f) << i;
+    EXPECT_EQ(Vec3(told.texels[i].x, told.texels[i].z, told.texels[i].w), Vec3(plain.texels[i].x, plain.texels[i].z, plain.texels[i].w)) << i;
+  }
+  EXPECT_GT(gutters, 20);
 }
 
 TEST(MaskEncoding, OfNoChangeIsNothing) {

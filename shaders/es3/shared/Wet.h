@@ -66,6 +66,12 @@
 // go round after FUR_CHART_NUMBERS.
 #define FUR_CHART_STEP 4.0
 #define FUR_CHART_NUMBERS 64
+// v of a gutter's texel is stored with FUR_BORDER_STEP times the number of the border beside it (wet/ChartBorders.h), from 1 on; rows below the
+// mask tell how the chart goes on there, each in so many texels, of which a row has a whole number. Of these v is exact to a quarter of a texel of
+// 256, at least.
+#define FUR_BORDER_STEP 2.0
+#define FUR_BORDER_TEXELS 4
+#define FUR_MOST_BORDERS 8191
 // And the water by which fur lies down beside its clump's radius: z is stored with so much for each of that many steps.
 #define FUR_LYING_STEP 4.0
 #define FUR_LYING_STEPS 255.0

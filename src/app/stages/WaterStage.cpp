@@ -75,6 +75,7 @@ const wet::SurfaceWetting& WaterStage::wetting(const ShapeStage& shape) {
   for (std::uint32_t t = 0; t < shape.surface().triangleCount() && !bareFor_.empty(); ++t) bare.push_back(groom_->isBare(shape.materialAt(t)));
   wetting_.emplace(shape.surface(), mask_.size(), bare);
   around_.reset();
+  borders_.reset();
   if (!isAnew) water_.forgetPlaces();  // of a new model it knows none
   return *wetting_;
 }
@@ -141,8 +142,17 @@ bool WaterStage::update(const Inputs& inputs) {
 // None while nothing has been wet: a model that nobody wets needs no means.
 wet::WaterAround* WaterStage::around(const ShapeStage& shape) {
   const wet::WetSurface on{shape.surface(), shape.query(), wetting(shape)};  // may drop those of another model
-  if (!around_ && !mask_.isDry()) around_.emplace(water_.texelsOf(on));
+  if (!around_ && !mask_.isDry()) {
+    around_.emplace(water_.texelsOf(on));
+    borders_.emplace(shape.surface(), *wetting_);
+    bordersAnew_ = true;
+  }
   return around_ ? &*around_ : nullptr;
+}
+
+const wet::ChartBorders* WaterStage::takeBorders(const ShapeStage& shape, bool all) {
+  around(shape);
+  return (std::exchange(bordersAnew_, false) || all) && borders_ ? &*borders_ : nullptr;
 }
 
 std::vector<wet::TexelRect> WaterStage::takeChanged(const ShapeStage& shape, bool all) {
@@ -161,7 +171,7 @@ std::vector<wet::TexelRect> WaterStage::takeChanged(const ShapeStage& shape, boo
 }
 
 wet::MaskTexels WaterStage::texels(const ShapeStage& shape, const wet::TexelRect& part, bool softened) {
-  return wet::encodeMask(mask_, part, wetting(shape).chartOfTexel(), softened ? around(shape) : nullptr);
+  return wet::encodeMask(mask_, part, wetting(shape).chartOfTexel(), softened ? around(shape) : nullptr, borders_ ? &*borders_ : nullptr);
 }
 
 wet::MaskTexels WaterStage::texels(const ShapeStage& shape) {

@@ -13,6 +13,7 @@
 #include "app/stages/ShapeStage.h"
 #include "core/Random.h"
 #include "settings/Settings.h"
+#include "wet/ChartBorders.h"
 #include "wet/MaskEncoding.h"
 #include "wet/SurfaceWetting.h"
 #include "wet/Water.h"
@@ -87,13 +88,16 @@ class WaterStage {
   // Triangles on which drops or a tool have brought water since forgetLanded(); some of them, if they are many.
   std::span<const std::uint32_t> landed() const { return landed_; }
   void forgetLanded() { landed_.clear(); }
+  // How charts go on beyond their borders, where it is anew since the last call, or `all`; else, and while nothing has been wet, null. All texels
+  // are to be taken after it.
+  const wet::ChartBorders* takeBorders(const ShapeStage& shape, bool all);
   // Parts of the mask that have changed for the picture since the last call, or all of it: in bands, as all at once would be another mask's
   // memory.
   static constexpr int kBandTexels = 8192;
   std::vector<wet::TexelRect> takeChanged(const ShapeStage& shape, bool all);
   // What the picture takes of a part. `softened`: see wet/MaskEncoding.h.
   wet::MaskTexels texels(const ShapeStage& shape, const wet::TexelRect& part, bool softened);
-  // All of it, whatever has changed.
+  // All of it, whatever has changed, with gutters that lead nowhere.
   wet::MaskTexels texels(const ShapeStage& shape);
   // 0..1, one a vertex of the surface; vertices of one point have the same. Changes by what fur feels of it, vertexRevision() with it.
   const std::vector<float>& vertexWetness(const ShapeStage& shape);
@@ -146,6 +150,8 @@ class WaterStage {
   const GroomStage* groom_ = nullptr;
   std::optional<wet::SurfaceWetting> wetting_;  // made when first needed: read it through wetting()
   std::optional<wet::WaterAround> around_;      // likewise, through around()
+  std::optional<wet::ChartBorders> borders_;    // made with around_
+  bool bordersAnew_ = false;
   std::uint64_t wettingFor_ = 0, layFor_ = 0;   // revisions of surface and groom
   std::vector<std::uint8_t> bareFor_;
   std::uint64_t revision_ = 1;

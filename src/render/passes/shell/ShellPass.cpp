@@ -146,8 +146,10 @@ bool ShellPass::draw(const Drawing& drawing, VariantBits view) {
         chartsOverlap(frame) && !exploded ? Order::NearToFarOverlapping : Order::NearToFar, divides);
   gl::apply(stateOf(view, {.alphaToCoverage = true, .alpha = false}));
   const int shells = exploded ? FUR_EXPLODED_SHELLS : 1, crowded = exploded || view & kViewLayer ? shells : frame.shellCount;
+  // What the samples after this one are drawn with the driver compiles meanwhile.
+  if (divides && frame.gathers && frame.sample == 0) drawing.programs.begin(Shader::Shell, variant | kBorders);
   if (!divides) return drawGroup(drawing, variant, false, shells, crowded);
-  return drawGroup(drawing, variant & ~kWet, false, shells, crowded) && drawGroup(drawing, variant, true, shells, crowded);
+  return drawGroup(drawing, variant & ~(kWet | kBorders), false, shells, crowded) && drawGroup(drawing, variant, true, shells, crowded);
 }
 
 bool ShellPass::drawGroup(const Drawing& drawing, VariantBits variant, bool wet, int shells, int crowdedShells) const {

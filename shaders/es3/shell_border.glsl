@@ -1,0 +1,59 @@
+// Where a ray leaves its chart, it meets the clumps and the very strands that root in the chart beyond the border (wet/ChartBorders.h): locks run
+// on. It takes a third longer, so that samples after the first have it (Look.cpp).
+
+// While isBeyond: the number of the chart there; how atlas and tile go on (origin: of the atlas, of the tile); the middle of the clump that the ray
+// sees, as that chart has it.
+float chartBeyond;
+mat2 atlasBeyond, tileBeyond;
+vec4 originBeyond;
+vec2 middleBeyond;
+
+bool leadsOn(vec4 texel) { return borderOf(texel) > 0.0; }
+// The clump at the atlas point `a`, less `chart`; v of gutters has the number of their border.
+vec4 clumpOf(float chart, vec2 a) {
+  vec4 clump = storedAt(mask, a);
+  clump.x -= chart;
+  clump.z -= FUR_LYING_STEP * floor(clump.z / FUR_LYING_STEP);
+  return clump;
+}
+vec4 clumpIn(vec2 a) { return clumpOf(entryChart, a); }
+// Whether it is none of its chart. Gutters are beside it where a border leads on, as notches between the teeth of one are no wider.
+bool hasLeft(vec4 clump) { return isBeside(clump) || leadsOn(clump); }
+
+// Whether there is skin at `a` beyond the border to which a gutter's texel leads: the clump there in this chart's atlas. Texels below the mask tell
+// how it goes on.
+bool goesBeyond(vec4 gutter, vec2 a, inout vec4 clump) {
+  int first = FUR_BORDER_TEXELS * max(int(borderOf(gutter)) - 1, 0), across = int(maskTexels);
+  ivec2 at = ivec2(first % across, across + first / across);
+  vec4 atlas = texelFetch(mask, at, 0), tile = texelFetch(mask, at + ivec2(1, 0), 0), origin = texelFetch(mask, at + ivec2(2, 0), 0);
+  vec4 found = clumpOf(0.0, atlas.xy * a.x + atlas.zw * a.y + origin.xy);
+  bool isSkin = leadsOn(gutter) && !isBeside(gutter) && found.a >= 0.0 && !leadsOn(found);
+  for (int i = 0, once = int(isSkin); i < once; ++i) {
+    atlasBeyond = mat2(atlas.xy, atlas.zw);
+    tileBeyond = mat2(tile.xy, tile.zw);
+    originBeyond = origin * vec4(1.0, 1.0, tilesPerUnit, tilesPerUnit);
+    chartBeyond = chartOf(found);
+    middleBeyond = found.xy - vec2(chartBeyond, 0.0);
+    clump = vec4(inverse(atlasBeyond) * (middleBeyond - origin.xy), found.ba);
+  }
+  return isSkin;
+}
+vec2 ownMiddle(vec4 clump) { return isBeyond ? middleBeyond : clump.xy; }
+
+// Its own chart says whether a strand rooted `from` its middle is of a clump: between the teeth of two borders the texels of this one may lie where
+// those do.
+float isOwn(vec4 clump, vec2 from) {
+  clump.xy = ownMiddle(clump);
+  vec4 home = clumpOf(isBeyond ? chartBeyond : entryChart, clump.xy + (isBeyond ? atlasBeyond * from : from));
+  return rootsInClump(home, clump, hasLeft(home));
+}
+
+// From this chart's tile to that in which the strand roots, and back.
+vec2 inOwnTile(vec2 tile) { return isBeyond ? tileBeyond * tile + originBeyond.zw : tile; }
+vec2 wayInThisTile(vec2 way) { return isBeyond ? inverse(tileBeyond) * way : way; }
+vec2 inThisTile(vec2 tile) { return isBeyond ? wayInThisTile(tile - originBeyond.zw) : tile; }
+// Where the groom's map has the fur of a root in its own tile.
+vec2 furSpot(vec2 root) {
+  vec2 here = atlasAt(inThisTile(root));
+  return isBeyond ? atlasBeyond * here + originBeyond.xy : here;
+}
