@@ -27,8 +27,9 @@ bool goesBeyond(vec4 gutter, vec2 a, inout vec4 clump) {
   ivec2 at = ivec2(first % across, across + first / across);
   vec4 atlas = texelFetch(mask, at, 0), tile = texelFetch(mask, at + ivec2(1, 0), 0), origin = texelFetch(mask, at + ivec2(2, 0), 0);
   vec4 found = clumpOf(0.0, atlas.xy * a.x + atlas.zw * a.y + origin.xy);
-  bool isSkin = leadsOn(gutter) && !isBeside(gutter) && found.a >= 0.0 && !leadsOn(found);
-  for (int i = 0, once = int(isSkin); i < once; ++i) {
+  bool isSkin = false;
+  for (int i = 0, once = int(leadsOn(gutter) && !isBeside(gutter) && found.a >= 0.0 && !leadsOn(found)); i < once; ++i) {
+    isSkin = true;
     atlasBeyond = mat2(atlas.xy, atlas.zw);
     tileBeyond = mat2(tile.xy, tile.zw);
     originBeyond = origin * vec4(1.0, 1.0, tilesPerUnit, tilesPerUnit);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/Random.h"
 #include "geometry/Adjacency.h"
 #include "geometry/Primitives.h"
@@ -72,6 +74,7 @@ TEST(AtlasTexels, NoGutterGrowsIntoWhereTrianglesWereLeftOut) {
 TEST(AtlasTexels, GuttersRepeatATexelThatIsNear) {
   const AtlasTexels texels(chartedTorus(), kSize);
   EXPECT_FALSE(texels.gutter().empty());
+  EXPECT_TRUE(std::is_sorted(texels.gutter().begin(), texels.gutter().end())) << "row-major";
   for (const auto& [texel, source] : texels.gutter()) {
     ASSERT_EQ(texels.triangleOf()[texel], kNoTriangle);
     ASSERT_NE(texels.triangleOf()[source], kNoTriangle);

@@ -147,7 +147,7 @@ bool ShellPass::draw(const Drawing& drawing, VariantBits view) {
   gl::apply(stateOf(view, {.alphaToCoverage = true, .alpha = false}));
   const int shells = exploded ? FUR_EXPLODED_SHELLS : 1, crowded = exploded || view & kViewLayer ? shells : frame.shellCount;
   // What the samples after this one are drawn with the driver compiles meanwhile.
-  if (divides && frame.gathers && frame.sample == 0) drawing.programs.begin(Shader::Shell, variant | kBorders);
+  if (divides && frame.gathers && !frame.flows && frame.sample == 0) drawing.programs.begin(Shader::Shell, variant | kBorders);
   if (!divides) return drawGroup(drawing, variant, false, shells, crowded);
   return drawGroup(drawing, variant & ~(kWet | kBorders), false, shells, crowded) && drawGroup(drawing, variant, true, shells, crowded);
 }
