@@ -14,11 +14,11 @@ namespace {
 using geometry::Surface;
 using geometry::SurfacePoint;
 
-constexpr int kSize = 256;
+constexpr int kMapTexels = 256;
 
 // Two squares side by side in the plane y = 0 that meet at x = 0, each in triangles; the right one lies elsewhere in the atlas, turned by a
 // quarter, or the other way round as well.
-Surface twoCharts(bool mirrored = false) {
+Surface twoSquares(bool mirrored = false) {
   Surface s;
   const auto add = [&s](Vec3 position, Vec2 atlas, std::uint32_t chart, const Vec4& atlasFromSkin) {
     geometry::SurfaceVertex v{};
@@ -48,7 +48,7 @@ Surface twoCharts(bool mirrored = false) {
   return s;
 }
 
-Vec2 texelCentre(std::uint32_t texel) { return (Vec2(texel % kSize, texel / kSize) + 0.5f) / static_cast<float>(kSize); }
+Vec2 texelCentre(std::uint32_t texel) { return (Vec2(texel % kMapTexels, texel / kMapTexels) + 0.5f) / static_cast<float>(kMapTexels); }
 
 // Where border number `border` takes a point, by the matrix in its texel `matrix` (0: of the atlas, 1: of fur).
 Vec2 beyond(const ChartBorders& borders, std::uint32_t border, int matrix, const Vec2& at) {
@@ -58,11 +58,11 @@ Vec2 beyond(const ChartBorders& borders, std::uint32_t border, int matrix, const
 }
 
 TEST(ChartBorders, LeadToTheSamePlaceOfTheSkinInTheOtherChart) {
-  const Surface surface = twoCharts();
-  const SurfaceWetting wetting(surface, kSize);
+  const Surface surface = twoSquares();
+  const SurfaceWetting wetting(surface, kMapTexels);
   const ChartBorders borders(surface, wetting);
-  EXPECT_EQ(borders.texels().size(), kSize) << "a row of the mask";
-  EXPECT_EQ(std::count(borders.texels().begin(), borders.texels().end(), Vec4(0)), kSize - 2 * 3) << "one edge, seen from both sides";
+  EXPECT_EQ(borders.texels().size(), kMapTexels) << "a row of the mask";
+  EXPECT_EQ(std::count(borders.texels().begin(), borders.texels().end(), Vec4(0)), kMapTexels - 2 * 3) << "one edge, seen from both sides";
   int led[2] = {};
   for (const auto& [texel, border] : borders.gutter()) {
     const Vec2 at = texelCentre(texel);
@@ -76,14 +76,14 @@ TEST(ChartBorders, LeadToTheSamePlaceOfTheSkinInTheOtherChart) {
   }
   // Two texels wide along 0.4 of the map, and what lies within three texels of the edge's ends; not where the surface ends, on three sides.
   for (const int count : led) {
-    EXPECT_GE(count, static_cast<int>(2 * 0.4 * kSize));
-    EXPECT_LE(count, static_cast<int>(2 * 0.4 * kSize) + 2 * 4 * 6);
+    EXPECT_GE(count, static_cast<int>(2 * 0.4 * kMapTexels));
+    EXPECT_LE(count, static_cast<int>(2 * 0.4 * kMapTexels) + 2 * 4 * 6);
   }
 }
 
 TEST(ChartBorders, LeadNowhereToAMirroredChart) {
-  const Surface surface = twoCharts(true);
-  const ChartBorders borders(surface, SurfaceWetting(surface, kSize));
+  const Surface surface = twoSquares(true);
+  const ChartBorders borders(surface, SurfaceWetting(surface, kMapTexels));
   EXPECT_TRUE(borders.texels().empty());
   for (const auto& [texel, border] : borders.gutter()) EXPECT_EQ(border, 0u) << texel;
 }
@@ -92,7 +92,7 @@ TEST(ChartBorders, OfARoundBodyLeadToWithinATexel) {
   geometry::Mesh mesh = geometry::makeSphere();
   mesh.uv.clear();
   const Surface surface = geometry::buildSurface(mesh).value();
-  const SurfaceWetting wetting(surface, kSize);
+  const SurfaceWetting wetting(surface, kMapTexels);
   const ChartBorders borders(surface, wetting);
   const geometry::AtlasTexels& atlas = wetting.atlas();
   double apart = 0, width = 0;
@@ -102,8 +102,8 @@ TEST(ChartBorders, OfARoundBodyLeadToWithinATexel) {
     ASSERT_EQ(texel, atlas.gutter()[i].first);
     if (border == 0) continue;
     ++led;
-    const Vec2 there = beyond(borders, border, 0, texelCentre(texel)) * static_cast<float>(kSize);
-    const auto other = static_cast<std::uint32_t>(static_cast<int>(there.y) * kSize + static_cast<int>(there.x));
+    const Vec2 there = beyond(borders, border, 0, texelCentre(texel)) * static_cast<float>(kMapTexels);
+    const auto other = static_cast<std::uint32_t>(static_cast<int>(there.y) * kMapTexels + static_cast<int>(there.x));
     const std::uint32_t triangle = atlas.triangleOf()[other];
     if (triangle == geometry::kNoTriangle) continue;  // of the texels along a border every second has its middle in the gutter
     ++onSkin;
@@ -111,12 +111,12 @@ TEST(ChartBorders, OfARoundBodyLeadToWithinATexel) {
     const std::uint32_t source = atlas.gutter()[i].second;
     const auto placeOf = [&](std::uint32_t at) { return positionAt(surface, SurfacePoint{atlas.triangleOf()[at], atlas.weightsAt(surface, atlas.triangleOf()[at], at), 0}); };
     apart += glm::distance(placeOf(other), placeOf(source));
-    width += glm::distance(texelCentre(texel), texelCentre(source)) * kSize;
+    width += glm::distance(texelCentre(texel), texelCentre(source)) * kMapTexels;
   }
   ASSERT_GT(led, 1000);
   EXPECT_GT(onSkin, led / 2);
   // As far apart on the skin as in the map, to a third: charts are stretched by that.
-  const double texelOnSkin = std::sqrt(4 * 3.14159 / static_cast<double>(kSize * kSize - std::count(atlas.triangleOf().begin(), atlas.triangleOf().end(), geometry::kNoTriangle)));
+  const double texelOnSkin = std::sqrt(4 * 3.14159 / static_cast<double>(kMapTexels * kMapTexels - std::count(atlas.triangleOf().begin(), atlas.triangleOf().end(), geometry::kNoTriangle)));
   EXPECT_NEAR(apart / (width * texelOnSkin), 1, 0.34);
 }
 
