@@ -176,8 +176,9 @@ wet::MaskTexels WaterStage::texels(const ShapeStage& shape, const wet::TexelRect
 
 wet::MaskTexels WaterStage::texels(const ShapeStage& shape) {
   const wet::TexelRect whole{0, 0, mask_.size(), mask_.size()};
-  if (wet::WaterAround* const round = around(shape)) round->update(mask_, {&whole, 1});
-  return texels(shape, whole, true);
+  wet::WaterAround* const round = around(shape);
+  if (round) round->update(mask_, {&whole, 1});
+  return wet::encodeMask(mask_, whole, wetting(shape).chartOfTexel(), round);
 }
 
 // Where the vertices lie, and how many of them there are at a point.

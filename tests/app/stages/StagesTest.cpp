@@ -273,6 +273,23 @@ TEST(WaterStage, GivesThePictureAllOfTheMaskInBandsThatAreNoMasksMemory) {
   EXPECT_EQ(next, WaterStage::kMaskSize);
 }
 
+TEST(WaterStage, TellsThePictureAloneWhatLiesBeyondTheBordersOfCharts) {
+  Model model;
+  EXPECT_FALSE(model.water.takeBorders(model.shape, true)) << "nothing has been wet";
+  model.stroke(Command::Soak, 0.1f);
+  EXPECT_TRUE(model.water.takeBorders(model.shape, false));
+  EXPECT_FALSE(model.water.takeBorders(model.shape, false)) << "not anew";
+  EXPECT_TRUE(model.water.takeBorders(model.shape, true)) << "of another context";
+  const auto mostV = [](const wet::MaskTexels& texels) {
+    float most = 0;
+    for (const Vec4& texel : texels.texels) most = std::max(most, texel.y);
+    return most;
+  };
+  const int size = WaterStage::kMaskSize;
+  EXPECT_GT(mostV(model.water.texels(model.shape, {0, 0, size, size}, true)), static_cast<float>(FUR_BORDER_STEP));
+  EXPECT_LT(mostV(model.water.texels(model.shape)), static_cast<float>(FUR_BORDER_STEP)) << "as clumps lie";
+}
+
 TEST(WaterStage, DriesInTimeAndThenRests) {
   Model model;
   model.settings.dryRate = 1;
