@@ -77,11 +77,14 @@ MaskTexels encodeMask(const WetnessMask& mask, const TexelRect& rect, std::span<
       if (texel.w > 0 && around) texel.w = shownWater(means, texel.w + mask.filmAt(i), around->onSkin(radius));
       out.texels.push_back(texel);
     }
-  if (borders)
-    for (const auto& [texel, border] : borders->gutter()) {
-      const int x = static_cast<int>(texel) % mask.size() - rect.x0, y = static_cast<int>(texel) / mask.size() - rect.y0, across = rect.x1 - rect.x0;
-      if (x >= 0 && x < across && y >= 0 && y < rect.y1 - rect.y0) out.texels[static_cast<std::size_t>(y * across + x)].y += static_cast<float>(FUR_BORDER_STEP * border);
-    }
+  if (!borders) return out;
+  // Rectangles are many and small while water runs: it divides only for the gutters of their rows.
+  const auto begin = static_cast<std::uint32_t>(rect.y0 * mask.size()), end = static_cast<std::uint32_t>(rect.y1 * mask.size());
+  for (const auto& [texel, border] : borders->gutter()) {
+    if (texel < begin || texel >= end) continue;
+    const int x = static_cast<int>(texel) % mask.size() - rect.x0, y = static_cast<int>(texel) / mask.size() - rect.y0, across = rect.x1 - rect.x0;
+    if (x >= 0 && x < across) out.texels[static_cast<std::size_t>(y * across + x)].y += static_cast<float>(FUR_BORDER_STEP * border);
+  }
   return out;
 }
 
