@@ -9,7 +9,7 @@ import { askFrame, asksFrame, cancelFrame } from './schedule.js';
 const stillMilliseconds = 300, busyMilliseconds = 8;
 /** What a frame may spend on a coat that grows: the page answers while it does. */
 const coatSeconds = 0.014;
-const maxFrameSeconds = 0.1;
+const maxFrameSeconds = 0.5;
 /** A coat that takes longer is told of. */
 const coatToldMilliseconds = 500;
 const mostSamples = 64;

@@ -40,7 +40,7 @@ constexpr const char* kUsage =
     "  --frames N            frames before that, default 30\n";
 
 // Ticks are cut to this: after a sleep the fur must not jump.
-constexpr float kLongestStep = 0.1f;
+constexpr float kLongestStep = 0.5f;
 constexpr float kCoatSeconds = 0.014f;  // of a frame, for a coat that grows
 constexpr std::size_t kMostKeptBytes = 64u << 20;
 constexpr double kIdleStep = 1.0 / 60;

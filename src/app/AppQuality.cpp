@@ -30,9 +30,8 @@ int App::State::bandsOfBest() const {
 
 int App::State::samplesWanted() const {
   if (!settings.refine || !refines || coat.growing()) return 1;
-  // While fur dries there is another picture each second.
-  const bool slow = bandsOfBest() > 1, dries = water.active(waterInputs(0, 0));
-  return slow && dries ? 1 : slow || dries ? kFewSamples : render::kMostSamples;
+  // While fur dries there is another picture every few seconds.
+  return bandsOfBest() > 1 || water.active(waterInputs(0, 0)) ? kFewSamples : render::kMostSamples;
 }
 
 Status App::State::drawFrame(const Drawn& drawn) {
@@ -149,7 +148,7 @@ Result<bool> App::improve() {
     return true;
   }
   const bool rests = s.flowsBeside.has_value();  // the water does, or moves by what nobody sees
-  if (s.bandsDrawn == 0 && (rests || (s.stale && s.samplesDone >= s.samplesShown))) {
+  if (s.bandsDrawn == 0 && (rests || (s.stale && s.samplesDone >= s.samplesWanted()))) {
     s.forgetSamples();
     s.samplesShown = std::min(s.samplesShown, kFewSamples) - 1;  // it makes room for as many
   }

@@ -206,8 +206,8 @@ std::uint64_t App::State::revisionButWater() const { return changed + shape.revi
 
 // --- App's side --------------------------------------------------------------------------------
 
-// Fur that dries changes about once a second by what nobody sees. A picture that has been gathered stays until that is gathered, too, or
-// its grain would come and go. Where water runs and drops fall, and nothing else moves, the picture is a mean that follows them.
+// Fur that dries changes every few seconds by what nobody sees. A picture that stays is gathered to its end, and stays until that is gathered,
+// too, or its grain would come and go. Where water runs and drops fall, and nothing else moves, the picture is a mean that follows them.
 bool App::tick(float seconds, float coatBudget) {
   State& s = *state_;
   const bool told = s.pictureRevision() != s.noticed;
@@ -216,8 +216,10 @@ bool App::tick(float seconds, float coatBudget) {
   s.bustle = std::max(s.bustle - kSeldom * seconds, 0.0f);
   if (!s.noticeChanges()) return false;
   const bool sways = !s.motion.swaysUnseen(s.motionInputs(0)), byWater = !told && others == s.revisionButWater();
-  if (s.water.revision() != water || sways) s.bustle = std::min(s.bustle + 1, 2 * kSeldom);
-  const bool slight = byWater && s.bustle <= kSeldom && s.samplesShown > 1;
+  // Both may change at each of their steps, of which one tick of a slow machine holds many.
+  const float steps = std::max(seconds / wet::Water::kStep, 1.0f);
+  s.bustle = std::min(s.bustle + std::max(static_cast<float>(s.water.revision() - water), sways ? steps : 0), 2 * kSeldom);
+  const bool slight = byWater && s.bustle <= kSeldom;
   if (slight) return s.stale = true, false;
   if (!byWater || sways) s.forgetSamples();
   else s.flowsBeside = others, s.bandsDrawn = 0, s.stale = false;

@@ -21,9 +21,9 @@ constexpr float kDryerRate = 1.6f;
 // Of save(), which browsers keep from visit to visit: another one whenever that changes.
 constexpr std::uint32_t kWaterLayout = 4;
 constexpr std::size_t kMostLanded = 64;
-// Water that creeps and dries in the fur does so all the time: nobody sees it change by less than this, nor how it gets there within a second.
+// Water that creeps and dries in the fur does so all the time: nobody sees it change by less than this, nor how it gets there within some seconds.
 constexpr float kSeenChange = 1.0f / 64;
-constexpr std::uint32_t kMostUnseenSteps = 60;
+constexpr std::uint32_t kMostUnseenSteps = 8 * 60;
 // Nor does fur hang lower by less than this, and it would sway at each change.
 constexpr float kFeltChange = 1.0f / 32;
 
