@@ -5,6 +5,9 @@ const keySteps = { ArrowLeft: [-8, 0], ArrowRight: [8, 0], ArrowUp: [0, -8], Arr
 const keySizes = { '+': 1.1, '=': 1.1, '-': 1 / 1.1 };
 const keyTurns = { '[': -0.1, ']': 0.1 };
 const clickPixels = 5;
+// Cells of the area across which room is looked for; sizes that are tried, down to 3 / sizesTried of the largest; of the font's size: what capitals are
+// high, and what is to be free about them.
+const roomCells = 48, sizesTried = 14, capitals = 0.75, margin = 0.15;
 
 export const howToPlace = 'Drag the letters. Wheel, two fingers or + and − size them; shift and wheel, two fingers or [ and ] turn them. Click or Enter stamps, Escape leaves.';
 
@@ -118,4 +121,35 @@ export class Letters {
     event.preventDefault();
     event.stopPropagation();
   }
+}
+
+/**
+ * Where letters so wide (sizes of the font) are largest and yet all on the model, and nearest to the middle of the area; in its middle if there
+ * is no such place.
+ * @param {number} wide @param {{left: number, top: number, width: number, height: number}} area CSS pixels
+ * @param {(x: number, y: number) => boolean} isOnModel
+ */
+export function roomForText(wide, area, isOnModel) {
+  const cell = area.width / roomCells, down = Math.floor(area.height / cell);
+  // How many cells of the model lie before each, so that any rectangle's are four look-ups.
+  const stride = roomCells + 1, sums = new Uint32Array(stride * (down + 1));
+  for (let y = 0; y < down; ++y)
+    for (let x = 0; x < roomCells; ++x) {
+      const is = isOnModel(area.left + (x + 0.5) * cell, area.top + (y + 0.5) * cell) ? 1 : 0;
+      sums[(y + 1) * stride + x + 1] = is + sums[y * stride + x + 1] + sums[(y + 1) * stride + x] - sums[y * stride + x];
+    }
+  const isFull = (x, y, w, h) => sums[(y + h) * stride + x + w] - sums[y * stride + x + w] - sums[(y + h) * stride + x] + sums[y * stride + x] === w * h;
+  const largest = Math.min(0.25 * area.height, (0.75 * Math.min(area.width, area.height)) / Math.max(wide, 1));
+  for (let step = sizesTried; step > 2; --step) {
+    const size = (largest * step) / sizesTried;
+    const w = Math.ceil(((wide + margin) * size) / cell), h = Math.ceil(((capitals + margin) * size) / cell);
+    let best = null, nearest = Infinity;
+    for (let y = 0; y + h <= down; ++y)
+      for (let x = 0; x + w <= roomCells; ++x) {
+        const away = (x + w / 2 - roomCells / 2) ** 2 + (y + h / 2 - down / 2) ** 2;
+        if (away < nearest && isFull(x, y, w, h)) [nearest, best] = [away, { x: area.left + (x + w / 2) * cell, y: area.top + (y + h / 2) * cell, size }];
+      }
+    if (best) return best;
+  }
+  return { x: area.left + area.width / 2, y: area.top + area.height / 2, size: largest };
 }

@@ -6,7 +6,8 @@ import { captions } from './captions.js';
 import { coatFields, Coats } from './coats.js';
 import { download, downloadScene, listed } from './download.js';
 import { embedCode } from './embedcode.js';
-import { howToPlace, Letters } from './letters.js';
+import { widthOfText } from './lettering.js';
+import { howToPlace, Letters, roomForText } from './letters.js';
 import { makeLink, readLink } from './link.js';
 import { Messages } from './messages.js';
 import { acceptedFiles, firstModel, modelNames, readEndings, sceneNames, sortFiles } from './models.js';
@@ -227,11 +228,9 @@ function placeLetters(event) {
   event.preventDefault();
   const text = byId('letters').firstElementChild.value;
   waters.hidePopover?.();
-  // As wide as most of the model, which is in the middle of what is free.
-  const { left, top, right, bottom } = covered;
-  const width = innerWidth - left - right, height = innerHeight - top - bottom;
-  const size = Math.min(0.25 * height, (0.75 * Math.min(width, height)) / text.length);
-  letters.show(text, { x: left + width / 2, y: top + height / 2, size });
+  const { left, top, right, bottom } = covered, box = fur.getBoundingClientRect();
+  const free = { left, top, width: innerWidth - left - right, height: innerHeight - top - bottom };
+  letters.show(text, roomForText(widthOfText(text), free, (x, y) => Boolean(fur.pick({ x: x - box.left, y: y - box.top }))));
   messages.note(howToPlace);
 }
 
