@@ -51,7 +51,7 @@ test('letters are stamped, the model shakes them off, strokes are painted again,
   const balance = (w) => w.painted + w.rained - (w.held + w.film + w.drops + w.hair + w.dripped + w.evaporated + w.removed);
   const seen = await withFur(page, (fur) => {
     Object.assign(fur, { paused: true, dryRate: 0 });
-    fur.stamp('WET', { size: 60 });
+    fur.stamp('WET', { size: 80 });
     const stamped = fur.meanWetness;
     fur.step(1 / 60, 60);
     const still = fur.waterAccounts;
