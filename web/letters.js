@@ -7,7 +7,7 @@ const keyTurns = { '[': -0.1, ']': 0.1 };
 const clickPixels = 5;
 // Cells of the area across which room is looked for; sizes that are tried, down to 3 / sizesTried of the largest; of the font's size: what capitals are
 // high, and what is to be free about them.
-const roomCells = 48, sizesTried = 14, capitals = 0.75, margin = 0.15;
+const roomCells = 48, sizesTried = 14, capitals = 0.75, margin = 0.4;
 
 export const howToPlace = 'Drag the letters. Wheel, two fingers or + and − size them; shift and wheel, two fingers or [ and ] turn them. Click or Enter stamps, Escape leaves.';
 

@@ -212,26 +212,28 @@ void App::State::uploadLengths(const geometry::TexelRect& changed) {
 // --- frames ---
 
 constexpr int kCrowdedShells = 3, kSlenderShells = 2;
-// Pictures have visible holes where fur length times grazing share exceeds kCrowded: on a torus with fur of 0.3, 0.2 % of all pixels show
-// skin in the hole of the ring instead of fur. Slender bodies, whose share is above kSlender, have slivers of sky there as well, between
-// breast and foreleg: one further shell leaves little of them, in pictures of the best quality. Further shells stand only where rays may
-// come to.
-bool App::State::chooseShellCount(double budget) {
+// Where a picture is drawn once further shells are worth their price if fur length times grazing share exceeds kCrowded: on a torus with fur of
+// 0.3, 0.2 % of all pixels show skin in the hole of the ring instead of fur. Slender bodies, whose share is above kSlender, have slivers of sky
+// between breast and foreleg: one further shell leaves little of them, in pictures of the best quality. Samples that are gathered have that
+// one on every body. Further shells stand only where rays may come to.
+bool App::State::chooseShellCount(bool finer, double budget) {
   constexpr float kCrowded = 0.024f, kSlender = 0.08f;
   const float length = coatLength();
   if (shells.surface != shape.surfaceRevision() || shells.length != length) {
     const float share = geometry::grazingShare(shape.surface(), shape.query(), length);
     shells = {shape.surfaceRevision(), length, length * share > kCrowded ? kCrowdedShells : share > kSlender ? kSlenderShells : 1};
-    if (shells.count > 1) shells.search.emplace(shape.surface(), shape.query(), length);
-    else renderer->setCrowded({});
+    renderer->setCrowded({});
   }
-  if (!shells.search) return true;
+  if (shells.found || (shells.count == 1 && !finer)) return true;
+  if (!shells.search) shells.search.emplace(shape.surface(), shape.query(), length);
   for (const double begun = secondsNow(); !shells.search->step();)
     if (secondsNow() - begun > budget) return false;
   renderer->setCrowded(shells.search->take());
   shells.search.reset();
-  return true;
+  return shells.found = true;
 }
+
+int App::State::shellCount(int level) const { return level > 0 && shells.count == kSlenderShells ? 1 : shells.count; }
 
 render::Frame App::State::frame(int level) const {
   const QualityLevel& quality = qualityLevels()[static_cast<std::size_t>(level)];
@@ -245,7 +247,7 @@ render::Frame App::State::frame(int level) const {
   f.pixelScale = quality.pixelScale;
   f.stepLength = quality.stepLength;
   f.hairShare = quality.hairShare;
-  f.shellCount = level > 0 && shells.count == kSlenderShells ? 1 : shells.count;
+  f.shellCount = shellCount(level);
   f.worldFromModel = worldFromModel();
   f.camera = view.pose();
   f.width = view.width;

@@ -12,6 +12,8 @@ namespace {
 
 // Of a picture that stays on a machine on which one of them takes long, and of one that is saved.
 constexpr int kFewSamples = 16;
+// Frame::shellCount of samples that are gathered, at least: behind the bunny's head sky shows through one shell.
+constexpr int kGatheredShells = 2;
 
 }  // namespace
 
@@ -44,13 +46,15 @@ Status App::State::drawFrame(const Drawn& drawn) {
   }
   water.readPuddles();
   upload();
-  chooseShellCount();
+  const bool finer = drawn.gathers && !drawn.flows && (drawn.sample > 0 || samplesWanted() > 1);
+  chooseShellCount(finer);
   render::Frame f = frame(drawn.level);
   f.sample = drawn.sample;
   f.gathers = drawn.gathers;
   f.bands = drawn.bands;
   f.band = drawn.band;
   f.flows = drawn.flows;
+  if (finer) f.shellCount = std::max(f.shellCount, kGatheredShells);
   const Status status = renderer->draw(f);
   uploadedBytes = renderer->takeUploadedBytes();
   noticeChanges();

@@ -140,6 +140,7 @@ struct App::State {
     std::uint64_t surface = 0;
     float length = -1;
     int count = 1;
+    bool found = false;                               // where they stand
     std::optional<geometry::CrowdedSearch> search{};  // that goes on
   } shells;  // Frame::shellCount, and what it is for
   bool saved = false, transparent = false;  // as setSaved() said
@@ -219,7 +220,9 @@ struct App::State {
   void uploadEvenReach();
   bool showsMask() const;  // with the paint, for who is grooming
   bool showsForces() const { return static_cast<render::View>(settings.view) == render::View::Forces; }
-  bool chooseShellCount(double budget = 1e9);  // seconds that it may take; whether it is chosen
+  int shellCount(int level) const;  // of pictures that are drawn once
+  // `finer`: for samples that are gathered. Seconds that it may take; whether it is chosen.
+  bool chooseShellCount(bool finer, double budget = 1e9);
   render::Frame frame(int level) const;
   render::Frame frame() const { return frame(bestLevel); }
 

@@ -162,7 +162,7 @@ Work App::workOnPicture(float seconds, bool coarse) {
     s.workOnCoat(seconds, coarse);
     if (isDone()) s.settleMotion(false);  // as strands of all its types lie
   }
-  if (!isDone() || !s.chooseShellCount(seconds)) return Work::GoesOn;
+  if (!isDone() || !s.chooseShellCount(false, seconds)) return Work::GoesOn;
   return s.renderer->ready() ? Work::Done : Work::Waits;
 }
 

@@ -95,11 +95,13 @@ bool ShellPass::isCrowded(const geometry::FurCluster& cluster, float spread, con
 // Near to far: what is covered is rejected by depth. Without what faces away. Only there do charts overlap: copies share samples.
 void ShellPass::order(const Drawing& drawing, float reach, Order wanted, bool divides) {
   const Vec3 eye = eyeInModel(drawing.frame);
-  const bool same = divided_ == divides && (!divides || wetFor_ == drawing.wetCells.revision());
+  const bool crowds = drawing.frame.shellCount > 1 && wanted != Order::FarToNear;  // what is blended comes in one order
+  const bool same = divided_ == divides && crowds_ == crowds && (!divides || wetFor_ == drawing.wetCells.revision());
   if (same && orderedFor_ == Vec4(eye, reach) && ordered_ == wanted) return;
   orderedFor_ = Vec4(eye, reach);
   ordered_ = wanted;
   divided_ = divides;
+  crowds_ = crowds;
   wetFor_ = drawing.wetCells.revision();
   if (divides) findCells(drawing.surface, reach);
   const bool overlapping = wanted == Order::NearToFarOverlapping;
@@ -112,9 +114,8 @@ void ShellPass::order(const Drawing& drawing, float reach, Order wanted, bool di
   for (const std::uint32_t i : clusters) {
     const geometry::FurCluster& c = patches_.clusters[i];
     const auto first = overlapping ? patches_.indices.begin() + c.first : patches_.ownIndices.begin() + c.ownFirst;
-    // What is blended comes in one order.
     Triangles& group = seen[divides && isWet(drawing.wetCells, i)];
-    std::vector<std::uint32_t>& out = wanted != Order::FarToNear && isCrowded(c, spreads_[i], eye) ? group.crowded : group.plain;
+    std::vector<std::uint32_t>& out = crowds && isCrowded(c, spreads_[i], eye) ? group.crowded : group.plain;
     out.insert(out.end(), first, first + (overlapping ? c.count : c.ownCount));
   }
   std::vector<std::uint32_t> all;

@@ -53,6 +53,7 @@ class ShellPass {
   std::vector<std::size_t> firstCell_;
   float cellsFor_ = -1;  // fur length
   bool divided_ = false;  // dry patches from wet ones
+  bool crowds_ = false;   // patches where several shells stand from others
   unsigned long wetFor_ = 0;
   // Eye (model space) and fur length that those on the GPU were put in order for, and which order that is.
   std::optional<Vec4> orderedFor_;
