@@ -3,16 +3,10 @@
 // As the ghost of the page (page.css).
 const fontOf = (size) => ({ font: `${Math.round(size)}px sans-serif`, letterSpacing: `${0.12 * size}px` });
 
-/** How wide the text is, in sizes of the font. */
-export function widthOfText(text) {
-  const context = Object.assign(new OffscreenCanvas(1, 1).getContext('2d'), fontOf(100));
-  return context.measureText(text).width / 100;
-}
-
 /** The text as a picture of one byte a pixel, turned by `angle`. */
 export function pictureOfText(text, size, angle) {
-  const context = new OffscreenCanvas(1, 1).getContext('2d', { willReadFrequently: true });
-  const long = Math.min(Math.ceil(size * widthOfText(text)) + 2, 4096), high = Math.ceil(1.3 * size);
+  const context = Object.assign(new OffscreenCanvas(1, 1).getContext('2d', { willReadFrequently: true }), fontOf(size));
+  const long = Math.min(Math.ceil(context.measureText(text).width) + 2, 4096), high = Math.ceil(1.3 * size);
   const [cos, sin] = [Math.abs(Math.cos(angle)), Math.abs(Math.sin(angle))];
   const width = Math.round(long * cos + high * sin), height = Math.round(long * sin + high * cos);
   Object.assign(context.canvas, { width, height });

@@ -37,11 +37,13 @@ export class Letters {
 
   get shown() { return !this.#layer.hidden; }
 
-  show(text, { x, y, size }) {
-    this.#place = { x, y, size, angle: 0 };
+  /** First where they are all on the model: see roomForText(). */
+  show(text, area, isOnModel) {
     this.#ghost.textContent = text;
     this.#layer.setAttribute('aria-label', `Place ${text}`);
     this.#layer.hidden = false;
+    this.#ghost.style.fontSize = '100px';
+    this.#place = { ...roomForText(this.#ghost.offsetWidth / 100, area, isOnModel), angle: 0 };
     this.#draw();
     this.#layer.focus();
   }

@@ -6,8 +6,7 @@ import { captions } from './captions.js';
 import { coatFields, Coats } from './coats.js';
 import { download, downloadScene, listed } from './download.js';
 import { embedCode } from './embedcode.js';
-import { widthOfText } from './lettering.js';
-import { howToPlace, Letters, roomForText } from './letters.js';
+import { howToPlace, Letters } from './letters.js';
 import { makeLink, readLink } from './link.js';
 import { Messages } from './messages.js';
 import { acceptedFiles, firstModel, modelNames, readEndings, sceneNames, sortFiles } from './models.js';
@@ -230,7 +229,7 @@ function placeLetters(event) {
   waters.hidePopover?.();
   const { left, top, right, bottom } = covered, box = fur.getBoundingClientRect();
   const free = { left, top, width: innerWidth - left - right, height: innerHeight - top - bottom };
-  letters.show(text, roomForText(widthOfText(text), free, (x, y) => Boolean(fur.pick({ x: x - box.left, y: y - box.top }))));
+  letters.show(text, free, (x, y) => Boolean(fur.pick({ x: x - box.left, y: y - box.top })));
   messages.note(howToPlace);
 }
 

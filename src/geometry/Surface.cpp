@@ -137,13 +137,14 @@ void measureLean(Surface& surface, const std::vector<Vec3>& given) {
   }
 }
 
-Weld weldVertices(const Surface& surface) {
-  std::vector<Vec3> positions(surface.vertices.size());
-  for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = surface.vertices[i].position;
+}  // namespace
+
+Weld weldVertices(std::span<const SurfaceVertex> vertices) {
+  std::vector<Vec3> positions;
+  positions.reserve(vertices.size());
+  for (const SurfaceVertex& vertex : vertices) positions.push_back(vertex.position);
   return weldPositions(positions);
 }
-
-}  // namespace
 
 class SurfaceBuilding::Work {
  public:
@@ -218,7 +219,7 @@ class SurfaceBuilding::Work {
     } else {
       splitVertices(surface_, whole_, fur_, atlas_);
     }
-    trueWeld_ = weldVertices(surface_);
+    trueWeld_ = weldVertices(surface_.vertices);
     surface_.edges = findEdges(surface_.vertices, surface_.indices, trueWeld_);
     if (surface_.turned) findFacets(surface_, rounded_.given);
     return true;
@@ -233,7 +234,7 @@ class SurfaceBuilding::Work {
     std::vector<std::uint32_t> triangles = surface_.indices;
     triangles.insert(triangles.end(), surface_.furIndices.begin() + static_cast<std::ptrdiff_t>(overlap_.firstCopy),
                      surface_.furIndices.end());
-    weldAll_ = weldVertices(surface_);
+    weldAll_ = weldVertices(surface_.vertices);
     const std::vector<std::uint32_t> points = furPoints(surface_.vertices, overlap_.chartOfVertex, weldAll_);
     computeSteps(surface_, triangles, points, surface_.turned);
     computeHessians(surface_, triangles, points);

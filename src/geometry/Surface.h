@@ -12,6 +12,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "core/Math.h"
@@ -19,6 +20,7 @@
 #include "geometry/FurClusters.h"
 #include "geometry/HardEdges.h"
 #include "geometry/Mesh.h"
+#include "geometry/Weld.h"
 
 namespace fur::geometry {
 
@@ -85,6 +87,9 @@ struct Surface {
 
   std::size_t triangleCount() const { return indices.size() / 3; }
 };
+
+// The points of vertices, by their positions (geometry/Weld.h).
+Weld weldVertices(std::span<const SurfaceVertex> vertices);
 
 // `mesh` has positions in the unit sphere. Missing normals are computed; missing or overlapping uv get charts. Degenerate
 // triangles are dropped; fails (bad-file) when none is left. `mapping` is ignored for a mesh with furUv.

@@ -43,9 +43,7 @@ gl::Buffer otherUvOf(const geometry::Surface& surface) {
 
 // FUR_AROUND: the middle of the largest triangle at that place, which is in its chart where the place may lie on a border.
 std::vector<Vec3> findSurroundings(const geometry::Surface& surface) {
-  std::vector<Vec3> positions;
-  for (const auto& v : surface.vertices) positions.push_back(v.position);
-  const geometry::Weld weld = geometry::weldPositions(positions);
+  const geometry::Weld weld = geometry::weldVertices(surface.vertices);
   std::vector<Vec3> found(weld.count, Vec3(0));
   for (std::size_t i = 0; i < surface.indices.size(); i += 3) {
     const auto atlas = [&](std::size_t k) { return surface.vertices[surface.indices[i + k]].atlas; };

@@ -52,9 +52,7 @@ float squaredFrom(const BorderEdge& edge, const Vec2& at) {
 
 ChartBorders::ChartBorders(const geometry::Surface& surface, const SurfaceWetting& wetting) : gutter_(wetting.atlas().gutter()) {
   for (auto& [texel, border] : gutter_) border = 0;
-  std::vector<Vec3> positions;
-  for (std::size_t i = 0; i < surface.trueVertexCount; ++i) positions.push_back(surface.vertices[i].position);
-  const geometry::Weld weld = geometry::weldPositions(positions);
+  const geometry::Weld weld = geometry::weldVertices({surface.vertices.data(), surface.trueVertexCount});
   std::vector<std::uint32_t> verticesAt(weld.count, 0), indices;
   for (const std::uint32_t id : weld.idOf) ++verticesAt[id];
   // Triangles at borders, whose points have a vertex in each chart.
