@@ -9,7 +9,9 @@ const clickPixels = 5;
 // high, and what is to be free about them.
 const roomCells = 48, sizesTried = 14, capitals = 0.75, margin = 0.4;
 
-export const howToPlace = 'Drag the letters. Wheel, two fingers or + and − size them; shift and wheel, two fingers or [ and ] turn them. Click or Enter stamps, Escape leaves.';
+/** By fingers alone, or also by mouse and keys. */
+export const howToPlace = (fingers) => (fingers ? 'Drag the letters, size and turn them with two fingers. A tap stamps them.'
+  : 'Drag the letters. Wheel, two fingers or + and − size them; shift and wheel, two fingers or [ and ] turn them. Click or Enter stamps.');
 
 export class Letters {
   #layer;  // over the whole picture, so that a second finger finds room

@@ -230,10 +230,14 @@ function placeLetters(event) {
   const { left, top, right, bottom } = covered, box = fur.getBoundingClientRect();
   const free = { left, top, width: innerWidth - left - right, height: innerHeight - top - bottom };
   letters.show(text, free, (x, y) => Boolean(fur.pick({ x: x - box.left, y: y - box.top })));
-  messages.note(howToPlace);
+  hint = messages.offer(howToPlace(matchMedia('(hover: none)').matches), 'Leave', () => letters.hide());
 }
 
-const letters = new Letters(byId('ghost'), (text, place) => fur.stamp(text, place), () => fur.focus());
+let hint;
+const letters = new Letters(byId('ghost'), (text, place) => fur.stamp(text, place), () => {
+  hint.remove();
+  fur.focus();
+});
 
 /** What lies over the picture at its edges. */
 let covered = { left: 0, top: 0, right: 0, bottom: 0 };

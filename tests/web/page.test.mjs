@@ -257,7 +257,7 @@ test('the tools of water are behind one button: rain, hose, shaking, letters and
   assert.deepEqual(page.problems, []);
 });
 
-test('letters are dragged, sized and turned as a ghost; a click stamps them there, Escape leaves', async () => {
+test('letters are dragged, sized and turned as a ghost; a click stamps them there; Escape leaves, and so does a button', async () => {
   const page = await site.open(`?${plain}&dryRate=0&src=sphere`, { viewport: { width: 600, height: 600 } });
   const offer = async () => {
     await page.click('#water');
@@ -284,7 +284,13 @@ test('letters are dragged, sized and turned as a ghost; a click stamps them ther
   await page.mouse.up();
   const [newX, newY] = await middle();
   assert.ok(Math.hypot(newX - x + 40, newY - y + 50) < 4, 'it went along');
+  const hint = page.locator('.message', { hasText: 'Drag the letters' });
+  assert.equal(await hint.count(), 1);
   await page.keyboard.press('Escape');
+  assert.equal(await page.isVisible('#ghost'), false);
+  assert.equal(await hint.count(), 0);
+  await offer();
+  await hint.getByText('Leave').click();
   assert.equal(await page.isVisible('#ghost'), false);
   assert.equal(await withFur(page, (fur) => fur.meanWetness), 0);
   await offer();
