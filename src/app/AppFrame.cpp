@@ -233,8 +233,6 @@ bool App::State::chooseShellCount(bool finer, double budget) {
   return shells.found = true;
 }
 
-int App::State::shellCount(int level) const { return level > 0 && shells.count == kSlenderShells ? 1 : shells.count; }
-
 render::Frame App::State::frame(int level) const {
   const QualityLevel& quality = qualityLevels()[static_cast<std::size_t>(level)];
   render::Frame f;
@@ -247,7 +245,7 @@ render::Frame App::State::frame(int level) const {
   f.pixelScale = quality.pixelScale;
   f.stepLength = quality.stepLength;
   f.hairShare = quality.hairShare;
-  f.shellCount = shellCount(level);
+  f.shellCount = level > 0 && shells.count == kSlenderShells ? 1 : shells.count;
   f.worldFromModel = worldFromModel();
   f.camera = view.pose();
   f.width = view.width;

@@ -220,7 +220,6 @@ struct App::State {
   void uploadEvenReach();
   bool showsMask() const;  // with the paint, for who is grooming
   bool showsForces() const { return static_cast<render::View>(settings.view) == render::View::Forces; }
-  int shellCount(int level) const;  // of pictures that are drawn once
   // `finer`: for samples that are gathered. Seconds that it may take; whether it is chosen.
   bool chooseShellCount(bool finer, double budget = 1e9);
   render::Frame frame(int level) const;

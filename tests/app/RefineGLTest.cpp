@@ -71,6 +71,7 @@ TEST(Refine, APictureThatStaysGetsBetterAndThenNothingIsDrawn) {
   EXPECT_GT(distance(studio.stage.read(), once), 0.5);
 }
 
+// On a sphere, no part of which is seen past another: there samples have a further shell (App::State::chooseShellCount()).
 TEST(Refine, TheFirstSampleIsThePictureThatIsDrawnOnce) {
   GatheringScene studio;
   const test::Picture once = studio.of(1);

@@ -56,3 +56,22 @@ test('a number of pictures that makes no turn is refused in one line', () => {
     assert.match(stderr, /^--turntable 1: expected a number from 2 to 3600\n/);
   });
 });
+
+// Rays that pass the head come into the coat of the back past its outside: a sickle of sky, of which one further shell leaves a tip.
+test('most of the sky that is seen between the bunny\'s head and its back is gone in a picture of several samples', () => {
+  const holesOf = (samples) => inScratch(['bunny', '--size', '960x780', '--camera=-0.6,0.2,2.2', '--preset', 'shortCat', '--wetness', '0.5', '--layers', '8', '--breath', '0',
+    '--transparent', '-o', 'x.png', '--samples', `${samples}`], ({ status, stderr, read }) => {
+    assert.equal(status, 0, stderr);
+    const { data, width } = read('x.png');
+    const isFur = (x, y) => data[4 * (y * width + x) + 3] > 200;
+    const within = 40, [left, right, top, bottom] = [382, 495, 270, 367];  // where it is; elsewhere sky is seen past ears and feet
+    const isHole = (x, y) => data[4 * (y * width + x) + 3] < 100 &&
+      [[0, -1], [0, 1], [-1, 0], [1, 0]].every(([dx, dy]) => Array.from({ length: within }, (_, k) => isFur(x + (k + 1) * dx, y + (k + 1) * dy)).some(Boolean));
+    let holes = 0;
+    for (let y = top; y < bottom; ++y) for (let x = left; x < right; ++x) holes += isHole(x, y);
+    return holes;
+  });
+  const once = holesOf(1), gathered = holesOf(2);
+  assert.ok(once >= 50, `${once} holes in a picture that is drawn once: is there still something to see?`);
+  assert.ok(gathered < once / 3, `${gathered} holes, ${once} in a picture that is drawn once`);
+});
