@@ -211,12 +211,11 @@ void App::State::uploadLengths(const geometry::TexelRect& changed) {
 
 // --- frames ---
 
-constexpr int kCrowdedShells = 3, kSlenderShells = 2;
 // Where a picture is drawn once further shells are worth their price if fur length times grazing share exceeds kCrowded: on a torus with fur of
 // 0.3, 0.2 % of all pixels show skin in the hole of the ring instead of fur. Slender bodies, whose share is above kSlender, have slivers of sky
 // between breast and foreleg: one further shell leaves little of them, in pictures of the best quality. Samples that are gathered have that
-// one on every body. Further shells stand only where rays may come to.
-bool App::State::chooseShellCount(bool finer, double budget) {
+// one on every body, as the bunny has such slivers behind its head. Further shells stand only where rays may come to.
+bool App::State::chooseShellCount(bool gathered, double budget) {
   constexpr float kCrowded = 0.024f, kSlender = 0.08f;
   const float length = coatLength();
   if (shells.surface != shape.surfaceRevision() || shells.length != length) {
@@ -224,7 +223,7 @@ bool App::State::chooseShellCount(bool finer, double budget) {
     shells = {shape.surfaceRevision(), length, length * share > kCrowded ? kCrowdedShells : share > kSlender ? kSlenderShells : 1};
     renderer->setCrowded({});
   }
-  if (shells.found || (shells.count == 1 && !finer)) return true;
+  if (shells.found || (shells.count == 1 && !gathered)) return true;
   if (!shells.search) shells.search.emplace(shape.surface(), shape.query(), length);
   for (const double begun = secondsNow(); !shells.search->step();)
     if (secondsNow() - begun > budget) return false;

@@ -12,8 +12,6 @@ namespace {
 
 // Of a picture that stays on a machine on which one of them takes long, and of one that is saved.
 constexpr int kFewSamples = 16;
-// Frame::shellCount of samples that are gathered, at least: behind the bunny's head sky shows through one shell.
-constexpr int kGatheredShells = 2;
 
 }  // namespace
 
@@ -46,15 +44,15 @@ Status App::State::drawFrame(const Drawn& drawn) {
   }
   water.readPuddles();
   upload();
-  const bool finer = drawn.gathers && !drawn.flows && (drawn.sample > 0 || samplesWanted() > 1);
-  chooseShellCount(finer);
+  const bool gathered = drawn.gathers && !drawn.flows && (drawn.sample > 0 || samplesWanted() > 1);
+  chooseShellCount(gathered);
   render::Frame f = frame(drawn.level);
   f.sample = drawn.sample;
   f.gathers = drawn.gathers;
   f.bands = drawn.bands;
   f.band = drawn.band;
   f.flows = drawn.flows;
-  if (finer) f.shellCount = std::max(f.shellCount, kGatheredShells);
+  if (gathered) f.shellCount = std::max(f.shellCount, kSlenderShells);
   const Status status = renderer->draw(f);
   uploadedBytes = renderer->takeUploadedBytes();
   noticeChanges();

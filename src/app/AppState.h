@@ -220,8 +220,9 @@ struct App::State {
   void uploadEvenReach();
   bool showsMask() const;  // with the paint, for who is grooming
   bool showsForces() const { return static_cast<render::View>(settings.view) == render::View::Forces; }
-  // `finer`: for samples that are gathered. Seconds that it may take; whether it is chosen.
-  bool chooseShellCount(bool finer, double budget = 1e9);
+  static constexpr int kCrowdedShells = 3, kSlenderShells = 2;
+  // `gathered`: for samples of a picture that stays. Seconds that it may take; whether it is chosen.
+  bool chooseShellCount(bool gathered, double budget = 1e9);
   render::Frame frame(int level) const;
   render::Frame frame() const { return frame(bestLevel); }
 

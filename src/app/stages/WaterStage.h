@@ -48,7 +48,7 @@ class WaterStage {
   // Time goes by: it dries, runs and falls, and the tool that is held works. Whether anything has changed.
   bool update(const Inputs& inputs);
   bool active(const Inputs& inputs) const { return working() || flows(climate(inputs)); }
-  // Another number when what can be seen has changed; water that creeps or dries slowly changes it about once a second.
+  // Another number when what can be seen has changed; water that creeps or dries slowly changes it every few seconds.
   std::uint64_t revision() const { return revision_; }
 
   // --- strokes: each ends in the step that undoes it ---
