@@ -98,12 +98,13 @@ function watchTime(fast) {
   const look = () => new Promise((resolve) => { frame(() => later(resolve, 20)); });
   window.untilStill = async (fur) => {
     const drawnNow = () => fur.stats?.framesDrawn;
-    // Elsewhere on the page something may go on for ever: frames that draw nothing are waited for so often and no more.
+    // Elsewhere on the page something may go on for ever: frames that draw nothing are waited for so often and no more. A timer is
+    // always waited for: a better picture may take many looks where the graphics processor is busy or a shader is still being linked.
     const most = 20;
     for (let looks = 0, idle = 0, drawn = drawnNow(); looks < 3 && idle < most; drawn = drawnNow()) {
       await look();
       const isStill = drawnNow() === drawn;
-      idle = isStill ? idle + 1 : 0;
+      idle = isStill && timers.size === 0 ? idle + 1 : 0;
       looks = isStill && frames.size + timers.size === 0 ? looks + 1 : 0;
       // Of five seconds that go by only the end is drawn. What waits for a timer a step would put off.
       if (fast && frames.size > 0 && fur.state === 'ready' && !fur.paused) fur.step(0.1, 49);
