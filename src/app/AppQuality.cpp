@@ -69,23 +69,32 @@ Status App::State::drawSamples(int level, int samples) {
 void App::State::forgetSamples() {
   samplesDone = bandsDrawn = 0;
   stale = false;
-  flowsBeside.reset();
+  flowsBeside = 0;
 }
 
-bool App::State::flowsAt(int level) const {
-  const bool whole = qualityLevels()[static_cast<std::size_t>(level)].pixelScale >= 1;
-  return flowsBeside == revisionButWater() && settings.refine && refines && !coat.growing() && whole && bandsOfBest() == 1;
+bool App::State::flows() const { return flowsBeside == revisionButWater() && settings.refine && refines && !coat.growing(); }
+
+// One more sample of the best picture, or a band of it where that takes long: the mean of whole ones is shown meanwhile. The first of these then
+// takes the place of a picture as all moving ones are.
+Status App::State::drawFlowing() {
+  const bool first = samplesDone == 0;
+  if (bandsDrawn == 0) bands = first ? 1 : bandsOfBest();
+  if (first) drawnLevel = bandsOfBest() > 1 ? levelFor(Picture::Moving) : bestLevel;
+  const int level = first ? drawnLevel : bestLevel, sample = level < drawnLevel ? 0 : samplesDone;
+  if (Status status = drawFrame({level, sample, true, bands, bandsDrawn, true}); !status) return status;
+  ++framesDrawn;
+  if (++bandsDrawn < bands) return Done{};
+  bandsDrawn = 0;
+  drawnLevel = level;
+  samplesDone = sample + 1;
+  samplesShown = std::min(samplesDone, render::kFlowingSamples);
+  return Done{};
 }
 
 Status App::draw(Picture picture, int samples) {
   State& s = *state_;
+  if (picture == Picture::Moving && s.flows()) return s.drawFlowing();
   s.drawnLevel = s.levelFor(picture);
-  if (picture == Picture::Moving && s.flowsAt(s.drawnLevel)) {
-    if (Status status = s.drawFrame({.level = s.drawnLevel, .sample = s.samplesDone, .gathers = true, .flows = true}); !status) return status;
-    s.samplesShown = std::min(++s.samplesDone, render::kFlowingSamples);
-    ++s.framesDrawn;
-    return Done{};
-  }
   s.samplesShown = std::clamp(samples, 1, render::kMostSamples);
   s.forgetSamples();
   if (Status status = s.drawSamples(s.drawnLevel, s.samplesShown); !status) return status;
@@ -127,8 +136,8 @@ void App::setFrameBudget(float milliseconds) {
 }
 
 void App::frameShown(float milliseconds, float drawing) {
-  // What a coat takes that grows meanwhile is not the picture's doing.
-  if (state_->governed && !state_->coat.growing()) state_->governor.frame(milliseconds, drawing);
+  // What a coat takes that grows meanwhile is not the picture's doing; while water moves it is the best one, or a band of it.
+  if (state_->governed && !state_->flowsBeside && !state_->coat.growing()) state_->governor.frame(milliseconds, drawing);
 }
 
 void App::setRefining(bool refines) { state_->refines = refines; }
@@ -149,8 +158,8 @@ Result<bool> App::improve() {
     if (!improvable()) s.renderer->rest();
     return true;
   }
-  const bool rests = s.flowsBeside.has_value();  // the water does, or moves by what nobody sees
-  if (s.bandsDrawn == 0 && (rests || (s.stale && s.samplesDone >= s.samplesWanted()))) {
+  const bool rests = s.flowsBeside != 0;  // the water does, or moves by what nobody sees
+  if (rests || (s.bandsDrawn == 0 && s.stale && s.samplesDone >= s.samplesWanted())) {
     s.forgetSamples();
     s.samplesShown = std::min(s.samplesShown, kFewSamples) - 1;  // it makes room for as many
   }

@@ -154,8 +154,7 @@ struct App::State {
   int samplesDone = 0, samplesShown = 1;
   int bands = 1, bandsDrawn = 0;
   bool stale = false;   // what is gathered lacks a slight change
-  // While nothing but water moves: revisionButWater() of what the samples show.
-  std::optional<std::uint64_t> flowsBeside;
+  std::uint64_t flowsBeside = 0;  // while nothing but water moves: revisionButWater() of what the samples show; or 0
   float bustle = 0;     // changes that came lately
   bool refines = true;  // as setRefining() said
   bool governed = false;
@@ -238,7 +237,8 @@ struct App::State {
   int samplesWanted() const;
   Status drawFrame(const Drawn& drawn);
   Status drawSamples(int level, int samples);
-  bool flowsAt(int level) const;  // the next picture is a sample more, of water that has moved
+  bool flows() const;  // nothing but water has moved since the last picture
+  Status drawFlowing();
   void forgetSamples();
 
   // --- AppInput.cpp ---

@@ -222,7 +222,7 @@ bool App::tick(float seconds, float coatBudget) {
   const bool slight = byWater && s.bustle <= kSeldom;
   if (slight) return s.stale = true, false;
   if (!byWater || sways) s.forgetSamples();
-  else s.flowsBeside = others, s.bandsDrawn = 0, s.stale = false;
+  else if (s.stale = false; s.flowsBeside != others) s.flowsBeside = others, s.bandsDrawn = 0;
   return true;
 }
 

@@ -187,24 +187,28 @@ Status Renderer::draw(const Frame& frame) {
     gl::setViewport(frame.width, frame.height);
     if (!small_.show(programs())) return programs().error();
   }
-  if (frame.gathers && !gather(drawing)) return programs().error();
+  if (frame.gathers && !gather(drawing, frame)) return programs().error();
   return Done{};
 }
 
-bool Renderer::gather(const Drawing& drawing) {
-  const Frame& frame = drawing.frame;
+bool Renderer::gather(const Drawing& drawing, const Frame& frame) {
   const Rows rows = rowsOf(frame);
   const bool last = frame.band + 1 == frame.bands;
   if (!gathered_.add(programs(), frame.width, allRows(frame), rows.bottom, rows.count)) return false;
-  if (!last) {
+  if (!last && !frame.flows) {
     gl::flush();
     return true;
   }
-  if (!gathered_.show(programs(), frame.flows)) return false;
-  if (!frame.flows) return true;
+  if (!frame.flows) return gathered_.show(programs());
   // From the middle of the pixels, or drops that hang would tremble.
   Frame middle = frame;
   middle.sample = 0;
+  // The framebuffer lacks the depth of what was drawn elsewhere, or in other bands: there the skin hides what is behind it.
+  if (frame.bands > 1 || frame.pixelScale < 1) {
+    gl::clear(Vec4(0, 0, 0, 1));
+    if (!drawSkin(drawing, drawing.look.skin(kPlain))) return false;
+  }
+  if (!gathered_.show(programs(), true)) return false;
   frameBlock_.update(gl::bytesOf(frameBlock(middle)));
   return drops_.draw(drawing);
 }
@@ -232,19 +236,17 @@ bool Renderer::drawPasses(const Drawing& drawing) {
 }
 
 bool Renderer::drawFinal(const Drawing& drawing) {
-  if (drawing.look.classic()) return drawClassic(drawing);
-  return drawBall(drawing) && drawModel(drawing, kPlain) && (hairViews_ ? hairViews_->draw(drawing, *hair_) : hair_->draw(drawing)) && whiskers_.draw(drawing) &&
-         ground_.draw(drawing, groundShadow_) && drawBackground(drawing) && drawBlended(drawing) && beads_.draw(drawing, whiskers_) &&
+  const settings::Settings& s = drawing.frame.settings;
+  const bool classic = drawing.look.classic();
+  return drawBall(drawing) && (!classic ? drawModel(drawing, kPlain) : !s.skin || drawSkin(drawing, drawing.look.skin(kPlain))) &&
+         (hairViews_ ? hairViews_->draw(drawing, *hair_) : hair_->draw(drawing)) && whiskers_.draw(drawing) && ground_.draw(drawing, groundShadow_) &&
+         drawBackground(drawing) && drawBlended(drawing) && (!classic ? beads_.draw(drawing, whiskers_) : drawClassic(drawing)) &&
          (drawing.frame.flows || drops_.draw(drawing)) && (!hairViews_ || hairViews_->drawLines(drawing));
 }
 
 // The technique `shells`: what is blended comes over all that is not.
 bool Renderer::drawClassic(const Drawing& drawing) {
-  const settings::Settings& s = drawing.frame.settings;
-  return drawBall(drawing) && (!s.skin || drawSkin(drawing, drawing.look.skin(kPlain))) &&
-         (hairViews_ ? hairViews_->draw(drawing, *hair_) : hair_->draw(drawing)) && whiskers_.draw(drawing) && ground_.draw(drawing, groundShadow_) &&
-         drawBackground(drawing) && drawBlended(drawing) && fins_.drawClassic(drawing) && (!s.shells || shells_.drawClassic(drawing)) &&
-         (drawing.frame.flows || drops_.draw(drawing)) && (!hairViews_ || hairViews_->drawLines(drawing));
+  return fins_.drawClassic(drawing) && (!drawing.frame.settings.shells || shells_.drawClassic(drawing));
 }
 
 bool Renderer::drawModel(const Drawing& drawing, VariantBits view) {

@@ -113,7 +113,7 @@ class Renderer {
   Renderer() = default;
   void beginPrograms(const Frame& frame, const Parts& parts);
   bool drawPasses(const Drawing& drawing);
-  bool gather(const Drawing& drawing);
+  bool gather(const Drawing& drawing, const Frame& frame);
   bool drawFinal(const Drawing& drawing);
   bool drawClassic(const Drawing& drawing);
   bool drawView(const Drawing& drawing, View view);

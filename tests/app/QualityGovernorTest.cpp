@@ -257,6 +257,15 @@ TEST(QualityGovernor, AStillPictureIsTheBestThatIsNotUnbearablySlow) {
   EXPECT_LE(slow.governor.stillLevel(), slow.governor.level());
 }
 
+// By the times of the level that it left, or a picture in 8 bands would come in 55.
+TEST(QualityGovernor, RightAfterAFallItKnowsHowManyBandsTheBestPictureTakes) {
+  QualityGovernor governor;
+  for (int i = 0; i < 100 && governor.level() == 0; ++i) governor.frame(880);
+  ASSERT_EQ(governor.level(), kQualityLevels - 1);
+  EXPECT_EQ(governor.bandsOfBest(), 8);
+  EXPECT_EQ(governor.frameTime(), 880);
+}
+
 TEST(QualityGovernor, AnotherBudgetIsHeldToo) {
   for (const float budget : {8.33f, 33.3f, 100.0f}) {
     Trial run;

@@ -249,9 +249,40 @@ TEST(Refine, WhileNothingButWaterMovesThePictureIsAMeanThatFollowsIt) {
   EXPECT_EQ(studio.stage.read().differingShare(studio.of(1), 0), 0);
 }
 
-// In a mean of eight a drop that falls would be eight drops that hardly show.
-TEST(Refine, DropsFlyOverAMeanAsOverASinglePicture) {
+// A machine on which pictures that move are coarse: their frames are given to take so many milliseconds.
+void beSlow(GatheringScene& studio, float frame) {
+  studio.app.setQuality(0, true);
+  for (int i = 0; i < 60; ++i) studio.app.frameShown(frame);
+}
+
+// There all of soaked fur was coarse for that minute.
+TEST(Refine, WhileNothingButWaterMovesASlowMachineShowsTheBestPictureAsItComesBandByBand) {
   GatheringScene studio;
+  ASSERT_TRUE(studio.app.setField("wind", "0"));
+  beSlow(studio, 900);
+  studio.app.setWetness(1);
+  for (int i = 0; i < 1200; ++i) studio.app.tick(1 / 60.0f);
+  run(studio, 4);
+  const int coarse = studio.app.stats().level;
+  const test::Picture first = studio.stage.read();
+  ASSERT_GT(coarse, 1);  // in fewer pixels
+  run(studio, 3);  // so few bands are not the whole
+  EXPECT_EQ(studio.app.stats().level, coarse);
+  EXPECT_LT(studio.stage.read().differingShare(first, 30), 0.02) << "no part of it is shown before";
+  int frames = 0;
+  for (; studio.app.stats().level > 0 && frames < 100; ++frames) run(studio, 1);
+  EXPECT_GT(frames, 3);
+  EXPECT_LT(frames, 100);
+  run(studio, 8 * frames);
+  const test::Picture followed = studio.stage.read(), best = studio.of(64), once = studio.of(1);
+  // Less than where no water has run on between bands.
+  EXPECT_LT(distance(followed, best), 0.85 * distance(once, best));
+  EXPECT_LT(distance(followed, best), 0.85 * distance(first, best));
+}
+
+// In a mean of eight a drop that falls would be eight drops that hardly show.
+// `others`: pixels at most, as a share of those of drops, that differ where no drop is: a mean in bands is older, of strands that drops have moved.
+void expectDropsOverMean(GatheringScene& studio, double others) {
   ASSERT_TRUE(studio.app.drawPart({kSide, kSide, 0, kSide, true, 16}));
   const test::Picture model = studio.stage.read(), before = studio.of(1);
   studio.app.sprinkle(60);
@@ -266,7 +297,18 @@ TEST(Refine, DropsFlyOverAMeanAsOverASinglePicture) {
   }
   EXPECT_GT(drops, 20) << "there are some";
   EXPECT_EQ(alike, drops);
-  EXPECT_EQ(trails, 0);
+  EXPECT_LE(trails, others * drops);
+}
+
+TEST(Refine, DropsFlyOverAMeanAsOverASinglePicture) {
+  GatheringScene studio;
+  expectDropsOverMean(studio, 0);
+}
+
+TEST(Refine, DropsFlyOverAMeanThatComesBandByBand) {
+  GatheringScene studio;
+  beSlow(studio, 300);  // no more bands than come while drops fall
+  expectDropsOverMean(studio, 0.1);
 }
 
 TEST(Refine, APanelThatMovesAloneFindsThePictureAsItWas) {

@@ -83,7 +83,7 @@ void QualityGovernor::forget() {
   unavoidable_ = believed_ = 0;
   quickest_ = 1e9f;
   loadBeforeFall_ = 0;
-  frameTime_ = 0;
+  frameTime_ = timeOfCost_ = 0;
   moveTo(level_);
 }
 
@@ -115,6 +115,7 @@ void QualityGovernor::frame(float shown, float drawing) {
   timed_ = drawing > 0;
   if (!remember(shown, drawing)) return;
   frameTime_ = median(window_.shown, window_.count);
+  timeOfCost_ = frameTime_ / at(level_).cost;
   const float load = this->load();
   quickest_ = std::min(quickest_ * kForgetting, load);
   forgetTheUnavoidable(load);
@@ -199,13 +200,12 @@ void QualityGovernor::climb(float load) {
 }
 
 int QualityGovernor::bandsOfBest() const {
-  const float expected = frameTime_ * at(best_).cost / at(level_).cost;
-  return static_cast<int>(std::clamp(expected / kBandTime, 1.0f, kMostBands));
+  return static_cast<int>(std::clamp(timeOfCost_ * at(best_).cost / kBandTime, 1.0f, kMostBands));
 }
 
 int QualityGovernor::stillLevel() const {
   int level = best_;
-  while (level < level_ && frameTime_ * at(level).cost > kStillTime * at(level_).cost) ++level;
+  while (level < level_ && timeOfCost_ * at(level).cost > kStillTime) ++level;
   return level;
 }
 

@@ -91,6 +91,7 @@ class QualityGovernor {
   double believedUntil_ = 0;   // ms of clock_
   float quickest_ = 1e9f;      // ms: median of the quickest frames so far
   float frameTime_ = 0, evenTime_ = 0;  // ms of shown: median; running average, since bursts deceive a median
+  float timeOfCost_ = 0;  // ms: frameTime_ by the cost of the level that it was measured at
   bool timed_ = false, pausedBefore_ = false;
 };
 
