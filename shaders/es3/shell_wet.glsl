@@ -31,6 +31,7 @@ float entryRadius;                // of its clump, 0: it is dry
 float seenApart;                  // how far strands that are drawn together are seen one by one
 float soakedShare;                // how much of a sheet the coat is
 float shortness, closed;          // shortnessOf() of the coat there; clumpsClosed()
+float locked;                     // how far strands lie in locks: those that are drawn as one, and single ones of short fur
 float sheet, joined;              // how far the clumps that are drawn have closed into it; how much of what is shown is drawn as one
 float clumpsSmooth;               // what glints on soaked clumps has left of its smoothness where they are small
 float coatTop;                    // how high it stands
@@ -100,6 +101,7 @@ void enterWater() {
   clumpsSmooth = mix(1.0, mix(kLeastSmooth, 1.0, smoothstep(kLargeClump, 4.0 * kLargeClump, clumpPixels)), soakedShare);
   joined = max(soakedShare * (2.0 - soakedShare) * far, min(2.0 * entryHeld, 1.0) * smallClumps);
   joined = max((1.0 + kUnseenSheet) * joined - kUnseenSheet, 0.0);
+  locked = max(joined, shortness * min(2.0 * entryHeld, 1.0));
   coatTop = upright(entryHeld, soakedShare);
   bend = 0.5 * vLean.xy;
   lean = wetLean(bend, water.y, sheetOf(water.y, shortness));
@@ -292,7 +294,7 @@ void lieDown(float frays, float line) {
   float pixels = tileTexels * exp2(-large - vLight.w);
   float lie = smoothstep(0.05, 0.3, lies);
   small = smoothstep(0.2, 0.8, small);  // seldom are there both sizes: each costs as much as all the rest of the light
-  vec2 seen = joined * lie * vec2(1.0 - small, small) * smoothstep(vec2(2.0), vec2(7.0), vec2(pixels, 0.5 * pixels));
+  vec2 seen = locked * lie * vec2(1.0 - small, small) * smoothstep(vec2(2.0), vec2(7.0), vec2(pixels, 0.5 * pixels));
   Lying one = Lying(vec2(0.0), 0.0, 0.0, vec2(0.0), 1.0), two = one;
   for (int i = 0, once = int(seen.x > 0.0); i < once; ++i) one = locksAt(tile, way, exp2(large), frays);
   for (int i = 0, once = int(seen.y > 0.0); i < once; ++i) two = locksAt(tile, 0.7 * way, exp2(large + 1.0), frays);
@@ -300,8 +302,8 @@ void lieDown(float frays, float line) {
   vec2 beside = furFromTile * vec2(-way.y, way.x);
   lying.outward = beside * ((0.85 * dot(seen, vec2(one.outward.x, two.outward.x)) + joined * line) / max(length(beside), 1e-6));
   lying.chance = dot(seen, vec2(one.chance, two.chance));
-  lying.rises = mix(1.0, min(kMeanRise * rises.x * rises.y, 1.0), joined * lie);
-  lying.smoothness = mix(lying.smoothness, mix(kLockGloss, kUnseenLocks, lie - (seen.x + seen.y) / joined), joined);
+  lying.rises = mix(1.0, min(kMeanRise * rises.x * rises.y, 1.0), locked * lie);
+  lying.smoothness = mix(lying.smoothness, mix(kLockGloss, kUnseenLocks, lie - (seen.x + seen.y) / locked), 0.5 * (joined + locked));
   lying.tilt = -0.6 * lying.outward;
 }
 
@@ -316,7 +318,7 @@ void joinStrands(inout Met met, float furry) {
   met.held = max(mix(met.here.clump.a, entryHeld, closed), kWetAsAround * entryHeld);
   lying = Lying(vec2(0.0), 1.0, 0.0, vec2(0.0), clumpsSmooth);
   float ofStrand = soakedShare * (1.0 - joined) * liesBy(chanceOfClump(met.here.clump.xy), met.number, shortness);
-  for (int i = 0, once = int(joined > 0.0); i < once; ++i) {
+  for (int i = 0, once = int(locked > 0.0); i < once; ++i) {
     vec4 inLine = strandsOfSheet(met.spot.z, 0.35), some = strandsOfSheet(met.spot.z, 1.2), many = strandsOfSheet(met.spot.z, 4.0);
     lieDown(2.0 * (inLine.z - 0.5) + 1.0 * (some.z - 0.5), 4.0 * (inLine.z - 0.5) + 2.0 * (some.z - 0.5));
     float deep = clamp(0.8 + 2.0 * (some.z - 0.5) + 5.0 * (many.z - 0.5), 0.4, 1.0);

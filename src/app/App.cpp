@@ -5,6 +5,7 @@
 
 #include "app/AppState.h"
 #include "core/Clock.h"
+#include "core/NumberText.h"
 #include "geometry/Primitives.h"
 #include "geometry/SurfaceBytes.h"
 #include "scene/StateJson.h"
@@ -435,7 +436,7 @@ std::vector<std::uint8_t> App::saveHistory(bool leaves) const {
 Status App::restoreHistory(std::span<const std::uint8_t> bytes) {
   state_->lastField = nullptr;
   if (state_->history.restore(bytes)) return Done{};
-  return Error{ErrorId::BadFile, "a history of " + std::to_string(bytes.size()) + " bytes is not of this model"};
+  return Error{ErrorId::BadFile, "a history of " + decimal(bytes.size()) + " bytes is not of this model"};
 }
 
 unsigned App::changes() const { return state_->otherChanges + state_->history.revision(); }

@@ -1,6 +1,7 @@
 // What programs do with the coat.
 #include "app/AppState.h"
 #include "core/Bytes.h"
+#include "core/NumberText.h"
 #include "scene/CoatFile.h"
 #include "scene/TypeSet.h"
 #include "settings/Presets.h"
@@ -76,7 +77,7 @@ Status App::setTypePicture(int type, std::vector<std::uint8_t> file, int width, 
   auto image = scene::encodedImage(std::move(file), "a colour map");
   if (!image) return image.error();
   if (type > 0 && type < settings::kFurTypes && !(state_->groom.types() >> type & 1))
-    addWarning("fur type " + std::to_string(type + 1) + " grows nowhere yet: its colour map shows where the brush Type paints it");
+    addWarning("fur type " + decimal(type + 1) + " grows nowhere yet: its colour map shows where the brush Type paints it");
   settings::Settings next = state_->settings;
   next.typePictures[static_cast<std::size_t>(type)] = state_->shelf.add(ColorMap{std::move(*image), width, height, std::move(rgba)});
   changeSettings(next);
@@ -115,7 +116,7 @@ Status App::restoreTypeFiles(std::span<const std::uint8_t> bytes) {
     if (!picture) return picture.error();
     type.picture = std::move(*picture);
   }
-  if (!from.sound() || !from.atEnd()) return Error{ErrorId::BadFile, "files of fur types of " + std::to_string(bytes.size()) + " bytes are not sound"};
+  if (!from.sound() || !from.atEnd()) return Error{ErrorId::BadFile, "files of fur types of " + decimal(bytes.size()) + " bytes are not sound"};
   auto numbers = state_->shelf.addFiles(files, "coat.fts");
   if (!numbers) return numbers.error();
   ++state_->changed;

@@ -3,6 +3,7 @@
 
 #include "app/AppState.h"
 #include "core/Json.h"
+#include "core/NumberText.h"
 #include "groom/MapPictures.h"
 #include "scene/Png.h"
 
@@ -92,7 +93,7 @@ Status App::restoreGroom(std::span<const std::uint8_t> bytes, bool undoable) {
   const bool restored = s.groom.restore(s.shape, bytes);
   s.endStroke();
   if (restored) return Done{};
-  return Error{ErrorId::BadFile, "a groom of " + std::to_string(bytes.size()) + " bytes is not of this model"};
+  return Error{ErrorId::BadFile, "a groom of " + decimal(bytes.size()) + " bytes is not of this model"};
 }
 
 // --- materials ---
@@ -102,7 +103,7 @@ std::string App::materials() const {
   std::string out;
   for (std::size_t i = 0; i < s.document.materials.size(); ++i) {
     const scene::Material& material = s.document.materials[i];
-    out += (out.empty() ? "[" : ",") + std::string("{\"name\":") + jsonString(material.name) + ",\"triangles\":" + std::to_string(material.triangles) +
+    out += (out.empty() ? "[" : ",") + std::string("{\"name\":") + jsonString(material.name) + ",\"triangles\":" + decimal(material.triangles) +
            ",\"furry\":" + (s.groom.isBare(i) ? "false" : "true") + "}";
   }
   return out + "]";
@@ -116,7 +117,7 @@ Status App::setFurry(int material, bool furry) {
   State& s = *state_;
   const std::size_t count = s.groom.groom().bare.size();
   if (material < 0 || static_cast<std::size_t>(material) >= count)
-    return Error{ErrorId::BadFile, "material " + std::to_string(material) + ": fur can be chosen for " + std::to_string(count) + " materials of this model"};
+    return Error{ErrorId::BadFile, "material " + decimal(material) + ": fur can be chosen for " + decimal(count) + " materials of this model"};
   s.beginGroomStroke();
   s.groom.setBare(static_cast<std::size_t>(material), !furry);
   s.endStroke();

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "app/AppState.h"
+#include "core/NumberText.h"
 
 namespace fur::app {
 
@@ -97,7 +98,7 @@ Status App::restoreHair(std::span<const std::uint8_t> bytes, bool undoable) {
   const bool restored = s.hair->restore(bytes);
   s.endStroke();
   if (restored) return Done{};
-  return Error{ErrorId::BadFile, "hair of " + std::to_string(bytes.size()) + " bytes is not of this program"};
+  return Error{ErrorId::BadFile, "hair of " + decimal(bytes.size()) + " bytes is not of this program"};
 }
 
 }  // namespace fur::app

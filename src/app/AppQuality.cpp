@@ -74,12 +74,12 @@ void App::State::forgetSamples() {
 
 bool App::State::flows() const { return flowsBeside == revisionButWater() && settings.refine && refines && !coat.growing(); }
 
-// One more sample of the best picture, or a band of it where that takes long: the mean of whole ones is shown meanwhile. The first of these then
-// takes the place of a picture as all moving ones are.
+// After one as all moving pictures are, samples of the best, the first of which takes its place; or a band of one where that takes long. The mean of
+// whole ones is shown meanwhile.
 Status App::State::drawFlowing() {
   const bool first = samplesDone == 0;
+  if (first) drawnLevel = levelFor(Picture::Moving);
   if (bandsDrawn == 0) bands = first ? 1 : bandsOfBest();
-  if (first) drawnLevel = bandsOfBest() > 1 ? levelFor(Picture::Moving) : bestLevel;
   const int level = first ? drawnLevel : bestLevel, sample = level < drawnLevel ? 0 : samplesDone;
   if (Status status = drawFrame({level, sample, true, bands, bandsDrawn, true}); !status) return status;
   ++framesDrawn;
@@ -93,7 +93,7 @@ Status App::State::drawFlowing() {
 
 Status App::draw(Picture picture, int samples) {
   State& s = *state_;
-  if (picture == Picture::Moving && s.flows()) return s.drawFlowing();
+  if ((s.flowing = picture == Picture::Moving && s.flows())) return s.drawFlowing();
   s.drawnLevel = s.levelFor(picture);
   s.samplesShown = std::clamp(samples, 1, render::kMostSamples);
   s.forgetSamples();
@@ -137,7 +137,7 @@ void App::setFrameBudget(float milliseconds) {
 
 void App::frameShown(float milliseconds, float drawing) {
   // What a coat takes that grows meanwhile is not the picture's doing; while water moves it is the best one, or a band of it.
-  if (state_->governed && !state_->flowsBeside && !state_->coat.growing()) state_->governor.frame(milliseconds, drawing);
+  if (state_->governed && !state_->flowing && !state_->coat.growing()) state_->governor.frame(milliseconds, drawing);
 }
 
 void App::setRefining(bool refines) { state_->refines = refines; }

@@ -155,6 +155,7 @@ struct App::State {
   int bands = 1, bandsDrawn = 0;
   bool stale = false;   // what is gathered lacks a slight change
   std::uint64_t flowsBeside = 0;  // while nothing but water moves: revisionButWater() of what the samples show; or 0
+  bool flowing = false;  // the picture that was drawn last is such a sample
   float bustle = 0;     // changes that came lately
   bool refines = true;  // as setRefining() said
   bool governed = false;

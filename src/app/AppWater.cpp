@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "app/AppState.h"
+#include "core/NumberText.h"
 
 namespace fur::app {
 
@@ -129,7 +130,7 @@ std::vector<std::uint8_t> App::saveWater() const { return state_->water.save(); 
 Status App::restoreWater(std::span<const std::uint8_t> bytes) {
   state_->endStroke();
   if (state_->water.restore(bytes)) return Done{};
-  return Error{ErrorId::BadFile, "water of " + std::to_string(bytes.size()) + " bytes is not of this model"};
+  return Error{ErrorId::BadFile, "water of " + decimal(bytes.size()) + " bytes is not of this model"};
 }
 
 }  // namespace fur::app

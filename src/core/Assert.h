@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "core/NumberText.h"
+
 namespace fur {
 
 [[noreturn]] void assertFailed(const char* where, const char* expected, const std::string& got);
@@ -11,7 +13,7 @@ namespace fur {
 inline std::string assertText(const std::string& s) { return s; }
 inline std::string assertText(const char* s) { return s; }
 template <class T>
-std::string assertText(T number) { return std::to_string(number); }
+std::string assertText(T number) { return decimal(static_cast<std::int64_t>(number)); }
 
 }  // namespace fur
 

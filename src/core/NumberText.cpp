@@ -53,6 +53,15 @@ bool readDecimal(std::string_view text, double& out) {
   return any && at == end;
 }
 
+std::string decimal(std::int64_t number) {
+  std::string out;
+  auto rest = static_cast<std::uint64_t>(number);
+  if (number < 0) rest = 0 - rest;
+  do out.insert(out.begin(), static_cast<char>('0' + rest % 10));
+  while (rest /= 10);
+  return number < 0 ? "-" + out : out;
+}
+
 std::string shortDecimal(double value) {
   std::string out = std::signbit(value) ? "-" : "";
   const double size = std::abs(value);
@@ -66,7 +75,7 @@ std::string shortDecimal(double value) {
   do {
     whole = std::nearbyint(scaled(size, digits - 1 - exponent));
   } while (static_cast<float>(scaled(whole, exponent + 1 - digits)) != static_cast<float>(size) && ++digits <= 9);
-  std::string text = std::to_string(static_cast<std::uint64_t>(whole));
+  std::string text = decimal(static_cast<std::int64_t>(whole));
   if (text.size() > static_cast<std::size_t>(digits)) ++exponent;  // 9.9999996 became 10.0000
   text.erase(text.find_last_not_of('0') + 1);
   if (exponent < -4 || exponent >= digits) {
@@ -74,7 +83,7 @@ std::string shortDecimal(double value) {
     const int power = std::abs(exponent);
     text += exponent < 0 ? "e-" : "e+";
     if (power < 10) text += '0';
-    return out + text + std::to_string(power);
+    return out + text + decimal(power);
   }
   if (exponent < 0) return out + "0." + std::string(static_cast<std::size_t>(-exponent - 1), '0') + text;
   const auto before = static_cast<std::size_t>(exponent) + 1;

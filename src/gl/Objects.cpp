@@ -234,8 +234,8 @@ Result<Capabilities> queryCapabilities() {
   glGetIntegerv(GL_MAX_VERTEX_TEXTURE_IMAGE_UNITS, &c.maxVertexTextures);
   glGetIntegerv(GL_MAX_SAMPLES, &c.maxSamples);
   if (c.maxArrayLayers < 64 || c.maxVertexTextures < 1)
-    return Error{ErrorId::WebglUnavailable, c.renderer + ": " + std::to_string(c.maxArrayLayers) +
-                                                " array layers (64 needed), " + std::to_string(c.maxVertexTextures) +
+    return Error{ErrorId::WebglUnavailable, c.renderer + ": " + decimal(c.maxArrayLayers) +
+                                                " array layers (64 needed), " + decimal(c.maxVertexTextures) +
                                                 " vertex textures (1 needed)"};
   return c;
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <string>
 
+#include "core/NumberText.h"
 #include "hair/GuideChain.h"
 #include "hair/GuideEdits.h"
 
@@ -53,7 +54,7 @@ Result<Guides> mirrored(const Guides& guides, const Plane& plane, float onPlane)
     append(out, other, guides.flags[g]);
   }
   if (out.count() > kMostGuides)
-    return Error{ErrorId::TooLarge, "guides: mirrored they are " + std::to_string(out.count()) + "; a scalp has at most " + std::to_string(kMostGuides)};
+    return Error{ErrorId::TooLarge, "guides: mirrored they are " + decimal(out.count()) + "; a scalp has at most " + decimal(kMostGuides)};
   return out;
 }
 

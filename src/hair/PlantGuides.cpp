@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/NumberText.h"
 #include "core/PortableMath.h"
 
 namespace fur::hair {
@@ -37,7 +38,7 @@ void bendChain(std::span<Vec3> chain, const Vec3& root, const Vec3& normal, Vec3
 }
 
 Error badCount(int count) {
-  return {ErrorId::TooLarge, "guides: " + std::to_string(count) + " of them; a scalp has 1 to " + std::to_string(kMostGuides)};
+  return {ErrorId::TooLarge, "guides: " + decimal(count) + " of them; a scalp has 1 to " + decimal(kMostGuides)};
 }
 
 }  // namespace

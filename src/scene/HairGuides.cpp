@@ -4,6 +4,7 @@
 #include <limits>
 #include <string>
 
+#include "core/NumberText.h"
 #include "scene/HairFile.h"
 
 namespace fur::scene {
@@ -153,7 +154,7 @@ bool lieOnAll(const Guides& guides, const hair::ScalpSurface& scalp, const geome
 
 Result<Guides> guidesOf(const HairFile& hair, const HairAsGuides& as, const std::string& name) {
   if (as.count < 1 || static_cast<std::size_t>(as.count) > hair::kMostGuides)
-    return Error{ErrorId::TooLarge, name + ": " + std::to_string(as.count) + " guides; a scalp has 1 to " + std::to_string(hair::kMostGuides)};
+    return Error{ErrorId::TooLarge, name + ": " + decimal(as.count) + " guides; a scalp has 1 to " + decimal(hair::kMostGuides)};
   const Strands strands(hair, as.up);
   if (strands.size() == 0) return badFile(name, "none of its strands has a length");
   Guides out;

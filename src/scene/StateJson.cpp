@@ -76,13 +76,13 @@ std::string writeState(const ProgramState& state) {
   }
   const std::string ofTypes = settings::typesJson(state.settings);
   out.append(ofTypes, *before == ',' || ofTypes.empty() ? 0 : 1);
-  return out.append("},\"version\":").append(std::to_string(kStateVersion)).append("}");
+  return out.append("},\"version\":").append(decimal(kStateVersion)).append("}");
 }
 
 Result<ProgramState> readState(std::string_view text) {
   if (text.size() > kMaxStateBytes)
-    return Error{ErrorId::TooLarge, "state: " + std::to_string(text.size()) + " bytes, the limit is " +
-                                        std::to_string(kMaxStateBytes)};
+    return Error{ErrorId::TooLarge, "state: " + decimal(text.size()) + " bytes, the limit is " +
+                                        decimal(kMaxStateBytes)};
   const std::vector<Json> nodes = parseJson(text);
   if (nodes.empty() || !nodes[0].isObject()) return Error{ErrorId::BadFile, "state: not a JSON object"};
   const Json& json = nodes[0];
@@ -90,7 +90,7 @@ Result<ProgramState> readState(std::string_view text) {
     const double number = version->number();
     if (!(number <= kStateVersion && number == std::floor(number)))
       return Error{ErrorId::UnsupportedVersion, "state: version " + std::string(version->source().substr(0, 64)) +
-                                                    ", this program reads up to " + std::to_string(kStateVersion)};
+                                                    ", this program reads up to " + decimal(kStateVersion)};
   }
   ProgramState state;
   for (const Json& own : json) {

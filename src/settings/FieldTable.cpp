@@ -92,7 +92,7 @@ std::string valueText(const FieldRow& field, double value) {
     case FieldType::Bool: return value != 0 ? "true" : "false";
     case FieldType::Choice: return std::string(optionName(field, static_cast<int>(value)));
     case FieldType::Color: return '#' + hexadecimal(static_cast<std::uint64_t>(value), 6);
-    case FieldType::Int: return std::to_string(static_cast<int>(value));
+    case FieldType::Int: return decimal(static_cast<int>(value));
     case FieldType::Float: return shortDecimal(value);
   }
   return {};

@@ -165,7 +165,7 @@ std::string typesJson(const Settings& settings) {
   for (int type = 0; type < kFurTypes; ++type) {
     const auto index = static_cast<std::size_t>(type);
     const auto add = [&](std::string_view name, std::string_view json) {
-      out.append(",\"type").append(std::to_string(type + 1)).append(".").append(name).append("\":").append(json);
+      out.append(",\"type").append(decimal(type + 1)).append(".").append(name).append("\":").append(json);
     };
     if (!typeName(settings, type).empty()) add("name", jsonString(typeName(settings, type)));
     for (const FileField& file : kFiles)

@@ -7,6 +7,7 @@
 
 #include "core/Assert.h"
 #include "core/Fnv1a.h"
+#include "core/NumberText.h"
 #include "wet/Drying.h"
 
 namespace fur::wet {
@@ -144,7 +145,7 @@ void WetnessMask::clear() {
 
 void WetnessMask::restore(std::vector<Vec4> texels, std::vector<float> film) {
   FUR_ASSERT(texels.size() == texels_.size() && (film.empty() || film.size() == texels_.size()), "WetnessMask::restore()",
-             std::to_string(texels_.size()).c_str(), texels.size());
+             decimal(texels_.size()).c_str(), texels.size());
   texels_ = std::move(texels);
   film_ = std::move(film);
   wetTexels_ = filmTexels_ = 0;

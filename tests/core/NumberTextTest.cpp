@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "core/Random.h"
 
@@ -60,6 +61,14 @@ TEST(NumberText, WritesWhatAPersonWouldWrite) {
   EXPECT_EQ(shortDecimal(0.000012345f), "1.2345e-05");
   EXPECT_EQ(shortDecimal(NAN), "nan");
   EXPECT_EQ(shortDecimal(-INFINITY), "-inf");
+}
+
+TEST(NumberText, WritesWholeNumbersToTheEndsOfTheirRange) {
+  EXPECT_EQ(decimal(0), "0");
+  EXPECT_EQ(decimal(-1), "-1");
+  EXPECT_EQ(decimal(1090), "1090");
+  EXPECT_EQ(decimal(std::numeric_limits<std::int64_t>::max()), "9223372036854775807");
+  EXPECT_EQ(decimal(std::numeric_limits<std::int64_t>::min()), "-9223372036854775808");
 }
 
 TEST(NumberText, WritesTheLowestHexadecimalDigits) {

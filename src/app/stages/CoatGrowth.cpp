@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/NumberText.h"
 #include "furgen/Packing.h"
 #include "groom/Groom.h"
 #include "settings/FurTypes.h"
@@ -72,8 +73,8 @@ CoatParameters coatParameters(const Settings& settings, unsigned types, Warnings
   const int most = static_cast<int>(kMostBytes / layerBytes);
   if (settings.layers > most) {
     if (warnings)
-      warnings->push_back("A tile of " + std::to_string(all[0].size) + " texels is kept to " + std::to_string(most) + " layers of the " +
-                          std::to_string(settings.layers) + " asked for: more would take over 192 MiB");
+      warnings->push_back("A tile of " + decimal(all[0].size) + " texels is kept to " + decimal(most) + " layers of the " +
+                          decimal(settings.layers) + " asked for: more would take over 192 MiB");
     for (furgen::FurParameters& p : all) p.layers = most;
   }
   return all;

@@ -3,6 +3,7 @@
 
 #include "app/stages/GrownHair.h"
 #include "core/NoteChange.h"
+#include "core/NumberText.h"
 #include "scene/BoneBodies.h"
 
 namespace fur::app {
@@ -63,7 +64,7 @@ hair::Body* GrownHair::body() {
 }
 
 void GrownHair::addBody(const hair::Body& body, Warnings& warnings) {
-  if (style_.bodies.size() >= hair::kMostBodies) return warnings.push_back("a model has at most " + std::to_string(hair::kMostBodies) + " spheres and capsules");
+  if (style_.bodies.size() >= hair::kMostBodies) return warnings.push_back("a model has at most " + decimal(hair::kMostBodies) + " spheres and capsules");
   if (!(body.radius > 0)) return;
   style_.bodies.push_back(sound(body));
   selectedBody_ = static_cast<int>(style_.bodies.size()) - 1;

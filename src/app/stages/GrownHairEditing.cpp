@@ -3,6 +3,7 @@
 
 #include "app/stages/GrownHair.h"
 #include "core/Bytes.h"
+#include "core/NumberText.h"
 #include "hair/HairFields.h"
 #include "hair/PlantGuides.h"
 #include "scene/MapPlanes.h"
@@ -97,9 +98,9 @@ bool GrownHair::editAll(const groom::GroomSurface& skin, const Edit& edit, Warni
       selectedBody_ = -1;
       return true;
     case HairEdit::AddScalp:
-      if (style_.scalps.size() >= hair::kMostScalps) return warnings.push_back("a model has at most " + std::to_string(hair::kMostScalps) + " scalps"), true;
+      if (style_.scalps.size() >= hair::kMostScalps) return warnings.push_back("a model has at most " + decimal(hair::kMostScalps) + " scalps"), true;
       style_.scalps.emplace_back().map = groom::GroomMap(skin.atlas.size(), kFreshScalp);
-      style_.scalps.back().name = "hair " + std::to_string(style_.scalps.size());
+      style_.scalps.back().name = "hair " + decimal(style_.scalps.size());
       selected_ = style_.scalps.size() - 1;
       return true;
     default: return false;
@@ -112,7 +113,7 @@ void GrownHair::edit(const ShapeStage& shape, const groom::GroomSurface& skin, s
   hair::Scalp& scalp = style_.scalps[selected_];
   if (edit.what == HairEdit::Select) {
     const auto last = static_cast<float>(style_.scalps.size() - 1);
-    if (edit.value < 0 || edit.value > last) warnings.push_back("that scalp is not there: they are counted from 0, and there are " + std::to_string(style_.scalps.size()));
+    if (edit.value < 0 || edit.value > last) warnings.push_back("that scalp is not there: they are counted from 0, and there are " + decimal(style_.scalps.size()));
     selected_ = static_cast<std::size_t>(glm::clamp(edit.value, 0.0f, last));
   }
   if (edit.what == HairEdit::Remove) {
@@ -154,15 +155,15 @@ std::string GrownHair::describe() const {
   for (std::size_t i = 0; i < style_.scalps.size(); ++i) {
     const hair::Scalp& scalp = style_.scalps[i];
     const std::size_t wisps = i < scalps_.size() ? scalps_[i].growth.wisps.size() : 0;
-    out += (i ? "," : "") + std::string("{\"name\":") + jsonString(scalp.name) + ",\"guides\":" + std::to_string(scalp.guides.count()) +
-           ",\"wisps\":" + std::to_string(wisps) + ",\"selected\":" + (i == selected_ ? "true" : "false") +
+    out += (i ? "," : "") + std::string("{\"name\":") + jsonString(scalp.name) + ",\"guides\":" + decimal(scalp.guides.count()) +
+           ",\"wisps\":" + decimal(wisps) + ",\"selected\":" + (i == selected_ ? "true" : "false") +
            ",\"values\":" + hair::writeHairValues(scalp.values, true) + "}";
   }
   return out + "]";
 }
 
 Status GrownHair::setValue(std::size_t scalp, std::string_view name, std::string_view text, Warnings& warnings) {
-  if (scalp >= style_.scalps.size()) return Error{ErrorId::BadFile, "there is no scalp " + std::to_string(scalp) + "; there are " + std::to_string(style_.scalps.size())};
+  if (scalp >= style_.scalps.size()) return Error{ErrorId::BadFile, "there is no scalp " + decimal(scalp) + "; there are " + decimal(style_.scalps.size())};
   if (name == "name") {
     style_.scalps[scalp].name = hair::soundName(text);
     return Done{};

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "app/stages/GrownHair.h"
+#include "core/NumberText.h"
 #include "scene/HairFile.h"
 
 namespace fur::app {
@@ -41,7 +42,7 @@ Status GrownHair::readFile(const ShapeStage& shape, const groom::GroomSurface& s
   const bool onSelected = !style_.scalps.empty() && covers(style_.scalps[selected_].map);
   if (onSelected) scalp = style_.scalps[selected_];
   else if (style_.scalps.size() >= hair::kMostScalps)
-    return Error{ErrorId::TooLarge, name + ": a model has at most " + std::to_string(hair::kMostScalps) + " scalps"};
+    return Error{ErrorId::TooLarge, name + ": a model has at most " + decimal(hair::kMostScalps) + " scalps"};
   else scalp.map = groom::GroomMap(skin.atlas.size(), {255, 255, 255, 255});
   const scene::HairAsGuides as{.nodes = scalp.values.nodes, .count = kGuidesOfFile};
   auto guides = scene::guidesOf(file.value(), as, name, {shape.surface(), scalp.map}, shape.query());

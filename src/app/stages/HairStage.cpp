@@ -1,4 +1,5 @@
 #include "app/stages/HairStage.h"
+#include "core/NumberText.h"
 
 namespace fur::app {
 
@@ -13,7 +14,7 @@ void HairStage::growWith(std::unique_ptr<HairStage> (*maker)()) { makerOfHair = 
 std::unique_ptr<HairStage> HairStage::make() { return makerOfHair ? makerOfHair() : std::make_unique<HairStage>(); }
 
 Status HairStage::setValue(std::size_t scalp, std::string_view, std::string_view, Warnings&) {
-  return Error{ErrorId::BadFile, "there is no scalp " + std::to_string(scalp)};
+  return Error{ErrorId::BadFile, "there is no scalp " + decimal(scalp)};
 }
 
 Status HairStage::readFile(const ShapeStage&, const groom::GroomSurface&, std::span<const std::uint8_t>, const std::string& name) {

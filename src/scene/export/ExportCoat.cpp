@@ -1,4 +1,5 @@
 #include "core/Json.h"
+#include "core/NumberText.h"
 #include "scene/Base64.h"
 #include "scene/CoatFile.h"
 #include "scene/TypeSet.h"
@@ -7,7 +8,7 @@ namespace fur::scene {
 
 std::vector<std::uint8_t> writeCoat(const CoatFile& coat) {
   const settings::Values standard;
-  std::string out = std::string("{\"") + kCoatVersionKey + "\":" + std::to_string(kCoatVersion) + ",\"name\":" + jsonString(coat.name) + ",\"settings\":{";
+  std::string out = std::string("{\"") + kCoatVersionKey + "\":" + decimal(kCoatVersion) + ",\"name\":" + jsonString(coat.name) + ",\"settings\":{";
   const char* before = "\"";
   for (const settings::Field& field : settings::fields()) {
     if (!field.has(settings::kOfCoat) || field.get(coat.values) == field.get(standard)) continue;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/Json.h"
+#include "core/NumberText.h"
 #include "scene/Base64.h"
 #include "scene/Model.h"
 #include "scene/export/FurExtension.h"
@@ -144,7 +145,7 @@ class DocumentWriter {
   // The buffers with the length that the binary has by now.
   std::vector<std::string> buffers() const {
     std::vector<std::string> out = buffers_;
-    Changes changes = {{"uri", ""}, {"byteLength", std::to_string(writer_.binary.size())}};
+    Changes changes = {{"uri", ""}, {"byteLength", decimal(writer_.binary.size())}};
     if (out.empty()) out.emplace_back();
     if (isBinary_) {
       out[0] = changed(first_, changes);
@@ -204,7 +205,7 @@ class DocumentWriter {
         images_.emplace_back(image->source());
         continue;
       }
-      Changes changes = {{"uri", ""}, {"bufferView", std::to_string(writer_.addView(found->first))}, {"mimeType", jsonString(found->second)}};
+      Changes changes = {{"uri", ""}, {"bufferView", decimal(writer_.addView(found->first))}, {"mimeType", jsonString(found->second)}};
       if (!image->find("name")) changes.emplace_back("name", jsonString(uri));
       images_.push_back(changed(image, changes));
     }
@@ -212,9 +213,9 @@ class DocumentWriter {
   }
 
   std::string surfaceJson(const FurSurface& surface, const FurData& fur) {
-    std::string out = ",\"surface\":{\"vertices\":" + std::to_string(surface.vertices) + ",\"indices\":" + std::to_string(writer_.addBytes(surface.indices)) +
-                      ",\"atlas\":" + std::to_string(writer_.addBytes(surface.atlas)) + ",\"charts\":" + std::to_string(writer_.addBytes(surface.charts));
-    if (!fur.comb.empty()) out += ",\"comb\":" + std::to_string(writer_.addBytes(fur.comb));
+    std::string out = ",\"surface\":{\"vertices\":" + decimal(surface.vertices) + ",\"indices\":" + decimal(writer_.addBytes(surface.indices)) +
+                      ",\"atlas\":" + decimal(writer_.addBytes(surface.atlas)) + ",\"charts\":" + decimal(writer_.addBytes(surface.charts));
+    if (!fur.comb.empty()) out += ",\"comb\":" + decimal(writer_.addBytes(fur.comb));
     return out + "}";
   }
 

@@ -1,6 +1,7 @@
 #include <span>
 
 #include "core/Json.h"
+#include "core/NumberText.h"
 #include "scene/Model.h"
 #include "scene/export/FurExtension.h"
 #include "scene/export/GlbWriter.h"
@@ -23,7 +24,7 @@ std::string attributesOf(GlbWriter& writer, const geometry::Mesh& mesh, const Fu
   const auto put = [&](const char* name, const auto& values, const char* type, const std::string& extra = "") {
     if (values.size() != vertices) return;
     out += (out.empty() ? "\"" : ",\"") + std::string(name) + "\":" +
-           std::to_string(writer.add(values, type, kFloat, kVertexBuffer, extra));
+           decimal(writer.add(values, type, kFloat, kVertexBuffer, extra));
   };
   put("POSITION", mesh.positions, "VEC3", ",\"min\":" + jsonNumbers(&box.low.x, 3) + ",\"max\":" + jsonNumbers(&box.high.x, 3));
   put("NORMAL", mesh.normals, "VEC3");
@@ -50,12 +51,12 @@ std::string materialsOf(GlbWriter& writer, const geometry::Mesh& mesh, const Sce
     materials += (materials.empty() ? "" : ",") + std::string("{\"pbrMetallicRoughness\":{\"baseColorFactor\":") + jsonNumbers(&factor.x, 4) +
                  ",\"metallicFactor\":0";
     if (!bytes.empty()) {
-      const std::string index = std::to_string(count), comma = count++ > 0 ? "," : "", source = "{\"source\":" + index + "}";
+      const std::string index = decimal(count), comma = count++ > 0 ? "," : "", source = "{\"source\":" + index + "}";
       const bool webp = type == "image/webp";
       if (webp) used += std::string(used.empty() ? "" : ",") + "\"EXT_texture_webp\"";
       materials += ",\"baseColorTexture\":{\"index\":" + index + texCoord + "}";
       textures += comma + (webp ? "{\"extensions\":{\"EXT_texture_webp\":" + source + "}}" : source);
-      images += comma + "{\"bufferView\":" + std::to_string(writer.addView(bytes)) + ",\"mimeType\":\"" + type + "\"}";
+      images += comma + "{\"bufferView\":" + decimal(writer.addView(bytes)) + ",\"mimeType\":\"" + type + "\"}";
     }
     materials += "}}";
   };
@@ -89,9 +90,9 @@ std::vector<std::uint8_t> exportScene(const geometry::Mesh& mesh, const std::str
   if (!extension.empty()) json += "\"extensions\":{\"WETFUR_fur\":" + extension + "},";
   json += "\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,\"name\":" + jsonString(name) + "}]," + materials +
           "\"meshes\":[{\"name\":" + jsonString(name) + ",\"primitives\":[{\"attributes\":{" + attributes + "},\"indices\":" +
-          std::to_string(indices) + shown + "}]}],\"accessors\":[" +
+          decimal(indices) + shown + "}]}],\"accessors\":[" +
           writer.accessors + "],\"bufferViews\":[" + writer.views + "],\"buffers\":[{\"byteLength\":" +
-          std::to_string(writer.binary.size()) + "}]}";
+          decimal(writer.binary.size()) + "}]}";
   return glbContainer(json, writer.binary);
 }
 

@@ -3,6 +3,7 @@
 #include <cstring>
 #include <string>
 
+#include "core/NumberText.h"
 #include "hair/MemberStrands.h"
 #include "hair/StrandShading.h"
 #include "scene/HairFile.h"
@@ -97,8 +98,8 @@ Result<HairFile> hairOfWisps(std::span<const hair::Wisp> wisps, std::span<const 
   const std::size_t each = members.size() / hair::kWispKinds, strands = wisps.size() * each;
   const std::size_t points = strands * static_cast<std::size_t>(expansion.segments + 1);
   if (strands > kMaxStrands || points > kMaxHairPoints)
-    return Error{ErrorId::TooLarge, "hair: " + std::to_string(strands) + " strands of " + std::to_string(points) + " points; a .hair file has at most " +
-                                        std::to_string(kMaxStrands) + " of " + std::to_string(kMaxHairPoints)};
+    return Error{ErrorId::TooLarge, "hair: " + decimal(strands) + " strands of " + decimal(points) + " points; a .hair file has at most " +
+                                        decimal(kMaxStrands) + " of " + decimal(kMaxHairPoints)};
   HairFile out;
   out.defaultThickness = values.strandWidth;
   out.defaultColor = colorOf(values.rootColor);

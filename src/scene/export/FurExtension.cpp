@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/Json.h"
+#include "core/NumberText.h"
 #include "hair/HairFields.h"
 #include "scene/MapPlanes.h"
 #include "scene/WetnessPlanes.h"
@@ -14,16 +15,16 @@ namespace fur::scene {
 namespace {
 
 // The number of the view that holds it.
-std::string addMap(GlbWriter& writer, const std::vector<groom::GroomMap::Texel>& map) { return std::to_string(writer.addView(packMap(map))); }
+std::string addMap(GlbWriter& writer, const std::vector<groom::GroomMap::Texel>& map) { return decimal(writer.addView(packMap(map))); }
 
 template <class T>
-std::string addBytes(GlbWriter& writer, const std::vector<T>& values) { return std::to_string(writer.addBytes(values)); }
+std::string addBytes(GlbWriter& writer, const std::vector<T>& values) { return decimal(writer.addBytes(values)); }
 
 std::string scalpJson(GlbWriter& writer, const hair::Scalp& scalp) {
   std::string out = "{\"name\":" + jsonString(scalp.name) + ",\"values\":" + hair::writeHairValues(scalp.values) +
-                    ",\"map\":{\"size\":" + std::to_string(scalp.map.size()) + ",\"bufferView\":" + addMap(writer, scalp.map.texels()) + "}";
+                    ",\"map\":{\"size\":" + decimal(scalp.map.size()) + ",\"bufferView\":" + addMap(writer, scalp.map.texels()) + "}";
   if (scalp.guides.count() > 0)
-    out += ",\"guides\":{\"nodes\":" + std::to_string(scalp.guides.nodes) + ",\"positions\":" + addBytes(writer, scalp.guides.positions) +
+    out += ",\"guides\":{\"nodes\":" + decimal(scalp.guides.nodes) + ",\"positions\":" + addBytes(writer, scalp.guides.positions) +
            ",\"flags\":" + addBytes(writer, scalp.guides.flags) +
            (scalp.wetness.empty() ? "" : ",\"wetness\":" + addBytes(writer, scalp.wetness)) + "}";
   return out + "}";
@@ -35,7 +36,7 @@ std::string bodiesJson(GlbWriter& writer, const std::vector<hair::Body>& bodies)
   std::string bones;
   for (const hair::Body& body : bodies) {
     for (const float number : {body.a.x, body.a.y, body.a.z, body.b.x, body.b.y, body.b.z, body.radius}) numbers.push_back(number);
-    bones += (bones.empty() ? "" : ",") + std::to_string(body.bone);
+    bones += (bones.empty() ? "" : ",") + decimal(body.bone);
   }
   std::string out = ",\"bodies\":" + addBytes(writer, numbers);
   const bool boned = std::any_of(bodies.begin(), bodies.end(), [](const hair::Body& body) { return body.bone >= 0; });
@@ -54,7 +55,7 @@ std::string groomJson(GlbWriter& writer, const FurData& fur, const std::string& 
   const std::pair<const char*, const std::vector<groom::GroomMap::Texel>*> over[] = {
       {"paint", &fur.paint}, {"mask", &fur.mask}, {"shape", &fur.shape}};
   const std::vector<groom::GroomMap::Texel> plain(static_cast<std::size_t>(fur.mapSize) * static_cast<std::size_t>(fur.mapSize), groom::GroomMap::kPlain);
-  std::string out = ",\"groom\":{\"size\":" + std::to_string(fur.mapSize) + ",\"bufferView\":" + addMap(writer, fur.map.empty() ? plain : fur.map);
+  std::string out = ",\"groom\":{\"size\":" + decimal(fur.mapSize) + ",\"bufferView\":" + addMap(writer, fur.map.empty() ? plain : fur.map);
   for (const auto& [name, map] : over)
     if (!map->empty()) out += std::string(",\"") + name + "\":" + addMap(writer, *map);
   return out + atlas + "}";
@@ -82,7 +83,7 @@ std::string coatsJson(GlbWriter& writer, const FurData& fur) {
 }
 
 std::string waterJson(GlbWriter& writer, const std::vector<std::uint8_t>& water) {
-  return ",\"water\":{\"bytes\":" + std::to_string(water.size()) + ",\"bufferView\":" + addBytes(writer, packPlanes(water)) + "}";
+  return ",\"water\":{\"bytes\":" + decimal(water.size()) + ",\"bufferView\":" + addBytes(writer, packPlanes(water)) + "}";
 }
 
 }  // namespace
@@ -92,22 +93,22 @@ bool hasCoats(const FurData& fur) {
 }
 
 std::string furExtension(GlbWriter& writer, const FurData& fur, const FurPlace& place) {
-  std::string out = "{\"version\":" + std::to_string(place.version);
+  std::string out = "{\"version\":" + decimal(place.version);
   if (!fur.state.empty()) out += ",\"state\":" + fur.state;
   const bool hasMap = !(fur.map.empty() && fur.paint.empty() && fur.mask.empty() && fur.shape.empty());
   if (hasMap && place.hasAtlas) out += groomJson(writer, fur, place.ofMaps);
   if (!fur.wetness.empty() && place.hasAtlas)
-    out += ",\"wetness\":{\"size\":" + std::to_string(fur.wetnessSize) + ",\"bufferView\":" + addBytes(writer, packWetness(fur.wetness)) + place.ofMaps + "}";
+    out += ",\"wetness\":{\"size\":" + decimal(fur.wetnessSize) + ",\"bufferView\":" + addBytes(writer, packWetness(fur.wetness)) + place.ofMaps + "}";
   if (!fur.water.empty() && place.hasAtlas) out += waterJson(writer, fur.water);
   if (!fur.hair.empty() && place.hasAtlas) out += hairJson(writer, fur.hair, place.ofMaps);
   if (!fur.whiskers.empty()) {
     const auto* from = reinterpret_cast<const std::uint8_t*>(fur.whiskers.data());
-    out += ",\"whiskers\":{\"bufferView\":" + std::to_string(writer.addView({from, fur.whiskers.size() * groom::kWhiskerBytes})) + "}";
+    out += ",\"whiskers\":{\"bufferView\":" + decimal(writer.addView({from, fur.whiskers.size() * groom::kWhiskerBytes})) + "}";
   }
   if (fur.isLying && !fur.comb.empty()) out += ",\"lie\":true";
   if (fur.hasBare) {
     out += ",\"bare\":[";
-    for (const int& material : fur.bare) out += (&material == fur.bare.data() ? "" : ",") + std::to_string(material);
+    for (const int& material : fur.bare) out += (&material == fur.bare.data() ? "" : ",") + decimal(material);
     out += "]";
   }
   if (hasCoats(fur)) out += coatsJson(writer, fur);

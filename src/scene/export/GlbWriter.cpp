@@ -1,4 +1,5 @@
 #include "scene/export/GlbWriter.h"
+#include "core/NumberText.h"
 
 #include <cstdio>
 
@@ -21,8 +22,8 @@ void appendChunk(std::vector<std::uint8_t>& file, std::size_t type, std::span<co
 
 int GlbWriter::addView(std::span<const std::uint8_t> bytes, const std::string& extra) {
   padTo4(binary, 0);
-  views += (views.empty() ? "{\"buffer\":" : ",{\"buffer\":") + std::to_string(buffer) + ",\"byteOffset\":" + std::to_string(binary.size()) +
-           ",\"byteLength\":" + std::to_string(bytes.size()) + extra + viewExtra + "}";
+  views += (views.empty() ? "{\"buffer\":" : ",{\"buffer\":") + decimal(buffer) + ",\"byteOffset\":" + decimal(binary.size()) +
+           ",\"byteLength\":" + decimal(bytes.size()) + extra + viewExtra + "}";
   binary.insert(binary.end(), bytes.begin(), bytes.end());
   padTo4(binary, 0);
   return viewCount++;

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/NumberText.h"
+
 namespace fur::scene {
 
 struct GlbWriter {
@@ -27,9 +29,9 @@ struct GlbWriter {
   template <class T>
   int add(const std::vector<T>& values, const char* type, std::uint32_t component, std::uint32_t target, const std::string& extra = "") {
     const auto* from = reinterpret_cast<const std::uint8_t*>(values.data());
-    const int view = addView({from, values.size() * sizeof(T)}, ",\"target\":" + std::to_string(target));
-    accessors += (accessorCount ? "," : "") + std::string("{\"bufferView\":") + std::to_string(view) + ",\"componentType\":" +
-                 std::to_string(component) + ",\"count\":" + std::to_string(values.size()) + ",\"type\":\"" + type + "\"" + extra + "}";
+    const int view = addView({from, values.size() * sizeof(T)}, ",\"target\":" + decimal(target));
+    accessors += (accessorCount ? "," : "") + std::string("{\"bufferView\":") + decimal(view) + ",\"componentType\":" +
+                 decimal(component) + ",\"count\":" + decimal(values.size()) + ",\"type\":\"" + type + "\"" + extra + "}";
     return accessorCount++;
   }
 };

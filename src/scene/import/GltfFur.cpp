@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/NumberText.h"
 #include "scene/MapPlanes.h"
 #include "scene/Model.h"
 #include "scene/StateJson.h"
@@ -81,7 +82,7 @@ void readTypes(const GltfFile& file, const Json& types, FurData& fur) {
   if (types.count() > groom::kTypes) file.fail(ErrorId::TooLarge, "WETFUR_fur.types has %zu elements; the limit is %d", types.count(), groom::kTypes);
   std::size_t i = 0;
   for (const Json& type : types) {
-    const std::string where = "WETFUR_fur.types[" + std::to_string(i) + "]";
+    const std::string where = "WETFUR_fur.types[" + decimal(i) + "]";
     if (!type.isObject()) file.bad("%s is not an object", where.c_str());
     readTypeSet(file, type, where, fur.coats[i]);
     if (const Json* picture = type.find("picture")) readPicture(file, *picture, where + ".picture", fur.coats[i].picture);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/NumberText.h"
 #include "hair/HairFields.h"
 #include "scene/MapPlanes.h"
 #include "scene/Model.h"
@@ -112,7 +113,7 @@ hair::Hairstyle readHair(const GltfFile& file, const Json& hair, Warnings& warni
   if (scalps->count() > hair::kMostScalps)
     file.fail(ErrorId::TooLarge, "WETFUR_fur.hair has %zu scalps; the limit is %zu", scalps->count(), hair::kMostScalps);
   for (const Json& scalp : *scalps)
-    out.scalps.push_back(readScalp(file, scalp, "WETFUR_fur.hair.scalps[" + std::to_string(out.scalps.size()) + "]", warnings));
+    out.scalps.push_back(readScalp(file, scalp, "WETFUR_fur.hair.scalps[" + decimal(out.scalps.size()) + "]", warnings));
   if (hair.find("bodies")) out.bodies = readBodies(file, hair);
   return out;
 }

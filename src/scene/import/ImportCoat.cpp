@@ -1,3 +1,4 @@
+#include "core/NumberText.h"
 #include "scene/CoatFile.h"
 
 #include <algorithm>
@@ -40,7 +41,7 @@ class CoatReader {
     const double number = version && version->isNumber() ? version->number() : 0;
     if (!(number >= 1) || number != std::floor(number)) fail(ErrorId::BadFile, "it is no coat of this program");
     if (number > kCoatVersion)
-      fail(ErrorId::UnsupportedVersion, "version " + std::string(version->source().substr(0, 64)) + ", this program reads up to " + std::to_string(kCoatVersion));
+      fail(ErrorId::UnsupportedVersion, "version " + std::string(version->source().substr(0, 64)) + ", this program reads up to " + decimal(kCoatVersion));
   }
 
   void readName(const Json& name) {

@@ -1,4 +1,5 @@
 #include "scene/import/ImportError.h"
+#include "core/NumberText.h"
 
 #include <new>
 #include <string_view>
@@ -21,10 +22,10 @@ std::string formatted(const char* format, std::va_list arguments) {
         out += most ? text.substr(0, most) : text;
         break;
       }
-      case 'd': out += std::to_string(va_arg(arguments, int)); break;
-      case 'u': out += std::to_string(va_arg(arguments, unsigned)); break;
-      case 'z': out += std::to_string(va_arg(arguments, std::size_t)), ++c; break;
-      case 'l': out += std::to_string(va_arg(arguments, long long)), c += 2; break;
+      case 'd': out += decimal(va_arg(arguments, int)); break;
+      case 'u': out += decimal(va_arg(arguments, unsigned)); break;
+      case 'z': out += decimal(va_arg(arguments, std::size_t)), ++c; break;
+      case 'l': out += decimal(va_arg(arguments, long long)), c += 2; break;
       default: out += *c;
     }
   }

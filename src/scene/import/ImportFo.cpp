@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/NumberText.h"
 #include "scene/FoModel.h"
 #include "core/Sort.h"
 #include "scene/import/CornerMesh.h"
@@ -107,8 +108,8 @@ void describeTypes(const FoModel& fo, const std::vector<std::uint32_t>& vertexOf
     model.fur.types.push_back(1 + std::min(static_cast<int>(kind), groom::kTypes - 1));
   }
   if (kinds.size() > groom::kTypes)
-    model.warnings.push_back(model.name + ": of " + std::to_string(kinds.size()) + " types of fur " +
-                             std::to_string(groom::kTypes) + " are told apart");
+    model.warnings.push_back(model.name + ": of " + decimal(kinds.size()) + " types of fur " +
+                             decimal(groom::kTypes) + " are told apart");
 }
 
 // Normals of the surface at the file's vertices, by the angles of the faces there; of a vertex without any the file's.
