@@ -264,7 +264,7 @@ FUR_EXPORT void fur_setSaved(App* app, int how) { app->setSaved(how, how & 2); }
 // --- time ---
 
 FUR_EXPORT int fur_tick(App* app, float seconds, float coatBudget) {
-  return guarded([&] { return app->tick(seconds, coatBudget) ? 1 : 0; });
+  return guarded([&] { return app::advanceFrame(*app, seconds, coatBudget) ? 1 : 0; });
 }
 // 0 best, 1 moving, 2 still, as app::Picture
 FUR_EXPORT int fur_draw(App* app, int picture, int samples) {

@@ -244,6 +244,14 @@ void App::invalidate() { ++state_->changed; }
 
 void App::finishCoat() { state_->finishCoat(); }
 
+bool advanceFrame(App& app, float seconds, float coatBudget) {
+  constexpr float kLongestStep = 0.1f;
+  const float steps = std::max(std::ceil(seconds / kLongestStep - 1e-3f), 1.0f);
+  bool moved = false;
+  for (int i = 0; i < static_cast<int>(steps); ++i) moved |= app.tick(seconds / steps, coatBudget / steps);
+  return moved;
+}
+
 void advanceFilm(App& app, float seconds) {
   constexpr float kStep = 1.0f / 60;
   const int steps = std::max(1, static_cast<int>(std::ceil(seconds / kStep - 1e-3f)));

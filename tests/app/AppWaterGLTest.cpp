@@ -125,6 +125,19 @@ TEST(AppWater, ATowelTakesAndShakingThrowsOff) {
   EXPECT_GT(basin.app.water().accounts().dripped, 0.05);
 }
 
+// Between two frames of a slow machine most of it would be over, with the water still in the fur.
+TEST(AppWater, AShakeThrowsOffAsMuchInLongFramesAsInShortOnes) {
+  const auto heldAfter = [](int frames, float seconds) {
+    Basin basin;
+    basin.app.setWetness(0.9f);
+    basin.run(2);
+    basin.app.shake();
+    for (int i = 0; i < frames; ++i) advanceFrame(basin.app, seconds, 1e9f);
+    return basin.app.water().accounts().held;
+  };
+  EXPECT_DOUBLE_EQ(heldAfter(4, 0.5f), heldAfter(20, 0.1f));
+}
+
 TEST(AppWater, APenBringsWaterByItsPressure) {
   double brought[2];
   for (int k = 0; k < 2; ++k) {
