@@ -74,8 +74,8 @@ void App::State::forgetSamples() {
 
 bool App::State::flows() const { return flowsBeside == revisionButWater() && settings.refine && refines && !coat.growing(); }
 
-// After one as all moving pictures are, samples of the best, the first of which takes its place; or a band of one where that takes long. The mean of
-// whole ones is shown meanwhile.
+// The first picture is drawn as all that move. Samples of the best one follow, each in bands where it takes long, and the first of them takes the place
+// of that picture. After each band the mean of those that are whole is shown.
 Status App::State::drawFlowing() {
   const bool first = samplesDone == 0;
   if (first) drawnLevel = levelFor(Picture::Moving);
