@@ -245,8 +245,8 @@ void App::invalidate() { ++state_->changed; }
 void App::finishCoat() { state_->finishCoat(); }
 
 bool advanceFrame(App& app, float seconds, float coatBudget) {
-  constexpr float kLongestStep = 0.1f;
-  const float steps = std::max(std::ceil(seconds / kLongestStep - 1e-3f), 1.0f);
+  constexpr float kLongestStep = 0.1f, kLongestFrame = 0.5f;
+  const float steps = seconds > kLongestFrame ? 1 : std::max(std::ceil(seconds / kLongestStep - 1e-3f), 1.0f);
   bool moved = false;
   for (int i = 0; i < static_cast<int>(steps); ++i) moved |= app.tick(seconds / steps, coatBudget / steps);
   return moved;
