@@ -7,8 +7,8 @@ import { askFrame, asksFrame, cancelFrame } from './schedule.js';
 
 /** After so long without a change a picture is drawn better than moving ones are. */
 const stillMilliseconds = 300, busyMilliseconds = 8;
-/** What a frame may spend on what is made ready, a coat that grows or water's ways: the page answers meanwhile. As a share of one that takes long. */
-const coatSeconds = 0.014, coatShare = 0.25;
+/** What a frame may spend on a coat that grows: the page answers while it does. */
+const coatSeconds = 0.014;
 const maxFrameSeconds = 0.5;
 /** A coat that takes longer is told of. */
 const coatToldMilliseconds = 500;
@@ -72,7 +72,7 @@ export class Frames {
     }
     clearTimeout(this.#stillTimer);
     const dt = this.#timeSince(time);
-    const moved = app.tick(dt, options.fixedDt ? undefined : Math.max(coatSeconds, coatShare * dt)), panelMoved = panel?.update(dt);
+    const moved = app.tick(dt, options.fixedDt ? undefined : coatSeconds), panelMoved = panel?.update(dt);
     this.#events.onModelStep();
     // A panel that moves alone does not take away what the picture has become.
     const paints = moved || (panelMoved && !app.showAgain());

@@ -41,7 +41,7 @@ constexpr const char* kUsage =
 
 // Ticks are cut to this: after a sleep the fur must not jump.
 constexpr float kLongestStep = 0.5f;
-constexpr float kCoatSeconds = 0.014f, kCoatShare = 0.25f;  // of a frame, for a coat that grows and water's ways; of one that takes long
+constexpr float kCoatSeconds = 0.014f;  // of a frame, for a coat that grows
 constexpr std::size_t kMostKeptBytes = 64u << 20;
 constexpr double kIdleStep = 1.0 / 60;
 constexpr double kStillAfter = 0.3;  // seconds without a change, then the picture is drawn better than moving ones are
@@ -372,7 +372,7 @@ class Session {
   Result<bool> frame(float dt, app::Picture picture, bool always) {
     serveEditor();
     if (host_.studio().busy() && shooting_) shots_.work(host_);
-    moved_ = app::advanceFrame(app_, dt, std::max(kCoatSeconds, kCoatShare * dt));
+    moved_ = app::advanceFrame(app_, dt, kCoatSeconds);
     const bool changed = host_.update(dt) || moved_;
     if (!changed && !always) return false;
     // A panel that moves alone does not take away what the picture has become.

@@ -449,8 +449,9 @@ class App {
 
 int mostSamples();  // of a picture
 
-// App::tick() for a frame that may have taken long, in steps of at most a tenth of a second: what is quick, as an animal that shakes itself,
-// would be over between two. No frame takes more than half a second: that is a leap, and one step. Whether there is another picture.
+// App::tick() for a frame, which on a slow machine takes long: in steps of at most a tenth of a second, or what is quick, as an animal that
+// shakes itself, would be over between two. What is made ready, a coat or water's ways, may take `coatBudget` seconds, or a quarter of the frame
+// where that is more. More than half a second is a leap, and one step. Whether there is another picture.
 bool advanceFrame(App& app, float seconds, float coatBudget);
 // Lets the time between two frames of a film pass, seconds, in equal steps of at most 1/60 s: the same on every machine.
 void advanceFilm(App& app, float seconds);

@@ -221,8 +221,10 @@ bool App::tick(float seconds, float coatBudget) {
   s.bustle = std::min(s.bustle + std::max(static_cast<float>(s.water.revision() - water), sways ? steps : 0), 2 * kSeldom);
   const bool slight = byWater && s.bustle <= kSeldom;
   if (slight) return s.stale = true, false;
-  if (!byWater || sways) s.forgetSamples();
-  else if (s.stale = false; s.flowsBeside != others) s.flowsBeside = others, s.bandsDrawn = 0;
+  if (!byWater || sways) return s.forgetSamples(), true;
+  if (s.flowsBeside != others) s.bandsDrawn = 0;  // of another picture
+  s.flowsBeside = others;
+  s.stale = false;
   return true;
 }
 
@@ -245,10 +247,11 @@ void App::invalidate() { ++state_->changed; }
 void App::finishCoat() { state_->finishCoat(); }
 
 bool advanceFrame(App& app, float seconds, float coatBudget) {
-  constexpr float kLongestStep = 0.1f, kLongestFrame = 0.5f;
+  constexpr float kLongestStep = 0.1f, kLongestFrame = 0.5f, kBudgetShare = 0.25f;
   const float steps = seconds > kLongestFrame ? 1 : std::max(std::ceil(seconds / kLongestStep - 1e-3f), 1.0f);
+  const float budget = std::max(coatBudget, kBudgetShare * seconds);
   bool moved = false;
-  for (int i = 0; i < static_cast<int>(steps); ++i) moved |= app.tick(seconds / steps, coatBudget / steps);
+  for (int i = 0; i < static_cast<int>(steps); ++i) moved |= app.tick(seconds / steps, budget / steps);
   return moved;
 }
 

@@ -6,6 +6,7 @@
 
 #include <imgui.h>
 
+#include "core/NumberText.h"
 #include "editor/Theme.h"
 #include "editor/Widgets.h"
 #include "settings/LightRigs.h"
@@ -54,7 +55,7 @@ std::string numberFormat(const FieldRow& field, double range) {
   std::string unit = field.unit;
   // Model radii are explained by the tooltip; beside every number they would only be noise.
   if (unit == "r" || unit == "/r") unit.clear();
-  return "%." + std::to_string(decimals) + "f" + (unit.empty() || unit.front() == '/' ? unit : ' ' + unit);
+  return "%." + decimal(decimals) + "f" + (unit.empty() || unit.front() == '/' ? unit : ' ' + unit);
 }
 
 // Each draws the widget of a value; a new one where the person has changed it.
@@ -129,7 +130,7 @@ void editAnimation(Settings& settings, const Field& field, std::span<const std::
   const float button = px(44);
   const auto nameOf = [&](std::size_t i) {
     if (i > names.size()) i = 0;
-    return i == 0 ? "none" : names[i - 1].empty() ? "Animation " + std::to_string(i) : names[i - 1];
+    return i == 0 ? "none" : names[i - 1].empty() ? "Animation " + decimal(i) : names[i - 1];
   };
   ImGui::SetNextItemWidth(ImGui::CalcItemWidth() - button - px(2));
   const auto chosen = static_cast<std::size_t>(field.get(settings));

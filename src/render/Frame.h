@@ -42,8 +42,8 @@ struct Frame {
   // It is added to the mean of those before it, of which 0 is the first, and the framebuffer has that mean after the last band.
   bool gathers = false;
   // It gathers, and nothing but water has moved since the sample before: the latest samples count the most, none is finer than a picture
-  // that is drawn once, and drops are drawn over the mean, or they would leave trails in it. It is shown after every band, in those of the last
-  // whole sample.
+  // that is drawn once, and drops are drawn over the mean, or they would leave trails in it. After each band the mean of
+  // the whole samples is shown.
   bool flows = false;
   // A picture that gathers is drawn in so many bands, one a call: band 0 is the lowest. All else must be the same for all of them, and what
   // the framebuffer has between two is nothing to be shown.

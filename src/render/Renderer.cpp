@@ -193,22 +193,21 @@ Status Renderer::draw(const Frame& frame) {
 
 bool Renderer::gather(const Drawing& drawing, const Frame& frame) {
   const Rows rows = rowsOf(frame);
-  const bool last = frame.band + 1 == frame.bands;
   if (!gathered_.add(programs(), frame.width, allRows(frame), rows.bottom, rows.count)) return false;
-  if (!last && !frame.flows) {
+  if (!frame.flows) {
+    if (frame.band + 1 == frame.bands) return gathered_.show(programs());
     gl::flush();
     return true;
   }
-  if (!frame.flows) return gathered_.show(programs());
-  // From the middle of the pixels, or drops that hang would tremble.
-  Frame middle = frame;
-  middle.sample = 0;
   // The framebuffer lacks the depth of what was drawn elsewhere, or in other bands: there the skin hides what is behind it.
   if (frame.bands > 1 || frame.pixelScale < 1) {
     gl::clear(Vec4(0, 0, 0, 1));
     if (!drawSkin(drawing, drawing.look.skin(kPlain))) return false;
   }
   if (!gathered_.show(programs(), true)) return false;
+  // From the middle of the pixels, or drops that hang would tremble.
+  Frame middle = frame;
+  middle.sample = 0;
   frameBlock_.update(gl::bytesOf(frameBlock(middle)));
   return drops_.draw(drawing);
 }

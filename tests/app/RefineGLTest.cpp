@@ -23,6 +23,11 @@ struct GatheringScene {
   }
   ~GatheringScene() { app.detach(false); }
 
+  // A machine on which pictures that move are coarse: their frames are given to take so many milliseconds.
+  void beSlow(float frame) {
+    app.setQuality(0, true);
+    for (int i = 0; i < 60; ++i) app.frameShown(frame);
+  }
   test::Picture of(int samples) {
     stage.attachTarget();
     EXPECT_TRUE(app.draw(Picture::Best, samples));
@@ -86,8 +91,7 @@ TEST(Refine, TheFirstSampleIsThePictureThatIsDrawnOnce) {
 TEST(Refine, SoManySamplesAreTheSamePictureInOneGoOrBandByBand) {
   GatheringScene studio;
   const test::Picture once = studio.of(16);
-  studio.app.setQuality(0, true);
-  for (int i = 0; i < 60; ++i) studio.app.frameShown(400);
+  studio.beSlow(400);
   EXPECT_TRUE(studio.app.draw(Picture::Moving));
   ASSERT_GT(studio.app.stats().level, 0);
   const auto [shown, hidden] = studio.improve();
@@ -99,8 +103,7 @@ TEST(Refine, SoManySamplesAreTheSamePictureInOneGoOrBandByBand) {
 
 TEST(Refine, ABandDrawsItsOwnRowsAlone) {
   GatheringScene studio;
-  studio.app.setQuality(0, true);
-  for (int i = 0; i < 60; ++i) studio.app.frameShown(900);
+  studio.beSlow(900);
   EXPECT_TRUE(studio.app.draw(Picture::Moving));
   while (studio.app.stats().level > 0 && studio.app.improve().value()) {}
   studio.stage.attachTarget();
@@ -249,17 +252,11 @@ TEST(Refine, WhileNothingButWaterMovesThePictureIsAMeanThatFollowsIt) {
   EXPECT_EQ(studio.stage.read().differingShare(studio.of(1), 0), 0);
 }
 
-// A machine on which pictures that move are coarse: their frames are given to take so many milliseconds.
-void beSlow(GatheringScene& studio, float frame) {
-  studio.app.setQuality(0, true);
-  for (int i = 0; i < 60; ++i) studio.app.frameShown(frame);
-}
-
 // There all of soaked fur was coarse for that minute.
 TEST(Refine, WhileNothingButWaterMovesASlowMachineShowsTheBestPictureAsItComesBandByBand) {
   GatheringScene studio;
   ASSERT_TRUE(studio.app.setField("wind", "0"));
-  beSlow(studio, 900);
+  studio.beSlow(900);
   studio.app.setWetness(1);
   for (int i = 0; i < 1200; ++i) studio.app.tick(1 / 60.0f);
   run(studio, 4);
@@ -307,7 +304,7 @@ TEST(Refine, DropsFlyOverAMeanAsOverASinglePicture) {
 
 TEST(Refine, DropsFlyOverAMeanThatComesBandByBand) {
   GatheringScene studio;
-  beSlow(studio, 300);  // no more bands than come while drops fall
+  studio.beSlow(300);  // no more bands than come while drops fall
   expectDropsOverMean(studio, 0.1);
 }
 

@@ -175,19 +175,22 @@ TEST(WetLocks, OfASoakedCoatEndWhereTheSheetDoes) {
   EXPECT_GT(sheet, pixels(1.03f));
 }
 
+// How much values from there to there, x and y, differ from the mean of those beside, above and below them, for their size.
+template <class Value>
+double unevenness(const Value& at, int from, int to) {
+  double apart = 0, sum = 0;
+  for (int y = from; y < to; ++y)
+    for (int x = from; x < to; ++x) {
+      apart += std::abs(at(x, y) - (at(x - 1, y) + at(x + 1, y) + at(x, y - 1) + at(x, y + 1)) / 4.0);
+      sum += at(x, y);
+    }
+  return apart / sum;
+}
+
 TEST(WetLocks, OfASoakedCoatHaveNoGrain) {
   WetBall ball;
   set(ball.app, {{"clumpSize", "0.3"}, {"repeat", "10"}, {"thickness", "0.35"}, {"variance", "1"}});  // locks that are many pixels wide, strands so fine that they are drawn as one
-  // How much pixels differ from the mean of those beside, above and below them, for their brightness.
-  const auto grain = [](const Picture& p) {
-    double apart = 0, sum = 0;
-    for (int y = 60; y < 140; ++y)
-      for (int x = 60; x < 140; ++x) {
-        apart += std::abs(p.at(x, y)[0] - (p.at(x - 1, y)[0] + p.at(x + 1, y)[0] + p.at(x, y - 1)[0] + p.at(x, y + 1)[0]) / 4.0);
-        sum += p.at(x, y)[0];
-      }
-    return apart / sum;
-  };
+  const auto grain = [](const Picture& p) { return unevenness([&](int x, int y) { return p.at(x, y)[0]; }, 60, 140); };
   const double dry = grain(ball.draw()), sheet = grain(ball.wet(1));
   EXPECT_GT(dry, 0.05);
   // What is left is the edges of locks (0.94 of dry fur's); where strands are met by chance it is four times that of dry fur.
@@ -201,20 +204,14 @@ TEST(WetLocks, OfShortFurLieSideBySide) {
   ball.app.setCamera({0.3f, 0.2f, 2.2f});
   ball.app.setWetness(1);
   ball.app.settle();
-  // Of blocks of 4 by 4 pixels, in which strands are a mean: how much one differs from those beside it, for its brightness.
   const Picture p = ball.draw();
-  double apart = 0, sum = 0;
+  // Of 4 by 4 pixels, in which strands are a mean.
   const auto block = [&](int x, int y) {
     double light = 0;
     for (int i = 0; i < 16; ++i) light += p.at(4 * x + i % 4, 4 * y + i / 4)[0];
     return light;
   };
-  for (int y = 15; y < 35; ++y)
-    for (int x = 15; x < 35; ++x) {
-      apart += std::abs(block(x, y) - (block(x - 1, y) + block(x + 1, y) + block(x, y - 1) + block(x, y + 1)) / 4.0);
-      sum += block(x, y);
-    }
-  EXPECT_GT(apart / sum, 0.06);  // without locks 0.048
+  EXPECT_GT(unevenness(block, 15, 35), 0.06);  // without locks 0.048
 }
 
 // A mesh without texture coordinates, turned: where the borders of its charts lie depends on the axes.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/view/OrbitCamera.h"
+#include "core/NumberText.h"
 #include "scene/Png.h"
 
 namespace fur::app {
@@ -31,8 +32,8 @@ Status Studio::begin(const PictureOrder& order) {
   end();
   const int most = mostPictureSide();
   if (order.width > most || order.height > most || order.width < kLeastPictureSide || order.height < kLeastPictureSide)
-    return Error{ErrorId::TooLarge, "a picture of " + std::to_string(order.width) + " x " + std::to_string(order.height) +
-                                        " cannot be drawn: sides of " + std::to_string(kLeastPictureSide) + " to " + std::to_string(most) +
+    return Error{ErrorId::TooLarge, "a picture of " + decimal(order.width) + " x " + decimal(order.height) +
+                                        " cannot be drawn: sides of " + decimal(kLeastPictureSide) + " to " + decimal(most) +
                                         " pixels can"};
   order_ = order;
   if (Status status = makeTargets(); !status) {
