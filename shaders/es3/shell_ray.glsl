@@ -26,7 +26,7 @@ vec2 atlasAt(vec2 tile) { return vAtlas + atlasFromTile() * (tile - vTile.xy); }
 // reference: 16 and 32 are as good near, 64 is worse far.
 const float kReferenceSteps = 24.0;
 // A step in texels of the mip level, times stepLength, and how many there are of a fur length at least, however small the
-// picture.
+// picture and long the steps: of three, where one looks along the strands, rays missed all of them, in a pattern of dark dots.
 const float kTexelsAStep = 2.0;
 const float kFewestSteps = 6.0;
 // Strands that hide this much hide all. Smaller steps and more strands are further from the reference: what lies deep
@@ -61,7 +61,7 @@ float stepOver(float share) {
   float lying = clamp(3.0 * length(vLean.xy) - 2.4, 0.0, 1.0);  // none below a turn of 0.85, all from 1.3 on
   vec2 past = vTile.zw - 2.0 * lying * vTop * vPath.x * vTurn.zw;
   float texels = sqrt(max(dot(vTile.zw, vTile.zw), dot(past, past))) * tileTexels * share;
-  return stepLength * min(kTexelsAStep / max(texels, 1e-3), 1.0 / (kFewestSteps * max(-vPath.x, 1.0 / kFewestSteps)));
+  return min(stepLength * kTexelsAStep / max(texels, 1e-3), 1.0 / (kFewestSteps * max(-vPath.x, 1.0 / kFewestSteps)));
 }
 
 // How many steps there are from x to `end`. The march counts them: a step that is tiny beside x would not change it, and a loop

@@ -110,6 +110,17 @@ TEST(AppWater, RainWetsWhatLiesUp) {
   EXPECT_GT(basin.app.water().accounts().dripped, 0.05);  // past the model
 }
 
+// Beside it they would leave dark spots on the ground, round an animal that nobody has wetted.
+TEST(AppWater, SprinkledDropsFallOnTheModelAndNotBesideIt) {
+  Basin basin;
+  basin.app.loadPrimitive("torus").value();  // with a hole in its middle, seen from above
+  basin.app.sprinkle(60);
+  basin.run(90);
+  EXPECT_TRUE(basin.app.drops().empty()) << "all have come down";
+  EXPECT_GT(basin.app.water().accounts().held, 0);
+  EXPECT_EQ(basin.app.water().accounts().dripped, 0);
+}
+
 TEST(AppWater, ATowelTakesAndShakingThrowsOff) {
   Basin basin;
   basin.app.setWetness(0.9f);

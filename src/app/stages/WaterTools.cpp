@@ -19,8 +19,10 @@ constexpr float kDryShare = 0.35f;
 constexpr float kTowelShare = 0.5f;
 // Of the hose: amount a step, how far off its nozzle is and how fast water comes from there.
 constexpr float kHose = 0.012f, kHoseLength = 2.0f, kHoseSpeed = 11.5f;
-// Of drops that are sprinkled: how far aside and how high over the model's middle, in radii of what holds it; how much each brings.
-constexpr float kSprinkleReach = 0.75f, kSprinkleHeight = 1.7f, kSprinkle = 4e-3f;
+// Of drops that are sprinkled: how far aside and how high over the model's middle, in radii of what holds it; how much each brings; how
+// many places are tried until the model is below one.
+constexpr float kSprinkleReach = 1.0f, kSprinkleHeight = 1.7f, kSprinkle = 4e-3f;
+constexpr int kSprinkleTries = 16;
 constexpr float kHoseSlope = 0.3f;  // it meets the skin at no less; a sine
 
 // Clumps come in sizes: many small ones, a few large ones.
@@ -138,10 +140,18 @@ void WaterStage::strokeAt(const ShapeStage& shape, const geometry::SurfacePoint&
 void WaterStage::sprinkle(const ShapeStage& shape, const Mat4& worldFromModel, int drops) {
   const ShapeStage::Extent& extent = shape.extent();
   const Vec3 middle(worldFromModel * Vec4(extent.centre, 1));
+  const Mat4 toModel = glm::inverse(worldFromModel);
+  const Vec3 down = glm::normalize(Vec3(toModel * Vec4(0, -1, 0, 0)));
+  const geometry::SurfaceQuery& shown = shape.shownQuery();
   for (int i = 0; i < drops; ++i) {
-    const float angle = sprinkled_.uniform(0, 2 * kPi), reach = kSprinkleReach * std::sqrt(sprinkled_.uniform());
-    const Vec3 over(reach * portableCos(angle), kSprinkleHeight + 0.2f * sprinkled_.uniform(), reach * portableSin(angle));
-    water_.launch(middle + extent.radius * over, Vec3(0), kSprinkle);
+    Vec3 from;
+    for (int tries = 0; tries < kSprinkleTries; ++tries) {
+      const float angle = sprinkled_.uniform(0, 2 * kPi), reach = kSprinkleReach * std::sqrt(sprinkled_.uniform());
+      const Vec3 over(reach * portableCos(angle), kSprinkleHeight + 0.2f * sprinkled_.uniform(), reach * portableSin(angle));
+      from = middle + extent.radius * over;
+      if (shown.castRay(Vec3(toModel * Vec4(from, 1)), down)) break;
+    }
+    water_.launch(from, Vec3(0), kSprinkle);
   }
   touch();
 }
