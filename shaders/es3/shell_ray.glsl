@@ -39,6 +39,7 @@ float end;         // where it does
 vec2 foot;         // the tile there
 float grown;       // how much of a coat there is there
 float stepSize;
+float longer;      // than is good for the picture, where the machine has too little time: at most stepLength, a factor
 float lod;         // mip level
 float sharp;       // pixels that a texel covers, 1 at least
 float softness;    // a step's share of a reference step
@@ -61,7 +62,9 @@ float stepOver(float share) {
   float lying = clamp(3.0 * length(vLean.xy) - 2.4, 0.0, 1.0);  // none below a turn of 0.85, all from 1.3 on
   vec2 past = vTile.zw - 2.0 * lying * vTop * vPath.x * vTurn.zw;
   float texels = sqrt(max(dot(vTile.zw, vTile.zw), dot(past, past))) * tileTexels * share;
-  return min(stepLength * kTexelsAStep / max(texels, 1e-3), 1.0 / (kFewestSteps * max(-vPath.x, 1.0 / kFewestSteps)));
+  float longest = 1.0 / (kFewestSteps * max(-vPath.x, 1.0 / kFewestSteps)), good = min(kTexelsAStep / max(texels, 1e-3), longest);
+  longer = min(stepLength, longest / good);
+  return good * longer;
 }
 
 // How many steps there are from x to `end`. The march counts them: a step that is tiny beside x would not change it, and a loop

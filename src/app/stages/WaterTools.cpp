@@ -140,18 +140,16 @@ void WaterStage::strokeAt(const ShapeStage& shape, const geometry::SurfacePoint&
 void WaterStage::sprinkle(const ShapeStage& shape, const Mat4& worldFromModel, int drops) {
   const ShapeStage::Extent& extent = shape.extent();
   const Vec3 middle(worldFromModel * Vec4(extent.centre, 1));
-  const Mat4 toModel = glm::inverse(worldFromModel);
-  const Vec3 down = glm::normalize(Vec3(toModel * Vec4(0, -1, 0, 0)));
+  const Mat3 toModel = glm::transpose(Mat3(worldFromModel));
   const geometry::SurfaceQuery& shown = shape.shownQuery();
   for (int i = 0; i < drops; ++i) {
-    Vec3 from;
+    Vec3 over(0);
     for (int tries = 0; tries < kSprinkleTries; ++tries) {
       const float angle = sprinkled_.uniform(0, 2 * kPi), reach = kSprinkleReach * std::sqrt(sprinkled_.uniform());
-      const Vec3 over(reach * portableCos(angle), kSprinkleHeight + 0.2f * sprinkled_.uniform(), reach * portableSin(angle));
-      from = middle + extent.radius * over;
-      if (shown.castRay(Vec3(toModel * Vec4(from, 1)), down)) break;
+      over = extent.radius * Vec3(reach * portableCos(angle), kSprinkleHeight + 0.2f * sprinkled_.uniform(), reach * portableSin(angle));
+      if (shown.castRay(extent.centre + toModel * over, toModel * Vec3(0, -1, 0))) break;
     }
-    water_.launch(from, Vec3(0), kSprinkle);
+    water_.launch(middle + over, Vec3(0), kSprinkle);
   }
   touch();
 }
