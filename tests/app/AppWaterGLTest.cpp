@@ -121,6 +121,18 @@ TEST(AppWater, SprinkledDropsFallOnTheModelAndNotBesideIt) {
   EXPECT_EQ(basin.app.water().accounts().dripped, 0);
 }
 
+// An animal covers little of what holds all that it may do.
+TEST(AppWater, SprinkledDropsFindASlenderModel) {
+  const std::string blade = "v -1 0 -0.1\nv 1 0 -0.1\nv -1 0 0.1\nv 1 0 0.1\nf 1 3 4\nf 1 4 2\n";
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(blade.data());
+  Basin basin;
+  ASSERT_TRUE(basin.app.loadModel({bytes, bytes + blade.size()}, "blade.obj"));
+  basin.app.sprinkle(60);
+  basin.run(90);
+  EXPECT_GT(basin.app.water().accounts().held, 0);
+  EXPECT_EQ(basin.app.water().accounts().dripped, 0);
+}
+
 TEST(AppWater, ATowelTakesAndShakingThrowsOff) {
   Basin basin;
   basin.app.setWetness(0.9f);

@@ -22,7 +22,7 @@ constexpr float kHose = 0.012f, kHoseLength = 2.0f, kHoseSpeed = 11.5f;
 // Of drops that are sprinkled: how far aside and how high over the model's middle, in radii of what holds it; how much each brings; how
 // many places are tried until the model is below one.
 constexpr float kSprinkleReach = 1.0f, kSprinkleHeight = 1.7f, kSprinkle = 4e-3f;
-constexpr int kSprinkleTries = 16;
+constexpr int kSprinkleTries = 100;
 constexpr float kHoseSlope = 0.3f;  // it meets the skin at no less; a sine
 
 // Clumps come in sizes: many small ones, a few large ones.
