@@ -174,7 +174,7 @@ function showDrying() {
   byId('stay-wet').setAttribute('aria-pressed', String(fur.stayWet));
   drying.disabled = fur.stayWet;
   drying.value = 100 * Math.log(slowest / seconds) / Math.log(slowest / fastest);
-  drying.ariaValueText = seconds < 90 ? `Dries in ${Math.round(seconds)} s` : seconds < 2 * slowest ? `Dries in ${Math.round(seconds / 60)} min` : 'Hardly dries';
+  drying.ariaValueText = fur.stayWet ? 'Stays wet' : seconds < 90 ? `Dries in ${Math.round(seconds)} s` : seconds < 2 * slowest ? `Dries in ${Math.round(seconds / 60)} min` : 'Hardly dries';
   drying.nextElementSibling.textContent = drying.ariaValueText;
 }
 
@@ -354,7 +354,9 @@ async function pressTool({ dataset: { tool, place } }) {
     grooms.hidePopover();
     await openEditor(true);
   }
-  setTool(fur.tool === tool ? 'none' : tool);
+  const putDown = fur.tool === tool;
+  setTool(putDown ? 'none' : tool);
+  if (putDown) messages.note('No tool: a drag turns the view');
 }
 
 /** Markings all over (app/tools/GroomEdits.inc), in the colour beside them. */

@@ -22,7 +22,7 @@ namespace {
 using namespace fur;
 
 constexpr const char* kUsage = R"(usage: wet-fur-render [model] -o out.png [options]
-  model                 a {models} file, or bunny (default), sphere, torus, plane,
+  model                 a {models} file, or bunny (default), otter, pony, sphere, torus, plane,
                         or a scene as five-coats (assets/scenes/scenes.mjs has them all)
   -o, --output FILE     the PNG to write; may be left out when something else is saved
   --type-set [TYPE=]FILE  a coat from a {coats} file, for a fur type, 1 to 4 (several allowed)

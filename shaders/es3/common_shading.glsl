@@ -243,10 +243,10 @@ vec2 waterGloss(vec2 along, vec2 normal, float facing, float nDotL, float held, 
   fresnel = 0.04 + 0.6 * fresnel * fresnel * away;
   float water = max(shininessShown(), kWaterShininess) * smoothness;
   // From strand to strand it lies elsewhere and is as strong as chance has it: fine lines instead of a band.
-  float shifted = slope + 0.5 * (1.0 - sheet) * (strand - 0.5), own = strand * strand;
-  own *= mix(1.0, own, sheet);
-  float glint = kajiyaLobe(faces, 1.3 * water) * (1.0 - 0.7 * slope * slope) * (mix(0.3, 0.1, sheet) + 3.0 * own) +
-                kajiyaLobe(sqrt(max(1.0 - shifted * shifted, 0.0)), 5.0 * water) * faces * faces * (0.1 + 1.2 * own);
+  float shifted = slope + 0.5 * (1.0 - sheet) * (strand - 0.5), own = strand * strand, few = min(2.5 * sheet, 1.0);
+  own *= mix(1.0, own, few);
+  float glint = kajiyaLobe(faces, 1.3 * water) * (1.0 - 0.7 * slope * slope) * (mix(0.3, 0.05, few) + mix(3.0, 4.0, few) * own) +
+                kajiyaLobe(sqrt(max(1.0 - shifted * shifted, 0.0)), 5.0 * water) * faces * faces * (0.1 + mix(1.2, 2.1, few) * own);
   return film * film * wetGloss * vec2(smoothness * glossShare(nDotL) * glint * mix(1.6, 0.5, sheet), fresnel * mix(0.5, 0.1 + 3.0 * strand * strand, sheet));
 }
 vec2 waterGloss(vec3 T, vec3 n, vec3 L, vec3 V, float held, float sheet, float strand, float smoothness) {

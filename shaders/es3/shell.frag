@@ -65,9 +65,9 @@ float enterCoat() {
   // chance, so that nothing forms rings.
   noise = otherPixelNoise();
   between = fract(noise * 7.0) - 0.5;
-  float first = kFirstStep * stepSize * (noise - 0.5 * min(finer, 1.0));
   enterView();
   enterWater();
+  float first = kFirstStep * stepSize * (noise - 0.5 * min(finer, 1.0));
   softness = kReferenceSteps * stepSize;
   foot = tileAt(end, 0.0);
   enterShape();

@@ -73,6 +73,16 @@ vec2 waterOfLine(mat2 tileFromFur) {
   return filteredWater(mask, at);
 }
 
+// Wet strands lie, and a ray that comes down passes many of them on its way. By steps as long as over the skin it met one of those by chance, which
+// were grain in one picture and felt in the mean of samples. So long, in texels of the mip level across strands, are those of a picture that
+// is drawn once, and of samples.
+const vec2 kTexelsAcross = vec2(3.2, 1.3);
+// Such a step in fur lengths.
+float stepAcross() {
+  float texels = length(vTile.zw - (tipTile / coatTop) * vPath.x) * tileTexels * min(exp2(-vLight.w), 1.0);
+  return (finer > 0.0 ? kTexelsAcross.y : kTexelsAcross.x) / max(texels, 1e-3);
+}
+
 void enterWater() {
   tileFromAtlas = inverse(atlasFromTile());
   atlasLength = sqrt(abs(determinant(tileFromAtlas)));
@@ -110,6 +120,7 @@ void enterWater() {
   // Clumps are denser than dry fur, and longer steps find them; twice as long ones missed them: clumps fell into dots.
   // Where the machine has too little time dry fur takes longer steps; clumps would grow darker, and the picture jumps when it goes back.
   stepSize *= (1.0 + 0.3 * min(entryHeld, 1.0)) * mix(1.0, 1.0 / longer, min(2.0 * entryHeld, 1.0));
+  stepSize = mix(stepSize, min(stepSize, max(stepAcross(), end / float(FUR_MOST_STEPS))), min(2.0 * entryHeld, 1.0));
   closes = kClosed * (1.0 - 0.6 * soakedShare - 0.12 * min(entryHeld, 1.0) * (1.0 - sheet));
   enters = 0.0;
   if (vTop > coatTop) {
@@ -231,11 +242,11 @@ Strand standingAt(float x, inout March march) {
 #ifdef GROOMED
   furThere = side > 0.0 ? furSpot(root) : march.inside;
 #endif
-  // As many stand there as were drawn together; a sheet closes the gaps between clumps; all end in points.
-  own = max(own / (left * left), min(2.5 * sheet, 1.0)) * clamp(8.0 - 8.0 * along, 0.0, 1.0);
+  // As many stand there as were drawn together; a sheet closes the gaps between clumps, but near to the eye hardly; all end in points.
+  own = max(own / (left * left), 0.4 * sheet) * clamp(8.0 - 8.0 * along, 0.0, 1.0);
   if (clump.a < 0.0) clump.a = entryHeld;
   clump.xy = ownMiddle(clump);
-  return Strand(root, along, own, min(2.0 - 2.0 * left, 1.0) * (2.0 - 0.8 * seenApart), clump, tileFromAtlas * from * side
+  return Strand(root, along, own, min(2.0 - 2.0 * left, 1.0) * 2.0 * (1.0 - seenApart), clump, tileFromAtlas * from * side
 #ifdef TYPES
   , vec4(0.0)
 #endif
@@ -350,9 +361,9 @@ vec2 clumpTilt(Met met, March march) {
   return furFromTile * met.here.from * (turns * (1.0 - joined)) + lean * (flatter / coatTop) + lying.tilt;
 }
 
-// Where a strand gets its light: the march comes deeper between clumps than one sees when every strand is drawn.
-const float kSeenDeeper = 0.4;
-float litHeight(Met met) { return mix(met.h, 1.0, kSeenDeeper * min(2.0 * met.held, 1.0)) * litLower(met.held); }
+// Where a strand gets its light: the march comes deeper between clumps than one sees when every strand is drawn; half wet, soaked.
+const vec2 kSeenDeeper = vec2(0.2, 0.4);
+float litHeight(Met met) { return mix(met.h, 1.0, mix(kSeenDeeper.x, kSeenDeeper.y, soakedShare) * min(2.0 * met.held, 1.0)) * litLower(met.held); }
 // Half-wet strands let light through to the next.
 float shadeOfOne() { return FUR_SHADE_OF_ONE * (1.0 - joined) * max(1.0 - 2.0 * entryHeld, 0.0); }
 vec3 soaked(vec3 albedo, float rho) { return wetCoatAlbedo(albedo, rho); }

@@ -38,7 +38,7 @@ constexpr ShippedScene kScenes[] = {
     {"fins-everywhere", "Fins everywhere"},
     {"fins-outline", "Fins at the outline"},
     {"fading", "Fading fur"},
-    {"variance", "Without and with variance"},
+    {"variance", "Variance"},
     {"interpolation", "One type into another"},
     {"wet-bunny", "Wet bunny"},
     {"half-wet", "Half wet"},

@@ -117,10 +117,11 @@ Vec2 waterGloss(const Vec3& tangent, const Vec3& n, const Vec3& light, const Vec
   const Vec3 half = glm::normalize(light + view);
   const float away = 1 - saturate(glm::dot(n, view)), faces = std::max(glm::dot(n, half), 0.0f), slope = glm::dot(tangent, half);
   const float fresnel = 0.04f + 0.6f * away * away * away * away * away;
-  const float shifted = slope + 0.5f * (1 - sheet) * (strand - 0.5f), own = strand * strand * glm::mix(1.0f, strand * strand, sheet);
+  const float shifted = slope + 0.5f * (1 - sheet) * (strand - 0.5f), few = std::min(2.5f * sheet, 1.0f);
+  const float own = strand * strand * glm::mix(1.0f, strand * strand, few);
   const float water = smoothness * std::max(exponent, kWaterShininess);
-  const float glint = kajiyaLobe(faces, 1.3f * water) * (1 - 0.7f * slope * slope) * (glm::mix(0.3f, 0.1f, sheet) + 3 * own) +
-                      kajiyaLobe(sineOf(shifted), 5 * water) * faces * faces * (0.1f + 1.2f * own);
+  const float glint = kajiyaLobe(faces, 1.3f * water) * (1 - 0.7f * slope * slope) * (glm::mix(0.3f, 0.05f, few) + glm::mix(3.0f, 4.0f, few) * own) +
+                      kajiyaLobe(sineOf(shifted), 5 * water) * faces * faces * (0.1f + glm::mix(1.2f, 2.1f, few) * own);
   const float film = std::min(wetness, 1.25f), wet = film * film * wetGloss;
   return wet * Vec2(smoothness * glossShare(light.z) * glint * glm::mix(1.6f, 0.5f, sheet), fresnel * glm::mix(0.5f, 0.1f + 3.0f * strand * strand, sheet));
 }

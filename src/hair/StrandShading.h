@@ -94,7 +94,8 @@ float clumpShade(float facing, float keyed, float height, float wetness, float s
 // that all of it comes back from white fur, and `share` from black.
 Vec3 passedOn(float share, const Vec3& albedo);
 // The share of the key light and the share of the sky that water mirrors to the eye off a strand of the clump with the
-// normal `n`: glints that run along strands where the clump is turned to the light, more of both at grazing.
+// normal `n`: glints that run along strands where the clump is turned to the light, more of both at grazing. Where clumps close into a sheet
+// few strands glint, and those more: all of a clump together were white patches.
 // `wetGloss`: sigma_spec, `exponent`: of soaked strands, `smoothness`: the share of it that is left where what is too small to be seen is turned
 // to all sides: light is spread wider and is as much fainter.
 Vec2 waterGloss(const Vec3& tangent, const Vec3& n, const Vec3& light, const Vec3& view, float wetness, float sheet,

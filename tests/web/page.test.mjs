@@ -309,6 +309,7 @@ test('under Water all of it is soaked at once, stays wet, and dries as fast as a
   await page.click('#stay-wet');
   assert.equal(await page.getAttribute('#stay-wet', 'aria-pressed'), 'true');
   assert.equal(await page.isDisabled('#drying'), true);
+  assert.equal(await page.$eval('#drying + span', (one) => one.textContent), 'Stays wet');
   await withFur(page, (fur) => { fur.dryRate = 0.2; fur.step(1 / 30, 90); });
   const kept = await mean();  // some has run off
   assert.ok(kept > 0.7, `${kept}`);

@@ -33,7 +33,7 @@ test('petted fur lies over, comes back, and leaves nothing to undo', async () =>
   assert.deepEqual(page.problems, []);
 });
 
-test('a ball can be dragged over the fur, and goes with its tool', async () => {
+test('a ball can be dragged over the fur, and goes with its tool, which the page tells', async () => {
   const page = await site.open(`?${plain}&src=sphere`);
   await untilStill(page);
   const before = await picture(page), { x, y } = await spotOnModel(page);
@@ -43,6 +43,7 @@ test('a ball can be dragged over the fur, and goes with its tool', async () => {
   const at = ({ data, width }) => data[4 * (y * width + x + 10)] - data[4 * (y * width + x + 10) + 1];
   assert.ok(at(await picture(page)) > at(before) + 30, 'red');
   await page.click('[data-tool=ball]');
+  await page.waitForSelector('#messages .message:has-text("No tool")');
   await untilStill(page);
   assert.ok(difference(before, await picture(page), 2) < 0.001);
   assert.deepEqual(page.problems, []);
