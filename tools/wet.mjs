@@ -7,7 +7,7 @@ import { command, root, run } from './process.mjs';
 import { needs, setUp } from './setup.mjs';
 
 const size = { width: 380, height: 320 };  // drawn twice as large
-const look = ['--camera', '0.42,0.22,2.85', '--size', `${2 * size.width}x${2 * size.height}`];
+const look = ['--camera', '0.42,0.22,2.85', '--size', `${2 * size.width}x${2 * size.height}`, '--samples', '16'];
 const states = {
   dry: [],
   droplets: ['--rain', '1', '--time', '4'],
