@@ -169,12 +169,18 @@ const drying = byId('drying');
 // Of soaked fur, in seconds, at the slider's ends; a rate of 1 would take it so long.
 const [slowest, fastest, timeAtOne] = [3600, 10, 1.06];
 
+function dryingText(seconds) {
+  if (fur.stayWet) return 'Stays wet';
+  if (seconds >= 2 * slowest) return 'Hardly dries';
+  return seconds < 90 ? `Dries in ${Math.round(seconds)} s` : `Dries in ${Math.round(seconds / 60)} min`;
+}
+
 function showDrying() {
   const seconds = timeAtOne / fur.dryRate;
   byId('stay-wet').setAttribute('aria-pressed', String(fur.stayWet));
   drying.disabled = fur.stayWet;
   drying.value = 100 * Math.log(slowest / seconds) / Math.log(slowest / fastest);
-  drying.ariaValueText = fur.stayWet ? 'Stays wet' : seconds < 90 ? `Dries in ${Math.round(seconds)} s` : seconds < 2 * slowest ? `Dries in ${Math.round(seconds / 60)} min` : 'Hardly dries';
+  drying.ariaValueText = dryingText(seconds);
   drying.nextElementSibling.textContent = drying.ariaValueText;
 }
 

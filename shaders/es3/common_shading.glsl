@@ -234,6 +234,8 @@ vec3 clumpNormal(vec2 outward, float sheet) {
 
 // Water is as smooth on blunt fur as on sleek.
 const float kWaterShininess = 60.0;
+// How far a sheet has closed when few of its strands glint: as far as one closes that is seen near to the eye (FUR_NEAR_SHEET).
+const float kFewGlint = 0.4;
 // What water mirrors, as shares: x of the light, y of the sky. Cosines as of shadeStrand(), `normal` to the clump's. C++ twin in hair/StrandShading.h,
 // which says more.
 vec2 waterGloss(vec2 along, vec2 normal, float facing, float nDotL, float held, float sheet, float strand, float smoothness) {
@@ -243,7 +245,7 @@ vec2 waterGloss(vec2 along, vec2 normal, float facing, float nDotL, float held, 
   fresnel = 0.04 + 0.6 * fresnel * fresnel * away;
   float water = max(shininessShown(), kWaterShininess) * smoothness;
   // From strand to strand it lies elsewhere and is as strong as chance has it: fine lines instead of a band.
-  float shifted = slope + 0.5 * (1.0 - sheet) * (strand - 0.5), own = strand * strand, few = min(2.5 * sheet, 1.0);
+  float shifted = slope + 0.5 * (1.0 - sheet) * (strand - 0.5), own = strand * strand, few = min(sheet / kFewGlint, 1.0);
   own *= mix(1.0, own, few);
   float glint = kajiyaLobe(faces, 1.3 * water) * (1.0 - 0.7 * slope * slope) * (mix(0.3, 0.05, few) + mix(3.0, 4.0, few) * own) +
                 kajiyaLobe(sqrt(max(1.0 - shifted * shifted, 0.0)), 5.0 * water) * faces * faces * (0.1 + mix(1.2, 2.1, few) * own);

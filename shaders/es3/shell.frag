@@ -59,14 +59,15 @@ float enterCoat() {
   sharp = max(pixels * (finer > 0.0 ? 4.0 : 1.0), 1.0);
   end = rayTo(vTop, reachesSkin);
   if (chartShare() <= 0.0) end = 0.0;
-  // A ray along a level coat is long: no more steps than there may be.
-  stepSize = max(stepOver(min(pixels, 1.0)) * (finer > 0.0 ? kSampleStep : 1.0), end / float(FUR_MOST_STEPS));
+  stepSize = stepOver(min(pixels, 1.0)) * (finer > 0.0 ? kSampleStep : 1.0);
   // Where the first step falls, which layer stands for a height between two, which samples are covered: each by
   // chance, so that nothing forms rings.
   noise = otherPixelNoise();
   between = fract(noise * 7.0) - 0.5;
   enterView();
   enterWater();
+  // A ray along a level coat is long: no more steps than there may be.
+  stepSize = max(stepSize, end / float(FUR_MOST_STEPS));
   float first = kFirstStep * stepSize * (noise - 0.5 * min(finer, 1.0));
   softness = kReferenceSteps * stepSize;
   foot = tileAt(end, 0.0);

@@ -119,8 +119,9 @@ void enterWater() {
   wetLength = alongStrand(coatTop, lean + bend * (coatTop * coatTop));
   // Clumps are denser than dry fur, and longer steps find them; twice as long ones missed them: clumps fell into dots.
   // Where the machine has too little time dry fur takes longer steps; clumps would grow darker, and the picture jumps when it goes back.
-  stepSize *= (1.0 + 0.3 * min(entryHeld, 1.0)) * mix(1.0, 1.0 / longer, min(2.0 * entryHeld, 1.0));
-  stepSize = mix(stepSize, min(stepSize, max(stepAcross(), end / float(FUR_MOST_STEPS))), min(2.0 * entryHeld, 1.0));
+  float wet = min(2.0 * entryHeld, 1.0);
+  stepSize *= (1.0 + 0.3 * min(entryHeld, 1.0)) * mix(1.0, 1.0 / longer, wet);
+  stepSize = mix(stepSize, min(stepSize, stepAcross()), wet);
   closes = kClosed * (1.0 - 0.6 * soakedShare - 0.12 * min(entryHeld, 1.0) * (1.0 - sheet));
   enters = 0.0;
   if (vTop > coatTop) {

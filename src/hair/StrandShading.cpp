@@ -11,6 +11,8 @@ float sineOf(float c) { return std::sqrt(std::max(1.0f - c * c, 0.0f)); }
 
 // Water is as smooth on blunt fur as on sleek: what its film mirrors is no wider than at this exponent.
 constexpr float kWaterShininess = 60;
+// How far a sheet has closed when few of its strands glint: as far as one closes that is seen near to the eye (FUR_NEAR_SHEET).
+constexpr float kFewGlint = 0.4f;
 }  // namespace
 
 float kajiyaDiffuse(const Vec3& tangent, const Vec3& light) { return sineOf(glm::dot(tangent, light)); }
@@ -117,7 +119,7 @@ Vec2 waterGloss(const Vec3& tangent, const Vec3& n, const Vec3& light, const Vec
   const Vec3 half = glm::normalize(light + view);
   const float away = 1 - saturate(glm::dot(n, view)), faces = std::max(glm::dot(n, half), 0.0f), slope = glm::dot(tangent, half);
   const float fresnel = 0.04f + 0.6f * away * away * away * away * away;
-  const float shifted = slope + 0.5f * (1 - sheet) * (strand - 0.5f), few = std::min(2.5f * sheet, 1.0f);
+  const float shifted = slope + 0.5f * (1 - sheet) * (strand - 0.5f), few = std::min(sheet / kFewGlint, 1.0f);
   const float own = strand * strand * glm::mix(1.0f, strand * strand, few);
   const float water = smoothness * std::max(exponent, kWaterShininess);
   const float glint = kajiyaLobe(faces, 1.3f * water) * (1 - 0.7f * slope * slope) * (glm::mix(0.3f, 0.05f, few) + glm::mix(3.0f, 4.0f, few) * own) +
