@@ -14,7 +14,7 @@ const within = (p, c, r, inner = 0.6) => smooth(1, inner, away(p, c, r));
 const plush = { density: 1, thickness: 0.24, lengthVariation: 0.15, clump: 0.2, lockSize: 0.15, curl: 0.05, taper: 0.5, furLength: 0.042, undercoat: 0.4, undercoatLength: 0.7,
   rootColor: '#7f7165', tipColor: '#b7a697', skinColor: '#6a5446', variance: 0.3, specular: 0.03, shininess: 40, stiffness: 0.9 };
 /** Mist over a bank: light from its right, low, and a little from behind along its outline. */
-const setting = { backgroundTop: '#8fa9a6', backgroundBottom: '#ece5d8', keyColor: '#fff0da', lightYaw: -0.9, lightPitch: 0.62, lightIntensity: 1, fillLight: 0.08, rimLight: 0.15, rimColor: '#ffdfb0', ambient: 0.36, skyColor: '#e2eef2', groundColor: '#f4e6d0' };
+const setting = { backgroundTop: '#8fa9a6', backgroundBottom: '#ece5d8', keyColor: '#fff0da', lightYaw: -0.9, lightPitch: 0.62, lightIntensity: 1, fillLight: 0.08, rimLight: 0.22, rimColor: '#ffdfb0', ambient: 0.48, skyColor: '#e2eef2', groundColor: '#f4e6d0' };
 export const settings = {
   ...setting,
   furLength: 0.042, density: 1, thickness: 0.24, lengthVariation: 0.3, curl: 0.06, taper: 0.6, repeat: 10, clump: 0.35, lockSize: 0.25, undercoat: 0.8, undercoatLength: 0.5,
