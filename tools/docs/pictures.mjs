@@ -24,8 +24,15 @@ export function renderArguments({ src = 'bunny', preset, light, set = {}, camera
   ];
 }
 
-/** What a picture is made of, as 16 hexadecimal digits. @param {{ parts: object[], bytes?: number }} picture */
-export const hashOf = ({ parts, bytes }) => createHash('sha256').update(JSON.stringify([parts.map(renderArguments), bytes])).digest('hex').slice(0, 16);
+/**
+ * What a picture is made of, as 16 hexadecimal digits: its settings, and the files of animals in it.
+ * @param {{ parts: object[], bytes?: number }} picture
+ */
+export function hashOf({ parts, bytes }) {
+  const hash = createHash('sha256').update(JSON.stringify([parts.map(renderArguments), bytes]));
+  for (const file of new Set(parts.map(({ src }) => join(root, `assets/${src}.glb`)))) if (existsSync(file)) hash.update(readFileSync(file));
+  return hash.digest('hex').slice(0, 16);
+}
 
 const readInputs = () => (existsSync(inputsFile) ? JSON.parse(readFileSync(inputsFile, 'utf8')) : {});
 
