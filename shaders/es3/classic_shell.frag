@@ -30,7 +30,8 @@ in vec3 vLight;
 in vec4 vView;
 in vec4 vLean;
 in vec4 vAround;
-in vec3 vGlint;
+in vec2 vGlint;
+in vec3 vUp;
 #if defined(WET) || defined(GROOMED) || defined(PAINTED)
 in vec2 vAtlas;
 in vec4 vAtlasStep;
@@ -125,7 +126,7 @@ vec3 shade(Strand s, vec4 spot, vec3 model) {
 #ifdef PAINTED
   albedo = paintedStrand(albedo, rootInAtlas(spot), typeVariance[s.type], own, texel.z);
 #endif
-  return litStrand(LightOfShell(vAround, vGlint), albedo, T, L, V, h, vView.w, texel.z, s.held, s.sheet, s.outward);
+  return litStrand(LightOfShell(vAround, vGlint, vUp), albedo, T, L, V, h, vView.w, texel.z, s.held, s.sheet, s.outward);
 }
 
 void main() {

@@ -24,7 +24,8 @@ flat out vec2 vShell;  // x: height  y: layer of its texture
 out vec3 vLight;  // in the surface's frame
 out vec4 vView;   // xyz: eye in the surface's frame  w: share of the light that the fur's shadow leaves
 out vec4 vAround; // both as LightOfShell has them
-out vec3 vGlint;
+out vec2 vGlint;
+out vec3 vUp;    // upwards in the surface's frame
 out vec4 vLean;   // xy: sideways part of the strand's tangent  zw: model uv
 #ifdef WET
 out vec2 vTip;        // how far aside the tip is, fur lengths
@@ -58,9 +59,10 @@ void main() {
 #ifdef TYPES
   showShares(presences(textureLod(groom, uvAtlas.zw, 0.0).gba));
 #endif
-  LightOfShell lit = lightOfShell(vLight, vView.xyz, h, vView.w, dot(skin.normal, up.xyz));
+  LightOfShell lit = lightOfShell(vLight, vView.xyz, h, vView.w, inFrame(skin, up.xyz));
   vAround = lit.around;
   vGlint = lit.glint;
+  vUp = lit.up;
   vec2 sideways = theta > 1e-5 ? along(skin, groomed.xyz) / theta : vec2(0.0);
   vLean = vec4(sideways * arcTangent(theta, h).y, uvAtlas.xy);
 #ifdef WET

@@ -256,21 +256,24 @@ vec2 waterGloss(vec3 T, vec3 n, vec3 L, vec3 V, float held, float sheet, float s
 }
 
 // C++ twin in hair/StrandShading.h, which says more.
-float clumpShade(float facing, float keyed, float h, float held, float sheet) {
-  float much = min(held, 1.0), clumps = much * (1.0 - 0.75 * sheet), turnedTo = mix(1.2, clamp(0.6 + 0.8 * facing, 0.3, 1.4), keyed);
-  return mix(1.0, turnedTo, 0.7 * clumps) * mix(1.0, smoothstep(-0.2, 0.8, h), 0.45 * clumps) * (1.0 + (0.6 - 1.05 * keyed) * much * (2.0 - much)) *
+float clumpShade(float facing, float risen, float keyed, float h, float held, float sheet) {
+  float much = min(held, 1.0), clumps = much * (1.0 - 0.75 * sheet), shaded = 1.0 - keyed;
+  float turnedTo = mix(clamp(1.2 + 1.5 * risen, 0.3, 2.1), clamp(0.6 + 0.8 * facing, 0.3, 1.4), keyed);
+  float around = shaded * (0.6 + 0.9 * shaded * shaded) - 0.45 * keyed;
+  return mix(1.0, turnedTo, 0.7 * clumps) * mix(1.0, smoothstep(-0.2, 0.8, h), 0.45 * clumps) * (1.0 + around * much * (2.0 - much)) *
          (1.0 - 0.16 * sheet * smoothstep(0.3, 0.85, held));
 }
 // C++ twin in hair/StrandShading.h, which says more.
 vec3 passedOn(float share, vec3 albedo) { return share / (1.0 - albedo * (1.0 - share)); }
-// A strand's light `color` as that of one in a clump; and what water mirrors. `held`: 1 is saturated, what is more shines as a film.
-vec3 clumpLight(vec3 color, vec3 albedo, vec3 T, vec3 n, vec3 L, vec3 V, float h, float held, float sheet, float lit, float upness, float strand, float smoothness) {
-  float clumps = min(held, 1.0) * (1.0 - 0.75 * sheet);
-  color *= passedOn(clumpShade(dot(n, L), lit * glossShare(L.z), h, held, sheet), albedo);
+// C++ twin in hair/StrandShading.h, which says more.
+float mirroredSky(float keyed) { return 1.0 + (1.0 - keyed) * (0.6 + 1.4 * (1.0 - keyed)); }
+// A strand's light `color` as that of one in a clump; and what water mirrors. `up`: upwards in the surface's frame. `held`: 1 is saturated, what is more shines as a film.
+vec3 clumpLight(vec3 color, vec3 albedo, vec3 T, vec3 n, vec3 L, vec3 V, float h, float held, float sheet, float lit, vec3 up, float strand, float smoothness) {
+  float clumps = min(held, 1.0) * (1.0 - 0.75 * sheet), keyed = lit * glossShare(L.z), risen = dot(n, up);
+  color *= passedOn(clumpShade(dot(n, L), risen - up.z, keyed, h, held, sheet), albedo);
   vec2 mirrored = waterGloss(T, n, L, V, held, sheet, strand, smoothness) * mix(1.0, h, clumps);
   color += 0.5 * min(held, 1.0) * fringe(V.z, h);
-  // In shade, where little else is seen of it, a film mirrors more of the sky.
-  return color + mirrored.x * lit * keyLight.rgb + mirrored.y * mix(1.6, 1.0, lit) * skyLight(upness);
+  return color + mirrored.x * lit * keyLight.rgb + mirrored.y * mirroredSky(keyed) * skyLight(2.0 * dot(n, V) * risen - dot(V, up));
 }
 
 // Skin without fur, darker where it is wet; `lit` is the share of the light that reaches it.

@@ -9,7 +9,7 @@
 #ifdef CLASSIC
 #include "common_classic.glsl"
 in vec4 vAround;
-in vec3 vGlint;
+in vec2 vGlint;
 in float vLit;
 #endif
 #ifdef GROOMED
@@ -26,7 +26,8 @@ uniform sampler2D mask;
 #endif
 
 in vec4 vFin;
-in vec4 vLight;
+in vec3 vLight;
+in vec3 vUp;
 in vec3 vView;
 in vec2 vUv;
 in vec2 vLean;
@@ -142,19 +143,19 @@ vec3 shade(Strand s, vec4 strand, float rho, vec3 model) {
 #ifdef WET
   held = s.held, sheet = s.sheet, outward = s.outward;
 #endif
-  return encodeSrgb(toneMap(litStrand(LightOfShell(vAround, vGlint), albedo, tangent, vLight.xyz, vView, h, vLit, strand.z,
+  return encodeSrgb(toneMap(litStrand(LightOfShell(vAround, vGlint, vUp), albedo, tangent, vLight, vView, h, vLit, strand.z,
                                       held, sheet, outward)));
 #else
   // Nothing stands before an outline: light reaches it from the side, further down than inside the coat.
   float exposed = mix(h, 1.0, 0.4);
-  vec3 L = normalize(vLight.xyz), V = normalize(vView);
+  vec3 L = normalize(vLight), V = normalize(vView);
   float lit = 0.75 * furShadowAt(vLightSpace);
 #ifdef WET
   albedo = wetCoatAlbedo(albedo, rho);
 #endif
-  vec3 color = shadeStrand(albedo, tangent, L, V, exposed, rho, lit, vLight.w, strand.z);
+  vec3 color = shadeStrand(albedo, tangent, L, V, exposed, rho, lit, vUp.z, strand.z);
 #ifdef WET
-  color = clumpLight(color, albedo, tangent, clumpNormal(s.outward, s.sheet), L, V, h, s.held, s.sheet, lit, vLight.w, strand.z, 1.0);
+  color = clumpLight(color, albedo, tangent, clumpNormal(s.outward, s.sheet), L, V, h, s.held, s.sheet, lit, vUp, strand.z, 1.0);
 #endif
 #ifdef VIEW_SHADOW
   return vec3(lightShare(lit, exposed, L.z));

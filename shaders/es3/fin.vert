@@ -10,7 +10,7 @@
 #include "common_types.glsl"
 #endif
 out vec4 vAround;  // both as LightOfShell has them
-out vec3 vGlint;
+out vec2 vGlint;
 out float vLit;    // share of the light that the fur's shadow leaves
 #endif
 
@@ -24,7 +24,8 @@ layout(location = FUR_FIN_ATLAS) in vec4 atlas;
 layout(location = FUR_FIN_ROOM) in vec2 room;
 
 out vec4 vFin;    // x: along the fin map  y: height 0..1  z: opacity  w: mip level
-out vec4 vLight;  // xyz: light in the fin's frame (x along the edge, z along the normal)  w: N.up
+out vec3 vLight;  // in the fin's frame (x along the edge, z along the normal)
+out vec3 vUp;     // upwards in it
 out vec3 vView;   // eye in the fin's frame
 out vec2 vUv;
 out vec2 vLean;
@@ -102,16 +103,17 @@ void standFin(float opacity) {
   vec3 across = cross(normal, axis);
   float texels = length(eye.xyz - p) / pixelsPerUnit * tilesPerUnit * tileTexels;
   vFin = vec4(normalA.w + side * edgeLength * tilesPerUnit, h, opacity, log2(texels));
-  vLight = vec4(dot(axis, light.xyz), dot(across, light.xyz), dot(normal, light.xyz), dot(normal, up.xyz));
-  vec3 v = eye.xyz - p;
-  vView = vec3(dot(axis, v), dot(across, v), dot(normal, v));
+  mat3 frame = mat3(axis, across, normal);
+  vLight = light.xyz * frame;
+  vUp = up.xyz * frame;
+  vView = (eye.xyz - p) * frame;
 #ifdef CLASSIC
   vView = normalize(vView);
   vLit = furShadowAt(vLightSpace);
 #ifdef TYPES
   showShares(presences(textureLod(groom, mix(atlas.xy, atlas.zw, side), 0.0).gba));
 #endif
-  LightOfShell lit = lightOfShell(vLight.xyz, vView, h, vLit, vLight.w);
+  LightOfShell lit = lightOfShell(vLight, vView, h, vLit, vUp);
   vAround = lit.around;
   vGlint = lit.glint;
 #endif

@@ -30,6 +30,7 @@ layout(location = FUR_AROUND) in vec4 around;
 #include "common_clump.glsl"
 uniform sampler2D mask;
 out float vTop;
+out vec2 vUp;         // upwards in the surface's frame; N.up: vView.w
 out vec4 vTileOfFur;  // tiles that a fur length covers: along axisS (x, y), along axisT (0, z); mip levels that the chart's stretch adds
 #else
 flat out float vTop;  // the shell's height, 0..1
@@ -147,7 +148,11 @@ void lightRay(Skin skin, vec3 toEye, float distance) {
   vec3 toLight = light.xyz;
   float texelsPerPixel = distance / pixelsPerUnit * tilesPerUnit * length(gradSCurvature.xyz) * tileTexels;
   vLight = vec4(inFrame(skin, toLight), log2(texelsPerPixel));
-  vView = vec4(inFrame(skin, toEye), dot(skin.normal, up.xyz));
+  vec3 upwards = inFrame(skin, up.xyz);
+  vView = vec4(inFrame(skin, toEye), upwards.z);
+#ifdef WET
+  vUp = upwards.xy;
+#endif
   vec3 slide = toLight * (skin.coat / max(dot(skin.normal, toLight), 0.35));
   slide -= skin.normal * dot(skin.normal, slide);
   vLightStep = tilesPerUnit * vec2(dot(gradSCurvature.xyz, slide), dot(gradT, slide));

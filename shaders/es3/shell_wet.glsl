@@ -2,6 +2,7 @@
 uniform sampler2D mask;
 uniform sampler2DArray streaks;  // strand, the mean of those in line: layers turn by a half
 
+in vec2 vUp;         // upwards in the surface's frame; N.up: vView.w
 in vec4 vTileOfFur;  // tiles that a fur length covers: along axisS (x, y), along axisT (0, z); mip levels that the chart's stretch adds
 
 // Up to the first of these mip levels, near to the eye, soaked fur is strands in clumps that lie; from the second on it is drawn as one. Short fur
@@ -375,5 +376,6 @@ vec3 waterLight(vec3 color, vec3 albedo, Met met, vec3 T, vec3 L, vec3 V, float 
   vec3 n = normalize(clumpNormal(outward, sheet) + vec3(0.8 * joined * tiltOf(met) + lying.outward - back, 0.0));
   color *= mix(FUR_LOCK_GAP, 1.0, lying.rises);
   float glints = met.number * mix(mix(1.0, FUR_SHEET_GLINTS, soakedShare), 0.65 + 0.6 * abs(lying.chance), joined);
-  return clumpLight(color, albedo, T, n, L, V, litHeight(met), met.held, sheet, lit, vView.w, glints, lying.smoothness);
+  vec3 up = inTurnedFrame(vec3(vUp, vView.w), vPath.zw * met.x);
+  return clumpLight(color, albedo, T, n, L, V, litHeight(met), met.held, sheet, lit, up, glints, lying.smoothness);
 }

@@ -100,7 +100,9 @@ void main() {
 #elif FUNCTION == 38
   float value = lockPull(at.x, 1.5 * at.y, sheetOf(at.y, 0.0));
 #elif FUNCTION == 39
-  float value = clumpShade(at.x * 2.0 - 1.0, 1.0 - at.x * at.y, at.y, 1.2 * at.y, sheetOf(at.x, 0.0));
+  float value = 0.4 * clumpShade(at.x * 2.0 - 1.0, 2.0 * at.y - at.x, 1.0 - at.x * at.y, at.y, 1.2 * at.y, sheetOf(at.x, 0.0));
+#elif FUNCTION == 51
+  float value = mirroredSky(at.x) - 2.0;
 #elif FUNCTION == 40
   float value = beadSize(at.x, at.y);
 #elif FUNCTION == 46
@@ -121,7 +123,7 @@ void main() {
   float value = printedLight(vec3(0.5, 0.3, 0.2), vec3(1.0), skyLight(0.5), at.x, 0.9 * at.y + 0.1, at.y, at.x).x;
 #elif FUNCTION == 32
   vec3 L = onCircle(0.7), V = onCircle(-0.4), T = onCircle(at.x * 3.0);
-  float value = dryLight(lightOfShell(L, V, at.y, 0.8, 0.5), vec3(0.5, 0.3, 0.2), vec2(dot(T, L), dot(T, V)), vec2(L.z, V.z), at.y, at.x).x;
+  float value = dryLight(lightOfShell(L, V, at.y, 0.8, vec3(0.0, 0.0, 0.5)), vec3(0.5, 0.3, 0.2), vec2(dot(T, L), dot(T, V)), vec2(L.z, V.z), at.y, at.x).x;
 #elif FUNCTION == 12
   float value = standsUpTo(at.x, mix(0.5, 1.0, at.y));
 #elif FUNCTION == 11

@@ -106,13 +106,17 @@ Vec3 clumpNormal(const Vec2& outward, float sheet) {
   return glm::normalize(Vec3(outward * (1.0f - 0.85f * sheet), up));
 }
 
-float clumpShade(float facing, float keyed, float height, float wetness, float sheet) {
-  const float held = std::min(wetness, 1.0f), clumps = held * (1 - 0.75f * sheet), turnedTo = glm::mix(1.2f, glm::clamp(0.6f + 0.8f * facing, 0.3f, 1.4f), keyed);
-  return glm::mix(1.0f, turnedTo, 0.7f * clumps) * glm::mix(1.0f, glm::smoothstep(-0.2f, 0.8f, height), 0.45f * clumps) * (1 + (0.6f - 1.05f * keyed) * held * (2 - held)) *
+float clumpShade(float facing, float risen, float keyed, float height, float wetness, float sheet) {
+  const float held = std::min(wetness, 1.0f), clumps = held * (1 - 0.75f * sheet), shaded = 1 - keyed;
+  const float turnedTo = glm::mix(glm::clamp(1.2f + 1.5f * risen, 0.3f, 2.1f), glm::clamp(0.6f + 0.8f * facing, 0.3f, 1.4f), keyed);
+  const float around = shaded * (0.6f + 0.9f * shaded * shaded) - 0.45f * keyed;
+  return glm::mix(1.0f, turnedTo, 0.7f * clumps) * glm::mix(1.0f, glm::smoothstep(-0.2f, 0.8f, height), 0.45f * clumps) * (1 + around * held * (2 - held)) *
          (1 - 0.16f * sheet * glm::smoothstep(0.3f, 0.85f, wetness));
 }
 
 Vec3 passedOn(float share, const Vec3& albedo) { return share / (1.0f - albedo * (1 - share)); }
+
+float mirroredSky(float keyed) { return 1 + (1 - keyed) * (0.6f + 1.4f * (1 - keyed)); }
 
 Vec2 waterGloss(const Vec3& tangent, const Vec3& n, const Vec3& light, const Vec3& view, float wetness, float sheet,
                 float wetGloss, float exponent, float strand, float smoothness) {

@@ -87,12 +87,16 @@ Vec3 wetCoatAlbedo(const Vec3& albedo, float wetness);
 Vec3 clumpNormal(const Vec2& outward, float sheet);
 // The share that a strand at `height` of a clump keeps of its light: clumps are round and stand close, so their far sides and feet get
 // less, and strands that water joins shade each other the more, the wetter they are, in a sheet somewhat more. `facing`: the cosine between
-// the clump's normal and the light; `keyed`: the share of the key light that comes there, as what comes from all round knows no far sides
-// and comes to clumps, which stand apart, from more of it, the more, the wetter they are.
-float clumpShade(float facing, float keyed, float height, float wetness, float sheet);
+// the clump's normal and the light, `risen`: by how much larger that between it and the way up is than the surface's. `keyed`: the share of
+// the key light that comes there: what comes from all round, most of it from above, knows no other far sides, and comes to clumps, which stand
+// apart, from more of it, the more, the wetter they are, most of all in shade, where it is all there is.
+float clumpShade(float facing, float risen, float keyed, float height, float wetness, float sheet);
 // What a coat sends back of light of which its strands leave each other `share`: what they take they pass on by as much as they are white, so
 // that all of it comes back from white fur, and `share` from black.
 Vec3 passedOn(float share, const Vec3& albedo);
+// What water mirrors of the sky where that share of the key light comes, of what lights a strand there: `ambient` is a fraction of the background,
+// which is what one sees in water, and in shade is all that one sees in it.
+float mirroredSky(float keyed);
 // The share of the key light and the share of the sky that water mirrors to the eye off a strand of the clump with the
 // normal `n`: glints that run along strands where the clump is turned to the light, more of both at grazing. Where clumps close into a sheet
 // few strands glint, and those more: all of a clump together were white patches.

@@ -29,20 +29,24 @@ Share keyAt(const Scene& scene, const hair::StrandLook& look, const TubeNode& no
   return {hair::keyShare(look, height, nDotL, lit), lit};
 }
 
+// From where that is the cosine to the way up.
+Vec3 skyLight(const Scene& scene, float upness) { return glm::mix(Vec3(scene.frame.floorLight), Vec3(scene.frame.sky), 0.5f + 0.5f * upness); }
+
 // The light `color` of a strand as that of one in a clump or in a sheet: clumpLight() of common_shading.glsl.
 Vec3 wetLight(const Scene& scene, const hair::StrandLook& look, const Tube& tube, const TubeNode& node, float h, const Vec3& tangent, const Vec3& view, const Vec3& color, const Vec3& albedo, float lit) {
   const Wetness& water = tube.water;
   const Vec3 up = node.normal, right = normalizeOr(glm::cross(up, std::abs(up.y) < 0.9f ? Vec3(0, 1, 0) : Vec3(1, 0, 0)), Vec3(1, 0, 0)), on = glm::cross(up, right);
   const auto inFrame = [&](const Vec3& v) { return Vec3(glm::dot(v, right), glm::dot(v, on), glm::dot(v, up)); };
   const float sheet = water.sheet, held = std::min(water.held, 1.0f);
-  const Vec3 light = inFrame(Vec3(scene.frame.light)), eye = inFrame(view), along = inFrame(tangent);
+  const Vec3 light = inFrame(Vec3(scene.frame.light)), eye = inFrame(view), upwards = inFrame(Vec3(scene.frame.up)), along = inFrame(tangent);
   const Vec2 lies = Vec2(along) / std::max(glm::length(Vec2(along)), 1e-3f);
   const Vec3 n = glm::normalize(hair::clumpNormal(Vec2(inFrame(water.outward)), sheet) - Vec3(lies * (water.soaked * wet::liesBy(water.chance, tube.variance, water.shortness)), 0));
   const float clumps = held * (1 - 0.75f * sheet), number = glm::mix(1.0f, static_cast<float>(FUR_SHEET_GLINTS), water.soaked) * tube.variance;
-  Vec3 out = color * hair::passedOn(hair::clumpShade(glm::dot(n, light), lit * hair::glossShare(light.z), h, water.held, sheet), albedo);
+  const float keyed = lit * hair::glossShare(light.z), risen = glm::dot(n, upwards), above = 2 * glm::dot(n, eye) * risen - glm::dot(eye, upwards);
+  Vec3 out = color * hair::passedOn(hair::clumpShade(glm::dot(n, light), risen - upwards.z, keyed, h, water.held, sheet), albedo);
   const Vec2 mirrored = hair::waterGloss(along, n, light, eye, water.held, sheet, look.wetGloss, look.shininess, number) * glm::mix(1.0f, h, clumps);
   out += 0.5f * held * hair::fringe(eye.z, h) * Vec3(scene.frame.backLight);
-  return out + mirrored.x * lit * Vec3(scene.frame.keyLight) + mirrored.y * glm::mix(1.6f, 1.0f, lit) * skyLight(scene, up);
+  return out + mirrored.x * lit * Vec3(scene.frame.keyLight) + mirrored.y * hair::mirroredSky(keyed) * skyLight(scene, above);
 }
 
 }  // namespace
@@ -55,10 +59,7 @@ hair::StrandLook lookOf(const Scene& scene) {
           .occlusion = c.typeOcclusion.x, .wetDarkening = c.wetDarkening, .wetGloss = c.wetGloss, .density = c.typeDensity.x};
 }
 
-Vec3 skyLight(const Scene& scene, const Vec3& normal) {
-  const float upness = glm::dot(normal, Vec3(scene.frame.up));
-  return glm::mix(Vec3(scene.frame.floorLight), Vec3(scene.frame.sky), 0.5f + 0.5f * upness);
-}
+Vec3 skyLight(const Scene& scene, const Vec3& normal) { return skyLight(scene, glm::dot(normal, Vec3(scene.frame.up))); }
 
 Vec3 tangentAt(const Tubes& tubes, const Tube& tube, std::uint32_t node) {
   const std::uint32_t next = std::min(node + 1, tube.firstNode + tube.nodeCount - 1), last = node > tube.firstNode ? node - 1 : node;

@@ -149,10 +149,22 @@ TEST(WetCoatAlbedo, LeavesWhiteFurLightAndDarkensAllOtherTheMostBetweenWhiteAndB
 }
 
 TEST(ClumpShade, TakesOfTheKeyLightAloneWhatStrandsShadeAndFarSidesMiss) {
-  for (const float facing : {-1.0f, 0.0f, 1.0f}) EXPECT_FLOAT_EQ(clumpShade(facing, 0, 1, 1, 0), clumpShade(0, 0, 1, 1, 0)) << facing;
-  EXPECT_GT(clumpShade(1, 1, 1, 1, 0), clumpShade(-1, 1, 1, 1, 0));
-  EXPECT_LT(clumpShade(0.5f, 1, 1, 1, 0), 0.5f * clumpShade(0.5f, 0, 1, 1, 0));
-  EXPECT_FLOAT_EQ(clumpShade(-1, 1, 0.2f, 0, 0), 1) << "dry";
+  for (const float facing : {-1.0f, 0.0f, 1.0f}) EXPECT_FLOAT_EQ(clumpShade(facing, 0, 0, 1, 1, 0), clumpShade(0, 0, 0, 1, 1, 0)) << facing;
+  EXPECT_GT(clumpShade(1, 0, 1, 1, 1, 0), clumpShade(-1, 0, 1, 1, 1, 0));
+  EXPECT_LT(clumpShade(0.5f, 0, 1, 1, 1, 0), 0.5f * clumpShade(0.5f, 0, 0, 1, 1, 0));
+  EXPECT_FLOAT_EQ(clumpShade(-1, 0, 1, 0.2f, 0, 0), 1) << "dry";
+}
+
+TEST(ClumpShade, ShowsClumpsInShadeByTheSkyTheyTurnTo) {
+  EXPECT_GT(clumpShade(0, 0.3f, 0, 1, 1, 0), 1.5f * clumpShade(0, -0.3f, 0, 1, 1, 0));
+  EXPECT_FLOAT_EQ(clumpShade(0.5f, 0.3f, 1, 1, 1, 0), clumpShade(0.5f, -0.3f, 1, 1, 1, 0)) << "where all light is the key light's";
+  EXPECT_FLOAT_EQ(clumpShade(0, 0.3f, 0, 1, 0, 0), 1) << "dry";
+}
+
+TEST(MirroredSky, IsThreeTimesTheAmbientLightInShadeAndLessTheMoreOfTheKeyLightComes) {
+  EXPECT_FLOAT_EQ(mirroredSky(0), 3);
+  EXPECT_FLOAT_EQ(mirroredSky(1), 1);
+  for (const float keyed : {0.1f, 0.5f, 0.9f}) EXPECT_LT(mirroredSky(keyed), mirroredSky(keyed - 0.1f)) << keyed;
 }
 
 TEST(WetLight, IsUnchangedWhereSigmaIsNought) {

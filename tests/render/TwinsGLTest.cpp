@@ -139,7 +139,8 @@ TEST(Twins, PlaceOnALock) {
 }
 
 TEST(Twins, WaterOnStrands) {
-  EXPECT_LT(largestDifference(39, [](float u, float v) { return hair::clumpShade(2 * u - 1, 1 - u * v, v, 1.2f * v, wet::sheetOf(u)); }), kGpuPrecision);
+  EXPECT_LT(largestDifference(39, [](float u, float v) { return 0.4f * hair::clumpShade(2 * u - 1, 2 * v - u, 1 - u * v, v, 1.2f * v, wet::sheetOf(u)); }), kGpuPrecision);
+  EXPECT_LT(largestDifference(51, [](float u, float) { return hair::mirroredSky(u) - 2; }), kGpuPrecision);
   EXPECT_LT(largestDifference(15, [](float u, float v) { return hair::wetAlbedo(Vec3(u), v).x; }), kGpuPrecision);
   EXPECT_LT(largestDifference(47, [](float u, float v) { return hair::wetCoatAlbedo(Vec3(u), v).x; }), kGpuPrecision);
   EXPECT_LT(largestDifference(48, [](float u, float v) { return hair::passedOn(1.3f * u, Vec3(0.8f * v)).x; }), kGpuPrecision);
