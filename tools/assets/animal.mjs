@@ -109,9 +109,12 @@ function partOf(mesh, atlas, material, comb) {
   return { vertices, indices };
 }
 
+/** Fur that hangs over a border gets its colour from beyond it: what has another picture or one colour leaves that place to what lies round it. */
+const hasAtlas = ({ json }) => !json || json.pbrMetallicRoughness.baseColorTexture?.index === 0;
+
 /**
  * The file of an animal. `bodies`: [{ positions, normals, cells, materialOf(cell), weights }]; `materials`: [{ name, furry?, json? }]; of places
- * { position, normal, part: number of the material }: `colour(place)` gives [r, g, b], `groom(place)` [length, types 2 to 4], `comb(place)` a lean
+ * { position, normal, part: number of the material }: `colour(place)` gives [r, g, b] where a material has the picture of the atlas, `groom(place)` [length, types 2 to 4], `comb(place)` a lean
  * in radians along the skin; `steps(fit)` dresses it, or `hair(fit)` says what hair.mjs makes long hair of; `pictures`: PNG files beside that of
  * the atlas, which is the first. Without `rig` and `animations` it stands still; without `colour` there is no picture of the atlas, without `state`
  * it is shown in the coat that is there.
@@ -126,7 +129,7 @@ export function animalFile(program, { name, rig, bodies, materials, colour, groo
   const file = animalGlb({
     name, rig, animations, parts,
     materials: materials.map(({ name: label, json }) => ({ name: label, pbrMetallicRoughness: { metallicFactor: 0, roughnessFactor: 0.8, ...colour && { baseColorTexture: { index: 0 } } }, ...json })),
-    pictures: [...colour ? [pictureOf(colourSize, placesOn(colourSize, corners, triangles).map(colour))] : [], ...pictures],
+    pictures: [...colour ? [pictureOf(colourSize, placesOn(colourSize, corners, triangles.filter(({ part }) => hasAtlas(materials[part]))).map(colour))] : [], ...pictures],
     bare: materials.flatMap(({ furry }, i) => (furry ? [] : [i])),
     fur: (writer) => ({ ...state && { state: { version: 1, ...state } }, groom: { size: mapSize, bufferView: writer.view(packedPlanes(texels)), texCoord: 0 }, ...wornOf(glb, writer, fit), ...hair && { hair: longHair(writer, rig, (size, reach) => placesOn(size, corners, triangles, reach), hair(fit)) } }),
   });

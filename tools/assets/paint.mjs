@@ -58,6 +58,9 @@ export function pictureOf(size, colours) {
 /** '#rrggbb' as [r, g, b], 0..1. */
 export const hex = (text) => [1, 3, 5].map((i) => parseInt(text.slice(i, i + 2), 16) / 255);
 
+/** The same as glTF's baseColorFactor has it: linear, and opaque. */
+export const factorOf = (text) => [...hex(text).map((c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4)), 1];
+
 /**
  * For each texel of a square map what lies there: { position, normal, part }, beyond the borders of charts what lies nearest, up to `reach`
  * texels away. `vertices`: { position, normal, uv }; `triangles`: { corners: [3 vertices], part }.

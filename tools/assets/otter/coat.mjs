@@ -52,7 +52,6 @@ function furColour({ position: p, normal: n }) {
   return blend(colour, dark, 0.5 * within(p, ear, [0.22, 0.22, 0.22], 0.4));
 }
 
-const bareColours = { eye: hex('#20130c'), mouth: hex('#6b3a36'), claws: hex('#4a3a2e'), pads: hex('#33251f'), innerEar: hex('#140b07') };
 function lidShown(place) {
   const at = onEye(frames[place.position[0] < 0 ? -1 : 1], place.position);
   return lidColour(furColour(place), at, edgesAt(at[0]));
@@ -60,10 +59,7 @@ function lidShown(place) {
 /** Leather: dark, with fine grain. */
 const noseColour = ({ position: [x, y, z] }) => blend(hex('#15100e'), hex('#2c2320'), 0.5 + 0.5 * sin(61 * x + 3 * sin(47 * y)) * sin(57 * y + 2 * sin(53 * z)) * sin(49 * z)).map((c) => c * (1 - 0.8 * nostril([x, y, z])));
 const bare = { nose: noseColour, lids: lidShown };
-export const colourOf = (materials) => (place) => {
-  const name = materials[place.part];
-  return name === 'fur' ? furColour(place) : bare[name]?.(place) ?? bareColours[name];
-};
+export const colourOf = (materials) => (place) => (bare[materials[place.part]] ?? furColour)(place);
 
 function furLength({ position: p }) {
   const head = onHead(p), legs = onLegs(p);

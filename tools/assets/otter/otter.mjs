@@ -1,6 +1,7 @@
 // The otter: { name, file(program) }.
 import { animalFile, materialsBy, sculpted, shut } from '../animal.mjs';
 import { boneWeights } from '../rig.mjs';
+import { factorOf } from '../paint.mjs';
 import { squared } from '../vectors.mjs';
 import { colourOf, comb, eyePicture, groom, settings } from './coat.mjs';
 import { motions } from './motions.mjs';
@@ -9,11 +10,12 @@ import { bones, rig } from './rig.mjs';
 import { box, earField, jaw, noseField, padField, sizeAt } from './shape.mjs';
 import { whiskers } from './whiskers.mjs';
 
-const glossy = (roughness, more = {}) => ({ pbrMetallicRoughness: { metallicFactor: 0, roughnessFactor: roughness, baseColorTexture: { index: 0 } }, ...more });
+const glossy = (roughness, colour = { baseColorTexture: { index: 0 } }) => ({ pbrMetallicRoughness: { metallicFactor: 0, roughnessFactor: roughness, ...colour } });
+const plain = (roughness, colour) => glossy(roughness, { baseColorFactor: factorOf(colour) });
 const materials = [
-  { name: 'fur', furry: true }, { name: 'eye', json: { pbrMetallicRoughness: { metallicFactor: 0, roughnessFactor: 0.12, baseColorTexture: { index: 1, texCoord: 1 } } } },
-  { name: 'nose', json: glossy(0.45) }, { name: 'mouth', json: glossy(0.4) }, { name: 'claws', json: glossy(0.35) }, { name: 'pads', json: glossy(0.7) },
-  { name: 'lids', json: glossy(0.9) }, { name: 'innerEar', json: glossy(1) },
+  { name: 'fur', furry: true }, { name: 'eye', json: glossy(0.12, { baseColorTexture: { index: 1, texCoord: 1 } }) },
+  { name: 'nose', json: glossy(0.45) }, { name: 'mouth', json: plain(0.4, '#6b3a36') }, { name: 'claws', json: plain(0.35, '#4a3a2e') }, { name: 'pads', json: plain(0.7, '#33251f') },
+  { name: 'lids', json: glossy(0.9) }, { name: 'innerEar', json: plain(1, '#140b07') },
 ];
 const names = materials.map(({ name }) => name), numberOf = (name) => names.indexOf(name);
 

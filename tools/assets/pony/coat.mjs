@@ -84,7 +84,7 @@ function hoofColour({ position: [x, y, z] }) {
   return blend(blend(hex('#2c2622'), hex('#40362e'), 0.5 + 0.5 * sin(26 * y + 0.7 * sin(5 * (x + z)))), hex('#6a5c4e'), 0.35 * smooth(0.6, 0.75, y) + 0.25 * smooth(0.12, 0, y));
 }
 
-const bare = { eye: () => hex('#27130a'), hooves: hoofColour, nose: () => hex('#241714'), mouth: () => hex('#6b403b'), lids: lidShown, innerEar: () => hex('#5a3d2e') };
+const bare = { hooves: hoofColour, lids: lidShown };
 export const colourOf = (materials) => (place) => (bare[materials[place.part]] ?? furColour)(place);
 
 // --- lengths and types ---
