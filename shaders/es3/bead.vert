@@ -22,6 +22,12 @@ flat out float vPasses;
 // Of the largest, model units; and as a share of the length of fur: those on short fur are as fine as its strands.
 const float kRadius = 0.0036, kRadiusOfCoat = 0.045;
 
+// The share of its height at which wet fur ends that is so far `aside`.
+float standsTo(float held, float shortness, float aside) {
+  float sheet = sheetOf(held, shortness);
+  return wetTop(upright(held, sheet), aside, wetLean(vec2(aside, 0.0), held, sheet).x, sheet);
+}
+
 void main() {
   float chance = normalShade.w, other = fract(chance * 61.0), held = max(clumpAt(mask, vec2(colorU.w, verticesV.w)).a, 0.0);
   vec4 coatHere = bendOf(int(verticesV.x)) * weights.x + bendOf(int(verticesV.y)) * weights.y + bendOf(int(verticesV.z)) * weights.z;
@@ -37,7 +43,7 @@ void main() {
   if (radius <= 0.0) return;
   vec3 direction = directionLength.xyz;
   vec3 bend = curveGive.xyz + curveGive.w * (coatHere.xyz - direction * dot(direction, coatHere.xyz));
-  float along = ofCoat ? mix(0.8, 1.0, fract(other * 7.0)) : mix(0.35, 0.95, other), len = ofCoat ? coat * upright(held, sheetOf(held, shortnessOf(coat))) : directionLength.w;
+  float along = ofCoat ? mix(0.8, 1.0, fract(other * 7.0)) : mix(0.35, 0.95, other), len = ofCoat ? coat * standsTo(held, shortnessOf(coat), arcBend(length(bend), 1.0).y) : directionLength.w;
   along *= 1.0 - 0.7 * beadRun(held, chance);
   vec3 p = strandPoint(rootWidth.xyz, direction, bend, along, len), toEye = eye.xyz - p;
   float distance = length(toEye), pixels = pixelsPerUnit / distance;

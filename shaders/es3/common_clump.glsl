@@ -73,6 +73,10 @@ vec2 wetLean(vec2 lean, float held, float sheet) {
 float upright(float held, float sheet) {
   return 1.0 - mix(FUR_CLUMPS_SINK * min(held, 1.0), FUR_SHEET_SINKS, sheet);
 }
+// C++ twin in wet/Clump.h, which says more.
+float wetTop(float top, float aside, float lean, float sheet) {
+  return mix(min(top * length(vec2(aside, 1.0)) / length(vec2(lean + aside * top * top, top)), 1.0), top, sheet);
+}
 
 // How large a bead a strand holds at its tip, as a share of the largest alone: more and larger ones with more water; then some run down, and those left
 // grow by what they held. `chance`: the strand's own.

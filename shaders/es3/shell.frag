@@ -173,7 +173,7 @@ float coverAbove(Met met, float h, float rise, float level) {
 // The share of the key light that other strands leave: real strands cast real shadows.
 float lightOn(Met met, float furry) {
   float lit = 1.0, ofOne = shadeOfOne() * shadowShown() * furry, h = litHeight(met);
-  bool counts = kCountsShades && finer > 0.0 && lod < 0.5;
+  bool counts = finer > 0.0 && lod < 0.5 && ofOne > 0.0;
   // One look says what is there on average.
   for (int i = 0, once = int(!counts && ofOne > 0.0 && h + FUR_SHADE_RISE < 1.0); i < once; ++i) lit -= ofOne * coverAbove(met, h + FUR_SHADE_RISE, FUR_SHADE_RISE, lod + 1.0);
   // Several find the strands that the light crosses, each of which takes its share.

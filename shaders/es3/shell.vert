@@ -61,7 +61,7 @@ float shellHeight() {
 // The share of its height that the coat keeps. By the wetness around the vertex, not only at it: rays from a shell that is higher
 // than the fur would miss the outline, and pieces of fur would hang in the air. Clumps stand beside dry fur: they are as high as
 // the driest fur around them; near a hard edge as high as on average (around.w).
-float wetHeight(float coat) {
+float wetHeight(float coat, float aside) {
   float shortness = shortnessOf(coat), sheets = 0.0, clumps = 0.0, fewest = 1.0, inCharts = 1e-6;
   for (int i = 0; i < 9; ++i) {
     float held = clumpAt(mask, around.xy + around.z * vec2(i % 3 - 1, i / 3 - 1)).a;
@@ -77,7 +77,8 @@ float wetHeight(float coat) {
 #ifdef VIEW_LAYER
   clumps = 0.0;  // a layer is where it is said to be
 #endif
-  return 1.0 - FUR_SHEET_SINKS * sheets - FUR_CLUMPS_SINK * clumps;
+  float top = 1.0 - FUR_SHEET_SINKS * sheets - FUR_CLUMPS_SINK * clumps;
+  return wetTop(top, aside, wetLean(vec2(aside, 0.0), clumps, sheets).x, sheets);
 }
 #endif
 
@@ -163,7 +164,7 @@ void main() {
   vec4 groomed = bendOf(gl_VertexID);
   vTop = shellHeight();
 #ifdef WET
-  vTop *= wetHeight(furLength * groomed.w);
+  vTop *= wetHeight(furLength * groomed.w, arcBend(length(groomed.xyz), 1.0).y);
 #endif
   Skin skin = skinAtVertex(groomed.w);
   vec3 p = strandPoint(positionFrom.xyz, skin.normal, groomed.xyz, vTop, skin.coat);

@@ -1,9 +1,6 @@
 // Dry fur: strands stand where they root. shell_wet.glsl has the same functions for wet fur.
 const float entryHeld = 0.0, enters = 0.0, closes = kClosed;
 const int kSheetSteps = 0;
-// Of samples after the first: how long their steps are beside its, and whether they count the strands in the light's way.
-const float kSampleStep = 0.25;
-const bool kCountsShades = true;
 
 void enterWater() {}
 #ifdef GROOMED

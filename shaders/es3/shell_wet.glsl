@@ -20,10 +20,8 @@ const int kSheetSteps = 1;  // which fur there is
 #else
 const int kSheetSteps = 0;
 #endif
-// Shorter steps of samples find more of the clumps' strands than the first does, and the picture grew lighter. In clumps strands stand so close
-// that each would shade the next.
-const float kSampleStep = 0.75;
-const bool kCountsShades = false;
+// As kSampleStep: shorter steps find more of the clumps' strands than the first sample does, and the picture grew lighter.
+const float kWetSampleStep = 0.75;
 
 // Of the whole ray, by where it enters.
 
@@ -113,15 +111,15 @@ void enterWater() {
   joined = max(soakedShare * (2.0 - soakedShare) * far, min(2.0 * entryHeld, 1.0) * smallClumps);
   joined = max((1.0 + kUnseenSheet) * joined - kUnseenSheet, 0.0);
   locked = max(joined, shortness * min(2.0 * entryHeld, 1.0));
-  coatTop = upright(entryHeld, soakedShare);
   bend = 0.5 * vLean.xy;
   lean = wetLean(bend, water.y, sheetOf(water.y, shortness));
+  coatTop = wetTop(upright(entryHeld, soakedShare), length(bend), length(lean), soakedShare);
   tipTile = tileFromFur * lean;
   wetLength = alongStrand(coatTop, lean + bend * (coatTop * coatTop));
   // Clumps are denser than dry fur, and longer steps find them; twice as long ones missed them: clumps fell into dots.
   // Where the machine has too little time dry fur takes longer steps; clumps would grow darker, and the picture jumps when it goes back.
   float wet = min(2.0 * entryHeld, 1.0);
-  stepSize *= (1.0 + 0.3 * min(entryHeld, 1.0)) * mix(1.0, 1.0 / longer, wet);
+  stepSize *= (1.0 + 0.3 * min(entryHeld, 1.0)) * mix(1.0, (finer > 0.0 ? kWetSampleStep / kSampleStep : 1.0) / longer, wet);
   stepSize = mix(stepSize, min(stepSize, stepAcross()), wet);
   closes = kClosed * (1.0 - 0.6 * soakedShare - 0.12 * min(entryHeld, 1.0) * (1.0 - sheet));
   enters = 0.0;
@@ -363,9 +361,13 @@ vec2 clumpTilt(Met met, March march) {
   return furFromTile * met.here.from * (turns * (1.0 - joined)) + lean * (flatter / coatTop) + lying.tilt;
 }
 
-// Where a strand gets its light: the march comes deeper between clumps than one sees when every strand is drawn; half wet, soaked.
-const vec2 kSeenDeeper = vec2(0.2, 0.4);
-float litHeight(Met met) { return mix(met.h, 1.0, mix(kSeenDeeper.x, kSeenDeeper.y, soakedShare) * min(2.0 * met.held, 1.0)) * litLower(met.held); }
+// Where a strand gets its light: the march comes deeper between clumps than one sees when every strand is drawn, the most when
+// clumps hold all they can and are no sheet yet. Half wet, wetter, soaked.
+const vec3 kSeenDeeper = vec3(0.25, 0.55, 0.4);
+float litHeight(Met met) {
+  float deeper = mix(mix(kSeenDeeper.x, kSeenDeeper.y, smoothstep(0.4, 0.75, met.held)), kSeenDeeper.z, soakedShare);
+  return mix(met.h, 1.0, deeper * min(2.0 * met.held, 1.0)) * litLower(met.held);
+}
 // Half-wet strands let light through to the next.
 float shadeOfOne() { return FUR_SHADE_OF_ONE * (1.0 - joined) * max(1.0 - 2.0 * entryHeld, 0.0); }
 vec3 soaked(vec3 albedo, float rho) { return wetCoatAlbedo(albedo, rho); }

@@ -52,6 +52,8 @@ void main() {
   float value = clumpingWetness(at.x, 3.0 * at.y, at.y - 0.5);
 #elif FUNCTION == 21
   float value = upright(at.x, sheetOf(at.x, 0.0));
+#elif FUNCTION == 52
+  float value = wetTop(mix(0.5, 1.0, at.x), at.y, 0.5 * at.x, sheetOf(at.y, 0.0));
 #elif FUNCTION == 22
   float value = rimTaper(at.x, sheetOf(at.x, 0.0), 1.5 * at.y);
 #elif FUNCTION == 23

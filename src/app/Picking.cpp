@@ -32,7 +32,7 @@ struct CoatShell final : geometry::SurfaceQuery::Lifted {
     const float length = geometry::coatThickness(vertex, s.coatLength * bent.w);
     const auto curve = static_cast<dynamics::BendCurve>(s.settings.bendCurve);
     // Wet strands stand lower.
-    const float stands = wet ? wet::upright(s.mask.at(vertex.atlas.x, vertex.atlas.y).w) : 1;
+    const float stands = wet ? wet::standsTo(s.mask.at(vertex.atlas.x, vertex.atlas.y).w, dynamics::arcBend(glm::length(bend), 1).y) : 1;
     return dynamics::strandPoint(root, normal, bend, length, h * stands, curve);
   }
   Vec3 at(const geometry::SurfacePoint& point) const {

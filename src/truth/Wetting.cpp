@@ -73,11 +73,11 @@ std::optional<Wetting::Strand> Wetting::at(const Root& root) const {
   water.shortness = shortness;
   water.soaked = wet::sheetOf(water.held, shortness);
   water.sheet = wet::nearSheet(wet::clumpsClosed(water.held, water.soaked, shortness), shortness);
-  strand.upright = wet::upright(rho, water.soaked);
   // Of the dry strand's tip, along the skin.
   const Vec3 normal = map_.normal(root.spot), tip = (map_.point(root.spot, 1) - map_.point(root.spot, 0)) / coat_.furLength;
   const Vec3 aside = tip - normal * glm::dot(tip, normal);
   const float much = glm::length(aside), lies = wet::wetLean(much, lying, wet::sheetOf(lying, shortness));
+  strand.upright = wet::wetTop(wet::upright(rho, water.soaked), much, lies, water.soaked);
   if (much > 1e-6f) strand.lean = map_.tileStep(root.spot, aside * (lies / much * coat_.furLength));
   texel.x -= static_cast<float>(FUR_CHART_STEP) * (std::floor(texel.x / static_cast<float>(FUR_CHART_STEP)) + 0.5f);
   const Vec2 centre(texel);

@@ -30,7 +30,7 @@ class Wetting {
     glm::dvec2 lock;          // the middle of its lock in the clump
     float drawn = 0;          // wet::clumpingWetness(); 0: it belongs to no clump
     glm::dvec2 lean{0};       // of the tip, tiles
-    float upright = 1;        // wet::upright()
+    float upright = 1;        // wet::wetTop()
     float shorter = 1;        // wet::rimTaper()
   };
   // None where it is dry.

@@ -108,6 +108,14 @@ inline float wetLean(float lean, float rho) { return wetLean(lean, rho, sheetOf(
 // How high wet fur stands, as a share of dry fur's height.
 inline float upright(float rho, float sheet) { return 1.0f - glm::mix(kClumpsSink * std::min(rho, 1.0f), kSheetSinks, sheet); }
 inline float upright(float rho) { return upright(rho, sheetOf(rho)); }
+// The same where strands are `aside` (fur lengths at the tip) when dry and `lean` more when wet: in clumps they keep their length, so that those
+// that stand upright do not sink at all. `top`: upright() of their water.
+inline float wetTop(float top, float aside, float lean, float sheet) {
+  const float length = glm::length(Vec2(aside, 1)) / glm::length(Vec2(lean + aside * top * top, top));
+  return glm::mix(std::min(top * length, 1.0f), top, sheet);
+}
+// Of fur that is that wet and so far aside.
+inline float standsTo(float rho, float aside) { return wetTop(upright(rho), aside, wetLean(aside, std::min(rho, 1.0f)), sheetOf(rho)); }
 
 // How large a bead of water a strand holds near its tip, as a share of the largest that stands alone: lightly wet fur has more and larger ones with
 // more water. Then some run down their strands, those that are left grow by what these held, up to four beads in one, and run down as the

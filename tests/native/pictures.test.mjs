@@ -75,3 +75,19 @@ test('most of the sky that is seen between the bunny\'s head and its back is gon
   assert.ok(once >= 50, `${once} holes in a picture that is drawn once: is there still something to see?`);
   assert.ok(gathered < once / 3, `${gathered} holes, ${once} in a picture that is drawn once`);
 });
+
+// Where there is a drop the coat is drawn by another shader, in which the dry fur round it is to look as it did.
+test('water that nobody sees leaves fur as light as it was, in a picture that is drawn once and in one of several samples', () => {
+  const lightOf = (samples, wetness) => inScratch(['bunny', '--size', '320x240', '--breath', '0', '--transparent', '-o', 'x.png', '--samples', `${samples}`, '--wetness', `${wetness}`], ({ status, stderr, read }) => {
+    assert.equal(status, 0, stderr);
+    const { data } = read('x.png');
+    let sum = 0, count = 0;
+    for (let i = 0; i < data.length; i += 4) if (data[i + 3] === 255) sum += data[i] + data[i + 1] + data[i + 2], ++count;
+    return sum / (3 * count);
+  });
+  for (const samples of [1, 8]) {
+    const dry = lightOf(samples, 0), wet = lightOf(samples, 0.0001);
+    // A hundredth: wet strands are known by their length instead of their height, which is less of it where they bend.
+    assert.ok(Math.abs(wet / dry - 1) < 0.015, `${samples} samples: ${wet.toFixed(1)} for ${dry.toFixed(1)}`);
+  }
+});

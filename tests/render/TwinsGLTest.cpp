@@ -114,6 +114,7 @@ TEST(Twins, StrandsOfAClump) {
   EXPECT_LT(largestDifference(14, wet::alongStrand), kGpuPrecision);
   EXPECT_LT(largestDifference(17, [](float u, float v) { return wet::wetLean(u, v); }), kGpuPrecision);
   EXPECT_LT(largestDifference(21, [](float u, float) { return wet::upright(u); }), kGpuPrecision);
+  EXPECT_LT(largestDifference(52, [](float u, float v) { return wet::wetTop(glm::mix(0.5f, 1.0f, u), v, 0.5f * u, wet::sheetOf(v)); }), kGpuPrecision);
   EXPECT_LT(largestDifference(22, [](float u, float v) { return wet::rimTaper(u, wet::sheetOf(u), 1.5f * v); }), kGpuPrecision);
   EXPECT_LT(largestDifference(33, [](float u, float v) { return wet::sheetOf(u, v); }), kGpuPrecision);
   EXPECT_LT(largestDifference(34, [](float u, float) { return wet::shortnessOf(u, kClumpRadius); }), kGpuPrecision);

@@ -63,7 +63,7 @@ struct Droplet : Scene {
     const truth::Tubes tubes = truth::placeStrands(map, *app.grownCoat(), 1e-5f);
     const float texel = 1 / (block.tilesPerUnit * block.tileTexels), ground = app.surface().vertices[0].position.y;
     const Mat4 clip = clipFromWorld(f) * f.worldFromModel;
-    const float stands = s.viewLayer / wet::upright(wetness);
+    const float stands = s.viewLayer / wet::standsTo(wetness, 0);
     constexpr float kChance = 0;  // of a centre at (0.5, 0.5)
     const float pull = wet::clumpPull(stands, s.clumpShape, static_cast<float>(s.layers), wet::clumpingWetness(wetness, kRadius / s.furLength, kChance));
     const auto hasFur = [&](const Vec3& at) {

@@ -80,7 +80,7 @@ TEST(Wetting, StrandsOfAClumpComeToItsCentreByEquationOne) {
   const wet::MaskTexels mask = maskOf({centre.x + 0.5f, centre.y + 0.5f, radius, rho});
   const Wetting wetting(map, mask, fur);
   const Tubes tubes = placeStrands(map, coat, 0, &wetting);
-  const float upright = wet::upright(rho), drawn = wet::clumpingWetness(rho, radius / kWetLength, wet::chanceOfClump(centre + 0.5f));
+  const float upright = wet::standsTo(rho, 0), drawn = wet::clumpingWetness(rho, radius / kWetLength, wet::chanceOfClump(centre + 0.5f));
   int seen = 0;
   for (const Tube& tube : tubes.tubes) {
     const Vec3 root = tubes.nodes[tube.firstNode].position;

@@ -187,6 +187,21 @@ TEST(ClumpShift, LeavesAClumpOfNoSizeWhereItIs) {
   EXPECT_EQ(clumpInverse(Vec2(0.3f), Vec2(0.3f), 0.85f), Vec2(0.3f));
 }
 
+TEST(WetTop, LeavesUprightStrandsOfClumpsTheirHeightAndAllTheirLength) {
+  EXPECT_FLOAT_EQ(wetTop(upright(0.5f, 0), 0, 0, 0), 1);
+  for (const float held : {0.1f, 0.3f, 0.5f, 0.7f})
+    for (const float aside : {0.0f, 0.05f, 0.1f, 0.2f, 0.4f}) {
+      const float lean = wetLean(aside, held, 0), top = wetTop(upright(held, 0), aside, lean, 0), length = glm::length(Vec2(aside, 1));
+      // How far aside they bend is taken at the height that they have without it.
+      EXPECT_NEAR(alongStrand(top, lean + aside * top * top), length, 0.05f * length) << held << " " << aside;
+      EXPECT_LE(top, 1);
+    }
+}
+
+TEST(WetTop, SinksASheetAsFarAsItSinks) {
+  for (const float aside : {0.0f, 0.3f}) EXPECT_FLOAT_EQ(wetTop(upright(1, 1), aside, wetLean(aside, 1, 1), 1), upright(1, 1)) << aside;
+}
+
 TEST(Sheet, OfShortFurComesWithLessWaterAndNeverGoesAsThereIsMore) {
   for (const float shortness : {0.0f, 0.3f, 1.0f}) {
     float before = 0;
