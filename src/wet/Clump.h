@@ -115,7 +115,10 @@ inline float wetTop(float top, float aside, float lean, float sheet) {
   return glm::mix(std::min(top * length, 1.0f), top, sheet);
 }
 // Of fur that is that wet and so far aside.
-inline float standsTo(float rho, float aside) { return wetTop(upright(rho), aside, wetLean(aside, std::min(rho, 1.0f)), sheetOf(rho)); }
+inline float standsTo(float rho, float aside) {
+  const float sheet = sheetOf(rho);
+  return wetTop(upright(rho, sheet), aside, wetLean(aside, std::min(rho, 1.0f), sheet), sheet);
+}
 
 // How large a bead of water a strand holds near its tip, as a share of the largest that stands alone: lightly wet fur has more and larger ones with
 // more water. Then some run down their strands, those that are left grow by what these held, up to four beads in one, and run down as the
