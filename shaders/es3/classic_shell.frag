@@ -126,7 +126,7 @@ vec3 shade(Strand s, vec4 spot, vec3 model) {
 #ifdef PAINTED
   albedo = paintedStrand(albedo, rootInAtlas(spot), typeVariance[s.type], own, texel.z);
 #endif
-  return litStrand(LightOfShell(vAround, vGlint, vUp), albedo, T, L, V, h, vView.w, texel.z, s.held, s.sheet, s.outward);
+  return litStrand(LightOfShell(vAround, vGlint), albedo, T, L, V, vUp, h, vView.w, texel.z, s.held, s.sheet, s.outward);
 }
 
 void main() {

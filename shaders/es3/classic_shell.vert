@@ -55,14 +55,14 @@ void main() {
   vTile = vec4(furCurvature.xy * tilesPerUnit, max(level, 0.0), max(1.0 / texelsPerPixel, 1.0));
   vShell = vec2(h, floor((shell + 0.5) / layers * storedLayers));
   vLight = inFrame(skin, light.xyz);
+  vUp = inFrame(skin, up.xyz);
   vView = vec4(inFrame(skin, toEye / distance), furShadowAt(lightSpace(p)));
 #ifdef TYPES
   showShares(presences(textureLod(groom, uvAtlas.zw, 0.0).gba));
 #endif
-  LightOfShell lit = lightOfShell(vLight, vView.xyz, h, vView.w, inFrame(skin, up.xyz));
+  LightOfShell lit = lightOfShell(vLight, vView.xyz, h, vView.w, vUp.z);
   vAround = lit.around;
   vGlint = lit.glint;
-  vUp = lit.up;
   vec2 sideways = theta > 1e-5 ? along(skin, groomed.xyz) / theta : vec2(0.0);
   vLean = vec4(sideways * arcTangent(theta, h).y, uvAtlas.xy);
 #ifdef WET

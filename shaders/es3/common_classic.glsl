@@ -4,22 +4,19 @@
 
 // around: rgb: from all round, and through the coat's edge  w: the key light's share
 // glint:  x: strength of dry fur's highlights  y: of the light behind, its share
-// up:     upwards in the surface's frame
 struct LightOfShell {
   vec4 around;
   vec2 glint;
-  vec3 up;
 };
 // At height h, where `lit` of the key light comes.
-LightOfShell lightOfShell(vec3 L, vec3 V, float h, float lit, vec3 up) {
+LightOfShell lightOfShell(vec3 L, vec3 V, float h, float lit, float upness) {
   LightOfShell light;
-  light.around = vec4(skyLight(up.z), lightShare(lit, h, L.z));
+  light.around = vec4(skyLight(upness), lightShare(lit, h, L.z));
 #ifndef MARSCHNER
   light.around.rgb += keyLight.rgb * (1.6 * lit * rimLight(dot(L, V), V.z, h));
 #endif
   float edge = rimLight(-1.0, V.z, h), dry = max(dryShininessShown(), 1.0);
   light.glint = vec2(specularShown() * glossShare(L.z) * sqrt(dry / shininessShown()), edge * edge);
-  light.up = up;
   return light;
 }
 
@@ -54,8 +51,8 @@ vec3 dryLight(LightOfShell light, vec3 albedo, vec2 along, vec2 normal, float h,
 }
 #endif
 
-// `held`, `sheet`, `outward` and `strand`: as clumpLight() has them.
-vec3 litStrand(LightOfShell light, vec3 albedo, vec3 T, vec3 L, vec3 V, float h, float lit, float strand, float held, float sheet, vec2 outward) {
+// `upwards`, `held`, `sheet`, `outward` and `strand`: as clumpLight() has them.
+vec3 litStrand(LightOfShell light, vec3 albedo, vec3 T, vec3 L, vec3 V, vec3 upwards, float h, float lit, float strand, float held, float sheet, vec2 outward) {
   vec2 along = vec2(dot(T, L), dot(T, V)), normal = vec2(L.z, V.z);
 #ifdef DRY_LIGHT
   return dryLight(light, albedo, along, normal, h, strand);
@@ -63,7 +60,7 @@ vec3 litStrand(LightOfShell light, vec3 albedo, vec3 T, vec3 L, vec3 V, float h,
   float rho = min(held, 1.0);
 #ifdef PRINTED_LIGHT
   vec2 across = sqrt(max(vec2(0.0), 1.0 - along * along));
-  return printedLight(albedo, keyLight.rgb * lit, skyLight(light.up.z), L.z, across.x * across.y - along.x * along.y, h, rho);
+  return printedLight(albedo, keyLight.rgb * lit, skyLight(upwards.z), L.z, across.x * across.y - along.x * along.y, h, rho);
 #else
 #ifdef WET
   albedo = wetCoatAlbedo(albedo, rho);
@@ -72,7 +69,7 @@ vec3 litStrand(LightOfShell light, vec3 albedo, vec3 T, vec3 L, vec3 V, float h,
   float exponent = max(mix(dryShininessShown(), shininessShown(), rho), 1.0);
   vec3 color = shadeStrand(lights, albedo, along, normal, dot(L, V), h, rho, strand, exponent, specularShown() * glossShare(L.z));
 #ifdef WET
-  color = clumpLight(color, albedo, T, clumpNormal(outward, sheet), L, V, h, held, sheet, lit, light.up, strand, 1.0);
+  color = clumpLight(color, albedo, T, clumpNormal(outward, sheet), L, V, h, held, sheet, lit, upwards, strand, 1.0);
 #endif
   return color;
 #endif

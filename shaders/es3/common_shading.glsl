@@ -267,13 +267,14 @@ float clumpShade(float facing, float risen, float keyed, float h, float held, fl
 vec3 passedOn(float share, vec3 albedo) { return share / (1.0 - albedo * (1.0 - share)); }
 // C++ twin in hair/StrandShading.h, which says more.
 float mirroredSky(float keyed) { return 1.0 + (1.0 - keyed) * (0.6 + 1.4 * (1.0 - keyed)); }
-// A strand's light `color` as that of one in a clump; and what water mirrors. `up`: upwards in the surface's frame. `held`: 1 is saturated, what is more shines as a film.
-vec3 clumpLight(vec3 color, vec3 albedo, vec3 T, vec3 n, vec3 L, vec3 V, float h, float held, float sheet, float lit, vec3 up, float strand, float smoothness) {
-  float clumps = min(held, 1.0) * (1.0 - 0.75 * sheet), keyed = lit * glossShare(L.z), risen = dot(n, up);
-  color *= passedOn(clumpShade(dot(n, L), risen - up.z, keyed, h, held, sheet), albedo);
+// A strand's light `color` as that of one in a clump; and what water mirrors. `upwards`: in the surface's frame. `held`: 1 is saturated, what is
+// more shines as a film.
+vec3 clumpLight(vec3 color, vec3 albedo, vec3 T, vec3 n, vec3 L, vec3 V, float h, float held, float sheet, float lit, vec3 upwards, float strand, float smoothness) {
+  float clumps = min(held, 1.0) * (1.0 - 0.75 * sheet), keyed = lit * glossShare(L.z), risen = dot(n, upwards);
+  color *= passedOn(clumpShade(dot(n, L), risen - upwards.z, keyed, h, held, sheet), albedo);
   vec2 mirrored = waterGloss(T, n, L, V, held, sheet, strand, smoothness) * mix(1.0, h, clumps);
   color += 0.5 * min(held, 1.0) * fringe(V.z, h);
-  return color + mirrored.x * lit * keyLight.rgb + mirrored.y * mirroredSky(keyed) * skyLight(2.0 * dot(n, V) * risen - dot(V, up));
+  return color + mirrored.x * lit * keyLight.rgb + mirrored.y * mirroredSky(keyed) * skyLight(2.0 * dot(n, V) * risen - dot(V, upwards));
 }
 
 // Skin without fur, darker where it is wet; `lit` is the share of the light that reaches it.

@@ -143,7 +143,7 @@ vec3 shade(Strand s, vec4 strand, float rho, vec3 model) {
 #ifdef WET
   held = s.held, sheet = s.sheet, outward = s.outward;
 #endif
-  return encodeSrgb(toneMap(litStrand(LightOfShell(vAround, vGlint, vUp), albedo, tangent, vLight, vView, h, vLit, strand.z,
+  return encodeSrgb(toneMap(litStrand(LightOfShell(vAround, vGlint), albedo, tangent, vLight, vView, vUp, h, vLit, strand.z,
                                       held, sheet, outward)));
 #else
   // Nothing stands before an outline: light reaches it from the side, further down than inside the coat.

@@ -113,7 +113,7 @@ void standFin(float opacity) {
 #ifdef TYPES
   showShares(presences(textureLod(groom, mix(atlas.xy, atlas.zw, side), 0.0).gba));
 #endif
-  LightOfShell lit = lightOfShell(vLight, vView, h, vLit, vUp);
+  LightOfShell lit = lightOfShell(vLight, vView, h, vLit, vUp.z);
   vAround = lit.around;
   vGlint = lit.glint;
 #endif

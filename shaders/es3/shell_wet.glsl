@@ -378,6 +378,6 @@ vec3 waterLight(vec3 color, vec3 albedo, Met met, vec3 T, vec3 L, vec3 V, float 
   vec3 n = normalize(clumpNormal(outward, sheet) + vec3(0.8 * joined * tiltOf(met) + lying.outward - back, 0.0));
   color *= mix(FUR_LOCK_GAP, 1.0, lying.rises);
   float glints = met.number * mix(mix(1.0, FUR_SHEET_GLINTS, soakedShare), 0.65 + 0.6 * abs(lying.chance), joined);
-  vec3 up = inTurnedFrame(vec3(vUp, vView.w), vPath.zw * met.x);
-  return clumpLight(color, albedo, T, n, L, V, litHeight(met), met.held, sheet, lit, up, glints, lying.smoothness);
+  vec3 upwards = inTurnedFrame(vec3(vUp, vView.w), vPath.zw * met.x);
+  return clumpLight(color, albedo, T, n, L, V, litHeight(met), met.held, sheet, lit, upwards, glints, lying.smoothness);
 }

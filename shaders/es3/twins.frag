@@ -125,7 +125,7 @@ void main() {
   float value = printedLight(vec3(0.5, 0.3, 0.2), vec3(1.0), skyLight(0.5), at.x, 0.9 * at.y + 0.1, at.y, at.x).x;
 #elif FUNCTION == 32
   vec3 L = onCircle(0.7), V = onCircle(-0.4), T = onCircle(at.x * 3.0);
-  float value = dryLight(lightOfShell(L, V, at.y, 0.8, vec3(0.0, 0.0, 0.5)), vec3(0.5, 0.3, 0.2), vec2(dot(T, L), dot(T, V)), vec2(L.z, V.z), at.y, at.x).x;
+  float value = dryLight(lightOfShell(L, V, at.y, 0.8, 0.5), vec3(0.5, 0.3, 0.2), vec2(dot(T, L), dot(T, V)), vec2(L.z, V.z), at.y, at.x).x;
 #elif FUNCTION == 12
   float value = standsUpTo(at.x, mix(0.5, 1.0, at.y));
 #elif FUNCTION == 11

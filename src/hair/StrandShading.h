@@ -94,8 +94,8 @@ float clumpShade(float facing, float risen, float keyed, float height, float wet
 // What a coat sends back of light of which its strands leave each other `share`: what they take they pass on by as much as they are white, so
 // that all of it comes back from white fur, and `share` from black.
 Vec3 passedOn(float share, const Vec3& albedo);
-// What water mirrors of the sky where that share of the key light comes, of what lights a strand there: `ambient` is a fraction of the background,
-// which is what one sees in water, and in shade is all that one sees in it.
+// How many times as much as lights a strand water mirrors of the sky, where `keyed` is the share of the key light that comes. In water one sees the
+// background, of which the setting `ambient` makes a fraction the sky's light: that shows in shade, where nothing else is mirrored.
 float mirroredSky(float keyed);
 // The share of the key light and the share of the sky that water mirrors to the eye off a strand of the clump with the
 // normal `n`: glints that run along strands where the clump is turned to the light, more of both at grazing. Where clumps close into a sheet

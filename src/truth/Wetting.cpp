@@ -77,7 +77,7 @@ std::optional<Wetting::Strand> Wetting::at(const Root& root) const {
   const Vec3 normal = map_.normal(root.spot), tip = (map_.point(root.spot, 1) - map_.point(root.spot, 0)) / coat_.furLength;
   const Vec3 aside = tip - normal * glm::dot(tip, normal);
   const float much = glm::length(aside), lies = wet::wetLean(much, lying, wet::sheetOf(lying, shortness));
-  strand.upright = wet::wetTop(wet::upright(rho, water.soaked), much, lies, water.soaked);
+  strand.top = wet::wetTop(wet::upright(rho, water.soaked), much, lies, water.soaked);
   if (much > 1e-6f) strand.lean = map_.tileStep(root.spot, aside * (lies / much * coat_.furLength));
   texel.x -= static_cast<float>(FUR_CHART_STEP) * (std::floor(texel.x / static_cast<float>(FUR_CHART_STEP)) + 0.5f);
   const Vec2 centre(texel);

@@ -30,7 +30,7 @@ class Wetting {
     glm::dvec2 lock;          // the middle of its lock in the clump
     float drawn = 0;          // wet::clumpingWetness(); 0: it belongs to no clump
     glm::dvec2 lean{0};       // of the tip, tiles
-    float upright = 1;        // wet::wetTop()
+    float top = 1;            // wet::wetTop()
     float shorter = 1;        // wet::rimTaper()
   };
   // None where it is dry.
@@ -39,7 +39,7 @@ class Wetting {
   float pullAt(const Strand& strand, float h) const;
   // Where the place `dry` of a strand, tile coordinates at height h, is when it is wet; and its share of the coat's height.
   glm::dvec2 tileAt(const Strand& strand, const glm::dvec2& dry, float h) const;
-  float heightAt(const Strand& strand, float h) const { return h * strand.upright; }
+  float heightAt(const Strand& strand, float h) const { return h * strand.top; }
 
  private:
   glm::dvec2 centreOf(const Root& root, const Vec2& centre) const;

@@ -87,7 +87,7 @@ test('water that nobody sees leaves fur as light as it was, in a picture that is
   });
   for (const samples of [1, 8]) {
     const dry = lightOf(samples, 0), wet = lightOf(samples, 0.0001);
-    // A hundredth: wet strands are known by their length instead of their height, which is less of it where they bend.
-    assert.ok(Math.abs(wet / dry - 1) < 0.015, `${samples} samples: ${wet.toFixed(1)} for ${dry.toFixed(1)}`);
+    // It is 0.008: wet strands are known by their length instead of their height, which is less of it where they bend.
+    assert.ok(Math.abs(wet / dry - 1) < 0.012, `${samples} samples: ${wet.toFixed(1)} for ${dry.toFixed(1)}`);
   }
 });

@@ -114,10 +114,10 @@ const hasAtlas = ({ json }) => !json || json.pbrMetallicRoughness.baseColorTextu
 
 /**
  * The file of an animal. `bodies`: [{ positions, normals, cells, materialOf(cell), weights }]; `materials`: [{ name, furry?, json? }]; of places
- * { position, normal, part: number of the material }: `colour(place)` gives [r, g, b] where a material has the picture of the atlas, `groom(place)` [length, types 2 to 4], `comb(place)` a lean
- * in radians along the skin; `steps(fit)` dresses it, or `hair(fit)` says what hair.mjs makes long hair of; `pictures`: PNG files beside that of
- * the atlas, which is the first. Without `rig` and `animations` it stands still; without `colour` there is no picture of the atlas, without `state`
- * it is shown in the coat that is there.
+ * { position, normal, part: number of the material }: `colour(place)` gives [r, g, b] where a material has the picture of the atlas,
+ * `groom(place)` [length, types 2 to 4], `comb(place)` a lean in radians along the skin; `steps(fit)` dresses it, or `hair(fit)` says what hair.mjs
+ * makes long hair of; `pictures`: PNG files beside that of the atlas, which is the first. Without `rig` and `animations` it stands still; without
+ * `colour` there is no picture of the atlas, without `state` it is shown in the coat that is there.
  */
 export function animalFile(program, { name, rig, bodies, materials, colour, groom, comb, steps = () => [], hair, animations = [], state, pictures = [], colourSize = 512, mapSize = 256 }) {
   const mesh = inOrder(gathered(bodies)), fit = fitOf(mesh.positions);

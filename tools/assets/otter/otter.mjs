@@ -1,7 +1,7 @@
 // The otter: { name, file(program) }.
 import { animalFile, materialsBy, sculpted, shut } from '../animal.mjs';
-import { boneWeights } from '../rig.mjs';
 import { factorOf } from '../paint.mjs';
+import { boneWeights } from '../rig.mjs';
 import { squared } from '../vectors.mjs';
 import { colourOf, comb, eyePicture, groom, settings } from './coat.mjs';
 import { motions } from './motions.mjs';

@@ -1,10 +1,10 @@
 // The pony: { name, file(program) }.
 import { animalFile } from '../animal.mjs';
+import { factorOf } from '../paint.mjs';
 import { colourOf, comb, eyePicture, groom, settings } from './coat.mjs';
 import { hair } from './hair.mjs';
 import { materials as names, ponyBodies } from './mesh.mjs';
 import { animations } from './motion.mjs';
-import { factorOf } from '../paint.mjs';
 import { rig } from './rig.mjs';
 
 const roughness = { eye: 0.08, nose: 0.55, mouth: 0.75, hooves: 0.62, lids: 0.45, innerEar: 0.8 };
