@@ -11,6 +11,21 @@ namespace {
 // Of a recorded text: steps of waiting at most, ten minutes. A broken text must not hold the program up.
 constexpr double kMostWaitingSteps = 36000;
 
+// Of the texels that are covered in a square of a picture the middle; none where they are few, as squares beside it have more of them.
+std::optional<Vec2> middleOfCovered(std::span<const std::uint8_t> coverage, glm::ivec2 size, Vec2 corner, float side) {
+  const glm::ivec2 first(corner), end = glm::min(glm::ivec2(corner + side), size);
+  Vec2 sum(0);
+  float count = 0;
+  for (int y = first.y; y < end.y; ++y)
+    for (int x = first.x; x < end.x; ++x)
+      if (coverage[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x)] >= 128) {
+        sum += Vec2(x, y) + 0.5f;
+        ++count;
+      }
+  if (count < 0.3f * side * side) return std::nullopt;
+  return sum / count;
+}
+
 }  // namespace
 
 void App::State::beginWaterStroke(Command what, float radius, float flow) {
@@ -56,13 +71,14 @@ void App::stamp(std::span<const std::uint8_t> coverage, int width, int height, V
   // Clumps as fine as the letters need, and as the picture and the work allow.
   const float perTexel = across / static_cast<float>(width);
   const float step = std::max({static_cast<float>(height) / 18, static_cast<float>(width) / 120, 2 / perTexel});
-  const float radius = 0.8f * step * perTexel * s.view.unitsPerPixel(std::max(0.2f, s.view.distance()));
-  // Two lie on every spot.
-  s.beginWaterStroke(Command::Splash, radius, 0.5f * amount);
-  for (float y = 0.5f * step; y < static_cast<float>(height); y += step)
-    for (float x = 0.5f * step; x < static_cast<float>(width); x += step) {
-      if (coverage[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)] < 128) continue;
-      const auto hit = s.pick(centre + perTexel * (Vec2(x, y) - 0.5f * Vec2(width, height)));
+  // Neighbours meet; what they wet hangs out of the letters by a strand's length as it is.
+  const float radius = 0.55f * step * perTexel * s.view.unitsPerPixel(std::max(0.2f, s.view.distance()));
+  s.beginWaterStroke(Command::Splash, radius, amount);
+  for (float y = 0; y < static_cast<float>(height); y += step)
+    for (float x = 0; x < static_cast<float>(width); x += step) {
+      const auto texel = middleOfCovered(coverage, {width, height}, {x, y}, step);
+      if (!texel) continue;
+      const auto hit = s.pick(centre + perTexel * (*texel - 0.5f * Vec2(width, height)));
       if (hit) s.water.strokeAt(s.shape, *hit);
     }
   s.endStroke();
