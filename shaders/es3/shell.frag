@@ -66,8 +66,9 @@ float enterCoat() {
   between = fract(noise * 7.0) - 0.5;
   enterView();
   enterWater();
-  // A ray along a level coat is long: no more steps than there may be.
-  stepSize = max(stepSize, end / float(FUR_MOST_STEPS));
+  // A ray along a level coat is long: no more steps than there may be. Of one that comes past the skin they are counted to where it
+  // is deepest: to where it comes out they would be twice as long as those of its neighbours that just reach the skin, a dark ring.
+  stepSize = max(stepSize, (reachesSkin ? 1.0 : 0.5) * end / float(FUR_MOST_STEPS));
   float first = kFirstStep * stepSize * (noise - 0.5 * min(finer, 1.0));
   softness = kReferenceSteps * stepSize;
   foot = tileAt(end, 0.0);

@@ -62,7 +62,7 @@ std::span<const QualityLevel, kQualityLevels> qualityLevels() {
       {0.65f, 1.50f, 0.5f, true, 1, 0.41f},
       {0.55f, 1.50f, 0.4f, true, 1, 0.31f},
       {0.50f, 1.75f, 0.35f, false, 1, 0.24f},
-      {0.40f, 2.00f, 0.3f, false, 0, 0.16f},
+      {0.40f, 2.00f, 0.3f, false, 1, 0.17f},
   };
   return kLevels;
 }
