@@ -5,6 +5,7 @@
 
 #include "core/Fnv1a.h"
 #include "core/PortableMath.h"
+#include "wet/Clump.h"
 #include "wet/Drying.h"
 #include "wet/Water.h"
 
@@ -17,7 +18,10 @@ constexpr float kRate = Water::kStep;
 // Depth of what soaked fur holds on a square unit, which makes amounts into sizes of drops.
 constexpr float kDepth = 0.004f;
 constexpr float kFalls = 1.6e-3f;  // amount that is too heavy to hang
-constexpr float kHangsAt = 0.45f;  // share of the fur's length: wet strands lie
+// Of a drop that hangs: how far up the wet strands, and how many of its radii below their tips.
+constexpr float kHangsAt = 0.75f, kHangsBelow = 0.6f;
+// Where the tip of a strand is that is combed as far as strands are: a share of its length aside, and so much lower than one that stands.
+constexpr float kTipAside = 0.51f, kTipLower = 0.21f;
 constexpr float kGravity = 9.0f, kDrag = 0.9f;  // model radii a second squared; share of its speed that air takes in one
 constexpr float kLost = 8.0f;                   // farther than that a drop is gone
 constexpr float kTakes = 1.0f;                  // amount that a square unit of ground takes up
@@ -82,11 +86,14 @@ void Water::feedHanging(const WetSurface& skin, WetnessMask& mask, const Climate
       accounts_.evaporated += double{drop.water} - (drop.water - dries);
       drop.water -= dries;
       drop.radius = dropRadius(drop.water);
-      // At the tips, which a wet clump lets hang.
+      // From the tips, as far as wet fur stands.
       const auto [root, normal] = shownAt(skin, place);
-      const Vec3 out = normalizeOr(normal + 0.7f * down_, normal);
+      Vec3 lay = lay_.empty() ? Vec3(0) : meanAt(skin, place, lay_);
+      lay -= normal * glm::dot(lay, normal);
+      lay *= kTipAside;
+      const float stands = (1.0f - kTipLower / (kTipAside * kTipAside) * glm::dot(lay, lay)) * standsTo(held_[drop.place], glm::length(lay));
       const float length = climate.furLength * (lengths_.empty() ? 1.0f : meanAt(skin, place, lengths_));
-      const Vec3 at = Vec3(climate.worldFromModel * Vec4(root + kHangsAt * length * out, 1));
+      const Vec3 at = Vec3(climate.worldFromModel * Vec4(root + kHangsAt * length * (lay + normal * stands) + kHangsBelow * drop.radius * down_, 1));
       changed_ |= at != drop.position;
       drop.position = at;
       if (drop.water > kFalls || glm::dot(normal, down_) < 0.0f || climate.shaking > 0.0f) {
