@@ -143,16 +143,19 @@ if(EMSCRIPTEN)
   # Much code that runs once a model, once a file or once a frame: the download counts more than its speed. Without
   # -finline-functions Emscripten leaves small functions where they are, which makes a surface take four times as long,
   # and water three times.
-  foreach(module hair groom scene render geometry wet commands)
+  foreach(module hair groom scene geometry wet)
     if(TARGET fur_${module})
       target_compile_options(fur_${module} PRIVATE "$<$<CONFIG:Release>:-Oz;-finline-functions>")
     endif()
   endforeach()
   # These have no loops over vertices or texels.
-  foreach(module settings gl tools stages app)
+  foreach(module settings gl tools stages app commands render)
     if(TARGET fur_${module})
       target_compile_options(fur_${module} PRIVATE "$<$<CONFIG:Release>:-Oz>")
     endif()
+  endforeach()
+  foreach(source MovingVertices SurfaceBuffers WetCells passes/fin/FinEdges passes/fin/MovingEdges)
+    fur_source_options("${CMAKE_SOURCE_DIR}/src/render/${source}.cpp" "$<$<CONFIG:Release>:-finline-functions>")
   endforeach()
   # What runs for every texel of a coat gets a little more room.
   target_compile_options(fur_furgen PRIVATE "$<$<CONFIG:Release>:-Os;-finline-functions>")

@@ -10,10 +10,10 @@
 #include "common_types.glsl"
 #endif
 
-layout(location = FUR_POSITION) in vec4 positionFrom;
-layout(location = FUR_NORMAL) in vec4 normalTo;
+layout(location = FUR_POSITION) in vec4 positionCurvature;
+layout(location = FUR_NORMAL) in vec4 normalCurvature;
 layout(location = FUR_UV_ATLAS) in vec4 uvAtlas;
-layout(location = FUR_FUR_COORD) in vec4 furCurvature;
+layout(location = FUR_FUR_COORD) in vec4 furStrands;
 layout(location = FUR_GRAD_S) in vec4 gradSCurvature;
 layout(location = FUR_GRAD_T) in vec3 gradT;
 layout(location = FUR_ATLAS_FROM_FUR) in vec4 atlasFromFur;
@@ -45,14 +45,14 @@ void main() {
   vec4 groomed = bendOf(gl_VertexID);
   Skin skin = skinAtVertex(groomed.w);
   float shell = float(gl_InstanceID), h = (shell + 1.0) / layers, theta = length(groomed.xyz);
-  vec3 p = strandPoint(positionFrom.xyz, skin.normal, groomed.xyz, h, skin.coat);
+  vec3 p = strandPoint(positionCurvature.xyz, skin.normal, groomed.xyz, h, skin.coat);
   gl_Position = clipFromModel * vec4(p, 1.0);
 
   vec3 toEye = eye.xyz - p;
   float distance = length(toEye), texelsPerPixel = distance / pixelsPerUnit * tilesPerUnit * length(gradSCurvature.xyz) * tileTexels;
   // Of a mip level between two, some shells show the one and some the other.
   float level = log2(texelsPerPixel) - 0.5 + fract(0.618 * shell);
-  vTile = vec4(furCurvature.xy * tilesPerUnit, max(level, 0.0), max(1.0 / texelsPerPixel, 1.0));
+  vTile = vec4(furStrands.xy * tilesPerUnit, max(level, 0.0), max(1.0 / texelsPerPixel, 1.0));
   vShell = vec2(h, floor((shell + 0.5) / layers * storedLayers));
   vLight = inFrame(skin, light.xyz);
   vUp = inFrame(skin, up.xyz);

@@ -5,10 +5,10 @@
 #include "common.glsl"
 #include "common_bend.glsl"
 
-layout(location = FUR_POSITION) in vec4 positionFrom;
-layout(location = FUR_NORMAL) in vec4 normalTo;
+layout(location = FUR_POSITION) in vec4 positionCurvature;
+layout(location = FUR_NORMAL) in vec4 normalCurvature;
 layout(location = FUR_UV_ATLAS) in vec4 uvAtlas;
-layout(location = FUR_FUR_COORD) in vec4 furCurvature;
+layout(location = FUR_FUR_COORD) in vec4 furStrands;
 layout(location = FUR_GRAD_S) in vec4 gradSCurvature;
 layout(location = FUR_GRAD_T) in vec3 gradT;
 layout(location = FUR_ATLAS_FROM_FUR) in vec4 atlasFromFur;
@@ -137,7 +137,7 @@ void castRay(Skin skin, vec3 ray, vec3 bend, float top) {
   // The tile's coordinates change faster in some places of a chart than in others.
   vec3 squares = vec3(foot.x * foot.x, 2.0 * foot.x * foot.y, foot.y * foot.y);
   turn += 0.5 * tilesPerUnit * len * len * vec2(dot(hessianS, squares), dot(hessianT, squares));
-  vTile = vec4(furCurvature.xy * tilesPerUnit, stride);
+  vTile = vec4(furStrands.xy * tilesPerUnit, stride);
   vTurn = vec4(turn, skin.tileFromAxes * (A * aside * len));
   vLean = vec4(2.0 * aside, uvAtlas.xy);
 #ifdef WET
@@ -160,16 +160,16 @@ void lightRay(Skin skin, vec3 toEye, float distance) {
 }
 
 void main() {
-  vStrands = chartsOverlap > 0.5 ? vec2(positionFrom.w, normalTo.w) : vec2(-1.0, 2.0);
+  vStrands = chartsOverlap > 0.5 ? furStrands.zw : vec2(-1.0, 2.0);
   vec4 groomed = bendOf(gl_VertexID);
   vTop = shellHeight();
 #ifdef WET
   vTop *= wetHeight(furLength * groomed.w, arcBend(length(groomed.xyz), 1.0).y);
 #endif
   Skin skin = skinAtVertex(groomed.w);
-  vec3 p = strandPoint(positionFrom.xyz, skin.normal, groomed.xyz, vTop, skin.coat);
+  vec3 p = strandPoint(positionCurvature.xyz, skin.normal, groomed.xyz, vTop, skin.coat);
 #ifdef VIEW_EXPLODED
-  p += moveShell(positionFrom.xyz, skin.normal);
+  p += moveShell(positionCurvature.xyz, skin.normal);
 #endif
   gl_Position = clipFromModel * vec4(p, 1.0);
   vLightSpace = lightSpace(p);

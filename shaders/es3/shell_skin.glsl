@@ -9,8 +9,8 @@ struct Skin {
 Skin skinAtVertex(float grown) {
   Skin skin;
   vec3 gradS = gradSCurvature.xyz;
-  skin.normal = normalTo.xyz;
-  skin.curvature = mat2(furCurvature.z, furCurvature.w, furCurvature.w, gradSCurvature.w);
+  skin.normal = normalCurvature.xyz;
+  skin.curvature = mat2(positionCurvature.w, normalCurvature.w, normalCurvature.w, gradSCurvature.w);
   // In a crease the coat ends before its strands would cross those of the other side.
   skin.coat = max(min(furLength * grown, leanRoom.z), 1e-4);
   skin.axisS = normalize(gradS + vec3(1e-8, 0.0, 0.0));

@@ -1,5 +1,6 @@
 #include "geometry/Curvature.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace fur::geometry {
@@ -99,6 +100,33 @@ void computeCurvature(Surface& surface, const std::vector<std::uint32_t>& triang
     const std::uint32_t id = weld.idOf[i];
     v.curvature = inAxes(areas[id] > 0.0 ? sums[id] / areas[id] : Matrix(0.0), v);
   }
+}
+
+MovingCurvature::MovingCurvature(std::span<const std::uint32_t> triangles, const std::vector<Vec3>& positions)
+    : triangles_(triangles.begin(), triangles.end()), weld_(weldPositions(positions)) {}
+
+void MovingCurvature::update(std::span<const Vec3> positions, std::span<const Vec3> normals) {
+  sums_.assign(4 * std::size_t{weld_.count}, Vec3(0));
+  for (std::size_t i = 0; i < triangles_.size(); i += 3) {
+    const std::uint32_t* const corner = &triangles_[i];
+    const Vec3 ab = positions[corner[1]] - positions[corner[0]], ac = positions[corner[2]] - positions[corner[0]], across = glm::cross(ab, ac);
+    const float twice = glm::length(across);
+    if (!(twice > 0.0f)) continue;
+    // The reciprocal basis of the sides within their plane, times twice the area.
+    const Vec3 ofAb = glm::cross(ac, across) / twice, ofAc = glm::cross(across, ab) / twice;
+    const Vec3 turnedAb = normals[corner[1]] - normals[corner[0]], turnedAc = normals[corner[2]] - normals[corner[0]];
+    for (int k = 0; k < 3; ++k) {
+      Vec3* const sum = &sums_[4 * std::size_t{weld_.idOf[corner[k]]}];
+      for (int column = 0; column < 3; ++column) sum[column] += turnedAb * ofAb[column] + turnedAc * ofAc[column];
+      sum[3].x += twice;
+    }
+  }
+}
+
+Vec3 MovingCurvature::along(std::uint32_t vertex, const Vec3& s, const Vec3& t) const {
+  const Vec3* const sum = &sums_[4 * std::size_t{weld_.idOf[vertex]}];
+  const Vec3 ofS = sum[0] * s.x + sum[1] * s.y + sum[2] * s.z, ofT = sum[0] * t.x + sum[1] * t.y + sum[2] * t.z;
+  return Vec3(glm::dot(s, ofS), 0.5f * (glm::dot(s, ofT) + glm::dot(t, ofS)), glm::dot(t, ofT)) / std::max(sum[3].x, 1e-30f);
 }
 
 void computeHessians(Surface& surface, const std::vector<std::uint32_t>& triangles, const std::vector<std::uint32_t>& pointOf) {

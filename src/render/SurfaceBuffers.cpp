@@ -91,8 +91,8 @@ std::size_t SurfaceBuffers::set(const geometry::Surface& surface, std::span<cons
   // Pictures lie on the atlas of a model that has no coordinates for them.
   const bool hasUv = std::any_of(surface.vertices.begin(), surface.vertices.end(), [](const auto& v) { return v.uv != Vec2(0); });
   for (const auto& v : surface.vertices) {
-    vertices.push_back({Vec4(v.position, v.strands.x), Vec4(v.normal, v.strands.y), Vec4(v.gradS, v.curvature.z), v.gradT});
-    furVertices.push_back({Vec4(hasUv ? v.uv : v.atlas, v.atlas), Vec4(v.fur, v.curvature.x, v.curvature.y), v.atlasFromFur, {}, Vec3(v.lean, v.room), v.hessianS, v.hessianT});
+    vertices.push_back({Vec4(v.position, v.curvature.x), Vec4(v.normal, v.curvature.y), Vec4(v.gradS, v.curvature.z), v.gradT});
+    furVertices.push_back({Vec4(hasUv ? v.uv : v.atlas, v.atlas), Vec4(v.fur, v.strands), v.atlasFromFur, {}, Vec3(v.lean, v.room), v.hessianS, v.hessianT});
   }
   surroundings_ = findSurroundings(surface);
   for (std::size_t i = 0; i < furVertices.size(); ++i) furVertices[i].around = Vec4(surroundings_[i], surface.turned ? 1.0f : 0.0f);
@@ -105,7 +105,7 @@ std::size_t SurfaceBuffers::set(const geometry::Surface& surface, std::span<cons
   indexCount_ = static_cast<int>(surface.indices.size());
   twoSided_ = surface.sheets;
   moving_.reset();
-  if (!tangents.empty()) moving_.emplace(std::move(vertices), tangents);
+  if (!tangents.empty()) moving_.emplace(std::move(vertices), tangents, surface.indices);
   ++revision_;
   return bytes();
 }

@@ -25,7 +25,7 @@ struct IndexRanges {
 class SurfaceBuffers {
  public:
   // `tangents`, one a vertex, for a surface that will change its shape: follow(). What the shape was like stays
-  // where it matters little: curvature, the stretch of the tile. Both return the bytes that were uploaded.
+  // where it matters little: the stretch of the tile. Both return the bytes that were uploaded.
   // `materials`: one a vertex, the same for all of a triangle; none: there is one.
   std::size_t set(const geometry::Surface& surface, std::span<const Vec3> tangents, std::span<const std::uint8_t> materials = {});
   std::size_t follow(const Skin& skin);

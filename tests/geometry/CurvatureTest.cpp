@@ -54,6 +54,26 @@ TEST(Curvature, OfATorusIsThatOfItsTubeAndTurnsHollowInside) {
   EXPECT_GT(shareOf(surface, [&](const SurfaceVertex& v) { return std::abs(principal(v).x - median) < 0.03f * median; }), 0.95f);
 }
 
+TEST(Curvature, OfASurfaceThatMovesIsThatOfWhatItHasBecome) {
+  const Surface surface = built(makePlane());
+  std::vector<Vec3> positions, normals;
+  for (const SurfaceVertex& v : surface.vertices) positions.push_back(v.position);
+  MovingCurvature curvature(surface.indices, positions);
+  // Rolled up round the axis z.
+  constexpr float kRadius = 0.8f;
+  for (Vec3& p : positions) {
+    const float angle = p.x / kRadius;
+    normals.emplace_back(std::sin(angle), std::cos(angle), 0);
+    p = kRadius * normals.back() + Vec3(0, -kRadius, p.z);
+  }
+  curvature.update(positions, normals);
+  for (std::uint32_t i = 0; i < positions.size(); ++i) {
+    const Vec3 around(normals[i].y, -normals[i].x, 0), along = curvature.along(i, around, Vec3(0, 0, 1));
+    // Facets stand for arcs of a few degrees.
+    ASSERT_LT(glm::length(along - Vec3(1 / kRadius, 0, 0)), 0.01f / kRadius);
+  }
+}
+
 TEST(Hessians, AreTheSecondDerivativesOfFurCoordinates) {
   constexpr int kSide = 16;
   Mesh mesh;

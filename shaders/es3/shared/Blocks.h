@@ -112,10 +112,10 @@ FUR_BLOCK(FurBlock) {
 #define FUR_HAIR_BINDING 2
 
 // Surface vertices (shells, skin, ground shadow).
-#define FUR_POSITION 0        // w: strands from (SurfaceVertex::strands)
-#define FUR_NORMAL 1          // w: strands to
+#define FUR_POSITION 0        // w: curvature S_ss
+#define FUR_NORMAL 1          // w: curvature S_st
 #define FUR_UV_ATLAS 2        // xy: model uv  zw: atlas
-#define FUR_FUR_COORD 3       // xy: st  zw: curvature S_ss, S_st
+#define FUR_FUR_COORD 3       // xy: st  zw: strands from, to (SurfaceVertex::strands)
 #define FUR_GRAD_S 4          // w: curvature S_tt
 #define FUR_GRAD_T 5
 #define FUR_ATLAS_FROM_FUR 6  // 2x2 by columns
