@@ -70,7 +70,7 @@ void App::stamp(std::span<const std::uint8_t> coverage, int width, int height, V
   State& s = *state_;
   // Clumps as fine as the letters need, and as the picture and the work allow.
   const float perTexel = across / static_cast<float>(width);
-  const float step = std::max({static_cast<float>(height) / 18, static_cast<float>(width) / 120, 2 / perTexel});
+  const float step = std::max({static_cast<float>(height) / 18, static_cast<float>(width) / 120, 2 / std::max(perTexel, 1e-3f)});
   // Neighbours meet; what they wet hangs out of the letters by a strand's length as it is.
   const float radius = 0.55f * step * perTexel * s.view.unitsPerPixel(std::max(0.2f, s.view.distance()));
   s.beginWaterStroke(Command::Splash, radius, amount);

@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "geometry/Primitives.h"
 #include "tests/OnEveryPlatform.h"
+#include "wet/Clump.h"
 
 namespace fur::wet {
 namespace {
@@ -415,6 +417,27 @@ TEST(Water, DropsHangFromAndHitTheModelWhereItIsShown) {
   for (int i = 0; i < 40; ++i) pond.water.step(posed, pond.mask, pond.climate);
   EXPECT_GT(pond.mean([](const Vec3& at) { return at.y; }), 0.9);
   EXPECT_NEAR(pond.water.accounts().held + pond.water.accounts().film, 0.002, 2e-4);
+}
+
+TEST(Water, DropsHangFromWhereWetFurEndsWhichIsLowerWhereItLies) {
+  float highest[2] = {};
+  for (const int lies : {0, 1}) {
+    Pond pond(sphere(), 64);
+    pond.climate.groundHeight = -3;
+    std::vector<Vec3> lay;
+    for (const auto& vertex : pond.surface.vertices) lay.push_back(static_cast<float>(lies) * normalizeOr(glm::cross(vertex.normal, Vec3(0, 0, 1)), Vec3(0)));
+    pond.water.setLay(lay);
+    pond.water.pour(pond.wetSurface(), pond.mask, Vec3(0.1f, -0.995f, 0), Vec3(0.1f, -0.995f, 0), 0.2f, 0.6f);
+    for (int i = 0; i < 120; ++i) {
+      pond.run(1);
+      for (const Drop& drop : pond.water.drops())
+        if (drop.hangs() && drop.water > 0) highest[lies] = std::max(highest[lies], glm::length(drop.position) - drop.radius - 1);
+    }
+    EXPECT_GT(highest[lies], 0.0f);
+  }
+  EXPECT_LT(highest[0], standsTo(1, 0) * Climate{}.furLength);
+  // A strand that is combed as far as strands are ends a fifth lower.
+  EXPECT_LT(highest[1], 0.9f * highest[0]);
 }
 
 TEST(Water, ThatLandsLeavesARingOnTheGroundForAMomentAndAJetThrowsSpray) {
