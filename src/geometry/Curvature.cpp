@@ -115,9 +115,11 @@ void MovingCurvature::update(std::span<const Vec3> positions, std::span<const Ve
     // The reciprocal basis of the sides within their plane, times twice the area.
     const Vec3 ofAb = glm::cross(ac, across) / twice, ofAc = glm::cross(across, ab) / twice;
     const Vec3 turnedAb = normals[corner[1]] - normals[corner[0]], turnedAc = normals[corner[2]] - normals[corner[0]];
+    Vec3 columns[3];
+    for (int column = 0; column < 3; ++column) columns[column] = turnedAb * ofAb[column] + turnedAc * ofAc[column];
     for (int k = 0; k < 3; ++k) {
       Vec3* const sum = &sums_[4 * std::size_t{weld_.idOf[corner[k]]}];
-      for (int column = 0; column < 3; ++column) sum[column] += turnedAb * ofAb[column] + turnedAc * ofAc[column];
+      for (int column = 0; column < 3; ++column) sum[column] += columns[column];
       sum[3].x += twice;
     }
   }
