@@ -52,11 +52,14 @@ struct Lying {
 };
 Lying lying;
 
-// The means of strands that lie along `way`, at that tile: `wide` times as wide as they are; `type`: its layer of the streaks.
-vec4 strandsInLine(vec2 tile, vec2 way, float type, float wide) {
+// The layer of the streaks in which strands of a type (0, 1, ..) lie along `way`.
+float streakLayer(vec2 way, float type) {
   float turn = floor(atan(way.y, way.x + 1e-9) * (FUR_STREAK_TURNS / 3.14159265) + 0.5);
-  vec3 place = vec3((2.0 / wide) * tile, mod(turn, FUR_STREAK_TURNS) + type * FUR_STREAK_TURNS);
-  return textureLod(streaks, place, max(vLight.w - 0.5 - log2(wide), 0.7));
+  return mod(turn, FUR_STREAK_TURNS) + type * FUR_STREAK_TURNS;
+}
+// The means of strands in line, at that tile: `wide` times as wide as they are; of one mip level, as lod is.
+vec4 strandsInLine(vec2 tile, float layer, float wide) {
+  return textureLod(streaks, vec3((2.0 / wide) * tile, layer), floor(max(vLight.w - 0.5 - log2(wide), 0.7) + quadNoise()));
 }
 
 const float kAllSheet = 1.0 - FUR_SHEET_SINKS + 0.01;  // how high vertices stand between sheets
@@ -66,7 +69,7 @@ vec2 waterOfLine(mat2 tileFromFur) {
   float lies = length(vLean.xy), shift = shortness * smoothstep(0.1, 0.5, lies) * float(vTop > kAllSheet);
   vec2 way = tileFromFur * (vLean.xy / max(lies, 1e-3)), at = vAtlas;
   for (int i = 0, once = int(shift > 0.0); i < once; ++i) {
-    float chance = 4.5 * (strandsInLine(vTile.xy, way, 0.0, 0.9).z - 0.5);
+    float chance = 4.5 * (strandsInLine(vTile.xy, streakLayer(way, 0.0), 0.9).z - 0.5);
     at -= atlasFromTile() * (way * (1.3 * shift * clamp(chance, -1.0, 1.0)));
   }
   return filteredWater(mask, at);
@@ -231,8 +234,7 @@ Strand standingAt(float x, inout March march) {
   float side = mirrored == vec2(0.0) ? 1.0 : -1.0;
   vec2 from = (mirrored + side * a - clump.xy) / (1.0 - pull), aside = tileFromAtlas * from * (side * pull);
   float outward = dot(from, from) / max(clump.z * clump.z, 1e-12) * float(clump.a > 0.0), own = insideRim(outward);
-  // A loop of one step, as software rasterisers look up in both branches of an if.
-  for (int i = 0, once = int(outward > kMiddle && own > 0.0 && sheet < kOneSheet); i < once; ++i) own *= isOwn(clump, from);
+  own *= outward > kMiddle && sheet < kOneSheet ? isOwn(clump, from) : 1.0;
   along = alongStrand(h, lean * along + bend * (h * h) - furFromTile * aside) / wetLength * rimTaper(soakedShare, sheet, outward);
   // Locks draw their strands together once more. So close together strands hide one another: of as many as there are, so many are seen as
   // have room, each as wide as it is.
@@ -262,18 +264,11 @@ vec4 strandAt(vec4 spot, Strand here) {
   return vec4(0.5 + wayInThisTile(met.xy - 0.5), met.zw);
 }
 
-// In a sheet light knows strands by those that lie in line where the ray comes to it; `stored`: of the type that was met. Where they are
-// seen, not where they root: over the length of a strand stretched charts would turn the lines aside.
-vec4 strandsOfSheet(float stored, float wide) {
-  return strandsInLine(tileAt(enters, min(vTop, coatTop)), tipTile, firstLayer(stored) / storedLayers, wide);
-}
-
 // Locks of one size: the one that comes from furthest lies on top, as hair lies over what roots further on. `cells`: of their grid, to a
 // tile; `lies`: from root to tip, tiles; `frays`: by how much its strands lie beside where the lock has them, so that rims and tips fray.
 Lying locksAt(vec2 tile, vec2 lies, float cells, float frays) {
-  Lying top = Lying(vec2(0.0), 0.0, 0.0, vec2(0.0), 1.0);
   vec2 at = tile * cells, way = lies * cells;
-  float along = 0.0;
+  vec3 top = vec3(0.0);  // along and across the lock, its chance
   for (int i = 0; i < FUR_LOCK_LOOKS; ++i) {
     vec2 centre = lockCentreNear(at - way * ((float(i) + 0.5) / float(FUR_LOCK_LOOKS)));
     // No two are alike: of another length and width, and to another side.
@@ -281,13 +276,10 @@ Lying locksAt(vec2 tile, vec2 lies, float cells, float frays) {
     vec2 own = way * (0.6 + 0.6 * chances.x) + vec2(-way.y, way.x) * (0.3 * (chances.y - 0.5));
     vec2 on = onLock(at - centre, own, FUR_LOCK_HALF_WIDTH * (0.75 + 0.5 * chances.y));
     on += vec2(0.25 * abs(frays), frays);
-    if (on.x <= along || on.x >= 1.0 || abs(on.y) >= 1.0) continue;
-    along = on.x;
-    top.outward.x = on.y;
-    top.rises = (1.0 - on.y * on.y) * min(0.35 + 2.0 * on.x, 1.0);
-    top.chance = min(2.0 * top.rises, 1.0) * (chances.x - 0.5 + 0.5 * (0.5 - on.x));
+    top = mix(top, vec3(on, chances.x), step(top.x, on.x) * step(on.x, 1.0) * step(abs(on.y), 1.0));
   }
-  return top;
+  float rises = float(top.x > 0.0) * (1.0 - top.y * top.y) * min(0.35 + 2.0 * top.x, 1.0);
+  return Lying(vec2(top.y, 0.0), rises, min(2.0 * rises, 1.0) * (top.z - 0.5 + 0.5 * (0.5 - top.x)), vec2(0.0), 1.0);
 }
 
 const float kHidesLying = 6.0;  // what a strand that lies hides of the skin, beside one that stands
@@ -330,7 +322,11 @@ void joinStrands(inout Met met, float furry) {
   lying = Lying(vec2(0.0), 1.0, 0.0, vec2(0.0), clumpsSmooth);
   float ofStrand = soakedShare * (1.0 - joined) * liesBy(chanceOfClump(met.here.clump.xy), met.number, shortness);
   for (int i = 0, once = int(locked > 0.0); i < once; ++i) {
-    vec4 inLine = strandsOfSheet(met.spot.z, 0.35), some = strandsOfSheet(met.spot.z, 1.2), many = strandsOfSheet(met.spot.z, 4.0);
+    // In a sheet light knows strands by those that lie in line where the ray comes to it. Where they are seen, not where they root: over the
+    // length of a strand stretched charts would turn the lines aside.
+    vec2 seenAt = tileAt(enters, min(vTop, coatTop));
+    float layer = streakLayer(tipTile, firstLayer(met.spot.z) / storedLayers);  // of the type that was met
+    vec4 inLine = strandsInLine(seenAt, layer, 0.35), some = strandsInLine(seenAt, layer, 1.2), many = strandsInLine(seenAt, layer, 4.0);
     lieDown(2.0 * (inLine.z - 0.5) + 1.0 * (some.z - 0.5), 4.0 * (inLine.z - 0.5) + 2.0 * (some.z - 0.5));
     float deep = clamp(0.8 + 2.0 * (some.z - 0.5) + 5.0 * (many.z - 0.5), 0.4, 1.0);
     lying.rises *= mix(1.0, deep, joined);
