@@ -1,5 +1,5 @@
-// r: the cast shadow  g: the contact shadow  b: the mirror image; added.
+// r: the cast shadow  g: what is above  b: the mirror image  a: what stands there; added.
 precision mediump float;
-flat in vec3 vShadow;
+in vec4 vShadow;
 out vec4 fragColor;
-void main() { fragColor = vec4(vShadow, 0.0); }
+void main() { fragColor = vShadow; }

@@ -8,7 +8,7 @@
 layout(location = FUR_POSITION) in vec3 position;
 layout(location = FUR_NORMAL) in vec3 normal;
 #endif
-flat out vec3 vShadow;
+out vec4 vShadow;
 void main() {
 #ifdef BALL
   vec3 world = ballCentre.xyz + ballNormal(gl_VertexID) * ballRadius;

@@ -10,9 +10,9 @@ uniform mediump sampler2DArray strips;
 float stripCoverage() { return texture(strips, vec3(vPicture.xy / vPicture.z, vKind)).r; }
 
 #if defined(ON_GROUND)
-flat in vec3 vShadow;
+in vec4 vShadow;
 out vec4 fragColor;
-void main() { fragColor = vec4(vShadow * stripCoverage(), 0.0); }
+void main() { fragColor = vShadow * stripCoverage(); }
 #elif defined(SHADOW_LAYERS)
 #include "common_opacity.glsl"
 void main() { addOpacity(hairOpacity * stripCoverage()); }

@@ -5,7 +5,7 @@ out vec3 vPicture;  // xy: place in the strip's picture, times z
 flat out float vKind;
 #ifdef ON_GROUND
 #include "common_ground.glsl"
-flat out vec3 vShadow;
+out vec4 vShadow;
 #endif
 
 void main() {

@@ -248,6 +248,23 @@ TEST(WetGround, MirrorsTheModelTowardsTheEye) {
   EXPECT_LT(at({1.4f, 1.4f}), at({0, 2}) - 8);
 }
 
+TEST(DryGround, IsDarkestWhereTheModelStandsOnIt) {
+  DropScene scene;
+  // From the front, so that the shadow falls behind it.
+  scene.frame.settings.lightYaw = 0;
+  scene.frame.settings.lightPitch = 0.3f;
+  scene.frame.settings.backgroundTop = scene.frame.settings.backgroundBottom;
+  scene.frame.coatLength = scene.frame.settings.furLength = 0.02f;
+  // How light the ground is in front of where a sphere comes down on it, and further in front.
+  const auto lightAt = [&](float groundHeight, float z) {
+    scene.frame.groundHeight = groundHeight;
+    const Vec2 pixel = scene.pixelOf({0, groundHeight, z});
+    return int{scene.draw().at(static_cast<int>(pixel.x), static_cast<int>(pixel.y))[0]};
+  };
+  EXPECT_LT(lightAt(-1.02f, 0.3f), lightAt(-1.25f, 0.3f) - 8);
+  EXPECT_NEAR(lightAt(-1.02f, 1.0f), lightAt(-1.25f, 1.0f), 4);
+}
+
 TEST(WetGround, IsDarkerWhereItSaysSoWithASoftEdgeAndCostsNothingWhenDry) {
   DropScene scene;
   scene.frame.camera = {Vec3(0, 3, 6), Vec3(0, -0.5f, 0), 0.6f};
