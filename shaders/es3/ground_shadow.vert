@@ -13,8 +13,8 @@ void main() {
 #ifdef BALL
   vec3 world = ballCentre.xyz + ballNormal(gl_VertexID) * ballRadius;
 #else
-  // Fur is part of what casts the shadow; its thin outer part lets light through.
-  vec3 world = (worldFromModel * vec4(position + normal * (0.6 * furLength), 1.0)).xyz;
+  // Fur is part of what casts the shadow; its thin outer part lets light through, and more of it comes in under that from all around.
+  vec3 world = (worldFromModel * vec4(position + normal * ((gl_InstanceID == 1 ? 0.25 : 0.6) * furLength), 1.0)).xyz;
 #endif
   gl_Position = onGround(world, gl_InstanceID, vShadow);
 }
