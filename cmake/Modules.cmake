@@ -143,7 +143,7 @@ if(EMSCRIPTEN)
   # Much code that runs once a model, once a file or once a frame: the download counts more than its speed. Without
   # -finline-functions Emscripten leaves small functions where they are, which makes a surface take four times as long,
   # and water three times.
-  foreach(module hair groom scene geometry wet)
+  foreach(module furgen hair groom scene geometry wet)
     if(TARGET fur_${module})
       target_compile_options(fur_${module} PRIVATE "$<$<CONFIG:Release>:-Oz;-finline-functions>")
     endif()
@@ -157,8 +157,6 @@ if(EMSCRIPTEN)
   foreach(source MovingVertices SurfaceBuffers WetCells passes/fin/FinEdges passes/fin/MovingEdges)
     fur_source_options("${CMAKE_SOURCE_DIR}/src/render/${source}.cpp" "$<$<CONFIG:Release>:-finline-functions>")
   endforeach()
-  # What runs for every texel of a coat gets a little more room.
-  target_compile_options(fur_furgen PRIVATE "$<$<CONFIG:Release>:-Os;-finline-functions>")
   foreach(source Json NumberText SharedThings)
     fur_source_options("${CMAKE_SOURCE_DIR}/src/core/${source}.cpp" "$<$<CONFIG:Release>:-Os>")
   endforeach()

@@ -56,7 +56,7 @@ export class Visit {
     this.#autosave?.begin(seen);
     this.isFirst = Boolean(this.#autosave) && !found && !sceneOf(this.#link);
     if (restored !== null) this.#offer(`Your last work is back${restored}.`, 'Start afresh', () => this.#startAfresh(apply));
-    else if (found) this.#offer('Your work of before is kept.', 'Show it', () => this.#fur.fur.openDocument(found.document).catch(() => {}));
+    else if (found) this.#offer('Your earlier work is saved.', 'Show it', () => this.#fur.fur.openDocument(found.document).catch(() => {}));
   }
 
   /** What there is to say of it; null: it could not be. */
