@@ -12,7 +12,7 @@ canvas:focus-visible:not([data-pointer-focus]) { outline: 3px solid var(--wet-fu
 .ring polygon { fill: none; stroke: #fffc; stroke-width: 1.5px; vector-effect: non-scaling-stroke; filter: drop-shadow(0 0 1px #000); }
 .cover { position: absolute; inset: 0; display: grid; place-items: center; pointer-events: none; }
 .cover[hidden] { display: none; }
-.poster { pointer-events: auto; overflow: hidden; }
+.poster { grid-template: 100% / 100%; pointer-events: auto; overflow: hidden; }
 .poster img { width: 100%; height: 100%; object-fit: cover; }
 .poster:focus-visible { outline: 3px solid var(--wet-fur-focus-ring, #3b82f6); outline-offset: -3px; }
 .cover [hidden] { display: none; }

@@ -147,6 +147,23 @@ test('with reveal="interaction" nothing is loaded before the person asks, by poi
   assert.notEqual(await yaw(), before, 'keys go on to what was revealed');
 });
 
+test('a picture that the page gives as poster can fill the element, whatever its own shape', async () => {
+  const page = await open({ viewport: { width: 800, height: 600 } });
+  const shown = await page.evaluate(async () => {
+    const fur = document.createElement('wet-fur'), image = document.createElement('img');
+    Object.assign(fur, { reveal: 'manual', src: 'plane', alt: 'A meadow' });
+    Object.assign(fur.style, { width: '600px', height: '200px', aspectRatio: 'auto' });
+    Object.assign(image, { slot: 'poster', src: `data:image/svg+xml,${encodeURIComponent('<svg xmlns="http://www.w3.org/2000/svg" width="900" height="900"/>')}` });
+    Object.assign(image.style, { width: '100%', height: '100%' });
+    fur.append(image);
+    document.body.prepend(fur);
+    await image.decode();
+    const { width, height } = image.getBoundingClientRect();
+    return { width, height };
+  });
+  assert.deepEqual(shown, { width: 600, height: 200 });
+});
+
 test('the cue may be another one, or none; with reveal="manual" the page dismisses the poster', async () => {
   const page = await open({ viewport: { width: 480, height: 600 } });
   const seen = await page.evaluate(async () => {
