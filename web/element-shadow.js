@@ -18,6 +18,7 @@ canvas:focus-visible:not([data-pointer-focus]) { outline: 3px solid var(--wet-fu
 .cover [hidden] { display: none; }
 .poster :is(img, .prompt), .poster ::slotted(*) { grid-area: 1 / 1; }
 .poster:not([inert]) { cursor: pointer; }
+.poster:not([hidden]) + .cover { box-sizing: border-box; place-items: end center; padding-bottom: min(10%, 56px); }
 .prompt { position: relative; padding: 12px 22px 12px 18px; border-radius: 24px; font: 600 15px/20px system-ui, sans-serif;
   color: #23272e; background: #fffffff2; box-shadow: 0 2px 18px #0003; transition: transform 120ms; }
 .prompt::before { content: ""; display: inline-block; margin-right: 10px; border: solid transparent; border-width: 6px 0 6px 10px; border-left-color: currentColor; }
