@@ -148,7 +148,7 @@ test('a link wins over what is kept, which it leaves alone and offers', async ()
   await page.waitForFunction(() => document.querySelector('wet-fur').loaded && !document.getElementById('bar').inert);
   assert.equal(await withFur(page, (fur) => fur.modelName), 'torus');
   const loaded = loads(page);
-  await message(page, 'is kept').getByText('Show it').click();
+  await message(page, 'is saved').getByText('Show it').click();
   assert.equal(await loaded, 'otter');
   await withFur(page, (fur) => fur.pause());
   assert.deepEqual({ ...await scene(page), wet: 0 }, { ...before, wet: 0 });
