@@ -93,8 +93,8 @@ void stepPast(inout March march, Strand here) {
 }
 
 // Steps along the ray until strands hide what is behind them, FUR_MOST_STEPS times at most. Look-ups in a step: 1; GROOMED 1 more;
-// TYPES up to 2 for each type that is present instead of the 1, while the map is not even; WET 3 more, another outside its chart, none in a whole sheet. On a software rasteriser the loop itself costs as much
-// as they do: few variables and one way out.
+// TYPES up to 2 for each type that is present instead of the 1, while the map is not even; WET 3 more, another outside its chart, none in a
+// whole sheet. On a software rasteriser the loop itself costs as much as they do: few variables and one way out.
 March marchCoat(float first) {
   March march = marchFrom(first + enters, enters);
   int mostSteps = FUR_MOST_STEPS;

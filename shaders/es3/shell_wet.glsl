@@ -287,12 +287,12 @@ const float kLockGloss = 0.25, kUnseenLocks = 0.12;  // the smoothness of locks:
 const float kLockPixels = 7.0, kLargestLock = 1.7;  // from further off larger locks are seen: of that many pixels, or as many times as large
 const float kMeanRise = 0.6;  // of locks that lie over one another
 // Of two sizes, as large as the fur there is long: as it grows shorter each goes over into the next.
-void lieDown(float frays, float line) {
+void lieDown(vec2 tile, float frays, float line) {
   float width = max(FUR_LOCK_WIDTH / furLengths, FUR_LEAST_LOCK * clumpRadius * tilesPerUnit);
   width = clamp(kLockPixels * exp2(vLight.w - vTileOfFur.w) / tileTexels, width, kLargestLock * width);
   float size = -log2(width), large = floor(size), small = size - large;
   float lies = length(lean);
-  vec2 tile = tileAt(enters, min(vTop, coatTop)), way = tipTile * (max(0.85, FUR_LOCK_LENGTH * width * furLengths) / max(lies, 1e-3));
+  vec2 way = tipTile * (max(0.85, FUR_LOCK_LENGTH * width * furLengths) / max(lies, 1e-3));
   // What is smaller than seven pixels goes over into its mean.
   float pixels = tileTexels * exp2(-large - vLight.w);
   float lie = smoothstep(0.05, 0.3, lies);
@@ -327,7 +327,7 @@ void joinStrands(inout Met met, float furry) {
     vec2 seenAt = tileAt(enters, min(vTop, coatTop));
     float layer = streakLayer(tipTile, firstLayer(met.spot.z) / storedLayers);  // of the type that was met
     vec4 inLine = strandsInLine(seenAt, layer, 0.35), some = strandsInLine(seenAt, layer, 1.2), many = strandsInLine(seenAt, layer, 4.0);
-    lieDown(2.0 * (inLine.z - 0.5) + 1.0 * (some.z - 0.5), 4.0 * (inLine.z - 0.5) + 2.0 * (some.z - 0.5));
+    lieDown(seenAt, 2.0 * (inLine.z - 0.5) + 1.0 * (some.z - 0.5), 4.0 * (inLine.z - 0.5) + 2.0 * (some.z - 0.5));
     float deep = clamp(0.8 + 2.0 * (some.z - 0.5) + 5.0 * (many.z - 0.5), 0.4, 1.0);
     lying.rises *= mix(1.0, deep, joined);
     met.number = mix(met.number, clamp(0.45 + 2.5 * (some.z - 0.5) + 4.5 * (inLine.z - 0.5), 0.15, 0.9), joined);
