@@ -12,6 +12,7 @@
 #include "geometry/CoatThickness.h"
 #include "geometry/Curvature.h"
 #include "geometry/FurCharts.h"
+#include "geometry/FurDirections.h"
 #include "geometry/FurOverlap.h"
 #include "geometry/SurfaceEdges.h"
 #include "geometry/SurfaceSteps.h"
@@ -54,7 +55,9 @@ std::vector<Vec3> unitNormals(const Mesh& mesh) {
   std::vector<Vec3> normals(mesh.positions.size());
   for (std::size_t i = 0; i < normals.size(); ++i) {
     const Vec3 fallback = whole ? Vec3(0, 1, 0) : computed.normals[i];
-    normals[i] = given ? normalizeOr(mesh.normals[i], fallback) : fallback;
+    // A unit stays as it is: what is saved comes back the same to the bit.
+    const bool isUnit = given && std::abs(glm::dot(mesh.normals[i], mesh.normals[i]) - 1) < 1e-6f;
+    normals[i] = isUnit ? mesh.normals[i] : given ? normalizeOr(mesh.normals[i], fallback) : fallback;
   }
   return normals;
 }
@@ -152,8 +155,8 @@ class SurfaceBuilding::Work {
 
   bool step() {
     static constexpr bool (Work::*kSteps[])() = {&Work::begin, &Work::cutFurCharts, &Work::layAtlas,     &Work::cutAtlas,
-                                                 &Work::round, &Work::split,        &Work::overlapCharts, &Work::measureSteps,
-                                                 &Work::measureCurvature};
+                                                 &Work::round, &Work::findDirections, &Work::split,         &Work::overlapCharts,
+                                                 &Work::measureSteps, &Work::measureCurvature};
     if ((this->*kSteps[next_])()) ++next_;
     return whole_.indices.empty() || next_ == std::size(kSteps);
   }
@@ -206,6 +209,20 @@ class SurfaceBuilding::Work {
     rounded_ = roundHardEdges(whole_);
     surface_.turned = rounded_.changed;
     surface_.sheets = rounded_.sheets;
+    directions_.emplace(shape(), rounded_.given);
+    return true;
+  }
+
+  // Of which the surface is made.
+  Mesh& shape() { return surface_.turned ? rounded_.mesh : whole_; }
+
+  bool findDirections() {
+    if (!directions_->step()) return false;
+    std::vector<Vec3> directions = directions_->take();
+    directions_.reset();
+    for (std::size_t i = 0; i < rounded_.given.size(); ++i)
+      if (rounded_.given[i] == rounded_.mesh.normals[i]) rounded_.given[i] = directions[i];
+    shape().normals = std::move(directions);
     return true;
   }
 
@@ -213,12 +230,10 @@ class SurfaceBuilding::Work {
     if (surface_.turned) {
       follow(rounded_, fur_.chartOf, fur_.corners);
       follow(rounded_, atlas_.chartOf, atlas_.corners);
-      splitVertices(surface_, rounded_.mesh, fur_, atlas_);
-      if (!rounded_.inserted.empty()) surface_.meshIndices = ownCorners(rounded_, surface_.indices, whole_.indices.size());
-      surface_.inserted = std::move(rounded_.inserted);
-    } else {
-      splitVertices(surface_, whole_, fur_, atlas_);
     }
+    splitVertices(surface_, shape(), fur_, atlas_);
+    if (!rounded_.inserted.empty()) surface_.meshIndices = ownCorners(rounded_, surface_.indices, whole_.indices.size());
+    surface_.inserted = std::move(rounded_.inserted);
     trueWeld_ = weldVertices(surface_.vertices);
     surface_.edges = findEdges(surface_.vertices, surface_.indices, trueWeld_);
     if (surface_.turned) findFacets(surface_, rounded_.given);
@@ -259,6 +274,7 @@ class SurfaceBuilding::Work {
   Charts fur_;
   AtlasLayout atlas_;
   RoundedMesh rounded_;
+  std::optional<FurDirections> directions_;
   FurOverlap overlap_;
   Surface surface_;
 };
@@ -279,13 +295,14 @@ Result<Surface> buildSurface(const Mesh& mesh, FurMapping mapping) {
 OwnSurface ownSurface(const Surface& surface, const Mesh& mesh) {
   OwnSurface own;
   const std::vector<std::uint32_t>& indices = surface.inserted.empty() ? surface.indices : surface.meshIndices;
+  const std::vector<Vec3> normals = unitNormals(mesh);
   Numbering kept;
   for (const std::uint32_t vertex : indices) {
     own.surface.indices.push_back(kept.of(vertex));
     if (own.surface.indices.back() < own.vertexOf.size()) continue;
     own.vertexOf.push_back(vertex);
     SurfaceVertex& v = own.surface.vertices.emplace_back(surface.vertices[vertex]);
-    if (surface.turned && mesh.normals.size() == mesh.positions.size()) v.normal = normalizeOr(mesh.normals[v.source], v.normal);
+    if (v.source < normals.size()) v.normal = normals[v.source];
   }
   own.surface.trueVertexCount = own.vertexOf.size();
   own.surface.chartCount = surface.chartCount;

@@ -117,8 +117,7 @@ void ShapeStage::bindRig() {
     skin_.positions[i] = positions[i];
     const Vec3 n = skin_.normals[i] = normals[i];
     skin_.tangents[i] = normalizeOr(skin_.tangents[i] - n * glm::dot(n, skin_.tangents[i]), Vec3(1, 0, 0));
-    if (surface().turned)
-      leans_.push_back({n * frame, skin_.tangents[i] * frame, points.of(std::uint64_t{places.idOf[i]} << 32 | ways.idOf[i])});
+    leans_.push_back({n * frame, skin_.tangents[i] * frame, points.of(std::uint64_t{places.idOf[i]} << 32 | ways.idOf[i])});
   }
   firstTangents_ = skin_.tangents;
 }
@@ -127,11 +126,12 @@ void ShapeStage::readSkin() {
   spread(surface(), sources_, pose_->positions(), skin_.positions);
   spread(surface(), sources_, pose_->normals(), skin_.normals);
   spread(surface(), sources_, pose_->tangents(), skin_.tangents);
-  if (!leans_.empty()) leanOverEdges();
+  if (!leans_.empty()) followSkin();
 }
 
-// Fur that leans over hard edges does so from its faces as when the surface was made; where they bend apart, between them.
-void ShapeStage::leanOverEdges() {
+// Fur stands on the model's own normals as when the surface was made (geometry/FurDirections.h, HardEdges.h); where faces bend apart, between
+// them.
+void ShapeStage::followSkin() {
   std::vector<Vec3> sums(leans_.size(), Vec3(0));
   for (std::size_t i = 0; i < sums.size(); ++i) {
     const Mat3 frame = frameOf(skin_.normals[i], skin_.tangents[i]);

@@ -90,7 +90,7 @@ class ShapeStage {
   };
   void bindRig();
   void readSkin();
-  void leanOverEdges();
+  void followSkin();
   // How far an animation goes, and how far down.
   struct Reach {
     int animation;
@@ -111,7 +111,7 @@ class ShapeStage {
   std::vector<Vec3> lastPositions_;
   float lastSeconds_ = 0;
   std::vector<std::uint32_t> sources_;  // of each vertex: one of the mesh's vertices or of those inserted between them
-  std::vector<Lean> leans_;             // empty without hard edges
+  std::vector<Lean> leans_;             // one a vertex, while there is a rig
   std::vector<Vec3> firstTangents_;
   int animation_ = -1;       // that is shown; below -1: several
   double seconds_ = 0;       // of it

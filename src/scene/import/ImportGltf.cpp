@@ -186,7 +186,8 @@ class Importer {
     for (std::size_t i = 0; i < part.positions.size(); ++i) {
       const glm::dvec3 n = cofactors * glm::dvec3(values[3 * i], values[3 * i + 1], values[3 * i + 2]);
       const double squared = glm::dot(n, n);
-      if (squared > 1e-300 && squared < 1e300) part.normals[i] = Vec3(n / std::sqrt(squared));
+      // A unit stays as it is, as a mesh that was fitted before does.
+      if (squared > 1e-300 && squared < 1e300) part.normals[i] = Vec3(std::abs(squared - 1.0) < 1e-6 ? n : n / std::sqrt(squared));
     }
   }
 
