@@ -56,7 +56,7 @@ float enterCoat() {
   lod = floor(max(vLight.w - 0.5 - finer, 0.0) + quadNoise());
   float pixels = exp2(-vLight.w);  // that a texel covers
   // Samples together have soft edges when each has sharp ones.
-  sharp = max(pixels * (finer > 0.0 ? 4.0 : 1.0), 1.0);
+  sharp = max(pixels * (finer > 0.0 ? 1.5 : 1.0), 1.0);
   end = rayTo(vTop, reachesSkin);
   if (chartShare() <= 0.0) end = 0.0;
   stepSize = stepOver(min(pixels, 1.0)) * (finer > 0.0 ? kSampleStep : 1.0);
