@@ -25,45 +25,44 @@ float cotangentAt(const Vec3& corner, const Vec3& a, const Vec3& b) {
 
 }  // namespace
 
-FurDirections::FurDirections(const Mesh& mesh, const std::vector<Vec3>& upright) {
+FurDirections::FurDirections(const Mesh& mesh, const std::vector<Vec3>& upright)
+    : pointOf_(mesh.normals.size()), sides_(mesh.indices.size()), normals_(mesh.normals.size()), stays_(mesh.normals.size()) {
   const Weld places = weldPositions(mesh.positions), ways = weldPositions(mesh.normals);
   Numbering points;
-  std::vector<bool> leans;
-  for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
-    pointOf_.push_back(points.of(std::uint64_t{places.idOf[i]} << 32 | ways.idOf[i]));
-    if (pointOf_.back() == normals_.size()) normals_.push_back(mesh.normals[i]), leans.push_back(false);
-    if (!upright.empty() && upright[i] != mesh.normals[i]) leans[pointOf_.back()] = true;
+  std::vector<std::uint8_t> leans(normals_.size());
+  for (std::size_t i = 0; i < normals_.size(); ++i) {
+    const std::uint32_t point = pointOf_[i] = points.of(std::uint64_t{places.idOf[i]} << 32 | ways.idOf[i]);
+    normals_[point] = mesh.normals[i];
+    leans[point] |= !upright.empty() && upright[i] != mesh.normals[i];
   }
-  stays_ = leans;
   const auto across = neighboursAcrossSides(sortedSides(mesh.indices, places), mesh.triangleCount());
-  for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
-    const std::size_t first = i - i % 3;
-    const std::uint32_t a = mesh.indices[i], b = mesh.indices[first + (i + 1) % 3], c = mesh.indices[first + (i + 2) % 3];
-    sides_.push_back({pointOf_[a], pointOf_[b], cotangentAt(mesh.positions[c], mesh.positions[a], mesh.positions[b])});
-    if (across[i] == kNoTriangle || leans[pointOf_[a]] || leans[pointOf_[b]]) stays_[pointOf_[a]] = stays_[pointOf_[b]] = true;
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
+    const std::size_t next = i % 3 == 2 ? i - 2 : i + 1, last = i % 3 == 0 ? i + 2 : i - 1;
+    const std::uint32_t a = pointOf_[mesh.indices[i]], b = pointOf_[mesh.indices[next]];
+    sides_[i] = {a, b, cotangentAt(mesh.positions[mesh.indices[last]], mesh.positions[mesh.indices[i]], mesh.positions[mesh.indices[next]])};
+    const std::uint8_t stays = across[i] == kNoTriangle || leans[a] || leans[b];
+    stays_[a] |= stays, stays_[b] |= stays;
   }
 }
 
 bool FurDirections::step() {
-  std::vector<Vec3> ways(normals_.size(), Vec3(0));
-  std::vector<float> weights(normals_.size(), 0.0f);
+  std::vector<Vec4> sums(normals_.size(), Vec4(0));  // of weighted ways, and of weights
   for (const Side& side : sides_) {
     const Vec3 &a = normals_[side.a], &b = normals_[side.b];
     const float weight = side.weight * std::max(glm::dot(a, b) - kAgrees, 0.0f);
     const Vec3 way = (b - a) * weight;
-    ways[side.a] += way, ways[side.b] -= way;
-    weights[side.a] += weight, weights[side.b] += weight;
+    sums[side.a] += Vec4(way, weight);
+    sums[side.b] += Vec4(-way, weight);
   }
   const float share = round_ % 2 == 0 ? kTowardsMean : kAwayFromMean;
   for (std::size_t i = 0; i < normals_.size(); ++i)
-    if (weights[i] > 0.0f && !stays_[i]) normals_[i] = normalizeOr(normals_[i] + ways[i] * (share / weights[i]), normals_[i]);
+    if (sums[i].w > 0.0f && !stays_[i]) normals_[i] = normalizeOr(normals_[i] + Vec3(sums[i]) * (share / sums[i].w), normals_[i]);
   return ++round_ == kDirectionRounds;
 }
 
-std::vector<Vec3> FurDirections::take() {
-  std::vector<Vec3> out;
-  out.reserve(pointOf_.size());
-  for (const std::uint32_t point : pointOf_) out.push_back(normals_[point]);
+std::vector<Vec3> FurDirections::directions() const {
+  std::vector<Vec3> out(pointOf_.size());
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = normals_[pointOf_[i]];
   return out;
 }
 

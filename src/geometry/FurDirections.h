@@ -24,8 +24,8 @@ class FurDirections {
   FurDirections(const Mesh& mesh, const std::vector<Vec3>& upright);
   // One round, of some milliseconds for a large model. Whether that was the last.
   bool step();
-  // Unit, one a vertex. Once.
-  std::vector<Vec3> take();
+  // Unit, one a vertex.
+  std::vector<Vec3> directions() const;
 
  private:
   struct Side {
@@ -34,8 +34,8 @@ class FurDirections {
   };
   std::vector<std::uint32_t> pointOf_;  // vertices of one position and normal are one point
   std::vector<Side> sides_;             // of all triangles
-  std::vector<Vec3> normals_;
-  std::vector<bool> stays_;
+  std::vector<Vec3> normals_;           // of points, the others are not used
+  std::vector<std::uint8_t> stays_;
   int round_ = 0;
 };
 

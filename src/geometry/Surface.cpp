@@ -218,7 +218,7 @@ class SurfaceBuilding::Work {
 
   bool findDirections() {
     if (!directions_->step()) return false;
-    std::vector<Vec3> directions = directions_->take();
+    std::vector<Vec3> directions = directions_->directions();
     directions_.reset();
     for (std::size_t i = 0; i < rounded_.given.size(); ++i)
       if (rounded_.given[i] == rounded_.mesh.normals[i]) rounded_.given[i] = directions[i];

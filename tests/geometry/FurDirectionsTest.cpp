@@ -10,7 +10,7 @@ namespace {
 std::vector<Vec3> directionsOf(const Mesh& mesh) {
   FurDirections directions(mesh, {});
   while (!directions.step()) {}
-  return directions.take();
+  return directions.directions();
 }
 
 // Each normal turned by up to so much, those of one position alike.
