@@ -14,8 +14,8 @@ namespace {
 constexpr int kDirectionRounds = 12;
 // Of the way to the neighbours' mean, in turns: towards it and, a little further, away from it.
 constexpr float kTowardsMean = 0.6f, kAwayFromMean = -0.63f;
-// The cosine between neighbours from which on they count for nothing: 32 degrees.
-constexpr float kAgrees = 0.85f;
+// The cosine between neighbours from which on they count for nothing: 26 degrees.
+constexpr float kAgrees = 0.9f;
 constexpr float kMostCotangent = 4;  // of slivers
 
 float cotangentAt(const Vec3& corner, const Vec3& a, const Vec3& b) {
@@ -49,10 +49,10 @@ bool FurDirections::step() {
   std::vector<Vec4> sums(normals_.size(), Vec4(0));  // of weighted ways, and of weights
   for (const Side& side : sides_) {
     const Vec3 &a = normals_[side.a], &b = normals_[side.b];
-    const float weight = side.weight * std::max(glm::dot(a, b) - kAgrees, 0.0f);
-    const Vec3 way = (b - a) * weight;
-    sums[side.a] += Vec4(way, weight);
-    sums[side.b] += Vec4(-way, weight);
+    const float agreement = std::max(glm::dot(a, b) - kAgrees, 0.0f) / (1 - kAgrees);
+    const Vec3 way = (b - a) * (side.weight * agreement);
+    sums[side.a] += Vec4(way, side.weight);
+    sums[side.b] += Vec4(-way, side.weight);
   }
   const float share = round_ % 2 == 0 ? kTowardsMean : kAwayFromMean;
   for (std::size_t i = 0; i < normals_.size(); ++i)
