@@ -17,6 +17,7 @@ constexpr float kTowardsMean = 0.6f, kAwayFromMean = -0.63f;
 // The cosine between neighbours from which on they count for nothing: 26 degrees.
 constexpr float kAgrees = 0.9f;
 constexpr float kMostCotangent = 4;  // of slivers
+constexpr std::uint8_t kStays = 1, kLeans = 3;
 
 float cotangentAt(const Vec3& corner, const Vec3& a, const Vec3& b) {
   const Vec3 to = a - corner, way = b - corner, across = glm::cross(to, way);
@@ -29,19 +30,17 @@ FurDirections::FurDirections(const Mesh& mesh, const std::vector<Vec3>& upright)
     : pointOf_(mesh.normals.size()), sides_(mesh.indices.size()), normals_(mesh.normals.size()), stays_(mesh.normals.size()) {
   const Weld places = weldPositions(mesh.positions), ways = weldPositions(mesh.normals);
   Numbering points;
-  std::vector<std::uint8_t> leans(normals_.size());
   for (std::size_t i = 0; i < normals_.size(); ++i) {
     const std::uint32_t point = pointOf_[i] = points.of(std::uint64_t{places.idOf[i]} << 32 | ways.idOf[i]);
     normals_[point] = mesh.normals[i];
-    leans[point] |= !upright.empty() && upright[i] != mesh.normals[i];
+    if (!upright.empty() && upright[i] != mesh.normals[i]) stays_[point] = kLeans;
   }
   const auto across = neighboursAcrossSides(sortedSides(mesh.indices, places), mesh.triangleCount());
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     const std::size_t next = i % 3 == 2 ? i - 2 : i + 1, last = i % 3 == 0 ? i + 2 : i - 1;
     const std::uint32_t a = pointOf_[mesh.indices[i]], b = pointOf_[mesh.indices[next]];
     sides_[i] = {a, b, cotangentAt(mesh.positions[mesh.indices[last]], mesh.positions[mesh.indices[i]], mesh.positions[mesh.indices[next]])};
-    const std::uint8_t stays = across[i] == kNoTriangle || leans[a] || leans[b];
-    stays_[a] |= stays, stays_[b] |= stays;
+    if (across[i] == kNoTriangle || stays_[a] == kLeans || stays_[b] == kLeans) stays_[a] |= kStays, stays_[b] |= kStays;
   }
 }
 
