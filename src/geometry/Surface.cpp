@@ -220,6 +220,7 @@ class SurfaceBuilding::Work {
     if (!directions_->step()) return false;
     std::vector<Vec3> directions = directions_->directions();
     directions_.reset();
+    // Fur leans over hard edges from where it would grow without them.
     for (std::size_t i = 0; i < rounded_.given.size(); ++i)
       if (rounded_.given[i] == rounded_.mesh.normals[i]) rounded_.given[i] = directions[i];
     shape().normals = std::move(directions);

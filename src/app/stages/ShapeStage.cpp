@@ -129,9 +129,17 @@ void ShapeStage::readSkin() {
   if (!leans_.empty()) followSkin();
 }
 
-// Fur stands on the model's own normals as when the surface was made (geometry/FurDirections.h, HardEdges.h); where faces bend apart, between
-// them.
+// Fur stands on the model's own normals as when the surface was made (geometry/FurDirections.h, HardEdges.h); where it leans over hard edges, and
+// faces bend apart, between them.
 void ShapeStage::followSkin() {
+  // Those of a pose are unit and perpendicular.
+  for (std::size_t i = 0; i < leans_.size() && !surface().turned; ++i) {
+    Vec3 &n = skin_.normals[i], &t = skin_.tangents[i];
+    const Mat3 frame(n, t, glm::cross(n, t));
+    n = frame * leans_[i].normal;
+    t = frame * leans_[i].tangent;
+  }
+  if (!surface().turned) return;
   std::vector<Vec3> sums(leans_.size(), Vec3(0));
   for (std::size_t i = 0; i < sums.size(); ++i) {
     const Mat3 frame = frameOf(skin_.normals[i], skin_.tangents[i]);

@@ -83,7 +83,7 @@ class ShapeStage {
   std::optional<geometry::SurfacePoint> nearest(const Vec3& place) const;
 
  private:
-  // How fur leans over hard edges, in the frame of the pose without that lean; vertices of one point share a direction.
+  // How fur stands in the frame of the pose; vertices of one point share a direction.
   struct Lean {
     Vec3 normal, tangent;
     std::uint32_t point;
