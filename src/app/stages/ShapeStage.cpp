@@ -132,14 +132,16 @@ void ShapeStage::readSkin() {
 // Fur stands on the model's own normals as when the surface was made (geometry/FurDirections.h, HardEdges.h); where it leans over hard edges, and
 // faces bend apart, between them.
 void ShapeStage::followSkin() {
-  // Those of a pose are unit and perpendicular.
-  for (std::size_t i = 0; i < leans_.size() && !surface().turned; ++i) {
-    Vec3 &n = skin_.normals[i], &t = skin_.tangents[i];
-    const Mat3 frame(n, t, glm::cross(n, t));
-    n = frame * leans_[i].normal;
-    t = frame * leans_[i].tangent;
+  if (!surface().turned) {
+    // Those of a pose are unit and perpendicular.
+    for (std::size_t i = 0; i < leans_.size(); ++i) {
+      Vec3 &n = skin_.normals[i], &t = skin_.tangents[i];
+      const Mat3 frame(n, t, glm::cross(n, t));
+      n = frame * leans_[i].normal;
+      t = frame * leans_[i].tangent;
+    }
+    return;
   }
-  if (!surface().turned) return;
   std::vector<Vec3> sums(leans_.size(), Vec3(0));
   for (std::size_t i = 0; i < sums.size(); ++i) {
     const Mat3 frame = frameOf(skin_.normals[i], skin_.tangents[i]);
