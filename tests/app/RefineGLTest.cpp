@@ -178,14 +178,14 @@ TEST(Refine, AChangeStartsAfresh) {
   EXPECT_LT(distance(gathered, changed), 8);
 }
 
-// Frames of the five seconds after the next one: those drawn because something has moved, and improvements that are shown and that are not yet.
+// Frames of some seconds after the next one: those drawn because something has moved, and improvements that are shown and that are not yet.
 struct SlowFrames {
   int moved = 0, shown = 0, hidden = 0;
 };
-SlowFrames framesOf(GatheringScene& studio) {
+SlowFrames framesOf(GatheringScene& studio, int seconds) {
   SlowFrames frames;
   // What had run down the fur until then is a burst of changes: a second later it is forgotten.
-  for (int i = -60; i < 300; ++i) {
+  for (int i = -60; i < 60 * seconds; ++i) {
     const bool draws = studio.app.tick(1 / 60.0f);
     if (draws) studio.of(1);
     frames.moved += draws && i >= 0;
@@ -203,7 +203,7 @@ TEST(Refine, FurThatDriesKeepsItsPictureUntilTheNextIsGathered) {
   for (int i = 0; i < 600; ++i) studio.app.tick(1 / 60.0f);
   studio.of(1);
   EXPECT_EQ(studio.improve().first, 15);
-  const auto [moved, shown, hidden] = framesOf(studio);
+  const auto [moved, shown, hidden] = framesOf(studio, 5);
   EXPECT_EQ(moved, 0);
   EXPECT_GE(shown, 2);
   EXPECT_GE(hidden, 14 * shown);
@@ -221,7 +221,8 @@ TEST(Refine, WaterThatCreepsInTheFurKeepsItsPictureUntilTheNextIsGathered) {
   studio.of(1);
   studio.improve();
   const float before = studio.app.meanWetness();
-  const SlowFrames frames = framesOf(studio);
+  // Changes too small to be seen are shown every eight seconds.
+  const SlowFrames frames = framesOf(studio, 16);
   EXPECT_NE(studio.app.meanWetness(), before);
   EXPECT_EQ(frames.moved, 0);
   EXPECT_GE(frames.shown, 2);

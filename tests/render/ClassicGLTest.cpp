@@ -29,7 +29,8 @@ long empty(const Picture& picture) {
 }
 
 TEST(Classic, ShowsTheCoatThatTheMarchShows) {
-  Shells shells({{"fins", "false"}});
+  // Blunt strands: between needles shells let one look deeper, and are darker.
+  Shells shells({{"fins", "false"}, {"taper", "0.5"}, {"undercoat", "0"}});
   const Picture classic = shells.settled(), march = shells.with("technique", "march");
   EXPECT_NEAR(classic.brightness(), march.brightness(), 0.16f * march.brightness());
   EXPECT_GT(classic.differingShare(march, 8), 0.1f) << "but not by the same way";
@@ -37,7 +38,7 @@ TEST(Classic, ShowsTheCoatThatTheMarchShows) {
 }
 
 TEST(Classic, MoreLayersAreMoreShells) {
-  Shells shells({{"fins", "false"}, {"furLength", "0.25"}, {"density", "0.4"}, {"thickness", "0.6"}});
+  Shells shells({{"fins", "false"}, {"furLength", "0.25"}, {"density", "0.4"}, {"thickness", "0.6"}, {"taper", "0.5"}});
   // Between few shells one looks through to the background at the outline; the view of shells leaves the skin out.
   const long few = empty(shells.with("layers", "4")), many = empty(shells.with("layers", "32"));
   EXPECT_GT(few, many);
