@@ -64,7 +64,7 @@ export const colourOf = (materials) => (place) => (bare[materials[place.part]] ?
 function furLength({ position: p }) {
   const head = onHead(p), legs = onLegs(p);
   let share = mixed(0.95, 0.36, head);
-  share = mixed(share, 0.3, smooth(-3.2, -6.6, p[2]));
+  share = mixed(mixed(share, 0.32, smooth(-3.2, -6, p[2])), 0.12, smooth(-5.7, -6.55, p[2]));
   share = mixed(share, 0.5, legs);
   share = mixed(share, 0.24, smooth(0.55, 0.25, p[1]) * legs);
   for (const [z, far] of [[1.42, 0.35], [-1.05, 0.45]]) share = mixed(share, 0.1, smooth(z, z + far, p[2]) * smooth(z + 1, z + far, p[2]) * legs);
@@ -100,7 +100,7 @@ function lie({ position: p, normal: n }) {
 /** How far it leans, and where to. */
 export const comb = (place) => {
   const { position: p } = place;
-  const lean = mixed(mixed(0.85, 0.72, onHead(p)), 0.6, within(p, [0, 2.78, 3.55], [0.5, 0.5, 0.6], 0.4));
+  const lean = mixed(mixed(mixed(0.85, 1.1, smooth(-4.5, -6, p[2])), 0.72, onHead(p)), 0.6, within(p, [0, 2.78, 3.55], [0.5, 0.5, 0.6], 0.4));
   return leaning(lie(place), place.normal, lean);
 };
 
