@@ -23,7 +23,7 @@ vec2 atlasAt(vec2 tile) { return vAtlas + atlasFromTile() * (tile - vTile.xy); }
 #endif
 
 // Half-covered texels count as they are for this many steps a fur length, less for more. By FLIP against the
-// reference: 16 and 32 are as good near, 64 is worse far.
+// reference: 16 and 32 are as good near, 64 is worse far. Fewer lose the tips of needles at the middle: 0.146 with 24, 0.136 with 33.
 const float kReferenceSteps = 28.0;
 const float kSampleStep = 0.25;  // of samples after the first: how long their steps are beside its
 // A step in texels of the mip level, times stepLength, and how many there are of a fur length at least, however small the
