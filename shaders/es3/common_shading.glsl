@@ -192,6 +192,8 @@ float whiteLobe(float rho) {
 // C_s: a white lobe, mirrored on the scales, and a wider one that went through the strand and has its colour;
 // or Marschner's model, which has all light that goes through strands. L and V point away from the strand; of both: `along`: cosines
 // to T, `normal`: to the surface's normal, `facing`: to each other.
+// Silva et al. Eq. 5, by as much as strands are not white. C++ twin in hair/StrandShading.h.
+vec3 strandDarkening(vec3 albedo, float rho) { return 1.0 - wetDarkening * rho * (1.0 - albedo); }
 // `strand`: its random number (its variance); `shine`: its gloss by the share of it that glossShare() leaves.
 vec3 shadeStrand(StrandLight lights, vec3 albedo, vec2 along, vec2 normal, float facing, float h, float rho, float strand, float exponent, float shine) {
   vec2 across = sqrt(max(vec2(0.0), 1.0 - along * along)), diffuse = mix(across, max(normal, 0.0), lambert);  // of the key light, of the fill light
@@ -211,7 +213,7 @@ vec3 shadeStrand(StrandLight lights, vec3 albedo, vec2 along, vec2 normal, float
 #endif
   gloss += (albedo + 0.3) * lights.rim;
   vec3 color = albedo * (lights.key * diffuse.x + fillLight * diffuse.y + lights.sky) + gloss;
-  return color * (1.0 + occlusionShown() * (h - 1.0)) * (1.0 - wetDarkening * rho);
+  return color * (1.0 + occlusionShown() * (h - 1.0)) * strandDarkening(albedo, rho);
 }
 // Of a coat, with the exponent and gloss of its settings. `lit` is the share of the light that reaches the spot.
 vec3 shadeStrand(vec3 albedo, vec3 T, vec3 L, vec3 V, float h, float rho, float lit, float upness, float strand) {
@@ -225,7 +227,7 @@ vec3 wetAlbedo(vec3 albedo, float rho) { return mix(albedo, albedo / mix(vec3(1.
 
 vec3 wetCoatAlbedo(vec3 albedo, float rho) {
   vec3 ofStrand = wetAlbedo(albedo, rho);
-  return ofStrand / (1.0 + 1.1 * rho * (2.0 - rho) * (1.0 - ofStrand) * ofStrand / (ofStrand + 0.08));
+  return ofStrand / (1.0 + 0.55 * rho * (2.0 - rho) * (1.0 - ofStrand) * ofStrand / (ofStrand + 0.08));
 }
 
 vec3 clumpNormal(vec2 outward, float sheet) {
@@ -259,7 +261,7 @@ vec2 waterGloss(vec3 T, vec3 n, vec3 L, vec3 V, float held, float sheet, float s
 float clumpShade(float facing, float risen, float keyed, float h, float held, float sheet) {
   float much = min(held, 1.0), clumps = much * (1.0 - 0.75 * sheet), shaded = 1.0 - keyed;
   float turnedTo = mix(clamp(1.2 + 1.5 * risen, 0.3, 2.1), clamp(0.6 + 0.8 * facing, 0.3, 1.4), keyed);
-  float around = shaded * (0.6 + 0.9 * shaded * shaded) - 0.45 * keyed;
+  float around = shaded * (0.6 + 0.9 * shaded * shaded) - 0.3 * keyed;
   return mix(1.0, turnedTo, 0.7 * clumps) * mix(1.0, smoothstep(-0.2, 0.8, h), 0.45 * clumps) * (1.0 + around * much * (2.0 - much)) *
          (1.0 - 0.16 * sheet * smoothstep(0.3, 0.85, held));
 }

@@ -83,7 +83,7 @@ Vec3 shadeStrand(const StrandLook& look, const Vec3& albedo, const Vec3& tangent
   const float diffuse = glm::mix(kajiyaDiffuse(tangent, light), std::max(nDotL, 0.0f), look.lambert);
   const float filled = lights.fill * glm::mix(kajiyaDiffuse(tangent, view), std::max(nDotV, 0.0f), look.lambert);
   const Vec3 color = albedo * (lights.key * diffuse + 1.6f * lights.through + filled + lights.sky) + (albedo + 0.3f) * lights.rim + gloss;
-  return color * occlusionFactor(height, look.occlusion) * hair::wetDarkening(wetness, look.wetDarkening);
+  return color * occlusionFactor(height, look.occlusion) * strandDarkening(albedo, wetness, look.wetDarkening);
 }
 
 Vec3 printedLight(const StrandLook& look, const Vec3& albedo, const Vec3& key, const Vec3& around, float nDotL, float cosine, float height, float rho) {
@@ -98,7 +98,7 @@ Vec3 wetAlbedo(const Vec3& albedo, float wetness) {
 
 Vec3 wetCoatAlbedo(const Vec3& albedo, float wetness) {
   const Vec3 ofStrand = wetAlbedo(albedo, wetness);
-  return ofStrand / (1.0f + 1.1f * wetness * (2 - wetness) * (1.0f - ofStrand) * ofStrand / (ofStrand + 0.08f));
+  return ofStrand / (1.0f + 0.55f * wetness * (2 - wetness) * (1.0f - ofStrand) * ofStrand / (ofStrand + 0.08f));
 }
 
 Vec3 clumpNormal(const Vec2& outward, float sheet) {
@@ -109,7 +109,7 @@ Vec3 clumpNormal(const Vec2& outward, float sheet) {
 float clumpShade(float facing, float risen, float keyed, float height, float wetness, float sheet) {
   const float held = std::min(wetness, 1.0f), clumps = held * (1 - 0.75f * sheet), shaded = 1 - keyed;
   const float turnedTo = glm::mix(glm::clamp(1.2f + 1.5f * risen, 0.3f, 2.1f), glm::clamp(0.6f + 0.8f * facing, 0.3f, 1.4f), keyed);
-  const float around = shaded * (0.6f + 0.9f * shaded * shaded) - 0.45f * keyed;
+  const float around = shaded * (0.6f + 0.9f * shaded * shaded) - 0.3f * keyed;
   return glm::mix(1.0f, turnedTo, 0.7f * clumps) * glm::mix(1.0f, glm::smoothstep(-0.2f, 0.8f, height), 0.45f * clumps) * (1 + around * held * (2 - held)) *
          (1 - 0.16f * sheet * glm::smoothstep(0.3f, 0.85f, wetness));
 }

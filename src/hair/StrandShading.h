@@ -36,6 +36,8 @@ inline float wetSpecularExponent(float p, float rho, float sigmaSpec) { return p
 inline float occlusionFactor(float h, float sigmaOcc) { return 1.0f + sigmaOcc * (h - 1.0f); }
 // 1 - sigma_wet rho (Eq. 5).
 inline float wetDarkening(float rho, float sigmaWet) { return 1.0f - sigmaWet * rho; }
+// The same by as much as strands are not white: one factor for all would make white fur grey, and markings alike.
+inline Vec3 strandDarkening(const Vec3& albedo, float rho, float sigmaWet) { return 1.0f - sigmaWet * rho * (1.0f - albedo); }
 
 // How a coat reflects light: the settings of these names; and its density.
 struct StrandLook {

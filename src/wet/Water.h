@@ -51,7 +51,7 @@ struct Climate {
   float groundHeight = -1;
   float rain = 0;             // 0..1
   float shaking = 0;          // 0..1: how hard the model throws its water off
-  // A hair dryer: adds `blow` to dryRate at its centre, falling to 0 at its radius. Model space.
+  // A hair dryer: adds `blow` to dryRate at its centre, falling to 0 at its radius or before, unevenly. Model space.
   Vec3 blowCentre{0};
   float blowRadius = 0, blow = 0;
 };

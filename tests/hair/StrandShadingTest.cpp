@@ -144,7 +144,7 @@ TEST(WetCoatAlbedo, LeavesWhiteFurLightAndDarkensAllOtherTheMostBetweenWhiteAndB
   }
   EXPECT_FLOAT_EQ(left(1), 1);
   EXPECT_GT(left(0.9f), 0.7f);
-  EXPECT_LT(left(0.3f), 0.4f);
+  EXPECT_LT(left(0.3f), 0.5f) << "by half; the rest is shade between clumps";
   EXPECT_GT(left(0.02f), 1.1f * left(0.2f)) << "little light that comes out of black fur has met several strands";
 }
 
@@ -171,6 +171,12 @@ TEST(WetLight, IsUnchangedWhereSigmaIsNought) {
   EXPECT_EQ(wetSpecularExponent(24, 0.3f, 0), 24.0f);
   EXPECT_EQ(occlusionFactor(0.2f, 0), 1.0f);
   EXPECT_EQ(wetDarkening(0.7f, 0), 1.0f);
+}
+
+TEST(WetLight, DarkensStrandsByAsMuchAsTheyAreNotWhite) {
+  EXPECT_EQ(strandDarkening(Vec3(1), 1, 0.5f), Vec3(1));
+  EXPECT_EQ(strandDarkening(Vec3(0), 1, 0.5f), Vec3(wetDarkening(1, 0.5f))) << "Eq. 5";
+  EXPECT_EQ(strandDarkening(Vec3(0.4f), 0, 0.5f), Vec3(1)) << "dry";
 }
 
 TEST(WetLight, IsSharperDarkerAndBrighterAtTheTip) {

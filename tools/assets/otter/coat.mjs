@@ -18,7 +18,7 @@ const setting = { backgroundTop: '#8fa9a6', backgroundBottom: '#ece5d8', keyColo
 export const settings = {
   ...setting,
   furLength: 0.042, density: 1, thickness: 0.24, lengthVariation: 0.3, curl: 0.06, taper: 0.6, repeat: 10, clump: 0.35, lockSize: 0.25, undercoat: 0.8, undercoatLength: 0.5,
-  rootColor: '#675748', tipColor: '#ab9884', skinColor: '#5a463a', variance: 0.4, specular: 0.06, shininess: 90, stiffness: 0.7, gravity: 0.1, clumpSize: 0.011, wetDarkening: 0.25,
+  rootColor: '#675748', tipColor: '#ab9884', skinColor: '#5a463a', variance: 0.4, specular: 0.06, shininess: 90, stiffness: 0.7, gravity: 0.1, clumpSize: 0.011, wetDarkening: 0.1,
   type2: 'own', ...Object.fromEntries(Object.entries(plush).map(([key, value]) => [`type2.${key}`, value])),
 };
 

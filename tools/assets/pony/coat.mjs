@@ -11,7 +11,7 @@ const { abs, exp, hypot, sign, sin } = Math;
 export const settings = {
   furLength: 0.042, density: 1, thickness: 0.35, lengthVariation: 0.25, curl: 0.06, taper: 0.6, repeat: 10, clump: 0.3, lockSize: 0.15, undercoat: 0.4, undercoatLength: 0.6, gravity: 0.1, stiffness: 0.8,
   rootColor: '#74665c', tipColor: '#acacac', skinColor: '#9c8e84', variance: 0.4, specular: 0.07, shininess: 80, occlusion: 0.3, strandShadow: 0.3,
-  wetDarkening: 0.3, layers: 40, clumpSize: 0.018,
+  wetDarkening: 0.1, layers: 40, clumpSize: 0.018,
   // Feathers.
   type2: 'own', 'type2.name': 'Feathers', 'type2.furLength': 0.085, 'type2.density': 0.9, 'type2.thickness': 0.3, 'type2.lengthVariation': 0.45, 'type2.curl': 0.15, 'type2.taper': 0.8, 'type2.undercoat': 0,
   'type2.wave': 0.25, 'type2.clump': 0.35, 'type2.lockSize': 0.3, 'type2.tipBreak': 0.4, 'type2.rootColor': '#74665c', 'type2.tipColor': '#b0b0b0', 'type2.skinColor': '#9c8e84', 'type2.occlusion': 0.3, 'type2.strandShadow': 0.3, 'type2.variance': 0.4,
