@@ -251,7 +251,7 @@ vec2 waterGloss(vec2 along, vec2 normal, float facing, float nDotL, float held, 
   own *= mix(1.0, own, few);
   float glint = kajiyaLobe(faces, 1.3 * water) * (1.0 - 0.7 * slope * slope) * (mix(0.3, 0.05, few) + mix(3.0, 4.0, few) * own) +
                 kajiyaLobe(sqrt(max(1.0 - shifted * shifted, 0.0)), 5.0 * water) * faces * faces * (0.1 + mix(1.2, 2.1, few) * own);
-  return film * film * wetGloss * vec2(smoothness * glossShare(nDotL) * glint * mix(1.6, 0.5, sheet), fresnel * mix(0.5, 0.1 + 3.0 * strand * strand, sheet));
+  return film * film * wetGloss * vec2(smoothness * glossShare(nDotL) * glint * mix(1.0, 0.5, sheet), fresnel * mix(0.5, 0.1 + 3.0 * strand * strand, sheet));
 }
 vec2 waterGloss(vec3 T, vec3 n, vec3 L, vec3 V, float held, float sheet, float strand, float smoothness) {
   return waterGloss(vec2(dot(T, L), dot(T, V)), vec2(dot(n, L), dot(n, V)), dot(L, V), L.z, held, sheet, strand, smoothness);
@@ -262,7 +262,7 @@ float clumpShade(float facing, float risen, float keyed, float h, float held, fl
   float much = min(held, 1.0), clumps = much * (1.0 - 0.75 * sheet), shaded = 1.0 - keyed;
   float turnedTo = mix(clamp(1.2 + 1.5 * risen, 0.3, 2.1), clamp(0.6 + 0.8 * facing, 0.3, 1.4), keyed);
   float around = shaded * (0.6 + 0.9 * shaded * shaded) - 0.3 * keyed;
-  return mix(1.0, turnedTo, 0.7 * clumps) * mix(1.0, smoothstep(-0.2, 0.8, h), 0.45 * clumps) * (1.0 + around * much * (2.0 - much)) *
+  return mix(1.0, turnedTo, 0.7 * clumps) * mix(1.0, smoothstep(-0.2, 0.8, h), 0.3 * clumps) * (1.0 + around * much * (2.0 - much)) *
          (1.0 - 0.16 * sheet * smoothstep(0.3, 0.85, held));
 }
 // C++ twin in hair/StrandShading.h, which says more.

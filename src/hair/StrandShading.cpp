@@ -110,7 +110,7 @@ float clumpShade(float facing, float risen, float keyed, float height, float wet
   const float held = std::min(wetness, 1.0f), clumps = held * (1 - 0.75f * sheet), shaded = 1 - keyed;
   const float turnedTo = glm::mix(glm::clamp(1.2f + 1.5f * risen, 0.3f, 2.1f), glm::clamp(0.6f + 0.8f * facing, 0.3f, 1.4f), keyed);
   const float around = shaded * (0.6f + 0.9f * shaded * shaded) - 0.3f * keyed;
-  return glm::mix(1.0f, turnedTo, 0.7f * clumps) * glm::mix(1.0f, glm::smoothstep(-0.2f, 0.8f, height), 0.45f * clumps) * (1 + around * held * (2 - held)) *
+  return glm::mix(1.0f, turnedTo, 0.7f * clumps) * glm::mix(1.0f, glm::smoothstep(-0.2f, 0.8f, height), 0.3f * clumps) * (1 + around * held * (2 - held)) *
          (1 - 0.16f * sheet * glm::smoothstep(0.3f, 0.85f, wetness));
 }
 
@@ -129,7 +129,7 @@ Vec2 waterGloss(const Vec3& tangent, const Vec3& n, const Vec3& light, const Vec
   const float glint = kajiyaLobe(faces, 1.3f * water) * (1 - 0.7f * slope * slope) * (glm::mix(0.3f, 0.05f, few) + glm::mix(3.0f, 4.0f, few) * own) +
                       kajiyaLobe(sineOf(shifted), 5 * water) * faces * faces * (0.1f + glm::mix(1.2f, 2.1f, few) * own);
   const float film = std::min(wetness, 1.25f), wet = film * film * wetGloss;
-  return wet * Vec2(smoothness * glossShare(light.z) * glint * glm::mix(1.6f, 0.5f, sheet), fresnel * glm::mix(0.5f, 0.1f + 3.0f * strand * strand, sheet));
+  return wet * Vec2(smoothness * glossShare(light.z) * glint * glm::mix(1.0f, 0.5f, sheet), fresnel * glm::mix(0.5f, 0.1f + 3.0f * strand * strand, sheet));
 }
 
 Vec3 strandColor(const Vec3& root, const Vec3& tip, float height, float variance, float spread) {
