@@ -237,6 +237,8 @@ test('steps change the figure as one reads, and back; the current one is marked'
   const at = (id) => see((name) => document.getElementById(name).scrollIntoView({ block: 'center' }), id);
   await see(() => document.getElementById('steps').scrollIntoView({ block: 'center' }));
   await until(() => document.getElementById('shown').loaded);
+  await see(() => scrollTo(0, 0));
+  await until(() => document.getElementById('steps').current === -1);
   const before = await see(() => Number(window.shown.settings.density.toFixed(2)));
   assert.notEqual(before, 0.9);
   await at('three');
