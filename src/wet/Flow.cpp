@@ -53,6 +53,13 @@ float chanceOf(std::uint32_t a, std::uint32_t b) {
   return static_cast<float>((x ^ x >> 15) >> 8) * (1.0f / 16777216.0f);
 }
 
+// How much harder than others a place is to blow dry, 0..1: `at` in radii of what blows. Waves of a tuft's size, each turned aside by another, so
+// that fur dries with a ragged border instead of a round one.
+float sheltered(const Vec3& at) {
+  const auto wave = [](float x, float y) { return portableSin(11.0f * x + 2.0f * portableSin(7.0f * y)); };
+  return 0.5f + (wave(at.x, at.y) + wave(at.y, at.z) + wave(at.z, at.x)) / 6.0f;
+}
+
 }  // namespace
 
 // How the water of a block runs and creeps: by gravity, the fur and the shape of the skin.
@@ -239,17 +246,6 @@ bool Water::soak(std::uint32_t index, Amounts& now) {
   return any;
 }
 
-namespace {
-
-// How much harder than others a place is to blow dry, 0..1: `at` in radii of what blows. Waves of a tuft's size, each turned aside by another, so
-// that fur dries with a ragged border instead of a round one.
-float sheltered(const Vec3& at) {
-  const auto wave = [](float x, float y) { return portableSin(11.0f * x + 2.0f * portableSin(7.0f * y)); };
-  return 0.5f + (wave(at.x, at.y) + wave(at.y, at.z) + wave(at.z, at.x)) / 6.0f;
-}
-
-}  // namespace
-
 // Takes from a block what goes since it has last dried; whether any film is left.
 bool Water::dry(const Climate& climate, std::uint32_t index, Amounts& now) {
   const SurfaceTexels::Block& block = texels_->blocks()[index];
@@ -265,7 +261,9 @@ bool Water::dry(const Climate& climate, std::uint32_t index, Amounts& now) {
   for (std::size_t i = 0; blown && i < count; ++i) {
     const Vec3& place = texels_->places()[block.first + i].position;
     const Vec3 apart = (place - climate.blowCentre) / climate.blowRadius;
-    const float far = glm::dot(apart, apart), left = far < 1.0f ? std::max(1.0f - far * (1.0f + 1.5f * sheltered(place / climate.blowRadius)), 0.0f) : 0.0f;
+    const float far = glm::dot(apart, apart);
+    if (!(far < 1.0f)) continue;
+    const float left = std::max(1.0f - far * (1.0f + 1.5f * sheltered(place / climate.blowRadius)), 0.0f);
     drying[i] += climate.blow * left * left * time;
   }
   const float* const areas = &areas_[block.first];
