@@ -55,7 +55,6 @@ export class Coats {
     panel.addEventListener('toggle', ({ newState }) => { if (newState === 'open') this.#focusChosen(); });
     panel.addEventListener('click', ({ target }) => this.#choose(target.closest('button')));
     ownCoatsChanges.addEventListener('change', () => this.#showOwn());
-    panel.addEventListener('keydown', (event) => this.#onKey(event));
   }
 
   get #buttons() { return [...this.#panel.children]; }
@@ -167,14 +166,5 @@ export class Coats {
 
   #focusChosen() {
     (this.#panel.querySelector('[aria-pressed=true]') ?? this.#buttons[0])?.focus({ focusVisible: false });
-  }
-
-  #onKey(event) {
-    const buttons = this.#buttons;
-    const at = buttons.indexOf(event.target);
-    const next = { ArrowLeft: at - 1, ArrowRight: at + 1, Home: 0, End: buttons.length - 1 }[event.key];
-    if (next === undefined) return;
-    buttons[next]?.focus();
-    event.preventDefault();
   }
 }

@@ -95,10 +95,19 @@ function setTool(tool) {
   showButtons();
 }
 
+/** A button that opens a menu of tools says which of them is in hand. */
+function nameToolOf(opener, menu) {
+  const name = opener.dataset.name ??= opener.textContent.trim();
+  const inHand = menu.querySelector('[data-tool][aria-pressed=true]')?.textContent.trim();
+  opener.setAttribute('aria-pressed', String(Boolean(inHand)));
+  opener.setAttribute('aria-label', inHand ? `${name}: ${inHand}` : name);
+  opener.querySelector('span').textContent = inHand ?? name;
+}
+
 function showButtons() {
   for (const button of toolButtons) button.setAttribute('aria-pressed', String(button.dataset.tool === fur.tool));
-  for (const [opener, menu] of [['water', waters], ['groom', grooms]])
-    byId(opener).setAttribute('aria-pressed', String(Boolean(menu.querySelector('[data-tool][aria-pressed=true]'))));
+  nameToolOf(byId('water'), waters);
+  nameToolOf(byId('groom'), grooms);
   byId('groom-type').value = fur.groomType;
   coats.showChosen();
   toolbar.enable([[byId('undo'), fur.canUndo], [byId('redo'), fur.canRedo]]);

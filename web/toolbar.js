@@ -1,8 +1,9 @@
-// The demo page's bar: one stop for Tab, arrow keys between its controls, what opens beside it, and how much of the
+// The demo page's bar: one stop for Tab, arrow keys between its controls and those of what opens beside it, and how much of the
 // picture it leaves free. Where its groups stand is page.css's: a row, two rows, or a rail at each side.
 
 const gap = 8;
 const controlsIn = 'button, a, select, input:not([type=file])';
+const usableIn = (part) => [...part.querySelectorAll(controlsIn)].filter((control) => !control.disabled && control.checkVisibility());
 
 export class Toolbar {
   #bar;
@@ -15,7 +16,8 @@ export class Toolbar {
     this.#bar = bar;
     this.#groups = [...bar.querySelectorAll('.group')];
     this.#panels = panels;
-    bar.addEventListener('keydown', (event) => this.#onKey(event));
+    bar.addEventListener('keydown', (event) => moveFocus(event, this.#controls, { wraps: true }));
+    for (const panel of panels) panel.addEventListener('keydown', (event) => moveFocus(event, usableIn(panel)));
     bar.addEventListener('focusin', ({ target }) => this.#makeStop(target));
     this.#makeStop(this.#controls[0]);
     for (const group of this.#groups) group.addEventListener('scroll', () => showEnds(group), { passive: true });
@@ -45,30 +47,11 @@ export class Toolbar {
 
   // --- keys ---
 
-  get #controls() {
-    return [...this.#bar.querySelectorAll(controlsIn)].filter((control) => !control.disabled && control.checkVisibility());
-  }
+  get #controls() { return usableIn(this.#bar); }
 
   #makeStop(control) {
     if (!control?.matches(controlsIn)) return;
     for (const one of this.#bar.querySelectorAll(controlsIn)) one.tabIndex = one === control ? 0 : -1;
-  }
-
-  #onKey(event) {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const { key, target } = event;
-    const ranges = target.type === 'range';  // these keys are its own: it is left up or down
-    const step = { ArrowRight: !ranges && 1, ArrowLeft: !ranges && -1, ArrowDown: 1, ArrowUp: -1 }[key];
-    const end = { Home: 0, End: -1 }[key];
-    // Up and down choose in a list, as everywhere.
-    if (target.matches('select') && key.startsWith('Arrow') && /Up|Down/.test(key)) return;
-    if (!step && (end === undefined || ranges)) return;
-    const controls = this.#controls;
-    const at = controls.indexOf(target);
-    const next = step ? controls[(at + step + controls.length) % controls.length] : controls.at(end);
-    next?.focus();
-    next?.scrollIntoView({ block: 'nearest', inline: 'nearest' });
-    event.preventDefault();
   }
 
   /** `[button, enabled]` each: one that is disabled while it has the focus hands that on. */
@@ -109,6 +92,24 @@ export class Toolbar {
     }
     return out;
   }
+}
+
+/** Arrows, Home and End go from one of `controls` to another, but for the keys that the one with the focus needs itself. `wraps`: from the last to the first. */
+function moveFocus(event, controls, { wraps = false } = {}) {
+  if (event.ctrlKey || event.metaKey || event.altKey) return;
+  const { key, target } = event;
+  const types = target.matches('input') && !/range|checkbox|color|file/.test(target.type);
+  const ranges = target.type === 'range';  // it is left up or down
+  const step = { ArrowRight: !ranges && 1, ArrowLeft: !ranges && -1, ArrowDown: 1, ArrowUp: -1 }[key];
+  const end = { Home: 0, End: -1 }[key];
+  // Up and down choose in a list, as everywhere; text is left by Tab.
+  if (types || (target.matches('select') && /Up|Down/.test(key))) return;
+  if (!step && (end === undefined || ranges)) return;
+  const at = controls.indexOf(target);
+  const next = step ? controls[wraps ? (at + step + controls.length) % controls.length : at + step] : controls.at(end);
+  next?.focus();
+  next?.scrollIntoView({ block: 'nearest', inline: 'nearest' });
+  event.preventDefault();
 }
 
 /** Which ends of a scrolling group have more behind them. */

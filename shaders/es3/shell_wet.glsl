@@ -10,6 +10,8 @@ in vec4 vTileOfFur;  // tiles that a fur length covers: along axisS (x, y), alon
 const vec2 kFarLevels = vec2(3.7, 4.0), kShortFarLevels = vec2(2.6, 3.0);
 // Clumps of as few pixels in radius as the first of these are drawn as one as well, as their strands and gaps would be grain; from the second on none.
 const float kSmallClump = 1.0, kLargeClump = 4.5;
+// Up to the first of these pixels in radius tufts are not seen, from the second on they are.
+const vec2 kTuftPixels = vec2(0.6, 1.8);
 const float kLeastSmooth = 0.15;  // clumpsSmooth of the smallest that are drawn; four times as large as that all is left
 const float kFewestDrawn = 0.55;  // pixels along a side, as a share of those shown
 // Of what is drawn as one, from here on what the march finds does not show (it is weighted by 1 - joined): that many steps.
@@ -35,7 +37,8 @@ float sheet, joined;              // how far the clumps that are drawn have clos
 float clumpsSmooth;               // what glints on soaked clumps has left of its smoothness where they are small
 float coatTop;                    // how high it stands
 float enters, closes;             // where the ray comes to that; what hides all
-float locksInClumps;              // to a tile
+float locksAcross;                // in clumps, or tufts of short fur: to a tile
+float tufts;                      // tuftsOf(), where they are seen one by one
 vec2 lean, tipTile;               // where its tips are from their roots: fur lengths, tiles
 vec2 bend;                        // and where they would be when dry
 float wetLength;                  // of its strands that no clump draws aside, fur lengths
@@ -92,8 +95,8 @@ void enterWater() {
   mat2 tileFromFur = mat2(vTileOfFur.xy, 0.0, vTileOfFur.z);
   furFromTile = inverse(tileFromFur);
   furLengths = sqrt(abs(determinant(furFromTile)));
-  locksInClumps = FUR_LOCKS_IN_CLUMP / (clumpRadius * tilesPerUnit);
   shortness = shortnessOf(coatHere());
+  locksAcross = (shortness > 0.5 ? 1.0 : FUR_LOCKS_IN_CLUMP) / (clumpRadius * tilesPerUnit);
   vec2 water = waterOfLine(tileFromFur);
   entryHeld = water.x;
   vec4 entryClump = maskAt(mask, vAtlas);
@@ -111,8 +114,9 @@ void enterWater() {
   float clumpPixels = clumpRadius * tilesPerUnit * tileTexels * exp2(-shown);
   float smallClumps = 1.0 - smoothstep(kSmallClump, kLargeClump, clumpPixels);
   clumpsSmooth = mix(1.0, mix(kLeastSmooth, 1.0, smoothstep(kLargeClump, 4.0 * kLargeClump, clumpPixels)), soakedShare);
+  tufts = tuftsOf(entryHeld, coatHere()) * smoothstep(kTuftPixels.x, kTuftPixels.y, FUR_TUFT_RADIUS * clumpPixels);
   joined = max(soakedShare * (2.0 - soakedShare) * far, min(2.0 * entryHeld, 1.0) * smallClumps);
-  joined = max((1.0 + kUnseenSheet) * joined - kUnseenSheet, 0.0);
+  joined = max((1.0 + kUnseenSheet) * joined - kUnseenSheet, 0.0) * (1.0 - tufts);
   locked = max(joined, shortness * min(2.0 * entryHeld, 1.0));
   bend = 0.5 * vLean.xy;
   lean = wetLean(bend, water.y, sheetOf(water.y, shortness));
@@ -207,16 +211,39 @@ vec4 clumpThere(vec2 a, inout March march, out vec2 mirrored) {
 // The water that draws a clump's strands together.
 float drawnBy(vec4 clump) { return clumpingWetness(clump.a, clump.z * atlasLength * furLengths, chanceOfClump(ownMiddle(clump))); }
 
+// Where it roots, what its lock or tuft has drawn to `spot` (tile), leaving so much of the way to the middle of that (`apart`) and to its clump's
+// as well (`left`): so close together strands hide one another; of as many as there are, so many are seen as have room, each as wide as it is.
+// `from`: its way from the middle.
+vec2 rootInLock(vec2 spot, vec2 middle, float apart, float left, out vec2 from) {
+  from = (spot - middle) / apart;
+  return middle + from * mix(1.0, left, seenApart);
+}
+// How many of a tuft's strands are there, 0..1, `along` of which lies further out.
+float inTuft(vec2 from, float apart, inout float along) {
+  along = length(vec2(along, length(furFromTile * from) * tufts * (1.0 - apart) / wetLength));
+  float across = locksAcross / FUR_TUFT_RADIUS;
+  return mix(1.0, insideRim(dot(from, from) * across * across), tufts);
+}
+// Drawn together, strands are coarser by so many mip levels.
+float coarserBy(float left) { return min(2.0 - 2.0 * left, 1.0) * 2.0 * (1.0 - seenApart); }
+
 const float kNoClumps = 0.999;  // in a sheet as whole as that clumps draw nothing aside
 bool drawsNothing() { return sheet > kNoClumps; }
 // The strand that the ray meets at x where no clump draws it aside.
 Strand aloneAt(float x) {
-  float h = heightAt(x), share = h / coatTop, along = alongStrand(h, lean * share + bend * (h * h)) / wetLength;
-  vec2 root = tileAt(x, h) - tipTile * share;
+  float h = heightAt(x), share = h / coatTop, along = alongStrand(h, lean * share + bend * (h * h)) / wetLength, apart = 1.0, own = 1.0;
+  vec2 root = tileAt(x, h) - tipTile * share, from = vec2(0.0);
+  for (int i = 0, once = int(tufts > 0.0); i < once; ++i) {
+    vec2 middle = lockCentreNear(root * locksAcross);
+    apart = 1.0 - tuftPull(min(along, 1.0), tufts, middle);
+    root = rootInLock(root, middle / locksAcross, apart, apart, from);
+    own = inTuft(from, apart, along) / (apart * apart);
+  }
 #ifdef GROOMED
   furThere = atlasAt(root);
 #endif
-  return Strand(root, along, clamp(8.0 - 8.0 * along, 0.0, 1.0), 0.0, vec4(0.0, 0.0, 0.0, entryHeld), vec2(0.0)
+  vec4 tuft = vec4(0.0, 0.0, FUR_TUFT_RADIUS / (locksAcross * atlasLength), entryHeld);
+  return Strand(root, along, own * clamp(8.0 - 8.0 * along, 0.0, 1.0), coarserBy(apart), tuft, from
 #ifdef TYPES
   , vec4(0.0)
 #endif
@@ -236,11 +263,12 @@ Strand standingAt(float x, inout March march) {
   float outward = dot(from, from) / max(clump.z * clump.z, 1e-12) * float(clump.a > 0.0), own = insideRim(outward);
   own *= outward > kMiddle && sheet < kOneSheet ? isOwn(clump, from) : 1.0;
   along = alongStrand(h, lean * along + bend * (h * h) - furFromTile * aside) / wetLength * rimTaper(soakedShare, sheet, outward);
-  // Locks draw their strands together once more. So close together strands hide one another: of as many as there are, so many are seen as
-  // have room, each as wide as it is.
-  vec2 root = inOwnTile(tile + aside), middle = lockCentreNear(root * locksInClumps) / locksInClumps;
-  float apart = 1.0 - lockPull(min(along, 1.0), drawn, sheet), left = (1.0 - pull) * apart;
-  root = middle + (root - middle) / apart * mix(1.0, left, seenApart);
+  // Locks draw their strands together once more.
+  vec2 spot = inOwnTile(tile + aside), middle = lockCentreNear(spot * locksAcross), fromMiddle;
+  float inLock = max(lockPull(min(along, 1.0), drawn, lockSheet(sheet, shortness)), tuftPull(min(along, 1.0), tufts, middle));
+  float apart = 1.0 - inLock, left = (1.0 - pull) * apart;
+  vec2 root = rootInLock(spot, middle / locksAcross, apart, left, fromMiddle);
+  own *= inTuft(fromMiddle, apart, along);
 #ifdef GROOMED
   furThere = side > 0.0 ? furSpot(root) : march.inside;
 #endif
@@ -248,7 +276,7 @@ Strand standingAt(float x, inout March march) {
   own = max(own / (left * left), 0.4 * sheet) * clamp(8.0 - 8.0 * along, 0.0, 1.0);
   if (clump.a < 0.0) clump.a = entryHeld;
   clump.xy = ownMiddle(clump);
-  return Strand(root, along, own, min(2.0 - 2.0 * left, 1.0) * 2.0 * (1.0 - seenApart), clump, tileFromAtlas * from * side
+  return Strand(root, along, own, coarserBy(left), clump, tileFromAtlas * from * side
 #ifdef TYPES
   , vec4(0.0)
 #endif
@@ -340,6 +368,8 @@ void joinStrands(inout Met met, float furry) {
     float share = min(kHidesLying * densityShown(), 1.0), hides = clamp(share + 4.0 * (share - 1.0 + (met.number - 0.15) / 0.75), 0.0, 1.0);
     if (reachesSkin) met.closed = mix(met.closed, 1.0, joined * furry * hides);
   }
+  lying.rises = mix(lying.rises, 1.0, tufts);
+  lying.outward *= 1.0 - tufts;
   lying.chance += ofStrand;
 }
 
@@ -370,7 +400,7 @@ vec3 soaked(vec3 albedo, float rho) { return wetCoatAlbedo(albedo, rho); }
 
 vec3 waterLight(vec3 color, vec3 albedo, Met met, vec3 T, vec3 L, vec3 V, float lit) {
   vec2 back = lean * (lying.chance / max(length(lean), 1e-3)), outward = met.here.from / max(met.here.clump.z * atlasLength, 1e-6);
-  outward *= (1.0 - shortness) * (1.0 - joined) / max(length(outward), 1.0);
+  outward *= (1.0 - shortness * (1.0 - tufts)) * (1.0 - joined) / max(length(outward), 1.0);
   vec3 n = normalize(clumpNormal(outward, sheet) + vec3(0.8 * joined * tiltOf(met) + lying.outward - back, 0.0));
   color *= mix(FUR_LOCK_GAP, 1.0, lying.rises);
   float glints = met.number * mix(mix(1.0, FUR_SHEET_GLINTS, soakedShare), 0.65 + 0.6 * abs(lying.chance), joined);

@@ -101,6 +101,10 @@ void main() {
   float value = 0.1 * clumpProfileSlope(mix(1.0 / 32.0, 1.0, at.x), at.y, 32.0);
 #elif FUNCTION == 38
   float value = lockPull(at.x, 1.5 * at.y, sheetOf(at.y, 0.0));
+#elif FUNCTION == 53
+  float value = tuftPull(at.x, tuftsOf(at.y, mix(0.5, 4.0, at.x) * clumpRadius), vec2(3.3, 5.7));
+#elif FUNCTION == 54
+  float value = lockSheet(at.x, at.y);
 #elif FUNCTION == 39
   float value = 0.4 * clumpShade(at.x * 2.0 - 1.0, 2.0 * at.y - at.x, 1.0 - at.x * at.y, at.y, 1.2 * at.y, sheetOf(at.x, 0.0));
 #elif FUNCTION == 51

@@ -1,8 +1,7 @@
 // Where water takes a strand: the forward formulas of Silva et al. 2010, whose inverse the shaders take at each step (wet/Clump.h).
 // A strand belongs to the clump in whose texel of the mask it roots. What the paper leaves open is as src/render/README.md has it:
-// wet strands lie down the way they lean and stand lower, soaked clumps open a little, and each clump holds smaller locks. Here a strand
-// keeps its length to the end,
-// and one that roots in a clump's rim is no shorter than the others.
+// wet strands lie down the way they lean and stand lower, soaked clumps open a little, each clump holds smaller locks, and short fur
+// stands in tufts. Here a strand keeps its length to the end, and one that roots in a clump's rim is no shorter than the others.
 #pragma once
 
 #include <array>
@@ -27,7 +26,8 @@ class Wetting {
   struct Strand {
     Wetness water;
     glm::dvec2 root, centre;  // tile; of its clump
-    glm::dvec2 lock;          // the middle of its lock in the clump
+    glm::dvec2 lock;          // the middle of its lock in the clump, or of its tuft
+    float inLock = 0;         // how far it goes there at its tip, a share of the way
     float drawn = 0;          // wet::clumpingWetness(); 0: it belongs to no clump
     glm::dvec2 lean{0};       // of the tip, tiles
     float top = 1;            // wet::wetTop()
@@ -35,7 +35,7 @@ class Wetting {
   };
   // None where it is dry.
   std::optional<Strand> at(const Root& root) const;
-  // s of Eq. 1, 0 at the root; a strand goes first to the middle of its lock by wet::lockPull().
+  // s of Eq. 1, 0 at the root; a strand goes first to the middle of its lock, by wet::lockPull() or wet::tuftPull().
   float pullAt(const Strand& strand, float h) const;
   // Where the place `dry` of a strand, tile coordinates at height h, is when it is wet; and its share of the coat's height.
   glm::dvec2 tileAt(const Strand& strand, const glm::dvec2& dry, float h) const;

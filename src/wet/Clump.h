@@ -89,6 +89,21 @@ inline float lockPull(float h, float rho, float sheet) {
   return FUR_LOCK_IN_CLUMP_PULL * std::min(rho, 1.0f) * (1.0f - sheet) * h * h;
 }
 
+// How far fur of that length, where clumps have that radius, stands in tufts, 0..1: short fur that is half wet; and the share of the way to the
+// middle of its tuft that a strand has gone at height h, which is by chance: `middle`, in cells of the grid. Fur of half that shortness has no tufts yet and no locks in its clumps any more
+// (lockSheet(), for lockPull()), so that one grid of cells can stand for both.
+inline float tuftsOf(float rho, float length, float clumpRadius) {
+  const float some = glm::smoothstep(float{FUR_TUFTS_FROM}, float{FUR_TUFTS}, rho) * (1 - glm::smoothstep(float{FUR_TUFTS_LIE}, float{FUR_NO_TUFTS}, rho));
+  const float wide = float{FUR_TUFT_RADIUS} * clumpRadius / std::max(length, 1e-5f);
+  return some * glm::smoothstep(0.5f, 1.0f, shortnessOf(length, clumpRadius)) *
+         (1 - glm::smoothstep(float{FUR_WIDE_TUFT}, float{FUR_WIDEST_TUFT}, wide));
+}
+inline float tuftPull(float h, float tufts, const Vec2& middle) {
+  const float chance = glm::fract(glm::dot(glm::floor(middle), Vec2(0.7548777f, 0.5698403f)));
+  return float{FUR_TUFT_PULL} * (1 - float{FUR_TUFTS_DIFFER} * chance) * tufts * h * h;
+}
+inline float lockSheet(float sheet, float shortness) { return std::max(sheet, std::min(2 * shortness, 1.0f)); }
+
 // The position along a strand of constant length of a point at height h that is displaced by `aside`, all in fur lengths. So
 // the outer strands of a clump end lower, which makes the clump pointed.
 inline float alongStrand(float h, float aside) { return std::sqrt(h * h + aside * aside); }

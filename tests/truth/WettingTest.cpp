@@ -99,6 +99,43 @@ TEST(Wetting, StrandsOfAClumpComeToItsCentreByEquationOne) {
   EXPECT_GT(seen, 20);
 }
 
+TEST(Wetting, TipsOfHalfWetShortFurComeTogetherInTufts) {
+  const geometry::Surface surface = atlasSquare();
+  const auto bends = test::straight(surface);
+  furgen::Coat coat = lawn();
+  for (furgen::Node& node : coat.nodes) node.shift = Vec2(0);
+  constexpr float kTiles = 4, kRadius = 0.06f, kShort = kRadius / 0.6f;
+  auto fur = test::furOf(kShort, kTiles);
+  fur.clumpRadius = kRadius;
+  const FurMap map(surface, bends, kShort, kTiles);
+  // How far it is to the next strand from its tip, as a share of how far it is from its root, in the mean.
+  const auto apart = [&](float rho, float radius) {
+    const wet::MaskTexels mask = maskOf({0.5f, 0.5f, radius, rho});
+    const Wetting wetting(map, mask, fur);
+    const Tubes tubes = placeStrands(map, coat, 0, &wetting);
+    const auto meanOfNearest = [&](bool tips) {
+      std::vector<Vec2> points;
+      for (const Tube& tube : tubes.tubes) {
+        const Vec3 node = tubes.nodes[tube.firstNode + (tips ? tube.nodeCount - 1 : 0)].position;
+        points.emplace_back(node.x, node.z);
+      }
+      float sum = 0;
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        float nearest = 1;
+        for (std::size_t k = 0; k < points.size(); ++k)
+          if (k != i) nearest = std::min(nearest, glm::distance(points[i], points[k]));
+        sum += nearest;
+      }
+      return sum / static_cast<float>(points.size());
+    };
+    return meanOfNearest(true) / meanOfNearest(false);
+  };
+  for (const float radius : {0.0f, 0.06f}) {  // of no clump, of one
+    EXPECT_LT(apart(0.5f, radius), 0.75f) << radius;
+    EXPECT_NEAR(apart(1, radius), 1, 0.01f) << radius << ": soaked fur lies in a sheet";
+  }
+}
+
 TEST(Wetting, AStrandKeepsItsLengthHoweverWetAndHoweverItLiesButForTheRimsOfSoakedClumps) {
   const geometry::Surface surface = atlasSquare();
   const furgen::Coat coat = lawn(0.4f);

@@ -136,6 +136,37 @@ test('the bar is one stop for Tab; arrow keys, Home and End go through it, past 
   assert.deepEqual(page.problems, []);
 });
 
+test('a button that opens tools names the one in hand; arrow keys, Home and End go through what it opens, but for what is typed', async () => {
+  const page = await site.open(`?${plain}&src=plane`, { viewport: { width: 1280, height: 800 } });
+  const shown = () => page.$eval('#water', (opener) => [opener.textContent.trim(), opener.getAttribute('aria-label')]);
+  const focused = () => page.evaluate(() => document.activeElement.dataset.tool ?? document.activeElement.id);
+  await page.click('#water');
+  await page.focus('[data-tool=rain]');
+  const after = async (key) => {
+    await page.keyboard.press(key);
+    return focused();
+  };
+  assert.equal(await after('ArrowRight'), 'hose');
+  assert.equal(await after('Home'), 'dry');
+  assert.equal(await after('ArrowUp'), 'dry', 'the first is the end');
+  assert.equal(await after('ArrowDown'), 'rain');
+  await page.focus('#drying');
+  const dries = await page.inputValue('#drying');
+  assert.equal(await after('ArrowRight'), 'drying');
+  assert.notEqual(await page.inputValue('#drying'), dries, 'a slider keeps its own keys');
+  await page.focus('#letters input');
+  await page.keyboard.type('ab');
+  await page.keyboard.press('ArrowLeft');
+  await page.keyboard.type('-');
+  assert.equal(await page.inputValue('#letters input'), 'a-b');
+  await page.click('[data-tool=hose]');
+  assert.deepEqual(await shown(), ['Hose', 'Water: Hose']);
+  await page.keyboard.press('Escape');
+  await page.click('[data-tool=comb]');
+  assert.deepEqual(await shown(), ['Water', 'Water']);
+  assert.deepEqual(page.problems, []);
+});
+
 test('size and wetness of the brush are in the bar, and [ and ] change the size unless they are typed', async () => {
   const page = await site.open(`?${plain}&src=plane`, { viewport: { width: 390, height: 844 } });
   const brush = () => withFur(page, (fur) => [fur.brushRadius, fur.brushFlow]);

@@ -151,6 +151,26 @@ TEST(LockPull, SplitsClumpsAtTheirTipsAndNeitherTheirFeetNorASheet) {
   EXPECT_LT(lockPull(1, 5, 0), 0.9f);  // 1 / (1 - pull) stays finite, however much water there is
 }
 
+TEST(Tufts, AreOfShortFurThatIsHalfWet) {
+  constexpr float kRadius = 0.03f, kShort = kRadius / 0.6f;
+  EXPECT_GT(tuftsOf(0.5f, kShort, kRadius), 0.99f);
+  EXPECT_EQ(tuftsOf(0.5f, 4 * kRadius, kRadius), 0) << "long fur makes clumps";
+  EXPECT_EQ(tuftsOf(0.5f, 0.5f * kRadius, kRadius), 0) << "no strand reaches from the rim of a tuft to its middle";
+  for (const float rho : {0.0f, 0.1f, 1.0f, 2.0f}) EXPECT_EQ(tuftsOf(rho, kShort, kRadius), 0) << rho;
+  EXPECT_EQ(tuftPull(0, 1, {0, 0}), 0) << "strands stay where they root";
+  EXPECT_LT(tuftPull(1, 1, {0, 0}), 0.9f) << "1 / (1 - pull) stays finite";
+  EXPECT_NE(tuftPull(1, 1, {0, 0}), tuftPull(1, 1, {1, 0})) << "no two are alike";
+  EXPECT_EQ(tuftPull(1, 1, {1.2f, 0.3f}), tuftPull(1, 1, {1.7f, 0.6f})) << "all of a tuft agree";
+}
+
+TEST(Tufts, BeginWhereClumpsHaveNoLocksAnyMore) {
+  constexpr float kRadius = 0.03f;
+  for (float length = 0.5f * kRadius; length < 4 * kRadius; length += 0.01f * kRadius) {
+    const float pull = lockPull(1, 1, lockSheet(0, shortnessOf(length, kRadius)));
+    EXPECT_TRUE(pull == 0 || tuftsOf(0.5f, length, kRadius) == 0) << length << ": one grid of cells is both";
+  }
+}
+
 TEST(ClumpShift, LeadsBackExactlyToTheRoot) {
   Random random(1);
   for (int k = 0; k < 1000; ++k) {

@@ -61,6 +61,21 @@
 #define FUR_LOCKS_IN_CLUMP 2.0
 #define FUR_LOCK_IN_CLUMP_PULL 0.6
 
+// Short fur, which makes no clumps, is drawn together into tufts while it is half wet: cells of the grid of locks (furgen/LockCentres.h), a
+// clump's radius across. How far their strands go to the middle at their tips, and by how much less in some, by chance; and how wide a tuft is
+// from its middle on, in cells.
+#define FUR_TUFT_PULL 0.8
+#define FUR_TUFTS_DIFFER 0.6
+#define FUR_TUFT_RADIUS 0.6
+// The wetness from which on there are some, from which on all; up to which all, from which on none: there fur lies in a sheet.
+#define FUR_TUFTS_FROM 0.1
+#define FUR_TUFTS 0.4
+#define FUR_TUFTS_LIE 0.7
+#define FUR_NO_TUFTS 1.0
+// Still shorter fur makes none: their radius in fur lengths up to which there are all, from which on none.
+#define FUR_WIDE_TUFT 0.35
+#define FUR_WIDEST_TUFT 0.8
+
 // The encoded mask (wet/MaskEncoding.h) tells the chart of a texel beside its clump's centre: u is stored with FUR_CHART_STEP
 // times the chart's number, and half as much again, which keeps it positive where the centre lies beside the atlas. Numbers
 // go round after FUR_CHART_NUMBERS.
