@@ -54,7 +54,7 @@ float lockPull(float h, float held, float sheet) { return FUR_LOCK_IN_CLUMP_PULL
 float tuftsOf(float held, float coat) {
   float some = smoothstep(FUR_TUFTS_FROM, FUR_TUFTS, held) * (1.0 - smoothstep(FUR_TUFTS_LIE, FUR_NO_TUFTS, held));
   float wide = FUR_TUFT_RADIUS * clumpRadius / max(coat, 1e-5);
-  return some * smoothstep(0.5, 1.0, shortnessOf(coat)) * (1.0 - smoothstep(FUR_WIDE_TUFT, FUR_WIDEST_TUFT, wide));
+  return some * smoothstep(0.5, 0.75, shortnessOf(coat)) * (1.0 - smoothstep(FUR_WIDE_TUFT, FUR_WIDEST_TUFT, wide));
 }
 float tuftPull(float h, float tufts, vec2 middle) {
   float chance = fract(dot(floor(middle), vec2(0.7548777, 0.5698403)));

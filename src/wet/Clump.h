@@ -95,7 +95,7 @@ inline float lockPull(float h, float rho, float sheet) {
 inline float tuftsOf(float rho, float length, float clumpRadius) {
   const float some = glm::smoothstep(float{FUR_TUFTS_FROM}, float{FUR_TUFTS}, rho) * (1 - glm::smoothstep(float{FUR_TUFTS_LIE}, float{FUR_NO_TUFTS}, rho));
   const float wide = float{FUR_TUFT_RADIUS} * clumpRadius / std::max(length, 1e-5f);
-  return some * glm::smoothstep(0.5f, 1.0f, shortnessOf(length, clumpRadius)) *
+  return some * glm::smoothstep(0.5f, 0.75f, shortnessOf(length, clumpRadius)) *
          (1 - glm::smoothstep(float{FUR_WIDE_TUFT}, float{FUR_WIDEST_TUFT}, wide));
 }
 inline float tuftPull(float h, float tufts, const Vec2& middle) {
