@@ -94,7 +94,10 @@ export class Toolbar {
   }
 }
 
-/** Arrows, Home and End go from one of `controls` to another, but for the keys that the one with the focus needs itself. `wraps`: from the last to the first. */
+/**
+ * Arrows, Home and End go from one of `controls` to another, but for the keys that the one with the focus needs itself.
+ * `wraps`: from the last to the first, too.
+ */
 function moveFocus(event, controls, { wraps = false } = {}) {
   if (event.ctrlKey || event.metaKey || event.altKey) return;
   const { key, target } = event;

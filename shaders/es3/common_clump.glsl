@@ -50,7 +50,8 @@ float clumpPull(float h, float held, float sheet) {
 float lockPull(float h, float held, float sheet) { return FUR_LOCK_IN_CLUMP_PULL * min(held, 1.0) * (1.0 - sheet) * h * h; }
 
 // How far fur of that length (model units) stands in tufts, 0..1; and how far those have drawn a strand to their middle at height h, which is
-// by chance: `middle`, in cells. Fur of half that shortness has no tufts yet and no locks in its clumps any more (lockSheet()), so that one grid of cells can stand for both.
+// by chance: `middle`, in cells. Fur of half that shortness has no tufts yet and no locks in its clumps any more (lockSheet()), so that one
+// grid of cells can stand for both.
 float tuftsOf(float held, float coat) {
   float some = smoothstep(FUR_TUFTS_FROM, FUR_TUFTS, held) * (1.0 - smoothstep(FUR_TUFTS_LIE, FUR_NO_TUFTS, held));
   float wide = FUR_TUFT_RADIUS * clumpRadius / max(coat, 1e-5);

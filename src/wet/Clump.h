@@ -90,8 +90,8 @@ inline float lockPull(float h, float rho, float sheet) {
 }
 
 // How far fur of that length, where clumps have that radius, stands in tufts, 0..1: short fur that is half wet; and the share of the way to the
-// middle of its tuft that a strand has gone at height h, which is by chance: `middle`, in cells of the grid. Fur of half that shortness has no tufts yet and no locks in its clumps any more
-// (lockSheet(), for lockPull()), so that one grid of cells can stand for both.
+// middle of its tuft that a strand has gone at height h, which is by chance: `middle`, in cells of the grid. Fur of half that shortness has no
+// tufts yet and no locks in its clumps any more (lockSheet(), for lockPull()), so that one grid of cells can stand for both.
 inline float tuftsOf(float rho, float length, float clumpRadius) {
   const float some = glm::smoothstep(float{FUR_TUFTS_FROM}, float{FUR_TUFTS}, rho) * (1 - glm::smoothstep(float{FUR_TUFTS_LIE}, float{FUR_NO_TUFTS}, rho));
   const float wide = float{FUR_TUFT_RADIUS} * clumpRadius / std::max(length, 1e-5f);
