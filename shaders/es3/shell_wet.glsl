@@ -218,9 +218,9 @@ vec2 rootInLock(vec2 spot, vec2 middle, float apart, float left, out vec2 from) 
   from = (spot - middle) / apart;
   return middle + from * mix(1.0, left, seenApart);
 }
-// How many of a tuft's strands are there, 0..1, `along` of which lies further out.
+// How many strands of a tuft there are that root `from` its middle, 0..1; drawn aside, they are further `along`.
 float inTuft(vec2 from, float apart, inout float along) {
-  along = length(vec2(along, length(furFromTile * from) * tufts * (1.0 - apart) / wetLength));
+  along = length(vec3(along, furFromTile * from * (tufts * (1.0 - apart) / wetLength)));
   float across = locksAcross / FUR_TUFT_RADIUS;
   return mix(1.0, insideRim(dot(from, from) * across * across), tufts);
 }
