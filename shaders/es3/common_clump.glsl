@@ -49,19 +49,21 @@ float clumpPull(float h, float held, float sheet) {
 // A clump holds smaller locks, to whose middles strands draw together once more: it splits into them at its tip.
 float lockPull(float h, float held, float sheet) { return FUR_LOCK_IN_CLUMP_PULL * min(held, 1.0) * (1.0 - sheet) * h * h; }
 
+// Of the cell of the grid that has its middle there: its fraction is chance.
+float cellNumber(vec2 middle) { return dot(floor(middle), vec2(0.7548777, 0.5698403)); }
 // How far fur of that length (model units) stands in tufts, 0..1; and how far those have drawn a strand to their middle at height h, which is
-// by chance: `middle`, in cells. Fur of half that shortness has no tufts yet and no locks in its clumps any more (lockSheet()), so that one
-// grid of cells can stand for both.
+// by chance: `middle`, in cells. Fur as short as FUR_TUFTS_SHORT has no tufts yet and no locks in its clumps any more (lockSheet()), so that one
+// grid of cells stands for both: so many along a clump's radius (locksInClump()).
 float tuftsOf(float held, float coat) {
   float some = smoothstep(FUR_TUFTS_FROM, FUR_TUFTS, held) * (1.0 - smoothstep(FUR_TUFTS_LIE, FUR_NO_TUFTS, held));
   float wide = FUR_TUFT_RADIUS * clumpRadius / max(coat, 1e-5);
-  return some * smoothstep(0.5, 0.75, shortnessOf(coat)) * (1.0 - smoothstep(FUR_WIDE_TUFT, FUR_WIDEST_TUFT, wide));
+  return some * smoothstep(FUR_TUFTS_SHORT, 0.75, shortnessOf(coat)) * (1.0 - smoothstep(FUR_WIDE_TUFT, FUR_WIDEST_TUFT, wide));
 }
 float tuftPull(float h, float tufts, vec2 middle) {
-  float chance = fract(dot(floor(middle), vec2(0.7548777, 0.5698403)));
-  return FUR_TUFT_PULL * (1.0 - FUR_TUFTS_DIFFER * chance) * tufts * h * h;
+  return FUR_TUFT_PULL * (1.0 - FUR_TUFTS_DIFFER * fract(cellNumber(middle))) * tufts * h * h;
 }
-float lockSheet(float sheet, float shortness) { return max(sheet, min(2.0 * shortness, 1.0)); }
+float lockSheet(float sheet, float shortness) { return max(sheet, min(shortness / FUR_TUFTS_SHORT, 1.0)); }
+float locksInClump(float shortness) { return shortness > FUR_TUFTS_SHORT ? 1.0 : FUR_LOCKS_IN_CLUMP; }
 
 // The water by which a clump of that radius (fur lengths) draws its strands together, at most 1. In little water some clumps have formed
 // (`chance`: chanceOfClump()); those are drawn together by more than there is, as half-wet hair comes to a point, not to half of one. None is

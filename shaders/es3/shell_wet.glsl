@@ -96,7 +96,7 @@ void enterWater() {
   furFromTile = inverse(tileFromFur);
   furLengths = sqrt(abs(determinant(furFromTile)));
   shortness = shortnessOf(coatHere());
-  locksAcross = (shortness > 0.5 ? 1.0 : FUR_LOCKS_IN_CLUMP) / (clumpRadius * tilesPerUnit);
+  locksAcross = locksInClump(shortness) / (clumpRadius * tilesPerUnit);
   vec2 water = waterOfLine(tileFromFur);
   entryHeld = water.x;
   vec4 entryClump = maskAt(mask, vAtlas);
@@ -300,7 +300,7 @@ Lying locksAt(vec2 tile, vec2 lies, float cells, float frays) {
   for (int i = 0; i < FUR_LOCK_LOOKS; ++i) {
     vec2 centre = lockCentreNear(at - way * ((float(i) + 0.5) / float(FUR_LOCK_LOOKS)));
     // No two are alike: of another length and width, and to another side.
-    vec2 chances = fract(dot(floor(centre), vec2(0.7548777, 0.5698403)) + vec2(0.31, 0.31 * 7.3 + 3.1 * centre.x));
+    vec2 chances = fract(cellNumber(centre) + vec2(0.31, 0.31 * 7.3 + 3.1 * centre.x));
     vec2 own = way * (0.6 + 0.6 * chances.x) + vec2(-way.y, way.x) * (0.3 * (chances.y - 0.5));
     vec2 on = onLock(at - centre, own, FUR_LOCK_HALF_WIDTH * (0.75 + 0.5 * chances.y));
     on += vec2(0.25 * abs(frays), frays);

@@ -105,6 +105,8 @@ void main() {
   float value = tuftPull(at.x, tuftsOf(at.y, mix(0.5, 4.0, at.x) * clumpRadius), vec2(3.3, 5.7));
 #elif FUNCTION == 54
   float value = lockSheet(at.x, at.y);
+#elif FUNCTION == 55
+  float value = locksInClump(at.x);
 #elif FUNCTION == 39
   float value = 0.4 * clumpShade(at.x * 2.0 - 1.0, 2.0 * at.y - at.x, 1.0 - at.x * at.y, at.y, 1.2 * at.y, sheetOf(at.x, 0.0));
 #elif FUNCTION == 51

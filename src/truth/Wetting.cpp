@@ -31,7 +31,7 @@ float wetnessAt(const wet::MaskTexels& mask, const Vec2& atlas) { return waterOf
 
 Wetting::Wetting(const FurMap& map, const wet::MaskTexels& mask, const render::shared::FurBlock& coat)
     : map_(map), mask_(mask), coat_(coat), lockCentres_(furgen::lockCentres(kLockTexels, static_cast<int>(FUR_LOCKS_ACROSS))),
-      locksPerTile_((wet::shortnessOf(coat.furLength, coat.clumpRadius) > 0.5f ? 1 : FUR_LOCKS_IN_CLUMP) / std::max(coat.clumpRadius * coat.tilesPerUnit, 1e-6f)) {
+      locksPerTile_(wet::locksInClump(wet::shortnessOf(coat.furLength, coat.clumpRadius)) / std::max(coat.clumpRadius * coat.tilesPerUnit, 1e-6f)) {
   FUR_ASSERT(mask.texels.size() == static_cast<std::size_t>(mask.size) * static_cast<std::size_t>(mask.size), "Wetting::Wetting()", "a whole mask",
              mask.texels.size());
 }
@@ -80,8 +80,7 @@ std::optional<Wetting::Strand> Wetting::at(const Root& root) const {
   const float much = glm::length(aside), lies = wet::wetLean(much, lying, wet::sheetOf(lying, shortness));
   strand.top = wet::wetTop(wet::upright(rho, water.soaked), much, lies, water.soaked);
   if (much > 1e-6f) strand.lean = map_.tileStep(root.spot, aside * (lies / much * coat_.furLength));
-  const float tufts = wet::tuftsOf(water.held, coat_.furLength, coat_.clumpRadius);
-  strand.inLock = wet::tuftPull(1, tufts, Vec2(strand.lock * locksPerTile_));
+  strand.tufts = wet::tuftsOf(water.held, coat_.furLength, coat_.clumpRadius);
   texel.x -= static_cast<float>(FUR_CHART_STEP) * (std::floor(texel.x / static_cast<float>(FUR_CHART_STEP)) + 0.5f);
   const Vec2 centre(texel);
   if (texel.w <= 0 || !(clumpRadius > 0) || glm::length(centre - atlas) > kFarthestCentre) return strand;
@@ -92,9 +91,8 @@ std::optional<Wetting::Strand> Wetting::at(const Root& root) const {
   strand.centre = at;
   water.chance = wet::chanceOfClump(centre);
   strand.drawn = wet::clumpingWetness(rho, std::max(radius, apart) / coat_.furLength, water.chance);
-  strand.inLock = std::max(strand.inLock, wet::lockPull(1, strand.drawn, wet::lockSheet(water.sheet, shortness)));
   strand.shorter = wet::rimTaper(water.soaked, water.sheet, apart * apart / (radius * radius));
-  water.outward = (1 - shortness * (1 - tufts)) * (way - normal * glm::dot(way, normal)) / std::max(radius, apart);
+  water.outward = (1 - shortness * (1 - strand.tufts)) * (way - normal * glm::dot(way, normal)) / std::max(radius, apart);
   return strand;
 }
 
@@ -105,7 +103,9 @@ float Wetting::pullAt(const Strand& strand, float h) const {
 }
 
 glm::dvec2 Wetting::tileAt(const Strand& strand, const glm::dvec2& dry, float h) const {
-  const glm::dvec2 inLock = dry - double{strand.inLock} * double{h} * double{h} * (strand.root - strand.lock);
+  const float lock = wet::lockPull(h, strand.drawn, wet::lockSheet(strand.water.sheet, strand.water.shortness));
+  const float tuft = wet::tuftPull(h, strand.tufts, Vec2(strand.lock * locksPerTile_));
+  const glm::dvec2 inLock = dry - double{std::max(lock, tuft)} * (strand.root - strand.lock);
   return inLock - double{pullAt(strand, h)} * (inLock - strand.centre) + strand.lean * double{h};
 }
 

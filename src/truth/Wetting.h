@@ -27,7 +27,7 @@ class Wetting {
     Wetness water;
     glm::dvec2 root, centre;  // tile; of its clump
     glm::dvec2 lock;          // the middle of its lock in the clump, or of its tuft
-    float inLock = 0;         // how far it goes there at its tip, a share of the way
+    float tufts = 0;          // wet::tuftsOf()
     float drawn = 0;          // wet::clumpingWetness(); 0: it belongs to no clump
     glm::dvec2 lean{0};       // of the tip, tiles
     float top = 1;            // wet::wetTop()

@@ -90,19 +90,21 @@ inline float lockPull(float h, float rho, float sheet) {
 }
 
 // How far fur of that length, where clumps have that radius, stands in tufts, 0..1: short fur that is half wet; and the share of the way to the
-// middle of its tuft that a strand has gone at height h, which is by chance: `middle`, in cells of the grid. Fur of half that shortness has no
-// tufts yet and no locks in its clumps any more (lockSheet(), for lockPull()), so that one grid of cells can stand for both.
+// middle of its tuft that a strand has gone at height h, which is by chance: `middle`, in cells of the grid. Fur as short as
+// FUR_TUFTS_SHORT has no tufts yet and no locks in its clumps any more (lockSheet(), for lockPull()), so that one grid of cells stands for both:
+// so many along a clump's radius (locksInClump()).
 inline float tuftsOf(float rho, float length, float clumpRadius) {
   const float some = glm::smoothstep(float{FUR_TUFTS_FROM}, float{FUR_TUFTS}, rho) * (1 - glm::smoothstep(float{FUR_TUFTS_LIE}, float{FUR_NO_TUFTS}, rho));
   const float wide = float{FUR_TUFT_RADIUS} * clumpRadius / std::max(length, 1e-5f);
-  return some * glm::smoothstep(0.5f, 0.75f, shortnessOf(length, clumpRadius)) *
+  return some * glm::smoothstep(float{FUR_TUFTS_SHORT}, 0.75f, shortnessOf(length, clumpRadius)) *
          (1 - glm::smoothstep(float{FUR_WIDE_TUFT}, float{FUR_WIDEST_TUFT}, wide));
 }
 inline float tuftPull(float h, float tufts, const Vec2& middle) {
   const float chance = glm::fract(glm::dot(glm::floor(middle), Vec2(0.7548777f, 0.5698403f)));
   return float{FUR_TUFT_PULL} * (1 - float{FUR_TUFTS_DIFFER} * chance) * tufts * h * h;
 }
-inline float lockSheet(float sheet, float shortness) { return std::max(sheet, std::min(2 * shortness, 1.0f)); }
+inline float lockSheet(float sheet, float shortness) { return std::max(sheet, std::min(shortness / float{FUR_TUFTS_SHORT}, 1.0f)); }
+inline float locksInClump(float shortness) { return shortness > float{FUR_TUFTS_SHORT} ? 1.0f : float{FUR_LOCKS_IN_CLUMP}; }
 
 // The position along a strand of constant length of a point at height h that is displaced by `aside`, all in fur lengths. So
 // the outer strands of a clump end lower, which makes the clump pointed.

@@ -112,6 +112,7 @@ TEST(Twins, StrandsOfAClump) {
   EXPECT_LT(largestDifference(38, [](float u, float v) { return wet::lockPull(u, 1.5f * v, wet::sheetOf(v)); }), kGpuPrecision);
   EXPECT_LT(largestDifference(53, [](float u, float v) { return wet::tuftPull(u, wet::tuftsOf(v, glm::mix(0.5f, 4.0f, u) * kClumpRadius, kClumpRadius), {3.3f, 5.7f}); }), kGpuPrecision);
   EXPECT_LT(largestDifference(54, wet::lockSheet), kGpuPrecision);
+  EXPECT_LT(largestDifference(55, [](float u, float) { return wet::locksInClump(u); }), kGpuPrecision);
   EXPECT_LT(largestDifference(13, [](float u, float v) { return wet::clumpPull(glm::mix(1 / kLayers, 1.0f, u), kClumpShape, kLayers, v); }), kGpuPrecision);
   EXPECT_LT(largestDifference(14, wet::alongStrand), kGpuPrecision);
   EXPECT_LT(largestDifference(17, [](float u, float v) { return wet::wetLean(u, v); }), kGpuPrecision);

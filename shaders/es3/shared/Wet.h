@@ -67,6 +67,8 @@
 #define FUR_TUFT_PULL 0.8
 #define FUR_TUFTS_DIFFER 0.6
 #define FUR_TUFT_RADIUS 0.6
+// From this shortness on that grid is one of tufts, up to it one of locks in clumps.
+#define FUR_TUFTS_SHORT 0.5
 // The wetness from which on there are some, from which on all; up to which all, from which on none: there fur lies in a sheet.
 #define FUR_TUFTS_FROM 0.1
 #define FUR_TUFTS 0.4
