@@ -9,13 +9,13 @@ float naturalLog(float x) {
          0.40545697 + u * (0.33333567 + u * (-0.05540979 + u * (0.01230384 + u * (-0.00346471 + u * 0.00093152))));
 }
 
-// f(h) = (1 - w) h + w (1 + ln h / ln N), h in [1/N, 1].
-float clumpProfile(float h, float w, float layers) {
-  return (1.0 - w) * h + w * (1.0 + naturalLog(max(h, 1.0 / layers)) / naturalLog(layers));
+// f(h) = (1 - w) h + w (1 + ln h / ln N), h in [1/N, 1]. `layers`: N; `layersLog`: ln N.
+float clumpProfile(float h, float w, float layers, float layersLog) {
+  return (1.0 - w) * h + w * (1.0 + naturalLog(max(h, 1.0 / layers)) / layersLog);
 }
 
 // How it changes with h.
-float clumpProfileSlope(float h, float w, float layers) { return 1.0 - w + w / (max(h, 1.0 / layers) * naturalLog(layers)); }
+float clumpProfileSlope(float h, float w, float layers, float layersLog) { return 1.0 - w + w / (max(h, 1.0 / layers) * layersLog); }
 
 // `held`: the water that a texel of the mask holds; 1 is saturated, what is more lies on the strands as a film.
 // How short fur of that length (model units) is for water, 0..1: clumps of short fur would be as round as beads.
@@ -43,7 +43,7 @@ float litLower(float held) { return mix(1.0, FUR_WET_LIT, smoothstep(FUR_WET_LIT
 
 // s: the share of the way to the clump's centre that a strand has gone at height h. A sheet opens it again.
 float clumpPull(float h, float held, float sheet) {
-  return clumpProfile(h, clumpShape, layers) * min(held, 1.0) * (1.0 - sheet);
+  return clumpProfile(h, clumpShape, layers, layersLog) * min(held, 1.0) * (1.0 - sheet);
 }
 
 // A clump holds smaller locks, to whose middles strands draw together once more: it splits into them at its tip.

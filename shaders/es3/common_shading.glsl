@@ -2,14 +2,14 @@
 // Light on strands and skin, in the surface's own frame: x along s, y along t, z along the normal.
 
 // The coat's values that each fur type has, of what is shown: mixed once, as a software rasteriser takes as long for each member of a
-// block as for four products, and by loops of one step, over which it jumps, unlike over an if.
+// block as for four products.
 #ifdef TYPES
 vec4 typeShares;  // of the types in it
 vec4 shownShade;  // density, shadow, occlusion, specular
 vec3 shownGloss;  // shininess, dry shininess, variance
 vec3 shownRoot, shownTip;
 void showShare(int type, float share) {
-  for (int i = 0, once = int(share > 0.0); i < once; ++i) {
+  if (share > 0.0) {
     shownShade += share * vec4(typeDensity[type], typeShadow[type], typeOcclusion[type], typeSpecular[type]);
     shownGloss += share * vec3(typeShininess[type], typeDryShininess[type], typeVariance[type]);
     shownRoot += share * rootColors[type].rgb;
@@ -90,14 +90,14 @@ float levelBy(mat2 uvs, ivec2 size) {
 // The colour of strands with roots at that uv, of the type with that typePicture; `uvs`: by how much it changes from pixel to pixel.
 vec3 strandModelColor(sampler2D picture, float layer, vec2 uv, mat2 uvs) {
   vec3 color = vec3(1.0);
-  for (int i = 0, once = int(layer < 0.0 && isPicture(picture)); i < once; ++i) color = textureLod(picture, uv, levelBy(uvs, textureSize(picture, 0))).rgb;
-  for (int i = 0, once = int(layer >= 0.0); i < once; ++i) color = textureLod(typeColors, vec3(uv, layer), levelBy(uvs, textureSize(typeColors, 0).xy)).rgb;
+  if (layer < 0.0 && isPicture(picture)) color = textureLod(picture, uv, levelBy(uvs, textureSize(picture, 0))).rgb;
+  if (layer >= 0.0) color = textureLod(typeColors, vec3(uv, layer), levelBy(uvs, textureSize(typeColors, 0).xy)).rgb;
   return mix(vec3(1.0), color, textureAmount);
 }
 
 // The colour of the skin at that uv: its own picture, as far as that is opaque, over `color`.
 vec3 skinPictured(vec3 color, vec2 uv, mat2 uvs) {
-  for (int i = 0, once = int(skinPicture >= 0.0); i < once; ++i) {
+  if (skinPicture >= 0.0) {
     vec4 own = textureLod(typeColors, vec3(uv, skinPicture), levelBy(uvs, textureSize(typeColors, 0).xy));
     color = mix(color, decodeSrgb(own.rgb), own.a);
   }

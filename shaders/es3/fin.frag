@@ -209,8 +209,7 @@ void main() {
   vec3 model = modelColor(baseColor, vUv);
 #endif
   vec3 color = vec3(0.0);
-  // Once or not at all: most of a fin is gaps, and a software rasteriser jumps over loops but not over an if.
-  for (int i = 0, once = int(alpha >= least); i < once; ++i) {
+  if (alpha >= least) {
 #if defined(TEXTURED) && defined(TYPES)
     vec3 model = strandModelColor(baseColor, typePicture[s.type], vUv, uvs);
 #endif

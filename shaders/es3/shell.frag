@@ -72,6 +72,7 @@ float enterCoat() {
   float first = kFirstStep * stepSize * (noise - 0.5 * min(finer, 1.0));
   softness = kReferenceSteps * stepSize;
   foot = tileAt(end, 0.0);
+  enterChart();
   enterShape();
   enterGroom();
   return first;
@@ -93,8 +94,8 @@ void stepPast(inout March march, Strand here) {
 }
 
 // Steps along the ray until strands hide what is behind them, FUR_MOST_STEPS times at most. Look-ups in a step: 1; GROOMED 1 more;
-// TYPES up to 2 for each type that is present instead of the 1, while the map is not even; WET 3 more, another outside its chart, none in a
-// whole sheet. On a software rasteriser the loop itself costs as much as they do: few variables and one way out.
+// TYPES up to 2 for each type that is present instead of the 1, while the map is not even; WET 3 more, none in a
+// whole sheet. A software rasteriser would go through a step once more with nothing to do if loops asked at their beginning alone.
 March marchCoat(float first) {
   March march = marchFrom(first + enters, enters);
   int mostSteps = FUR_MOST_STEPS;
@@ -103,7 +104,7 @@ March marchCoat(float first) {
 #ifdef TYPES
   int plainSteps = stepsTo(plainTo, march.x, stepSize, mostSteps);
   for (int i = 0; i < plainSteps && march.alpha <= closes; ++i) {
-    Strand here = standingAt(march.x, march);
+    Strand here = standingAt(march.x);
     shape(here);
     stepOn(march, here, addPlain(here, march));
   }
@@ -112,17 +113,20 @@ March marchCoat(float first) {
   const int plainSteps = 0;
 #endif
   int begun = plainSteps;
+  if (march.alpha > closes) begun = steps;
 #ifdef WET
   // In a loop of their own: a step with a branch in it costs more than what that saves.
-  bool alone = drawsNothing();
-  for (int i = begun; i < steps && alone && march.alpha <= closes; ++i) {
-    stepPast(march, aloneAt(march.x));
+  if (drawsNothing()) {
+    for (int i = begun; i < steps; ++i) {
+      stepPast(march, aloneAt(march.x));
+      if (march.alpha > closes || i + 1 == steps) break;
+    }
+    begun = steps;
   }
-  if (alone) begun = steps;
 #endif
-  for (int i = begun; i < steps && march.alpha <= closes; ++i) {
-    Strand here = standingAt(march.x, march);  // notes where it looked
-    stepPast(march, here);
+  for (int i = begun; i < steps; ++i) {
+    stepPast(march, standingAt(march.x));
+    if (march.alpha > closes || i + 1 == steps) break;
   }
   return march;
 }
@@ -140,7 +144,7 @@ Met resolve(March march) {
   float perStrand = 1.0 / max(march.alpha, 1e-3);
   met.x = march.alpha > 0.0 ? march.xSum * perStrand : end;
   // Worked out again instead of carried through the march.
-  met.here = standingAt(march.metX, march);
+  met.here = standingAt(march.metX);
   met.spot = spotOf(met.here, march);
   if (march.alpha <= 0.0) met.spot.xyz = vec3(foot, 0.0);
   met.h = heightMet(march, perStrand, met.x);
@@ -174,18 +178,18 @@ float coverAbove(Met met, float h, float rise, float level) {
 // The share of the key light that other strands leave: real strands cast real shadows.
 float lightOn(Met met, float furry) {
   float lit = 1.0, ofOne = shadeOfOne() * shadowShown() * furry, h = litHeight(met);
-  bool counts = finer > 0.0 && lod < 0.5 && ofOne > 0.0;
-  // One look says what is there on average.
-  for (int i = 0, once = int(!counts && ofOne > 0.0 && h + FUR_SHADE_RISE < 1.0); i < once; ++i) lit -= ofOne * coverAbove(met, h + FUR_SHADE_RISE, FUR_SHADE_RISE, lod + 1.0);
-  // Several find the strands that the light crosses, each of which takes its share.
-  float rise = min(kOwnTexels / (tileTexels * length(vLightStep) + 1e-6), 0.5 * FUR_SHADE_RISE), before = 1.0;
-  float stride = (FUR_SHADE_RISE - rise) / float(kLooks);
-  rise += stride * pixelNoise();
-  for (int i = 0; i < kLooks && counts && h + rise < 1.0; ++i) {
-    float there = clamp((coverAbove(met, h + rise, rise, lod) - 0.5) * sharp + 0.5, 0.0, 1.0);
+  // One look says what is there on average; several find the strands that the light crosses, each of which takes its share.
+  bool counts = finer > 0.0 && lod < 0.5;
+  float first = min(kOwnTexels / (tileTexels * length(vLightStep) + 1e-6), 0.5 * FUR_SHADE_RISE), stride = (FUR_SHADE_RISE - first) / float(kLooks);
+  float rise = counts ? first + stride * pixelNoise() : FUR_SHADE_RISE, before = counts ? 1.0 : 0.0;
+  bool looks = ofOne > 0.0 && h + rise < 1.0;
+  for (int i = 0; i < kLooks && looks; ++i) {
+    float there = coverAbove(met, h + rise, rise, counts ? lod : lod + 1.0);
+    there = clamp((there - 0.5) * (counts ? sharp : 1.0) + 0.5, 0.0, 1.0);
     lit *= 1.0 - ofOne * max(there - before, 0.0);
     before = there;
     rise += stride;
+    if (!counts || i + 1 == kLooks || h + rise >= 1.0) break;
   }
   // How far the ray went, to the strands or to the skin.
   return underOthers(lit * furShadowAt(vLightSpace + vLightRay * (met.x - enters)));
@@ -202,7 +206,7 @@ vec3 shadeStrands(Met met, March march, vec3 model, vec3 T, vec3 L, vec3 V, floa
 
 // `color` over the skin that strands leave open.
 vec3 overSkin(vec3 color, Met met, vec3 model, float lit) {
-  for (int i = 0, once = int(reachesSkin && met.closed < 1.0); i < once; ++i) {
+  if (reachesSkin && met.closed < 1.0) {
     vec3 bare = paintSkin(skinAlbedo(model), met);
     float rho = min(met.held, 1.0);
     vec3 skin = shadeSkin(bare * 0.5, vLight.z, vView.w, FUR_WET_SKIN_HEIGHT * rho, rho, lit);

@@ -20,15 +20,21 @@ vec4 clumpIn(vec2 a) { return clumpOf(entryChart, a); }
 // Whether it is none of its chart. Gutters are beside it where a border leads on, as notches between the teeth of one are no wider.
 bool hasLeft(vec4 clump) { return isBeside(clump) || leadsOn(clump); }
 
-// Whether there is skin at `a` beyond the border to which a gutter's texel leads: the clump there in this chart's atlas. Texels below the mask tell
-// how it goes on.
-bool goesBeyond(vec4 gutter, vec2 a, inout vec4 clump) {
+// The mask's texel where the ray leaves its chart.
+vec4 gutter;
+void enterGutter(vec2 a) { gutter = clumpIn(a); }
+bool isOutside(vec2 a) { return hasLeft(clumpIn(a)); }
+bool beginsOutside(vec2 a) { return isOutside(a); }
+
+// Whether there is skin at `a` beyond the border to which the gutter leads, where the ray has left: the clump there in this chart's atlas. Texels
+// below the mask tell how it goes on.
+bool goesBeyond(bool left, vec2 a, out vec4 clump) {
   int first = FUR_BORDER_TEXELS * max(int(borderOf(gutter)) - 1, 0), across = int(maskTexels);
   ivec2 at = ivec2(first % across, across + first / across);
   vec4 atlas = texelFetch(mask, at, 0), tile = texelFetch(mask, at + ivec2(1, 0), 0), origin = texelFetch(mask, at + ivec2(2, 0), 0);
   vec4 found = clumpOf(0.0, atlas.xy * a.x + atlas.zw * a.y + origin.xy);
   bool isSkin = false;
-  for (int i = 0, once = int(leadsOn(gutter) && !isBeside(gutter) && found.a >= 0.0 && !leadsOn(found)); i < once; ++i) {
+  if (left && leadsOn(gutter) && !isBeside(gutter) && found.a >= 0.0 && !leadsOn(found)) {
     isSkin = true;
     atlasBeyond = mat2(atlas.xy, atlas.zw);
     tileBeyond = mat2(tile.xy, tile.zw);

@@ -3,6 +3,7 @@ const float entryHeld = 0.0, enters = 0.0, closes = kClosed;
 const int kSheetSteps = 0;
 
 void enterWater() {}
+void enterChart() {}
 #ifdef GROOMED
 vec2 footInAtlas() { return atlasAt(foot); }
 #endif
@@ -10,7 +11,7 @@ float rootsAside() { return 0.0; }
 bool underSheet() { return false; }
 bool leavesSkin() { return false; }
 
-Strand standingAt(float x, March march) {
+Strand standingAt(float x) {
   Strand here;
   here.along = heightAt(x);
   here.root = tileAt(x, here.along);

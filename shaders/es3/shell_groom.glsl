@@ -37,7 +37,7 @@ void enterGroom() {
   enterTypes(rootsAside());
   typesUnder = only(plainType);
   grown = plainFurry;
-  for (int i = 0, once = int(plainTo < end); i < once; ++i) {
+  if (plainTo < end) {
     vec4 texel = textureLod(groom, footInAtlas(), 0.0);
     grown = coatShare(texel);
     typesUnder = presences(texel.gba);
@@ -66,7 +66,7 @@ void trim(inout Strand here, inout March march) {
 #ifdef TYPES
 // After the steps of addPlain().
 void leavePlain(inout March march) {
-  Strand met = standingAt(march.metX, march);
+  Strand met = standingAt(march.metX);
   shape(met);
   march.spot = spotIn(plainType, met, met.along * plainRise);
 #ifndef WET

@@ -29,9 +29,6 @@ struct March {
 #if defined(WET) || defined(GROOMED)
   float hSum;   // height along the strands, weighted as x is
 #endif
-#ifdef WET
-  vec2 inside;  // the last atlas point that lay in the chart
-#endif
 #ifdef GROOMED
   vec4 spot;    // of that strand: tile, layer, mip level
 #endif
@@ -49,9 +46,6 @@ March marchFrom(float x, float enters) {
   march.furry = grown;
 #if defined(WET) || defined(GROOMED)
   march.hSum = 0.0;
-#endif
-#ifdef WET
-  march.inside = vAtlas;
 #endif
 #ifdef GROOMED
   march.spot = vec4(vTile.xy, 0.0, lod);

@@ -61,7 +61,7 @@ float addStrand(Strand here, inout March march) {
     vec4 spot = spotIn(type, here, h);
     float cover = coverAt(spot, here.open) * float(h <= 1.0);
     // Alone it stands whatever its dominance.
-    for (int n = 0, once = int(cover > 0.0 && grows < 1.0); n < once; ++n)
+    if (cover > 0.0 && grows < 1.0)
       cover *= float(h <= standsUpTo(grows, textureLod(strand, strandSpot(spot), spot.w).w));
     float add = stepCover(cover) * (1.0 - march.alpha - added);
     added += add;

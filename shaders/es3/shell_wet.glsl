@@ -28,6 +28,7 @@ const float kWetSampleStep = 0.75;
 // Of the whole ray, by where it enters.
 
 float entryHeld, entryChart;      // the water there; chartOf()
+vec4 entryClump;                  // that lies there, less its chart's number
 float entryRadius;                // of its clump, 0: it is dry
 float seenApart;                  // how far strands that are drawn together are seen one by one
 float soakedShare;                // how much of a sheet the coat is
@@ -71,7 +72,7 @@ const float kAllSheet = 1.0 - FUR_SHEET_SINKS + 0.01;  // how high vertices stan
 vec2 waterOfLine(mat2 tileFromFur) {
   float lies = length(vLean.xy), shift = shortness * smoothstep(0.1, 0.5, lies) * float(vTop > kAllSheet);
   vec2 way = tileFromFur * (vLean.xy / max(lies, 1e-3)), at = vAtlas;
-  for (int i = 0, once = int(shift > 0.0); i < once; ++i) {
+  if (shift > 0.0) {
     float chance = 4.5 * (strandsInLine(vTile.xy, streakLayer(way, 0.0), 0.9).z - 0.5);
     at -= atlasFromTile() * (way * (1.3 * shift * clamp(chance, -1.0, 1.0)));
   }
@@ -99,8 +100,9 @@ void enterWater() {
   locksAcross = locksInClump(shortness) / (clumpRadius * tilesPerUnit);
   vec2 water = waterOfLine(tileFromFur);
   entryHeld = water.x;
-  vec4 entryClump = maskAt(mask, vAtlas);
+  entryClump = maskAt(mask, vAtlas);
   entryChart = chartOf(entryClump);
+  entryClump.x -= entryChart;
   entryRadius = entryClump.a > 0.0 ? entryClump.z : 0.0;
   seenApart = smoothstep(0.4, 0.8, entryHeld);
   soakedShare = sheetOf(entryHeld, shortness);
@@ -139,6 +141,9 @@ void enterWater() {
 
 float rootsAside() { return entryRadius; }
 
+// Whether what the ray sees roots beside its chart, at the ray's end or anywhere; where it leaves, in the atlas, and its way to there.
+bool endsOutside, leaves;
+vec2 edge, outwards;
 bool isBeyond = false;  // whether what the ray sees roots in the chart beyond a border
 #ifdef BORDERS
 #include "shell_border.glsl"
@@ -152,7 +157,11 @@ vec4 clumpIn(vec2 a) {
   return clump;
 }
 bool hasLeft(vec4 clump) { return isBeside(clump); }
-bool goesBeyond(vec4 gutter, vec2 a, inout vec4 clump) { return false; }
+// Where the ray begins beside the chart, the clump at its entry stands for those there.
+bool beginsOutside(vec2 a) { return false; }
+void enterGutter(vec2 a) {}
+bool isOutside(vec2 a) { return dot(a - edge, outwards) > 0.0; }
+bool goesBeyond(bool left, vec2 a, out vec4 clump) { return false; }
 vec2 ownMiddle(vec4 clump) { return clump.xy; }
 float isOwn(vec4 clump, vec2 from) { return ownClump(mask, clump, entryChart, from); }
 vec2 inOwnTile(vec2 tile) { return tile; }
@@ -162,49 +171,53 @@ vec2 furSpot(vec2 root) { return atlasAt(root); }
 
 #ifdef GROOMED
 vec2 furThere;  // where the map has the fur of the strand that was asked for last
-// Beside the chart lies fur of other parts, or none.
-vec2 footInAtlas() {
-  vec2 a = atlasAt(foot);
-  return isBeside(clumpIn(a)) ? vAtlas : a;
+#endif
+
+// Where strands that no clump draws aside root which the ray meets at x, in the atlas.
+vec2 rootsAt(float x) {
+  float h = heightAt(x);
+  return atlasAt(tileAt(x, h) - tipTile * (h / coatTop));
 }
+const int kHalvings = 10;
+// The edge is found once a ray, by halves: at its steps neighbouring rays would leave at other points, and their strands fall into rungs.
+void enterChart() {
+  vec2 from = rootsAt(enters), to = rootsAt(end);
+  bool begins = beginsOutside(from);
+  endsOutside = hasLeft(clumpIn(to));
+  leaves = begins || endsOutside;
+  edge = vAtlas;
+  outwards = (begins ? from : to) - edge;
+  if (leaves) {
+    vec2 way = outwards;
+    for (int i = 0; i < kHalvings; ++i) {
+      way *= 0.5;
+      edge += way * float(!hasLeft(clumpIn(edge + way)));
+    }
+    enterGutter(edge + way);
+  }
+}
+#ifdef GROOMED
+// Beside the chart lies fur of other parts, or none.
+vec2 footInAtlas() { return endsOutside ? vAtlas : atlasAt(foot); }
 #endif
 
 const float kFarOn = 2.0;  // fur lengths
 // Whether the ray comes to an edge first, behind which there is no such skin, as one that goes on so far may.
-bool leavesSkin() {
-  bool leaves = false;
-  for (int i = 0, once = int(end > kFarOn); i < once; ++i) leaves = isBeside(clumpIn(atlasAt(foot)));
-  return leaves;
-}
+bool leavesSkin() { return endsOutside && end > kFarOn; }
 
 // Whether strands that are drawn as one hide all, and skin under them fills what they leave open: nothing is marched for.
 bool underSheet() { return reachesSkin && joined > kWholeSheet && !leavesSkin(); }
 
-// The clump at the atlas point `a`, which the ray sees. `mirrored`: 0; or, where the ray leaves its chart and nothing is known of what lies beyond,
-// twice where it does: clumps are as those inside, mirrored there.
-vec4 clumpThere(vec2 a, inout March march, out vec2 mirrored) {
-  vec4 clump = clumpIn(a);
-  mirrored = vec2(0.0);
-  bool left = hasLeft(clump);
-  isBeyond = false;
-  for (int i = 0, once = int(left); i < once; ++i) {
-    // A ray along the outline is there soon. Where it leaves by halves, as by whole steps neighbours would leave at other points, and their
-    // strands fall into rungs.
-    vec2 way = a - march.inside;
-    vec4 gutter = clump;
-    for (int k = 0; k < 5; ++k) {
-      way *= 0.5;
-      vec4 there = clumpIn(march.inside + way);
-      if (hasLeft(there)) gutter = there;
-      else march.inside += way;
-    }
-    isBeyond = goesBeyond(gutter, a, clump);
-    if (isBeyond) continue;
-    mirrored = 2.0 * march.inside;
-    clump = clumpIn(mirrored - a);
-    if (hasLeft(clump)) clump.a = -1.0;
-  }
-  if (!left) march.inside = a;
+// The clump that the ray sees at the atlas point `a`. Where it has left its chart and nothing is known of what lies beyond, `a` is mirrored at
+// the edge: clumps are as those inside.
+vec4 clumpThere(inout vec2 a, out bool mirrored) {
+  bool left = leaves && isOutside(a);
+  vec4 clump;
+  isBeyond = goesBeyond(left, a, clump);
+  mirrored = left && !isBeyond;
+  if (mirrored) a = 2.0 * edge - a;
+  if (!isBeyond) clump = clumpIn(a);
+  if (!isBeyond && hasLeft(clump)) clump = entryClump;
   return clump;
 }
 
@@ -233,7 +246,7 @@ bool drawsNothing() { return sheet > kNoClumps; }
 Strand aloneAt(float x) {
   float h = heightAt(x), share = h / coatTop, along = alongStrand(h, lean * share + bend * (h * h)) / wetLength, apart = 1.0, own = 1.0;
   vec2 root = tileAt(x, h) - tipTile * share, from = vec2(0.0);
-  for (int i = 0, once = int(tufts > 0.0); i < once; ++i) {
+  if (tufts > 0.0) {
     vec2 middle = lockCentreNear(root * locksAcross);
     apart = 1.0 - tuftPull(min(along, 1.0), tufts, middle);
     root = rootInLock(root, middle / locksAcross, apart, apart, from);
@@ -253,13 +266,14 @@ Strand aloneAt(float x) {
 const float kOneSheet = 0.75;  // from here on it does not matter to which clump a strand belongs
 const float kMiddle = 0.3;     // whose roots are a clump's own nearly always: squared, 1 at its rim
 // The strand that the ray meets at x: the clump there says where it roots and how far along it that is, its lock which one is seen.
-Strand standingAt(float x, inout March march) {
+Strand standingAt(float x) {
   float h = heightAt(x), along = h / coatTop;
-  vec2 tile = tileAt(x, h) - tipTile * along, a = atlasAt(tile), mirrored;
-  vec4 clump = clumpThere(a, march, mirrored);
+  vec2 tile = tileAt(x, h) - tipTile * along, a = atlasAt(tile);
+  bool mirrored;
+  vec4 clump = clumpThere(a, mirrored);
   float drawn = drawnBy(clump), pull = clumpPull(along, drawn, sheet);
-  float side = mirrored == vec2(0.0) ? 1.0 : -1.0;
-  vec2 from = (mirrored + side * a - clump.xy) / (1.0 - pull), aside = tileFromAtlas * from * (side * pull);
+  float side = mirrored ? -1.0 : 1.0;
+  vec2 from = (a - clump.xy) / (1.0 - pull), aside = tileFromAtlas * from * (side * pull);
   float outward = dot(from, from) / max(clump.z * clump.z, 1e-12) * float(clump.a > 0.0), own = insideRim(outward);
   own *= outward > kMiddle && sheet < kOneSheet ? isOwn(clump, from) : 1.0;
   along = alongStrand(h, lean * along + bend * (h * h) - furFromTile * aside) / wetLength * rimTaper(soakedShare, sheet, outward);
@@ -270,7 +284,7 @@ Strand standingAt(float x, inout March march) {
   vec2 root = rootInLock(spot, middle / locksAcross, apart, left, fromMiddle);
   own *= inTuft(fromMiddle, apart, along);
 #ifdef GROOMED
-  furThere = side > 0.0 ? furSpot(root) : march.inside;
+  furThere = mirrored ? edge : furSpot(root);
 #endif
   // As many stand there as were drawn together; a sheet closes the gaps between clumps, but near to the eye hardly; all end in points.
   own = max(own / (left * left), 0.4 * sheet) * clamp(8.0 - 8.0 * along, 0.0, 1.0);
@@ -327,8 +341,8 @@ void lieDown(vec2 tile, float frays, float line) {
   small = smoothstep(0.2, 0.8, small);  // seldom are there both sizes: each costs as much as all the rest of the light
   vec2 seen = locked * lie * vec2(1.0 - small, small) * smoothstep(vec2(2.0), vec2(7.0), vec2(pixels, 0.5 * pixels));
   Lying one = Lying(vec2(0.0), 0.0, 0.0, vec2(0.0), 1.0), two = one;
-  for (int i = 0, once = int(seen.x > 0.0); i < once; ++i) one = locksAt(tile, way, exp2(large), frays);
-  for (int i = 0, once = int(seen.y > 0.0); i < once; ++i) two = locksAt(tile, 0.7 * way, exp2(large + 1.0), frays);
+  if (seen.x > 0.0) one = locksAt(tile, way, exp2(large), frays);
+  if (seen.y > 0.0) two = locksAt(tile, 0.7 * way, exp2(large + 1.0), frays);
   vec2 rises = mix(vec2(1.0), vec2(one.rises, two.rises) / kMeanRise, seen);
   vec2 beside = furFromTile * vec2(-way.y, way.x);
   lying.outward = beside * ((0.85 * dot(seen, vec2(one.outward.x, two.outward.x)) + joined * line) / max(length(beside), 1e-6));
@@ -349,7 +363,7 @@ void joinStrands(inout Met met, float furry) {
   met.held = max(mix(met.here.clump.a, entryHeld, closed), kWetAsAround * entryHeld);
   lying = Lying(vec2(0.0), 1.0, 0.0, vec2(0.0), clumpsSmooth);
   float ofStrand = soakedShare * (1.0 - joined) * liesBy(chanceOfClump(met.here.clump.xy), met.number, shortness);
-  for (int i = 0, once = int(locked > 0.0); i < once; ++i) {
+  if (locked > 0.0) {
     // In a sheet light knows strands by those that lie in line where the ray comes to it. Where they are seen, not where they root: over the
     // length of a strand stretched charts would turn the lines aside.
     vec2 seenAt = tileAt(enters, min(vTop, coatTop));
@@ -381,7 +395,7 @@ vec2 tiltOf(Met met) {
 // Eq. 4: the strand moves by -d, in fur lengths.
 vec2 clumpTilt(Met met, March march) {
   float along = heightAt(march.metX) / coatTop;
-  float turns = -clumpProfileSlope(along, clumpShape, layers) * drawnBy(met.here.clump) * (1.0 - sheet);
+  float turns = -clumpProfileSlope(along, clumpShape, layers, layersLog) * drawnBy(met.here.clump) * (1.0 - sheet);
   // The strands of a sheet stick to those below: they lie flatter than the coat is high, however little water made it.
   float flatter = (1.0 + 1.5 * min(2.0 * joined, 1.0) / clamp(entryHeld, 0.3, 1.0)) / max(1.0 + 1.6 * lying.chance, 0.1);
   return furFromTile * met.here.from * (turns * (1.0 - joined)) + lean * (flatter / coatTop) + lying.tilt;

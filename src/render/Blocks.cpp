@@ -130,6 +130,7 @@ shared::FurBlock furBlock(const Frame& frame, const furgen::CoatShape& shape, co
   coat.strandShare = shape.sharesStrands ? 0.5f : 1.0f;
   coat.chartsOverlap = chartsOverlap(frame);
   coat.clumpShape = s.clumpShape;
+  coat.layersLog = std::log(coat.layers);
   coat.clumpRadius = s.clumpSize;
   coat.maskTexels = static_cast<float>(maskSize);
   fillTypes(frame, densities, pictures, coat);

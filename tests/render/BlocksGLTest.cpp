@@ -50,6 +50,7 @@ std::vector<Member> furMembers() {
       FUR_MEMBER(FurBlock, lambert), FUR_MEMBER(FurBlock, textureAmount), FUR_MEMBER(FurBlock, chartsOverlap),
       FUR_MEMBER(FurBlock, clumpShape), FUR_MEMBER(FurBlock, wetDarkening), FUR_MEMBER(FurBlock, wetGloss),
       FUR_MEMBER(FurBlock, lobePeak), FUR_MEMBER(FurBlock, skinPicture), FUR_MEMBER(FurBlock, clumpRadius),
+      FUR_MEMBER(FurBlock, strandShare), FUR_MEMBER(FurBlock, layersLog),
   };
 }
 std::vector<Member> hairMembers() {

@@ -48,6 +48,7 @@ shared::FurBlock coatOfLook() {
   coat.typeShadow.x = kLook.strandShadow;
   coat.typeOcclusion.x = kLook.occlusion;
   coat.layers = kLayers;
+  coat.layersLog = std::log(coat.layers);
   coat.clumpShape = kClumpShape;
   coat.clumpRadius = kClumpRadius;
   coat.wetDarkening = kLook.wetDarkening;

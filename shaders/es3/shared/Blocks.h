@@ -105,6 +105,7 @@ FUR_BLOCK(FurBlock) {
 
   float clumpRadius;   // of clumps that form by themselves, model units
   float strandShare;   // layers of strands among storedLayers: 1 or 1/2
+  float layersLog;     // ln N: shaders need it at each step of a march through wet fur
 };
 
 #define FUR_FRAME_BINDING 0
