@@ -67,6 +67,7 @@ float addStrand(Strand here, inout March march) {
     added += add;
     march.types += (add + 1e-3 * grows) * is;
     meet(march, add, h, spot);
+    if (rest == 0) break;
   }
   return added;
 }
