@@ -101,6 +101,7 @@ March marchCoat(float first) {
   int mostSteps = FUR_MOST_STEPS;
   if (underSheet()) mostSteps = kSheetSteps;
   int steps = stepsTo(end, march.x, stepSize, mostSteps);
+  int begun = 0;
 #ifdef TYPES
   int plainSteps = stepsTo(plainTo, march.x, stepSize, mostSteps);
   for (int i = 0; i < plainSteps && march.alpha <= closes; ++i) {
@@ -109,11 +110,8 @@ March marchCoat(float first) {
     stepOn(march, here, addPlain(here, march));
   }
   if (plainSteps > 0) leavePlain(march);
-#else
-  const int plainSteps = 0;
+  begun = march.alpha > closes ? steps : plainSteps;
 #endif
-  int begun = plainSteps;
-  if (march.alpha > closes) begun = steps;
 #ifdef WET
   // In a loop of their own: a step with a branch in it costs more than what that saves.
   if (drawsNothing()) {

@@ -178,7 +178,7 @@ vec2 rootsAt(float x) {
   float h = heightAt(x);
   return atlasAt(tileAt(x, h) - tipTile * (h / coatTop));
 }
-const int kHalvings = 10;
+const int kHalvings = 10;  // to a thousandth of the way; by a hundredth clumps there shimmer
 // The edge is found once a ray, by halves: at its steps neighbouring rays would leave at other points, and their strands fall into rungs.
 void enterChart() {
   vec2 from = rootsAt(enters), to = rootsAt(end);

@@ -27,7 +27,7 @@ void main() {
 #elif FUNCTION == 1 || FUNCTION == 20
   float value = arcBend(at.x * 1.35, at.y).y;
 #elif FUNCTION == 2
-  float value = clumpProfile(mix(1.0 / 32.0, 1.0, at.x), at.y, 32.0, 3.4657359);
+  float value = clumpProfile(mix(1.0 / 32.0, 1.0, at.x), at.y, 32.0, naturalLog(32.0));
 #elif FUNCTION == 3
   float value = furShadow(at.x, 0.6, at.y * 2.0 - 1.0);
 #elif FUNCTION == 4
@@ -98,7 +98,7 @@ void main() {
 #elif FUNCTION == 36
   float value = clamp(onLock(vec2(at.x - 0.1, 0.2 - 0.4 * at.y), vec2(1.0, 0.2), 0.6).y, -1.0, 1.0);
 #elif FUNCTION == 37
-  float value = 0.1 * clumpProfileSlope(mix(1.0 / 32.0, 1.0, at.x), at.y, 32.0, 3.4657359);
+  float value = 0.1 * clumpProfileSlope(mix(1.0 / 32.0, 1.0, at.x), at.y, 32.0, naturalLog(32.0));
 #elif FUNCTION == 38
   float value = lockPull(at.x, 1.5 * at.y, sheetOf(at.y, 0.0));
 #elif FUNCTION == 53
