@@ -1,11 +1,12 @@
 // Where a ray leaves its chart, it meets the clumps and the very strands that root in the chart beyond the border (wet/ChartBorders.h): locks run
-// on. It takes a third longer, so that samples after the first have it (Look.cpp).
+// on. It takes a fifth longer, so that samples after the first have it (Look.cpp).
 
-// While isBeyond: the number of the chart there; how atlas and tile go on (origin: of the atlas, of the tile); the middle of the clump that the ray
-// sees, as that chart has it.
-float chartBeyond;
+// Whether skin goes on beyond the border where the ray leaves its chart, and how atlas and tile do there (origin: of the atlas, of the tile).
+bool goesOn = false;
 mat2 atlasBeyond, tileBeyond;
 vec4 originBeyond;
+// While isBeyond: the number of the chart there; the middle of the clump that the ray sees, as that chart has it.
+float chartBeyond;
 vec2 middleBeyond;
 
 bool leadsOn(vec4 texel) { return borderOf(texel) > 0.0; }
@@ -20,28 +21,29 @@ vec4 clumpIn(vec2 a) { return clumpOf(entryChart, a); }
 // Whether it is none of its chart. Gutters are beside it where a border leads on, as notches between the teeth of one are no wider.
 bool hasLeft(vec4 clump) { return isBeside(clump) || leadsOn(clump); }
 
-// The mask's texel where the ray leaves its chart.
-vec4 gutter;
-void enterGutter(vec2 a) { gutter = clumpIn(a); }
 bool isOutside(vec2 a) { return hasLeft(clumpIn(a)); }
 bool beginsOutside(vec2 a) { return isOutside(a); }
 
-// Whether there is skin at `a` beyond the border to which the gutter leads, where the ray has left: the clump there in this chart's atlas. Texels
-// below the mask tell how it goes on.
-bool goesBeyond(bool left, vec2 a, out vec4 clump) {
+// `a`: in the gutter where the ray leaves its chart. It leads to texels below the mask, which tell how the skin goes on.
+void enterGutter(vec2 a) {
+  vec4 gutter = clumpIn(a);
+  goesOn = leadsOn(gutter) && !isBeside(gutter);
   int first = FUR_BORDER_TEXELS * max(int(borderOf(gutter)) - 1, 0), across = int(maskTexels);
   ivec2 at = ivec2(first % across, across + first / across);
   vec4 atlas = texelFetch(mask, at, 0), tile = texelFetch(mask, at + ivec2(1, 0), 0), origin = texelFetch(mask, at + ivec2(2, 0), 0);
-  vec4 found = clumpOf(0.0, atlas.xy * a.x + atlas.zw * a.y + origin.xy);
-  bool isSkin = false;
-  if (left && leadsOn(gutter) && !isBeside(gutter) && found.a >= 0.0 && !leadsOn(found)) {
-    isSkin = true;
-    atlasBeyond = mat2(atlas.xy, atlas.zw);
-    tileBeyond = mat2(tile.xy, tile.zw);
-    originBeyond = origin * vec4(1.0, 1.0, tilesPerUnit, tilesPerUnit);
+  atlasBeyond = mat2(atlas.xy, atlas.zw);
+  tileBeyond = mat2(tile.xy, tile.zw);
+  originBeyond = origin * vec4(1.0, 1.0, tilesPerUnit, tilesPerUnit);
+}
+
+// Whether there is skin at `a` beyond the border, where the ray has left: the clump there in this chart's atlas.
+bool goesBeyond(bool left, vec2 a, out vec4 clump) {
+  vec4 found = clumpOf(0.0, atlasBeyond * a + originBeyond.xy);
+  bool isSkin = left && goesOn && found.a >= 0.0 && !leadsOn(found);
+  if (isSkin) {
     chartBeyond = chartOf(found);
     middleBeyond = found.xy - vec2(chartBeyond, 0.0);
-    clump = vec4(inverse(atlasBeyond) * (middleBeyond - origin.xy), found.ba);
+    clump = vec4(inverse(atlasBeyond) * (middleBeyond - originBeyond.xy), found.ba);
   }
   return isSkin;
 }
