@@ -364,7 +364,8 @@ async function openEditor(open) {
 const onClick = (id, action) => byId(id).addEventListener('click', action);
 
 /** Of the bar and its menus; some are the editor's. */
-async function pressTool({ dataset: { tool, place } }) {
+async function pressTool(button) {
+  const { tool, place } = button.dataset;
   if (place === 'edits') {
     grooms.hidePopover();
     await openEditor(true);
@@ -372,6 +373,8 @@ async function pressTool({ dataset: { tool, place } }) {
   const putDown = fur.tool === tool;
   setTool(putDown ? 'none' : tool);
   if (putDown) messages.note('No tool: a drag turns the view');
+  // Fingers see no tooltips.
+  else if (waters.contains(button)) messages.note(button.title);
 }
 
 /** Markings all over (app/tools/GroomEdits.inc), in the colour beside them. */

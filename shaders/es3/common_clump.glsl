@@ -14,9 +14,6 @@ float clumpProfile(float h, float w, float layers, float layersLog) {
   return (1.0 - w) * h + w * (1.0 + naturalLog(max(h, 1.0 / layers)) / layersLog);
 }
 
-// How it changes with h.
-float clumpProfileSlope(float h, float w, float layers, float layersLog) { return 1.0 - w + w / (max(h, 1.0 / layers) * layersLog); }
-
 // `held`: the water that a texel of the mask holds; 1 is saturated, what is more lies on the strands as a film.
 // How short fur of that length (model units) is for water, 0..1: clumps of short fur would be as round as beads.
 float shortnessOf(float coat) { return smoothstep(FUR_SHORT_FROM, FUR_SHORT, clumpRadius / max(coat, 1e-5)); }
@@ -41,9 +38,10 @@ float liesBy(float ofClump, float strand, float shortness) {
 // The share of a strand's height at which it gets its light: the wetter, the lower, as strands that water joins shade each other.
 float litLower(float held) { return mix(1.0, FUR_WET_LIT, smoothstep(FUR_WET_LIT_FROM, 1.0, held)); }
 
-// s: the share of the way to the clump's centre that a strand has gone at height h. A sheet opens it again.
+// s: the share of the way to the clump's centre that a strand has gone at height h: in little water its tip alone. A sheet opens it again.
 float clumpPull(float h, float held, float sheet) {
-  return clumpProfile(h, clumpShape, layers, layersLog) * min(held, 1.0) * (1.0 - sheet);
+  float deep = smoothstep(FUR_TIPS_DRAWN, FUR_ALL_DRAWN, held);
+  return clumpProfile(h, clumpShape, layers, layersLog) * min(held, 1.0) * (1.0 - sheet) * mix(h * h, 1.0, deep);
 }
 
 // A clump holds smaller locks, to whose middles strands draw together once more: it splits into them at its tip.

@@ -394,8 +394,8 @@ vec2 tiltOf(Met met) {
 
 // Eq. 4: the strand moves by -d, in fur lengths.
 vec2 clumpTilt(Met met, March march) {
-  float along = heightAt(march.metX) / coatTop;
-  float turns = -clumpProfileSlope(along, clumpShape, layers, layersLog) * drawnBy(met.here.clump) * (1.0 - sheet);
+  float along = heightAt(march.metX) / coatTop, drawn = drawnBy(met.here.clump);
+  float turns = 100.0 * (clumpPull(along - 0.01, drawn, sheet) - clumpPull(along, drawn, sheet));
   // The strands of a sheet stick to those below: they lie flatter than the coat is high, however little water made it.
   float flatter = (1.0 + 1.5 * min(2.0 * joined, 1.0) / clamp(entryHeld, 0.3, 1.0)) / max(1.0 + 1.6 * lying.chance, 0.1);
   return furFromTile * met.here.from * (turns * (1.0 - joined)) + lean * (flatter / coatTop) + lying.tilt;

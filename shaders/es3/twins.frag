@@ -97,8 +97,6 @@ void main() {
   float value = onLock(vec2(at.x - 0.1, 0.2 - 0.4 * at.y), vec2(1.0, 0.2), 0.6).x;
 #elif FUNCTION == 36
   float value = clamp(onLock(vec2(at.x - 0.1, 0.2 - 0.4 * at.y), vec2(1.0, 0.2), 0.6).y, -1.0, 1.0);
-#elif FUNCTION == 37
-  float value = 0.1 * clumpProfileSlope(mix(1.0 / 32.0, 1.0, at.x), at.y, 32.0, naturalLog(32.0));
 #elif FUNCTION == 38
   float value = lockPull(at.x, 1.5 * at.y, sheetOf(at.y, 0.0));
 #elif FUNCTION == 53

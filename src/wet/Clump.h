@@ -24,12 +24,6 @@ inline float clumpProfile(float h, float w, float layers) {
   return (1.0f - w) * height + w * std::max(1.0f + std::log(height) / std::log(layers), 0.0f);
 }
 
-// How it changes with h.
-inline float clumpProfileSlope(float h, float w, float layers) {
-  if (!(layers > 1.0f)) return 0.0f;
-  return 1.0f - w + w / (glm::clamp(h, 1.0f / layers, 1.0f) * std::log(layers));
-}
-
 // How short fur of that length is where clumps have that radius, 0..1. A clump that is as wide as its strands are long is a bead.
 inline float shortnessOf(float length, float clumpRadius) {
   return glm::smoothstep(static_cast<float>(FUR_SHORT_FROM), static_cast<float>(FUR_SHORT), clumpRadius / std::max(length, 1e-5f));
@@ -65,10 +59,15 @@ inline float liesBy(float ofClump, float strand, float shortness) {
 // The share of a strand's height at which it gets its light: the wetter, the lower, as strands that water joins shade each other.
 inline float litLower(float rho) { return glm::mix(1.0f, float{FUR_WET_LIT}, glm::smoothstep(float{FUR_WET_LIT_FROM}, 1.0f, rho)); }
 
-// s: the share of the way to the clump's centre that a strand has gone at height h. Below kSheetFrom it is f(h) rho, as
+// How deep water that draws strands together by rho does so, 0: at tips alone .. 1: from the root on, as printed. Silva Eq. 1 opens cracks down
+// to the skin however little water there is; a few drops only bring tips together.
+inline float clumpDepth(float rho) { return glm::smoothstep(float{FUR_TIPS_DRAWN}, float{FUR_ALL_DRAWN}, rho); }
+
+// s: the share of the way to the clump's centre that a strand has gone at height h. From FUR_ALL_DRAWN to kSheetFrom it is f(h) rho, as
 // printed; where clumps close into a sheet it falls to 0, so that it never exceeds 0.824: s / (1 - s) stays finite.
 inline float clumpPull(float h, float w, float layers, float rho, float sheet) {
-  return clumpProfile(h, w, layers) * glm::clamp(rho, 0.0f, 1.0f) * (1.0f - sheet);
+  const float height = std::min(h, 1.0f);
+  return clumpProfile(h, w, layers) * glm::mix(height * height, 1.0f, clumpDepth(rho)) * glm::clamp(rho, 0.0f, 1.0f) * (1.0f - sheet);
 }
 inline float clumpPull(float h, float w, float layers, float rho) { return clumpPull(h, w, layers, rho, sheetOf(rho)); }
 

@@ -17,9 +17,11 @@ constexpr float kRate = Water::kStep;
 
 // Depth of what soaked fur holds on a square unit, which makes amounts into sizes of drops.
 constexpr float kDepth = 0.004f;
-constexpr float kFalls = 1.6e-3f;  // amount that is too heavy to hang
-// Of a drop that hangs: how far up the wet strands, and how many of its radii below their tips.
-constexpr float kHangsAt = 0.75f, kHangsBelow = 0.6f;
+constexpr float kFalls = 1.6e-3f;  // amount that is too heavy to hang, at most; where least holds it so much of that
+constexpr float kLeastHeld = 0.25f;
+// Of a drop that hangs: how far up the wet strands, and how many of its radii below their tips. The strands that hold it hide some: it is seen as
+// so much smaller.
+constexpr float kHangsAt = 0.75f, kHangsBelow = 0.6f, kHangsSmaller = 0.6f;
 // Where the tip of a strand is that is combed as far as strands are: a share of its length aside, and so much lower than one that stands.
 constexpr float kTipAside = 0.51f, kTipLower = 0.21f;
 constexpr float kGravity = 9.0f, kDrag = 0.9f;  // model radii a second squared; share of its speed that air takes in one
@@ -48,6 +50,9 @@ std::pair<Vec3, Vec3> shownAt(const WetSurface& skin, const SurfaceTexels::Place
   const geometry::SurfacePoint at{place.triangle, skin.wetting.atlas().weightsAt(skin.surface, place.triangle, place.texel), 0};
   return {valueAt(skin.surface, at, skin.positions), normalizeOr(valueAt(skin.surface, at, skin.normals), place.normal)};
 }
+
+// What can hang there: no two drops are alike.
+float heaviestAt(std::uint32_t place) { return kFalls * glm::mix(kLeastHeld, 1.0f, glm::fract(0.7548777f * static_cast<float>(place & 0xffffu))); }
 
 // Of the skin there, model radii a second.
 Vec3 velocityAt(const WetSurface& skin, const SurfaceTexels::Place& place) {
@@ -85,7 +90,7 @@ void Water::feedHanging(const WetSurface& skin, WetnessMask& mask, const Climate
       const float dries = std::min(drop.water, kDropDrying * climate.dryRate * kRate);
       accounts_.evaporated += double{drop.water} - (drop.water - dries);
       drop.water -= dries;
-      drop.radius = dropRadius(drop.water);
+      drop.radius = kHangsSmaller * dropRadius(drop.water);
       // From the tips, as far as wet fur stands.
       const auto [root, normal] = shownAt(skin, place);
       Vec3 lay = lay_.empty() ? Vec3(0) : meanAt(skin, place, lay_);
@@ -96,9 +101,10 @@ void Water::feedHanging(const WetSurface& skin, WetnessMask& mask, const Climate
       const Vec3 at = Vec3(climate.worldFromModel * Vec4(root + kHangsAt * length * (lay + normal * stands) + kHangsBelow * drop.radius * down_, 1));
       changed_ |= at != drop.position;
       drop.position = at;
-      if (drop.water > kFalls || glm::dot(normal, down_) < 0.0f || climate.shaking > 0.0f) {
+      if (drop.water > heaviestAt(drop.place) || glm::dot(normal, down_) < 0.0f || climate.shaking > 0.0f) {
         hasDrop_[drop.place] = 0;
         --hanging_;
+        drop.radius = dropRadius(drop.water);
         drop.place = Drop::kNoPlace;
         drop.velocity = Vec3(0);
       } else if (drop.water <= 0.0f) {
@@ -330,12 +336,16 @@ void Water::wipe(const WetSurface& skin, WetnessMask& mask, const Vec3& centre, 
   touch(mask);
 }
 
-void Water::clear() {
+void Water::clearDrops() {
   for (const Drop& drop : drops_) accounts_.removed += drop.water;
-  for (float& amount : incoming_) accounts_.removed += std::exchange(amount, 0.0f);
   drops_.clear();
   hanging_ = 0;
   std::fill(hasDrop_.begin(), hasDrop_.end(), std::uint8_t{0});
+}
+
+void Water::clear() {
+  clearDrops();
+  for (float& amount : incoming_) accounts_.removed += std::exchange(amount, 0.0f);
   std::fill(puddles_.begin(), puddles_.end(), 0.0f);
   groundWet_ = groundMoves_ = false;
   ++groundRevision_;

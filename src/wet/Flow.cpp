@@ -38,6 +38,7 @@ constexpr float kLevel = 1e-4f;
 // Less than this, squared, leads nowhere.
 constexpr float kNoWay = 1e-12f;
 
+constexpr std::uint32_t kHangingPlaces = 0x60000000u;  // of all, as a share of 2^32, by chance
 constexpr float kHangs = 0.4f;  // film that a drop hangs from
 constexpr std::size_t kMostHanging = 256;
 
@@ -328,8 +329,9 @@ void Water::receive(const WetSurface& skin, WetnessMask& mask, const Climate* cl
   }
   if (!deep) return;
   const SurfaceTexels::Block& block = texels_->blocks()[index];
+  // Not at every place: side by side they would be one.
   for (std::uint32_t i = block.first; i < block.end && hanging_ < kMostHanging && drops_.size() < kMostDrops; ++i)
-    if (film_[i] > kHangs && !hasDrop_[i] && glm::dot(texels_->places()[i].normal, down_) > 0.25f) {
+    if (film_[i] > kHangs && !hasDrop_[i] && i * 0x9e3779b9u < kHangingPlaces && glm::dot(texels_->places()[i].normal, down_) > 0.25f) {
       drops_.push_back({Vec3(0), 0, Vec3(0), 0, i});
       hasDrop_[i] = 1;
       ++hanging_;

@@ -212,7 +212,9 @@ TEST(AppHair, UndoOfAWetStrokeTakesItsWaterOutOfHairAndRedoBringsItBack) {
   ASSERT_TRUE(salon.app.splashPixel({80, 80}, 0.8f, 1));
   const double more = hair();
   EXPECT_GT(more, 1.01 * half);
+  EXPECT_GT(salon.app.drops().size(), 0u);
   EXPECT_TRUE(salon.app.undo());
+  EXPECT_EQ(salon.app.drops().size(), 0u) << "nor does what hung or fell go on dripping";
   EXPECT_NEAR(hair(), half, 1e-3 * half);
   EXPECT_TRUE(salon.app.redo());
   EXPECT_NEAR(hair(), more, 1e-2 * more);

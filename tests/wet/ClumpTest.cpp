@@ -27,14 +27,6 @@ TEST(ClumpProfile, BendsInEarlierWithMoreShape) {
   for (const float h : {0.2f, 0.5f, 0.8f}) EXPECT_GT(clumpProfile(h, 1, 16), clumpProfile(h, 0, 16));
 }
 
-TEST(ClumpProfile, HasTheSlopeOfItsDifferences) {
-  for (const float w : {0.0f, 0.4f, 1.0f})
-    for (const float h : {0.1f, 0.3f, 0.7f, 0.95f}) {
-      const float step = 1e-2f, difference = (clumpProfile(h + step, w, 16) - clumpProfile(h - step, w, 16)) / (2 * step);
-      EXPECT_NEAR(clumpProfileSlope(h, w, 16), difference, 0.02f) << "w " << w << ", h " << h;
-    }
-}
-
 TEST(BeadSize, IsNothingOnDryAndOnSoakedStrands) {
   for (const float chance : {0.0f, 0.3f, 0.9f}) {
     EXPECT_EQ(beadSize(0, chance), 0);
@@ -199,6 +191,14 @@ TEST(ClumpPull, NeverGathersAllStrandsOfAClumpInOnePoint) {
   float most = 0;
   for (int i = 0; i <= 1000; ++i) most = std::max(most, clumpPull(1, 1, 16, i / 1000.0f));
   EXPECT_NEAR(most, 0.824f, 1e-3f);
+}
+
+TEST(ClumpPull, OfLittleWaterIsOneOfTips) {
+  for (const float h : {0.1f, 0.3f, 0.5f}) {
+    EXPECT_FLOAT_EQ(clumpPull(h, 0.5f, 16, 0.3f), h * h * clumpProfile(h, 0.5f, 16) * 0.3f);
+    EXPECT_FLOAT_EQ(clumpPull(h, 0.5f, 16, 0.7f), clumpProfile(h, 0.5f, 16) * 0.7f) << "Silva Eq. 1";
+  }
+  EXPECT_FLOAT_EQ(clumpPull(1, 0.5f, 16, 0.3f), 0.3f) << "tips go as far as by Eq. 1";
 }
 
 TEST(ClumpShift, IsNothingInDryFur) { EXPECT_EQ(clumpShift(1, 0.5f, 16, 0), 0.0f); }

@@ -387,7 +387,7 @@ TEST(Water, PuddlesThatSpreadChangeByWhatIsSeenOfThem) {
 }
 
 TEST(Water, DropsHangFromAndHitTheModelWhereItIsShown) {
-  Pond pond(sphere(), 64);
+  Pond pond(sphere(), 128);  // texels of coarser ones hold more than a drop
   const Vec3 aside(1.5f, 0.5f, 0);
   std::vector<Vec3> positions, normals;
   for (const auto& vertex : pond.surface.vertices) {
@@ -422,7 +422,7 @@ TEST(Water, DropsHangFromAndHitTheModelWhereItIsShown) {
 TEST(Water, DropsHangFromWhereWetFurEndsWhichIsLowerWhereItLies) {
   float highest[2] = {};
   for (const int lies : {0, 1}) {
-    Pond pond(sphere(), 64);
+    Pond pond(sphere(), 128);  // as above
     pond.climate.groundHeight = -3;
     std::vector<Vec3> lay;
     for (const auto& vertex : pond.surface.vertices) lay.push_back(static_cast<float>(lies) * normalizeOr(glm::cross(vertex.normal, Vec3(0, 0, 1)), Vec3(0)));

@@ -21,6 +21,10 @@
 #define FUR_CLUMPS_BEGIN 0.1
 #define FUR_CLUMPS_APART 0.5
 #define FUR_CLUMP_FORMS 0.3
+// Up to the first of these a clump that is drawn together by so much draws tips alone, as the square of their height; from the second on strands
+// from the root on: between the clumps of lightly wet fur there are notches, no cracks.
+#define FUR_TIPS_DRAWN 0.3
+#define FUR_ALL_DRAWN 0.64
 
 // How much of a sheet of long fur is one where its strands are seen, near to the eye: the rest stays in clumps. The share of their glints that
 // such strands have.
