@@ -395,6 +395,7 @@ vec2 tiltOf(Met met) {
 // Eq. 4: the strand moves by -d, in fur lengths.
 vec2 clumpTilt(Met met, March march) {
   float along = heightAt(march.metX) / coatTop, drawn = drawnBy(met.here.clump);
+  // The slope there, by a hundredth of the height.
   float turns = 100.0 * (clumpPull(along - 0.01, drawn, sheet) - clumpPull(along, drawn, sheet));
   // The strands of a sheet stick to those below: they lie flatter than the coat is high, however little water made it.
   float flatter = (1.0 + 1.5 * min(2.0 * joined, 1.0) / clamp(entryHeld, 0.3, 1.0)) / max(1.0 + 1.6 * lying.chance, 0.1);

@@ -31,4 +31,12 @@ class Random {
   std::uint64_t increment_;
 };
 
+// In [0, 1), always the same of the same two numbers. Not inlined, which keeps the download small.
+[[gnu::noinline]] inline float chanceOf(std::uint32_t a, std::uint32_t b) {
+  std::uint32_t x = a * 0x9e3779b1u ^ b * 0x85ebca77u;
+  x = (x ^ x >> 15) * 0x2c1b3c6du;
+  x = (x ^ x >> 12) * 0x297a2d39u;
+  return static_cast<float>((x ^ x >> 15) >> 8) * (1.0f / 16777216.0f);
+}
+
 }  // namespace fur

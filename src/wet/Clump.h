@@ -59,15 +59,12 @@ inline float liesBy(float ofClump, float strand, float shortness) {
 // The share of a strand's height at which it gets its light: the wetter, the lower, as strands that water joins shade each other.
 inline float litLower(float rho) { return glm::mix(1.0f, float{FUR_WET_LIT}, glm::smoothstep(float{FUR_WET_LIT_FROM}, 1.0f, rho)); }
 
-// How deep water that draws strands together by rho does so, 0: at tips alone .. 1: from the root on, as printed. Silva Eq. 1 opens cracks down
-// to the skin however little water there is; a few drops only bring tips together.
-inline float clumpDepth(float rho) { return glm::smoothstep(float{FUR_TIPS_DRAWN}, float{FUR_ALL_DRAWN}, rho); }
-
 // s: the share of the way to the clump's centre that a strand has gone at height h. From FUR_ALL_DRAWN to kSheetFrom it is f(h) rho, as
-// printed; where clumps close into a sheet it falls to 0, so that it never exceeds 0.824: s / (1 - s) stays finite.
+// printed; where clumps close into a sheet it falls to 0, so that it never exceeds 0.824: s / (1 - s) stays finite. Less than FUR_ALL_DRAWN draws
+// at tips more than below, as a few drops do: f(h) alone opens cracks down to the skin.
 inline float clumpPull(float h, float w, float layers, float rho, float sheet) {
-  const float height = std::min(h, 1.0f);
-  return clumpProfile(h, w, layers) * glm::mix(height * height, 1.0f, clumpDepth(rho)) * glm::clamp(rho, 0.0f, 1.0f) * (1.0f - sheet);
+  const float height = std::min(h, 1.0f), deep = glm::smoothstep(float{FUR_TIPS_DRAWN}, float{FUR_ALL_DRAWN}, rho);
+  return clumpProfile(h, w, layers) * glm::clamp(rho, 0.0f, 1.0f) * (1.0f - sheet) * glm::mix(height * height, 1.0f, deep);
 }
 inline float clumpPull(float h, float w, float layers, float rho) { return clumpPull(h, w, layers, rho, sheetOf(rho)); }
 

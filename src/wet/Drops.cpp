@@ -5,6 +5,7 @@
 
 #include "core/Fnv1a.h"
 #include "core/PortableMath.h"
+#include "core/Random.h"
 #include "wet/Clump.h"
 #include "wet/Drying.h"
 #include "wet/Water.h"
@@ -17,8 +18,9 @@ constexpr float kRate = Water::kStep;
 
 // Depth of what soaked fur holds on a square unit, which makes amounts into sizes of drops.
 constexpr float kDepth = 0.004f;
-constexpr float kFalls = 1.6e-3f;  // amount that is too heavy to hang, at most; where least holds it so much of that
-constexpr float kLeastHeld = 0.25f;
+constexpr std::size_t kMostHanging = 256;
+// Amount that is too heavy to hang, at most, and the least of it that is, by place, as a share.
+constexpr float kFalls = 1.6e-3f, kLeastHeld = 0.25f;
 // Of a drop that hangs: how far up the wet strands, and how many of its radii below their tips. The strands that hold it hide some: it is seen as
 // so much smaller.
 constexpr float kHangsAt = 0.75f, kHangsBelow = 0.6f, kHangsSmaller = 0.6f;
@@ -52,7 +54,7 @@ std::pair<Vec3, Vec3> shownAt(const WetSurface& skin, const SurfaceTexels::Place
 }
 
 // What can hang there: no two drops are alike.
-float heaviestAt(std::uint32_t place) { return kFalls * glm::mix(kLeastHeld, 1.0f, glm::fract(0.7548777f * static_cast<float>(place & 0xffffu))); }
+float heaviestAt(std::uint32_t place) { return kFalls * glm::mix(kLeastHeld, 1.0f, chanceOf(place, 0)); }
 
 // Of the skin there, model radii a second.
 Vec3 velocityAt(const WetSurface& skin, const SurfaceTexels::Place& place) {
@@ -67,6 +69,20 @@ Vec3 velocityAt(const WetSurface& skin, const SurfaceTexels::Place& place) {
 
 float Water::dropRadius(float amount) {
   return amount > 0.0f ? portableExp(portableLog(amount * (kDepth * 0.75f / kPi)) / 3.0f) : 0.0f;
+}
+
+// Not side by side: those would be one, and each drinks from its neighbours.
+void Water::hangDrops(std::uint32_t index) {
+  const SurfaceTexels::Block& block = texels_->blocks()[index];
+  for (std::uint32_t i = block.first; i < block.end && hanging_ < kMostHanging && drops_.size() < kMostDrops; ++i) {
+    if (film_[i] <= kHangsFrom || glm::dot(texels_->places()[i].normal, down_) <= 0.25f) continue;
+    const auto has = [&](std::uint32_t at) { return at != SurfaceTexels::kNone && hasDrop_[at]; };
+    const auto& links = texels_->links()[i];
+    if (has(i) || std::any_of(links.begin(), links.end(), has)) continue;
+    drops_.push_back({Vec3(0), 0, Vec3(0), 0, i});
+    hasDrop_[i] = 1;
+    ++hanging_;
+  }
 }
 
 // Hanging drops drink the film round them until they are too heavy.
@@ -104,7 +120,7 @@ void Water::feedHanging(const WetSurface& skin, WetnessMask& mask, const Climate
       if (drop.water > heaviestAt(drop.place) || glm::dot(normal, down_) < 0.0f || climate.shaking > 0.0f) {
         hasDrop_[drop.place] = 0;
         --hanging_;
-        drop.radius = dropRadius(drop.water);
+        drop.radius /= kHangsSmaller;
         drop.place = Drop::kNoPlace;
         drop.velocity = Vec3(0);
       } else if (drop.water <= 0.0f) {

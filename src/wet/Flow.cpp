@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/PortableMath.h"
+#include "core/Random.h"
 #include "wet/Drying.h"
 #include "wet/Water.h"
 
@@ -38,21 +39,9 @@ constexpr float kLevel = 1e-4f;
 // Less than this, squared, leads nowhere.
 constexpr float kNoWay = 1e-12f;
 
-constexpr std::uint32_t kHangingPlaces = 0x60000000u;  // of all, as a share of 2^32, by chance
-constexpr float kHangs = 0.4f;  // film that a drop hangs from
-constexpr std::size_t kMostHanging = 256;
-
 // One number for each link of a place.
 using Four [[gnu::vector_size(16)]] = float;
 float sum(const Four& x) { return ((x[0] + x[1]) + x[2]) + x[3]; }
-
-// 0..1, of two numbers.
-float chanceOf(std::uint32_t a, std::uint32_t b) {
-  std::uint32_t x = a * 0x9e3779b1u ^ b * 0x85ebca77u;
-  x = (x ^ x >> 15) * 0x2c1b3c6du;
-  x = (x ^ x >> 12) * 0x297a2d39u;
-  return static_cast<float>((x ^ x >> 15) >> 8) * (1.0f / 16777216.0f);
-}
 
 // How much harder than others a place is to blow dry, 0..1: `at` in radii of what blows. Waves of a tuft's size, each turned aside by another, so
 // that fur dries with a ragged border instead of a round one.
@@ -291,7 +280,7 @@ bool Water::rest(std::uint32_t index, const Amounts& now, bool moves) {
   int wet = 0, deep = 0, full = 0;
   for (std::size_t i = 0; i < kPlaces; ++i) {
     wet |= int{now.held[i] > 0.0f} | int{now.film[i] > 0.0f};
-    deep |= now.film[i] > kHangs;
+    deep |= now.film[i] > kHangsFrom;
     full += now.held[i] >= kFull;
   }
   const int kept = flags_[index] & kChanged;
@@ -327,15 +316,7 @@ void Water::receive(const WetSurface& skin, WetnessMask& mask, const Climate* cl
     flags_[index] &= static_cast<std::uint8_t>(~kChanged);
     wakeBeside(index);
   }
-  if (!deep) return;
-  const SurfaceTexels::Block& block = texels_->blocks()[index];
-  // Not at every place: side by side they would be one.
-  for (std::uint32_t i = block.first; i < block.end && hanging_ < kMostHanging && drops_.size() < kMostDrops; ++i)
-    if (film_[i] > kHangs && !hasDrop_[i] && i * 0x9e3779b9u < kHangingPlaces && glm::dot(texels_->places()[i].normal, down_) > 0.25f) {
-      drops_.push_back({Vec3(0), 0, Vec3(0), 0, i});
-      hasDrop_[i] = 1;
-      ++hanging_;
-    }
+  if (deep) hangDrops(index);
 }
 
 }  // namespace fur::wet

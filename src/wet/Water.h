@@ -111,8 +111,9 @@ class Water {
   void launch(const Vec3& position, const Vec3& velocity, float amount, float jet = 0);
   // Removes the film and the share `share` of wetness within the radius (model space).
   void wipe(const WetSurface& skin, WetnessMask& mask, const Vec3& centre, const Vec3& normal, float radius, float share);
+  // Removes what hangs and falls.
   void clearDrops();
-  // Removes drops and puddles. The caller clears the mask.
+  // And puddles. The caller clears the mask.
   void clear();
 
   std::span<const Drop> drops() const { return drops_; }
@@ -133,6 +134,7 @@ class Water {
   // Smaller amounts count as dry, do not flow, and smaller changes as none.
   static constexpr float kLeast = 1.0f / 1024;
   static constexpr float kCling = 0.06f;  // film that stays where it is
+  static constexpr float kHangsFrom = 0.4f;  // film that a drop hangs from
   static constexpr std::uint32_t kDryingTurns = 4, kSlowestTurns = 60;  // steps
   // Steps between two updates of water that only dries: enough for a visible change, so that slow drying does not redraw the
   // picture in every frame.
@@ -176,6 +178,7 @@ class Water {
     for (std::size_t k = 0; k < 3; ++k) mean += values[skin.surface.indices[std::size_t{3} * place.triangle + k]] / 3.0f;
     return mean;
   }
+  void hangDrops(std::uint32_t block);
   void feedHanging(const WetSurface& skin, WetnessMask& mask, const Climate& climate);
   void fall(const WetSurface& skin, const Climate& climate);
   void rain(const Climate& climate);

@@ -422,7 +422,7 @@ TEST(Water, DropsHangFromAndHitTheModelWhereItIsShown) {
 TEST(Water, DropsHangFromWhereWetFurEndsWhichIsLowerWhereItLies) {
   float highest[2] = {};
   for (const int lies : {0, 1}) {
-    Pond pond(sphere(), 128);  // as above
+    Pond pond(sphere(), 128);  // texels of coarser ones hold more than a drop
     pond.climate.groundHeight = -3;
     std::vector<Vec3> lay;
     for (const auto& vertex : pond.surface.vertices) lay.push_back(static_cast<float>(lies) * normalizeOr(glm::cross(vertex.normal, Vec3(0, 0, 1)), Vec3(0)));

@@ -68,9 +68,10 @@ std::optional<MaskStep> WaterStage::endStroke() {
 
 void WaterStage::apply(const MaskStep& step, bool undo) {
   app::apply(step, undo, mask_);
-  water_.clearDrops();  // they would bring back some of what is undone
   if (hair_ && (!step.hairBefore.empty() || !step.hairAfter.empty())) hair_->setWaterState(undo ? step.hairBefore : step.hairAfter);
-  if (mask_.isDry()) water_.clear();  // what hangs and falls came of it
+  // What hangs and falls came of water that is there no more.
+  if (mask_.isDry()) water_.clear();
+  else water_.clearDrops();
   touch();
 }
 
