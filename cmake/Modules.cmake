@@ -157,8 +157,8 @@ if(EMSCRIPTEN)
   foreach(source MovingVertices SurfaceBuffers WetCells passes/fin/FinEdges passes/fin/MovingEdges)
     fur_source_options("${CMAKE_SOURCE_DIR}/src/render/${source}.cpp" "$<$<CONFIG:Release>:-finline-functions>")
   endforeach()
-  # Once a chart, once a hard edge.
-  foreach(source AtlasOutlines ChartPacking HardEdges)
+  # Once a chart, once a hard edge, once a model.
+  foreach(source AtlasOutlines ChartPacking HardEdges SurfaceBytes)
     fur_source_options("${CMAKE_SOURCE_DIR}/src/geometry/${source}.cpp" "$<$<CONFIG:Release>:-fno-inline-functions>")
   endforeach()
   foreach(source Json NumberText SharedThings)

@@ -100,7 +100,7 @@ export class Coats {
     if (this.#buttons.length === 0) return;
     const now = JSON.stringify(this.#coatNow());
     const isOriginal = now === JSON.stringify(this.#loaded), own = this.#own.find(({ settings }) => settings === now);
-    const chosen = isOriginal ? 'original' : this.#fur.preset || own?.id;
+    const chosen = this.#fur.preset || (isOriginal ? 'original' : own?.id);
     for (const button of this.#buttons) {
       const { coat, own: id } = button.dataset;
       if (coat || id) button.setAttribute('aria-pressed', String((coat ?? id) === chosen));

@@ -104,10 +104,11 @@ March marchCoat(float first) {
   int begun = 0;
 #ifdef TYPES
   int plainSteps = stepsTo(plainTo, march.x, stepSize, mostSteps);
-  for (int i = 0; i < plainSteps && march.alpha <= closes; ++i) {
+  for (int i = 0; i < plainSteps; ++i) {
     Strand here = standingAt(march.x);
     shape(here);
     stepOn(march, here, addPlain(here, march));
+    if (march.alpha > closes || i + 1 == plainSteps) break;
   }
   if (plainSteps > 0) leavePlain(march);
   begun = march.alpha > closes ? steps : plainSteps;

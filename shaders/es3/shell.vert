@@ -1,7 +1,6 @@
-// Shells: usually one, the coat's outside. Of K (Frame::shellCount) instance i stands at the height 1 - i / K, and the
-// fragment shader marches from there to the skin along the view ray. Where the ray goes in the
-// coat's own space, tile coordinates and height, comes from here as two parabolas: worked out per fragment
-// from derivatives it costs four times as much and breaks at uv seams.
+// Shells: usually one, the coat's outside, or some below it as well (Frame::shellCount). The fragment shader marches from
+// there to the skin along the view ray. Where the ray goes in the coat's own space, tile coordinates and height, comes from
+// here as two parabolas: worked out per fragment from derivatives it costs four times as much and breaks at uv seams.
 #include "common.glsl"
 #include "common_bend.glsl"
 
@@ -45,6 +44,7 @@ out float vLength;    // of the coat here, a share of the fur length
 #endif
 out vec3 vLightSpace, vLightRay;  // in the fur's own shadow map: where the ray enters, and a fur length of it
 
+const float kShellsApart = 1.0 / 3.0;  // the second at half the height let one see into the coat between breast and foreleg
 // Where the shell stands, a share of the coat's height.
 float shellHeight() {
 #if defined(VIEW_EXPLODED)
@@ -53,7 +53,7 @@ float shellHeight() {
 #elif defined(VIEW_LAYER)
   return viewLayer;
 #else
-  return 1.0 - float(gl_InstanceID) / shellCount;
+  return 1.0 - kShellsApart * float(gl_InstanceID);
 #endif
 }
 

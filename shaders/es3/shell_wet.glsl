@@ -319,6 +319,7 @@ Lying locksAt(vec2 tile, vec2 lies, float cells, float frays) {
     vec2 on = onLock(at - centre, own, FUR_LOCK_HALF_WIDTH * (0.75 + 0.5 * chances.y));
     on += vec2(0.25 * abs(frays), frays);
     top = mix(top, vec3(on, chances.x), step(top.x, on.x) * step(on.x, 1.0) * step(abs(on.y), 1.0));
+    if (i + 1 == FUR_LOCK_LOOKS) break;
   }
   float rises = float(top.x > 0.0) * (1.0 - top.y * top.y) * min(0.35 + 2.0 * top.x, 1.0);
   return Lying(vec2(top.y, 0.0), rises, min(2.0 * rises, 1.0) * (top.z - 0.5 + 0.5 * (0.5 - top.x)), vec2(0.0), 1.0);

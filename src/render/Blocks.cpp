@@ -124,7 +124,6 @@ shared::FurBlock furBlock(const Frame& frame, const furgen::CoatShape& shape, co
   coat.furLength = frame.coatLength;
   coat.tilesPerUnit = s.repeat * 256.0f / static_cast<float>(shape.size);
   coat.layers = static_cast<float>(s.layers);
-  coat.shellCount = static_cast<float>(frame.shellCount);
   coat.tileTexels = static_cast<float>(shape.size);
   coat.storedLayers = static_cast<float>(shape.layers);
   coat.strandShare = shape.sharesStrands ? 0.5f : 1.0f;

@@ -28,8 +28,8 @@ struct Frame {
   float groundHeight = -1;    // world y
   float reach = 1;            // of the skin from the model's origin, whatever it plays
   Vec4 ball{0};               // its centre in the world; w: radius, 0: none
-  // Shells from which rays enter the coat: the outermost alone, or others below it as well, at even heights. They are for rays
-  // that leave the coat of one part of the body deep in that of another. Hidden ones are rejected by the depth test.
+  // Shells from which rays enter the coat: the outermost alone, or up to two below it as well. They are for rays that leave the
+  // coat of one part of the body within that of another. Hidden ones are rejected by the depth test.
   int shellCount = 1;
   // The march's steps are this many times as long as is good for the picture: 1 and more.
   float stepLength = 1;

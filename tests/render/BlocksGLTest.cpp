@@ -45,12 +45,12 @@ std::vector<Member> furMembers() {
       FUR_MEMBER(FurBlock, typeDensity), FUR_MEMBER(FurBlock, typeShadow), FUR_MEMBER(FurBlock, typeOcclusion),
       FUR_MEMBER(FurBlock, typeSpecular), FUR_MEMBER(FurBlock, typeShininess), FUR_MEMBER(FurBlock, typeDryShininess),
       FUR_MEMBER(FurBlock, typePicture), FUR_MEMBER(FurBlock, furLength), FUR_MEMBER(FurBlock, tilesPerUnit),
-      FUR_MEMBER(FurBlock, layers), FUR_MEMBER(FurBlock, shellCount), FUR_MEMBER(FurBlock, tileTexels),
+      FUR_MEMBER(FurBlock, layers), FUR_MEMBER(FurBlock, layersLog), FUR_MEMBER(FurBlock, tileTexels),
       FUR_MEMBER(FurBlock, storedLayers), FUR_MEMBER(FurBlock, densest), FUR_MEMBER(FurBlock, maskTexels),
       FUR_MEMBER(FurBlock, lambert), FUR_MEMBER(FurBlock, textureAmount), FUR_MEMBER(FurBlock, chartsOverlap),
       FUR_MEMBER(FurBlock, clumpShape), FUR_MEMBER(FurBlock, wetDarkening), FUR_MEMBER(FurBlock, wetGloss),
       FUR_MEMBER(FurBlock, lobePeak), FUR_MEMBER(FurBlock, skinPicture), FUR_MEMBER(FurBlock, clumpRadius),
-      FUR_MEMBER(FurBlock, strandShare), FUR_MEMBER(FurBlock, layersLog),
+      FUR_MEMBER(FurBlock, strandShare),
   };
 }
 std::vector<Member> hairMembers() {

@@ -432,6 +432,8 @@ test('a coat that is chosen on the page changes the fur; undo takes it back, and
   assert.equal(await withFur(page, (fur) => fur.getState()), original);
   const other = await site.open(new URL(link).search);
   assert.equal(await withFur(other, (fur) => fur.preset), 'chinchilla');
+  await other.click('#coat');
+  assert.equal(await other.$eval('#coats [aria-pressed=true]', (one) => one.dataset.coat), 'chinchilla');
   assert.deepEqual(page.problems, []);
   assert.deepEqual(await page.evaluate(() => window.violations), []);
 });

@@ -86,7 +86,7 @@ FUR_BLOCK(FurBlock) {
   float furLength;     // model units
   float tilesPerUnit;  // fur tiles along a model unit
   float layers;        // N of the coat
-  float shellCount;
+  float layersLog;     // ln N: shaders need it at each step of a march through wet fur
 
   float tileTexels;    // along a side of the fur tile
   float storedLayers;  // in its textures
@@ -105,7 +105,6 @@ FUR_BLOCK(FurBlock) {
 
   float clumpRadius;   // of clumps that form by themselves, model units
   float strandShare;   // layers of strands among storedLayers: 1 or 1/2
-  float layersLog;     // ln N: shaders need it at each step of a march through wet fur
 };
 
 #define FUR_FRAME_BINDING 0
