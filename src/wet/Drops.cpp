@@ -362,8 +362,12 @@ void Water::clearDrops() {
 void Water::clear() {
   clearDrops();
   for (float& amount : incoming_) accounts_.removed += std::exchange(amount, 0.0f);
-  std::fill(puddles_.begin(), puddles_.end(), 0.0f);
-  groundWet_ = groundMoves_ = false;
+  setGround({});
+}
+
+void Water::setGround(const std::vector<float>& puddles) {
+  std::fill(std::copy(puddles.begin(), puddles.end(), puddles_.begin()), puddles_.end(), 0.0f);
+  groundWet_ = groundMoves_ = !puddles.empty();
   ++groundRevision_;
 }
 

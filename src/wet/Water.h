@@ -122,6 +122,9 @@ class Water {
   static float dropRadius(float amount);
   // The puddles on the ground (Puddles.h): water per square unit for each cell; the revision changes with them.
   std::span<const float> ground() const { return puddles_; }
+  // The same, or nothing where the ground is dry.
+  std::vector<float> wetGround() const { return groundWet_ ? puddles_ : std::vector<float>(); }
+  void setGround(const std::vector<float>& puddles);
   std::uint32_t groundRevision() const { return groundRevision_; }
   Accounts accounts() const;
   // FNV-1a over the mask, its film, drops and puddles.

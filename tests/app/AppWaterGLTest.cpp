@@ -341,6 +341,35 @@ TEST(AppWater, LettersAreStampedWhereTheyLie) {
   EXPECT_EQ(basin.app.meanWetness(), 0);
 }
 
+TEST(AppWater, UndoOfAStrokeTakesItsPuddlesAlongAndLeavesThoseBeforeIt) {
+  Basin basin;
+  const auto onGround = [&] {
+    double sum = 0;
+    for (const float amount : basin.app.water().ground()) sum += amount;
+    return sum;
+  };
+  basin.app.setTool(Tool::Droplet);
+  basin.stroke({80, 80}, {120, 80});
+  basin.app.setTool(Tool::Hose);
+  basin.stroke({95, 95}, {105, 105}, 60);
+  basin.run(240);
+  const double before = onGround();
+  EXPECT_GT(before, 0);
+  basin.stroke({95, 95}, {105, 105}, 60);
+  const double after = onGround();
+  EXPECT_GT(after, before);
+  basin.run(240);
+  EXPECT_GT(onGround(), after);  // as it drips on
+  EXPECT_TRUE(basin.app.undo());
+  EXPECT_EQ(onGround(), before);
+  EXPECT_TRUE(basin.app.redo());
+  EXPECT_EQ(onGround(), after);
+  EXPECT_TRUE(basin.app.undo());
+  EXPECT_TRUE(basin.app.undo());
+  EXPECT_EQ(onGround(), 0);
+  EXPECT_GT(basin.app.meanWetness(), 0);  // the first stroke
+}
+
 TEST(AppWater, RecordedStrokesGiveTheSameWaterAgain) {
   Basin first, second;
   first.stroke({80, 90}, {120, 110});

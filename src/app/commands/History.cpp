@@ -14,7 +14,7 @@ std::size_t bytesIn(const std::vector<T>& values) {
 
 std::size_t bytesOf(const Step& step) {
   if (const auto* mask = std::get_if<MaskStep>(&step)) return sizeof(Step) + bytesIn(mask->before.texels) + bytesIn(mask->after.texels) + bytesIn(mask->before.film) + bytesIn(mask->after.film) +
-           bytesIn(mask->wet) + bytesIn(mask->hairBefore) + bytesIn(mask->hairAfter);
+           bytesIn(mask->wet) + bytesIn(mask->hairBefore) + bytesIn(mask->hairAfter) + bytesIn(mask->groundBefore) + bytesIn(mask->groundAfter);
   if (const auto* hair = std::get_if<HairStep>(&step)) return sizeof(Step) + bytesIn(hair->before) + bytesIn(hair->after);
   if (std::holds_alternative<SettingsStep>(step)) return sizeof(Step) + sizeof(SettingsStep::Both);
   const auto* groom = std::get_if<GroomStep>(&step);

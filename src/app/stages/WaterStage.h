@@ -160,7 +160,7 @@ class WaterStage {
 
   std::vector<WaterStroke> strokes_;
   std::optional<MaskImage> before_;  // the stroke at work
-  std::vector<float> hairBefore_;
+  std::vector<float> hairBefore_, groundBefore_;
   std::optional<Held> held_;
   int sinceDab_ = 0;   // steps
   Random random_{1}, sprinkled_{23};

@@ -39,6 +39,7 @@ void WaterStage::beginStroke(WaterStroke head) {
   random_ = Random(strokes_.size());
   before_ = MaskImage{mask_.texels(), mask_.film()};
   if (hair_) hairBefore_ = hair_->waterState();
+  groundBefore_ = water_.wetGround();
   held_.reset();
 }
 
@@ -63,6 +64,10 @@ std::optional<MaskStep> WaterStage::endStroke() {
     step->hairBefore = std::exchange(hairBefore_, {});
     step->hairAfter = std::move(hair);
   }
+  if (step) {
+    step->groundBefore = std::move(groundBefore_);
+    step->groundAfter = water_.wetGround();
+  }
   return step;
 }
 
@@ -72,6 +77,7 @@ void WaterStage::apply(const MaskStep& step, bool undo) {
   // What hangs and falls came of water that is there no more.
   if (mask_.isDry()) water_.clear();
   else water_.clearDrops();
+  water_.setGround(undo ? step.groundBefore : step.groundAfter);
   touch();
 }
 
