@@ -352,15 +352,11 @@ void Water::wipe(const WetSurface& skin, WetnessMask& mask, const Vec3& centre, 
   touch(mask);
 }
 
-void Water::clearDrops() {
+void Water::clear() {
   for (const Drop& drop : drops_) accounts_.removed += drop.water;
   drops_.clear();
   hanging_ = 0;
   std::fill(hasDrop_.begin(), hasDrop_.end(), std::uint8_t{0});
-}
-
-void Water::clear() {
-  clearDrops();
   for (float& amount : incoming_) accounts_.removed += std::exchange(amount, 0.0f);
   setGround({});
 }

@@ -111,9 +111,7 @@ class Water {
   void launch(const Vec3& position, const Vec3& velocity, float amount, float jet = 0);
   // Removes the film and the share `share` of wetness within the radius (model space).
   void wipe(const WetSurface& skin, WetnessMask& mask, const Vec3& centre, const Vec3& normal, float radius, float share);
-  // Removes what hangs and falls.
-  void clearDrops();
-  // And puddles. The caller clears the mask.
+  // Removes drops and puddles. The caller clears the mask.
   void clear();
 
   std::span<const Drop> drops() const { return drops_; }

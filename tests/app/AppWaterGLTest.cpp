@@ -362,6 +362,7 @@ TEST(AppWater, UndoOfAStrokeTakesItsPuddlesAlongAndLeavesThoseBeforeIt) {
   EXPECT_GT(onGround(), after);  // as it drips on
   EXPECT_TRUE(basin.app.undo());
   EXPECT_EQ(onGround(), before);
+  EXPECT_TRUE(basin.app.restoreHistory(basin.app.saveHistory(false)));
   EXPECT_TRUE(basin.app.redo());
   EXPECT_EQ(onGround(), after);
   EXPECT_TRUE(basin.app.undo());

@@ -51,7 +51,8 @@ void carry(Io& io, S& step) {
   if constexpr (std::is_same_v<Kind, SettingsStep>) {
     io(step.both->before, step.both->after);
   } else if constexpr (std::is_same_v<Kind, MaskStep>) {
-    io(step.rect, step.before.texels, step.before.film, step.after.texels, step.after.film, step.wet, step.hairBefore, step.hairAfter);
+    io(step.rect, step.before.texels, step.before.film, step.after.texels, step.after.film, step.wet, step.hairBefore, step.hairAfter,
+       step.groundBefore, step.groundAfter);
   } else if constexpr (std::is_same_v<Kind, HairStep>) {
     io(step.before, step.after);
   } else if constexpr (std::is_same_v<Kind, GroomStep>) {

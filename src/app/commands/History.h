@@ -39,7 +39,7 @@ struct MaskStep {
   MaskImage before, after;
   std::vector<std::uint32_t> wet;
   std::vector<float> hairBefore{}, hairAfter{};  // wet::WetHair::state(), where that has changed
-  std::vector<float> groundBefore{}, groundAfter{};  // wet::Water::ground(); empty: dry. Files do not hold them
+  std::vector<float> groundBefore{}, groundAfter{};  // wet::Water::wetGround()
 };
 
 // Water on parts that lost their fur, and with it the water: texels of the mask, what each held, the film on it.

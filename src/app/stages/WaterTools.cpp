@@ -74,9 +74,7 @@ std::optional<MaskStep> WaterStage::endStroke() {
 void WaterStage::apply(const MaskStep& step, bool undo) {
   app::apply(step, undo, mask_);
   if (hair_ && (!step.hairBefore.empty() || !step.hairAfter.empty())) hair_->setWaterState(undo ? step.hairBefore : step.hairAfter);
-  // What hangs and falls came of water that is there no more.
-  if (mask_.isDry()) water_.clear();
-  else water_.clearDrops();
+  water_.clear();  // what hangs and falls came of water that is there no more
   water_.setGround(undo ? step.groundBefore : step.groundAfter);
   touch();
 }
