@@ -212,7 +212,7 @@ export class WetFur extends EventTarget {
     this.#frames.wake();
   }
   /** Letters as clumps of wet fur, round {x, y} in CSS pixels of the canvas (default: its middle), `size` high, turned by `angle` (radians, clockwise). */
-  stamp(text, { x = this.canvas.clientWidth / 2, y = this.canvas.clientHeight / 2, size = 96, angle = 0, amount = 0.5 } = {}) {
+  stamp(text, { x = this.canvas.clientWidth / 2, y = this.canvas.clientHeight / 2, size = 96, angle = 0, amount = 0.7 } = {}) {
     if (!this.loaded || !text) return;
     const picture = pictureOfText(text, size, angle);
     const [left, top] = this.#cssToBuffer({ x, y });

@@ -241,7 +241,7 @@ class App {
   // Wets what is opaque in a picture (one byte a texel, row by row from the top) with one clump beside the other, where
   // it lies over the model: letters. `across`: its width in pixels of the drawing buffer; `amount`: how wet they are, which
   // runs from letter to letter in seconds where fur holds much more than the default.
-  void stamp(std::span<const std::uint8_t> coverage, int width, int height, Vec2 centre, float across, float amount = 0.5f);
+  void stamp(std::span<const std::uint8_t> coverage, int width, int height, Vec2 centre, float across, float amount = 0.7f);
   // All that was done with water since the model came, as JSON, see commands/WaterStrokes.h. replay() does it again on the same model, advancing the clock
   // by steps of 1/60 s between, each stroke as an undo step of its own.
   std::string recordedStrokes() const;

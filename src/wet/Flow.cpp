@@ -28,9 +28,9 @@ constexpr float kAbsorb = 5.0f;       // share of the film that fur takes up in 
 constexpr float kField = 0.75f, kSeep = 0.4f;
 // Fur so wet draws no more from its neighbours: what it let go of would only come back.
 constexpr float kFull = kField - 0.05f;
-// Along strands water creeps: from wetter to drier fur, down to a difference of kWickRest, and not out of fur that is
-// only damp.
-constexpr float kWick = 1.5e-4f, kWickRest = 0.02f, kDamp = 0.3f, kMostWicks = 0.1f;
+// Along strands water creeps: from wetter to drier fur, down to a difference of kWickRest, and not out of fur that
+// holds no more than kDamp: at half of that letters of water ran together in half a minute.
+constexpr float kWick = 1.5e-4f, kWickRest = 0.02f, kDamp = 0.6f, kMostWicks = 0.1f;
 // How far combed fur turns what runs, and how much better water creeps along it than across.
 constexpr float kTurn = 0.7f, kAlong = 3.0f;
 

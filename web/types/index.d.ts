@@ -182,7 +182,7 @@ export interface WetFurApi extends WetFurMethods {
   splash(at: { u: number; v: number } | { x: number; y: number }, options?: { radius?: number; amount?: number }): boolean;
   /** As `seconds` of drying would; all at once without. */
   dry(seconds?: number): void;
-  /** Letters as clumps of wet fur, round CSS pixels of the canvas (default: its middle), `size` pixels high, turned clockwise by `angle` radians. `amount`: how wet they are (default: 0.5; wetter ones run into each other in seconds). */
+  /** Letters as clumps of wet fur, round CSS pixels of the canvas (default: its middle), `size` pixels high, turned clockwise by `angle` radians. `amount`: how wet they are (default: 0.7; wetter ones creep into each other). */
   stamp(text: string, options?: { x?: number; y?: number; size?: number; angle?: number; amount?: number }): void;
   /** What was done with water since the model came, by every tool: for replay() on the same model. */
   readonly recordedStrokes: string;
