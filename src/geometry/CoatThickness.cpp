@@ -13,10 +13,34 @@ constexpr float kShareOfRadius = 0.65f;
 constexpr float kRise = 0.6f;  // room for a unit of way from a crease: by 1 the outside of long coats was still folded
 constexpr int kMostSweeps = 16;
 
+constexpr float kShareOfBody = 1.1f, kThin = 0.12f;
+
+// The largest curvature, outwards (positive) of a round part or inwards of a crease, whichever `side` is.
+float mostCurved(const Vec3& S, float side) {
+  const float apart = 0.5f * (S.x - S.z);
+  return std::sqrt(apart * apart + S.y * S.y) + 0.5f * side * (S.x + S.z);
+}
+
 // Of the crease that the curvature has.
-float roomOf(const Vec3& S) {
-  const float apart = 0.5f * (S.x - S.z), hollow = std::sqrt(apart * apart + S.y * S.y) - 0.5f * (S.x + S.z);
-  return kShareOfRadius / std::max(hollow, kShareOfRadius / kAnyThickness);
+float roomOf(const Vec3& S) { return kShareOfRadius / std::max(mostCurved(S, -1), kShareOfRadius / kAnyThickness); }
+
+// How long fur may be on a body that is as round as half of its skin is at least. Found by halves among some triangles.
+float roomOnBody(const Surface& surface, const std::vector<std::uint32_t>& triangles) {
+  constexpr std::size_t kAsked = 2000;
+  constexpr int kHalvings = 12;
+  const std::size_t count = triangles.size() / 3, stride = std::max<std::size_t>(count / kAsked, 1);
+  float low = 0, high = kShareOfBody / kThin;
+  for (int i = 0; i < kHalvings; ++i) {
+    const float middle = 0.5f * (low + high);
+    float rounder = 0;
+    for (std::size_t t = 0; t < count; t += stride) {
+      const SurfaceVertex &a = surface.vertices[triangles[3 * t]], &b = surface.vertices[triangles[3 * t + 1]], &c = surface.vertices[triangles[3 * t + 2]];
+      const float area = glm::length(glm::cross(b.position - a.position, c.position - a.position));
+      rounder += mostCurved(a.curvature, 1) > middle ? area : -area;
+    }
+    (rounder > 0 ? low : high) = middle;
+  }
+  return kShareOfBody / std::max(high, kShareOfBody / kAnyThickness);
 }
 
 // Strands at its ends meet at that height.
@@ -29,7 +53,7 @@ float roomOf(const SurfaceVertex& a, const SurfaceVertex& b) {
 }  // namespace
 
 void measureRoom(Surface& surface, const std::vector<std::uint32_t>& triangles, const Weld& weld) {
-  std::vector<float> rooms(weld.count, kAnyThickness);
+  std::vector<float> rooms(weld.count, roomOnBody(surface, triangles));
   for (std::size_t i = 0; i < surface.vertices.size(); ++i) rooms[weld.idOf[i]] = std::min(rooms[weld.idOf[i]], roomOf(surface.vertices[i].curvature));
   const auto forEdges = [&](std::size_t triangle, auto visit) {
     for (std::size_t k = 0; k < 3; ++k) {

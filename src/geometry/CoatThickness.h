@@ -14,6 +14,8 @@ namespace fur::geometry {
 // Sets SurfaceVertex::room: in a crease a coat is at most 0.65 of the crease's radius thick, as beyond that strands of both sides would
 // cross. The radius is that of the curvature, which must be set, and of each edge whose ends lean together. Away from a crease room
 // grows with the way to it: strands that stand further off would reach into the other side, and the coat's outside would fold.
+// Nor is fur longer than 1.1 times the radius of the body: that which half of the skin, by area, has at least by its largest curvature. Longer
+// fur hid what a slender animal is, and its outside had polygons and holes. On any body it may be 0.12 (model units) long.
 // `triangles` cover the surface once; `weld` is over all its vertices.
 void measureRoom(Surface& surface, const std::vector<std::uint32_t>& triangles, const Weld& weld);
 

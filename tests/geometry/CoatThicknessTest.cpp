@@ -38,6 +38,25 @@ TEST(CoatThickness, IsThatOfTheStrandsWhereNothingIsInTheirWay) {
   for (const SurfaceVertex& vertex : built(makeSphere()).vertices) EXPECT_EQ(coatThickness(vertex, 0.3f), 0.3f);
 }
 
+TEST(CoatThickness, IsHardlyMoreThanTheRadiusOfASlenderBody) {
+  const auto longestOn = [](Vec3 scale) {
+    Mesh mesh = makeSphere();
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+      mesh.positions[i] *= scale;
+      mesh.normals[i] = glm::normalize(mesh.normals[i] / scale);
+    }
+    float longest = 0;
+    for (const SurfaceVertex& vertex : built(mesh).vertices) longest = std::max(longest, coatThickness(vertex, 2));
+    return longest;
+  };
+  // A spindle is thinner towards its ends; half of its skin is as round as nearly its middle.
+  EXPECT_NEAR(longestOn(Vec3(0.25f, 1, 0.25f)), 1.1f * 0.24f, 0.02f);
+  EXPECT_NEAR(longestOn(Vec3(1)), 1.1f, 0.01f);
+  // Of a plate most is flat; hair on a wire is longer than that is thick.
+  EXPECT_EQ(longestOn(Vec3(1, 0.05f, 1)), 2.0f);
+  EXPECT_NEAR(longestOn(Vec3(0.03f, 1, 0.03f)), 0.12f, 1e-4f);
+}
+
 TEST(CoatThickness, EndsInACreaseBeforeItsStrandsCross) {
   for (const SurfaceVertex& vertex : built(trough(0.25f, 24)).vertices) {
     EXPECT_EQ(coatThickness(vertex, 0.1f), 0.1f);
