@@ -90,12 +90,11 @@ export class AppliedOptions {
     if (layers && !wantedSettings.has('layers')) this.setSetting('layers', layers);
   }
 
-  /** Once: what is set later stays over it. */
-  #applyPreset() {
+  /** Once, on what the first model brought: what is set later stays over it. */
+  #applyPreset(isThere = this.#session.loaded) {
     const { app, options } = this.#session;
-    const name = options.preset;
-    options.preset = '';
-    if (name) app.preset = name;
+    if (options.preset) app.preset = options.preset;
+    if (isThere) options.preset = '';
   }
 
   #applyMotion() {
@@ -175,6 +174,7 @@ export class AppliedOptions {
   settingsToModel() {
     const { app, wantedSettings } = this.#session;
     this.#session.flushWarnings();
+    this.#applyPreset(true);
     for (const [name, value] of wantedSettings) app.setSetting(name, value);
     app.takeWarnings();  // of values that were refused, and told, when they were set first
     app.settingsCameWithModel();

@@ -37,7 +37,7 @@ export class Loading {
   #told = new Progress();
   #starting = null;
   #wantedState = null;
-  #hasOwnLook = false;  // asked for beside the model: what a scene file brings gives way
+  #hasOwnState = false;  // asked for beside the model: what a scene file brings gives way
   #ready;
 
   /**
@@ -203,7 +203,7 @@ export class Loading {
 
   /** It takes the place of the one that is there. */
   adopt(app) {
-    const { context, options, phase } = this.#session;
+    const { context, phase } = this.#session;
     try {
       if (phase === 'disposed') throw new FurError('wasm-load', 'disposed of while loading');
       context.open();
@@ -214,7 +214,7 @@ export class Loading {
     }
     this.#session.app = app;
     app.onFailure(() => { if (this.#session.app === app) this.#leaveFailed(app); });
-    this.#hasOwnLook ||= Boolean(this.#wantedState || options.preset);
+    this.#hasOwnState ||= Boolean(this.#wantedState);
     if (this.#wantedState) this.#takeWantedState(app);
     this.#applied.toProgram();
     this.#session.flushWarnings();
@@ -295,7 +295,7 @@ export class Loading {
     this.#session.cameWith = cameWithOf(document);
     if (document) this.putBack(app, { ...document, source });
     else {
-      loadInto(app, source, first && this.#hasOwnLook);
+      loadInto(app, source, first && this.#hasOwnState);
       this.#session.cameWith = undefined;
     }
     if (first) this.#applied.settingsToModel();

@@ -115,6 +115,16 @@ test('a preset of the address is the coat, and fields beside it stay over it', a
   assert.deepEqual(await withFur(tab, (fur) => fur.warnings), []);
 });
 
+test('a preset of the address is a coat for the model: its light, backdrop and camera stay what it brought', async () => {
+  const look = (address) => site.open(address).then((tab) => withFur(tab, (fur) => ({ settings: { ...fur.settings }, orbit: fur.cameraOrbit, coat: fur.preset, coatFields: fur.settingsTable.filter(({ coat }) => coat).map(({ name }) => name) })));
+  const own = await look(`?${light}&src=otter`), dressed = await look(`?${light}&src=otter&preset=persian`);
+  assert.equal(dressed.coat, 'persian');
+  assert.equal(dressed.orbit, own.orbit);
+  const changed = Object.keys(own.settings).filter((name) => own.settings[name] !== dressed.settings[name]);
+  assert.ok(changed.includes('furLength'));
+  assert.deepEqual(changed.filter((name) => !dressed.coatFields.includes(name)), []);
+});
+
 test('a preset that there is not warns once and names those that there are', async () => {
   const tab = await site.open(`?${light}&src=sphere&preset=fox`);
   const warnings = await withFur(tab, (fur) => fur.warnings);
