@@ -22,13 +22,16 @@ void enterTypes(float aside) {
   stored = storedLayers;
   typesGrow = typeGrows;
   typesRise = typeRise;
-  vec2 texel = textureLod(evenReach, vAtlas, 0.0).rg, size = vec2(textureSize(evenReach, 0));
+  vec4 texel = textureLod(evenReach, vAtlas, 0.0);
+  vec2 size = vec2(textureSize(evenReach, 0));
   int even = int(255.0 * texel.r + 0.5);
   plainType = even & 3;
   // In texels: half of one less, as the map is filtered between them, and less what roots lie aside.
   vec2 way = abs(atlasFromTile() * (foot - vTile.xy)) * size;
   float reach = float(even >> 2) - 0.5 - aside * size.x;
   plainTo = end * clamp(reach / max(max(way.x, way.y), 1e-3), 0.0, 1.0);
+  // Over the border of its chart the map has what grows in another place, or nothing: there fur is as where the ray enters, if that is even.
+  if (reach > 0.0 && plainTo < end && textureLod(evenReach, atlasAt(foot), 0.0).b != texel.b) plainTo = end;
   vec4 is = only(plainType);
   float grows = dot(typesGrow, is) * step(kBald, texel.g);
   plainFurry = grows * min(texel.g / 0.15, 1.0);

@@ -191,8 +191,8 @@ void App::State::uploadGroom(bool whole) {
 
 // Only shaders of several types read it.
 void App::State::uploadEvenReach() {
-  constexpr groom::EvenTexel kEven{4 * groom::kMostReach, 255}, kUnknown{};
-  if (groom.types() > 1) return renderer->updateEvenReach(groom::evenReach(groom.groom().map, groom.groomSurface(shape).atlas));
+  constexpr groom::EvenTexel kEven{4 * groom::kMostReach, 255, 1, 0}, kUnknown{0, 0, 1, 0};
+  if (groom.types() > 1) return renderer->updateEvenReach(groom::evenReach(groom.groom().map, shape.surface(), groom.groomSurface(shape).atlas));
   renderer->updateEvenReach({groom.hasLengths() ? &kUnknown : &kEven, 1});
 }
 

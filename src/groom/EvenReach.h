@@ -9,11 +9,12 @@
 
 namespace fur::groom {
 
-// Two bytes a texel, row-major. The first: the type, 0 to 3, and four times the number of texels, kMostReach at most, along x and y, up to
-// which all that lie on charts are equal to it; 0 where several types share the texel. The second: its length. Between charts they say
-// nothing.
-using EvenTexel = std::array<std::uint8_t, 2>;
+// Four bytes a texel, row-major. The first: the type, 0 to 3, and four times the number of texels, kMostReach at most, along x and y, up to
+// which all of its chart are equal to it; 0 where several types share the texel. What lies on other charts does not count: a ray that comes
+// there is over other skin than they have. The second: its length. The third tells
+// charts apart, also in their gutters: of a chart one and the same number, 0 on none. The fourth is 0.
+using EvenTexel = std::array<std::uint8_t, 4>;
 inline constexpr std::uint8_t kMostReach = 63;
-std::vector<EvenTexel> evenReach(const GroomMap& map, const geometry::AtlasTexels& atlas);
+std::vector<EvenTexel> evenReach(const GroomMap& map, const geometry::Surface& surface, const geometry::AtlasTexels& atlas);
 
 }  // namespace fur::groom

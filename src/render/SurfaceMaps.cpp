@@ -109,7 +109,7 @@ std::size_t SurfaceMaps::updateGroom(const groom::GroomMap& map, const geometry:
 
 std::size_t SurfaceMaps::updateEvenReach(std::span<const groom::EvenTexel> texels) {
   const int size = static_cast<int>(std::lround(std::sqrt(texels.size())));
-  if (evenReach_.shape().width != size || evenReach_.bytes() == 0) evenReach_ = gl::Texture({gl::TexelFormat::RG8, size, size, 0, gl::Filter::Nearest}, {});
+  if (evenReach_.shape().width != size || evenReach_.bytes() == 0) evenReach_ = gl::Texture({gl::TexelFormat::RGBA8, size, size, 0, gl::Filter::Nearest}, {});
   evenReach_.update(0, 0, size, size, std::as_bytes(texels), 0);
   return texels.size_bytes();
 }
