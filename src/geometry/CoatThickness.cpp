@@ -13,9 +13,10 @@ constexpr float kShareOfRadius = 0.65f;
 constexpr float kRise = 0.6f;  // room for a unit of way from a crease: by 1 the outside of long coats was still folded
 constexpr int kMostSweeps = 16;
 
-constexpr float kShareOfBody = 1.1f, kThin = 0.12f;
+// The longest fur as a share of the body's radius; any body may have fur of kAnyBody.
+constexpr float kShareOfBody = 1.1f, kAnyBody = 0.12f;
 
-// The largest curvature, outwards (positive) of a round part or inwards of a crease, whichever `side` is.
+// The largest curvature: of a round part (`side` 1) or of a crease (-1).
 float mostCurved(const Vec3& S, float side) {
   const float apart = 0.5f * (S.x - S.z);
   return std::sqrt(apart * apart + S.y * S.y) + 0.5f * side * (S.x + S.z);
@@ -24,12 +25,12 @@ float mostCurved(const Vec3& S, float side) {
 // Of the crease that the curvature has.
 float roomOf(const Vec3& S) { return kShareOfRadius / std::max(mostCurved(S, -1), kShareOfRadius / kAnyThickness); }
 
-// How long fur may be on a body that is as round as half of its skin is at least. Found by halves among some triangles.
+// How long fur may be on a body whose radius half of the skin, by area, has at least. Found by halves among some triangles.
 float roomOnBody(const Surface& surface, const std::vector<std::uint32_t>& triangles) {
   constexpr std::size_t kAsked = 2000;
   constexpr int kHalvings = 12;
   const std::size_t count = triangles.size() / 3, stride = std::max<std::size_t>(count / kAsked, 1);
-  float low = 0, high = kShareOfBody / kThin;
+  float low = 0, high = kShareOfBody / kAnyBody;
   for (int i = 0; i < kHalvings; ++i) {
     const float middle = 0.5f * (low + high);
     float rounder = 0;

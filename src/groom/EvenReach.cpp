@@ -27,7 +27,7 @@ std::vector<std::uint8_t> chartsOf(const geometry::Surface& surface, const geome
   return out;
 }
 
-// Calls visit(other) for those of so many neighbours that are of the texel's chart: as if read from the top left on, or `back` from the last.
+// Calls visit(neighbour) for those of the four neighbours before the texel, row by row (`back`: after it), that are of its chart.
 constexpr int kBefore[4][2] = {{-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
 template <class Visit>
 void forBeside(const std::vector<std::uint8_t>& charts, int size, int x, int y, bool back, Visit visit) {

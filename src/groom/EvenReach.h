@@ -10,8 +10,8 @@
 namespace fur::groom {
 
 // Four bytes a texel, row-major. The first: the type, 0 to 3, and four times the number of texels, kMostReach at most, along x and y, up to
-// which all of its chart are equal to it; 0 where several types share the texel. What lies on other charts does not count: a ray that comes
-// there is over other skin than they have. The second: its length. The third tells
+// which all are equal to it that paths over its chart lead to; 0 where several types share the texel. What lies on other charts does not
+// count: a ray that comes there is over other skin than they have. The second: its length. The third tells
 // charts apart, also in their gutters: of a chart one and the same number, 0 on none. The fourth is 0.
 using EvenTexel = std::array<std::uint8_t, 4>;
 inline constexpr std::uint8_t kMostReach = 63;
