@@ -118,11 +118,13 @@ class Session {
     if (Status status = host_.attach(); !status) return status;
     if (options_.pixelRatio > 0)
       host_.resize(window_.pixelSize().x, window_.pixelSize().y, options_.pixelRatio);
+    if (options_.quality == "auto") app_.setQuality(0, true);
+    load(options_.scene);
+    // Over what it brought, and where undo begins.
     if (!options_.preset.empty()) app_.applyPreset(options_.preset);
     if (!options_.light.empty()) app_.setField("lightRig", options_.light);
     for (const auto& [name, value] : options_.settings) app_.setField(name, value);
-    if (options_.quality == "auto") app_.setQuality(0, true);
-    load(options_.scene);
+    app_.settingsCameWithModel();
     host_.setVersions(versions_.list());
     host_.setOwnCoats(ownCoats_.list());
     if (options_.wetness > 0) app_.setWetness(options_.wetness);
