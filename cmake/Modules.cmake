@@ -158,7 +158,7 @@ if(EMSCRIPTEN)
     fur_source_options("${CMAKE_SOURCE_DIR}/src/render/${source}.cpp" "$<$<CONFIG:Release>:-finline-functions>")
   endforeach()
   # Once a chart, once a hard edge, once a model.
-  foreach(source AtlasOutlines CoatThickness ChartPacking HardEdges SurfaceBytes)
+  foreach(source AtlasOutlines ChartPacking CoatThickness HardEdges SurfaceBytes)
     fur_source_options("${CMAKE_SOURCE_DIR}/src/geometry/${source}.cpp" "$<$<CONFIG:Release>:-fno-inline-functions>")
   endforeach()
   foreach(source Json NumberText SharedThings)

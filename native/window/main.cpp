@@ -125,6 +125,7 @@ class Session {
     if (!options_.light.empty()) app_.setField("lightRig", options_.light);
     for (const auto& [name, value] : options_.settings) app_.setField(name, value);
     app_.settingsCameWithModel();
+    check(app_.restoreHistory({}));
     host_.setVersions(versions_.list());
     host_.setOwnCoats(ownCoats_.list());
     if (options_.wetness > 0) app_.setWetness(options_.wetness);
