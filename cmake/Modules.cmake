@@ -161,6 +161,8 @@ if(EMSCRIPTEN)
   foreach(source AtlasOutlines ChartPacking CoatThickness HardEdges SurfaceBytes)
     fur_source_options("${CMAKE_SOURCE_DIR}/src/geometry/${source}.cpp" "$<$<CONFIG:Release>:-fno-inline-functions>")
   endforeach()
+  # At most 512, once a model or a brush's step.
+  fur_source_options("${CMAKE_SOURCE_DIR}/src/groom/Whiskers.cpp" "$<$<CONFIG:Release>:-fno-inline-functions>")
   foreach(source Json NumberText SharedThings)
     fur_source_options("${CMAKE_SOURCE_DIR}/src/core/${source}.cpp" "$<$<CONFIG:Release>:-Os>")
   endforeach()

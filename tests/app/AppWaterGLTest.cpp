@@ -621,5 +621,22 @@ TEST(History, TakesTenThousandStrokesBackAndDoesThemAgain) {
   EXPECT_EQ(at, hashes.size() - 1);
 }
 
+TEST(History, AStrokeOnADryCoatKeepsNothingOfWhatWasAndTakesBackWaterThatRanOn) {
+  wet::WetnessMask mask(32);
+  const MaskImage before{mask.texels(), mask.film()};
+  const std::uint64_t dry = mask.hash();
+  mask.addDroplet({Vec2(0.3f), 0.1f, 0.8f});
+  const std::uint64_t wet = mask.hash();
+  const auto step = maskStep(before, mask);
+  ASSERT_TRUE(step);
+  EXPECT_TRUE(step->before.texels.empty());
+  EXPECT_FALSE(step->after.texels.empty());
+  mask.addDroplet({Vec2(0.8f), 0.1f, 0.5f});  // beside the stroke's rectangle
+  apply(*step, true, mask);
+  EXPECT_EQ(mask.hash(), dry);
+  apply(*step, false, mask);
+  EXPECT_EQ(mask.hash(), wet);
+}
+
 }  // namespace
 }  // namespace fur::app

@@ -88,9 +88,14 @@ std::optional<MaskStep> maskStep(const MaskImage& before, const wet::WetnessMask
   if (!none.empty()) rect = unite(rect, difference(size, filmBefore, filmAfter));
   if (rect.empty() && !always) return std::nullopt;
   if (rect.empty()) rect = {0, 0, 0, 0};
-  MaskStep step{rect, {cut(size, before.texels, rect), {}}, {cut(size, after.texels(), rect), {}}, std::vector<std::uint32_t>((before.texels.size() + 31) / 32)};
-  for (std::size_t i = 0; i < before.texels.size(); ++i)
-    if (before.texels[i].w > 0 || (!before.film.empty() && before.film[i] > 0)) step.wet[i / 32] |= 1u << i % 32;
+  MaskStep step{rect, {}, {cut(size, after.texels(), rect), {}}, std::vector<std::uint32_t>((before.texels.size() + 31) / 32)};
+  bool wet = false;
+  for (std::size_t i = 0; i < before.texels.size(); ++i) {
+    if (before.texels[i].w <= 0 && (before.film.empty() || before.film[i] <= 0)) continue;
+    step.wet[i / 32] |= 1u << i % 32;
+    wet = true;
+  }
+  if (wet) step.before.texels = cut(size, before.texels, rect);
   if (none.empty()) return step;
   step.before.film = cut(size, filmBefore, rect);
   step.after.film = cut(size, filmAfter, rect);
@@ -105,7 +110,8 @@ void apply(const MaskStep& step, bool undo, wet::WetnessMask& mask) {
     film.resize(mask.texels().size());
     film = withRect(size, std::move(film), step.rect, side.film);
   }
-  std::vector<Vec4> texels = withRect(size, mask.texels(), step.rect, side.texels);
+  std::vector<Vec4> texels = mask.texels();
+  if (!side.texels.empty()) texels = withRect(size, std::move(texels), step.rect, side.texels);
   for (std::size_t i = 0; undo && i < texels.size(); ++i) {
     if (step.wet[i / 32] >> i % 32 & 1) continue;
     texels[i] = Vec4(0);

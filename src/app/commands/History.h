@@ -32,8 +32,8 @@ struct MaskImage {
   std::vector<float> film;
 };
 
-// The changed rectangle only, row-major. `wet`: which texels were wet before, 32 in a number. Water runs on after a
-// stroke: taken back, nothing is wet that was not.
+// The changed rectangle only, row-major; `before.texels` are empty where all was dry. `wet`: which texels were wet before, 32 in a
+// number. Water runs on after a stroke: taken back, nothing is wet that was not.
 struct MaskStep {
   wet::TexelRect rect;
   MaskImage before, after;
