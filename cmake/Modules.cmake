@@ -158,7 +158,7 @@ if(EMSCRIPTEN)
     fur_source_options("${CMAKE_SOURCE_DIR}/src/render/${source}.cpp" "$<$<CONFIG:Release>:-finline-functions>")
   endforeach()
   # Once a chart, once a hard edge, once a model.
-  foreach(source AtlasOutlines ChartPacking CoatThickness HardEdges SurfaceBytes)
+  foreach(source AtlasOutlines AtlasUv ChartPacking ChartRelaxation Charts CoatThickness HardEdges SurfaceBytes)
     fur_source_options("${CMAKE_SOURCE_DIR}/src/geometry/${source}.cpp" "$<$<CONFIG:Release>:-fno-inline-functions>")
   endforeach()
   # At most 512, once a model or a brush's step.

@@ -421,7 +421,7 @@ vec3 waterLight(vec3 color, vec3 albedo, Met met, vec3 T, vec3 L, vec3 V, float 
   color *= mix(FUR_LOCK_GAP, 1.0, lying.rises);
   // On half-wet short fur single strands glinted like grains of rice.
   float even = min(3.0 * shortness, 1.0) * (1.0 - smoothstep(0.6, 1.0, entryHeld));
-  float glints = mix(met.number, 0.25 + 0.3 * met.number, even) * mix(mix(1.0, FUR_SHEET_GLINTS, soakedShare), 0.65 + 0.6 * abs(lying.chance), joined);
+  float glints = mix(met.number, 0.25 + 0.3 * met.number, even) * mix(FUR_WET_GLINTS, 0.65 + 0.6 * abs(lying.chance), joined);
   vec3 upwards = inTurnedFrame(vec3(vUp, vView.w), vPath.zw * met.x);
   return clumpLight(color, albedo, T, n, L, V, litHeight(met), met.held, sheet, lit, upwards, glints, lying.smoothness);
 }

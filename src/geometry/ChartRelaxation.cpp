@@ -14,6 +14,8 @@ constexpr int kRounds = 80;
 constexpr int kRoundsPerCheck = 8;
 // Part of an edge's error that one move corrects: stiffer springs overshoot and fold steep rims.
 constexpr float kStiffness = 0.4f;
+// What every triangle keeps of its area.
+constexpr float kLeastArea = 0.3f;
 
 struct Spring {
   std::uint32_t a, b;
@@ -51,12 +53,13 @@ class Cloth {
     springs_ = std::move(springs);
   }
 
-  // Goes on while no triangle turns over.
+  // Goes on while no triangle turns over or becomes a needle.
   void relax() {
+    const std::vector<Vec2> projected = points_;
     for (int round = 0; round < kRounds; round += kRoundsPerCheck) {
       const std::vector<Vec2> before = points_;
       relaxSomeRounds();
-      if (keepsTurning()) continue;
+      if (keepsAreas(projected)) continue;
       points_ = before;
       return;
     }
@@ -93,10 +96,15 @@ class Cloth {
     }
   }
 
-  bool keepsTurning() const {
+  // Twice the area of a triangle, whose first corner is the i-th; below 0 where it lies on its face.
+  float area(const std::vector<Vec2>& points, std::size_t i) const {
+    const Vec2 a = points[corners_[i + 1]] - points[corners_[i]], b = points[corners_[i + 2]] - points[corners_[i]];
+    return a.x * b.y - a.y * b.x;
+  }
+
+  bool keepsAreas(const std::vector<Vec2>& projected) const {
     for (std::size_t i = 0; i < corners_.size(); i += 3) {
-      const Vec2 a = points_[corners_[i + 1]] - points_[corners_[i]], b = points_[corners_[i + 2]] - points_[corners_[i]];
-      if (!(a.x * b.y - a.y * b.x > 0.0f)) return false;
+      if (!(area(points_, i) > kLeastArea * area(projected, i))) return false;
     }
     return true;
   }

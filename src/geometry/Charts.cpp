@@ -18,8 +18,8 @@ constexpr std::uint32_t kNoRegion = 0xffffffffu;
 
 // cos 60 degrees: a region takes triangles up to here from its mean (smoothed) normal.
 constexpr float kGrowLimit = 0.5f;
-// cos 75 degrees: no triangle of a chart is flattened to less than a quarter of its area...
-constexpr float kFlatLimit = 0.26f;
+// cos 73 degrees: no triangle of a chart is flattened to less than three tenths of its area...
+constexpr float kFlatLimit = 0.3f;
 // ...but in scraps that are not worth a chart of their own (cos 87 degrees).
 constexpr float kScrapFlatLimit = 0.05f;
 // A region below this part of the surface's area is a scrap.
@@ -28,6 +28,8 @@ constexpr float kScrapArea = 0.002f;
 // across it both would be stretched.
 constexpr float kSharp = 0.643f;
 constexpr int kRelaxations = 4;
+// Rounds of shortenBorders(): two or three are enough.
+constexpr int kShortenings = 8;
 
 struct Region {
   Vec3 axis{0.0f};
@@ -83,6 +85,7 @@ class ChartMaking::Maker {
         if (relaxations_ < 0) seedUntilCovered();
         else relax();
         if (++relaxations_ < kRelaxations) return false;
+        shortenBorders();
         beginFlat();
         stage_ = Stage::LayFlat;
         return false;
@@ -260,6 +263,53 @@ class ChartMaking::Maker {
     seedUntilCovered();
   }
 
+  float sideOf(std::uint32_t t, std::size_t k) const {
+    const Vec3 d = corner(t, k) - corner(t, (k + 1) % 3);
+    return std::sqrt(glm::dot(d, d));
+  }
+
+  // How long the triangle's sides are that lie at the region.
+  float sidesAt(std::uint32_t t, std::uint32_t region) const {
+    float sum = 0.0f;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t other = across_[3 * t + k];
+      if (other != kNoTriangle && regionOf_[other] == region) sum += sideOf(t, k);
+    }
+    return sum;
+  }
+
+  // Triangles go over to the region at which more of their sides lie: teeth of a border disappear, which have no room for strands that lie.
+  void shortenBorders() {
+    bool goesOn = true;
+    for (int round = 0; goesOn && round < kShortenings; ++round) {
+      goesOn = false;
+      for (std::uint32_t t = 0; t < regionOf_.size(); ++t) {
+        std::uint32_t best = regionOf_[t];
+        float most = sidesAt(t, best);
+        for (std::size_t k = 0; k < 3; ++k) {
+          const std::uint32_t other = across_[3 * t + k];
+          if (other == kNoTriangle || glm::dot(smooth_[t], regions_[regionOf_[other]].axis) < kGrowLimit) continue;
+          const float length = sidesAt(t, regionOf_[other]);
+          if (length <= most) continue;
+          most = length;
+          best = regionOf_[other];
+          goesOn = true;
+        }
+        regionOf_[t] = best;
+      }
+    }
+    // Those that came last are furthest from the middle.
+    std::vector<Region> regions(regions_.size());
+    for (const bool stay : {true, false}) {
+      for (std::uint32_t r = 0; r < regions.size(); ++r) {
+        for (const std::uint32_t t : regions_[r].triangles) {
+          if ((regionOf_[t] == r) == stay) regions[regionOf_[t]].triangles.push_back(t);
+        }
+      }
+    }
+    regions_.swap(regions);
+  }
+
   FlatTriangle flat(std::uint32_t t, const Frame& frame) const {
     return {frame(corner(t, 0)), frame(corner(t, 1)), frame(corner(t, 2))};
   }
@@ -352,8 +402,7 @@ class ChartMaking::Maker {
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t other = across_[3 * t + k];
         if (other == kNoTriangle || regionOf_[t] >= regionOf_[other]) continue;
-        const Vec3 d = corner(t, k) - corner(t, (k + 1) % 3);
-        borders.push_back({std::sqrt(glm::dot(d, d)), regionOf_[t], regionOf_[other]});
+        borders.push_back({sideOf(t, k), regionOf_[t], regionOf_[other]});
       }
     }
     const auto byPair = [](const Border& x, const Border& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; };

@@ -1,8 +1,8 @@
 // Cuts a surface into charts that lie flat without overlapping, with even density and few seams.
 //
 // Method: regions grow over the surface, each round its own mean normal (as in variational shape approximation,
-// Cohen-Steiner, Alliez, Desbrun 2004), and are flattened by projection along it; two regions are joined when their union
-// still projects without overlap. Springs then even out the scale (ChartRelaxation.h), and each chart is scaled to
+// Cohen-Steiner, Alliez, Desbrun 2004), take the teeth of their borders from one another, and are flattened by projection
+// along it; two regions are joined when their union still projects without overlap. Springs then even out the scale (ChartRelaxation.h), and each chart is scaled to
 // the area of its triangles. The number of comparisons is limited: where it runs out (a fan of thousands of triangles
 // round one vertex) the triangles that are left become charts of their own.
 // Not done: angle-preserving unwrapping; a sphere gets a few round charts, not one.

@@ -41,7 +41,7 @@ Vec3 wetLight(const Scene& scene, const hair::StrandLook& look, const Tube& tube
   const Vec3 light = inFrame(Vec3(scene.frame.light)), eye = inFrame(view), upwards = inFrame(Vec3(scene.frame.up)), along = inFrame(tangent);
   const Vec2 lies = Vec2(along) / std::max(glm::length(Vec2(along)), 1e-3f);
   const Vec3 n = glm::normalize(hair::clumpNormal(Vec2(inFrame(water.outward)), sheet) - Vec3(lies * (water.soaked * wet::liesBy(water.chance, tube.variance, water.shortness)), 0));
-  const float clumps = held * (1 - 0.75f * sheet), number = glm::mix(1.0f, static_cast<float>(FUR_SHEET_GLINTS), water.soaked) * tube.variance;
+  const float clumps = held * (1 - 0.75f * sheet), number = static_cast<float>(FUR_WET_GLINTS) * tube.variance;
   const float keyed = lit * hair::glossShare(light.z), risen = glm::dot(n, upwards), above = 2 * glm::dot(n, eye) * risen - glm::dot(eye, upwards);
   Vec3 out = color * hair::passedOn(hair::clumpShade(glm::dot(n, light), risen - upwards.z, keyed, h, water.held, sheet), albedo);
   const Vec2 mirrored = hair::waterGloss(along, n, light, eye, water.held, sheet, look.wetGloss, look.shininess, number) * glm::mix(1.0f, h, clumps);

@@ -80,9 +80,23 @@ TEST(Strands, StandWhereAChartShowsTheirNumber) {
 
 // What stands on the triangles that lie at one place, charts that overlap there taken together.
 struct Place {
-  double roots = 0, expected = 0;
+  double roots = 0, expected = 0, share = 0;
   int charts = 0;
 };
+// The share of its strands that a chart shows on a triangle: those whose number lies between the corners' bounds.
+double shareShown(const geometry::Surface& surface, std::uint32_t t) {
+  constexpr int kSteps = 8;
+  double sum = 0, count = 0;
+  for (int i = 0; i < kSteps; ++i)
+    for (int k = 0; i + k < kSteps; ++k, ++count) {
+      const Vec3 weights = (Vec3(i, k, kSteps - 1 - i - k) + 1.0f / 3) / static_cast<float>(kSteps);
+      Vec2 bounds(0);
+      for (int c = 0; c < 3; ++c) bounds += weights[c] * surface.vertices[surface.furIndices[3 * t + static_cast<std::uint32_t>(c)]].strands;
+      bounds = glm::clamp(bounds, 0.0f, 1.0f);
+      sum += bounds.y - bounds.x;
+    }
+  return sum / count;
+}
 
 TEST(Strands, StandAsCloseAsInTheTileAlsoWhereChartsOverlap) {
   geometry::Mesh mesh = geometry::makeSphere();
@@ -102,21 +116,26 @@ TEST(Strands, StandAsCloseAsInTheTileAlsoWhereChartsOverlap) {
     for (std::uint32_t k = 0; k < 3; ++k) middle += surface.vertices[surface.furIndices[3 * t + k]].position;
     middle = glm::round(middle * 1e4f);
     Place& place = places[{middle.x, middle.y, middle.z}];
+    const double share = shareShown(surface, t);
     place.roots += static_cast<double>(roots.size());
-    place.expected += 0.5 * std::abs(a.x * b.y - a.y * b.x) * static_cast<double>(coat.strands.size());
+    place.expected += share * 0.5 * std::abs(a.x * b.y - a.y * b.x) * static_cast<double>(coat.strands.size());
+    place.share += share;
     ++place.charts;
   }
   Place single, several;
   for (const auto& [where, place] : places) {
     Place& sum = place.charts > 1 ? several : single;
     sum.roots += place.roots;
-    sum.expected += place.expected / place.charts;
+    sum.expected += place.expected;
+    sum.share += place.share, ++sum.charts;
   }
   // A hundred thousand strands, spread more evenly than by chance, and a border of some thousand.
   EXPECT_NEAR(single.roots / single.expected, 1, 0.005);
-  // About ten thousand, chosen by chance: four standard deviations. Each drawn twice would be 2, a cut border 0.5.
+  // Of those that overlap each shows its share, chosen by chance: four standard deviations.
   ASSERT_GT(several.expected, 5000);
-  EXPECT_NEAR(several.roots / several.expected, 1, 0.05);
+  EXPECT_NEAR(several.roots / several.expected, 1, 4 / std::sqrt(several.expected));
+  // Each drawn twice would be 2, a cut border 0.5.
+  EXPECT_NEAR(several.share / several.charts, 1, 0.01);
 }
 
 TEST(Strands, NoneIsTornApartWhereItCrossesTrianglesOrLeavesItsChart) {

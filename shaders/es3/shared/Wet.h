@@ -26,10 +26,10 @@
 #define FUR_TIPS_DRAWN 0.3
 #define FUR_ALL_DRAWN 0.64
 
-// How much of a sheet of long fur is one where its strands are seen, near to the eye: the rest stays in clumps. The share of their glints that
-// such strands have.
+// How much of a sheet of long fur is one where its strands are seen, near to the eye: the rest stays in clumps.
 #define FUR_NEAR_SHEET 0.4
-#define FUR_SHEET_GLINTS 0.75
+// The share of their glints that strands in clumps have. With all of them wet fur flickers more than dry fur while the camera moves.
+#define FUR_WET_GLINTS 0.75
 
 // Fur is short where clumps are as wide as it is long: their radius as a share of its length, from which on it is rather short, and
 // wholly. It makes no clumps, which would be beads, but a sheet from that little water on, whole from that much.

@@ -15,8 +15,10 @@ std::size_t ShellPass::set(const geometry::Surface& surface, const SurfaceBuffer
   places_.clear();
   for (const geometry::SurfaceVertex& v : surface.vertices) {
     const Vec4& a = v.atlasFromFur;
-    const float most = glm::length(Vec2(a)) * glm::length(v.gradS) + glm::length(Vec2(a.z, a.w)) * glm::length(v.gradT);
-    places_.emplace_back(v.atlas, most);
+    // The longest way in the atlas of a unit along the skin: the greatest singular value of the map between them.
+    const Vec3 u = a.x * v.gradS + a.z * v.gradT, w = a.y * v.gradS + a.w * v.gradT;
+    const float mean = 0.5f * (glm::dot(u, u) + glm::dot(w, w)), apart = glm::length(Vec2(mean - glm::dot(w, w), glm::dot(u, w)));
+    places_.emplace_back(v.atlas, std::sqrt(mean + apart));
   }
   setPatches({surface.furIndices, surface.ownFurIndices, surface.furClusters});
   indices_ = gl::Buffer(gl::BufferKind::Index, gl::bytesOf(patches_.indices), true);
