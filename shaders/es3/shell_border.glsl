@@ -47,6 +47,8 @@ bool goesBeyond(bool left, vec2 a, out vec4 clump) {
   }
   return isSkin;
 }
+// At the tip of a chart that is narrower than a texel nothing is known of either: clumps are as that of the ray's entry, which may not reach to `a`.
+vec4 clumpOfNeither(vec2 a) { return vec4(distance(a, entryClump.xy) > entryClump.z ? a : entryClump.xy, entryClump.zw); }
 vec2 ownMiddle(vec4 clump) { return isBeyond ? middleBeyond : clump.xy; }
 
 // Its own chart says whether a strand rooted `from` its middle is of a clump: between the teeth of two borders the texels of this one may lie where

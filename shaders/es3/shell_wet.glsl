@@ -162,6 +162,7 @@ bool beginsOutside(vec2 a) { return false; }
 void enterGutter(vec2 a) {}
 bool isOutside(vec2 a) { return dot(a - edge, outwards) > 0.0; }
 bool goesBeyond(bool left, vec2 a, out vec4 clump) { return false; }
+vec4 clumpOfNeither(vec2 a) { return entryClump; }
 vec2 ownMiddle(vec4 clump) { return clump.xy; }
 float isOwn(vec4 clump, vec2 from) { return ownClump(mask, clump, entryChart, from); }
 vec2 inOwnTile(vec2 tile) { return tile; }
@@ -217,7 +218,7 @@ vec4 clumpThere(inout vec2 a, out bool mirrored) {
   mirrored = left && !isBeyond;
   if (mirrored) a = 2.0 * edge - a;
   if (!isBeyond) clump = clumpIn(a);
-  if (!isBeyond && hasLeft(clump)) clump = entryClump;
+  if (!isBeyond && hasLeft(clump)) clump = clumpOfNeither(a);
   return clump;
 }
 

@@ -287,27 +287,27 @@ class ChartMaking::Maker {
         std::uint32_t best = regionOf_[t];
         float most = sidesAt(t, best);
         for (std::size_t k = 0; k < 3; ++k) {
-          const std::uint32_t other = across_[3 * t + k];
-          if (other == kNoTriangle || glm::dot(smooth_[t], regions_[regionOf_[other]].axis) < kGrowLimit) continue;
-          const float length = sidesAt(t, regionOf_[other]);
+          const std::uint32_t other = across_[3 * t + k], region = other == kNoTriangle ? best : regionOf_[other];
+          if (region == best || glm::dot(smooth_[t], regions_[region].axis) < kGrowLimit) continue;
+          const float length = sidesAt(t, region);
           if (length <= most) continue;
           most = length;
-          best = regionOf_[other];
+          best = region;
           goesOn = true;
         }
         regionOf_[t] = best;
       }
     }
     // Those that came last are furthest from the middle.
-    std::vector<Region> regions(regions_.size());
-    for (const bool stay : {true, false}) {
-      for (std::uint32_t r = 0; r < regions.size(); ++r) {
-        for (const std::uint32_t t : regions_[r].triangles) {
-          if ((regionOf_[t] == r) == stay) regions[regionOf_[t]].triangles.push_back(t);
-        }
-      }
+    std::vector<std::uint32_t> moved;
+    for (std::uint32_t r = 0; r < regions_.size(); ++r) {
+      std::erase_if(regions_[r].triangles, [&](std::uint32_t t) {
+        if (regionOf_[t] == r) return false;
+        moved.push_back(t);
+        return true;
+      });
     }
-    regions_.swap(regions);
+    for (const std::uint32_t t : moved) regions_[regionOf_[t]].triangles.push_back(t);
   }
 
   FlatTriangle flat(std::uint32_t t, const Frame& frame) const {

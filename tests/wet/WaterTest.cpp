@@ -487,11 +487,11 @@ TEST(Water, HasTheSameBitsOnEveryPlatform) {
 
 TEST(Water, SoakedRunsDownDripsWhatItCannotHoldAndComesToRest) {
   for (const geometry::Mesh& mesh : {sphere(), torus()}) {
-    Pond pond(mesh);
+    Pond pond(mesh, 112);  // through smaller texels water runs more slowly
     pond.soak();
     pond.run(1);
     const double all = pond.water.accounts().held;
-    pond.run(720);
+    pond.run(600);
     EXPECT_GT(pond.water.accounts().dripped, 0.1 * all);
     // A quarter is more than fur can hold (kField in Flow.cpp).
     for (int i = 0; i < 180 && pond.water.active(pond.mask, pond.climate); ++i) pond.run(60);
