@@ -42,6 +42,7 @@ float locksAcross;                // in clumps, or tufts of short fur: to a tile
 float tufts;                      // tuftsOf(), where they are seen one by one
 vec2 lean, tipTile;               // where its tips are from their roots: fur lengths, tiles
 vec2 bend;                        // and where they would be when dry
+float inLineLayer;                // streakLayer() of the way that they lie
 float wetLength;                  // of its strands that no clump draws aside, fur lengths
 float furLengths, atlasLength;    // how many fur lengths a tile is on average, how many tiles the atlas
 mat2 tileFromAtlas, furFromTile;  // fur lengths along axisS, axisT (shell.vert)
@@ -56,11 +57,8 @@ struct Lying {
 };
 Lying lying;
 
-// The layer of the streaks in which strands of a type (0, 1, ..) lie along `way`.
-float streakLayer(vec2 way, float type) {
-  float turn = floor(atan(way.y, way.x + 1e-9) * (FUR_STREAK_TURNS / 3.14159265) + 0.5);
-  return mod(turn, FUR_STREAK_TURNS) + type * FUR_STREAK_TURNS;
-}
+// The layer of the streaks in which strands of the first type lie along `way`; those of the next have FUR_STREAK_TURNS more.
+float streakLayer(vec2 way) { return mod(floor(atan(way.y, way.x + 1e-9) * (FUR_STREAK_TURNS / 3.14159265) + 0.5), FUR_STREAK_TURNS); }
 // The means of strands in line, at that tile: `wide` times as wide as they are; of one mip level, as lod is.
 vec4 strandsInLine(vec2 tile, float layer, float wide) {
   return textureLod(streaks, vec3((2.0 / wide) * tile, layer), floor(max(vLight.w - 0.5 - log2(wide), 0.7) + quadNoise()));
@@ -72,8 +70,9 @@ const float kAllSheet = 1.0 - FUR_SHEET_SINKS + 0.01;  // how high vertices stan
 vec2 waterOfLine(mat2 tileFromFur) {
   float lies = length(vLean.xy), shift = shortness * smoothstep(0.1, 0.5, lies) * float(vTop > kAllSheet);
   vec2 way = tileFromFur * (vLean.xy / max(lies, 1e-3)), at = vAtlas;
+  inLineLayer = streakLayer(way);
   if (shift > 0.0) {
-    float chance = 4.5 * (strandsInLine(vTile.xy, streakLayer(way, 0.0), 0.9).z - 0.5);
+    float chance = 4.5 * (strandsInLine(vTile.xy, inLineLayer, 0.9).z - 0.5);
     at -= atlasFromTile() * (way * (1.3 * shift * clamp(chance, -1.0, 1.0)));
   }
   return filteredWater(mask, at);
@@ -369,7 +368,7 @@ void joinStrands(inout Met met, float furry) {
     // In a sheet light knows strands by those that lie in line where the ray comes to it. Where they are seen, not where they root: over the
     // length of a strand stretched charts would turn the lines aside.
     vec2 seenAt = tileAt(enters, min(vTop, coatTop));
-    float layer = streakLayer(tipTile, firstLayer(met.spot.z) / storedLayers);  // of the type that was met
+    float layer = inLineLayer + FUR_STREAK_TURNS * firstLayer(met.spot.z) / storedLayers;  // of the type that was met
     vec4 inLine = strandsInLine(seenAt, layer, 0.35), some = strandsInLine(seenAt, layer, 1.2), many = strandsInLine(seenAt, layer, 4.0);
     lieDown(seenAt, 2.0 * (inLine.z - 0.5) + 1.0 * (some.z - 0.5), 4.0 * (inLine.z - 0.5) + 2.0 * (some.z - 0.5));
     float deep = clamp(0.8 + 2.0 * (some.z - 0.5) + 5.0 * (many.z - 0.5), 0.4, 1.0);
