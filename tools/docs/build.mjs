@@ -39,7 +39,7 @@ async function configure(config, { core, wanted, site }) {
   const block = (html) => `\n\n${blocks.keep(html)}\n\n`;
   const inline = (text) => markdown.md.renderInline(text.trim());
   config.setTemplateFormats(['md']);
-  config.setUseTemplateCache(false);  // pages are built twice where pictures are drawn, each time with markers of their own
+  config.setUseTemplateCache(false);  // else the layout of an earlier build in this run, with that one's markers, lists the contents of these pages
   config.setFrontMatterParsingOptions({ excerpt: false });
   config.addGlobalData('layout', 'page.njk');
   config.addGlobalData('permalink', () => (data) => `${data.page.filePathStem}.html`);
