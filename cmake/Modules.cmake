@@ -161,8 +161,10 @@ if(EMSCRIPTEN)
   foreach(source AtlasOutlines AtlasUv ChartPacking ChartRelaxation Charts CoatThickness HardEdges SurfaceBytes)
     fur_source_options("${CMAKE_SOURCE_DIR}/src/geometry/${source}.cpp" "$<$<CONFIG:Release>:-fno-inline-functions>")
   endforeach()
-  # At most 512, once a model or a brush's step.
-  fur_source_options("${CMAKE_SOURCE_DIR}/src/groom/Whiskers.cpp" "$<$<CONFIG:Release>:-fno-inline-functions>")
+  # Once a model; whiskers, at most 512, at each step of a brush as well.
+  foreach(source Lie Whiskers)
+    fur_source_options("${CMAKE_SOURCE_DIR}/src/groom/${source}.cpp" "$<$<CONFIG:Release>:-fno-inline-functions>")
+  endforeach()
   foreach(source Json NumberText SharedThings)
     fur_source_options("${CMAKE_SOURCE_DIR}/src/core/${source}.cpp" "$<$<CONFIG:Release>:-Os>")
   endforeach()

@@ -1,6 +1,5 @@
 #include "common.glsl"
-#include "common_noise.glsl"
-in vec3 vColor;
+#include "common_gradient.glsl"
+flat in mat3 vGradient;
 out vec4 fragColor;
-// Half a step of noise: a smooth gradient bands in 8 bits.
-void main() { fragColor = vec4(vColor + (quickNoise() - 0.5) / 255.0, 1.0); }
+void main() { fragColor = vec4(gradientIn(vGradient, gl_FragCoord.xy) + dither(gl_FragCoord.xy, vGradient[2].z), 1.0); }

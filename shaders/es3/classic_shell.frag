@@ -75,7 +75,7 @@ void shape(inout Strand s) {
 // Where it is in the textures: tile, layer, mip level.
 vec4 spotOf(Strand s, float level) {
 #if defined(WET) || defined(GROOMED)
-  return vec4(s.root, nearestLayer(storedLayer(s.along, 0.0)) + float(s.type) * storedLayers, level);
+  return vec4(s.root, nearestLayer(storedLayer(s.along)) + float(s.type) * storedLayers, level);
 #else
   return vec4(s.root, vShell.y, level);
 #endif

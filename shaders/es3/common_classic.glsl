@@ -21,7 +21,7 @@ LightOfShell lightOfShell(vec3 L, vec3 V, float h, float lit, float upness) {
 }
 
 // f(h) rho: of the way to the clump's middle, by which Silva Eq. 1 moves the look-up.
-float clumpDisplacement(float h, float rho) { return clumpProfile(h, clumpShape, layers, layersLog) * rho; }
+float clumpDisplacement(float h, float rho) { return clumpProfile(h) * rho; }
 
 #ifdef PRINTED_LIGHT
 // Silva Eq. 2, 3 and 5: occ wet (K_color max(0, L.n) + K_s I_s), with n the surface's normal. `key`: what arrives of the light

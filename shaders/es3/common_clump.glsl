@@ -9,10 +9,9 @@ float naturalLog(float x) {
          0.40545697 + u * (0.33333567 + u * (-0.05540979 + u * (0.01230384 + u * (-0.00346471 + u * 0.00093152))));
 }
 
-// f(h) = (1 - w) h + w (1 + ln h / ln N), h in [1/N, 1]. `layers`: N; `layersLog`: ln N.
-float clumpProfile(float h, float w, float layers, float layersLog) {
-  return (1.0 - w) * h + w * (1.0 + naturalLog(max(h, 1.0 / layers)) / layersLog);
-}
+// f(h) = (1 - w) h + w (1 + ln h / ln N), h in [1/N, 1]. `least`: 1 / N; `perLog`: 1 / ln N.
+float clumpProfile(float h, float w, float least, float perLog) { return (1.0 - w) * h + w * (1.0 + naturalLog(max(h, least)) * perLog); }
+float clumpProfile(float h) { return clumpProfile(h, clumpShape, 1.0 / layers, 1.0 / layersLog); }
 
 // `held`: the water that a texel of the mask holds; 1 is saturated, what is more lies on the strands as a film.
 // How short fur of that length (model units) is for water, 0..1: clumps of short fur would be as round as beads.
@@ -39,10 +38,12 @@ float liesBy(float ofClump, float strand, float shortness) {
 float litLower(float held) { return mix(1.0, FUR_WET_LIT, smoothstep(FUR_WET_LIT_FROM, 1.0, held)); }
 
 // s: the share of the way to the clump's centre that a strand has gone at height h: in little water its tip alone. A sheet opens it again.
-float clumpPull(float h, float held, float sheet) {
+// `profile`: clumpProfile(h).
+float clumpPull(float profile, float h, float held, float sheet) {
   float deep = smoothstep(FUR_TIPS_DRAWN, FUR_ALL_DRAWN, held);
-  return clumpProfile(h, clumpShape, layers, layersLog) * min(held, 1.0) * (1.0 - sheet) * mix(h * h, 1.0, deep);
+  return profile * min(held, 1.0) * (1.0 - sheet) * mix(h * h, 1.0, deep);
 }
+float clumpPull(float h, float held, float sheet) { return clumpPull(clumpProfile(h), h, held, sheet); }
 
 // A clump holds smaller locks, to whose middles strands draw together once more: it splits into them at its tip.
 float lockPull(float h, float held, float sheet) { return FUR_LOCK_IN_CLUMP_PULL * min(held, 1.0) * (1.0 - sheet) * h * h; }
@@ -119,10 +120,13 @@ vec3 clumpColor(vec4 clump) {
   return clump.a > 0.0 ? mix(hue, vec3(0.95), 0.6 * chance.y) : vec3(0.45);
 }
 
+const float kLastTexel = 0.99999;  // lies in the last one
 // The mask's texel under the atlas point `a` as it is stored; with -1 of water beside the map.
 vec4 storedAt(sampler2D mask, vec2 a) {
-  vec4 texel = texelFetch(mask, clamp(ivec2(a * maskTexels), ivec2(0), ivec2(int(maskTexels) - 1)), 0);
-  return a == clamp(a, 0.0, 1.0) ? texel : vec4(0.0, 0.0, 0.0, -1.0);
+  vec2 inside = clamp(a, 0.0, 1.0);
+  vec4 texel = texelFetch(mask, ivec2(min(inside, kLastTexel) * maskTexels), 0);
+  if (a != inside) texel.a = -1.0;
+  return texel;
 }
 // The number of the border beyond a gutter's texel; 0: none.
 float borderOf(vec4 stored) { return floor(stored.y / FUR_BORDER_STEP + 0.25); }
@@ -148,7 +152,8 @@ vec4 clumpAt(sampler2D mask, vec2 a) {
 // Between four texels, x: the water held there; y: that by which fur lies down. Beside the charts they have -1 less than the water next to them.
 vec2 filteredWater(sampler2D mask, vec2 a) {
   vec2 texel = a * maskTexels - 0.5, corner = floor(texel), part = texel - corner;
-  ivec2 most = ivec2(int(maskTexels) - 1), low = clamp(ivec2(corner), ivec2(0), most), high = min(low + 1, most);
+  float last = maskTexels - 1.0;
+  ivec2 low = ivec2(clamp(corner, 0.0, last)), high = ivec2(clamp(corner + 1.0, 0.0, last));
   vec4 water = vec4(texelFetch(mask, low, 0).zw, texelFetch(mask, ivec2(high.x, low.y), 0).zw);
   vec4 above = vec4(texelFetch(mask, ivec2(low.x, high.y), 0).zw, texelFetch(mask, high, 0).zw);
   vec4 lying = floor(vec4(water.xz, above.xz) / FUR_LYING_STEP) / FUR_LYING_STEPS, held = vec4(water.yw, above.yw);

@@ -6,7 +6,5 @@ float pixelNoise() { return fract(fract(52.9829189 * fract(dot(pixel(), vec2(0.0
 // The same for each 2 by 2 pixels. Levels of mipmaps are picked with it: a software rasteriser looks four pixels up
 // at once only if they are of one level, which halves the time of the whole frame.
 float quadNoise() { return fract(fract(52.9829189 * fract(dot(floor(0.5 * pixel()), vec2(0.06711056, 0.00583715)))) + chance.z); }
-// Less even and at half the price.
-float quickNoise() { return fract(dot(pixel(), vec2(0.75487767, 0.56984029)) + chance.w); }
 // Another, so that two decisions about one pixel have nothing to do with each other.
 float otherPixelNoise() { return fract(fract(52.9829189 * fract(dot(pixel(), vec2(0.00583715, 0.06711056)))) + chance.y); }

@@ -2,7 +2,7 @@
 // Light on strands and skin, in the surface's own frame: x along s, y along t, z along the normal.
 
 // The coat's values that each fur type has, of what is shown: mixed once, as a software rasteriser takes as long for each member of a
-// block as for four products.
+// block as for a dozen products.
 #ifdef TYPES
 vec4 typeShares;  // of the types in it
 vec4 shownShade;  // density, shadow, occlusion, specular

@@ -1,8 +1,9 @@
-// The shadow that the model casts on the ground, and water on it, in the gradient's colours (background.vert).
+// The shadow that the model casts on the ground, and water on it, in the background's colours.
 #include "common.glsl"
-#include "common_noise.glsl"
+#include "common_gradient.glsl"
 uniform sampler2D shadowMap;
 in vec2 vSpot;
+flat in mat3 vGradient;
 #ifdef WET
 uniform sampler2D puddles;
 in vec3 vRay;
@@ -18,11 +19,11 @@ float puddle(vec2 at) {
 out vec4 fragColor;
 
 void main() {
-  vec3 color = mix(backgroundBottom.rgb, backgroundTop.rgb, smoothstep(0.0, pictureHeight, pixel().y));
+  vec3 color = gradientIn(vGradient, gl_FragCoord.xy);
   // Nothing where the map ends.
   vec2 shadow = textureLod(shadowMap, vSpot, 0.0).rg;
   float dark = shadow.r;
-  color -= color * (groundDarkness * dark);
+  color *= 1.0 - 0.55 * dark;  // where the key light does not come
 #ifdef WET
   // Damp ground is darker; what it cannot take up mirrors sky and light, more at grazing.
   vec2 inWorld = vSpot + 0.5 * groundCentre / groundHalfSide, within = 1.0 - smoothstep(0.4, 0.5, abs(inWorld - 0.5));
@@ -34,9 +35,9 @@ void main() {
   vec3 ray = normalize(vRay), mirrored = reflect(ray, vec3(0.0, 1.0, 0.0));
   float away = 1.0 + ray.y, grazing = away * away * away, glint = pow(max(dot(mirrored, lightWorld.xyz), 0.0), 64.0);
   color *= 1.0 - 0.28 * damp - 0.12 * wet;
-  color = mix(color, mix(backgroundBottom.rgb, backgroundTop.rgb, smoothstep(-0.5, 0.5, mirrored.y)) * (1.0 - 0.8 * shadow.g),
+  color = mix(color, gradientAt(vGradient, clamp(mirrored.y + 0.5, 0.0, 1.0)) * (1.0 - 0.8 * shadow.g),
               wet * min(0.25 + 0.8 * grazing, 0.8));
   color += wet * (1.0 - dark) * 0.35 * lightIntensity * glint;
 #endif
-  fragColor = vec4(color + (quickNoise() - 0.5) / 255.0, 1.0);
+  fragColor = vec4(color + dither(gl_FragCoord.xy, vGradient[2].z), 1.0);
 }

@@ -1,7 +1,9 @@
 // The cells of the ground on which anything shows.
 #include "common.glsl"
+#include "common_gradient.glsl"
 uniform sampler2D shadowMap;
 out vec2 vSpot;  // of the ground, 0..1 over the shadow map
+flat out mat3 vGradient;  // of the background
 #ifdef WET
 out vec3 vRay;   // world space, from the eye to the ground
 #endif
@@ -28,6 +30,7 @@ void main() {
 #endif
   // From below the ground would hide the model.
   gl_Position = shows && eyeWorld.y > groundHeight ? clipFromWorld * vec4(ground, 1.0) : vec4(0.0);
+  vGradient = gradientOfPicture();
   // A hair before the screen.
   gl_Position.z = gl_Position.w * 0.999999;
 }

@@ -18,12 +18,12 @@ float coverOf(float lod) {
   float sum = 0.0;
   for (int type = 0; type < FUR_TYPES; ++type) {
     float h = vAlong[type], share = float(h <= 1.0) * standing(vGrows[type], h) * step(1e-3, vGrows[type]);
-    sum += share * textureLod(coverage, vec3(vTile, nearestLayer(storedLayer(min(h, 1.0), 0.0)) + float(type) * storedLayers), lod).r;
+    sum += share * textureLod(coverage, vec3(vTile, nearestLayer(storedLayer(min(h, 1.0))) + float(type) * storedLayers), lod).r;
   }
   return min(sum, 1.0);
 }
 #else
-float coverOf(float lod) { return textureLod(coverage, vec3(vTile, nearestLayer(storedLayer(vHeight, 0.0))), lod).r; }
+float coverOf(float lod) { return textureLod(coverage, vec3(vTile, nearestLayer(storedLayer(vHeight))), lod).r; }
 #endif
 
 // A full shell takes this much, so that all of them take 0.72 of what is dark.

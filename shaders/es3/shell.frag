@@ -51,6 +51,7 @@ vec3 paintSkin(vec3 albedo, Met met) { return albedo; }
 
 // Sets up the ray. Returns the length of its first step.
 float enterCoat() {
+  stored = storedLayers;
   // Fur is read from one mip level, picked by chance between the two that trilinear filtering would
   // blend, and half a level sharper than a pixel's footprint: fur hides the grain, blur would make felt of it.
   lod = floor(max(vLight.w - 0.5 - finer, 0.0) + quadNoise());
@@ -113,16 +114,6 @@ March marchCoat(float first) {
   if (plainSteps > 0) leavePlain(march);
   begun = march.alpha > closes ? steps : plainSteps;
 #endif
-#ifdef WET
-  // In a loop of their own: a step with a branch in it costs more than what that saves.
-  if (drawsNothing()) {
-    for (int i = begun; i < steps; ++i) {
-      stepPast(march, aloneAt(march.x));
-      if (march.alpha > closes || i + 1 == steps) break;
-    }
-    begun = steps;
-  }
-#endif
   for (int i = begun; i < steps; ++i) {
     stepPast(march, standingAt(march.x));
     if (march.alpha > closes || i + 1 == steps) break;
@@ -142,7 +133,7 @@ Met resolve(March march) {
   met.closed = min(march.alpha / closes, 1.0);
   float perStrand = 1.0 / max(march.alpha, 1e-3);
   met.x = march.alpha > 0.0 ? march.xSum * perStrand : end;
-  // Worked out again instead of carried through the march.
+  // Worked out again: to carry it through the march costs more.
   met.here = standingAt(march.metX);
   met.spot = spotOf(met.here, march);
   if (march.alpha <= 0.0) met.spot.xyz = vec3(foot, 0.0);
@@ -170,7 +161,7 @@ const float kOwnTexels = 3.0;
 
 // What covers the way to the light `rise` higher up than the strand, at height h.
 float coverAbove(Met met, float h, float rise, float level) {
-  float layer = nearestLayer(storedLayer(h, 0.0)) + firstLayer(met.spot.z);
+  float layer = nearestLayer(storedLayer(h)) + firstLayer(met.spot.z);
   return textureLod(coverage, vec3(met.spot.xy + vLightStep * rise, layer), level).r;
 }
 

@@ -85,6 +85,6 @@ vec3 thinned(vec3 skin, vec3 bare, float rho, float lit) { return mix(bareSkin(b
 void enterGroom() { grown = 1.0; }
 vec3 skinColor() { return skinColors[0].rgb; }
 void trim(inout Strand here, inout March march) {}
-vec4 spotOf(Strand here, March march) { return vec4(here.root, storedLayer(here.along, between), levelOf(here)); }
+vec4 spotOf(Strand here, March march) { return spotIn(here); }
 vec3 thinned(vec3 skin, vec3 bare, float rho, float lit) { return skin; }
 #endif

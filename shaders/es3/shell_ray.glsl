@@ -45,6 +45,7 @@ float lod;         // mip level
 float sharp;       // pixels that a texel covers, 1 at least
 float softness;    // a step's share of a reference step
 float noise, between;  // chance: of the pixel; added to heights before they are rounded to a layer
+float stored;      // storedLayers: a software rasteriser takes as long for a member of a block as for a dozen products
 
 float heightAt(float x) { return vTop + x * (vPath.x + x * vPath.y); }
 vec2 tileAt(float x, float h) { return vTile.xy + x * (vTile.zw + x * vTurn.xy) + vTurn.zw * (vTop * vTop - h * h); }

@@ -6,7 +6,6 @@ uniform sampler2D evenReach;  // groom/EvenReach.h
 float plainTo, plainRise, plainFurry;
 int plainType;
 // Members of the block that steps read.
-float stored;
 vec4 typesGrow, typesRise;
 
 int firstOf(int types) { return (types & 1) > 0 ? 0 : (types & 2) > 0 ? 1 : (types & 4) > 0 ? 2 : 3; }
@@ -19,7 +18,6 @@ vec4 spotIn(int type, Strand here, float h) {
 
 // `aside`: how far from where they are seen roots may lie, over the atlas.
 void enterTypes(float aside) {
-  stored = storedLayers;
   typesGrow = typeGrows;
   typesRise = typeRise;
   vec4 texel = textureLod(evenReach, vAtlas, 0.0);

@@ -16,6 +16,7 @@ const float kLeastSmooth = 0.15;  // clumpsSmooth of the smallest that are drawn
 const float kFewestDrawn = 0.55;  // pixels along a side, as a share of those shown
 // Of what is drawn as one, from here on what the march finds does not show (it is weighted by 1 - joined): that many steps.
 const float kWholeSheet = 0.98;
+const float kNoClumps = 0.999;    // so whole a sheet that clumps draw nothing aside
 const float kUnseenSheet = 0.05;  // so little of it costs as much as all and is not seen
 #ifdef GROOMED
 const int kSheetSteps = 1;  // which fur there is
@@ -35,21 +36,26 @@ float soakedShare;                // how much of a sheet the coat is
 float shortness, closed;          // shortnessOf() of the coat there; clumpsClosed()
 float locked;                     // how far strands lie in locks: those that are drawn as one, and single ones of short fur
 float sheet, joined;              // how far the clumps that are drawn have closed into it; how much of what is shown is drawn as one
+bool drawsNothing;                // whether it is so whole a sheet that clumps draw nothing aside
+float fillsGaps;                  // how many strands stand between clumps, where it is one
+vec4 tuftHere;                    // what stands for a clump there
+vec3 profile;                     // what clumpProfile() takes beside the height
 float clumpsSmooth;               // what glints on soaked clumps has left of its smoothness where they are small
-float coatTop;                    // how high it stands
+float coatTop, perTop;            // how high it stands; 1 / that
 float enters, closes;             // where the ray comes to that; what hides all
-float locksAcross;                // in clumps, or tufts of short fur: to a tile
+float locksAcross, perLocks;      // in clumps, or tufts of short fur: to a tile; 1 / that
 float tufts;                      // tuftsOf(), where they are seen one by one
 vec2 lean, tipTile;               // where its tips are from their roots: fur lengths, tiles
 vec2 bend;                        // and where they would be when dry
 float inLineLayer;                // streakLayer() of the way that they lie
-float wetLength;                  // of its strands that no clump draws aside, fur lengths
+float perLength;                  // 1 / the length of its strands that no clump draws aside, fur lengths
 float furLengths, atlasLength;    // how many fur lengths a tile is on average, how many tiles the atlas
+float furOfAtlas;                 // their product
 mat2 tileFromAtlas, furFromTile;  // fur lengths along axisS, axisT (shell.vert)
 
 // What lies on top of a sheet where the ray comes to it.
 struct Lying {
-  vec2 outward;  // of its lock in the surface's frame, 1 at the rim; of locksAt(): x: to which side, 1 at the rim
+  vec2 outward;  // of its lock in the surface's frame, 1 at the rim
   float rises;   // how far it is out of the gaps between locks, 0..1
   float chance;  // how far it is up (above 0) or down: of the lock, falling to its tip; of a sheet, by the strand as well
   vec2 tilt;     // of its strands to the tip of the lock
@@ -84,7 +90,7 @@ vec2 waterOfLine(mat2 tileFromFur) {
 const vec2 kTexelsAcross = vec2(3.2, 1.3);
 // Such a step in fur lengths.
 float stepAcross() {
-  float texels = length(vTile.zw - (tipTile / coatTop) * vPath.x) * tileTexels * min(exp2(-vLight.w), 1.0);
+  float texels = length(vTile.zw - tipTile * (perTop * vPath.x)) * tileTexels * min(exp2(-vLight.w), 1.0);
   return (finer > 0.0 ? kTexelsAcross.y : kTexelsAcross.x) / max(texels, 1e-3);
 }
 
@@ -96,7 +102,9 @@ void enterWater() {
   furFromTile = inverse(tileFromFur);
   furLengths = sqrt(abs(determinant(furFromTile)));
   shortness = shortnessOf(coatHere());
-  locksAcross = locksInClump(shortness) / (clumpRadius * tilesPerUnit);
+  furOfAtlas = atlasLength * furLengths;
+  perLocks = clumpRadius * tilesPerUnit / locksInClump(shortness);
+  locksAcross = 1.0 / perLocks;
   vec2 water = waterOfLine(tileFromFur);
   entryHeld = water.x;
   entryClump = maskAt(mask, vAtlas);
@@ -112,6 +120,10 @@ void enterWater() {
   far = smoothstep(farLevels.x, farLevels.y, shown);
   closed = clumpsClosed(entryHeld, soakedShare, shortness);
   sheet = mix(nearSheet(closed, shortness), closed, far);
+  profile = vec3(clumpShape, 1.0 / layers, 1.0 / layersLog);
+  drawsNothing = sheet > kNoClumps;
+  fillsGaps = drawsNothing ? 0.0 : 0.4 * sheet;
+  tuftHere = vec4(0.0, 0.0, FUR_TUFT_RADIUS * perLocks / atlasLength, entryHeld);
   float clumpPixels = clumpRadius * tilesPerUnit * tileTexels * exp2(-shown);
   float smallClumps = 1.0 - smoothstep(kSmallClump, kLargeClump, clumpPixels);
   clumpsSmooth = mix(1.0, mix(kLeastSmooth, 1.0, smoothstep(kLargeClump, 4.0 * kLargeClump, clumpPixels)), soakedShare);
@@ -123,7 +135,8 @@ void enterWater() {
   lean = wetLean(bend, water.y, sheetOf(water.y, shortness));
   coatTop = wetTop(upright(entryHeld, soakedShare), length(bend), length(lean), soakedShare);
   tipTile = tileFromFur * lean;
-  wetLength = alongStrand(coatTop, lean + bend * (coatTop * coatTop));
+  perTop = 1.0 / coatTop;
+  perLength = 1.0 / alongStrand(coatTop, lean + bend * (coatTop * coatTop));
   // Clumps are denser than dry fur, and longer steps find them; twice as long ones missed them: clumps fell into dots.
   // Where the machine has too little time dry fur takes longer steps; clumps would grow darker, and the picture jumps when it goes back.
   float wet = min(2.0 * entryHeld, 1.0);
@@ -176,7 +189,7 @@ vec2 furThere;  // where the map has the fur of the strand that was asked for la
 // Where strands that no clump draws aside root which the ray meets at x, in the atlas.
 vec2 rootsAt(float x) {
   float h = heightAt(x);
-  return atlasAt(tileAt(x, h) - tipTile * (h / coatTop));
+  return atlasAt(tileAt(x, h) - tipTile * (h * perTop));
 }
 const int kHalvings = 10;  // to a thousandth of the way; by a hundredth clumps there shimmer
 // The edge is found once a ray, by halves: at its steps neighbouring rays would leave at other points, and their strands fall into rungs.
@@ -184,7 +197,7 @@ void enterChart() {
   vec2 from = rootsAt(enters), to = rootsAt(end);
   bool begins = beginsOutside(from);
   endsOutside = hasLeft(clumpIn(to));
-  leaves = begins || endsOutside;
+  leaves = (begins || endsOutside) && !drawsNothing;
   edge = vAtlas;
   outwards = (begins ? from : to) - edge;
   if (leaves) {
@@ -222,79 +235,64 @@ vec4 clumpThere(inout vec2 a, out bool mirrored) {
 }
 
 // The water that draws a clump's strands together.
-float drawnBy(vec4 clump) { return clumpingWetness(clump.a, clump.z * atlasLength * furLengths, chanceOfClump(ownMiddle(clump))); }
+float drawnBy(vec4 clump) { return clumpingWetness(clump.a, clump.z * furOfAtlas, chanceOfClump(ownMiddle(clump))); }
 
 // Where it roots, what its lock or tuft has drawn to `spot` (tile), leaving so much of the way to the middle of that (`apart`) and to its clump's
 // as well (`left`): so close together strands hide one another; of as many as there are, so many are seen as have room, each as wide as it is.
 // `from`: its way from the middle.
 vec2 rootInLock(vec2 spot, vec2 middle, float apart, float left, out vec2 from) {
-  from = (spot - middle) / apart;
+  from = (spot - middle) * (1.0 / apart);
   return middle + from * mix(1.0, left, seenApart);
 }
 // How many strands of a tuft there are that root `from` its middle, 0..1; drawn aside, they are further `along`.
 float inTuft(vec2 from, float apart, inout float along) {
-  along = length(vec3(along, furFromTile * from * (tufts * (1.0 - apart) / wetLength)));
-  float across = locksAcross / FUR_TUFT_RADIUS;
+  along = length(vec3(along, furFromTile * from * (tufts * (1.0 - apart) * perLength)));
+  float across = locksAcross * (1.0 / FUR_TUFT_RADIUS);
   return mix(1.0, insideRim(dot(from, from) * across * across), tufts);
 }
 // Drawn together, strands are coarser by so many mip levels.
 float coarserBy(float left) { return min(2.0 - 2.0 * left, 1.0) * 2.0 * (1.0 - seenApart); }
 
-const float kNoClumps = 0.999;  // in a sheet as whole as that clumps draw nothing aside
-bool drawsNothing() { return sheet > kNoClumps; }
-// The strand that the ray meets at x where no clump draws it aside.
-Strand aloneAt(float x) {
-  float h = heightAt(x), share = h / coatTop, along = alongStrand(h, lean * share + bend * (h * h)) / wetLength, apart = 1.0, own = 1.0;
-  vec2 root = tileAt(x, h) - tipTile * share, from = vec2(0.0);
-  if (tufts > 0.0) {
-    vec2 middle = lockCentreNear(root * locksAcross);
-    apart = 1.0 - tuftPull(min(along, 1.0), tufts, middle);
-    root = rootInLock(root, middle / locksAcross, apart, apart, from);
-    own = inTuft(from, apart, along) / (apart * apart);
-  }
-#ifdef GROOMED
-  furThere = atlasAt(root);
-#endif
-  vec4 tuft = vec4(0.0, 0.0, FUR_TUFT_RADIUS / (locksAcross * atlasLength), entryHeld);
-  return Strand(root, along, own * clamp(8.0 - 8.0 * along, 0.0, 1.0), coarserBy(apart), tuft, from
-#ifdef TYPES
-  , vec4(0.0)
-#endif
-  );
-}
+// clumpPull() there.
+float pullAt(float h, float drawn) { return clumpPull(clumpProfile(h, profile.x, profile.y, profile.z), h, drawn, sheet); }
 
 const float kOneSheet = 0.75;  // from here on it does not matter to which clump a strand belongs
 const float kMiddle = 0.3;     // whose roots are a clump's own nearly always: squared, 1 at its rim
-// The strand that the ray meets at x: the clump there says where it roots and how far along it that is, its lock which one is seen.
+// The strand that the ray meets at x: the clump there says where it roots and how far along it that is, its lock or tuft which one is seen. Where no
+// clump draws strands aside, all have those of the entry.
 Strand standingAt(float x) {
-  float h = heightAt(x), along = h / coatTop;
-  vec2 tile = tileAt(x, h) - tipTile * along, a = atlasAt(tile);
-  bool mirrored;
-  vec4 clump = clumpThere(a, mirrored);
-  float drawn = drawnBy(clump), pull = clumpPull(along, drawn, sheet);
+  float h = heightAt(x), share = h * perTop;
+  vec2 tile = tileAt(x, h) - tipTile * share, a = atlasAt(tile);
+  bool mirrored = false;
+  vec4 clump = tuftHere;
+  if (!drawsNothing) clump = clumpThere(a, mirrored);
+  float drawn = drawnBy(clump), pull = pullAt(share, drawn);
   float side = mirrored ? -1.0 : 1.0;
-  vec2 from = (a - clump.xy) / (1.0 - pull), aside = tileFromAtlas * from * (side * pull);
+  vec2 from = (a - clump.xy) * (1.0 / (1.0 - pull)), aside = tileFromAtlas * from * (side * pull);
   float outward = dot(from, from) / max(clump.z * clump.z, 1e-12) * float(clump.a > 0.0), own = insideRim(outward);
   own *= outward > kMiddle && sheet < kOneSheet ? isOwn(clump, from) : 1.0;
-  along = alongStrand(h, lean * along + bend * (h * h) - furFromTile * aside) / wetLength * rimTaper(soakedShare, sheet, outward);
+  float along = alongStrand(h, lean * share + bend * (h * h) - furFromTile * aside) * perLength * rimTaper(soakedShare, sheet, outward);
   // Locks draw their strands together once more.
   vec2 spot = inOwnTile(tile + aside), middle = lockCentreNear(spot * locksAcross), fromMiddle;
   float inLock = max(lockPull(min(along, 1.0), drawn, lockSheet(sheet, shortness)), tuftPull(min(along, 1.0), tufts, middle));
   float apart = 1.0 - inLock, left = (1.0 - pull) * apart;
-  vec2 root = rootInLock(spot, middle / locksAcross, apart, left, fromMiddle);
-  own *= inTuft(fromMiddle, apart, along);
+  Strand here;
+  here.root = rootInLock(spot, middle * perLocks, apart, left, fromMiddle);
+  own = (drawsNothing ? 1.0 : own) * inTuft(fromMiddle, apart, along);
 #ifdef GROOMED
-  furThere = mirrored ? edge : furSpot(root);
+  furThere = mirrored ? edge : furSpot(here.root);
 #endif
   // As many stand there as were drawn together; a sheet closes the gaps between clumps, but near to the eye hardly; all end in points.
-  own = max(own / (left * left), 0.4 * sheet) * clamp(8.0 - 8.0 * along, 0.0, 1.0);
+  here.open = max(own / (left * left), fillsGaps) * clamp(8.0 - 8.0 * along, 0.0, 1.0);
+  here.along = along;
+  here.coarser = coarserBy(left);
   if (clump.a < 0.0) clump.a = entryHeld;
-  clump.xy = ownMiddle(clump);
-  return Strand(root, along, own, coarserBy(left), clump, tileFromAtlas * from * side
+  here.clump = vec4(ownMiddle(clump), clump.zw);
+  here.from = drawsNothing ? fromMiddle : tileFromAtlas * from * side;
 #ifdef TYPES
-  , vec4(0.0)
+  here.grows = vec4(0.0);
 #endif
-  );
+  return here;
 }
 #ifdef GROOMED
 vec4 furAt(Strand here) { return textureLod(groom, furThere, 0.0); }
@@ -308,7 +306,8 @@ vec4 strandAt(vec4 spot, Strand here) {
 
 // Locks of one size: the one that comes from furthest lies on top, as hair lies over what roots further on. `cells`: of their grid, to a
 // tile; `lies`: from root to tip, tiles; `frays`: by how much its strands lie beside where the lock has them, so that rims and tips fray.
-Lying locksAt(vec2 tile, vec2 lies, float cells, float frays) {
+// x: to which side of it, 1 at the rim  y, z: `rises` and `chance` of Lying
+vec3 locksAt(vec2 tile, vec2 lies, float cells, float frays) {
   vec2 at = tile * cells, way = lies * cells;
   vec3 top = vec3(0.0);  // along and across the lock, its chance
   for (int i = 0; i < FUR_LOCK_LOOKS; ++i) {
@@ -322,7 +321,7 @@ Lying locksAt(vec2 tile, vec2 lies, float cells, float frays) {
     if (i + 1 == FUR_LOCK_LOOKS) break;
   }
   float rises = float(top.x > 0.0) * (1.0 - top.y * top.y) * min(0.35 + 2.0 * top.x, 1.0);
-  return Lying(vec2(top.y, 0.0), rises, min(2.0 * rises, 1.0) * (top.z - 0.5 + 0.5 * (0.5 - top.x)), vec2(0.0), 1.0);
+  return vec3(top.y, rises, min(2.0 * rises, 1.0) * (top.z - 0.5 + 0.5 * (0.5 - top.x)));
 }
 
 const float kHidesLying = 6.0;  // what a strand that lies hides of the skin, beside one that stands
@@ -341,14 +340,18 @@ void lieDown(vec2 tile, float frays, float line) {
   float lie = smoothstep(0.05, 0.3, lies);
   small = smoothstep(0.2, 0.8, small);  // seldom are there both sizes: each costs as much as all the rest of the light
   vec2 seen = locked * lie * vec2(1.0 - small, small) * smoothstep(vec2(2.0), vec2(7.0), vec2(pixels, 0.5 * pixels));
-  Lying one = Lying(vec2(0.0), 0.0, 0.0, vec2(0.0), 1.0), two = one;
-  if (seen.x > 0.0) one = locksAt(tile, way, exp2(large), frays);
-  if (seen.y > 0.0) two = locksAt(tile, 0.7 * way, exp2(large + 1.0), frays);
-  vec2 rises = mix(vec2(1.0), vec2(one.rises, two.rises) / kMeanRise, seen);
   vec2 beside = furFromTile * vec2(-way.y, way.x);
-  lying.outward = beside * ((0.85 * dot(seen, vec2(one.outward.x, two.outward.x)) + joined * line) / max(length(beside), 1e-6));
-  lying.chance = dot(seen, vec2(one.chance, two.chance));
-  lying.rises = mix(1.0, min(kMeanRise * rises.x * rises.y, 1.0), locked * lie);
+  float rises = kMeanRise, across = 0.0;
+  int sizes = seen.y > 0.0 ? 2 : 1;
+  for (int i = seen.x > 0.0 ? 0 : 1; i < sizes; ++i) {
+    vec3 lock = locksAt(tile, (i > 0 ? 0.7 : 1.0) * way, exp2(large + float(i)), frays);
+    across += seen[i] * lock.x;
+    lying.chance += seen[i] * lock.z;
+    rises *= mix(1.0, lock.y / kMeanRise, seen[i]);
+    if (i + 1 == sizes) break;
+  }
+  lying.outward = beside * ((0.85 * across + joined * line) / max(length(beside), 1e-6));
+  lying.rises = mix(1.0, min(rises, 1.0), locked * lie);
   lying.smoothness = mix(lying.smoothness, mix(kLockGloss, kUnseenLocks, lie - (seen.x + seen.y) / locked), 0.5 * (joined + locked));
   lying.tilt = -0.6 * lying.outward;
 }
@@ -395,12 +398,12 @@ vec2 tiltOf(Met met) {
 
 // Eq. 4: the strand moves by -d, in fur lengths.
 vec2 clumpTilt(Met met, March march) {
-  float along = heightAt(march.metX) / coatTop, drawn = drawnBy(met.here.clump);
+  float along = heightAt(march.metX) * perTop, drawn = drawnBy(met.here.clump);
   // The slope there, by a hundredth of the height.
-  float turns = 100.0 * (clumpPull(along - 0.01, drawn, sheet) - clumpPull(along, drawn, sheet));
+  float turns = 100.0 * (pullAt(along - 0.01, drawn) - pullAt(along, drawn));
   // The strands of a sheet stick to those below: they lie flatter than the coat is high, however little water made it.
   float flatter = (1.0 + 1.5 * min(2.0 * joined, 1.0) / clamp(entryHeld, 0.3, 1.0)) / max(1.0 + 1.6 * lying.chance, 0.1);
-  return furFromTile * met.here.from * (turns * (1.0 - joined)) + lean * (flatter / coatTop) + lying.tilt;
+  return furFromTile * met.here.from * (turns * (1.0 - joined)) + lean * (flatter * perTop) + lying.tilt;
 }
 
 // Where a strand gets its light: the march comes deeper between clumps than one sees when every strand is drawn, the most when

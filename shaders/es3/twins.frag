@@ -27,7 +27,7 @@ void main() {
 #elif FUNCTION == 1 || FUNCTION == 20
   float value = arcBend(at.x * 1.35, at.y).y;
 #elif FUNCTION == 2
-  float value = clumpProfile(mix(1.0 / 32.0, 1.0, at.x), at.y, 32.0, naturalLog(32.0));
+  float value = clumpProfile(mix(1.0 / 32.0, 1.0, at.x), at.y, 1.0 / 32.0, 1.0 / naturalLog(32.0));
 #elif FUNCTION == 3
   float value = furShadow(at.x, 0.6, at.y * 2.0 - 1.0);
 #elif FUNCTION == 4

@@ -31,7 +31,7 @@ std::vector<Member> frameMembers() {
       FUR_MEMBER(FrameBlock, pixelsPerUnit), FUR_MEMBER(FrameBlock, lightIntensity), FUR_MEMBER(FrameBlock, fillLight),
       FUR_MEMBER(FrameBlock, exposure), FUR_MEMBER(FrameBlock, samples), FUR_MEMBER(FrameBlock, viewLayer),
       FUR_MEMBER(FrameBlock, pictureHeight), FUR_MEMBER(FrameBlock, bottomRow), FUR_MEMBER(FrameBlock, groundCentre),
-      FUR_MEMBER(FrameBlock, groundHeight), FUR_MEMBER(FrameBlock, groundHalfSide), FUR_MEMBER(FrameBlock, groundDarkness),
+      FUR_MEMBER(FrameBlock, groundHeight), FUR_MEMBER(FrameBlock, groundHalfSide),
       FUR_MEMBER(FrameBlock, ballRadius), FUR_MEMBER(FrameBlock, shadowExtinction), FUR_MEMBER(FrameBlock, shadowBias),
       FUR_MEMBER(FrameBlock, shadowLayerDepth), FUR_MEMBER(FrameBlock, shadowSurface), FUR_MEMBER(FrameBlock, shadowRange),
       FUR_MEMBER(FrameBlock, stepLength), FUR_MEMBER(FrameBlock, sampleShare), FUR_MEMBER(FrameBlock, transparent),

@@ -51,17 +51,16 @@ FUR_BLOCK(FrameBlock) {
   float groundHeight;     // world y
   float groundHalfSide;   // of its shadow map
 
-  float groundDarkness;   // in full shadow
   float ballRadius;
   float shadowExtinction; // log2(e) k of the fur's own shadow
   float shadowBias;       // depth map: so far behind the first surface it begins, model units
-
   float shadowLayerDepth; // layers: how far apart they are, model units
+
   float shadowSurface;    // height of the first surface, 0..1
   float shadowRange;      // depth that the map spans, model units
   float stepLength;       // of a march's steps, 1 as is good for the picture
-
   float sampleShare;      // of the mean of this sample and those before it
+
   float transparent;      // 0 or 1: there is no background
   float finer;            // mip levels by which this sample of a mean reads the coat finer than a picture that stands alone
   float drawnShare;       // pixels that are drawn along a side, as a share of those that are shown
@@ -179,9 +178,8 @@ FUR_BLOCK(FurBlock) {
 // Directions over a half turn in which strands are averaged into streaks (furgen/Streaks.h).
 #define FUR_STREAK_TURNS 32.0
 
-// Of the background: cells along the ground's square, and strips of the gradient.
+// Cells along the ground's square.
 #define FUR_GROUND_CELLS 16
-#define FUR_BACKGROUND_STRIPS 16
 
 // Opacity layers of the fur's own shadow map: their targets of four layers each, the shells that fill them.
 #define FUR_SHADOW_TARGETS 4

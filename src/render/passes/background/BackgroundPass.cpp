@@ -18,7 +18,7 @@ void fillBackground(const Frame& frame, shared::FrameBlock& block) {
 bool drawBackground(const Drawing& drawing) {
   if (!drawing.programs.use(Shader::Background, kPlain)) return false;
   gl::apply({.cullBack = false, .blend = drawing.frame.transparent ? gl::Blend::Erase : gl::Blend::None});
-  gl::drawWithoutVertices(6 * FUR_BACKGROUND_STRIPS);
+  gl::drawWithoutVertices(3);
   return true;
 }
 

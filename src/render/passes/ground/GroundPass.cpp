@@ -6,18 +6,10 @@
 
 namespace fur::render {
 
-namespace {
-
-// Where the key light does not come.
-constexpr float kShadowDarkness = 0.55f;
-
-}  // namespace
-
 void fillGround(const Frame& frame, shared::FrameBlock& block) {
   block.groundCentre = {frame.worldFromModel[3].x, frame.worldFromModel[3].z};
   block.groundHeight = frame.groundHeight;
   block.groundHalfSide = kGroundHalfSide;
-  block.groundDarkness = kShadowDarkness;
 }
 
 void GroundPass::showPuddles(const Drawing& drawing) {
