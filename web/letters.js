@@ -5,9 +5,9 @@ const keySteps = { ArrowLeft: [-8, 0], ArrowRight: [8, 0], ArrowUp: [0, -8], Arr
 const keySizes = { '+': 1.1, '=': 1.1, '-': 1 / 1.1 };
 const keyTurns = { '[': -0.1, ']': 0.1 };
 const clickPixels = 5;
-// Cells of the area across which room is looked for; sizes that are tried, down to 3 / sizesTried of the largest; of the font's size: what capitals are
-// high, and what is to be free about them.
-const roomCells = 48, sizesTried = 14, capitals = 0.75, margin = 0.4;
+// Cells of the area across which room is looked for; by so much of the atlas the model goes on elsewhere from one to the next; sizes that are tried, down
+// to 3 / sizesTried of the largest; of the font's size: what capitals are high, and what is to be free about them.
+const roomCells = 48, jump = 0.1, sizesTried = 14, capitals = 0.75, margin = 0.4;
 
 /** By fingers alone, or also by mouse and keys. */
 export const howToPlace = (fingers) => (fingers ? 'Drag the letters, size and turn them with two fingers. A tap stamps them.'
@@ -39,13 +39,13 @@ export class Letters {
 
   get shown() { return !this.#layer.hidden; }
 
-  /** First where they are all on the model: see roomForText(). */
-  show(text, area, isOnModel) {
+  /** First where they are all on one piece of the model: see roomForText(). */
+  show(text, area, spotAt) {
     this.#ghost.textContent = text;
     this.#layer.setAttribute('aria-label', `Place ${text}`);
     this.#layer.hidden = false;
     this.#ghost.style.fontSize = '100px';
-    this.#place = { ...roomForText(this.#ghost.offsetWidth / 100, area, isOnModel), angle: 0 };
+    this.#place = { ...roomForText(this.#ghost.offsetWidth / 100, area, spotAt), angle: 0 };
     this.#draw();
     this.#layer.focus();
   }
@@ -128,32 +128,48 @@ export class Letters {
 }
 
 /**
- * Where letters so wide (sizes of the font) are largest and yet all on the model, and nearest to the middle of the area; in its middle if there
- * is no such place.
+ * Where letters so wide (sizes of the font) are largest and yet all on one piece of the model, and nearest to the middle of the area. A piece ends where
+ * the spot jumps, as where a head stands before a back. Where pieces have room for letters half as large as the whole model has, or less, anywhere on
+ * it; in the area's middle if there is no such place.
  * @param {number} wide @param {{left: number, top: number, width: number, height: number}} area CSS pixels
- * @param {(x: number, y: number) => boolean} isOnModel
+ * @param {(x: number, y: number) => {u: number, v: number} | null} spotAt where the model is there, in its atlas
  */
-export function roomForText(wide, area, isOnModel) {
+export function roomForText(wide, area, spotAt) {
   const cell = area.width / roomCells, down = Math.floor(area.height / cell);
-  // How many cells of the model lie before each, so that any rectangle's are four look-ups.
+  const spots = Array.from({ length: roomCells * down }, (_, i) =>
+    spotAt(area.left + ((i % roomCells) + 0.5) * cell, area.top + (Math.floor(i / roomCells) + 0.5) * cell));
+  const onModel = spots.map(Boolean), largest = Math.min(0.25 * area.height, (0.75 * Math.min(area.width, area.height)) / Math.max(wide, 1));
+  const roomIn = (free) => {
+    for (let step = sizesTried; step > 2; --step) {
+      const size = (largest * step) / sizesTried, w = Math.ceil(((wide + margin) * size) / cell), h = Math.ceil(((capitals + margin) * size) / cell);
+      const place = nearestRoom(free, down, w, h);
+      if (place) return { x: area.left + place.x * cell, y: area.top + place.y * cell, size };
+    }
+    return null;
+  };
+  const anywhere = roomIn(onModel), onePiece = anywhere && roomIn(onModel.map((on, i) => on && !jumps(spots, i)));
+  return (onePiece?.size > 0.5 * anywhere?.size ? onePiece : anywhere) ?? { x: area.left + area.width / 2, y: area.top + area.height / 2, size: largest };
+}
+
+// Whether the model goes on elsewhere in the next cell, or in that below.
+function jumps(spots, i) {
+  const next = (i + 1) % roomCells ? spots[i + 1] : null;
+  return [next, spots[i + roomCells]].some((other) => other && Math.hypot(other.u - spots[i].u, other.v - spots[i].v) > jump);
+}
+
+// The middle of the rectangle of w x h free cells that is nearest to the middle of all; in cells.
+function nearestRoom(free, down, w, h) {
+  // How many free cells lie before each, so that any rectangle's are four look-ups.
   const stride = roomCells + 1, sums = new Uint32Array(stride * (down + 1));
   for (let y = 0; y < down; ++y)
-    for (let x = 0; x < roomCells; ++x) {
-      const is = isOnModel(area.left + (x + 0.5) * cell, area.top + (y + 0.5) * cell) ? 1 : 0;
-      sums[(y + 1) * stride + x + 1] = is + sums[y * stride + x + 1] + sums[(y + 1) * stride + x] - sums[y * stride + x];
+    for (let x = 0; x < roomCells; ++x)
+      sums[(y + 1) * stride + x + 1] = free[y * roomCells + x] + sums[y * stride + x + 1] + sums[(y + 1) * stride + x] - sums[y * stride + x];
+  const isFull = (x, y) => sums[(y + h) * stride + x + w] - sums[y * stride + x + w] - sums[(y + h) * stride + x] + sums[y * stride + x] === w * h;
+  let best = null, nearest = Infinity;
+  for (let y = 0; y + h <= down; ++y)
+    for (let x = 0; x + w <= roomCells; ++x) {
+      const away = (x + w / 2 - roomCells / 2) ** 2 + (y + h / 2 - down / 2) ** 2;
+      if (away < nearest && isFull(x, y)) [nearest, best] = [away, { x: x + w / 2, y: y + h / 2 }];
     }
-  const isFull = (x, y, w, h) => sums[(y + h) * stride + x + w] - sums[y * stride + x + w] - sums[(y + h) * stride + x] + sums[y * stride + x] === w * h;
-  const largest = Math.min(0.25 * area.height, (0.75 * Math.min(area.width, area.height)) / Math.max(wide, 1));
-  for (let step = sizesTried; step > 2; --step) {
-    const size = (largest * step) / sizesTried;
-    const w = Math.ceil(((wide + margin) * size) / cell), h = Math.ceil(((capitals + margin) * size) / cell);
-    let best = null, nearest = Infinity;
-    for (let y = 0; y + h <= down; ++y)
-      for (let x = 0; x + w <= roomCells; ++x) {
-        const away = (x + w / 2 - roomCells / 2) ** 2 + (y + h / 2 - down / 2) ** 2;
-        if (away < nearest && isFull(x, y, w, h)) [nearest, best] = [away, { x: area.left + (x + w / 2) * cell, y: area.top + (y + h / 2) * cell, size }];
-      }
-    if (best) return best;
-  }
-  return { x: area.left + area.width / 2, y: area.top + area.height / 2, size: largest };
+  return best;
 }

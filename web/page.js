@@ -244,7 +244,7 @@ function placeLetters(event) {
   waters.hidePopover?.();
   const { left, top, right, bottom } = covered, box = fur.getBoundingClientRect();
   const free = { left, top, width: innerWidth - left - right, height: innerHeight - top - bottom };
-  letters.show(text, free, (x, y) => Boolean(fur.pick({ x: x - box.left, y: y - box.top })));
+  letters.show(text, free, (x, y) => fur.pick({ x: x - box.left, y: y - box.top }));
   hint = messages.offer(howToPlace(matchMedia('(hover: none)').matches), 'Leave', () => letters.hide());
 }
 

@@ -342,13 +342,12 @@ void lieDown(vec2 tile, float frays, float line) {
   vec2 seen = locked * lie * vec2(1.0 - small, small) * smoothstep(vec2(2.0), vec2(7.0), vec2(pixels, 0.5 * pixels));
   vec2 beside = furFromTile * vec2(-way.y, way.x);
   float rises = kMeanRise, across = 0.0;
-  int sizes = seen.y > 0.0 ? 2 : 1;
-  for (int i = seen.x > 0.0 ? 0 : 1; i < sizes; ++i) {
+  for (int i = seen.x > 0.0 ? 0 : seen.y > 0.0 ? 1 : 2; i < 2; ++i) {
     vec3 lock = locksAt(tile, (i > 0 ? 0.7 : 1.0) * way, exp2(large + float(i)), frays);
     across += seen[i] * lock.x;
     lying.chance += seen[i] * lock.z;
     rises *= mix(1.0, lock.y / kMeanRise, seen[i]);
-    if (i + 1 == sizes) break;
+    if (i > 0 || seen.y <= 0.0) break;
   }
   lying.outward = beside * ((0.85 * across + joined * line) / max(length(beside), 1e-6));
   lying.rises = mix(1.0, min(rises, 1.0), locked * lie);
