@@ -6,8 +6,8 @@ const keySizes = { '+': 1.1, '=': 1.1, '-': 1 / 1.1 };
 const keyTurns = { '[': -0.1, ']': 0.1 };
 const clickPixels = 5;
 // Cells of the area across which room is looked for; by so much of the atlas the model goes on elsewhere from one to the next; sizes that are tried, down
-// to 3 / sizesTried of the largest; of the font's size: what capitals are high, and what is to be free about them.
-const roomCells = 48, jump = 0.1, sizesTried = 14, capitals = 0.75, margin = 0.4;
+// to 3 / sizesTried of the largest; the share of the largest that fits which is as good where it is nearer to the middle; of the font's size: what capitals are high, and what is to be free about them.
+const roomCells = 48, jump = 0.1, sizesTried = 14, nearlyLargest = 0.75, capitals = 0.75, margin = 0.4;
 
 /** By fingers alone, or also by mouse and keys. */
 export const howToPlace = (fingers) => (fingers ? 'Drag the letters, size and turn them with two fingers. A tap stamps them.'
@@ -128,7 +128,7 @@ export class Letters {
 }
 
 /**
- * Where letters so wide (sizes of the font) are largest and yet all on one piece of the model, and nearest to the middle of the area. A piece ends where
+ * Where letters so wide (sizes of the font) are largest, or nearly, and yet all on one piece of the model, and nearest to the middle of the area. A piece ends where
  * the spot jumps, as where a head stands before a back. Where pieces have room for letters half as large as the whole model has, or less, anywhere on
  * it; in the area's middle if there is no such place.
  * @param {number} wide @param {{left: number, top: number, width: number, height: number}} area CSS pixels
@@ -139,16 +139,21 @@ export function roomForText(wide, area, spotAt) {
   const spots = Array.from({ length: roomCells * down }, (_, i) =>
     spotAt(area.left + ((i % roomCells) + 0.5) * cell, area.top + (Math.floor(i / roomCells) + 0.5) * cell));
   const onModel = spots.map(Boolean), largest = Math.min(0.25 * area.height, (0.75 * Math.min(area.width, area.height)) / Math.max(wide, 1));
+  // The best place in free cells, and the size that fits there somewhere, in steps.
   const roomIn = (free) => {
-    for (let step = sizesTried; step > 2; --step) {
+    let best = null, fits = 0;
+    for (let step = sizesTried; step >= Math.max(3, nearlyLargest * fits); --step) {
       const size = (largest * step) / sizesTried, w = Math.ceil(((wide + margin) * size) / cell), h = Math.ceil(((capitals + margin) * size) / cell);
       const place = nearestRoom(free, down, w, h);
-      if (place) return { x: area.left + place.x * cell, y: area.top + place.y * cell, size };
+      if (!place) continue;
+      fits ||= step;
+      if (!best || place.away < best.away - 1) best = { away: place.away, x: area.left + place.x * cell, y: area.top + place.y * cell, size };
     }
-    return null;
+    return { best, fits };
   };
-  const anywhere = roomIn(onModel), onePiece = anywhere && roomIn(onModel.map((on, i) => on && !jumps(spots, i)));
-  return (onePiece?.size > 0.5 * anywhere?.size ? onePiece : anywhere) ?? { x: area.left + area.width / 2, y: area.top + area.height / 2, size: largest };
+  const anywhere = roomIn(onModel), onePiece = roomIn(onModel.map((on, i) => on && !jumps(spots, i)));
+  const { best } = onePiece.fits > 0.5 * anywhere.fits ? onePiece : anywhere;
+  return best ? { x: best.x, y: best.y, size: best.size } : { x: area.left + area.width / 2, y: area.top + area.height / 2, size: largest };
 }
 
 // Whether the model goes on elsewhere in the next cell, or in that below.
@@ -157,7 +162,7 @@ function jumps(spots, i) {
   return [next, spots[i + roomCells]].some((other) => other && Math.hypot(other.u - spots[i].u, other.v - spots[i].v) > jump);
 }
 
-// The middle of the rectangle of w x h free cells that is nearest to the middle of all; in cells.
+// The middle of the rectangle of w x h free cells that is nearest to the middle of all, and how far it is `away` from there, squared; in cells.
 function nearestRoom(free, down, w, h) {
   // How many free cells lie before each, so that any rectangle's are four look-ups.
   const stride = roomCells + 1, sums = new Uint32Array(stride * (down + 1));
@@ -169,7 +174,7 @@ function nearestRoom(free, down, w, h) {
   for (let y = 0; y + h <= down; ++y)
     for (let x = 0; x + w <= roomCells; ++x) {
       const away = (x + w / 2 - roomCells / 2) ** 2 + (y + h / 2 - down / 2) ** 2;
-      if (away < nearest && isFull(x, y)) [nearest, best] = [away, { x: x + w / 2, y: y + h / 2 }];
+      if (away < nearest && isFull(x, y)) [nearest, best] = [away, { x: x + w / 2, y: y + h / 2, away }];
     }
   return best;
 }

@@ -30,7 +30,8 @@ test('they are on one piece of the model, not on a head and the back behind it',
   const isOn = inDisc(500, 340, 250), split = 450, wide = 2.6;
   const { x, size } = roomForText(wide, area, spots(isOn, (at) => (at < split ? 0 : 0.4)));
   assert.ok(x - (wide * size) / 2 > split, `${x} and ${size} cross ${split}`);
-  assert.ok(size > 0.5 * roomForText(wide, area, spots(isOn)).size);
+  // Half of what fits on the whole, at least, and three quarters of that to be nearer to the middle.
+  assert.ok(size > 0.37 * roomForText(wide, area, spots(isOn)).size);
 });
 
 test('they are on several pieces where each has room for small letters alone', () => {
