@@ -95,7 +95,7 @@ void stepPast(inout March march, Strand here) {
 }
 
 // Steps along the ray until strands hide what is behind them, FUR_MOST_STEPS times at most. Look-ups in a step: 1; GROOMED 1 more;
-// TYPES up to 2 for each type that is present instead of the 1, while the map is not even; WET 3 more, none in a
+// TYPES up to 2 for each type that is present instead of the 1, while the map is not even; WET 3 more, 1 in a
 // whole sheet. A software rasteriser would go through a step once more with nothing to do if loops asked at their beginning alone.
 March marchCoat(float first) {
   March march = marchFrom(first + enters, enters);

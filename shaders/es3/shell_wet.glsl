@@ -259,7 +259,7 @@ float pullAt(float h, float drawn) { return clumpPull(clumpProfile(h, profile.x,
 const float kOneSheet = 0.75;  // from here on it does not matter to which clump a strand belongs
 const float kMiddle = 0.3;     // whose roots are a clump's own nearly always: squared, 1 at its rim
 // The strand that the ray meets at x: the clump there says where it roots and how far along it that is, its lock or tuft which one is seen. Where no
-// clump draws strands aside, all have those of the entry.
+// clump draws it aside, the tuft at the entry stands for one.
 Strand standingAt(float x) {
   float h = heightAt(x), share = h * perTop;
   vec2 tile = tileAt(x, h) - tipTile * share, a = atlasAt(tile);
