@@ -6,7 +6,8 @@ const keySizes = { '+': 1.1, '=': 1.1, '-': 1 / 1.1 };
 const keyTurns = { '[': -0.1, ']': 0.1 };
 const clickPixels = 5;
 // Cells of the area across which room is looked for; by so much of the atlas the model goes on elsewhere from one to the next; sizes that are tried, down
-// to 3 / sizesTried of the largest; the share of the largest that fits which is as good where it is nearer to the middle; of the font's size: what capitals are high, and what is to be free about them.
+// to 3 / sizesTried of the largest; the share of the largest that fits which is as good where it is nearer to the middle; of the font's size: what
+// capitals are high, and what is to be free about them.
 const roomCells = 48, jump = 0.1, sizesTried = 14, nearlyLargest = 0.75, capitals = 0.75, margin = 0.4;
 
 /** By fingers alone, or also by mouse and keys. */
@@ -128,9 +129,9 @@ export class Letters {
 }
 
 /**
- * Where letters so wide (sizes of the font) are largest, or nearly, and yet all on one piece of the model, and nearest to the middle of the area. A piece ends where
- * the spot jumps, as where a head stands before a back. Where pieces have room for letters half as large as the whole model has, or less, anywhere on
- * it; in the area's middle if there is no such place.
+ * Where letters so wide (sizes of the font) are largest, or nearly, and yet all on one piece of the model, and nearest to the middle of the area. A
+ * piece ends where the spot jumps, as where a head stands before a back. Where no piece has room for letters half as large as the whole model has,
+ * anywhere on the model; in the area's middle if there is no such place.
  * @param {number} wide @param {{left: number, top: number, width: number, height: number}} area CSS pixels
  * @param {(x: number, y: number) => {u: number, v: number} | null} spotAt where the model is there, in its atlas
  */
