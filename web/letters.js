@@ -142,10 +142,11 @@ export function roomForText(wide, area, spotAt) {
   const onModel = spots.map(Boolean), largest = Math.min(0.25 * area.height, (0.75 * Math.min(area.width, area.height)) / Math.max(wide, 1));
   // The best place in free cells, and the size that fits there somewhere, in steps.
   const roomIn = (free) => {
+    const isFull = fullRectangles(free);
     let best = null, fits = 0;
     for (let step = sizesTried; step >= Math.max(3, nearlyLargest * fits); --step) {
       const size = (largest * step) / sizesTried, w = Math.ceil(((wide + margin) * size) / cell), h = Math.ceil(((capitals + margin) * size) / cell);
-      const place = nearestRoom(free, down, w, h);
+      const place = nearestRoom(isFull, down, w, h);
       if (!place) continue;
       fits ||= step;
       if (!best || place.away < best.away - 1) best = { away: place.away, x: area.left + place.x * cell, y: area.top + place.y * cell, size };
@@ -163,19 +164,22 @@ function jumps(spots, i) {
   return [next, spots[i + roomCells]].some((other) => other && Math.hypot(other.u - spots[i].u, other.v - spots[i].v) > jump);
 }
 
-// The middle of the rectangle of w x h free cells that is nearest to the middle of all, and how far it is `away` from there, squared; in cells.
-function nearestRoom(free, down, w, h) {
-  // How many free cells lie before each, so that any rectangle's are four look-ups.
-  const stride = roomCells + 1, sums = new Uint32Array(stride * (down + 1));
+// Whether all cells of a rectangle are free: how many lie before each is counted once, so that any rectangle's are four look-ups.
+function fullRectangles(free) {
+  const stride = roomCells + 1, down = free.length / roomCells, sums = new Uint32Array(stride * (down + 1));
   for (let y = 0; y < down; ++y)
     for (let x = 0; x < roomCells; ++x)
       sums[(y + 1) * stride + x + 1] = free[y * roomCells + x] + sums[y * stride + x + 1] + sums[(y + 1) * stride + x] - sums[y * stride + x];
-  const isFull = (x, y) => sums[(y + h) * stride + x + w] - sums[y * stride + x + w] - sums[(y + h) * stride + x] + sums[y * stride + x] === w * h;
+  return (x, y, w, h) => sums[(y + h) * stride + x + w] - sums[y * stride + x + w] - sums[(y + h) * stride + x] + sums[y * stride + x] === w * h;
+}
+
+// The middle of the full rectangle of w x h cells that is nearest to the middle of all, and how far it is `away` from there, squared; in cells.
+function nearestRoom(isFull, down, w, h) {
   let best = null, nearest = Infinity;
   for (let y = 0; y + h <= down; ++y)
     for (let x = 0; x + w <= roomCells; ++x) {
       const away = (x + w / 2 - roomCells / 2) ** 2 + (y + h / 2 - down / 2) ** 2;
-      if (away < nearest && isFull(x, y)) [nearest, best] = [away, { x: x + w / 2, y: y + h / 2, away }];
+      if (away < nearest && isFull(x, y, w, h)) [nearest, best] = [away, { x: x + w / 2, y: y + h / 2, away }];
     }
   return best;
 }

@@ -85,7 +85,7 @@ FUR_BLOCK(FurBlock) {
   float furLength;     // model units
   float tilesPerUnit;  // fur tiles along a model unit
   float layers;        // N of the coat
-  float layersLog;     // ln N: shaders need it at each step of a march through wet fur
+  float layersLog;     // ln N
 
   float tileTexels;    // along a side of the fur tile
   float storedLayers;  // in its textures
