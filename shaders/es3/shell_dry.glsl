@@ -3,9 +3,22 @@ const float entryHeld = 0.0, enters = 0.0, closes = kClosed;
 const int kSheetSteps = 0;
 
 void enterWater() {}
-void enterChart() {}
 #ifdef GROOMED
 vec2 footInAtlas() { return atlasAt(foot); }
+#endif
+#if defined(GROOMED) && !defined(TYPES)
+vec4 entryFur;
+void enterChart() { entryFur = textureLod(groom, vAtlas, 0.0); }
+// Over the border of its chart the map has what grows in another place, or nothing: there fur is as where the ray enters.
+vec4 furOn(vec2 a) {
+  vec4 there = textureLod(groom, a, 0.0);
+  return abs(there.a - entryFur.a) < 0.5 / 255.0 ? there : entryFur;
+}
+#else
+void enterChart() {}
+#ifdef GROOMED
+vec4 furOn(vec2 a) { return textureLod(groom, a, 0.0); }
+#endif
 #endif
 float rootsAside() { return 0.0; }
 bool underSheet() { return false; }
@@ -20,7 +33,7 @@ Strand standingAt(float x) {
   return here;
 }
 #ifdef GROOMED
-vec4 furAt(Strand here) { return textureLod(groom, atlasAt(here.root), 0.0); }
+vec4 furAt(Strand here) { return furOn(atlasAt(here.root)); }
 #endif
 
 vec4 strandAt(vec4 spot, Strand here) { return textureLod(strand, strandSpot(spot), spot.w); }

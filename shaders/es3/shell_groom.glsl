@@ -38,14 +38,14 @@ void enterGroom() {
   typesUnder = only(plainType);
   grown = plainFurry;
   if (plainTo < end) {
-    vec4 texel = textureLod(groom, footInAtlas(), 0.0);
+    vec4 texel = furOn(footInAtlas());
     grown = coatShare(texel);
     typesUnder = presences(texel.gba);
   }
 }
 vec3 skinColor() { return skinColorOf(typesUnder); }
 #else
-void enterGroom() { grown = coatShare(textureLod(groom, footInAtlas(), 0.0)); }
+void enterGroom() { grown = coatShare(furOn(footInAtlas())); }
 vec3 skinColor() { return skinColors[0].rgb; }
 #endif
 

@@ -295,7 +295,8 @@ Strand standingAt(float x) {
   return here;
 }
 #ifdef GROOMED
-vec4 furAt(Strand here) { return textureLod(groom, furThere, 0.0); }
+vec4 furOn(vec2 a) { return textureLod(groom, a, 0.0); }
+vec4 furAt(Strand here) { return furOn(furThere); }
 #endif
 
 // Strands that water joins are one as far as light is concerned: as many as a pixel has.

@@ -173,8 +173,11 @@ void App::State::uploadGroom(bool whole) {
     const geometry::TexelRect rect = groom.takeChanged(map);
     return whole ? all : rect;
   };
-  if (const geometry::TexelRect rect = changedOf(groom::kLengthMap); !rect.empty()) uploadLengths(rect);
-  geometry::TexelRect rect = unite(changedOf(groom::kPaintMap), changedOf(groom::kMaskMap));
+  if (whole || uploaded.charts.size() != now.map.texels().size()) uploaded.charts.clear();
+  geometry::TexelRect rect = changedOf(groom::kLengthMap);
+  if (noteChange(uploaded.typed, showsTypes())) rect = all;
+  if (!rect.empty()) uploadLengths(rect);
+  rect = unite(changedOf(groom::kPaintMap), changedOf(groom::kMaskMap));
   const bool shows = showsMask();
   const bool scalp = showsScalp();
   if (noteChange(uploaded.overPaint, shows ? 1 : scalp ? 1 + hairView->colorRevision : 0)) rect = all;
@@ -201,8 +204,12 @@ void App::State::uploadLengths(const geometry::TexelRect& changed) {
   const geometry::Surface& surface = shape.surface();
   const std::vector<float>& lengths = groom.vertexLengths();
   // Of a plain map the least says it all.
-  if (groom.hasLengths()) renderer->updateGroom(groom.groom().map, changed);
-  else renderer->updateGroom(groom::GroomMap(kLeast), {0, 0, kLeast, kLeast});
+  if (!groom.hasLengths()) renderer->updateGroom(groom::GroomMap(kLeast), {0, 0, kLeast, kLeast});
+  else if (uploaded.typed) renderer->updateGroom(groom.groom().map, changed);
+  else {
+    if (uploaded.charts.empty()) uploaded.charts = groom::chartNumbers(surface, groom.groomSurface(shape).atlas);
+    renderer->updateGroom(groom::withCharts(groom.groom().map, uploaded.charts), changed);
+  }
   uploadEvenReach();
   if (lengths.empty()) return renderer->setFurry({surface.furIndices, surface.ownFurIndices, surface.furClusters}, {});
   const auto remaining = [&](const std::vector<std::uint32_t>& all) { return groom::furryTriangles(all, lengths); };
@@ -259,7 +266,7 @@ render::Frame App::State::frame(int level) const {
   f.groomed = groom.hasLengths();
   f.painted = groom.hasPaint() || showsMask() || showsScalp();
   f.shaped = groom.hasShape();
-  f.types = coat.shownTypes() > 1 || (renderer && renderer->hasTypePictures());
+  f.types = showsTypes();
   if (const auto ball = motion.touch().ball()) f.ball = Vec4(ball->centre, ball->radius);
   f.baseColorFactor = document.materials[document.main].baseColor;
   f.drops = hair->withHanging(water.water().drops());

@@ -127,7 +127,8 @@ struct App::State {
     std::vector<std::uint8_t> bare{};
     std::vector<groom::Whisker> whiskers{};
     std::uint64_t overPaint = 0;  // what lies over it: 0 nothing, 1 the mask, above 1 a map of hair
-    bool painted = false, shaped = false;
+    bool painted = false, shaped = false, typed = false;
+    std::vector<std::uint8_t> charts{};  // groom::chartNumbers(), once they were needed
     struct Scalp {
       std::uint64_t growth = 0, nodes = 0;
     };
@@ -218,6 +219,7 @@ struct App::State {
   bool showsScalp() const { return hairView && !hairView->instead && !hairView->mapColors.empty(); }
   void uploadLengths(const geometry::TexelRect& changed);
   void uploadEvenReach();
+  bool showsTypes() const { return coat.shownTypes() > 1 || (renderer && renderer->hasTypePictures()); }
   bool showsMask() const;  // with the paint, for who is grooming
   bool showsForces() const { return static_cast<render::View>(settings.view) == render::View::Forces; }
   static constexpr int kCrowdedShells = 3, kSlenderShells = 2;

@@ -64,6 +64,20 @@ TEST(EvenReach, OtherChartsDoNotCount) {
   }
 }
 
+// What shaders of a coat of one type tell a ray by that leaves its chart.
+TEST(WithCharts, KeepsLengthsAndTellsChartsApartInTheirGuttersToo) {
+  Setting one(96);
+  ASSERT_GT(one.surface.chartCount, 1u);
+  setLength(one.groom, one.groomSurface(), {{0, 1, 0}, {0, 1, 0}, 0.4f, 1, Falloff::Flat}, 0.5f);
+  const std::vector<std::uint8_t> charts = chartNumbers(one.surface, one.atlas);
+  const GroomMap map = withCharts(one.groom.map, charts);
+  for (std::uint32_t i = 0; i < charts.size(); ++i) {
+    EXPECT_EQ(map.texels()[i], (GroomMap::Texel{one.groom.map.texels()[i][0], 0, 0, charts[i]}));
+    if (onChart(one, i)) { EXPECT_EQ(charts[i], one.surface.vertices[one.surface.indices[3 * one.atlas.triangleOf()[i]]].chart + 1); }
+  }
+  for (const auto& [texel, source] : one.atlas.gutter()) EXPECT_EQ(charts[texel], charts[source]);
+}
+
 TEST(EvenReach, IsNoneWhereTypesShareATexel) {
   Setting one(64);
   paintType(one.groom, one.groomSurface(), {{1, 0, 0}, {1, 0, 0}, 0.5f, 0.5f}, 3);
