@@ -110,6 +110,18 @@ float bentBack(vec2 way, vec2 turning, float slope, float z, float coat) {
   return mix(bent, 0.5 * curvature * whole * (whole + round), thin * smoothstep(0.5, 1.0, past));
 }
 
+// The skin's curvature, bounded to so much inwards and outwards of 1 / z, the height of the coat.
+mat2 boundedCurvature(mat2 curvature, float z, float mostInwards, float mostOutwards) {
+  vec2 halves = 0.5 * vec2(curvature[0].x + curvature[1].y, curvature[0].x - curvature[1].y);
+  float apart = length(vec2(halves.y, curvature[0].y));
+  vec2 most = vec2(mostInwards, mostOutwards) / max(z * vec2(apart - halves.x, apart + halves.x), 1e-4);
+  float bound = min(1.0, min(most.x, most.y));
+  return curvature * (bound * bound);
+}
+// Terms for strands that lie are linear in it: beyond these, tips turned round like hooks in creases, and over ridges rays went out of the
+// coat, where sky showed.
+const float kMostInwards = 0.15, kMostOutwards = 0.3;
+
 // The ray's way through the coat from the height `top`, as two parabolas.
 void castRay(Skin skin, vec3 ray, vec3 bend, float top) {
   float len = skin.coat;
@@ -132,13 +144,20 @@ void castRay(Skin skin, vec3 ray, vec3 bend, float top) {
   float inwards = dot(leaning, way), onFace = inwards + down * sqrt(max(1.0 - dot(leaning, leaning), 0.0));
   float more = onFace - path.x, descent = -path.x - 0.5 * more;
   if (inwards > 0.0 && descent > 0.0) path.y = min(path.y, 0.5 * max(more, 0.0) * descent);
-  vPath = vec4(path / arc.x, turning * len);
-  vec2 stride = skin.tileFromAxes * (len * foot), turn = skin.tileFromAxes * (A * turning * (-down * len * len));
+  // Strands that lie leave a skin that turns away under them: heights along them are not those over it, and where the ray meets them
+  // they root elsewhere than under it.
+  vec2 lies = A * aside, lying = boundedCurvature(skin.curvature, z, kMostInwards, kMostOutwards) * lies;
+  path.x += len * top * top * dot(lying, way);
+  path /= max(arc.x + 2.0 * len * top * top * top * dot(aside, lying), 0.5 * arc.x);
+  vec2 root = foot - lies * (2.0 * top * path.x);
+  vec2 rootTurning = boundedCurvature(skin.curvature, z, kMostInwards, 1e3) * root;
+  vPath = vec4(path, len * rootTurning);
+  vec2 stride = skin.tileFromAxes * (len * foot), turn = skin.tileFromAxes * (A * rootTurning * (-0.5 * len * len * (down + arc.x * path.x)));
   // The tile's coordinates change faster in some places of a chart than in others.
-  vec3 squares = vec3(foot.x * foot.x, 2.0 * foot.x * foot.y, foot.y * foot.y);
+  vec3 squares = vec3(root.x * root.x, 2.0 * root.x * root.y, root.y * root.y);
   turn += 0.5 * tilesPerUnit * len * len * vec2(dot(hessianS, squares), dot(hessianT, squares));
   vTile = vec4(furStrands.xy * tilesPerUnit, stride);
-  vTurn = vec4(turn, skin.tileFromAxes * (A * aside * len));
+  vTurn = vec4(turn, skin.tileFromAxes * (len * lies));
   vLean = vec4(2.0 * aside, uvAtlas.xy);
 #ifdef WET
   vTileOfFur = vec4(len * vec3(skin.tileFromAxes[0], skin.tileFromAxes[1].y), log2(length(gradSCurvature.xyz)));
