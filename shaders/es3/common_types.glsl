@@ -1,6 +1,9 @@
 // Where the fur types grow. Sheppard 2004, 3.3.2, with the presence e = 1 where a type is alone; C++ twin:
 // furgen/Strand.h.
-uniform sampler2D groom;  // r: length of the fur, a share  g, b, a: presence of the types 2 to 4; where there is but one, a: groom::withCharts()
+
+// r: length of the fur, a share; g, b, a: presence of the types 2 to 4. Of coats of one type a: the chart's number, see
+// groom::withCharts().
+uniform sampler2D groom;
 
 // Shorter fur is none.
 const float kBald = 0.004;

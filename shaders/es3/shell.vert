@@ -110,17 +110,18 @@ float bentBack(vec2 way, vec2 turning, float slope, float z, float coat) {
   return mix(bent, 0.5 * curvature * whole * (whole + round), thin * smoothstep(0.5, 1.0, past));
 }
 
-// The skin's curvature, bounded to so much inwards and outwards of 1 / z, the height of the coat.
-mat2 boundedCurvature(mat2 curvature, float z, float mostInwards, float mostOutwards) {
+// Terms for strands that lie are linear in the skin's curvature, of which they take these shares at the height z: bent inwards beyond
+// the one bound (times 1 / z) tips turned round like hooks in creases; beyond the other, outwards, rays went out of the coat over
+// ridges, where sky showed. Roots (x) have the first bound only, heights (y) both.
+const float kMostInwards = 0.15, kMostOutwards = 0.3;
+vec2 sharesOfCurvature(mat2 curvature, float z) {
   vec2 halves = 0.5 * vec2(curvature[0].x + curvature[1].y, curvature[0].x - curvature[1].y);
   float apart = length(vec2(halves.y, curvature[0].y));
-  vec2 most = vec2(mostInwards, mostOutwards) / max(z * vec2(apart - halves.x, apart + halves.x), 1e-4);
-  float bound = min(1.0, min(most.x, most.y));
-  return curvature * (bound * bound);
+  vec2 bent = max(z * vec2(apart - halves.x, apart + halves.x), 1e-4);
+  vec2 most = min(vec2(kMostInwards, kMostOutwards) / bent, 1.0);
+  float both = min(most.x, most.y);
+  return vec2(most.x * most.x, both * both);
 }
-// Terms for strands that lie are linear in it: beyond these, tips turned round like hooks in creases, and over ridges rays went out of the
-// coat, where sky showed.
-const float kMostInwards = 0.15, kMostOutwards = 0.3;
 
 // The ray's way through the coat from the height `top`, as two parabolas.
 void castRay(Skin skin, vec3 ray, vec3 bend, float top) {
@@ -146,13 +147,14 @@ void castRay(Skin skin, vec3 ray, vec3 bend, float top) {
   if (inwards > 0.0 && descent > 0.0) path.y = min(path.y, 0.5 * max(more, 0.0) * descent);
   // Strands that lie leave a skin that turns away under them: heights along them are not those over it, and where the ray meets them
   // they root elsewhere than under it.
-  vec2 lies = A * aside, lying = boundedCurvature(skin.curvature, z, kMostInwards, kMostOutwards) * lies;
+  vec2 shares = sharesOfCurvature(skin.curvature, z), lies = A * aside, lying = shares.y * (skin.curvature * lies);
   path.x += len * top * top * dot(lying, way);
   path /= max(arc.x + 2.0 * len * top * top * top * dot(aside, lying), 0.5 * arc.x);
   vec2 root = foot - lies * (2.0 * top * path.x);
-  vec2 rootTurning = boundedCurvature(skin.curvature, z, kMostInwards, 1e3) * root;
+  vec2 rootTurning = shares.x * (skin.curvature * root);
   vPath = vec4(path, len * rootTurning);
-  vec2 stride = skin.tileFromAxes * (len * foot), turn = skin.tileFromAxes * (A * rootTurning * (-0.5 * len * len * (down + arc.x * path.x)));
+  vec2 stride = skin.tileFromAxes * (len * foot);
+  vec2 turn = skin.tileFromAxes * (A * rootTurning * (-0.5 * len * len * (down + arc.x * path.x)));
   // The tile's coordinates change faster in some places of a chart than in others.
   vec3 squares = vec3(root.x * root.x, 2.0 * root.x * root.y, root.y * root.y);
   turn += 0.5 * tilesPerUnit * len * len * vec2(dot(hessianS, squares), dot(hessianT, squares));

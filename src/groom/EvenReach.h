@@ -15,13 +15,13 @@ namespace fur::groom {
 // charts apart, also in their gutters: of a chart one and the same number, 0 on none. The fourth is 0.
 using EvenTexel = std::array<std::uint8_t, 4>;
 inline constexpr std::uint8_t kMostReach = 63;
-// What tells them apart: from 1 on, 0 on none; of more than 255 charts some have the same.
+std::vector<EvenTexel> evenReach(const GroomMap& map, const geometry::Surface& surface, const geometry::AtlasTexels& atlas);
+
+// Of each texel the number of its chart, in its gutter as well: from 1 on, 0 on none; of more than 255 charts some have the same.
 std::vector<std::uint8_t> chartNumbers(const geometry::Surface& surface, const geometry::AtlasTexels& atlas);
 
-// A map of lengths alone, whose fourth channel, which the types leave free, has those numbers: so shaders
-// tell a ray that leaves its chart.
+// A map of lengths alone with those numbers in its fourth channel, which is a type's otherwise: by them shaders tell a ray that leaves
+// its chart.
 GroomMap withCharts(const GroomMap& map, const std::vector<std::uint8_t>& charts);
-
-std::vector<EvenTexel> evenReach(const GroomMap& map, const geometry::Surface& surface, const geometry::AtlasTexels& atlas);
 
 }  // namespace fur::groom
