@@ -110,17 +110,15 @@ float bentBack(vec2 way, vec2 turning, float slope, float z, float coat) {
   return mix(bent, 0.5 * curvature * whole * (whole + round), thin * smoothstep(0.5, 1.0, past));
 }
 
-// Terms for strands that lie are linear in the skin's curvature, of which they take these shares at the height z: bent inwards beyond
-// the one bound (times 1 / z) tips turned round like hooks in creases; beyond the other, outwards, rays went out of the coat over
-// ridges, where sky showed. Roots (x) have the first bound only, heights (y) both.
-const float kMostInwards = 0.15, kMostOutwards = 0.3;
-vec2 sharesOfCurvature(mat2 curvature, float z) {
+// The curvature of the skin as terms for strands that lie take it, at the height z: they are linear in it. Bent inwards by more than so
+// much of 1 / z tips turned round like hooks in creases; outwards rays went out of the coat over ridges, where sky showed.
+mat2 boundedCurvature(mat2 curvature, float z) {
+  const float kMostInwards = 0.15, kMostOutwards = 0.5;
   vec2 halves = 0.5 * vec2(curvature[0].x + curvature[1].y, curvature[0].x - curvature[1].y);
   float apart = length(vec2(halves.y, curvature[0].y));
-  vec2 bent = max(z * vec2(apart - halves.x, apart + halves.x), 1e-4);
-  vec2 most = min(vec2(kMostInwards, kMostOutwards) / bent, 1.0);
-  float both = min(most.x, most.y);
-  return vec2(most.x * most.x, both * both);
+  vec2 most = vec2(kMostInwards, kMostOutwards) / max(z * vec2(apart - halves.x, apart + halves.x), 1e-4);
+  float share = min(1.0, min(most.x, most.y));
+  return curvature * (share * share);
 }
 
 // The ray's way through the coat from the height `top`, as two parabolas.
@@ -147,11 +145,12 @@ void castRay(Skin skin, vec3 ray, vec3 bend, float top) {
   if (inwards > 0.0 && descent > 0.0) path.y = min(path.y, 0.5 * max(more, 0.0) * descent);
   // Strands that lie leave a skin that turns away under them: heights along them are not those over it, and where the ray meets them
   // they root elsewhere than under it.
-  vec2 shares = sharesOfCurvature(skin.curvature, z), lies = A * aside, lying = shares.y * (skin.curvature * lies);
+  mat2 bounded = boundedCurvature(skin.curvature, z);
+  vec2 lies = A * aside, lying = bounded * lies;
   path.x += len * top * top * dot(lying, way);
   path /= max(arc.x + 2.0 * len * top * top * top * dot(aside, lying), 0.5 * arc.x);
   vec2 root = foot - lies * (2.0 * top * path.x);
-  vec2 rootTurning = shares.x * (skin.curvature * root);
+  vec2 rootTurning = bounded * root;
   vPath = vec4(path, len * rootTurning);
   vec2 stride = skin.tileFromAxes * (len * foot);
   vec2 turn = skin.tileFromAxes * (A * rootTurning * (-0.5 * len * len * (down + arc.x * path.x)));

@@ -173,7 +173,6 @@ void App::State::uploadGroom(bool whole) {
     const geometry::TexelRect rect = groom.takeChanged(map);
     return whole ? all : rect;
   };
-  if (whole || uploaded.charts.size() != now.map.texels().size()) uploaded.charts.clear();
   geometry::TexelRect rect = changedOf(groom::kLengthMap);
   if (noteChange(uploaded.typed, showsTypes())) rect = all;
   if (!rect.empty()) uploadLengths(rect);
@@ -205,11 +204,7 @@ void App::State::uploadLengths(const geometry::TexelRect& changed) {
   const std::vector<float>& lengths = groom.vertexLengths();
   // Of a plain map the least says it all.
   if (!groom.hasLengths()) renderer->updateGroom(groom::GroomMap(kLeast), {0, 0, kLeast, kLeast});
-  else if (uploaded.typed) renderer->updateGroom(groom.groom().map, changed);
-  else {
-    if (uploaded.charts.empty()) uploaded.charts = groom::chartNumbers(surface, groom.groomSurface(shape).atlas);
-    renderer->updateGroom(groom::withCharts(groom.groom().map, uploaded.charts), changed);
-  }
+  else renderer->updateGroom(uploaded.typed ? groom.groom().map : groom::withCharts(groom.groom().map, surface, groom.groomSurface(shape).atlas), changed);
   uploadEvenReach();
   if (lengths.empty()) return renderer->setFurry({surface.furIndices, surface.ownFurIndices, surface.furClusters}, {});
   const auto remaining = [&](const std::vector<std::uint32_t>& all) { return groom::furryTriangles(all, lengths); };

@@ -128,7 +128,6 @@ struct App::State {
     std::vector<groom::Whisker> whiskers{};
     std::uint64_t overPaint = 0;  // what lies over it: 0 nothing, 1 the mask, above 1 a map of hair
     bool painted = false, shaped = false, typed = false;
-    std::vector<std::uint8_t> charts{};  // groom::chartNumbers(), once they were needed
     struct Scalp {
       std::uint64_t growth = 0, nodes = 0;
     };

@@ -17,6 +17,16 @@ int onlyType(const GroomMap::Texel& texel) {
   return -1;
 }
 
+// Of each texel its chart's number, as withCharts() has it.
+std::vector<std::uint8_t> chartsOf(const geometry::Surface& surface, const geometry::AtlasTexels& atlas) {
+  std::vector<std::uint8_t> out;
+  out.reserve(atlas.triangleOf().size());
+  for (const std::uint32_t triangle : atlas.triangleOf())
+    out.push_back(triangle == geometry::kNoTriangle ? std::uint8_t{0} : static_cast<std::uint8_t>(surface.vertices[surface.indices[3 * triangle]].chart % 255 + 1));
+  for (const auto& [texel, source] : atlas.gutter()) out[texel] = out[source];
+  return out;
+}
+
 // Calls visit(neighbour) for those of the four neighbours before the texel, row by row (`back`: after it), that are of its chart.
 constexpr int kBefore[4][2] = {{-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
 template <class Visit>
@@ -59,28 +69,9 @@ void spread(std::vector<std::uint8_t>& reach, const std::vector<std::uint8_t>& c
 
 }  // namespace
 
-std::vector<std::uint8_t> chartNumbers(const geometry::Surface& surface, const geometry::AtlasTexels& atlas) {
-  std::vector<std::uint8_t> out;
-  out.reserve(atlas.triangleOf().size());
-  for (const std::uint32_t triangle : atlas.triangleOf())
-    out.push_back(triangle == geometry::kNoTriangle ? std::uint8_t{0} : static_cast<std::uint8_t>(surface.vertices[surface.indices[3 * triangle]].chart % 255 + 1));
-  for (const auto& [texel, source] : atlas.gutter()) out[texel] = out[source];
-  return out;
-}
-
-GroomMap withCharts(const GroomMap& map, const std::vector<std::uint8_t>& charts) {
-  FUR_ASSERT(charts.size() == map.texels().size(), "groom::withCharts()", "a number for each texel", charts.size());
-  std::vector<GroomMap::Texel> texels;
-  texels.reserve(charts.size());
-  for (std::size_t i = 0; i < charts.size(); ++i) texels.push_back({map.texels()[i][0], 0, 0, charts[i]});
-  GroomMap out(map.size());
-  out.restore(std::move(texels));
-  return out;
-}
-
 std::vector<EvenTexel> evenReach(const GroomMap& map, const geometry::Surface& surface, const geometry::AtlasTexels& atlas) {
   FUR_ASSERT(atlas.size() == map.size(), "groom::evenReach()", "an atlas of the map's size", atlas.size());
-  const std::vector<std::uint8_t> charts = chartNumbers(surface, atlas);
+  const std::vector<std::uint8_t> charts = chartsOf(surface, atlas);
   std::vector<std::uint8_t> reach = borders(map, atlas, charts);
   spread(reach, charts, map.size());
   std::vector<EvenTexel> out;
@@ -90,6 +81,12 @@ std::vector<EvenTexel> evenReach(const GroomMap& map, const geometry::Surface& s
     out.push_back({type < 0 ? std::uint8_t{0} : static_cast<std::uint8_t>(type + 4 * reach[i]), map.texels()[i][0], charts[i], 0});
   }
   return out;
+}
+
+GroomMap withCharts(GroomMap map, const geometry::Surface& surface, const geometry::AtlasTexels& atlas) {
+  const std::vector<std::uint8_t> charts = chartsOf(surface, atlas);
+  for (std::uint32_t i = 0; i < charts.size(); ++i) map.set(i, {map.texels()[i][0], 0, 0, charts[i]});
+  return map;
 }
 
 }  // namespace fur::groom

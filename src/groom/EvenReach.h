@@ -17,11 +17,8 @@ using EvenTexel = std::array<std::uint8_t, 4>;
 inline constexpr std::uint8_t kMostReach = 63;
 std::vector<EvenTexel> evenReach(const GroomMap& map, const geometry::Surface& surface, const geometry::AtlasTexels& atlas);
 
-// Of each texel the number of its chart, in its gutter as well: from 1 on, 0 on none; of more than 255 charts some have the same.
-std::vector<std::uint8_t> chartNumbers(const geometry::Surface& surface, const geometry::AtlasTexels& atlas);
-
-// A map of lengths alone with those numbers in its fourth channel, which is a type's otherwise: by them shaders tell a ray that leaves
-// its chart.
-GroomMap withCharts(const GroomMap& map, const std::vector<std::uint8_t>& charts);
+// A map of lengths alone with the numbers of charts in its fourth channel, which is a type's otherwise: from 1 on, in their gutters as
+// well, 0 on none; of more than 255 charts some have the same. By them shaders tell a ray that leaves its chart.
+GroomMap withCharts(GroomMap map, const geometry::Surface& surface, const geometry::AtlasTexels& atlas);
 
 }  // namespace fur::groom

@@ -69,13 +69,13 @@ TEST(WithCharts, KeepsLengthsAndTellsChartsApartInTheirGuttersToo) {
   Setting one(96);
   ASSERT_GT(one.surface.chartCount, 1u);
   setLength(one.groom, one.groomSurface(), {{0, 1, 0}, {0, 1, 0}, 0.4f, 1, Falloff::Flat}, 0.5f);
-  const std::vector<std::uint8_t> charts = chartNumbers(one.surface, one.atlas);
-  const GroomMap map = withCharts(one.groom.map, charts);
-  for (std::uint32_t i = 0; i < charts.size(); ++i) {
-    EXPECT_EQ(map.texels()[i], (GroomMap::Texel{one.groom.map.texels()[i][0], 0, 0, charts[i]}));
-    if (onChart(one, i)) { EXPECT_EQ(charts[i], one.surface.vertices[one.surface.indices[3 * one.atlas.triangleOf()[i]]].chart + 1); }
+  const GroomMap map = withCharts(one.groom.map, one.surface, one.atlas);
+  const std::vector<GroomMap::Texel>& texels = map.texels();
+  for (std::uint32_t i = 0; i < texels.size(); ++i) {
+    EXPECT_EQ(texels[i], (GroomMap::Texel{one.groom.map.texels()[i][0], 0, 0, texels[i][3]}));
+    if (onChart(one, i)) { EXPECT_EQ(texels[i][3], one.surface.vertices[one.surface.indices[3 * one.atlas.triangleOf()[i]]].chart + 1); }
   }
-  for (const auto& [texel, source] : one.atlas.gutter()) EXPECT_EQ(charts[texel], charts[source]);
+  for (const auto& [texel, source] : one.atlas.gutter()) EXPECT_EQ(texels[texel][3], texels[source][3]);
 }
 
 TEST(EvenReach, IsNoneWhereTypesShareATexel) {
