@@ -86,7 +86,9 @@ std::vector<EvenTexel> evenReach(const GroomMap& map, const geometry::Surface& s
 GroomMap withCharts(GroomMap map, const geometry::Surface& surface, const geometry::AtlasTexels& atlas) {
   FUR_ASSERT(atlas.size() == map.size(), "groom::withCharts()", "an atlas of the map's size", atlas.size());
   const std::vector<std::uint8_t> charts = chartsOf(surface, atlas);
-  for (std::uint32_t i = 0; i < charts.size(); ++i) map.set(i, {map.texels()[i][0], 0, 0, charts[i]});
+  std::vector<GroomMap::Texel> texels = map.texels();
+  for (std::size_t i = 0; i < charts.size(); ++i) texels[i] = {texels[i][0], 0, 0, charts[i]};
+  map.restore(std::move(texels));
   return map;
 }
 
