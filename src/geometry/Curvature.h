@@ -11,8 +11,8 @@
 namespace fur::geometry {
 
 // Sets SurfaceVertex::curvature from how vertex normals change over the triangles round a point: a fit for each triangle,
-// averaged by area (Rusinkiewicz 2004, "Estimating Curvatures and Their Derivatives on Triangle Meshes"). Vertices of one
-// position get the same. `triangles` cover the surface once; `weld` is over all its vertices; gradS must be set.
+// averaged by area (Rusinkiewicz 2004, "Estimating Curvatures and Their Derivatives on Triangle Meshes"), then smoothed by the same areas.
+// Vertices of one position get the same. `triangles` cover the surface once; `weld` is over all its vertices; gradS must be set.
 // `turned`: see SurfaceSteps.h.
 void computeCurvature(Surface& surface, const std::vector<std::uint32_t>& triangles, const Weld& weld, bool turned = false);
 

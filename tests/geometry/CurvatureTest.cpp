@@ -54,6 +54,34 @@ TEST(Curvature, OfATorusIsThatOfItsTubeAndTurnsHollowInside) {
   EXPECT_GT(shareOf(surface, [&](const SurfaceVertex& v) { return std::abs(principal(v).x - median) < 0.03f * median; }), 0.95f);
 }
 
+TEST(Curvature, OfOneVertexIsThatOfWhatLiesRoundIt) {
+  Surface surface = built(makePlane());
+  const auto closer = [](const SurfaceVertex& a, const SurfaceVertex& b) { return glm::length(a.position) < glm::length(b.position); };
+  const Vec3 middle = std::min_element(surface.vertices.begin(), surface.vertices.end(), closer)->position;
+  float side = 1e9f;
+  for (const SurfaceVertex& v : surface.vertices) {
+    const float apart = glm::length(v.position - middle);
+    if (apart > 1e-5f) side = std::min(side, apart);
+  }
+  for (SurfaceVertex& v : surface.vertices)
+    if (glm::length(v.position - middle) < 1e-5f) v.normal = glm::normalize(Vec3(0.1f, 1, 0));
+  computeCurvature(surface, surface.indices, weldVertices(surface.vertices));
+  const auto most = [&](float from, float to) {
+    float found = 0;
+    for (const SurfaceVertex& v : surface.vertices) {
+      const float apart = glm::length(v.position - middle) / side;
+      if (apart > from && apart < to) found = std::max(found, glm::length(v.curvature));
+    }
+    return found;
+  };
+  // A normal that leans by 0.1 says something of the curvature of its own triangles alone. It is shared out: no more than half of
+  // 0.1 a side is left anywhere, what is left fades over three rings of vertices, and further off nothing is changed.
+  EXPECT_LT(most(0.0f, 3.5f), 0.05f / side);
+  EXPECT_GT(most(2.5f, 3.5f), 1e-4f / side);
+  EXPECT_LT(most(2.5f, 3.5f), 0.5f * most(0.5f, 1.5f));
+  EXPECT_LT(most(4.5f, 6.0f), 1e-4f);
+}
+
 TEST(Curvature, OfASurfaceThatMovesIsThatOfWhatItHasBecome) {
   const Surface surface = built(makePlane());
   std::vector<Vec3> positions, normals;
