@@ -65,6 +65,7 @@ Matrix curvatureOf(const SurfaceVertex* const v[3], const glm::dvec3& facing, bo
 void smooth(std::vector<Matrix>& sums, std::vector<double>& areas, const std::vector<std::uint32_t>& triangles, const Weld& weld) {
   std::vector<Matrix> smoothSums(sums.size(), Matrix(0.0));
   std::vector<double> smoothAreas(sums.size(), 0.0);
+  // From each corner of a triangle to each: nine pairs.
   for (std::size_t i = 0; i < 9 * (triangles.size() / 3); ++i) {
     const std::uint32_t to = weld.idOf[triangles[i / 9 * 3 + i % 3]], from = weld.idOf[triangles[i / 3]];
     smoothSums[to] += sums[from];
